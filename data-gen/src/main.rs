@@ -1,0 +1,3 @@
+//! The sweep: parameters → simulation → measured attributes → rows in `training/`.
+
+fn main() {}

@@ -1,0 +1,82 @@
+//! Marks → numbers: the one ruler for what is drawn and for what has grown.
+
+pub mod regions;
+pub mod spacing;
+
+use serde::{Deserialize, Serialize};
+
+/// What a set of spots looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Spots {
+    /// Mean area of a spot, px².
+    pub area: f64,
+    /// Mean minor ÷ major radius, 0..1 (1 = round).
+    pub aspect: f64,
+    /// Axial mean of the major axes, degrees in [0, 180), weighted by 1 − aspect.
+    pub angle: f64,
+    /// Mean length of the Delaunay edges between neighbours, px; `None` = free, what the system gives.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spacing: Option<f64>,
+}
+
+/// What a set of stripes looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Stripes {
+    /// Mean width of a stripe, px.
+    pub width: f64,
+    /// Axial mean direction, degrees in [0, 180), weighted by length.
+    pub angle: f64,
+}
+
+/// The attributes of a set of marks.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Attributes {
+    /// Of ellipses.
+    Spots(Spots),
+    /// Of lines.
+    Stripes(Stripes),
+}
+
+impl Attributes {
+    /// The same pattern with all lengths multiplied by `factor` (and areas by its square).
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        match self {
+            Self::Spots(spots) => Self::Spots(Spots {
+                area: spots.area * factor * factor,
+                spacing: spots.spacing.map(|spacing| spacing * factor),
+                ..spots
+            }),
+            Self::Stripes(stripes) => Self::Stripes(Stripes { width: stripes.width * factor, ..stripes }),
+        }
+    }
+
+    /// Its direction, degrees in [0, 180).
+    #[must_use]
+    pub fn angle(&self) -> f64 {
+        match self {
+            Self::Spots(spots) => spots.angle,
+            Self::Stripes(stripes) => stripes.angle,
+        }
+    }
+}
+
+/// Axial mean of angles (degrees) under weights, with its double-angle resultant length 0..1.
+///
+/// Mean of (cos 2θ, sin 2θ), half its direction. `None` where all weights are 0 or the directions cancel.
+#[must_use]
+pub fn axial_mean(angles: impl IntoIterator<Item = (f64, f64)>) -> Option<(f64, f64)> {
+    let (mut c, mut s, mut total) = (0.0, 0.0, 0.0);
+    for (angle, weight) in angles {
+        let double = (2.0 * angle).to_radians();
+        c += weight * libm::cos(double);
+        s += weight * libm::sin(double);
+        total += weight;
+    }
+    let length = (c * c + s * s).sqrt();
+    if total <= 0.0 || length <= 1e-12 * total {
+        return None;
+    }
+    Some((crate::marks::axial(0.5 * libm::atan2(s, c).to_degrees()), length / total))
+}

@@ -1,0 +1,1 @@
+//! Regions of the canvas, and attributes at any point between them.

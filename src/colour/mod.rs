@@ -1,0 +1,1 @@
+//! Field → picture: pattern values to colours.

@@ -1,0 +1,1 @@
+//! Rows → answers: locally weighted regression over the training sets.

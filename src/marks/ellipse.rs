@@ -1,0 +1,62 @@
+//! An ellipse: a spot, drawn or measured.
+
+use super::axial;
+
+/// An ellipse, px and degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ellipse {
+    /// Centre, px.
+    pub center: [f64; 2],
+    /// `radii[0]` lies along `angle`, `radii[1]` across it, px; either may be the larger.
+    pub radii: [f64; 2],
+    /// Direction of `radii[0]`, degrees from +x towards +y.
+    pub angle: f64,
+}
+
+impl Ellipse {
+    /// The ellipse of this area (px²), aspect (0..1] and major axis (degrees).
+    #[must_use]
+    pub fn of(center: [f64; 2], area: f64, aspect: f64, angle: f64) -> Self {
+        let minor = (area * aspect / std::f64::consts::PI).sqrt();
+        Self { center, radii: [minor / aspect, minor], angle }
+    }
+
+    /// π·r₁·r₂, px².
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        std::f64::consts::PI * self.radii[0] * self.radii[1]
+    }
+
+    /// Minor ÷ major radius, 0..1 (1 = round).
+    #[must_use]
+    pub fn aspect(&self) -> f64 {
+        let [r, q] = self.radii;
+        r.min(q) / r.max(q)
+    }
+
+    /// Direction of the major axis, degrees in [0, 180).
+    #[must_use]
+    pub fn major_angle(&self) -> f64 {
+        if self.radii[1] > self.radii[0] { axial(self.angle + 90.0) } else { axial(self.angle) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_major_axis_is_across_where_the_second_radius_is_larger() {
+        let ellipse = Ellipse { center: [0.0, 0.0], radii: [2.0, 8.0], angle: 100.0 };
+        assert_eq!(ellipse.major_angle(), 10.0);
+        assert_eq!(ellipse.aspect(), 0.25);
+    }
+
+    #[test]
+    fn an_ellipse_made_from_its_numbers_has_them() {
+        let ellipse = Ellipse::of([1.0, 2.0], 300.0, 0.4, 30.0);
+        assert!((ellipse.area() - 300.0).abs() < 1e-9);
+        assert!((ellipse.aspect() - 0.4).abs() < 1e-12);
+        assert_eq!(ellipse.major_angle(), 30.0);
+    }
+}

@@ -1,0 +1,1 @@
+//! Points → an ellipse (direct least squares) or a line.

@@ -1,0 +1,1 @@
+//! Field → marks and stripe statistics, with the words of the contract.

@@ -1,0 +1,1 @@
+//! Parameters → field: reaction and diffusion.

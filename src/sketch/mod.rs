@@ -1,0 +1,1 @@
+//! Strokes → marks: what a hand drew.

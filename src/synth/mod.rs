@@ -1,0 +1,1 @@
+//! The thread: a document in, a grown texture out.
