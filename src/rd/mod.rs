@@ -1,1 +1,51 @@
 //! Parameters → field: reaction and diffusion.
+
+mod begin;
+mod diffusion;
+pub mod explicit;
+mod gabor;
+mod growth;
+mod kinetics;
+mod maps;
+mod meinhardt_spots;
+mod meinhardt_stripes;
+mod nuclei;
+mod plane;
+mod problem;
+pub mod rows;
+pub mod selling;
+mod turing_spots;
+
+pub use growth::Growth;
+pub use maps::{Maps, Parameters};
+
+/// The reaction-diffusion systems.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum System {
+    /// Two chemicals; packed spots of any size.
+    TuringSpots,
+    /// Two chemicals; spots of any size and any spacing.
+    MeinhardtSpots,
+    /// Five chemicals; stripes.
+    MeinhardtStripes,
+}
+
+impl System {
+    /// The decay constant that scales normalised time (`facts.md` 0): T = decay · rate · time.
+    fn decay(self) -> f32 {
+        match self {
+            Self::TuringSpots => 1.0,
+            Self::MeinhardtSpots => meinhardt_spots::P2,
+            Self::MeinhardtStripes => meinhardt_stripes::K_AB,
+        }
+    }
+
+    /// The largest dt·s at which the reactions alone stay stable (`facts.md` A, B, C).
+    fn reaction_limit(self) -> f32 {
+        match self {
+            Self::TuringSpots => 0.045,
+            Self::MeinhardtSpots => 1.0,
+            Self::MeinhardtStripes => 4.0,
+        }
+    }
+}

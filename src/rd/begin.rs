@@ -1,0 +1,79 @@
+//! What growth begins from.
+
+use rand_pcg::Pcg64Mcg;
+
+use super::maps::{Maps, Parameters};
+use super::nuclei::{Nucleus, nuclei};
+use super::plane::Plane;
+use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
+use crate::field::Edges;
+
+/// Spots begin as bells on [`nuclei`].
+pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
+    let (nx, ny) = (maps.nx, maps.ny);
+    let pitch = |p: &Parameters| match system {
+        System::TuringSpots => turing_spots::SPACING / f64::from(p.rate).sqrt(),
+        _ => meinhardt_spots::spacing(p.ratio) / f64::from(p.rate).sqrt(),
+    };
+    let radius = |p: &Parameters| match system {
+        System::TuringSpots => turing_spots::RADIUS,
+        _ => meinhardt_spots::radius(p.ratio),
+    };
+    let bell = bells(maps, edges, &nuclei(maps, edges, &pitch, rng), &radius);
+    let mut planes = [Plane::flat(nx, ny, 0.0), Plane::flat(nx, ny, 0.0)];
+    for y in 0..ny {
+        for x in 0..nx {
+            let (q, p, at) = (bell[y * nx + x], maps.parameters[y * nx + x], planes[0].at(x, y));
+            let [a, b] = match system {
+                System::TuringSpots => turing_spots::begin(q),
+                _ => meinhardt_spots::begin(q, p.ratio),
+            };
+            planes[0].values[at] = a;
+            planes[1].values[at] = b;
+        }
+    }
+    planes.iter_mut().for_each(|plane| plane.fill_margin(edges));
+    planes
+}
+
+/// For each cell, 1 in the middle of a spot to be, falling to 0 away from it as a Gaussian of its metric.
+fn bells(maps: &Maps, edges: Edges, nuclei: &[Nucleus], radius: &dyn Fn(&Parameters) -> f64) -> Vec<f32> {
+    let (nx, ny) = (maps.nx, maps.ny);
+    let mut bell = vec![0.0f32; nx * ny];
+    for nucleus in nuclei {
+        let radius = radius(&maps.at(nucleus.at));
+        let far = 3.5 * radius * nucleus.reach;
+        let range = |v: f64| (v - 0.5 - far).ceil() as isize..=(v - 0.5 + far).floor() as isize;
+        for y in range(nucleus.at[1]) {
+            for x in range(nucleus.at[0]) {
+                let inside = (0..nx as isize).contains(&x) && (0..ny as isize).contains(&y);
+                if edges == Edges::Closed && !inside {
+                    continue;
+                }
+                let d2 = nucleus.distance2([x as f64 + 0.5 - nucleus.at[0], y as f64 + 0.5 - nucleus.at[1]]);
+                let here = libm::exp(-0.5 * d2 / (radius * radius)) as f32;
+                let cell = &mut bell[edges.index(y, ny) * nx + edges.index(x, nx)];
+                *cell = cell.max(here);
+            }
+        }
+    }
+    bell
+}
+
+/// Stripes begin as oriented noise in a against b.
+pub fn stripes(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 5] {
+    let wavelength = |p: &Parameters| meinhardt_stripes::WAVELENGTH / f64::from(p.rate).sqrt();
+    let noise = gabor::noise(maps, edges, &wavelength, rng);
+    let mut planes = meinhardt_stripes::REST.map(|c| Plane::flat(maps.nx, maps.ny, c));
+    for y in 0..maps.ny {
+        for x in 0..maps.nx {
+            let (n, at) = (0.2 * noise[y * maps.nx + x], planes[0].at(x, y));
+            let n = n.clamp(-0.9, 0.9);
+            for (chemical, sign) in [(0, 1.0), (1, -1.0), (3, 1.0), (4, -1.0)] {
+                planes[chemical].values[at] *= 1.0 + sign * n;
+            }
+        }
+    }
+    planes.iter_mut().for_each(|plane| plane.fill_margin(edges));
+    planes
+}

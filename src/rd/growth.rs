@@ -1,0 +1,278 @@
+//! Growth as a value: begun from parameters, advanced, looked at.
+
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+
+use super::diffusion::Diffusion;
+use super::maps::{Maps, Parameters};
+use super::meinhardt_spots::{self, MeinhardtSpots};
+use super::meinhardt_stripes::{self, MeinhardtStripes};
+use super::plane::Plane;
+use super::problem::Problem;
+use super::selling::{MIN_STRETCH, Tensor};
+use super::turing_spots::{self, TuringSpots};
+use super::{System, begin, rows};
+use crate::field::{Edges, Field};
+
+/// dt·D·Σw that a step may not exceed. ½ is where it stops being monotone; 0.45 is what `facts.md` A found
+/// free of noise with reactions on top.
+const DIFFUSION_LIMIT: f32 = 0.45;
+
+/// A pattern being grown.
+#[derive(Clone, Debug)]
+pub struct Growth {
+    system: System,
+    problem: Problem,
+    cell: [f64; 2],
+    chemicals: Chemicals,
+    /// Normalised time that one step takes where the reactions are slowest.
+    time_a_step: f64,
+    steps: u64,
+}
+
+#[derive(Clone, Debug)]
+enum Chemicals {
+    Two(Box<[[Plane; 2]; 2]>),
+    Five(Box<[[Plane; 5]; 2]>),
+}
+
+impl Chemicals {
+    fn two(planes: [Plane; 2]) -> Self {
+        Self::Two(Box::new([planes.clone(), planes]))
+    }
+
+    fn five(planes: [Plane; 5]) -> Self {
+        Self::Five(Box::new([planes.clone(), planes]))
+    }
+}
+
+impl Growth {
+    /// Lays out the grid, its coefficients and what the growth begins from.
+    #[must_use]
+    pub fn new(system: System, maps: &Maps, edges: Edges, seed: u64) -> Self {
+        let mut rng = Pcg64Mcg::seed_from_u64(seed);
+        let chemicals = match system {
+            System::MeinhardtStripes => Chemicals::five(begin::stripes(maps, edges, &mut rng)),
+            _ => Chemicals::two(begin::spots(system, maps, edges, &mut rng)),
+        };
+        Self::of(system, maps, edges, chemicals)
+    }
+
+    /// Goes on from saved `concentrations` (as [`Self::concentrations`] gives them) instead of a fresh start.
+    ///
+    /// `None` where their number or length does not fit the system and the grid.
+    #[must_use]
+    pub fn resumed(system: System, maps: &Maps, edges: Edges, concentrations: &[Vec<f32>]) -> Option<Self> {
+        let planes: Vec<Plane> = concentrations
+            .iter()
+            .map(|cells| Plane::from_cells(maps.nx, maps.ny, cells, edges))
+            .collect::<Option<_>>()?;
+        let chemicals = match system {
+            System::MeinhardtStripes => Chemicals::five(planes.try_into().ok()?),
+            _ => Chemicals::two(planes.try_into().ok()?),
+        };
+        Some(Self::of(system, maps, edges, chemicals))
+    }
+
+    fn of(system: System, maps: &Maps, edges: Edges, chemicals: Chemicals) -> Self {
+        let problem = problem(system, maps, edges);
+        let slowest = problem.rate.iter().copied().fold(f32::INFINITY, f32::min);
+        let time_a_step = f64::from(slowest) * f64::from(system.decay());
+        Self { system, problem, cell: maps.cell, chemicals, time_a_step, steps: 0 }
+    }
+
+    /// Takes `steps` explicit steps.
+    pub fn advance(&mut self, steps: u64) {
+        for _ in 0..steps {
+            match (&mut self.chemicals, self.system) {
+                (Chemicals::Two(two), System::TuringSpots) => turn::<2, TuringSpots>(&self.problem, two),
+                (Chemicals::Two(two), _) => turn::<2, MeinhardtSpots>(&self.problem, two),
+                (Chemicals::Five(five), _) => turn::<5, MeinhardtStripes>(&self.problem, five),
+            }
+        }
+        self.steps += steps;
+    }
+
+    /// Steps taken.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Steps that make up `time` of normalised time (`facts.md` 0) where the reactions are slowest.
+    #[must_use]
+    pub fn steps_in(&self, time: f64) -> u64 {
+        (time / self.time_a_step).ceil().max(1.0) as u64
+    }
+
+    /// Normalised time grown where the reactions are slowest.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.steps as f64 * self.time_a_step
+    }
+
+    /// The concentration that shows the marks, high inside them: 0 about the ground, 1 about the middle of a
+    /// mark that has the parameters there.
+    #[must_use]
+    pub fn marks(&self, maps: &Maps) -> Field {
+        let values = match &self.chemicals {
+            Chemicals::Two(two) if self.system == System::TuringSpots => {
+                two[0][0].cells().iter().map(|a| turing_spots::share(*a)).collect()
+            }
+            Chemicals::Two(two) => {
+                let a = two[0][0].cells();
+                a.iter().zip(&maps.parameters).map(|(a, p)| a / meinhardt_spots::peak(p.ratio)).collect()
+            }
+            Chemicals::Five(five) => {
+                let (a, b) = (five[0][0].cells(), five[0][1].cells());
+                a.iter().zip(b).map(|(a, b)| a / (a + b)).collect()
+            }
+        };
+        Field {
+            width: self.problem.nx,
+            height: self.problem.ny,
+            cell: self.cell,
+            edges: self.problem.edges,
+            values,
+        }
+    }
+
+    /// The concentrations of each chemical, row by row.
+    #[must_use]
+    pub fn concentrations(&self) -> Vec<Vec<f32>> {
+        match &self.chemicals {
+            Chemicals::Two(two) => two[0].iter().map(Plane::cells).collect(),
+            Chemicals::Five(five) => five[0].iter().map(Plane::cells).collect(),
+        }
+    }
+}
+
+fn turn<const N: usize, K: super::kinetics::Kinetics<N>>(problem: &Problem, planes: &mut [[Plane; N]; 2]) {
+    let [old, new] = planes;
+    rows::step::<N, K>(problem, old, new);
+    planes.swap(0, 1);
+}
+
+/// Coefficients with the largest time step that is stable.
+fn problem(system: System, maps: &Maps, edges: Edges) -> Problem {
+    let tensor = |cell: usize| {
+        let p = maps.parameters[cell];
+        let stretch = f64::from(p.stretch.max(MIN_STRETCH));
+        let [along, across] = match system {
+            System::TuringSpots | System::MeinhardtSpots => [1.0 / stretch, stretch],
+            System::MeinhardtStripes => [1.0 / (stretch * stretch), 1.0],
+        };
+        Tensor::oriented(along, across, f64::from(p.direction)).on_cells(maps.cell)
+    };
+    let diffusion = Diffusion::new(maps.nx, maps.ny, tensor);
+    let square = Tensor { xx: 1.0, xy: 0.0, yy: 1.0 }.on_cells(maps.cell);
+    let isotropic = [square.xx as f32, square.yy as f32];
+    let shares = |p: &Parameters| match system {
+        System::TuringSpots => [turing_spots::RATIO.sqrt(), 1.0 / turing_spots::RATIO.sqrt()],
+        System::MeinhardtSpots => [1.0 / p.ratio.sqrt(), p.ratio.sqrt()],
+        System::MeinhardtStripes => [1.0, meinhardt_stripes::RATIO],
+    };
+    let fastest = maps.parameters.iter().map(|p| {
+        let [d0, d1] = shares(p);
+        match system {
+            System::MeinhardtStripes => (d0 * diffusion.largest).max(d1 * (isotropic[0] + isotropic[1])),
+            _ => d0.max(d1) * diffusion.largest,
+        }
+    });
+    let by_diffusion = DIFFUSION_LIMIT / fastest.fold(0.0, f32::max);
+    let highest = maps.parameters.iter().map(|p| p.rate).fold(0.0, f32::max);
+    let scale = by_diffusion.min(system.reaction_limit() / highest);
+    let mobility = [0, 1].map(|m| maps.parameters.iter().map(|p| scale * shares(p)[m]).collect());
+    let rate = maps.parameters.iter().map(|p| scale * p.rate).collect();
+    Problem { nx: maps.nx, ny: maps.ny, edges, diffusion, isotropic, mobility, rate }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// About 30 spots or 8 stripes on a small torus.
+    fn small(system: System) -> (Maps, Growth) {
+        let rate = match system {
+            System::TuringSpots => 0.15,
+            System::MeinhardtSpots => 2.0,
+            System::MeinhardtStripes => 40.0,
+        };
+        let maps = Maps::uniform(90, 84, Parameters { rate, ratio: 20.0, stretch: 0.6, direction: 30.0 });
+        let growth = Growth::new(system, &maps, Edges::Wrap, 3);
+        (maps, growth)
+    }
+
+    #[test]
+    fn every_system_grows_its_pattern_from_a_seed() {
+        for (system, cover) in [
+            (System::TuringSpots, 0.10..0.45),
+            (System::MeinhardtSpots, 0.05..0.12),
+            (System::MeinhardtStripes, 0.45..0.55),
+        ] {
+            let (maps, mut growth) = small(system);
+            growth.advance(growth.steps_in(30.0));
+            let marks = growth.marks(&maps).values;
+            let share = marks.iter().filter(|v| **v > 0.5).count() as f64 / marks.len() as f64;
+            let lowest = marks.iter().copied().fold(f32::INFINITY, f32::min);
+            let highest = marks.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+            assert!(cover.contains(&share), "{system:?} covers {share}");
+            assert!((-0.1..0.15).contains(&lowest) && (0.85..1.15).contains(&highest), "{lowest}..{highest}");
+        }
+    }
+
+    #[test]
+    fn a_grown_pattern_is_stationary() {
+        for system in [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes] {
+            let (maps, mut growth) = small(system);
+            growth.advance(growth.steps_in(60.0));
+            let before = growth.marks(&maps).values;
+            let mut again =
+                Growth::resumed(system, &maps, Edges::Wrap, &growth.concentrations()).expect("fits");
+            again.advance(again.steps_in(5.0));
+            let after = again.marks(&maps).values;
+            let moved: f32 = before.iter().zip(&after).map(|(b, a)| (b - a).abs()).sum();
+            let total: f32 = before.iter().sum();
+            assert!(moved < 0.02 * total, "{system:?} moved by {}", moved / total);
+        }
+    }
+
+    #[test]
+    fn resuming_goes_on_bit_for_bit() {
+        for system in [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes] {
+            let (maps, mut growth) = small(system);
+            growth.advance(40);
+            let mut again =
+                Growth::resumed(system, &maps, Edges::Wrap, &growth.concentrations()).expect("fits");
+            growth.advance(25);
+            again.advance(25);
+            assert!(growth.concentrations() == again.concentrations(), "{system:?}");
+        }
+    }
+
+    #[test]
+    fn concentrations_of_another_grid_are_refused() {
+        let (maps, growth) = small(System::TuringSpots);
+        let mut concentrations = growth.concentrations();
+        concentrations[0].pop();
+        assert!(Growth::resumed(System::TuringSpots, &maps, Edges::Wrap, &concentrations).is_none());
+        assert!(
+            Growth::resumed(System::MeinhardtStripes, &maps, Edges::Wrap, &growth.concentrations()).is_none()
+        );
+    }
+
+    #[test]
+    fn the_number_of_threads_changes_no_bit() {
+        let grown = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            pool.install(|| {
+                let p = Parameters { rate: 2.0, ratio: 15.0, stretch: 0.5, direction: 70.0 };
+                let maps = Maps::uniform(300, 260, p);
+                let mut growth = Growth::new(System::MeinhardtSpots, &maps, Edges::Closed, 9);
+                growth.advance(50);
+                growth.concentrations()
+            })
+        };
+        assert!(grown(1) == grown(4));
+    }
+}

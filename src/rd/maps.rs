@@ -1,0 +1,42 @@
+//! Parameters of every cell: how size, shape, direction and spacing vary over the grid.
+
+/// Parameters at one point, in cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters {
+    /// Reaction rate ÷ diffusion, 1/cell²: s/√(DₐD_b) of spots, s/Dₐ of stripes. Lengths go as 1/√rate.
+    pub rate: f32,
+    /// R = D_b/Dₐ of Meinhardt spots; the others have a fixed ratio and do not read it.
+    pub ratio: f32,
+    /// Minor ÷ major axis of what the diffusion tensor makes of a circle, [`super::selling::MIN_STRETCH`]..1.
+    pub stretch: f32,
+    /// Direction of the long axis, degrees from +x towards +y.
+    pub direction: f32,
+}
+
+/// The grid and the [`Parameters`] of each of its cells.
+#[derive(Clone, Debug)]
+pub struct Maps {
+    /// Cells in a row.
+    pub nx: usize,
+    /// Rows.
+    pub ny: usize,
+    /// px a cell along x and y; only their ratio matters here.
+    pub cell: [f64; 2],
+    /// `nx · ny` of them, row by row.
+    pub parameters: Vec<Parameters>,
+}
+
+impl Maps {
+    /// The same parameters everywhere, on square cells.
+    #[must_use]
+    pub fn uniform(nx: usize, ny: usize, parameters: Parameters) -> Self {
+        Self { nx, ny, cell: [1.0, 1.0], parameters: vec![parameters; nx * ny] }
+    }
+
+    /// The parameters of the cell that the point (x, y), in cells, lies in; beyond the border the nearest.
+    #[must_use]
+    pub fn at(&self, [x, y]: [f64; 2]) -> Parameters {
+        let clamp = |v: f64, n: usize| (v.max(0.0) as usize).min(n - 1);
+        self.parameters[clamp(y, self.ny) * self.nx + clamp(x, self.nx)]
+    }
+}

@@ -1,0 +1,49 @@
+//! Meinhardt spots.
+//!
+//! ∂a/∂t = s(0.01 a²β/b − p₁a + p₃) + ∇·(Dₐ∇a)
+//! ∂b/∂t = s(0.01 a²β − p₂b + p₃) + ∇·(D_b∇b)
+//!
+//! Meinhardt, "Models of biological pattern formation" (1982); in this form Turk (1991) and Phan & Grimm
+//! (2006), appendix B. A spot is a peak of a. R = D_b/Dₐ sets how far apart spots of one size stand.
+
+use super::kinetics::{Kinetics, Spread};
+
+/// a and b.
+pub struct MeinhardtSpots;
+
+/// Decay of a.
+const P1: f32 = 0.03;
+/// Decay of b.
+pub const P2: f32 = 0.04;
+// β = 1 and p₃ = 0: noise in β makes spots uneven, p₃ > 0 thins them out (`facts.md` B).
+
+impl Kinetics<2> for MeinhardtSpots {
+    const SPREAD: [Spread; 2] = [Spread::Tensor(0), Spread::Tensor(1)];
+
+    #[inline(always)]
+    fn react([a, b]: [f32; 2]) -> [f32; 2] {
+        let source = 0.01 * a * a;
+        [source / b - P1 * a, source - P2 * b]
+    }
+}
+
+/// a in the middle of a spot. Fitted to `facts.md` B, within 4 % for R 10–200.
+pub fn peak(ratio: f32) -> f32 {
+    3.3 * libm::powf(ratio / 10.0, 0.765)
+}
+
+/// Mean distance between neighbours × √rate. Fitted to `facts.md` B.
+pub fn spacing(ratio: f32) -> f64 {
+    let r = f64::from(ratio);
+    36.0 + 0.045 * (r - 15.0)
+}
+
+/// Radius of a bell to begin from ÷ spacing: about that of the spot it becomes.
+pub fn radius(ratio: f32) -> f64 {
+    0.6 * libm::pow(f64::from(ratio), -0.45)
+}
+
+/// Concentrations to begin from, `bell` 1 in the middle of a spot to be and 0 far away (`facts.md` G).
+pub fn begin(bell: f32, ratio: f32) -> [f32; 2] {
+    [0.02 + peak(ratio) * bell, 0.3]
+}

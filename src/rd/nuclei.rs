@@ -1,0 +1,261 @@
+//! Where spots begin: points one natural spacing apart.
+//!
+//! Left to noise, a system needs most of its time to find its own spacing. Points that already keep it, in
+//! the metric of the local tensor, save that time and fix the number of spots; the system still moves, shapes
+//! and, where there is no room, kills them.
+//!
+//! Dart throwing, then relaxation by mutual repulsion. Distances are measured by the local metric
+//! ds² = (ρ·along² + across²/ρ)/pitch².
+
+use rand::{Rng, RngExt};
+
+use super::maps::{Maps, Parameters};
+use crate::field::Edges;
+
+/// One point, in cells, with its local metric.
+#[derive(Clone, Copy, Debug)]
+pub struct Nucleus {
+    /// Position, cells.
+    pub at: [f64; 2],
+    /// M = [[xx, xy], [xy, yy]] with ds² = Δᵀ M Δ in units of the pitch.
+    pub metric: [f64; 3],
+    /// Reach of one pitch in any direction, cells.
+    pub reach: f64,
+}
+
+impl Nucleus {
+    /// Squared distance of a point at `delta` cells from here, in pitches.
+    pub fn distance2(&self, [x, y]: [f64; 2]) -> f64 {
+        let [xx, xy, yy] = self.metric;
+        xx * x * x + 2.0 * xy * x * y + yy * y * y
+    }
+}
+
+/// Darts closer than this share of the pitch are refused: at 0.70 the wanted density is 81 % of what random
+/// darts can reach, so that few darts are wasted.
+const DART: f64 = 0.70;
+/// Neighbours closer than this share of the pitch push each other: the first ring of a hexagonal lattice.
+const PUSH: f64 = 1.25;
+/// Rounds of relaxation. Tuned by the spread of the spacing: 0.16 after darts, 0.085 after 30, 0.08 after 100.
+const ROUNDS: usize = 30;
+
+/// Points over the whole grid whose neighbours stand `pitch(parameters)` cells apart.
+pub fn nuclei(
+    maps: &Maps,
+    edges: Edges,
+    pitch: &dyn Fn(&Parameters) -> f64,
+    rng: &mut impl Rng,
+) -> Vec<Nucleus> {
+    // A hexagonal lattice of pitch 1 has 2/√3 points a unit area.
+    let density = |p: &Parameters| 2.0 / (3.0f64.sqrt() * pitch(p) * pitch(p));
+    let densities: Vec<f64> = maps.parameters.iter().map(density).collect();
+    let wanted = densities.iter().sum::<f64>().round().max(1.0) as usize;
+    let densest = densities.iter().copied().fold(0.0, f64::max);
+    let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
+    let nucleus = |at: [f64; 2]| {
+        let p = maps.at(at);
+        let pitch = pitch(&p);
+        let stretch = f64::from(p.stretch);
+        let t = super::selling::Tensor::oriented(stretch, 1.0 / stretch, f64::from(p.direction));
+        let [cx, cy] = [(maps.cell[0] / maps.cell[1]).sqrt(), (maps.cell[1] / maps.cell[0]).sqrt()];
+        let scale = 1.0 / (pitch * pitch);
+        let metric = [t.xx * cx * cx * scale, t.xy * scale, t.yy * cy * cy * scale];
+        Nucleus { at, metric, reach: 1.05 * pitch / stretch.sqrt() }
+    };
+    let largest =
+        maps.parameters.iter().map(|p| 1.05 * pitch(p) / f64::from(p.stretch).sqrt()).fold(0.0, f64::max);
+
+    let mut placed = Buckets::new(space, PUSH * largest);
+    let mut closest = DART;
+    let mut refused = 0;
+    while placed.all.len() < wanted {
+        let at = [rng.random::<f64>() * space.size[0], rng.random::<f64>() * space.size[1]];
+        let cell = (at[1] as usize).min(maps.ny - 1) * maps.nx + (at[0] as usize).min(maps.nx - 1);
+        if rng.random::<f64>() * densest > densities[cell] {
+            continue;
+        }
+        let dart = nucleus(at);
+        let mut free = true;
+        placed.near(&dart, DART, |other, delta| free &= distance2(&dart, other, delta) >= closest * closest);
+        if free {
+            placed.insert(dart);
+            refused = 0;
+        } else {
+            refused += 1;
+            if refused > 1_000 {
+                closest *= 0.95;
+                refused = 0;
+            }
+        }
+    }
+    for _ in 0..ROUNDS {
+        placed = relaxed(&placed, &nucleus, PUSH * largest);
+    }
+    placed.all
+}
+
+fn relaxed(placed: &Buckets, nucleus: &dyn Fn([f64; 2]) -> Nucleus, reach: f64) -> Buckets {
+    let moved = |point: &Nucleus| {
+        let mut shift = [0.0, 0.0];
+        placed.near(point, PUSH, |other, delta| {
+            let d = distance2(point, other, delta).sqrt();
+            if d > 1e-9 && d < PUSH {
+                // Half of the gap to PUSH, shared with the other, damped for six neighbours.
+                let push = 0.22 * (PUSH - d) / d;
+                shift[0] -= push * delta[0];
+                shift[1] -= push * delta[1];
+            }
+        });
+        nucleus(placed.space.folded([point.at[0] + shift[0], point.at[1] + shift[1]]))
+    };
+    let mut next = Buckets::new(placed.space, reach);
+    for point in placed.all.iter().map(moved) {
+        next.insert(point);
+    }
+    next
+}
+
+/// Squared distance in pitches, by the mean of both metrics.
+fn distance2(a: &Nucleus, b: &Nucleus, delta: [f64; 2]) -> f64 {
+    0.5 * (a.distance2(delta) + b.distance2(delta))
+}
+
+#[derive(Clone, Copy)]
+struct Space {
+    size: [f64; 2],
+    edges: Edges,
+}
+
+impl Space {
+    /// Inside the grid: mirrored at closed edges, carried round on wrapped ones.
+    fn folded(&self, at: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|i| {
+            let n = self.size[i];
+            let v = match self.edges {
+                Edges::Wrap => at[i].rem_euclid(n),
+                Edges::Closed => {
+                    let v = at[i].rem_euclid(2.0 * n);
+                    if v > n { 2.0 * n - v } else { v }
+                }
+            };
+            v.clamp(0.0, n * (1.0 - 1e-12))
+        })
+    }
+}
+
+/// Points by place, so that neighbours are found without asking all.
+struct Buckets {
+    space: Space,
+    columns: usize,
+    rows: usize,
+    all: Vec<Nucleus>,
+    cells: Vec<Vec<u32>>,
+}
+
+impl Buckets {
+    fn new(space: Space, reach: f64) -> Self {
+        let count = |n: f64| ((n / reach) as usize).max(1);
+        let (columns, rows) = (count(space.size[0]), count(space.size[1]));
+        Self { space, columns, rows, all: Vec::new(), cells: vec![Vec::new(); columns * rows] }
+    }
+
+    fn bucket(&self, at: [f64; 2]) -> [isize; 2] {
+        [
+            ((at[0] / self.space.size[0] * self.columns as f64) as usize).min(self.columns - 1) as isize,
+            ((at[1] / self.space.size[1] * self.rows as f64) as usize).min(self.rows - 1) as isize,
+        ]
+    }
+
+    fn insert(&mut self, point: Nucleus) {
+        let [column, row] = self.bucket(point.at);
+        self.cells[row as usize * self.columns + column as usize].push(self.all.len() as u32);
+        self.all.push(point);
+    }
+
+    /// Calls `each(other, other − point)` for every point, or image of one beyond the border (its own too),
+    /// that can lie within `pitches` of `point`; and for some farther ones.
+    fn near(&self, point: &Nucleus, pitches: f64, mut each: impl FnMut(&Nucleus, [f64; 2])) {
+        let [column, row] = self.bucket(point.at);
+        let reach = pitches * point.reach * 1.5;
+        let [w, h] = self.space.size;
+        for dy in -1..=1 {
+            for dx in -1..=1 {
+                let (c, sx) = image(column + dx, self.columns, self.space.edges, w);
+                let (r, sy) = image(row + dy, self.rows, self.space.edges, h);
+                for &other in &self.cells[r * self.columns + c] {
+                    let other = &self.all[other as usize];
+                    let delta = [sx(other.at[0]) - point.at[0], sy(other.at[1]) - point.at[1]];
+                    let itself = dx == 0 && dy == 0 && delta == [0.0, 0.0];
+                    if !itself && delta[0].abs() <= reach && delta[1].abs() <= reach {
+                        each(other, delta);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The bucket that stands for bucket `i` of `n`, and where a coordinate of it is seen from there.
+fn image(i: isize, n: usize, edges: Edges, size: f64) -> (usize, impl Fn(f64) -> f64) {
+    let beyond = if i < 0 {
+        -1.0
+    } else if i >= n as isize {
+        1.0
+    } else {
+        0.0
+    };
+    let mirrored = edges == Edges::Closed && beyond != 0.0;
+    let index = edges.index(i, n);
+    (index, move |v: f64| match (mirrored, beyond) {
+        (true, -1.0) => -v,
+        (true, _) => 2.0 * size - v,
+        (false, b) => v + b * size,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_pcg::Pcg64Mcg;
+
+    fn placed(edges: Edges, stretch: f32) -> Vec<Nucleus> {
+        let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 20.0 };
+        let maps = Maps::uniform(240, 200, p);
+        nuclei(&maps, edges, &|_| 14.0, &mut Pcg64Mcg::seed_from_u64(5))
+    }
+
+    #[test]
+    fn as_many_are_placed_as_a_hexagonal_lattice_of_the_pitch_would_have() {
+        for edges in [Edges::Closed, Edges::Wrap] {
+            for stretch in [1.0, 0.4] {
+                assert_eq!(
+                    placed(edges, stretch).len(),
+                    (240.0 * 200.0 / (14.0 * 14.0 * 0.866_025_4)) as usize + 1
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn they_keep_their_distance_by_the_local_metric() {
+        for stretch in [1.0, 0.4] {
+            let all = placed(Edges::Wrap, stretch);
+            let closest = |a: &Nucleus| {
+                let others = all.iter().filter(|b| b.at != a.at);
+                let deltas = others.map(|b| {
+                    [0, 1].map(|i| {
+                        let n = [240.0, 200.0][i];
+                        let d: f64 = b.at[i] - a.at[i];
+                        d - n * (d / n).round()
+                    })
+                });
+                deltas.map(|d| a.distance2(d).sqrt()).fold(f64::INFINITY, f64::min)
+            };
+            let distances: Vec<f64> = all.iter().map(closest).collect();
+            let mean = distances.iter().sum::<f64>() / distances.len() as f64;
+            let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
+            assert!(mean > 0.85 && least > 0.6, "stretch {stretch}: mean {mean}, least {least}");
+        }
+    }
+}

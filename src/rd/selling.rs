@@ -1,0 +1,146 @@
+//! A diffusion tensor as a non-negative stencil.
+//!
+//! ∇·D∇u ≈ Σₖ wₖ (u(x + eₖ) + u(x − eₖ) − 2u(x)), wₖ ≥ 0, with at most three offsets eₖ a cell.
+//! Selling's reduction of an obtuse superbase; Fehrenbach & Mirebeau, "Sparse non-negative stencils for
+//! anisotropic diffusion", JMIV 49 (2014). Unlike a 3×3 mask it stays non-negative at any angle.
+
+/// The offsets that a tensor of stretch ≥ [`MIN_STRETCH`] can need, in cells (each with its opposite).
+pub const OFFSETS: [[isize; 2]; 8] = [[1, 0], [0, 1], [1, 1], [1, -1], [2, 1], [1, 2], [2, -1], [1, -2]];
+
+/// How far an offset reaches, cells.
+pub const REACH: usize = 2;
+
+/// The thinnest stretch (minor ÷ major) whose offsets stay within [`REACH`] at every angle.
+///
+/// `facts.md` D measured 0.25 as the limit of reach 2 on square cells; the margin leaves room for cells that
+/// are up to 4 % longer than wide.
+pub const MIN_STRETCH: f32 = 0.26;
+
+/// A symmetric positive tensor [[xx, xy], [xy, yy]].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tensor {
+    /// Along x.
+    pub xx: f64,
+    /// Mixed.
+    pub xy: f64,
+    /// Along y.
+    pub yy: f64,
+}
+
+impl Tensor {
+    /// Eigenvalues `along` the direction `degrees` and `across` it.
+    #[must_use]
+    pub fn oriented(along: f64, across: f64, degrees: f64) -> Self {
+        let (s, c) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
+        Self {
+            xx: along * c * c + across * s * s,
+            xy: (along - across) * c * s,
+            yy: along * s * s + across * c * c,
+        }
+    }
+
+    /// The same diffusion seen on cells that are `cell[0]` wide and `cell[1]` high (in any common unit).
+    #[must_use]
+    pub fn on_cells(self, [x, y]: [f64; 2]) -> Self {
+        let area = x * y;
+        Self { xx: self.xx * area / (x * x), xy: self.xy, yy: self.yy * area / (y * y) }
+    }
+
+    fn product(&self, u: [isize; 2], v: [isize; 2]) -> f64 {
+        let [ux, uy] = u.map(|i| i as f64);
+        let [vx, vy] = v.map(|i| i as f64);
+        ux * (self.xx * vx + self.xy * vy) + uy * (self.xy * vx + self.yy * vy)
+    }
+
+    /// The weight of each of [`OFFSETS`]: non-negative, with Σ wₖ eₖeₖᵀ = this tensor.
+    ///
+    /// A tensor too thin for the offsets is first made rounder, in steps of 1 %, until it fits.
+    #[must_use]
+    pub fn weights(mut self) -> [f32; OFFSETS.len()] {
+        loop {
+            if let Some(weights) = self.reduced() {
+                return weights;
+            }
+            let mean = 0.5 * (self.xx + self.yy);
+            self.xx += 0.01 * (mean - self.xx);
+            self.yy += 0.01 * (mean - self.yy);
+            self.xy *= 0.99;
+        }
+    }
+
+    fn reduced(&self) -> Option<[f32; OFFSETS.len()]> {
+        let mut base = [[1, 0], [0, 1], [-1, -1]];
+        'reduce: for _ in 0..32 {
+            for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+                let (bi, bj) = (base[i], base[j]);
+                if self.product(bi, bj) > 0.0 {
+                    base[i] = [-bi[0], -bi[1]];
+                    base[k] = [bi[0] - bj[0], bi[1] - bj[1]];
+                    continue 'reduce;
+                }
+            }
+            break;
+        }
+        let mut weights = [0.0; OFFSETS.len()];
+        for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+            let weight = -self.product(base[i], base[j]);
+            if weight <= 0.0 {
+                continue;
+            }
+            let across = [-base[k][1], base[k][0]];
+            let found = |o: &[isize; 2]| *o == across || *o == [-across[0], -across[1]];
+            weights[OFFSETS.iter().position(found)?] += weight as f32;
+        }
+        Some(weights)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tensors() -> impl Iterator<Item = Tensor> {
+        (0..90).flat_map(|i| {
+            [1.0f64, 0.7, 0.5, 0.35, 0.26].map(|r| Tensor::oriented(1.0 / r, r, 2.0 * f64::from(i)))
+        })
+    }
+
+    #[test]
+    fn weights_are_non_negative_and_give_the_tensor_back() {
+        for t in tensors() {
+            let w = t.weights();
+            let sum = |f: fn(f64, f64) -> f64| {
+                (0..8).map(|k| f64::from(w[k]) * f(OFFSETS[k][0] as f64, OFFSETS[k][1] as f64)).sum::<f64>()
+            };
+            assert!(w.iter().all(|w| *w >= 0.0), "{t:?}: {w:?}");
+            assert!((sum(|x, _| x * x) - t.xx).abs() < 1e-5, "{t:?}: {w:?}");
+            assert!((sum(|x, y| x * y) - t.xy).abs() < 1e-5, "{t:?}: {w:?}");
+            assert!((sum(|_, y| y * y) - t.yy).abs() < 1e-5, "{t:?}: {w:?}");
+            assert!(w.iter().filter(|w| **w > 0.0).count() <= 3);
+        }
+    }
+
+    #[test]
+    fn the_stencil_turns_with_the_tensor_by_90_degrees() {
+        // (x, y) → (−y, x) sends offset k to this one.
+        let turned = [1, 0, 3, 2, 7, 6, 5, 4];
+        for t in tensors() {
+            let quarter = Tensor { xx: t.yy, xy: -t.xy, yy: t.xx };
+            let (w, v) = (t.weights(), quarter.weights());
+            for k in 0..8 {
+                assert!((w[k] - v[turned[k]]).abs() < 1e-5, "{t:?}: {w:?} {v:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_tensor_too_thin_is_made_rounder() {
+        let w = Tensor::oriented(20.0, 0.05, 17.0).weights();
+        assert!(w.iter().all(|w| w.is_finite() && *w >= 0.0) && w.iter().sum::<f32>() > 0.0);
+    }
+
+    #[test]
+    fn isotropic_diffusion_on_square_cells_is_the_five_point_stencil() {
+        assert_eq!(Tensor::oriented(1.0, 1.0, 33.0).weights()[..2], [1.0, 1.0]);
+    }
+}

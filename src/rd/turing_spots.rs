@@ -1,0 +1,55 @@
+//! Turing spots.
+//!
+//! ∂a/∂t = kₐ(16 − ab) + ∇·(Dₐ∇a)
+//! ∂b/∂t = kₐ(ab − b − β) + ∇·(D_b∇b), b ≥ 0
+//!
+//! Turing, "The chemical basis of morphogenesis" (1952); in this form Turk, "Generating textures on arbitrary
+//! surfaces using reaction-diffusion" (1991), and Phan & Grimm, "Sketching reaction-diffusion texture"
+//! (2006), appendix A. A spot is where b runs out. Its size and the spacing go together: area ≈ 0.22
+//! spacing².
+
+use super::kinetics::{Kinetics, Spread};
+
+/// a and b.
+pub struct TuringSpots;
+
+/// Growth of a: 16, as printed.
+const GROWTH: f32 = 16.0;
+/// Decay of b, constant over the grid: noise in β makes spots irregular.
+const BETA: f32 = 12.0;
+
+/// Dₐ/D_b. `facts.md` A: well-formed spots at 3.6–4.0, roundest below 3.8.
+pub const RATIO: f32 = 3.8;
+/// Both concentrations where nothing has formed (b = 16 − β, a = 16/b).
+pub const GROUND: f32 = GROWTH - BETA;
+/// Mean distance between neighbours × √(kₐ/√(DₐD_b)). Measured: see `facts.md` A (2.10 √5.7).
+pub const SPACING: f64 = 5.0;
+
+impl Kinetics<2> for TuringSpots {
+    const SPREAD: [Spread; 2] = [Spread::Tensor(0), Spread::Tensor(1)];
+
+    #[inline(always)]
+    fn react([a, b]: [f32; 2]) -> [f32; 2] {
+        let ab = a * b;
+        [GROWTH - ab, ab - b - BETA]
+    }
+
+    #[inline(always)]
+    fn bounded([a, b]: [f32; 2]) -> [f32; 2] {
+        [a, if b < 0.0 { 0.0 } else { b }]
+    }
+}
+
+/// Concentrations to begin from, `bell` 1 in the middle of a spot to be and 0 far away (`facts.md` G).
+pub fn begin(bell: f32) -> [f32; 2] {
+    [GROUND + 2.8 * bell, (GROUND * (1.0 - 1.3 * bell)).max(0.0)]
+}
+
+/// Radius of a bell to begin from ÷ spacing: about that of the spot it becomes.
+pub const RADIUS: f64 = 0.26;
+
+/// Where the concentration `a` lies between the ground (0) and the middle of a spot (1): a runs from 3.0 to
+/// 7.5 in settled patterns of 20 to 300 cells a spot.
+pub fn share(a: f32) -> f32 {
+    (a - 3.0) / 4.5
+}
