@@ -11,9 +11,12 @@ use crate::field::Edges;
 /// Spots begin as bells on [`nuclei`].
 pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
     let (nx, ny) = (maps.nx, maps.ny);
-    let pitch = |p: &Parameters| match system {
-        System::TuringSpots => turing_spots::SPACING / f64::from(p.rate).sqrt(),
-        _ => meinhardt_spots::spacing(p.ratio) / f64::from(p.rate).sqrt(),
+    let pitch = |p: &Parameters| {
+        let own = match system {
+            System::TuringSpots => turing_spots::SPACING,
+            _ => meinhardt_spots::spacing(p.ratio),
+        };
+        f64::from(p.pitch) * own / f64::from(p.rate).sqrt()
     };
     let radius = |p: &Parameters| match system {
         System::TuringSpots => turing_spots::RADIUS,

@@ -198,7 +198,11 @@ mod tests {
             System::MeinhardtSpots => 2.0,
             System::MeinhardtStripes => 40.0,
         };
-        let maps = Maps::uniform(90, 84, Parameters { rate, ratio: 20.0, stretch: 0.6, direction: 30.0 });
+        let maps = Maps::uniform(
+            90,
+            84,
+            Parameters { rate, ratio: 20.0, stretch: 0.6, direction: 30.0, pitch: 1.0 },
+        );
         let growth = Growth::new(system, &maps, Edges::Wrap, 3);
         (maps, growth)
     }
@@ -266,7 +270,7 @@ mod tests {
         let grown = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
             pool.install(|| {
-                let p = Parameters { rate: 2.0, ratio: 15.0, stretch: 0.5, direction: 70.0 };
+                let p = Parameters { rate: 2.0, ratio: 15.0, stretch: 0.5, direction: 70.0, pitch: 1.0 };
                 let maps = Maps::uniform(300, 260, p);
                 let mut growth = Growth::new(System::MeinhardtSpots, &maps, Edges::Closed, 9);
                 growth.advance(50);

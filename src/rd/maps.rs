@@ -11,6 +11,8 @@ pub struct Parameters {
     pub stretch: f32,
     /// Direction of the long axis, degrees from +x towards +y.
     pub direction: f32,
+    /// Distance between the nuclei of spots ÷ the system's own at this rate and ratio; 1 = its own.
+    pub pitch: f32,
 }
 
 /// The grid and the [`Parameters`] of each of its cells.

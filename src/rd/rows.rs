@@ -179,11 +179,11 @@ fn isotropic(problem: &Problem, u: &Plane, here: usize, sum: &mut [f32]) {
 #[cfg(test)]
 mod tests {
     use super::super::diffusion::Diffusion;
+    use super::super::explicit;
     use super::super::meinhardt_spots::MeinhardtSpots;
     use super::super::meinhardt_stripes::MeinhardtStripes;
     use super::super::selling::Tensor;
     use super::super::turing_spots::TuringSpots;
-    use super::super::explicit;
     use super::*;
     use crate::field::Edges;
     use rand::{RngExt, SeedableRng};

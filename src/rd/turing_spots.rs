@@ -42,7 +42,7 @@ impl Kinetics<2> for TuringSpots {
 
 /// Concentrations to begin from, `bell` 1 in the middle of a spot to be and 0 far away (`facts.md` G).
 pub fn begin(bell: f32) -> [f32; 2] {
-    [GROUND + 2.8 * bell, (GROUND * (1.0 - 1.3 * bell)).max(0.0)]
+    [3.3 + 4.0 * bell, (5.6 * (1.0 - 1.3 * bell)).max(0.0)]
 }
 
 /// Radius of a bell to begin from ÷ spacing: about that of the spot it becomes.
