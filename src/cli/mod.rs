@@ -1,7 +1,115 @@
 //! The command line: one file a command.
+//!
+//! Exit codes: 0 done; 1 could not (file, growth); 2 used wrongly; 130 interrupted. What is asked for goes to
+//! stdout, errors and progress go to stderr.
+
+mod check;
+mod error;
+mod grow;
+mod interrupt;
+mod lookup;
+mod measure;
+mod values;
+
+pub use error::Error;
+pub use interrupt::{install, interrupted};
+
+use clap::{CommandFactory, Parser, Subcommand};
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Draw a few spots or stripes; dapple grows a reaction-diffusion texture with their size, shape, spacing and
+/// direction.
+#[derive(Parser)]
+#[command(name = "dapple", version, subcommand_required = true, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Grow a document and write its picture
+    Grow(grow::Args),
+    /// Look up the parameters that give spots or stripes of certain attributes
+    Lookup(lookup::Args),
+    /// Measure the spots or stripes in a picture
+    Measure(measure::Args),
+    /// Tell whether a document is valid, and what is in it
+    Check(check::Args),
+}
 
 /// Runs the program with the process's arguments.
 #[must_use]
-pub fn main() -> std::process::ExitCode {
-    std::process::ExitCode::SUCCESS
+pub fn main() -> ExitCode {
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    match &arguments[..] {
+        [] | [_] => finish(say(&Cli::command().render_help().to_string())),
+        [_, file] if is_document(file) => finish(no_window(file)),
+        _ => match Cli::try_parse_from(arguments) {
+            Ok(cli) => finish(run(cli.command)),
+            Err(error) => {
+                // A reader that went away has seen enough of the help.
+                let _ = error.print();
+                ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+            }
+        },
+    }
+}
+
+fn run(command: Command) -> Result<(), Error> {
+    match command {
+        Command::Grow(args) => grow::run(&args),
+        Command::Lookup(args) => lookup::run(&args),
+        Command::Measure(args) => measure::run(&args),
+        Command::Check(args) => check::run(&args),
+    }
+}
+
+/// Whether a lone argument is a document to open rather than a command.
+fn is_document(argument: &OsString) -> bool {
+    let path = Path::new(argument);
+    let command = |name| Cli::command().get_subcommands().any(|command| command.get_name() == name);
+    let named =
+        argument.to_str().is_some_and(|name| command(name) || name == "help" || name.starts_with('-'));
+    !named && (path.extension().is_some_and(|extension| extension == "dapple") || path.is_file())
+}
+
+/// Until there is a window to open a document in.
+fn no_window(file: &OsString) -> Result<(), Error> {
+    say(&Cli::command().render_help().to_string())?;
+    Err(Error::NoWindow { file: file.to_string_lossy().into_owned() })
+}
+
+/// Tells how it went, once and on stderr, and gives the exit code.
+fn finish(result: Result<(), Error>) -> ExitCode {
+    let Err(error) = result else { return ExitCode::SUCCESS };
+    if error.is_broken_pipe() {
+        // Whoever reads our output, such as `head`, has seen enough.
+        return ExitCode::SUCCESS;
+    }
+    // If stderr is closed there is nobody left to tell.
+    let _ = writeln!(io::stderr(), "error: {}", error.with_causes());
+    ExitCode::from(error.exit_code())
+}
+
+/// Writes `text` to stdout; unlike `print!`, does not panic where nobody reads it.
+///
+/// # Errors
+/// Where stdout is closed or full.
+pub fn say(text: &str) -> Result<(), Error> {
+    let mut stdout = io::stdout().lock();
+    stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(Error::Output)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_commands_are_well_formed() {
+        Cli::command().debug_assert();
+    }
 }

@@ -1,1 +1,3 @@
 //! The thread: a document in, a grown texture out.
+
+pub mod recipe;

@@ -1,0 +1,94 @@
+//! Why a command could not do what was asked.
+
+use crate::synth::recipe::DocumentError;
+use std::io;
+
+/// Why a command could not do what was asked.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The document.
+    #[error(transparent)]
+    Document(#[from] DocumentError),
+    /// Stdout is closed or full.
+    #[error("standard output: cannot be written")]
+    Output(#[source] io::Error),
+    /// A file other than a document cannot be read or written.
+    #[error("{file}: cannot be {done}")]
+    File {
+        /// The file.
+        file: String,
+        /// `read` or `written`.
+        done: &'static str,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// Arguments that contradict each other.
+    #[error("{0}")]
+    Usage(String),
+    /// There is no window yet.
+    #[error("{file}: there is no window to open it in yet; allowed: dapple grow {file} -o OUT.png")]
+    NoWindow {
+        /// The document.
+        file: String,
+    },
+    /// The command is not built yet.
+    #[error("{0}: this command is not built yet")]
+    Missing(&'static str),
+    /// Ctrl-C.
+    #[error("interrupted")]
+    Interrupted,
+    /// A step said why.
+    #[error(transparent)]
+    Step(Box<dyn std::error::Error + Send + Sync>),
+}
+
+impl Error {
+    /// Wraps what a step said.
+    pub fn step(error: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
+        Self::Step(error.into())
+    }
+
+    /// 1 could not; 2 used wrongly; 130 interrupted.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Usage(_) => 2,
+            Self::Interrupted => 130,
+            _ => 1,
+        }
+    }
+
+    /// Whether the reader of our output went away.
+    #[must_use]
+    pub fn is_broken_pipe(&self) -> bool {
+        matches!(self, Self::Output(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
+
+    /// The message and those of its causes, on one line.
+    #[must_use]
+    pub fn with_causes(&self) -> String {
+        let mut text = self.to_string();
+        let mut cause = std::error::Error::source(self);
+        while let Some(error) = cause {
+            let said = error.to_string();
+            // A transparent or a repeating error is not said twice.
+            if !text.ends_with(&said) {
+                text = format!("{text}: {said}");
+            }
+            cause = error.source();
+        }
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn causes_are_told_in_order() {
+        let source = io::Error::other("disk full");
+        let error = Error::Document(DocumentError::Unwritable { file: "a".into(), source });
+        assert_eq!(error.with_causes(), "a: cannot be written: disk full");
+    }
+}

@@ -1,0 +1,45 @@
+//! Ctrl-C: the first asks to stop, the second stops at once.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
+
+/// Exit code of a program ended by Ctrl-C: 128 + SIGINT.
+const EXIT_CODE: i32 = 130;
+
+static FLAG: OnceLock<Arc<AtomicBool>> = OnceLock::new();
+
+/// The flag that Ctrl-C (also SIGTERM, SIGHUP) sets; long work looks at it, stops and cleans up after itself.
+///
+/// From the first call on a second Ctrl-C ends the program at once, with exit code 130. Further calls give the
+/// same flag.
+pub fn install() -> Arc<AtomicBool> {
+    let flag = FLAG.get_or_init(|| {
+        let flag = Arc::new(AtomicBool::new(false));
+        let seen = Arc::clone(&flag);
+        // Where no handler can be set, Ctrl-C keeps its usual meaning: the program ends.
+        let _ = ctrlc::set_handler(move || {
+            if seen.swap(true, Ordering::SeqCst) {
+                std::process::exit(EXIT_CODE);
+            }
+        });
+        flag
+    });
+    Arc::clone(flag)
+}
+
+/// Whether Ctrl-C was pressed since [`install`].
+#[must_use]
+pub fn interrupted() -> bool {
+    FLAG.get().is_some_and(|flag| flag.load(Ordering::SeqCst))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn there_is_one_flag_for_all() {
+        assert!(Arc::ptr_eq(&install(), &install()));
+        assert!(!interrupted());
+    }
+}

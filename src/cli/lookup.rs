@@ -1,0 +1,86 @@
+//! `dapple lookup`: attributes → the parameters that give them, from the training sets alone.
+
+use super::{Error, values};
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::synth::recipe::{Kind, SystemChoice};
+use std::path::PathBuf;
+
+/// What to look up.
+#[derive(clap::Args, Debug)]
+#[command(
+    override_usage = "dapple lookup --system S --area A --aspect R --angle D [--spacing L] [--training DIR] [--json]
+       dapple lookup --system S --width W --angle D [--training DIR] [--json]
+       dapple lookup --batch IN.csv -o OUT.csv [--training DIR]"
+)]
+pub struct Args {
+    /// The system: turing-spots, meinhardt-spots, meinhardt-stripes
+    #[arg(long, value_name = "S", value_parser = values::system, required_unless_present = "batch")]
+    pub system: Option<SystemChoice>,
+    /// Mean area of a spot, px²
+    #[arg(long, value_name = "A", value_parser = values::positive, requires = "aspect")]
+    pub area: Option<f64>,
+    /// Mean minor / major radius of a spot, 0 to 1 (1 = round)
+    #[arg(long, value_name = "R", value_parser = values::aspect, requires = "area")]
+    pub aspect: Option<f64>,
+    /// Direction, degrees from right towards down
+    #[arg(long, value_name = "D", value_parser = values::angle, allow_negative_numbers = true)]
+    pub angle: Option<f64>,
+    /// Mean distance between neighbouring spots, px [default: free]
+    #[arg(long, value_name = "L", value_parser = values::positive, requires = "area")]
+    pub spacing: Option<f64>,
+    /// Mean width of a stripe, px
+    #[arg(long, value_name = "W", value_parser = values::positive, conflicts_with_all = ["area", "aspect", "spacing"])]
+    pub width: Option<f64>,
+    /// Look up each row of a table: columns system,area,aspect,angle,spacing,width
+    #[arg(
+        long, value_name = "IN.csv", requires = "output",
+        conflicts_with_all = ["system", "area", "aspect", "angle", "spacing", "width", "json"]
+    )]
+    pub batch: Option<PathBuf>,
+    /// Where to write the answers to a table
+    #[arg(short, long, value_name = "OUT.csv", requires = "batch")]
+    pub output: Option<PathBuf>,
+    /// Use the training sets in this folder instead of those built in
+    #[arg(long, value_name = "DIR")]
+    pub training: Option<PathBuf>,
+    /// Answer in JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl Args {
+    /// The one question that the arguments ask; `None` with `--batch`.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] where the system needs other attributes.
+    pub fn question(&self) -> Result<Option<(SystemChoice, Attributes)>, Error> {
+        let Some(system) = self.system else { return Ok(None) };
+        let usage = |needs: &str| Error::Usage(format!("--system {}: it needs {needs}", system.name()));
+        let attributes = if system.grows() == Some(Kind::Line) {
+            let needs = "--width and --angle (area, aspect and spacing are a spot's)";
+            let (Some(width), Some(angle)) = (self.width, self.angle) else { return Err(usage(needs)) };
+            Attributes::Stripes(Stripes { width, angle: crate::marks::axial(angle) })
+        } else {
+            let needs = "--area, --aspect and --angle (--width is a stripe's)";
+            let (Some(area), Some(aspect), Some(angle)) = (self.area, self.aspect, self.angle) else {
+                return Err(usage(needs));
+            };
+            Attributes::Spots(Spots {
+                area,
+                aspect,
+                angle: crate::marks::axial(angle),
+                spacing: self.spacing,
+            })
+        };
+        Ok(Some((system, attributes)))
+    }
+}
+
+/// Looks up parameters.
+///
+/// # Errors
+/// Where the question is incomplete or a file cannot be read or written.
+pub fn run(args: &Args) -> Result<(), Error> {
+    let _question = args.question()?;
+    Err(Error::Missing("lookup"))
+}

@@ -1,0 +1,87 @@
+//! Arguments → checked values; clap puts the argument's name and text before each message.
+
+use crate::synth::recipe::{SystemChoice, limits};
+
+/// `WxH`, such as `4096x4096`, px.
+pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
+    const ALLOWED: &str = "allowed: WIDTHxHEIGHT in px, such as 4096x4096";
+    let (width, height) = text.split_once(['x', 'X', '×']).ok_or(ALLOWED)?;
+    let side = |text: &str| {
+        // `+5` would be a number for Rust.
+        let side = text.bytes().all(|c| c.is_ascii_digit()).then(|| text.parse::<u64>().ok()).flatten();
+        let side = side.ok_or_else(|| format!("found {text:?} for a side; {ALLOWED}"))?;
+        let whole = u32::try_from(side).ok().filter(|side| (1..=limits::MAX_SIDE).contains(side));
+        whole.ok_or_else(|| format!("found a side of {side} px; allowed: 1 to {}", limits::MAX_SIDE))
+    };
+    Ok([side(width)?, side(height)?])
+}
+
+/// A system by name; `auto` needs marks to choose by, and there are none on a command line.
+pub(super) fn system(text: &str) -> Result<SystemChoice, String> {
+    let named = SystemChoice::NAMES.iter().filter(|(_, system)| *system != SystemChoice::Auto);
+    match named.clone().find(|(name, _)| *name == text) {
+        Some((_, system)) => Ok(*system),
+        None => Err(format!("allowed: {}", named.map(|(name, _)| *name).collect::<Vec<_>>().join(", "))),
+    }
+}
+
+/// A length (px) or an area (px²).
+pub(super) fn positive(text: &str) -> Result<f64, String> {
+    // Far above the area of the largest canvas, far below where squares overflow.
+    const MOST: f64 = 1e12;
+    let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number <= MOST);
+    number.ok_or_else(|| "allowed: a number above 0, at most 1e12".to_owned())
+}
+
+/// An aspect.
+pub(super) fn aspect(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number <= 1.0);
+    number.ok_or_else(|| "allowed: minor / major radius, above 0, at most 1 (round)".to_owned())
+}
+
+/// An angle.
+pub(super) fn angle(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
+    number.ok_or_else(|| "allowed: any finite number of degrees".to_owned())
+}
+
+/// A number of threads.
+pub(super) fn threads(text: &str) -> Result<usize, String> {
+    let number = text.parse::<usize>().ok().filter(|number| (1..=1024).contains(number));
+    number.ok_or_else(|| "allowed: a whole number from 1 to 1024".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_size_is_two_sides() {
+        assert_eq!(size("4096x2048"), Ok([4096, 2048]));
+        assert_eq!(size("1×65536"), Ok([1, 65536]));
+        for wrong in
+            ["", "x", "512", "0x10", "10x0", "-5x5", "+5x5", "5x5x5", "1e3x5", "65537x1", "5 x5", "nanx1"]
+        {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+        let huge = size("99999999999999999999999x5").unwrap_err();
+        assert!(huge.contains("allowed"), "{huge}");
+    }
+
+    #[test]
+    fn numbers_that_are_none_are_refused() {
+        for wrong in ["nan", "inf", "-inf", "0", "-1", "1e999", ""] {
+            assert!(positive(wrong).is_err(), "{wrong}");
+            assert!(aspect(wrong).is_err(), "{wrong}");
+        }
+        assert!(aspect("1.01").is_err());
+        assert!(angle("nan").is_err() && angle("inf").is_err());
+        assert_eq!(angle("-30"), Ok(-30.0));
+    }
+
+    #[test]
+    fn a_system_to_look_up_has_a_name() {
+        assert_eq!(system("turing-spots"), Ok(SystemChoice::TuringSpots));
+        assert!(system("auto").unwrap_err().contains("meinhardt-stripes"));
+    }
+}

@@ -1,0 +1,143 @@
+//! The named choices of a document.
+
+use super::Problem;
+
+/// What a layer's marks are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Spots.
+    Ellipse,
+    /// Stripes.
+    Line,
+}
+
+impl Kind {
+    /// Its name in a document.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ellipse => "ellipse",
+            Self::Line => "line",
+        }
+    }
+
+    /// The problem that a stroke at `place` is of this kind although the layer holds `first`.
+    ///
+    /// A layer holds ellipses or lines, not both. Explicit strokes are checked when a document is read;
+    /// freehand ones by whoever fits them, with the same words.
+    #[must_use]
+    pub fn mixed(self, place: &str, first: Self) -> Problem {
+        let name = |kind: Self| if kind == Self::Ellipse { "an ellipse" } else { "a line" };
+        Problem::new(
+            place,
+            format!("{} in a layer of {}s", name(self), first.name()),
+            format!(
+                "{} (a layer holds ellipses or lines: give the others a layer of their own)",
+                name(first)
+            ),
+        )
+    }
+}
+
+/// The reaction-diffusion system that is asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum SystemChoice {
+    /// The one that reaches the marks' attributes best: lines → stripes, ellipses → spots.
+    #[default]
+    Auto,
+    /// Turing's spots.
+    TuringSpots,
+    /// Meinhardt's spots.
+    MeinhardtSpots,
+    /// Meinhardt's stripes.
+    MeinhardtStripes,
+}
+
+impl SystemChoice {
+    /// All of them with their names in documents and on the command line.
+    pub const NAMES: [(&'static str, Self); 4] = [
+        ("auto", Self::Auto),
+        ("turing-spots", Self::TuringSpots),
+        ("meinhardt-spots", Self::MeinhardtSpots),
+        ("meinhardt-stripes", Self::MeinhardtStripes),
+    ];
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        name_in(&Self::NAMES, self)
+    }
+
+    /// What it grows; `None` = whatever the marks are.
+    #[must_use]
+    pub fn grows(self) -> Option<Kind> {
+        match self {
+            Self::Auto => None,
+            Self::TuringSpots | Self::MeinhardtSpots => Some(Kind::Ellipse),
+            Self::MeinhardtStripes => Some(Kind::Line),
+        }
+    }
+
+    /// The keys that a layer's `options` may have with it: none yet.
+    #[must_use]
+    pub fn option_keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Auto | Self::TuringSpots | Self::MeinhardtSpots | Self::MeinhardtStripes => &[],
+        }
+    }
+
+    /// The problem that a layer at `place` (its `system`) asks for this system but holds marks of `kind`.
+    #[must_use]
+    pub fn mismatch(self, place: &str, kind: Kind) -> Option<Problem> {
+        if self.grows().is_none_or(|grown| grown == kind) {
+            return None;
+        }
+        let fitting = |(_, system): &&(&str, Self)| system.grows().is_none_or(|grown| grown == kind);
+        let names: Vec<&str> = Self::NAMES.iter().filter(fitting).map(|(name, _)| *name).collect();
+        let found = format!("\"{}\" for a layer of {}s", self.name(), kind.name());
+        Some(Problem::new(place, found, names.join(", ")))
+    }
+}
+
+/// How a layer meets the frozen marks beneath it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum After {
+    /// It keeps away from them, as on a cheetah.
+    #[default]
+    Between,
+    /// It rings them, as a leopard's rosettes.
+    Around,
+    /// It fills the space between them with a connected web, as on a giraffe.
+    Net,
+    /// A smaller mark at each place of the layer beneath, which itself is not shown.
+    Inside,
+}
+
+impl After {
+    /// All of them with their names in documents.
+    pub const NAMES: [(&'static str, Self); 4] =
+        [("between", Self::Between), ("around", Self::Around), ("net", Self::Net), ("inside", Self::Inside)];
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        name_in(&Self::NAMES, self)
+    }
+}
+
+fn name_in<T: Copy + PartialEq>(names: &[(&'static str, T)], one: T) -> &'static str {
+    names.iter().find(|(_, other)| *other == one).map_or("", |(name, _)| name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_system_takes_only_the_marks_it_grows() {
+        assert_eq!(SystemChoice::Auto.mismatch("system", Kind::Line), None);
+        assert_eq!(SystemChoice::TuringSpots.mismatch("system", Kind::Ellipse), None);
+        let problem = SystemChoice::TuringSpots.mismatch("layers[0].system", Kind::Line).unwrap();
+        assert_eq!(problem.allowed, "auto, meinhardt-stripes");
+    }
+}

@@ -1,0 +1,101 @@
+//! What can be wrong with a document: one message with file, place, what was found, what is allowed.
+
+use std::{fmt, io};
+
+/// A wrong value in a document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// The JSON path of the value, such as `layers[0].strokes[3].radii[1]`.
+    pub place: String,
+    /// What stands there.
+    pub found: String,
+    /// What may stand there.
+    pub allowed: String,
+}
+
+impl Problem {
+    /// A problem at a JSON path.
+    pub fn new(place: impl Into<String>, found: impl Into<String>, allowed: impl Into<String>) -> Self {
+        Self { place: place.into(), found: found.into(), allowed: allowed.into() }
+    }
+
+    /// The same as an error of the document in `file`.
+    #[must_use]
+    pub fn in_file(self, file: &str) -> DocumentError {
+        DocumentError::Content { file: file.to_owned(), problem: self }
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}: found {}; allowed: {}", self.place, self.found, self.allowed)
+    }
+}
+
+/// Why a document could not be read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum DocumentError {
+    /// The file cannot be opened or read.
+    #[error("{file}: cannot be read")]
+    Unreadable {
+        /// The file.
+        file: String,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The path is a folder.
+    #[error("{file}: found a folder; allowed: a .dapple file")]
+    Folder {
+        /// The folder.
+        file: String,
+    },
+    /// The file is larger than any document.
+    #[error("{file}: found a file of more than {limit} bytes; allowed: at most {limit} bytes")]
+    TooLarge {
+        /// The file.
+        file: String,
+        /// Bytes that are read at most.
+        limit: u64,
+    },
+    /// The file is not JSON in UTF-8.
+    #[error("{file}: line {line}, column {column}: {problem}")]
+    Syntax {
+        /// The file.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// Character in the line, from 1.
+        column: usize,
+        /// What was found and what is allowed.
+        problem: String,
+    },
+    /// The file is of a version that this program does not know yet.
+    #[error(
+        "{file}: version: found {version}, which is newer than this program; allowed: 1 to {known} \
+         (a newer dapple reads it)"
+    )]
+    Newer {
+        /// The file.
+        file: String,
+        /// Its version.
+        version: u64,
+        /// The newest version known here.
+        known: u64,
+    },
+    /// A value is wrong.
+    #[error("{file}: {problem}")]
+    Content {
+        /// The file.
+        file: String,
+        /// Which, and how.
+        problem: Problem,
+    },
+    /// The file cannot be written.
+    #[error("{file}: cannot be written")]
+    Unwritable {
+        /// The file.
+        file: String,
+        /// What the system said.
+        source: io::Error,
+    },
+}

@@ -1,0 +1,99 @@
+//! Reading and writing `.dapple` files.
+
+use super::{Document, DocumentError, limits, migrate, node::Node, reader, syntax, writer};
+use std::fs::File;
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+impl Document {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// Where the file cannot be read or is not a valid document.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, DocumentError> {
+        let path = path.as_ref();
+        let file = path.display().to_string();
+        if path.is_dir() {
+            return Err(DocumentError::Folder { file });
+        }
+        let bytes = bytes(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
+        if bytes.len() as u64 > limits::MAX_FILE {
+            return Err(DocumentError::TooLarge { file, limit: limits::MAX_FILE });
+        }
+        let text = syntax::text(&bytes).map_err(|problem| in_file(&file, problem))?;
+        Self::parse(text, &file)
+    }
+
+    /// Reads a text; `source_name`, mostly the file's, stands in errors.
+    ///
+    /// # Errors
+    /// Where the text is not a valid document.
+    pub fn parse(text: &str, source_name: &str) -> Result<Self, DocumentError> {
+        let value = syntax::json(text).map_err(|problem| in_file(source_name, problem))?;
+        let value = migrate::to_newest(value, source_name)?;
+        reader::document(&Node::root(&value)).map_err(|problem| problem.in_file(source_name))
+    }
+
+    /// The text of its file: complete, the same for equal documents, made to be read.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        writer::text(&writer::value(self))
+    }
+
+    /// Writes a file, or leaves what was there: never half of it.
+    ///
+    /// # Errors
+    /// Where it is not valid (see [`Document::check`]) or cannot be written.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), DocumentError> {
+        let path = path.as_ref();
+        let file = path.display().to_string();
+        self.check(&file)?;
+        replace(path, self.to_json().as_bytes()).map_err(|source| DocumentError::Unwritable { file, source })
+    }
+
+    /// Checks a document that was put together in memory by the rules for files; a NaN is found as `null`.
+    ///
+    /// # Errors
+    /// The first value that a file may not hold; `source_name` stands in it.
+    pub fn check(&self, source_name: &str) -> Result<(), DocumentError> {
+        let value = writer::value(self);
+        reader::document(&Node::root(&value)).map(drop).map_err(|problem| problem.in_file(source_name))
+    }
+}
+
+fn in_file(
+    file: &str,
+    syntax::SyntaxProblem { line, column, problem }: syntax::SyntaxProblem,
+) -> DocumentError {
+    DocumentError::Syntax { file: file.to_owned(), line, column, problem }
+}
+
+/// The file's bytes, though no more than one over the limit.
+fn bytes(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(limits::MAX_FILE + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Puts `bytes` in the place of `path`'s content by writing beside it and renaming.
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // Through a link, so that the link stays one.
+    let path = if path.is_symlink() { path.canonicalize()? } else { path.to_owned() };
+    let folder =
+        path.parent().filter(|folder| *folder != Path::new("")).map_or(PathBuf::from("."), PathBuf::from);
+    let mut builder = tempfile::Builder::new();
+    let permissions = path.metadata().ok().map(|metadata| metadata.permissions());
+    #[cfg(unix)]
+    let permissions = permissions.or_else(|| {
+        // What any new file gets; the umask takes its share. (A temporary file would be its owner's alone.)
+        Some(std::os::unix::fs::PermissionsExt::from_mode(0o666))
+    });
+    if let Some(permissions) = permissions {
+        builder.permissions(permissions);
+    }
+    let mut file = builder.prefix(".dapple-").tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}

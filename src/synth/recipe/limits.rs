@@ -1,0 +1,77 @@
+//! What numbers a document may hold: every bound in one place.
+//!
+//! These are the bounds of a *file*. What a machine's memory holds, and what a system can grow, is asked when
+//! growing.
+
+use std::fmt;
+
+/// The longest side of a canvas, px; two of them make 2³² px, where a 32-bit count of px ends.
+pub const MAX_SIDE: u32 = 65_536;
+/// Most columns and most rows of regions.
+pub const MAX_REGIONS: u32 = 64;
+/// Most layers: a label is one byte of which 0 means none.
+pub const MAX_LAYERS: usize = 255;
+/// Longest name of a document or a layer, characters.
+pub const MAX_NAME: usize = 1_000;
+/// Largest file that is read, bytes: a million freehand points take about 40 MB.
+pub const MAX_FILE: u64 = 256 << 20;
+/// Shortest length, width or radius, px: well below what a px can show, well above where squares underflow.
+pub const MIN_LENGTH: f64 = 0.01;
+/// Dots an inch.
+pub const DPI: Range = Range { low: 1.0, high: 100_000.0, unit: "dots an inch" };
+/// Place of a colour stop: a pattern value.
+pub const STOP: Range = Range { low: 0.0, high: 1.0, unit: "" };
+/// x of a Bezier handle: inside the gap, or the curve would turn back (as in CSS).
+pub const BEND_X: Range = Range { low: 0.0, high: 1.0, unit: "" };
+/// y of a Bezier handle: it may overshoot the two colours, by no more than twice their distance.
+pub const BEND_Y: Range = Range { low: -2.0, high: 3.0, unit: "" };
+
+/// A number's bounds, both included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Smallest number allowed.
+    pub low: f64,
+    /// Largest number allowed.
+    pub high: f64,
+    /// Its unit, or nothing.
+    pub unit: &'static str,
+}
+
+impl Range {
+    /// Any finite number of degrees: angles are axial and read mod 180.
+    pub const ANGLE: Self = Self { low: f64::MIN, high: f64::MAX, unit: "degrees" };
+
+    /// A radius or width on a canvas of `size` px: no thicker than the canvas' longer side.
+    #[must_use]
+    pub fn thickness(size: [u32; 2]) -> Self {
+        Self { low: MIN_LENGTH, high: f64::from(size[0].max(size[1])), unit: "px" }
+    }
+
+    /// A coordinate inside a canvas of `side` px.
+    #[must_use]
+    pub fn inside(side: u32) -> Self {
+        Self { low: 0.0, high: f64::from(side), unit: "px" }
+    }
+
+    /// A coordinate of an end or a point, which may leave the canvas by as much as its whole side.
+    #[must_use]
+    pub fn around(side: u32) -> Self {
+        Self { low: -f64::from(side), high: 2.0 * f64::from(side), unit: "px" }
+    }
+
+    /// Whether `number` lies in it; NaN does not.
+    #[must_use]
+    pub fn holds(&self, number: f64) -> bool {
+        self.low <= number && number <= self.high
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        if *self == Self::ANGLE {
+            return write!(f, "any finite number of degrees");
+        }
+        write!(f, "a number from {} to {}", self.low, self.high)?;
+        if self.unit.is_empty() { Ok(()) } else { write!(f, " {}", self.unit) }
+    }
+}

@@ -1,0 +1,223 @@
+//! The document: all of a texture, and its `.dapple` file (JSON, UTF-8).
+//!
+//! A document that was read is valid: every number is finite and within [`limits`], every mark's centre lies on
+//! the canvas, and no layer mixes ellipses with lines (what a freehand stroke is, is found when it is fitted).
+//!
+//! | key | default |
+//! |---|---|
+//! | `format`, `version`, `size`, `layers`, a layer's `strokes`, a stroke's shape | required |
+//! | `name` | empty |
+//! | `regions` | `[1, 1]` |
+//! | `edges` | `"closed"` |
+//! | `seed` | 1 |
+//! | `dpi` | 300 |
+//! | `growth.refine` | true |
+//! | a layer's `name` | `layer 1`, `layer 2`, … |
+//! | a layer's `system` | `"auto"` |
+//! | a layer's `after` | `"between"` |
+//! | a layer's `visible` | true |
+//! | a layer's `seed` | derived from the document's: [`Document::layer_seed`] |
+//! | a layer's `options` | `{}`; no system has options yet |
+//! | a layer's `colours` | the default set of that layer |
+//! | `colours.bends` | none: straight between all stops |
+//! | an ellipse's `angle` | 0 |
+//! | the `width` of a line or a freehand stroke | 6 px |
+
+mod choices;
+mod error;
+mod file;
+pub mod limits;
+mod migrate;
+mod node;
+mod reader;
+mod strokes;
+mod syntax;
+mod writer;
+
+pub use choices::{After, Kind, SystemChoice};
+pub use error::{DocumentError, Problem};
+
+use crate::field::Edges;
+use crate::marks::{Ellipse, Line};
+
+/// All of a texture: what was drawn and how it is to be grown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// What people call it.
+    pub name: String,
+    /// Width and height of the canvas, px, 1 to [`limits::MAX_SIDE`] each.
+    pub size: [u32; 2],
+    /// Columns and rows of regions, 1 to [`limits::MAX_REGIONS`] each.
+    pub regions: [u32; 2],
+    /// What lies beyond the border.
+    pub edges: Edges,
+    /// Where all chance comes from.
+    pub seed: u64,
+    /// Dots an inch, for print.
+    pub dpi: f64,
+    /// How it is grown.
+    pub growth: Growth,
+    /// The layers, the lowest first; at least one.
+    pub layers: Vec<Layer>,
+}
+
+impl Default for Document {
+    /// An empty canvas of 512 × 512 px; it has no layers yet and so is not valid yet.
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            size: [512, 512],
+            regions: [1, 1],
+            edges: Edges::Closed,
+            seed: 1,
+            dpi: 300.0,
+            growth: Growth::default(),
+            layers: Vec::new(),
+        }
+    }
+}
+
+impl Document {
+    /// The seed of the layer at `index` (0 = the lowest): its own or, where it has none, one derived from the
+    /// document's.
+    ///
+    /// The derived one is the output at position `index` + 1 of SplitMix64 started from the document's seed
+    /// (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014, fig. 17), so that
+    /// neighbouring document seeds share no layer's.
+    #[must_use]
+    pub fn layer_seed(&self, index: usize) -> u64 {
+        const GOLDEN_GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
+        if let Some(seed) = self.layers.get(index).and_then(|layer| layer.seed) {
+            return seed;
+        }
+        let mut z = self.seed.wrapping_add(GOLDEN_GAMMA.wrapping_mul(index as u64 + 1));
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+}
+
+/// How a document is grown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Growth {
+    /// Whether a grown texture is measured and its parameters are corrected by what was found.
+    pub refine: bool,
+}
+
+impl Default for Growth {
+    fn default() -> Self {
+        Self { refine: true }
+    }
+}
+
+/// One set of marks and the system that grows it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    /// What people call it.
+    pub name: String,
+    /// Which system grows it.
+    pub system: SystemChoice,
+    /// How it meets the frozen marks beneath it.
+    pub after: After,
+    /// Whether it is painted.
+    pub visible: bool,
+    /// Its own seed; `None` = derived, see [`Document::layer_seed`].
+    pub seed: Option<u64>,
+    /// What was drawn; at least one.
+    pub strokes: Vec<Stroke>,
+    /// What its system can be told beyond the marks.
+    pub options: Options,
+    /// Its colours; `None` = the default set of that layer.
+    pub colours: Option<Colours>,
+}
+
+impl Default for Layer {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            system: SystemChoice::Auto,
+            after: After::Between,
+            visible: true,
+            seed: None,
+            strokes: Vec::new(),
+            options: Options::default(),
+            colours: None,
+        }
+    }
+}
+
+/// Options of a layer's system. No system has any yet; the keys that each system takes stand in
+/// [`SystemChoice::option_keys`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {}
+
+/// What a hand drew.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stroke {
+    /// A spot.
+    Ellipse(Ellipse),
+    /// A piece of a stripe.
+    Line(Line),
+    /// A path of the pen: closed, it is an ellipse; open, a line. It is fitted when the document is grown.
+    Freehand {
+        /// Points in the order in which they were drawn, px; at least two.
+        points: Vec<[f64; 2]>,
+        /// Width of the pen, px: the line's, if it is one.
+        width: f64,
+    },
+}
+
+impl Stroke {
+    /// Width of a line or a freehand stroke that states none, px.
+    pub const WIDTH: f64 = 6.0;
+
+    /// What it is; `None` for a freehand stroke, which must be fitted first.
+    #[must_use]
+    pub fn kind(&self) -> Option<Kind> {
+        match self {
+            Self::Ellipse(_) => Some(Kind::Ellipse),
+            Self::Line(_) => Some(Kind::Line),
+            Self::Freehand { .. } => None,
+        }
+    }
+}
+
+/// The colours of a layer: pattern values are mapped to stops, and the way from stop to stop may be bent.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Colours {
+    /// Stops, ascending; at least one.
+    pub stops: Vec<Stop>,
+    /// `bends[i]` is the cubic Bezier (x1, y1, x2, y2, as in CSS easing) between stops i and i + 1; those
+    /// that are missing at the end are straight.
+    pub bends: Vec<[f64; 4]>,
+}
+
+/// A colour at a pattern value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    /// The pattern value, 0..1.
+    pub at: f64,
+    /// Red, green, blue (sRGB).
+    pub colour: [u8; 3],
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_layer_without_a_seed_gets_splitmix64_of_the_documents() {
+        let document = Document { seed: 0, layers: vec![Layer::default(); 3], ..Document::default() };
+        // The first outputs of SplitMix64 from 0, as published with the generator.
+        assert_eq!(document.layer_seed(0), 0xe220_a839_7b1d_cdaf);
+        assert_eq!(document.layer_seed(1), 0x6e78_9e6a_a1b9_65f4);
+        assert_eq!(document.layer_seed(2), 0x06c4_5d18_8009_454f);
+    }
+
+    #[test]
+    fn a_layer_keeps_its_own_seed() {
+        let layer = Layer { seed: Some(7), ..Layer::default() };
+        let document = Document { layers: vec![layer], ..Document::default() };
+        assert_eq!(document.layer_seed(0), 7);
+    }
+}

@@ -1,0 +1,105 @@
+//! The command line itself, through the real binary: exit codes, usage, and readers that go away.
+
+use assert_cmd::Command;
+use std::process::Stdio;
+
+const DOCUMENT: &str = r#"{"format": "dapple", "version": 1, "size": [64, 64], "layers": [
+    {"strokes": [{"kind": "ellipse", "center": [32, 32], "radii": [8, 5], "angle": 30}]}]}"#;
+
+fn dapple() -> Command {
+    Command::new(assert_cmd::cargo::cargo_bin!("dapple"))
+}
+
+/// Asserts exit code 2, nothing on stdout, and a message with these words.
+#[track_caller]
+fn used_wrongly(arguments: &[&str], words: &[&str]) {
+    let output = dapple().args(arguments).assert().code(2).get_output().clone();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(output.stdout.is_empty());
+    assert!(message.starts_with("error: "), "{message}");
+    for word in words {
+        assert!(message.contains(word), "{word} in {message}");
+    }
+}
+
+#[test]
+fn without_arguments_it_prints_help() {
+    let output = dapple().assert().success().get_output().clone();
+    let help = String::from_utf8(output.stdout).unwrap();
+    for command in ["grow", "lookup", "measure", "check"] {
+        assert!(help.contains(command), "{help}");
+    }
+    dapple().arg("--help").assert().success();
+    dapple().arg("--version").assert().success();
+}
+
+#[test]
+fn a_lone_document_is_told_how_to_be_grown() {
+    let output = dapple().arg("cheetah.dapple").assert().code(1).get_output().clone();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.contains("dapple grow cheetah.dapple -o OUT.png"), "{message}");
+}
+
+#[test]
+fn an_unknown_command_is_used_wrongly() {
+    used_wrongly(&["gorw"], &["gorw", "grow"]);
+    used_wrongly(&["gorw", "a.dapple", "-o", "a.png"], &["gorw", "grow"]);
+    used_wrongly(&["check"], &["<FILE>"]);
+}
+
+#[test]
+fn values_out_of_range_are_used_wrongly() {
+    let grow = |rest: &[&str], words: &[&str]| {
+        used_wrongly(&[&["grow", "a.dapple", "-o", "a.png"], rest].concat(), words);
+    };
+    grow(&["--size", "0x10"], &["--size", "0x10", "1 to 65536"]);
+    grow(&["--size", "4096"], &["--size", "4096x4096"]);
+    grow(&["--scale", "0"], &["--scale", "1..=64"]);
+    grow(&["--threads", "0"], &["--threads", "1 to 1024"]);
+    grow(&["--seed", "-1"], &["-1"]);
+    grow(&["--layer", "1"], &["--pattern"]);
+    grow(&["--labels", "a.png"], &["--labels", "--output", "a.png"]);
+    used_wrongly(&["grow", "a.dapple", "-o", "a.dapple"], &["a.dapple", "two files"]);
+    used_wrongly(&["grow", "a.dapple"], &["--output"]);
+}
+
+#[test]
+fn an_incomplete_question_is_used_wrongly() {
+    used_wrongly(&["lookup"], &["--system"]);
+    used_wrongly(&["lookup", "--system", "auto"], &["turing-spots"]);
+    used_wrongly(&["lookup", "--system", "turing-spots"], &["--area"]);
+    used_wrongly(
+        &["lookup", "--system", "turing-spots", "--area", "nan", "--aspect", "1"],
+        &["nan", "above 0"],
+    );
+    let stripes =
+        ["lookup", "--system", "meinhardt-stripes", "--area", "9", "--aspect", "1", "--angle", "-5"];
+    used_wrongly(&stripes, &["--width"]);
+    used_wrongly(&["lookup", "--batch", "in.csv"], &["--output"]);
+    used_wrongly(&["lookup", "--batch", "in.csv", "-o", "out.csv", "--width", "5"], &["--width"]);
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dapple");
+    std::fs::write(&path, DOCUMENT).unwrap();
+    for arguments in [vec![], vec!["--help".into()], vec!["check".into(), path.into_os_string()]] {
+        let mut child = std::process::Command::new(assert_cmd::cargo::cargo_bin!("dapple"))
+            .args(arguments)
+            .stdout(closed_pipe())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut message = String::new();
+        std::io::Read::read_to_string(child.stderr.as_mut().unwrap(), &mut message).unwrap();
+        assert_eq!((child.wait().unwrap().code(), message.as_str()), (Some(0), ""));
+    }
+}
+
+/// A pipe that nobody reads any more.
+fn closed_pipe() -> std::io::PipeWriter {
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    writer
+}

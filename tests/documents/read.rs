@@ -1,0 +1,98 @@
+//! What is read, and the defaults.
+
+use super::*;
+
+#[test]
+fn the_least_document_has_the_defaults_of_the_contract() {
+    let document = accepted(&least());
+    let ellipse = Ellipse { center: [64.0, 64.0], radii: [12.0, 6.0], angle: 30.0 };
+    let layer = Layer { name: "layer 1".into(), strokes: vec![Stroke::Ellipse(ellipse)], ..Layer::default() };
+    let expected = Document {
+        name: String::new(),
+        size: [512, 256],
+        regions: [1, 1],
+        edges: Edges::Closed,
+        seed: 1,
+        dpi: 300.0,
+        growth: Growth { refine: true },
+        layers: vec![layer],
+    };
+    assert_eq!(document, expected);
+    let layer = &document.layers[0];
+    assert_eq!((layer.system, layer.after, layer.visible), (SystemChoice::Auto, After::Between, true));
+    assert_eq!((layer.seed, &layer.colours), (None, &None));
+}
+
+#[test]
+fn every_key_is_read() {
+    let text = r##"{
+      "format": "dapple", "version": 1, "name": "cheetah", "size": [512, 300], "regions": [2, 3],
+      "edges": "wrap", "seed": 18446744073709551615, "dpi": 72.5, "growth": {"refine": false},
+      "layers": [
+        {"name": "spots", "system": "turing-spots", "after": "around", "visible": false, "seed": 7,
+         "strokes": [{"kind": "ellipse", "center": [64, 64], "radii": [12, 6]}], "options": {},
+         "colours": {"stops": [{"at": 0, "colour": "#F4e3c1"}, {"at": 1, "colour": "#fa0"}],
+                     "bends": [[0.42, 0.0, 0.58, 1.0]]}},
+        {"strokes": [{"kind": "line", "from": [10, 10], "to": [90, 60]},
+                     {"kind": "freehand", "points": [[1.5, 2], [3, 4]], "width": 4}]}
+      ]}"##;
+    let document = Document::parse(text, "x").unwrap();
+    assert_eq!((document.edges, document.seed, document.dpi), (Edges::Wrap, u64::MAX, 72.5));
+    assert_eq!((document.regions, document.growth.refine), ([2, 3], false));
+    let [spots, lines] = &document.layers[..] else { panic!("two layers") };
+    assert_eq!((spots.after, spots.visible, spots.seed), (After::Around, false, Some(7)));
+    let colours = spots.colours.clone().unwrap();
+    assert_eq!(colours.stops.map_colours(), [[0xf4, 0xe3, 0xc1], [0xff, 0xaa, 0x00]]);
+    assert_eq!(colours.bends, [[0.42, 0.0, 0.58, 1.0]]);
+    let line = Line { from: [10.0, 10.0], to: [90.0, 60.0], width: Stroke::WIDTH };
+    let freehand = Stroke::Freehand { points: vec![[1.5, 2.0], [3.0, 4.0]], width: 4.0 };
+    assert_eq!(lines.strokes, [Stroke::Line(line), freehand]);
+    assert_eq!(lines.name, "layer 2");
+}
+
+trait MapColours {
+    fn map_colours(&self) -> Vec<[u8; 3]>;
+}
+
+impl MapColours for Vec<Stop> {
+    fn map_colours(&self) -> Vec<[u8; 3]> {
+        self.iter().map(|stop| stop.colour).collect()
+    }
+}
+
+#[test]
+fn a_byte_order_mark_is_passed_over() {
+    assert!(Document::parse(&format!("\u{feff}{}", least()), "x").is_ok());
+}
+
+#[test]
+fn an_ellipse_may_reach_over_the_edge_but_its_centre_may_not() {
+    let ellipse = |x: f64| with_stroke(&json!({"kind": "ellipse", "center": [x, 64], "radii": [99, 6]}));
+    accepted(&ellipse(0.0));
+    accepted(&ellipse(512.0));
+    let place = "layers[0].strokes[0].center[0]";
+    refused(&ellipse(512.5), place, "512.5", "a number from 0 to 512 px");
+    refused(&ellipse(-1e-9), place, "-1e-9", "a number from 0 to 512 px");
+}
+
+#[test]
+fn a_line_may_leave_the_canvas_but_its_middle_may_not() {
+    let line = |x: f64| with_stroke(&json!({"kind": "line", "from": [-100, 10], "to": [x, 10], "width": 6}));
+    accepted(&line(120.0));
+    let allowed = "a middle on the canvas, from [0, 0] to [512, 256]";
+    refused(&line(20.0), "layers[0].strokes[0]", "a line whose middle is [-40, 10]", allowed);
+    let far = "layers[0].strokes[0].to[0]";
+    refused(&line(1025.0), far, "1025.0", "a number from -512 to 1024 px");
+}
+
+#[test]
+fn any_finite_angle_is_allowed() {
+    let angle = |a: f64| with("/layers/0/strokes/0/angle", json!(a));
+    accepted(&angle(-1e300));
+    accepted(&angle(7200.0));
+}
+
+#[test]
+fn a_whole_number_may_be_written_with_a_fraction_of_nothing() {
+    assert_eq!(accepted(&with("/size", json!([512.0, 256.0]))).size, [512, 256]);
+}
