@@ -84,9 +84,26 @@ impl Field {
     }
 }
 
+/// The 16-bit step nearest to a pattern value: 0..1 becomes 0..65535; values outside are taken as the end,
+/// no number as 0. Written patterns and colours both go by it.
+#[must_use]
+pub fn to_u16(value: f32) -> u16 {
+    // In f64 the half is added exactly; the cast rounds down and turns NaN into 0.
+    (f64::from(value.clamp(0.0, 1.0)) * 65535.0 + 0.5) as u16
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn pattern_values_go_to_the_nearest_of_65536_steps() {
+        for step in 0..=u16::MAX {
+            assert_eq!(to_u16(f32::from(step) / 65535.0), step);
+        }
+        assert_eq!([-0.1, f32::NAN, 0.5, 1.1].map(to_u16), [0, 0, 32768, 65535]);
+        assert_eq!([0.49, 0.51].map(|part| to_u16((7.0 + part) / 65535.0)), [7, 8]);
+    }
 
     #[test]
     fn closed_edges_mirror_and_wrapped_edges_go_round() {

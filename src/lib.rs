@@ -9,7 +9,7 @@
 //! The rooms below stand in the order in which data meets them. *Ground* is the words that everyone
 //! uses; each knows only the ones above it. *Steps* know the ground and never each other. Only the
 //! *thread*, [`synth`], knows the steps; the *doors* know everything and nothing knows them.
-//! `tests/layering.rs` holds these arrows. The only way back, from a grown field to parameters, goes
+//! `tests/layering` holds these arrows. The only way back, from a grown field to parameters, goes
 //! through a file: `data-gen` writes `training/`, [`learn`] reads it.
 //!
 //! Lengths are px of the canvas unless a line says cells; x runs right, y down; angles are degrees

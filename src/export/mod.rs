@@ -1,1 +1,21 @@
-//! Pictures → bytes.
+//! Pictures → bytes, and bytes → files that are whole or not there.
+//!
+//! [`png`] turns rows into a PNG stream. [`save`] puts a stream into a file: it writes beside the target and
+//! renames at the end, so that neither an error nor a cancelled run leaves half a picture, nor harms the one
+//! that was there before.
+
+pub mod png;
+mod save;
+
+pub use save::{ExportError, FORMATS, check_target, save};
+
+/// Why a writer stopped before its end.
+#[derive(Debug, thiserror::Error)]
+pub enum Stopped {
+    /// The bytes could not be written.
+    #[error(transparent)]
+    Io(#[from] std::io::Error),
+    /// Whoever gives the rows does not want to go on.
+    #[error("cancelled")]
+    Cancelled,
+}

@@ -1,0 +1,177 @@
+//! Gradient: pattern value → colour, exactly and by table.
+
+use palette::{FromColor, LinSrgb, Oklab, Srgb};
+use rayon::prelude::*;
+use thiserror::Error;
+
+use super::Bend;
+use crate::field::to_u16;
+
+/// A colour at a place on the way from ground to mark.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    /// The pattern value that has this colour, 0..1 (0 = ground, 0.5 = the mark's edge, 1 = its middle).
+    pub at: f32,
+    /// Red, green, blue; 8-bit sRGB.
+    pub colour: [u8; 3],
+}
+
+/// The colours of one layer: stops in growing order and the ways between them.
+///
+/// Before the first stop and after the last the colour is the stop's. Of two stops at the same place the
+/// later one holds from there on: a hard step. Colours between stops are mixed in OKLab and what sRGB
+/// cannot show is clipped, channel by channel.
+///
+/// B. Ottosson, "A perceptual color space for image processing" (2020).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gradient {
+    /// At least one, `at` never falling. Without any, everything is black.
+    pub stops: Vec<Stop>,
+    /// `bends[i]` leads from stop i to stop i + 1; missing ones are straight.
+    pub bends: Vec<Bend>,
+}
+
+/// Why a gradient cannot be used.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum GradientError {
+    /// There is no colour at all.
+    #[error("`stops` is empty; give at least one, such as {{\"at\": 0, \"colour\": \"#f4e3c1\"}}")]
+    NoStops,
+    /// A stop beyond the pattern's values.
+    #[error(
+        "`stops[{stop}].at` is {at}; allowed is 0 to 1 (0 = ground, 0.5 = the mark's edge, 1 = its middle)"
+    )]
+    StopOutside {
+        /// Index into `stops`.
+        stop: usize,
+        /// What was given.
+        at: f32,
+    },
+    /// Stops that do not grow.
+    #[error(
+        "`stops[{stop}].at` is {at}, less than the {before} of the stop before it; sort the stops by `at`"
+    )]
+    StopsFall {
+        /// Index into `stops`.
+        stop: usize,
+        /// What was given.
+        at: f32,
+        /// The stop before it.
+        before: f32,
+    },
+    /// More ways than gaps.
+    #[error("{bends} `bends` for {stops} `stops`; allowed is at most one a gap, {}", stops - 1)]
+    TooManyBends {
+        /// How many bends.
+        bends: usize,
+        /// How many stops.
+        stops: usize,
+    },
+    /// A bend that is no function, or no number.
+    #[error(
+        "`bends[{bend}]` is {value:?}; allowed are x1, y1, x2, y2 as in CSS: x1 and x2 from 0 to 1, y1 and y2 any number"
+    )]
+    BadBend {
+        /// Index into `bends`.
+        bend: usize,
+        /// What was given.
+        value: [f64; 4],
+    },
+}
+
+impl Gradient {
+    /// Whether stops and bends are as they should be.
+    ///
+    /// # Errors
+    /// The first thing that is wrong, by name, value and what is allowed.
+    pub fn check(&self) -> Result<(), GradientError> {
+        if self.stops.is_empty() {
+            return Err(GradientError::NoStops);
+        }
+        for (stop, &Stop { at, .. }) in self.stops.iter().enumerate() {
+            if !(0.0..=1.0).contains(&at) {
+                return Err(GradientError::StopOutside { stop, at });
+            }
+        }
+        for (i, pair) in self.stops.windows(2).enumerate() {
+            if pair[1].at < pair[0].at {
+                return Err(GradientError::StopsFall { stop: i + 1, at: pair[1].at, before: pair[0].at });
+            }
+        }
+        if self.bends.len() >= self.stops.len() {
+            return Err(GradientError::TooManyBends { bends: self.bends.len(), stops: self.stops.len() });
+        }
+        for (bend, &Bend(value)) in self.bends.iter().enumerate() {
+            let [x1, y1, x2, y2] = value;
+            let x_in_range = [x1, x2].iter().all(|x| (0.0..=1.0).contains(x));
+            if !x_in_range || !y1.is_finite() || !y2.is_finite() {
+                return Err(GradientError::BadBend { bend, value });
+            }
+        }
+        Ok(())
+    }
+
+    /// The colour of the pattern value `v`; `v` outside 0..1 is taken as the end, no number as 0.
+    ///
+    /// For a whole picture take the [`table`](Self::table).
+    #[must_use]
+    pub fn colour(&self, v: f32) -> [u8; 3] {
+        self.mix(&self.lab(), v)
+    }
+
+    /// The colours of all 65536 values that a 16-bit picture of a pattern can hold.
+    #[must_use]
+    pub fn table(&self) -> Table {
+        let lab = self.lab();
+        let colours =
+            (0..=u16::MAX).into_par_iter().map(|i| self.mix(&lab, f32::from(i) / 65535.0)).collect();
+        Table { colours }
+    }
+
+    /// The stops' colours in OKLab.
+    fn lab(&self) -> Vec<Oklab<f64>> {
+        let lab = |stop: &Stop| Oklab::from_color(Srgb::from(stop.colour).into_linear::<f64>());
+        self.stops.iter().map(lab).collect()
+    }
+
+    fn mix(&self, lab: &[Oklab<f64>], v: f32) -> [u8; 3] {
+        let v = if v.is_nan() { 0.0 } else { v.clamp(0.0, 1.0) };
+        let behind = self.stops.iter().rposition(|stop| stop.at <= v);
+        match behind {
+            None => self.stops.first().map_or([0; 3], |first| first.colour),
+            Some(last) if last + 1 == self.stops.len() => self.stops[last].colour,
+            Some(i) => {
+                let [from, to] = [f64::from(self.stops[i].at), f64::from(self.stops[i + 1].at)];
+                let way = (f64::from(v) - from) / (to - from);
+                let t = self.bends.get(i).map_or(way, |bend| bend.ease(way));
+                to_srgb(lab[i] + (lab[i + 1] - lab[i]) * t)
+            }
+        }
+    }
+}
+
+/// The nearest 8-bit colour, each channel clipped by itself.
+fn to_srgb(lab: Oklab<f64>) -> [u8; 3] {
+    let (red, green, blue) = Srgb::from_linear(LinSrgb::from_color(lab)).into_components();
+    [red, green, blue].map(|channel: f64| (channel.clamp(0.0, 1.0) * 255.0).round() as u8)
+}
+
+/// A gradient by look-up: one colour for each 16-bit step of the pattern.
+///
+/// A value is first brought to the nearest step, as `--pattern` writes it, so that the picture is a
+/// function of the written pattern; at the steps the colours are the gradient's own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    colours: Vec<[u8; 3]>,
+}
+
+impl Table {
+    /// The colour of the step nearest to the pattern value `v`.
+    #[must_use]
+    pub fn colour(&self, v: f32) -> [u8; 3] {
+        self.colours[usize::from(to_u16(v))]
+    }
+}
+
+#[cfg(test)]
+mod tests;

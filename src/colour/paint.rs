@@ -1,0 +1,126 @@
+//! Layers of patterns → one picture.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::Table;
+use crate::field::Field;
+
+/// One layer as the painter sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Painted<'a> {
+    /// Its pattern, one value a px of the picture.
+    pub pattern: &'a Field,
+    /// Where it was free to grow, one flag a px; `None` = everywhere.
+    pub free: Option<&'a [bool]>,
+    /// Its colours.
+    pub table: &'a Table,
+    /// Whether it is shown.
+    pub visible: bool,
+}
+
+/// Which of the layers paints the px at `y * width + x`: the last visible one that was free to grow there.
+/// `None` where every visible layer had to keep out, as over the marks of a hidden one.
+#[must_use]
+pub fn painter(layers: &[Painted], px: usize) -> Option<usize> {
+    layers.iter().rposition(|layer| layer.visible && layer.free.is_none_or(|free| free[px]))
+}
+
+/// The whole picture: red, green, blue a px (8-bit sRGB), row by row from the top.
+///
+/// Each px has the colour of its [`painter`]. Where there is none it has the ground colour of the last
+/// visible layer (the one whose ground is seen around it), without visible layers that of the last layer,
+/// and without layers white.
+///
+/// # Panics
+/// When a pattern or a `free` holds fewer than `width * height` values.
+#[must_use]
+pub fn paint(layers: &[Painted], width: usize, height: usize) -> Vec<u8> {
+    let mut rgb = vec![0; 3 * width * height];
+    paint_rows(layers, width, 0..height, &mut rgb);
+    rgb
+}
+
+/// The given rows of the picture that [`paint`] makes, for pictures that are written band by band.
+/// `rgb` holds `3 * width` bytes a row. Rows are painted in parallel.
+///
+/// # Panics
+/// When a pattern or a `free` does not reach to the last of the rows.
+pub fn paint_rows(layers: &[Painted], width: usize, rows: Range<usize>, rgb: &mut [u8]) {
+    if width == 0 {
+        return;
+    }
+    let ground = layers.iter().rfind(|layer| layer.visible).or(layers.last());
+    let ground = ground.map_or([255; 3], |layer| layer.table.colour(0.0));
+    rgb.par_chunks_mut(3 * width).zip(rows.into_par_iter()).for_each(|(row, y)| {
+        for (x, out) in row.chunks_exact_mut(3).enumerate() {
+            let px = y * width + x;
+            let colour = match painter(layers, px) {
+                Some(k) => layers[k].table.colour(layers[k].pattern.values[px]),
+                None => ground,
+            };
+            out.copy_from_slice(&colour);
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Gradient, Stop};
+    use super::*;
+    use crate::field::Edges;
+
+    const T: bool = true;
+    const F: bool = false;
+
+    fn table(ground: [u8; 3], mark: [u8; 3]) -> Table {
+        let hard_step = [(0.0, ground), (0.5, ground), (0.5, mark)];
+        let stops = hard_step.map(|(at, colour)| Stop { at, colour }).to_vec();
+        Gradient { stops, bends: vec![] }.table()
+    }
+
+    /// A letter a px: each layer's table has its ground as a small letter and its mark as a capital one.
+    fn letters(rgb: &[u8]) -> String {
+        rgb.chunks(3).map(|px| char::from(px[0])).collect()
+    }
+
+    fn strip(values: &[f32]) -> Field {
+        Field { values: values.to_vec(), ..Field::flat(values.len(), 1, Edges::Closed, 0.0) }
+    }
+
+    #[test]
+    fn each_px_belongs_to_the_last_visible_layer_that_was_free_there() {
+        let [a, b] = [table([b'a'; 3], [b'A'; 3]), table([b'b'; 3], [b'B'; 3])];
+        let below = strip(&[0.9, 0.5, 0.4, 0.1, 0.0]);
+        let above = strip(&[0.9, 0.9, 0.2, 0.7, 0.5]);
+        let free = [F, F, T, T, T];
+        let layers = |shown: [bool; 2]| {
+            [
+                Painted { pattern: &below, free: None, table: &a, visible: shown[0] },
+                Painted { pattern: &above, free: Some(&free), table: &b, visible: shown[1] },
+            ]
+        };
+        let seen = |shown| letters(&paint(&layers(shown), 5, 1));
+        assert_eq!(seen([T, T]), "AAbBB");
+        assert_eq!(seen([T, F]), "AAaaa");
+        assert_eq!(seen([F, T]), "bbbBB", "hidden marks look like the ground around them");
+        assert_eq!(seen([F, F]), "bbbbb");
+        assert_eq!(paint(&[], 2, 1), [255; 6]);
+    }
+
+    #[test]
+    fn bands_put_together_are_the_picture() {
+        let colours = Gradient::default_for_layer(0).table();
+        let pattern =
+            Field::from_fn([31, 17], [1.0; 2], Edges::Wrap, |[x, y]| ((x * y) % 10.0 / 10.0) as f32);
+        let layers = [Painted { pattern: &pattern, free: None, table: &colours, visible: true }];
+        let mut banded = vec![0; 31 * 17 * 3];
+        for (band, rgb) in banded.chunks_mut(31 * 3 * 4).enumerate() {
+            paint_rows(&layers, 31, 4 * band..(4 * band + 4).min(17), rgb);
+        }
+        assert_eq!(banded, paint(&layers, 31, 17));
+        let expected: Vec<u8> = pattern.values.iter().flat_map(|&v| colours.colour(v)).collect();
+        assert_eq!(banded, expected);
+    }
+}

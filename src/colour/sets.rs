@@ -1,0 +1,123 @@
+//! Colours from nature, chosen by eye on photographs' words (none is measured) and on grown patterns.
+//!
+//! All are built alike. The ground darkens a little towards the mark, the mark a little towards its middle,
+//! which gives both some body. Between 0.4 and 0.6 an S-bend leads across the mark's edge: half the way at
+//! 0.5, so that the mark looks as large as it is measured, and wide enough that no staircase of px shows
+//! (a spot of radius 5 px passes through these values in about 1 px, one of 20 px in 4).
+
+use super::{Bend, Gradient, Stop};
+
+/// A gradient that needs no memory of its own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Set {
+    /// Whose colours they are.
+    pub name: &'static str,
+    /// See [`Gradient::stops`].
+    pub stops: [Stop; 4],
+    /// See [`Gradient::bends`].
+    pub bends: [Bend; 2],
+}
+
+/// What a document's layers are painted with when it names no colours: layer k takes `BY_LAYER[k % 6]`.
+///
+/// All have the cheetah's ground, since the last layer paints the ground of the whole canvas: a layer more
+/// must not change it. The marks differ from layer to layer in lightness first, then in hue.
+pub const BY_LAYER: [Set; 6] = [
+    // The cheetah's spots: solid, near black, brown in the sun.
+    set("cheetah", CREAM, [0x4a2c19, 0x24140c]),
+    // The reticulated giraffe's patches: liver chestnut.
+    set("giraffe", CREAM, [0x9a5a2b, 0x74391a]),
+    // The black of a leopard's rosettes.
+    set("leopard", CREAM, [0x2e2826, 0x151212]),
+    // The filled middle of a jaguar's rosettes: ochre, darker than its ground.
+    set("jaguar", CREAM, [0xd09a52, 0xb4782f]),
+    // A tortoiseshell cat's red.
+    set("tortoiseshell", CREAM, [0xb5532a, 0x8c3715]),
+    // The genet's washed-out flank spots: smoke.
+    set("genet", CREAM, [0x8a7c6c, 0x655849]),
+];
+
+/// Whole coats, each with a ground of its own: for documents of one layer.
+pub const COATS: [Set; 7] = [
+    // Plains zebra: off-white, and black that is brown in the light.
+    set("zebra", [0xf7f2e8, 0xeae1d1], [0x2b2320, 0x120e0d]),
+    // Bengal tiger: orange back, black stripes.
+    set("tiger", [0xeba04e, 0xd8782a], [0x2c1a12, 0x120a08]),
+    // Blue poison dart frog: azure with spots of blue-black.
+    set("dart frog", [0x3f9be0, 0x1f6fc4], [0x12224d, 0x070d24]),
+    // Seven-spot ladybird.
+    set("ladybird", [0xd8352a, 0xb81d1a], [0x1f1614, 0x0b0808]),
+    // Fallow deer in summer: white spots on chestnut.
+    set("fallow deer", [0x8f5528, 0xa4672f], [0xf0e2c8, 0xfcf6e8]),
+    // Whale shark: pale spots on slate blue.
+    set("whale shark", [0x24404f, 0x32566a], [0xc9dcdc, 0xeff6f2]),
+    // Arctic char: pink spots on olive green.
+    set("arctic char", [0x47563c, 0x5a6644], [0xe79a84, 0xf6bfa6]),
+];
+
+/// The cheetah's ground: cream, tawny towards the spots.
+const CREAM: [u32; 2] = [0xf4e3c1, 0xe8cd9a];
+
+const fn set(name: &'static str, ground: [u32; 2], mark: [u32; 2]) -> Set {
+    let stops = [stop(0.0, ground[0]), stop(0.4, ground[1]), stop(0.6, mark[0]), stop(1.0, mark[1])];
+    Set { name, stops, bends: [Bend([0.0, 0.0, 1.0, 1.0]), Bend([0.42, 0.0, 0.58, 1.0])] }
+}
+
+const fn stop(at: f32, rgb: u32) -> Stop {
+    let [_, red, green, blue] = rgb.to_be_bytes();
+    Stop { at, colour: [red, green, blue] }
+}
+
+impl Set {
+    /// The set as a gradient.
+    #[must_use]
+    pub fn gradient(&self) -> Gradient {
+        Gradient { stops: self.stops.to_vec(), bends: self.bends.to_vec() }
+    }
+}
+
+impl Gradient {
+    /// The colours of the layer with this index (0 = the first) where the document gives none.
+    #[must_use]
+    pub fn default_for_layer(layer: usize) -> Self {
+        BY_LAYER[layer % BY_LAYER.len()].gradient()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Perceived lightness, roughly: the eye's weights on gray.
+    fn lightness([red, green, blue]: [u8; 3]) -> f64 {
+        0.2126 * f64::from(red) + 0.7152 * f64::from(green) + 0.0722 * f64::from(blue)
+    }
+
+    #[test]
+    fn every_set_is_sound_and_its_marks_stand_out() {
+        for set in BY_LAYER.iter().chain(&COATS) {
+            let gradient = set.gradient();
+            assert_eq!(gradient.check(), Ok(()), "{}", set.name);
+            let [ground, inside] = [0.3, 0.7].map(|v| lightness(gradient.colour(v)));
+            assert!((ground - inside).abs() > 40.0, "{}: {ground} against {inside}", set.name);
+        }
+    }
+
+    #[test]
+    fn the_edge_of_a_mark_looks_halfway_between_ground_and_mark() {
+        for set in BY_LAYER.iter().chain(&COATS) {
+            let [_, outside, inside, _] = set.stops;
+            let straight = Gradient { stops: vec![outside, inside], bends: vec![] };
+            assert_eq!(set.gradient().colour(0.5), straight.colour(0.5), "{}", set.name);
+        }
+    }
+
+    #[test]
+    fn a_layer_more_does_not_change_the_ground() {
+        for layer in 1..12 {
+            let [first, later] = [0, layer].map(|k| Gradient::default_for_layer(k).colour(0.0));
+            assert_eq!(first, later, "layer {layer}");
+            assert_ne!(Gradient::default_for_layer(layer), Gradient::default_for_layer(layer - 1));
+        }
+    }
+}

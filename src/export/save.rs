@@ -1,0 +1,196 @@
+//! Files: whole or not there.
+
+use std::fs::{self, File, Permissions};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+use super::Stopped;
+
+/// The endings that a picture's name may have.
+pub const FORMATS: [&str; 1] = ["png"];
+
+/// Why a file was not written. Nothing is left behind, and what was there before still is.
+#[derive(Debug, Error)]
+pub enum ExportError {
+    /// An ending that stands for no format.
+    #[error(
+        "cannot write '{}': its name {}; allowed: .{}",
+        path.display(),
+        ending(path),
+        FORMATS.join(", .")
+    )]
+    UnknownFormat {
+        /// What was asked for.
+        path: PathBuf,
+    },
+    /// A folder has the name already.
+    #[error("cannot write '{}': it is a folder; name a file in it, such as '{}'", path.display(), path.join("picture.png").display())]
+    IsFolder {
+        /// What was asked for.
+        path: PathBuf,
+    },
+    /// A pipe, a device or the like has the name already.
+    #[error("cannot write '{}': it is neither a file nor a folder; choose another name", path.display())]
+    NotAFile {
+        /// What was asked for.
+        path: PathBuf,
+    },
+    /// There is no folder to write into.
+    #[error("cannot write '{}': there is no folder '{}'; make it first, or choose another", path.display(), folder.display())]
+    NoFolder {
+        /// What was asked for.
+        path: PathBuf,
+        /// The folder that is missing.
+        folder: PathBuf,
+    },
+    /// The file is there and must not be written.
+    #[error("cannot write '{}': the file is there and read-only; make it writable, or choose another name", path.display())]
+    ReadOnly {
+        /// What was asked for.
+        path: PathBuf,
+    },
+    /// The folder must not be written.
+    #[error("cannot write '{}': writing in '{}' is not permitted; choose another folder", path.display(), folder.display())]
+    NotPermitted {
+        /// What was asked for.
+        path: PathBuf,
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// No room.
+    #[error("cannot write '{}': the disk is full; make room, or choose another folder", path.display())]
+    DiskFull {
+        /// What was asked for.
+        path: PathBuf,
+    },
+    /// Whatever else the operating system says.
+    #[error("cannot write '{}': {source}", path.display())]
+    Io {
+        /// What was asked for.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The writer was told to stop.
+    #[error("'{}' was not written: cancelled", path.display())]
+    Cancelled {
+        /// What was asked for.
+        path: PathBuf,
+    },
+}
+
+fn ending(path: &Path) -> String {
+    match path.extension() {
+        Some(ending) => {
+            format!("ends in .{}, which is no picture format that dapple writes", ending.display())
+        }
+        None => "has no ending that says in which format".to_owned(),
+    }
+}
+
+/// Looks whether a picture can be written to `path`, before the work is done: the name's ending (upper or
+/// lower case), the folder, and what has the name already. Rights and room show only in [`save`].
+///
+/// # Errors
+/// What is wrong with the path, and the remedy.
+pub fn check_target(path: &Path) -> Result<(), ExportError> {
+    if path.is_dir() {
+        return Err(ExportError::IsFolder { path: path.to_owned() });
+    }
+    let known = |ending: &str| FORMATS.iter().any(|format| format.eq_ignore_ascii_case(ending));
+    if !path.extension().and_then(|ending| ending.to_str()).is_some_and(known) {
+        return Err(ExportError::UnknownFormat { path: path.to_owned() });
+    }
+    target_of(path).map(drop)
+}
+
+/// Writes the file `path` by `write`, which gets a buffered stream: into a file beside it that takes its name
+/// when all is on the disk. A file that was there is replaced and keeps its permissions; a new one gets
+/// the usual ones (0666 less the umask). A symbolic link stays and what it leads to is replaced.
+///
+/// # Errors
+/// What went wrong, with the file's name and the remedy.
+pub fn save(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<&File>) -> Result<(), Stopped>,
+) -> Result<(), ExportError> {
+    let target = target_of(path)?;
+    let folder = folder_of(&target);
+    let io = |source| explain(path, &folder, source);
+    let beside = new_file().tempfile_in(&folder).map_err(io)?;
+    let mut stream = BufWriter::with_capacity(1 << 20, beside.as_file());
+    match write(&mut stream).and_then(|()| Ok(stream.flush()?)) {
+        Ok(()) => drop(stream),
+        // What is still in the buffer need not go anywhere.
+        Err(stopped) => {
+            let _ = stream.into_parts();
+            return Err(match stopped {
+                Stopped::Cancelled => ExportError::Cancelled { path: path.to_owned() },
+                Stopped::Io(source) => io(source),
+            });
+        }
+    }
+    if let Ok(before) = fs::metadata(&target) {
+        beside.as_file().set_permissions(before.permissions()).map_err(io)?;
+    }
+    // Some file systems tell only now that there is no room.
+    beside.as_file().sync_all().map_err(io)?;
+    beside.persist(&target).map_err(|error| io(error.error))?;
+    Ok(())
+}
+
+/// The file to be replaced or made: `path`, or where it leads to.
+fn target_of(path: &Path) -> Result<PathBuf, ExportError> {
+    let folder = folder_of(path);
+    if !folder.is_dir() {
+        return Err(ExportError::NoFolder { path: path.to_owned(), folder });
+    }
+    match fs::metadata(path) {
+        Ok(there) if there.is_dir() => Err(ExportError::IsFolder { path: path.to_owned() }),
+        Ok(there) if !there.is_file() => Err(ExportError::NotAFile { path: path.to_owned() }),
+        Ok(there) if there.permissions().readonly() => Err(ExportError::ReadOnly { path: path.to_owned() }),
+        Ok(_) => fs::canonicalize(path).map_err(|source| explain(path, &folder, source)),
+        Err(_) if path.file_name().is_none() => Err(ExportError::NotAFile { path: path.to_owned() }),
+        Err(_) => Ok(path.to_owned()),
+    }
+}
+
+fn folder_of(path: &Path) -> PathBuf {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+fn new_file() -> tempfile::Builder<'static, 'static> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".dapple-").suffix(".part");
+    if let Some(usual) = usual_permissions() {
+        builder.permissions(usual);
+    }
+    builder
+}
+
+/// What any program's new file gets, before the umask; a temporary file would be the owner's alone.
+fn usual_permissions() -> Option<Permissions> {
+    #[cfg(unix)]
+    return Some(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    #[cfg(not(unix))]
+    None
+}
+
+fn explain(path: &Path, folder: &Path, source: io::Error) -> ExportError {
+    let path = path.to_owned();
+    match source.kind() {
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+            ExportError::NotPermitted { path, folder: folder.to_owned() }
+        }
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => ExportError::DiskFull { path },
+        _ => ExportError::Io { path, source },
+    }
+}
+
+#[cfg(test)]
+mod tests;

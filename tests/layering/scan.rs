@@ -1,0 +1,265 @@
+//! Reads Rust source far enough to say which paths it names: comments and literals away, `use` trees spread
+//! out, `self` and `super` followed.
+
+/// A path that a source file names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Named {
+    /// Counted from 1.
+    pub line: usize,
+    /// The path from the crate's root (`crate`, room, …), or from an outside package (its name, …).
+    pub path: Vec<String>,
+    /// Whether it stands in a module called `tests`.
+    pub in_tests: bool,
+}
+
+#[derive(Clone, Debug)]
+struct Token {
+    line: usize,
+    /// A word, `::`, or one sign.
+    text: String,
+}
+
+impl Token {
+    fn is_word(&self) -> bool {
+        self.text.starts_with(|c: char| c.is_alphabetic() || c == '_')
+    }
+}
+
+/// Every path of two or more names, and every `use`, of a file that is the module `module` (`[]` = the root).
+pub fn paths(source: &str, module: &[&str]) -> Vec<Named> {
+    let mut reader = Reader {
+        tokens: tokens(source),
+        at: 0,
+        module: module.iter().map(|&name| name.to_owned()).collect(),
+        inline: Vec::new(),
+        depth: 0,
+        bound: Vec::new(),
+        found: Vec::new(),
+    };
+    reader.read();
+    // A name that the file gives to something of the house is no package, even where one is called the same.
+    let Reader { bound, mut found, .. } = reader;
+    found.retain(|named| named.path[0] == "crate" || !bound.contains(&named.path[0]));
+    found
+}
+
+struct Reader {
+    tokens: Vec<Token>,
+    at: usize,
+    module: Vec<String>,
+    /// Depth of braces at which each inline module began.
+    inline: Vec<usize>,
+    depth: usize,
+    /// Names that a `mod` or a `use` of the house's own paths brought in.
+    bound: Vec<String>,
+    found: Vec<Named>,
+}
+
+impl Reader {
+    fn text(&self, ahead: usize) -> &str {
+        self.tokens.get(self.at + ahead).map_or("", |token| &token.text)
+    }
+
+    fn word(&self, ahead: usize) -> bool {
+        self.tokens.get(self.at + ahead).is_some_and(Token::is_word)
+    }
+
+    fn read(&mut self) {
+        while self.at < self.tokens.len() {
+            match self.text(0) {
+                "{" => self.depth += 1,
+                "}" => {
+                    self.depth = self.depth.saturating_sub(1);
+                    if self.inline.last() == Some(&self.depth) {
+                        self.inline.pop();
+                        self.module.pop();
+                    }
+                }
+                "mod" if self.word(1) => {
+                    let name = self.text(1).to_owned();
+                    self.bound.push(name.clone());
+                    if self.text(2) == "{" {
+                        self.module.push(name);
+                        self.inline.push(self.depth);
+                    }
+                    self.at += 1;
+                }
+                "use" => {
+                    self.at += 1;
+                    self.use_tree(&[]);
+                    continue;
+                }
+                _ if self.word(0) => {
+                    self.inline_path();
+                    continue;
+                }
+                _ => {}
+            }
+            self.at += 1;
+        }
+    }
+
+    /// `a::b::c` in running code.
+    fn inline_path(&mut self) {
+        let line = self.tokens[self.at].line;
+        let before = |back: usize| self.at.checked_sub(back).map(|i| self.tokens[i].text.as_str());
+        let part_of_another = before(1) == Some(".")
+            || before(1) == Some("::")
+                && before(2).is_some_and(|text| text == ">" || self.tokens[self.at - 2].is_word());
+        let mut path = vec![self.text(0).to_owned()];
+        self.at += 1;
+        while self.text(0) == "::" && self.word(1) {
+            path.push(self.text(1).to_owned());
+            self.at += 2;
+        }
+        if path.len() > 1 && !part_of_another {
+            self.name(line, &path);
+        }
+    }
+
+    /// What follows `use`, or a `{` or `,` within: `prefix` is what stands before the braces.
+    fn use_tree(&mut self, prefix: &[String]) {
+        let mut path = prefix.to_vec();
+        let line = self.tokens.get(self.at).map_or(0, |token| token.line);
+        while self.at < self.tokens.len() {
+            match self.text(0) {
+                "::" => {}
+                "{" => {
+                    self.at += 1;
+                    while self.at < self.tokens.len() && self.text(0) != "}" {
+                        self.use_tree(&path);
+                        if self.text(0) == "," {
+                            self.at += 1;
+                        }
+                    }
+                    self.at += 1;
+                    return;
+                }
+                "*" => path.push("*".to_owned()),
+                "as" => {
+                    self.at += 1;
+                    self.bind(&path, self.text(0).to_owned());
+                }
+                _ if self.word(0) => path.push(self.text(0).to_owned()),
+                _ => break,
+            }
+            self.at += 1;
+        }
+        if path.len() > 1 && path.last().is_some_and(|last| last == "self") {
+            path.pop();
+        }
+        if let Some(last) = path.last().cloned() {
+            self.bind(&path, last);
+            self.name(line, &path);
+        }
+    }
+
+    fn bind(&mut self, path: &[String], name: String) {
+        if path.len() > 1 && ["crate", "self", "super"].contains(&path[0].as_str()) {
+            self.bound.push(name);
+        }
+    }
+
+    fn name(&mut self, line: usize, path: &[String]) {
+        let mut full = match path[0].as_str() {
+            "crate" => Vec::new(),
+            "self" | "super" => self.module.clone(),
+            "Self" => return,
+            _ => {
+                self.found.push(Named { line, path: path.to_vec(), in_tests: self.in_tests() });
+                return;
+            }
+        };
+        for name in path {
+            match name.as_str() {
+                "crate" | "self" => {}
+                "super" => drop(full.pop()),
+                _ => full.push(name.clone()),
+            }
+        }
+        full.insert(0, "crate".to_owned());
+        self.found.push(Named { line, path: full, in_tests: self.in_tests() });
+    }
+
+    fn in_tests(&self) -> bool {
+        self.module.iter().any(|name| name == "tests")
+    }
+}
+
+/// Words and signs, without comments, strings, characters and numbers' insides.
+fn tokens(source: &str) -> Vec<Token> {
+    let chars: Vec<char> = source.chars().collect();
+    let mut tokens = Vec::new();
+    let [mut at, mut line] = [0, 1];
+    while at < chars.len() {
+        let end = literal_end(&chars, at);
+        let text = match end {
+            Some(_) => String::new(),
+            None if chars[at..].starts_with(&[':', ':']) => "::".to_owned(),
+            None if chars[at..].starts_with(&['r', '#']) => "r#".to_owned(),
+            None if is_word_sign(chars[at]) => chars[at..].iter().take_while(|&&c| is_word_sign(c)).collect(),
+            None => chars[at].to_string(),
+        };
+        let end = end.unwrap_or(at + text.chars().count());
+        if !text.trim().is_empty() && text != "r#" {
+            tokens.push(Token { line, text });
+        }
+        line += chars[at..end].iter().filter(|&&c| c == '\n').count();
+        at = end;
+    }
+    tokens
+}
+
+fn is_word_sign(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+/// Where the comment, string or character that begins at `at` ends; `None` when none begins there.
+fn literal_end(chars: &[char], at: usize) -> Option<usize> {
+    let rest = &chars[at..];
+    let in_word = at > 0 && is_word_sign(chars[at - 1]);
+    let prefix = rest.iter().take_while(|c| "bcr".contains(**c)).count();
+    match rest {
+        ['/', '/', ..] => Some(at + rest.iter().position(|&c| c == '\n').unwrap_or(rest.len())),
+        ['/', '*', ..] => Some(at + block_comment(rest)),
+        ['\'', '\\', ..] => Some(at + 3 + rest.iter().skip(3).position(|&c| c == '\'')? + 1),
+        ['\'', _, '\'', ..] => Some(at + 3),
+        ['\'', ..] => Some(at + 1),
+        _ if in_word && prefix > 0 => None,
+        _ if prefix > 2 => None,
+        _ => {
+            let raw = rest[..prefix].contains(&'r');
+            let hashes = if raw { rest[prefix..].iter().take_while(|&&c| c == '#').count() } else { 0 };
+            let open = prefix + hashes;
+            (rest.get(open) == Some(&'"')).then(|| at + string(rest, open + 1, raw, hashes))
+        }
+    }
+}
+
+fn block_comment(rest: &[char]) -> usize {
+    let [mut depth, mut i] = [0, 0];
+    while i < rest.len() {
+        match rest[i..] {
+            ['/', '*', ..] => (depth, i) = (depth + 1, i + 2),
+            ['*', '/', ..] => (depth, i) = (depth - 1, i + 2),
+            _ => i += 1,
+        }
+        if depth == 0 {
+            break;
+        }
+    }
+    i
+}
+
+fn string(rest: &[char], mut i: usize, raw: bool, hashes: usize) -> usize {
+    while i < rest.len() {
+        match rest[i] {
+            '\\' if !raw => i += 2,
+            '"' if rest[i + 1..].iter().take(hashes).filter(|&&c| c == '#').count() == hashes => {
+                return i + 1 + hashes;
+            }
+            _ => i += 1,
+        }
+    }
+    rest.len()
+}
