@@ -2,6 +2,8 @@
 
 pub mod regions;
 pub mod spacing;
+mod spots;
+mod stripes;
 
 use serde::{Deserialize, Serialize};
 

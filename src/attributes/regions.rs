@@ -1,1 +1,0 @@
-//! Regions of the canvas, and attributes at any point between them.

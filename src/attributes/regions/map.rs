@@ -1,0 +1,263 @@
+//! The region map: attributes at any point of the canvas.
+
+use thiserror::Error;
+
+use super::Layout;
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::field::Edges;
+use crate::marks::{Ellipse, Line, Mark, axial};
+
+/// Above this mean aspect a region has no direction of its own (the contract's number).
+const ROUND: f64 = 0.9;
+
+/// Below this squared length a sum of unit double-angle vectors has cancelled: rounding leaves some 1e-32.
+const CANCELLED: f64 = 1e-24;
+
+/// Why marks make no region map.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum RegionsError {
+    /// There is nothing to take attributes from.
+    #[error("no marks: draw at least one ellipse or line")]
+    NoMarks,
+    /// Ellipses and lines in one set.
+    #[error("{ellipses} ellipses and {lines} lines: a layer holds ellipses or lines, not both")]
+    Mixed {
+        /// How many ellipses.
+        ellipses: usize,
+        /// How many lines.
+        lines: usize,
+    },
+    /// A canvas that cannot be cut.
+    #[error(
+        "a canvas of {size:?} px in {grid:?} regions: both sides must be above 0, and at least [1, 1] regions"
+    )]
+    Layout {
+        /// Width and height, px.
+        size: [f64; 2],
+        /// Columns and rows.
+        grid: [usize; 2],
+    },
+}
+
+/// One region: what was drawn in it and what it stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Region {
+    /// How many marks have their centre in it.
+    pub marks: usize,
+    /// Attributes of those marks; `None` without any.
+    pub own: Option<Attributes>,
+    /// `own`, or those of the nearest region with marks. The angle is that of the marks even where they
+    /// are round; the map turns it, see [`RegionMap::at`].
+    pub filled: Attributes,
+    /// (cos 2θ, sin 2θ) of the direction that the map has at the region's centre.
+    direction: [f64; 2],
+}
+
+/// Attributes at any point of the canvas, from marks gathered by region.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RegionMap {
+    layout: Layout,
+    regions: Vec<Region>,
+}
+
+impl RegionMap {
+    /// The map of `marks` on a canvas of `size` px, cut into `grid` = [columns, rows] regions.
+    ///
+    /// A mark belongs to the region its centre is in. A region without marks takes the attributes of the
+    /// nearest one with some; a region of spots with a mean aspect above 0.9 takes the direction of the
+    /// nearest region that has one (along x if none has). Distances are in regions, across the border on
+    /// `Wrap`; ties go to the smaller row, then the smaller column.
+    ///
+    /// # Errors
+    /// Without marks, with ellipses and lines mixed, and for a canvas without extent or regions.
+    pub fn of(marks: &[Mark], size: [f64; 2], grid: [usize; 2], edges: Edges) -> Result<Self, RegionsError> {
+        let sound = size.iter().all(|side| side.is_normal() && *side > 0.0) && !grid.contains(&0);
+        if !sound {
+            return Err(RegionsError::Layout { size, grid });
+        }
+        let layout = Layout { size, grid, edges };
+        let ellipses = gather(&layout, marks, |mark| match mark {
+            Mark::Ellipse(ellipse) => Some((ellipse.center, *ellipse)),
+            Mark::Line(_) => None,
+        });
+        let lines = gather(&layout, marks, |mark| match mark {
+            Mark::Line(line) => Some((line.center(), *line)),
+            Mark::Ellipse(_) => None,
+        });
+        let count = |counts: &mut dyn Iterator<Item = usize>| counts.sum::<usize>();
+        let owns: Vec<(usize, Option<Attributes>)> =
+            match (count(&mut ellipses.iter().map(Vec::len)), count(&mut lines.iter().map(Vec::len))) {
+                (0, 0) => return Err(RegionsError::NoMarks),
+                (_, 0) => ellipses.iter().map(|set| (set.len(), spots(set))).collect(),
+                (0, _) => lines.iter().map(|set| (set.len(), stripes(set))).collect(),
+                (ellipses, lines) => return Err(RegionsError::Mixed { ellipses, lines }),
+            };
+        Ok(Self { layout, regions: fill(&layout, &owns) })
+    }
+
+    /// Where the regions lie.
+    #[must_use]
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// The regions with their [column, row], row by row.
+    pub fn regions(&self) -> impl ExactSizeIterator<Item = ([usize; 2], &Region)> {
+        self.regions.iter().enumerate().map(|(index, region)| (self.layout.place(index), region))
+    }
+
+    /// The region at [column, row].
+    ///
+    /// # Panics
+    /// Outside the layout.
+    #[must_use]
+    pub fn region(&self, place: [usize; 2]) -> &Region {
+        &self.regions[self.layout.index(place)]
+    }
+
+    /// [column, row] of the region that a point (px) lies in, see [`Layout::region_of`].
+    #[must_use]
+    pub fn region_of(&self, point: [f64; 2]) -> [usize; 2] {
+        self.layout.region_of(point)
+    }
+
+    /// The attributes wanted at a point (px).
+    ///
+    /// Bilinear between the region centres, each attribute by itself: area, aspect, spacing and width the
+    /// value, the angle the unit double-angle vector; beyond the outer centres clamped (`Closed`) or wrapped
+    /// (`Wrap`). Where the vectors cancel, the angle is that of the region with the largest weight. The
+    /// spacing is free (`None`) wherever a region with a free one has a weight.
+    #[must_use]
+    pub fn at(&self, point: [f64; 2]) -> Attributes {
+        let corners = self.layout.corners(point);
+        let angle = angle_of(self.blend_directions(&corners));
+        match &self.regions[corners[0].0].filled {
+            Attributes::Stripes(_) => {
+                let width = corners.iter().map(|&(i, weight)| weight * self.stripes_of(i).width).sum();
+                Attributes::Stripes(Stripes { width, angle })
+            }
+            Attributes::Spots(_) => {
+                let mut blend = Spots { area: 0.0, aspect: 0.0, angle, spacing: Some(0.0) };
+                for (i, weight) in corners.into_iter().filter(|(_, weight)| *weight > 0.0) {
+                    let spots = self.spots_of(i);
+                    blend.area += weight * spots.area;
+                    blend.aspect += weight * spots.aspect;
+                    blend.spacing = blend.spacing.zip(spots.spacing).map(|(sum, one)| sum + weight * one);
+                }
+                Attributes::Spots(blend)
+            }
+        }
+    }
+
+    /// (cos 2θ, sin 2θ) of the angle θ that [`Self::at`] has there: the same without a transcendental.
+    #[must_use]
+    pub fn double_angle_at(&self, point: [f64; 2]) -> [f64; 2] {
+        self.blend_directions(&self.layout.corners(point))
+    }
+
+    /// Gives each region with a free spacing the one (px) that `spacing` finds for its spots.
+    pub fn fill_free_spacing(&mut self, mut spacing: impl FnMut(&Spots) -> f64) {
+        for region in &mut self.regions {
+            let angle = angle_of(region.direction);
+            if let Attributes::Spots(spots) = &mut region.filled
+                && spots.spacing.is_none()
+            {
+                spots.spacing = Some(spacing(&Spots { angle, ..*spots }));
+            }
+        }
+    }
+
+    /// The same regions stretched over another canvas of `size` px: the same marks, more or fewer of them.
+    #[must_use]
+    pub fn resized(&self, size: [f64; 2]) -> Self {
+        Self { layout: Layout { size, ..self.layout }, regions: self.regions.clone() }
+    }
+
+    /// The blend of the unit double-angle vectors, of unit length again.
+    fn blend_directions(&self, corners: &[(usize, f64); 4]) -> [f64; 2] {
+        let (mut c, mut s) = (0.0, 0.0);
+        for &(i, weight) in corners {
+            c += weight * self.regions[i].direction[0];
+            s += weight * self.regions[i].direction[1];
+        }
+        let squared = c * c + s * s;
+        if squared > CANCELLED {
+            let length = squared.sqrt();
+            return [c / length, s / length];
+        }
+        let nearest = corners.iter().fold(corners[0], |best, &one| if one.1 > best.1 { one } else { best });
+        self.regions[nearest.0].direction
+    }
+
+    /// The spots of a region of a map of ellipses.
+    fn spots_of(&self, index: usize) -> &Spots {
+        match &self.regions[index].filled {
+            Attributes::Spots(spots) => spots,
+            Attributes::Stripes(_) => unreachable!("all regions of a map are of one kind"),
+        }
+    }
+
+    /// The stripes of a region of a map of lines.
+    fn stripes_of(&self, index: usize) -> &Stripes {
+        match &self.regions[index].filled {
+            Attributes::Stripes(stripes) => stripes,
+            Attributes::Spots(_) => unreachable!("all regions of a map are of one kind"),
+        }
+    }
+}
+
+/// Those marks that `pick` takes, with a centre, sorted into regions.
+fn gather<T>(layout: &Layout, marks: &[Mark], pick: impl Fn(&Mark) -> Option<([f64; 2], T)>) -> Vec<Vec<T>> {
+    let mut sets: Vec<Vec<T>> = (0..layout.len()).map(|_| Vec::new()).collect();
+    for (center, mark) in marks.iter().filter_map(pick) {
+        sets[layout.index(layout.region_of(center))].push(mark);
+    }
+    sets
+}
+
+fn spots(set: &[Ellipse]) -> Option<Attributes> {
+    Spots::of(set).map(Attributes::Spots)
+}
+
+fn stripes(set: &[Line]) -> Option<Attributes> {
+    Stripes::of(set).map(Attributes::Stripes)
+}
+
+/// Whether the attributes have a direction of their own.
+fn is_directed(attributes: &Attributes) -> bool {
+    match attributes {
+        Attributes::Spots(spots) => spots.aspect <= ROUND,
+        Attributes::Stripes(_) => true,
+    }
+}
+
+/// Regions from their marks' attributes, of which at least one is there: the empty ones take attributes,
+/// then the round ones a direction.
+fn fill(layout: &Layout, owns: &[(usize, Option<Attributes>)]) -> Vec<Region> {
+    let near = |index: usize, holds: &dyn Fn(usize) -> bool| layout.nearest(layout.place(index), holds);
+    let filled: Vec<Attributes> = (0..layout.len())
+        .filter_map(|index| near(index, &|other| owns[other].1.is_some()).and_then(|other| owns[other].1))
+        .collect();
+    let direction = |index: usize| {
+        let angle = near(index, &|other| is_directed(&filled[other])).map_or(0.0, |i| filled[i].angle());
+        let double = (2.0 * angle).to_radians();
+        [libm::cos(double), libm::sin(double)]
+    };
+    owns.iter()
+        .enumerate()
+        .map(|(index, &(marks, own))| Region {
+            marks,
+            own,
+            filled: filled[index],
+            direction: direction(index),
+        })
+        .collect()
+}
+
+/// The axial angle θ, degrees, of (cos 2θ, sin 2θ).
+fn angle_of([c, s]: [f64; 2]) -> f64 {
+    axial(0.5 * libm::atan2(s, c).to_degrees())
+}
+
+#[cfg(test)]
+mod tests;

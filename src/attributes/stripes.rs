@@ -1,0 +1,50 @@
+//! Lines → what a set of stripes looks like.
+
+use super::{Stripes, axial_mean};
+use crate::marks::Line;
+
+impl Stripes {
+    /// The attributes of a set of lines; `None` of none.
+    ///
+    /// The width is the plain mean, the angle the axial mean weighted by length (0 where the directions
+    /// cancel).
+    #[must_use]
+    pub fn of(lines: &[Line]) -> Option<Self> {
+        if lines.is_empty() {
+            return None;
+        }
+        let directions = lines.iter().map(|line| (line.angle(), line.length()));
+        Some(Self {
+            width: lines.iter().map(|line| line.width).sum::<f64>() / lines.len() as f64,
+            angle: axial_mean(directions).map_or(0.0, |(angle, _)| angle),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn width_is_a_plain_mean_and_direction_is_weighted_by_length() {
+        let lines = [
+            Line { from: [0.0, 0.0], to: [30.0, 0.0], width: 4.0 },
+            Line { from: [7.0, 7.0], to: [7.0, -13.0], width: 8.0 },
+            Line { from: [10.0, 10.0], to: [0.0, 0.0], width: 6.0 },
+        ];
+        let stripes = Stripes::of(&lines).unwrap();
+        assert_eq!(stripes.width, 6.0);
+        // (30 − 20, √200) at the double angle.
+        assert!((stripes.angle - 0.5 * 200f64.sqrt().atan2(10.0).to_degrees()).abs() < 1e-9, "{stripes:?}");
+    }
+
+    #[test]
+    fn crossed_lines_of_one_length_point_along_x_and_none_have_no_attributes() {
+        let lines = [
+            Line { from: [0.0, 0.0], to: [20.0, 20.0], width: 4.0 },
+            Line { from: [0.0, 20.0], to: [20.0, 0.0], width: 4.0 },
+        ];
+        assert_eq!(Stripes::of(&lines).unwrap().angle, 0.0);
+        assert_eq!(Stripes::of(&[]), None);
+    }
+}

@@ -1,1 +1,0 @@
-//! Points → an ellipse (direct least squares) or a line.
