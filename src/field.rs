@@ -1,5 +1,7 @@
 //! Numbers on a grid: a concentration, a pattern, a picture's lightness.
 
+pub mod resample;
+
 use serde::{Deserialize, Serialize};
 
 /// What lies beyond the border of the canvas.

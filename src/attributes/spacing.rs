@@ -1,11 +1,184 @@
 //! Spacing: Delaunay edges between the centres of spots (spade).
 
+use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
+
+/// A Delaunay edge between two of the points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// Indices of the points it joins; equal where a wrapped point neighbours its own copy.
+    pub ends: [usize; 2],
+    /// px.
+    pub length: f64,
+    /// The point half way, px; inside the tile where there is one.
+    pub middle: [f64; 2],
+    /// Is it part of the convex hull? Never on a tile.
+    pub hull: bool,
+}
+
+/// Edges over this many times the median join no neighbours.
+pub const LONGEST: f64 = 2.0;
+
+/// A place of the triangulation that remembers which point it is.
+struct Site {
+    position: Point2<f64>,
+    index: usize,
+}
+
+impl HasPosition for Site {
+    type Scalar = f64;
+
+    fn position(&self) -> Point2<f64> {
+        self.position
+    }
+}
+
 /// Mean distance between neighbours, px.
 ///
 /// Delaunay edges of `points`; hull edges are left out where at least three inner ones remain, then edges
-/// over twice the median. Two points: their distance. Fewer: `None`.
+/// over twice the median. Two points: their distance. Fewer, or all in one place: `None`. Points that
+/// coincide count once.
 #[must_use]
 pub fn mean_spacing(points: &[[f64; 2]]) -> Option<f64> {
-    let _ = points;
-    None
+    let all = edges(points, None);
+    let mut lengths: Vec<f64> = all.iter().filter(|edge| !edge.hull).map(|edge| edge.length).collect();
+    if lengths.len() < 3 {
+        lengths = all.iter().map(|edge| edge.length).collect();
+    }
+    trimmed_mean(lengths)
 }
+
+/// Mean of the lengths that are not over twice their median; `None` of none.
+#[must_use]
+pub fn trimmed_mean(mut lengths: Vec<f64>) -> Option<f64> {
+    lengths.sort_by(f64::total_cmp);
+    let n = lengths.len();
+    let median = 0.5 * (lengths.get(n / 2)? + lengths.get((n - 1) / 2)?);
+    lengths.retain(|length| *length <= LONGEST * median);
+    Some(lengths.iter().sum::<f64>() / lengths.len() as f64)
+}
+
+/// The Delaunay edges of `points` (px), each once; on a tile of `wrap` px those across its border too.
+///
+/// Of points that coincide only one is joined; points that are not finite are left out. Where more than three
+/// points lie on one empty circle (a square lattice), one of the possible triangulations is taken.
+#[must_use]
+pub fn edges(points: &[[f64; 2]], wrap: Option<[f64; 2]>) -> Vec<Edge> {
+    let sites = distinct(points, wrap);
+    match wrap {
+        None => plain(sites),
+        Some(tile) => wrapped(&sites, tile),
+    }
+}
+
+/// The points' places, without repetitions, in their order; folded into the tile.
+fn distinct(points: &[[f64; 2]], wrap: Option<[f64; 2]>) -> Vec<([f64; 2], usize)> {
+    // spade takes no coordinates closer to 0 than 2⁻¹⁴² and none over 2²⁰¹; px are nowhere near either.
+    let tame = |x: f64| if x.abs() < 1e-30 { 0.0 } else { x };
+    let fold = |x: f64, side: f64| if x.rem_euclid(side) < side { x.rem_euclid(side) } else { 0.0 };
+    let place = |p: [f64; 2]| match wrap {
+        Some(tile) => [tame(fold(p[0], tile[0])), tame(fold(p[1], tile[1]))],
+        None => p.map(tame),
+    };
+    let kept = points.iter().enumerate().filter(|(_, p)| p.iter().all(|x| x.abs() < 1e30));
+    let mut sites: Vec<_> = kept.map(|(index, p)| (place(*p), index)).collect();
+    sites.sort_by(|(a, i), (b, j)| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(i.cmp(j)));
+    sites.dedup_by(|(a, _), (b, _)| a == b);
+    sites.sort_by_key(|(_, index)| *index);
+    sites
+}
+
+fn triangulate(sites: Vec<Site>) -> DelaunayTriangulation<Site> {
+    DelaunayTriangulation::bulk_load_stable(sites).unwrap_or_default()
+}
+
+fn plain(sites: Vec<([f64; 2], usize)>) -> Vec<Edge> {
+    let sites = sites.into_iter().map(|([x, y], index)| Site { position: Point2::new(x, y), index });
+    let mesh = triangulate(sites.collect());
+    let mut edges: Vec<Edge> = mesh
+        .undirected_edges()
+        .map(|edge| {
+            let [a, b] = edge.vertices().map(|vertex| (vertex.position(), vertex.data().index));
+            edge_between(a, b, edge.is_part_of_convex_hull())
+        })
+        .collect();
+    edges.sort_by_key(|edge| edge.ends);
+    edges
+}
+
+fn edge_between((a, i): (Point2<f64>, usize), (b, j): (Point2<f64>, usize), hull: bool) -> Edge {
+    let (dx, dy) = (b.x - a.x, b.y - a.y);
+    Edge {
+        ends: [i.min(j), i.max(j)],
+        length: (dx * dx + dy * dy).sqrt(),
+        middle: [0.5 * (a.x + b.x), 0.5 * (a.y + b.y)],
+        hull,
+    }
+}
+
+/// Periodic Delaunay edges: of the tile's points and their copies in a margin around it.
+///
+/// The margin is wide enough once no circumcircle at an edge that counts reaches beyond it; a tile's diagonal
+/// always is, since no empty circle's radius exceeds half of it.
+fn wrapped(sites: &[([f64; 2], usize)], tile: [f64; 2]) -> Vec<Edge> {
+    if sites.is_empty() || !tile.iter().all(|side| *side > 0.0 && side.is_finite()) {
+        return Vec::new();
+    }
+    let grain = (tile[0] * tile[1] / sites.len() as f64).sqrt();
+    let surely = 1.01 * (tile[0] * tile[0] + tile[1] * tile[1]).sqrt();
+    // Random points leave circles of some 2–3 grains at most, so four are nearly always enough.
+    wrapped_within(sites, tile, (4.0 * grain).min(surely), surely)
+        .or_else(|| wrapped_within(sites, tile, surely, surely))
+        .unwrap_or_default()
+}
+
+/// `None` where a margin below the `surely` sufficient one turns out too narrow.
+fn wrapped_within(
+    sites: &[([f64; 2], usize)],
+    tile: [f64; 2],
+    margin: f64,
+    surely: f64,
+) -> Option<Vec<Edge>> {
+    let copies = [(margin / tile[0]).ceil() as i32 + 1, (margin / tile[1]).ceil() as i32 + 1];
+    let near = |p: f64, side: f64| p >= -margin && p <= side + margin;
+    let mut all = Vec::new();
+    for down in -copies[1]..=copies[1] {
+        for across in -copies[0]..=copies[0] {
+            let shift = [f64::from(across) * tile[0], f64::from(down) * tile[1]];
+            for &([x, y], index) in sites {
+                let (x, y) = (x + shift[0], y + shift[1]);
+                if near(x, tile[0]) && near(y, tile[1]) {
+                    all.push(Site { position: Point2::new(x, y), index });
+                }
+            }
+        }
+    }
+    let mesh = triangulate(all);
+    // Every edge has one copy whose middle is in a window of the tile's size. The window stands at an odd
+    // place, since middles on its border could be lost or counted twice to rounding, and those of lattices
+    // like to be on the tile's.
+    let corner = [-0.001_877_31 * margin, -0.001_331_79 * margin];
+    let mut edges = Vec::new();
+    for edge in mesh.undirected_edges() {
+        let [a, b] = edge.vertices().map(|vertex| (vertex.position(), vertex.data().index));
+        let mut found = edge_between(a, b, false);
+        let inside = |k: usize| found.middle[k] >= corner[k] && found.middle[k] < corner[k] + tile[k];
+        if !(inside(0) && inside(1)) {
+            continue;
+        }
+        for side in [edge.as_directed(), edge.as_directed().rev()] {
+            let (center, square) = side.face().as_inner()?.circumcircle();
+            let radius = square.sqrt();
+            let held = |p: f64, side: f64| near(p - radius, side) && near(p + radius, side);
+            if margin < surely && !(held(center.x, tile[0]) && held(center.y, tile[1])) {
+                return None;
+            }
+        }
+        found.middle = [found.middle[0].rem_euclid(tile[0]), found.middle[1].rem_euclid(tile[1])];
+        edges.push(found);
+    }
+    edges.sort_by(|a, b| a.ends.cmp(&b.ends).then(a.length.total_cmp(&b.length)));
+    Some(edges)
+}
+
+#[cfg(test)]
+mod tests;
