@@ -1,28 +1,41 @@
 //! What growth begins from.
 
+use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 use super::maps::{Maps, Parameters};
-use super::nuclei::{Nucleus, nuclei};
+use super::nuclei::{Nucleus, lay};
 use super::plane::Plane;
 use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
 use crate::field::Edges;
 
+/// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes.
+#[must_use]
+pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Vec<[f64; 2]> {
+    if system == System::MeinhardtStripes {
+        return Vec::new();
+    }
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    lay(maps, edges, &|p| pitch(system, p), &mut rng).iter().map(|nucleus| nucleus.at).collect()
+}
+
+/// Distance between nuclei, cells.
+fn pitch(system: System, p: &Parameters) -> f64 {
+    let own = match system {
+        System::TuringSpots => turing_spots::SPACING,
+        _ => meinhardt_spots::spacing(p.ratio),
+    };
+    f64::from(p.pitch) * own / f64::from(p.rate).sqrt()
+}
+
 /// Spots begin as bells on [`nuclei`].
 pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
     let (nx, ny) = (maps.nx, maps.ny);
-    let pitch = |p: &Parameters| {
-        let own = match system {
-            System::TuringSpots => turing_spots::SPACING,
-            _ => meinhardt_spots::spacing(p.ratio),
-        };
-        f64::from(p.pitch) * own / f64::from(p.rate).sqrt()
-    };
     let radius = |p: &Parameters| match system {
         System::TuringSpots => turing_spots::RADIUS,
         _ => meinhardt_spots::radius(p.ratio),
     };
-    let bell = bells(maps, edges, &nuclei(maps, edges, &pitch, rng), &radius);
+    let bell = bells(maps, edges, &lay(maps, edges, &|p| pitch(system, p), rng), &radius);
     let mut planes = [Plane::flat(nx, ny, 0.0), Plane::flat(nx, ny, 0.0)];
     for y in 0..ny {
         for x in 0..nx {

@@ -16,6 +16,7 @@ pub mod rows;
 pub mod selling;
 mod turing_spots;
 
+pub use begin::nuclei;
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
 
@@ -46,6 +47,18 @@ impl System {
             Self::TuringSpots => 0.045,
             Self::MeinhardtSpots => 1.0,
             Self::MeinhardtStripes => 4.0,
+        }
+    }
+}
+
+impl System {
+    /// The name in documents and of the training set.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::TuringSpots => "turing-spots",
+            Self::MeinhardtSpots => "meinhardt-spots",
+            Self::MeinhardtStripes => "meinhardt-stripes",
         }
     }
 }

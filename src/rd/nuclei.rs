@@ -222,7 +222,7 @@ mod tests {
     fn placed(edges: Edges, stretch: f32) -> Vec<Nucleus> {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 20.0, pitch: 1.0 };
         let maps = Maps::uniform(240, 200, p);
-        nuclei(&maps, edges, &|_| 14.0, &mut Pcg64Mcg::seed_from_u64(5))
+        lay(&maps, edges, &|_| 14.0, &mut Pcg64Mcg::seed_from_u64(5))
     }
 
     #[test]

@@ -1,0 +1,55 @@
+//! A layer's strokes → its marks → the region map.
+
+use super::recipe::{Document, DocumentError, Kind, Problem, Stroke};
+use crate::attributes::regions::RegionMap;
+use crate::marks::Mark;
+use crate::sketch::recognise;
+
+/// The marks of layer `index`, freehand strokes fitted.
+///
+/// # Errors
+/// A stroke that is neither ellipse nor line, or ellipses and lines in one layer: file (`source`), place, value.
+pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark>, DocumentError> {
+    let layer = &document.layers[index];
+    let mut marks = Vec::with_capacity(layer.strokes.len());
+    let mut first: Option<Kind> = None;
+    for (i, stroke) in layer.strokes.iter().enumerate() {
+        let place = format!("layers[{index}].strokes[{i}]");
+        let mark = match stroke {
+            Stroke::Ellipse(ellipse) => Mark::Ellipse(*ellipse),
+            Stroke::Line(line) => Mark::Line(*line),
+            Stroke::Freehand { points, width } => recognise(points, *width).ok_or_else(|| {
+                let found = format!("{} points that make neither an ellipse nor a line", points.len());
+                Problem::new(&place, found, "a closed stroke round a spot, or an open one along a stripe")
+                    .in_file(source)
+            })?,
+        };
+        let kind = match mark {
+            Mark::Ellipse(_) => Kind::Ellipse,
+            Mark::Line(_) => Kind::Line,
+        };
+        if *first.get_or_insert(kind) != kind {
+            return Err(kind.mixed(&place, first.unwrap_or(kind)).in_file(source));
+        }
+        marks.push(mark);
+    }
+    if let Some(problem) =
+        first.and_then(|kind| layer.system.mismatch(&format!("layers[{index}].system"), kind))
+    {
+        return Err(problem.in_file(source));
+    }
+    Ok(marks)
+}
+
+/// The region map of layer `index` on the document's own canvas.
+///
+/// # Errors
+/// As [`marks`].
+pub fn region_map(document: &Document, index: usize, source: &str) -> Result<RegionMap, DocumentError> {
+    let marks = marks(document, index, source)?;
+    let size = document.size.map(f64::from);
+    RegionMap::of(&marks, size, document.regions.map(|n| n as usize), document.edges).map_err(|error| {
+        let place = format!("layers[{index}].strokes");
+        Problem::new(place, error.to_string(), "at least one ellipse, or at least one line").in_file(source)
+    })
+}

@@ -1,0 +1,83 @@
+//! Parameters between the regions.
+//!
+//! Attributes are bilinear between region centres, parameters are not: they are looked up on a lattice a few
+//! times finer than the regions and interpolated in the coordinates in which the map is near-linear
+//! (ln rate, ln ratio, −ln stretch · (cos 2φ, sin 2φ), level).
+
+use crate::attributes::regions::Layout;
+use crate::learn;
+use crate::rd;
+
+/// Lattice nodes a region along each side; odd, so that region centres, where attributes bend, are nodes.
+pub const FINER: usize = 5;
+
+/// Parameters at one node in interpolable coordinates; or between nodes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Node {
+    ln_rate: f64,
+    ln_ratio: f64,
+    shape: [f64; 2],
+    /// Share of the peak that is the mark's edge.
+    pub level: f64,
+}
+
+impl Node {
+    /// From parameters looked up; a system without a ratio or a level gets neutral ones.
+    #[must_use]
+    pub fn of(p: &learn::Parameters) -> Self {
+        let stretch = -libm::log(p.stretch);
+        let double = (2.0 * p.direction).to_radians();
+        Self {
+            ln_rate: libm::log(p.rate),
+            ln_ratio: libm::log(p.ratio.unwrap_or(1.0)),
+            shape: [stretch * libm::cos(double), stretch * libm::sin(double)],
+            level: p.level.unwrap_or(0.5),
+        }
+    }
+
+    /// What the simulation is told.
+    #[must_use]
+    pub fn parameters(&self, pitch: f64) -> rd::Parameters {
+        let [c, s] = self.shape;
+        rd::Parameters {
+            rate: libm::exp(self.ln_rate) as f32,
+            ratio: libm::exp(self.ln_ratio) as f32,
+            stretch: libm::exp(-(c * c + s * s).sqrt()) as f32,
+            direction: (0.5 * libm::atan2(s, c)).to_degrees() as f32,
+            pitch: pitch as f32,
+        }
+    }
+}
+
+/// Nodes over the canvas.
+#[derive(Clone, Debug)]
+pub struct Lattice {
+    /// One cell a node.
+    pub layout: Layout,
+    /// By index of `layout`.
+    pub nodes: Vec<Node>,
+}
+
+impl Lattice {
+    /// The layout of the lattice over a canvas with these regions.
+    #[must_use]
+    pub fn over(regions: &Layout) -> Layout {
+        let finer = |n: usize| if n == 1 { 1 } else { FINER * n };
+        Layout { grid: regions.grid.map(finer), ..*regions }
+    }
+
+    /// Parameters at a point, px.
+    #[must_use]
+    pub fn at(&self, point: [f64; 2]) -> Node {
+        let mut sum = Node::default();
+        for (index, weight) in self.layout.corners(point) {
+            let node = &self.nodes[index];
+            sum.ln_rate += weight * node.ln_rate;
+            sum.ln_ratio += weight * node.ln_ratio;
+            sum.shape[0] += weight * node.shape[0];
+            sum.shape[1] += weight * node.shape[1];
+            sum.level += weight * node.level;
+        }
+        sum
+    }
+}

@@ -1,0 +1,187 @@
+//! What will be grown: the system, the size of a cell, and the parameters at every place.
+
+use super::lattice::{Lattice, Node};
+use super::recipe::SystemChoice;
+use super::training::Training;
+use crate::attributes::Attributes;
+use crate::attributes::regions::RegionMap;
+use crate::learn::{Answer, AskError, TrainingError};
+use crate::rd::{Maps, System};
+
+/// Cells that the smallest spot of a texture covers at half its peak. `facts.md` rule 1: below 25 the grid
+/// distorts, above only time is lost (it grows with the square).
+const CELLS: f64 = 48.0;
+/// Cells across the thinnest stripe (`facts.md` C: wavelength 12–20).
+const CELLS_ACROSS: f64 = 8.0;
+/// From this size on a spot's size in cells no longer matters: parameters scale exactly (`facts.md` A, B), so
+/// that a larger one is looked up at this size. The sets reach to 160.
+const EXACT_CELLS: f64 = 120.0;
+/// The same for the width of a stripe, cells. The set reaches to 16.
+const EXACT_ACROSS: f64 = 14.0;
+/// px a cell below which a pattern could not be seen on the canvas anyway.
+const FINEST: f64 = 0.35;
+/// area ÷ spacing² of a spot whose spacing is free: what Meinhardt's system packs at its smallest ratio, where
+/// its spots are evenest.
+const FREE_MEINHARDT: f64 = 0.12;
+/// The same of Turing's.
+const FREE_TURING: f64 = 0.205;
+
+/// Why there is no plan.
+#[derive(Debug, thiserror::Error)]
+pub enum PlanError {
+    /// A training set could not be read.
+    #[error(transparent)]
+    Training(#[from] TrainingError),
+    /// A question that no set takes.
+    #[error(transparent)]
+    Ask(#[from] AskError),
+}
+
+/// What will be grown on one layer.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The system.
+    pub system: System,
+    /// What is wanted where; free spacings filled in.
+    pub map: RegionMap,
+    /// px a cell, along x and y.
+    pub cell: [f64; 2],
+    /// Cells along x and y.
+    pub grid: [usize; 2],
+    /// Parameters (in cells) at every place.
+    pub lattice: Lattice,
+    /// What was looked up for each region, lengths in px but parameters in cells.
+    pub answers: Vec<Answer>,
+}
+
+/// px a cell that suits these attributes.
+#[must_use]
+pub fn cell_for(wanted: &Attributes) -> f64 {
+    let cell = match wanted {
+        Attributes::Stripes(stripes) => stripes.width / CELLS_ACROSS,
+        Attributes::Spots(spots) => {
+            // Denser spots are read at a lower level, and so are larger than the peak that must be resolved.
+            let dense = spots.spacing.map_or(1.0, |s| (spots.area / (s * s) / FREE_MEINHARDT).clamp(1.0, 2.0));
+            (spots.area / dense / CELLS).sqrt()
+        }
+    };
+    cell.max(FINEST)
+}
+
+/// Looks up attributes (px) for a grid of `cell` px a cell. The answer's attributes are px, its parameters
+/// those of the grid.
+///
+/// # Errors
+/// The training set cannot be read, or does not take such attributes.
+pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) -> Result<Answer, PlanError> {
+    let in_cells = wanted.scaled(1.0 / cell);
+    let shrink = match &in_cells {
+        Attributes::Spots(spots) => (EXACT_CELLS / spots.area).sqrt(),
+        Attributes::Stripes(stripes) => EXACT_ACROSS / stripes.width,
+    };
+    let shrink = shrink.min(1.0);
+    let mut answer = training.of(system)?.ask(&in_cells.scaled(shrink))?;
+    answer.parameters.rate *= shrink * shrink;
+    let back = cell / shrink;
+    answer.predicted = answer.predicted.scaled(back);
+    answer.nearest = answer.nearest.scaled(back);
+    for (attribute, range) in &mut answer.interval {
+        let factor = match *attribute {
+            "area" => back * back,
+            "spacing" | "width" => back,
+            _ => 1.0,
+        };
+        *range = range.map(|end| end * factor);
+    }
+    Ok(answer)
+}
+
+/// Plans a layer with these wanted attributes. The canvas is that of `map`.
+///
+/// # Errors
+/// As [`ask`].
+pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Result<Plan, PlanError> {
+    let mut map = map.clone();
+    let system = match choice {
+        SystemChoice::TuringSpots => System::TuringSpots,
+        SystemChoice::MeinhardtSpots => System::MeinhardtSpots,
+        SystemChoice::MeinhardtStripes => System::MeinhardtStripes,
+        SystemChoice::Auto => auto(training, &map)?,
+    };
+    map.fill_free_spacing(|spots| free_spacing(system, spots.area));
+    let regions: Vec<Attributes> = map.regions().map(|(place, _)| map.at(map.layout().center(place))).collect();
+    let cell = regions.iter().map(cell_for).fold(f64::INFINITY, f64::min);
+    let size = map.layout().size;
+    let grid = size.map(|side| ((side / cell).round() as usize).max(8));
+    let exact = [size[0] / grid[0] as f64, size[1] / grid[1] as f64];
+    let cell = (exact[0] * exact[1]).sqrt();
+
+    let answers =
+        regions.iter().map(|wanted| ask(training, system, wanted, cell)).collect::<Result<Vec<_>, _>>()?;
+    let layout = Lattice::over(map.layout());
+    let nodes = (0..layout.len())
+        .map(|index| {
+            let wanted = map.at(layout.center(layout.place(index)));
+            Ok(Node::of(&ask(training, system, &wanted, cell)?.parameters))
+        })
+        .collect::<Result<Vec<_>, PlanError>>()?;
+    Ok(Plan { system, map, cell: exact, grid, lattice: Lattice { layout, nodes }, answers })
+}
+
+/// Spacing, px, of spots of `area` px² that the system packs by itself.
+fn free_spacing(system: System, area: f64) -> f64 {
+    let share = if system == System::TuringSpots { FREE_TURING } else { FREE_MEINHARDT };
+    (area / share).sqrt()
+}
+
+/// Lines want stripes; ellipses want Meinhardt's system, whose spots are rounder and stand as far apart as
+/// asked, unless Turing's comes closer to what is asked in some region by more than a hundredth.
+fn auto(training: &Training, map: &RegionMap) -> Result<System, PlanError> {
+    let mut miss = [0.0f64; 2];
+    for (place, _) in map.regions() {
+        let mut wanted = map.at(map.layout().center(place));
+        let Attributes::Spots(spots) = &mut wanted else { return Ok(System::MeinhardtStripes) };
+        if spots.spacing.is_none() {
+            spots.spacing = Some(free_spacing(System::MeinhardtSpots, spots.area));
+        }
+        let cell = cell_for(&wanted);
+        for (worst, system) in miss.iter_mut().zip([System::MeinhardtSpots, System::TuringSpots]) {
+            let answer = ask(training, system, &wanted, cell)?;
+            *worst = worst.max(distance(&wanted, &answer.predicted));
+        }
+    }
+    Ok(if miss[1] + 0.01 < miss[0] { System::TuringSpots } else { System::MeinhardtSpots })
+}
+
+/// How far two sets of spots differ: |Δ ln area| + |Δ ln spacing| + |Δ aspect|.
+fn distance(a: &Attributes, b: &Attributes) -> f64 {
+    let (Attributes::Spots(a), Attributes::Spots(b)) = (a, b) else { return f64::INFINITY };
+    let ln = |x: f64, y: f64| libm::log(x / y).abs();
+    let spacing = a.spacing.zip(b.spacing).map_or(0.0, |(a, b)| ln(a, b));
+    ln(a.area, b.area) + spacing + (a.aspect - b.aspect).abs()
+}
+
+impl Plan {
+    /// Parameters of every cell. `pitch` says how much farther apart than the system would the spots begin, by
+    /// region of `map`.
+    #[must_use]
+    pub fn maps(&self, pitch: &[f64]) -> Maps {
+        use rayon::prelude::*;
+        let [nx, ny] = self.grid;
+        let regions = self.map.layout();
+        let uniform = self.lattice.nodes.len() == 1 && pitch.len() == 1;
+        let parameters = if uniform {
+            vec![self.lattice.nodes[0].parameters(pitch[0]); nx * ny]
+        } else {
+            let at = |cell: usize| {
+                let point =
+                    [(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5];
+                let point = [point[0] * self.cell[0], point[1] * self.cell[1]];
+                let pitch = regions.corners(point).iter().map(|&(i, weight)| weight * pitch[i]).sum();
+                self.lattice.at(point).parameters(pitch)
+            };
+            (0..nx * ny).into_par_iter().map(at).collect()
+        };
+        Maps { nx, ny, cell: self.cell, parameters }
+    }
+}

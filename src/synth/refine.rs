@@ -1,0 +1,121 @@
+//! Measuring what has grown, and moving the level until the areas (widths) are those asked for.
+//!
+//! Size, shape and spacing are in the concentrations; the last per cents of area come from where the edge is
+//! drawn: one level a region, interpolated between regions (`facts.md` K).
+
+use super::pattern::Pattern;
+use super::plan::Plan;
+use super::watch::{Cancelled, Stage, Watch};
+use crate::attributes::Attributes;
+use crate::field::Field;
+use crate::measure::{self, Canvas, Spot, SpotErrors, StripeErrors};
+use crate::rd::System;
+
+/// What was measured, by region.
+#[derive(Clone, Debug)]
+pub enum Measured {
+    /// A layer of spots.
+    Spots {
+        /// Errors by region.
+        errors: Vec<SpotErrors>,
+        /// All marks, cut ones too.
+        marks: Vec<Spot>,
+    },
+    /// A layer of stripes.
+    Stripes(Vec<StripeErrors>),
+}
+
+/// Measurements and corrections at most.
+const ROUNDS: usize = 4;
+/// Areas and widths nearer than this to what was asked are left alone: half of what the ruler can tell.
+const NEAR: f64 = 0.001;
+/// What the level may be multiplied by. Farther off, the parameters are wrong, and a level would hide it.
+const CORRECTIONS: [f64; 2] = [0.6, 1.5];
+
+/// Measures `pattern`, a field of the canvas of `plan`, against what was asked.
+#[must_use]
+pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
+    let layout = plan.map.layout();
+    let canvas = Canvas {
+        size: layout.size,
+        edges: layout.edges,
+        regions: layout.len(),
+        region_of: &|point| layout.index(layout.region_of(point)),
+        wanted: &|point| plan.map.at(point),
+    };
+    if plan.system == System::MeinhardtStripes {
+        Measured::Stripes(measure::stripe_errors(pattern, 0.5, &canvas))
+    } else {
+        let marks = measure::spots(pattern, 0.5);
+        Measured::Spots { errors: measure::spot_errors(&marks, &canvas), marks }
+    }
+}
+
+impl Measured {
+    /// got ÷ wanted − 1 of area or width in region `index`.
+    fn size_error(&self, index: usize) -> Option<f64> {
+        match self {
+            Self::Spots { errors, .. } => errors[index].area,
+            Self::Stripes(errors) => errors[index].width,
+        }
+    }
+
+    /// What has grown in region `index`.
+    #[must_use]
+    pub fn got(&self, index: usize) -> Option<Attributes> {
+        match self {
+            Self::Spots { errors, .. } => errors[index].got.map(Attributes::Spots),
+            Self::Stripes(errors) => errors[index].got.map(Attributes::Stripes),
+        }
+    }
+}
+
+/// Corrects the levels of `pattern` at `size` px; gives what was measured at the end.
+///
+/// Without `correct` it only measures.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn refine(
+    plan: &Plan,
+    pattern: &mut Pattern,
+    [width, height]: [usize; 2],
+    correct: bool,
+    watch: &Watch,
+) -> Result<Measured, Cancelled> {
+    let mut found = measured(plan, &pattern.field(width, height));
+    let regions = pattern.correction.len();
+    // d ln size / d ln level, by region; better known after the first correction.
+    let mut slope = vec![first_slope(plan); regions];
+    for round in 0..ROUNDS {
+        watch.step(Stage::Refine, round as f64 / ROUNDS as f64)?;
+        let errors: Vec<Option<f64>> = (0..regions).map(|i| found.size_error(i)).collect();
+        if !correct || errors.iter().flatten().all(|error| error.abs() < NEAR) {
+            break;
+        }
+        let before = pattern.correction.clone();
+        for (i, error) in errors.iter().enumerate() {
+            let Some(error) = error else { continue };
+            let step = -libm::log1p(*error) / slope[i];
+            pattern.correction[i] =
+                (pattern.correction[i] * libm::exp(step)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
+        }
+        found = measured(plan, &pattern.field(width, height));
+        for i in 0..regions {
+            let (Some(old), Some(new)) = (errors[i], found.size_error(i)) else { continue };
+            let moved = libm::log(pattern.correction[i] / before[i]);
+            if moved.abs() > 1e-4 {
+                let seen = (libm::log1p(new) - libm::log1p(old)) / moved;
+                // A region's neighbours move it too; a slope of the wrong sign would run away.
+                slope[i] = seen.clamp(2.0 * slope[i], 0.5 * slope[i]);
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// d ln size / d ln level: of a Gaussian bell ln area = ln ln(1/l) + c, at a level of ½; of a stripe with a
+/// sinusoidal profile width = (λ/π) arccos(2l − 1).
+fn first_slope(plan: &Plan) -> f64 {
+    if plan.system == System::MeinhardtStripes { -2.0 / std::f64::consts::PI } else { -1.44 }
+}

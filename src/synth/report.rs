@@ -1,0 +1,94 @@
+//! What was asked, what was looked up, what has grown: the report of a growth, for machines.
+
+use serde_json::{Map, Value, json};
+
+use super::grow::{Grown, GrownLayer};
+use super::recipe::Document;
+use super::refine::Measured;
+use crate::attributes::Attributes;
+
+/// The report of `grown`, in the form that the contract gives. `document` is named `source`.
+#[must_use]
+pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) -> Value {
+    let layers: Vec<Value> =
+        grown.layers.iter().zip(&document.layers).map(|(grown, layer)| layer_report(grown, &layer.name)).collect();
+    json!({
+        "document": source,
+        "size": grown.size,
+        "seed": document.seed,
+        "seconds": seconds,
+        "layers": layers,
+    })
+}
+
+fn layer_report(layer: &GrownLayer, name: &str) -> Value {
+    let plan = &layer.plan;
+    let cell = (plan.cell[0] * plan.cell[1]).sqrt();
+    let regions: Vec<Value> = (0..plan.answers.len()).map(|index| region_report(layer, index, cell)).collect();
+    json!({
+        "name": name,
+        "system": plan.system.name(),
+        "cell": cell,
+        "grid": plan.grid,
+        "steps": layer.steps,
+        "settled": layer.settled,
+        "regions": regions,
+    })
+}
+
+fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
+    let plan = &layer.plan;
+    let layout = plan.map.layout();
+    let place = layout.place(index);
+    let answer = &plan.answers[index];
+    let mut parameters: Map<String, Value> =
+        answer.parameters.named().into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect();
+    if let Some(level) = answer.parameters.level {
+        parameters.insert("level".to_owned(), json!(level * layer.correction[index]));
+    }
+    parameters.insert("cell".to_owned(), json!(cell));
+    let mut notes = answer.notes.clone();
+    let (marks, error) = errors(&layer.measured, index);
+    if marks == Some(0) {
+        notes.push("no whole mark grew in this region: nothing was measured".to_owned());
+    }
+    let mut report = Map::new();
+    report.insert("region".to_owned(), json!(place));
+    if let Some(marks) = marks {
+        report.insert("marks".to_owned(), json!(marks));
+    }
+    report.insert("asked".to_owned(), attributes(&plan.map.at(layout.center(place))));
+    report.insert("parameters".to_owned(), Value::Object(parameters));
+    report.insert("predicted".to_owned(), attributes(&answer.predicted));
+    if let Some(got) = layer.measured.got(index) {
+        report.insert("got".to_owned(), attributes(&got));
+    }
+    report.insert("error".to_owned(), Value::Object(error));
+    report.insert("notes".to_owned(), json!(notes));
+    Value::Object(report)
+}
+
+fn attributes(attributes: &Attributes) -> Value {
+    match attributes {
+        Attributes::Spots(spots) => json!(spots),
+        Attributes::Stripes(stripes) => json!(stripes),
+    }
+}
+
+/// How many whole marks were measured (of spots), and their errors by attribute.
+fn errors(measured: &Measured, index: usize) -> (Option<usize>, Map<String, Value>) {
+    let (marks, named) = match measured {
+        Measured::Spots { errors, .. } => {
+            let e = &errors[index];
+            let named =
+                vec![("area", e.area), ("aspect", e.aspect), ("angle", e.angle), ("spacing", e.spacing)];
+            (Some(e.marks), named)
+        }
+        Measured::Stripes(errors) => {
+            let e = &errors[index];
+            (None, vec![("width", e.width), ("angle", e.angle), ("angle_rms", e.angle_rms)])
+        }
+    };
+    let error = named.into_iter().filter_map(|(name, value)| Some((name.to_owned(), json!(value?)))).collect();
+    (marks, error)
+}
