@@ -1,1 +1,53 @@
 //! Strokes → marks: what a hand drew.
+//!
+//! A freehand stroke is a list of points where the pen was. [`recognise`] says what a person would call it:
+//! a closed outline is an ellipse, an open stroke a line.
+
+mod hull;
+mod outline;
+mod path;
+
+use crate::marks::{Ellipse, Mark, fit};
+use hull::Hull;
+use path::Path;
+
+/// A fitted ellipse whose area or length lies outside this range of ratios to that of the outline's hull is
+/// not what was drawn. Fits of the outlines in the tests lie in 0.78..1.2: a hull cuts the gap off an
+/// open C, and wraps round the jitter and around all rounds of a scribble.
+const PLAUSIBLE: std::ops::Range<f64> = 0.7..1.4;
+
+/// The mark that a freehand stroke stands for: an ellipse if it is closed, a line (of `width`, px) if open.
+///
+/// `points` are in px, in the order drawn; how fast the pen went does not matter. Closed is what comes back
+/// near its start, runs over it, goes round several times or lacks a small piece, and encloses something;
+/// a blob hatched over to and fro is closed too. A line retraced to and fro is a line, and so is anything
+/// straight, bent, wavy or hooked: its direction is that of the total least squares line, its length that
+/// of its extent along it.
+///
+/// `None` where the stroke has no extent or a coordinate is not a finite number.
+#[must_use]
+pub fn recognise(points: &[[f64; 2]], width: f64) -> Option<Mark> {
+    let hull = Hull::of(points)?;
+    let path = Path::of(points, hull.diameter());
+    if let Some(outline) = outline::find(&path, &hull) {
+        return ellipse(&path.points[outline]).map(Mark::Ellipse);
+    }
+    if outline::is_hatched(&path, &hull) {
+        return hull.ellipse().map(Mark::Ellipse);
+    }
+    fit::line(&path.points, width).map(Mark::Line)
+}
+
+/// The ellipse of an outline: the direct least squares one, or, where that has gone astray, the one with the
+/// second moments of the outline's hull.
+fn ellipse(outline: &[[f64; 2]]) -> Option<Ellipse> {
+    let rough = Hull::of(outline)?.ellipse()?;
+    let plausible = |fitted: &Ellipse| {
+        PLAUSIBLE.contains(&(fitted.area() / rough.area()))
+            && PLAUSIBLE.contains(&(fitted.radii[0] / rough.radii[0]))
+    };
+    Some(fit::ellipse(outline).filter(plausible).unwrap_or(rough))
+}
+
+#[cfg(test)]
+mod tests;

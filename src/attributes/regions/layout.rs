@@ -112,8 +112,9 @@ impl Layout {
             }
             Edges::Wrap => {
                 let low = t.floor();
-                // min: rem_euclid of a tiny negative number rounds up to n.
-                let first = (low.rem_euclid(n as f64)).min(last) as usize;
+                // On the canvas at most the border's half region is out of range; beyond it is rare and slow.
+                let on_tile = if (0.0..=last).contains(&low) { low } else { low.rem_euclid(n as f64) };
+                let first = on_tile as usize;
                 (first, if first + 1 == n { 0 } else { first + 1 }, t - low)
             }
         }

@@ -57,8 +57,8 @@ proptest! {
             *point = point.map(|x| x + rng.random_range(-noise..noise));
         }
         let got = ellipse(&points).unwrap();
-        prop_assert!(difference(&got, &want) < 0.02, "{got:?}");
-        prop_assert!((got.area() / want.area() - 1.0).abs() < 0.02, "{got:?}");
+        prop_assert!(difference(&got, &want) < 0.06, "{got:?}");
+        prop_assert!((got.area() / want.area() - 1.0).abs() < 0.03, "{got:?}");
     }
 
     #[test]
