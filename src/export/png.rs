@@ -82,7 +82,7 @@ pub fn write(
 /// A painted picture: three bytes a px, as [`crate::colour`] makes it.
 ///
 /// # Errors
-/// As [`write`]; `rgb` too short for `size`.
+/// As [`write()`]; `rgb` too short for `size`.
 pub fn rgb8(out: impl Write, size: [usize; 2], dpi: Option<f64>, rgb: &[u8]) -> Result<(), Stopped> {
     whole(out, Header { size, samples: Samples::Rgb8, dpi }, rgb)
 }
@@ -90,7 +90,7 @@ pub fn rgb8(out: impl Write, size: [usize; 2], dpi: Option<f64>, rgb: &[u8]) -> 
 /// A label picture: one byte a px.
 ///
 /// # Errors
-/// As [`write`]; `labels` too short for `size`.
+/// As [`write()`]; `labels` too short for `size`.
 pub fn gray8(out: impl Write, size: [usize; 2], dpi: Option<f64>, labels: &[u8]) -> Result<(), Stopped> {
     whole(out, Header { size, samples: Samples::Gray8, dpi }, labels)
 }
@@ -98,7 +98,7 @@ pub fn gray8(out: impl Write, size: [usize; 2], dpi: Option<f64>, labels: &[u8])
 /// A pattern: 0..1 becomes 0..65535, rounded; values outside are clipped.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`].
 pub fn gray16(out: impl Write, pattern: &Field, dpi: Option<f64>) -> Result<(), Stopped> {
     let size = [pattern.width, pattern.height];
     write(out, Header { size, samples: Samples::Gray16, dpi }, |rows, bytes| {
