@@ -1,7 +1,7 @@
 //! Field → picture: pattern values to colours.
 //!
 //! A [`Gradient`] says which colour a pattern value has, exactly; its [`Table`] says the same fast, one
-//! entry for each of the 65536 steps that a 16-bit picture of the pattern knows. [`paint`] looks every px
+//! entry for each of the 65536 steps that a 16-bit picture of the pattern knows. [`paint()`] looks every px
 //! of every layer up. [`Set`] holds the colours that a document gets when it names none.
 
 mod bezier;

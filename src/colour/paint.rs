@@ -42,7 +42,7 @@ pub fn paint(layers: &[Painted], width: usize, height: usize) -> Vec<u8> {
     rgb
 }
 
-/// The given rows of the picture that [`paint`] makes, for pictures that are written band by band.
+/// The given rows of the picture that [`paint()`] makes, for pictures that are written band by band.
 /// `rgb` holds `3 * width` bytes a row. Rows are painted in parallel.
 ///
 /// # Panics

@@ -1,4 +1,4 @@
-//! Colours from nature, chosen by eye on photographs' words (none is measured) and on grown patterns.
+//! Colours from nature, chosen by eye on grown patterns; none is measured on an animal.
 //!
 //! All are built alike. The ground darkens a little towards the mark, the mark a little towards its middle,
 //! which gives both some body. Between 0.4 and 0.6 an S-bend leads across the mark's edge: half the way at
@@ -24,13 +24,13 @@ pub struct Set {
 /// must not change it. The marks differ from layer to layer in lightness first, then in hue.
 pub const BY_LAYER: [Set; 6] = [
     // The cheetah's spots: solid, near black, brown in the sun.
-    set("cheetah", CREAM, [0x4a2c19, 0x24140c]),
+    set("cheetah", CREAM, [0x54331d, 0x2a180e]),
     // The reticulated giraffe's patches: liver chestnut.
     set("giraffe", CREAM, [0x9a5a2b, 0x74391a]),
     // The black of a leopard's rosettes.
-    set("leopard", CREAM, [0x2e2826, 0x151212]),
+    set("leopard", CREAM, [0x261e18, 0x120d0a]),
     // The filled middle of a jaguar's rosettes: ochre, darker than its ground.
-    set("jaguar", CREAM, [0xd09a52, 0xb4782f]),
+    set("jaguar", CREAM, [0xc98a3c, 0xa66a22]),
     // A tortoiseshell cat's red.
     set("tortoiseshell", CREAM, [0xb5532a, 0x8c3715]),
     // The genet's washed-out flank spots: smoke.

@@ -1,6 +1,6 @@
 //! Pictures → bytes, and bytes → files that are whole or not there.
 //!
-//! [`png`] turns rows into a PNG stream. [`save`] puts a stream into a file: it writes beside the target and
+//! [`png`] turns rows into a PNG stream. [`save()`] puts a stream into a file: it writes beside the target and
 //! renames at the end, so that neither an error nor a cancelled run leaves half a picture, nor harms the one
 //! that was there before.
 

@@ -6,7 +6,8 @@ use std::io::{self, Write};
 use std::ops::Range;
 
 use png::{
-    BitDepth, ColorType, Compression, Encoder, EncodingError, PixelDimensions, SrgbRenderingIntent, Unit,
+    BitDepth, ColorType, Compression, Encoder, EncodingError, Filter, PixelDimensions, SrgbRenderingIntent,
+    Unit,
 };
 
 use super::Stopped;
@@ -82,7 +83,7 @@ pub fn write(
 /// A painted picture: three bytes a px, as [`crate::colour`] makes it.
 ///
 /// # Errors
-/// As [`write`]; `rgb` too short for `size`.
+/// As [`write()`]; `rgb` too short for `size`.
 pub fn rgb8(out: impl Write, size: [usize; 2], dpi: Option<f64>, rgb: &[u8]) -> Result<(), Stopped> {
     whole(out, Header { size, samples: Samples::Rgb8, dpi }, rgb)
 }
@@ -90,7 +91,7 @@ pub fn rgb8(out: impl Write, size: [usize; 2], dpi: Option<f64>, rgb: &[u8]) -> 
 /// A label picture: one byte a px.
 ///
 /// # Errors
-/// As [`write`]; `labels` too short for `size`.
+/// As [`write()`]; `labels` too short for `size`.
 pub fn gray8(out: impl Write, size: [usize; 2], dpi: Option<f64>, labels: &[u8]) -> Result<(), Stopped> {
     whole(out, Header { size, samples: Samples::Gray8, dpi }, labels)
 }
@@ -98,7 +99,7 @@ pub fn gray8(out: impl Write, size: [usize; 2], dpi: Option<f64>, labels: &[u8])
 /// A pattern: 0..1 becomes 0..65535, rounded; values outside are clipped.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`].
 pub fn gray16(out: impl Write, pattern: &Field, dpi: Option<f64>) -> Result<(), Stopped> {
     let size = [pattern.width, pattern.height];
     write(out, Header { size, samples: Samples::Gray16, dpi }, |rows, bytes| {
@@ -132,7 +133,10 @@ fn encoder<W: Write>(out: W, header: Header) -> Result<Encoder<'static, W>, Stop
     };
     encoder.set_color(colour);
     encoder.set_depth(depth);
+    // Smooth patterns of 2048² px, RGB: fast 45 ms and 3.0 MB, balanced 450 ms and 1.3 MB; picking the best
+    // filter row by row doubles the time of fast and saves nothing over Paeth's.
     encoder.set_compression(Compression::Fast);
+    encoder.set_filter(Filter::Paeth);
     if header.samples == Samples::Rgb8 {
         // Patterns and labels are numbers: no viewer's colour management should touch them.
         encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);

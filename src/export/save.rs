@@ -91,7 +91,7 @@ fn ending(path: &Path) -> String {
 }
 
 /// Looks whether a picture can be written to `path`, before the work is done: the name's ending (upper or
-/// lower case), the folder, and what has the name already. Rights and room show only in [`save`].
+/// lower case), the folder, and what has the name already. Rights and room show only in [`save()`].
 ///
 /// # Errors
 /// What is wrong with the path, and the remedy.
