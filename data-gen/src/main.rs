@@ -1,3 +1,62 @@
-//! The sweep: parameters → simulation → measured attributes → rows in `training/`.
+//! The sweep, ahead of time: parameters → simulation → measured attributes (or a rejection with its reason) →
+//! rows in `training/`.
 
-fn main() {}
+mod files;
+mod plan;
+mod run;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+/// Sweep reaction-diffusion parameters and write the training sets of dapple
+#[derive(Parser)]
+#[command(name = "data-gen", version)]
+enum Command {
+    /// Run the simulations of the training sets and write one CSV a system, with what was rejected beside it
+    Sweep(Sweep),
+}
+
+#[derive(clap::Args)]
+struct Sweep {
+    /// Only this system
+    #[arg(long, value_parser = dapple::learn::SYSTEMS)]
+    system: Option<String>,
+    /// Simulations a system [default: as planned for each]
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    runs: Option<u64>,
+    /// Where to write
+    #[arg(short, long, default_value = "training")]
+    output: PathBuf,
+    /// Threads to use [default: all cores]
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+}
+
+fn main() -> ExitCode {
+    let Command::Sweep(sweep) = Command::parse();
+    match run_sweep(&sweep) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run_sweep(sweep: &Sweep) -> Result<(), String> {
+    if let Some(threads) = sweep.threads {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(usize::from(threads))
+            .build_global()
+            .map_err(|error| format!("cannot start {threads} threads: {error}"))?;
+    }
+    for set in plan::sets() {
+        if sweep.system.as_deref().is_none_or(|system| system == set.system.name()) {
+            let outcomes = run::all(&set, sweep.runs.unwrap_or(set.runs));
+            files::write(&sweep.output, set.system, &outcomes)?;
+        }
+    }
+    Ok(())
+}

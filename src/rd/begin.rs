@@ -16,16 +16,7 @@ pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Vec<[f64;
         return Vec::new();
     }
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
-    lay(maps, edges, &|p| pitch(system, p), &mut rng).iter().map(|nucleus| nucleus.at).collect()
-}
-
-/// Distance between nuclei, cells.
-fn pitch(system: System, p: &Parameters) -> f64 {
-    let own = match system {
-        System::TuringSpots => turing_spots::SPACING,
-        _ => meinhardt_spots::spacing(p.ratio),
-    };
-    f64::from(p.pitch) * own / f64::from(p.rate).sqrt()
+    lay(maps, edges, &|p| system.spacing(p), &mut rng).iter().map(|nucleus| nucleus.at).collect()
 }
 
 /// Spots begin as bells on [`nuclei`].
@@ -35,7 +26,7 @@ pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [
         System::TuringSpots => turing_spots::RADIUS,
         _ => meinhardt_spots::radius(p.ratio),
     };
-    let bell = bells(maps, edges, &lay(maps, edges, &|p| pitch(system, p), rng), &radius);
+    let bell = bells(maps, edges, &lay(maps, edges, &|p| system.spacing(p), rng), &radius);
     let mut planes = [Plane::flat(nx, ny, 0.0), Plane::flat(nx, ny, 0.0)];
     for y in 0..ny {
         for x in 0..nx {
@@ -78,7 +69,7 @@ fn bells(maps: &Maps, edges: Edges, nuclei: &[Nucleus], radius: &dyn Fn(&Paramet
 
 /// Stripes begin as oriented noise in a against b.
 pub fn stripes(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 5] {
-    let wavelength = |p: &Parameters| meinhardt_stripes::WAVELENGTH / f64::from(p.rate).sqrt();
+    let wavelength = |p: &Parameters| System::MeinhardtStripes.spacing(p);
     let noise = gabor::noise(maps, edges, &wavelength, rng);
     let mut planes = meinhardt_stripes::REST.map(|c| Plane::flat(maps.nx, maps.ny, c));
     for y in 0..maps.ny {

@@ -61,4 +61,15 @@ impl System {
             Self::MeinhardtStripes => "meinhardt-stripes",
         }
     }
+
+    /// Distance at which spots begin, or the wavelength of stripes, cells.
+    #[must_use]
+    pub fn spacing(self, p: &Parameters) -> f64 {
+        let own = match self {
+            Self::TuringSpots => turing_spots::SPACING,
+            Self::MeinhardtSpots => meinhardt_spots::spacing(p.ratio),
+            Self::MeinhardtStripes => meinhardt_stripes::WAVELENGTH,
+        };
+        f64::from(p.pitch) * own / f64::from(p.rate).sqrt()
+    }
 }

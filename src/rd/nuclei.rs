@@ -40,7 +40,7 @@ const PUSH: f64 = 1.25;
 const ROUNDS: usize = 30;
 
 /// Points over the whole grid whose neighbours stand `pitch(parameters)` cells apart.
-pub fn nuclei(
+pub fn lay(
     maps: &Maps,
     edges: Edges,
     pitch: &dyn Fn(&Parameters) -> f64,

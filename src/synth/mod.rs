@@ -16,5 +16,6 @@ mod watch;
 
 pub use grow::{GrowError, Grown, GrownLayer, Options, grow};
 pub use refine::Measured;
+pub use settle::settle;
 pub use training::Training;
 pub use watch::{Cancelled, Stage, Watch};
