@@ -1,1 +1,43 @@
-//! Rows → answers: locally weighted regression over the training sets.
+//! Rows → answers: which parameters give the attributes that were asked for.
+//!
+//! `data-gen` grows a texture for each of many parameters, measures it and writes a row. A
+//! [`TrainingSet`] holds the rows of one system and answers with locally weighted regression
+//! (Atkeson, Moore & Schaal, "Locally weighted learning", Artificial Intelligence Review 11, 1997;
+//! the use for reaction–diffusion textures: Phan & Grimm, "Sketching reaction-diffusion texture",
+//! SBIM 2006), in coordinates in which the map is almost linear ([`coordinates`](self)):
+//!
+//! ```text
+//! spots    asked: ln A, ln(A/L²), v                    answered: ln(rate·A), ln ratio, level, w
+//! stripes  asked: ln W, (cos 4θ, sin 4θ)               answered: ln(rate·W²), −ln stretch, (cos 2Δ, sin 2Δ)
+//!
+//!          v = −ln(aspect)·(cos 2θ, sin 2θ)   w = −ln(stretch)·(cos 2φ, sin 2φ)   Δ = φ − θ
+//!          A area, L spacing, W width, θ angle; φ direction
+//! ```
+//!
+//! All lengths here are cells of the simulation grid, because the grid's own error at small spots is
+//! part of what is learnt. A question beyond the rows is never extrapolated: it is moved to where the
+//! rows are, and the answer says so ([`Coverage`]).
+
+mod answer;
+mod coordinates;
+mod coverage;
+mod csv_rows;
+mod error;
+#[cfg(test)]
+mod laws;
+mod leave_one_out;
+mod local;
+mod row;
+mod spot_map;
+mod stripe_map;
+#[cfg(test)]
+mod tests;
+mod training_set;
+
+pub use answer::{Answer, AskError, Prediction};
+pub use coverage::Coverage;
+pub use csv_rows::write_rows;
+pub use error::TrainingError;
+pub use leave_one_out::{ErrorTable, Errors, leave_one_out};
+pub use row::{Parameters, Row};
+pub use training_set::{SYSTEMS, TrainingSet};

@@ -1,0 +1,148 @@
+//! Asking a training set.
+
+use super::coverage::{Coverage, Judgement};
+use super::training_set::Map;
+use super::{Parameters, TrainingSet};
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::marks::axial;
+
+/// Half the width of a 90 % interval in standard deviations of a normal distribution.
+pub(super) const Z90: f64 = 1.645;
+
+/// What a training set says about wanted attributes. All lengths are cells.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// What to tell the simulation.
+    pub parameters: Parameters,
+    /// What these parameters grow, as far as the rows tell; of spots always with their spacing.
+    pub predicted: Attributes,
+    /// For each attribute the range that a patch grown like those of the set has in 90 of 100 cases.
+    /// Angles are degrees about the predicted one and may leave 0..180.
+    pub interval: Vec<(&'static str, [f64; 2])>,
+    /// How far the question lies from what was learnt.
+    pub coverage: Coverage,
+    /// The nearest question that lies within; what was asked where that is inside.
+    pub nearest: Attributes,
+    /// What there is to say about it, in sentences with numbers.
+    pub notes: Vec<String>,
+}
+
+/// What parameters grow, as far as the rows tell. Lengths are cells.
+#[derive(Clone, Debug)]
+pub struct Prediction {
+    /// The attributes; of spots always with their spacing.
+    pub attributes: Attributes,
+    /// For each attribute its 90 % range, as in [`Answer::interval`].
+    pub interval: Vec<(&'static str, [f64; 2])>,
+}
+
+impl Prediction {
+    /// Half the interval of a length or an area, in ln units.
+    pub(super) fn half_width(&self, attribute: &str) -> f64 {
+        let found = self.interval.iter().find(|(name, _)| *name == attribute);
+        found.map_or(0.0, |(_, [low, high])| 0.5 * (libm::log(*high) - libm::log(*low)))
+    }
+}
+
+/// An answer in the making.
+pub(super) struct Reached {
+    pub parameters: Parameters,
+    pub prediction: Prediction,
+    pub nearest: Attributes,
+    pub judgement: Judgement,
+}
+
+/// Why a question cannot be asked.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum AskError {
+    /// Stripes were asked of a spot set, or spots of a stripe set.
+    #[error("{system} takes {takes}")]
+    OtherKind {
+        /// The set's system.
+        system: &'static str,
+        /// The attributes that it takes.
+        takes: &'static str,
+    },
+    /// An attribute is no number of its kind.
+    #[error("{attribute} {value} is not {allowed}")]
+    Value {
+        /// Its name.
+        attribute: &'static str,
+        /// What it is.
+        value: f64,
+        /// What it may be.
+        allowed: &'static str,
+    },
+}
+
+fn length(attribute: &'static str, value: f64) -> Result<f64, AskError> {
+    let allowed = "a finite number above 0";
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err(AskError::Value { attribute, value, allowed })
+    }
+}
+
+fn angle(value: f64) -> Result<f64, AskError> {
+    let (attribute, allowed) = ("angle", "a finite number of degrees");
+    if value.is_finite() { Ok(axial(value)) } else { Err(AskError::Value { attribute, value, allowed }) }
+}
+
+fn aspect(value: f64) -> Result<f64, AskError> {
+    let (attribute, allowed) = ("aspect", "above 0 and at most 1");
+    if value > 0.0 && value <= 1.0 { Ok(value) } else { Err(AskError::Value { attribute, value, allowed }) }
+}
+
+fn checked_spots(spots: &Spots) -> Result<Spots, AskError> {
+    Ok(Spots {
+        area: length("area", spots.area)?,
+        aspect: aspect(spots.aspect)?,
+        angle: angle(spots.angle)?,
+        spacing: spots.spacing.map(|spacing| length("spacing", spacing)).transpose()?,
+    })
+}
+
+impl TrainingSet {
+    /// The parameters that give `wanted` (lengths in cells, angles any finite degrees).
+    ///
+    /// A question beyond the rows is moved to the nearest place within them first, so the parameters are
+    /// always ones that grow a texture like those of the set; `coverage`, `nearest` and `notes` tell.
+    ///
+    /// # Errors
+    /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
+    pub fn ask(&self, wanted: &Attributes) -> Result<Answer, AskError> {
+        let reached = match (&self.map, wanted) {
+            (Map::Spots(map), Attributes::Spots(spots)) => map.ask(&checked_spots(spots)?),
+            (Map::Stripes(map), Attributes::Stripes(stripes)) => {
+                let width = length("width", stripes.width)?;
+                map.ask(&Stripes { width, angle: angle(stripes.angle)? })
+            }
+            (Map::Spots(_), _) => return Err(self.other_kind("area, aspect, angle and perhaps spacing")),
+            (Map::Stripes(_), _) => return Err(self.other_kind("width and angle")),
+        };
+        Ok(Answer {
+            parameters: reached.parameters,
+            predicted: reached.prediction.attributes,
+            interval: reached.prediction.interval,
+            coverage: reached.judgement.coverage,
+            nearest: reached.nearest,
+            notes: reached.judgement.notes,
+        })
+    }
+
+    fn other_kind(&self, takes: &'static str) -> AskError {
+        AskError::OtherKind { system: self.system(), takes }
+    }
+
+    /// What `parameters` grow, as far as the rows tell.
+    ///
+    /// Meant for parameters like those of the rows; far from them it is the nearest rows' line, clamped.
+    #[must_use]
+    pub fn predict(&self, parameters: &Parameters) -> Prediction {
+        match &self.map {
+            Map::Spots(map) => map.predict(parameters, None),
+            Map::Stripes(map) => map.predict(parameters, None),
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! Attributes and parameters ↔ the coordinates in which the map between them is almost linear.
+//!
+//! Every law of scale is taken out beforehand (rate·A and A/L² hardly vary), so that what is left to
+//! learn is small and leaving the rows' range is benign.
+
+use super::Parameters;
+use crate::attributes::{Spots, Stripes};
+use crate::marks::axial;
+
+/// −ln(minor/major) along the double angle: an axis as a vector that vanishes for a circle.
+pub(super) fn elongation(aspect: f64, angle: f64) -> [f64; 2] {
+    let length = -libm::log(aspect);
+    let [c, s] = harmonic(angle, 2.0);
+    [length * c, length * s]
+}
+
+/// (cos nθ, sin nθ) of an angle in degrees.
+pub(super) fn harmonic(angle: f64, n: f64) -> [f64; 2] {
+    let angle = (n * axial(angle)).to_radians();
+    [libm::cos(angle), libm::sin(angle)]
+}
+
+/// Half the direction of a double-angle vector, degrees in [0, 180).
+pub(super) fn axis([x, y]: [f64; 2]) -> f64 {
+    axial(0.5 * libm::atan2(y, x).to_degrees())
+}
+
+/// |v|.
+pub(super) fn length([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
+/// ln(A/L²).
+pub(super) fn log_density(area: f64, spacing: f64) -> f64 {
+    libm::log(area) - 2.0 * libm::log(spacing)
+}
+
+/// What is asked of a spot set: (ln A, ln(A/L²) where `density`, v).
+pub(super) fn spots_asked(log_area: f64, density: Option<f64>, v: [f64; 2]) -> Vec<f64> {
+    std::iter::once(log_area).chain(density).chain(v).collect()
+}
+
+/// What a spot set answers: (ln(rate·A), ln ratio, level, w).
+pub(super) fn spots_answered(spots: &Spots, p: &Parameters) -> Vec<f64> {
+    let [x, y] = elongation(p.stretch, p.direction);
+    let ratio = libm::log(p.ratio.unwrap_or(1.0));
+    vec![libm::log(p.rate) + libm::log(spots.area), ratio, p.level.unwrap_or(0.5), x, y]
+}
+
+/// The parameters that this answer, given for a spot of `log_area`, stands for.
+pub(super) fn spot_parameters(log_area: f64, answered: &[f64]) -> Parameters {
+    let w = [answered[3], answered[4]];
+    Parameters {
+        rate: libm::exp(answered[0] - log_area),
+        ratio: Some(libm::exp(answered[1])),
+        stretch: libm::exp(-length(w)),
+        direction: axis(w),
+        level: Some(answered[2]),
+    }
+}
+
+/// What a spot set can be told: (ln rate, ln ratio, level, w), those left out that do not vary in it.
+pub(super) fn spots_told(p: &Parameters, ratio: bool, level: bool) -> Vec<f64> {
+    let mut told = vec![libm::log(p.rate)];
+    told.extend(ratio.then(|| libm::log(p.ratio.unwrap_or(1.0))));
+    told.extend(level.then(|| p.level.unwrap_or(0.5)));
+    told.extend(elongation(p.stretch, p.direction));
+    told
+}
+
+/// What a spot set can be told, for all that a mirror leaves alone: (ln rate, ln ratio, level, |w|, |w| cos 4φ).
+///
+/// Over the plane of w such a number has a kink at 0 (aspect ≈ e^−|w|), which a local line would cut off; over
+/// |w| it has none. cos 4φ: the grid's axes. And where w = 0, v points anywhere, so its mean says nothing
+/// about the aspect: isotropic Turing spots measure 0.88 and not 1.
+pub(super) fn spots_told_even(p: &Parameters, ratio: bool, level: bool) -> Vec<f64> {
+    let mut told = spots_told(p, ratio, level);
+    let w = -libm::log(p.stretch);
+    let n = told.len();
+    told[n - 2] = w;
+    told[n - 1] = w * harmonic(p.direction, 4.0)[0];
+    told
+}
+
+/// What then is seen that a mirror leaves alone: (ln(rate·A), ln(rate·L²), −ln(aspect)).
+pub(super) fn spots_seen_even(spots: &Spots, p: &Parameters) -> Vec<f64> {
+    let rate = libm::log(p.rate);
+    let log_spacing = libm::log(spots.spacing.unwrap_or(1.0));
+    vec![rate + libm::log(spots.area), rate + 2.0 * log_spacing, -libm::log(spots.aspect)]
+}
+
+/// What is asked of a stripe set: (ln W, cos 4θ, sin 4θ).
+///
+/// The fourth harmonic: a grid looks the same after a quarter turn.
+pub(super) fn stripes_asked(log_width: f64, angle: f64) -> Vec<f64> {
+    let [c, s] = harmonic(angle, 4.0);
+    vec![log_width, c, s]
+}
+
+/// What a stripe set answers: (ln(rate·W²), −ln stretch, cos 2Δ, sin 2Δ), Δ = direction − angle.
+pub(super) fn stripes_answered(stripes: &Stripes, p: &Parameters) -> Vec<f64> {
+    let [c, s] = harmonic(p.direction - stripes.angle, 2.0);
+    vec![libm::log(p.rate) + 2.0 * libm::log(stripes.width), -libm::log(p.stretch), c, s]
+}
+
+/// The parameters that this answer, given for stripes of `log_width` and `angle`, stands for.
+pub(super) fn stripe_parameters(log_width: f64, angle: f64, answered: &[f64]) -> Parameters {
+    Parameters {
+        rate: libm::exp(answered[0] - 2.0 * log_width),
+        ratio: None,
+        stretch: libm::exp(-answered[1]),
+        direction: axial(angle + axis([answered[2], answered[3]])),
+        level: None,
+    }
+}
+
+/// What a stripe set can be told: (ln rate, −ln stretch where it varies, cos 4φ, sin 4φ).
+pub(super) fn stripes_told(p: &Parameters, stretch: bool) -> Vec<f64> {
+    let mut told = vec![libm::log(p.rate)];
+    told.extend(stretch.then(|| -libm::log(p.stretch)));
+    told.extend(harmonic(p.direction, 4.0));
+    told
+}
+
+/// What then is seen: (ln(rate·W²), cos 2Δ, sin 2Δ).
+pub(super) fn stripes_seen(stripes: &Stripes, p: &Parameters) -> Vec<f64> {
+    let [c, s] = harmonic(p.direction - stripes.angle, 2.0);
+    vec![libm::log(p.rate) + 2.0 * libm::log(stripes.width), c, s]
+}

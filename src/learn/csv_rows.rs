@@ -1,0 +1,310 @@
+//! Training rows ↔ CSV. One of the two places that know the file format; the other is `training/README.md`.
+
+use std::io::{Read, Write};
+
+use csv::{ReaderBuilder, StringRecord, Trim};
+
+use super::{Parameters, Row, TrainingError, training_set::Kind};
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::marks::axial;
+
+/// A column of numbers.
+struct Column {
+    name: &'static str,
+    /// Lowest and highest value.
+    range: [f64; 2],
+    /// The same in words.
+    allowed: &'static str,
+}
+
+const fn column(name: &'static str, range: [f64; 2], allowed: &'static str) -> Column {
+    Column { name, range, allowed }
+}
+
+const SEED: Column = column("seed", [0.0, 0.0], "a whole number from 0 to 18446744073709551615");
+const ANGLE: [f64; 2] = [-360.0, 360.0];
+const DEGREES: &str = "an angle in degrees from -360 to 360";
+
+/// The columns of a spot set, after `seed`.
+const SPOTS: [Column; 11] = [
+    column("marks", [1.0, 1e9], "a count of spots from 1 to 1e9"),
+    column("area", [0.1, 1e6], "an area from 0.1 to 1e6 cells"),
+    column("aspect", [0.01, 1.0], "an aspect from 0.01 to 1"),
+    column("angle", ANGLE, DEGREES),
+    column("spacing", [0.1, 1e5], "a length from 0.1 to 1e5 cells"),
+    column("area_cv", [0.0, 10.0], "a coefficient of variation from 0 to 10"),
+    column("rate", [1e-9, 1e3], "a rate from 1e-9 to 1e3 per cell²"),
+    column("ratio", [1e-4, 1e4], "a ratio Db/Da from 1e-4 to 1e4"),
+    column("stretch", [0.01, 1.0], "a stretch from 0.01 to 1"),
+    column("direction", ANGLE, DEGREES),
+    column("level", [0.001, 0.999], "a share of the peak from 0.001 to 0.999"),
+];
+
+/// The columns of a stripe set, after `seed`.
+const STRIPES: [Column; 7] = [
+    column("wavelengths", [0.1, 1e6], "a count of wavelengths from 0.1 to 1e6"),
+    column("width", [0.1, 1e5], "a length from 0.1 to 1e5 cells"),
+    column("angle", ANGLE, DEGREES),
+    column("coherence", [0.0, 1.0], "a coherence from 0 to 1"),
+    column("rate", [1e-9, 1e3], "a rate from 1e-9 to 1e3 per cell²"),
+    column("stretch", [0.01, 1.0], "a stretch from 0.01 to 1"),
+    column("direction", ANGLE, DEGREES),
+];
+
+fn columns(kind: Kind) -> &'static [Column] {
+    match kind {
+        Kind::Spots => &SPOTS,
+        Kind::Stripes => &STRIPES,
+    }
+}
+
+/// The numbers of a row in the order of its columns; `None` where the row is not of this kind.
+fn numbers(kind: Kind, row: &Row) -> Option<Vec<f64>> {
+    let p = row.parameters;
+    match (kind, row.attributes) {
+        (Kind::Spots, Attributes::Spots(a)) => Some(vec![
+            row.extent,
+            a.area,
+            a.aspect,
+            a.angle,
+            a.spacing?,
+            row.evenness,
+            p.rate,
+            p.ratio?,
+            p.stretch,
+            p.direction,
+            p.level?,
+        ]),
+        (Kind::Stripes, Attributes::Stripes(a)) => {
+            Some(vec![row.extent, a.width, a.angle, row.evenness, p.rate, p.stretch, p.direction])
+        }
+        _ => None,
+    }
+}
+
+/// The row that has these numbers, which stand in the order of its columns.
+fn row(kind: Kind, seed: u64, n: &[f64]) -> Row {
+    match kind {
+        Kind::Spots => Row {
+            seed,
+            extent: n[0],
+            evenness: n[5],
+            attributes: Attributes::Spots(Spots {
+                area: n[1],
+                aspect: n[2],
+                angle: axial(n[3]),
+                spacing: Some(n[4]),
+            }),
+            parameters: Parameters {
+                rate: n[6],
+                ratio: Some(n[7]),
+                stretch: n[8],
+                direction: axial(n[9]),
+                level: Some(n[10]),
+            },
+        },
+        Kind::Stripes => Row {
+            seed,
+            extent: n[0],
+            evenness: n[3],
+            attributes: Attributes::Stripes(Stripes { width: n[1], angle: axial(n[2]) }),
+            parameters: Parameters {
+                rate: n[4],
+                ratio: None,
+                stretch: n[5],
+                direction: axial(n[6]),
+                level: None,
+            },
+        },
+    }
+}
+
+/// Where each column (seed first) stands in the file.
+fn places(kind: Kind, file: &str, header: &StringRecord) -> Result<Vec<usize>, TrainingError> {
+    let names: Vec<&str> =
+        std::iter::once(SEED.name).chain(columns(kind).iter().map(|column| column.name)).collect();
+    let wrong =
+        |problem: String| TrainingError::Columns { file: file.to_owned(), problem, columns: names.join(",") };
+    for (i, found) in header.iter().enumerate() {
+        if !names.contains(&found) {
+            return Err(wrong(format!("the column '{found}' is unknown")));
+        }
+        if header.iter().take(i).any(|before| before == found) {
+            return Err(wrong(format!("the column '{found}' stands there twice")));
+        }
+    }
+    names
+        .iter()
+        .map(|name| {
+            let place = header.iter().position(|found| found == *name);
+            place.ok_or_else(|| wrong(format!("the column '{name}' is missing")))
+        })
+        .collect()
+}
+
+/// Reads and checks the rows of `file` (a name for messages).
+pub(super) fn read_rows(kind: Kind, file: &str, from: impl Read) -> Result<Vec<Row>, TrainingError> {
+    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(from);
+    let broken = |error: &csv::Error| TrainingError::Table {
+        file: file.to_owned(),
+        line: error.position().map_or(1, csv::Position::line),
+        problem: error.to_string(),
+    };
+    let header = reader.headers().map_err(|error| broken(&error))?.clone();
+    let places = places(kind, file, &header)?;
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|error| broken(&error))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let text = |i: usize| record.get(places[i]).unwrap_or_default();
+        let wrong = |column: &Column, value: &str| TrainingError::Value {
+            file: file.to_owned(),
+            line,
+            column: column.name,
+            value: value.to_owned(),
+            allowed: column.allowed,
+        };
+        let seed = text(0).parse().map_err(|_| wrong(&SEED, text(0)))?;
+        let mut values = Vec::with_capacity(columns(kind).len());
+        for (i, column) in columns(kind).iter().enumerate() {
+            match text(i + 1).parse::<f64>() {
+                Ok(value) if column.range[0] <= value && value <= column.range[1] => values.push(value),
+                _ => return Err(wrong(column, text(i + 1))),
+            }
+        }
+        rows.push(row(kind, seed, &values));
+    }
+    Ok(rows)
+}
+
+/// Writes `rows` of `system` as CSV: a header, then a line a row.
+///
+/// Numbers are rounded to six significant digits, far below the noise of any measurement, so that the
+/// same rows give the same bytes and rows that were read are written as they stood.
+///
+/// # Errors
+/// [`TrainingError::UnknownSystem`]; [`TrainingError::Row`] where a row is not one of this system or a
+/// value is out of range; [`TrainingError::Write`].
+pub fn write_rows(system: &str, rows: &[Row], mut out: impl Write) -> Result<(), TrainingError> {
+    let (system, kind) = super::training_set::find(system)?;
+    let names: Vec<&str> = columns(kind).iter().map(|column| column.name).collect();
+    let mut text = format!("{},{}\n", SEED.name, names.join(","));
+    for (index, row) in rows.iter().enumerate() {
+        let wrong = |problem: String| TrainingError::Row { index, seed: row.seed, system, problem };
+        let values = numbers(kind, row).ok_or_else(|| {
+            wrong("its attributes or parameters are those of another kind of system".into())
+        })?;
+        text.push_str(&row.seed.to_string());
+        for (column, value) in columns(kind).iter().zip(values) {
+            if !(column.range[0] <= value && value <= column.range[1]) {
+                return Err(wrong(format!("its {} {value} is not {}", column.name, column.allowed)));
+            }
+            text.push(',');
+            text.push_str(&six_digits(value));
+        }
+        text.push('\n');
+    }
+    out.write_all(text.as_bytes())?;
+    Ok(())
+}
+
+/// `value` to six significant digits, as short as they can be written.
+fn six_digits(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    // (+0.0 turns −0 into 0)
+    (rounded + 0.0).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::laws::{MEASURED, meinhardt, stripes, turing};
+    use super::*;
+
+    fn written(system: &str, rows: &[Row]) -> String {
+        let mut out = Vec::new();
+        write_rows(system, rows, &mut out).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    fn message(text: &str) -> String {
+        read_rows(Kind::Stripes, "s.csv", text.as_bytes()).unwrap_err().to_string()
+    }
+
+    const HEADER: &str = "seed,wavelengths,width,angle,coherence,rate,stretch,direction";
+
+    #[test]
+    fn rows_that_are_written_and_read_are_the_same_to_six_digits_and_then_exactly() {
+        let sets = [
+            ("turing-spots", Kind::Spots, turing(40, MEASURED)),
+            ("meinhardt-spots", Kind::Spots, meinhardt(40, MEASURED)),
+            ("meinhardt-stripes", Kind::Stripes, stripes(40, MEASURED)),
+        ];
+        for (system, kind, rows) in sets {
+            let text = written(system, &rows);
+            let back = read_rows(kind, "x.csv", text.as_bytes()).unwrap();
+            assert_eq!(back.len(), rows.len());
+            for (a, b) in rows.iter().zip(&back) {
+                let pairs = numbers(kind, a).unwrap().into_iter().zip(numbers(kind, b).unwrap());
+                assert!(a.seed == b.seed && pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-5 * a.abs()));
+            }
+            assert_eq!(written(system, &back), text);
+            assert_eq!(read_rows(kind, "x.csv", written(system, &back).as_bytes()).unwrap(), back);
+        }
+    }
+
+    #[test]
+    fn columns_may_stand_in_any_order() {
+        let text =
+            "direction,seed,stretch,rate,coherence,angle,width,wavelengths\n10,7,0.5,0.4,0.9,-11,8,12\n";
+        let row = read_rows(Kind::Stripes, "s.csv", text.as_bytes()).unwrap()[0];
+        assert_eq!((row.seed, row.extent, row.evenness), (7, 12.0, 0.9));
+        assert_eq!(row.attributes, Attributes::Stripes(Stripes { width: 8.0, angle: 169.0 }));
+        assert_eq!(row.parameters.named(), [("rate", 0.4), ("stretch", 0.5), ("direction", 10.0)]);
+    }
+
+    #[test]
+    fn a_value_that_is_wrong_is_named_with_its_place() {
+        let with = |row: &str| message(&format!("{HEADER}\n1,9,8,10,0.9,0.4,0.5,10\n{row}\n"));
+        assert_eq!(
+            with("2,9,-8,10,0.9,0.4,0.5,10"),
+            "s.csv, line 3, column width: '-8' is not a length from 0.1 to 1e5 cells"
+        );
+        for (row, place) in [
+            ("-1,9,8,10,0.9,0.4,0.5,10", "column seed: '-1'"),
+            ("2,9,8,10,0.9,NaN,0.5,10", "column rate: 'NaN'"),
+            ("2,9,inf,10,0.9,1,0.5,10", "column width: 'inf'"),
+            ("2,9,8,10,1.2,1,0.5,10", "column coherence: '1.2'"),
+            ("2,9,8,ten,0.9,1,0.5,10", "column angle: 'ten'"),
+            ("2,9,8,10,0.9,1,,10", "column stretch: ''"),
+        ] {
+            let message = with(row);
+            assert!(message.contains("line 3") && message.contains(place), "{message}");
+        }
+        assert!(with("2,9,8").starts_with("s.csv, line 3: "));
+    }
+
+    #[test]
+    fn a_column_that_is_wrong_is_named() {
+        assert!(message("").contains("the column 'seed' is missing"));
+        assert!(message(&HEADER.replace("width", "widht")).contains("the column 'widht' is unknown"));
+        assert!(message(&HEADER.replace(",stretch", "")).contains("the column 'stretch' is missing"));
+        assert!(message(&format!("{HEADER},angle")).contains("the column 'angle' stands there twice"));
+    }
+
+    #[test]
+    fn a_row_of_another_system_or_out_of_range_is_not_written() {
+        let mut rows = stripes(3, MEASURED);
+        let error = write_rows("turing-spots", &rows, std::io::sink()).unwrap_err().to_string();
+        assert!(error.contains("row 0 (seed 0) cannot be written to turing-spots"), "{error}");
+        rows[2].parameters.rate = f64::NAN;
+        let error = write_rows("meinhardt-stripes", &rows, std::io::sink()).unwrap_err().to_string();
+        assert!(error.contains("row 2 (seed 2)") && error.contains("rate NaN"), "{error}");
+        assert!(write_rows("voronoi", &rows, std::io::sink()).is_err());
+    }
+
+    #[test]
+    fn numbers_are_written_short() {
+        let seen = [0.1 + 0.2, 1.0, -0.0, 123_456.7, 0.000_012_345_678, 1e-9].map(six_digits);
+        assert_eq!(seen, ["0.3", "1", "0", "123457", "0.0000123457", "0.000000001"]);
+    }
+}

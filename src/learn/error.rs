@@ -1,0 +1,83 @@
+//! What can be wrong with a training set.
+
+use std::path::PathBuf;
+
+/// Why a training set could not be read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum TrainingError {
+    /// There is no such system.
+    #[error("no training set is called '{name}'; allowed: {allowed}")]
+    UnknownSystem {
+        /// The name that was asked for.
+        name: String,
+        /// The names there are.
+        allowed: String,
+    },
+    /// The file could not be opened.
+    #[error("{}: cannot be read: {source}; a folder of training sets holds one SYSTEM.csv a system, as data-gen writes them", path.display())]
+    Open {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// The file is no table.
+    #[error("{file}, line {line}: {problem}")]
+    Table {
+        /// The file.
+        file: String,
+        /// Its line, from 1.
+        line: u64,
+        /// What the reader said.
+        problem: String,
+    },
+    /// A column is missing, unknown or there twice.
+    #[error("{file}, line 1: {problem}; the columns are {columns}, in any order")]
+    Columns {
+        /// The file.
+        file: String,
+        /// Which column, and what about it.
+        problem: String,
+        /// The columns of this set.
+        columns: String,
+    },
+    /// A value is not what its column holds.
+    #[error("{file}, line {line}, column {column}: '{value}' is not {allowed}")]
+    Value {
+        /// The file.
+        file: String,
+        /// Its line, from 1.
+        line: u64,
+        /// The column's name.
+        column: &'static str,
+        /// What stands there.
+        value: String,
+        /// What may stand there.
+        allowed: &'static str,
+    },
+    /// There are not enough rows to learn from.
+    #[error("{file}: {rows} rows are too few to learn from; at least {needed} are needed")]
+    TooFew {
+        /// The file.
+        file: String,
+        /// The rows it has.
+        rows: usize,
+        /// The rows it needs.
+        needed: usize,
+    },
+    /// A row to be written is not one of this system.
+    #[error("row {index} (seed {seed}) cannot be written to {system}: {problem}")]
+    Row {
+        /// The row's place, from 0.
+        index: usize,
+        /// The row's seed.
+        seed: u64,
+        /// The set it was for.
+        system: &'static str,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// The rows could not be written.
+    #[error("the rows cannot be written: {0}")]
+    Write(#[from] std::io::Error),
+}

@@ -1,0 +1,139 @@
+//! Rows made from the laws of scale instead of simulations, so that the regression is tested against what
+//! is known. Noise as measured on patches of 60 spots.
+
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+use super::{Parameters, Row};
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::marks::axial;
+
+/// Scatter of area (relative), spacing (relative), aspect, angle (degrees, at aspect 0.5).
+#[derive(Clone, Copy)]
+pub(super) struct Noise(pub f64, pub f64, pub f64, pub f64);
+
+/// No scatter: the laws themselves.
+pub(super) const EXACT: Noise = Noise(0.0, 0.0, 0.0, 0.0);
+/// The scatter of Meinhardt spots.
+pub(super) const MEASURED: Noise = Noise(0.01, 0.015, 0.004, 0.3);
+
+/// area·rate of Turing spots: 5.7, less for small ones (facts A).
+pub(super) fn turing_law(area: f64) -> f64 {
+    6.0 * (1.0 - 2.2 / area)
+}
+
+/// The area that a law area·rate = k(area) gives, by fixed point.
+pub(super) fn area_of(rate: f64, law: impl Fn(f64) -> f64) -> f64 {
+    (0..60).fold(50.0, |area: f64, _| law(area.max(3.0)) / rate)
+}
+
+/// area·rate of Meinhardt spots with Db/Da = `ratio` (facts B: 215 at 10, 127 at 15, 44 at 50, at rate s/g).
+pub(super) fn meinhardt_law(area: f64, ratio: f64) -> f64 {
+    127.0 * libm::pow(ratio / 15.0, -1.0) * (1.0 - 1.2 / area)
+}
+
+/// area/spacing² of Meinhardt spots (facts B: 0.150 at 10, 0.094 at 15, 0.029 at 50).
+pub(super) fn meinhardt_density(ratio: f64) -> f64 {
+    0.094 * libm::pow(ratio / 15.0, -1.0)
+}
+
+/// The angle that the grid makes of a direction: pulled towards the axes, more for small spots.
+pub(super) fn pulled(direction: f64, area: f64) -> f64 {
+    axial(direction - 40.0 / area * libm::sin((4.0 * direction).to_radians()))
+}
+
+fn uniform(rng: &mut Pcg64, low: f64, high: f64) -> f64 {
+    low + (high - low) * rng.random::<f64>()
+}
+
+/// A sum of uniforms with standard deviation 1: near enough to normal.
+fn scatter(rng: &mut Pcg64) -> f64 {
+    (0..12).map(|_| rng.random::<f64>()).sum::<f64>() - 6.0
+}
+
+/// `n` rows of a Turing set: ratio and level constant, aspect never above 0.88.
+pub(super) fn turing(n: u64, Noise(by_area, by_spacing, by_aspect, by_angle): Noise) -> Vec<Row> {
+    (0..n)
+        .map(|seed| {
+            let rng = &mut Pcg64::seed_from_u64(seed);
+            let rate = libm::exp(uniform(rng, libm::log(0.03), libm::log(0.3)));
+            let (stretch, direction) = (uniform(rng, 0.3, 1.0), uniform(rng, 0.0, 180.0));
+            let area = area_of(rate, turing_law);
+            let spacing = 2.1 * area.sqrt();
+            let (w, floor) = (libm::log(stretch), libm::log(0.88));
+            let aspect = libm::exp(-(w * w + floor * floor).sqrt());
+            Row {
+                seed,
+                extent: 60.0,
+                evenness: 0.05,
+                attributes: Attributes::Spots(Spots {
+                    area: area * (1.0 + by_area * scatter(rng)),
+                    aspect: aspect * (1.0 + by_aspect * scatter(rng)),
+                    // A patch of isotropic spots points anywhere.
+                    angle: axial(pulled(direction, area) + by_angle * scatter(rng) / (1.03 - stretch)),
+                    spacing: Some(spacing * (1.0 + by_spacing * scatter(rng))),
+                }),
+                parameters: Parameters { rate, ratio: Some(1.0 / 3.8), stretch, direction, level: Some(0.5) },
+            }
+        })
+        .collect()
+}
+
+/// `n` rows of a Meinhardt set: the ratio from 10 to 100.
+pub(super) fn meinhardt(n: u64, Noise(by_area, by_spacing, by_aspect, by_angle): Noise) -> Vec<Row> {
+    (0..n)
+        .map(|seed| {
+            let rng = &mut Pcg64::seed_from_u64(1_000_000 + seed);
+            let ratio = libm::exp(uniform(rng, libm::log(10.0), libm::log(100.0)));
+            let wanted = libm::exp(uniform(rng, libm::log(20.0), libm::log(200.0)));
+            let rate = meinhardt_law(wanted, ratio) / wanted;
+            let (stretch, direction) = (uniform(rng, 0.3, 1.0), uniform(rng, 0.0, 180.0));
+            let area = area_of(rate, |area| meinhardt_law(area, ratio));
+            let spacing = (area / meinhardt_density(ratio)).sqrt();
+            Row {
+                seed,
+                extent: 60.0,
+                evenness: 0.05,
+                attributes: Attributes::Spots(Spots {
+                    area: area * (1.0 + by_area * scatter(rng)),
+                    aspect: (0.99 * stretch * (1.0 + by_aspect * scatter(rng))).min(1.0),
+                    angle: axial(pulled(direction, 4.0 * area) + by_angle * scatter(rng)),
+                    spacing: Some(spacing * (1.0 + by_spacing * scatter(rng))),
+                }),
+                parameters: Parameters { rate, ratio: Some(ratio), stretch, direction, level: Some(0.5) },
+            }
+        })
+        .collect()
+}
+
+/// width²·rate of stripes (facts C: wavelength 81·√Da at kab 0.04, so (40.5)²·0.04 = 65.6, less when thin).
+pub(super) fn stripe_law(width: f64) -> f64 {
+    65.6 * (1.0 - 1.5 / (width * width))
+}
+
+/// `n` rows of a stripe set: stretch constant, widths 3 to 20.
+pub(super) fn stripes(n: u64, Noise(by_width, _, _, by_angle): Noise) -> Vec<Row> {
+    (0..n)
+        .map(|seed| {
+            let rng = &mut Pcg64::seed_from_u64(2_000_000 + seed);
+            let width = libm::exp(uniform(rng, libm::log(3.0), libm::log(20.0)));
+            let direction = uniform(rng, 0.0, 180.0);
+            Row {
+                seed,
+                extent: 10.0,
+                evenness: 0.95,
+                attributes: Attributes::Stripes(Stripes {
+                    width: width * (1.0 + by_width * scatter(rng)),
+                    angle: axial(pulled(direction, 3.0 * width) + by_angle * scatter(rng)),
+                }),
+                parameters: Parameters {
+                    rate: stripe_law(width) / (width * width),
+                    ratio: None,
+                    stretch: 0.5,
+                    direction,
+                    level: None,
+                },
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,50 @@
+//! One row of a training set: what was measured and what had been set.
+
+use crate::attributes::Attributes;
+
+/// What a simulation is told, in units of its grid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters {
+    /// Reaction rate ÷ √(Da·Db), 1/cell² (stripes: rate in the same units, 1/cell²).
+    pub rate: f64,
+    /// Db/Da, the reach of the inhibitor against that of the activator; `None` for stripes.
+    pub ratio: Option<f64>,
+    /// Minor ÷ major axis of the diffusion tensor, √(l₂/l₁), 0..1 (1 = isotropic).
+    pub stretch: f64,
+    /// The tensor's long axis, degrees in [0, 180).
+    pub direction: f64,
+    /// The share of the local peak that is a mark's edge, 0..1; `None` for stripes.
+    pub level: Option<f64>,
+}
+
+impl Parameters {
+    /// The parameters that apply, by name, in the order of the columns.
+    #[must_use]
+    pub fn named(&self) -> Vec<(&'static str, f64)> {
+        [
+            ("rate", Some(self.rate)),
+            ("ratio", self.ratio),
+            ("stretch", Some(self.stretch)),
+            ("direction", Some(self.direction)),
+            ("level", self.level),
+        ]
+        .into_iter()
+        .filter_map(|(name, value)| Some((name, value?)))
+        .collect()
+    }
+}
+
+/// One accepted run of `data-gen`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// The seed of the run.
+    pub seed: u64,
+    /// How much was measured: spots, or (stripes) wavelengths across the patch.
+    pub extent: f64,
+    /// How even it is: the coefficient of variation of the spots' areas, or the stripes' coherence.
+    pub evenness: f64,
+    /// What was measured, in cells; of spots always with their spacing.
+    pub attributes: Attributes,
+    /// What had been set.
+    pub parameters: Parameters,
+}

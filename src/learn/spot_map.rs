@@ -1,0 +1,214 @@
+//! Spots: attributes ↔ parameters, learnt from rows.
+
+use super::answer::{Prediction, Reached, Z90};
+use super::coordinates as to;
+use super::coverage::{Judgement, Limit, brief};
+use super::local::{Local, Sample, mirrored, varies};
+use super::{Parameters, Row};
+use crate::attributes::{Attributes, Spots};
+
+/// The mirror images of a row: (cos, sin) of a double angle under θ, −θ, 90° − θ and 90° + θ.
+///
+/// The grid looks the same under x ↔ y and under mirrors, so each row stands for four.
+const IMAGES: [[f64; 2]; 4] = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+
+/// The map of a spot set.
+pub(super) struct SpotMap {
+    /// Attributes → parameters.
+    asked: Local,
+    /// Parameters → direction.
+    told: Local,
+    /// Parameters → area, spacing and aspect.
+    even: Local,
+    /// Does the ratio vary in the set?
+    ratio: bool,
+    /// Does the level?
+    level: bool,
+    /// ln A.
+    pub area: Limit,
+    /// ln(A/L²).
+    pub density: Limit,
+    /// −ln(aspect).
+    pub elongation: Limit,
+    /// ln(A/L²) of the set's middle row: taken where the spacing is left free.
+    middle_density: f64,
+}
+
+/// ln(A/L²) of measured spots, which always have a spacing.
+fn density(spots: &Spots) -> Option<f64> {
+    spots.spacing.map(|spacing| to::log_density(spots.area, spacing))
+}
+
+impl SpotMap {
+    pub fn new(rows: &[Row], neighbours: usize) -> Self {
+        let runs: Vec<(Spots, Parameters)> = rows
+            .iter()
+            .filter_map(|row| match row.attributes {
+                Attributes::Spots(spots) => Some((spots, row.parameters)),
+                Attributes::Stripes(_) => None,
+            })
+            .collect();
+        let ratio = varies(runs.iter().map(|(_, p)| libm::log(p.ratio.unwrap_or(1.0))));
+        let level = varies(runs.iter().map(|(_, p)| p.level.unwrap_or(0.5)));
+        let local = |of: &dyn Fn(&Spots, &Parameters) -> [Vec<f64>; 2]| {
+            let samples = runs.iter().enumerate().flat_map(|(row, (s, p))| {
+                let [at, gives] = of(s, p);
+                IMAGES.map(|image| Sample { at: mirrored(&at, image), gives: mirrored(&gives, image), row })
+            });
+            Local::new(samples.collect(), neighbours)
+        };
+        let asked = local(&|s, p| {
+            let density = density(s).filter(|_| ratio || level);
+            let at = to::spots_asked(libm::log(s.area), density, to::elongation(s.aspect, s.angle));
+            [at, to::spots_answered(s, p)]
+        });
+        let told =
+            local(&|s, p| [to::spots_told(p, ratio, level), to::elongation(s.aspect, s.angle).to_vec()]);
+        let even = runs.iter().enumerate().map(|(row, (s, p))| {
+            let at = to::spots_told_even(p, ratio, level);
+            Sample { at, gives: to::spots_seen_even(s, p), row }
+        });
+        let even = Local::new(even.collect(), neighbours);
+        let of = |f: fn(&Spots) -> f64| runs.iter().map(move |(spots, _)| f(spots));
+        let mut densities: Vec<f64> = runs.iter().filter_map(|(spots, _)| density(spots)).collect();
+        densities.sort_by(f64::total_cmp);
+        let middle_density = densities.get(densities.len() / 2).copied().unwrap_or(0.0);
+        Self {
+            area: Limit::of("area", ["smallest", "largest"], libm::exp, of(|s| libm::log(s.area))),
+            density: Limit::of("area/spacing²", ["sparsest", "densest"], libm::exp, densities.into_iter()),
+            elongation: Limit::of(
+                "aspect",
+                ["roundest", "longest"],
+                |e| libm::exp(-e),
+                of(|s| -libm::log(s.aspect)),
+            ),
+            middle_density,
+            asked,
+            told,
+            even,
+            ratio,
+            level,
+        }
+    }
+
+    /// Is area/spacing² free in this set, rather than what the system gives?
+    pub fn dense(&self) -> bool {
+        self.ratio || self.level
+    }
+
+    /// The parameters for `spots`, the question moved to where the rows are.
+    pub fn ask(&self, spots: &Spots) -> Reached {
+        let mut judgement = Judgement::new();
+        let log_area = judgement.clamp(&self.area, libm::log(spots.area));
+        let density = self.dense().then(|| self.clamp_density(spots, &mut judgement));
+        let e = -libm::log(spots.aspect);
+        let e_reached = judgement.clamp(&self.elongation, e);
+        let [c, s] = to::harmonic(spots.angle, 2.0);
+        let mut at = to::spots_asked(log_area, density, [e_reached * c, e_reached * s]);
+        let n = at.len();
+        let mut nearest = Spots {
+            area: if log_area == libm::log(spots.area) { spots.area } else { libm::exp(log_area) },
+            aspect: if e_reached == e { spots.aspect } else { libm::exp(-e_reached) },
+            ..*spots
+        };
+        let called = |at: &[f64]| {
+            let aspect = libm::exp(-to::length([at[n - 2], at[n - 1]]));
+            format!("area {}, aspect {}", brief(libm::exp(at[0])), brief(aspect))
+        };
+        let before = at.clone();
+        let mut fit = judgement.within(&self.asked, &mut at, called);
+        if at != before {
+            let v = [at[n - 2], at[n - 1]];
+            nearest.area = libm::exp(at[0]);
+            nearest.aspect = libm::exp(-to::length(v));
+            nearest.angle = to::axis(v);
+        } else if e < e_reached {
+            // Rounder than any row: their directions lie all around, so this is no extrapolation.
+            (at[n - 2], at[n - 1]) = (e * c, e * s);
+            fit = self.asked.fit(&at, None);
+        }
+        nearest.spacing = self.dense().then(|| (nearest.area / libm::exp(at[1])).sqrt());
+        let parameters = to::spot_parameters(at[0], &fit.value);
+        let prediction = self.predict(&parameters, None);
+        self.judge_spacing(spots, &prediction, &mut nearest, &mut judgement);
+        Reached { parameters, prediction, nearest: Attributes::Spots(nearest), judgement }
+    }
+
+    /// ln(A/L²) within the set's; its middle where the spacing is free.
+    fn clamp_density(&self, spots: &Spots, judgement: &mut Judgement) -> f64 {
+        if let Some(density) = density(spots) {
+            return judgement.clamp(&self.density, density);
+        }
+        let middle = brief(libm::exp(self.middle_density));
+        judgement
+            .notes
+            .push(format!("spacing is free: area/spacing² {middle} taken, the middle of this set"));
+        self.middle_density
+    }
+
+    /// Where the system itself gives the spacing: is it the one that was asked for?
+    fn judge_spacing(
+        &self,
+        spots: &Spots,
+        prediction: &Prediction,
+        nearest: &mut Spots,
+        judgement: &mut Judgement,
+    ) {
+        let Attributes::Spots(predicted) = prediction.attributes else { return };
+        let (Some(given), false) = (predicted.spacing, self.dense()) else {
+            nearest.spacing = nearest.spacing.or(predicted.spacing);
+            return;
+        };
+        nearest.spacing = Some(given);
+        let Some(asked) = spots.spacing else { return };
+        let off = libm::log(asked) - libm::log(given);
+        let sure = prediction.half_width("spacing");
+        if judgement.beyond(off.abs() - sure) {
+            let side = if off > 0.0 { "more" } else { "less" };
+            let [asked, given] = [brief(asked), brief(given)];
+            judgement.notes.push(format!(
+                "spacing {asked} is {side} than {given}, which is what this system gives with this area; \
+                 nearest {given}"
+            ));
+        } else {
+            nearest.spacing = Some(asked);
+        }
+    }
+
+    /// The parameters that the other rows give for `row`.
+    pub fn left_out(&self, row: usize) -> Parameters {
+        // The first image of a row is the row itself.
+        let at = &self.asked.samples()[row * IMAGES.len()].at;
+        to::spot_parameters(at[0], &self.asked.fit(at, Some(row)).value)
+    }
+
+    /// What grows from parameters, as if the row `without` were not there.
+    pub fn predict(&self, p: &Parameters, without: Option<usize>) -> Prediction {
+        let log_rate = libm::log(p.rate);
+        let even = self.even.fit(&to::spots_told_even(p, self.ratio, self.level), without);
+        let [log_area, log_spacing] = [even.value[0] - log_rate, 0.5 * (even.value[1] - log_rate)];
+        let [by_area, by_spacing] = [Z90 * even.deviation[0], 0.5 * Z90 * even.deviation[1]];
+        let (e, by_e) = (even.value[2], Z90 * even.deviation[2]);
+        let aspect = |e: f64| libm::exp(-e.max(0.0));
+        let fit = self.told.fit(&to::spots_told(p, self.ratio, self.level), without);
+        let v = [fit.value[0], fit.value[1]];
+        let by_v = Z90 * to::length([fit.deviation[0], fit.deviation[1]]) / std::f64::consts::SQRT_2;
+        let directed = to::length(v) > 1e-9;
+        let angle = if directed { to::axis(v) } else { p.direction };
+        let sine = if directed { by_v / to::length(v) } else { 1.0 };
+        let by_angle = if sine < 1.0 { 0.5 * libm::asin(sine).to_degrees() } else { 90.0 };
+        let spots = Spots {
+            area: libm::exp(log_area),
+            aspect: aspect(e),
+            angle,
+            spacing: Some(libm::exp(log_spacing)),
+        };
+        let interval = vec![
+            ("area", [log_area - by_area, log_area + by_area].map(libm::exp)),
+            ("aspect", [aspect(e + by_e), aspect(e - by_e)]),
+            ("angle", [angle - by_angle, angle + by_angle]),
+            ("spacing", [log_spacing - by_spacing, log_spacing + by_spacing].map(libm::exp)),
+        ];
+        Prediction { attributes: Attributes::Spots(spots), interval }
+    }
+}

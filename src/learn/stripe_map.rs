@@ -1,0 +1,98 @@
+//! Stripes: attributes ↔ parameters, learnt from rows.
+
+use super::answer::{Prediction, Reached, Z90};
+use super::coordinates as to;
+use super::coverage::{Judgement, Limit, brief};
+use super::local::{Local, Sample, mirrored, varies};
+use super::{Parameters, Row};
+use crate::attributes::{Attributes, Stripes};
+use crate::marks::axial;
+
+/// The mirror images of a row. The grid looks the same under x ↔ y and under mirrors, so each row stands
+/// for four; the features hold the fourth harmonic, in which two of them are the same.
+const IMAGES: [[f64; 2]; 2] = [[1.0, 1.0], [1.0, -1.0]];
+
+/// The map of a stripe set.
+pub(super) struct StripeMap {
+    /// Attributes → parameters.
+    asked: Local,
+    /// Parameters → attributes.
+    told: Local,
+    /// Does the stretch vary in the set?
+    stretch: bool,
+    /// ln W.
+    pub width: Limit,
+}
+
+impl StripeMap {
+    pub fn new(rows: &[Row], neighbours: usize) -> Self {
+        let runs: Vec<(Stripes, Parameters)> = rows
+            .iter()
+            .filter_map(|row| match row.attributes {
+                Attributes::Stripes(stripes) => Some((stripes, row.parameters)),
+                Attributes::Spots(_) => None,
+            })
+            .collect();
+        let stretch = varies(runs.iter().map(|(_, p)| libm::log(p.stretch)));
+        let local = |of: &dyn Fn(&Stripes, &Parameters) -> [Vec<f64>; 2]| {
+            let samples = runs.iter().enumerate().flat_map(|(row, (s, p))| {
+                let [at, gives] = of(s, p);
+                IMAGES.map(|image| Sample { at: mirrored(&at, image), gives: mirrored(&gives, image), row })
+            });
+            Local::new(samples.collect(), neighbours)
+        };
+        let asked =
+            local(&|s, p| [to::stripes_asked(libm::log(s.width), s.angle), to::stripes_answered(s, p)]);
+        let told = local(&|s, p| [to::stripes_told(p, stretch), to::stripes_seen(s, p)]);
+        let widths = runs.iter().map(|(stripes, _)| libm::log(stripes.width));
+        Self { width: Limit::of("width", ["thinnest", "widest"], libm::exp, widths), asked, told, stretch }
+    }
+
+    /// The parameters for `stripes`, the question moved to where the rows are.
+    pub fn ask(&self, stripes: &Stripes) -> Reached {
+        let mut judgement = Judgement::new();
+        let log_width = judgement.clamp(&self.width, libm::log(stripes.width));
+        let mut nearest = Stripes {
+            width: if log_width == libm::log(stripes.width) { stripes.width } else { libm::exp(log_width) },
+            ..*stripes
+        };
+        let mut at = to::stripes_asked(log_width, stripes.angle);
+        // 4θ is known, so of the four directions it stands for the one nearest to what was asked.
+        let angle = |at: &[f64]| {
+            let quarter = 0.5 * to::axis([at[1], at[2]]);
+            axial(stripes.angle + (quarter - stripes.angle + 45.0).rem_euclid(90.0) - 45.0)
+        };
+        let called = |at: &[f64]| format!("width {}, angle {}", brief(libm::exp(at[0])), brief(angle(at)));
+        let before = at.clone();
+        let fit = judgement.within(&self.asked, &mut at, called);
+        if at != before {
+            nearest = Stripes { width: libm::exp(at[0]), angle: angle(&at) };
+        }
+        let parameters = to::stripe_parameters(at[0], nearest.angle, &fit.value);
+        let prediction = self.predict(&parameters, None);
+        Reached { parameters, prediction, nearest: Attributes::Stripes(nearest), judgement }
+    }
+
+    /// The parameters that the other rows give for `row`, which was measured at `angle`.
+    pub fn left_out(&self, row: usize, angle: f64) -> Parameters {
+        // The first image of a row is the row itself.
+        let at = &self.asked.samples()[row * IMAGES.len()].at;
+        to::stripe_parameters(at[0], angle, &self.asked.fit(at, Some(row)).value)
+    }
+
+    /// What grows from parameters, as if the row `without` were not there.
+    pub fn predict(&self, p: &Parameters, without: Option<usize>) -> Prediction {
+        let fit = self.told.fit(&to::stripes_told(p, self.stretch), without);
+        let log_width = 0.5 * (fit.value[0] - libm::log(p.rate));
+        let by_width = 0.5 * Z90 * fit.deviation[0];
+        let angle = axial(p.direction - to::axis([fit.value[1], fit.value[2]]));
+        let sine = Z90 * fit.deviation[2];
+        let by_angle = if sine < 1.0 { 0.5 * libm::asin(sine).to_degrees() } else { 90.0 };
+        let interval = vec![
+            ("width", [log_width - by_width, log_width + by_width].map(libm::exp)),
+            ("angle", [angle - by_angle, angle + by_angle]),
+        ];
+        let stripes = Stripes { width: libm::exp(log_width), angle };
+        Prediction { attributes: Attributes::Stripes(stripes), interval }
+    }
+}

@@ -1,0 +1,270 @@
+//! The whole room: laws that are known, learnt from their rows.
+
+use proptest::prelude::*;
+
+use super::laws::{
+    EXACT, MEASURED, area_of, meinhardt, meinhardt_density, meinhardt_law, stripe_law, stripes, turing,
+    turing_law,
+};
+use super::*;
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::marks::turn;
+
+fn spots(area: f64, aspect: f64, angle: f64, spacing: Option<f64>) -> Attributes {
+    Attributes::Spots(Spots { area, aspect, angle, spacing })
+}
+
+fn seen(attributes: &Attributes) -> Spots {
+    match attributes {
+        Attributes::Spots(spots) => *spots,
+        Attributes::Stripes(stripes) => panic!("{stripes:?}"),
+    }
+}
+
+fn close(got: f64, wanted: f64, by: f64) {
+    assert!((got / wanted - 1.0).abs() < by, "{got} is not {wanted} to {by}");
+}
+
+#[test]
+fn the_law_of_turing_spots_is_learnt() {
+    let set = TrainingSet::from_rows("turing-spots", turing(500, EXACT)).unwrap();
+    for (area, aspect, angle) in
+        [(25.0, 0.5, 10.0), (60.0, 0.4, 100.0), (60.0, 0.7, 33.0), (130.0, 0.6, 170.0)]
+    {
+        let answer = set.ask(&spots(area, aspect, angle, None)).unwrap();
+        let p = answer.parameters;
+        close(area_of(p.rate, turing_law), area, 0.01);
+        let (w, floor) = (libm::log(p.stretch), libm::log(0.88));
+        assert!((libm::exp(-(w * w + floor * floor).sqrt()) - aspect).abs() < 0.01, "{p:?}");
+        assert!(turn(laws::pulled(p.direction, area), angle).abs() < 0.3, "{p:?}");
+        assert_eq!((p.ratio, p.level), (Some(1.0 / 3.8), Some(0.5)));
+
+        let predicted = seen(&answer.predicted);
+        close(predicted.area, area, 0.01);
+        close(predicted.spacing.unwrap(), 2.1 * area.sqrt(), 0.01);
+        assert!((predicted.aspect - aspect).abs() < 0.01);
+        assert!(turn(predicted.angle, angle).abs() < 0.3);
+        assert_eq!(answer.coverage, Coverage::Inside, "{:?}", answer.notes);
+    }
+}
+
+#[test]
+fn the_law_of_meinhardt_spots_is_learnt_spacing_and_all() {
+    for (noise, by) in [(EXACT, 0.01), (MEASURED, 0.02)] {
+        let set = TrainingSet::from_rows("meinhardt-spots", meinhardt(500, noise)).unwrap();
+        for (area, ratio, angle) in [(40.0, 15.0, 20.0), (60.0, 30.0, 95.0), (120.0, 60.0, 150.0)] {
+            let spacing = (area / meinhardt_density(ratio)).sqrt();
+            let answer = set.ask(&spots(area, 0.55, angle, Some(spacing))).unwrap();
+            let p = answer.parameters;
+            close(p.ratio.unwrap(), ratio, 2.0 * by);
+            close(area_of(p.rate, |area| meinhardt_law(area, p.ratio.unwrap())), area, by);
+            close(0.99 * p.stretch, 0.55, by);
+            let predicted = seen(&answer.predicted);
+            close(predicted.area, area, by);
+            close(predicted.spacing.unwrap(), spacing, by);
+            close(predicted.aspect, 0.55, by);
+            assert!(turn(predicted.angle, angle).abs() < 0.5);
+        }
+    }
+}
+
+#[test]
+fn the_law_of_stripes_is_learnt() {
+    let set = TrainingSet::from_rows("meinhardt-stripes", stripes(200, EXACT)).unwrap();
+    for (width, angle) in [(4.0, 0.0), (8.0, 22.0), (8.0, 135.0), (15.0, 179.0)] {
+        let answer = set.ask(&Attributes::Stripes(Stripes { width, angle })).unwrap();
+        let p = answer.parameters;
+        close(p.rate, stripe_law(width) / (width * width), 0.01);
+        assert!(turn(laws::pulled(p.direction, 3.0 * width), angle).abs() < 0.2, "{p:?}");
+        close(p.stretch, 0.5, 1e-9);
+        let Attributes::Stripes(predicted) = answer.predicted else { panic!() };
+        close(predicted.width, width, 0.01);
+        assert!(turn(predicted.angle, angle).abs() < 0.2);
+        assert_eq!(
+            (answer.coverage, answer.nearest),
+            (Coverage::Inside, Attributes::Stripes(Stripes { width, angle }))
+        );
+    }
+}
+
+#[test]
+fn a_mirrored_question_has_the_mirrored_answer() {
+    let set = TrainingSet::from_rows("meinhardt-spots", meinhardt(100, MEASURED)).unwrap();
+    let ask = |angle| set.ask(&spots(60.0, 0.5, angle, Some(30.0))).unwrap().parameters;
+    let p = ask(20.0);
+    for (angle, direction) in [(-20.0, -p.direction), (70.0, 90.0 - p.direction), (110.0, 90.0 + p.direction)]
+    {
+        let image = ask(angle);
+        close(image.rate, p.rate, 1e-9);
+        assert!(turn(image.direction, direction).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn round_spots_ask_for_no_stretch_and_are_predicted_as_round_as_they_come() {
+    let turing = TrainingSet::from_rows("turing-spots", turing(500, MEASURED)).unwrap();
+    let answer = turing.ask(&spots(60.0, 1.0, 0.0, None)).unwrap();
+    assert!(answer.parameters.stretch > 0.97, "{:?}", answer.parameters);
+    assert!((seen(&answer.predicted).aspect - 0.88).abs() < 0.015);
+    assert_eq!(answer.coverage, Coverage::Outside);
+    assert!(answer.notes[0].starts_with("aspect 1 is more than 0.8"), "{:?}", answer.notes);
+
+    let meinhardt = TrainingSet::from_rows("meinhardt-spots", meinhardt(500, MEASURED)).unwrap();
+    let answer = meinhardt.ask(&spots(60.0, 1.0, 0.0, Some(30.0))).unwrap();
+    assert!(seen(&answer.predicted).aspect > 0.97);
+    assert_eq!(answer.coverage, Coverage::Inside, "{:?}", answer.notes);
+}
+
+#[test]
+fn intervals_hold_nine_of_ten_new_rows() {
+    let rows = meinhardt(700, MEASURED);
+    let set = TrainingSet::from_rows("meinhardt-spots", rows[..500].to_vec()).unwrap();
+    for (at, name) in ["area", "aspect", "angle", "spacing"].into_iter().enumerate() {
+        let within = rows[500..].iter().filter(|row| {
+            let prediction = set.predict(&row.parameters);
+            let (interval_name, [low, high]) = prediction.interval[at];
+            assert_eq!(interval_name, name);
+            let s = seen(&row.attributes);
+            let middle = 0.5 * (low + high);
+            let value = match name {
+                "area" => s.area,
+                "aspect" => s.aspect,
+                "angle" => middle + turn(s.angle, middle),
+                _ => s.spacing.unwrap(),
+            };
+            low <= value && value <= high
+        });
+        let share = within.count() as f64 / 200.0;
+        assert!((0.82..=0.97).contains(&share), "{name}: {share}");
+    }
+}
+
+#[test]
+fn a_question_beyond_the_rows_is_answered_for_the_nearest_within() {
+    let set = TrainingSet::from_rows("meinhardt-spots", meinhardt(500, EXACT)).unwrap();
+    let [area, density, aspect] = [0, 1, 2].map(|i| set.reach()[i].1);
+    // Denser than the densest, by a little and by a lot.
+    let spacing = |density: f64| Some((60.0 / density).sqrt());
+    let edge = set.ask(&spots(60.0, 0.6, 0.0, spacing(density[1] * 1.04))).unwrap();
+    let outside = set.ask(&spots(60.0, 0.6, 0.0, spacing(density[1] * 1.4))).unwrap();
+    assert_eq!((edge.coverage, outside.coverage), (Coverage::Edge, Coverage::Outside));
+    assert!(outside.notes[0].starts_with("area/spacing² 0.19"), "{:?}", outside.notes);
+    assert!(outside.notes[0].contains("the densest this set holds; nearest 0.1"), "{:?}", outside.notes);
+    let nearest = seen(&outside.nearest);
+    assert!(nearest.area / nearest.spacing.unwrap().powi(2) <= density[1] * 1.0001);
+    close(edge.parameters.ratio.unwrap(), outside.parameters.ratio.unwrap(), 0.02);
+    // Larger than the largest: the answer is the largest's.
+    let answer = set.ask(&spots(area[1] * 100.0, 0.6, 0.0, None)).unwrap();
+    assert_eq!(answer.coverage, Coverage::Outside);
+    assert!(seen(&answer.nearest).area <= area[1] * 1.0001);
+    close(seen(&answer.predicted).area, seen(&answer.nearest).area, 0.05);
+    // Longer than the longest.
+    let answer = set.ask(&spots(60.0, 0.01, 0.0, None)).unwrap();
+    assert!(answer.parameters.stretch > 0.29 && seen(&answer.nearest).aspect >= aspect[0] * 0.9999);
+    assert!(
+        answer.notes.iter().any(|note| note.contains("the longest this set holds")),
+        "{:?}",
+        answer.notes
+    );
+}
+
+#[test]
+fn a_spacing_that_the_system_does_not_give_is_refused_in_words() {
+    let set = TrainingSet::from_rows("turing-spots", turing(500, MEASURED)).unwrap();
+    let ask = |spacing| set.ask(&spots(60.0, 0.5, 0.0, Some(spacing))).unwrap();
+    let natural = 2.1 * 60.0_f64.sqrt();
+    assert_eq!(ask(natural).coverage, Coverage::Inside);
+    let answer = ask(30.0);
+    assert_eq!(answer.coverage, Coverage::Outside);
+    assert!(answer.notes[0].starts_with("spacing 30 is more than 16."), "{:?}", answer.notes);
+    close(seen(&answer.nearest).spacing.unwrap(), natural, 0.02);
+}
+
+#[test]
+fn a_free_spacing_is_the_middle_of_the_set_and_says_so() {
+    let set = TrainingSet::from_rows("meinhardt-spots", meinhardt(500, EXACT)).unwrap();
+    let answer = set.ask(&spots(60.0, 0.6, 40.0, None)).unwrap();
+    assert_eq!(answer.coverage, Coverage::Inside);
+    assert!(answer.notes[0].starts_with("spacing is free"), "{:?}", answer.notes);
+    close(answer.parameters.ratio.unwrap(), libm::sqrt(1000.0), 0.15);
+    close(seen(&answer.nearest).spacing.unwrap(), seen(&answer.predicted).spacing.unwrap(), 0.02);
+}
+
+#[test]
+fn a_question_of_the_wrong_kind_is_an_error() {
+    let set = TrainingSet::from_rows("turing-spots", turing(40, MEASURED)).unwrap();
+    let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 0.0 });
+    assert_eq!(
+        set.ask(&stripes).unwrap_err().to_string(),
+        "turing-spots takes area, aspect, angle and perhaps spacing"
+    );
+    for wrong in [
+        spots(0.0, 0.5, 0.0, None),
+        spots(f64::NAN, 0.5, 0.0, None),
+        spots(60.0, 1.5, 0.0, None),
+        spots(60.0, 0.5, f64::INFINITY, None),
+        spots(60.0, 0.5, 0.0, Some(-1.0)),
+    ] {
+        assert!(matches!(set.ask(&wrong), Err(AskError::Value { .. })), "{wrong:?}");
+    }
+}
+
+/// Every number of an answer is finite and every parameter within its meaning.
+fn sound(answer: &Answer) {
+    let p = answer.parameters;
+    assert!(p.named().iter().all(|(_, value)| value.is_finite()), "{p:?}");
+    assert!(p.rate > 0.0 && p.stretch > 0.0 && p.stretch <= 1.0 && (0.0..180.0).contains(&p.direction));
+    for attributes in [answer.predicted, answer.nearest] {
+        match attributes {
+            Attributes::Spots(s) => {
+                let lengths = [s.area, s.aspect, s.spacing.unwrap()];
+                assert!(lengths.iter().all(|x| x.is_finite() && *x > 0.0), "{s:?}");
+                assert!(s.aspect <= 1.0 && (0.0..180.0).contains(&s.angle), "{s:?}");
+            }
+            Attributes::Stripes(s) => assert!(s.width > 0.0 && (0.0..180.0).contains(&s.angle), "{s:?}"),
+        }
+    }
+    for (name, [low, high]) in &answer.interval {
+        assert!(low.is_finite() && high.is_finite() && low <= high, "{name}: {low} {high}");
+    }
+}
+
+/// Positive numbers from far below to far above what can be.
+fn positive() -> impl Strategy<Value = f64> {
+    prop_oneof![3.0..300.0_f64, (-300.0..300.0_f64).prop_map(|e| libm::pow(10.0, e)), Just(f64::MIN_POSITIVE)]
+}
+
+thread_local! {
+    static SETS: [TrainingSet; 2] =
+        ["turing-spots", "meinhardt-spots"].map(|system| TrainingSet::embedded(system).unwrap());
+    static STRIPES: TrainingSet = TrainingSet::embedded("meinhardt-stripes").unwrap();
+}
+
+proptest! {
+    #[test]
+    fn any_spots_have_a_finite_answer(
+        area in positive(),
+        aspect in prop_oneof![1e-3..=1.0_f64, Just(1.0), Just(f64::MIN_POSITIVE)],
+        angle in prop_oneof![-200.0..200.0_f64, any::<f64>().prop_filter("finite", |x| x.is_finite())],
+        spacing in proptest::option::of(positive()),
+    ) {
+        SETS.with(|sets| {
+            for set in sets {
+                sound(&set.ask(&spots(area, aspect, angle, spacing)).unwrap());
+            }
+        });
+    }
+
+    #[test]
+    fn any_stripes_have_a_finite_answer(width in positive(), angle in -1e9..1e9_f64) {
+        STRIPES.with(|set| sound(&set.ask(&Attributes::Stripes(Stripes { width, angle })).unwrap()));
+    }
+
+    #[test]
+    fn the_same_question_has_the_same_answer(area in 20.0..200.0_f64, angle in 0.0..180.0_f64) {
+        SETS.with(|sets| {
+            let ask = || sets[1].ask(&spots(area, 0.5, angle, Some(30.0))).unwrap();
+            assert_eq!(ask().parameters, ask().parameters);
+        });
+    }
+}
