@@ -39,15 +39,21 @@ pub fn write(folder: &Path, system: System, outcomes: &[Outcome]) -> Result<(), 
         let kind: String = kind.chars().filter(|c| !c.is_ascii_digit() && *c != '.').collect();
         *reasons.entry(kind).or_default() += 1;
     }
-    for (name, bytes) in
-        [(format!("{}.csv", system.name()), table), (format!("{}.rejected.csv", system.name()), rejected.into())]
-    {
+    for (name, bytes) in [
+        (format!("{}.csv", system.name()), table),
+        (format!("{}.rejected.csv", system.name()), rejected.into()),
+    ] {
         save(&folder.join(name), |out| {
             std::io::Write::write_all(out, &bytes)?;
             Ok(())
         })
         .map_err(|error| error.to_string())?;
     }
-    eprintln!("{}: {} accepted, {} rejected {reasons:?}", system.name(), rows.len(), outcomes.len() - rows.len());
+    eprintln!(
+        "{}: {} accepted, {} rejected {reasons:?}",
+        system.name(),
+        rows.len(),
+        outcomes.len() - rows.len()
+    );
     Ok(())
 }

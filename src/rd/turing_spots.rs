@@ -20,8 +20,6 @@ const BETA: f32 = 12.0;
 
 /// Dₐ/D_b. `facts.md` A: well-formed spots at 3.6–4.0, roundest below 3.8.
 pub const RATIO: f32 = 3.8;
-/// Both concentrations where nothing has formed (b = 16 − β, a = 16/b).
-pub const GROUND: f32 = GROWTH - BETA;
 /// Mean distance between neighbours × √(kₐ/√(DₐD_b)). Measured: see `facts.md` A (2.10 √5.7).
 pub const SPACING: f64 = 5.0;
 

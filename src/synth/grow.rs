@@ -72,7 +72,9 @@ pub enum GrowError {
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
     /// The pattern left the range in which its system works.
-    #[error("layer {layer} grew no pattern: its concentrations are not finite; try another seed or larger marks")]
+    #[error(
+        "layer {layer} grew no pattern: its concentrations are not finite; try another seed or larger marks"
+    )]
     NoPattern {
         /// 1 = the lowest.
         layer: usize,
@@ -109,7 +111,13 @@ pub fn grow(
     Ok(Grown { size, layers })
 }
 
-fn grow_layer(plan: Plan, seed: u64, layer: usize, correct: bool, watch: &Watch) -> Result<GrownLayer, GrowError> {
+fn grow_layer(
+    plan: Plan,
+    seed: u64,
+    layer: usize,
+    correct: bool,
+    watch: &Watch,
+) -> Result<GrownLayer, GrowError> {
     let edges = plan.map.layout().edges;
     let maps = plan.maps(&pitches(&plan, seed));
     watch.step(Stage::Plan, 0.5)?;

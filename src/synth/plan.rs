@@ -61,7 +61,8 @@ pub fn cell_for(wanted: &Attributes) -> f64 {
         Attributes::Stripes(stripes) => stripes.width / CELLS_ACROSS,
         Attributes::Spots(spots) => {
             // Denser spots are read at a lower level, and so are larger than the peak that must be resolved.
-            let dense = spots.spacing.map_or(1.0, |s| (spots.area / (s * s) / FREE_MEINHARDT).clamp(1.0, 2.0));
+            let dense =
+                spots.spacing.map_or(1.0, |s| (spots.area / (s * s) / FREE_MEINHARDT).clamp(1.0, 2.0));
             (spots.area / dense / CELLS).sqrt()
         }
     };
@@ -109,7 +110,8 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
         SystemChoice::Auto => auto(training, &map)?,
     };
     map.fill_free_spacing(|spots| free_spacing(system, spots.area));
-    let regions: Vec<Attributes> = map.regions().map(|(place, _)| map.at(map.layout().center(place))).collect();
+    let regions: Vec<Attributes> =
+        map.regions().map(|(place, _)| map.at(map.layout().center(place))).collect();
     let cell = regions.iter().map(cell_for).fold(f64::INFINITY, f64::min);
     let size = map.layout().size;
     let grid = size.map(|side| ((side / cell).round() as usize).max(8));
@@ -174,8 +176,7 @@ impl Plan {
             vec![self.lattice.nodes[0].parameters(pitch[0]); nx * ny]
         } else {
             let at = |cell: usize| {
-                let point =
-                    [(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5];
+                let point = [(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5];
                 let point = [point[0] * self.cell[0], point[1] * self.cell[1]];
                 let pitch = regions.corners(point).iter().map(|&(i, weight)| weight * pitch[i]).sum();
                 self.lattice.at(point).parameters(pitch)

@@ -10,8 +10,12 @@ use crate::attributes::Attributes;
 /// The report of `grown`, in the form that the contract gives. `document` is named `source`.
 #[must_use]
 pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) -> Value {
-    let layers: Vec<Value> =
-        grown.layers.iter().zip(&document.layers).map(|(grown, layer)| layer_report(grown, &layer.name)).collect();
+    let layers: Vec<Value> = grown
+        .layers
+        .iter()
+        .zip(&document.layers)
+        .map(|(grown, layer)| layer_report(grown, &layer.name))
+        .collect();
     json!({
         "document": source,
         "size": grown.size,
@@ -24,7 +28,8 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
 fn layer_report(layer: &GrownLayer, name: &str) -> Value {
     let plan = &layer.plan;
     let cell = (plan.cell[0] * plan.cell[1]).sqrt();
-    let regions: Vec<Value> = (0..plan.answers.len()).map(|index| region_report(layer, index, cell)).collect();
+    let regions: Vec<Value> =
+        (0..plan.answers.len()).map(|index| region_report(layer, index, cell)).collect();
     json!({
         "name": name,
         "system": plan.system.name(),
@@ -89,6 +94,7 @@ fn errors(measured: &Measured, index: usize) -> (Option<usize>, Map<String, Valu
             (None, vec![("width", e.width), ("angle", e.angle), ("angle_rms", e.angle_rms)])
         }
     };
-    let error = named.into_iter().filter_map(|(name, value)| Some((name.to_owned(), json!(value?)))).collect();
+    let error =
+        named.into_iter().filter_map(|(name, value)| Some((name.to_owned(), json!(value?)))).collect();
     (marks, error)
 }

@@ -35,7 +35,8 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
         if points.len() > MANY {
             break;
         }
-        let spots: Vec<Spot> = points.iter().map(|at| spot([at[0] * plan.cell[0], at[1] * plan.cell[1]])).collect();
+        let spots: Vec<Spot> =
+            points.iter().map(|at| spot([at[0] * plan.cell[0], at[1] * plan.cell[1]])).collect();
         for (pitch, found) in pitch.iter_mut().zip(spot_errors(&spots, &canvas)) {
             if let Some(error) = found.spacing {
                 *pitch = (*pitch / (1.0 + error)).clamp(PITCHES[0], PITCHES[1]);
