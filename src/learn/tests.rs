@@ -105,6 +105,7 @@ fn round_spots_ask_for_no_stretch_and_are_predicted_as_round_as_they_come() {
     let turing = TrainingSet::from_rows("turing-spots", turing(500, MEASURED)).unwrap();
     let answer = turing.ask(&spots(60.0, 1.0, 0.0, None)).unwrap();
     assert!(answer.parameters.stretch > 0.97, "{:?}", answer.parameters);
+    assert_eq!(seen(&answer.nearest).angle, 0.0);
     assert!((seen(&answer.predicted).aspect - 0.88).abs() < 0.015);
     assert_eq!(answer.coverage, Coverage::Outside);
     assert!(answer.notes[0].starts_with("aspect 1 is more than 0.8"), "{:?}", answer.notes);
@@ -176,7 +177,7 @@ fn a_spacing_that_the_system_does_not_give_is_refused_in_words() {
     assert_eq!(ask(natural).coverage, Coverage::Inside);
     let answer = ask(30.0);
     assert_eq!(answer.coverage, Coverage::Outside);
-    assert!(answer.notes[0].starts_with("spacing 30 is more than 16."), "{:?}", answer.notes);
+    assert!(answer.notes[0].starts_with("area/spacing² 0.06"), "{:?}", answer.notes);
     close(seen(&answer.nearest).spacing.unwrap(), natural, 0.02);
 }
 
