@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 
 use super::laws::{
-    EXACT, MEASURED, area_of, meinhardt, meinhardt_density, meinhardt_law, stripe_law, stripes, turing,
-    turing_law,
+    EXACT, MEASURED, area_of, growth_by_level, meinhardt, meinhardt_by_level, meinhardt_density,
+    meinhardt_law, stripe_law, stripes, turing, turing_law,
 };
 use super::*;
 use crate::attributes::{Attributes, Spots, Stripes};
@@ -65,6 +65,22 @@ fn the_law_of_meinhardt_spots_is_learnt_spacing_and_all() {
             close(predicted.aspect, 0.55, by);
             assert!(turn(predicted.angle, angle).abs() < 0.5);
         }
+    }
+}
+
+#[test]
+fn a_set_whose_dense_end_is_reached_by_the_level_is_followed_round_its_corner() {
+    let set = TrainingSet::from_rows("meinhardt-spots", meinhardt_by_level(500, MEASURED)).unwrap();
+    let corner = meinhardt_density(12.0);
+    for share in [0.3, 0.6, 0.8, 0.95, 1.0, 1.05, 1.2, 1.4, 1.7] {
+        let wanted = spots(60.0, 0.6, 30.0, Some((60.0 / (share * corner)).sqrt()));
+        let answer = set.ask(&wanted).unwrap();
+        let p = answer.parameters;
+        let (ratio, by_level) = (p.ratio.unwrap(), growth_by_level(p.level.unwrap()));
+        close(meinhardt_density(ratio) * by_level, share * corner, 0.04);
+        close(area_of(p.rate, |area| meinhardt_law(area, ratio) * by_level), 60.0, 0.03);
+        close(seen(&answer.predicted).area, 60.0, 0.02);
+        assert_eq!(answer.coverage, Coverage::Inside, "{:?}", answer.notes);
     }
 }
 
