@@ -1,9 +1,16 @@
 //! `dapple lookup`: attributes → the parameters that give them, from the training sets alone.
 
-use super::{Error, values};
+mod answer;
+mod batch;
+
+use super::{Error, say, values};
 use crate::attributes::{Attributes, Spots, Stripes};
+use crate::export;
+use crate::synth::Training;
 use crate::synth::recipe::{Kind, SystemChoice};
-use std::path::PathBuf;
+use answer::Looked;
+use std::io::Write;
+use std::path::{Path, PathBuf};
 
 /// What to look up.
 #[derive(clap::Args, Debug)]
@@ -81,6 +88,29 @@ impl Args {
 /// # Errors
 /// Where the question is incomplete or a file cannot be read or written.
 pub fn run(args: &Args) -> Result<(), Error> {
-    let _question = args.question()?;
-    Err(Error::Missing("lookup"))
+    let training = Training::from(args.training.clone());
+    if let (Some(table), Some(output)) = (&args.batch, &args.output) {
+        return run_batch(&training, table, output);
+    }
+    // clap demands a system where there is no batch.
+    let Some((system, wanted)) = args.question()? else {
+        return Err(Error::Usage("--system is missing".into()));
+    };
+    let looked = Looked::up(&training, system, &wanted)?;
+    if args.json { say(&format!("{:#}\n", looked.json())) } else { say(&looked.text()) }
+}
+
+/// Answers each row of `table`, all or none.
+fn run_batch(training: &Training, table: &Path, output: &Path) -> Result<(), Error> {
+    let file = table.display().to_string();
+    let bytes =
+        std::fs::read(table).map_err(|source| Error::File { file: file.clone(), done: "read", source })?;
+    let questions = batch::read(&file, &bytes).map_err(Error::step)?;
+    let looked = questions
+        .rows
+        .iter()
+        .map(|row| Looked::up(training, row.system, &row.wanted))
+        .collect::<Result<Vec<_>, _>>()?;
+    let answered = batch::answered(&questions, &looked);
+    export::save(output, |stream| Ok(stream.write_all(&answered)?)).map_err(Error::step)
 }

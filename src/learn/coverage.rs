@@ -39,6 +39,8 @@ const EDGE: f64 = 20.0;
 pub(super) struct Limit {
     /// The attribute.
     pub what: &'static str,
+    /// What its numbers are followed by in a sentence.
+    pub unit: &'static str,
     /// What the set's row with the lowest and the highest coordinate is called.
     pub called: [&'static str; 2],
     /// Lowest and highest coordinate.
@@ -51,12 +53,13 @@ impl Limit {
     /// The span of `coordinates`.
     pub fn of(
         what: &'static str,
+        unit: &'static str,
         called: [&'static str; 2],
         shown: fn(f64) -> f64,
         coordinates: impl Iterator<Item = f64>,
     ) -> Self {
         let span = coordinates.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)]);
-        Self { what, called, span, shown }
+        Self { what, unit, called, span, shown }
     }
 }
 
@@ -88,11 +91,11 @@ impl Judgement {
         let within = value.clamp(low, high);
         if self.beyond((value - within).abs()) {
             let (asked, reached) = ((limit.shown)(value), (limit.shown)(within));
-            let [what, called] = [limit.what, limit.called[usize::from(value > high)]];
+            let [what, unit, called] = [limit.what, limit.unit, limit.called[usize::from(value > high)]];
             let side = if asked > reached { "more" } else { "less" };
             let [asked, reached] = [brief(asked), brief(reached)];
             self.notes.push(format!(
-                "{what} {asked} is {side} than {reached}, the {called} this set holds; nearest {reached}"
+                "{what} {asked}{unit} is {side} than {reached}, the {called} this set holds; nearest {reached}"
             ));
         }
         within
@@ -145,8 +148,13 @@ pub(super) fn brief(value: f64) -> String {
 mod tests {
     use super::*;
 
-    const AREA: Limit =
-        Limit { what: "area", called: ["smallest", "largest"], span: [0.0, 2.0], shown: libm::exp };
+    const AREA: Limit = Limit {
+        what: "area",
+        unit: " cells",
+        called: ["smallest", "largest"],
+        span: [0.0, 2.0],
+        shown: libm::exp,
+    };
 
     #[test]
     fn beyond_a_limit_is_inside_then_edge_then_outside() {
@@ -168,8 +176,14 @@ mod tests {
         let mut judgement = Judgement::new();
         judgement.clamp(&AREA, libm::log(0.5));
         judgement.clamp(&AREA, libm::log(20.0));
-        assert_eq!(judgement.notes[0], "area 0.5 is less than 1, the smallest this set holds; nearest 1");
-        assert_eq!(judgement.notes[1], "area 20 is more than 7.39, the largest this set holds; nearest 7.39");
+        assert_eq!(
+            judgement.notes[0],
+            "area 0.5 cells is less than 1, the smallest this set holds; nearest 1"
+        );
+        assert_eq!(
+            judgement.notes[1],
+            "area 20 cells is more than 7.39, the largest this set holds; nearest 7.39"
+        );
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Training rows ↔ CSV. One of the two places that know the file format; the other is `training/README.md`.
 
-use std::io::{Read, Write};
+use std::io::Write;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
@@ -142,12 +142,23 @@ fn places(kind: Kind, file: &str, header: &StringRecord) -> Result<Vec<usize>, T
         .collect()
 }
 
+/// The line, from 1, of a record in the file `bytes`.
+///
+/// The csv reader's own count is that of the line where it began to look, which may be an empty one.
+#[must_use]
+pub fn line_of(bytes: &[u8], position: Option<&csv::Position>) -> u64 {
+    let Some(position) = position else { return 1 };
+    let start = usize::try_from(position.byte()).unwrap_or(usize::MAX).min(bytes.len());
+    let empty = bytes[start..].iter().take_while(|byte| matches!(byte, b'\r' | b'\n'));
+    position.line() + empty.filter(|byte| **byte == b'\n').count() as u64
+}
+
 /// Reads and checks the rows of `file` (a name for messages).
-pub(super) fn read_rows(kind: Kind, file: &str, from: impl Read) -> Result<Vec<Row>, TrainingError> {
-    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(from);
+pub(super) fn read_rows(kind: Kind, file: &str, bytes: &[u8]) -> Result<Vec<Row>, TrainingError> {
+    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
     let broken = |error: &csv::Error| TrainingError::Table {
         file: file.to_owned(),
-        line: error.position().map_or(1, csv::Position::line),
+        line: line_of(bytes, error.position()),
         problem: error.to_string(),
     };
     let header = reader.headers().map_err(|error| broken(&error))?.clone();
@@ -155,7 +166,7 @@ pub(super) fn read_rows(kind: Kind, file: &str, from: impl Read) -> Result<Vec<R
     let mut rows = Vec::new();
     for record in reader.records() {
         let record = record.map_err(|error| broken(&error))?;
-        let line = record.position().map_or(0, csv::Position::line);
+        let line = line_of(bytes, record.position());
         let text = |i: usize| record.get(places[i]).unwrap_or_default();
         let wrong = |column: &Column, value: &str| TrainingError::Value {
             file: file.to_owned(),
@@ -264,10 +275,10 @@ mod tests {
 
     #[test]
     fn a_value_that_is_wrong_is_named_with_its_place() {
-        let with = |row: &str| message(&format!("{HEADER}\n1,9,8,10,0.9,0.4,0.5,10\n{row}\n"));
+        let with = |row: &str| message(&format!("{HEADER}\n\n\n{row}\n"));
         assert_eq!(
             with("2,9,-8,10,0.9,0.4,0.5,10"),
-            "s.csv, line 3, column width: '-8' is not a length from 0.1 to 1e5 cells"
+            "s.csv, line 4, column width: '-8' is not a length from 0.1 to 1e5 cells"
         );
         for (row, place) in [
             ("-1,9,8,10,0.9,0.4,0.5,10", "column seed: '-1'"),
@@ -278,9 +289,9 @@ mod tests {
             ("2,9,8,10,0.9,1,,10", "column stretch: ''"),
         ] {
             let message = with(row);
-            assert!(message.contains("line 3") && message.contains(place), "{message}");
+            assert!(message.contains("line 4") && message.contains(place), "{message}");
         }
-        assert!(with("2,9,8").starts_with("s.csv, line 3: "));
+        assert!(with("2,9,8").starts_with("s.csv, line 4: "));
     }
 
     #[test]

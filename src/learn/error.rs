@@ -14,7 +14,7 @@ pub enum TrainingError {
         allowed: String,
     },
     /// The file could not be opened.
-    #[error("{}: cannot be read: {source}; a folder of training sets holds one SYSTEM.csv a system, as data-gen writes them", path.display())]
+    #[error("{}: cannot be read (a folder of training sets holds SYSTEM.csv for each system, as data-gen writes them)", path.display())]
     Open {
         /// The file.
         path: PathBuf,

@@ -3,8 +3,8 @@
 //! `data-gen` grows a texture for each of many parameters, measures it and writes a row. A
 //! [`TrainingSet`] holds the rows of one system and answers with locally weighted regression
 //! (Atkeson, Moore & Schaal, "Locally weighted learning", Artificial Intelligence Review 11, 1997;
-//! the use for reaction–diffusion textures: Phan & Grimm, "Sketching reaction-diffusion texture",
-//! SBIM 2006), in coordinates in which the map is almost linear ([`coordinates`](self)):
+//! the use for reaction-diffusion textures: Phan & Grimm, "Sketching reaction-diffusion texture"
+//! (2006)), in coordinates in which the map is almost linear:
 //!
 //! ```text
 //! spots    asked: ln A, ln(A/L²), v                    answered: ln(rate·A), ln ratio, level, w
@@ -36,7 +36,7 @@ mod training_set;
 
 pub use answer::{Answer, AskError, Prediction};
 pub use coverage::Coverage;
-pub use csv_rows::write_rows;
+pub use csv_rows::{line_of, write_rows};
 pub use error::TrainingError;
 pub use leave_one_out::{ErrorTable, Errors, leave_one_out};
 pub use row::{Parameters, Row};

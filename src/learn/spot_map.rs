@@ -74,10 +74,17 @@ impl SpotMap {
         densities.sort_by(f64::total_cmp);
         let middle_density = densities.get(densities.len() / 2).copied().unwrap_or(0.0);
         Self {
-            area: Limit::of("area", ["smallest", "largest"], libm::exp, of(|s| libm::log(s.area))),
-            density: Limit::of("area/spacing²", ["sparsest", "densest"], libm::exp, densities.into_iter()),
+            area: Limit::of("area", " cells", ["smallest", "largest"], libm::exp, of(|s| libm::log(s.area))),
+            density: Limit::of(
+                "area/spacing²",
+                "",
+                ["sparsest", "densest"],
+                libm::exp,
+                densities.into_iter(),
+            ),
             elongation: Limit::of(
                 "aspect",
+                "",
                 ["roundest", "longest"],
                 |e| libm::exp(-e),
                 of(|s| -libm::log(s.aspect)),
@@ -113,7 +120,7 @@ impl SpotMap {
         };
         let called = |at: &[f64]| {
             let aspect = libm::exp(-to::length([at[n - 2], at[n - 1]]));
-            format!("area {}, aspect {}", brief(libm::exp(at[0])), brief(aspect))
+            format!("area {} cells, aspect {}", brief(libm::exp(at[0])), brief(aspect))
         };
         let before = at.clone();
         let mut fit = judgement.within(&self.asked, &mut at, called);
@@ -128,7 +135,11 @@ impl SpotMap {
             fit = self.asked.fit(&at, None);
         }
         nearest.spacing = self.dense().then(|| (nearest.area / libm::exp(at[1])).sqrt());
-        let parameters = to::spot_parameters(at[0], &fit.value);
+        let mut parameters = to::spot_parameters(at[0], &fit.value);
+        if parameters.stretch > 1.0 - 1e-9 {
+            // No direction: the one asked for as well as any.
+            parameters.direction = spots.angle;
+        }
         let prediction = self.predict(&parameters, None);
         self.judge_spacing(spots, &prediction, &mut nearest, &mut judgement);
         Reached { parameters, prediction, nearest: Attributes::Spots(nearest), judgement }
@@ -164,11 +175,11 @@ impl SpotMap {
         let off = libm::log(asked) - libm::log(given);
         let sure = prediction.half_width("spacing");
         if judgement.beyond(off.abs() - sure) {
-            let side = if off > 0.0 { "more" } else { "less" };
-            let [asked, given] = [brief(asked), brief(given)];
+            let side = if off > 0.0 { "less" } else { "more" };
+            let density = |spacing: f64| brief(libm::exp(to::log_density(predicted.area, spacing)));
+            let [asked, given] = [density(asked), density(given)];
             judgement.notes.push(format!(
-                "spacing {asked} is {side} than {given}, which is what this system gives with this area; \
-                 nearest {given}"
+                "area/spacing² {asked} is {side} than {given}, which is what this system gives; nearest {given}"
             ));
         } else {
             nearest.spacing = Some(asked);

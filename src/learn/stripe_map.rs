@@ -45,7 +45,12 @@ impl StripeMap {
             local(&|s, p| [to::stripes_asked(libm::log(s.width), s.angle), to::stripes_answered(s, p)]);
         let told = local(&|s, p| [to::stripes_told(p, stretch), to::stripes_seen(s, p)]);
         let widths = runs.iter().map(|(stripes, _)| libm::log(stripes.width));
-        Self { width: Limit::of("width", ["thinnest", "widest"], libm::exp, widths), asked, told, stretch }
+        Self {
+            width: Limit::of("width", " cells", ["thinnest", "widest"], libm::exp, widths),
+            asked,
+            told,
+            stretch,
+        }
     }
 
     /// The parameters for `stripes`, the question moved to where the rows are.
@@ -62,7 +67,8 @@ impl StripeMap {
             let quarter = 0.5 * to::axis([at[1], at[2]]);
             axial(stripes.angle + (quarter - stripes.angle + 45.0).rem_euclid(90.0) - 45.0)
         };
-        let called = |at: &[f64]| format!("width {}, angle {}", brief(libm::exp(at[0])), brief(angle(at)));
+        let called =
+            |at: &[f64]| format!("width {} cells, angle {}", brief(libm::exp(at[0])), brief(angle(at)));
         let before = at.clone();
         let fit = judgement.within(&self.asked, &mut at, called);
         if at != before {

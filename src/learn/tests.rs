@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 
 use super::laws::{
-    EXACT, MEASURED, area_of, meinhardt, meinhardt_density, meinhardt_law, stripe_law, stripes, turing,
-    turing_law,
+    EXACT, MEASURED, area_of, growth_by_level, meinhardt, meinhardt_by_level, meinhardt_density,
+    meinhardt_law, stripe_law, stripes, turing, turing_law,
 };
 use super::*;
 use crate::attributes::{Attributes, Spots, Stripes};
@@ -69,6 +69,22 @@ fn the_law_of_meinhardt_spots_is_learnt_spacing_and_all() {
 }
 
 #[test]
+fn a_set_whose_dense_end_is_reached_by_the_level_is_followed_round_its_corner() {
+    let set = TrainingSet::from_rows("meinhardt-spots", meinhardt_by_level(500, MEASURED)).unwrap();
+    let corner = meinhardt_density(12.0);
+    for share in [0.3, 0.6, 0.8, 0.95, 1.0, 1.05, 1.2, 1.4, 1.7] {
+        let wanted = spots(60.0, 0.6, 30.0, Some((60.0 / (share * corner)).sqrt()));
+        let answer = set.ask(&wanted).unwrap();
+        let p = answer.parameters;
+        let (ratio, by_level) = (p.ratio.unwrap(), growth_by_level(p.level.unwrap()));
+        close(meinhardt_density(ratio) * by_level, share * corner, 0.04);
+        close(area_of(p.rate, |area| meinhardt_law(area, ratio) * by_level), 60.0, 0.03);
+        close(seen(&answer.predicted).area, 60.0, 0.02);
+        assert_eq!(answer.coverage, Coverage::Inside, "{:?}", answer.notes);
+    }
+}
+
+#[test]
 fn the_law_of_stripes_is_learnt() {
     let set = TrainingSet::from_rows("meinhardt-stripes", stripes(200, EXACT)).unwrap();
     for (width, angle) in [(4.0, 0.0), (8.0, 22.0), (8.0, 135.0), (15.0, 179.0)] {
@@ -105,6 +121,7 @@ fn round_spots_ask_for_no_stretch_and_are_predicted_as_round_as_they_come() {
     let turing = TrainingSet::from_rows("turing-spots", turing(500, MEASURED)).unwrap();
     let answer = turing.ask(&spots(60.0, 1.0, 0.0, None)).unwrap();
     assert!(answer.parameters.stretch > 0.97, "{:?}", answer.parameters);
+    assert_eq!(seen(&answer.nearest).angle, 0.0);
     assert!((seen(&answer.predicted).aspect - 0.88).abs() < 0.015);
     assert_eq!(answer.coverage, Coverage::Outside);
     assert!(answer.notes[0].starts_with("aspect 1 is more than 0.8"), "{:?}", answer.notes);
@@ -176,7 +193,7 @@ fn a_spacing_that_the_system_does_not_give_is_refused_in_words() {
     assert_eq!(ask(natural).coverage, Coverage::Inside);
     let answer = ask(30.0);
     assert_eq!(answer.coverage, Coverage::Outside);
-    assert!(answer.notes[0].starts_with("spacing 30 is more than 16."), "{:?}", answer.notes);
+    assert!(answer.notes[0].starts_with("area/spacing² 0.06"), "{:?}", answer.notes);
     close(seen(&answer.nearest).spacing.unwrap(), natural, 0.02);
 }
 

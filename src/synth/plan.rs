@@ -131,7 +131,8 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
 }
 
 /// Spacing, px, of spots of `area` px² that the system packs by itself.
-fn free_spacing(system: System, area: f64) -> f64 {
+#[must_use]
+pub fn free_spacing(system: System, area: f64) -> f64 {
     let share = if system == System::TuringSpots { FREE_TURING } else { FREE_MEINHARDT };
     (area / share).sqrt()
 }

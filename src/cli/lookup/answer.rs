@@ -1,0 +1,187 @@
+//! One answer, for people and for machines.
+
+use crate::attributes::{Attributes, Spots};
+use crate::cli::Error;
+use crate::learn::{Answer, Coverage};
+use crate::rd::System;
+use crate::synth::recipe::SystemChoice;
+use crate::synth::{Training, plan};
+use serde_json::{Map, Value, json};
+use std::fmt::Write;
+
+/// A question and its answer; lengths are px, parameters those of a grid of `cell` px a cell.
+pub(super) struct Looked {
+    pub system: System,
+    pub asked: Attributes,
+    pub cell: f64,
+    pub answer: Answer,
+}
+
+impl Looked {
+    /// Looks up the parameters that give `wanted` (px).
+    ///
+    /// A Meinhardt spacing that is left free is the one that `grow` takes then.
+    pub fn up(training: &Training, choice: SystemChoice, wanted: &Attributes) -> Result<Self, Error> {
+        let system = match choice {
+            SystemChoice::TuringSpots => System::TuringSpots,
+            SystemChoice::MeinhardtStripes => System::MeinhardtStripes,
+            SystemChoice::MeinhardtSpots | SystemChoice::Auto => System::MeinhardtSpots,
+        };
+        let mut filled = *wanted;
+        let mut free = None;
+        if let (System::MeinhardtSpots, Attributes::Spots(spots @ Spots { spacing: None, .. })) =
+            (system, &mut filled)
+        {
+            let spacing = plan::free_spacing(system, spots.area);
+            spots.spacing = Some(spacing);
+            free = Some(format!("spacing is free: {} px taken", brief(spacing)));
+        }
+        let cell = plan::cell_for(&filled);
+        let mut answer = plan::ask(training, system, &filled, cell).map_err(Error::step)?;
+        answer.notes.extend(free);
+        Ok(Self { system, asked: *wanted, cell, answer })
+    }
+
+    /// The parameters by name, the size of a cell last.
+    pub fn parameters(&self) -> Vec<(&'static str, f64)> {
+        let mut named = self.answer.parameters.named();
+        named.push(("cell", self.cell));
+        named
+    }
+
+    /// The contract's JSON.
+    pub fn json(&self) -> Value {
+        let object = |named: Vec<(&'static str, f64)>| -> Map<String, Value> {
+            named.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect()
+        };
+        let interval: Map<String, Value> =
+            self.answer.interval.iter().map(|(name, range)| ((*name).to_owned(), json!(range))).collect();
+        json!({
+            "system": self.system.name(),
+            "asked": object(named(&self.asked)),
+            "parameters": object(self.parameters()),
+            "predicted": object(named(&self.answer.predicted)),
+            "interval": interval,
+            "coverage": self.answer.coverage.to_string(),
+            "nearest": object(named(&self.answer.nearest)),
+            "notes": self.answer.notes,
+        })
+    }
+
+    /// The same for people.
+    pub fn text(&self) -> String {
+        let list = |named: Vec<(&'static str, f64)>| {
+            let words: Vec<String> =
+                named.into_iter().map(|(name, value)| format!("{name} {}", brief(value))).collect();
+            words.join("  ")
+        };
+        let range = |name: &str| self.answer.interval.iter().find(|(attribute, _)| *attribute == name);
+        let predicted = named(&self.answer.predicted).into_iter().map(|(name, value)| {
+            let range = range(name).map_or_else(String::new, |(_, [low, high])| {
+                format!(" ({} to {})", brief(*low), brief(*high))
+            });
+            format!("{name} {}{range}", brief(value))
+        });
+        let mut text = String::new();
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "system:     {}", self.system.name());
+        let _ = writeln!(text, "asked:      {}", list(named(&self.asked)));
+        let _ = writeln!(text, "parameters: {}", list(self.parameters()));
+        let _ = writeln!(text, "predicted:  {}", predicted.collect::<Vec<_>>().join("  "));
+        let _ = writeln!(text, "coverage:   {}", self.answer.coverage);
+        if self.answer.coverage != Coverage::Inside {
+            let _ = writeln!(text, "nearest:    {}", list(named(&self.answer.nearest)));
+        }
+        for note in &self.answer.notes {
+            let _ = writeln!(text, "note:       {note}");
+        }
+        text
+    }
+}
+
+/// The attributes that apply, by name.
+fn named(attributes: &Attributes) -> Vec<(&'static str, f64)> {
+    match attributes {
+        Attributes::Spots(spots) => {
+            let mut named = vec![("area", spots.area), ("aspect", spots.aspect), ("angle", spots.angle)];
+            named.extend(spots.spacing.map(|spacing| ("spacing", spacing)));
+            named
+        }
+        Attributes::Stripes(stripes) => vec![("width", stripes.width), ("angle", stripes.angle)],
+    }
+}
+
+/// Four significant digits.
+pub(super) fn brief(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    if (1e-6..1e9).contains(&rounded.abs()) || rounded == 0.0 {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::attributes::Stripes;
+
+    fn spots(spacing: Option<f64>) -> Attributes {
+        Attributes::Spots(Spots { area: 300.0, aspect: 0.5, angle: 150.0, spacing })
+    }
+
+    fn keys(value: &Value) -> Vec<&str> {
+        value.as_object().unwrap().keys().map(String::as_str).collect()
+    }
+
+    #[test]
+    fn json_has_the_contract_s_keys() {
+        let training = Training::default();
+        let json = Looked::up(&training, SystemChoice::MeinhardtSpots, &spots(Some(60.0))).unwrap().json();
+        assert_eq!(
+            keys(&json),
+            ["system", "asked", "parameters", "predicted", "interval", "coverage", "nearest", "notes"]
+        );
+        assert_eq!(json["system"], "meinhardt-spots");
+        assert_eq!(keys(&json["asked"]), ["area", "aspect", "angle", "spacing"]);
+        assert_eq!(keys(&json["parameters"]), ["rate", "ratio", "stretch", "direction", "level", "cell"]);
+        assert_eq!(keys(&json["predicted"]), ["area", "aspect", "angle", "spacing"]);
+        assert_eq!(json["interval"]["area"].as_array().unwrap().len(), 2);
+        assert!(json["notes"].is_array());
+
+        let stripes = Attributes::Stripes(Stripes { width: 10.0, angle: 30.0 });
+        let json = Looked::up(&training, SystemChoice::MeinhardtStripes, &stripes).unwrap().json();
+        assert_eq!(keys(&json["parameters"]), ["rate", "stretch", "direction", "cell"]);
+        assert_eq!(keys(&json["nearest"]), ["width", "angle"]);
+    }
+
+    #[test]
+    fn the_same_pattern_twice_as_large_has_the_same_parameters_in_cells_twice_as_large() {
+        let training = Training::default();
+        let up = |wanted: Attributes| Looked::up(&training, SystemChoice::MeinhardtSpots, &wanted).unwrap();
+        let (small, large) = (up(spots(Some(60.0))), up(spots(Some(60.0)).scaled(2.0)));
+        assert!((large.cell / small.cell - 2.0).abs() < 1e-9);
+        for ((name, a), (_, b)) in
+            small.answer.parameters.named().into_iter().zip(large.answer.parameters.named())
+        {
+            assert!((a - b).abs() <= 1e-9 * a.abs(), "{name}: {a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_free_spacing_is_left_out_of_what_was_asked_and_noted() {
+        let looked = Looked::up(&Training::default(), SystemChoice::MeinhardtSpots, &spots(None)).unwrap();
+        assert_eq!(keys(&looked.json()["asked"]), ["area", "aspect", "angle"]);
+        assert!(looked.text().contains("note:       spacing is free: "), "{}", looked.text());
+        assert!(
+            looked
+                .text()
+                .starts_with("system:     meinhardt-spots\nasked:      area 300  aspect 0.5  angle 150\n")
+        );
+    }
+
+    #[test]
+    fn numbers_for_people_are_short() {
+        assert_eq!([1.0 / 3.0, 150.0, 1e-300, 0.0].map(brief), ["0.3333", "150", "1e-300", "0"]);
+    }
+}

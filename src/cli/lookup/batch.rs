@@ -1,0 +1,274 @@
+//! A table of questions, and the same table with their answers.
+
+use super::answer::Looked;
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::cli::values;
+use crate::learn::line_of;
+use crate::marks::axial;
+use crate::synth::recipe::{Kind, SystemChoice};
+use csv::{ReaderBuilder, StringRecord, Trim, Writer};
+
+/// The columns of a table of questions.
+const COLUMNS: [&str; 6] = ["system", "area", "aspect", "angle", "spacing", "width"];
+/// The columns that the answers add.
+const ANSWERS: [&str; 8] = ["rate", "ratio", "stretch", "direction", "level", "cell", "coverage", "note"];
+
+/// What is wrong with a table.
+#[derive(Debug, PartialEq, thiserror::Error)]
+pub(super) enum BatchError {
+    /// It is no table.
+    #[error("{file}, line {line}: {problem}")]
+    Table { file: String, line: u64, problem: String },
+    /// Its first line.
+    #[error("{file}, line 1: {problem}; allowed: the columns {}, in any order", COLUMNS.join(","))]
+    Columns { file: String, problem: String },
+    /// A value.
+    #[error("{file}, line {line}, column {column}: found '{value}'; {allowed}")]
+    Value { file: String, line: u64, column: &'static str, value: String, allowed: String },
+}
+
+/// A table of questions.
+#[derive(Debug)]
+pub(super) struct Questions {
+    header: StringRecord,
+    pub rows: Vec<Question>,
+}
+
+/// A row of it.
+#[derive(Debug)]
+pub(super) struct Question {
+    record: StringRecord,
+    pub system: SystemChoice,
+    /// px.
+    pub wanted: Attributes,
+}
+
+/// A row on its way to a question.
+struct Row<'a> {
+    file: &'a str,
+    header: &'a StringRecord,
+    record: &'a StringRecord,
+    line: u64,
+}
+
+impl Row<'_> {
+    fn wrong(&self, column: &'static str, allowed: String) -> BatchError {
+        BatchError::Value {
+            file: self.file.to_owned(),
+            line: self.line,
+            column,
+            value: self.text(column).to_owned(),
+            allowed,
+        }
+    }
+
+    /// What stands in a column; nothing where there is no such column.
+    fn text(&self, column: &str) -> &str {
+        let place = self.header.iter().position(|name| name == column);
+        place.and_then(|place| self.record.get(place)).unwrap_or_default()
+    }
+
+    fn value<T>(
+        &self,
+        column: &'static str,
+        parse: impl Fn(&str) -> Result<T, String>,
+    ) -> Result<T, BatchError> {
+        parse(self.text(column)).map_err(|allowed| self.wrong(column, allowed))
+    }
+
+    fn empty(&self, columns: &[&'static str], of: &str) -> Result<(), BatchError> {
+        match columns.iter().find(|column| !self.text(column).is_empty()) {
+            Some(column) => Err(self.wrong(column, format!("allowed: nothing, it is no attribute of {of}"))),
+            None => Ok(()),
+        }
+    }
+
+    fn question(&self) -> Result<Question, BatchError> {
+        let system = self.value("system", values::system)?;
+        let wanted = if system.grows() == Some(Kind::Line) {
+            self.empty(&["area", "aspect", "spacing"], "stripes")?;
+            Attributes::Stripes(Stripes {
+                width: self.value("width", values::positive)?,
+                angle: axial(self.value("angle", values::angle)?),
+            })
+        } else {
+            self.empty(&["width"], "spots")?;
+            let free = self.text("spacing").is_empty();
+            Attributes::Spots(Spots {
+                area: self.value("area", values::positive)?,
+                aspect: self.value("aspect", values::aspect)?,
+                angle: axial(self.value("angle", values::angle)?),
+                spacing: if free { None } else { Some(self.value("spacing", values::positive)?) },
+            })
+        };
+        Ok(Question { record: self.record.clone(), system, wanted })
+    }
+}
+
+/// Reads and checks a table; `file` stands in errors.
+pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Questions, BatchError> {
+    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
+    let broken = |error: &csv::Error| BatchError::Table {
+        file: file.to_owned(),
+        line: line_of(bytes, error.position()),
+        problem: problem(error),
+    };
+    let header = reader.headers().map_err(|error| broken(&error))?.clone();
+    let wrong = |problem: String| BatchError::Columns { file: file.to_owned(), problem };
+    for (place, name) in header.iter().enumerate() {
+        if !COLUMNS.contains(&name) {
+            return Err(wrong(format!("found the column '{name}'")));
+        }
+        if header.iter().take(place).any(|before| before == name) {
+            return Err(wrong(format!("found the column '{name}' twice")));
+        }
+    }
+    if !header.iter().any(|name| name == "system") {
+        return Err(wrong("the column 'system' is missing".to_owned()));
+    }
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|error| broken(&error))?;
+        rows.push(
+            Row { file, header: &header, record: &record, line: line_of(bytes, record.position()) }
+                .question()?,
+        );
+    }
+    Ok(Questions { header, rows })
+}
+
+/// The reader's words without its place, which our own message begins with.
+fn problem(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+            format!("found {len} values; allowed: {expected_len}, as in line 1")
+        }
+        csv::ErrorKind::Utf8 { .. } => "it is not UTF-8 text".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+/// The table with the answers' columns.
+pub(super) fn answered(questions: &Questions, looked: &[Looked]) -> Vec<u8> {
+    let mut writer = Writer::from_writer(Vec::new());
+    let header = questions.header.iter().chain(ANSWERS).collect::<StringRecord>();
+    // Writing to memory, in rows of one length, cannot fail.
+    let _ = writer.write_record(&header);
+    for (question, looked) in questions.rows.iter().zip(looked) {
+        let parameters = looked.parameters();
+        let mut record = question.record.clone();
+        for column in ANSWERS {
+            let parameter = parameters.iter().find(|(name, _)| *name == column);
+            record.push_field(&match column {
+                "coverage" => looked.answer.coverage.to_string(),
+                "note" => looked.answer.notes.join("; "),
+                _ => parameter.map_or_else(String::new, |(_, value)| value.to_string()),
+            });
+        }
+        let _ = writer.write_record(&record);
+    }
+    writer.into_inner().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synth::Training;
+
+    fn message(text: &str) -> String {
+        read("q.csv", text.as_bytes()).unwrap_err().to_string()
+    }
+
+    fn table(text: &str) -> Vec<Vec<String>> {
+        let questions = read("q.csv", text.as_bytes()).unwrap();
+        let training = Training::default();
+        let looked: Vec<Looked> = questions
+            .rows
+            .iter()
+            .map(|row| Looked::up(&training, row.system, &row.wanted).unwrap())
+            .collect();
+        let out = answered(&questions, &looked);
+        let mut reader = ReaderBuilder::new().has_headers(false).from_reader(out.as_slice());
+        reader.records().map(|record| record.unwrap().iter().map(str::to_owned).collect()).collect()
+    }
+
+    #[test]
+    fn the_table_comes_back_as_it_was_with_the_answers_beside() {
+        let rows = table(
+            "\u{feff}angle,system,width,aspect,area,spacing\n30,meinhardt-stripes,8,,,\n -20 ,meinhardt-spots,,0.5,300,60\n5,turing-spots,,.6,200,\n",
+        );
+        assert_eq!(
+            rows[0],
+            [
+                "angle",
+                "system",
+                "width",
+                "aspect",
+                "area",
+                "spacing",
+                "rate",
+                "ratio",
+                "stretch",
+                "direction",
+                "level",
+                "cell",
+                "coverage",
+                "note"
+            ]
+        );
+        assert_eq!(rows[1][..6], ["30", "meinhardt-stripes", "8", "", "", ""]);
+        assert_eq!(rows[2][..6], ["-20", "meinhardt-spots", "", "0.5", "300", "60"]);
+        assert_eq!((rows[1][7].as_str(), rows[1][10].as_str()), ("", ""));
+        assert!(rows.iter().all(|row| row.len() == 14));
+        let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
+        assert!((1..4).all(|row| number(row, 6) > 0.0 && number(row, 11) > 0.0));
+        assert!((number(2, 9) - 160.0).abs() < 3.0);
+        assert_eq!(rows[1][12], "inside");
+    }
+
+    #[test]
+    fn columns_of_the_other_kind_may_be_missing() {
+        assert_eq!(table("system,width,angle\nmeinhardt-stripes,8,0\n").len(), 2);
+        assert_eq!(table("system,area,angle,aspect\nturing-spots,200,0,0.6\n").len(), 2);
+        assert_eq!(table("system,width,angle\n").len(), 1);
+    }
+
+    #[test]
+    fn a_wrong_value_is_named_with_its_place() {
+        let with = |row: &str| message(&format!("system,area,aspect,angle,spacing,width\n\n{row}\n"));
+        assert_eq!(
+            with("turing-spots,-3,0.5,0,,"),
+            "q.csv, line 3, column area: found '-3'; allowed: a number above 0, at most 1e12"
+        );
+        for (row, place) in [
+            ("auto,300,0.5,0,,", "column system: found 'auto'; allowed: turing-spots"),
+            (",300,0.5,0,,", "column system: found ''"),
+            ("turing-spots,300,1.5,0,,", "column aspect: found '1.5'"),
+            ("turing-spots,300,,0,,", "column aspect: found ''"),
+            ("turing-spots,300,0.5,NaN,,", "column angle: found 'NaN'"),
+            ("turing-spots,300,0.5,0,x,", "column spacing: found 'x'"),
+            ("turing-spots,300,0.5,0,,4", "column width: found '4'; allowed: nothing"),
+            ("meinhardt-stripes,300,,0,,4", "column area: found '300'; allowed: nothing"),
+            ("meinhardt-stripes,,,0,,", "column width: found ''"),
+            ("meinhardt-stripes,4", "line 3: found 2 values; allowed: 6, as in line 1"),
+        ] {
+            let message = with(row);
+            assert!(message.starts_with("q.csv, line 3") && message.contains(place), "{message}");
+        }
+    }
+
+    #[test]
+    fn a_wrong_header_is_named() {
+        assert!(message("").contains("the column 'system' is missing"));
+        assert!(
+            message("system,widht\n").contains("found the column 'widht'; allowed: the columns system,area")
+        );
+        assert!(message("system,width,width\n").contains("found the column 'width' twice"));
+        assert!(
+            read("q.csv", b"system,width,angle\nmeinhardt-stripes,\xff,0\n")
+                .unwrap_err()
+                .to_string()
+                .contains("UTF-8")
+        );
+    }
+}
