@@ -42,6 +42,11 @@ fn draw(size: [usize; 2], edges: Edges, profile: Profile, ellipses: &[Ellipse]) 
 
 /// The share of the pixel about `p` that is inside.
 fn covered(p: [f64; 2], inside: impl Fn([f64; 2]) -> bool) -> f32 {
+    let corners =
+        [[-0.6, -0.6], [0.6, -0.6], [0.6, 0.6], [-0.6, 0.6]].map(|d| inside([p[0] + d[0], p[1] + d[1]]));
+    if corners.iter().all(|corner| *corner == corners[0]) {
+        return f32::from(u8::from(corners[0]));
+    }
     let part = |k: usize| (k as f64 + 0.5) / 16.0 - 0.5;
     let hits = (0..256).filter(|k| inside([p[0] + part(k % 16), p[1] + part(k / 16)])).count();
     hits as f32 / 256.0
@@ -135,16 +140,24 @@ proptest! {
     }
 
     #[test]
-    fn stripes_are_measured_back(width in 4.0..12.0, share in 0.25..0.5, angle in 0.0..180.0, hard: bool) {
-        let wavelength: f64 = width / share;
-        let field = stripes([200, 220], hard, width, angle, wavelength);
+    fn stripes_are_measured_back(m in -9..=9_i32, n in 0..=9_i32, share in 0.3..0.6_f64, hard: bool) {
+        // m and n stripes fit across and down the tile, so that no frame cuts one lengthwise.
+        prop_assume!((m, n) != (0, 0));
+        let [k, l] = [f64::from(m) / 180.0, f64::from(n) / 160.0];
+        let wavelength = 1.0 / k.hypot(l);
+        let width = share * wavelength;
+        let angle = l.atan2(k).to_degrees() + 90.0;
+        let mut field = stripes([180, 160], hard, width, angle, wavelength);
+        field.edges = Edges::Wrap;
         let got = measure::stripes(&field, 0.5).unwrap();
-        // What the frame cuts off at a slant is up to half a stripe: it evens out only over many stripes.
-        let tolerance = 0.002 + 0.02 * wavelength / 20.0 * 0.5;
-        prop_assert!((got.width / width - 1.0).abs() < tolerance, "width {} {}", got.width, width);
-        prop_assert!(turn(got.angle, angle).abs() < 0.3, "angle {} {}", got.angle, angle);
+        // A printed edge is seen up to 0.09 px from where it is, now here, now there, which makes it longer.
+        let (longer, off) = if hard { (0.015, 0.2) } else { (0.002, 0.0) };
+        let tolerance = longer * width + off;
+        prop_assert!((got.width - width).abs() < tolerance, "width {} {}", got.width, width);
+        prop_assert!((got.wavelength / wavelength - 1.0).abs() < longer, "{} {}", got.wavelength, wavelength);
+        prop_assert!(turn(got.angle, angle).abs() < 0.1, "angle {} {}", got.angle, angle);
         prop_assert!(got.coherence > 0.95 && got.alignment > 0.99, "{:?}", got);
-        prop_assert!((got.share - share).abs() < 0.06, "{:?}", got);
+        prop_assert!((got.share - share).abs() < 0.002 + off / wavelength, "{:?}", got);
     }
 }
 
@@ -235,7 +248,8 @@ fn cut_marks_are_neighbours_but_not_measured() {
         Canvas { size: field.extent(), edges: Edges::Closed, regions: 1, region_of: &|_| 0, wanted: &wanted };
     let errors = measure::spot_errors(&spots, &canvas);
     assert_eq!(errors[0].marks, whole);
-    assert!(errors[0].spacing.unwrap().abs() < 0.02, "{errors:?}");
+    // What is cut has its centre pulled inwards, and the hull it makes leaves some long edges inside.
+    assert!(errors[0].spacing.unwrap().abs() < 0.03, "{errors:?}");
 }
 
 #[test]
