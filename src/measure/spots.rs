@@ -32,15 +32,16 @@ pub struct Spot {
 pub struct Census {
     /// In reading order of their first row.
     pub spots: Vec<Spot>,
-    /// Regions under [`SPECK_CELLS`] cells or [`SPECK_SHARE`] of the usual area.
+    /// Regions under 2 cells of the field, or under 5 % of the usual area (that at which half of all that is
+    /// inside has been reached).
     pub specks: usize,
 }
 
 /// A region of fewer cells of the field than this is a speck: noise, or a corner of something at the border.
-pub const SPECK_CELLS: f64 = 2.0;
+const SPECK_CELLS: f64 = 2.0;
 
 /// So is one of less than this share of the area that half of all that is inside has reached.
-pub const SPECK_SHARE: f64 = 0.05;
+const SPECK_SHARE: f64 = 0.05;
 
 /// The regions above `level`, specks left out; see [`census`].
 #[must_use]
@@ -61,14 +62,13 @@ pub fn spots(field: &Field, level: f32) -> Vec<Spot> {
 pub fn census(field: &Field, level: f32) -> Census {
     let coarse = regions(field, level, 1);
     let cell = field.cell[0] * field.cell[1];
-    let mut areas: Vec<f64> = coarse.iter().map(|region| region.moments.area / cell).collect();
-    areas.retain(|area| *area > SPECK_CELLS);
+    // What is cut may be small without its marks being so, and what is tiny is a speck.
+    let counts = |region: &&Region| region.moments.area > SPECK_CELLS * cell && !region.touches;
+    let mut areas: Vec<f64> = coarse.iter().filter(counts).map(|region| region.moments.area / cell).collect();
     areas.sort_by(f64::total_cmp);
-    let Some(small) = areas.get(areas.len() / 20) else {
-        // Nothing above two cells; between the cells there may be something still.
-        return sift(&regions(field, level, 2), field);
-    };
-    sift(&regions(field, level, factor(*small)), field)
+    // Without any, two nodes a cell show what may be between the cells.
+    let factor = areas.get(areas.len() / 10).map_or(2, |small| factor(*small));
+    sift(&regions(field, level, factor), field)
 }
 
 /// Nodes a cell (each way) that measure regions of `area` cells well.

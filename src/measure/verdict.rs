@@ -33,7 +33,7 @@ pub enum Reason {
     /// Spots have merged into bars, webs or a labyrinth.
     #[error("merged: {bent:.0} % of the area belongs to marks that are no ellipses, mean fill {fill:.3}")]
     Merged {
-        /// Share of the area in marks that fill less than [`FILL`] of their ellipse or are endless, per cent.
+        /// Share of the area in marks that fill less than 0.93 of their ellipse or are endless, per cent.
         bent: f64,
         /// Mean fill of the whole marks.
         fill: f64,
@@ -58,20 +58,21 @@ pub enum Reason {
     },
 }
 
-/// Fewer whole spots give no mean (`facts.md` rule 10).
-pub const MARKS: usize = 6;
-/// Smaller spots are read wrongly whatever is done (12 without upsampling, section 0 of the facts; 7 with it).
-pub const CELLS: f64 = 7.0;
-/// An ellipse fills 1, a rectangle 0.955, two spots grown together less: rule 10 has 0.93–0.98 for mixed bars.
-pub const FILL: f64 = 0.93;
-/// Share of the area that may be in such marks.
-pub const BENT: f64 = 0.05;
-/// Mean fill: good textures have more than 0.985 (rule 10), bars 0.98 at most.
-pub const MEAN_FILL: f64 = 0.98;
-/// Coefficient of variation of the area: good textures stay below 0.2, bars start at 0.29 (rule 10).
-pub const SPREAD: f64 = 0.25;
-/// Labyrinths on a window of one wavelength still reach some 0.5, drawn stripes 0.95.
-pub const COHERENCE: f64 = 0.5;
+/// Fewer whole spots give no mean worth learning.
+const MARKS: usize = 6;
+/// Below this, soft spots are still read to 2 % but grown ones feel the grid (areas −20 % at 11 cells).
+const CELLS: f64 = 7.0;
+/// An ellipse fills 1, a rectangle 0.955, two spots grown together less; mixed bars were seen at 0.93–0.98.
+const FILL: f64 = 0.93;
+/// Share of the area that may be in marks that fill less.
+const BENT: f64 = 0.05;
+/// Mean fill: good textures were seen above 0.985, bars below 0.98, labyrinths below 0.85.
+const MEAN_FILL: f64 = 0.98;
+/// Coefficient of variation of the area: good textures were seen below 0.2, bars from 0.29 on.
+const SPREAD: f64 = 0.25;
+/// Random waves of one length reach 0.48 when they run all ways (a labyrinth), 0.71 within ±45°, 0.94 within
+/// ±15°.
+const COHERENCE: f64 = 0.7;
 
 /// Is a field whose spots all have the same parameters a texture of spots? `least` is the range of values below
 /// which nothing has formed (10 % of the system's usual range).
