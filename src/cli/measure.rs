@@ -1,27 +1,277 @@
-//! `dapple measure`: a picture → the attributes of its spots or stripes.
+//! `dapple measure IMAGE`: the attributes of the spots or stripes in a picture.
 
-use super::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-/// What to measure.
-#[derive(clap::Args, Debug)]
+use image::DynamicImage;
+use serde_json::{Map, Value, json};
+
+use crate::field::{Edges, Field};
+use crate::measure::{Picture, picture};
+
+/// Attributes of the spots or stripes in a picture.
+#[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The picture
-    #[arg(value_name = "IMAGE")]
+    /// The picture (PNG, JPEG, WebP, TIFF, BMP).
     pub image: PathBuf,
-    /// Take the larger phase for the marks instead of the smaller one
+    /// Measure the larger phase, not the smaller one.
     #[arg(long)]
     pub invert: bool,
-    /// Answer in JSON
+    /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
 }
 
-/// Measures a picture.
+/// Why a picture could not be measured.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// It cannot be read.
+    #[error("{path}: cannot be read as a picture: {source}")]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the reader says.
+        source: image::ImageError,
+    },
+    /// It is all of one lightness.
+    #[error(
+        "{path}: neither spots nor stripes: lightness spans {span:.3} of 1, at least {LEAST_SPAN} is needed"
+    )]
+    Blank {
+        /// The file.
+        path: PathBuf,
+        /// Highest − lowest lightness.
+        span: f32,
+    },
+    /// It has contrast, but no marks.
+    #[error(
+        "{path}: neither spots nor stripes: nothing above 2 px, only noise, or no whole spot; try --invert"
+    )]
+    Neither {
+        /// The file.
+        path: PathBuf,
+    },
+}
+
+/// Less contrast than this is compression noise.
+const LEAST_SPAN: f32 = 0.05;
+
+/// Measures the picture and prints what it has.
 ///
 /// # Errors
-/// Where the picture cannot be read or has neither spots nor stripes.
+/// See [`Error`].
 pub fn run(args: &Args) -> Result<(), Error> {
-    let _ = args;
-    Err(Error::Missing("measure"))
+    let found = measure(&args.image, args.invert)?;
+    if args.json {
+        println!("{}", as_json(&found));
+    } else {
+        print!("{}", as_text(&found));
+    }
+    Ok(())
+}
+
+fn measure(path: &Path, invert: bool) -> Result<Picture, Error> {
+    let unreadable = |source| Error::Unreadable { path: path.to_owned(), source };
+    let reader = image::ImageReader::open(path).map_err(|error| unreadable(error.into()))?;
+    let reader = reader.with_guessed_format().map_err(|error| unreadable(error.into()))?;
+    let image = reader.decode().map_err(unreadable)?;
+    // A 16-bit gray picture is one that `grow --pattern` writes: its 0.5 is the marks' edge.
+    let pattern = matches!(image, DynamicImage::ImageLuma16(_));
+    let mut field = lightness(&image);
+    let low = field.values.iter().copied().fold(1.0, f32::min);
+    let high = field.values.iter().copied().fold(0.0, f32::max);
+    if high - low < LEAST_SPAN {
+        return Err(Error::Blank { path: path.to_owned(), span: (high - low).max(0.0) });
+    }
+    let level = if pattern && low < 0.5 && high > 0.5 { 0.5 } else { between_phases(&field.values) };
+    let above = field.values.iter().filter(|value| **value > level).count();
+    let light = 2 * above <= field.values.len();
+    let level = if light == invert {
+        field.values.iter_mut().for_each(|value| *value = 1.0 - *value);
+        1.0 - level
+    } else {
+        level
+    };
+    picture(&field, level).ok_or_else(|| Error::Neither { path: path.to_owned() })
+}
+
+/// The picture's luma as the file has it, 0..1; what is transparent counts as its colour.
+fn lightness(image: &DynamicImage) -> Field {
+    let luma = image.to_luma16();
+    let (width, height) = (luma.width() as usize, luma.height() as usize);
+    let values = luma.into_raw().into_iter().map(|value| f32::from(value) / 65535.0).collect();
+    Field { width, height, cell: [1.0, 1.0], edges: Edges::Closed, values }
+}
+
+/// The level half way between the medians of the two phases, which Otsu's threshold tells apart: on a picture
+/// of two tones exactly half of the contrast, wherever between them the threshold fell.
+///
+/// N. Otsu, "A threshold selection method from gray-level histograms", IEEE Trans. SMC 9 (1979): the threshold
+/// at which ω₀·ω₁·(μ₁ − μ₀)² is largest.
+fn between_phases(values: &[f32]) -> f32 {
+    const BINS: usize = 4096;
+    let mut counts = vec![0_u64; BINS];
+    for value in values {
+        counts[((value * BINS as f32) as usize).min(BINS - 1)] += 1;
+    }
+    let total = values.len() as f64;
+    let sum: f64 = counts.iter().enumerate().map(|(bin, count)| bin as f64 * *count as f64).sum();
+    let (mut below, mut sum_below, mut best, mut split) = (0.0, 0.0, -1.0, 0);
+    for (bin, count) in counts.iter().enumerate() {
+        below += *count as f64;
+        sum_below += bin as f64 * *count as f64;
+        let above = total - below;
+        if below > 0.0 && above > 0.0 {
+            let apart = (sum - sum_below) / above - sum_below / below;
+            if below * above * apart * apart > best {
+                (best, split) = (below * above * apart * apart, bin);
+            }
+        }
+    }
+    let lower = counts[..=split].iter().sum::<u64>();
+    let upper = values.len() as u64 - lower;
+    let rank = |wanted: u64| {
+        let mut seen = 0;
+        let reached = counts.iter().position(|count| {
+            seen += count;
+            seen > wanted
+        });
+        (reached.unwrap_or(BINS - 1) as f32 + 0.5) / BINS as f32
+    };
+    0.5 * (rank(lower / 2) + rank(lower + upper / 2))
+}
+
+/// The contract's object: only keys that apply.
+fn as_json(found: &Picture) -> Value {
+    match found {
+        Picture::Spots { marks, got, spread } => {
+            let mut object = Map::new();
+            object.insert("kind".into(), json!("spots"));
+            object.insert("marks".into(), json!(marks));
+            object.insert("area".into(), json!(got.area));
+            object.insert("aspect".into(), json!(got.aspect));
+            object.insert("angle".into(), json!(got.angle));
+            let mut spreads = Map::new();
+            spreads.insert("area".into(), json!(spread.area));
+            spreads.insert("aspect".into(), json!(spread.aspect));
+            if let Some(spacing) = got.spacing {
+                object.insert("spacing".into(), json!(spacing));
+            }
+            if let Some(spacing) = spread.spacing {
+                spreads.insert("spacing".into(), json!(spacing));
+            }
+            object.insert("spread".into(), Value::Object(spreads));
+            Value::Object(object)
+        }
+        Picture::Stripes { marks, got } => json!({
+            "kind": "stripes",
+            "marks": marks,
+            "width": got.width,
+            "angle": got.angle,
+            "wavelength": got.wavelength,
+            "coherence": got.coherence,
+        }),
+    }
+}
+
+fn as_text(found: &Picture) -> String {
+    match found {
+        Picture::Spots { marks, got, spread } => {
+            let spacing = got.spacing.map_or_else(|| "-".to_owned(), |spacing| format!("{spacing:.2} px"));
+            format!(
+                "spots    {marks} whole\narea     {:.2} px² (varies by {:.0} %)\naspect   {:.3}\nangle    {:.1}°\nspacing  {spacing}\n",
+                got.area,
+                100.0 * spread.area,
+                got.aspect,
+                got.angle,
+            )
+        }
+        Picture::Stripes { marks, got } => format!(
+            "stripes     {marks}\nwidth       {:.2} px\nangle       {:.1}°\nwavelength  {:.2} px\ncoherence   {:.2}\n",
+            got.width, got.angle, got.wavelength, got.coherence,
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(name: &str, picture: &DynamicImage) -> (tempfile::TempDir, PathBuf) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(name);
+        picture.save(&path).unwrap();
+        (folder, path)
+    }
+
+    /// Ellipses of radii 9 and 6 along 30° on a lattice of 32 px, `out` → tone.
+    fn dots(tone: impl Fn(f64) -> f64) -> image::ImageBuffer<image::Luma<u16>, Vec<u16>> {
+        image::ImageBuffer::from_fn(256, 256, |x, y| {
+            let near = |x: u32| (f64::from(x) + 0.5).rem_euclid(32.0) - 16.0;
+            let (sin, cos) = 30_f64.to_radians().sin_cos();
+            let (x, y) = (near(x), near(y));
+            let out = ((x * cos + y * sin) / 9.0).hypot((y * cos - x * sin) / 6.0);
+            image::Luma([(65535.0 * tone(out)) as u16])
+        })
+    }
+
+    #[test]
+    fn a_pattern_is_measured_at_its_half_and_a_dark_picture_by_its_tones() {
+        let soft = |out: f64| (0.5 + 0.7 * (1.0 - out)).clamp(0.0, 1.0);
+        let ink = |out: f64| 0.9 - 0.6 * (0.5 + 3.0 * (1.0 - out)).clamp(0.0, 1.0);
+        let colour = DynamicImage::ImageLuma16(dots(ink)).to_rgb8();
+        for (name, image) in [
+            ("pattern.png", DynamicImage::ImageLuma16(dots(soft))),
+            ("ink.png", DynamicImage::ImageRgb8(colour.clone())),
+            ("ink.bmp", DynamicImage::ImageRgb8(colour)),
+        ] {
+            let (_folder, path) = written(name, &image);
+            let Picture::Spots { marks, got, .. } = measure(&path, false).unwrap() else { panic!("{name}") };
+            assert_eq!(marks, 64, "{name}");
+            assert!((got.area / (54.0 * std::f64::consts::PI) - 1.0).abs() < 0.01, "{name} {got:?}");
+            assert!((got.aspect - 2.0 / 3.0).abs() < 0.005, "{name} {got:?}");
+            assert!((got.angle - 30.0).abs() < 0.3, "{name} {got:?}");
+            let lattice = 32.0 * (2.0 + 2.0_f64.sqrt()) / 3.0;
+            assert!((got.spacing.unwrap() / lattice - 1.0).abs() < 0.03, "{name} {got:?}");
+        }
+    }
+
+    #[test]
+    fn inverted_the_ground_is_the_mark() {
+        let disc = |out: f64| (0.5 + 0.7 * (1.0 - out)).clamp(0.0, 1.0);
+        let (_folder, path) = written("net.png", &DynamicImage::ImageLuma16(dots(disc)));
+        let Picture::Stripes { marks, .. } = measure(&path, true).unwrap() else { panic!() };
+        assert_eq!(marks, 1);
+    }
+
+    #[test]
+    fn stripes_of_a_picture_have_width_wavelength_and_direction() {
+        let image = image::ImageBuffer::from_fn(200, 300, |x, y| {
+            let (sin, cos) = 20_f64.to_radians().sin_cos();
+            let across = (f64::from(y) + 0.5) * cos - (f64::from(x) + 0.5) * sin;
+            let inside = 3.0 - (across.rem_euclid(18.0) - 9.0).abs();
+            image::Luma([(40.0 + 180.0 * (0.5 + inside).clamp(0.0, 1.0)) as u8])
+        });
+        let (_folder, path) = written("stripes.png", &DynamicImage::ImageLuma8(image));
+        let Picture::Stripes { got, .. } = measure(&path, false).unwrap() else { panic!() };
+        assert!((got.width - 6.0).abs() < 0.06, "{got:?}");
+        assert!((got.wavelength - 18.0).abs() < 0.3, "{got:?}");
+        assert!((got.angle - 20.0).abs() < 0.2, "{got:?}");
+        assert!(got.coherence > 0.9, "{got:?}");
+    }
+
+    #[test]
+    fn what_has_neither_says_so() {
+        let blank = DynamicImage::ImageLuma8(image::ImageBuffer::from_pixel(50, 50, image::Luma([7])));
+        let (_folder, path) = written("blank.png", &blank);
+        assert!(matches!(measure(&path, false), Err(Error::Blank { .. })));
+        let mut state = 1_u32;
+        let noise = image::ImageBuffer::from_fn(200, 200, |_, _| {
+            state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            image::Luma([(state >> 24) as u8])
+        });
+        let (_folder, path) = written("noise.png", &DynamicImage::ImageLuma8(noise));
+        assert!(matches!(measure(&path, false), Err(Error::Neither { .. })), "{:?}", measure(&path, false));
+        let none = measure(Path::new("no such picture.png"), false).unwrap_err().to_string();
+        assert!(none.starts_with("no such picture.png: cannot be read"), "{none}");
+    }
 }

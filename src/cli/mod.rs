@@ -41,6 +41,8 @@ enum Command {
     Check(check::Args),
 }
 
+pub mod measure;
+
 /// Runs the program with the process's arguments.
 #[must_use]
 pub fn main() -> ExitCode {

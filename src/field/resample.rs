@@ -1,9 +1,12 @@
 //! Reading a field between its cells: interpolating cubic B-splines.
 //!
-//! f(x) = Σₖ c[k]·β³(x − k), with the coefficients c chosen so that f(k) = s[k]. They come from the samples s
-//! by one recursion forth and one back, with the pole z = √3 − 2:
-//!
+//! ```text
+//! f(x) = Σₖ c[k]·β³(x − k)
 //! c⁺[k] = 6·s[k] + z·c⁺[k−1],  c[k] = z·(c[k+1] − c⁺[k])
+//! ```
+//!
+//! The coefficients c are such that f is s at the cells' centres. They come from the samples s by one recursion
+//! forth and one back, with the pole z = √3 − 2.
 //!
 //! M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16
 //! (1999), eq. (18) and box 2; the starting values follow from what lies beyond the border ([`Edges`]).

@@ -1,1 +1,28 @@
 //! Field → marks and stripe statistics, with the words of the contract.
+//!
+//! ```text
+//!  Field ─▶ nodes (a finer grid, by splines) ─▶ square (what of each square is inside, exactly)
+//!                                                ├─▶ spots    areas, moments, whole or cut ─┐
+//!                                                └─▶ stripes  width = 2 · area ÷ contour   ─┼─▶ errors, verdict
+//!        directions (structure tensor) ─────────────────────────────────────────────────────┘
+//! ```
+//!
+//! All results are px and degrees of the canvas, whatever the field's cell is. Nothing depends on the number
+//! of threads: the finer grid is made in parallel, sums are taken in reading order.
+
+mod directions;
+mod errors;
+mod nodes;
+mod picture;
+mod pieces;
+mod spots;
+mod square;
+mod stripes;
+mod verdict;
+
+pub use directions::{Deviation, Directions};
+pub use errors::{Canvas, SpotErrors, StripeErrors, spot_errors, stripe_errors};
+pub use picture::{Picture, Spread, picture};
+pub use spots::{Census, Spot, census, spots};
+pub use stripes::{StripeStatistics, stripes, widths};
+pub use verdict::{Reason, spot_texture, stripe_texture};

@@ -1,0 +1,203 @@
+//! Local directions: the structure tensor.
+//!
+//! J = G_ρ ∗ (∇u_σ ∇u_σᵀ),  u_σ = G_σ ∗ u
+//!
+//! The gradient runs across the stripes. With the double-angle vector (J₁₁ − J₂₂, 2J₁₂) of its direction, the
+//! direction along them is the opposite vector; its length ÷ (J₁₁ + J₂₂) is the coherence, 0..1.
+//!
+//! J. Bigün & G. H. Granlund, "Optimal orientation detection of linear symmetry", ICCV 1987; names of σ and ρ as
+//! in J. Weickert, "Coherence-enhancing diffusion filtering", IJCV 31 (1999).
+
+use rayon::prelude::*;
+
+use crate::field::{Edges, Field};
+use crate::marks::{axial, turn};
+
+/// ρ ÷ wavelength: a window of about one wavelength, wide enough to hold both sides of a stripe.
+const RHO: f64 = 0.3;
+
+/// σ ÷ wavelength, where that is more than one cell.
+const SIGMA: f64 = 0.05;
+
+/// Blocks to a ρ: J varies slowly and is kept on blocks of cells.
+const BLOCKS: f64 = 3.0;
+
+/// Places with less than this share of the mean energy have no direction.
+const FLOOR: f64 = 1e-3;
+
+/// Local directions on a grid of blocks.
+#[derive(Clone, Debug)]
+pub struct Directions {
+    columns: usize,
+    rows: usize,
+    /// px a block.
+    block: [f64; 2],
+    /// coherence · (cos 2θ, sin 2θ) of the direction θ along the stripes, by block.
+    vectors: Vec<[f64; 2]>,
+}
+
+/// How local directions deviate from wanted ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviation {
+    /// Coherence-weighted axial mean, degrees in −90..90.
+    pub mean: f64,
+    /// Coherence-weighted root mean square, degrees.
+    pub rms: f64,
+    /// Sum of the weights.
+    pub weight: f64,
+}
+
+impl Directions {
+    /// Local directions of `field`, whose stripes repeat after about `wavelength` px.
+    ///
+    /// σ = 0.05 and ρ = 0.3 wavelengths, σ at least one cell. Gradients within 2σ of a closed border, where
+    /// the mirror would bend them, do not count. Memory: some 100 bytes a block, of which 3 × 3 cover ρ².
+    #[must_use]
+    pub fn of(field: &Field, wavelength: f64) -> Self {
+        let size = [field.width, field.height];
+        let sigma = field.cell.map(|cell| (SIGMA * wavelength / cell).max(1.0));
+        let rho = field.cell.map(|cell| (RHO * wavelength / cell).max(1.0));
+        let count =
+            |axis: usize| ((size[axis] as f64 * BLOCKS / rho[axis]).round() as usize).clamp(1, size[axis]);
+        let [columns, rows] = [count(0), count(1)];
+        let extent = field.extent();
+        let block = [extent[0] / columns as f64, extent[1] / rows as f64];
+        let sums = block_sums(field, sigma, [columns, rows]);
+        let spread = [0, 1].map(|axis| rho[axis] * field.cell[axis] / block[axis]);
+        let tensor = blur(&sums, [columns, rows], spread, field.edges);
+        let mean = tensor.iter().map(|j| j[0] + j[2]).sum::<f64>() / tensor.len() as f64;
+        let vector = |j: &[f64; 3]| {
+            let energy = j[0] + j[2] + FLOOR * mean;
+            if energy > 0.0 { [(j[2] - j[0]) / energy, -2.0 * j[1] / energy] } else { [0.0, 0.0] }
+        };
+        Self { columns, rows, block, vectors: tensor.iter().map(vector).collect() }
+    }
+
+    /// Each place (px, a block's centre) with its direction along the stripes (degrees) and coherence.
+    pub fn places(&self) -> impl Iterator<Item = ([f64; 2], f64, f64)> {
+        self.vectors.iter().enumerate().map(|(k, [c, s])| {
+            let (x, y) = ((k % self.columns) as f64, (k / self.columns) as f64);
+            let place = [(x + 0.5) * self.block[0], (y + 0.5) * self.block[1]];
+            (place, axial(0.5 * libm::atan2(*s, *c).to_degrees()), (c * c + s * s).sqrt())
+        })
+    }
+
+    /// Coherence-weighted axial mean of the direction where `counts` (px), degrees, and its resultant, 0..1.
+    pub fn mean(&self, counts: impl Fn([f64; 2]) -> bool) -> Option<(f64, f64)> {
+        let counted = self.places().filter(|(place, _, _)| counts(*place));
+        crate::attributes::axial_mean(counted.map(|(_, angle, coherence)| (angle, coherence)))
+    }
+
+    /// Mean coherence over the canvas, 0..1.
+    #[must_use]
+    pub fn coherence(&self) -> f64 {
+        self.places().map(|(_, _, coherence)| coherence).sum::<f64>() / (self.columns * self.rows) as f64
+    }
+
+    /// How the directions deviate from the `wanted` ones (px → degrees) in each of `regions` regions; `None` in
+    /// one without any direction. `region_of` takes px and must answer below `regions`.
+    #[must_use]
+    pub fn deviations(
+        &self,
+        wanted: impl Fn([f64; 2]) -> f64,
+        regions: usize,
+        region_of: impl Fn([f64; 2]) -> usize,
+    ) -> Vec<Option<Deviation>> {
+        let mut by_region = vec![Vec::new(); regions];
+        for (place, angle, coherence) in self.places() {
+            by_region[region_of(place)].push((turn(angle, wanted(place)), coherence));
+        }
+        let summed = |deviations: Vec<(f64, f64)>| {
+            let weight: f64 = deviations.iter().map(|(_, weight)| weight).sum();
+            let square: f64 = deviations.iter().map(|(turn, weight)| weight * turn * turn).sum();
+            let (mean, _) = crate::attributes::axial_mean(deviations)?;
+            Some(Deviation { mean: turn(mean, 0.0), rms: (square / weight).sqrt(), weight })
+        };
+        by_region.into_iter().map(summed).collect()
+    }
+}
+
+/// Gaussian weights to four standard deviations (in cells) that sum to 1; or, to the derivative, that measure
+/// the slope of a ramp right.
+fn gaussian(sigma: f64, derivative: bool) -> Vec<f32> {
+    let reach = (4.0 * sigma).ceil() as isize;
+    let at = |i: isize| i as f64 / sigma;
+    let bell = |i: isize| libm::exp(-0.5 * at(i) * at(i));
+    let shape = |i: isize| if derivative { i as f64 * bell(i) } else { bell(i) };
+    let response = |i: isize| if derivative { i as f64 * shape(i) } else { shape(i) };
+    let total: f64 = (-reach..=reach).map(response).sum();
+    (-reach..=reach).map(|i| (shape(i) / total) as f32).collect()
+}
+
+/// Σ of (gx², gx·gy, gy²) over the cells of each block; gradients in 1/px.
+fn block_sums(field: &Field, sigma: [f64; 2], [columns, rows]: [usize; 2]) -> Vec<[f64; 3]> {
+    let smooth = sigma.map(|sigma| gaussian(sigma, false));
+    let slope = sigma.map(|sigma| gaussian(sigma, true));
+    let away = match field.edges {
+        Edges::Wrap => [0, 0],
+        Edges::Closed => [0, 1].map(|k| {
+            let margin = (2.0 * sigma[k]).ceil() as usize;
+            if 4 * margin < [field.width, field.height][k] { margin } else { 0 }
+        }),
+    };
+    let mut sums = vec![[0.0; 3]; columns * rows];
+    sums.par_chunks_mut(columns).enumerate().for_each_init(
+        || [0, 1].map(|_| vec![0.0_f32; field.width]),
+        |[smoothed, sloped], (row, sums)| {
+            let (from, to) = (row * field.height / rows, (row + 1) * field.height / rows);
+            for y in from.max(away[1])..to.min(field.height - away[1]) {
+                column_sums(field, y, &smooth[1], smoothed);
+                column_sums(field, y, &slope[1], sloped);
+                for x in away[0]..field.width - away[0] {
+                    let gx = f64::from(row_sum(smoothed, x, &slope[0], field.edges)) / field.cell[0];
+                    let gy = f64::from(row_sum(sloped, x, &smooth[0], field.edges)) / field.cell[1];
+                    let sum = &mut sums[x * columns / field.width];
+                    *sum = [sum[0] + gx * gx, sum[1] + gx * gy, sum[2] + gy * gy];
+                }
+            }
+        },
+    );
+    sums
+}
+
+/// Weighted sums along each column, about row `y`.
+fn column_sums(field: &Field, y: usize, weights: &[f32], out: &mut [f32]) {
+    out.fill(0.0);
+    for (k, weight) in weights.iter().enumerate() {
+        let from = field.edges.index(y as isize + k as isize - (weights.len() / 2) as isize, field.height);
+        let row = &field.values[from * field.width..(from + 1) * field.width];
+        out.iter_mut().zip(row).for_each(|(out, value)| *out += weight * value);
+    }
+}
+
+/// Weighted sum along a row, about `x`.
+fn row_sum(row: &[f32], x: usize, weights: &[f32], edges: Edges) -> f32 {
+    let reach = weights.len() / 2;
+    if x >= reach && x + reach < row.len() {
+        return weights.iter().zip(&row[x - reach..]).map(|(weight, value)| weight * value).sum();
+    }
+    let at = |k: usize| row[edges.index(x as isize + k as isize - reach as isize, row.len())];
+    weights.iter().enumerate().map(|(k, weight)| weight * at(k)).sum()
+}
+
+/// Blocks blurred by a Gaussian of `spread` blocks along x and y; nothing comes from beyond a closed border
+/// but what is there already (the mirror).
+fn blur(blocks: &[[f64; 3]], [columns, rows]: [usize; 2], spread: [f64; 2], edges: Edges) -> Vec<[f64; 3]> {
+    let pass = |blocks: &[[f64; 3]], weights: &[f32], across: bool| -> Vec<[f64; 3]> {
+        let reach = (weights.len() / 2) as isize;
+        let blurred = |k: usize| {
+            let (x, y) = ((k % columns) as isize, (k / columns) as isize);
+            let mut sum = [0.0; 3];
+            for (i, weight) in weights.iter().enumerate() {
+                let offset = i as isize - reach;
+                let (dx, dy) = if across { (offset, 0) } else { (0, offset) };
+                let from = edges.index(y + dy, rows) * columns + edges.index(x + dx, columns);
+                (0..3).for_each(|j| sum[j] += f64::from(*weight) * blocks[from][j]);
+            }
+            sum
+        };
+        (0..columns * rows).into_par_iter().map(blurred).collect()
+    };
+    let once = pass(blocks, &gaussian(spread[0], false), true);
+    pass(&once, &gaussian(spread[1], false), false)
+}

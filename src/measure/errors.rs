@@ -1,0 +1,174 @@
+//! What has grown against what was asked, region by region: the contract's word *error*.
+
+use super::directions::Directions;
+use super::spots::Spot;
+use super::stripes::{stripes, tallies};
+use crate::attributes::spacing::{LONGEST, edges, trimmed_mean};
+use crate::attributes::{Attributes, Spots, Stripes, axial_mean};
+use crate::field::{Edges, Field};
+use crate::marks::turn;
+
+/// The canvas that a layer covers and its regions. Places are px.
+pub struct Canvas<'a> {
+    /// Width and height, px.
+    pub size: [f64; 2],
+    /// What lies beyond its border.
+    pub edges: Edges,
+    /// How many regions there are.
+    pub regions: usize,
+    /// The region of a place, below `regions`.
+    pub region_of: &'a dyn Fn([f64; 2]) -> usize,
+    /// The region map: what is wanted at a place.
+    pub wanted: &'a dyn Fn([f64; 2]) -> Attributes,
+}
+
+/// How the spots of a region differ from what was asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SpotErrors {
+    /// Whole marks whose centre is in the region.
+    pub marks: usize,
+    /// Means over them; `None` without any. The spacing is that of the edges that count.
+    pub got: Option<Spots>,
+    /// Means of the region map at their centres (spacing: at the edges' middles).
+    pub wanted: Option<Spots>,
+    /// got ÷ wanted − 1.
+    pub area: Option<f64>,
+    /// got − wanted.
+    pub aspect: Option<f64>,
+    /// Mean turn from the wanted direction, degrees in −90..90, weighted by 1 − aspect; only where the aspect
+    /// wanted is below 0.85.
+    pub angle: Option<f64>,
+    /// got ÷ wanted − 1; `None` where the spacing is free or no edge counts.
+    pub spacing: Option<f64>,
+}
+
+/// How the stripes of a region differ from what was asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StripeErrors {
+    /// Width and coherence-weighted direction; `None` without stripes.
+    pub got: Option<Stripes>,
+    /// Means of the region map over the region.
+    pub wanted: Option<Stripes>,
+    /// got ÷ wanted − 1.
+    pub width: Option<f64>,
+    /// Coherence-weighted mean deviation of the local directions from the map, degrees in −90..90.
+    pub angle: Option<f64>,
+    /// Its root mean square, degrees.
+    pub angle_rms: Option<f64>,
+}
+
+/// Spots rounder than this have no direction that could be wrong.
+const DIRECTED: f64 = 0.85;
+
+fn mean(values: impl IntoIterator<Item = f64>) -> Option<f64> {
+    let (count, sum) = values.into_iter().fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value));
+    (count > 0.0).then(|| sum / count)
+}
+
+/// Errors of a layer's spots, by region.
+///
+/// `spots` are all of the layer's, cut ones too: only whole ones are measured, but all are neighbours. Where
+/// the map holds no spots nothing is compared.
+#[must_use]
+pub fn spot_errors(spots: &[Spot], canvas: &Canvas) -> Vec<SpotErrors> {
+    let mut marks: Vec<Vec<(&Spot, Spots)>> = vec![Vec::new(); canvas.regions];
+    for spot in spots.iter().filter(|spot| spot.whole) {
+        let center = spot.ellipse.center;
+        if let Attributes::Spots(wanted) = (canvas.wanted)(center) {
+            marks[(canvas.region_of)(center)].push((spot, wanted));
+        }
+    }
+    let neighbours = neighbours(spots, canvas);
+    marks.iter().zip(neighbours).map(|(marks, edges)| compare(marks, &edges)).collect()
+}
+
+/// By region, the edges that count: length and spacing wanted.
+fn neighbours(spots: &[Spot], canvas: &Canvas) -> Vec<Vec<(f64, Option<f64>)>> {
+    let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
+    let tile = (canvas.edges == Edges::Wrap).then_some(canvas.size);
+    let mut found = vec![Vec::new(); canvas.regions];
+    for edge in edges(&centers, tile).iter().filter(|edge| !edge.hull) {
+        let Attributes::Spots(wanted) = (canvas.wanted)(edge.middle) else { continue };
+        if wanted.spacing.is_none_or(|spacing| edge.length <= LONGEST * spacing) {
+            found[(canvas.region_of)(edge.middle)].push((edge.length, wanted.spacing));
+        }
+    }
+    found
+}
+
+fn compare(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> SpotErrors {
+    let got = |value: fn(&Spot) -> f64| mean(marks.iter().map(|(spot, _)| value(spot)));
+    let asked = |value: fn(&Spots) -> f64| mean(marks.iter().map(|(_, wanted)| value(wanted)));
+    let directed = |angle: &dyn Fn(&Spot, &Spots) -> f64| {
+        let weighted = marks.iter().map(|(spot, wanted)| (angle(spot, wanted), 1.0 - spot.ellipse.aspect()));
+        axial_mean(weighted).map(|(angle, _)| angle)
+    };
+    let (Some(area), Some(aspect), Some(wanted_area), Some(wanted_aspect)) = (
+        got(|spot| spot.ellipse.area()),
+        got(|spot| spot.ellipse.aspect()),
+        asked(|wanted| wanted.area),
+        asked(|wanted| wanted.aspect),
+    ) else {
+        return SpotErrors::default();
+    };
+    let wanted_angle = axial_mean(marks.iter().map(|(_, wanted)| (wanted.angle, 1.0 - wanted.aspect)));
+    let off = directed(&|spot, wanted| turn(spot.ellipse.major_angle(), wanted.angle));
+    let fixed: Option<Vec<f64>> = edges.iter().map(|(_, wanted)| *wanted).collect();
+    let wanted_spacing = fixed.and_then(mean);
+    let spacing = match wanted_spacing {
+        Some(_) => mean(edges.iter().map(|(length, _)| *length)),
+        None => trimmed_mean(edges.iter().map(|(length, _)| *length).collect()),
+    };
+    SpotErrors {
+        marks: marks.len(),
+        got: Some(Spots {
+            area,
+            aspect,
+            angle: directed(&|spot, _| spot.ellipse.major_angle()).unwrap_or(0.0),
+            spacing,
+        }),
+        wanted: Some(Spots {
+            area: wanted_area,
+            aspect: wanted_aspect,
+            angle: wanted_angle.map_or(marks[0].1.angle, |(angle, _)| angle),
+            spacing: wanted_spacing,
+        }),
+        area: Some(area / wanted_area - 1.0),
+        aspect: Some(aspect - wanted_aspect),
+        angle: off.filter(|_| wanted_aspect < DIRECTED).map(|off| turn(off, 0.0)),
+        spacing: spacing.zip(wanted_spacing).map(|(got, wanted)| got / wanted - 1.0),
+    }
+}
+
+/// Errors of a layer of stripes, by region: of what is above `level` in `field`, which covers the canvas.
+#[must_use]
+pub fn stripe_errors(field: &Field, level: f32, canvas: &Canvas) -> Vec<StripeErrors> {
+    let Some(statistics) = stripes(field, level) else {
+        return vec![StripeErrors::default(); canvas.regions];
+    };
+    let directions = Directions::of(field, statistics.wavelength);
+    let tallies = tallies(field, level, canvas.regions, canvas.region_of);
+    let turns = directions.deviations(|p| (canvas.wanted)(p).angle(), canvas.regions, canvas.region_of);
+    let mut asked = vec![Vec::new(); canvas.regions];
+    for (place, _, _) in directions.places() {
+        if let Attributes::Stripes(wanted) = (canvas.wanted)(place) {
+            asked[(canvas.region_of)(place)].push(wanted);
+        }
+    }
+    let region = |k: usize| {
+        let angle = directions.mean(|place| (canvas.region_of)(place) == k).map(|(angle, _)| angle);
+        let width = (tallies[k].contour > 0.0).then(|| 2.0 * tallies[k].area / tallies[k].contour);
+        let wanted = mean(asked[k].iter().map(|wanted| wanted.width)).map(|width| Stripes {
+            width,
+            angle: axial_mean(asked[k].iter().map(|wanted| (wanted.angle, 1.0))).map_or(0.0, |(a, _)| a),
+        });
+        StripeErrors {
+            got: width.zip(angle).map(|(width, angle)| Stripes { width, angle }),
+            wanted,
+            width: width.zip(wanted).map(|(width, wanted)| width / wanted.width - 1.0),
+            angle: turns[k].map(|deviation| deviation.mean),
+            angle_rms: turns[k].map(|deviation| deviation.rms),
+        }
+    };
+    (0..canvas.regions).map(region).collect()
+}

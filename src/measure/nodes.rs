@@ -1,0 +1,135 @@
+//! The finer grid on which a level line is followed: `factor` × `factor` nodes a cell, and a frame.
+//!
+//! Nodes stand at the centres of the parts of a cell. Squares between neighbouring nodes must cover the canvas
+//! exactly, so the grid is completed up to the border: on a closed field by the outermost nodes once more, on
+//! the border itself (the mirror: nothing changes across it); on a wrapped one by the first node once more
+//! behind the last.
+
+use crate::field::resample::Spline;
+use crate::field::{Edges, Field};
+
+/// Never more nodes than this on the finer grid; a 4096² field gets 4 × 4 a cell at most.
+const MOST_NODES: f64 = 3e8;
+
+/// Nodes that are held at a time.
+const BAND: usize = 1 << 20;
+
+pub(super) struct Nodes<'a> {
+    field: &'a Field,
+    factor: usize,
+    /// Positions of a row's nodes, px.
+    pub(super) xs: Vec<f64>,
+}
+
+impl<'a> Nodes<'a> {
+    /// The grid with `factor` nodes a cell each way, or as many as fit.
+    pub(super) fn new(field: &'a Field, factor: usize) -> Self {
+        let cells = (field.width * field.height).max(1) as f64;
+        let factor = factor.min((MOST_NODES / cells).sqrt() as usize).max(1);
+        let xs = places(field.width * factor, field.cell[0] / factor as f64, field.edges);
+        Self { field, factor, xs }
+    }
+
+    /// Hands each row of nodes, from the top: its y (px) and its values.
+    pub(super) fn scan(&self, mut row: impl FnMut(f64, &[f32])) {
+        let field = self.field;
+        let (width, height) = (field.width * self.factor, field.height * self.factor);
+        if width == 0 || height == 0 {
+            return;
+        }
+        let ys = places(height, field.cell[1] / self.factor as f64, field.edges);
+        let spline = (self.factor > 1).then(|| Spline::new(field));
+        let mut framed = vec![0.0; self.xs.len()];
+        let mut first = Vec::new();
+        let mut next = ys.iter();
+        let mut hand = |framed: &[f32]| next.next().map(|y| row(*y, framed));
+        for top in (0..height).step_by((BAND / width).max(1)) {
+            let rows = top..(top + (BAND / width).max(1)).min(height);
+            let made = spline.as_ref().map(|spline| spline.rows(rows.clone(), width, height));
+            let band = made.as_deref().unwrap_or_else(|| &field.values[rows.start * width..rows.end * width]);
+            for (values, y) in band.chunks(width).zip(rows) {
+                self.frame(values, &mut framed);
+                hand(&framed);
+                match field.edges {
+                    Edges::Wrap if y == 0 => first.clone_from(&framed),
+                    Edges::Closed if y == 0 || y + 1 == height => _ = hand(&framed),
+                    _ => {}
+                }
+                if field.edges == Edges::Closed && height == 1 {
+                    hand(&framed);
+                }
+            }
+        }
+        if field.edges == Edges::Wrap {
+            hand(&first);
+        }
+    }
+
+    fn frame(&self, values: &[f32], framed: &mut [f32]) {
+        let n = values.len();
+        match self.field.edges {
+            Edges::Closed => {
+                framed[1..=n].copy_from_slice(values);
+                framed[0] = values[0];
+                framed[n + 1] = values[n - 1];
+            }
+            Edges::Wrap => {
+                framed[..n].copy_from_slice(values);
+                framed[n] = values[0];
+            }
+        }
+    }
+}
+
+/// Where `n` nodes `step` px apart stand, and those that complete them.
+fn places(n: usize, step: f64, edges: Edges) -> Vec<f64> {
+    let centre = |i: usize| (i as f64 + 0.5) * step;
+    match edges {
+        Edges::Wrap => (0..=n).map(centre).collect(),
+        Edges::Closed => {
+            let ends = [n as f64 * step];
+            std::iter::once(0.0).chain((0..n).map(centre)).chain(ends).collect()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rows(field: &Field, factor: usize) -> (Vec<f64>, Vec<f64>, Vec<Vec<f32>>) {
+        let nodes = Nodes::new(field, factor);
+        let (mut ys, mut all) = (Vec::new(), Vec::new());
+        nodes.scan(|y, row| {
+            ys.push(y);
+            all.push(row.to_vec());
+        });
+        (nodes.xs.clone(), ys, all)
+    }
+
+    #[test]
+    fn the_squares_cover_the_canvas_up_to_its_border() {
+        let mut field = Field::flat(2, 1, Edges::Closed, 0.0);
+        field.values = vec![1.0, 2.0];
+        let (xs, ys, all) = rows(&field, 1);
+        assert_eq!(xs, [0.0, 0.5, 1.5, 2.0]);
+        assert_eq!(ys, [0.0, 0.5, 1.0]);
+        assert_eq!(all, vec![vec![1.0, 1.0, 2.0, 2.0]; 3]);
+        let field = Field { edges: Edges::Wrap, ..field };
+        let (xs, ys, all) = rows(&field, 1);
+        assert_eq!((xs, ys), (vec![0.5, 1.5, 2.5], vec![0.5, 1.5]));
+        assert_eq!(all, vec![vec![1.0, 2.0, 1.0]; 2]);
+    }
+
+    #[test]
+    fn bands_do_not_show() {
+        let field = Field::from_fn([700, 900], [1.0, 1.0], Edges::Wrap, |[x, y]| (x + 1000.0 * y) as f32);
+        let (_, ys, all) = rows(&field, 2);
+        assert_eq!((ys.len(), all.len()), (1801, 1801));
+        let whole = crate::field::resample::resample(&field, 1400, 1800);
+        for (y, row) in all.iter().enumerate().take(1800) {
+            assert_eq!(row[..1400], whole.values[1400 * y..1400 * (y + 1)]);
+        }
+        assert_eq!(all[1800], all[0]);
+    }
+}

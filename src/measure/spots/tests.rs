@@ -1,0 +1,86 @@
+use super::*;
+
+/// A field drawn in text: `#` is 1, `.` 0, digits tenths.
+fn drawn(edges: Edges, rows: &[&str]) -> Field {
+    let value = |c: char| match c {
+        '#' => 1.0,
+        c => c.to_digit(10).unwrap_or(0) as f32 / 10.0,
+    };
+    let values = rows.iter().flat_map(|row| row.chars().map(value)).collect();
+    Field { width: rows[0].len(), height: rows.len(), cell: [1.0, 1.0], edges, values }
+}
+
+/// (area, touches, endless) of the regions on the field's own grid.
+fn seen(field: &Field) -> Vec<(f64, bool, bool)> {
+    let all = regions(field, 0.5, 1);
+    all.iter().map(|region| (region.moments.area, region.touches, region.endless)).collect()
+}
+
+#[test]
+fn single_cells_are_diamonds_and_corners_do_not_join() {
+    let field = drawn(Edges::Closed, &["......", ".#..#.", "..#...", "......"]);
+    // Each saddle's mean is 0.5: not above.
+    assert_eq!(seen(&field), [(0.5, false, false); 3]);
+    let field = drawn(Edges::Closed, &[".....", ".#2..", ".2#..", "....."]);
+    assert_eq!(seen(&field).len(), 1);
+}
+
+#[test]
+fn a_fork_that_closes_below_is_one() {
+    let field = drawn(Edges::Closed, &[".......", ".#.#.#.", ".#.#.#.", ".#####.", "......."]);
+    assert_eq!(seen(&field).len(), 1);
+    let field = drawn(Edges::Closed, &[".....", ".###.", ".#.#.", ".###.", "....."]);
+    // A square of side 3 less its four corners less a diamond in the middle.
+    assert_eq!(seen(&field), [(9.0 - 0.5 - 0.5, false, false)]);
+}
+
+#[test]
+fn the_border_is_reached_by_the_mirror() {
+    let field = drawn(Edges::Closed, &["##..", "##..", "....", "...#"]);
+    // A square of side 2 less a rounded corner; a square of side 1 less one.
+    assert_eq!(seen(&field), [(4.0 - 0.125, true, false), (1.0 - 0.125, true, false)]);
+    assert_eq!(seen(&drawn(Edges::Closed, &["#"])), [(1.0, true, false)]);
+    assert_eq!(seen(&drawn(Edges::Wrap, &["##", "##"])), [(4.0, false, true)]);
+    assert_eq!(seen(&drawn(Edges::Closed, &["#.#", "#.#"])), [(2.0, true, false); 2]);
+}
+
+#[test]
+fn on_a_tile_four_corners_are_one_spot() {
+    let field = drawn(Edges::Wrap, &["#...#", ".....", ".....", ".....", "#...#"]);
+    let found = spots(&field, 0.5);
+    assert_eq!(found.len(), 1);
+    assert!(found[0].whole && !found[0].endless);
+    assert!((found[0].ellipse.aspect() - 1.0).abs() < 1e-3);
+    // Its centre is the tile's corner, folded to either side of it.
+    assert!(found[0].ellipse.center.iter().all(|x| x.min(5.0 - x).abs() < 1e-3));
+    assert_eq!(seen(&field), [(3.5, false, false)]);
+}
+
+#[test]
+fn a_stripe_round_the_tile_is_endless() {
+    assert_eq!(seen(&drawn(Edges::Wrap, &["....", "####", "....", "...."])), [(4.0, false, true)]);
+    // Down one column and back up across the border, shifted: it meets itself after two turns only.
+    let steps = drawn(Edges::Wrap, &["##....", ".##...", "..##..", "...##.", "....##", "#....#"]);
+    assert_eq!(seen(&steps).len(), 1);
+    assert!(seen(&steps)[0].2);
+    assert_eq!(seen(&drawn(Edges::Closed, &["....", "####", "....", "...."])), [(4.0, true, false)]);
+}
+
+#[test]
+fn specks_are_counted_and_left_out() {
+    let field = drawn(
+        Edges::Closed,
+        &["..........", ".####.....", ".####..#..", ".####.....", ".####.....", "..........", "....6....."],
+    );
+    let census = census(&field, 0.5);
+    assert_eq!((census.spots.len(), census.specks), (1, 2));
+    // Between the cells the smooth surface overshoots a little.
+    assert!((1.0..1.4).contains(&census.spots[0].peak));
+}
+
+#[test]
+fn nothing_and_no_number_are_no_spots() {
+    assert!(spots(&Field::flat(20, 20, Edges::Closed, 0.2), 0.5).is_empty());
+    assert!(spots(&Field::flat(20, 20, Edges::Wrap, f32::NAN), 0.5).is_empty());
+    assert!(spots(&Field::flat(0, 0, Edges::Closed, 1.0), 0.5).is_empty());
+}

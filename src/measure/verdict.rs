@@ -1,0 +1,133 @@
+//! Is this a texture, and if not, why: what may be learnt from.
+
+use super::spots::{Census, Spot};
+use super::stripes::StripeStatistics;
+use crate::field::Field;
+
+/// Why a grown field is no texture.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum Reason {
+    /// A value is NaN or infinite.
+    #[error("the field holds values that are not finite: the step was too large")]
+    NotFinite,
+    /// The range of values is too small: nothing formed, or it died.
+    #[error("no pattern: values span {range}, at least {least} is needed")]
+    NoPattern {
+        /// Highest − lowest value.
+        range: f32,
+        /// What it takes.
+        least: f32,
+    },
+    /// Too few whole spots to take means over.
+    #[error("too few spots: {marks} whole ones, at least {MARKS} are needed")]
+    TooFew {
+        /// Whole spots.
+        marks: usize,
+    },
+    /// The spots are smaller than the grid resolves.
+    #[error("spots of {cells:.1} cells are too small for the grid, at least {CELLS} are needed")]
+    TooSmall {
+        /// Mean area, cells.
+        cells: f64,
+    },
+    /// Spots have merged into bars, webs or a labyrinth.
+    #[error("merged: {bent:.0} % of the area belongs to marks that are no ellipses, mean fill {fill:.3}")]
+    Merged {
+        /// Share of the area in marks that fill less than 0.93 of their ellipse or are endless, per cent.
+        bent: f64,
+        /// Mean fill of the whole marks.
+        fill: f64,
+    },
+    /// The spots differ too much in size for one mean to stand for them.
+    #[error("spots differ in area by {spread:.2} of the mean, at most {SPREAD} is allowed")]
+    TooIrregular {
+        /// Coefficient of variation of the area.
+        spread: f64,
+    },
+    /// Stripes without a direction of their own.
+    #[error("stripes have no direction: coherence {coherence:.2}, at least {COHERENCE} is needed")]
+    NoDirection {
+        /// Mean coherence.
+        coherence: f64,
+    },
+    /// Nearly all or nearly none of the canvas is above the level.
+    #[error("{:.0} % of the canvas is inside the stripes, between 15 and 85 % is needed", 100.0 * share)]
+    OneSided {
+        /// Share of the canvas above the level.
+        share: f64,
+    },
+}
+
+/// Fewer whole spots give no mean worth learning.
+const MARKS: usize = 6;
+/// Below this, soft spots are still read to 2 % but grown ones feel the grid (areas −20 % at 11 cells).
+const CELLS: f64 = 7.0;
+/// An ellipse fills 1, a rectangle 0.955, two spots grown together less; mixed bars were seen at 0.93–0.98.
+const FILL: f64 = 0.93;
+/// Share of the area that may be in marks that fill less.
+const BENT: f64 = 0.05;
+/// Mean fill: good textures were seen above 0.985, bars below 0.98, labyrinths below 0.85.
+const MEAN_FILL: f64 = 0.98;
+/// Coefficient of variation of the area: good textures were seen below 0.2, bars from 0.29 on.
+const SPREAD: f64 = 0.25;
+/// Random waves of one length reach 0.48 when they run all ways (a labyrinth), 0.71 within ±45°, 0.94 within
+/// ±15°.
+const COHERENCE: f64 = 0.7;
+
+/// Is a field whose spots all have the same parameters a texture of spots? `least` is the range of values below
+/// which nothing has formed (10 % of the system's usual range).
+///
+/// # Errors
+/// The first [`Reason`] that applies.
+pub fn spot_texture(field: &Field, census: &Census, least: f32) -> Result<(), Reason> {
+    formed(field, least)?;
+    let whole: Vec<&Spot> = census.spots.iter().filter(|spot| spot.whole).collect();
+    let sum = |chosen: &dyn Fn(&&Spot) -> bool| -> f64 {
+        census.spots.iter().filter(chosen).map(|spot| spot.ellipse.area()).sum()
+    };
+    let area = sum(&|_| true).max(f64::MIN_POSITIVE);
+    let bent = sum(&|spot| spot.endless || spot.whole && spot.fill < FILL) / area;
+    let mean =
+        |value: &dyn Fn(&Spot) -> f64| whole.iter().map(|spot| value(spot)).sum::<f64>() / whole.len() as f64;
+    let fill = if whole.is_empty() { 0.0 } else { mean(&|spot| spot.fill) };
+    if bent > BENT || !whole.is_empty() && fill < MEAN_FILL {
+        return Err(Reason::Merged { bent: 100.0 * bent, fill });
+    }
+    if whole.len() < MARKS {
+        return Err(Reason::TooFew { marks: whole.len() });
+    }
+    let usual = mean(&|spot| spot.ellipse.area());
+    let cells = usual / (field.cell[0] * field.cell[1]);
+    if cells < CELLS {
+        return Err(Reason::TooSmall { cells });
+    }
+    let variance = mean(&|spot| (spot.ellipse.area() - usual) * (spot.ellipse.area() - usual));
+    let spread = variance.sqrt() / usual;
+    if spread > SPREAD { Err(Reason::TooIrregular { spread }) } else { Ok(()) }
+}
+
+/// Is a field a texture of stripes? `least` as for [`spot_texture`].
+///
+/// # Errors
+/// The first [`Reason`] that applies.
+pub fn stripe_texture(field: &Field, found: Option<&StripeStatistics>, least: f32) -> Result<(), Reason> {
+    formed(field, least)?;
+    let Some(found) = found else { return Err(Reason::TooFew { marks: 0 }) };
+    if !(0.15..=0.85).contains(&found.share) {
+        return Err(Reason::OneSided { share: found.share });
+    }
+    if found.coherence < COHERENCE {
+        return Err(Reason::NoDirection { coherence: found.coherence });
+    }
+    Ok(())
+}
+
+fn formed(field: &Field, least: f32) -> Result<(), Reason> {
+    if !field.values.iter().all(|value| value.is_finite()) {
+        return Err(Reason::NotFinite);
+    }
+    let low = field.values.iter().copied().fold(f32::INFINITY, f32::min);
+    let high = field.values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+    let range = high - low;
+    if range >= least { Ok(()) } else { Err(Reason::NoPattern { range, least }) }
+}
