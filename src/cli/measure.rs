@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use image::DynamicImage;
 use serde_json::{Map, Value, json};
 
+use super::{Error, say};
 use crate::field::{Edges, Field};
 use crate::measure::{Picture, picture};
 
@@ -23,7 +24,7 @@ pub struct Args {
 
 /// Why a picture could not be measured.
 #[derive(Debug, thiserror::Error)]
-pub enum Error {
+pub enum MeasureError {
     /// It cannot be read.
     #[error("{path}: cannot be read as a picture: {source}")]
     Unreadable {
@@ -58,19 +59,14 @@ const LEAST_SPAN: f32 = 0.05;
 /// Measures the picture and prints what it has.
 ///
 /// # Errors
-/// See [`Error`].
+/// Where the picture cannot be read or has neither spots nor stripes.
 pub fn run(args: &Args) -> Result<(), Error> {
-    let found = measure(&args.image, args.invert)?;
-    if args.json {
-        println!("{}", as_json(&found));
-    } else {
-        print!("{}", as_text(&found));
-    }
-    Ok(())
+    let found = measure(&args.image, args.invert).map_err(Error::step)?;
+    say(&if args.json { format!("{}\n", as_json(&found)) } else { as_text(&found) })
 }
 
-fn measure(path: &Path, invert: bool) -> Result<Picture, Error> {
-    let unreadable = |source| Error::Unreadable { path: path.to_owned(), source };
+fn measure(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
+    let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
     let reader = image::ImageReader::open(path).map_err(|error| unreadable(error.into()))?;
     let reader = reader.with_guessed_format().map_err(|error| unreadable(error.into()))?;
     let image = reader.decode().map_err(unreadable)?;
@@ -80,7 +76,7 @@ fn measure(path: &Path, invert: bool) -> Result<Picture, Error> {
     let low = field.values.iter().copied().fold(1.0, f32::min);
     let high = field.values.iter().copied().fold(0.0, f32::max);
     if high - low < LEAST_SPAN {
-        return Err(Error::Blank { path: path.to_owned(), span: (high - low).max(0.0) });
+        return Err(MeasureError::Blank { path: path.to_owned(), span: (high - low).max(0.0) });
     }
     let level = if pattern && low < 0.5 && high > 0.5 { 0.5 } else { between_phases(&field.values) };
     let above = field.values.iter().filter(|value| **value > level).count();
@@ -91,7 +87,7 @@ fn measure(path: &Path, invert: bool) -> Result<Picture, Error> {
     } else {
         level
     };
-    picture(&field, level).ok_or_else(|| Error::Neither { path: path.to_owned() })
+    picture(&field, level).ok_or_else(|| MeasureError::Neither { path: path.to_owned() })
 }
 
 /// The picture's luma as the file has it, 0..1; what is transparent counts as its colour.
@@ -263,14 +259,14 @@ mod tests {
     fn what_has_neither_says_so() {
         let blank = DynamicImage::ImageLuma8(image::ImageBuffer::from_pixel(50, 50, image::Luma([7])));
         let (_folder, path) = written("blank.png", &blank);
-        assert!(matches!(measure(&path, false), Err(Error::Blank { .. })));
+        assert!(matches!(measure(&path, false), Err(MeasureError::Blank { .. })));
         let mut state = 1_u32;
         let noise = image::ImageBuffer::from_fn(200, 200, |_, _| {
             state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
             image::Luma([(state >> 24) as u8])
         });
         let (_folder, path) = written("noise.png", &DynamicImage::ImageLuma8(noise));
-        assert!(matches!(measure(&path, false), Err(Error::Neither { .. })), "{:?}", measure(&path, false));
+        assert!(matches!(measure(&path, false), Err(MeasureError::Neither { .. })), "{:?}", measure(&path, false));
         let none = measure(Path::new("no such picture.png"), false).unwrap_err().to_string();
         assert!(none.starts_with("no such picture.png: cannot be read"), "{none}");
     }

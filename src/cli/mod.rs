@@ -41,8 +41,6 @@ enum Command {
     Check(check::Args),
 }
 
-pub mod measure;
-
 /// Runs the program with the process's arguments.
 #[must_use]
 pub fn main() -> ExitCode {
