@@ -30,7 +30,7 @@ pub fn sets() -> [Set; 3] {
         Set {
             system: System::TuringSpots,
             runs: 700,
-            size: [18.0, 170.0],
+            size: [18.0, 150.0],
             ratio: [3.8, 3.8],
             dense_level: 0.35,
             level: 0.35,
@@ -38,10 +38,10 @@ pub fn sets() -> [Set; 3] {
         },
         Set {
             system: System::MeinhardtSpots,
-            runs: 1_200,
-            size: [18.0, 170.0],
-            // Below 12 spots become unround; 75 packs 0.02 of the plane.
-            ratio: [12.0, 75.0],
+            runs: 1_000,
+            size: [18.0, 150.0],
+            // Below 12 spots become unround; 60 packs 0.024 of the plane.
+            ratio: [12.0, 60.0],
             // Reads 0.23 of the plane, what Turing's spots cover.
             dense_level: 0.27,
             level: 0.5,
@@ -90,7 +90,7 @@ impl Set {
                 // Scale laws (facts A, B), good to some ten per cent: where to draw, not what is learnt.
                 let law = match system {
                     System::TuringSpots => 5.2,
-                    _ => 163.0 * (12.0 / ratio) * (1.0 + 1.2 * (0.5 - level) / 0.2 * 0.6),
+                    _ => 163.0 * (12.0 / ratio) * libm::exp(2.85 * (0.5 - level)),
                 };
                 Parameters { rate: law / size, ratio: Some(ratio), stretch, direction, level: Some(level) }
             }

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use crate::plan::Set;
 
 /// Spots that a patch holds, or squared wavelengths: enough that its means are known to a per cent.
-const MARKS: f64 = 90.0;
+const MARKS: f64 = 80.0;
 /// Range of the marks field below which nothing has formed, a tenth of the usual.
 const LEAST: f32 = 0.1;
 

@@ -266,7 +266,11 @@ mod tests {
             image::Luma([(state >> 24) as u8])
         });
         let (_folder, path) = written("noise.png", &DynamicImage::ImageLuma8(noise));
-        assert!(matches!(measure(&path, false), Err(MeasureError::Neither { .. })), "{:?}", measure(&path, false));
+        assert!(
+            matches!(measure(&path, false), Err(MeasureError::Neither { .. })),
+            "{:?}",
+            measure(&path, false)
+        );
         let none = measure(Path::new("no such picture.png"), false).unwrap_err().to_string();
         assert!(none.starts_with("no such picture.png: cannot be read"), "{none}");
     }
