@@ -1,5 +1,7 @@
 //! Why a command could not do what was asked.
 
+use crate::export::ExportError;
+use crate::synth::GrowError;
 use crate::synth::recipe::DocumentError;
 use std::io;
 
@@ -31,9 +33,6 @@ pub enum Error {
         /// The document.
         file: String,
     },
-    /// The command is not built yet.
-    #[error("{0}: this command is not built yet")]
-    Missing(&'static str),
     /// Ctrl-C.
     #[error("interrupted")]
     Interrupted,
@@ -46,6 +45,18 @@ impl Error {
     /// Wraps what a step said.
     pub fn step(error: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self::Step(error.into())
+    }
+
+    /// Wraps why nothing was grown.
+    #[must_use]
+    pub fn grown(error: GrowError) -> Self {
+        if matches!(error, GrowError::Cancelled(_)) { Self::Interrupted } else { Self::step(error) }
+    }
+
+    /// Wraps why a picture was not written.
+    #[must_use]
+    pub fn exported(error: ExportError) -> Self {
+        if matches!(error, ExportError::Cancelled { .. }) { Self::Interrupted } else { Self::step(error) }
     }
 
     /// 1 could not; 2 used wrongly; 130 interrupted.

@@ -1,8 +1,18 @@
 //! `dapple grow`: a document → its texture.
 
+mod pictures;
+mod progress;
+
 use super::{Error, values};
+use crate::export;
 use crate::synth::recipe::Document;
+use crate::synth::{Options, Training, Watch, grow, report::report};
+use progress::Bar;
+use serde_json::Value;
+use std::io::Write;
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
 
 /// What to grow, how, and where to write it.
 #[derive(clap::Args, Debug)]
@@ -52,6 +62,20 @@ pub struct Args {
 }
 
 impl Args {
+    /// Refuses a layer that the document does not have.
+    fn check_layer(&self, document: &Document) -> Result<(), Error> {
+        let layers = document.layers.len();
+        match self.layer {
+            Some(layer) if layer as usize > layers => {
+                let file = self.file.display();
+                Err(Error::Usage(format!(
+                    "--layer: found {layer}; allowed: 1 to {layers}, the layers of {file}"
+                )))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Refuses to write two things to one file, or to write over the document.
     ///
     /// # Errors
@@ -83,6 +107,58 @@ impl Args {
 /// Where the document is not valid, cannot be grown, or a file cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     args.check_outputs()?;
-    let _document = Document::read(&args.file)?;
-    Err(Error::Missing("grow"))
+    for path in [Some(&args.output), args.pattern.as_ref(), args.labels.as_ref()].into_iter().flatten() {
+        export::check_target(path).map_err(Error::step)?;
+    }
+    let document = Document::read(&args.file)?;
+    let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
+    args.check_layer(&document)?;
+    if let Some(threads) = args.threads {
+        // Fails only where the pool exists already, and nothing has used it yet.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    }
+    let cancelled = super::install();
+    let cancelled = || cancelled.load(Ordering::Relaxed);
+    let bar = Bar::new(args.quiet);
+    let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
+    let source = args.file.display().to_string();
+    let started = Instant::now();
+    let options = Options { size: args.size, refine: args.no_refine.then_some(false) };
+    let training = Training::from(args.training.clone());
+    let grown = grow(&document, &source, &training, options, &watch).map_err(Error::grown)?;
+    let result = pictures::write(args, &document, &grown, &watch);
+    bar.clear();
+    result?;
+    let seconds = started.elapsed().as_secs_f64();
+    let report = report(&document, &source, &grown, seconds);
+    if let Some(path) = &args.report {
+        let text = format!("{report:#}\n");
+        export::save(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?;
+    }
+    if !args.quiet {
+        notes(&report);
+    }
+    Ok(())
+}
+
+/// What the user should know beside the picture, on stderr.
+fn notes(report: &Value) {
+    let list = |value: &Value, key: &str| value[key].as_array().cloned().unwrap_or_default();
+    for layer in list(report, "layers") {
+        for region in list(&layer, "regions") {
+            for note in list(&region, "notes") {
+                let name = layer["name"].as_str().unwrap_or_default();
+                let text = note.as_str().unwrap_or_default();
+                // Nobody left to tell is no reason to fail.
+                let _ = writeln!(std::io::stderr(), "note: {name}, region {}: {text}", region["region"]);
+            }
+        }
+        if layer["settled"] == Value::Bool(false) {
+            let _ = writeln!(
+                std::io::stderr(),
+                "note: {} did not come to rest; what stands there is used",
+                layer["name"]
+            );
+        }
+    }
 }

@@ -9,8 +9,8 @@ pub enum Stage {
     Grow,
     /// Measuring what has grown and correcting it.
     Refine,
-    /// Bringing the pattern to the size of the canvas.
-    Resample,
+    /// Writing pictures.
+    Write,
 }
 
 /// Told how far the work is, and asked whether to go on.
