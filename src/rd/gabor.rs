@@ -1,6 +1,7 @@
 //! Where stripes begin: noise that already has the wavelength and the direction of the stripes.
 //!
-//! n(x) = Σᵢ wᵢ (1 − |x − xᵢ|²/ρ²)² cos(2π (x − xᵢ)·nᵢ/λᵢ + φᵢ): sparse convolution with oriented waves.
+//! n(x) = Σᵢ (1 − r²)² cos(2π (x − xᵢ)·nᵢ/λᵢ + φᵢ), r² = (along/A)² + (across/B)², with the direction of the
+//! stripes along and nᵢ across: sparse convolution with oriented waves.
 //! Lagae et al., "Procedural noise using sparse Gabor convolution", SIGGRAPH 2009; its Gaussian window is
 //! replaced by a polynomial of compact support.
 
@@ -9,9 +10,9 @@ use rand::{Rng, RngExt};
 use super::maps::{Maps, Parameters};
 use crate::field::Edges;
 
-/// Radius of a kernel in wavelengths: longer kernels make longer stripes with fewer forks, but follow turning
-/// directions worse. Tuned by eye on the 2×2 field of `facts.md` E.
-const RADIUS: f64 = 1.5;
+/// A and B, the kernel's reach along and across the stripes, in wavelengths. Longer kernels make longer stripes
+/// with fewer forks, but follow turning directions worse.
+const REACH: [f64; 2] = [4.0, 1.8];
 /// Kernels a square wavelength; fewer leave gaps.
 const DENSITY: f64 = 2.0;
 
@@ -30,7 +31,7 @@ pub fn noise(
     // Thrown over a frame beyond closed borders too, so that the noise does not fade there.
     let frame = match edges {
         Edges::Wrap => 0.0,
-        Edges::Closed => RADIUS * maps.parameters.iter().map(wavelength).fold(0.0, f64::max),
+        Edges::Closed => REACH[0] * maps.parameters.iter().map(wavelength).fold(0.0, f64::max),
     };
     let (w, h) = (nx as f64 + 2.0 * frame, ny as f64 + 2.0 * frame);
     let throws = (densest * w * h).ceil() as usize;
@@ -43,8 +44,8 @@ pub fn noise(
             splat(&mut sum, [nx, ny], edges, at, &p, length, phase);
         }
     }
-    // ∫ window² cos² = (½)(π/5)ρ², times DENSITY/λ².
-    let deviation = (0.5 * std::f64::consts::PI / 5.0 * RADIUS * RADIUS * DENSITY).sqrt() as f32;
+    // ∫ window² cos² = ½ (π/5) A·B, times DENSITY/λ².
+    let deviation = (0.5 * std::f64::consts::PI / 5.0 * REACH[0] * REACH[1] * DENSITY).sqrt() as f32;
     for n in &mut sum {
         *n /= deviation;
     }
@@ -61,10 +62,11 @@ fn splat(
     phase: f64,
 ) {
     use std::f64::consts::TAU;
-    let radius = RADIUS * length;
+    let [far, near] = REACH.map(|reach| reach * length);
     let across = (f64::from(p.direction) + 90.0).to_radians();
-    let (kx, ky) = (TAU / length * libm::cos(across), TAU / length * libm::sin(across));
-    let range = |v: f64| (v - radius).ceil() as isize..=(v + radius).floor() as isize;
+    let n = [libm::cos(across), libm::sin(across)];
+    let (kx, ky) = (TAU / length * n[0], TAU / length * n[1]);
+    let range = |v: f64| (v - far).ceil() as isize..=(v + far).floor() as isize;
     // cos(α + x·kx) along a row by the angle-sum rule: two multiplications instead of a cosine a cell.
     let (cos_step, sin_step) = (libm::cos(kx), libm::sin(kx));
     for y in range(at[1] - 0.5) {
@@ -80,7 +82,8 @@ fn splat(
         let (mut c, mut s) = (libm::cos(start), libm::sin(start));
         for x in columns {
             let dx = x as f64 + 0.5 - at[0];
-            let window = 1.0 - (dx * dx + dy * dy) / (radius * radius);
+            let (along, across) = (dx * n[1] - dy * n[0], dx * n[0] + dy * n[1]);
+            let window = 1.0 - along * along / (far * far) - across * across / (near * near);
             if window > 0.0 && (edges == Edges::Wrap || (0..nx as isize).contains(&x)) {
                 sum[row + edges.index(x, nx)] += (window * window * c) as f32;
             }
