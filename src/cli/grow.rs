@@ -14,6 +14,9 @@ use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
+/// Different notes a layer that are told on a terminal.
+const MOST_NOTES: usize = 8;
+
 /// What to grow, how, and where to write it.
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -136,29 +139,76 @@ pub fn run(args: &Args) -> Result<(), Error> {
         export::save(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?;
     }
     if !args.quiet {
-        notes(&report);
+        tell_notes(&report);
     }
     Ok(())
 }
 
 /// What the user should know beside the picture, on stderr.
-fn notes(report: &Value) {
+fn tell_notes(report: &Value) {
+    for line in notes(report) {
+        // Nobody left to tell is no reason to fail.
+        let _ = writeln!(std::io::stderr(), "note: {line}");
+    }
+}
+
+/// The notes of a report, one that many regions share told once.
+fn notes(report: &Value) -> Vec<String> {
     let list = |value: &Value, key: &str| value[key].as_array().cloned().unwrap_or_default();
+    let mut lines = Vec::new();
     for layer in list(report, "layers") {
+        let name = layer["name"].as_str().unwrap_or_default();
+        let mut said: Vec<(String, Vec<String>)> = Vec::new();
         for region in list(&layer, "regions") {
-            for note in list(&region, "notes") {
-                let name = layer["name"].as_str().unwrap_or_default();
-                let text = note.as_str().unwrap_or_default();
-                // Nobody left to tell is no reason to fail.
-                let _ = writeln!(std::io::stderr(), "note: {name}, region {}: {text}", region["region"]);
+            for note in list(&region, "notes").iter().filter_map(Value::as_str) {
+                let place = region["region"].to_string();
+                match said.iter_mut().find(|(text, _)| text == note) {
+                    Some((_, places)) => places.push(place),
+                    None => said.push((note.to_owned(), vec![place])),
+                }
             }
         }
-        if layer["settled"] == Value::Bool(false) {
-            let _ = writeln!(
-                std::io::stderr(),
-                "note: {} did not come to rest; what stands there is used",
-                layer["name"]
-            );
+        let many = said.len().saturating_sub(MOST_NOTES);
+        for (text, places) in said.into_iter().take(MOST_NOTES) {
+            let places = match &places[..] {
+                [place] => format!("region {place}"),
+                [first, ..] => format!("{} regions such as {first}", places.len()),
+                [] => String::new(),
+            };
+            lines.push(format!("{name}, {places}: {text}"));
         }
+        if many > 0 {
+            lines.push(format!("{name}: {many} more notes; --report writes them all"));
+        }
+        if layer["settled"] == Value::Bool(false) {
+            lines.push(format!(
+                "{name}: did not come to rest in the time it was given; what stands there is used"
+            ));
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn a_note_that_regions_share_is_told_once() {
+        let region = |place: [u32; 2], notes: &[&str]| json!({"region": place, "notes": notes});
+        let regions = [region([0, 0], &["dense"]), region([1, 0], &["dense", "round"]), region([2, 0], &[])];
+        let report = json!({"layers": [{"name": "spots", "settled": true, "regions": regions}]});
+        assert_eq!(notes(&report), ["spots, 2 regions such as [0,0]: dense", "spots, region [1,0]: round"]);
+    }
+
+    #[test]
+    fn many_notes_are_counted_instead_of_told() {
+        let regions: Vec<Value> =
+            (0..20).map(|i| json!({"region": [i, 0], "notes": [format!("note {i}")]})).collect();
+        let report = json!({"layers": [{"name": "spots", "settled": true, "regions": regions}]});
+        let told = notes(&report);
+        assert_eq!(told.len(), MOST_NOTES + 1);
+        assert!(told[MOST_NOTES].contains("12 more notes"), "{told:?}");
     }
 }

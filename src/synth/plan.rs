@@ -3,8 +3,8 @@
 use super::lattice::{Lattice, Node};
 use super::recipe::SystemChoice;
 use super::training::Training;
-use crate::attributes::Attributes;
 use crate::attributes::regions::RegionMap;
+use crate::attributes::{Attributes, Spots};
 use crate::learn::{Answer, AskError, TrainingError};
 use crate::rd::{Maps, System};
 
@@ -23,8 +23,9 @@ const FINEST: f64 = 0.35;
 /// area ÷ spacing² of a spot whose spacing is free: what Meinhardt's system packs at its smallest ratio, where
 /// its spots are evenest.
 const FREE_MEINHARDT: f64 = 0.12;
-/// The same of Turing's.
-const FREE_TURING: f64 = 0.205;
+
+/// What is asked counts as met where area, spacing and aspect together are nearer than this.
+const MET: f64 = 0.05;
 
 /// Why there is no plan.
 #[derive(Debug, thiserror::Error)]
@@ -109,7 +110,7 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
         SystemChoice::MeinhardtStripes => System::MeinhardtStripes,
         SystemChoice::Auto => auto(training, &map)?,
     };
-    map.fill_free_spacing(|spots| free_spacing(system, spots.area));
+    map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let regions: Vec<Attributes> =
         map.regions().map(|(place, _)| map.at(map.layout().center(place))).collect();
     let cell = regions.iter().map(cell_for).fold(f64::INFINITY, f64::min);
@@ -130,22 +131,30 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
     Ok(Plan { system, map, cell: exact, grid, lattice: Lattice { layout, nodes }, answers })
 }
 
-/// Spacing, px, of spots of `area` px² that the system packs by itself.
+/// Spacing, px, that the system gives such spots by itself.
 #[must_use]
-pub fn free_spacing(system: System, area: f64) -> f64 {
-    let share = if system == System::TuringSpots { FREE_TURING } else { FREE_MEINHARDT };
-    (area / share).sqrt()
+pub fn free_spacing(training: &Training, system: System, spots: &Spots) -> f64 {
+    let free = Attributes::Spots(Spots { spacing: None, ..*spots });
+    let given = match system {
+        System::TuringSpots => ask(training, system, &free, cell_for(&free)).ok(),
+        // Any spacing would do; evenest are the spots of its smallest ratio.
+        _ => None,
+    };
+    match given.map(|answer| answer.predicted) {
+        Some(Attributes::Spots(Spots { spacing: Some(spacing), .. })) => spacing,
+        _ => (spots.area / FREE_MEINHARDT).sqrt(),
+    }
 }
 
 /// Lines want stripes; ellipses want Meinhardt's system, whose spots are rounder and stand as far apart as
-/// asked, unless Turing's comes closer to what is asked in some region by more than a hundredth.
+/// asked, unless Turing's meets what is asked and Meinhardt's does not.
 fn auto(training: &Training, map: &RegionMap) -> Result<System, PlanError> {
     let mut miss = [0.0f64; 2];
     for (place, _) in map.regions() {
         let mut wanted = map.at(map.layout().center(place));
         let Attributes::Spots(spots) = &mut wanted else { return Ok(System::MeinhardtStripes) };
         if spots.spacing.is_none() {
-            spots.spacing = Some(free_spacing(System::MeinhardtSpots, spots.area));
+            spots.spacing = Some(free_spacing(training, System::MeinhardtSpots, spots));
         }
         let cell = cell_for(&wanted);
         for (worst, system) in miss.iter_mut().zip([System::MeinhardtSpots, System::TuringSpots]) {
@@ -153,7 +162,8 @@ fn auto(training: &Training, map: &RegionMap) -> Result<System, PlanError> {
             *worst = worst.max(distance(&wanted, &answer.predicted));
         }
     }
-    Ok(if miss[1] + 0.01 < miss[0] { System::TuringSpots } else { System::MeinhardtSpots })
+    let [meinhardt, turing] = miss;
+    Ok(if turing < MET && MET < meinhardt { System::TuringSpots } else { System::MeinhardtSpots })
 }
 
 /// How far two sets of spots differ: |Δ ln area| + |Δ ln spacing| + |Δ aspect|.

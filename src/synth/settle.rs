@@ -17,6 +17,9 @@ struct Criterion {
 const EVERY: f64 = 2.5;
 /// From look to look what is still forming falls to below this share, drift stays above it.
 const FALLING: f64 = 0.8;
+/// Steps that are taken at most. Spots sixteen times the area of the smallest (3×3 regions, neighbours a factor 2
+/// apart) need some 80,000; a canvas that needs more has no business to take the night.
+const STEPS: u64 = 150_000;
 /// Change a unit of time that is rest by any measure.
 const REST: f64 = 0.0003;
 
@@ -41,7 +44,7 @@ pub fn settle(growth: &mut Growth, maps: &Maps, system: System, watch: &Watch) -
     let mut before = growth.marks(maps).values;
     let mut last = f64::INFINITY;
     loop {
-        let end = growth.steps() + growth.steps_in(EVERY);
+        let end = growth.steps() + growth.steps_in(EVERY).min(STEPS);
         while growth.steps() < end {
             // About as long as one may wait for a key to be heeded, on the largest grids too.
             growth.advance(16.min(end - growth.steps()));
@@ -53,7 +56,7 @@ pub fn settle(growth: &mut Growth, maps: &Maps, system: System, watch: &Watch) -
         if growth.time() >= criterion.earliest && (steady || change < REST) {
             return Ok(true);
         }
-        if growth.time() >= criterion.latest || !change.is_finite() {
+        if growth.time() >= criterion.latest || growth.steps() >= STEPS || !change.is_finite() {
             return Ok(false);
         }
         (before, last) = (after, change);

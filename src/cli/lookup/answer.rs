@@ -32,7 +32,7 @@ impl Looked {
         if let (System::MeinhardtSpots, Attributes::Spots(spots @ Spots { spacing: None, .. })) =
             (system, &mut filled)
         {
-            let spacing = plan::free_spacing(system, spots.area);
+            let spacing = plan::free_spacing(training, system, spots);
             spots.spacing = Some(spacing);
             free = Some(format!("spacing is free: {} px taken", brief(spacing)));
         }
