@@ -1,9 +1,10 @@
 //! The sweep, ahead of time: parameters → simulation → measured attributes (or a rejection with its reason) →
-//! rows in `training/`.
+//! rows in `training/`. And the trial: how well what grows matches what was drawn.
 
 mod files;
 mod plan;
 mod run;
+mod trial;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -16,6 +17,8 @@ use clap::Parser;
 enum Command {
     /// Run the simulations of the training sets and write one CSV a system, with what was rejected beside it
     Sweep(Sweep),
+    /// Grow all examples and many random sketches; tell how far they are from what was drawn
+    Trial(trial::Args),
 }
 
 #[derive(clap::Args)]
@@ -35,9 +38,13 @@ struct Sweep {
 }
 
 fn main() -> ExitCode {
-    let Command::Sweep(sweep) = Command::parse();
-    match run_sweep(&sweep) {
-        Ok(()) => ExitCode::SUCCESS,
+    let done = match Command::parse() {
+        Command::Sweep(sweep) => run_sweep(&sweep).map(|()| true),
+        Command::Trial(trial) => trial::run(&trial),
+    };
+    match done {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
         Err(error) => {
             eprintln!("error: {error}");
             ExitCode::FAILURE

@@ -32,7 +32,7 @@ const ADDRESSES: [(&str, &[&str]); 14] = [
     ("nalgebra", &["src/marks/", "src/learn/", "src/rd/"]),
     ("palette", &["src/colour/"]),
     ("png", &["src/export/", "src/cli/measure.rs"]),
-    ("serde_json", &["src/synth/", "src/cli/", "src/learn/"]),
+    ("serde_json", &["src/synth/", "src/cli/", "src/learn/", "data-gen/"]),
     ("spade", &["src/attributes/spacing.rs"]),
     ("tempfile", &["src/export/"]),
 ];

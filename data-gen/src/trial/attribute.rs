@@ -1,0 +1,39 @@
+//! What is compared: attributes of spots and stripes, their units and the bounds that hold for them.
+
+/// A number that is compared region by region.
+pub struct Attribute {
+    /// The contract's word for it.
+    pub name: &'static str,
+    /// What errors are printed in.
+    pub unit: &'static str,
+    /// An error of 1 in that unit.
+    pub factor: f64,
+    /// Median and 95th percentile of |error| at most, in that unit; `None` where it only is told.
+    pub bounds: Option<[f64; 2]>,
+    /// Is it of spots or of stripes?
+    pub spots: bool,
+}
+
+/// All of them; a region's errors stand in this order.
+pub const ATTRIBUTES: [Attribute; 8] = [
+    spots("area", "%", 100.0, Some([4.0, 10.0])),
+    spots("spacing", "%", 100.0, Some([4.0, 10.0])),
+    // The contract says "over the whole layer"; read by whoever takes that for the layer's whole marks.
+    spots("spacing of whole marks", "%", 100.0, None),
+    spots("aspect", "", 1.0, Some([0.02, 0.06])),
+    spots("angle", "°", 1.0, Some([1.5, 5.0])),
+    stripes("width", "%", 100.0, Some([4.0, 10.0])),
+    stripes("angle", "°", 1.0, Some([3.0, 8.0])),
+    stripes("angle, rms", "°", 1.0, None),
+];
+
+/// Errors of a region, by attribute.
+pub type Errors = [Option<f64>; ATTRIBUTES.len()];
+
+const fn spots(name: &'static str, unit: &'static str, factor: f64, bounds: Option<[f64; 2]>) -> Attribute {
+    Attribute { name, unit, factor, bounds, spots: true }
+}
+
+const fn stripes(name: &'static str, unit: &'static str, factor: f64, bounds: Option<[f64; 2]>) -> Attribute {
+    Attribute { name, unit, factor, bounds, spots: false }
+}

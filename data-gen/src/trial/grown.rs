@@ -1,0 +1,173 @@
+//! One document: grown, brought to 16 bits as its pattern picture is, measured.
+
+use std::path::Path;
+use std::time::Instant;
+
+use dapple::attributes::Attributes;
+use dapple::field::{Field, to_u16};
+use dapple::measure::{self, Canvas, Spot};
+use dapple::synth::recipe::Document;
+use dapple::synth::{GrownLayer, Options, Training, Watch, drawn, grow};
+
+use super::attribute::{ATTRIBUTES, Errors};
+use super::output;
+use super::verdict::{self, Failure};
+
+/// A document to try.
+pub struct Task {
+    /// The file's name without its ending, or the sketch's.
+    pub name: String,
+    /// Is it a random sketch?
+    pub random: bool,
+    /// What was drawn.
+    pub document: Document,
+}
+
+/// What came of a document.
+pub struct Outcome {
+    /// The task's name.
+    pub name: String,
+    /// Was it a random sketch?
+    pub random: bool,
+    /// Were spots or stripes drawn?
+    pub spots: bool,
+    /// What grew it, a layer each.
+    pub systems: Vec<&'static str>,
+    /// Did all layers come to rest?
+    pub settled: bool,
+    /// Growing it took one thread as long, s.
+    pub seconds: f64,
+    /// What was measured.
+    pub regions: Vec<Region>,
+    /// What is wrong.
+    pub failures: Vec<Failure>,
+}
+
+/// What was measured in a region of a layer.
+pub struct Region {
+    /// Layer, 0 = the lowest.
+    pub layer: usize,
+    /// [column, row].
+    pub place: [usize; 2],
+    /// Whole marks, of spots.
+    pub marks: usize,
+    /// Means of the region map where marks (or stripes) are.
+    pub wanted: Option<Attributes>,
+    /// Means over them.
+    pub got: Option<Attributes>,
+    /// By attribute.
+    pub errors: Errors,
+}
+
+impl Task {
+    /// Grows, measures, writes pictures into `out`.
+    ///
+    /// # Errors
+    /// A picture cannot be written. A document that does not grow is an outcome.
+    pub fn run(&self, training: &Training, out: Option<&Path>) -> Result<Outcome, String> {
+        let mut outcome = Outcome {
+            name: self.name.clone(),
+            random: self.random,
+            spots: true,
+            systems: Vec::new(),
+            settled: true,
+            seconds: 0.0,
+            regions: Vec::new(),
+            failures: Vec::new(),
+        };
+        let started = Instant::now();
+        let grown = grow(&self.document, &self.name, training, Options::default(), &Watch::NOBODY);
+        outcome.seconds = started.elapsed().as_secs_f64();
+        match grown {
+            Err(error) => outcome.failures.push(Failure::NotGrown(error.to_string())),
+            Ok(grown) => {
+                let mut patterns = Vec::new();
+                for (index, layer) in grown.layers.iter().enumerate() {
+                    let pattern = written(layer, self.document.size);
+                    outcome.measure(&self.document, index, layer, &pattern);
+                    patterns.push(pattern);
+                }
+                if let Some(folder) = out {
+                    output::pictures(folder, &self.name, &self.document, &patterns)?;
+                }
+            }
+        }
+        Ok(outcome)
+    }
+}
+
+/// The pattern as whoever reads the written picture finds it.
+fn written(layer: &GrownLayer, size: [u32; 2]) -> Field {
+    let [width, height] = size.map(|side| side as usize);
+    let mut pattern = layer.pattern().field(width, height);
+    for value in &mut pattern.values {
+        if value.is_finite() {
+            *value = f32::from(to_u16(*value)) / 65535.0;
+        }
+    }
+    pattern
+}
+
+impl Outcome {
+    fn measure(&mut self, document: &Document, index: usize, layer: &GrownLayer, pattern: &Field) {
+        self.systems.push(layer.plan.system.name());
+        self.settled &= layer.settled;
+        let map = match drawn::region_map(document, index, &self.name) {
+            Ok(map) => map,
+            Err(error) => {
+                self.failures.push(Failure::NotGrown(error.to_string()));
+                return;
+            }
+        };
+        if let Some(failure) = verdict::of_any(pattern) {
+            self.failures.push(failure);
+            return;
+        }
+        let layout = *map.layout();
+        let canvas = Canvas {
+            size: layout.size,
+            edges: layout.edges,
+            regions: layout.len(),
+            region_of: &|point| layout.index(layout.region_of(point)),
+            wanted: &|point| map.at(point),
+        };
+        self.spots = matches!(map.at([0.0, 0.0]), Attributes::Spots(_));
+        let mut regions = if self.spots {
+            let marks = measure::spots(pattern, 0.5);
+            self.failures.extend(verdict::of_spots(&marks, &map));
+            spots(&marks, &canvas)
+        } else {
+            self.failures.extend(verdict::of_stripes(pattern, &layout));
+            stripes(pattern, &canvas)
+        };
+        for (k, region) in regions.iter_mut().enumerate() {
+            (region.layer, region.place) = (index, layout.place(k));
+        }
+        self.regions.append(&mut regions);
+    }
+}
+
+fn spots(marks: &[Spot], canvas: &Canvas) -> Vec<Region> {
+    let errors = measure::spot_errors(marks, canvas);
+    let whole: Vec<Spot> = marks.iter().copied().filter(|mark| mark.whole).collect();
+    let of_whole = measure::spot_errors(&whole, canvas);
+    let regions = errors.iter().zip(of_whole).map(|(found, whole)| {
+        let mut errors = [None; ATTRIBUTES.len()];
+        let values = [found.area, found.spacing, whole.spacing, found.aspect, found.angle];
+        errors[..values.len()].copy_from_slice(&values);
+        let [wanted, got] = [found.wanted, found.got].map(|spots| spots.map(Attributes::Spots));
+        Region { layer: 0, place: [0, 0], marks: found.marks, wanted, got, errors }
+    });
+    regions.collect()
+}
+
+fn stripes(pattern: &Field, canvas: &Canvas) -> Vec<Region> {
+    let regions = measure::stripe_errors(pattern, 0.5, canvas).into_iter().map(|found| {
+        let mut errors = [None; ATTRIBUTES.len()];
+        let values = [found.width, found.angle, found.angle_rms];
+        errors[ATTRIBUTES.len() - values.len()..].copy_from_slice(&values);
+        let [wanted, got] = [found.wanted, found.got].map(|stripes| stripes.map(Attributes::Stripes));
+        Region { layer: 0, place: [0, 0], marks: 0, wanted, got, errors }
+    });
+    regions.collect()
+}

@@ -1,0 +1,177 @@
+//! The table of how well textures match what was drawn: over all examples and as many random sketches.
+//!
+//! ```text
+//!  examples/*.dapple ─┐
+//!                     ├─▶ grown ─▶ the pattern picture ─▶ ruler, verdict ─▶ statistics ─▶ table, JSON, pictures
+//!  sketches (seed)  ──┘
+//! ```
+//!
+//! What is measured is the picture that `dapple grow --pattern` writes, in its 16 bits, by the contract's words;
+//! nothing is taken from the report of the growth.
+
+mod attribute;
+mod grown;
+mod output;
+mod sketches;
+mod statistics;
+mod table;
+mod verdict;
+
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+use dapple::synth::Training;
+use dapple::synth::recipe::Document;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use grown::{Outcome, Task};
+
+/// What to try, and where to write what came out.
+#[derive(clap::Args)]
+pub struct Args {
+    /// Random sketches
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    sketches: u64,
+    /// The seed that the random sketches are drawn from
+    #[arg(long, value_name = "N", default_value_t = sketches::SEED)]
+    seed: u64,
+    /// Where the examples are; a folder that is not there holds none
+    #[arg(long, value_name = "DIR", default_value = "examples")]
+    examples: PathBuf,
+    /// Use the training sets in this folder instead of those built in
+    #[arg(long, value_name = "DIR")]
+    training: Option<PathBuf>,
+    /// Threads to use, each growing documents of its own [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Also write each document, its texture and its pattern into this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Also write the numbers of each region, as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+/// Grows and measures all, and prints the table. Gives whether all bounds hold and nothing failed.
+pub fn run(args: &Args) -> Result<bool, String> {
+    let tasks = tasks(args)?;
+    if let Some(folder) = &args.out {
+        std::fs::create_dir_all(folder)
+            .map_err(|error| format!("cannot make the folder '{}': {error}", folder.display()))?;
+    }
+    let started = Instant::now();
+    let threads = match args.threads {
+        Some(threads) => usize::from(threads),
+        None => std::thread::available_parallelism().map_or(1, usize::from),
+    };
+    let training = Training::from(args.training.clone());
+    let outcomes = all(&tasks, &training, threads, args.out.as_deref())?;
+    let (text, good) = table::table(&outcomes);
+    println!("{text}");
+    println!(
+        "{} documents in {:.0} s on {threads} threads, sketches from seed {}",
+        outcomes.len(),
+        started.elapsed().as_secs_f64(),
+        args.seed
+    );
+    if let Some(path) = &args.json {
+        output::numbers(path, args.seed, &outcomes)?;
+    }
+    Ok(good)
+}
+
+/// The examples by name, then the sketches.
+fn tasks(args: &Args) -> Result<Vec<Task>, String> {
+    let mut files = Vec::new();
+    if args.examples.is_dir() {
+        let unreadable = |error| format!("cannot read the folder '{}': {error}", args.examples.display());
+        for entry in std::fs::read_dir(&args.examples).map_err(unreadable)? {
+            let path = entry.map_err(unreadable)?.path();
+            if path.extension().is_some_and(|ending| ending == "dapple") {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    let mut tasks = Vec::new();
+    for path in files {
+        let document = Document::read(&path).map_err(|error| error.to_string())?;
+        let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        tasks.push(Task { name, random: false, document });
+    }
+    for index in 0..args.sketches {
+        let document = sketches::sketch(args.seed, index)?;
+        tasks.push(Task { name: format!("random-{index:03}"), random: true, document });
+    }
+    Ok(tasks)
+}
+
+/// What came of all tasks, in their order.
+///
+/// Each thread grows whole documents: grids are small, so that threads would rather wait for each other than
+/// share one. What grows does not depend on it.
+fn all(
+    tasks: &[Task],
+    training: &Training,
+    threads: usize,
+    out: Option<&Path>,
+) -> Result<Vec<Outcome>, String> {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len}  {elapsed} gone, {eta} left  {msg}");
+    let bar = ProgressBar::new(tasks.len() as u64)
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let next = AtomicUsize::new(0);
+    let found: Mutex<Vec<(usize, Result<Outcome, String>)>> = Mutex::new(Vec::new());
+    let work = || -> Result<(), String> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+        let pool = pool.map_err(|error| format!("cannot start a thread: {error}"))?;
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(task) = tasks.get(index) else { return Ok(()) };
+            let outcome = pool.install(|| task.run(training, out));
+            bar.inc(1);
+            bar.set_message(task.name.clone());
+            found.lock().map_err(|_| "a thread has died")?.push((index, outcome));
+        }
+    };
+    std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..threads.min(tasks.len())).map(|_| scope.spawn(work)).collect();
+        threads.into_iter().try_for_each(|thread| thread.join().map_err(|_| "a thread has died")?)
+    })?;
+    bar.finish_and_clear();
+    let mut found = found.into_inner().map_err(|_| "a thread has died")?;
+    found.sort_by_key(|(index, _)| *index);
+    found.into_iter().map(|(_, outcome)| outcome).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_sketches_are_grown_and_measured_the_same_by_one_thread_and_by_two() {
+        // A round one of 1 × 1 region and one of stripes, made small.
+        let mut tasks = Vec::new();
+        for (name, stroke) in [
+            ("spot", r#"{"kind": "ellipse", "center": [20, 20], "radii": [6, 4], "angle": 30}"#),
+            ("stripe", r#"{"kind": "line", "from": [10, 10], "to": [60, 30], "width": 6}"#),
+        ] {
+            let text = format!(
+                r#"{{"format": "dapple", "version": 1, "size": [80, 80], "layers": [{{"strokes": [{stroke}]}}]}}"#
+            );
+            let document = Document::parse(&text, name).unwrap();
+            tasks.push(Task { name: name.to_owned(), random: true, document });
+        }
+        let training = Training::default();
+        let numbers = |threads| {
+            let outcomes = all(&tasks, &training, threads, None).unwrap();
+            assert!(outcomes.iter().all(|outcome| outcome.regions.len() == 1), "nothing was measured");
+            let errors: Vec<_> = outcomes.iter().map(|outcome| outcome.regions[0].errors).collect();
+            (outcomes.iter().map(|outcome| outcome.name.clone()).collect::<Vec<_>>(), errors)
+        };
+        let one = numbers(1);
+        assert_eq!(one, numbers(2));
+        assert!(one.1[0][0].is_some() && one.1[1][0].is_none(), "{one:?}");
+    }
+}

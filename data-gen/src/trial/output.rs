@@ -1,0 +1,89 @@
+//! What came out, as files: documents, pictures, numbers.
+
+use std::io::Write;
+use std::path::Path;
+
+use dapple::attributes::Attributes;
+use dapple::colour::{Bend, Gradient, Painted, Stop, Table, paint};
+use dapple::export::{self, png};
+use dapple::field::Field;
+use dapple::synth::recipe::{Colours, Document};
+use serde_json::{Map, Value, json};
+
+use super::attribute::ATTRIBUTES;
+use super::grown::{Outcome, Region};
+
+/// Writes `NAME.dapple`, `NAME.png` and, of each layer, `NAME.pattern.png` (from the second on with its number).
+pub fn pictures(folder: &Path, name: &str, document: &Document, patterns: &[Field]) -> Result<(), String> {
+    let failed = |error: export::ExportError| error.to_string();
+    document.write(folder.join(format!("{name}.dapple"))).map_err(|error| error.to_string())?;
+    for (k, pattern) in patterns.iter().enumerate() {
+        let number = if k == 0 { String::new() } else { format!("-{}", k + 1) };
+        let path = folder.join(format!("{name}.pattern{number}.png"));
+        export::save(&path, |out| png::gray16(out, pattern, Some(document.dpi))).map_err(failed)?;
+    }
+    let tables: Vec<Table> = document
+        .layers
+        .iter()
+        .enumerate()
+        .map(|(k, layer)| {
+            layer.colours.as_ref().map_or_else(|| Gradient::default_for_layer(k), gradient).table()
+        })
+        .collect();
+    let layers = patterns.iter().zip(&tables).zip(&document.layers);
+    let painted: Vec<Painted> = layers
+        .map(|((pattern, table), layer)| Painted { pattern, free: None, table, visible: layer.visible })
+        .collect();
+    let size = document.size.map(|side| side as usize);
+    let rgb = paint(&painted, size[0], size[1]);
+    let path = folder.join(format!("{name}.png"));
+    export::save(&path, |out| png::rgb8(out, size, Some(document.dpi), &rgb)).map_err(failed)
+}
+
+fn gradient(colours: &Colours) -> Gradient {
+    Gradient {
+        stops: colours.stops.iter().map(|stop| Stop { at: stop.at as f32, colour: stop.colour }).collect(),
+        bends: colours.bends.iter().map(|bend| Bend(*bend)).collect(),
+    }
+}
+
+/// Writes the numbers of each region, and what failed.
+pub fn numbers(path: &Path, seed: u64, outcomes: &[Outcome]) -> Result<(), String> {
+    let documents: Vec<Value> = outcomes
+        .iter()
+        .map(|outcome| {
+            json!({
+                "document": outcome.name,
+                "random": outcome.random,
+                "systems": outcome.systems,
+                "settled": outcome.settled,
+                "seconds": outcome.seconds,
+                "failures": outcome.failures.iter().map(ToString::to_string).collect::<Vec<_>>(),
+                "regions": outcome.regions.iter().map(region).collect::<Vec<_>>(),
+            })
+        })
+        .collect();
+    let text = format!("{:#}\n", json!({"seed": seed, "documents": documents}));
+    export::save(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(|error| error.to_string())
+}
+
+fn region(region: &Region) -> Value {
+    let attributes = |attributes: &Option<Attributes>| match attributes {
+        Some(Attributes::Spots(spots)) => json!(spots),
+        Some(Attributes::Stripes(stripes)) => json!(stripes),
+        None => Value::Null,
+    };
+    let errors: Map<String, Value> = ATTRIBUTES
+        .iter()
+        .zip(region.errors)
+        .filter_map(|(attribute, error)| Some((attribute.name.to_owned(), json!(error?))))
+        .collect();
+    json!({
+        "layer": region.layer,
+        "region": region.place,
+        "marks": region.marks,
+        "wanted": attributes(&region.wanted),
+        "got": attributes(&region.got),
+        "error": errors,
+    })
+}

@@ -1,0 +1,123 @@
+//! Random sketches as a hand would draw them: a handful of jittered marks a region, on a loose arrangement.
+//!
+//! What is aimed at is not what is asked: that is what the ruler reads off the drawn marks. A sketch whose read
+//! attributes leave the [`RANGES`](ranges) is drawn again, so that the ranges hold for what is asked.
+
+mod lines;
+mod ranges;
+mod spots;
+
+use dapple::attributes::regions::Layout;
+use dapple::field::Edges;
+use dapple::synth::recipe::{Document, Layer, Stroke};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+pub use ranges::within;
+
+/// The seed of the sketches that the project's own table is made of: the year of Phan & Grimm's paper.
+pub const SEED: u64 = 2006;
+
+/// Every so manieth sketch is one of stripes.
+const STRIPES_EVERY: u64 = 4;
+/// The share of seamless tiles.
+const SEAMLESS: f64 = 0.1;
+/// The share of canvases of the usual size.
+const USUAL: f64 = 0.5;
+/// Sides of the other canvases, px.
+const SIDES: [f64; 2] = [384.0, 640.0];
+/// Sketches thrown away at most before one is kept; a few dozen are usual.
+const TRIES: usize = 100_000;
+
+/// Sketch `index` of those that `seed` stands for, the same whatever others there are.
+///
+/// # Errors
+/// None of very many attempts stayed within the ranges.
+pub fn sketch(seed: u64, index: u64) -> Result<Document, String> {
+    let mut dice = Dice(Pcg64Mcg::seed_from_u64(seed.wrapping_mul(1_000_000).wrapping_add(index)));
+    let stripes = index % STRIPES_EVERY == STRIPES_EVERY - 1;
+    let edges = if dice.chance(SEAMLESS) { Edges::Wrap } else { Edges::Closed };
+    for _ in 0..TRIES {
+        let strokes = |dice: &mut Dice, layout: &Layout| {
+            if stripes { lines::draw(dice, layout) } else { spots::draw(dice, layout) }
+        };
+        let layout = canvas(&mut dice, edges);
+        let Some(strokes) = strokes(&mut dice, &layout) else { continue };
+        let document = document(index, &layout, strokes);
+        if within(&document) {
+            return Ok(document);
+        }
+    }
+    Err(format!("sketch {index} of seed {seed}: none of {TRIES} attempts stayed within the ranges"))
+}
+
+fn canvas(dice: &mut Dice, edges: Edges) -> Layout {
+    let usual = dice.chance(USUAL);
+    let size = [0, 1].map(|_| if usual { 512.0 } else { dice.between(SIDES).round() });
+    Layout { size, grid: [0, 1].map(|_| dice.whole([1, 3])), edges }
+}
+
+fn document(index: u64, layout: &Layout, strokes: Vec<Stroke>) -> Document {
+    Document {
+        name: format!("random sketch {index}"),
+        size: layout.size.map(|side| side as u32),
+        regions: layout.grid.map(|n| n as u32),
+        edges: layout.edges,
+        seed: index + 1,
+        layers: vec![Layer { name: "marks".to_owned(), strokes, ..Layer::default() }],
+        ..Document::default()
+    }
+}
+
+/// Where all chance comes from.
+struct Dice(Pcg64Mcg);
+
+impl Dice {
+    fn between(&mut self, [low, high]: [f64; 2]) -> f64 {
+        low + (high - low) * self.0.random::<f64>()
+    }
+
+    /// Even in the logarithm.
+    fn log_between(&mut self, range: [f64; 2]) -> f64 {
+        libm::exp(self.between(range.map(libm::log)))
+    }
+
+    /// Off by up to `most` to either side.
+    fn off(&mut self, most: f64) -> f64 {
+        self.between([-most, most])
+    }
+
+    /// Both ends included.
+    fn whole(&mut self, [low, high]: [usize; 2]) -> usize {
+        self.0.random_range(low..=high)
+    }
+
+    fn chance(&mut self, share: f64) -> bool {
+        self.0.random::<f64>() < share
+    }
+
+    /// A number a region by which it differs from the others, from neighbour to neighbour by no more than
+    /// `most`: any either way, or (not on a tile, where the ends meet) rising steadily across the canvas.
+    fn by_region(&mut self, layout: &Layout, most: f64) -> Vec<f64> {
+        let steady = layout.edges == Edges::Closed && self.chance(0.5);
+        let slope = [0, 1].map(|_| if steady { self.off(0.75 * most) } else { 0.0 });
+        let loose = if steady { 0.1 * most } else { 0.5 * most };
+        let middle = layout.grid.map(|n| 0.5 * (n as f64 - 1.0));
+        let at = |index: usize| {
+            let place = layout.place(index);
+            (0..2).map(|axis| slope[axis] * (place[axis] as f64 - middle[axis])).sum::<f64>()
+                + self.off(loose)
+        };
+        (0..layout.len()).map(at).collect()
+    }
+}
+
+/// Upper left corner and size of a region, px.
+fn rectangle(layout: &Layout, index: usize) -> ([f64; 2], [f64; 2]) {
+    let size = [0, 1].map(|axis| layout.size[axis] / layout.grid[axis] as f64);
+    let place = layout.place(index);
+    ([0, 1].map(|axis| place[axis] as f64 * size[axis]), size)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,85 @@
+//! What may be asked: the ranges that issue and table name, of the numbers that the ruler reads off a sketch.
+
+use dapple::attributes::regions::RegionMap;
+use dapple::attributes::{Attributes, Spots, Stripes};
+use dapple::field::Edges;
+use dapple::marks::turn;
+use dapple::synth::drawn;
+use dapple::synth::recipe::Document;
+
+/// Area of a spot, px².
+pub const AREA: [f64; 2] = [40.0, 1_500.0];
+/// Minor ÷ major radius.
+pub const ASPECT: [f64; 2] = [0.3, 1.0];
+/// area ÷ spacing².
+pub const PACKING: [f64; 2] = [0.03, 0.2];
+/// Width of a stripe, px.
+pub const WIDTH: [f64; 2] = [4.0, 20.0];
+/// Neighbouring regions differ in area or width by this factor at most.
+pub const FACTOR: f64 = 2.0;
+/// In direction by as many degrees.
+pub const TURN: f64 = 45.0;
+/// In area ÷ spacing² by this factor: as far as hands were seen to differ that meant to keep it.
+pub const LOOSER: f64 = 1.5;
+/// Above this aspect there is no direction to differ in.
+const ROUND: f64 = 0.9;
+
+/// Whether what the ruler reads off all regions of `document` lies within the ranges.
+pub fn within(document: &Document) -> bool {
+    let Ok(map) = drawn::region_map(document, 0, &document.name) else { return false };
+    let own = |index: usize| map.region(map.layout().place(index)).own;
+    let sound = (0..map.layout().len()).all(|index| own(index).is_some_and(|own| reachable(&own)));
+    sound && neighbours(&map).all(|[a, b]| own(a).zip(own(b)).is_some_and(|(a, b)| alike(&a, &b)))
+}
+
+fn holds([low, high]: [f64; 2], number: f64) -> bool {
+    (low..=high).contains(&number)
+}
+
+fn packing(spots: &Spots) -> Option<f64> {
+    spots.spacing.map(|spacing| spots.area / (spacing * spacing))
+}
+
+fn reachable(asked: &Attributes) -> bool {
+    match asked {
+        Attributes::Spots(spots) => {
+            holds(AREA, spots.area)
+                && holds(ASPECT, spots.aspect)
+                && packing(spots).is_some_and(|packing| holds(PACKING, packing))
+        }
+        Attributes::Stripes(stripes) => holds(WIDTH, stripes.width),
+    }
+}
+
+fn alike(a: &Attributes, b: &Attributes) -> bool {
+    let near = |a: f64, b: f64, most: f64| a.max(b) <= most * a.min(b);
+    match (a, b) {
+        (Attributes::Spots(a), Attributes::Spots(b)) => {
+            let directed = a.aspect <= ROUND && b.aspect <= ROUND;
+            near(a.area, b.area, FACTOR)
+                && packing(a).zip(packing(b)).is_some_and(|(a, b)| near(a, b, LOOSER))
+                && !(directed && turn(a.angle, b.angle).abs() > TURN)
+        }
+        (Attributes::Stripes(Stripes { width, angle }), Attributes::Stripes(b)) => {
+            near(*width, b.width, FACTOR) && turn(*angle, b.angle).abs() <= TURN
+        }
+        _ => false,
+    }
+}
+
+/// Pairs of regions that share a side, by index.
+fn neighbours(map: &RegionMap) -> impl Iterator<Item = [usize; 2]> {
+    let layout = *map.layout();
+    let step = move |index: usize, axis: usize| {
+        let mut place = layout.place(index);
+        place[axis] += 1;
+        if place[axis] == layout.grid[axis] {
+            if layout.edges == Edges::Closed {
+                return None;
+            }
+            place[axis] = 0;
+        }
+        Some([index, layout.index(place)])
+    };
+    (0..layout.len()).flat_map(move |index| [0, 1].into_iter().filter_map(move |axis| step(index, axis)))
+}

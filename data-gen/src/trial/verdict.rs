@@ -1,0 +1,190 @@
+//! Did a texture grow at all, everywhere, and of single marks?
+
+use std::fmt;
+
+use dapple::attributes::Attributes;
+use dapple::attributes::regions::{Layout, RegionMap};
+use dapple::field::Field;
+use dapple::measure::Spot;
+
+/// Why a grown document is no texture of what was asked.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Failure {
+    /// `grow` gave up.
+    NotGrown(String),
+    /// A value is not finite.
+    BlownUp,
+    /// Nothing has formed.
+    Blank {
+        /// Highest − lowest value of the pattern.
+        range: f32,
+    },
+    /// Marks have grown together.
+    Merged {
+        /// Share of the area that is no ellipse; of a region of stripes, share that is stripe.
+        share: f64,
+    },
+    /// A region holds fewer than half of its marks.
+    HalfEmpty {
+        /// [column, row].
+        region: [usize; 2],
+        /// Marks, or share of the region that is stripe.
+        found: f64,
+        /// As many are expected.
+        expected: f64,
+    },
+}
+
+impl Failure {
+    /// One word for counting.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::NotGrown(_) => "not grown",
+            Self::BlownUp => "blown up",
+            Self::Blank { .. } => "blank",
+            Self::Merged { .. } => "merged",
+            Self::HalfEmpty { .. } => "half empty",
+        }
+    }
+}
+
+/// All kinds, worst first.
+pub const KINDS: [&str; 5] = ["not grown", "blown up", "blank", "merged", "half empty"];
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::NotGrown(why) => write!(f, "not grown: {why}"),
+            Self::BlownUp => write!(f, "blown up"),
+            Self::Blank { range } => write!(f, "blank: the pattern spans {range:.3}"),
+            Self::Merged { share } => write!(f, "merged: {:.0} % of the area", 100.0 * share),
+            Self::HalfEmpty { region: [column, row], found, expected } => {
+                write!(f, "half empty: region {column},{row} holds {found:.2} of {expected:.2}")
+            }
+        }
+    }
+}
+
+/// The range of a pattern below which nothing has formed.
+const RANGE: f32 = 0.1;
+/// An ellipse fills 1 of the ellipse with its second moments, two grown together less.
+const FILL: f64 = 0.93;
+/// Share of the area that may be in marks that fill less.
+const BENT: f64 = 0.05;
+/// A region with less than this share of its marks is half empty.
+const HALF: f64 = 0.5;
+/// Share of a region of stripes that is stripe, at least and at most: half of ½, and as far above it.
+const STRIPE: [f64; 2] = [0.25, 0.75];
+/// Points along each side of a region at which the map is read.
+const POINTS: usize = 8;
+
+/// What is wrong with any pattern.
+pub fn of_any(pattern: &Field) -> Option<Failure> {
+    if !pattern.values.iter().all(|value| value.is_finite()) {
+        return Some(Failure::BlownUp);
+    }
+    let low = pattern.values.iter().copied().fold(f32::INFINITY, f32::min);
+    let high = pattern.values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+    (high - low < RANGE).then_some(Failure::Blank { range: high - low })
+}
+
+/// What is wrong with these spots.
+pub fn of_spots(spots: &[Spot], map: &RegionMap) -> Vec<Failure> {
+    let layout = map.layout();
+    let mut failures = Vec::new();
+    let area = |counts: &dyn Fn(&Spot) -> bool| -> f64 {
+        spots.iter().filter(|spot| counts(spot)).map(|spot| spot.ellipse.area()).sum()
+    };
+    let bent = area(&|spot| spot.endless || spot.whole && spot.fill < FILL);
+    let share = bent / area(&|_| true).max(f64::MIN_POSITIVE);
+    if share > BENT {
+        failures.push(Failure::Merged { share });
+    }
+    let mut found = vec![0.0; layout.len()];
+    for spot in spots {
+        found[layout.index(layout.region_of(spot.ellipse.center))] += 1.0;
+    }
+    for (index, found) in found.into_iter().enumerate() {
+        let expected = expected(map, index);
+        if found < HALF * expected {
+            failures.push(Failure::HalfEmpty { region: layout.place(index), found, expected });
+        }
+    }
+    failures
+}
+
+/// How many spots fit into a region: ∫ dA ÷ (√¾ · spacing²), a hexagonal lattice's; 0 where the spacing is free.
+fn expected(map: &RegionMap, index: usize) -> f64 {
+    let layout = map.layout();
+    let share = layout.size[0] * layout.size[1] / (layout.len() * POINTS * POINTS) as f64;
+    let mut sum = 0.0;
+    for point in points(layout, index) {
+        if let Attributes::Spots(wanted) = map.at(point)
+            && let Some(spacing) = wanted.spacing
+        {
+            sum += share / (0.75f64.sqrt() * spacing * spacing);
+        }
+    }
+    sum
+}
+
+fn points(layout: &Layout, index: usize) -> impl Iterator<Item = [f64; 2]> {
+    let (place, size) = (layout.place(index), layout.size.map(|side| side / POINTS as f64));
+    let grid = layout.grid;
+    let at = move |axis: usize, k: usize| {
+        (place[axis] * POINTS) as f64 * size[axis] / grid[axis] as f64
+            + (k as f64 + 0.5) * size[axis] / grid[axis] as f64
+    };
+    (0..POINTS * POINTS).map(move |k| [at(0, k % POINTS), at(1, k / POINTS)])
+}
+
+/// What is wrong with these stripes.
+pub fn of_stripes(pattern: &Field, layout: &Layout) -> Vec<Failure> {
+    let (mut inside, mut all) = (vec![0.0; layout.len()], vec![0.0; layout.len()]);
+    for (px, value) in pattern.values.iter().enumerate() {
+        let place = [(px % pattern.width) as f64 + 0.5, (px / pattern.width) as f64 + 0.5];
+        let region = layout.index(layout.region_of([place[0] * pattern.cell[0], place[1] * pattern.cell[1]]));
+        all[region] += 1.0;
+        inside[region] += f64::from(u8::from(*value >= 0.5));
+    }
+    let mut failures = Vec::new();
+    for index in 0..layout.len() {
+        let found: f64 = inside[index] / all[index];
+        if found < STRIPE[0] {
+            failures.push(Failure::HalfEmpty { region: layout.place(index), found, expected: 0.5 });
+        } else if found > STRIPE[1] {
+            failures.push(Failure::Merged { share: found });
+        }
+    }
+    failures
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dapple::field::Edges;
+    use dapple::marks::{Ellipse, Mark};
+    use dapple::measure::spots;
+
+    /// Two regions of spots of area 100 px² every 40 px; `keep` says which of a square lattice are there.
+    fn judged(keep: impl Fn([usize; 2]) -> bool, radius: f64) -> Vec<Failure> {
+        let drawn = [[20.0, 20.0], [60.0, 20.0], [20.0, 60.0], [220.0, 20.0], [260.0, 20.0], [220.0, 60.0]];
+        let drawn = drawn.map(|center| Mark::Ellipse(Ellipse::of(center, 100.0, 1.0, 0.0)));
+        let map = RegionMap::of(&drawn, [400.0, 200.0], [2, 1], Edges::Closed).unwrap();
+        let pattern = Field::from_fn([400, 200], [1.0, 1.0], Edges::Closed, |[x, y]| {
+            let place = [(x / 40.0) as usize, (y / 40.0) as usize];
+            let [dx, dy] = [x.rem_euclid(40.0) - 20.0, y.rem_euclid(40.0) - 20.0];
+            if keep(place) { (1.0 - 0.5 * (dx * dx + dy * dy).sqrt() / radius).max(0.0) as f32 } else { 0.0 }
+        });
+        of_any(&pattern).into_iter().chain(of_spots(&spots(&pattern, 0.5), &map)).collect()
+    }
+
+    #[test]
+    fn a_full_canvas_is_good_and_what_is_missing_or_merged_is_told() {
+        assert_eq!(judged(|_| true, 6.0), []);
+        let kinds = |failures: Vec<Failure>| failures.iter().map(Failure::kind).collect::<Vec<_>>();
+        assert_eq!(kinds(judged(|_| false, 6.0)), ["blank", "half empty", "half empty"]);
+        assert_eq!(kinds(judged(|[x, _]| x < 5, 6.0)), ["half empty"]);
+        assert!(kinds(judged(|_| true, 21.0)).contains(&"merged"));
+    }
+}
