@@ -1,8 +1,12 @@
 //! `dapple check`: is a document valid, and what is in it.
 
 use super::Error;
+use crate::attributes::Attributes;
 use crate::field::Edges;
+use crate::synth::drawn::region_map;
+use crate::synth::plan::{Plan, plan};
 use crate::synth::recipe::{Document, Kind, Layer};
+use crate::synth::{Training, memory};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -14,13 +18,73 @@ pub struct Args {
     pub file: PathBuf,
 }
 
-/// Reads a document and says what is in it.
+/// Reads a document and says what is in it, what would be grown, and what cannot be reached.
 ///
 /// # Errors
-/// Where it is not valid.
+/// Where it is not valid, or a training set cannot be read.
 pub fn run(args: &Args) -> Result<(), Error> {
     let document = Document::read(&args.file)?;
-    super::say(&format!("{}: valid\n{}", args.file.display(), summary(&document)))
+    let source = args.file.display().to_string();
+    let mut text = format!("{source}: valid\n{}", summary(&document));
+    let training = Training::default();
+    for index in 0..document.layers.len() {
+        let map = region_map(&document, index, &source)?;
+        let plan = plan(&training, document.layers[index].system, &map).map_err(Error::step)?;
+        text += &reach(&plan, index);
+        if let Err(error) = memory::check(document.size.map(f64::from), plan.grid) {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "  cannot be grown on this machine: {error}");
+        }
+    }
+    if document.layers.len() > 1 {
+        text += "growing one layer on top of another is not built yet: grow refuses this document\n";
+    }
+    super::say(&text)
+}
+
+/// What would be grown, and for each region what was asked and what cannot be met.
+fn reach(plan: &Plan, index: usize) -> String {
+    let layout = plan.map.layout();
+    let [nx, ny] = plan.grid;
+    let mut text = format!(
+        "layer {}: grown by {} on {nx} × {ny} cells of {:.2} px\n",
+        index + 1,
+        plan.system.name(),
+        (plan.cell[0] * plan.cell[1]).sqrt()
+    );
+    let mut empty = 0;
+    for (region, answer) in plan.answers.iter().enumerate() {
+        let [column, row] = layout.place(region);
+        if plan.map.region([column, row]).marks == 0 {
+            empty += 1;
+            continue;
+        }
+        let wanted = plan.map.at(layout.center([column, row]));
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "  region [{column}, {row}]: {}; {}", described(&wanted), answer.coverage);
+        for note in &answer.notes {
+            let _ = writeln!(text, "    {note}");
+        }
+    }
+    if empty > 0 {
+        let _ = writeln!(text, "  regions without marks, which take their nearest neighbour's: {empty}");
+    }
+    text
+}
+
+fn described(wanted: &Attributes) -> String {
+    match wanted {
+        Attributes::Spots(spots) => {
+            let spacing = spots.spacing.map(|spacing| format!(", {spacing:.1} px apart")).unwrap_or_default();
+            format!(
+                "spots of {:.0} px², aspect {:.2} at {:.0}°{spacing}",
+                spots.area, spots.aspect, spots.angle
+            )
+        }
+        Attributes::Stripes(stripes) => {
+            format!("stripes {:.1} px wide at {:.0}°", stripes.width, stripes.angle)
+        }
+    }
 }
 
 fn summary(document: &Document) -> String {

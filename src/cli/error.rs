@@ -99,7 +99,7 @@ mod tests {
     #[test]
     fn causes_are_told_in_order() {
         let source = io::Error::other("disk full");
-        let error = Error::Document(DocumentError::Unwritable { file: "a".into(), source });
+        let error = Error::File { file: "a".into(), done: "written", source };
         assert_eq!(error.with_causes(), "a: cannot be written: disk full");
     }
 }

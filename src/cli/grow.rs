@@ -10,7 +10,7 @@ use crate::synth::{Options, Training, Watch, grow, report::report};
 use progress::Bar;
 use serde_json::Value;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
@@ -93,7 +93,7 @@ impl Args {
         ];
         let paths: Vec<_> = named.into_iter().filter_map(|(name, path)| Some((name, path?))).collect();
         for (i, (name, path)) in paths.iter().enumerate() {
-            if let Some((other, _)) = paths[..i].iter().find(|(_, other)| other == path) {
+            if let Some((other, _)) = paths[..i].iter().find(|(_, other)| place(other) == place(path)) {
                 let file = path.display();
                 return Err(Error::Usage(format!(
                     "{name} and {other}: found {file} twice; allowed: two files"
@@ -102,6 +102,13 @@ impl Args {
         }
         Ok(())
     }
+}
+
+/// Where a path leads, so that `a.png` and `./a.png` are one; a file need not be there yet.
+fn place(path: &Path) -> PathBuf {
+    let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+    let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
+    path.canonicalize().unwrap_or_else(|_| folder.join(path.file_name().unwrap_or_default()))
 }
 
 /// Grows a document.

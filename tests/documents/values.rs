@@ -107,9 +107,17 @@ fn stops_ascend_from_0_to_1() {
     let place = "layers[0].colours.stops";
     refused(&stops(&[]), place, "no stops", "at least one colour stop");
     refused(&stops(&[0.0, 1.5]), &format!("{place}[1].at"), "1.5", "a number from 0 to 1");
-    let allowed = "more than the stop before it, 0.5: stops ascend";
+    let allowed = "no less than the stop before it, 0.5: stops ascend";
     refused(&stops(&[0.0, 0.5, 0.25]), &format!("{place}[2].at"), "0.25", allowed);
-    refused(&stops(&[0.5, 0.5]), &format!("{place}[1].at"), "0.5", allowed);
+}
+
+#[test]
+fn two_stops_at_one_value_make_a_hard_step() {
+    let stops = json!([{"at": 0.5, "colour": "#000"}, {"at": 0.5, "colour": "#fff"}]);
+    let text = with("/layers/0/colours", json!({"stops": stops})).to_string();
+    let document = Document::parse(&text, "step.dapple").unwrap();
+    let colours = document.layers[0].colours.as_ref().unwrap();
+    assert_eq!(colours.stops.iter().map(|stop| stop.at).collect::<Vec<_>>(), [0.5, 0.5]);
 }
 
 #[test]

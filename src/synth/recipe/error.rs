@@ -1,5 +1,6 @@
 //! What can be wrong with a document: one message with file, place, what was found, what is allowed.
 
+use crate::export::ExportError;
 use std::{fmt, io};
 
 /// A wrong value in a document.
@@ -91,11 +92,6 @@ pub enum DocumentError {
         problem: Problem,
     },
     /// The file cannot be written.
-    #[error("{file}: cannot be written")]
-    Unwritable {
-        /// The file.
-        file: String,
-        /// What the system said.
-        source: io::Error,
-    },
+    #[error(transparent)]
+    Unwritable(#[from] ExportError),
 }

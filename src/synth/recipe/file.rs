@@ -1,9 +1,10 @@
 //! Reading and writing `.dapple` files.
 
 use super::{Document, DocumentError, limits, migrate, node::Node, reader, syntax, writer};
+use crate::export::save;
 use std::fs::File;
 use std::io::{self, Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 impl Document {
     /// Reads a file.
@@ -46,9 +47,8 @@ impl Document {
     /// Where it is not valid (see [`Document::check`]) or cannot be written.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), DocumentError> {
         let path = path.as_ref();
-        let file = path.display().to_string();
-        self.check(&file)?;
-        replace(path, self.to_json().as_bytes()).map_err(|source| DocumentError::Unwritable { file, source })
+        self.check(&path.display().to_string())?;
+        Ok(save(path, |out| Ok(out.write_all(self.to_json().as_bytes())?))?)
     }
 
     /// Checks a document that was put together in memory by the rules for files; a NaN is found as `null`.
@@ -73,27 +73,4 @@ fn bytes(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     File::open(path)?.take(limits::MAX_FILE + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
-}
-
-/// Puts `bytes` in the place of `path`'s content by writing beside it and renaming.
-fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    // Through a link, so that the link stays one.
-    let path = if path.is_symlink() { path.canonicalize()? } else { path.to_owned() };
-    let folder =
-        path.parent().filter(|folder| *folder != Path::new("")).map_or(PathBuf::from("."), PathBuf::from);
-    let mut builder = tempfile::Builder::new();
-    let permissions = path.metadata().ok().map(|metadata| metadata.permissions());
-    #[cfg(unix)]
-    let permissions = permissions.or_else(|| {
-        // What any new file gets; the umask takes its share. (A temporary file would be its owner's alone.)
-        Some(std::os::unix::fs::PermissionsExt::from_mode(0o666))
-    });
-    if let Some(permissions) = permissions {
-        builder.permissions(permissions);
-    }
-    let mut file = builder.prefix(".dapple-").tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
 }

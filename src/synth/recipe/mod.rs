@@ -185,7 +185,7 @@ impl Stroke {
 /// The colours of a layer: pattern values are mapped to stops, and the way from stop to stop may be bent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Colours {
-    /// Stops, ascending; at least one.
+    /// Stops, ascending; at least one. Two at the same value make a hard step.
     pub stops: Vec<Stop>,
     /// `bends[i]` is the cubic Bezier (x1, y1, x2, y2, as in CSS easing) between stops i and i + 1; those
     /// that are missing at the end are straight.

@@ -93,8 +93,8 @@ fn stops(node: &Node) -> Result<Vec<Stop>, Problem> {
         item.keys(&["at", "colour"])?;
         let place = item.need("at", "a pattern value from 0 to 1")?;
         let at = place.number(&limits::STOP)?;
-        if let Some(before) = stops.last().filter(|before| at <= before.at) {
-            let allowed = format!("more than the stop before it, {}: stops ascend", before.at);
+        if let Some(before) = stops.last().filter(|before| at < before.at) {
+            let allowed = format!("no less than the stop before it, {}: stops ascend", before.at);
             return Err(place.wrong(allowed));
         }
         stops.push(Stop { at, colour: colour(&item.need("colour", "a colour such as \"#3b2314\"")?)? });

@@ -1,0 +1,65 @@
+//! The documents in `examples/`: valid, drawn by hand, and written as the program writes.
+
+use std::fs;
+use std::path::PathBuf;
+
+use dapple::synth::drawn::region_map;
+use dapple::synth::recipe::Document;
+use dapple::synth::{Options, Training, Watch, grow};
+
+fn examples() -> Vec<(PathBuf, Document)> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let entries = fs::read_dir(folder).expect("the examples are there");
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("readable").path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|ending| ending == "dapple"));
+    paths.sort();
+    paths
+        .into_iter()
+        .map(|path| (path.clone(), Document::read(&path).expect("an example is valid")))
+        .collect()
+}
+
+#[test]
+fn there_are_a_dozen_at_least_and_each_says_what_it_is() {
+    let examples = examples();
+    assert!(examples.len() >= 12, "{}", examples.len());
+    for (path, document) in examples {
+        assert!(!document.name.is_empty(), "{}", path.display());
+        assert!(document.layers.iter().all(|layer| layer.colours.is_some()), "{}", path.display());
+    }
+}
+
+#[test]
+fn each_is_written_as_the_program_writes_it() {
+    for (path, document) in examples() {
+        let text = fs::read_to_string(&path).expect("readable");
+        assert!(text == document.to_json(), "{} is not what Document::to_json gives", path.display());
+    }
+}
+
+#[test]
+fn each_region_holds_a_handful_of_marks() {
+    for (path, document) in examples() {
+        for index in 0..document.layers.len() {
+            let map = region_map(&document, index, "example").expect("its marks make a region map");
+            for (place, region) in map.regions() {
+                assert!(region.marks <= 14, "{} {place:?}: {} marks", path.display(), region.marks);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_ladybird_grows_a_few_huge_spots() {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples/ladybird.dapple");
+    let document = Document::read(&path).expect("valid");
+    let grown = grow(&document, "ladybird", &Training::default(), Options::default(), &Watch::NOBODY);
+    let layer = &grown.expect("it grows").layers[0];
+    assert!(layer.settled);
+    let pattern = layer.pattern().field(512, 512);
+    let spots = dapple::measure::spots(&pattern, 0.5);
+    let whole: Vec<f64> = spots.iter().filter(|s| s.whole).map(|s| s.ellipse.area()).collect();
+    let mean = whole.iter().sum::<f64>() / whole.len() as f64;
+    assert!((8..30).contains(&whole.len()), "{} spots", whole.len());
+    assert!((mean / 3029.0 - 1.0).abs() < 0.02, "mean area {mean}");
+}
