@@ -12,6 +12,18 @@
 //! `tests/layering` holds these arrows. The only way back, from a grown field to parameters, goes
 //! through a file: `data-gen` writes `training/`, [`learn`] reads it.
 //!
+//! ```
+//! use dapple::synth::{Options, Training, Watch, grow, recipe::Document};
+//!
+//! let text = r#"{"format": "dapple", "version": 1, "size": [96, 96], "layers": [{"strokes": [
+//!     {"kind": "ellipse", "center": [30, 30], "radii": [8, 5], "angle": 30}]}]}"#;
+//! let document = Document::parse(text, "three lines")?;
+//! let grown = grow(&document, "three lines", &Training::default(), Options::default(), &Watch::NOBODY)?;
+//! let pattern = grown.layers[0].pattern().field(96, 96);
+//! assert!(pattern.values.iter().any(|value| *value > 0.9));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! Lengths are px of the canvas unless a line says cells; x runs right, y down; angles are degrees
 //! from +x towards +y and axial (read mod 180).
 

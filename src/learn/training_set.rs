@@ -11,7 +11,7 @@ use super::{Row, TrainingError};
 /// The systems that have a training set, by the names of the document.
 pub const SYSTEMS: [&str; 3] = ["turing-spots", "meinhardt-spots", "meinhardt-stripes"];
 
-/// Neighbours a feature that an answer is drawn from. Tuned by [`leave_one_out`](super::leave_one_out):
+/// Neighbours a feature that an answer is drawn from. Tuned by [`leave_one_out`](super::leave_one_out()):
 /// the errors on rows made from the known laws change by less than a tenth from 9 to 20 a feature.
 const NEIGHBOURS: usize = 12;
 /// A line in five dimensions, and a scatter about it, from fewer rows is a guess.

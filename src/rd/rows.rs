@@ -1,7 +1,7 @@
 //! The fast solver: the same step, 16 cells of a row at a time, so that the compiler uses vectors, over all
 //! threads; bit for bit what [`super::explicit`] computes, on any number of threads and any instruction set.
 //!
-//! A segment of [`SEGMENT`] cells pays only for the stencil offsets that some cell of it uses: an offset of
+//! A segment of 64 cells pays only for the stencil offsets that some cell of it uses: an offset of
 //! weight 0 would add exactly 0.
 
 use rayon::prelude::*;

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use dapple::attributes::Attributes;
 use dapple::colour::{Bend, Gradient, Painted, Stop, Table, paint};
-use dapple::export::{self, png};
+use dapple::export;
+use dapple::export::png::{gray16, rgb8};
 use dapple::field::Field;
 use dapple::synth::recipe::{Colours, Document};
 use serde_json::{Map, Value, json};
@@ -20,7 +21,7 @@ pub fn pictures(folder: &Path, name: &str, document: &Document, patterns: &[Fiel
     for (k, pattern) in patterns.iter().enumerate() {
         let number = if k == 0 { String::new() } else { format!("-{}", k + 1) };
         let path = folder.join(format!("{name}.pattern{number}.png"));
-        export::save(&path, |out| png::gray16(out, pattern, Some(document.dpi))).map_err(failed)?;
+        export::save(&path, |out| gray16(out, pattern, Some(document.dpi))).map_err(failed)?;
     }
     let tables: Vec<Table> = document
         .layers
@@ -37,7 +38,7 @@ pub fn pictures(folder: &Path, name: &str, document: &Document, patterns: &[Fiel
     let size = document.size.map(|side| side as usize);
     let rgb = paint(&painted, size[0], size[1]);
     let path = folder.join(format!("{name}.png"));
-    export::save(&path, |out| png::rgb8(out, size, Some(document.dpi), &rgb)).map_err(failed)
+    export::save(&path, |out| rgb8(out, size, Some(document.dpi), &rgb)).map_err(failed)
 }
 
 fn gradient(colours: &Colours) -> Gradient {
