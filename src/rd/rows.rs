@@ -11,6 +11,7 @@ use super::kinetics::{Kinetics, Spread, euler};
 use super::plane::{Plane, fill_row_margin};
 use super::problem::Problem;
 use super::selling::{OFFSETS, REACH};
+use crate::field::Edges;
 
 /// Cells stepped at once: one vector of AVX-512, two of AVX2.
 const LANES: usize = 16;
@@ -95,16 +96,21 @@ fn step_band_here<const N: usize, K: Kinetics<N>>(
     let nx = problem.nx;
     for y in y0..y0 + band[0].len() / stride {
         let row = (y - y0) * stride;
+        let closed = problem.edges == Edges::Closed;
+        let at_edge = closed && (y < REACH || y + REACH >= problem.ny);
         if nx < LANES {
             for x in 0..nx {
-                step_lanes::<N, K, 1>(problem, old, [x, y], band, row);
+                step_lanes::<N, K, 1, true>(problem, old, [x, y], band, row);
             }
         } else {
-            for x in (0..nx - LANES + 1).step_by(LANES) {
-                step_lanes::<N, K, LANES>(problem, old, [x, y], band, row);
+            // The last lanes step some cells for a second time: the same numbers come out.
+            for x in (0..nx - LANES).step_by(LANES).chain([nx - LANES]) {
+                if at_edge || closed && (x < REACH || x + LANES + REACH > nx) {
+                    step_lanes::<N, K, LANES, true>(problem, old, [x, y], band, row);
+                } else {
+                    step_lanes::<N, K, LANES, false>(problem, old, [x, y], band, row);
+                }
             }
-            // The last cells, some of them for a second time: the same numbers come out.
-            step_lanes::<N, K, LANES>(problem, old, [nx - LANES, y], band, row);
         }
         for b in band.iter_mut() {
             fill_row_margin(&mut b[row..row + stride], problem.edges);
@@ -112,9 +118,10 @@ fn step_band_here<const N: usize, K: Kinetics<N>>(
     }
 }
 
-/// Steps `L` cells from (x, y) on. All that is computed stays in registers.
+/// Steps `L` cells from (x, y) on. All that is computed stays in registers. Where `EDGE` is false, nothing beyond a
+/// closed edge is within reach.
 #[inline(always)]
-fn step_lanes<const N: usize, K: Kinetics<N>, const L: usize>(
+fn step_lanes<const N: usize, K: Kinetics<N>, const L: usize, const EDGE: bool>(
     problem: &Problem,
     old: &[Plane; N],
     [x, y]: [usize; 2],
@@ -138,8 +145,12 @@ fn step_lanes<const N: usize, K: Kinetics<N>, const L: usize>(
         let e = dy * stride + dx;
         for i in 0..N {
             if let Spread::Tensor(_) = K::SPREAD[i] {
-                let there: [f32; L] = load(&old[i].values, here.wrapping_add_signed(e));
-                let back: [f32; L] = load(&old[i].values, here.wrapping_add_signed(-e));
+                let mut there: [f32; L] = load(&old[i].values, here.wrapping_add_signed(e));
+                let mut back: [f32; L] = load(&old[i].values, here.wrapping_add_signed(-e));
+                if EDGE && problem.edges == Edges::Closed {
+                    keep_inside(problem, [x, y], [dx, dy], &u[i], &mut there);
+                    keep_inside(problem, [x, y], [-dx, -dy], &u[i], &mut back);
+                }
                 for j in 0..L {
                     spread[i][j] += weight[j] * (there[j] + back[j] - 2.0 * u[i][j]);
                 }
@@ -167,6 +178,23 @@ fn step_lanes<const N: usize, K: Kinetics<N>, const L: usize>(
     }
     for i in 0..N {
         band[i][row + REACH + x..][..L].copy_from_slice(&next[i]);
+    }
+}
+
+/// Of the concentrations `there`, at an offset (dx, dy) from the cells `own` that begin at (x, y), puts the cells'
+/// own in the place of those beyond the border, so that nothing flows across it.
+fn keep_inside<const L: usize>(
+    problem: &Problem,
+    [x, y]: [usize; 2],
+    [dx, dy]: [isize; 2],
+    own: &[f32; L],
+    there: &mut [f32; L],
+) {
+    let beyond = y.checked_add_signed(dy).is_none_or(|y| y >= problem.ny);
+    for j in 0..L {
+        if beyond || (x + j).checked_add_signed(dx).is_none_or(|x| x >= problem.nx) {
+            there[j] = own[j];
+        }
     }
 }
 
@@ -206,7 +234,6 @@ mod tests {
     use super::super::selling::Tensor;
     use super::super::turing_spots::TuringSpots;
     use super::*;
-    use crate::field::Edges;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
