@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::PathBuf;
 
-use dapple::synth::drawn::region_map;
+use dapple::field::Edges;
+use dapple::marks::Mark;
+use dapple::synth::drawn::{marks, region_map};
 use dapple::synth::recipe::Document;
 use dapple::synth::{Options, Training, Watch, grow};
 
@@ -47,6 +49,34 @@ fn each_region_holds_a_handful_of_marks() {
             }
         }
     }
+}
+
+#[test]
+fn between_them_they_show_every_kind_of_document() {
+    let all: Vec<(Document, Vec<Mark>)> = examples()
+        .into_iter()
+        .map(|(_, document)| {
+            let marks = marks(&document, 0, "example").expect("its strokes make marks");
+            (document, marks)
+        })
+        .collect();
+    let some = |what: &str, holds: &dyn Fn(&Document, &[Mark]) -> bool| {
+        let found = all.iter().any(|(document, marks)| holds(document, marks));
+        assert!(found, "no example of {what}");
+    };
+    let spots = |marks: &[Mark]| matches!(marks[0], Mark::Ellipse(_));
+    some("one region", &|document, _| document.regions == [1, 1]);
+    some("2 × 2 regions of spots", &|document, marks| document.regions == [2, 2] && spots(marks));
+    some("2 × 2 regions of stripes", &|document, marks| document.regions == [2, 2] && !spots(marks));
+    some("3 × 3 regions of spots", &|document, marks| document.regions == [3, 3] && spots(marks));
+    some("3 × 3 regions of stripes", &|document, marks| document.regions == [3, 3] && !spots(marks));
+    some("a tile of spots", &|document, marks| document.edges == Edges::Wrap && spots(marks));
+    some("a tile of stripes", &|document, marks| document.edges == Edges::Wrap && !spots(marks));
+    some("a canvas that is not square", &|document, _| document.size[0] != document.size[1]);
+    let freehand =
+        |document: &Document| document.layers[0].strokes.iter().all(|stroke| stroke.kind().is_none());
+    some("closed freehand strokes", &|document, marks| freehand(document) && spots(marks));
+    some("open freehand strokes", &|document, marks| freehand(document) && !spots(marks));
 }
 
 #[test]
