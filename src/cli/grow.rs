@@ -120,6 +120,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     for path in [Some(&args.output), args.pattern.as_ref(), args.labels.as_ref()].into_iter().flatten() {
         export::check_target(path).map_err(Error::step)?;
     }
+    args.report.as_deref().map(export::check_file).transpose().map_err(Error::step)?;
     let document = Document::read(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     args.check_layer(&document)?;
@@ -136,15 +137,17 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let options = Options { size: args.size, refine: args.no_refine.then_some(false) };
     let training = Training::from(args.training.clone());
     let grown = grow(&document, &source, &training, options, &watch).map_err(Error::grown)?;
-    let result = pictures::write(args, &document, &grown, &watch);
+    let prepared = pictures::prepare(args, &document, &grown, &watch);
     bar.clear();
-    result?;
+    let mut prepared = prepared?;
     let seconds = started.elapsed().as_secs_f64();
     let report = report(&document, &source, &grown, seconds);
     if let Some(path) = &args.report {
         let text = format!("{report:#}\n");
-        export::save(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?;
+        prepared.push(export::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
     }
+    // All or none: nothing has its name before the last is on the disk.
+    prepared.into_iter().try_for_each(export::Prepared::keep).map_err(Error::step)?;
     if !args.quiet {
         tell_notes(&report);
     }

@@ -7,7 +7,7 @@
 pub mod png;
 mod save;
 
-pub use save::{ExportError, FORMATS, check_target, save};
+pub use save::{ExportError, FORMATS, Prepared, check_file, check_target, prepare, save};
 
 /// Why a writer stopped before its end.
 #[derive(Debug, thiserror::Error)]

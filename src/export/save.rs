@@ -4,6 +4,7 @@ use std::fs::{self, File, Permissions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use tempfile::NamedTempFile;
 use thiserror::Error;
 
 use super::Stopped;
@@ -103,6 +104,14 @@ pub fn check_target(path: &Path) -> Result<(), ExportError> {
     if !path.extension().and_then(|ending| ending.to_str()).is_some_and(known) {
         return Err(ExportError::UnknownFormat { path: path.to_owned() });
     }
+    check_file(path)
+}
+
+/// The same for a file that is no picture: the folder, and what has the name already.
+///
+/// # Errors
+/// What is wrong with the path, and the remedy.
+pub fn check_file(path: &Path) -> Result<(), ExportError> {
     target_of(path).map(drop)
 }
 
@@ -116,6 +125,27 @@ pub fn save(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<&File>) -> Result<(), Stopped>,
 ) -> Result<(), ExportError> {
+    prepare(path, write)?.keep()
+}
+
+/// A file that is written but does not have its name yet. Dropped, it is gone.
+#[derive(Debug)]
+#[must_use = "the file goes unless it is kept"]
+pub struct Prepared {
+    path: PathBuf,
+    target: PathBuf,
+    beside: NamedTempFile,
+}
+
+/// As [`save()`], up to the point where the file takes its name: several files are there together, or none, where
+/// all are prepared before the first is [kept](Prepared::keep).
+///
+/// # Errors
+/// What went wrong, with the file's name and the remedy.
+pub fn prepare(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<&File>) -> Result<(), Stopped>,
+) -> Result<Prepared, ExportError> {
     let target = target_of(path)?;
     let folder = folder_of(&target);
     let io = |source| explain(path, &folder, source);
@@ -137,8 +167,19 @@ pub fn save(
     }
     // Some file systems tell only now that there is no room.
     beside.as_file().sync_all().map_err(io)?;
-    beside.persist(&target).map_err(|error| io(error.error))?;
-    Ok(())
+    Ok(Prepared { path: path.to_owned(), target, beside })
+}
+
+impl Prepared {
+    /// Gives the file its name.
+    ///
+    /// # Errors
+    /// What went wrong, with the file's name and the remedy.
+    pub fn keep(self) -> Result<(), ExportError> {
+        let Self { path, target, beside } = self;
+        let named = beside.persist(&target).map(drop);
+        named.map_err(|error| explain(&path, &folder_of(&target), error.error))
+    }
 }
 
 /// The file to be replaced or made: `path`, or where it leads to.

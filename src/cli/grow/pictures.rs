@@ -4,7 +4,7 @@ use super::Args;
 use crate::cli::Error;
 use crate::colour::{Bend, Gradient, Painted, Stop, Table, paint_rows, painter};
 use crate::export::png::{self, Header, Samples};
-use crate::export::{self, Stopped};
+use crate::export::{self, Prepared, Stopped};
 use crate::field::{Edges, Field, to_u16};
 use crate::synth::pattern::Pattern;
 use crate::synth::recipe::{Colours, Document};
@@ -15,13 +15,18 @@ use std::path::Path;
 /// A pattern value from which on a px is covered by a mark.
 const COVERED: f32 = 0.5;
 
-/// Writes all pictures that were asked for.
-pub fn write(args: &Args, document: &Document, grown: &Grown, watch: &Watch) -> Result<(), Error> {
+/// Writes all pictures that were asked for, none of which has its name yet.
+pub fn prepare(
+    args: &Args,
+    document: &Document,
+    grown: &Grown,
+    watch: &Watch,
+) -> Result<Vec<Prepared>, Error> {
     let canvas = Canvas::of(args, document, grown);
     let dpi = Some(document.dpi * f64::from(args.scale));
-    let save = |path: &Path, samples: Samples, fill: &dyn Fn(&Band, &mut [u8])| {
+    let picture = |path: &Path, samples: Samples, fill: &dyn Fn(&Band, &mut [u8])| {
         let header = Header { size: canvas.size, samples, dpi };
-        export::save(path, |out| {
+        export::prepare(path, |out| {
             png::write(out, header, |rows, bytes| {
                 let done = rows.start as f64 / canvas.size[1] as f64;
                 watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
@@ -31,15 +36,15 @@ pub fn write(args: &Args, document: &Document, grown: &Grown, watch: &Watch) -> 
         })
         .map_err(Error::exported)
     };
-    save(&args.output, Samples::Rgb8, &|band, bytes| band.paint(bytes))?;
+    let mut pictures = vec![picture(&args.output, Samples::Rgb8, &|band, bytes| band.paint(bytes))?];
     if let Some(path) = &args.pattern {
         let only = args.layer.map(|layer| layer as usize - 1);
-        save(path, Samples::Gray16, &|band, bytes| band.pattern(only, bytes))?;
+        pictures.push(picture(path, Samples::Gray16, &|band, bytes| band.pattern(only, bytes))?);
     }
     if let Some(path) = &args.labels {
-        save(path, Samples::Gray8, &|band, bytes| band.labels(bytes))?;
+        pictures.push(picture(path, Samples::Gray8, &|band, bytes| band.labels(bytes))?);
     }
-    Ok(())
+    Ok(pictures)
 }
 
 /// What is painted, at the size of the pictures.

@@ -1,0 +1,12 @@
+//! `dapple grow` through the real binary: documents in, pictures and reports out.
+
+mod attributes;
+mod bytes;
+mod extremes;
+mod folder;
+mod golden;
+#[cfg(unix)]
+mod interrupt;
+mod options;
+mod refusals;
+mod sketches;

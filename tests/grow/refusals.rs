@@ -1,0 +1,87 @@
+//! What cannot be grown is told beforehand, in one line, and nothing is written.
+
+use crate::folder::{Folder, document, spots};
+use serde_json::json;
+
+#[test]
+fn a_layer_that_is_not_there_is_used_wrongly() {
+    let folder = Folder::with(&spots());
+    folder.refuses("grow a.dapple -o a.png --pattern p.png --layer 2", 2, &["--layer", "2", "1 to 1"]);
+}
+
+#[test]
+fn nothing_is_written_over_the_document() {
+    let folder = Folder::with(&spots());
+    let before = folder.bytes("a.dapple");
+    std::fs::create_dir(folder.path("sub")).unwrap();
+    for arguments in [
+        "grow a.dapple -o a.dapple",
+        "grow a.dapple -o a.png --report a.dapple",
+        "grow a.dapple -o a.png --report ./a.dapple",
+        "grow ./a.dapple -o a.png --report sub/../a.dapple",
+        "grow a.dapple -o a.png --pattern ./a.png",
+        "grow a.dapple -o a.png --pattern p.png --labels sub/../p.png",
+    ] {
+        folder.refuses(arguments, 2, &["found", "two files"]);
+    }
+    assert!(folder.bytes("a.dapple") == before);
+}
+
+#[cfg(unix)]
+#[test]
+fn nothing_is_written_over_the_document_by_another_name() {
+    let folder = Folder::with(&spots());
+    std::os::unix::fs::symlink("a.dapple", folder.path("link.json")).unwrap();
+    folder.refuses("grow a.dapple -o a.png --report link.json", 2, &["link.json", "two files"]);
+}
+
+#[test]
+fn a_missing_folder_is_told_before_anything_is_written() {
+    let folder = Folder::with(&spots());
+    folder.refuses("grow a.dapple -o no/a.png", 1, &["no/a.png", "no folder"]);
+    for option in ["--pattern no/p.png", "--labels no/l.png", "--report no/r.json"] {
+        folder.refuses(&format!("grow a.dapple -o a.png {option}"), 1, &["no/", "no folder"]);
+    }
+    folder.refuses("grow a.dapple -o a.jpg", 1, &["a.jpg", ".png"]);
+    folder.refuses("grow a.dapple -o . --labels l.png", 1, &["folder"]);
+    folder.refuses("grow b.dapple -o a.png", 1, &["b.dapple", "read"]);
+}
+
+#[test]
+fn what_does_not_fit_into_memory_is_told_with_the_numbers() {
+    let dot = json!([{"kind": "ellipse", "center": [5, 5], "radii": [0.5, 0.5], "angle": 0}]);
+    let folder = Folder::with(&document([300, 300], &dot));
+    let before = folder.names();
+    let arguments = "grow a.dapple -o a.png --size 65536x65536";
+    let mut command = folder.dapple(arguments);
+    // The hours that it would take otherwise.
+    let output = command.timeout(std::time::Duration::from_secs(60)).assert().code(1).get_output().clone();
+    let message = String::from_utf8(output.stderr).unwrap();
+    for word in ["65536×65536 px", "cells", "GB", "--size"] {
+        assert!(message.contains(word), "{word} in {message}");
+    }
+    assert_eq!(folder.names(), before);
+}
+
+#[test]
+fn layers_upon_layers_are_told_to_be_unknown_yet() {
+    let mut document = spots();
+    let layer = document["layers"][0].clone();
+    document["layers"].as_array_mut().unwrap().push(layer);
+    let folder = Folder::with(&document);
+    folder.refuses("grow a.dapple -o a.png", 1, &["a.dapple", "layers", "2 layers", "one layer"]);
+}
+
+#[test]
+fn a_stroke_that_is_neither_ellipse_nor_line_is_told_by_its_place() {
+    let ellipse = json!({"kind": "ellipse", "center": [50, 50], "radii": [6, 6], "angle": 0});
+    let line = json!({"kind": "freehand", "points": [[10, 10], [30, 12], [60, 14]], "width": 5});
+    let folder = Folder::with(&document([100, 100], &json!([ellipse, line])));
+    folder.refuses("grow a.dapple -o a.png", 1, &["a.dapple", "layers[0].strokes[1]"]);
+    let folder = Folder::with(&{
+        let mut document = document([100, 100], &json!([line]));
+        document["layers"][0]["system"] = json!("turing-spots");
+        document
+    });
+    folder.refuses("grow a.dapple -o a.png", 1, &["a.dapple", "turing-spots"]);
+}
