@@ -69,6 +69,9 @@ impl fmt::Display for Failure {
 const RANGE: f32 = 0.1;
 /// An ellipse fills 1 of the ellipse with its second moments, two grown together less.
 const FILL: f64 = 0.93;
+/// Several grown together are larger than this many of those wanted there; a web that touches a closed edge all
+/// round is told by nothing else.
+const HUGE: f64 = 2.5;
 /// Share of the area that may be in marks that fill less.
 const BENT: f64 = 0.05;
 /// A region with less than this share of its marks is half empty.
@@ -95,7 +98,11 @@ pub fn of_spots(spots: &[Spot], map: &RegionMap) -> Vec<Failure> {
     let area = |counts: &dyn Fn(&Spot) -> bool| -> f64 {
         spots.iter().filter(|spot| counts(spot)).map(|spot| spot.ellipse.area()).sum()
     };
-    let bent = area(&|spot| spot.endless || spot.whole && spot.fill < FILL);
+    let huge = |spot: &Spot| match map.at(spot.ellipse.center) {
+        Attributes::Spots(wanted) => spot.ellipse.area() > HUGE * wanted.area,
+        Attributes::Stripes(_) => false,
+    };
+    let bent = area(&|spot| spot.endless || spot.whole && spot.fill < FILL || huge(spot));
     let share = bent / area(&|_| true).max(f64::MIN_POSITIVE);
     if share > BENT {
         failures.push(Failure::Merged { share });
