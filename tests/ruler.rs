@@ -116,7 +116,9 @@ proptest! {
         let (area, aspect, angle, _) = read(&field, &ellipse);
         prop_assert!(area.abs() * ellipse.area() < 2.5, "area {}", area);
         prop_assert!(aspect.abs() < 0.012, "aspect {}", aspect);
-        prop_assert!(angle.abs() < 0.6 || ellipse.aspect() > 0.8, "angle {}", angle);
+        // The same error of the second moments turns a rounder ellipse farther.
+        let turned = angle.abs() * (1.0 - ellipse.aspect());
+        prop_assert!(turned < 0.35, "angle {}", angle);
     }
 
     #[test]

@@ -6,6 +6,7 @@ use super::training::Training;
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots};
 use crate::learn::{Answer, AskError, TrainingError};
+use crate::measure::Canvas;
 use crate::rd::{Maps, System};
 
 /// Cells that the smallest spot of a texture covers at half its peak. `facts.md` rule 1: below 25 the grid
@@ -175,6 +176,18 @@ fn distance(a: &Attributes, b: &Attributes) -> f64 {
 }
 
 impl Plan {
+    /// Does `work` with the canvas that the ruler compares against: its regions, and what is wanted where.
+    pub fn on_canvas<T>(&self, work: impl FnOnce(&Canvas) -> T) -> T {
+        let layout = self.map.layout();
+        work(&Canvas {
+            size: layout.size,
+            edges: layout.edges,
+            regions: layout.len(),
+            region_of: &|point| layout.index(layout.region_of(point)),
+            wanted: &|point| self.map.at(point),
+        })
+    }
+
     /// Parameters of every cell. `pitch` says how much farther apart than the system would the spots begin, by
     /// region of `map`.
     #[must_use]

@@ -8,7 +8,7 @@ use super::plan::Plan;
 use super::watch::{Cancelled, Stage, Watch};
 use crate::attributes::Attributes;
 use crate::field::Field;
-use crate::measure::{self, Canvas, Spot, SpotErrors, StripeErrors};
+use crate::measure::{self, Spot, SpotErrors, StripeErrors};
 use crate::rd::System;
 
 /// What was measured, by region.
@@ -35,20 +35,11 @@ const CORRECTIONS: [f64; 2] = [0.6, 1.5];
 /// Measures `pattern`, a field of the canvas of `plan`, against what was asked.
 #[must_use]
 pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
-    let layout = plan.map.layout();
-    let canvas = Canvas {
-        size: layout.size,
-        edges: layout.edges,
-        regions: layout.len(),
-        region_of: &|point| layout.index(layout.region_of(point)),
-        wanted: &|point| plan.map.at(point),
-    };
     if plan.system == System::MeinhardtStripes {
-        Measured::Stripes(measure::stripe_errors(pattern, 0.5, &canvas))
-    } else {
-        let marks = measure::spots(pattern, 0.5);
-        Measured::Spots { errors: measure::spot_errors(&marks, &canvas), marks }
+        return Measured::Stripes(plan.on_canvas(|canvas| measure::stripe_errors(pattern, 0.5, canvas)));
     }
+    let marks = measure::spots(pattern, 0.5);
+    Measured::Spots { errors: plan.on_canvas(|canvas| measure::spot_errors(&marks, canvas)), marks }
 }
 
 impl Measured {

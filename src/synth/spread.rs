@@ -5,7 +5,7 @@
 
 use super::plan::Plan;
 use crate::marks::Ellipse;
-use crate::measure::{Canvas, Spot, spot_errors};
+use crate::measure::{Spot, spot_errors};
 use crate::rd::{System, nuclei};
 
 /// Rounds of laying nuclei; the third changes nothing that the noise of a dozen spots would not hide.
@@ -23,13 +23,6 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
     if plan.system == System::MeinhardtStripes {
         return pitch;
     }
-    let canvas = Canvas {
-        size: layout.size,
-        edges: layout.edges,
-        regions: layout.len(),
-        region_of: &|point| layout.index(layout.region_of(point)),
-        wanted: &|point| plan.map.at(point),
-    };
     for _ in 0..ROUNDS {
         let points = nuclei(plan.system, &plan.maps(&pitch), layout.edges, seed);
         if points.len() > MANY {
@@ -37,7 +30,7 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
         }
         let spots: Vec<Spot> =
             points.iter().map(|at| spot([at[0] * plan.cell[0], at[1] * plan.cell[1]])).collect();
-        for (pitch, found) in pitch.iter_mut().zip(spot_errors(&spots, &canvas)) {
+        for (pitch, found) in pitch.iter_mut().zip(plan.on_canvas(|canvas| spot_errors(&spots, canvas))) {
             if let Some(error) = found.spacing {
                 *pitch = (*pitch / (1.0 + error)).clamp(PITCHES[0], PITCHES[1]);
             }
