@@ -108,3 +108,27 @@ fn stripes(field: &Field) -> Result<Measured, String> {
     let stripes = dapple::attributes::Stripes { width: found.width, angle: found.angle };
     Ok((wavelengths, found.coherence, Attributes::Stripes(stripes)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::sets;
+
+    #[test]
+    fn the_rows_do_not_depend_on_the_number_of_threads() {
+        let [.., set] = sets();
+        let rows = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let outcomes = pool.install(|| all(&set, 3));
+            outcomes.into_iter().map(|outcome| outcome.row.unwrap()).collect::<Vec<_>>()
+        };
+        assert_eq!(rows(1), rows(3));
+    }
+
+    #[test]
+    fn what_has_no_pattern_is_rejected_with_the_reason() {
+        let flat = Field::flat(40, 40, Edges::Wrap, 0.4);
+        assert!(spots(&flat, 0.5).unwrap_err().starts_with("no pattern"));
+        assert!(stripes(&flat).unwrap_err().starts_with("no pattern"));
+    }
+}
