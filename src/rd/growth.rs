@@ -11,7 +11,7 @@ use super::plane::Plane;
 use super::problem::Problem;
 use super::selling::{MIN_STRETCH, Tensor};
 use super::turing_spots::{self, TuringSpots};
-use super::{System, begin, rows};
+use super::{System, begin, explicit, rows};
 use crate::field::{Edges, Field};
 
 /// dt·D·Σw that a step may not exceed. ½ is where it stops being monotone; 0.45 is what `facts.md` A found
@@ -88,6 +88,22 @@ impl Growth {
                 (Chemicals::Two(two), System::TuringSpots) => turn::<2, TuringSpots>(&self.problem, two),
                 (Chemicals::Two(two), _) => turn::<2, MeinhardtSpots>(&self.problem, two),
                 (Chemicals::Five(five), _) => turn::<5, MeinhardtStripes>(&self.problem, five),
+            }
+        }
+        self.steps += steps;
+    }
+
+    /// The same with the plain solver, bit for bit, slowly: what the fast one is tested and measured against.
+    pub fn advance_plain(&mut self, steps: u64) {
+        for _ in 0..steps {
+            match (&mut self.chemicals, self.system) {
+                (Chemicals::Two(two), System::TuringSpots) => {
+                    explicit::step::<2, TuringSpots>(&self.problem, &mut two[0]);
+                }
+                (Chemicals::Two(two), _) => explicit::step::<2, MeinhardtSpots>(&self.problem, &mut two[0]),
+                (Chemicals::Five(five), _) => {
+                    explicit::step::<5, MeinhardtStripes>(&self.problem, &mut five[0])
+                }
             }
         }
         self.steps += steps;
