@@ -1,4 +1,4 @@
-//! What growth begins from.
+//! What growth begins from: the same places on any grid.
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
@@ -19,28 +19,34 @@ pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Vec<[f64;
     lay(maps, edges, &|p| system.spacing(p), &mut rng).iter().map(|nucleus| nucleus.at).collect()
 }
 
+/// Concentrations on `maps` with spots begun at `nuclei`, in cells.
+#[must_use]
+pub fn spots_at(system: System, maps: &Maps, edges: Edges, nuclei: &[[f64; 2]]) -> Vec<Vec<f32>> {
+    let laid: Vec<Nucleus> =
+        nuclei.iter().map(|at| Nucleus::at(maps, *at, &|p| system.spacing(p))).collect();
+    bells_on(system, maps, edges, &laid).into()
+}
+
 /// Spots begin as bells on [`nuclei`].
 pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
-    let (nx, ny) = (maps.nx, maps.ny);
+    let laid = lay(maps, edges, &|p| system.spacing(p), rng);
+    planes(maps, edges, bells_on(system, maps, edges, &laid))
+}
+
+fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec<f32>; 2] {
     let radius = |p: &Parameters| match system {
         System::TuringSpots => turing_spots::RADIUS,
         _ => meinhardt_spots::radius(p.ratio),
     };
-    let bell = bells(maps, edges, &lay(maps, edges, &|p| system.spacing(p), rng), &radius);
-    let mut planes = [Plane::flat(nx, ny, 0.0), Plane::flat(nx, ny, 0.0)];
-    for y in 0..ny {
-        for x in 0..nx {
-            let (q, p, at) = (bell[y * nx + x], maps.parameters[y * nx + x], planes[0].at(x, y));
-            let [a, b] = match system {
-                System::TuringSpots => turing_spots::begin(q),
-                _ => meinhardt_spots::begin(q, p.ratio),
-            };
-            planes[0].values[at] = a;
-            planes[1].values[at] = b;
-        }
+    let bell = bells(maps, edges, laid, &radius);
+    let mut cells = [vec![0.0; bell.len()], vec![0.0; bell.len()]];
+    for (i, (bell, p)) in bell.iter().zip(&maps.parameters).enumerate() {
+        [cells[0][i], cells[1][i]] = match system {
+            System::TuringSpots => turing_spots::begin(*bell),
+            _ => meinhardt_spots::begin(*bell, p.ratio),
+        };
     }
-    planes.iter_mut().for_each(|plane| plane.fill_margin(edges));
-    planes
+    cells
 }
 
 /// For each cell, 1 in the middle of a spot to be, falling to 0 away from it as a Gaussian of its metric.
@@ -69,18 +75,37 @@ fn bells(maps: &Maps, edges: Edges, nuclei: &[Nucleus], radius: &dyn Fn(&Paramet
 
 /// Stripes begin as oriented noise in a against b.
 pub fn stripes(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 5] {
+    planes(maps, edges, oriented_noise(maps, edges, rng))
+}
+
+/// Concentrations on `maps` with stripes begun as oriented noise: the same waves on any grid.
+#[must_use]
+pub fn stripes_of(maps: &Maps, edges: Edges, seed: u64) -> Vec<Vec<f32>> {
+    oriented_noise(maps, edges, &mut Pcg64Mcg::seed_from_u64(seed)).into()
+}
+
+fn oriented_noise(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 5] {
     let wavelength = |p: &Parameters| System::MeinhardtStripes.spacing(p);
     let noise = gabor::noise(maps, edges, &wavelength, rng);
-    let mut planes = meinhardt_stripes::REST.map(|c| Plane::flat(maps.nx, maps.ny, c));
-    for y in 0..maps.ny {
-        for x in 0..maps.nx {
-            let (n, at) = (0.2 * noise[y * maps.nx + x], planes[0].at(x, y));
-            let n = n.clamp(-0.9, 0.9);
-            for (chemical, sign) in [(0, 1.0), (1, -1.0), (3, 1.0), (4, -1.0)] {
-                planes[chemical].values[at] *= 1.0 + sign * n;
-            }
+    let mut cells = meinhardt_stripes::REST.map(|c| vec![c; noise.len()]);
+    for (i, noise) in noise.iter().enumerate() {
+        let n = (0.2 * noise).clamp(-0.9, 0.9);
+        for (chemical, sign) in [(0, 1.0), (1, -1.0), (3, 1.0), (4, -1.0)] {
+            cells[chemical][i] *= 1.0 + sign * n;
         }
     }
-    planes.iter_mut().for_each(|plane| plane.fill_margin(edges));
-    planes
+    cells
+}
+
+/// The cells of each chemical inside their margins.
+fn planes<const N: usize>(maps: &Maps, edges: Edges, cells: [Vec<f32>; N]) -> [Plane; N] {
+    cells.map(|cells| {
+        let mut plane = Plane::flat(maps.nx, maps.ny, 0.0);
+        for (y, row) in cells.chunks_exact(maps.nx).enumerate() {
+            let at = plane.at(0, y);
+            plane.values[at..at + maps.nx].copy_from_slice(row);
+        }
+        plane.fill_margin(edges);
+        plane
+    })
 }

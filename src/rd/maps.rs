@@ -41,4 +41,20 @@ impl Maps {
         let clamp = |v: f64, n: usize| (v.max(0.0) as usize).min(n - 1);
         self.parameters[clamp(y, self.ny) * self.nx + clamp(x, self.nx)]
     }
+
+    /// The same canvas on `nx` × `ny` cells: lengths in cells change, what grows does not (but for what the grid
+    /// does to it).
+    #[must_use]
+    pub fn on_grid(&self, nx: usize, ny: usize) -> Self {
+        let [wide, high] = [self.nx as f64 / nx as f64, self.ny as f64 / ny as f64];
+        let finer = (wide * high) as f32;
+        let parameters = (0..nx * ny)
+            .map(|i| {
+                let at = [((i % nx) as f64 + 0.5) * wide, ((i / nx) as f64 + 0.5) * high];
+                let p = self.at(at);
+                Parameters { rate: p.rate * finer, ..p }
+            })
+            .collect();
+        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters }
+    }
 }

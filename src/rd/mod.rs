@@ -12,13 +12,15 @@ mod meinhardt_stripes;
 mod nuclei;
 mod plane;
 mod problem;
+mod prolong;
 pub mod rows;
 pub mod selling;
 mod turing_spots;
 
-pub use begin::nuclei;
+pub use begin::{nuclei, spots_at, stripes_of};
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
+pub use prolong::prolonged;
 
 /// The reaction-diffusion systems.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
