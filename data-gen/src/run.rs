@@ -5,8 +5,8 @@ use dapple::attributes::{Attributes, Spots, axial_mean};
 use dapple::field::{Edges, Field};
 use dapple::learn::{Parameters, Row};
 use dapple::measure::{self, Spot};
-use dapple::rd::{Growth, Maps, System};
-use dapple::synth::{Watch, settle};
+use dapple::rd::{Maps, System};
+use dapple::synth::{Engine, Watch, settle};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
@@ -72,9 +72,9 @@ fn grown(system: System, p: &Parameters, seed: u64) -> Result<Field, String> {
         _ => (MARKS * 0.866 * spacing * spacing).sqrt().ceil(),
     } as usize;
     let maps = Maps::uniform(side, side, set);
-    let mut growth = Growth::new(system, &maps, Edges::Wrap, seed);
-    match settle(&mut growth, &maps, system, &Watch::NOBODY) {
-        Ok(true) => Ok(growth.marks(&maps)),
+    let mut engine = Engine::of(system, maps, Edges::Wrap, seed);
+    match settle(&mut engine, &Watch::NOBODY) {
+        Ok(true) => Ok(engine.marks()),
         Ok(false) => Err("did not settle".to_owned()),
         Err(cancelled) => Err(cancelled.to_string()),
     }

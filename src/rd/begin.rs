@@ -4,7 +4,7 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 use super::maps::{Maps, Parameters};
-use super::nuclei::{Nucleus, lay};
+use super::nuclei::{Nucleus, lay, thinned};
 use super::plane::Plane;
 use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
 use crate::field::Edges;
@@ -19,12 +19,44 @@ pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Vec<[f64;
     lay(maps, edges, &|p| system.spacing(p), &mut rng).iter().map(|nucleus| nucleus.at).collect()
 }
 
-/// Concentrations on `maps` with spots begun at `nuclei`, in cells.
-#[must_use]
-pub fn spots_at(system: System, maps: &Maps, edges: Edges, nuclei: &[[f64; 2]]) -> Vec<Vec<f32>> {
-    let laid: Vec<Nucleus> =
-        nuclei.iter().map(|at| Nucleus::at(maps, *at, &|p| system.spacing(p))).collect();
-    bells_on(system, maps, edges, &laid).into()
+/// What a growth begins from, for any grid over its canvas: spots at the same places, stripes from the same waves.
+#[derive(Clone, Debug)]
+pub struct Beginning {
+    system: System,
+    edges: Edges,
+    seed: u64,
+    /// Where spots begin, as shares of the canvas' sides.
+    places: Vec<[f64; 2]>,
+}
+
+impl Beginning {
+    /// What [`super::Growth::new`] begins from.
+    #[must_use]
+    pub fn new(system: System, maps: &Maps, edges: Edges, seed: u64) -> Self {
+        let share = |[x, y]: [f64; 2]| [x / maps.nx as f64, y / maps.ny as f64];
+        let places = nuclei(system, maps, edges, seed).into_iter().map(share).collect();
+        Self { system, edges, seed, places }
+    }
+
+    /// The concentrations that it makes on `maps`.
+    ///
+    /// Where marks are smaller than the grid can hold (`lost`, by cell), `maps` holds larger ones, and only so
+    /// many of the spots begin as have room. Neighbours may die there; nothing else would be left of them.
+    #[must_use]
+    pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
+        if self.system == System::MeinhardtStripes {
+            let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
+            return oriented_noise(maps, self.edges, &mut rng).into();
+        }
+        let pitch = |p: &Parameters| self.system.spacing(p);
+        let nucleus = |at: &[f64; 2]| {
+            let at = [at[0] * maps.nx as f64, at[1] * maps.ny as f64];
+            Nucleus::at(maps, at, &pitch)
+        };
+        let laid = self.places.iter().map(nucleus).collect();
+        let crowded = |nucleus: &Nucleus| lost(maps.cell_at(nucleus.at));
+        bells_on(self.system, maps, self.edges, &thinned(laid, maps, self.edges, &crowded)).into()
+    }
 }
 
 /// Spots begin as bells on [`nuclei`].
@@ -76,12 +108,6 @@ fn bells(maps: &Maps, edges: Edges, nuclei: &[Nucleus], radius: &dyn Fn(&Paramet
 /// Stripes begin as oriented noise in a against b.
 pub fn stripes(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 5] {
     planes(maps, edges, oriented_noise(maps, edges, rng))
-}
-
-/// Concentrations on `maps` with stripes begun as oriented noise: the same waves on any grid.
-#[must_use]
-pub fn stripes_of(maps: &Maps, edges: Edges, seed: u64) -> Vec<Vec<f32>> {
-    oriented_noise(maps, edges, &mut Pcg64Mcg::seed_from_u64(seed)).into()
 }
 
 fn oriented_noise(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 5] {

@@ -1,6 +1,7 @@
 //! Parameters → field: reaction and diffusion.
 
 mod begin;
+mod compensate;
 mod diffusion;
 pub mod explicit;
 mod gabor;
@@ -17,7 +18,7 @@ pub mod rows;
 pub mod selling;
 mod turing_spots;
 
-pub use begin::{nuclei, spots_at, stripes_of};
+pub use begin::{Beginning, nuclei};
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
 pub use prolong::prolonged;
@@ -61,6 +62,17 @@ impl System {
             Self::TuringSpots => "turing-spots",
             Self::MeinhardtSpots => "meinhardt-spots",
             Self::MeinhardtStripes => "meinhardt-stripes",
+        }
+    }
+
+    /// Cells that a spot covers at half its peak, or the squared width of a stripe: how finely the grid shows it.
+    #[must_use]
+    pub fn cells(self, p: &Parameters) -> f64 {
+        let rate = f64::from(p.rate);
+        match self {
+            Self::TuringSpots => turing_spots::AREA / rate,
+            Self::MeinhardtSpots => meinhardt_spots::area(p.ratio) / rate,
+            Self::MeinhardtStripes => 0.25 * meinhardt_stripes::WAVELENGTH * meinhardt_stripes::WAVELENGTH / rate,
         }
     }
 

@@ -97,6 +97,31 @@ pub fn lay(
     placed.all
 }
 
+/// Those of `laid` that have room among those before them, where they are `crowded`.
+pub fn thinned(
+    laid: Vec<Nucleus>,
+    maps: &Maps,
+    edges: Edges,
+    crowded: &dyn Fn(&Nucleus) -> bool,
+) -> Vec<Nucleus> {
+    let (rest, roomy): (Vec<_>, Vec<_>) = laid.into_iter().partition(crowded);
+    if rest.is_empty() {
+        return roomy;
+    }
+    let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
+    let largest = roomy.iter().chain(&rest).map(|nucleus| nucleus.reach).fold(0.0, f64::max);
+    let mut kept = Buckets::new(space, PUSH * largest);
+    roomy.into_iter().for_each(|nucleus| kept.insert(nucleus));
+    for nucleus in rest {
+        let mut free = true;
+        kept.near(&nucleus, DART, |other, delta| free &= distance2(&nucleus, other, delta) >= DART * DART);
+        if free {
+            kept.insert(nucleus);
+        }
+    }
+    kept.all
+}
+
 fn relaxed(placed: &Buckets, nucleus: &dyn Fn([f64; 2]) -> Nucleus, reach: f64) -> Buckets {
     let moved = |point: &Nucleus| {
         let mut shift = [0.0, 0.0];
