@@ -31,6 +31,8 @@ pub struct Engine {
     passed: f64,
     /// Cell updates done.
     updates: u64,
+    /// The progress told last.
+    progress: f64,
     /// Has each grid settled so far?
     settled: bool,
     done: bool,
@@ -70,6 +72,7 @@ impl Engine {
             grids,
             stage,
             passed: 0.0,
+            progress: 0.0,
             updates: 0,
             settled: true,
             done: false,
@@ -96,7 +99,10 @@ impl Engine {
             level,
             Some((grid, saved)),
         );
-        engine.stage.rest = Rest::new(engine.system, engine.stage.unit(), true, engine.marks().values);
+        // Nothing begins here, but all of it may change.
+        engine.stage.counts.fill(true);
+        let unit = unit(&engine.stage.growth, 1.0);
+        engine.stage.rest = Rest::new(engine.system, unit, true, engine.marks().values);
         Some(engine)
     }
 
@@ -121,6 +127,7 @@ impl Engine {
                 break;
             }
         }
+        self.progress = self.progress.max(self.share());
         !self.done
     }
 
@@ -146,6 +153,10 @@ impl Engine {
     /// How far it is, 0..1; never falls.
     #[must_use]
     pub fn progress(&self) -> f64 {
+        self.progress
+    }
+
+    fn share(&self) -> f64 {
         if self.done {
             return 1.0;
         }
@@ -191,13 +202,6 @@ impl Engine {
     #[must_use]
     pub fn look(&self, plan: &Plan, width: usize, height: usize) -> Field {
         Pattern::new(plan, &self.marks()).field(width, height)
-    }
-}
-
-impl Stage {
-    /// Steps that make up a unit of time.
-    fn unit(&self) -> f64 {
-        unit(&self.growth, 1.0)
     }
 }
 
@@ -256,3 +260,7 @@ fn stage(
     let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
     Stage { level, coarse, growth, counts, rest, expected }
 }
+
+#[cfg(test)]
+#[path = "engine_tests.rs"]
+mod tests;

@@ -34,7 +34,7 @@ const WORTH: f64 = 1.3;
 /// How much coarser the next grid is along a side.
 const NEXT: f64 = 2.0;
 /// Cells that a coarse grid has at least along either side.
-const LEAST_SIDE: f64 = 20.0;
+const LEAST_SIDE: f64 = 12.0;
 /// A place formed on a coarser grid needs corrections until its marks have this many times `enough` cells there.
 const EXACT: f64 = 8.0;
 

@@ -103,7 +103,6 @@ impl Rest {
         let corrected = !self.begins && time >= criterion.corrected && change < criterion.still;
         (self.before, self.last) = (marks, change);
         self.looks += 1;
-        if std::env::var("LOOKS").is_ok() { eprintln!("   look T {time:.2} steps {steps} change {change:.5} begins {}", self.begins); }
         if corrected || time >= criterion.earliest && (steady || change < REST) {
             return Verdict::Settled;
         }
