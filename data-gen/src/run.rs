@@ -80,9 +80,11 @@ fn grown(system: System, p: &Parameters, seed: u64) -> Result<Field, String> {
     }
 }
 
-type Measured = (f64, f64, Attributes);
+/// Marks (or wavelengths), evenness, what was measured.
+pub type Measured = (f64, f64, Attributes);
 
-fn spots(field: &Field, level: f64) -> Result<Measured, String> {
+/// Means over the whole spots of a patch.
+pub fn spots(field: &Field, level: f64) -> Result<Measured, String> {
     let census = measure::census(field, level as f32);
     measure::spot_texture(field, &census, LEAST).map_err(|reason| reason.to_string())?;
     let whole: Vec<&Spot> = census.spots.iter().filter(|spot| spot.whole).collect();
@@ -100,7 +102,8 @@ fn spots(field: &Field, level: f64) -> Result<Measured, String> {
     Ok((n, variance.sqrt() / area, Attributes::Spots(attributes)))
 }
 
-fn stripes(field: &Field) -> Result<Measured, String> {
+/// Means over a patch of stripes.
+pub fn stripes(field: &Field) -> Result<Measured, String> {
     let found = measure::stripes(field, 0.5);
     measure::stripe_texture(field, found.as_ref(), LEAST).map_err(|reason| reason.to_string())?;
     let found = found.ok_or("no stripes")?;
