@@ -88,7 +88,12 @@ pub fn run(args: &Args) -> Result<bool, String> {
             for (seed, pair) in pairs.iter().enumerate() {
                 let told: Vec<String> =
                     pair.differences.iter().flatten().map(|d| format!("{d:+.2}")).collect();
-                println!("    seed {seed}: {} steps for {}: {}", pair.steps[1], pair.steps[0], told.join(" "));
+                println!(
+                    "    seed {seed}: {} steps for {}: {}",
+                    pair.steps[1],
+                    pair.steps[0],
+                    told.join(" ")
+                );
             }
         }
         good &= patch.tell(&pairs);
@@ -135,7 +140,8 @@ impl Patch {
                 format!("{mean:+.2} / {largest:.2}")
             })
             .collect();
-        let mean = |which: usize| pairs.iter().map(|pair| pair.steps[which]).sum::<u64>() / pairs.len() as u64;
+        let mean =
+            |which: usize| pairs.iter().map(|pair| pair.steps[which]).sum::<u64>() / pairs.len() as u64;
         println!(
             "{:18} {:>5} {:>7} {:>7} {:>6} {:>13} {:>13} {:>13} {:>13} {:>13}{}",
             self.system.name(),

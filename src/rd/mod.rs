@@ -72,7 +72,9 @@ impl System {
         match self {
             Self::TuringSpots => turing_spots::AREA / rate,
             Self::MeinhardtSpots => meinhardt_spots::area(p.ratio) / rate,
-            Self::MeinhardtStripes => 0.25 * meinhardt_stripes::WAVELENGTH * meinhardt_stripes::WAVELENGTH / rate,
+            Self::MeinhardtStripes => {
+                0.25 * meinhardt_stripes::WAVELENGTH * meinhardt_stripes::WAVELENGTH / rate
+            }
         }
     }
 

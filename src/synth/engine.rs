@@ -146,8 +146,15 @@ impl Engine {
         self.passed += stage.expected;
         let formed = (self.grids[stage.level], stage.growth.concentrations());
         let level = stage.level + 1;
-        self.stage =
-            self::stage(self.system, self.edges, &self.maps, &self.beginning, &self.grids, level, Some(formed));
+        self.stage = self::stage(
+            self.system,
+            self.edges,
+            &self.maps,
+            &self.beginning,
+            &self.grids,
+            level,
+            Some(formed),
+        );
     }
 
     /// How far it is, 0..1; never falls.
@@ -253,8 +260,8 @@ fn stage(
             if kept.iter().all(|kept| *kept == 1.0) { fine } else { fresh(Some(fine)) }
         }
     };
-    let growth = Growth::resumed(system, here, edges, &concentrations)
-        .expect("made for this system on this grid");
+    let growth =
+        Growth::resumed(system, here, edges, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
     let rest = Rest::new(system, unit, begins, growth.marks(here).values);
     let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;

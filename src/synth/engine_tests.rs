@@ -69,12 +69,8 @@ fn one_cancelled_and_begun_again_is_like_a_new_one() {
     drop(left);
     let [a, b] = [0, 1].map(|_| finished(engine(System::MeinhardtSpots), u64::MAX));
     assert!(bits(&a) == bits(&b));
-    let other = Engine::of(
-        System::MeinhardtSpots,
-        graded(System::MeinhardtSpots, [150, 90], 9.0),
-        Edges::Closed,
-        6,
-    );
+    let other =
+        Engine::of(System::MeinhardtSpots, graded(System::MeinhardtSpots, [150, 90], 9.0), Edges::Closed, 6);
     assert!(bits(&a) != bits(&finished(other, u64::MAX)));
 }
 

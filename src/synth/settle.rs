@@ -36,7 +36,7 @@ const REST: f64 = 0.0003;
 fn criterion(system: System) -> Criterion {
     match system {
         System::TuringSpots => {
-            Criterion { earliest: 20.0, latest: 150.0, drift: 0.008, corrected: 5.0, still: 0.02 }
+            Criterion { earliest: 20.0, latest: 150.0, drift: 0.008, corrected: 6.0, still: 0.02 }
         }
         System::MeinhardtSpots => {
             Criterion { earliest: 15.0, latest: 120.0, drift: 0.004, corrected: 4.0, still: 0.01 }
@@ -137,4 +137,48 @@ pub fn settle(engine: &mut Engine, watch: &Watch) -> Result<bool, Cancelled> {
         watch.step(Stage::Grow, engine.progress())?;
     }
     Ok(engine.settled())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The verdicts on a mark that changes by `change(look)` of itself from look to look, one time unit of ten steps
+    /// each, until one is not [`Verdict::Forming`]; gives it with its time.
+    fn watched(begins: bool, change: impl Fn(usize) -> f32) -> (Verdict, f64) {
+        let mut mark = 1.0f32;
+        let mut rest = Rest::new(System::MeinhardtSpots, 10.0, begins, vec![mark, 0.0]);
+        for look in 0..1_000 {
+            mark *= 1.0 + change(look);
+            let steps = rest.next();
+            // What does not count may do what it likes.
+            let verdict = rest.look(vec![mark, look as f32], &[true, false], steps);
+            if verdict != Verdict::Forming {
+                return (verdict, steps as f64 / 10.0);
+            }
+        }
+        panic!("watched for ever");
+    }
+
+    #[test]
+    fn what_begins_is_settled_when_its_change_no_longer_falls_but_not_before_its_time() {
+        assert_eq!(watched(true, |_| 0.005), (Verdict::Settled, 15.0));
+        let (verdict, time) = watched(true, |look| 0.5 * 0.5f32.powi(look as i32));
+        assert!(verdict == Verdict::Settled && time > 20.0, "{time}");
+        assert_eq!(watched(true, |_| 0.05), (Verdict::GivenUp, 120.0));
+    }
+
+    #[test]
+    fn a_correction_is_short_and_falls_back_to_the_whole_time_where_it_does_not_fade() {
+        assert_eq!(watched(false, |_| 0.003), (Verdict::Settled, 4.0));
+        let (verdict, time) = watched(false, |look| if look < 8 { 0.02 } else { 0.003 });
+        assert_eq!((verdict, time), (Verdict::Settled, 9.0));
+        assert_eq!(watched(false, |_| 0.011), (Verdict::GivenUp, 120.0));
+    }
+
+    #[test]
+    fn concentrations_that_are_no_numbers_end_the_growth() {
+        let (verdict, time) = watched(true, |look| if look == 3 { f32::NAN } else { 0.001 });
+        assert_eq!((verdict, time), (Verdict::GivenUp, 10.0));
+    }
 }
