@@ -5,7 +5,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::maps::{Maps, Parameters};
 use super::nuclei::{Nucleus, lay};
-use super::plane::Plane;
+use super::plane::{Grid, Plane};
 use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
 use crate::field::Edges;
 
@@ -27,19 +27,19 @@ pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [
         _ => meinhardt_spots::radius(p.ratio),
     };
     let bell = bells(maps, edges, &lay(maps, edges, &|p| system.spacing(p), rng), &radius);
-    let mut planes = [Plane::flat(nx, ny, 0.0), Plane::flat(nx, ny, 0.0)];
+    let mut planes = [(); 2].map(|()| Plane::flat(Grid { nx, ny, edges }, 0.0));
+    let mut rows = [vec![0.0; nx], vec![0.0; nx]];
     for y in 0..ny {
         for x in 0..nx {
-            let (q, p, at) = (bell[y * nx + x], maps.parameters[y * nx + x], planes[0].at(x, y));
+            let (q, p) = (bell[y * nx + x], maps.parameters[y * nx + x]);
             let [a, b] = match system {
                 System::TuringSpots => turing_spots::begin(q),
                 _ => meinhardt_spots::begin(q, p.ratio),
             };
-            planes[0].values[at] = a;
-            planes[1].values[at] = b;
+            (rows[0][x], rows[1][x]) = (a, b);
         }
+        planes.iter_mut().zip(&rows).for_each(|(plane, row)| plane.set_row(y, row));
     }
-    planes.iter_mut().for_each(|plane| plane.fill_margin(edges));
     planes
 }
 
@@ -71,16 +71,15 @@ fn bells(maps: &Maps, edges: Edges, nuclei: &[Nucleus], radius: &dyn Fn(&Paramet
 pub fn stripes(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 5] {
     let wavelength = |p: &Parameters| System::MeinhardtStripes.spacing(p);
     let noise = gabor::noise(maps, edges, &wavelength, rng);
-    let mut planes = meinhardt_stripes::REST.map(|c| Plane::flat(maps.nx, maps.ny, c));
-    for y in 0..maps.ny {
-        for x in 0..maps.nx {
-            let (n, at) = (0.2 * noise[y * maps.nx + x], planes[0].at(x, y));
-            let n = n.clamp(-0.9, 0.9);
-            for (chemical, sign) in [(0, 1.0), (1, -1.0), (3, 1.0), (4, -1.0)] {
-                planes[chemical].values[at] *= 1.0 + sign * n;
-            }
+    let grid = Grid { nx: maps.nx, ny: maps.ny, edges };
+    let mut planes = meinhardt_stripes::REST.map(|c| Plane::flat(grid, c));
+    for (y, noise) in noise.chunks_exact(maps.nx).enumerate() {
+        for (chemical, sign) in [(0, 1.0), (1, -1.0), (3, 1.0), (4, -1.0)] {
+            let rest = meinhardt_stripes::REST[chemical];
+            let row: Vec<f32> =
+                noise.iter().map(|n| rest * (1.0 + sign * (0.2 * n).clamp(-0.9, 0.9))).collect();
+            planes[chemical].set_row(y, &row);
         }
     }
-    planes.iter_mut().for_each(|plane| plane.fill_margin(edges));
     planes
 }

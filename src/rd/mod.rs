@@ -1,24 +1,28 @@
 //! Parameters → field: reaction and diffusion.
 
 mod begin;
+mod coefficients;
 mod diffusion;
-pub mod explicit;
+mod explicit;
 mod gabor;
 mod growth;
 mod kinetics;
+mod lanes;
 mod maps;
 mod meinhardt_spots;
 mod meinhardt_stripes;
 mod nuclei;
 mod plane;
 mod problem;
-pub mod rows;
 pub mod selling;
 mod turing_spots;
+mod vector;
+mod wavefront;
 
 pub use begin::nuclei;
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
+pub use wavefront::{Instructions, Tiling};
 
 /// The reaction-diffusion systems.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
