@@ -18,29 +18,40 @@ use super::vector::Vector;
 pub type Window<'a, const N: usize> = [[&'a [f32]; 2 * REACH + 1]; N];
 
 /// The sets of [`OFFSETS`] that Selling's reduction ends with: the axes (isotropic diffusion and tensors along the
-/// axes), with a diagonal, or with a knight's move between.
-const SETS: [[usize; 3]; 7] = [[0, 1, 1], [0, 1, 2], [0, 1, 3], [0, 2, 4], [1, 2, 5], [0, 3, 6], [1, 3, 7]];
-/// The sets as bits, and their offsets.
+/// axes), with a diagonal, or with a knight's move between; then what groups use where one becomes the other. The
+/// last offset of a shorter set is repeated.
+const SETS: [[usize; 4]; 12] = [
+    [0, 1, 1, 1],
+    [0, 1, 2, 2],
+    [0, 1, 3, 3],
+    [0, 2, 4, 4],
+    [1, 2, 5, 5],
+    [0, 3, 6, 6],
+    [1, 3, 7, 7],
+    [0, 1, 2, 3],
+    [0, 1, 2, 4],
+    [0, 1, 2, 5],
+    [0, 1, 3, 6],
+    [0, 1, 3, 7],
+];
+/// Any other set: looked up while stepping.
+const MIXED: usize = SETS.len();
+/// The sets as bits.
 const BITS: [u8; SETS.len()] = {
     let mut bits = [0; SETS.len()];
     let mut set = 0;
     while set < SETS.len() {
-        bits[set] = 1 << SETS[set][0] | 1 << SETS[set][1] | 1 << SETS[set][2];
+        let [a, b, c, d] = SETS[set];
+        bits[set] = 1 << a | 1 << b | 1 << c | 1 << d;
         set += 1;
     }
     bits
 };
-const TAPS: [[[isize; 2]; 3]; SETS.len() + 1] = {
-    let mut taps = [[[0; 2]; 3]; SETS.len() + 1];
-    let mut set = 0;
-    while set < SETS.len() {
-        taps[set] = [OFFSETS[SETS[set][0]], OFFSETS[SETS[set][1]], OFFSETS[SETS[set][2]]];
-        set += 1;
-    }
-    taps
-};
-/// Any other: neighbours whose tensors are reduced differently.
-const MIXED: usize = SETS.len();
+/// The offsets of a set, and how many.
+const fn taps(set: usize) -> ([[isize; 2]; 4], u32) {
+    let [a, b, c, d] = SETS[set];
+    ([OFFSETS[a], OFFSETS[b], OFFSETS[c], OFFSETS[d]], BITS[set].count_ones())
+}
 
 /// The weights that a group keeps, and which they are.
 #[derive(Clone, Copy)]
@@ -87,18 +98,18 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
             continue;
         }
         first = part.end;
-        match BITS.iter().position(|bits| *bits == run.used).unwrap_or(MIXED) {
-            0 if run.edge => step_groups::<N, K, V, 0, true>(row, from, to, part),
-            _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, from, to, part),
-            0 => step_groups::<N, K, V, 0, false>(row, from, to, part),
-            1 => step_groups::<N, K, V, 1, false>(row, from, to, part),
-            2 => step_groups::<N, K, V, 2, false>(row, from, to, part),
-            3 => step_groups::<N, K, V, 3, false>(row, from, to, part),
-            4 => step_groups::<N, K, V, 4, false>(row, from, to, part),
-            5 => step_groups::<N, K, V, 5, false>(row, from, to, part),
-            6 => step_groups::<N, K, V, 6, false>(row, from, to, part),
-            _ => step_groups::<N, K, V, MIXED, false>(row, from, to, part),
+        let set = BITS.iter().position(|bits| *bits == run.used).unwrap_or(MIXED);
+        macro_rules! step {
+            ($($known:literal)*) => {
+                match set {
+                    0 if run.edge => step_groups::<N, K, V, 0, true>(row, from, to, part),
+                    _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, from, to, part),
+                    $($known => step_groups::<N, K, V, $known, false>(row, from, to, part),)*
+                    _ => step_groups::<N, K, V, MIXED, false>(row, from, to, part),
+                }
+            };
         }
+        step!(0 1 2 3 4 5 6 7 8 9 10 11);
         if first == groups.end {
             break;
         }
@@ -159,11 +170,15 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
             }
         } else {
             // By hand: a loop is not always unrolled, and then its offsets are no constants.
-            let [o0, o1, o2] = const { TAPS[SET] };
-            add_pair::<N, K, V, EDGE>(row, place, from, o0, V::load(&numbers[0].0, lane), u, &mut spread);
-            add_pair::<N, K, V, EDGE>(row, place, from, o1, V::load(&numbers[1].0, lane), u, &mut spread);
-            if SET > 0 {
-                add_pair::<N, K, V, EDGE>(row, place, from, o2, V::load(&numbers[2].0, lane), u, &mut spread);
+            let (offset, taps) = const { taps(if SET == MIXED { 0 } else { SET }) };
+            let weight = |k: usize| V::load(&numbers[k].0, lane);
+            add_pair::<N, K, V, EDGE>(row, place, from, offset[0], weight(0), u, &mut spread);
+            add_pair::<N, K, V, EDGE>(row, place, from, offset[1], weight(1), u, &mut spread);
+            if taps > 2 {
+                add_pair::<N, K, V, EDGE>(row, place, from, offset[2], weight(2), u, &mut spread);
+            }
+            if taps > 3 {
+                add_pair::<N, K, V, EDGE>(row, place, from, offset[3], weight(3), u, &mut spread);
             }
         }
         for i in 0..N {
