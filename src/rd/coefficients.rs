@@ -57,6 +57,12 @@ impl<const C: usize> Coefficients<C> {
         all
     }
 
+    /// The same but for what `change` makes of a cell's numbers.
+    #[must_use]
+    pub fn with(&self, grid: Grid, change: impl Fn(usize, [f32; C]) -> [f32; C] + Sync) -> Self {
+        Self::new(grid, false, |cell| change(cell, self.cell(cell % grid.nx, cell / grid.nx)))
+    }
+
     fn push(&mut self, row: &Row) {
         let last = self.at.len().saturating_sub(self.groups);
         let (offset, above) = (self.packs.len() as u32, &self.at[last..]);

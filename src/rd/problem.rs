@@ -20,3 +20,12 @@ pub struct Problem {
     /// The lowest of these.
     pub slowest: f32,
 }
+
+impl Problem {
+    /// Leaves the cells that `frozen` names (`y · nx + x`) as they are from now on. Their neighbours still see them.
+    pub fn freeze(&mut self, frozen: &(impl Fn(usize) -> bool + Sync)) {
+        // A step adds 0 · what diffusion and reaction would do, which is 0 while that is finite.
+        self.mobility = self.mobility.with(self.grid, |cell, own| if frozen(cell) { [0.0; 2] } else { own });
+        self.rate = self.rate.with(self.grid, |cell, own| if frozen(cell) { [0.0] } else { own });
+    }
+}
