@@ -5,7 +5,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::maps::{Maps, Parameters};
 use super::nuclei::{Nucleus, lay, thinned};
-use super::plane::Plane;
+use super::plane::{Grid, Plane};
 use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
 use crate::field::Edges;
 
@@ -125,13 +125,12 @@ fn oriented_noise(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 5
 
 /// The cells of each chemical inside their margins.
 fn planes<const N: usize>(maps: &Maps, edges: Edges, cells: [Vec<f32>; N]) -> [Plane; N] {
+    let grid = Grid { nx: maps.nx, ny: maps.ny, edges };
     cells.map(|cells| {
-        let mut plane = Plane::flat(maps.nx, maps.ny, 0.0);
+        let mut plane = Plane::flat(grid, 0.0);
         for (y, row) in cells.chunks_exact(maps.nx).enumerate() {
-            let at = plane.at(0, y);
-            plane.values[at..at + maps.nx].copy_from_slice(row);
+            plane.set_row(y, row);
         }
-        plane.fill_margin(edges);
         plane
     })
 }

@@ -1,45 +1,82 @@
 //! The diffusion tensor of every cell as stencil weights, and where which of them are in use.
 
-use super::selling::{OFFSETS, Tensor};
+use super::coefficients::Coefficients;
+use super::plane::{Grid, LANES, MARGIN};
+use super::selling::{OFFSETS, REACH, Tensor};
+use crate::field::Edges;
 
-/// Cells whose stencils are looked at together: one row is cut into segments of this length.
-pub const SEGMENT: usize = 64;
-
-/// Stencil weights of each cell of a grid of `nx` × `ny` cells.
+/// Stencil weights of each cell of a grid.
 #[derive(Clone, Debug)]
 pub struct Diffusion {
-    nx: usize,
-    /// `weights[k][y * nx + x]`: weight of `OFFSETS[k]` at that cell.
-    pub weights: Vec<Vec<f32>>,
-    /// For each segment of each row, bit k is set where some cell gives offset k a weight.
-    used: Vec<u8>,
+    /// The weight of each of [`OFFSETS`]; of a group of cells only those that some cell of it uses.
+    pub weights: Coefficients<{ OFFSETS.len() }>,
     /// The largest sum of weights of any cell: dt·D·this ≤ ½ keeps an explicit step monotone.
     pub largest: f32,
+    /// How far the offsets in use reach, cells.
+    pub reach: usize,
+    /// Where the runs of each row begin in `runs`.
+    rows: Vec<u32>,
+    runs: Vec<Run>,
+}
+
+/// Groups of one row that are stepped alike.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// The first group after it.
+    pub end: u32,
+    /// The offsets that they use, as bits.
+    pub used: u8,
+    /// Whether something beyond a closed edge is within reach.
+    pub edge: bool,
 }
 
 impl Diffusion {
-    /// Asks `tensor` for each cell, row by row.
-    pub fn new(nx: usize, ny: usize, tensor: impl Fn(usize) -> Tensor + Sync) -> Self {
-        use rayon::prelude::*;
-        let per_cell: Vec<[f32; OFFSETS.len()]> =
-            (0..nx * ny).into_par_iter().map(|cell| tensor(cell).weights()).collect();
-        let weights = (0..OFFSETS.len()).map(|k| per_cell.iter().map(|w| w[k]).collect()).collect();
-        let mut used = Vec::with_capacity(ny * nx.div_ceil(SEGMENT));
-        for row in per_cell.chunks(nx) {
-            for segment in row.chunks(SEGMENT) {
-                used.push(
-                    (0..OFFSETS.len())
-                        .fold(0, |bits, k| bits | u8::from(segment.iter().any(|w| w[k] > 0.0)) << k),
-                );
+    /// Asks `tensor` for each cell (`y · nx + x`).
+    pub fn new(grid: Grid, tensor: impl Fn(usize) -> Tensor + Sync) -> Self {
+        let weights = Coefficients::new(grid, true, |cell| tensor(cell).weights());
+        let (mut largest, mut reach) = (0.0f32, 1);
+        for (used, packs) in weights.groups_in_use() {
+            for j in 0..LANES {
+                largest = largest.max(packs.iter().map(|pack| pack.0[j]).sum());
+            }
+            for (k, [dx, dy]) in OFFSETS.into_iter().enumerate() {
+                if used & (1 << k) != 0 {
+                    reach = reach.max(dx.unsigned_abs()).max(dy.unsigned_abs());
+                }
             }
         }
-        let largest = per_cell.iter().map(|w| w.iter().sum::<f32>()).fold(0.0, f32::max);
-        Self { nx, weights, used, largest }
+        let (mut rows, mut runs) = (vec![], vec![]);
+        for y in 0..grid.ny {
+            let row = runs_of(grid, y, |group| weights.of(group, y).0);
+            let above = rows.last().map_or(0, |first| *first as usize);
+            if runs[above..] != row {
+                rows.push(runs.len() as u32);
+                runs.extend_from_slice(&row);
+            } else {
+                rows.push(above as u32);
+            }
+        }
+        Self { weights, largest, reach, rows, runs }
     }
 
-    /// The offsets in use in segment `segment` of row `y`, as bits.
+    /// The runs of row `y` and of the rows after it, from the first group on; those of a row end with its last group.
     #[must_use]
-    pub fn used(&self, segment: usize, y: usize) -> u8 {
-        self.used[y * self.nx.div_ceil(SEGMENT) + segment]
+    pub fn runs(&self, y: usize) -> &[Run] {
+        &self.runs[self.rows[y] as usize..]
     }
+}
+
+fn runs_of(grid: Grid, y: usize, used: impl Fn(usize) -> u8) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for group in 0..grid.groups() {
+        let left = group * LANES < MARGIN + REACH;
+        let right = (group + 1) * LANES + REACH > MARGIN + grid.nx;
+        let near = left || right || y < REACH || y + REACH >= grid.ny;
+        let run = Run { end: group as u32 + 1, used: used(group), edge: near && grid.edges == Edges::Closed };
+        match runs.last_mut() {
+            Some(last) if (last.used, last.edge) == (run.used, run.edge) => last.end = run.end,
+            _ => runs.push(run),
+        }
+    }
+    runs
 }

@@ -1,5 +1,7 @@
 //! What a system must say of itself so that the solvers can step it.
 
+use super::vector::Number;
+
 /// How a chemical spreads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spread {
@@ -17,31 +19,32 @@ pub trait Kinetics<const N: usize>: Send + Sync {
     const SPREAD: [Spread; N];
 
     /// What the chemicals `u` do to each other at one point, per unit of time at unit rate.
-    fn react(u: [f32; N]) -> [f32; N];
+    fn react<V: Number>(u: [V; N]) -> [V; N];
 
     /// The concentrations that a step may leave, given what it computed.
     #[must_use]
-    fn bounded(u: [f32; N]) -> [f32; N] {
+    #[inline(always)]
+    fn bounded<V: Number>(u: [V; N]) -> [V; N] {
         u
     }
 }
 
 /// One explicit step at one cell: u + D·Lu + s·F(u), with the time step inside `mobility` and `rate`.
 #[inline(always)]
-pub fn euler<const N: usize, K: Kinetics<N>>(
-    u: [f32; N],
-    spread: [f32; N],
-    mobility: [f32; 2],
-    rate: f32,
-) -> [f32; N] {
+pub fn euler<const N: usize, K: Kinetics<N>, V: Number>(
+    u: [V; N],
+    spread: [V; N],
+    mobility: [V; 2],
+    rate: V,
+) -> [V; N] {
     let f = K::react(u);
     let mut next = u;
     for i in 0..N {
-        let d = match K::SPREAD[i] {
-            Spread::Tensor(m) | Spread::Isotropic(m) => mobility[m] * spread[i],
-            Spread::Still => 0.0,
+        let moved = match K::SPREAD[i] {
+            Spread::Tensor(m) | Spread::Isotropic(m) => u[i] + mobility[m] * spread[i],
+            Spread::Still => u[i],
         };
-        next[i] = u[i] + d + rate * f[i];
+        next[i] = moved + rate * f[i];
     }
     K::bounded(next)
 }

@@ -7,6 +7,7 @@
 //! (2006), appendix B. A spot is a peak of a. R = D_b/Dₐ sets how far apart spots of one size stand.
 
 use super::kinetics::{Kinetics, Spread};
+use super::vector::Number;
 
 /// a and b.
 pub struct MeinhardtSpots;
@@ -21,9 +22,9 @@ impl Kinetics<2> for MeinhardtSpots {
     const SPREAD: [Spread; 2] = [Spread::Tensor(0), Spread::Tensor(1)];
 
     #[inline(always)]
-    fn react([a, b]: [f32; 2]) -> [f32; 2] {
-        let source = 0.01 * a * a;
-        [source / b - P1 * a, source - P2 * b]
+    fn react<V: Number>([a, b]: [V; 2]) -> [V; 2] {
+        let source = V::of(0.01) * a * a;
+        [source / b - V::of(P1) * a, source - V::of(P2) * b]
     }
 }
 

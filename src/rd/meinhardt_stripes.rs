@@ -11,6 +11,7 @@
 //! stripes run along its long axis (`facts.md` E).
 
 use super::kinetics::{Kinetics, Spread};
+use super::vector::Number;
 
 /// a, b, c, d, e.
 pub struct MeinhardtStripes;
@@ -35,16 +36,17 @@ impl Kinetics<5> for MeinhardtStripes {
         [Spread::Tensor(0), Spread::Tensor(0), Spread::Still, Spread::Isotropic(1), Spread::Isotropic(1)];
 
     #[inline(always)]
-    fn react([a, b, c, d, e]: [f32; 5]) -> [f32; 5] {
-        let from_a = 0.01 * a * a * e;
-        let from_b = 0.01 * b * b * d;
-        let inverse = 1.0 / c;
+    fn react<V: Number>([a, b, c, d, e]: [V; 5]) -> [V; 5] {
+        let [source, k_ab, k_c, k_de] = [0.01, K_AB, K_C, K_DE].map(V::of);
+        let from_a = source * a * a * e;
+        let from_b = source * b * b * d;
+        let inverse = V::of(1.0) / c;
         [
-            from_a * inverse - K_AB * a,
-            from_b * inverse - K_AB * b,
-            from_a + from_b - K_C * c,
-            K_DE * (a - d),
-            K_DE * (b - e),
+            from_a * inverse - k_ab * a,
+            from_b * inverse - k_ab * b,
+            from_a + from_b - k_c * c,
+            k_de * (a - d),
+            k_de * (b - e),
         ]
     }
 }

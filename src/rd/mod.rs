@@ -1,12 +1,14 @@
 //! Parameters → field: reaction and diffusion.
 
 mod begin;
+mod coefficients;
 mod compensate;
 mod diffusion;
-pub mod explicit;
+mod explicit;
 mod gabor;
 mod growth;
 mod kinetics;
+mod lanes;
 mod maps;
 mod meinhardt_spots;
 mod meinhardt_stripes;
@@ -14,14 +16,16 @@ mod nuclei;
 mod plane;
 mod problem;
 mod prolong;
-pub mod rows;
 pub mod selling;
 mod turing_spots;
+mod vector;
+mod wavefront;
 
 pub use begin::{Beginning, nuclei};
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
 pub use prolong::prolonged;
+pub use wavefront::{Instructions, Tiling};
 
 /// The reaction-diffusion systems.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

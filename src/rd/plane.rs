@@ -1,91 +1,156 @@
 //! One chemical on the grid, with a margin so that a stencil may look beyond the border.
 
-use super::selling::REACH;
+use bytemuck::{Pod, Zeroable, cast_slice, cast_slice_mut};
+
 use crate::field::Edges;
 
-/// Concentrations of one chemical: `ny` rows of `nx` cells inside a margin of [`REACH`] cells.
-#[derive(Clone, Debug)]
-pub struct Plane {
-    /// Cells in a row, margin left out.
+/// Cells stepped at once: one vector of AVX-512, two of AVX2, four of SSE or NEON.
+pub const LANES: usize = 16;
+
+/// [`LANES`] cells side by side, aligned so that a vector never lies across two cache lines.
+#[repr(C, align(64))]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Lanes(pub [f32; LANES]);
+
+/// Columns of memory before the first cell of a row, and at least as many after the last: more than a stencil
+/// reaches, so that cells stay aligned.
+pub const MARGIN: usize = LANES;
+
+/// The cells and how rows of them lie in memory: a margin of [`MARGIN`] columns, `nx` cells, a margin again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid {
+    /// Cells in a row.
     pub nx: usize,
-    /// Rows, margin left out.
+    /// Rows.
     pub ny: usize,
-    /// Margin included: `(ny + 2·REACH)` rows of `stride` values.
-    pub values: Vec<f32>,
+    /// What lies beyond the border.
+    pub edges: Edges,
 }
 
-impl Plane {
-    /// The same concentration everywhere.
+impl Grid {
+    /// Groups of [`LANES`] columns in a row of memory, margins included.
+    ///
+    /// Odd, so that the same column of successive rows does not fall on the same few lines of the cache.
     #[must_use]
-    pub fn flat(nx: usize, ny: usize, value: f32) -> Self {
-        Self { nx, ny, values: vec![value; (nx + 2 * REACH) * (ny + 2 * REACH)] }
+    pub fn groups(&self) -> usize {
+        (self.nx + 2 * MARGIN).div_ceil(LANES) | 1
     }
 
-    /// The given `nx · ny` cells, margin filled as `edges` says; `None` for another number of them.
+    /// The groups that hold cells.
     #[must_use]
-    pub fn from_cells(nx: usize, ny: usize, cells: &[f32], edges: Edges) -> Option<Self> {
-        let mut plane = Self::flat(nx, ny, 0.0);
-        if cells.len() != nx * ny {
-            return None;
-        }
-        for (y, row) in cells.chunks_exact(nx).enumerate() {
-            let start = plane.at(0, y);
-            plane.values[start..start + nx].copy_from_slice(row);
-        }
-        plane.fill_margin(edges);
-        Some(plane)
+    pub fn inner(&self) -> std::ops::Range<usize> {
+        MARGIN / LANES..(MARGIN + self.nx).div_ceil(LANES)
     }
 
     /// Values from one row to the next.
     #[must_use]
     pub fn stride(&self) -> usize {
-        self.nx + 2 * REACH
+        self.groups() * LANES
     }
 
-    /// Where the cell at column `x` of row `y` lies in `values`.
+    /// The cell whose value stands at place `at` of a row of memory.
     #[must_use]
-    pub fn at(&self, x: usize, y: usize) -> usize {
-        (y + REACH) * self.stride() + x + REACH
+    pub fn column(&self, at: usize) -> usize {
+        self.edges.index(at as isize - MARGIN as isize, self.nx)
     }
 
-    /// The cells of row `y`, margin left out.
+    /// The row that stands in for row `y`, which may lie beyond the border.
     #[must_use]
-    pub fn row(&self, y: usize) -> &[f32] {
-        let start = self.at(0, y);
-        &self.values[start..start + self.nx]
+    pub fn row(&self, y: isize) -> usize {
+        // Most are inside, and need no division.
+        if (0..self.ny as isize).contains(&y) { y as usize } else { self.edges.index(y, self.ny) }
     }
 
-    /// Writes the margin from the cells inside, as `edges` says.
-    pub fn fill_margin(&mut self, edges: Edges) {
-        for y in 0..self.ny {
-            let start = (y + REACH) * self.stride();
-            fill_row_margin(&mut self.values[start..start + self.nx + 2 * REACH], edges);
+    /// Writes the margins of one row of memory from its cells, as the edges say.
+    pub fn fill_margins(&self, row: &mut [f32]) {
+        let (end, wide) = (MARGIN + self.nx, self.nx >= MARGIN);
+        if wide && self.edges == Edges::Wrap {
+            row.copy_within(end - MARGIN..end, 0);
+            row.copy_within(MARGIN..2 * MARGIN, end);
+        } else {
+            for at in (0..MARGIN).chain(end..end + MARGIN) {
+                row[at] = row[MARGIN + self.column(at)];
+            }
         }
-        self.fill_margin_rows(edges);
-    }
-
-    /// Writes only the rows of the margin, where the columns of it are up to date.
-    pub fn fill_margin_rows(&mut self, edges: Edges) {
-        let (stride, reach) = (self.stride(), REACH as isize);
-        for beyond in (-reach..0).chain(self.ny as isize..self.ny as isize + reach) {
-            let from = (edges.index(beyond, self.ny) + REACH) * stride;
-            let to = (beyond + reach) as usize * stride;
-            self.values.copy_within(from..from + stride, to);
-        }
-    }
-
-    /// The cells without the margin, row by row.
-    #[must_use]
-    pub fn cells(&self) -> Vec<f32> {
-        (0..self.ny).flat_map(|y| self.row(y).iter().copied()).collect()
     }
 }
 
-/// Writes the margin of one row (margin included in `row`) from the cells inside it.
-pub fn fill_row_margin(row: &mut [f32], edges: Edges) {
-    let nx = row.len() - 2 * REACH;
-    for i in 0..REACH {
-        row[i] = row[REACH + edges.index(i as isize - REACH as isize, nx)];
-        row[REACH + nx + i] = row[REACH + edges.index((nx + i) as isize, nx)];
+/// Concentrations of one chemical.
+#[derive(Clone, Debug)]
+pub struct Plane {
+    grid: Grid,
+    rows: Vec<Lanes>,
+}
+
+impl Plane {
+    /// The same concentration everywhere.
+    #[must_use]
+    pub fn flat(grid: Grid, value: f32) -> Self {
+        Self { grid, rows: vec![Lanes([value; LANES]); grid.groups() * grid.ny] }
+    }
+
+    /// The given `nx · ny` cells; `None` for another number of them.
+    #[must_use]
+    pub fn from_cells(grid: Grid, cells: &[f32]) -> Option<Self> {
+        let mut plane = Self::flat(grid, 0.0);
+        if cells.len() != grid.nx * grid.ny {
+            return None;
+        }
+        for (y, row) in cells.chunks_exact(grid.nx).enumerate() {
+            plane.set_row(y, row);
+        }
+        Some(plane)
+    }
+
+    /// The cells of row `y`.
+    #[must_use]
+    pub fn row(&self, y: usize) -> &[f32] {
+        &self.memory(y)[MARGIN..MARGIN + self.grid.nx]
+    }
+
+    /// Row `y` with its margins.
+    #[must_use]
+    pub fn memory(&self, y: usize) -> &[f32] {
+        let groups = self.grid.groups();
+        cast_slice(&self.rows[y * groups..(y + 1) * groups])
+    }
+
+    /// All rows with their margins.
+    pub fn memory_mut(&mut self) -> &mut [f32] {
+        cast_slice_mut(&mut self.rows)
+    }
+
+    /// Writes the cells of row `y`, and its margins.
+    pub fn set_row(&mut self, y: usize, cells: &[f32]) {
+        let (grid, stride) = (self.grid, self.grid.stride());
+        let row = &mut self.memory_mut()[y * stride..(y + 1) * stride];
+        row[MARGIN..MARGIN + grid.nx].copy_from_slice(cells);
+        grid.fill_margins(row);
+    }
+
+    /// The cells, row by row.
+    #[must_use]
+    pub fn cells(&self) -> Vec<f32> {
+        (0..self.grid.ny).flat_map(|y| self.row(y).iter().copied()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn margins_hold_what_lies_beyond_the_border() {
+        for (nx, edges) in
+            [(3, Edges::Wrap), (3, Edges::Closed), (16, Edges::Wrap), (21, Edges::Wrap), (21, Edges::Closed)]
+        {
+            let grid = Grid { nx, ny: 1, edges };
+            let cells: Vec<f32> = (0..nx).map(|x| x as f32).collect();
+            let plane = Plane::from_cells(grid, &cells).expect("nx cells");
+            for (at, value) in plane.memory(0).iter().enumerate().take(2 * MARGIN + nx) {
+                let x = edges.index(at as isize - MARGIN as isize, nx);
+                assert_eq!(*value, x as f32, "{edges:?} {nx} {at}");
+            }
+        }
     }
 }

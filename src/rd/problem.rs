@@ -1,23 +1,31 @@
 //! A system with all its coefficients on a grid: what a solver steps.
 
+use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;
-use crate::field::Edges;
+use super::plane::Grid;
 
 /// Coefficients of every cell, the time step already inside.
 #[derive(Clone, Debug)]
 pub struct Problem {
-    /// Cells in a row.
-    pub nx: usize,
-    /// Rows.
-    pub ny: usize,
-    /// What lies beyond the border.
-    pub edges: Edges,
+    /// The cells.
+    pub grid: Grid,
     /// The tensor of each cell.
     pub diffusion: Diffusion,
     /// Weights of the isotropic stencil along x and along y.
     pub isotropic: [f32; 2],
     /// dt·D of each cell, by mobility number.
-    pub mobility: [Vec<f32>; 2],
+    pub mobility: Coefficients<2>,
     /// dt·s of each cell.
-    pub rate: Vec<f32>,
+    pub rate: Coefficients<1>,
+    /// The lowest of these.
+    pub slowest: f32,
+}
+
+impl Problem {
+    /// Leaves the cells that `frozen` names (`y · nx + x`) as they are from now on. Their neighbours still see them.
+    pub fn freeze(&mut self, frozen: &(impl Fn(usize) -> bool + Sync)) {
+        // A step adds 0 · what diffusion and reaction would do, which is 0 while that is finite.
+        self.mobility = self.mobility.with(self.grid, |cell, own| if frozen(cell) { [0.0; 2] } else { own });
+        self.rate = self.rate.with(self.grid, |cell, own| if frozen(cell) { [0.0] } else { own });
+    }
 }

@@ -9,6 +9,7 @@
 //! spacing².
 
 use super::kinetics::{Kinetics, Spread};
+use super::vector::Number;
 
 /// a and b.
 pub struct TuringSpots;
@@ -27,14 +28,14 @@ impl Kinetics<2> for TuringSpots {
     const SPREAD: [Spread; 2] = [Spread::Tensor(0), Spread::Tensor(1)];
 
     #[inline(always)]
-    fn react([a, b]: [f32; 2]) -> [f32; 2] {
+    fn react<V: Number>([a, b]: [V; 2]) -> [V; 2] {
         let ab = a * b;
-        [GROWTH - ab, ab - b - BETA]
+        [V::of(GROWTH) - ab, ab - b - V::of(BETA)]
     }
 
     #[inline(always)]
-    fn bounded([a, b]: [f32; 2]) -> [f32; 2] {
-        [a, if b < 0.0 { 0.0 } else { b }]
+    fn bounded<V: Number>([a, b]: [V; 2]) -> [V; 2] {
+        [a, b.not_negative()]
     }
 }
 

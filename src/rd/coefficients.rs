@@ -1,0 +1,169 @@
+//! Numbers of every cell that stay as they are while the pattern grows: [`LANES`] cells of a row together, and
+//! only once where neighbours are the same.
+
+use rayon::prelude::*;
+
+use super::plane::{Grid, LANES, Lanes, MARGIN};
+
+/// `C` numbers of each cell.
+#[derive(Clone, Debug)]
+pub struct Coefficients<const C: usize> {
+    groups: usize,
+    /// By group, row by row: which of the numbers are kept (bit k for number k), and where the first of them stands.
+    at: Vec<(u8, u32)>,
+    packs: Vec<Lanes>,
+}
+
+/// The numbers of the cells of one row.
+#[derive(Clone, Copy)]
+pub struct Numbers<'a> {
+    at: &'a [(u8, u32)],
+    packs: &'a [Lanes],
+}
+
+impl<'a> Numbers<'a> {
+    /// Which of the numbers group `group` keeps, and these, in their order; then those of other groups.
+    #[inline(always)]
+    #[must_use]
+    pub fn of(&self, group: usize) -> (u8, &'a [Lanes]) {
+        let (used, first) = self.at[group];
+        (used, &self.packs[first as usize..])
+    }
+
+    /// Which of the numbers group `group` keeps.
+    #[inline(always)]
+    #[must_use]
+    pub fn used(&self, group: usize) -> u8 {
+        self.at[group].0
+    }
+}
+
+/// Rows that are laid out side by side, on all threads, before they are joined.
+const ROWS: usize = 64;
+
+impl<const C: usize> Coefficients<C> {
+    /// Asks `of` for the numbers of each cell (`y · nx + x`). Numbers that are 0 in a whole group are left out,
+    /// if `sparse`.
+    pub fn new(grid: Grid, sparse: bool, of: impl Fn(usize) -> [f32; C] + Sync) -> Self {
+        let mut all = Self { groups: grid.groups(), at: Vec::new(), packs: Vec::new() };
+        all.at.reserve_exact(grid.groups() * grid.ny);
+        for first in (0..grid.ny).step_by(ROWS) {
+            let rows: Vec<_> = (first..grid.ny.min(first + ROWS))
+                .into_par_iter()
+                .map(|y| Row::new(grid, sparse, y, &of))
+                .collect();
+            rows.into_iter().for_each(|row| all.push(&row));
+        }
+        all
+    }
+
+    /// The same but for what `change` makes of a cell's numbers.
+    #[must_use]
+    pub fn with(&self, grid: Grid, change: impl Fn(usize, [f32; C]) -> [f32; C] + Sync) -> Self {
+        Self::new(grid, false, |cell| change(cell, self.cell(cell % grid.nx, cell / grid.nx)))
+    }
+
+    fn push(&mut self, row: &Row) {
+        let last = self.at.len().saturating_sub(self.groups);
+        let (offset, above) = (self.packs.len() as u32, &self.at[last..]);
+        let base = above.first().map_or(0, |(_, first)| *first);
+        let same = above.len() == row.at.len()
+            && self.packs[base as usize..] == row.packs[..]
+            && above.iter().zip(&row.at).all(|(a, b)| *a == (b.0, b.1 + base));
+        let from = if same { base } else { offset };
+        self.at.extend(row.at.iter().map(|(used, first)| (*used, first + from)));
+        if !same {
+            self.packs.extend_from_slice(&row.packs);
+        }
+    }
+
+    /// Which of the numbers group `group` of row `y` keeps, and these, in their order.
+    #[must_use]
+    pub fn of(&self, group: usize, y: usize) -> (u8, &[Lanes]) {
+        self.in_row(y).of(group)
+    }
+
+    /// The numbers of row `y`.
+    #[inline(always)]
+    #[must_use]
+    pub fn in_row(&self, y: usize) -> Numbers<'_> {
+        Numbers { at: &self.at[y * self.groups..(y + 1) * self.groups], packs: &self.packs }
+    }
+
+    /// Writes the numbers of row `y`, margins included: number k of all its cells from `rows[k · stride]` on, those
+    /// that no cell uses left out. Gives which are used.
+    pub fn row(&self, y: usize, rows: &mut [f32]) -> u8 {
+        let stride = rows.len() / C;
+        let row = self.in_row(y);
+        let any = row.at.iter().fold(0, |any, (used, _)| any | used);
+        for group in 0..self.groups {
+            let (used, packs) = row.of(group);
+            let mut kept = packs.iter();
+            for k in (0..C).filter(|k| any & (1 << k) != 0) {
+                let numbers = if used & (1 << k) == 0 { None } else { kept.next() };
+                let place = k * stride + group * LANES;
+                rows[place..place + LANES].copy_from_slice(&numbers.map_or([0.0; LANES], |lanes| lanes.0));
+            }
+        }
+        any
+    }
+
+    /// The numbers of one cell.
+    #[must_use]
+    pub fn cell(&self, x: usize, y: usize) -> [f32; C] {
+        let (used, packs) = self.of((MARGIN + x) / LANES, y);
+        let mut kept = packs.iter();
+        std::array::from_fn(|k| {
+            if used & (1 << k) == 0 { 0.0 } else { kept.next().map_or(0.0, |lanes| lanes.0[x % LANES]) }
+        })
+    }
+
+    /// Every group's numbers in use, each set of them once where neighbours share it.
+    pub fn groups_in_use(&self) -> impl Iterator<Item = (u8, &[Lanes])> {
+        let mut before = None;
+        self.at.iter().filter(move |at| before.replace(**at) != Some(**at)).map(|(used, first)| {
+            let first = *first as usize;
+            (*used, &self.packs[first..first + used.count_ones() as usize])
+        })
+    }
+
+    /// Bytes in memory.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.at[..]) + size_of_val(&self.packs[..])
+    }
+}
+
+/// One row, places counted from its own beginning.
+struct Row {
+    at: Vec<(u8, u32)>,
+    packs: Vec<Lanes>,
+}
+
+impl Row {
+    fn new<const C: usize>(grid: Grid, sparse: bool, y: usize, of: &impl Fn(usize) -> [f32; C]) -> Self {
+        let mut row = Self { at: Vec::with_capacity(grid.groups()), packs: Vec::new() };
+        let mut before = Vec::new();
+        for group in 0..grid.groups() {
+            let mut numbers = [Lanes([0.0; LANES]); C];
+            for j in 0..LANES {
+                let cell = of(y * grid.nx + grid.column(group * LANES + j));
+                for k in 0..C {
+                    numbers[k].0[j] = cell[k];
+                }
+            }
+            let kept = |k: &usize| !sparse || numbers[*k].0.iter().any(|number| *number != 0.0);
+            let used = (0..C).filter(kept).fold(0, |bits, k| bits | 1 << k);
+            let packs: Vec<Lanes> = (0..C).filter(kept).map(|k| numbers[k]).collect();
+            match row.at.last() {
+                Some(last) if *last == (used, last.1) && before == packs => row.at.push(*last),
+                _ => {
+                    row.at.push((used, row.packs.len() as u32));
+                    row.packs.extend_from_slice(&packs);
+                }
+            }
+            before = packs;
+        }
+        row
+    }
+}

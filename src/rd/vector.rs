@@ -1,0 +1,191 @@
+//! Numbers to compute with: one, or as many as the processor takes at once. A formula written for [`Number`] gives
+//! the same bits for each of them: every operation is rounded by itself, none are fused.
+
+use std::ops::{Add, Div, Mul, Sub};
+
+/// What the formulas of kinetics and diffusion are written in.
+pub trait Number:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// The same value in all lanes.
+    fn of(value: f32) -> Self;
+
+    /// 0 where negative; anything else, not-a-number included, as it is.
+    #[must_use]
+    fn not_negative(self) -> Self;
+}
+
+impl Number for f32 {
+    #[inline(always)]
+    fn of(value: f32) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn not_negative(self) -> Self {
+        if self < 0.0 { 0.0 } else { self }
+    }
+}
+
+/// Several numbers side by side.
+pub trait Vector: Number {
+    /// How many.
+    const WIDTH: usize;
+
+    /// Those from `at` on.
+    ///
+    /// # Safety
+    /// `values` must reach to `at + WIDTH`.
+    unsafe fn load(values: &[f32], at: usize) -> Self;
+
+    /// Writes them from `at` on.
+    ///
+    /// # Safety
+    /// `values` must reach to `at + WIDTH`.
+    unsafe fn store(self, values: &mut [f32], at: usize);
+
+    /// Lane by lane, `self` where a < b and `other` elsewhere.
+    #[must_use]
+    fn where_less(self, a: Self, b: Self, other: Self) -> Self;
+}
+
+/// Four numbers in a form that compilers make one vector of.
+#[derive(Clone, Copy)]
+pub struct Four([f32; 4]);
+
+impl Number for Four {
+    #[inline(always)]
+    fn of(value: f32) -> Self {
+        Self([value; 4])
+    }
+
+    #[inline(always)]
+    fn not_negative(self) -> Self {
+        let mut lanes = self.0;
+        for lane in &mut lanes {
+            *lane = lane.not_negative();
+        }
+        Self(lanes)
+    }
+}
+
+impl Vector for Four {
+    const WIDTH: usize = 4;
+
+    #[inline(always)]
+    unsafe fn load(values: &[f32], at: usize) -> Self {
+        debug_assert!(at + Self::WIDTH <= values.len());
+        // SAFETY: within `values`, says the caller.
+        Self(unsafe { values.as_ptr().add(at).cast::<[f32; 4]>().read_unaligned() })
+    }
+
+    #[inline(always)]
+    unsafe fn store(self, values: &mut [f32], at: usize) {
+        debug_assert!(at + Self::WIDTH <= values.len());
+        // SAFETY: within `values`, says the caller.
+        unsafe { values.as_mut_ptr().add(at).cast::<[f32; 4]>().write_unaligned(self.0) }
+    }
+
+    #[inline(always)]
+    fn where_less(self, a: Self, b: Self, other: Self) -> Self {
+        let mut lanes = other.0;
+        for (i, lane) in lanes.iter_mut().enumerate() {
+            if a.0[i] < b.0[i] {
+                *lane = self.0[i];
+            }
+        }
+        Self(lanes)
+    }
+}
+
+macro_rules! four {
+    ($($operation:ident $method:ident $sign:tt),*) => {$(
+        impl $operation for Four {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
+                Self([a $sign e, b $sign f, c $sign g, d $sign h])
+            }
+        }
+    )*};
+}
+four!(Add add +, Sub sub -, Mul mul *, Div div /);
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    use super::{Add, Div, Mul, Number, Sub, Vector};
+    use std::arch::x86_64::*;
+
+    /// A register of AVX2 or AVX-512. Made only inside functions that are compiled for such processors, which
+    /// [`super::super::wavefront`] enters only on them: what every `unsafe` below relies on.
+    macro_rules! register {
+        ($name:ident, $register:ty, $width:literal, $splat:ident, $load:ident, $store:ident, $max:ident,
+         $less:expr, $($operation:ident $method:ident $intrinsic:ident),*) => {
+            #[doc = concat!(stringify!($width), " numbers.")]
+            #[derive(Clone, Copy)]
+            pub struct $name($register);
+
+            impl Number for $name {
+                #[inline(always)]
+                fn of(value: f32) -> Self {
+                    // SAFETY: the processor has such registers.
+                    Self(unsafe { $splat(value) })
+                }
+
+                #[inline(always)]
+                fn not_negative(self) -> Self {
+                    // The second operand comes back where neither is greater, and where one is not a number.
+                    // SAFETY: the processor has such registers.
+                    Self(unsafe { $max($splat(0.0), self.0) })
+                }
+            }
+
+            impl Vector for $name {
+                const WIDTH: usize = $width;
+
+                #[inline(always)]
+                unsafe fn load(values: &[f32], at: usize) -> Self {
+                    debug_assert!(at + Self::WIDTH <= values.len());
+                    // SAFETY: within `values`, says the caller.
+                    Self(unsafe { $load(values.as_ptr().add(at)) })
+                }
+
+                #[inline(always)]
+                unsafe fn store(self, values: &mut [f32], at: usize) {
+                    debug_assert!(at + Self::WIDTH <= values.len());
+                    // SAFETY: within `values`, says the caller.
+                    unsafe { $store(values.as_mut_ptr().add(at), self.0) }
+                }
+
+                #[inline(always)]
+                fn where_less(self, a: Self, b: Self, other: Self) -> Self {
+                    // SAFETY: the processor has such registers.
+                    Self(unsafe { $less(self.0, a.0, b.0, other.0) })
+                }
+            }
+
+            $(impl $operation for $name {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: Self) -> Self {
+                    // SAFETY: the processor has such registers.
+                    Self(unsafe { $intrinsic(self.0, other.0) })
+                }
+            })*
+        };
+    }
+
+    register!(
+        Eight, __m256, 8, _mm256_set1_ps, _mm256_loadu_ps, _mm256_storeu_ps, _mm256_max_ps,
+        |this, a, b, other| _mm256_blendv_ps(other, this, _mm256_cmp_ps::<_CMP_LT_OQ>(a, b)),
+        Add add _mm256_add_ps, Sub sub _mm256_sub_ps, Mul mul _mm256_mul_ps, Div div _mm256_div_ps
+    );
+    register!(
+        Sixteen, __m512, 16, _mm512_set1_ps, _mm512_loadu_ps, _mm512_storeu_ps, _mm512_max_ps,
+        |this, a, b, other| _mm512_mask_blend_ps(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b), other, this),
+        Add add _mm512_add_ps, Sub sub _mm512_sub_ps, Mul mul _mm512_mul_ps, Div div _mm512_div_ps
+    );
+}
+#[cfg(target_arch = "x86_64")]
+pub use x86::{Eight, Sixteen};

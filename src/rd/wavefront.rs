@@ -1,0 +1,361 @@
+//! The fast solver: several steps in one sweep over the grid, so that what a step leaves is still in the cache
+//! when the next one needs it; over all threads.
+//!
+//! Level l of a sweep is the pattern l steps on. While the sweep moves down, level l trails level l − 1 by the
+//! reach of the stencil, and the levels between the first and the last keep only the few rows that the next one
+//! looks at. Threads take bands of rows and step what they need of their neighbours' for themselves. However the
+//! grid is cut, every cell is computed from the same numbers in the same order: the bits are those of
+//! [`super::explicit`].
+
+use std::ops::Range;
+
+use bytemuck::{cast_slice, cast_slice_mut};
+use rayon::prelude::*;
+
+use super::kinetics::Kinetics;
+use super::lanes::{Window, step_row};
+use super::plane::{LANES, Lanes, Plane};
+use super::problem::Problem;
+use super::selling::REACH;
+#[cfg(target_arch = "x86_64")]
+use super::vector::{Eight, Sixteen};
+use super::vector::{Four, Vector};
+use crate::field::Edges;
+
+/// How a sweep is cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tiling {
+    /// Steps a sweep.
+    pub levels: usize,
+    /// Bands of rows.
+    pub bands: usize,
+}
+
+/// Bytes that the rows between the levels and the coefficients may take of a core's second-level cache. Tuned on
+/// grids of 1024², 2048² and 6000² with 2 MB of it; half of what processors with 1 MB have.
+const CACHE: usize = 768 << 10;
+/// Steps a sweep at most: more gained nothing.
+const LEVELS: usize = 8;
+/// The share of rows that a band may step for itself though they are a neighbour's.
+const SHARED: f64 = 0.06;
+/// Cells that a band must have at least to be worth handing to a thread.
+const CELLS_A_BAND: usize = 8_192;
+
+impl Tiling {
+    /// What suits a grid on `threads` threads: the same bits come out of any.
+    #[must_use]
+    pub fn suited(problem: &Problem, chemicals: usize, threads: usize) -> Self {
+        let (grid, reach) = (problem.grid, problem.diffusion.reach);
+        let bands = (grid.nx * grid.ny / CELLS_A_BAND).clamp(1, threads.max(1));
+        let rows = grid.ny.div_ceil(bands);
+        // A level keeps 2r + 1 rows of each chemical and trails the one before by r rows of six coefficients.
+        let a_level = ((2 * reach + 1) * chemicals + 6 * reach) * grid.stride() * size_of::<f32>();
+        let alone = bands == 1 && grid.edges == Edges::Closed;
+        let by_sharing = if alone { LEVELS } else { 1 + (SHARED * rows as f64) as usize / reach };
+        Self { levels: (CACHE / a_level).min(by_sharing).clamp(1, LEVELS), bands }
+    }
+}
+
+/// The vector instructions to step with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Instructions {
+    /// What every machine of this kind has (SSE2, NEON).
+    Baseline,
+    /// AVX2.
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    /// AVX-512.
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
+}
+
+impl Instructions {
+    /// The widest this machine has.
+    #[must_use]
+    pub fn best() -> Self {
+        *Self::available().last().unwrap_or(&Self::Baseline)
+    }
+
+    /// Those this machine has, the widest last.
+    #[must_use]
+    pub fn available() -> Vec<Self> {
+        #[cfg(target_arch = "x86_64")]
+        let wide = [
+            (Self::Avx2, is_x86_feature_detected!("avx2")),
+            (Self::Avx512, is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl")),
+        ];
+        #[cfg(not(target_arch = "x86_64"))]
+        let wide = [];
+        let there =
+            wide.into_iter().filter_map(|(instructions, there): (Self, bool)| there.then_some(instructions));
+        [Self::Baseline].into_iter().chain(there).collect()
+    }
+}
+
+/// Rows of the levels between the first and the last of a band; kept from sweep to sweep.
+#[derive(Clone, Debug, Default)]
+pub struct Scratch(Vec<Vec<Vec<Lanes>>>);
+
+/// Takes `tiling.levels` steps, from `old` into `new` (whose contents do not matter).
+pub fn sweep<const N: usize, K: Kinetics<N>>(
+    problem: &Problem,
+    old: &[Plane; N],
+    new: &mut [Plane; N],
+    tiling: Tiling,
+    instructions: Instructions,
+    scratch: &mut Scratch,
+) {
+    let grid = problem.grid;
+    let rows = grid.ny.div_ceil(tiling.bands).max(1);
+    let bands = grid.ny.div_ceil(rows);
+    scratch.0.resize(bands.max(scratch.0.len()), Vec::new());
+    let mut parts = new.each_mut().map(|plane| plane.memory_mut().chunks_mut(rows * grid.stride()));
+    let mut tasks: Vec<Band<N>> = scratch.0[..bands]
+        .iter_mut()
+        .enumerate()
+        .map(|(band, rings)| Band {
+            problem,
+            old,
+            rows: band * rows..grid.ny.min((band + 1) * rows),
+            levels: tiling.levels,
+            rings,
+            new: parts.each_mut().map(|part| part.next().unwrap_or_default()),
+        })
+        .collect();
+    let run = |band: &mut Band<N>| band.sweep::<K>(instructions);
+    if bands == 1 {
+        tasks.iter_mut().for_each(run);
+    } else {
+        tasks.par_iter_mut().for_each(run);
+    }
+}
+
+/// A band of rows that one task sweeps.
+struct Band<'a, const N: usize> {
+    problem: &'a Problem,
+    old: &'a [Plane; N],
+    rows: Range<usize>,
+    levels: usize,
+    /// Of each level between: `ring_rows` rows of each chemical.
+    rings: &'a mut Vec<Vec<Lanes>>,
+    /// Where the last level goes.
+    new: [&'a mut [f32]; N],
+}
+
+impl<const N: usize> Band<'_, N> {
+    fn sweep<K: Kinetics<N>>(&mut self, instructions: Instructions) {
+        let row = self.problem.grid.groups() * N;
+        let ring = row * (2 * self.problem.diffusion.reach + 1);
+        self.rings.resize(self.levels.saturating_sub(1).max(self.rings.len()), Vec::new());
+        for level in self.rings.iter_mut() {
+            level.resize(ring, Lanes([0.0; LANES]));
+        }
+        match instructions {
+            Instructions::Baseline => self.down::<K, Four>(),
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: `available` names only what the processor has.
+            Instructions::Avx2 => unsafe { self.down_avx2::<K>() },
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: `available` names only what the processor has.
+            Instructions::Avx512 => unsafe { self.down_avx512::<K>() },
+        }
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn down_avx2<K: Kinetics<N>>(&mut self) {
+        self.down::<K, Eight>();
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f,avx512vl")]
+    fn down_avx512<K: Kinetics<N>>(&mut self) {
+        self.down::<K, Sixteen>();
+    }
+
+    /// Sweeps from the top to the bottom of the band.
+    #[inline(always)]
+    fn down<K: Kinetics<N>, V: Vector>(&mut self) {
+        let (grid, reach) = (self.problem.grid, self.problem.diffusion.reach as isize);
+        let (top, end) = (self.rows.start as isize, self.rows.end as isize);
+        let levels = self.levels as isize;
+        for front in top - reach * (levels - 1)..end + reach * (levels - 1) {
+            for level in 1..=levels {
+                let y = front - reach * (level - 1);
+                let more = reach * (levels - level);
+                let inside = grid.edges == Edges::Wrap || (0..grid.ny as isize).contains(&y);
+                if inside && (top - more..end + more).contains(&y) {
+                    self.row::<K, V>(level as usize, y);
+                }
+            }
+        }
+    }
+
+    /// Steps row `y` (counted on beyond the border where edges wrap) of one level.
+    #[inline(always)]
+    fn row<K: Kinetics<N>, V: Vector>(&mut self, level: usize, y: isize) {
+        let (grid, reach) = (self.problem.grid, self.problem.diffusion.reach);
+        let stride = grid.stride();
+        let ring_rows = 2 * reach + 1;
+        let topmost = (y - reach as isize).rem_euclid(ring_rows as isize) as usize;
+        // Where row y − reach + d begins in a ring.
+        let slot = |d: usize| {
+            let slot = topmost + d;
+            (if slot < ring_rows { slot } else { slot - ring_rows }) * N * stride
+        };
+        let (below, here) = self.rings.split_at_mut(level - 1);
+        let source: &[f32] = below.last().map_or(&[], |ring| cast_slice(ring));
+        // Rows that the stencil does not reach, or beyond a closed edge, are named but not read.
+        let mut from: Window<N> = [[&[]; 2 * REACH + 1]; N];
+        for d in 0..ring_rows {
+            let near = y - reach as isize + d as isize;
+            let beyond = grid.edges == Edges::Closed && !(0..grid.ny as isize).contains(&near);
+            let [near, d_near] = if beyond { [y, reach as isize] } else { [near, d as isize] };
+            let (at, first) = (d + REACH - reach, slot(d_near as usize));
+            for i in 0..N {
+                from[i][at] = if level == 1 {
+                    self.old[i].memory(grid.row(near))
+                } else {
+                    &source[first + i * stride..][..stride]
+                };
+            }
+        }
+        if reach < REACH {
+            for rows in &mut from {
+                [rows[0], rows[2 * REACH]] = [rows[REACH]; 2];
+            }
+        }
+        let mut to: [&mut [f32]; N] = if level == self.levels {
+            let first = (y - self.rows.start as isize) as usize * stride;
+            self.new.each_mut().map(|rows| &mut rows[first..first + stride])
+        } else {
+            let ring: &mut [f32] = cast_slice_mut(&mut here[0]);
+            let mut rows = ring[slot(reach)..][..N * stride].chunks_exact_mut(stride);
+            [(); N].map(|()| rows.next().unwrap_or_default())
+        };
+        step_row::<N, K, V>(self.problem, grid.row(y), &from, &mut to);
+        for row in &mut to {
+            grid.fill_margins(row);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::coefficients::Coefficients;
+    use super::super::diffusion::Diffusion;
+    use super::super::explicit;
+    use super::super::meinhardt_spots::MeinhardtSpots;
+    use super::super::meinhardt_stripes::MeinhardtStripes;
+    use super::super::plane::Grid;
+    use super::super::selling::Tensor;
+    use super::super::turing_spots::TuringSpots;
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    /// Coefficients that differ from cell to cell; stretches from `thinnest` to 1 in all directions.
+    fn uneven(grid: Grid, thinnest: f64) -> Problem {
+        let wave = |i: usize, f: f64| 0.5 + 0.5 * libm::sin(f * i as f64);
+        let tensor = |i: usize| {
+            let stretch = thinnest + (1.0 - thinnest) * wave(i, 0.013);
+            Tensor::oriented(1.0 / stretch, stretch, 180.0 * wave(i, 0.007))
+        };
+        let between = |[low, high]: [f64; 2], f: f64, i: usize| (low + (high - low) * wave(i, f)) as f32;
+        Problem {
+            grid,
+            diffusion: Diffusion::new(grid, tensor),
+            isotropic: [1.02, 0.98],
+            mobility: Coefficients::new(grid, false, |i| {
+                [between([0.001, 0.004], 0.1, i), between([0.05, 0.09], 0.2, i)]
+            }),
+            rate: Coefficients::new(grid, false, |i| [between([0.01, 0.05], 0.03, i)]),
+            slowest: 0.01,
+        }
+    }
+
+    fn noise<const N: usize>(grid: Grid) -> [Plane; N] {
+        let mut rng = Pcg64Mcg::seed_from_u64((grid.nx * 1000 + grid.ny) as u64);
+        [(); N].map(|()| {
+            let cells: Vec<f32> = (0..grid.nx * grid.ny).map(|_| 0.2 + rng.random::<f32>()).collect();
+            Plane::from_cells(grid, &cells).expect("as many cells as the grid has")
+        })
+    }
+
+    /// The bits after `steps` of the plain solver.
+    fn plain<const N: usize, K: Kinetics<N>>(problem: &Problem, steps: usize) -> Vec<u32> {
+        let mut planes = [noise::<N>(problem.grid), noise::<N>(problem.grid)];
+        for _ in 0..steps {
+            let [old, new] = &mut planes;
+            explicit::step::<N, K>(problem, old, new);
+            planes.swap(0, 1);
+        }
+        bits(&planes[0])
+    }
+
+    fn fast<const N: usize, K: Kinetics<N>>(
+        problem: &Problem,
+        steps: usize,
+        tiling: Tiling,
+        instructions: Instructions,
+    ) -> Vec<u32> {
+        let mut planes = [noise::<N>(problem.grid), noise::<N>(problem.grid)];
+        let mut scratch = Scratch::default();
+        let mut left = steps;
+        while left > 0 {
+            let levels = tiling.levels.min(left);
+            let [old, new] = &mut planes;
+            sweep::<N, K>(problem, old, new, Tiling { levels, ..tiling }, instructions, &mut scratch);
+            planes.swap(0, 1);
+            left -= levels;
+        }
+        bits(&planes[0])
+    }
+
+    fn bits<const N: usize>(planes: &[Plane; N]) -> Vec<u32> {
+        planes.iter().flat_map(Plane::cells).map(f32::to_bits).collect()
+    }
+
+    fn agree<const N: usize, K: Kinetics<N>>(grid: Grid, thinnest: f64, tilings: &[Tiling]) {
+        const STEPS: usize = 7;
+        let problem = uneven(grid, thinnest);
+        let plain = plain::<N, K>(&problem, STEPS);
+        for instructions in Instructions::available() {
+            for tiling in tilings {
+                let fast = fast::<N, K>(&problem, STEPS, *tiling, instructions);
+                assert!(plain == fast, "{N} chemicals, {grid:?}, {thinnest}, {tiling:?}, {instructions:?}");
+            }
+        }
+    }
+
+    fn all_agree(nx: usize, ny: usize, tilings: &[Tiling]) {
+        for edges in [Edges::Closed, Edges::Wrap] {
+            let grid = Grid { nx, ny, edges };
+            for thinnest in [0.3, 0.6, 1.0] {
+                agree::<2, TuringSpots>(grid, thinnest, tilings);
+                agree::<2, MeinhardtSpots>(grid, thinnest, tilings);
+                agree::<5, MeinhardtStripes>(grid, thinnest, tilings);
+            }
+        }
+    }
+
+    #[test]
+    fn every_cut_and_every_instruction_set_gives_the_bits_of_the_plain_solver() {
+        let tilings =
+            [[1, 1], [1, 3], [3, 1], [4, 2], [7, 5]].map(|[levels, bands]| Tiling { levels, bands });
+        for (nx, ny) in [(65, 33), (150, 41)] {
+            all_agree(nx, ny, &tilings);
+        }
+    }
+
+    #[test]
+    fn grids_of_every_width_and_height_at_the_lanes_give_the_bits_of_the_plain_solver() {
+        let tilings = [Tiling { levels: 3, bands: 2 }];
+        for nx in 1..=2 * LANES + 3 {
+            all_agree(nx, 5, &tilings);
+        }
+        for ny in 1..=9 {
+            all_agree(LANES + 3, ny, &tilings);
+        }
+    }
+}
