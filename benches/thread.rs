@@ -45,7 +45,8 @@ fn beginning(criterion: &mut Criterion) {
 }
 
 fn regression(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("regression");
+    let mut group = group(criterion, "regression");
+    group.throughput(Throughput::Elements(1));
     let spots = Attributes::Spots(Spots { area: 60.0, aspect: 0.6, angle: 30.0, spacing: Some(25.0) });
     let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 30.0 });
     let questions = [("turing-spots", spots), ("meinhardt-spots", spots), ("meinhardt-stripes", stripes)];
@@ -61,6 +62,7 @@ fn regression(criterion: &mut Criterion) {
 fn ruler(criterion: &mut Criterion) {
     let [spots, stripes] = [grown(Case::ALL[4]), grown(Case::ALL[7])];
     let mut group = group(criterion, "ruler");
+    group.measurement_time(Duration::from_millis(3000));
     group.bench_function("spots", |bencher| bencher.iter(|| measure::spots(black_box(&spots), 0.5)));
     group.bench_function("stripes", |bencher| bencher.iter(|| measure::stripes(black_box(&stripes), 0.5)));
     group.finish();
@@ -82,12 +84,16 @@ fn pictures(criterion: &mut Criterion, pattern: &Field) {
     let mut colours = group(criterion, "colour");
     let gradient = Gradient::default_for_layer(0);
     let table = gradient.table();
-    // The exact colours, px by px, are what the table is held against.
+    // The exact colours, px by px, are what the table is held against; an eighth of them is enough.
+    let some = &pattern.values[..SIDE * SIDE / 8];
+    colours.throughput(Throughput::Elements(some.len() as u64));
     colours.bench_function("exact", |bencher| {
-        bencher.iter(|| pattern.values.iter().flat_map(|v| gradient.colour(*v)).collect::<Vec<u8>>());
+        bencher.iter(|| some.iter().flat_map(|v| gradient.colour(*v)).collect::<Vec<u8>>());
     });
+    colours.throughput(Throughput::Elements((SIDE * SIDE) as u64));
     let layers = [Painted { pattern, free: None, table: &table, visible: true }];
     colours.bench_function("table", |bencher| bencher.iter(|| paint(black_box(&layers), SIDE, SIDE)));
+    colours.throughput(Throughput::Elements(1 << 16));
     colours.bench_function("make the table", |bencher| bencher.iter(|| black_box(&gradient).table()));
     colours.finish();
 

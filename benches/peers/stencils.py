@@ -15,42 +15,44 @@ import numpy as np
 from numba import njit, prange
 
 F = np.float32
+#: Without numpy's rule that x/0 is infinite, each division would carry a branch, and no loop with one be vectorised.
+FAST = {"fastmath": True, "error_model": "numpy"}
 #: As dapple::rd::selling::OFFSETS; each with its opposite.
 OFFSETS = ((1, 0), (0, 1), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1), (1, -2))
 #: Cells of padding on each side: as far as an offset reaches.
 PAD = 2
 
 
-@njit(fastmath=True)
+@njit(**FAST)
 def turing(a, b):
     ab = a * b
     return F(16) - ab, ab - b - F(12)
 
 
-@njit(fastmath=True)
+@njit(**FAST)
 def turing_bound(b):
     return max(b, F(0))
 
 
-@njit(fastmath=True)
+@njit(**FAST)
 def meinhardt(a, b):
     source = F(0.01) * a * a
     return source / b - F(0.03) * a, source - F(0.04) * b
 
 
-@njit(fastmath=True)
+@njit(**FAST)
 def no_bound(b):
     return b
 
 
-@njit(fastmath=True)
+@njit(**FAST)
 def wrap_row(u, nx):
     for i in range(PAD):
         u[i] = u[nx + i]
         u[nx + PAD + i] = u[PAD + i]
 
 
-@njit(fastmath=True)
+@njit(**FAST)
 def wrap_rows(u):
     # By hand: in a parallel function a slice assignment would be handed out to all threads.
     ny = u.shape[0] - 2 * PAD
@@ -63,7 +65,7 @@ def wrap_rows(u):
 def isotropic(parallel):
     """Turing spots, 5-point, constant coefficients."""
 
-    @njit(fastmath=True)
+    @njit(**FAST)
     def row(a, b, na, nb, start, n, stride, da, db, k):
         one = np.uint64(1)
         for x in range(n):
@@ -75,7 +77,7 @@ def isotropic(parallel):
             na[i] = u + da * sa + k * fa
             nb[i] = turing_bound(v + db * sb + k * fb)
 
-    @njit(fastmath=True, parallel=parallel)
+    @njit(**FAST, parallel=parallel)
     def steps(a, b, na, nb, da, db, k, count):
         ny, nx, stride = a.shape[0] - 2 * PAD, a.shape[1] - 2 * PAD, a.shape[1]
         for _ in range(count):
@@ -96,7 +98,7 @@ def isotropic(parallel):
 def runs(parallel, react, bound):
     """A tensor, a rate and two mobilities a cell; runs of cells with the same offsets are stepped together."""
 
-    @njit(fastmath=True)
+    @njit(**FAST)
     def run(a, b, na, nb, w0, w1, w2, ma, mb, k, start, cell, n, e0, e1, e2):
         for x in range(n):
             i, j = start + x, cell + x
@@ -109,7 +111,7 @@ def runs(parallel, react, bound):
             na[i] = u + ma[j] * sa + k[j] * fa
             nb[i] = bound(v + mb[j] * sb + k[j] * fb)
 
-    @njit(fastmath=True, parallel=parallel)
+    @njit(**FAST, parallel=parallel)
     def steps(a, b, na, nb, first, places, offsets, weights, ma, mb, k, count):
         ny, nx, stride = a.shape[0] - 2 * PAD, a.shape[1] - 2 * PAD, a.shape[1]
         w0, w1, w2 = weights[0].reshape(-1), weights[1].reshape(-1), weights[2].reshape(-1)
@@ -135,7 +137,7 @@ def runs(parallel, react, bound):
 def planes(parallel, react, bound):
     """The same with all eight offsets at every cell."""
 
-    @njit(fastmath=True)
+    @njit(**FAST)
     def row(a, b, na, nb, w0, w1, w2, w3, w4, w5, w6, w7, ma, mb, k, start, cell, n, s):
         l, t = np.uint64(1), np.uint64(2)
         ss = s + s
@@ -155,7 +157,7 @@ def planes(parallel, react, bound):
             na[i] = u + ma[j] * sa + k[j] * fa
             nb[i] = bound(v + mb[j] * sb + k[j] * fb)
 
-    @njit(fastmath=True, parallel=parallel)
+    @njit(**FAST, parallel=parallel)
     def steps(a, b, na, nb, weights, ma, mb, k, count):
         ny, nx, stride = a.shape[0] - 2 * PAD, a.shape[1] - 2 * PAD, a.shape[1]
         w = weights.reshape(8, -1)

@@ -13,7 +13,7 @@ pub struct Case {
     pub stretch: f32,
 }
 
-/// Concentrations of a pattern of [`SIDE`] × [`SIDE`] cells without a seam.
+/// Concentrations of a pattern of 256 × 256 cells without a seam.
 #[derive(Clone, Debug)]
 pub struct Start(Vec<Vec<f32>>);
 

@@ -66,6 +66,9 @@ pub struct Kernel {
 /// Steps of the fast solver come in multiples of this: it takes several in one sweep.
 const SWEEP: u64 = 16;
 
+/// Takes so many steps in its own way.
+type Solver<'a> = &'a dyn Fn(&mut Growth, u64);
+
 /// Measures `case` at `size`.
 ///
 /// # Errors
@@ -80,7 +83,6 @@ pub fn measure(
     let growth = case.growth(start, &case.maps(size));
     // A start made by the case itself always fits.
     let mut growth = growth.ok_or_else(|| Error::Usage(format!("{}: another's start", case.name())))?;
-    type Solver<'a> = &'a dyn Fn(&mut Growth, u64);
     let plain: Solver = &|growth, steps| crews.one.install(|| growth.advance_plain(steps));
     let one: Solver = &|growth, steps| crews.one.install(|| growth.advance(steps));
     let all: Solver = &|growth, steps| crews.all.install(|| growth.advance(steps));
