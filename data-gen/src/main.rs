@@ -1,8 +1,10 @@
 //! The sweep, ahead of time: parameters → simulation → measured attributes (or a rejection with its reason) →
-//! rows in `training/`. And the trial: how well what grows matches what was drawn.
+//! rows in `training/`. And the trial: how well what grows matches what was drawn; and the
+//! route: how well what grows fast matches what grows slowly.
 
 mod files;
 mod plan;
+mod route;
 mod run;
 mod trial;
 
@@ -19,6 +21,8 @@ enum Command {
     Sweep(Sweep),
     /// Grow all examples and many random sketches; tell how far they are from what was drawn
     Trial(trial::Args),
+    /// Compare patterns grown over coarse grids with the same grown by plain steps to the end
+    Route(route::Args),
 }
 
 #[derive(clap::Args)]
@@ -41,6 +45,7 @@ fn main() -> ExitCode {
     let done = match Command::parse() {
         Command::Sweep(sweep) => run_sweep(&sweep).map(|()| true),
         Command::Trial(trial) => trial::run(&trial),
+        Command::Route(route) => route::run(&route),
     };
     match done {
         Ok(true) => ExitCode::SUCCESS,

@@ -5,8 +5,8 @@ use dapple::attributes::{Attributes, Spots, axial_mean};
 use dapple::field::{Edges, Field};
 use dapple::learn::{Parameters, Row};
 use dapple::measure::{self, Spot};
-use dapple::rd::{Growth, Maps, System};
-use dapple::synth::{Watch, settle};
+use dapple::rd::{Maps, System};
+use dapple::synth::{Engine, Watch, settle};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
@@ -72,17 +72,19 @@ fn grown(system: System, p: &Parameters, seed: u64) -> Result<Field, String> {
         _ => (MARKS * 0.866 * spacing * spacing).sqrt().ceil(),
     } as usize;
     let maps = Maps::uniform(side, side, set);
-    let mut growth = Growth::new(system, &maps, Edges::Wrap, seed);
-    match settle(&mut growth, &maps, system, &Watch::NOBODY) {
-        Ok(true) => Ok(growth.marks(&maps)),
+    let mut engine = Engine::of(system, maps, Edges::Wrap, seed);
+    match settle(&mut engine, &Watch::NOBODY) {
+        Ok(true) => Ok(engine.marks()),
         Ok(false) => Err("did not settle".to_owned()),
         Err(cancelled) => Err(cancelled.to_string()),
     }
 }
 
-type Measured = (f64, f64, Attributes);
+/// Marks (or wavelengths), evenness, what was measured.
+pub type Measured = (f64, f64, Attributes);
 
-fn spots(field: &Field, level: f64) -> Result<Measured, String> {
+/// Means over the whole spots of a patch.
+pub fn spots(field: &Field, level: f64) -> Result<Measured, String> {
     let census = measure::census(field, level as f32);
     measure::spot_texture(field, &census, LEAST).map_err(|reason| reason.to_string())?;
     let whole: Vec<&Spot> = census.spots.iter().filter(|spot| spot.whole).collect();
@@ -100,7 +102,8 @@ fn spots(field: &Field, level: f64) -> Result<Measured, String> {
     Ok((n, variance.sqrt() / area, Attributes::Spots(attributes)))
 }
 
-fn stripes(field: &Field) -> Result<Measured, String> {
+/// Means over a patch of stripes.
+pub fn stripes(field: &Field) -> Result<Measured, String> {
     let found = measure::stripes(field, 0.5);
     measure::stripe_texture(field, found.as_ref(), LEAST).map_err(|reason| reason.to_string())?;
     let found = found.ok_or("no stripes")?;

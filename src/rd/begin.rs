@@ -1,10 +1,10 @@
-//! What growth begins from.
+//! What growth begins from: the same places on any grid.
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 use super::maps::{Maps, Parameters};
-use super::nuclei::{Nucleus, lay};
+use super::nuclei::{Nucleus, lay, thinned};
 use super::plane::{Grid, Plane};
 use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
 use crate::field::Edges;
@@ -19,28 +19,66 @@ pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Vec<[f64;
     lay(maps, edges, &|p| system.spacing(p), &mut rng).iter().map(|nucleus| nucleus.at).collect()
 }
 
+/// What a growth begins from, for any grid over its canvas: spots at the same places, stripes from the same waves.
+#[derive(Clone, Debug)]
+pub struct Beginning {
+    system: System,
+    edges: Edges,
+    seed: u64,
+    /// Where spots begin, as shares of the canvas' sides.
+    places: Vec<[f64; 2]>,
+}
+
+impl Beginning {
+    /// What [`super::Growth::new`] begins from.
+    #[must_use]
+    pub fn new(system: System, maps: &Maps, edges: Edges, seed: u64) -> Self {
+        let share = |[x, y]: [f64; 2]| [x / maps.nx as f64, y / maps.ny as f64];
+        let places = nuclei(system, maps, edges, seed).into_iter().map(share).collect();
+        Self { system, edges, seed, places }
+    }
+
+    /// The concentrations that it makes on `maps`.
+    ///
+    /// Where marks are smaller than the grid can hold (`lost`, by cell), `maps` holds larger ones, and only so
+    /// many of the spots begin as have room. Neighbours may die there; nothing else would be left of them.
+    #[must_use]
+    pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
+        if self.system == System::MeinhardtStripes {
+            let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
+            return oriented_noise(maps, self.edges, &mut rng).into();
+        }
+        let pitch = |p: &Parameters| self.system.spacing(p);
+        let nucleus = |at: &[f64; 2]| {
+            let at = [at[0] * maps.nx as f64, at[1] * maps.ny as f64];
+            Nucleus::at(maps, at, &pitch)
+        };
+        let laid = self.places.iter().map(nucleus).collect();
+        let crowded = |nucleus: &Nucleus| lost(maps.cell_at(nucleus.at));
+        bells_on(self.system, maps, self.edges, &thinned(laid, maps, self.edges, &crowded)).into()
+    }
+}
+
 /// Spots begin as bells on [`nuclei`].
 pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
-    let (nx, ny) = (maps.nx, maps.ny);
+    let laid = lay(maps, edges, &|p| system.spacing(p), rng);
+    planes(maps, edges, bells_on(system, maps, edges, &laid))
+}
+
+fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec<f32>; 2] {
     let radius = |p: &Parameters| match system {
         System::TuringSpots => turing_spots::RADIUS,
         _ => meinhardt_spots::radius(p.ratio),
     };
-    let bell = bells(maps, edges, &lay(maps, edges, &|p| system.spacing(p), rng), &radius);
-    let mut planes = [(); 2].map(|()| Plane::flat(Grid { nx, ny, edges }, 0.0));
-    let mut rows = [vec![0.0; nx], vec![0.0; nx]];
-    for y in 0..ny {
-        for x in 0..nx {
-            let (q, p) = (bell[y * nx + x], maps.parameters[y * nx + x]);
-            let [a, b] = match system {
-                System::TuringSpots => turing_spots::begin(q),
-                _ => meinhardt_spots::begin(q, p.ratio),
-            };
-            (rows[0][x], rows[1][x]) = (a, b);
-        }
-        planes.iter_mut().zip(&rows).for_each(|(plane, row)| plane.set_row(y, row));
+    let bell = bells(maps, edges, laid, &radius);
+    let mut cells = [vec![0.0; bell.len()], vec![0.0; bell.len()]];
+    for (i, (bell, p)) in bell.iter().zip(&maps.parameters).enumerate() {
+        [cells[0][i], cells[1][i]] = match system {
+            System::TuringSpots => turing_spots::begin(*bell),
+            _ => meinhardt_spots::begin(*bell, p.ratio),
+        };
     }
-    planes
+    cells
 }
 
 /// For each cell, 1 in the middle of a spot to be, falling to 0 away from it as a Gaussian of its metric.
@@ -69,17 +107,30 @@ fn bells(maps: &Maps, edges: Edges, nuclei: &[Nucleus], radius: &dyn Fn(&Paramet
 
 /// Stripes begin as oriented noise in a against b.
 pub fn stripes(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 5] {
+    planes(maps, edges, oriented_noise(maps, edges, rng))
+}
+
+fn oriented_noise(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 5] {
     let wavelength = |p: &Parameters| System::MeinhardtStripes.spacing(p);
     let noise = gabor::noise(maps, edges, &wavelength, rng);
-    let grid = Grid { nx: maps.nx, ny: maps.ny, edges };
-    let mut planes = meinhardt_stripes::REST.map(|c| Plane::flat(grid, c));
-    for (y, noise) in noise.chunks_exact(maps.nx).enumerate() {
+    let mut cells = meinhardt_stripes::REST.map(|c| vec![c; noise.len()]);
+    for (i, noise) in noise.iter().enumerate() {
+        let n = (0.2 * noise).clamp(-0.9, 0.9);
         for (chemical, sign) in [(0, 1.0), (1, -1.0), (3, 1.0), (4, -1.0)] {
-            let rest = meinhardt_stripes::REST[chemical];
-            let row: Vec<f32> =
-                noise.iter().map(|n| rest * (1.0 + sign * (0.2 * n).clamp(-0.9, 0.9))).collect();
-            planes[chemical].set_row(y, &row);
+            cells[chemical][i] *= 1.0 + sign * n;
         }
     }
-    planes
+    cells
+}
+
+/// The cells of each chemical inside their margins.
+fn planes<const N: usize>(maps: &Maps, edges: Edges, cells: [Vec<f32>; N]) -> [Plane; N] {
+    let grid = Grid { nx: maps.nx, ny: maps.ny, edges };
+    cells.map(|cells| {
+        let mut plane = Plane::flat(grid, 0.0);
+        for (y, row) in cells.chunks_exact(maps.nx).enumerate() {
+            plane.set_row(y, row);
+        }
+        plane
+    })
 }

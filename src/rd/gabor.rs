@@ -5,7 +5,10 @@
 //! Lagae et al., "Procedural noise using sparse Gabor convolution", SIGGRAPH 2009; its Gaussian window is
 //! replaced by a polynomial of compact support.
 
+use std::ops::Range;
+
 use rand::{Rng, RngExt};
+use rayon::prelude::*;
 
 use super::maps::{Maps, Parameters};
 use crate::field::Edges;
@@ -15,6 +18,9 @@ use crate::field::Edges;
 const REACH: [f64; 2] = [4.0, 1.8];
 /// Kernels a square wavelength; fewer leave gaps.
 const DENSITY: f64 = 2.0;
+
+/// Rows that are summed at once.
+const ROWS_A_BAND: usize = 32;
 
 /// Noise over the grid, row by row, of about unit variance.
 pub fn noise(
@@ -35,15 +41,23 @@ pub fn noise(
     };
     let (w, h) = (nx as f64 + 2.0 * frame, ny as f64 + 2.0 * frame);
     let throws = (densest * w * h).ceil() as usize;
+    let mut waves = Vec::new();
     for _ in 0..throws {
         let at = [rng.random::<f64>() * w - frame, rng.random::<f64>() * h - frame];
         let (keep, phase) = (rng.random::<f64>(), rng.random::<f64>());
         let p = maps.at(at);
         let length = wavelength(&p);
         if keep * densest <= DENSITY / (length * length) {
-            splat(&mut sum, [nx, ny], edges, at, &p, length, phase);
+            waves.push(Wave::new(at, &p, length, phase));
         }
     }
+    // Each band adds all waves in their order, so that the sums are the same however many threads there are.
+    sum.par_chunks_mut(ROWS_A_BAND * nx).enumerate().for_each(|(band, sum)| {
+        let rows = (band * ROWS_A_BAND) as isize..(band * ROWS_A_BAND + sum.len() / nx) as isize;
+        for wave in &waves {
+            wave.add(sum, rows.clone(), [nx, ny], edges);
+        }
+    });
     // ∫ window² cos² = ½ (π/5) A·B, times DENSITY/λ².
     let deviation = (0.5 * std::f64::consts::PI / 5.0 * REACH[0] * REACH[1] * DENSITY).sqrt() as f32;
     for n in &mut sum {
@@ -52,42 +66,62 @@ pub fn noise(
     sum
 }
 
-fn splat(
-    sum: &mut [f32],
-    [nx, ny]: [usize; 2],
-    edges: Edges,
+/// One wave under its window.
+struct Wave {
     at: [f64; 2],
-    p: &Parameters,
+    /// Half lengths along and across, cells.
+    far: [f64; 2],
+    /// Unit vector across.
+    n: [f64; 2],
+    /// Its length, cells.
     length: f64,
     phase: f64,
-) {
-    use std::f64::consts::TAU;
-    let [far, near] = REACH.map(|reach| reach * length);
-    let across = (f64::from(p.direction) + 90.0).to_radians();
-    let n = [libm::cos(across), libm::sin(across)];
-    let (kx, ky) = (TAU / length * n[0], TAU / length * n[1]);
-    let range = |v: f64| (v - far).ceil() as isize..=(v + far).floor() as isize;
-    // cos(α + x·kx) along a row by the angle-sum rule: two multiplications instead of a cosine a cell.
-    let (cos_step, sin_step) = (libm::cos(kx), libm::sin(kx));
-    for y in range(at[1] - 0.5) {
-        let inside_y = edges == Edges::Wrap || (0..ny as isize).contains(&y);
-        if !inside_y {
-            continue;
-        }
-        let dy = y as f64 + 0.5 - at[1];
-        let row = edges.index(y, ny) * nx;
-        let columns = range(at[0] - 0.5);
-        let dx = *columns.start() as f64 + 0.5 - at[0];
-        let start = TAU * phase + dx * kx + dy * ky;
-        let (mut c, mut s) = (libm::cos(start), libm::sin(start));
-        for x in columns {
-            let dx = x as f64 + 0.5 - at[0];
-            let (along, across) = (dx * n[1] - dy * n[0], dx * n[0] + dy * n[1]);
-            let window = 1.0 - along * along / (far * far) - across * across / (near * near);
-            if window > 0.0 && (edges == Edges::Wrap || (0..nx as isize).contains(&x)) {
-                sum[row + edges.index(x, nx)] += (window * window * c) as f32;
+}
+
+impl Wave {
+    fn new(at: [f64; 2], p: &Parameters, length: f64, phase: f64) -> Self {
+        let across = (f64::from(p.direction) + 90.0).to_radians();
+        let n = [libm::cos(across), libm::sin(across)];
+        Self { at, far: REACH.map(|reach| reach * length), n, length, phase }
+    }
+
+    /// Adds it to the rows `rows` of a grid, which `sum` holds.
+    fn add(&self, sum: &mut [f32], rows: Range<isize>, [nx, ny]: [usize; 2], edges: Edges) {
+        use std::f64::consts::TAU;
+        let ([far, near], n) = (self.far, self.n);
+        let (kx, ky) = (TAU / self.length * n[0], TAU / self.length * n[1]);
+        // cos(α + x·kx) along a row by the angle-sum rule: two multiplications instead of a cosine a cell.
+        let (cos_step, sin_step) = (libm::cos(kx), libm::sin(kx));
+        // The window is 1 − (a·dx² + 2b·dx·dy + c·dy²).
+        let a = n[1] * n[1] / (far * far) + n[0] * n[0] / (near * near);
+        let b = n[0] * n[1] * (1.0 / (near * near) - 1.0 / (far * far));
+        let c = n[0] * n[0] / (far * far) + n[1] * n[1] / (near * near);
+        let tall = (a / (a * c - b * b)).sqrt();
+        let first = (self.at[1] - 0.5 - tall).ceil() as isize;
+        for y in first..=(self.at[1] - 0.5 + tall).floor() as isize {
+            let row = edges.index(y, ny) as isize;
+            let beyond = edges == Edges::Closed && !(0..ny as isize).contains(&y);
+            if beyond || !rows.contains(&row) {
+                continue;
             }
-            (c, s) = (c * cos_step - s * sin_step, s * cos_step + c * sin_step);
+            let row = (row - rows.start) as usize * nx;
+            let dy = y as f64 + 0.5 - self.at[1];
+            let middle = -b * dy / a;
+            let half = (middle * middle - (c * dy * dy - 1.0) / a).max(0.0).sqrt();
+            let begin = (self.at[0] - 0.5 + middle - half).ceil() as isize;
+            let mut columns = begin..(self.at[0] - 0.5 + middle + half).floor() as isize + 1;
+            if edges == Edges::Closed {
+                columns = columns.start.max(0)..columns.end.min(nx as isize);
+            }
+            let dx = columns.start as f64 + 0.5 - self.at[0];
+            let start = TAU * self.phase + dx * kx + dy * ky;
+            let (mut cos, mut sin) = (libm::cos(start), libm::sin(start));
+            for x in columns {
+                let dx = x as f64 + 0.5 - self.at[0];
+                let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
+                sum[row + edges.index(x, nx)] += (window * window * cos) as f32;
+                (cos, sin) = (cos * cos_step - sin * sin_step, sin * cos_step + cos * sin_step);
+            }
         }
     }
 }

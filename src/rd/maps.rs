@@ -1,5 +1,7 @@
 //! Parameters of every cell: how size, shape, direction and spacing vary over the grid.
 
+use rayon::prelude::*;
+
 /// Parameters at one point, in cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
@@ -37,8 +39,31 @@ impl Maps {
 
     /// The parameters of the cell that the point (x, y), in cells, lies in; beyond the border the nearest.
     #[must_use]
-    pub fn at(&self, [x, y]: [f64; 2]) -> Parameters {
+    pub fn at(&self, point: [f64; 2]) -> Parameters {
+        self.parameters[self.cell_at(point)]
+    }
+
+    /// The index of that cell.
+    #[must_use]
+    pub fn cell_at(&self, [x, y]: [f64; 2]) -> usize {
         let clamp = |v: f64, n: usize| (v.max(0.0) as usize).min(n - 1);
-        self.parameters[clamp(y, self.ny) * self.nx + clamp(x, self.nx)]
+        clamp(y, self.ny) * self.nx + clamp(x, self.nx)
+    }
+
+    /// The same canvas on `nx` × `ny` cells: lengths in cells change, what grows does not (but for what the grid
+    /// does to it).
+    #[must_use]
+    pub fn on_grid(&self, nx: usize, ny: usize) -> Self {
+        let [wide, high] = [self.nx as f64 / nx as f64, self.ny as f64 / ny as f64];
+        let finer = (wide * high) as f32;
+        let parameters = (0..nx * ny)
+            .into_par_iter()
+            .map(|i| {
+                let at = [((i % nx) as f64 + 0.5) * wide, ((i / nx) as f64 + 0.5) * high];
+                let p = self.at(at);
+                Parameters { rate: p.rate * finer, ..p }
+            })
+            .collect();
+        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters }
     }
 }

@@ -39,6 +39,12 @@ pub fn spacing(ratio: f32) -> f64 {
     36.0 + 0.045 * (r - 15.0)
 }
 
+/// Area of a spot at half its peak × rate. `facts.md` B: area · R is the same within 5 % for R 12–30, 13 % more
+/// at 50.
+pub fn area(ratio: f32) -> f64 {
+    1960.0 / f64::from(ratio)
+}
+
 /// Radius of a bell to begin from ÷ spacing: about that of the spot it becomes.
 pub fn radius(ratio: f32) -> f64 {
     0.6 * libm::pow(f64::from(ratio), -0.45)

@@ -2,6 +2,7 @@
 
 mod begin;
 mod coefficients;
+mod compensate;
 mod diffusion;
 mod explicit;
 mod gabor;
@@ -14,14 +15,16 @@ mod meinhardt_stripes;
 mod nuclei;
 mod plane;
 mod problem;
+mod prolong;
 pub mod selling;
 mod turing_spots;
 mod vector;
 mod wavefront;
 
-pub use begin::nuclei;
+pub use begin::{Beginning, nuclei};
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
+pub use prolong::prolonged;
 pub use wavefront::{Instructions, Tiling};
 
 /// The reaction-diffusion systems.
@@ -63,6 +66,19 @@ impl System {
             Self::TuringSpots => "turing-spots",
             Self::MeinhardtSpots => "meinhardt-spots",
             Self::MeinhardtStripes => "meinhardt-stripes",
+        }
+    }
+
+    /// Cells that a spot covers at half its peak, or the squared width of a stripe: how finely the grid shows it.
+    #[must_use]
+    pub fn cells(self, p: &Parameters) -> f64 {
+        let rate = f64::from(p.rate);
+        match self {
+            Self::TuringSpots => turing_spots::AREA / rate,
+            Self::MeinhardtSpots => meinhardt_spots::area(p.ratio) / rate,
+            Self::MeinhardtStripes => {
+                0.25 * meinhardt_stripes::WAVELENGTH * meinhardt_stripes::WAVELENGTH / rate
+            }
         }
     }
 

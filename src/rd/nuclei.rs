@@ -24,6 +24,18 @@ pub struct Nucleus {
 }
 
 impl Nucleus {
+    /// The point `at`, cells, with the metric of the parameters there.
+    pub fn at(maps: &Maps, at: [f64; 2], pitch: &dyn Fn(&Parameters) -> f64) -> Self {
+        let p = maps.at(at);
+        let pitch = pitch(&p);
+        let stretch = f64::from(p.stretch);
+        let t = super::selling::Tensor::oriented(stretch, 1.0 / stretch, f64::from(p.direction));
+        let [cx, cy] = [(maps.cell[0] / maps.cell[1]).sqrt(), (maps.cell[1] / maps.cell[0]).sqrt()];
+        let scale = 1.0 / (pitch * pitch);
+        let metric = [t.xx * cx * cx * scale, t.xy * scale, t.yy * cy * cy * scale];
+        Self { at, metric, reach: 1.05 * pitch / stretch.sqrt() }
+    }
+
     /// Squared distance of a point at `delta` cells from here, in pitches.
     pub fn distance2(&self, [x, y]: [f64; 2]) -> f64 {
         let [xx, xy, yy] = self.metric;
@@ -52,16 +64,7 @@ pub fn lay(
     let wanted = densities.iter().sum::<f64>().round().max(1.0) as usize;
     let densest = densities.iter().copied().fold(0.0, f64::max);
     let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
-    let nucleus = |at: [f64; 2]| {
-        let p = maps.at(at);
-        let pitch = pitch(&p);
-        let stretch = f64::from(p.stretch);
-        let t = super::selling::Tensor::oriented(stretch, 1.0 / stretch, f64::from(p.direction));
-        let [cx, cy] = [(maps.cell[0] / maps.cell[1]).sqrt(), (maps.cell[1] / maps.cell[0]).sqrt()];
-        let scale = 1.0 / (pitch * pitch);
-        let metric = [t.xx * cx * cx * scale, t.xy * scale, t.yy * cy * cy * scale];
-        Nucleus { at, metric, reach: 1.05 * pitch / stretch.sqrt() }
-    };
+    let nucleus = |at: [f64; 2]| Nucleus::at(maps, at, pitch);
     let largest =
         maps.parameters.iter().map(|p| 1.05 * pitch(p) / f64::from(p.stretch).sqrt()).fold(0.0, f64::max);
 
@@ -92,6 +95,31 @@ pub fn lay(
         placed = relaxed(&placed, &nucleus, PUSH * largest);
     }
     placed.all
+}
+
+/// Those of `laid` that have room among those before them, where they are `crowded`.
+pub fn thinned(
+    laid: Vec<Nucleus>,
+    maps: &Maps,
+    edges: Edges,
+    crowded: &dyn Fn(&Nucleus) -> bool,
+) -> Vec<Nucleus> {
+    let (rest, roomy): (Vec<_>, Vec<_>) = laid.into_iter().partition(crowded);
+    if rest.is_empty() {
+        return roomy;
+    }
+    let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
+    let largest = roomy.iter().chain(&rest).map(|nucleus| nucleus.reach).fold(0.0, f64::max);
+    let mut kept = Buckets::new(space, PUSH * largest);
+    roomy.into_iter().for_each(|nucleus| kept.insert(nucleus));
+    for nucleus in rest {
+        let mut free = true;
+        kept.near(&nucleus, DART, |other, delta| free &= distance2(&nucleus, other, delta) >= DART * DART);
+        if free {
+            kept.insert(nucleus);
+        }
+    }
+    kept.all
 }
 
 fn relaxed(placed: &Buckets, nucleus: &dyn Fn([f64; 2]) -> Nucleus, reach: f64) -> Buckets {

@@ -52,3 +52,6 @@ pub const RADIUS: f64 = 0.26;
 pub fn share(a: f32) -> f32 {
     (a - 3.0) / 4.5
 }
+
+/// Area of a spot × rate (`facts.md` A).
+pub const AREA: f64 = 5.7;

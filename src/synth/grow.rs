@@ -1,17 +1,16 @@
 //! Growing a document.
 
+use super::engine::Engine;
 use super::memory::TooLarge;
 use super::pattern::Pattern;
 use super::plan::{Plan, PlanError, plan};
 use super::recipe::{Document, DocumentError, Problem};
 use super::refine::{Measured, refine};
 use super::settle::settle;
-use super::spread::pitches;
 use super::training::Training;
 use super::watch::{Cancelled, Stage, Watch};
 use super::{drawn, memory};
 use crate::field::Field;
-use crate::rd::Growth;
 
 /// How to grow a document, beyond what stands in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -118,18 +117,16 @@ fn grow_layer(
     correct: bool,
     watch: &Watch,
 ) -> Result<GrownLayer, GrowError> {
-    let edges = plan.map.layout().edges;
-    let maps = plan.maps(&pitches(&plan, seed));
     watch.step(Stage::Plan, 0.5)?;
-    let mut growth = Growth::new(plan.system, &maps, edges, seed);
+    let mut engine = Engine::new(&plan, seed);
     watch.step(Stage::Plan, 1.0)?;
-    let settled = settle(&mut growth, &maps, plan.system, watch)?;
-    let marks = growth.marks(&maps);
+    let settled = settle(&mut engine, watch)?;
+    let marks = engine.marks();
     if !marks.values.iter().all(|value| value.is_finite()) {
         return Err(GrowError::NoPattern { layer });
     }
-    let steps = growth.steps();
-    drop(growth);
+    let steps = engine.steps();
+    drop(engine);
     let canvas = plan.map.layout().size.map(|side| side as usize);
     let mut pattern = Pattern::new(&plan, &marks);
     let measured = refine(&plan, &mut pattern, canvas, correct, watch)?;

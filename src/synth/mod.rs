@@ -1,7 +1,9 @@
 //! The thread: a document in, a grown texture out.
 
 pub mod drawn;
+mod engine;
 mod grow;
+mod ladder;
 mod lattice;
 pub mod memory;
 pub mod pattern;
@@ -14,6 +16,7 @@ mod spread;
 mod training;
 mod watch;
 
+pub use engine::Engine;
 pub use grow::{GrowError, Grown, GrownLayer, Options, grow};
 pub use refine::Measured;
 pub use settle::settle;

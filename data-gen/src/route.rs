@@ -1,0 +1,179 @@
+//! The fast route against the long one: the same seeds and grids, grown over coarse grids until settled, and by plain
+//! Euler steps on the planned grid alone to the end.
+
+use dapple::attributes::Attributes;
+use dapple::field::{Edges, Field};
+use dapple::rd::{Growth, Maps, Parameters, System};
+use dapple::synth::{Engine, Watch, settle};
+use rayon::prelude::*;
+
+use crate::run::{Measured, spots, stripes};
+
+/// What to compare.
+#[derive(clap::Args)]
+pub struct Args {
+    /// Seeds a system and shape
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=1_000))]
+    seeds: u64,
+    /// Print each seed, not only means
+    #[arg(long)]
+    each: bool,
+    /// Threads to use [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+/// A wrapped patch of one kind of mark, of the size in cells that is planned.
+struct Patch {
+    system: System,
+    rate: f32,
+    ratio: f32,
+    stretch: f32,
+    /// Normalised time of the long route.
+    end: f64,
+}
+
+/// Squared spacings (or wavelengths) that a patch holds.
+const MARKS: f64 = 92.0;
+/// Mean differences allowed over the seeds: %, %, %, %, degrees.
+const BOUNDS: [f64; 5] = [1.0, 1.0, 1.0, 1.0, 0.3];
+/// Above this aspect a direction means nothing.
+const ROUND: f64 = 0.85;
+
+fn patches() -> Vec<Patch> {
+    let mut patches = Vec::new();
+    for stretch in [1.0, 0.6, 0.35] {
+        let turing = Patch { system: System::TuringSpots, rate: 0.119, ratio: 3.8, stretch, end: 120.0 };
+        patches.push(turing);
+        for (ratio, rate) in [(12.0, 3.4), (20.0, 2.0)] {
+            patches.push(Patch { system: System::MeinhardtSpots, rate, ratio, stretch, end: 120.0 });
+        }
+    }
+    patches.push(Patch {
+        system: System::MeinhardtStripes,
+        rate: 25.6,
+        ratio: 1.0,
+        stretch: 0.5,
+        end: 200.0,
+    });
+    patches
+}
+
+/// One seed: what both routes give.
+struct Pair {
+    /// Differences of marks, area (width), spacing, aspect, %; of the angle, degrees.
+    differences: [Option<f64>; 5],
+    steps: [u64; 2],
+    settled: bool,
+}
+
+/// Compares, prints the table, gives whether all means are within bounds.
+pub fn run(args: &Args) -> Result<bool, String> {
+    if let Some(threads) = args.threads {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(usize::from(threads))
+            .build_global()
+            .map_err(|error| format!("cannot start {threads} threads: {error}"))?;
+    }
+    println!("differences, fast − long: mean over seeds / largest of a seed");
+    println!(
+        "{:18} {:>5} {:>7} {:>7} {:>6} {:>13} {:>13} {:>13} {:>13} {:>13}",
+        "system", "ratio", "stretch", "long", "fast", "marks %", "area %", "spacing %", "aspect %", "angle °"
+    );
+    let mut good = true;
+    for patch in patches() {
+        let pairs: Vec<Pair> =
+            (0..args.seeds).into_par_iter().map(|seed| patch.pair(seed)).collect::<Result<_, _>>()?;
+        if args.each {
+            for (seed, pair) in pairs.iter().enumerate() {
+                let told: Vec<String> =
+                    pair.differences.iter().flatten().map(|d| format!("{d:+.2}")).collect();
+                println!(
+                    "    seed {seed}: {} steps for {}: {}",
+                    pair.steps[1],
+                    pair.steps[0],
+                    told.join(" ")
+                );
+            }
+        }
+        good &= patch.tell(&pairs);
+    }
+    Ok(good)
+}
+
+impl Patch {
+    fn pair(&self, seed: u64) -> Result<Pair, String> {
+        let direction = (10.0 + 37.0 * seed as f32) % 180.0;
+        let p =
+            Parameters { rate: self.rate, ratio: self.ratio, stretch: self.stretch, direction, pitch: 1.0 };
+        let spacing = self.system.spacing(&p);
+        let side = (MARKS * 0.866 * spacing * spacing).sqrt().ceil() as usize;
+        let maps = Maps::uniform(side, side, p);
+        let mut long = Growth::new(self.system, &maps, Edges::Wrap, seed);
+        long.advance(long.steps_in(self.end));
+        let mut engine = Engine::of(self.system, maps.clone(), Edges::Wrap, seed);
+        let settled = settle(&mut engine, &Watch::NOBODY).map_err(|cancelled| cancelled.to_string())?;
+        let [a, b] = [self.measured(&long.marks(&maps))?, self.measured(&engine.marks())?];
+        Ok(Pair { differences: differences(&a, &b), steps: [long.steps(), engine.steps()], settled })
+    }
+
+    fn measured(&self, field: &Field) -> Result<Measured, String> {
+        match self.system {
+            System::MeinhardtStripes => stripes(field),
+            System::TuringSpots => spots(field, 0.35),
+            System::MeinhardtSpots => spots(field, 0.5),
+        }
+    }
+
+    /// Prints a line, gives whether it is within bounds.
+    fn tell(&self, pairs: &[Pair]) -> bool {
+        let mut good = pairs.iter().all(|pair| pair.settled);
+        let cells: Vec<String> = (0..BOUNDS.len())
+            .map(|k| {
+                let of_seeds: Vec<f64> = pairs.iter().filter_map(|pair| pair.differences[k]).collect();
+                if of_seeds.is_empty() {
+                    return "–".to_owned();
+                }
+                let mean = of_seeds.iter().sum::<f64>() / of_seeds.len() as f64;
+                let largest = of_seeds.iter().map(|d| d.abs()).fold(0.0, f64::max);
+                good &= mean.abs() <= BOUNDS[k];
+                format!("{mean:+.2} / {largest:.2}")
+            })
+            .collect();
+        let mean =
+            |which: usize| pairs.iter().map(|pair| pair.steps[which]).sum::<u64>() / pairs.len() as u64;
+        println!(
+            "{:18} {:>5} {:>7} {:>7} {:>6} {:>13} {:>13} {:>13} {:>13} {:>13}{}",
+            self.system.name(),
+            self.ratio,
+            self.stretch,
+            mean(0),
+            mean(1),
+            cells[0],
+            cells[1],
+            cells[2],
+            cells[3],
+            cells[4],
+            if good { "" } else { "  ← out of bounds" }
+        );
+        good
+    }
+}
+
+fn differences((n, _, long): &Measured, (m, _, fast): &Measured) -> [Option<f64>; 5] {
+    let percent = |a: f64, b: f64| Some(100.0 * (b / a - 1.0));
+    let turn = |a: f64, b: f64| Some((b - a + 90.0).rem_euclid(180.0) - 90.0);
+    match (long, fast) {
+        (Attributes::Spots(a), Attributes::Spots(b)) => [
+            percent(*n, *m),
+            percent(a.area, b.area),
+            a.spacing.zip(b.spacing).and_then(|(a, b)| percent(a, b)),
+            percent(a.aspect, b.aspect),
+            turn(a.angle, b.angle).filter(|_| a.aspect < ROUND),
+        ],
+        (Attributes::Stripes(a), Attributes::Stripes(b)) => {
+            [None, percent(a.width, b.width), percent(*m, *n), None, turn(a.angle, b.angle)]
+        }
+        _ => [None; 5],
+    }
+}
