@@ -1,6 +1,7 @@
 //! The command line itself, through the real binary: exit codes, usage, and readers that go away.
 
 use assert_cmd::Command;
+use serde_json::{Value, json};
 use std::process::Stdio;
 
 const DOCUMENT: &str = r#"{"format": "dapple", "version": 1, "size": [64, 64], "layers": [
@@ -26,7 +27,7 @@ fn used_wrongly(arguments: &[&str], words: &[&str]) {
 fn without_arguments_it_prints_help() {
     let output = dapple().assert().success().get_output().clone();
     let help = String::from_utf8(output.stdout).unwrap();
-    for command in ["grow", "lookup", "measure", "check"] {
+    for command in ["grow", "lookup", "measure", "check", "bench"] {
         assert!(help.contains(command), "{help}");
     }
     dapple().arg("--help").assert().success();
@@ -77,6 +78,62 @@ fn an_incomplete_question_is_used_wrongly() {
     used_wrongly(&stripes, &["--width"]);
     used_wrongly(&["lookup", "--batch", "in.csv"], &["--output"]);
     used_wrongly(&["lookup", "--batch", "in.csv", "-o", "out.csv", "--width", "5"], &["--width"]);
+}
+
+/// What `dapple bench --quick --json` with these arguments tells.
+fn benched(arguments: &[&str]) -> Value {
+    let output = dapple().args(["bench", "--quick", "--json"]).args(arguments).assert().success();
+    assert!(output.get_output().stderr.is_empty());
+    serde_json::from_slice(&output.get_output().stdout).unwrap()
+}
+
+#[test]
+fn bench_tells_machines_the_rates_of_each_case_and_size() {
+    let told = benched(&["--size", "64,48", "--threads", "2", "--only", "aspect-0.5"]);
+    assert!(told["machine"]["processor"].is_string() && told["machine"]["cores"].is_u64(), "{told}");
+    let instructions = told["machine"]["instructions"].as_str().unwrap();
+    assert!(["avx512", "avx2", "neon", "baseline"].contains(&instructions));
+    assert_eq!((&told["threads"], &told["pictures"]), (&json!(2), &json!([])));
+    assert!(told["load"]["before"].is_f64() || cfg!(not(target_os = "linux")));
+    let kernels = told["kernels"].as_array().unwrap();
+    let names: Vec<String> =
+        kernels.iter().map(|k| format!("{} {} {}", k["system"], k["diffusion"], k["size"])).collect();
+    let expected = ["turing-spots", "meinhardt-spots", "meinhardt-stripes"]
+        .map(|system| [64, 48].map(|size| format!("\"{system}\" \"aspect-0.5\" {size}")));
+    assert_eq!(names, expected.concat());
+    for kernel in kernels {
+        for rate in ["plain", "fast_one_thread", "fast_all_threads", "fast_over_plain", "all_over_one"] {
+            assert!(kernel[rate].as_f64().unwrap() > 0.0, "{rate}: {kernel}");
+        }
+    }
+}
+
+#[test]
+fn bench_times_documents_to_their_pictures() {
+    let told = benched(&["--only", "picture/ladybird"]);
+    let [picture] = &told["pictures"].as_array().unwrap()[..] else { panic!("{told}") };
+    assert_eq!((&picture["document"], &picture["size"]), (&json!("ladybird"), &json!([512, 512])));
+    assert!(picture["seconds"].as_f64().unwrap() > 0.0);
+    assert_eq!(told["kernels"], json!([]));
+}
+
+#[test]
+fn bench_for_people_is_a_table() {
+    let arguments = ["bench", "--quick", "--size", "32", "--only", "turing-spots/isotropic"];
+    let output = dapple().args(arguments).assert().success().get_output().clone();
+    let table = String::from_utf8(output.stdout).unwrap();
+    for word in ["load", "turing-spots", "isotropic", "32²", "fast/plain"] {
+        assert!(table.contains(word), "{table}");
+    }
+}
+
+#[test]
+fn a_bench_of_nothing_is_used_wrongly() {
+    used_wrongly(&["bench", "--size", "0"], &["--size", "16 to 4096"]);
+    used_wrongly(&["bench", "--size", "64,100000"], &["--size", "100000", "16 to 4096"]);
+    used_wrongly(&["bench", "--size", "64x64"], &["--size", "64x64", "16 to 4096"]);
+    used_wrongly(&["bench", "--threads", "0"], &["--threads", "1 to 1024"]);
+    used_wrongly(&["bench", "--only", "zebra-spots"], &["--only", "zebra-spots", "turing-spots/isotropic"]);
 }
 
 #[test]

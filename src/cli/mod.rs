@@ -3,6 +3,7 @@
 //! Exit codes: 0 done; 1 could not (file, growth); 2 used wrongly; 130 interrupted. What is asked for goes to
 //! stdout, errors and progress go to stderr.
 
+pub mod bench;
 mod check;
 mod error;
 mod grow;
@@ -39,6 +40,8 @@ enum Command {
     Measure(measure::Args),
     /// Tell whether a document is valid, and what is in it
     Check(check::Args),
+    /// Measure how fast this machine is
+    Bench(bench::Args),
 }
 
 /// Runs the program with the process's arguments.
@@ -65,6 +68,7 @@ fn run(command: Command) -> Result<(), Error> {
         Command::Lookup(args) => lookup::run(&args),
         Command::Measure(args) => measure::run(&args),
         Command::Check(args) => check::run(&args),
+        Command::Bench(args) => bench::run(&args),
     }
 }
 

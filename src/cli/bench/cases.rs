@@ -1,0 +1,129 @@
+//! What is stepped: each system with round, long and longer tensors.
+
+use crate::field::Edges;
+use crate::rd::{Growth, Maps, Parameters, System};
+use std::f64::consts::TAU;
+
+/// A system and how unlike in different directions its chemicals spread.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Case {
+    /// The system.
+    pub system: System,
+    /// Minor ÷ major axis of the tensor: 1 = isotropic; below, it turns from place to place.
+    pub stretch: f32,
+}
+
+/// Concentrations of a pattern of 256 × 256 cells without a seam.
+#[derive(Clone, Debug)]
+pub struct Start(Vec<Vec<f32>>);
+
+/// Cells along each side of a [`Start`]: grown in a tenth of a second, and a divisor of the usual sizes.
+const SIDE: usize = 256;
+/// Steps of a start: noise is gone and no concentration is at rest yet.
+const STEPS: u64 = 64;
+
+impl Case {
+    /// All that are measured.
+    pub const ALL: [Self; 9] = {
+        let [a, b, c] = [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes];
+        let of = Self::of;
+        [
+            of(a, 1.0),
+            of(a, 0.5),
+            of(a, 0.3),
+            of(b, 1.0),
+            of(b, 0.5),
+            of(b, 0.3),
+            of(c, 1.0),
+            of(c, 0.5),
+            of(c, 0.3),
+        ]
+    };
+
+    /// Such as `turing-spots/isotropic` or `meinhardt-stripes/aspect-0.5`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        format!("{}/{}", self.system.name(), self.diffusion())
+    }
+
+    /// `isotropic`, or `aspect-` and the stretch.
+    #[must_use]
+    pub fn diffusion(&self) -> String {
+        if self.stretch < 1.0 { format!("aspect-{}", self.stretch) } else { "isotropic".to_owned() }
+    }
+
+    /// Parameters at usual rates (`docs/facts.md` A, B, C: spots of some 40 cells, wavelengths of 13); the tensor
+    /// turns so that every direction occurs, and without a seam.
+    #[must_use]
+    pub fn maps(&self, size: usize) -> Maps {
+        let rate = match self.system {
+            System::TuringSpots => 0.15,
+            System::MeinhardtSpots => 2.0,
+            System::MeinhardtStripes => 40.0,
+        };
+        let parameters = Parameters { rate, ratio: 20.0, stretch: self.stretch, direction: 0.0, pitch: 1.0 };
+        let mut maps = Maps::uniform(size, size, parameters);
+        if self.stretch < 1.0 {
+            for (cell, parameters) in maps.parameters.iter_mut().enumerate() {
+                let [x, y] = [cell % size, cell / size].map(|at| at as f64 / size as f64);
+                parameters.direction = (180.0 * x + 90.0 * libm::sin(TAU * y)) as f32;
+            }
+        }
+        maps
+    }
+
+    /// A pattern on its way.
+    #[must_use]
+    pub fn start(&self) -> Start {
+        let round = Self { stretch: 1.0, ..*self };
+        let mut growth = Growth::new(self.system, &round.maps(SIDE), Edges::Wrap, 1);
+        growth.advance(STEPS);
+        Start(growth.concentrations())
+    }
+
+    /// A growth on `maps` that goes on from `start`, laid side by side as often as it takes. `None` where `start` is
+    /// another system's.
+    #[must_use]
+    pub fn growth(&self, start: &Start, maps: &Maps) -> Option<Growth> {
+        let tiled = |cells: &Vec<f32>| {
+            let cell = |at: usize| cells[(at / maps.nx % SIDE) * SIDE + at % maps.nx % SIDE];
+            (0..maps.nx * maps.ny).map(cell).collect()
+        };
+        let concentrations: Vec<Vec<f32>> = start.0.iter().map(tiled).collect();
+        Growth::resumed(self.system, maps, Edges::Wrap, &concentrations)
+    }
+
+    const fn of(system: System, stretch: f32) -> Self {
+        Self { system, stretch }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_direction_occurs_and_there_is_no_seam() {
+        let case = Case { system: System::TuringSpots, stretch: 0.5 };
+        let maps = case.maps(90);
+        let mut seen = [false; 18];
+        for (cell, p) in maps.parameters.iter().enumerate() {
+            seen[(p.direction.rem_euclid(180.0) / 10.0) as usize % 18] = true;
+            let below = &maps.parameters[(cell + 90) % (90 * 90)];
+            let turn = (p.direction - below.direction).rem_euclid(180.0);
+            assert!(turn.min(180.0 - turn) < 10.0, "{cell}: {turn}");
+        }
+        assert_eq!(seen, [true; 18]);
+    }
+
+    #[test]
+    fn a_start_fits_grids_of_any_size_and_only_its_own_system() {
+        let [spots, stripes] = [Case::ALL[0], Case::ALL[8]];
+        let start = spots.start();
+        let growth = spots.growth(&start, &spots.maps(300)).expect("two chemicals");
+        let cells = &growth.concentrations()[0];
+        assert_eq!(cells.len(), 300 * 300);
+        assert_eq!(cells[5 * 300 + 7], cells[(5 + SIDE) * 300 + 7 + SIDE]);
+        assert!(stripes.growth(&start, &stripes.maps(16)).is_none());
+    }
+}

@@ -1,0 +1,187 @@
+//! Cell updates a second: the plain solver on one thread, the fast one on one and on many, in turn.
+
+use super::cases::{Case, Start};
+use super::go_on;
+use crate::cli::Error;
+use crate::rd::Growth;
+use rayon::ThreadPool;
+use std::time::{Duration, Instant};
+
+/// How long to measure.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// Times that each solver has its turn.
+    pub pairs: usize,
+    /// What one turn takes at least.
+    pub at_least: Duration,
+    /// Times that each picture is made.
+    pub pictures: usize,
+}
+
+/// Those who compute.
+pub struct Crews {
+    one: ThreadPool,
+    all: ThreadPool,
+    /// Threads of the second.
+    pub threads: usize,
+}
+
+impl Crews {
+    /// One of one thread and one of `threads`, or as many as there are cores.
+    pub fn of(threads: Option<usize>) -> Result<Self, Error> {
+        let pool = |threads: usize| {
+            rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(Error::step)
+        };
+        // 0 lets rayon decide.
+        let all = pool(threads.unwrap_or(0))?;
+        let threads = all.current_num_threads();
+        Ok(Self { one: pool(1)?, all, threads })
+    }
+
+    /// Runs `work` on all threads.
+    pub fn together<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        self.all.install(work)
+    }
+}
+
+/// What was measured of one case at one size. Rates are cell updates a second (all chemicals of one cell, one step).
+#[derive(Clone, Debug)]
+pub struct Kernel {
+    /// The case.
+    pub case: Case,
+    /// Cells along each side.
+    pub size: usize,
+    /// Median rate of the plain solver on one thread.
+    pub plain: f64,
+    /// Median rate of the fast solver on one thread.
+    pub one: f64,
+    /// Median rate of the fast solver on all threads.
+    pub all: f64,
+    /// Median over the pairs of fast ÷ plain, both on one thread.
+    pub fast_over_plain: f64,
+    /// Median over the pairs of all threads ÷ one, both fast.
+    pub all_over_one: f64,
+}
+
+/// Steps of the fast solver come in multiples of this: it takes several in one sweep.
+const SWEEP: u64 = 16;
+
+/// Takes so many steps in its own way.
+type Solver<'a> = &'a dyn Fn(&mut Growth, u64);
+
+/// Measures `case` at `size`.
+///
+/// # Errors
+/// [`Error::Interrupted`].
+pub fn measure(
+    case: &Case,
+    start: &Start,
+    size: usize,
+    crews: &Crews,
+    effort: Effort,
+) -> Result<Kernel, Error> {
+    let growth = case.growth(start, &case.maps(size));
+    // A start made by the case itself always fits.
+    let mut growth = growth.ok_or_else(|| Error::Usage(format!("{}: another's start", case.name())))?;
+    let plain: Solver = &|growth, steps| crews.one.install(|| growth.advance_plain(steps));
+    let one: Solver = &|growth, steps| crews.one.install(|| growth.advance(steps));
+    let all: Solver = &|growth, steps| crews.all.install(|| growth.advance(steps));
+    let mut turns = Vec::with_capacity(3);
+    for (solver, sweep) in [(plain, 1), (one, SWEEP), (all, SWEEP)] {
+        let steps = steps_for(effort.at_least, sweep, |steps| {
+            go_on()?;
+            Ok(seconds(|| solver(&mut growth, steps)))
+        })?;
+        turns.push((solver, steps));
+    }
+    let mut rates = [const { Vec::new() }; 3];
+    for _ in 0..effort.pairs {
+        for ((solver, steps), rates) in turns.iter().zip(&mut rates) {
+            go_on()?;
+            let updates = (size * size) as f64 * *steps as f64;
+            rates.push(updates / seconds(|| solver(&mut growth, *steps)));
+        }
+    }
+    let [plain, one, all] = &rates;
+    let ratio = |a: &[f64], b: &[f64]| median(a.iter().zip(b).map(|(a, b)| a / b).collect());
+    Ok(Kernel {
+        case: *case,
+        size,
+        plain: median(plain.clone()),
+        one: median(one.clone()),
+        all: median(all.clone()),
+        fast_over_plain: ratio(one, plain),
+        all_over_one: ratio(all, one),
+    })
+}
+
+/// How many steps, in multiples of `sweep`, take at least so long. `run` gives the seconds that some steps take.
+fn steps_for(
+    at_least: Duration,
+    sweep: u64,
+    mut run: impl FnMut(u64) -> Result<f64, Error>,
+) -> Result<u64, Error> {
+    let wanted = at_least.as_secs_f64();
+    // The first run is never counted: it fetches all that is in memory.
+    run(sweep)?;
+    let mut steps = sweep;
+    loop {
+        let taken = run(steps)?;
+        if taken >= 0.25 * wanted {
+            // A tenth more, since the next may be faster.
+            let sweeps = (1.1 * wanted / taken * steps as f64 / sweep as f64).ceil() as u64;
+            return Ok(sweep * sweeps.max(1));
+        }
+        steps *= 2;
+    }
+}
+
+/// How long `work` takes.
+pub fn seconds(work: impl FnOnce()) -> f64 {
+    let started = Instant::now();
+    work();
+    started.elapsed().as_secs_f64()
+}
+
+/// The middle one; of an even number the mean of the middle two. NaN of none.
+pub fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    let half = numbers.len() / 2;
+    match numbers.len() {
+        0 => f64::NAN,
+        n if n % 2 == 1 => numbers[half],
+        _ => 0.5 * (numbers[half - 1] + numbers[half]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_in_the_middle() {
+        assert_eq!(median(vec![3.0, 1.0, 2.0]), 2.0);
+        assert_eq!(median(vec![4.0, 1.0, 2.0, 3.0]), 2.5);
+        assert!(median(vec![]).is_nan());
+    }
+
+    #[test]
+    fn steps_are_found_that_take_long_enough() {
+        for a_step in [1e-6, 0.003, 0.5] {
+            let steps = steps_for(Duration::from_millis(100), 16, |steps| Ok(a_step * steps as f64)).unwrap();
+            assert!(steps % 16 == 0 && a_step * steps as f64 >= 0.1);
+            assert!(steps == 16 || a_step * (steps as f64) < 0.2, "{steps}");
+        }
+    }
+
+    #[test]
+    fn measuring_gives_rates_of_each_solver() {
+        let effort = Effort { pairs: 1, at_least: Duration::from_micros(10), pictures: 0 };
+        let case = Case::ALL[1];
+        let found = measure(&case, &case.start(), 24, &Crews::of(Some(2)).unwrap(), effort).unwrap();
+        for rate in [found.plain, found.one, found.all, found.fast_over_plain, found.all_over_one] {
+            assert!(rate.is_finite() && rate > 0.0, "{found:?}");
+        }
+        assert_eq!(found.fast_over_plain, found.one / found.plain);
+    }
+}

@@ -1,0 +1,116 @@
+//! From a document to its picture, as `dapple grow` does it.
+
+use super::go_on;
+use super::kernels::{Crews, Effort, median, seconds};
+use crate::cli::{Cli, Command, Error, grow};
+use crate::synth::recipe::Document;
+use clap::Parser;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+/// A document that comes with the program.
+#[derive(Clone, Copy, Debug)]
+pub struct Example {
+    name: &'static str,
+    text: &'static str,
+}
+
+/// Spots that vary in everything, turning stripes, and large marks.
+pub const EXAMPLES: [Example; 3] = [
+    Example { name: "cheetah-run", text: include_str!("../../../examples/cheetah-run.dapple") },
+    Example { name: "zebra", text: include_str!("../../../examples/zebra.dapple") },
+    Example { name: "ladybird", text: include_str!("../../../examples/ladybird.dapple") },
+];
+
+impl Example {
+    /// Such as `picture/zebra`.
+    pub fn label(&self) -> String {
+        format!("picture/{}", self.name)
+    }
+}
+
+/// What was measured of one document.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// Its name.
+    pub document: &'static str,
+    /// Width and height, px.
+    pub size: [u32; 2],
+    /// Median time from the file of the document to that of the picture, on all threads.
+    pub seconds: f64,
+}
+
+/// Where the pictures go. Goes itself when dropped.
+pub struct Folder(PathBuf);
+
+impl Folder {
+    /// A new folder among the temporary files.
+    ///
+    /// # Errors
+    /// Where none can be made.
+    pub fn new() -> Result<Self, Error> {
+        let path = std::env::temp_dir().join(format!("dapple-bench-{}", std::process::id()));
+        std::fs::create_dir(&path).map_err(|source| unwritable(&path, source))?;
+        Ok(Self(path))
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // A temporary file left behind is no reason to fail.
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+fn unwritable(path: &Path, source: std::io::Error) -> Error {
+    Error::File { file: path.display().to_string(), done: "written", source }
+}
+
+/// Measures how long `dapple grow` takes, the start of the program left out.
+///
+/// # Errors
+/// [`Error::Interrupted`]; what `grow` says.
+pub fn measure(example: &Example, folder: &Folder, crews: &Crews, effort: Effort) -> Result<Picture, Error> {
+    let document = folder.0.join(format!("{}.dapple", example.name));
+    std::fs::write(&document, example.text).map_err(|source| unwritable(&document, source))?;
+    let size = Document::parse(example.text, example.name)?.size;
+    let args = grow_args(&document, &folder.0.join(format!("{}.png", example.name)))?;
+    let mut times = Vec::with_capacity(effort.pictures);
+    for _ in 0..effort.pictures {
+        go_on()?;
+        let mut grown = Ok(());
+        times.push(seconds(|| grown = crews.together(|| grow::run(&args))));
+        grown?;
+    }
+    Ok(Picture { document: example.name, size, seconds: median(times) })
+}
+
+/// What the command line gives `grow`, all else as usual.
+fn grow_args(document: &Path, picture: &Path) -> Result<grow::Args, Error> {
+    let words: [OsString; 6] = [
+        "dapple".into(),
+        "grow".into(),
+        document.into(),
+        "--output".into(),
+        picture.into(),
+        "--quiet".into(),
+    ];
+    match Cli::try_parse_from(words).map_err(Error::step)?.command {
+        Command::Grow(args) => Ok(args),
+        _ => Err(Error::Usage("grow: is another command".to_owned())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_examples_are_valid_and_grow_takes_them() {
+        for example in EXAMPLES {
+            Document::parse(example.text, example.name).expect("an example is valid");
+        }
+        let args = grow_args(Path::new("a b.dapple"), Path::new("a b.png")).expect("two names are enough");
+        assert_eq!((args.file, args.output), ("a b.dapple".into(), "a b.png".into()));
+    }
+}
