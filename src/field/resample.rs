@@ -83,20 +83,27 @@ impl Spline {
     /// Large outputs can be made band by band; a band holds the same bits as those rows of the whole.
     #[must_use]
     pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
-        let across = taps(self.width, width);
+        let columns = self.columns(width);
         let mut out = vec![0.0; rows.len() * width];
-        out.par_chunks_mut(width.max(1)).zip(rows.into_par_iter()).for_each_init(
-            || vec![0.0; self.width + 2 * PAD],
-            |line, (out, y)| {
-                let position = (y as f64 + 0.5) * self.height as f64 / height as f64 - 0.5;
-                self.line(position, line);
-                for (out, (start, w)) in out.iter_mut().zip(&across) {
-                    let c = &line[*start..*start + 4];
-                    *out = w[0] * c[0] + w[1] * c[1] + w[2] * c[2] + w[3] * c[3];
-                }
-            },
-        );
+        let each = out.par_chunks_mut(width.max(1)).zip(rows.into_par_iter());
+        each.for_each_init(Vec::new, |line, (out, y)| self.row(y, height, &columns, line, out));
         out
+    }
+
+    /// Columns at which [`Self::row`] reads `width` values.
+    #[must_use]
+    pub fn columns(&self, width: usize) -> Columns {
+        Columns(taps(self.width, width))
+    }
+
+    /// Writes row `y` of `height` at `columns`; `line` is room to work in, kept from row to row.
+    pub fn row(&self, y: usize, height: usize, columns: &Columns, line: &mut Vec<f32>, out: &mut [f32]) {
+        line.resize(self.width + 2 * PAD, 0.0);
+        self.line((y as f64 + 0.5) * self.height as f64 / height as f64 - 0.5, line);
+        for (out, (start, w)) in out.iter_mut().zip(&columns.0) {
+            let c = &line[*start..*start + 4];
+            *out = w[0] * c[0] + w[1] * c[1] + w[2] * c[2] + w[3] * c[3];
+        }
     }
 
     /// Coefficients along x at height `position` (in rows), with `PAD` more on either side.
@@ -116,6 +123,10 @@ impl Spline {
         }
     }
 }
+
+/// Where a row is read: for each value the first of its four coefficients, and their weights.
+#[derive(Clone, Debug)]
+pub struct Columns(Vec<(usize, [f32; 4])>);
 
 /// Cells beyond the border that a reading between the outermost centre and the border asks for.
 const PAD: usize = 2;

@@ -2,7 +2,7 @@
 
 use super::directions::Directions;
 use super::spots::Spot;
-use super::stripes::{stripes, tallies};
+use super::stripes::{tallies, wavelength};
 use crate::attributes::spacing::{LONGEST, edges, trimmed_mean};
 use crate::attributes::{Attributes, Spots, Stripes, axial_mean};
 use crate::field::{Edges, Field};
@@ -17,9 +17,9 @@ pub struct Canvas<'a> {
     /// How many regions there are.
     pub regions: usize,
     /// The region of a place, below `regions`.
-    pub region_of: &'a dyn Fn([f64; 2]) -> usize,
+    pub region_of: &'a (dyn Fn([f64; 2]) -> usize + Sync),
     /// The region map: what is wanted at a place.
-    pub wanted: &'a dyn Fn([f64; 2]) -> Attributes,
+    pub wanted: &'a (dyn Fn([f64; 2]) -> Attributes + Sync),
 }
 
 /// How the spots of a region differ from what was asked.
@@ -143,11 +143,12 @@ fn compare(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> SpotErrors
 /// Errors of a layer of stripes, by region: of what is above `level` in `field`, which covers the canvas.
 #[must_use]
 pub fn stripe_errors(field: &Field, level: f32, canvas: &Canvas) -> Vec<StripeErrors> {
-    let Some(statistics) = stripes(field, level) else {
-        return vec![StripeErrors::default(); canvas.regions];
-    };
-    let directions = Directions::of(field, statistics.wavelength);
     let tallies = tallies(field, level, canvas.regions, canvas.region_of);
+    let contour: f64 = tallies.iter().map(|tally| tally.contour).sum();
+    if contour <= 0.0 {
+        return vec![StripeErrors::default(); canvas.regions];
+    }
+    let directions = Directions::of(field, wavelength(field, contour));
     let turns = directions.deviations(|p| (canvas.wanted)(p).angle(), canvas.regions, canvas.region_of);
     let mut asked = vec![Vec::new(); canvas.regions];
     for (place, _, _) in directions.places() {

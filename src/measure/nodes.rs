@@ -5,11 +5,16 @@
 //! the border itself (the mirror: nothing changes across it); on a wrapped one by the first node once more
 //! behind the last.
 
+use rayon::prelude::*;
+
 use crate::field::resample::Spline;
 use crate::field::{Edges, Field};
 
 /// Never more nodes than this on the finer grid; a 4096² field gets 4 × 4 a cell at most.
 const MOST_NODES: f64 = 3e8;
+
+/// Nodes of a stretch.
+const STRETCH: usize = 1 << 17;
 
 /// Nodes that are held at a time.
 const BAND: usize = 1 << 20;
@@ -63,6 +68,47 @@ impl<'a> Nodes<'a> {
         if field.edges == Edges::Wrap {
             hand(&first);
         }
+    }
+
+    /// Does `work` on stretches of rows, on all threads: it is given their ys (px) and values, the last row being
+    /// the first of the next stretch. Gives what came of them, in their order; stretches are cut alike whatever the
+    /// number of threads.
+    pub(super) fn stretches<T: Send>(&self, work: impl Fn(&[f64], &[f32]) -> T + Sync) -> Vec<T> {
+        let field = self.field;
+        let (width, height) = (field.width * self.factor, field.height * self.factor);
+        if width == 0 || height == 0 {
+            return Vec::new();
+        }
+        let ys = places(height, field.cell[1] / self.factor as f64, field.edges);
+        let spline = (self.factor > 1).then(|| {
+            let spline = Spline::new(field);
+            let columns = spline.columns(width);
+            (spline, columns)
+        });
+        // The row of nodes that the frame's row `i` repeats.
+        let row = |i: usize| match field.edges {
+            Edges::Closed => i.saturating_sub(1).min(height - 1),
+            Edges::Wrap => i % height,
+        };
+        let long = (STRETCH / self.xs.len()).max(16);
+        let firsts: Vec<usize> = (0..ys.len() - 1).step_by(long).collect();
+        let stretch = |first: usize| {
+            let last = (first + long).min(ys.len() - 1);
+            let mut framed = vec![0.0; (last + 1 - first) * self.xs.len()];
+            let (mut line, mut values) = (Vec::new(), vec![0.0; width]);
+            for (i, framed) in (first..=last).zip(framed.chunks_exact_mut(self.xs.len())) {
+                let y = row(i);
+                match &spline {
+                    Some((spline, columns)) => {
+                        spline.row(y, height, columns, &mut line, &mut values);
+                        self.frame(&values, framed);
+                    }
+                    None => self.frame(&field.values[y * width..(y + 1) * width], framed),
+                }
+            }
+            work(&ys[first..=last], &framed)
+        };
+        firsts.into_par_iter().map(stretch).collect()
     }
 
     fn frame(&self, values: &[f32], framed: &mut [f32]) {

@@ -38,7 +38,7 @@ pub fn stripes(field: &Field, level: f32) -> Option<StripeStatistics> {
     if tally.contour <= 0.0 {
         return None;
     }
-    let wavelength = 2.0 * canvas / tally.contour;
+    let wavelength = wavelength(field, tally.contour);
     let directions = Directions::of(field, wavelength);
     let (angle, alignment) = directions.mean(|_| true)?;
     Some(StripeStatistics {
@@ -51,6 +51,12 @@ pub fn stripes(field: &Field, level: f32) -> Option<StripeStatistics> {
     })
 }
 
+/// What stripes with so much contour repeat after, px.
+pub(super) fn wavelength(field: &Field, contour: f64) -> f64 {
+    let [width, height] = field.extent();
+    2.0 * width * height / contour
+}
+
 /// Mean width (px) of what is above `level` in each of `regions` regions: 2 × area ÷ contour length within it,
 /// without the frame; `None` where a region has no contour. `region_of` takes px and must answer below `regions`.
 #[must_use]
@@ -58,39 +64,59 @@ pub fn widths(
     field: &Field,
     level: f32,
     regions: usize,
-    region_of: impl Fn([f64; 2]) -> usize,
+    region_of: impl Fn([f64; 2]) -> usize + Sync,
 ) -> Vec<Option<f64>> {
     let tallies = tallies(field, level, regions, region_of);
     tallies.iter().map(|tally| (tally.contour > 0.0).then(|| 2.0 * tally.area / tally.contour)).collect()
 }
 
-/// Nodes a cell each way. Stripes of over four cells are read to 0.1 % with three (`tests/ruler.rs`).
-const FACTOR: usize = 3;
+/// Nodes across a stripe: that many read widths to 0.1 % (`tests/ruler.rs`).
+const ACROSS: f64 = 12.0;
+/// Nodes a cell each way at most: they are enough for stripes of four cells.
+const FACTOR: f64 = 3.0;
 
 /// Area above the level and contour length by region, px² and px.
 pub(super) fn tallies(
     field: &Field,
     level: f32,
     regions: usize,
-    region_of: impl Fn([f64; 2]) -> usize,
+    region_of: impl Fn([f64; 2]) -> usize + Sync,
 ) -> Vec<Tally> {
-    let nodes = Nodes::new(field, FACTOR);
-    let mut tallies = vec![Tally::default(); regions];
-    let mut above: Vec<f32> = Vec::new();
-    let mut top = 0.0;
-    nodes.scan(|y, values| {
-        if !above.is_empty() {
-            let edge = |i: usize| [above[i], above[i + 1], values[i + 1], values[i]];
-            strip(&nodes.xs, [top, y], edge, level, |place, area, contour| {
+    let [coarse] = tallied(field, level, 1, |_| 0, 1)[..] else { return Vec::new() };
+    let across = 2.0 * coarse.area / coarse.contour / (field.cell[0] * field.cell[1]).sqrt();
+    let factor = (ACROSS / across).ceil().clamp(1.0, FACTOR) as usize;
+    tallied(field, level, regions, region_of, factor)
+}
+
+/// The same on `factor` nodes a cell.
+fn tallied(
+    field: &Field,
+    level: f32,
+    regions: usize,
+    region_of: impl Fn([f64; 2]) -> usize + Sync,
+    factor: usize,
+) -> Vec<Tally> {
+    let nodes = Nodes::new(field, factor);
+    let n = nodes.xs.len();
+    let stretches = nodes.stretches(|ys, values| {
+        let mut tallies = vec![Tally::default(); regions];
+        for (ys, rows) in ys.windows(2).zip(values.chunks_exact(n).collect::<Vec<_>>().windows(2)) {
+            let edge = |i: usize| [rows[0][i], rows[0][i + 1], rows[1][i + 1], rows[1][i]];
+            strip(&nodes.xs, [ys[0], ys[1]], edge, level, |place, area, contour| {
                 let tally = &mut tallies[region_of(place)];
                 tally.area += area;
                 tally.contour += contour;
             });
         }
-        top = y;
-        above.clear();
-        above.extend_from_slice(values);
+        tallies
     });
+    let mut tallies = vec![Tally::default(); regions];
+    for stretch in stretches {
+        for (tally, more) in tallies.iter_mut().zip(stretch) {
+            tally.area += more.area;
+            tally.contour += more.contour;
+        }
+    }
     tallies
 }
 

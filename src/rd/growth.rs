@@ -2,6 +2,7 @@
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
 
 use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;
@@ -163,19 +164,30 @@ impl Growth {
     /// mark that has the parameters there.
     #[must_use]
     pub fn marks(&self, maps: &Maps) -> Field {
-        let values = match &self.chemicals {
+        let nx = self.problem.grid.nx;
+        let mut values = vec![0.0; nx * self.problem.grid.ny];
+        values.par_chunks_mut(nx).enumerate().for_each(|(y, row)| match &self.chemicals {
             Chemicals::Two(two) if self.system == System::TuringSpots => {
-                two[0][0].cells().iter().map(|a| turing_spots::share(*a)).collect()
+                for (mark, a) in row.iter_mut().zip(two[0][0].row(y)) {
+                    *mark = turing_spots::share(*a);
+                }
             }
             Chemicals::Two(two) => {
-                let a = two[0][0].cells();
-                a.iter().zip(&maps.parameters).map(|(a, p)| a / meinhardt_spots::peak(p.ratio)).collect()
+                let (mut ratio, mut peak) = (f32::NAN, 0.0);
+                for ((mark, a), p) in row.iter_mut().zip(two[0][0].row(y)).zip(&maps.parameters[y * nx..]) {
+                    // Mostly the same as beside it.
+                    if p.ratio != ratio {
+                        (ratio, peak) = (p.ratio, meinhardt_spots::peak(p.ratio));
+                    }
+                    *mark = a / peak;
+                }
             }
             Chemicals::Five(five) => {
-                let (a, b) = (five[0][0].cells(), five[0][1].cells());
-                a.iter().zip(b).map(|(a, b)| a / (a + b)).collect()
+                for ((mark, a), b) in row.iter_mut().zip(five[0][0].row(y)).zip(five[0][1].row(y)) {
+                    *mark = a / (a + b);
+                }
             }
-        };
+        });
         Field {
             width: self.problem.grid.nx,
             height: self.problem.grid.ny,

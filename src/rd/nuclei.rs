@@ -8,6 +8,7 @@
 //! ds² = (ρ·along² + across²/ρ)/pitch².
 
 use rand::{Rng, RngExt};
+use rayon::prelude::*;
 
 use super::maps::{Maps, Parameters};
 use crate::field::Edges;
@@ -25,7 +26,7 @@ pub struct Nucleus {
 
 impl Nucleus {
     /// The point `at`, cells, with the metric of the parameters there.
-    pub fn at(maps: &Maps, at: [f64; 2], pitch: &dyn Fn(&Parameters) -> f64) -> Self {
+    pub fn at(maps: &Maps, at: [f64; 2], pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
         let p = maps.at(at);
         let pitch = pitch(&p);
         let stretch = f64::from(p.stretch);
@@ -51,22 +52,19 @@ const PUSH: f64 = 1.25;
 /// Rounds of relaxation. Tuned by the spread of the spacing: 0.16 after darts, 0.085 after 30, 0.08 after 100.
 const ROUNDS: usize = 30;
 
+/// Points that are not worth handing to another thread.
+const FEW: usize = 128;
+
 /// Points over the whole grid whose neighbours stand `pitch(parameters)` cells apart.
 pub fn lay(
     maps: &Maps,
     edges: Edges,
-    pitch: &dyn Fn(&Parameters) -> f64,
+    pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     rng: &mut impl Rng,
 ) -> Vec<Nucleus> {
-    // A hexagonal lattice of pitch 1 has 2/√3 points a unit area.
-    let density = |p: &Parameters| 2.0 / (3.0f64.sqrt() * pitch(p) * pitch(p));
-    let densities: Vec<f64> = maps.parameters.iter().map(density).collect();
-    let wanted = densities.iter().sum::<f64>().round().max(1.0) as usize;
-    let densest = densities.iter().copied().fold(0.0, f64::max);
+    let Crowd { densities, wanted, densest, largest } = crowd(maps, pitch);
     let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
     let nucleus = |at: [f64; 2]| Nucleus::at(maps, at, pitch);
-    let largest =
-        maps.parameters.iter().map(|p| 1.05 * pitch(p) / f64::from(p.stretch).sqrt()).fold(0.0, f64::max);
 
     let mut placed = Buckets::new(space, PUSH * largest);
     let mut closest = DART;
@@ -97,6 +95,47 @@ pub fn lay(
     placed.all
 }
 
+/// How crowded the grid will be.
+struct Crowd {
+    /// Points a cell, by cell.
+    densities: Vec<f64>,
+    /// Points in all.
+    wanted: usize,
+    densest: f64,
+    /// The farthest that a pitch reaches, cells.
+    largest: f64,
+}
+
+fn crowd(maps: &Maps, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Crowd {
+    let rows: Vec<(Vec<f64>, f64)> = maps
+        .parameters
+        .par_chunks(maps.nx)
+        .map(|row| {
+            let (mut before, mut here, mut largest) = (None, 0.0, 0.0f64);
+            let densities = row
+                .iter()
+                .map(|p| {
+                    // Mostly the same as beside it.
+                    if before != Some(p) {
+                        let pitch = pitch(p);
+                        // A hexagonal lattice of pitch 1 has 2/√3 points a unit area.
+                        here = 2.0 / (3.0f64.sqrt() * pitch * pitch);
+                        largest = largest.max(1.05 * pitch / f64::from(p.stretch).sqrt());
+                        before = Some(p);
+                    }
+                    here
+                })
+                .collect();
+            (densities, largest)
+        })
+        .collect();
+    let largest = rows.iter().map(|(_, largest)| *largest).fold(0.0, f64::max);
+    let densities: Vec<f64> = rows.into_iter().flat_map(|(row, _)| row).collect();
+    let wanted = densities.iter().sum::<f64>().round().max(1.0) as usize;
+    let densest = densities.iter().copied().fold(0.0, f64::max);
+    Crowd { densities, wanted, densest, largest }
+}
+
 /// Those of `laid` that have room among those before them, where they are `crowded`.
 pub fn thinned(
     laid: Vec<Nucleus>,
@@ -122,7 +161,7 @@ pub fn thinned(
     kept.all
 }
 
-fn relaxed(placed: &Buckets, nucleus: &dyn Fn([f64; 2]) -> Nucleus, reach: f64) -> Buckets {
+fn relaxed(placed: &Buckets, nucleus: &(dyn Fn([f64; 2]) -> Nucleus + Sync), reach: f64) -> Buckets {
     let moved = |point: &Nucleus| {
         let mut shift = [0.0, 0.0];
         placed.near(point, PUSH, |other, delta| {
@@ -137,9 +176,8 @@ fn relaxed(placed: &Buckets, nucleus: &dyn Fn([f64; 2]) -> Nucleus, reach: f64) 
         nucleus(placed.space.folded([point.at[0] + shift[0], point.at[1] + shift[1]]))
     };
     let mut next = Buckets::new(placed.space, reach);
-    for point in placed.all.iter().map(moved) {
-        next.insert(point);
-    }
+    let all: Vec<Nucleus> = placed.all.par_iter().with_min_len(FEW).map(moved).collect();
+    all.into_iter().for_each(|point| next.insert(point));
     next
 }
 

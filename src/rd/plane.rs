@@ -63,14 +63,19 @@ impl Grid {
 
     /// Writes the margins of one row of memory from its cells, as the edges say.
     pub fn fill_margins(&self, row: &mut [f32]) {
-        let (end, wide) = (MARGIN + self.nx, self.nx >= MARGIN);
-        if wide && self.edges == Edges::Wrap {
-            row.copy_within(end - MARGIN..end, 0);
-            row.copy_within(MARGIN..2 * MARGIN, end);
-        } else {
+        let end = MARGIN + self.nx;
+        if self.nx < MARGIN {
             for at in (0..MARGIN).chain(end..end + MARGIN) {
                 row[at] = row[MARGIN + self.column(at)];
             }
+        } else if self.edges == Edges::Wrap {
+            row.copy_within(end - MARGIN..end, 0);
+            row.copy_within(MARGIN..2 * MARGIN, end);
+        } else {
+            row.copy_within(MARGIN..2 * MARGIN, 0);
+            row[..MARGIN].reverse();
+            row.copy_within(end - MARGIN..end, end);
+            row[end..end + MARGIN].reverse();
         }
     }
 }

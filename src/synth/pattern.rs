@@ -4,8 +4,9 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 use super::plan::Plan;
+use crate::attributes::regions::Layout;
+use crate::field::Field;
 use crate::field::resample::Spline;
-use crate::field::{Edges, Field};
 
 /// A layer's grown concentration and the level that makes an edge of it.
 pub struct Pattern<'a> {
@@ -26,43 +27,82 @@ impl<'a> Pattern<'a> {
         Self { plan, spline: Spline::new(marks), correction: vec![1.0; regions] }
     }
 
-    /// The level at a point of the canvas, px.
+    /// The concentration as a share of the local peak, at `width` × `height` px: what [`Self::levelled`] makes the
+    /// pattern of, whatever the levels.
     #[must_use]
-    pub fn level(&self, point: [f64; 2]) -> f64 {
-        let corners = self.plan.map.layout().corners(point);
-        let correction: f64 = corners.iter().map(|&(i, weight)| weight * self.correction[i]).sum();
-        (self.plan.lattice.at(point).level * correction).clamp(LEVELS[0], LEVELS[1])
+    pub fn concentration(&self, [width, height]: [usize; 2]) -> Vec<f32> {
+        self.spline.rows(0..height, width, height)
+    }
+
+    /// The pattern that such a `concentration` becomes.
+    #[must_use]
+    pub fn levelled(&self, concentration: &[f32], [width, height]: [usize; 2]) -> Field {
+        let mut values = concentration.to_vec();
+        self.level_off(&mut values, 0..height, width, height);
+        self.of(values, width, height)
+    }
+
+    fn of(&self, values: Vec<f32>, width: usize, height: usize) -> Field {
+        let layout = self.plan.map.layout();
+        let cell = [layout.size[0] / width as f64, layout.size[1] / height as f64];
+        Field { width, height, cell, edges: layout.edges, values }
     }
 
     /// Rows `rows` of the pattern at `width` × `height` px over the whole canvas.
     #[must_use]
     pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
-        let first = rows.start;
-        let mut values = self.spline.rows(rows, width, height);
+        let mut values = self.spline.rows(rows.clone(), width, height);
+        self.level_off(&mut values, rows, width, height);
+        values
+    }
+
+    /// Takes the concentrations of rows `rows` at `width` × `height` px to the pattern.
+    fn level_off(&self, values: &mut [f32], rows: Range<usize>, width: usize, height: usize) {
         let size = self.plan.map.layout().size;
-        let uniform = self.correction.len() == 1 && self.plan.lattice.nodes.len() == 1;
-        let everywhere = self.level([0.0, 0.0]);
-        values.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
-            let y = (first + y) as f64 + 0.5;
+        let px = [size[0] / width as f64, size[1] / height as f64];
+        let level = Table::new(&self.plan.lattice.layout, px[0], width);
+        let correction = Table::new(self.plan.map.layout(), px[0], width);
+        let levels: Vec<f64> = self.plan.lattice.nodes.iter().map(|node| node.level).collect();
+        values.par_chunks_mut(width).zip(rows.into_par_iter()).for_each(|(row, y)| {
+            let y = (y as f64 + 0.5) * px[1];
+            let (level, correction) = (level.row(&levels, y), correction.row(&self.correction, y));
             for (x, value) in row.iter_mut().enumerate() {
-                let level = if uniform {
-                    everywhere
-                } else {
-                    self.level([(x as f64 + 0.5) * size[0] / width as f64, y * size[1] / height as f64])
-                };
-                *value = share(*value, level as f32);
+                *value = share(*value, (level(x) * correction(x)).clamp(LEVELS[0], LEVELS[1]) as f32);
             }
         });
-        values
     }
 
     /// The whole pattern at `width` × `height` px.
     #[must_use]
     pub fn field(&self, width: usize, height: usize) -> Field {
-        let size = self.plan.map.layout().size;
-        let edges: Edges = self.plan.map.layout().edges;
-        let cell = [size[0] / width as f64, size[1] / height as f64];
-        Field { width, height, cell, edges, values: self.rows(0..height, width, height) }
+        self.of(self.rows(0..height, width, height), width, height)
+    }
+}
+
+/// Where `width` px of a row lie between the columns of a layout, for interpolating what is known there.
+struct Table<'a> {
+    layout: &'a Layout,
+    across: Vec<(usize, usize, f64)>,
+}
+
+impl<'a> Table<'a> {
+    fn new(layout: &'a Layout, px: f64, width: usize) -> Self {
+        let across = (0..width).map(|x| layout.between(0, (x as f64 + 0.5) * px)).collect();
+        Self { layout, across }
+    }
+
+    /// What `known` (by index of the layout) is at each px of the row at height `y`, px.
+    fn row(&self, known: &[f64], y: f64) -> impl Fn(usize) -> f64 + use<'_> {
+        let columns = self.layout.grid[0];
+        let (upper, lower, share) = self.layout.between(1, y);
+        let at = |column: usize| {
+            (1.0 - share) * known[upper * columns + column] + share * known[lower * columns + column]
+        };
+        let row: Vec<f64> = (0..columns).map(at).collect();
+        move |x| {
+            let (left, right, share) = self.across[x];
+            (1.0 - share) * row[left] + share * row[right]
+        }
     }
 }
 

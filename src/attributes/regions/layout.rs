@@ -99,8 +99,9 @@ impl Layout {
         ]
     }
 
-    /// The two columns (or rows) between whose centres `x` lies, and the share of the second.
-    fn between(&self, axis: usize, x: f64) -> (usize, usize, f64) {
+    /// The two columns (`axis` 0) or rows (1) between whose centres `x` (px) lies, and the share of the second.
+    #[must_use]
+    pub fn between(&self, axis: usize, x: f64) -> (usize, usize, f64) {
         let n = self.grid[axis];
         let last = (n - 1) as f64;
         let t = x * n as f64 / self.size[axis] - 0.5;
