@@ -2,6 +2,9 @@
 
 use super::*;
 use crate::rd::Parameters;
+use crate::synth::plan::plan;
+use crate::synth::recipe::Document;
+use crate::synth::{Training, drawn};
 
 /// Spots (stripes) whose area (squared width) grows `times` from left to right.
 fn graded(system: System, [nx, ny]: [usize; 2], times: f32) -> Maps {
@@ -127,4 +130,31 @@ fn marks_too_small_for_a_coarser_grid_have_one_grid() {
 fn it_can_be_sent_to_another_thread() {
     fn sent<T: Send>(_: &T) {}
     sent(&engine(System::MeinhardtStripes));
+}
+
+/// Twelve round spots, drawn with this area.
+fn planned(area: f64) -> Plan {
+    let radius = (area / std::f64::consts::PI).sqrt();
+    let text = format!(
+        r#"{{"format": "dapple", "version": 1, "size": [160, 140], "layers": [{{"strokes": [
+            {{"kind": "ellipse", "center": [40, 40], "radii": [{radius}, {radius}], "angle": 0}}]}}]}}"#
+    );
+    let document = Document::parse(&text, "one spot").expect("a document");
+    let map = drawn::region_map(&document, 0, "one spot").expect("a spot");
+    plan(&Training::default(), document.layers[0].system, &map).expect("a plan")
+}
+
+#[test]
+fn a_warm_one_goes_on_from_what_has_grown_where_the_grids_agree() {
+    let plan = planned(120.0);
+    let before = finished(Engine::new(&plan, 3), u64::MAX);
+    let warm = Engine::warm(&plan, 4, &before).expect("the same grid");
+    assert!(bits(&warm) == bits(&before));
+    let warm = finished(warm, u64::MAX);
+    // The spots stay where the other seed put them.
+    let moved: f32 = warm.marks().values.iter().zip(&before.marks().values).map(|(a, b)| (a - b).abs()).sum();
+    let total: f32 = before.marks().values.iter().sum();
+    assert!(warm.settled() && moved < 0.1 * total, "{moved} of {total}");
+    assert!(Engine::warm(&planned(200.0), 3, &before).is_none());
+    assert_eq!([before.look(&plan, 50, 40).width, warm.look(&plan, 320, 280).width], [50, 320]);
 }
