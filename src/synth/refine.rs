@@ -79,6 +79,7 @@ pub fn refine(
     watch: &Watch,
 ) -> Result<Measured, Cancelled> {
     let size = [0, 1].map(|axis| size[axis].min((FINER * plan.grid[axis] as f64).ceil() as usize));
+    watch.step(Stage::Refine, 0.0)?;
     let concentration = pattern.concentration(size);
     let mut found = measured(plan, &pattern.levelled(&concentration, size));
     let regions = pattern.correction.len();
