@@ -2,6 +2,7 @@
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
 
 use super::maps::{Maps, Parameters};
 use super::nuclei::{Nucleus, lay, thinned};
@@ -72,36 +73,63 @@ fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec
     };
     let bell = bells(maps, edges, laid, &radius);
     let mut cells = [vec![0.0; bell.len()], vec![0.0; bell.len()]];
-    for (i, (bell, p)) in bell.iter().zip(&maps.parameters).enumerate() {
-        [cells[0][i], cells[1][i]] = match system {
-            System::TuringSpots => turing_spots::begin(*bell),
-            _ => meinhardt_spots::begin(*bell, p.ratio),
-        };
-    }
+    let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
+    let rows = bell.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
+    a.zip(b).zip(rows).for_each(|((a, b), (bell, parameters))| {
+        let (mut ratio, mut peak) = (f32::NAN, 0.0);
+        for (i, (bell, p)) in bell.iter().zip(parameters).enumerate() {
+            // Mostly the same as beside it.
+            if p.ratio != ratio {
+                (ratio, peak) = (p.ratio, meinhardt_spots::peak(p.ratio));
+            }
+            [a[i], b[i]] = match system {
+                System::TuringSpots => turing_spots::begin(*bell),
+                _ => meinhardt_spots::begin(*bell, peak),
+            };
+        }
+    });
     cells
 }
 
+/// Rows of bells that are drawn at once.
+const ROWS: usize = 16;
+
 /// For each cell, 1 in the middle of a spot to be, falling to 0 away from it as a Gaussian of its metric.
-fn bells(maps: &Maps, edges: Edges, nuclei: &[Nucleus], radius: &dyn Fn(&Parameters) -> f64) -> Vec<f32> {
+fn bells(
+    maps: &Maps,
+    edges: Edges,
+    nuclei: &[Nucleus],
+    radius: &(dyn Fn(&Parameters) -> f64 + Sync),
+) -> Vec<f32> {
     let (nx, ny) = (maps.nx, maps.ny);
+    let radii: Vec<f64> = nuclei.iter().map(|nucleus| radius(&maps.at(nucleus.at))).collect();
     let mut bell = vec![0.0f32; nx * ny];
-    for nucleus in nuclei {
-        let radius = radius(&maps.at(nucleus.at));
-        let far = 3.5 * radius * nucleus.reach;
-        let range = |v: f64| (v - 0.5 - far).ceil() as isize..=(v - 0.5 + far).floor() as isize;
-        for y in range(nucleus.at[1]) {
-            for x in range(nucleus.at[0]) {
-                let inside = (0..nx as isize).contains(&x) && (0..ny as isize).contains(&y);
-                if edges == Edges::Closed && !inside {
+    bell.par_chunks_mut(ROWS * nx).enumerate().for_each(|(band, bell)| {
+        let rows = band * ROWS..band * ROWS + bell.len() / nx;
+        for (nucleus, radius) in nuclei.iter().zip(&radii) {
+            let far = 3.5 * radius * nucleus.reach;
+            let range = |v: f64| (v - 0.5 - far).ceil() as isize..=(v - 0.5 + far).floor() as isize;
+            for y in range(nucleus.at[1]) {
+                let row = edges.index(y, ny);
+                if !rows.contains(&row) || edges == Edges::Closed && !(0..ny as isize).contains(&y) {
                     continue;
                 }
-                let d2 = nucleus.distance2([x as f64 + 0.5 - nucleus.at[0], y as f64 + 0.5 - nucleus.at[1]]);
-                let here = libm::exp(-0.5 * d2 / (radius * radius)) as f32;
-                let cell = &mut bell[edges.index(y, ny) * nx + edges.index(x, nx)];
-                *cell = cell.max(here);
+                let row = &mut bell[(row - rows.start) * nx..][..nx];
+                for x in range(nucleus.at[0]) {
+                    if edges == Edges::Closed && !(0..nx as isize).contains(&x) {
+                        continue;
+                    }
+                    let delta = [x as f64 + 0.5 - nucleus.at[0], y as f64 + 0.5 - nucleus.at[1]];
+                    let exponent = -0.5 * nucleus.distance2(delta) / (radius * radius);
+                    let cell = &mut row[edges.index(x, nx)];
+                    // Too far out to be seen in f32 beside the ground.
+                    if exponent > -16.0 {
+                        *cell = cell.max(libm::exp(exponent) as f32);
+                    }
+                }
             }
         }
-    }
+    });
     bell
 }
 

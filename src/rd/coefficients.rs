@@ -42,15 +42,20 @@ impl<'a> Numbers<'a> {
 const ROWS: usize = 64;
 
 impl<const C: usize> Coefficients<C> {
-    /// Asks `of` for the numbers of each cell (`y · nx + x`). Numbers that are 0 in a whole group are left out,
-    /// if `sparse`.
-    pub fn new(grid: Grid, sparse: bool, of: impl Fn(usize) -> [f32; C] + Sync) -> Self {
+    /// Asks `of` for the numbers of each cell, which depend on what `key` knows of it (`y · nx + x`): once where that
+    /// is the same in neighbours. Numbers that are 0 in a whole group are left out, if `sparse`.
+    pub fn new<K: Copy + PartialEq>(
+        grid: Grid,
+        sparse: bool,
+        key: impl Fn(usize) -> K + Sync,
+        of: impl Fn(K) -> [f32; C] + Sync,
+    ) -> Self {
         let mut all = Self { groups: grid.groups(), at: Vec::new(), packs: Vec::new() };
         all.at.reserve_exact(grid.groups() * grid.ny);
         for first in (0..grid.ny).step_by(ROWS) {
             let rows: Vec<_> = (first..grid.ny.min(first + ROWS))
                 .into_par_iter()
-                .map(|y| Row::new(grid, sparse, y, &of))
+                .map(|y| Row::new(grid, sparse, y, &key, &of))
                 .collect();
             rows.into_iter().for_each(|row| all.push(&row));
         }
@@ -60,7 +65,8 @@ impl<const C: usize> Coefficients<C> {
     /// The same but for what `change` makes of a cell's numbers.
     #[must_use]
     pub fn with(&self, grid: Grid, change: impl Fn(usize, [f32; C]) -> [f32; C] + Sync) -> Self {
-        Self::new(grid, false, |cell| change(cell, self.cell(cell % grid.nx, cell / grid.nx)))
+        let own = |cell: usize| self.cell(cell % grid.nx, cell / grid.nx);
+        Self::new(grid, false, |cell| cell, |cell| change(cell, own(cell)))
     }
 
     fn push(&mut self, row: &Row) {
@@ -141,13 +147,25 @@ struct Row {
 }
 
 impl Row {
-    fn new<const C: usize>(grid: Grid, sparse: bool, y: usize, of: &impl Fn(usize) -> [f32; C]) -> Self {
+    fn new<const C: usize, K: Copy + PartialEq>(
+        grid: Grid,
+        sparse: bool,
+        y: usize,
+        key: &impl Fn(usize) -> K,
+        of: &impl Fn(K) -> [f32; C],
+    ) -> Self {
         let mut row = Self { at: Vec::with_capacity(grid.groups()), packs: Vec::new() };
         let mut before = Vec::new();
+        let mut known: Option<(K, [f32; C])> = None;
         for group in 0..grid.groups() {
             let mut numbers = [Lanes([0.0; LANES]); C];
             for j in 0..LANES {
-                let cell = of(y * grid.nx + grid.column(group * LANES + j));
+                let key = key(y * grid.nx + grid.column(group * LANES + j));
+                let cell = match known {
+                    Some((same, numbers)) if same == key => numbers,
+                    _ => of(key),
+                };
+                known = Some((key, cell));
                 for k in 0..C {
                     numbers[k].0[j] = cell[k];
                 }

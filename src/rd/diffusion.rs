@@ -31,9 +31,13 @@ pub struct Run {
 }
 
 impl Diffusion {
-    /// Asks `tensor` for each cell (`y · nx + x`).
-    pub fn new(grid: Grid, tensor: impl Fn(usize) -> Tensor + Sync) -> Self {
-        let weights = Coefficients::new(grid, true, |cell| tensor(cell).weights());
+    /// Asks `tensor` for each cell, as [`Coefficients::new`] does.
+    pub fn new<K: Copy + PartialEq>(
+        grid: Grid,
+        key: impl Fn(usize) -> K + Sync,
+        tensor: impl Fn(K) -> Tensor + Sync,
+    ) -> Self {
+        let weights = Coefficients::new(grid, true, key, |key| tensor(key).weights());
         let (mut largest, mut reach) = (0.0f32, 1);
         for (used, packs) in weights.groups_in_use() {
             for j in 0..LANES {

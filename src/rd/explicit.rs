@@ -168,10 +168,10 @@ mod tests {
         let grid = Grid { nx, ny, edges };
         Problem {
             grid,
-            diffusion: Diffusion::new(grid, |_| tensor),
+            diffusion: Diffusion::new(grid, |_| (), |()| tensor),
             isotropic: [1.0, 1.0],
-            mobility: Coefficients::new(grid, false, |_| [1.0, 1.0]),
-            rate: Coefficients::new(grid, false, |_| [1.0]),
+            mobility: Coefficients::new(grid, false, |_| (), |()| [1.0, 1.0]),
+            rate: Coefficients::new(grid, false, |_| (), |()| [1.0]),
             slowest: 1.0,
         }
     }

@@ -227,8 +227,7 @@ fn sweep_and_swap<const N: usize, K: Kinetics<N>>(
 
 /// Coefficients with the largest time step that is stable.
 fn problem(system: System, maps: &Maps, edges: Edges) -> Problem {
-    let tensor = |cell: usize| {
-        let p = maps.parameters[cell];
+    let tensor = |p: Parameters| {
         let stretch = f64::from(p.stretch.max(MIN_STRETCH));
         let [along, across] = match system {
             System::TuringSpots | System::MeinhardtSpots => [1.0 / stretch, stretch],
@@ -237,7 +236,8 @@ fn problem(system: System, maps: &Maps, edges: Edges) -> Problem {
         Tensor::oriented(along, across, f64::from(p.direction)).on_cells(maps.cell)
     };
     let grid = Grid { nx: maps.nx, ny: maps.ny, edges };
-    let diffusion = Diffusion::new(grid, tensor);
+    let at = |cell: usize| maps.parameters[cell];
+    let diffusion = Diffusion::new(grid, at, tensor);
     let square = Tensor { xx: 1.0, xy: 0.0, yy: 1.0 }.on_cells(maps.cell);
     let isotropic = [square.xx as f32, square.yy as f32];
     let shares = |p: &Parameters| match system {
@@ -245,20 +245,21 @@ fn problem(system: System, maps: &Maps, edges: Edges) -> Problem {
         System::MeinhardtSpots => [1.0 / p.ratio.sqrt(), p.ratio.sqrt()],
         System::MeinhardtStripes => [1.0, meinhardt_stripes::RATIO],
     };
-    let fastest = maps.parameters.iter().map(|p| {
+    let fastest = |p: &Parameters| {
         let [d0, d1] = shares(p);
         match system {
             System::MeinhardtStripes => (d0 * diffusion.largest).max(d1 * (isotropic[0] + isotropic[1])),
             _ => d0.max(d1) * diffusion.largest,
         }
-    });
-    let by_diffusion = DIFFUSION_LIMIT / fastest.fold(0.0, f32::max);
-    let highest = maps.parameters.iter().map(|p| p.rate).fold(0.0, f32::max);
-    let lowest = maps.parameters.iter().map(|p| p.rate).fold(f32::INFINITY, f32::min);
-    let scale = by_diffusion.min(system.reaction_limit() / highest);
-    let mobility =
-        Coefficients::new(grid, false, |cell| shares(&maps.parameters[cell]).map(|share| scale * share));
-    let rate = Coefficients::new(grid, false, |cell| [scale * maps.parameters[cell].rate]);
+    };
+    let of_all = |value: &(dyn Fn(&Parameters) -> f32 + Sync)| {
+        maps.parameters.par_iter().map(value).reduce(|| 0.0, f32::max)
+    };
+    let by_diffusion = DIFFUSION_LIMIT / of_all(&fastest);
+    let lowest = maps.parameters.par_iter().map(|p| p.rate).reduce(|| f32::INFINITY, f32::min);
+    let scale = by_diffusion.min(system.reaction_limit() / of_all(&|p| p.rate));
+    let mobility = Coefficients::new(grid, false, at, |p| shares(&p).map(|share| scale * share));
+    let rate = Coefficients::new(grid, false, at, |p| [scale * p.rate]);
     Problem { grid, diffusion, isotropic, mobility, rate, slowest: scale * lowest }
 }
 

@@ -50,7 +50,8 @@ pub fn radius(ratio: f32) -> f64 {
     0.6 * libm::pow(f64::from(ratio), -0.45)
 }
 
-/// Concentrations to begin from, `bell` 1 in the middle of a spot to be and 0 far away (`facts.md` G).
-pub fn begin(bell: f32, ratio: f32) -> [f32; 2] {
-    [0.02 + peak(ratio) * bell, 0.3]
+/// Concentrations to begin from, `bell` 1 in the middle of a spot to be and 0 far away (`facts.md` G). `peak` is
+/// what [`peak`] says of the ratio there.
+pub fn begin(bell: f32, peak: f32) -> [f32; 2] {
+    [0.02 + peak * bell, 0.3]
 }

@@ -90,7 +90,7 @@ pub fn lay(
         }
     }
     for _ in 0..ROUNDS {
-        placed = relaxed(&placed, &nucleus, PUSH * largest);
+        relax(&mut placed, &nucleus);
     }
     placed.all
 }
@@ -161,7 +161,7 @@ pub fn thinned(
     kept.all
 }
 
-fn relaxed(placed: &Buckets, nucleus: &(dyn Fn([f64; 2]) -> Nucleus + Sync), reach: f64) -> Buckets {
+fn relax(placed: &mut Buckets, nucleus: &(dyn Fn([f64; 2]) -> Nucleus + Sync)) {
     let moved = |point: &Nucleus| {
         let mut shift = [0.0, 0.0];
         placed.near(point, PUSH, |other, delta| {
@@ -175,10 +175,10 @@ fn relaxed(placed: &Buckets, nucleus: &(dyn Fn([f64; 2]) -> Nucleus + Sync), rea
         });
         nucleus(placed.space.folded([point.at[0] + shift[0], point.at[1] + shift[1]]))
     };
-    let mut next = Buckets::new(placed.space, reach);
     let all: Vec<Nucleus> = placed.all.par_iter().with_min_len(FEW).map(moved).collect();
-    all.into_iter().for_each(|point| next.insert(point));
-    next
+    placed.all.clear();
+    placed.cells.iter_mut().for_each(Vec::clear);
+    all.into_iter().for_each(|point| placed.insert(point));
 }
 
 /// Squared distance in pitches, by the mean of both metrics.

@@ -264,12 +264,15 @@ mod tests {
         let between = |[low, high]: [f64; 2], f: f64, i: usize| (low + (high - low) * wave(i, f)) as f32;
         Problem {
             grid,
-            diffusion: Diffusion::new(grid, tensor),
+            diffusion: Diffusion::new(grid, |i| i, tensor),
             isotropic: [1.02, 0.98],
-            mobility: Coefficients::new(grid, false, |i| {
-                [between([0.001, 0.004], 0.1, i), between([0.05, 0.09], 0.2, i)]
-            }),
-            rate: Coefficients::new(grid, false, |i| [between([0.01, 0.05], 0.03, i)]),
+            mobility: Coefficients::new(
+                grid,
+                false,
+                |i| i,
+                |i| [between([0.001, 0.004], 0.1, i), between([0.05, 0.09], 0.2, i)],
+            ),
+            rate: Coefficients::new(grid, false, |i| i, |i| [between([0.01, 0.05], 0.03, i)]),
             slowest: 0.01,
         }
     }

@@ -8,8 +8,9 @@ use crate::marks::Ellipse;
 use crate::measure::{Spot, spot_errors};
 use crate::rd::{System, nuclei};
 
-/// Rounds of laying nuclei; the third changes nothing that the noise of a dozen spots would not hide.
-const ROUNDS: usize = 3;
+/// Rounds of laying nuclei before they are laid to stay; a third changes nothing that the noise of a dozen spots would
+/// not hide.
+const ROUNDS: usize = 2;
 /// How far the pitch may leave the system's own: beyond it spots die or split (`pitch` 0.8 and 1.3 were tried).
 const PITCHES: [f64; 2] = [0.88, 1.2];
 /// Nuclei above which regions are so full that the law alone meets the spacing to a per cent.
