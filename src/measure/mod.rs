@@ -8,7 +8,7 @@
 //! ```
 //!
 //! All results are px and degrees of the canvas, whatever the field's cell is. Nothing depends on the number
-//! of threads: the finer grid is made in parallel, sums are taken in reading order.
+//! of threads: the finer grid is cut into the same stretches of rows for any, and sums are taken in their order.
 
 mod directions;
 mod errors;

@@ -16,9 +16,6 @@ const MOST_NODES: f64 = 3e8;
 /// Nodes of a stretch.
 const STRETCH: usize = 1 << 17;
 
-/// Nodes that are held at a time.
-const BAND: usize = 1 << 20;
-
 pub(super) struct Nodes<'a> {
     field: &'a Field,
     factor: usize,
@@ -35,45 +32,10 @@ impl<'a> Nodes<'a> {
         Self { field, factor, xs }
     }
 
-    /// Hands each row of nodes, from the top: its y (px) and its values.
-    pub(super) fn scan(&self, mut row: impl FnMut(f64, &[f32])) {
-        let field = self.field;
-        let (width, height) = (field.width * self.factor, field.height * self.factor);
-        if width == 0 || height == 0 {
-            return;
-        }
-        let ys = places(height, field.cell[1] / self.factor as f64, field.edges);
-        let spline = (self.factor > 1).then(|| Spline::new(field));
-        let mut framed = vec![0.0; self.xs.len()];
-        let mut first = Vec::new();
-        let mut next = ys.iter();
-        let mut hand = |framed: &[f32]| next.next().map(|y| row(*y, framed));
-        for top in (0..height).step_by((BAND / width).max(1)) {
-            let rows = top..(top + (BAND / width).max(1)).min(height);
-            let made = spline.as_ref().map(|spline| spline.rows(rows.clone(), width, height));
-            let band = made.as_deref().unwrap_or_else(|| &field.values[rows.start * width..rows.end * width]);
-            for (values, y) in band.chunks(width).zip(rows) {
-                self.frame(values, &mut framed);
-                hand(&framed);
-                match field.edges {
-                    Edges::Wrap if y == 0 => first.clone_from(&framed),
-                    Edges::Closed if y == 0 || y + 1 == height => _ = hand(&framed),
-                    _ => {}
-                }
-                if field.edges == Edges::Closed && height == 1 {
-                    hand(&framed);
-                }
-            }
-        }
-        if field.edges == Edges::Wrap {
-            hand(&first);
-        }
-    }
-
-    /// Does `work` on stretches of rows, on all threads: it is given their ys (px) and values, the last row being
-    /// the first of the next stretch. Gives what came of them, in their order; stretches are cut alike whatever the
+    /// Does `work` on stretches of rows, on all threads: it is given their ys (px), their values and whether they are
+    /// the topmost; the last row is the first of the next stretch. Gives what came of them, in their order; stretches are cut alike whatever the
     /// number of threads.
-    pub(super) fn stretches<T: Send>(&self, work: impl Fn(&[f64], &[f32]) -> T + Sync) -> Vec<T> {
+    pub(super) fn stretches<T: Send>(&self, work: impl Fn(&[f64], &[f32], bool) -> T + Sync) -> Vec<T> {
         let field = self.field;
         let (width, height) = (field.width * self.factor, field.height * self.factor);
         if width == 0 || height == 0 {
@@ -106,7 +68,7 @@ impl<'a> Nodes<'a> {
                     None => self.frame(&field.values[y * width..(y + 1) * width], framed),
                 }
             }
-            work(&ys[first..=last], &framed)
+            work(&ys[first..=last], &framed, first == 0)
         };
         firsts.into_par_iter().map(stretch).collect()
     }
@@ -146,10 +108,12 @@ mod tests {
     fn rows(field: &Field, factor: usize) -> (Vec<f64>, Vec<f64>, Vec<Vec<f32>>) {
         let nodes = Nodes::new(field, factor);
         let (mut ys, mut all) = (Vec::new(), Vec::new());
-        nodes.scan(|y, row| {
-            ys.push(y);
-            all.push(row.to_vec());
-        });
+        let stretches = nodes.stretches(|ys, values, top| (ys.to_vec(), values.to_vec(), top));
+        for (some, values, top) in stretches {
+            let again = usize::from(!top);
+            ys.extend_from_slice(&some[again..]);
+            all.extend(values.chunks(nodes.xs.len()).skip(again).map(<[f32]>::to_vec));
+        }
         (nodes.xs.clone(), ys, all)
     }
 

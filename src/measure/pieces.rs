@@ -61,6 +61,11 @@ impl Pieces {
         self.endless[low as usize] |= self.endless[high as usize];
     }
 
+    /// This root's whole meets itself across the border.
+    pub(super) fn close(&mut self, root: u32) {
+        self.endless[root as usize] = true;
+    }
+
     /// Does this root's whole meet itself across the border, having gone right round the tile?
     pub(super) fn is_endless(&self, root: u32) -> bool {
         self.endless[root as usize]

@@ -105,6 +105,8 @@ struct Gatherer<'a> {
     xs: &'a [f64],
     level: f32,
     edges: Edges,
+    /// Is the first row the border of the field?
+    top: bool,
     pieces: Pieces,
     known: Vec<Region>,
     /// The row above: its y, values and labels.
@@ -116,10 +118,11 @@ struct Gatherer<'a> {
 
 fn regions(field: &Field, level: f32, factor: usize) -> Vec<Region> {
     let nodes = Nodes::new(field, factor);
-    let mut gatherer = Gatherer {
+    let gatherer = |top| Gatherer {
         xs: &nodes.xs,
         level,
         edges: field.edges,
+        top,
         pieces: Pieces::default(),
         known: Vec::new(),
         y: 0.0,
@@ -127,8 +130,17 @@ fn regions(field: &Field, level: f32, factor: usize) -> Vec<Region> {
         labels: Vec::new(),
         first: Vec::new(),
     };
-    nodes.scan(|y, values| gatherer.row(y, values));
-    gatherer.finish(field.extent())
+    let stretches = nodes.stretches(|ys, values, top| {
+        let mut gatherer = gatherer(top);
+        for (y, values) in ys.iter().zip(values.chunks_exact(nodes.xs.len())) {
+            gatherer.row(*y, values);
+        }
+        gatherer
+    });
+    let mut stretches = stretches.into_iter();
+    let Some(mut all) = stretches.next() else { return Vec::new() };
+    stretches.for_each(|stretch| all.append(stretch));
+    all.finish(field.extent())
 }
 
 impl Gatherer<'_> {
@@ -136,7 +148,9 @@ impl Gatherer<'_> {
         let labels = self.label(values);
         if self.values.is_empty() {
             self.first.clone_from(&labels);
-            self.touch(&labels);
+            if self.top {
+                self.touch(&labels);
+            }
         } else {
             self.strip(y, values, &labels);
         }
@@ -144,6 +158,25 @@ impl Gatherer<'_> {
         self.values.clear();
         self.values.extend_from_slice(values);
         self.labels = labels;
+    }
+
+    /// Goes on with what was gathered of the rows below, from the last row of this on.
+    fn append(&mut self, mut below: Self) {
+        let offset = self.known.len() as u32;
+        for piece in 0..below.known.len() as u32 {
+            self.pieces.add();
+            let (root, shift) = below.pieces.find(piece);
+            self.pieces.join(offset + root, offset + piece, shift);
+            if piece == root && below.pieces.is_endless(root) {
+                self.pieces.close(offset + root);
+            }
+        }
+        self.known.append(&mut below.known);
+        for (above, below) in self.labels.iter().zip(&below.first).filter(|(above, _)| **above != OUT) {
+            self.pieces.join(*above, offset + below, [0, 0]);
+        }
+        let moved = |label: &u32| if *label == OUT { OUT } else { offset + label };
+        self.labels = below.labels.iter().map(moved).collect();
     }
 
     /// Gives each inside node of a row a piece: its left neighbour's, the one's above, or a new one.

@@ -98,7 +98,7 @@ fn tallied(
 ) -> Vec<Tally> {
     let nodes = Nodes::new(field, factor);
     let n = nodes.xs.len();
-    let stretches = nodes.stretches(|ys, values| {
+    let stretches = nodes.stretches(|ys, values, _| {
         let mut tallies = vec![Tally::default(); regions];
         for (ys, rows) in ys.windows(2).zip(values.chunks_exact(n).collect::<Vec<_>>().windows(2)) {
             let edge = |i: usize| [rows[0][i], rows[0][i + 1], rows[1][i + 1], rows[1][i]];

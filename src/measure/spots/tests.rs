@@ -84,3 +84,16 @@ fn nothing_and_no_number_are_no_spots() {
     assert!(spots(&Field::flat(20, 20, Edges::Wrap, f32::NAN), 0.5).is_empty());
     assert!(spots(&Field::flat(0, 0, Edges::Closed, 1.0), 0.5).is_empty());
 }
+
+#[test]
+fn what_runs_through_all_rows_is_one_region_however_the_rows_are_cut() {
+    for (edges, endless) in [(Edges::Closed, false), (Edges::Wrap, true)] {
+        // Long enough for several stretches of rows at any number of nodes a cell.
+        let bar = |[x, _]: [f64; 2]| if (100.0..140.0).contains(&x) { 1.0 } else { 0.0 };
+        let field = Field::from_fn([300, 3000], [1.0, 1.0], edges, bar);
+        let spots = spots(&field, 0.5);
+        assert_eq!(spots.len(), 1, "{edges:?}");
+        assert!((spots[0].ellipse.area() / (40.0 * 3000.0) - 1.0).abs() < 1e-3, "{edges:?} {spots:?}");
+        assert_eq!((spots[0].endless, spots[0].whole), (endless, false), "{edges:?}");
+    }
+}
