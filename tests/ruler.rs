@@ -284,9 +284,12 @@ fn rings_follow_their_tangents() {
         (0.5 + 0.5 * ((x - 100.0).hypot(y - 100.0) * std::f64::consts::TAU / 12.0).cos()) as f32
     });
     let directions = Directions::of(&rings, 12.0);
-    let tangent = |[x, y]: [f64; 2]| (y - 100.0).atan2(x - 100.0).to_degrees() + 90.0;
-    let far = |[x, y]: [f64; 2]| usize::from((x - 100.0).hypot(y - 100.0) > 25.0);
-    let deviation = directions.deviations(tangent, 2, far)[1].unwrap();
+    let places = directions.ask(|[x, y]| {
+        let (dx, dy) = (x - 100.0, y - 100.0);
+        let double = 2.0 * (dy.atan2(dx) + std::f64::consts::FRAC_PI_2);
+        (usize::from(dx.hypot(dy) > 25.0), [double.cos(), double.sin()])
+    });
+    let deviation = directions.deviations(&places, 2)[1].unwrap();
     assert!(deviation.mean.abs() < 0.05 && deviation.rms < 1.0, "{deviation:?}");
     // As many one way as the other: no direction of their own, though each place has one.
     let statistics = measure::stripes(&rings, 0.5).unwrap();

@@ -11,7 +11,7 @@
 use rayon::prelude::*;
 
 use crate::field::{Edges, Field};
-use crate::marks::{axial, turn};
+use crate::marks::axial;
 
 /// ρ ÷ wavelength: a window of about one wavelength, wide enough to hold both sides of a stripe.
 const RHO: f64 = 0.3;
@@ -28,8 +28,8 @@ const FLOOR: f64 = 1e-3;
 /// Local directions on a grid of blocks.
 #[derive(Clone, Debug)]
 pub struct Directions {
+    /// Blocks in a row.
     columns: usize,
-    rows: usize,
     /// px a block.
     block: [f64; 2],
     /// coherence · (cos 2θ, sin 2θ) of the direction θ along the stripes, by block.
@@ -70,50 +70,77 @@ impl Directions {
             let energy = j[0] + j[2] + FLOOR * mean;
             if energy > 0.0 { [(j[2] - j[0]) / energy, -2.0 * j[1] / energy] } else { [0.0, 0.0] }
         };
-        Self { columns, rows, block, vectors: tensor.iter().map(vector).collect() }
+        Self { columns, block, vectors: tensor.iter().map(vector).collect() }
     }
 
-    /// Each place (px, a block's centre) with its direction along the stripes (degrees) and coherence.
-    pub fn places(&self) -> impl Iterator<Item = ([f64; 2], f64, f64)> {
-        self.vectors.iter().enumerate().map(|(k, [c, s])| {
-            let (x, y) = ((k % self.columns) as f64, (k / self.columns) as f64);
-            let place = [(x + 0.5) * self.block[0], (y + 0.5) * self.block[1]];
-            (place, axial(0.5 * libm::atan2(*s, *c).to_degrees()), (c * c + s * s).sqrt())
-        })
-    }
-
-    /// Coherence-weighted axial mean of the direction where `counts` (px), degrees, and its resultant, 0..1.
-    pub fn mean(&self, counts: impl Fn([f64; 2]) -> bool) -> Option<(f64, f64)> {
-        let counted = self.places().filter(|(place, _, _)| counts(*place));
-        crate::attributes::axial_mean(counted.map(|(_, angle, coherence)| (angle, coherence)))
+    /// Coherence-weighted axial mean of the direction, degrees, and its resultant, 0..1; `None` without any.
+    #[must_use]
+    pub fn mean(&self) -> Option<(f64, f64)> {
+        let (mut sum, mut weight) = ([0.0, 0.0], 0.0);
+        for [c, s] in &self.vectors {
+            sum = [sum[0] + c, sum[1] + s];
+            weight += (c * c + s * s).sqrt();
+        }
+        let angle = axial(0.5 * libm::atan2(sum[1], sum[0]).to_degrees());
+        (weight > 0.0).then(|| (angle, (sum[0] * sum[0] + sum[1] * sum[1]).sqrt() / weight))
     }
 
     /// Mean coherence over the canvas, 0..1.
     #[must_use]
     pub fn coherence(&self) -> f64 {
-        self.places().map(|(_, _, coherence)| coherence).sum::<f64>() / (self.columns * self.rows) as f64
+        let sum: f64 = self.vectors.iter().map(|[c, s]| (c * c + s * s).sqrt()).sum();
+        sum / self.vectors.len() as f64
     }
 
-    /// How the directions deviate from the `wanted` ones (px → degrees) in each of `regions` regions; `None` in
-    /// one without any direction. `region_of` takes px and must answer below `regions`.
+    /// What `of` says of each place (px, a block's centre), in their order, found on all threads.
+    pub fn ask<T: Send>(&self, of: impl Fn([f64; 2]) -> T + Sync) -> Vec<T> {
+        (0..self.vectors.len()).into_par_iter().map(|k| of(self.place(k))).collect()
+    }
+
+    /// By region, how the directions deviate from the wanted ones; `None` in one without any direction.
+    /// `places` holds, in the order of [`Self::ask`], the region and (cos 2θ, sin 2θ) of the direction θ wanted.
     #[must_use]
-    pub fn deviations(
-        &self,
-        wanted: impl Fn([f64; 2]) -> f64,
-        regions: usize,
-        region_of: impl Fn([f64; 2]) -> usize,
-    ) -> Vec<Option<Deviation>> {
-        let mut by_region = vec![Vec::new(); regions];
-        for (place, angle, coherence) in self.places() {
-            by_region[region_of(place)].push((turn(angle, wanted(place)), coherence));
+    pub fn deviations(&self, places: &[(usize, [f64; 2])], regions: usize) -> Vec<Option<Deviation>> {
+        // Of each place: the double-angle vector of its deviation, and coherence · deviation².
+        let each: Vec<([f64; 2], f64, f64)> = self
+            .vectors
+            .par_iter()
+            .zip(places)
+            .map(|([c, s], (_, [cos, sin]))| {
+                let turned = [c * cos + s * sin, s * cos - c * sin];
+                let weight = (c * c + s * s).sqrt();
+                let turn = 0.5 * libm::atan2(turned[1], turned[0]).to_degrees();
+                (turned, weight, weight * turn * turn)
+            })
+            .collect();
+        let mut sums = vec![([0.0, 0.0], 0.0, 0.0); regions];
+        for ((turned, weight, square), (region, _)) in each.iter().zip(places) {
+            let sum = &mut sums[*region];
+            *sum = ([sum.0[0] + turned[0], sum.0[1] + turned[1]], sum.1 + weight, sum.2 + square);
         }
-        let summed = |deviations: Vec<(f64, f64)>| {
-            let weight: f64 = deviations.iter().map(|(_, weight)| weight).sum();
-            let square: f64 = deviations.iter().map(|(turn, weight)| weight * turn * turn).sum();
-            let (mean, _) = crate::attributes::axial_mean(deviations)?;
-            Some(Deviation { mean: turn(mean, 0.0), rms: (square / weight).sqrt(), weight })
+        let deviation = |([c, s], weight, square): ([f64; 2], f64, f64)| {
+            let mean = 0.5 * libm::atan2(s, c).to_degrees();
+            (weight > 0.0).then(|| Deviation { mean, rms: (square / weight).sqrt(), weight })
         };
-        by_region.into_iter().map(summed).collect()
+        sums.into_iter().map(deviation).collect()
+    }
+
+    /// The coherence-weighted axial mean of the direction in each region, degrees; `places` as for
+    /// [`Self::deviations`].
+    #[must_use]
+    pub fn means(&self, places: &[(usize, [f64; 2])], regions: usize) -> Vec<Option<f64>> {
+        let mut sums = vec![[0.0, 0.0]; regions];
+        for ([c, s], (region, _)) in self.vectors.iter().zip(places) {
+            let sum = &mut sums[*region];
+            *sum = [sum[0] + c, sum[1] + s];
+        }
+        let mean = |[c, s]: [f64; 2]| axial(0.5 * libm::atan2(s, c).to_degrees());
+        sums.into_iter().map(|sum| (sum != [0.0, 0.0]).then(|| mean(sum))).collect()
+    }
+
+    fn place(&self, k: usize) -> [f64; 2] {
+        let (x, y) = ((k % self.columns) as f64, (k / self.columns) as f64);
+        [(x + 0.5) * self.block[0], (y + 0.5) * self.block[1]]
     }
 }
 

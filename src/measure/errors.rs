@@ -6,7 +6,7 @@ use super::stripes::{tallies, wavelength};
 use crate::attributes::spacing::{LONGEST, edges, trimmed_mean};
 use crate::attributes::{Attributes, Spots, Stripes, axial_mean};
 use crate::field::{Edges, Field};
-use crate::marks::turn;
+use crate::marks::{axial, turn};
 
 /// The canvas that a layer covers and its regions. Places are px.
 pub struct Canvas<'a> {
@@ -149,20 +149,27 @@ pub fn stripe_errors(field: &Field, level: f32, canvas: &Canvas) -> Vec<StripeEr
         return vec![StripeErrors::default(); canvas.regions];
     }
     let directions = Directions::of(field, wavelength(field, contour));
-    let turns = directions.deviations(|p| (canvas.wanted)(p).angle(), canvas.regions, canvas.region_of);
-    let mut asked = vec![Vec::new(); canvas.regions];
-    for (place, _, _) in directions.places() {
-        if let Attributes::Stripes(wanted) = (canvas.wanted)(place) {
-            asked[(canvas.region_of)(place)].push(wanted);
+    let asked = directions.ask(|place| {
+        let wanted = (canvas.wanted)(place);
+        let double = (2.0 * wanted.angle()).to_radians();
+        ((canvas.region_of)(place), [libm::cos(double), libm::sin(double)], wanted)
+    });
+    let places: Vec<(usize, [f64; 2])> = asked.iter().map(|(region, double, _)| (*region, *double)).collect();
+    let turns = directions.deviations(&places, canvas.regions);
+    let angles = directions.means(&places, canvas.regions);
+    let mut sums = vec![(0.0, 0.0, [0.0, 0.0]); canvas.regions];
+    for (region, [c, s], wanted) in &asked {
+        if let Attributes::Stripes(wanted) = wanted {
+            let (count, width, double) = sums[*region];
+            sums[*region] = (count + 1.0, width + wanted.width, [double[0] + c, double[1] + s]);
         }
     }
     let region = |k: usize| {
-        let angle = directions.mean(|place| (canvas.region_of)(place) == k).map(|(angle, _)| angle);
+        let angle = angles[k];
         let width = (tallies[k].contour > 0.0).then(|| 2.0 * tallies[k].area / tallies[k].contour);
-        let wanted = mean(asked[k].iter().map(|wanted| wanted.width)).map(|width| Stripes {
-            width,
-            angle: axial_mean(asked[k].iter().map(|wanted| (wanted.angle, 1.0))).map_or(0.0, |(a, _)| a),
-        });
+        let (count, sum, [c, s]) = sums[k];
+        let wanted = (count > 0.0)
+            .then(|| Stripes { width: sum / count, angle: axial(0.5 * libm::atan2(s, c).to_degrees()) });
         StripeErrors {
             got: width.zip(angle).map(|(width, angle)| Stripes { width, angle }),
             wanted,

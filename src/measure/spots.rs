@@ -76,7 +76,7 @@ pub fn census(field: &Field, level: f32) -> Census {
 /// With nodes h cells apart, chords and linear crossings cost an area A of the order h² ÷ A; 0.0012 of that was
 /// found to leave errors under 0.1 % (`tests/ruler.rs`).
 fn factor(area: f64) -> usize {
-    ((1.0 / (0.0012 * area)).sqrt().ceil() as usize).clamp(1, 8)
+    ((1.0 / (0.0012 * area)).sqrt().ceil() as usize).clamp(2, 8)
 }
 
 /// What is known of a region once all rows were seen.

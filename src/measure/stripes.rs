@@ -40,7 +40,7 @@ pub fn stripes(field: &Field, level: f32) -> Option<StripeStatistics> {
     }
     let wavelength = wavelength(field, tally.contour);
     let directions = Directions::of(field, wavelength);
-    let (angle, alignment) = directions.mean(|_| true)?;
+    let (angle, alignment) = directions.mean()?;
     Some(StripeStatistics {
         width: 2.0 * tally.area / tally.contour,
         angle,

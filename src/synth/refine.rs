@@ -81,11 +81,10 @@ pub fn refine(
     let size = [0, 1].map(|axis| size[axis].min((FINER * plan.grid[axis] as f64).ceil() as usize));
     watch.step(Stage::Refine, 0.0)?;
     let concentration = pattern.concentration(size);
-    let mut found = measured(plan, &pattern.levelled(&concentration, size));
-    let regions = pattern.correction.len();
-    let mut errors: Vec<Option<f64>> = (0..regions).map(|i| found.size_error(i)).collect();
+    let ruler = Ruler::of(plan);
+    let (mut errors, mut found) = ruler.errors(plan, &pattern.levelled(&concentration, size));
     // d ln size / d ln level, by region; better known after the first correction.
-    let mut slope = vec![first_slope(plan); regions];
+    let mut slope = vec![first_slope(plan); errors.len()];
     for round in 0..ROUNDS {
         watch.step(Stage::Refine, round as f64 / ROUNDS as f64)?;
         if !correct || errors.iter().flatten().all(|error| error.abs() < NEAR) {
@@ -98,16 +97,8 @@ pub fn refine(
             pattern.correction[i] =
                 (pattern.correction[i] * libm::exp(step)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
         }
-        let levelled = pattern.levelled(&concentration, size);
-        let new = match &found {
-            // Widths alone take a third of the time.
-            Measured::Stripes(asked) if round + 1 < ROUNDS => width_errors(plan, &levelled, asked),
-            _ => {
-                found = measured(plan, &levelled);
-                (0..regions).map(|i| found.size_error(i)).collect()
-            }
-        };
-        for i in 0..regions {
+        let (new, measured) = ruler.errors(plan, &pattern.levelled(&concentration, size));
+        for i in 0..slope.len() {
             let (Some(old), Some(new)) = (errors[i], new[i]) else { continue };
             let moved = libm::log(pattern.correction[i] / before[i]);
             if moved.abs() > 1e-4 {
@@ -116,22 +107,61 @@ pub fn refine(
                 slope[i] = seen.clamp(2.0 * slope[i], 0.5 * slope[i]);
             }
         }
-        errors = new;
+        (errors, found) = (new, measured);
     }
-    if let Measured::Stripes(_) = found
-        && pattern.correction.iter().any(|correction| *correction != 1.0)
-    {
-        found = measured(plan, &pattern.levelled(&concentration, size));
-    }
-    Ok(found)
+    Ok(found.unwrap_or_else(|| measured(plan, &pattern.levelled(&concentration, size))))
 }
 
-/// got ÷ wanted − 1 of the width of stripes by region, where what is wanted is known from `asked`.
-fn width_errors(plan: &Plan, pattern: &Field, asked: &[StripeErrors]) -> Vec<Option<f64>> {
-    let widths = plan.on_canvas(|canvas| measure::widths(pattern, 0.5, canvas.regions, canvas.region_of));
-    let error = |(width, asked): (Option<f64>, &StripeErrors)| Some(width? / asked.wanted?.width - 1.0);
-    widths.into_iter().zip(asked).map(error).collect()
+/// What is looked at while levels move.
+enum Ruler {
+    /// All that is told of spots.
+    Spots,
+    /// Only widths, against these by region: directions take longer, and hardly change.
+    Stripes(Vec<f64>),
 }
+
+impl Ruler {
+    fn of(plan: &Plan) -> Self {
+        if plan.system != System::MeinhardtStripes {
+            return Self::Spots;
+        }
+        let layout = plan.map.layout();
+        let width = |index: usize| {
+            let [column, row] = layout.place(index);
+            let share = |i: usize, k: usize, axis: usize| {
+                (k as f64 + (i as f64 + 0.5) / POINTS as f64) / layout.grid[axis] as f64 * layout.size[axis]
+            };
+            let points = (0..POINTS * POINTS)
+                .map(|i| [share(i % POINTS, column, 0), share(i / POINTS, row, 1)])
+                .map(|point| match plan.map.at(point) {
+                    Attributes::Stripes(stripes) => stripes.width,
+                    Attributes::Spots(_) => 0.0,
+                });
+            points.sum::<f64>() / (POINTS * POINTS) as f64
+        };
+        Self::Stripes((0..layout.len()).map(width).collect())
+    }
+
+    /// got ÷ wanted − 1 of area or width by region, and all that was measured where it was.
+    fn errors(&self, plan: &Plan, pattern: &Field) -> (Vec<Option<f64>>, Option<Measured>) {
+        match self {
+            Self::Spots => {
+                let found = measured(plan, pattern);
+                ((0..plan.map.layout().len()).map(|i| found.size_error(i)).collect(), Some(found))
+            }
+            Self::Stripes(wanted) => {
+                let widths =
+                    plan.on_canvas(|canvas| measure::widths(pattern, 0.5, canvas.regions, canvas.region_of));
+                let error = |(got, wanted): (Option<f64>, &f64)| Some(got? / wanted - 1.0);
+                (widths.into_iter().zip(wanted).map(error).collect(), None)
+            }
+        }
+    }
+}
+
+/// Points a region along each side at which its width is asked: even, so that the mean of what is bilinear about the
+/// centre is exact.
+const POINTS: usize = 16;
 
 /// d ln size / d ln level: of a Gaussian bell ln area = ln ln(1/l) + c, at a level of ½; of a stripe with a
 /// sinusoidal profile width = (λ/π) arccos(2l − 1).
