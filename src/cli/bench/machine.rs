@@ -1,5 +1,6 @@
 //! What this machine is, and how busy.
 
+use crate::rd::Instructions;
 use std::fs::read_to_string;
 
 /// The machine that was measured.
@@ -9,7 +10,7 @@ pub struct Machine {
     pub processor: String,
     /// Cores that this program may use.
     pub cores: usize,
-    /// The widest vectors that the solvers can use: `avx512`, `avx2`, `neon` or `baseline`.
+    /// The widest vectors that the fast solver uses here: `avx512`, `avx2`, `neon` or `baseline`.
     pub instructions: &'static str,
 }
 
@@ -28,17 +29,15 @@ fn processor() -> String {
 }
 
 fn instructions() -> &'static str {
-    #[cfg(target_arch = "x86_64")]
-    {
-        if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl") {
-            return "avx512";
-        }
-        if is_x86_feature_detected!("avx2") {
-            return "avx2";
-        }
+    match Instructions::best() {
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx512 => "avx512",
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx2 => "avx2",
+        // Every 64-bit ARM has it.
+        Instructions::Baseline if cfg!(target_arch = "aarch64") => "neon",
+        Instructions::Baseline => "baseline",
     }
-    // Every 64-bit ARM has it.
-    if cfg!(target_arch = "aarch64") { "neon" } else { "baseline" }
 }
 
 /// Processes that ran or waited to run, averaged over the last minute; this program's threads are among them.
