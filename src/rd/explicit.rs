@@ -1,5 +1,6 @@
 //! The plain solver: one explicit Euler step after the other, row by row. The judge of the fast one.
 
+use super::diffusion::CENTER;
 use super::kinetics::{Kinetics, Spread, euler};
 use super::plane::{LANES, MARGIN, Plane};
 use super::problem::Problem;
@@ -9,7 +10,7 @@ use crate::field::Edges;
 /// Steps the chemicals once, from `old` into `new` (whose contents do not matter).
 pub fn step<const N: usize, K: Kinetics<N>>(problem: &Problem, old: &[Plane; N], new: &mut [Plane; N]) {
     let stride = problem.grid.stride();
-    let mut weights = vec![0.0; OFFSETS.len() * stride];
+    let mut weights = vec![0.0; (CENTER + 1) * stride];
     let mut mobility = vec![0.0; 2 * stride];
     let mut rate = vec![0.0; stride];
     let mut spread = vec![0.0; N * stride];
@@ -70,8 +71,8 @@ fn euler_lanes<const N: usize, K: Kinetics<N>>(
     }
 }
 
-/// Σₖ wₖ (u(x + eₖ) + u(x − eₖ) − 2u(x)) along row `y`.
-fn tensor_row(problem: &Problem, u: &Plane, y: usize, used: u8, weights: &[f32], spread: &mut [f32]) {
+/// Σₖ wₖ (u(x + eₖ) + u(x − eₖ)) − (2 Σₖ wₖ) u(x) along row `y`.
+fn tensor_row(problem: &Problem, u: &Plane, y: usize, used: u16, weights: &[f32], spread: &mut [f32]) {
     let (grid, stride) = (problem.grid, problem.grid.stride());
     let cells = MARGIN..MARGIN + grid.nx;
     spread.fill(0.0);
@@ -84,11 +85,14 @@ fn tensor_row(problem: &Problem, u: &Plane, y: usize, used: u8, weights: &[f32],
             &row[cells.start.wrapping_add_signed(dx)..][..grid.nx]
         };
         let weight = &weights[k * stride..][cells.clone()];
-        let (there, back, own) = (shifted(dx, dy), shifted(-dx, -dy), shifted(0, 0));
-        let sums = spread[cells.clone()].iter_mut().zip(weight).zip(there).zip(back).zip(own);
-        for ((((sum, weight), there), back), own) in sums {
-            *sum += weight * (there + back - 2.0 * own);
+        let pairs = weight.iter().zip(shifted(dx, dy)).zip(shifted(-dx, -dy));
+        for (sum, ((weight, there), back)) in spread[cells.clone()].iter_mut().zip(pairs) {
+            *sum += weight * (there + back);
         }
+    }
+    let center = weights[CENTER * stride..][cells.clone()].iter().zip(u.row(y));
+    for (sum, (weight, own)) in spread[cells.clone()].iter_mut().zip(center) {
+        *sum -= weight * own;
     }
     if grid.edges == Edges::Closed {
         let edge_row = y < REACH || y + REACH >= grid.ny;
@@ -115,23 +119,23 @@ fn tensor(problem: &Problem, u: &Plane, [x, y]: [usize; 2]) -> f32 {
         }
     };
     let mut sum = 0.0;
-    for ([dx, dy], weight) in OFFSETS.into_iter().zip(problem.diffusion.weights.cell(x, y)) {
-        sum += weight * (at(dx, dy) + at(-dx, -dy) - 2.0 * own);
+    let weights = problem.diffusion.weights.cell(x, y);
+    for ([dx, dy], weight) in OFFSETS.into_iter().zip(weights) {
+        sum += weight * (at(dx, dy) + at(-dx, -dy));
     }
-    sum
+    sum - weights[CENTER] * own
 }
 
 /// ∂²u/∂x² + ∂²u/∂y² along row `y`, on cells that need not be square.
 fn isotropic_row(problem: &Problem, u: &Plane, y: usize, spread: &mut [f32]) {
-    let (grid, [wx, wy]) = (problem.grid, problem.isotropic);
+    let (grid, [wx, wy, center]) = (problem.grid, problem.isotropic_weights());
     let cells = MARGIN..MARGIN + grid.nx;
     let row = u.memory(y);
     let (own, west, east) = (&row[cells.clone()], &row[cells.start - 1..], &row[cells.start + 1..]);
     let (north, south) = (u.row(grid.row(y as isize - 1)), u.row(grid.row(y as isize + 1)));
     let sums = spread[cells].iter_mut().zip(own).zip(east).zip(west).zip(south).zip(north);
     for (((((sum, own), east), west), south), north) in sums {
-        let twice = 2.0 * own;
-        *sum = wx * (east + west - twice) + wy * (south + north - twice);
+        *sum = wx * (east + west) + wy * (south + north) - center * own;
     }
 }
 

@@ -36,6 +36,8 @@ const SETS: [[usize; 4]; 12] = [
 ];
 /// Any other set: looked up while stepping.
 const MIXED: usize = SETS.len();
+/// The axes, with weights that are all 1: nothing is multiplied by them, which changes no bit.
+const UNIT: usize = MIXED + 1;
 /// The sets as bits.
 const BITS: [u8; SETS.len()] = {
     let mut bits = [0; SETS.len()];
@@ -56,8 +58,16 @@ const fn taps(set: usize) -> ([[isize; 2]; 4], u32) {
 /// The weights that a group keeps, and which they are.
 #[derive(Clone, Copy)]
 struct Kept<'a> {
-    used: u8,
+    used: u16,
     numbers: &'a [Lanes],
+}
+
+impl Kept<'_> {
+    /// How many there are before the weight of the cell itself.
+    #[inline(always)]
+    fn count<const SET: usize>(&self) -> usize {
+        if SET < MIXED { taps(SET).1 as usize } else { self.used.count_ones() as usize - 1 }
+    }
 }
 
 /// The coefficients of one row.
@@ -65,7 +75,8 @@ struct Kept<'a> {
 struct Row<'a> {
     y: usize,
     grid: Grid,
-    isotropic: [f32; 2],
+    /// Weights of the isotropic stencil along x, along y, and of the cell itself.
+    isotropic: [f32; 3],
     weights: Numbers<'a>,
     mobility: Numbers<'a>,
     rate: Numbers<'a>,
@@ -83,7 +94,7 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
     let row = Row {
         y,
         grid,
-        isotropic: problem.isotropic,
+        isotropic: problem.isotropic_weights(),
         weights: problem.diffusion.weights.in_row(y),
         mobility: problem.mobility.in_row(y),
         rate: problem.rate.in_row(y),
@@ -98,10 +109,13 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
             continue;
         }
         first = part.end;
-        let set = BITS.iter().position(|bits| *bits == run.used).unwrap_or(MIXED);
+        let known = BITS.iter().position(|bits| *bits == run.used).unwrap_or(MIXED);
+        let set = if run.unit { UNIT } else { known };
         macro_rules! step {
             ($($known:literal)*) => {
                 match set {
+                    UNIT if run.edge => step_groups::<N, K, V, UNIT, true>(row, from, to, part),
+                    UNIT => step_groups::<N, K, V, UNIT, false>(row, from, to, part),
                     0 if run.edge => step_groups::<N, K, V, 0, true>(row, from, to, part),
                     _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, from, to, part),
                     $($known => step_groups::<N, K, V, $known, false>(row, from, to, part),)*
@@ -116,7 +130,8 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
     }
 }
 
-/// Steps groups that use the same offsets. `SET`: these, by place in [`SETS`], or [`MIXED`]. Where `EDGE` is false,
+/// Steps groups that use the same offsets. `SET`: these, by place in [`SETS`], or [`MIXED`] or
+/// [`UNIT`]. Where `EDGE` is false,
 /// nothing beyond a closed edge is within reach.
 #[inline(always)]
 fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
@@ -158,64 +173,55 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
     weights: Kept,
     u: &[V; N],
 ) -> [V; N] {
-    // SAFETY: as for `step_groups`, whose this is a part.
-    unsafe {
-        let mut spread = [V::of(0.0); N];
-        let lane = place % LANES;
-        let numbers = weights.numbers;
-        if SET == MIXED {
-            let offsets = OFFSETS.into_iter().enumerate().filter(|(k, _)| weights.used & (1 << k) != 0);
-            for ((_, offset), weight) in offsets.zip(numbers) {
-                add_pair::<N, K, V, EDGE>(row, place, from, offset, V::load(&weight.0, lane), u, &mut spread);
-            }
-        } else {
-            // By hand: a loop is not always unrolled, and then its offsets are no constants.
-            let (offset, taps) = const { taps(if SET == MIXED { 0 } else { SET }) };
-            let weight = |k: usize| V::load(&numbers[k].0, lane);
-            add_pair::<N, K, V, EDGE>(row, place, from, offset[0], weight(0), u, &mut spread);
-            add_pair::<N, K, V, EDGE>(row, place, from, offset[1], weight(1), u, &mut spread);
-            if taps > 2 {
-                add_pair::<N, K, V, EDGE>(row, place, from, offset[2], weight(2), u, &mut spread);
-            }
-            if taps > 3 {
-                add_pair::<N, K, V, EDGE>(row, place, from, offset[3], weight(3), u, &mut spread);
-            }
-        }
-        for i in 0..N {
-            if let Spread::Isotropic(_) = K::SPREAD[i] {
-                let [wx, wy] = row.isotropic.map(V::of);
-                let along = second_difference::<V, EDGE>(row, place, &from[i], [1, 0], u[i]);
-                let down = second_difference::<V, EDGE>(row, place, &from[i], [0, 1], u[i]);
-                spread[i] = wx * along + wy * down;
-            }
-        }
-        spread
-    }
-}
-
-/// Adds w (u(x + e) + u(x − e) − 2u(x)) to the spread of the chemicals that feel the tensor.
-#[inline(always)]
-unsafe fn add_pair<const N: usize, K: Kinetics<N>, V: Vector, const EDGE: bool>(
-    row: &Row,
-    place: usize,
-    from: &Window<N>,
-    offset: [isize; 2],
-    weight: V,
-    u: &[V; N],
-    spread: &mut [V; N],
-) {
+    let mut spread = [V::of(0.0); N];
+    let lane = place % LANES;
     for i in 0..N {
-        if let Spread::Tensor(_) = K::SPREAD[i] {
+        let center = match K::SPREAD[i] {
+            Spread::Still => continue,
+            Spread::Isotropic(_) => V::of(row.isotropic[2]),
+            Spread::Tensor(_) if SET == UNIT => V::of(4.0),
+            // SAFETY: `Lanes` hold LANES numbers.
+            Spread::Tensor(_) => unsafe { V::load(&weights.numbers[weights.count::<SET>()].0, lane) },
+        };
+        let pair = |offset: [isize; 2]| {
             // SAFETY: as for `step_groups`, whose this is a part.
-            let difference = unsafe { second_difference::<V, EDGE>(row, place, &from[i], offset, u[i]) };
-            spread[i] = spread[i] + weight * difference;
-        }
+            unsafe { neighbours::<V, EDGE>(row, place, &from[i], offset, u[i]) }
+        };
+        // SAFETY: `Lanes` hold LANES numbers.
+        let weighed = |k: usize, offset| unsafe { V::load(&weights.numbers[k].0, lane) } * pair(offset);
+        let around = match K::SPREAD[i] {
+            Spread::Tensor(_) if SET == UNIT => pair([1, 0]) + pair([0, 1]),
+            Spread::Tensor(_) if SET == MIXED => {
+                let mut sum = V::of(0.0);
+                let offsets = OFFSETS.into_iter().enumerate().filter(|(k, _)| weights.used & (1 << k) != 0);
+                for (kept, (_, offset)) in offsets.enumerate() {
+                    sum = sum + weighed(kept, offset);
+                }
+                sum
+            }
+            Spread::Tensor(_) => {
+                // By hand: a loop is not always unrolled, and then its offsets are no constants.
+                let (offset, taps) = const { taps(if SET < MIXED { SET } else { 0 }) };
+                let mut sum = weighed(0, offset[0]) + weighed(1, offset[1]);
+                if taps > 2 {
+                    sum = sum + weighed(2, offset[2]);
+                }
+                if taps > 3 {
+                    sum = sum + weighed(3, offset[3]);
+                }
+                sum
+            }
+            _ if row.isotropic == [1.0, 1.0, 4.0] => pair([1, 0]) + pair([0, 1]),
+            _ => V::of(row.isotropic[0]) * pair([1, 0]) + V::of(row.isotropic[1]) * pair([0, 1]),
+        };
+        spread[i] = around - center * u[i];
     }
+    spread
 }
 
-/// u(x + e) + u(x − e) − 2u(x). What lies beyond a closed edge counts as the cell's `own`.
+/// u(x + e) + u(x − e). What lies beyond a closed edge counts as the cell's `own`.
 #[inline(always)]
-unsafe fn second_difference<V: Vector, const EDGE: bool>(
+unsafe fn neighbours<V: Vector, const EDGE: bool>(
     row: &Row,
     place: usize,
     rows: &[&[f32]; 2 * REACH + 1],
@@ -233,7 +239,7 @@ unsafe fn second_difference<V: Vector, const EDGE: bool>(
         there = keep_inside(row, place, [dx, dy], own, there);
         back = keep_inside(row, place, [-dx, -dy], own, back);
     }
-    there + back - V::of(2.0) * own
+    there + back
 }
 
 /// Of the concentrations `there`, at an offset (dx, dy) from the cells `own`, puts the cells' own in the place of

@@ -22,6 +22,13 @@ pub struct Problem {
 }
 
 impl Problem {
+    /// Weights of the isotropic stencil along x, along y, and of the cell itself.
+    #[must_use]
+    pub fn isotropic_weights(&self) -> [f32; 3] {
+        let [x, y] = self.isotropic;
+        [x, y, 2.0 * (x + y)]
+    }
+
     /// Leaves the cells that `frozen` names (`y · nx + x`) as they are from now on. Their neighbours still see them.
     pub fn freeze(&mut self, frozen: &(impl Fn(usize) -> bool + Sync)) {
         // A step adds 0 · what diffusion and reaction would do, which is 0 while that is finite.
