@@ -82,6 +82,12 @@ impl<const C: usize> Coefficients<C> {
         self.in_row(y).of(group)
     }
 
+    /// Where the numbers of a group stand: the same for groups that share them.
+    #[must_use]
+    pub fn place(&self, group: usize, y: usize) -> u32 {
+        self.at[y * self.groups + group].1
+    }
+
     /// The numbers of row `y`.
     #[inline(always)]
     #[must_use]

@@ -170,14 +170,9 @@ mod tests {
 
     fn problem(nx: usize, ny: usize, edges: Edges, tensor: Tensor) -> Problem {
         let grid = Grid { nx, ny, edges };
-        Problem {
-            grid,
-            diffusion: Diffusion::new(grid, |_| (), |()| tensor),
-            isotropic: [1.0, 1.0],
-            mobility: Coefficients::new(grid, false, |_| (), |()| [1.0, 1.0]),
-            rate: Coefficients::new(grid, false, |_| (), |()| [1.0]),
-            slowest: 1.0,
-        }
+        let rate = Coefficients::new(grid, false, |_| (), |()| [1.0]);
+        let mobility = Coefficients::new(grid, false, |_| (), |()| [1.0, 1.0]);
+        Problem::new(grid, Diffusion::new(grid, |_| (), |()| tensor), [1.0, 1.0], mobility, rate, 1.0)
     }
 
     #[test]

@@ -260,7 +260,7 @@ fn problem(system: System, maps: &Maps, edges: Edges) -> Problem {
     let scale = by_diffusion.min(system.reaction_limit() / of_all(&|p| p.rate));
     let mobility = Coefficients::new(grid, false, at, |p| shares(&p).map(|share| scale * share));
     let rate = Coefficients::new(grid, false, at, |p| [scale * p.rate]);
-    Problem { grid, diffusion, isotropic, mobility, rate, slowest: scale * lowest }
+    Problem::new(grid, diffusion, isotropic, mobility, rate, scale * lowest)
 }
 
 #[cfg(test)]

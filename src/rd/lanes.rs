@@ -55,21 +55,6 @@ const fn taps(set: usize) -> ([[isize; 2]; 4], u32) {
     ([OFFSETS[a], OFFSETS[b], OFFSETS[c], OFFSETS[d]], BITS[set].count_ones())
 }
 
-/// The weights that a group keeps, and which they are.
-#[derive(Clone, Copy)]
-struct Kept<'a> {
-    used: u16,
-    numbers: &'a [Lanes],
-}
-
-impl Kept<'_> {
-    /// How many there are before the weight of the cell itself.
-    #[inline(always)]
-    fn count<const SET: usize>(&self) -> usize {
-        if SET < MIXED { taps(SET).1 as usize } else { self.used.count_ones() as usize - 1 }
-    }
-}
-
 /// The coefficients of one row.
 #[derive(Clone, Copy)]
 struct Row<'a> {
@@ -82,15 +67,34 @@ struct Row<'a> {
     rate: Numbers<'a>,
 }
 
-/// Steps the cells of row `y`, from the rows about it into `to`.
+/// The coefficients of one group.
+#[derive(Clone, Copy)]
+struct Group<'a> {
+    /// The offsets in use, as bits.
+    used: u16,
+    weights: &'a [Lanes],
+    mobility: &'a [Lanes],
+    rate: &'a [Lanes],
+}
+
+impl<'a> Row<'a> {
+    #[inline(always)]
+    fn group(&self, group: usize) -> Group<'a> {
+        let (used, weights) = self.weights.of(group);
+        Group { used, weights, mobility: self.mobility.of(group).1, rate: self.rate.of(group).1 }
+    }
+}
+
+/// Steps the cells of row `y` in `groups`, from the rows about it into `to`.
 #[inline(always)]
 pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
     problem: &Problem,
     y: usize,
     from: &Window<N>,
     to: &mut [&mut [f32]; N],
+    groups: Range<usize>,
 ) {
-    let (grid, groups) = (problem.grid, problem.grid.inner());
+    let grid = problem.grid;
     let row = Row {
         y,
         grid,
@@ -103,7 +107,7 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
     let rows = from.iter().flatten().map(|row| row.len()).chain(to.iter().map(|row| row.len()));
     assert!(groups.start * LANES >= REACH && rows.min() >= Some(groups.end * LANES + REACH));
     let mut first = groups.start;
-    for run in problem.diffusion.runs(y) {
+    for run in problem.runs.of(y) {
         let part = first..groups.end.min(run.end as usize);
         if part.is_empty() {
             continue;
@@ -114,12 +118,12 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
         macro_rules! step {
             ($($known:literal)*) => {
                 match set {
-                    UNIT if run.edge => step_groups::<N, K, V, UNIT, true>(row, from, to, part),
-                    UNIT => step_groups::<N, K, V, UNIT, false>(row, from, to, part),
-                    0 if run.edge => step_groups::<N, K, V, 0, true>(row, from, to, part),
-                    _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, from, to, part),
-                    $($known => step_groups::<N, K, V, $known, false>(row, from, to, part),)*
-                    _ => step_groups::<N, K, V, MIXED, false>(row, from, to, part),
+                    UNIT if run.edge => step_groups::<N, K, V, UNIT, true>(row, from, to, part, run.same),
+                    UNIT => step_groups::<N, K, V, UNIT, false>(row, from, to, part, run.same),
+                    0 if run.edge => step_groups::<N, K, V, 0, true>(row, from, to, part, run.same),
+                    _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, from, to, part, run.same),
+                    $($known => step_groups::<N, K, V, $known, false>(row, from, to, part, run.same),)*
+                    _ => step_groups::<N, K, V, MIXED, false>(row, from, to, part, run.same),
                 }
             };
         }
@@ -130,20 +134,30 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
     }
 }
 
-/// Steps groups that use the same offsets. `SET`: these, by place in [`SETS`], or [`MIXED`] or
-/// [`UNIT`]. Where `EDGE` is false,
-/// nothing beyond a closed edge is within reach.
+/// Steps groups that use the same offsets. `SET`: these, by place in [`SETS`], or [`MIXED`] or [`UNIT`]. Where `EDGE`
+/// is false, nothing beyond a closed edge is within reach. `same`: all have the coefficients of the first.
 #[inline(always)]
 fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
     row: Row,
     from: &Window<N>,
     to: &mut [&mut [f32]; N],
     groups: Range<usize>,
+    same: bool,
 ) {
+    // Pointers, since whoever writes through slices has to look up again where the others lie.
+    let mut rows = [[std::ptr::null(); 2 * REACH + 1]; N];
+    let mut out = [std::ptr::null_mut(); N];
+    for i in 0..N {
+        for d in 0..2 * REACH + 1 {
+            rows[i][d] = from[i][d].as_ptr();
+        }
+        out[i] = to[i].as_mut_ptr();
+    }
+    let mut coefficients = row.group(groups.start);
     for group in groups {
-        let (used, weights) = row.weights.of(group);
-        let weights = Kept { used, numbers: weights };
-        let (mobility, rate) = (row.mobility.of(group).1, row.rate.of(group).1);
+        if !same {
+            coefficients = row.group(group);
+        }
         for lane in (0..LANES).step_by(V::WIDTH) {
             let place = group * LANES + lane;
             // SAFETY: `step_row` made sure that the rows reach beyond the groups by the stencil's reach on both
@@ -151,68 +165,74 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
             unsafe {
                 let mut u = [V::of(0.0); N];
                 for i in 0..N {
-                    u[i] = V::load(from[i][REACH], place);
+                    u[i] = V::load(rows[i][REACH].add(place));
                 }
-                let spread = spread::<N, K, V, SET, EDGE>(&row, from, place, weights, &u);
-                let mobility = [V::load(&mobility[0].0, lane), V::load(&mobility[1].0, lane)];
-                let next = euler::<N, K, V>(u, spread, mobility, V::load(&rate[0].0, lane));
+                let spread = spread::<N, K, V, SET, EDGE>(&row, &rows, place, &coefficients, &u);
+                let [m0, m1] = [0, 1].map(|m: usize| V::load(number(coefficients.mobility, m, lane)));
+                let rate = V::load(number(coefficients.rate, 0, lane));
+                let next = euler::<N, K, V>(u, spread, [m0, m1], rate);
                 for i in 0..N {
-                    next[i].store(to[i], place);
+                    next[i].store(out[i].add(place));
                 }
             }
         }
     }
 }
 
+/// Where number `k` of a group stands for the cell in `lane`.
+#[inline(always)]
+fn number(packs: &[Lanes], k: usize, lane: usize) -> *const f32 {
+    packs[k].0[lane..].as_ptr()
+}
+
 /// What diffusion alone would do to the cells at `place` and after, mobility left out.
 #[inline(always)]
 unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
     row: &Row,
-    from: &Window<N>,
+    rows: &[[*const f32; 2 * REACH + 1]; N],
     place: usize,
-    weights: Kept,
+    coefficients: &Group,
     u: &[V; N],
 ) -> [V; N] {
     let mut spread = [V::of(0.0); N];
     let lane = place % LANES;
+    // SAFETY: `Lanes` hold LANES numbers.
+    let weight = |k: usize| unsafe { V::load(number(coefficients.weights, k, lane)) };
     for i in 0..N {
-        let center = match K::SPREAD[i] {
-            Spread::Still => continue,
-            Spread::Isotropic(_) => V::of(row.isotropic[2]),
-            Spread::Tensor(_) if SET == UNIT => V::of(4.0),
-            // SAFETY: `Lanes` hold LANES numbers.
-            Spread::Tensor(_) => unsafe { V::load(&weights.numbers[weights.count::<SET>()].0, lane) },
-        };
         let pair = |offset: [isize; 2]| {
             // SAFETY: as for `step_groups`, whose this is a part.
-            unsafe { neighbours::<V, EDGE>(row, place, &from[i], offset, u[i]) }
+            unsafe { neighbours::<V, EDGE>(row, place, &rows[i], offset, u[i]) }
         };
-        // SAFETY: `Lanes` hold LANES numbers.
-        let weighed = |k: usize, offset| unsafe { V::load(&weights.numbers[k].0, lane) } * pair(offset);
-        let around = match K::SPREAD[i] {
-            Spread::Tensor(_) if SET == UNIT => pair([1, 0]) + pair([0, 1]),
+        let (around, center) = match K::SPREAD[i] {
+            Spread::Still => continue,
+            Spread::Tensor(_) if SET == UNIT => (pair([1, 0]) + pair([0, 1]), V::of(4.0)),
             Spread::Tensor(_) if SET == MIXED => {
-                let mut sum = V::of(0.0);
-                let offsets = OFFSETS.into_iter().enumerate().filter(|(k, _)| weights.used & (1 << k) != 0);
-                for (kept, (_, offset)) in offsets.enumerate() {
-                    sum = sum + weighed(kept, offset);
+                let (mut sum, mut kept) = (V::of(0.0), 0);
+                for (k, offset) in OFFSETS.into_iter().enumerate() {
+                    if coefficients.used & (1 << k) != 0 {
+                        sum = sum + weight(kept) * pair(offset);
+                        kept += 1;
+                    }
                 }
-                sum
+                (sum, weight(kept))
             }
             Spread::Tensor(_) => {
                 // By hand: a loop is not always unrolled, and then its offsets are no constants.
                 let (offset, taps) = const { taps(if SET < MIXED { SET } else { 0 }) };
-                let mut sum = weighed(0, offset[0]) + weighed(1, offset[1]);
+                let mut sum = weight(0) * pair(offset[0]) + weight(1) * pair(offset[1]);
                 if taps > 2 {
-                    sum = sum + weighed(2, offset[2]);
+                    sum = sum + weight(2) * pair(offset[2]);
                 }
                 if taps > 3 {
-                    sum = sum + weighed(3, offset[3]);
+                    sum = sum + weight(3) * pair(offset[3]);
                 }
-                sum
+                (sum, weight(taps as usize))
             }
-            _ if row.isotropic == [1.0, 1.0, 4.0] => pair([1, 0]) + pair([0, 1]),
-            _ => V::of(row.isotropic[0]) * pair([1, 0]) + V::of(row.isotropic[1]) * pair([0, 1]),
+            _ if row.isotropic == [1.0, 1.0, 4.0] => (pair([1, 0]) + pair([0, 1]), V::of(4.0)),
+            _ => {
+                let [wx, wy, center] = row.isotropic.map(V::of);
+                (wx * pair([1, 0]) + wy * pair([0, 1]), center)
+            }
         };
         spread[i] = around - center * u[i];
     }
@@ -224,15 +244,15 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
 unsafe fn neighbours<V: Vector, const EDGE: bool>(
     row: &Row,
     place: usize,
-    rows: &[&[f32]; 2 * REACH + 1],
+    rows: &[*const f32; 2 * REACH + 1],
     [dx, dy]: [isize; 2],
     own: V,
 ) -> V {
     // SAFETY: as for `step_groups`, whose this is a part.
     let [mut there, mut back] = unsafe {
         [
-            V::load(rows[REACH.wrapping_add_signed(dy)], place.wrapping_add_signed(dx)),
-            V::load(rows[REACH.wrapping_sub_signed(dy)], place.wrapping_sub_signed(dx)),
+            V::load(rows[REACH.wrapping_add_signed(dy)].add(place).offset(dx)),
+            V::load(rows[REACH.wrapping_sub_signed(dy)].add(place).offset(-dx)),
         ]
     };
     if EDGE {
@@ -251,7 +271,7 @@ fn keep_inside<V: Vector>(row: &Row, place: usize, [dx, dy]: [isize; 2], own: V,
     }
     // Columns that far from 0 are exact in f32.
     // SAFETY: there are LANES columns, and `place % LANES + V::WIDTH` of them at most are asked for.
-    let lane = unsafe { V::load(&COLUMNS, place % LANES) };
+    let lane = unsafe { V::load(COLUMNS[place % LANES..].as_ptr()) };
     let first = (place - place % LANES) as isize - MARGIN as isize;
     let x = lane + V::of((first + dx) as f32);
     let there = own.where_less(x, V::of(0.0), there);

@@ -16,6 +16,7 @@ mod nuclei;
 mod plane;
 mod problem;
 mod prolong;
+mod runs;
 pub mod selling;
 mod turing_spots;
 mod vector;

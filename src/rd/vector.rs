@@ -32,17 +32,17 @@ pub trait Vector: Number {
     /// How many.
     const WIDTH: usize;
 
-    /// Those from `at` on.
+    /// Those from `from` on, which need not be aligned.
     ///
     /// # Safety
-    /// `values` must reach to `at + WIDTH`.
-    unsafe fn load(values: &[f32], at: usize) -> Self;
+    /// `WIDTH` numbers must be readable there.
+    unsafe fn load(from: *const f32) -> Self;
 
-    /// Writes them from `at` on.
+    /// Writes them from `to` on, which need not be aligned.
     ///
     /// # Safety
-    /// `values` must reach to `at + WIDTH`.
-    unsafe fn store(self, values: &mut [f32], at: usize);
+    /// `WIDTH` numbers must be writable there.
+    unsafe fn store(self, to: *mut f32);
 
     /// Lane by lane, `self` where a < b and `other` elsewhere.
     #[must_use]
@@ -73,17 +73,15 @@ impl Vector for Four {
     const WIDTH: usize = 4;
 
     #[inline(always)]
-    unsafe fn load(values: &[f32], at: usize) -> Self {
-        debug_assert!(at + Self::WIDTH <= values.len());
-        // SAFETY: within `values`, says the caller.
-        Self(unsafe { values.as_ptr().add(at).cast::<[f32; 4]>().read_unaligned() })
+    unsafe fn load(from: *const f32) -> Self {
+        // SAFETY: readable, says the caller.
+        Self(unsafe { from.cast::<[f32; 4]>().read_unaligned() })
     }
 
     #[inline(always)]
-    unsafe fn store(self, values: &mut [f32], at: usize) {
-        debug_assert!(at + Self::WIDTH <= values.len());
-        // SAFETY: within `values`, says the caller.
-        unsafe { values.as_mut_ptr().add(at).cast::<[f32; 4]>().write_unaligned(self.0) }
+    unsafe fn store(self, to: *mut f32) {
+        // SAFETY: writable, says the caller.
+        unsafe { to.cast::<[f32; 4]>().write_unaligned(self.0) }
     }
 
     #[inline(always)]
@@ -145,17 +143,15 @@ mod x86 {
                 const WIDTH: usize = $width;
 
                 #[inline(always)]
-                unsafe fn load(values: &[f32], at: usize) -> Self {
-                    debug_assert!(at + Self::WIDTH <= values.len());
-                    // SAFETY: within `values`, says the caller.
-                    Self(unsafe { $load(values.as_ptr().add(at)) })
+                unsafe fn load(from: *const f32) -> Self {
+                    // SAFETY: readable, says the caller.
+                    Self(unsafe { $load(from) })
                 }
 
                 #[inline(always)]
-                unsafe fn store(self, values: &mut [f32], at: usize) {
-                    debug_assert!(at + Self::WIDTH <= values.len());
-                    // SAFETY: within `values`, says the caller.
-                    unsafe { $store(values.as_mut_ptr().add(at), self.0) }
+                unsafe fn store(self, to: *mut f32) {
+                    // SAFETY: writable, says the caller.
+                    unsafe { $store(to, self.0) }
                 }
 
                 #[inline(always)]

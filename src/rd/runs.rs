@@ -1,0 +1,84 @@
+//! Which groups of a row are stepped alike.
+
+use super::coefficients::Coefficients;
+use super::diffusion::CENTER;
+use super::plane::{Grid, LANES, MARGIN};
+use super::selling::REACH;
+use crate::field::Edges;
+
+/// Groups of one row that are stepped alike.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// The first group after it.
+    pub end: u32,
+    /// The offsets that they use, as bits.
+    pub used: u8,
+    /// Whether all their weights are 1: isotropic diffusion on square cells.
+    pub unit: bool,
+    /// Whether all their coefficients are those of the first.
+    pub same: bool,
+    /// Whether something beyond a closed edge is within reach.
+    pub edge: bool,
+}
+
+/// The runs of every row, once for rows that are alike.
+#[derive(Clone, Debug)]
+pub struct Runs {
+    /// Where those of each row begin.
+    rows: Vec<u32>,
+    runs: Vec<Run>,
+}
+
+impl Runs {
+    /// Looks for runs where these are the coefficients.
+    #[must_use]
+    pub fn new(
+        grid: Grid,
+        weights: &Coefficients<{ CENTER + 1 }>,
+        mobility: &Coefficients<2>,
+        rate: &Coefficients<1>,
+    ) -> Self {
+        let (mut rows, mut runs) = (vec![], vec![]);
+        for y in 0..grid.ny {
+            let like =
+                |group: usize| (weights.place(group, y), mobility.place(group, y), rate.place(group, y));
+            let mut row: Vec<Run> = Vec::new();
+            for group in 0..grid.groups() {
+                let run = Run { end: group as u32 + 1, ..alone(grid, group, y, weights) };
+                match row.last_mut() {
+                    Some(last) if (last.used, last.unit, last.edge) == (run.used, run.unit, run.edge) => {
+                        last.same &= like(group) == like(group - 1);
+                        last.end = run.end;
+                    }
+                    _ => row.push(run),
+                }
+            }
+            let above = rows.last().map_or(0, |first| *first as usize);
+            if runs[above..] == row {
+                rows.push(above as u32);
+            } else {
+                rows.push(runs.len() as u32);
+                runs.extend_from_slice(&row);
+            }
+        }
+        Self { rows, runs }
+    }
+
+    /// The runs of row `y` and of the rows after it, from the first group on; those of a row end with its last group.
+    #[must_use]
+    pub fn of(&self, y: usize) -> &[Run] {
+        &self.runs[self.rows[y] as usize..]
+    }
+}
+
+/// A run of one group, its end left open.
+fn alone(grid: Grid, group: usize, y: usize, weights: &Coefficients<{ CENTER + 1 }>) -> Run {
+    let (kept, packs) = weights.of(group, y);
+    // The bits of the offsets, without that of the centre.
+    let used = (kept & ((1 << CENTER) - 1)) as u8;
+    let unit = used == 0b11 && packs[..2].iter().all(|pack| pack.0 == [1.0; LANES]);
+    let left = group * LANES < MARGIN + REACH;
+    let right = (group + 1) * LANES + REACH > MARGIN + grid.nx;
+    let near = left || right || y < REACH || y + REACH >= grid.ny;
+    Run { end: 0, used, unit, same: true, edge: near && grid.edges == Edges::Closed }
+}
