@@ -85,16 +85,15 @@ impl<'a> Row<'a> {
     }
 }
 
-/// Steps the cells of row `y` in `groups`, from the rows about it into `to`.
+/// Steps the cells of row `y`, from the rows about it into `to`.
 #[inline(always)]
 pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
     problem: &Problem,
     y: usize,
     from: &Window<N>,
     to: &mut [&mut [f32]; N],
-    groups: Range<usize>,
 ) {
-    let grid = problem.grid;
+    let (grid, groups) = (problem.grid, problem.grid.inner());
     let row = Row {
         y,
         grid,

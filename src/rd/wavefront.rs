@@ -31,18 +31,13 @@ pub struct Tiling {
     pub bands: usize,
 }
 
-/// Bytes that the rows between the levels and the coefficients may take of a core's second-level cache. Tuned on
-/// grids of 1024², 2048² and 6000² with 2 MB of it; half of what processors with 1 MB have.
-const CACHE: usize = 768 << 10;
+/// Bytes that the rows between the levels and the coefficients may take of a core's second-level cache: as much as
+/// many processors have; tuned at 1024², 2048² and 6000² on one with 2 MB.
+const CACHE: usize = 1 << 20;
 /// Steps a sweep at most: more gained nothing.
 const LEVELS: usize = 8;
 /// The share of rows that a band may step for itself though they are a neighbour's.
 const SHARED: f64 = 0.06;
-/// Rows of a level that are made before the next level's, so that what is read for one serves the others; tuned at
-/// 1024².
-const ROWS: usize = 4;
-/// Groups of columns that are made before the next row's: their rows stay in the first-level cache. Tuned at 1024².
-const GROUPS: usize = 32;
 /// Cells that a band must have at least to be worth handing to a thread.
 const CELLS_A_BAND: usize = 8_192;
 
@@ -53,8 +48,8 @@ impl Tiling {
         let (grid, reach) = (problem.grid, problem.diffusion.reach);
         let bands = (grid.nx * grid.ny / CELLS_A_BAND).clamp(1, threads.max(1));
         let rows = grid.ny.div_ceil(bands);
-        // A level keeps some rows of each chemical and trails the one before by r rows of seven coefficients.
-        let a_level = ((2 * reach + ROWS) * chemicals + 7 * reach) * grid.stride() * size_of::<f32>();
+        // A level keeps 2r + 1 rows of each chemical and trails the one before by r rows of seven coefficients.
+        let a_level = ((2 * reach + 1) * chemicals + 7 * reach) * grid.stride() * size_of::<f32>();
         let alone = bands == 1 && grid.edges == Edges::Closed;
         let by_sharing = if alone { LEVELS } else { 1 + (SHARED * rows as f64) as usize / reach };
         Self { levels: (CACHE / a_level).min(by_sharing).clamp(1, LEVELS), bands }
@@ -148,13 +143,8 @@ struct Band<'a, const N: usize> {
 }
 
 impl<const N: usize> Band<'_, N> {
-    /// Rows that a level keeps: those being made, and those that the next level still looks at.
-    fn ring_rows(&self) -> usize {
-        ROWS + 2 * self.problem.diffusion.reach
-    }
-
     fn sweep<K: Kinetics<N>>(&mut self, instructions: Instructions) {
-        let ring = self.problem.grid.groups() * N * self.ring_rows();
+        let ring = self.problem.grid.groups() * N * (2 * self.problem.diffusion.reach + 1);
         self.rings.resize(self.levels.saturating_sub(1).max(self.rings.len()), Vec::new());
         for level in self.rings.iter_mut() {
             level.resize(ring, Lanes([0.0; LANES]));
@@ -188,70 +178,63 @@ impl<const N: usize> Band<'_, N> {
         let (grid, reach) = (self.problem.grid, self.problem.diffusion.reach as isize);
         let (top, end) = (self.rows.start as isize, self.rows.end as isize);
         let levels = self.levels as isize;
-        let first = top - reach * (levels - 1);
-        for front in (first..end + reach * (levels - 1)).step_by(ROWS) {
+        for front in top - reach * (levels - 1)..end + reach * (levels - 1) {
             for level in 1..=levels {
                 let y = front - reach * (level - 1);
                 let more = reach * (levels - level);
-                let mut rows = y.max(top - more)..(y + ROWS as isize).min(end + more);
-                if grid.edges == Edges::Closed {
-                    rows = rows.start.max(0)..rows.end.min(grid.ny as isize);
-                }
-                if !rows.is_empty() {
-                    self.block::<K, V>(level as usize, rows);
+                let inside = grid.edges == Edges::Wrap || (0..grid.ny as isize).contains(&y);
+                if inside && (top - more..end + more).contains(&y) {
+                    self.row::<K, V>(level as usize, y);
                 }
             }
         }
     }
 
-    /// Steps at most [`ROWS`] rows (counted on beyond the border where edges wrap) of one level, some columns at a
-    /// time: what one row has read, the next finds in the first-level cache.
+    /// Steps row `y` (counted on beyond the border where edges wrap) of one level.
     #[inline(always)]
-    fn block<K: Kinetics<N>, V: Vector>(&mut self, level: usize, rows: Range<isize>) {
-        let grid = self.problem.grid;
+    fn row<K: Kinetics<N>, V: Vector>(&mut self, level: usize, y: isize) {
+        let (grid, reach) = (self.problem.grid, self.problem.diffusion.reach);
         let stride = grid.stride();
-        let ring_rows = self.ring_rows();
-        let slot = |y: isize| y.rem_euclid(ring_rows as isize) as usize * N * stride;
+        let ring_rows = 2 * reach + 1;
+        let topmost = (y - reach as isize).rem_euclid(ring_rows as isize) as usize;
+        // Where row y − reach + d begins in a ring.
+        let slot = |d: usize| {
+            let slot = topmost + d;
+            (if slot < ring_rows { slot } else { slot - ring_rows }) * N * stride
+        };
         let (below, here) = self.rings.split_at_mut(level - 1);
         let source: &[f32] = below.last().map_or(&[], |ring| cast_slice(ring));
-        let source_row = |y: isize| match level {
-            1 => self.old.each_ref().map(|plane| plane.memory(grid.row(y))),
-            _ => {
-                let mut chemicals = source[slot(y)..][..N * stride].chunks_exact(stride);
-                [(); N].map(|()| chemicals.next().unwrap_or_default())
-            }
-        };
-        let mut from: [Window<N>; ROWS] = [[[&[]; 2 * REACH + 1]; N]; ROWS];
-        for (from, y) in from.iter_mut().zip(rows.clone()) {
-            for d in -(REACH as isize)..=REACH as isize {
-                // Rows that the stencil does not reach, or beyond a closed edge, are named but not read.
-                let near = d.unsigned_abs() <= self.problem.diffusion.reach
-                    && (grid.edges == Edges::Wrap || (0..grid.ny as isize).contains(&(y + d)));
-                let row = source_row(if near { y + d } else { y });
-                for i in 0..N {
-                    from[i][(REACH as isize + d) as usize] = row[i];
-                }
+        // Rows that the stencil does not reach, or beyond a closed edge, are named but not read.
+        let mut from: Window<N> = [[&[]; 2 * REACH + 1]; N];
+        for d in 0..ring_rows {
+            let near = y - reach as isize + d as isize;
+            let beyond = grid.edges == Edges::Closed && !(0..grid.ny as isize).contains(&near);
+            let [near, d_near] = if beyond { [y, reach as isize] } else { [near, d as isize] };
+            let (at, first) = (d + REACH - reach, slot(d_near as usize));
+            for i in 0..N {
+                from[i][at] = if level == 1 {
+                    self.old[i].memory(grid.row(near))
+                } else {
+                    &source[first + i * stride..][..stride]
+                };
             }
         }
-        let last = level == self.levels;
-        let ring: &mut [f32] = if last { &mut [] } else { cast_slice_mut(&mut here[0]) };
-        let top = self.rows.start as isize;
-        let inner = grid.inner();
-        for start in inner.clone().step_by(GROUPS) {
-            let groups = start..(start + GROUPS).min(inner.end);
-            for (from, y) in from.iter().zip(rows.clone()) {
-                let mut to: [&mut [f32]; N] = if last {
-                    let first = (y - top) as usize * stride;
-                    self.new.each_mut().map(|rows| &mut rows[first..first + stride])
-                } else {
-                    let mut chemicals = ring[slot(y)..][..N * stride].chunks_exact_mut(stride);
-                    [(); N].map(|()| chemicals.next().unwrap_or_default())
-                };
-                step_row::<N, K, V>(self.problem, grid.row(y), from, &mut to, groups.clone());
-                if groups.end == inner.end {
-                    to.into_iter().for_each(|row| grid.fill_margins(row));
-                }
+        if reach < REACH {
+            for rows in &mut from {
+                [rows[0], rows[2 * REACH]] = [rows[REACH]; 2];
             }
+        }
+        let mut to: [&mut [f32]; N] = if level == self.levels {
+            let first = (y - self.rows.start as isize) as usize * stride;
+            self.new.each_mut().map(|rows| &mut rows[first..first + stride])
+        } else {
+            let ring: &mut [f32] = cast_slice_mut(&mut here[0]);
+            let mut rows = ring[slot(reach)..][..N * stride].chunks_exact_mut(stride);
+            [(); N].map(|()| rows.next().unwrap_or_default())
+        };
+        step_row::<N, K, V>(self.problem, grid.row(y), &from, &mut to);
+        for row in &mut to {
+            grid.fill_margins(row);
         }
     }
 }
