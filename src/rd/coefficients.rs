@@ -113,6 +113,12 @@ impl<const C: usize> Coefficients<C> {
         any
     }
 
+    /// Whether rows `y` and `other` have the same numbers.
+    #[must_use]
+    pub fn alike(&self, y: usize, other: usize) -> bool {
+        self.in_row(y).at == self.in_row(other).at
+    }
+
     /// The numbers of one cell.
     #[must_use]
     pub fn cell(&self, x: usize, y: usize) -> [f32; C] {

@@ -14,10 +14,19 @@ pub fn step<const N: usize, K: Kinetics<N>>(problem: &Problem, old: &[Plane; N],
     let mut mobility = vec![0.0; 2 * stride];
     let mut rate = vec![0.0; stride];
     let mut spread = vec![0.0; N * stride];
+    let mut used = 0;
     for y in 0..problem.grid.ny {
-        let used = problem.diffusion.weights.row(y, &mut weights);
-        problem.mobility.row(y, &mut mobility);
-        problem.rate.row(y, &mut rate);
+        // Rows are laid out anew only where they are not like the one before.
+        let same = |alike: &dyn Fn(usize, usize) -> bool| y > 0 && alike(y, y - 1);
+        if !same(&|y, other| problem.diffusion.weights.alike(y, other)) {
+            used = problem.diffusion.weights.row(y, &mut weights);
+        }
+        if !same(&|y, other| problem.mobility.alike(y, other)) {
+            problem.mobility.row(y, &mut mobility);
+        }
+        if !same(&|y, other| problem.rate.alike(y, other)) {
+            problem.rate.row(y, &mut rate);
+        }
         for (i, spread) in spread.chunks_exact_mut(stride).enumerate() {
             match K::SPREAD[i] {
                 Spread::Tensor(_) => tensor_row(problem, &old[i], y, used, &weights, spread),
@@ -75,24 +84,31 @@ fn euler_lanes<const N: usize, K: Kinetics<N>>(
 fn tensor_row(problem: &Problem, u: &Plane, y: usize, used: u16, weights: &[f32], spread: &mut [f32]) {
     let (grid, stride) = (problem.grid, problem.grid.stride());
     let cells = MARGIN..MARGIN + grid.nx;
-    spread.fill(0.0);
-    for (k, [dx, dy]) in OFFSETS.into_iter().enumerate() {
-        if used & (1 << k) == 0 {
-            continue;
+    let shifted = |dx: isize, dy: isize| {
+        let row = u.memory(grid.row(y as isize + dy));
+        &row[cells.start.wrapping_add_signed(dx)..][..grid.nx]
+    };
+    let number = |k: usize| &weights[k * stride..][cells.clone()];
+    let sums = &mut spread[cells.clone()];
+    let (own, center) = (shifted(0, 0), number(CENTER));
+    if used == 1 << CENTER | 0b11 {
+        // The five-point stencil, in one go.
+        let (east, west, south, north) = (shifted(1, 0), shifted(-1, 0), shifted(0, 1), shifted(0, -1));
+        let (wx, wy) = (number(0), number(1));
+        for x in 0..grid.nx {
+            sums[x] = wx[x] * (east[x] + west[x]) + wy[x] * (south[x] + north[x]) - center[x] * own[x];
         }
-        let shifted = |dx: isize, dy: isize| {
-            let row = u.memory(grid.row(y as isize + dy));
-            &row[cells.start.wrapping_add_signed(dx)..][..grid.nx]
-        };
-        let weight = &weights[k * stride..][cells.clone()];
-        let pairs = weight.iter().zip(shifted(dx, dy)).zip(shifted(-dx, -dy));
-        for (sum, ((weight, there), back)) in spread[cells.clone()].iter_mut().zip(pairs) {
-            *sum += weight * (there + back);
+    } else {
+        sums.fill(0.0);
+        for (k, [dx, dy]) in OFFSETS.into_iter().enumerate().filter(|(k, _)| used & (1 << k) != 0) {
+            let (weight, there, back) = (number(k), shifted(dx, dy), shifted(-dx, -dy));
+            for x in 0..grid.nx {
+                sums[x] += weight[x] * (there[x] + back[x]);
+            }
         }
-    }
-    let center = weights[CENTER * stride..][cells.clone()].iter().zip(u.row(y));
-    for (sum, (weight, own)) in spread[cells.clone()].iter_mut().zip(center) {
-        *sum -= weight * own;
+        for x in 0..grid.nx {
+            sums[x] -= center[x] * own[x];
+        }
     }
     if grid.edges == Edges::Closed {
         let edge_row = y < REACH || y + REACH >= grid.ny;
