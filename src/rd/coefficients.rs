@@ -10,14 +10,14 @@ use super::plane::{Grid, LANES, Lanes, MARGIN};
 pub struct Coefficients<const C: usize> {
     groups: usize,
     /// By group, row by row: which of the numbers are kept (bit k for number k), and where the first of them stands.
-    at: Vec<(u16, u32)>,
+    at: Vec<(u8, u32)>,
     packs: Vec<Lanes>,
 }
 
 /// The numbers of the cells of one row.
 #[derive(Clone, Copy)]
 pub struct Numbers<'a> {
-    at: &'a [(u16, u32)],
+    at: &'a [(u8, u32)],
     packs: &'a [Lanes],
 }
 
@@ -25,7 +25,7 @@ impl<'a> Numbers<'a> {
     /// Which of the numbers group `group` keeps, and these, in their order; then those of other groups.
     #[inline(always)]
     #[must_use]
-    pub fn of(&self, group: usize) -> (u16, &'a [Lanes]) {
+    pub fn of(&self, group: usize) -> (u8, &'a [Lanes]) {
         let (used, first) = self.at[group];
         (used, &self.packs[first as usize..])
     }
@@ -78,7 +78,7 @@ impl<const C: usize> Coefficients<C> {
 
     /// Which of the numbers group `group` of row `y` keeps, and these, in their order.
     #[must_use]
-    pub fn of(&self, group: usize, y: usize) -> (u16, &[Lanes]) {
+    pub fn of(&self, group: usize, y: usize) -> (u8, &[Lanes]) {
         self.in_row(y).of(group)
     }
 
@@ -97,7 +97,7 @@ impl<const C: usize> Coefficients<C> {
 
     /// Writes the numbers of row `y`, margins included: number k of all its cells from `rows[k · stride]` on, those
     /// that no cell uses left out. Gives which are used.
-    pub fn row(&self, y: usize, rows: &mut [f32]) -> u16 {
+    pub fn row(&self, y: usize, rows: &mut [f32]) -> u8 {
         let stride = rows.len() / C;
         let row = self.in_row(y);
         let any = row.at.iter().fold(0, |any, (used, _)| any | used);
@@ -130,7 +130,7 @@ impl<const C: usize> Coefficients<C> {
     }
 
     /// Every group's numbers in use, each set of them once where neighbours share it.
-    pub fn groups_in_use(&self) -> impl Iterator<Item = (u16, &[Lanes])> {
+    pub fn groups_in_use(&self) -> impl Iterator<Item = (u8, &[Lanes])> {
         let mut before = None;
         self.at.iter().filter(move |at| before.replace(**at) != Some(**at)).map(|(used, first)| {
             let first = *first as usize;
@@ -147,7 +147,7 @@ impl<const C: usize> Coefficients<C> {
 
 /// One row, places counted from its own beginning.
 struct Row {
-    at: Vec<(u16, u32)>,
+    at: Vec<(u8, u32)>,
     packs: Vec<Lanes>,
 }
 

@@ -1,6 +1,5 @@
 //! The plain solver: one explicit Euler step after the other, row by row. The judge of the fast one.
 
-use super::diffusion::CENTER;
 use super::kinetics::{Kinetics, Spread, euler};
 use super::plane::{LANES, MARGIN, Plane};
 use super::problem::Problem;
@@ -10,7 +9,8 @@ use crate::field::Edges;
 /// Steps the chemicals once, from `old` into `new` (whose contents do not matter).
 pub fn step<const N: usize, K: Kinetics<N>>(problem: &Problem, old: &[Plane; N], new: &mut [Plane; N]) {
     let stride = problem.grid.stride();
-    let mut weights = vec![0.0; (CENTER + 1) * stride];
+    let mut weights = vec![0.0; OFFSETS.len() * stride];
+    let mut center = vec![0.0; stride];
     let mut mobility = vec![0.0; 2 * stride];
     let mut rate = vec![0.0; stride];
     let mut spread = vec![0.0; N * stride];
@@ -20,6 +20,7 @@ pub fn step<const N: usize, K: Kinetics<N>>(problem: &Problem, old: &[Plane; N],
         let same = |alike: &dyn Fn(usize, usize) -> bool| y > 0 && alike(y, y - 1);
         if !same(&|y, other| problem.diffusion.weights.alike(y, other)) {
             used = problem.diffusion.weights.row(y, &mut weights);
+            center_row(used, &weights, &mut center);
         }
         if !same(&|y, other| problem.mobility.alike(y, other)) {
             problem.mobility.row(y, &mut mobility);
@@ -29,7 +30,7 @@ pub fn step<const N: usize, K: Kinetics<N>>(problem: &Problem, old: &[Plane; N],
         }
         for (i, spread) in spread.chunks_exact_mut(stride).enumerate() {
             match K::SPREAD[i] {
-                Spread::Tensor(_) => tensor_row(problem, &old[i], y, used, &weights, spread),
+                Spread::Tensor(_) => tensor_row(problem, &old[i], y, used, &weights, &center, spread),
                 Spread::Isotropic(_) => isotropic_row(problem, &old[i], y, spread),
                 Spread::Still => {}
             }
@@ -80,8 +81,26 @@ fn euler_lanes<const N: usize, K: Kinetics<N>>(
     }
 }
 
+/// 2 Σₖ wₖ along a row.
+fn center_row(used: u8, weights: &[f32], center: &mut [f32]) {
+    center.fill(0.0);
+    let in_use = weights.chunks_exact(center.len()).enumerate().filter(|(k, _)| used & (1 << k) != 0);
+    for (_, weights) in in_use {
+        center.iter_mut().zip(weights).for_each(|(center, weight)| *center += weight);
+    }
+    center.iter_mut().for_each(|center| *center *= 2.0);
+}
+
 /// Σₖ wₖ (u(x + eₖ) + u(x − eₖ)) − (2 Σₖ wₖ) u(x) along row `y`.
-fn tensor_row(problem: &Problem, u: &Plane, y: usize, used: u16, weights: &[f32], spread: &mut [f32]) {
+fn tensor_row(
+    problem: &Problem,
+    u: &Plane,
+    y: usize,
+    used: u8,
+    weights: &[f32],
+    center: &[f32],
+    spread: &mut [f32],
+) {
     let (grid, stride) = (problem.grid, problem.grid.stride());
     let cells = MARGIN..MARGIN + grid.nx;
     let shifted = |dx: isize, dy: isize| {
@@ -90,8 +109,8 @@ fn tensor_row(problem: &Problem, u: &Plane, y: usize, used: u16, weights: &[f32]
     };
     let number = |k: usize| &weights[k * stride..][cells.clone()];
     let sums = &mut spread[cells.clone()];
-    let (own, center) = (shifted(0, 0), number(CENTER));
-    if used == 1 << CENTER | 0b11 {
+    let (own, center) = (shifted(0, 0), &center[cells.clone()]);
+    if used == 0b11 {
         // The five-point stencil, in one go.
         let (east, west, south, north) = (shifted(1, 0), shifted(-1, 0), shifted(0, 1), shifted(0, -1));
         let (wx, wy) = (number(0), number(1));
@@ -134,12 +153,13 @@ fn tensor(problem: &Problem, u: &Plane, [x, y]: [usize; 2]) -> f32 {
             own
         }
     };
-    let mut sum = 0.0;
     let weights = problem.diffusion.weights.cell(x, y);
+    let (mut sum, mut center) = (0.0, 0.0);
     for ([dx, dy], weight) in OFFSETS.into_iter().zip(weights) {
         sum += weight * (at(dx, dy) + at(-dx, -dy));
+        center += weight;
     }
-    sum - weights[CENTER] * own
+    sum - 2.0 * center * own
 }
 
 /// ∂²u/∂x² + ∂²u/∂y² along row `y`, on cells that need not be square.

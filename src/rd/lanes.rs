@@ -71,7 +71,7 @@ struct Row<'a> {
 #[derive(Clone, Copy)]
 struct Group<'a> {
     /// The offsets in use, as bits.
-    used: u16,
+    used: u8,
     weights: &'a [Lanes],
     mobility: &'a [Lanes],
     rate: &'a [Lanes],
@@ -197,6 +197,19 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
     let lane = place % LANES;
     // SAFETY: `Lanes` hold LANES numbers.
     let weight = |k: usize| unsafe { V::load(number(coefficients.weights, k, lane)) };
+    // 2 Σ wₖ, in the order of the offsets.
+    let center = if SET < MIXED {
+        let mut sum = weight(0) + weight(1);
+        if taps(SET).1 > 2 {
+            sum = sum + weight(2);
+        }
+        if taps(SET).1 > 3 {
+            sum = sum + weight(3);
+        }
+        V::of(2.0) * sum
+    } else {
+        V::of(4.0)
+    };
     for i in 0..N {
         let pair = |offset: [isize; 2]| {
             // SAFETY: as for `step_groups`, whose this is a part.
@@ -206,14 +219,15 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
             Spread::Still => continue,
             Spread::Tensor(_) if SET == UNIT => (pair([1, 0]) + pair([0, 1]), V::of(4.0)),
             Spread::Tensor(_) if SET == MIXED => {
-                let (mut sum, mut kept) = (V::of(0.0), 0);
+                let (mut sum, mut weights, mut kept) = (V::of(0.0), V::of(0.0), 0);
                 for (k, offset) in OFFSETS.into_iter().enumerate() {
                     if coefficients.used & (1 << k) != 0 {
                         sum = sum + weight(kept) * pair(offset);
+                        weights = weights + weight(kept);
                         kept += 1;
                     }
                 }
-                (sum, weight(kept))
+                (sum, V::of(2.0) * weights)
             }
             Spread::Tensor(_) => {
                 // By hand: a loop is not always unrolled, and then its offsets are no constants.
@@ -225,7 +239,7 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
                 if taps > 3 {
                     sum = sum + weight(3) * pair(offset[3]);
                 }
-                (sum, weight(taps as usize))
+                (sum, center)
             }
             _ if row.isotropic == [1.0, 1.0, 4.0] => (pair([1, 0]) + pair([0, 1]), V::of(4.0)),
             _ => {

@@ -1,9 +1,8 @@
 //! Which groups of a row are stepped alike.
 
 use super::coefficients::Coefficients;
-use super::diffusion::CENTER;
 use super::plane::{Grid, LANES, MARGIN};
-use super::selling::REACH;
+use super::selling::{OFFSETS, REACH};
 use crate::field::Edges;
 
 /// Groups of one row that are stepped alike.
@@ -34,7 +33,7 @@ impl Runs {
     #[must_use]
     pub fn new(
         grid: Grid,
-        weights: &Coefficients<{ CENTER + 1 }>,
+        weights: &Coefficients<{ OFFSETS.len() }>,
         mobility: &Coefficients<2>,
         rate: &Coefficients<1>,
     ) -> Self {
@@ -72,10 +71,8 @@ impl Runs {
 }
 
 /// A run of one group, its end left open.
-fn alone(grid: Grid, group: usize, y: usize, weights: &Coefficients<{ CENTER + 1 }>) -> Run {
-    let (kept, packs) = weights.of(group, y);
-    // The bits of the offsets, without that of the centre.
-    let used = (kept & ((1 << CENTER) - 1)) as u8;
+fn alone(grid: Grid, group: usize, y: usize, weights: &Coefficients<{ OFFSETS.len() }>) -> Run {
+    let (used, packs) = weights.of(group, y);
     let unit = used == 0b11 && packs[..2].iter().all(|pack| pack.0 == [1.0; LANES]);
     let left = group * LANES < MARGIN + REACH;
     let right = (group + 1) * LANES + REACH > MARGIN + grid.nx;

@@ -48,8 +48,8 @@ impl Tiling {
         let (grid, reach) = (problem.grid, problem.diffusion.reach);
         let bands = (grid.nx * grid.ny / CELLS_A_BAND).clamp(1, threads.max(1));
         let rows = grid.ny.div_ceil(bands);
-        // A level keeps 2r + 1 rows of each chemical and trails the one before by r rows of seven coefficients.
-        let a_level = ((2 * reach + 1) * chemicals + 7 * reach) * grid.stride() * size_of::<f32>();
+        // A level keeps 2r + 1 rows of each chemical and trails the one before by r rows of six coefficients.
+        let a_level = ((2 * reach + 1) * chemicals + 6 * reach) * grid.stride() * size_of::<f32>();
         let alone = bands == 1 && grid.edges == Edges::Closed;
         let by_sharing = if alone { LEVELS } else { 1 + (SHARED * rows as f64) as usize / reach };
         Self { levels: (CACHE / a_level).min(by_sharing).clamp(1, LEVELS), bands }
