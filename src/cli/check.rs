@@ -31,7 +31,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         let map = region_map(&document, index, &source)?;
         let plan = plan(&training, document.layers[index].system, &map).map_err(Error::step)?;
         text += &reach(&plan, index);
-        if let Err(error) = memory::check(document.size.map(f64::from), plan.grid) {
+        if let Err(error) = memory::check(plan.system, document.size.map(f64::from), plan.grid) {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  cannot be grown on this machine: {error}");
         }

@@ -104,7 +104,7 @@ pub fn grow(
         watch.step(Stage::Plan, 0.0)?;
         let map = drawn::region_map(document, index, source)?.resized(size.map(f64::from));
         let plan = plan(training, document.layers[index].system, &map)?;
-        memory::check(size.map(f64::from), plan.grid)?;
+        memory::check(plan.system, size.map(f64::from), plan.grid)?;
         layers.push(grow_layer(plan, document.layer_seed(index), index + 1, correct, watch)?);
     }
     Ok(Grown { size, layers })

@@ -1,10 +1,17 @@
 //! What a growth will need, before it is begun.
 
-/// Bytes that a cell of the grid takes: 5 chemicals twice (40), 8 stencil weights (32, and as much again while
-/// they are laid out), mobilities and rate (12), parameters (20), the pattern's spline and its copy (12).
-const BYTES_A_CELL: f64 = 148.0;
-/// Bytes that a px of the canvas takes at scale 1: the pattern, its spline and bands while it is measured.
-const BYTES_A_PX: f64 = 16.0;
+use crate::rd::System;
+
+/// Bytes that a cell of the grid takes at the height of a growth of spots, whose parameters differ everywhere: 2
+/// chemicals twice (16), weights, mobilities and rate (27), parameters (20), what settles and is brought from grid to
+/// grid (25). Measured 85–90 at 2,570²–2,979² cells, 65 where parameters are the same everywhere.
+const SPOTS: f64 = 95.0;
+/// The same for stripes, with 5 chemicals. Measured 123–130 at 1,748²–8,192² cells.
+const STRIPES: f64 = 135.0;
+/// Bytes that a px of the canvas takes: the bands in which pictures are made.
+const PX: f64 = 1.0;
+/// What any growth takes, bytes.
+const BASE: f64 = 30e6;
 
 /// A texture that does not fit.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -24,14 +31,21 @@ pub struct TooLarge {
     pub free: f64,
 }
 
-/// Whether a growth on `grid` cells for a canvas of `size` px fits into the memory that is free now.
+/// Whether a growth of `system` on `grid` cells for a canvas of `size` px fits into the memory that is free now.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
-pub fn check(size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
-    let needed = grid[0] as f64 * grid[1] as f64 * BYTES_A_CELL + size[0] * size[1] * BYTES_A_PX;
+pub fn check(system: System, size: [f64; 2], grid: [usize; 2]) -> Result<(), TooLarge> {
+    let needed = needed(system, size, grid);
     let free = free();
     if needed > free { Err(TooLarge { size, grid, needed, free }) } else { Ok(()) }
+}
+
+/// Bytes that a growth of `system` on `grid` cells for a canvas of `size` px needs.
+#[must_use]
+pub fn needed(system: System, size: [f64; 2], grid: [usize; 2]) -> f64 {
+    let a_cell = if system == System::MeinhardtStripes { STRIPES } else { SPOTS };
+    BASE + grid[0] as f64 * grid[1] as f64 * a_cell + size[0] * size[1] * PX
 }
 
 /// Bytes of memory that are free; where the system does not say, what most machines have.
@@ -41,4 +55,22 @@ fn free() -> f64 {
     let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"));
     let kilobytes = line.and_then(|rest| rest.trim().trim_end_matches("kB").trim().parse::<f64>().ok());
     kilobytes.map_or(USUAL, |kilobytes| 1024.0 * kilobytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_print_of_16384_px_with_spots_of_300_takes_17_bytes_a_px() {
+        // 48 cells a spot: 2.5 px a cell.
+        let needed = needed(System::MeinhardtSpots, [16_384.0; 2], [6_554; 2]);
+        assert!((16.0..17.5).contains(&(needed / (16_384.0 * 16_384.0))), "{needed}");
+    }
+
+    #[test]
+    fn what_cannot_fit_is_refused_with_the_numbers() {
+        let error = check(System::MeinhardtStripes, [1e6; 2], [900_000; 2]).unwrap_err().to_string();
+        assert!(error.contains("900000×900000 cells needs about 110350.0 GB"), "{error}");
+    }
 }
