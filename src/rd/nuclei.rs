@@ -165,7 +165,12 @@ fn relax(placed: &mut Buckets, nucleus: &(dyn Fn([f64; 2]) -> Nucleus + Sync)) {
     let moved = |point: &Nucleus| {
         let mut shift = [0.0, 0.0];
         placed.near(point, PUSH, |other, delta| {
-            let d = distance2(point, other, delta).sqrt();
+            let own = point.distance2(delta);
+            // Too far by half of the mean already.
+            if 0.5 * own >= PUSH * PUSH {
+                return;
+            }
+            let d = (0.5 * (own + other.distance2(delta))).sqrt();
             if d > 1e-9 && d < PUSH {
                 // Half of the gap to PUSH, shared with the other, damped for six neighbours.
                 let push = 0.22 * (PUSH - d) / d;
