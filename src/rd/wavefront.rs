@@ -347,6 +347,16 @@ mod tests {
         }
     }
 
+    /// Small enough for Miri, which looks over the unchecked loads and stores:
+    /// `MIRIFLAGS="-Zmiri-disable-isolation -Zmiri-ignore-leaks -Zmiri-tree-borrows" cargo +nightly miri test --lib -- rd::wavefront::tests::a_small`
+    #[test]
+    fn a_small_grid_gives_the_bits_of_the_plain_solver() {
+        for edges in [Edges::Closed, Edges::Wrap] {
+            let tilings = [Tiling { levels: 3, bands: 2 }];
+            agree::<2, MeinhardtSpots>(Grid { nx: 19, ny: 4, edges }, 0.3, &tilings);
+        }
+    }
+
     #[test]
     fn grids_of_every_width_and_height_at_the_lanes_give_the_bits_of_the_plain_solver() {
         let tilings = [Tiling { levels: 3, bands: 2 }];
