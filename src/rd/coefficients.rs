@@ -22,12 +22,32 @@ pub struct Numbers<'a> {
 }
 
 impl<'a> Numbers<'a> {
-    /// Which of the numbers group `group` keeps, and these, in their order; then those of other groups.
+    /// Groups in the row.
     #[inline(always)]
+    #[must_use]
+    pub fn groups(&self) -> usize {
+        self.at.len()
+    }
+
+    /// Which of the numbers group `group` keeps, and these, in their order; then those of other groups.
     #[must_use]
     pub fn of(&self, group: usize) -> (u8, &'a [Lanes]) {
         let (used, first) = self.at[group];
         (used, &self.packs[first as usize..])
+    }
+
+    /// Which of the numbers group `group` keeps, and where the first of these stands, the others after it.
+    ///
+    /// # Safety
+    /// `group` must be below [`Self::groups`].
+    #[inline(always)]
+    #[must_use]
+    pub unsafe fn first(&self, group: usize) -> (u8, *const Lanes) {
+        // SAFETY: below their number, says the caller; every group's numbers were laid out before its place.
+        unsafe {
+            let (used, first) = *self.at.get_unchecked(group);
+            (used, self.packs.as_ptr().add(first as usize))
+        }
     }
 }
 

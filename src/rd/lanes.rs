@@ -69,19 +69,26 @@ struct Row<'a> {
 
 /// The coefficients of one group.
 #[derive(Clone, Copy)]
-struct Group<'a> {
-    /// The offsets in use, as bits.
+struct Group {
+    /// The offsets in use, as bits; a weight for each.
     used: u8,
-    weights: &'a [Lanes],
-    mobility: &'a [Lanes],
-    rate: &'a [Lanes],
+    weights: *const Lanes,
+    /// Two.
+    mobility: *const Lanes,
+    /// One.
+    rate: *const Lanes,
 }
 
-impl<'a> Row<'a> {
+impl Row<'_> {
+    /// # Safety
+    /// The row must have that group.
     #[inline(always)]
-    fn group(&self, group: usize) -> Group<'a> {
-        let (used, weights) = self.weights.of(group);
-        Group { used, weights, mobility: self.mobility.of(group).1, rate: self.rate.of(group).1 }
+    unsafe fn group(&self, group: usize) -> Group {
+        // SAFETY: there is such a group, says the caller.
+        unsafe {
+            let (used, weights) = self.weights.first(group);
+            Group { used, weights, mobility: self.mobility.first(group).1, rate: self.rate.first(group).1 }
+        }
     }
 }
 
@@ -105,6 +112,9 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
     // What the unchecked loads and stores below rely on.
     let rows = from.iter().flatten().map(|row| row.len()).chain(to.iter().map(|row| row.len()));
     assert!(groups.start * LANES >= REACH && rows.min() >= Some(groups.end * LANES + REACH));
+    assert!(
+        [row.weights.groups(), row.mobility.groups(), row.rate.groups()].iter().all(|n| *n >= groups.end)
+    );
     let mut first = groups.start;
     for run in problem.runs.of(y) {
         let part = first..groups.end.min(run.end as usize);
@@ -152,10 +162,12 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
         }
         out[i] = to[i].as_mut_ptr();
     }
-    let mut coefficients = row.group(groups.start);
+    // SAFETY: `step_row` made sure that the row has these groups.
+    let mut coefficients = unsafe { row.group(groups.start) };
     for group in groups {
         if !same {
-            coefficients = row.group(group);
+            // SAFETY: as above.
+            coefficients = unsafe { row.group(group) };
         }
         for lane in (0..LANES).step_by(V::WIDTH) {
             let place = group * LANES + lane;
@@ -167,9 +179,9 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
                     u[i] = V::load(rows[i][REACH].add(place));
                 }
                 let spread = spread::<N, K, V, SET, EDGE>(&row, &rows, place, &coefficients, &u);
-                let [m0, m1] = [0, 1].map(|m: usize| V::load(number(coefficients.mobility, m, lane)));
-                let rate = V::load(number(coefficients.rate, 0, lane));
-                let next = euler::<N, K, V>(u, spread, [m0, m1], rate);
+                let mobility =
+                    [number(coefficients.mobility, 0, lane), number(coefficients.mobility, 1, lane)];
+                let next = euler::<N, K, V>(u, spread, mobility, number(coefficients.rate, 0, lane));
                 for i in 0..N {
                     next[i].store(out[i].add(place));
                 }
@@ -178,10 +190,14 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
     }
 }
 
-/// Where number `k` of a group stands for the cell in `lane`.
+/// Number `k` of a group for the cells from `lane` on.
+///
+/// # Safety
+/// The group must keep that many numbers, and `lane` + `V::WIDTH` must not go beyond [`LANES`].
 #[inline(always)]
-fn number(packs: &[Lanes], k: usize, lane: usize) -> *const f32 {
-    packs[k].0[lane..].as_ptr()
+unsafe fn number<V: Vector>(packs: *const Lanes, k: usize, lane: usize) -> V {
+    // SAFETY: within the pack, says the caller.
+    unsafe { V::load(packs.add(k).cast::<f32>().add(lane)) }
 }
 
 /// What diffusion alone would do to the cells at `place` and after, mobility left out.
@@ -195,8 +211,8 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
 ) -> [V; N] {
     let mut spread = [V::of(0.0); N];
     let lane = place % LANES;
-    // SAFETY: `Lanes` hold LANES numbers.
-    let weight = |k: usize| unsafe { V::load(number(coefficients.weights, k, lane)) };
+    // SAFETY: asked for no more than the group uses.
+    let weight = |k: usize| unsafe { number::<V>(coefficients.weights, k, lane) };
     // 2 Σ wₖ, in the order of the offsets.
     let center = if SET < MIXED {
         let mut sum = weight(0) + weight(1);
