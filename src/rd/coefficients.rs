@@ -157,12 +157,6 @@ impl<const C: usize> Coefficients<C> {
             (*used, &self.packs[first..first + used.count_ones() as usize])
         })
     }
-
-    /// Bytes in memory.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        size_of_val(&self.at[..]) + size_of_val(&self.packs[..])
-    }
 }
 
 /// One row, places counted from its own beginning.

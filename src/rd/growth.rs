@@ -110,6 +110,7 @@ impl Growth {
     /// The same, cut and vectorised as told: the same bits.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
         let (problem, scratch) = (&self.problem, &mut self.scratch);
+        let tiling = Tiling { levels: tiling.levels.max(1), ..tiling };
         for sweep in 0..steps.div_ceil(tiling.levels as u64) {
             let left = steps - sweep * tiling.levels as u64;
             let tiling = Tiling { levels: tiling.levels.min(left as usize), ..tiling };

@@ -1,5 +1,4 @@
-//! One step of [`LANES`] cells at once, so that the compiler uses vectors: bit for bit what [`super::explicit`]
-//! computes.
+//! One step of a row, a [`Vector`] of cells at a time: bit for bit what [`super::explicit`] computes.
 //!
 //! All that is computed stays in registers. Cells whose stencils use the same offsets pay for no others: an offset
 //! of weight 0 would add exactly 0.

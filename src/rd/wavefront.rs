@@ -25,9 +25,9 @@ use crate::field::Edges;
 /// How a sweep is cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tiling {
-    /// Steps a sweep.
+    /// Steps a sweep, at least 1.
     pub levels: usize,
-    /// Bands of rows.
+    /// Bands of rows, at least 1.
     pub bands: usize,
 }
 
@@ -36,9 +36,10 @@ pub struct Tiling {
 const CACHE: usize = 1 << 20;
 /// Steps a sweep at most: more gained nothing.
 const LEVELS: usize = 8;
-/// The share of rows that a band may step for itself though they are a neighbour's.
+/// The share of rows that a band may step for itself though they are a neighbour's: what sharing the work out costs
+/// at most.
 const SHARED: f64 = 0.06;
-/// Cells that a band must have at least to be worth handing to a thread.
+/// Cells that a band must have at least to be worth handing to a thread: some 5 µs a step.
 const CELLS_A_BAND: usize = 8_192;
 
 impl Tiling {
@@ -76,19 +77,25 @@ impl Instructions {
         *Self::available().last().unwrap_or(&Self::Baseline)
     }
 
+    /// Whether this machine has them.
+    fn there(self) -> bool {
+        match self {
+            Self::Baseline => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => is_x86_feature_detected!("avx2"),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl"),
+        }
+    }
+
     /// Those this machine has, the widest last.
     #[must_use]
     pub fn available() -> Vec<Self> {
         #[cfg(target_arch = "x86_64")]
-        let wide = [
-            (Self::Avx2, is_x86_feature_detected!("avx2")),
-            (Self::Avx512, is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl")),
-        ];
+        let all = [Self::Baseline, Self::Avx2, Self::Avx512];
         #[cfg(not(target_arch = "x86_64"))]
-        let wide = [];
-        let there =
-            wide.into_iter().filter_map(|(instructions, there): (Self, bool)| there.then_some(instructions));
-        [Self::Baseline].into_iter().chain(there).collect()
+        let all = [Self::Baseline];
+        all.into_iter().filter(|instructions| instructions.there()).collect()
     }
 }
 
@@ -96,7 +103,8 @@ impl Instructions {
 #[derive(Clone, Debug, Default)]
 pub struct Scratch(Vec<Vec<Vec<Lanes>>>);
 
-/// Takes `tiling.levels` steps, from `old` into `new` (whose contents do not matter).
+/// Takes `tiling.levels` steps, from `old` into `new` (whose contents do not matter). Instructions that the machine
+/// lacks are replaced by the baseline: the bits are the same.
 pub fn sweep<const N: usize, K: Kinetics<N>>(
     problem: &Problem,
     old: &[Plane; N],
@@ -105,8 +113,9 @@ pub fn sweep<const N: usize, K: Kinetics<N>>(
     instructions: Instructions,
     scratch: &mut Scratch,
 ) {
+    let instructions = if instructions.there() { instructions } else { Instructions::Baseline };
     let grid = problem.grid;
-    let rows = grid.ny.div_ceil(tiling.bands).max(1);
+    let rows = grid.ny.div_ceil(tiling.bands.max(1)).max(1);
     let bands = grid.ny.div_ceil(rows);
     scratch.0.resize(bands.max(scratch.0.len()), Vec::new());
     let mut parts = new.each_mut().map(|plane| plane.memory_mut().chunks_mut(rows * grid.stride()));
@@ -152,10 +161,10 @@ impl<const N: usize> Band<'_, N> {
         match instructions {
             Instructions::Baseline => self.down::<K, Four>(),
             #[cfg(target_arch = "x86_64")]
-            // SAFETY: `available` names only what the processor has.
+            // SAFETY: `sweep` made sure that the processor has them.
             Instructions::Avx2 => unsafe { self.down_avx2::<K>() },
             #[cfg(target_arch = "x86_64")]
-            // SAFETY: `available` names only what the processor has.
+            // SAFETY: `sweep` made sure that the processor has them.
             Instructions::Avx512 => unsafe { self.down_avx512::<K>() },
         }
     }

@@ -32,7 +32,7 @@ const NEAR: f64 = 0.001;
 /// What the level may be multiplied by. Farther off, the parameters are wrong, and a level would hide it.
 const CORRECTIONS: [f64; 2] = [0.6, 1.5];
 
-/// Nodes that the ruler is given for a cell of the grid along each side, where the canvas has more px than that: a
+/// Points that the ruler is given for a cell of the grid along each side, where the canvas has more px than that: a
 /// spot of 48 cells then has 108, of which it reads the area to 0.1 %.
 const FINER: f64 = 1.5;
 
