@@ -4,10 +4,8 @@
 use dapple::attributes::Attributes;
 use dapple::field::{Edges, Field};
 use dapple::rd::{Growth, Maps, Parameters, System};
-use dapple::synth::{Engine, Watch, settle};
+use dapple::synth::{Engine, Patch as Grown, Sample, Watch, settle};
 use rayon::prelude::*;
-
-use crate::run::{Measured, spots, stripes};
 
 /// What to compare.
 #[derive(clap::Args)]
@@ -117,12 +115,17 @@ impl Patch {
         Ok(Pair { differences: differences(&a, &b), steps: [long.steps(), engine.steps()], settled })
     }
 
-    fn measured(&self, field: &Field) -> Result<Measured, String> {
-        match self.system {
-            System::MeinhardtStripes => stripes(field),
-            System::TuringSpots => spots(field, 0.35),
-            System::MeinhardtSpots => spots(field, 0.5),
-        }
+    fn measured(&self, marks: &Field) -> Result<Sample, String> {
+        let level = if self.system == System::TuringSpots { 0.35 } else { 0.5 };
+        let parameters = dapple::learn::Parameters {
+            rate: f64::from(self.rate),
+            ratio: Some(f64::from(self.ratio)),
+            stretch: f64::from(self.stretch),
+            direction: 0.0,
+            level: Some(level),
+        };
+        let patch = Grown { system: self.system, parameters, extent: MARKS, seed: 0 };
+        patch.measure(marks).map_err(|reason| reason.to_string())
     }
 
     /// Prints a line, gives whether it is within bounds.
@@ -160,19 +163,20 @@ impl Patch {
     }
 }
 
-fn differences((n, _, long): &Measured, (m, _, fast): &Measured) -> [Option<f64>; 5] {
+fn differences(long: &Sample, fast: &Sample) -> [Option<f64>; 5] {
+    let [n, m] = [long.extent, fast.extent];
     let percent = |a: f64, b: f64| Some(100.0 * (b / a - 1.0));
     let turn = |a: f64, b: f64| Some((b - a + 90.0).rem_euclid(180.0) - 90.0);
-    match (long, fast) {
+    match (long.attributes, fast.attributes) {
         (Attributes::Spots(a), Attributes::Spots(b)) => [
-            percent(*n, *m),
+            percent(n, m),
             percent(a.area, b.area),
             a.spacing.zip(b.spacing).and_then(|(a, b)| percent(a, b)),
             percent(a.aspect, b.aspect),
             turn(a.angle, b.angle).filter(|_| a.aspect < ROUND),
         ],
         (Attributes::Stripes(a), Attributes::Stripes(b)) => {
-            [None, percent(a.width, b.width), percent(*m, *n), None, turn(a.angle, b.angle)]
+            [None, percent(a.width, b.width), percent(m, n), None, turn(a.angle, b.angle)]
         }
         _ => [None; 5],
     }

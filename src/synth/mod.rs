@@ -6,6 +6,7 @@ mod grow;
 mod ladder;
 mod lattice;
 pub mod memory;
+mod patch;
 pub mod pattern;
 pub mod plan;
 pub mod recipe;
@@ -18,6 +19,7 @@ mod watch;
 
 pub use engine::Engine;
 pub use grow::{GrowError, Grown, GrownLayer, Options, grow};
+pub use patch::{Patch, Sample};
 pub use refine::Measured;
 pub use settle::settle;
 pub use training::Training;
