@@ -19,6 +19,7 @@
 //! rows are, and the answer says so ([`Coverage`]).
 
 mod answer;
+mod columns;
 mod coordinates;
 mod coverage;
 mod csv_rows;
@@ -35,8 +36,9 @@ mod tests;
 mod training_set;
 
 pub use answer::{Answer, AskError, Prediction};
+pub use columns::{Column, columns_of};
 pub use coverage::Coverage;
-pub use csv_rows::{line_of, write_rows};
+pub use csv_rows::{line_of, six_digits, write_rows};
 pub use error::TrainingError;
 pub use leave_one_out::{ErrorTable, Errors, leave_one_out};
 pub use row::{Parameters, Row};

@@ -25,4 +25,4 @@ pub use errors::{Canvas, SpotErrors, StripeErrors, spot_errors, stripe_errors};
 pub use picture::{Picture, Spread, picture};
 pub use spots::{Census, Spot, census, spots};
 pub use stripes::{StripeStatistics, stripes, widths};
-pub use verdict::{Reason, spot_texture, stripe_texture};
+pub use verdict::{Reason, formed, spot_texture, stripe_texture};
