@@ -1,6 +1,7 @@
 //! How far a question lies from what was learnt, and where the nearest reachable one is.
 
-use super::local::{Fit, Local};
+use super::local::Local;
+use super::point::Point;
 
 /// How far a question lies from what was learnt.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,10 +29,12 @@ impl std::fmt::Display for Coverage {
 const SLACK: f64 = 0.015;
 /// Beyond a limit by this much is its edge: ln units, 5 %, the error still called good.
 const MARGIN: f64 = 0.05;
-/// Runs may lie this one-sided ([`Fit::one_sided`]) about a question inside. Of rows left out and asked of
+/// Runs may lie this one-sided ([`Line::one_sided`](super::line::Line::one_sided)) about a question inside. Of rows left out and asked of
 /// the others 97 % are below, those above stand in the corners; a tenth of the set's width beyond a face
 /// reads 15 to 40.
 const INSIDE: f64 = 10.0;
+/// √(one-sided − 1) about a row, as a rule.
+const OF_A_ROW: f64 = 1.5;
 /// And this one-sided at the edge.
 const EDGE: f64 = 20.0;
 
@@ -103,34 +106,40 @@ impl Judgement {
 
     /// The answer at `at`, which is moved towards its nearest row where the rows lie to one side of it, until
     /// it is inside. `called` says in words what is answered for.
-    pub fn within(&mut self, local: &Local, at: &mut [f64], called: impl Fn(&[f64]) -> String) -> Fit {
-        let asked = local.fit(at, None);
-        if asked.one_sided <= INSIDE {
-            return asked;
-        }
-        self.coverage =
-            self.coverage.max(if asked.one_sided <= EDGE { Coverage::Edge } else { Coverage::Outside });
-        let (question, row) = (at.to_vec(), local.nearest(at));
-        let mut put = |share: f64| {
-            for ((at, q), x) in at.iter_mut().zip(&question).zip(row) {
-                *at = x + (q - x) * share;
-            }
-            local.fit(at, None)
+    pub fn within(&mut self, local: &Local, at: &mut Point, called: impl Fn(&[f64]) -> String) -> Point {
+        let line = local.line(at, None);
+        let one_sided = line.one_sided();
+        let Some(row) = local.nearest(at, None).filter(|_| one_sided > INSIDE) else {
+            return local.clamped(line.value());
         };
-        let (mut inside, mut outside) = (0.0, 1.0);
-        // Seven halvings: to a hundredth of the way.
-        for _ in 0..7 {
-            let middle = 0.5 * (inside + outside);
-            let side = if put(middle).one_sided <= INSIDE { &mut inside } else { &mut outside };
-            *side = middle;
+        self.coverage = self.coverage.max(if one_sided <= EDGE { Coverage::Edge } else { Coverage::Outside });
+        let question = *at;
+        let between =
+            |share: f64| Point::of(row.at.iter().zip(question.iter()).map(|(x, q)| x + (q - x) * share));
+        // The distance of the question from its neighbours' mean in their spread is √(one-sided − 1), which grows
+        // almost evenly along the way: three looks at where it would reach the limit if it did.
+        let off = |one_sided: f64| (one_sided - 1.0).max(0.0).sqrt() - (INSIDE - 1.0_f64).sqrt();
+        let (mut inside, mut outside) = ((0.0, OF_A_ROW - (INSIDE - 1.0_f64).sqrt()), (1.0, off(one_sided)));
+        let mut reached = None;
+        for _ in 0..3 {
+            let share = inside.0 - inside.1 * (outside.0 - inside.0) / (outside.1 - inside.1);
+            let line = local.line(&between(share), None);
+            let off = off(line.one_sided());
+            if off <= 0.0 {
+                inside = (share, off);
+                reached = Some(line);
+            } else {
+                outside = (share, off);
+            }
         }
-        let fit = put(inside);
+        *at = between(inside.0);
+        let line = reached.unwrap_or_else(|| local.line(at, None));
         self.notes.push(format!(
             "the runs of this set lie to one side of the question ({}; inside is up to {INSIDE}); answered for {}",
-            brief(asked.one_sided),
+            brief(one_sided),
             called(at)
         ));
-        fit
+        local.clamped(line.value())
     }
 }
 

@@ -19,6 +19,7 @@
 //! rows are, and the answer says so ([`Coverage`]).
 
 mod answer;
+mod bandwidth;
 mod coordinates;
 mod coverage;
 mod csv_rows;
@@ -26,13 +27,16 @@ mod error;
 #[cfg(test)]
 mod laws;
 mod leave_one_out;
+mod line;
 mod local;
+mod point;
 mod row;
 mod spot_map;
 mod stripe_map;
 #[cfg(test)]
 mod tests;
 mod training_set;
+mod tree;
 
 pub use answer::{Answer, AskError, Prediction};
 pub use coverage::Coverage;
