@@ -56,7 +56,8 @@ fn normal(
     let mut normal = [[0.0; UNKNOWNS]; UNKNOWNS];
     let mut right = [[0.0; UNKNOWNS]; MOST];
     for Equation { x, y, weight } in equations {
-        let weighted = x.map(|x| weight * x);
+        let mut weighted = *x;
+        weighted.iter_mut().for_each(|x| *x *= weight);
         for (column, x) in normal.iter_mut().zip(x) {
             column.iter_mut().zip(&weighted).for_each(|(sum, weighted)| *sum += weighted * x);
         }

@@ -140,7 +140,7 @@ impl Local {
     /// Standardised features and outputs of a sample, padded with zeros.
     pub fn known(&self, near: Near) -> [Place; 2] {
         let [[x, y], [of_x, of_y]] = [&self.known[near.row()], &self.signs[near.image()]];
-        [std::array::from_fn(|j| x[j] * of_x[j]), std::array::from_fn(|m| y[m] * of_y[m])]
+        [times(x, of_x), times(y, of_y)]
     }
 
     /// A sample in its own units.
@@ -159,8 +159,7 @@ impl Local {
         let mut nearest = Nearest::new(k);
         let without = without.and_then(|row| u32::try_from(row).ok());
         for (image, [signs, _]) in (0..).zip(&self.signs) {
-            let q = std::array::from_fn(|j| q[j] * signs[j]);
-            self.tree.search(&q, image, without, &mut nearest);
+            self.tree.search(&times(q, signs), image, without, &mut nearest);
         }
         nearest.sorted()
     }
@@ -189,6 +188,13 @@ impl Local {
         }
         value
     }
+}
+
+/// a · b, number by number.
+fn times(a: &Place, b: &Place) -> Place {
+    let mut product = *a;
+    product.iter_mut().zip(b).for_each(|(a, b)| *a *= b);
+    product
 }
 
 /// Standard deviation of each of `len` numbers over rows and their mirror images; the last two, a vector, share one.

@@ -51,22 +51,28 @@ impl SpotMap {
             .collect();
         let ratio = varies(runs.iter().map(|(_, p)| libm::log(p.ratio.unwrap_or(1.0))));
         let level = varies(runs.iter().map(|(_, p)| p.level.unwrap_or(0.5)));
-        let local = |images, of: &dyn Fn(&Spots, &Parameters) -> [Point; 2]| {
+        let local = |images, of: &(dyn Fn(&Spots, &Parameters) -> [Point; 2] + Sync)| {
             let samples = runs.iter().map(|(spots, parameters)| {
                 let [at, gives] = of(spots, parameters);
                 Sample { at, gives }
             });
             Local::new(samples.collect(), images)
         };
-        let asked = local(IMAGES, &|s, p| {
-            let density = density(s).filter(|_| ratio || level);
-            let at = to::spots_asked(libm::log(s.area), density, to::elongation(s.aspect, s.angle));
-            [at, to::spots_answered(s, p)]
-        });
-        let told = local(IMAGES, &|s, p| {
-            [to::spots_told(p, ratio, level), Point::of(to::elongation(s.aspect, s.angle))]
-        });
-        let even = local(AS_IT_IS, &|s, p| [to::spots_told_even(p, ratio, level), to::spots_seen_even(s, p)]);
+        let asked = || {
+            local(IMAGES, &|s, p| {
+                let density = density(s).filter(|_| ratio || level);
+                let at = to::spots_asked(libm::log(s.area), density, to::elongation(s.aspect, s.angle));
+                [at, to::spots_answered(s, p)]
+            })
+        };
+        let told = || {
+            local(IMAGES, &|s, p| {
+                [to::spots_told(p, ratio, level), Point::of(to::elongation(s.aspect, s.angle))]
+            })
+        };
+        let even =
+            || local(AS_IT_IS, &|s, p| [to::spots_told_even(p, ratio, level), to::spots_seen_even(s, p)]);
+        let (asked, (told, even)) = rayon::join(asked, || rayon::join(told, even));
         let of = |f: fn(&Spots) -> f64| runs.iter().map(move |(spots, _)| f(spots));
         let mut densities: Vec<f64> = runs.iter().filter_map(|(spots, _)| density(spots)).collect();
         densities.sort_by(f64::total_cmp);

@@ -118,7 +118,8 @@ impl Node {
     /// Squared distance of `q` to the box.
     fn squared(&self, q: &Place) -> f64 {
         let mut sum = 0.0;
-        for ((low, high), q) in self.low.iter().zip(&self.high).zip(q) {
+        for j in 0..MOST {
+            let (low, high, q) = (self.low[j], self.high[j], q[j]);
             // Comparisons instead of `max`, which looks for NaN: there is none.
             let (below, above) = (low - q, q - high);
             let off = if below > above { below } else { above };
@@ -176,12 +177,15 @@ impl Tree {
                 continue;
             }
             while let Some(second) = self.nodes[node].second {
-                let halves = [node + 1, second].map(|half| (half, self.nodes[half].squared(q)));
-                let nearer = usize::from(halves[1].1 < halves[0].1);
-                if halves[1 - nearer].1 <= nearest.reach {
-                    waiting.push(halves[1 - nearer]);
+                let mut near = (node + 1, self.nodes[node + 1].squared(q));
+                let mut far = (second, self.nodes[second].squared(q));
+                if far.1 < near.1 {
+                    (near, far) = (far, near);
                 }
-                node = halves[nearer].0;
+                if far.1 <= nearest.reach {
+                    waiting.push(far);
+                }
+                node = near.0;
             }
             let Node { from, to, .. } = self.nodes[node];
             for (point, row) in &self.points[from..to] {
