@@ -2,8 +2,9 @@
 
 use super::answer::{Prediction, Reached, Z90};
 use super::coordinates as to;
-use super::coverage::{Judgement, Limit, brief};
+use super::coverage::{Judgement, Limit};
 use super::local::{AS_IT_IS, Images, Local, Sample, varies};
+use super::note::{Note, Quantity, Unit};
 use super::point::Point;
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Spots};
@@ -78,18 +79,24 @@ impl SpotMap {
         densities.sort_by(f64::total_cmp);
         let middle_density = densities.get(densities.len() / 2).copied().unwrap_or(0.0);
         Self {
-            area: Limit::of("area", " cells", ["smallest", "largest"], libm::exp, of(|s| libm::log(s.area))),
+            area: Limit::of(
+                "area",
+                Unit::Area,
+                ["the smallest this system grows", "the largest this system grows"],
+                libm::exp,
+                of(|s| libm::log(s.area)),
+            ),
             density: Limit::of(
                 "area/spacing²",
-                "",
-                ["sparsest", "densest"],
+                Unit::Share,
+                ["the sparsest this system packs", "the densest this system packs"],
                 libm::exp,
                 densities.into_iter(),
             ),
             elongation: Limit::of(
                 "aspect",
-                "",
-                ["roundest", "longest"],
+                Unit::Share,
+                ["the roundest this system grows", "the longest this system grows"],
                 |e| libm::exp(-e),
                 of(|s| -libm::log(s.aspect)),
             ),
@@ -122,9 +129,13 @@ impl SpotMap {
             aspect: if e_reached == e { spots.aspect } else { libm::exp(-e_reached) },
             ..*spots
         };
-        let called = |at: &[f64]| {
+        let called = |at: &Point| {
+            let mut named = vec![Quantity::new("area", libm::exp(at[0]), Unit::Area)];
+            let density = || Quantity::new("area/spacing²", libm::exp(at[1]), Unit::Share);
+            named.extend(self.dense().then(density));
             let aspect = libm::exp(-to::length([at[n - 2], at[n - 1]]));
-            format!("area {} cells, aspect {}", brief(libm::exp(at[0])), brief(aspect))
+            named.push(Quantity::new("aspect", aspect, Unit::Share));
+            named
         };
         let before = at;
         let mut answered = judgement.within(&self.asked, &mut at, called);
@@ -154,10 +165,7 @@ impl SpotMap {
         if let Some(density) = density(spots) {
             return judgement.clamp(&self.density, density);
         }
-        let middle = brief(libm::exp(self.middle_density));
-        judgement
-            .notes
-            .push(format!("spacing is free: area/spacing² {middle} taken, the middle of this set"));
+        judgement.notes.push(Note::FreeSpacing(libm::exp(self.middle_density)));
         self.middle_density
     }
 
@@ -179,12 +187,11 @@ impl SpotMap {
         let off = libm::log(asked) - libm::log(given);
         let sure = prediction.half_width("spacing");
         if judgement.beyond(off.abs() - sure) {
-            let side = if off > 0.0 { "less" } else { "more" };
-            let density = |spacing: f64| brief(libm::exp(to::log_density(predicted.area, spacing)));
-            let [asked, given] = [density(asked), density(given)];
-            judgement.notes.push(format!(
-                "area/spacing² {asked} is {side} than {given}, which is what this system gives; nearest {given}"
-            ));
+            let [asked, reached] = [asked, given].map(|spacing| {
+                let density = libm::exp(to::log_density(predicted.area, spacing));
+                Quantity::new("area/spacing²", density, Unit::Share)
+            });
+            judgement.notes.push(Note::Beyond { asked, reached, called: "as this system always packs" });
         } else {
             nearest.spacing = Some(asked);
         }

@@ -2,8 +2,9 @@
 
 use super::answer::{Prediction, Reached, Z90};
 use super::coordinates as to;
-use super::coverage::{Judgement, Limit, brief};
+use super::coverage::{Judgement, Limit};
 use super::local::{Images, Local, Sample, varies};
+use super::note::{Quantity, Unit};
 use super::point::Point;
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Stripes};
@@ -47,7 +48,13 @@ impl StripeMap {
         let told = local(&|s, p| [to::stripes_told(p, stretch), to::stripes_seen(s, p)]);
         let widths = runs.iter().map(|(stripes, _)| libm::log(stripes.width));
         Self {
-            width: Limit::of("width", " cells", ["thinnest", "widest"], libm::exp, widths),
+            width: Limit::of(
+                "width",
+                Unit::Length,
+                ["the thinnest this system grows", "the widest this system grows"],
+                libm::exp,
+                widths,
+            ),
             asked,
             told,
             stretch,
@@ -68,8 +75,10 @@ impl StripeMap {
             let quarter = 0.5 * to::axis([at[1], at[2]]);
             axial(stripes.angle + (quarter - stripes.angle + 45.0).rem_euclid(90.0) - 45.0)
         };
-        let called =
-            |at: &[f64]| format!("width {} cells, angle {}", brief(libm::exp(at[0])), brief(angle(at)));
+        let called = |at: &Point| {
+            let width = Quantity::new("width", libm::exp(at[0]), Unit::Length);
+            vec![width, Quantity::new("angle", angle(at), Unit::Angle)]
+        };
         let before = at;
         let answered = judgement.within(&self.asked, &mut at, called);
         if at != before {

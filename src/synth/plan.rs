@@ -85,18 +85,7 @@ pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) 
     let shrink = shrink.min(1.0);
     let mut answer = training.of(system)?.ask(&in_cells.scaled(shrink))?;
     answer.parameters.rate *= shrink * shrink;
-    let back = cell / shrink;
-    answer.predicted = answer.predicted.scaled(back);
-    answer.nearest = answer.nearest.scaled(back);
-    for (attribute, range) in &mut answer.interval {
-        let factor = match *attribute {
-            "area" => back * back,
-            "spacing" | "width" => back,
-            _ => 1.0,
-        };
-        *range = range.map(|end| end * factor);
-    }
-    Ok(answer)
+    Ok(answer.in_px(cell / shrink))
 }
 
 /// Plans a layer with these wanted attributes. The canvas is that of `map`.
