@@ -4,6 +4,7 @@ use super::engine::Engine;
 use super::memory::TooLarge;
 use super::pattern::Pattern;
 use super::plan::{Plan, PlanError, plan};
+use super::probe::{ProbeError, When};
 use super::recipe::{Document, DocumentError, Problem};
 use super::refine::{Measured, refine};
 use super::settle::settle;
@@ -11,6 +12,15 @@ use super::training::Training;
 use super::watch::{Cancelled, Stage, Watch};
 use super::{drawn, memory};
 use crate::field::Field;
+
+impl From<ProbeError> for GrowError {
+    fn from(error: ProbeError) -> Self {
+        match error {
+            ProbeError::Plan(error) => Self::Plan(error),
+            ProbeError::Cancelled(cancelled) => Self::Cancelled(cancelled),
+        }
+    }
+}
 
 /// How to grow a document, beyond what stands in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -103,8 +113,12 @@ pub fn grow(
     for index in 0..document.layers.len() {
         watch.step(Stage::Plan, 0.0)?;
         let map = drawn::region_map(document, index, source)?.resized(size.map(f64::from));
-        let plan = plan(training, document.layers[index].system, &map)?;
+        let mut plan = plan(training, document.layers[index].system, &map)?;
         memory::check(plan.system, size.map(f64::from), plan.grid)?;
+        if correct {
+            watch.step(Stage::Plan, 0.1)?;
+            plan = plan.probed(training, When::Unsure, watch)?;
+        }
         layers.push(grow_layer(plan, document.layer_seed(index), index + 1, correct, watch)?);
     }
     Ok(Grown { size, layers })

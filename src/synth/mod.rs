@@ -9,6 +9,7 @@ pub mod memory;
 mod patch;
 pub mod pattern;
 pub mod plan;
+pub mod probe;
 pub mod recipe;
 mod refine;
 pub mod report;

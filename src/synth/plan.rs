@@ -1,13 +1,16 @@
 //! What will be grown: the system, the size of a cell, and the parameters at every place.
 
 use super::lattice::{Lattice, Node};
+use super::probe::{self, Offset, ProbeError, Probed, When};
 use super::recipe::SystemChoice;
 use super::training::Training;
+use super::watch::Watch;
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots};
 use crate::learn::{Answer, AskError, TrainingError};
 use crate::measure::Canvas;
 use crate::rd::{Maps, System};
+use rayon::prelude::*;
 
 /// Cells that the smallest spot of a texture covers at half its peak. `facts.md` rule 1: below 25 the grid
 /// distorts, above only time is lost (it grows with the square).
@@ -54,6 +57,8 @@ pub struct Plan {
     pub lattice: Lattice,
     /// What was looked up for each region, lengths in px but parameters in cells.
     pub answers: Vec<Answer>,
+    /// What probes found about it, by region.
+    pub probed: Vec<Probed>,
 }
 
 /// px a cell that suits these attributes.
@@ -71,21 +76,27 @@ pub fn cell_for(wanted: &Attributes) -> f64 {
     cell.max(FINEST)
 }
 
+/// px a cell of the coarsest grid, no finer than `cell`, on which such marks are no larger than their size in cells
+/// matters.
+#[must_use]
+pub fn exact_cell(wanted: &Attributes, cell: f64) -> f64 {
+    cell.max(match wanted {
+        Attributes::Spots(spots) => (spots.area / EXACT_CELLS).sqrt(),
+        Attributes::Stripes(stripes) => stripes.width / EXACT_ACROSS,
+    })
+}
+
 /// Looks up attributes (px) for a grid of `cell` px a cell. The answer's attributes are px, its parameters
 /// those of the grid.
 ///
 /// # Errors
 /// The training set cannot be read, or does not take such attributes.
 pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) -> Result<Answer, PlanError> {
-    let in_cells = wanted.scaled(1.0 / cell);
-    let shrink = match &in_cells {
-        Attributes::Spots(spots) => (EXACT_CELLS / spots.area).sqrt(),
-        Attributes::Stripes(stripes) => EXACT_ACROSS / stripes.width,
-    };
-    let shrink = shrink.min(1.0);
-    let mut answer = training.of(system)?.ask(&in_cells.scaled(shrink))?;
+    let exact = exact_cell(wanted, cell);
+    let shrink = cell / exact;
+    let mut answer = training.of(system)?.ask(&wanted.scaled(1.0 / exact))?;
     answer.parameters.rate *= shrink * shrink;
-    Ok(answer.in_px(cell / shrink))
+    Ok(answer.in_px(exact))
 }
 
 /// Plans a layer with these wanted attributes. The canvas is that of `map`.
@@ -111,14 +122,32 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
 
     let answers =
         regions.iter().map(|wanted| ask(training, system, wanted, cell)).collect::<Result<Vec<_>, _>>()?;
+    let probed = vec![Probed::default(); regions.len()];
+    let lattice = lattice(training, system, &map, cell, &probed)?;
+    Ok(Plan { system, map, cell: exact, grid, lattice, answers, probed })
+}
+
+/// Parameters at the nodes over the canvas of `map`: those looked up for what is wanted there, less what probes found
+/// the regions around to be off by.
+fn lattice(
+    training: &Training,
+    system: System,
+    map: &RegionMap,
+    cell: f64,
+    probed: &[Probed],
+) -> Result<Lattice, PlanError> {
     let layout = Lattice::over(map.layout());
-    let nodes = (0..layout.len())
-        .map(|index| {
-            let wanted = map.at(layout.center(layout.place(index)));
-            Ok(Node::of(&ask(training, system, &wanted, cell)?.parameters))
-        })
-        .collect::<Result<Vec<_>, PlanError>>()?;
-    Ok(Plan { system, map, cell: exact, grid, lattice: Lattice { layout, nodes }, answers })
+    let node = |index: usize| {
+        let point = layout.center(layout.place(index));
+        let corners = map.layout().corners(point);
+        let offset = corners
+            .iter()
+            .fold(Offset::default(), |sum, &(region, weight)| sum.plus(weight, probed[region].offset));
+        let asked = offset.applied(-1.0, &map.at(point));
+        Ok(Node::of(&ask(training, system, &asked, cell)?.parameters))
+    };
+    let nodes = (0..layout.len()).into_par_iter().map(node).collect::<Result<Vec<_>, PlanError>>()?;
+    Ok(Lattice { layout, nodes })
 }
 
 /// Spacing, px, that the system gives such spots by itself.
@@ -165,6 +194,35 @@ fn distance(a: &Attributes, b: &Attributes) -> f64 {
 }
 
 impl Plan {
+    /// px a cell.
+    fn pitch(&self) -> f64 {
+        (self.cell[0] * self.cell[1]).sqrt()
+    }
+
+    /// The same plan with its parameters corrected by probes, one a region.
+    ///
+    /// # Errors
+    /// The training set cannot be asked; or [`super::Cancelled`].
+    pub fn probed(mut self, training: &Training, when: When, watch: &Watch) -> Result<Self, ProbeError> {
+        let layout = *self.map.layout();
+        let wanted: Vec<Attributes> =
+            (0..layout.len()).map(|i| self.map.at(layout.center(layout.place(i)))).collect();
+        let cell = self.pitch();
+        self.probed = probe::probed(training, self.system, &wanted, cell, when, watch)?;
+        if self.probed.iter().all(|probed| probed.growths == 0) {
+            return Ok(self);
+        }
+        self.lattice = lattice(training, self.system, &self.map, cell, &self.probed)?;
+        for ((answer, wanted), Probed { offset, .. }) in
+            self.answers.iter_mut().zip(&wanted).zip(&self.probed)
+        {
+            let corrected = ask(training, self.system, &offset.applied(-1.0, wanted), cell)?;
+            answer.parameters = corrected.parameters;
+            answer.predicted = offset.applied(1.0, &corrected.predicted);
+        }
+        Ok(self)
+    }
+
     /// Does `work` with the canvas that the ruler compares against: its regions, and what is wanted where.
     pub fn on_canvas<T>(&self, work: impl FnOnce(&Canvas) -> T) -> T {
         let layout = self.map.layout();
@@ -181,7 +239,6 @@ impl Plan {
     /// region of `map`.
     #[must_use]
     pub fn maps(&self, pitch: &[f64]) -> Maps {
-        use rayon::prelude::*;
         let [nx, ny] = self.grid;
         let regions = self.map.layout();
         let uniform = self.lattice.nodes.len() == 1 && pitch.len() == 1;

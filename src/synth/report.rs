@@ -53,6 +53,7 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
     }
     parameters.insert("cell".to_owned(), json!(cell));
     let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
+    notes.extend(plan.probed[index].note());
     let (marks, error) = errors(&layer.measured, index);
     if marks == Some(0) {
         notes.push("no whole mark grew in this region: nothing was measured".to_owned());

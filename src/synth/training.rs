@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use crate::learn::{TrainingError, TrainingSet};
+use crate::learn::{Row, TrainingError, TrainingSet};
 use crate::rd::System;
 
 /// The training sets that a growth asks, each read when first asked.
@@ -18,6 +18,17 @@ impl Training {
     #[must_use]
     pub fn from(folder: Option<PathBuf>) -> Self {
         Self { folder, sets: Default::default() }
+    }
+
+    /// Only these rows of `system`; the built-in sets of the others.
+    ///
+    /// # Errors
+    /// Too few rows, or not of this system.
+    pub fn of_rows(system: System, rows: Vec<Row>) -> Result<Self, TrainingError> {
+        let training = Self::default();
+        let set = TrainingSet::from_rows(system.name(), rows)?;
+        training.sets[system as usize].get_or_init(|| set);
+        Ok(training)
     }
 
     /// The set of `system`.

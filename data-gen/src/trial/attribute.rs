@@ -16,14 +16,14 @@ pub struct Attribute {
 
 /// All of them; a region's errors stand in this order.
 pub const ATTRIBUTES: [Attribute; 8] = [
-    spots("area", "%", 100.0, Some([4.0, 10.0])),
-    spots("spacing", "%", 100.0, Some([4.0, 10.0])),
+    spots("area", "%", 100.0, Some([1.0, 3.0])),
+    spots("spacing", "%", 100.0, Some([2.0, 6.0])),
     // The contract says "over the whole layer"; read by whoever takes that for the layer's whole marks.
     spots("spacing of whole marks", "%", 100.0, None),
-    spots("aspect", "", 1.0, Some([0.02, 0.06])),
-    spots("angle", "°", 1.0, Some([1.5, 5.0])),
-    stripes("width", "%", 100.0, Some([4.0, 10.0])),
-    stripes("angle", "°", 1.0, Some([3.0, 8.0])),
+    spots("aspect", "", 1.0, Some([0.006, 0.02])),
+    spots("angle", "°", 1.0, Some([0.5, 2.0])),
+    stripes("width", "%", 100.0, Some([2.0, 5.0])),
+    stripes("angle", "°", 1.0, Some([1.2, 4.0])),
     stripes("angle, rms", "°", 1.0, None),
 ];
 

@@ -34,6 +34,9 @@ pub struct Args {
     /// Random sketches
     #[arg(long, value_name = "N", default_value_t = 100)]
     sketches: u64,
+    /// The first of them
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    from: u64,
     /// The seed that the random sketches are drawn from
     #[arg(long, value_name = "N", default_value_t = sketches::SEED)]
     seed: u64,
@@ -101,7 +104,7 @@ fn tasks(args: &Args) -> Result<Vec<Task>, String> {
         let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         tasks.push(Task { name, random: false, document });
     }
-    for index in 0..args.sketches {
+    for index in args.from..args.from.saturating_add(args.sketches) {
         let document = sketches::sketch(args.seed, index)?;
         tasks.push(Task { name: format!("random-{index:03}"), random: true, document });
     }

@@ -24,6 +24,11 @@ pub enum Failure {
         /// Share of the area that is no ellipse; of a region of stripes, share that is stripe.
         share: f64,
     },
+    /// Stripes run this way and that.
+    Incoherent {
+        /// Mean coherence of the structure tensor.
+        coherence: f64,
+    },
     /// A region holds fewer than half of its marks.
     HalfEmpty {
         /// [column, row].
@@ -43,13 +48,14 @@ impl Failure {
             Self::BlownUp => "blown up",
             Self::Blank { .. } => "blank",
             Self::Merged { .. } => "merged",
+            Self::Incoherent { .. } => "incoherent",
             Self::HalfEmpty { .. } => "half empty",
         }
     }
 }
 
 /// All kinds, worst first.
-pub const KINDS: [&str; 5] = ["not grown", "blown up", "blank", "merged", "half empty"];
+pub const KINDS: [&str; 6] = ["not grown", "blown up", "blank", "merged", "incoherent", "half empty"];
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -58,6 +64,9 @@ impl fmt::Display for Failure {
             Self::BlownUp => write!(f, "blown up"),
             Self::Blank { range } => write!(f, "blank: the pattern spans {range:.3}"),
             Self::Merged { share } => write!(f, "merged: {:.0} % of the area", 100.0 * share),
+            Self::Incoherent { coherence } => {
+                write!(f, "incoherent: {coherence:.2}, at least {COHERENCE} is wanted")
+            }
             Self::HalfEmpty { region: [column, row], found, expected } => {
                 write!(f, "half empty: region {column},{row} holds {found:.2} of {expected:.2}")
             }
@@ -76,6 +85,8 @@ const HUGE: f64 = 2.5;
 const BENT: f64 = 0.05;
 /// A region with less than this share of its marks is half empty.
 const HALF: f64 = 0.5;
+/// Mean coherence of stripes; a labyrinth reaches 0.48, good ones 0.98.
+const COHERENCE: f64 = 0.9;
 /// Share of a region of stripes that is stripe, at least and at most: half of ½, and as far above it.
 const STRIPE: [f64; 2] = [0.25, 0.75];
 /// Points along each side of a region at which the map is read.
@@ -163,6 +174,10 @@ pub fn of_stripes(pattern: &Field, layout: &Layout) -> Vec<Failure> {
             failures.push(Failure::Merged { share: found });
         }
     }
+    let coherence = dapple::measure::stripes(pattern, 0.5).map_or(0.0, |found| found.coherence);
+    if coherence < COHERENCE {
+        failures.push(Failure::Incoherent { coherence });
+    }
     failures
 }
 
@@ -184,6 +199,19 @@ mod tests {
             if keep(place) { (1.0 - 0.5 * (dx * dx + dy * dy).sqrt() / radius).max(0.0) as f32 } else { 0.0 }
         });
         of_any(&pattern).into_iter().chain(of_spots(&spots(&pattern, 0.5), &map)).collect()
+    }
+
+    #[test]
+    fn stripes_that_run_both_ways_are_incoherent() {
+        let layout = Layout { size: [160.0, 160.0], grid: [1, 1], edges: Edges::Wrap };
+        let wave = |x: f64| libm::sin(x * std::f64::consts::TAU / 16.0);
+        let judged = |both: f64| {
+            let value = |[x, y]: [f64; 2]| (0.5 + 0.4 * (wave(x) + both * wave(y)) / (1.0 + both)) as f32;
+            let pattern = Field::from_fn([160, 160], [1.0, 1.0], Edges::Wrap, value);
+            of_stripes(&pattern, &layout).iter().map(Failure::kind).collect::<Vec<_>>()
+        };
+        assert_eq!(judged(0.0), [""; 0]);
+        assert_eq!(judged(1.0), ["incoherent"]);
     }
 
     #[test]
