@@ -1,15 +1,13 @@
-//! What stands around the growth, from the question to the picture: laying nuclei, asking the training sets, the
+//! What stands around the growth, from the plan to the picture: laying nuclei, the
 //! ruler, resampling, colours, PNG. See README.md.
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
-use dapple::attributes::{Attributes, Spots, Stripes};
 use dapple::cli::bench::cases::Case;
 use dapple::colour::{Gradient, Painted, paint};
 use dapple::export::png;
 use dapple::field::resample::Spline;
 use dapple::field::{Edges, Field};
-use dapple::learn::TrainingSet;
 use dapple::measure;
 use dapple::rd::{Growth, nuclei};
 use std::hint::black_box;
@@ -41,21 +39,6 @@ fn beginning(criterion: &mut Criterion) {
     let maps = case.maps(SIDE);
     group.bench_function("nuclei", |bencher| {
         bencher.iter(|| nuclei(case.system, black_box(&maps), Edges::Wrap, 1));
-    });
-}
-
-fn regression(criterion: &mut Criterion) {
-    let mut group = group(criterion, "regression");
-    group.throughput(Throughput::Elements(1));
-    let spots = Attributes::Spots(Spots { area: 60.0, aspect: 0.6, angle: 30.0, spacing: Some(25.0) });
-    let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 30.0 });
-    let questions = [("turing-spots", spots), ("meinhardt-spots", spots), ("meinhardt-stripes", stripes)];
-    for (system, wanted) in questions {
-        let set = TrainingSet::embedded(system).expect("the set is built in");
-        group.bench_function(system, |bencher| bencher.iter(|| set.ask(black_box(&wanted))));
-    }
-    group.bench_function("read a set", |bencher| {
-        bencher.iter(|| TrainingSet::embedded(black_box("meinhardt-spots")));
     });
 }
 
@@ -114,5 +97,5 @@ fn written(write: impl FnOnce(&mut Vec<u8>) -> Result<(), dapple::export::Stoppe
     bytes
 }
 
-criterion_group!(benches, beginning, regression, ruler);
+criterion_group!(benches, beginning, ruler);
 criterion_main!(benches);

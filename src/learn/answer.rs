@@ -2,7 +2,7 @@
 
 use super::coverage::{Coverage, Judgement};
 use super::training_set::Map;
-use super::{Parameters, TrainingSet};
+use super::{Note, Parameters, TrainingSet};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
 
@@ -23,8 +23,30 @@ pub struct Answer {
     pub coverage: Coverage,
     /// The nearest question that lies within; what was asked where that is inside.
     pub nearest: Attributes,
-    /// What there is to say about it, in sentences with numbers.
-    pub notes: Vec<String>,
+    /// What there is to say about it.
+    pub notes: Vec<Note>,
+}
+
+impl Answer {
+    /// The same about a grid of `cell` px a cell: all lengths, which were cells, in px. Parameters stay those of
+    /// the grid.
+    #[must_use]
+    pub fn in_px(mut self, cell: f64) -> Self {
+        for (attribute, range) in &mut self.interval {
+            let factor = match *attribute {
+                "area" => cell * cell,
+                "spacing" | "width" => cell,
+                _ => 1.0,
+            };
+            *range = range.map(|end| end * factor);
+        }
+        Self {
+            predicted: self.predicted.scaled(cell),
+            nearest: self.nearest.scaled(cell),
+            notes: self.notes.into_iter().map(|note| note.in_px(cell)).collect(),
+            ..self
+        }
+    }
 }
 
 /// What parameters grow, as far as the rows tell. Lengths are cells.

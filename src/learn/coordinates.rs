@@ -4,6 +4,7 @@
 //! learn is small and leaving the rows' range is benign.
 
 use super::Parameters;
+use super::point::Point;
 use crate::attributes::{Spots, Stripes};
 use crate::marks::axial;
 
@@ -36,15 +37,15 @@ pub(super) fn log_density(area: f64, spacing: f64) -> f64 {
 }
 
 /// What is asked of a spot set: (ln A, ln(A/L²) where `density`, v).
-pub(super) fn spots_asked(log_area: f64, density: Option<f64>, v: [f64; 2]) -> Vec<f64> {
-    std::iter::once(log_area).chain(density).chain(v).collect()
+pub(super) fn spots_asked(log_area: f64, density: Option<f64>, v: [f64; 2]) -> Point {
+    Point::of(std::iter::once(log_area).chain(density).chain(v))
 }
 
 /// What a spot set answers: (ln(rate·A), ln ratio, level, w).
-pub(super) fn spots_answered(spots: &Spots, p: &Parameters) -> Vec<f64> {
+pub(super) fn spots_answered(spots: &Spots, p: &Parameters) -> Point {
     let [x, y] = elongation(p.stretch, p.direction);
     let ratio = libm::log(p.ratio.unwrap_or(1.0));
-    vec![libm::log(p.rate) + libm::log(spots.area), ratio, p.level.unwrap_or(0.5), x, y]
+    Point::of([libm::log(p.rate) + libm::log(spots.area), ratio, p.level.unwrap_or(0.5), x, y])
 }
 
 /// The parameters that this answer, given for a spot of `log_area`, stands for.
@@ -60,8 +61,8 @@ pub(super) fn spot_parameters(log_area: f64, answered: &[f64]) -> Parameters {
 }
 
 /// What a spot set can be told: (ln rate, ln ratio, level, w), those left out that do not vary in it.
-pub(super) fn spots_told(p: &Parameters, ratio: bool, level: bool) -> Vec<f64> {
-    let mut told = vec![libm::log(p.rate)];
+pub(super) fn spots_told(p: &Parameters, ratio: bool, level: bool) -> Point {
+    let mut told = Point::of([libm::log(p.rate)]);
     told.extend(ratio.then(|| libm::log(p.ratio.unwrap_or(1.0))));
     told.extend(level.then(|| p.level.unwrap_or(0.5)));
     told.extend(elongation(p.stretch, p.direction));
@@ -73,7 +74,7 @@ pub(super) fn spots_told(p: &Parameters, ratio: bool, level: bool) -> Vec<f64> {
 /// Over the plane of w such a number has a kink at 0 (aspect ≈ e^−|w|), which a local line would cut off; over
 /// |w| it has none. cos 4φ: the grid's axes. And where w = 0, v points anywhere, so its mean says nothing
 /// about the aspect: isotropic Turing spots measure 0.88 and not 1.
-pub(super) fn spots_told_even(p: &Parameters, ratio: bool, level: bool) -> Vec<f64> {
+pub(super) fn spots_told_even(p: &Parameters, ratio: bool, level: bool) -> Point {
     let mut told = spots_told(p, ratio, level);
     let w = -libm::log(p.stretch);
     let n = told.len();
@@ -83,24 +84,24 @@ pub(super) fn spots_told_even(p: &Parameters, ratio: bool, level: bool) -> Vec<f
 }
 
 /// What then is seen that a mirror leaves alone: (ln(rate·A), ln(rate·L²), −ln(aspect)).
-pub(super) fn spots_seen_even(spots: &Spots, p: &Parameters) -> Vec<f64> {
+pub(super) fn spots_seen_even(spots: &Spots, p: &Parameters) -> Point {
     let rate = libm::log(p.rate);
     let log_spacing = libm::log(spots.spacing.unwrap_or(1.0));
-    vec![rate + libm::log(spots.area), rate + 2.0 * log_spacing, -libm::log(spots.aspect)]
+    Point::of([rate + libm::log(spots.area), rate + 2.0 * log_spacing, -libm::log(spots.aspect)])
 }
 
 /// What is asked of a stripe set: (ln W, cos 4θ, sin 4θ).
 ///
 /// The fourth harmonic: a grid looks the same after a quarter turn.
-pub(super) fn stripes_asked(log_width: f64, angle: f64) -> Vec<f64> {
+pub(super) fn stripes_asked(log_width: f64, angle: f64) -> Point {
     let [c, s] = harmonic(angle, 4.0);
-    vec![log_width, c, s]
+    Point::of([log_width, c, s])
 }
 
 /// What a stripe set answers: (ln(rate·W²), −ln stretch, cos 2Δ, sin 2Δ), Δ = direction − angle.
-pub(super) fn stripes_answered(stripes: &Stripes, p: &Parameters) -> Vec<f64> {
+pub(super) fn stripes_answered(stripes: &Stripes, p: &Parameters) -> Point {
     let [c, s] = harmonic(p.direction - stripes.angle, 2.0);
-    vec![libm::log(p.rate) + 2.0 * libm::log(stripes.width), -libm::log(p.stretch), c, s]
+    Point::of([libm::log(p.rate) + 2.0 * libm::log(stripes.width), -libm::log(p.stretch), c, s])
 }
 
 /// The parameters that this answer, given for stripes of `log_width` and `angle`, stands for.
@@ -115,15 +116,15 @@ pub(super) fn stripe_parameters(log_width: f64, angle: f64, answered: &[f64]) ->
 }
 
 /// What a stripe set can be told: (ln rate, −ln stretch where it varies, cos 4φ, sin 4φ).
-pub(super) fn stripes_told(p: &Parameters, stretch: bool) -> Vec<f64> {
-    let mut told = vec![libm::log(p.rate)];
+pub(super) fn stripes_told(p: &Parameters, stretch: bool) -> Point {
+    let mut told = Point::of([libm::log(p.rate)]);
     told.extend(stretch.then(|| -libm::log(p.stretch)));
     told.extend(harmonic(p.direction, 4.0));
     told
 }
 
 /// What then is seen: (ln(rate·W²), cos 2Δ, sin 2Δ).
-pub(super) fn stripes_seen(stripes: &Stripes, p: &Parameters) -> Vec<f64> {
+pub(super) fn stripes_seen(stripes: &Stripes, p: &Parameters) -> Point {
     let [c, s] = harmonic(p.direction - stripes.angle, 2.0);
-    vec![libm::log(p.rate) + 2.0 * libm::log(stripes.width), c, s]
+    Point::of([libm::log(p.rate) + 2.0 * libm::log(stripes.width), c, s])
 }

@@ -1,6 +1,8 @@
 //! How far a question lies from what was learnt, and where the nearest reachable one is.
 
-use super::local::{Fit, Local};
+use super::local::Local;
+use super::note::{Note, Quantity, Unit};
+use super::point::Point;
 
 /// How far a question lies from what was learnt.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,10 +30,12 @@ impl std::fmt::Display for Coverage {
 const SLACK: f64 = 0.015;
 /// Beyond a limit by this much is its edge: ln units, 5 %, the error still called good.
 const MARGIN: f64 = 0.05;
-/// Runs may lie this one-sided ([`Fit::one_sided`]) about a question inside. Of rows left out and asked of
+/// Runs may lie this one-sided ([`Line::one_sided`](super::line::Line::one_sided)) about a question inside. Of rows left out and asked of
 /// the others 97 % are below, those above stand in the corners; a tenth of the set's width beyond a face
 /// reads 15 to 40.
 const INSIDE: f64 = 10.0;
+/// √(one-sided − 1) about a row, as a rule.
+const OF_A_ROW: f64 = 1.5;
 /// And this one-sided at the edge.
 const EDGE: f64 = 20.0;
 
@@ -39,9 +43,9 @@ const EDGE: f64 = 20.0;
 pub(super) struct Limit {
     /// The attribute.
     pub what: &'static str,
-    /// What its numbers are followed by in a sentence.
-    pub unit: &'static str,
-    /// What the set's row with the lowest and the highest coordinate is called.
+    /// What its numbers are.
+    pub unit: Unit,
+    /// What the system's lowest and highest coordinate are, in words.
     pub called: [&'static str; 2],
     /// Lowest and highest coordinate.
     pub span: [f64; 2],
@@ -53,7 +57,7 @@ impl Limit {
     /// The span of `coordinates`.
     pub fn of(
         what: &'static str,
-        unit: &'static str,
+        unit: Unit,
         called: [&'static str; 2],
         shown: fn(f64) -> f64,
         coordinates: impl Iterator<Item = f64>,
@@ -66,7 +70,7 @@ impl Limit {
 /// What has been found out about a question so far.
 pub(super) struct Judgement {
     pub coverage: Coverage,
-    pub notes: Vec<String>,
+    pub notes: Vec<Note>,
 }
 
 impl Judgement {
@@ -90,57 +94,50 @@ impl Judgement {
         let [low, high] = limit.span;
         let within = value.clamp(low, high);
         if self.beyond((value - within).abs()) {
-            let (asked, reached) = ((limit.shown)(value), (limit.shown)(within));
-            let [what, unit, called] = [limit.what, limit.unit, limit.called[usize::from(value > high)]];
-            let side = if asked > reached { "more" } else { "less" };
-            let [asked, reached] = [brief(asked), brief(reached)];
-            self.notes.push(format!(
-                "{what} {asked}{unit} is {side} than {reached}, the {called} this set holds; nearest {reached}"
-            ));
+            let [asked, reached] =
+                [value, within].map(|x| Quantity::new(limit.what, (limit.shown)(x), limit.unit));
+            self.notes.push(Note::Beyond { asked, reached, called: limit.called[usize::from(value > high)] });
         }
         within
     }
 
     /// The answer at `at`, which is moved towards its nearest row where the rows lie to one side of it, until
-    /// it is inside. `called` says in words what is answered for.
-    pub fn within(&mut self, local: &Local, at: &mut [f64], called: impl Fn(&[f64]) -> String) -> Fit {
-        let asked = local.fit(at, None);
-        if asked.one_sided <= INSIDE {
-            return asked;
-        }
-        self.coverage =
-            self.coverage.max(if asked.one_sided <= EDGE { Coverage::Edge } else { Coverage::Outside });
-        let (question, row) = (at.to_vec(), local.nearest(at));
-        let mut put = |share: f64| {
-            for ((at, q), x) in at.iter_mut().zip(&question).zip(row) {
-                *at = x + (q - x) * share;
-            }
-            local.fit(at, None)
+    /// it is inside. `called` names what a place stands for.
+    pub fn within(
+        &mut self,
+        local: &Local,
+        at: &mut Point,
+        called: impl Fn(&Point) -> Vec<Quantity>,
+    ) -> Point {
+        let line = local.line(at, None);
+        let one_sided = line.one_sided();
+        let Some(row) = local.nearest(at, None).filter(|_| one_sided > INSIDE) else {
+            return local.clamped(line.value());
         };
-        let (mut inside, mut outside) = (0.0, 1.0);
-        // Seven halvings: to a hundredth of the way.
-        for _ in 0..7 {
-            let middle = 0.5 * (inside + outside);
-            let side = if put(middle).one_sided <= INSIDE { &mut inside } else { &mut outside };
-            *side = middle;
+        self.coverage = self.coverage.max(if one_sided <= EDGE { Coverage::Edge } else { Coverage::Outside });
+        let question = *at;
+        let between =
+            |share: f64| Point::of(row.at.iter().zip(question.iter()).map(|(x, q)| x + (q - x) * share));
+        // The distance of the question from its neighbours' mean in their spread is √(one-sided − 1), which grows
+        // almost evenly along the way: three looks at where it would reach the limit if it did.
+        let off = |one_sided: f64| (one_sided - 1.0).max(0.0).sqrt() - (INSIDE - 1.0_f64).sqrt();
+        let (mut inside, mut outside) = ((0.0, OF_A_ROW - (INSIDE - 1.0_f64).sqrt()), (1.0, off(one_sided)));
+        let mut reached = None;
+        for _ in 0..3 {
+            let share = inside.0 - inside.1 * (outside.0 - inside.0) / (outside.1 - inside.1);
+            let line = local.line(&between(share), None);
+            let off = off(line.one_sided());
+            if off <= 0.0 {
+                inside = (share, off);
+                reached = Some(line);
+            } else {
+                outside = (share, off);
+            }
         }
-        let fit = put(inside);
-        self.notes.push(format!(
-            "the runs of this set lie to one side of the question ({}; inside is up to {INSIDE}); answered for {}",
-            brief(asked.one_sided),
-            called(at)
-        ));
-        fit
-    }
-}
-
-/// A number in a sentence: three significant digits.
-pub(super) fn brief(value: f64) -> String {
-    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-    if (1e-4..1e7).contains(&rounded.abs()) || rounded == 0.0 {
-        rounded.to_string()
-    } else {
-        format!("{rounded:e}")
+        *at = between(inside.0);
+        let line = reached.unwrap_or_else(|| local.line(at, None));
+        self.notes.push(Note::Together { asked: called(&question), reached: called(at) });
+        local.clamped(line.value())
     }
 }
 
@@ -150,8 +147,8 @@ mod tests {
 
     const AREA: Limit = Limit {
         what: "area",
-        unit: " cells",
-        called: ["smallest", "largest"],
+        unit: Unit::Area,
+        called: ["the smallest this system grows", "the largest this system grows"],
         span: [0.0, 2.0],
         shown: libm::exp,
     };
@@ -176,19 +173,14 @@ mod tests {
         let mut judgement = Judgement::new();
         judgement.clamp(&AREA, libm::log(0.5));
         judgement.clamp(&AREA, libm::log(20.0));
+        let told: Vec<String> = judgement.notes.iter().map(ToString::to_string).collect();
         assert_eq!(
-            judgement.notes[0],
-            "area 0.5 cells is less than 1, the smallest this set holds; nearest 1"
+            told[0],
+            "area 0.5 cells is less than 1 cells, the smallest this system grows; growing at 1 cells"
         );
         assert_eq!(
-            judgement.notes[1],
-            "area 20 cells is more than 7.39, the largest this set holds; nearest 7.39"
+            told[1],
+            "area 20 cells is more than 7.39 cells, the largest this system grows; growing at 7.39 cells"
         );
-    }
-
-    #[test]
-    fn numbers_in_sentences_are_short() {
-        let seen: Vec<String> = [0.0, 1.0, 0.123_456, 12_345.0, 1e300, 3e-9].map(brief).into();
-        assert_eq!(seen, ["0", "1", "0.123", "12300", "1e300", "3e-9"]);
     }
 }

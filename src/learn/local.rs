@@ -7,58 +7,50 @@
 //! ```
 //!
 //! and the answer is β₀ of the line that minimises Σ wᵢ |yᵢ − β₀ − Bᵀ(xᵢ − q)/h|² + λ|B|².
-//! (Atkeson, Moore & Schaal, Artificial Intelligence Review 11, 1997, §4–5.)
+//! (Atkeson, Moore & Schaal, Artificial Intelligence Review 11, 1997, §4–5.) How large k is: [`super::bandwidth`].
+//!
+//! A row stands for its mirror images too. They are not stored: the distance of a question to a row's image is that
+//! of the question's image to the row.
 
-use nalgebra::{DMatrix, DVector};
+use super::bandwidth;
+use super::line::{Fit, Line};
+use super::point::{MOST, Point};
+use super::tree::{Near, Nearest, Place, Tree};
 
-/// λ ÷ Σw: keeps a feature that hardly varies among the neighbours from tilting the answer; too small to
-/// be seen where it does vary (a line is recovered to 1e-6).
-const RIDGE: f64 = 1e-6;
-
-/// A known point of the map: features → outputs.
+/// A known point of the map: features → outputs. The last two of each are a double-angle vector.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     /// The features, in their own units.
-    pub at: Vec<f64>,
+    pub at: Point,
     /// The outputs.
-    pub gives: Vec<f64>,
-    /// The row it comes from; the mirror images of a row share it.
-    pub row: usize,
+    pub gives: Point,
 }
+
+/// By what a double-angle vector is multiplied, ±1: a row as it is first, then its mirror images.
+pub(super) type Images = &'static [[f64; 2]];
+
+/// No mirrors.
+pub(super) const AS_IT_IS: Images = &[[1.0, 1.0]];
 
 /// The known points, standardised, ready to be asked.
 pub(super) struct Local {
-    /// Features a sample.
+    rows: Vec<Sample>,
+    /// Features of a row.
     dims: usize,
+    /// Outputs of a row.
+    outputs: usize,
     /// Standard deviation of each feature.
-    scale: Vec<f64>,
-    /// Features ÷ scale, sample by sample.
-    x: Vec<f64>,
-    samples: Vec<Sample>,
+    scale: Place,
+    /// Features ÷ scale and outputs, row by row.
+    known: Vec<[Place; 2]>,
+    /// By what these are multiplied in each mirror image.
+    signs: Vec<[Place; 2]>,
+    images: Images,
+    tree: Tree,
     /// Lowest and highest of each output.
-    span: Vec<[f64; 2]>,
+    span: [[f64; 2]; MOST],
     /// k of the bandwidth.
     neighbours: usize,
-}
-
-/// An answer of the local line.
-pub(super) struct Fit {
-    /// The outputs, clamped to the span that the samples have.
-    pub value: Vec<f64>,
-    /// Standard deviation of a new measurement about each output: scatter and the line's own uncertainty.
-    pub deviation: Vec<f64>,
-    /// How one-sided the neighbours lie about the question, Σkᵢ²·(Σw)²/Σw² with the line's equivalent
-    /// kernel k: 1 in their middle, 1 + (their mean's distance ÷ their spread)² elsewhere. On the face of a
-    /// box about 3, at the corner of four faces about 8.
-    pub one_sided: f64,
-}
-
-/// The double-angle vector in the last two numbers, its components times ±1: a mirror image.
-pub(super) fn mirrored(numbers: &[f64], [c, s]: [f64; 2]) -> Vec<f64> {
-    let mut numbers = numbers.to_vec();
-    if let [.., x, y] = numbers.as_mut_slice() {
-        (*x, *y) = (*x * c, *y * s);
-    }
-    numbers
 }
 
 /// Does a parameter vary among the rows, by a factor (or a share) of 2 % at least? Less is no feature.
@@ -69,162 +61,213 @@ pub(super) fn varies(values: impl Iterator<Item = f64>) -> bool {
 }
 
 impl Local {
-    /// Standardises `samples`, whose last two features are a vector: its components share one scale, so that
-    /// distance does not depend on direction. There are `neighbours` a feature.
-    pub fn new(samples: Vec<Sample>, neighbours: usize) -> Self {
-        let dims = samples.first().map_or(0, |sample| sample.at.len());
-        let n = samples.len().max(1) as f64;
-        let mut variance: Vec<f64> = (0..dims)
-            .map(|j| {
-                let mean = samples.iter().map(|s| s.at[j]).sum::<f64>() / n;
-                samples.iter().map(|s| (s.at[j] - mean) * (s.at[j] - mean)).sum::<f64>() / n
-            })
-            .collect();
-        let vector = &mut variance[dims.saturating_sub(2)..];
-        let shared = vector.iter().sum::<f64>() / 2.0;
-        vector.fill(shared);
-        // A feature that does not vary at all must not divide by zero; 1 leaves it without weight.
-        let scale: Vec<f64> = variance.iter().map(|v| if *v > 1e-18 { v.sqrt() } else { 1.0 }).collect();
-        let x = samples.iter().flat_map(|s| s.at.iter().zip(&scale).map(|(x, scale)| x / scale)).collect();
-        let outputs = samples.first().map_or(0, |sample| sample.gives.len());
-        let span = (0..outputs)
-            .map(|m| {
-                let (low, high) = (f64::INFINITY, f64::NEG_INFINITY);
-                samples.iter().fold([low, high], |[l, h], s| [l.min(s.gives[m]), h.max(s.gives[m])])
-            })
-            .collect();
-        Self { dims, scale, x, samples, span, neighbours: neighbours * dims }
+    /// Standardises `rows`, so that the components of the vector share one scale: distance does not depend on
+    /// direction. How many neighbours are asked is chosen by leaving rows out.
+    pub fn new(rows: Vec<Sample>, images: Images) -> Self {
+        let mut local = Self::with_neighbours(rows, images, 0);
+        local.neighbours = bandwidth::chosen(&local);
+        local
     }
 
-    /// The samples.
-    pub fn samples(&self) -> &[Sample] {
-        &self.samples
-    }
-
-    /// Squared standardised distance of `q` to each sample, without those of the row `without`.
-    fn distances(&self, q: &[f64], without: Option<usize>) -> Vec<(f64, usize)> {
-        let q: Vec<f64> = q.iter().zip(&self.scale).map(|(q, scale)| q / scale).collect();
-        let squared = |x: &[f64]| x.iter().zip(&q).map(|(x, q)| (x - q) * (x - q)).sum::<f64>();
-        self.x
-            .chunks_exact(self.dims)
-            .enumerate()
-            .filter(|(i, _)| without.is_none_or(|row| self.samples[*i].row != row))
-            .map(|(i, x)| (squared(x), i))
-            .collect()
-    }
-
-    /// The features of the sample nearest to `q`.
-    pub fn nearest(&self, q: &[f64]) -> &[f64] {
-        let nearest = self.distances(q, None).into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-        nearest.map_or(&[], |(_, i)| &self.samples[i].at)
-    }
-
-    /// The answer at `q`, as if the row `without` were not there.
-    pub fn fit(&self, q: &[f64], without: Option<usize>) -> Fit {
-        let mut near = self.distances(q, without);
-        let k = self.neighbours.min(near.len());
-        let order = |a: &(f64, usize), b: &(f64, usize)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
-        if k < near.len() {
-            near.select_nth_unstable_by(k, order);
-            near.truncate(k);
-        }
-        near.sort_unstable_by(order);
-        // All neighbours at one place: any h gives them weight 1.
-        let h = near.last().map_or(1.0, |last| last.0.sqrt()).max(1e-9);
-        let design = Design::new(self, &near, q, h);
-        self.solve(&design, &near)
-    }
-
-    fn solve(&self, design: &Design, near: &[(f64, usize)]) -> Fit {
-        let p = self.dims + 1;
-        let total = design.weight.sum();
-        let mut normal = design.weighted.tr_mul(&design.x);
-        for j in 1..p {
-            normal[(j, j)] += RIDGE * total;
-        }
-        // β₀ = Σ kᵢ yᵢ, the equivalent kernel; one solve serves every output.
-        let mut first = DVector::zeros(p);
-        first[0] = 1.0;
-        let solved = normal.clone().cholesky().map(|cholesky| cholesky.solve(&first));
-        let column = solved.unwrap_or_else(|| {
-            // Not positive definite in rounding: the mean instead of the line.
-            first / normal[(0, 0)].max(f64::MIN_POSITIVE)
-        });
-        let kernel = &design.weighted * &column;
-        let y = DMatrix::from_fn(near.len(), self.span.len(), |i, m| self.samples[near[i].1].gives[m]);
-        let value = y.tr_mul(&kernel);
-        let slopes = normal
-            .cholesky()
-            .map_or_else(|| DMatrix::zeros(p, self.span.len()), |c| c.solve(&design.weighted.tr_mul(&y)));
-        let residual = &y - &design.x * slopes;
-        let effective = total * total / design.weight.norm_squared();
-        let freedom = effective / (effective - p as f64).max(1.0);
-        let leverage = kernel.norm_squared();
-        let deviation = |m: usize| {
-            let r = residual.column(m);
-            let scatter: f64 = design.weight.iter().zip(r.iter()).map(|(w, r)| w * r * r).sum();
-            (scatter / total * freedom * (1.0 + leverage)).sqrt()
+    /// The same with so many neighbours.
+    pub fn with_neighbours(rows: Vec<Sample>, images: Images, neighbours: usize) -> Self {
+        let (dims, outputs) = rows.first().map_or((0, 0), |row| (row.at.len(), row.gives.len()));
+        let scale = scales(rows.iter().map(|row| &row.at.padded), dims, images);
+        let divided = |at: &Point| std::array::from_fn(|j| at.padded[j] / scale[j]);
+        let known: Vec<[Place; 2]> = rows.iter().map(|row| [divided(&row.at), row.gives.padded]).collect();
+        let ones = |len| Point::of(std::iter::repeat_n(1.0, len));
+        let signs = images.iter().map(|image| [dims, outputs].map(|len| ones(len).mirrored(*image).padded));
+        let tree = Tree::new(known.iter().map(|[x, _]| *x));
+        let mut local = Self {
+            dims,
+            outputs,
+            scale,
+            signs: signs.collect(),
+            images,
+            tree,
+            span: [[f64::INFINITY, f64::NEG_INFINITY]; MOST],
+            neighbours,
+            rows,
+            known,
         };
-        Fit {
-            value: value.iter().zip(&self.span).map(|(v, [low, high])| v.clamp(*low, *high)).collect(),
-            deviation: (0..self.span.len()).map(deviation).collect(),
-            one_sided: leverage * effective,
+        for near in local.everything() {
+            let [_, y] = local.known(near);
+            for ([low, high], y) in local.span.iter_mut().zip(y) {
+                (*low, *high) = (low.min(y), high.max(y));
+            }
         }
+        local
+    }
+
+    /// Features of a row.
+    pub fn dims(&self) -> usize {
+        self.dims
+    }
+
+    /// Outputs of a row.
+    pub fn outputs(&self) -> usize {
+        self.outputs
+    }
+
+    /// The rows, each as it is.
+    pub fn rows(&self) -> &[Sample] {
+        &self.rows
+    }
+
+    /// Samples in all where a row is left out, mirror images among them.
+    pub fn samples_of_others(&self) -> usize {
+        self.rows.len().saturating_sub(1) * self.images.len()
+    }
+
+    /// Every sample, as far as from itself.
+    fn everything(&self) -> impl Iterator<Item = Near> + use<> {
+        let images = self.images.len() as u32;
+        (0..self.rows.len() as u32)
+            .flat_map(move |row| (0..images).map(move |image| Near::new(0.0, row, image)))
+    }
+
+    /// k of the bandwidth.
+    #[cfg(test)]
+    pub fn neighbours(&self) -> usize {
+        self.neighbours
+    }
+
+    /// Standard deviation of each output over all samples; two that are a vector share one.
+    pub fn output_scales(&self) -> Place {
+        scales(self.rows.iter().map(|row| &row.gives.padded), self.outputs, self.images)
+    }
+
+    /// Standardised features and outputs of a sample, padded with zeros.
+    pub fn known(&self, near: Near) -> [Place; 2] {
+        let [[x, y], [of_x, of_y]] = [&self.known[near.row()], &self.signs[near.image()]];
+        [times(x, of_x), times(y, of_y)]
+    }
+
+    /// A sample in its own units.
+    pub fn sample(&self, near: Near) -> Sample {
+        let (row, image) = (&self.rows[near.row()], self.images[near.image()]);
+        Sample { at: row.at.mirrored(image), gives: row.gives.mirrored(image) }
+    }
+
+    /// A question in standardised features.
+    pub fn standardised(&self, q: &Point) -> Place {
+        std::array::from_fn(|j| q.padded[j] / self.scale[j])
+    }
+
+    /// The `k` samples nearest to `q`, the nearest first, without those of the row `without`.
+    pub fn near(&self, q: &Place, k: usize, without: Option<usize>) -> Vec<Near> {
+        let mut nearest = Nearest::new(k);
+        let without = without.and_then(|row| u32::try_from(row).ok());
+        for (image, [signs, _]) in (0..).zip(&self.signs) {
+            self.tree.search(&times(q, signs), image, without, &mut nearest);
+        }
+        nearest.sorted()
+    }
+
+    /// The sample nearest to `q`, if there is any but those of the row `without`.
+    pub fn nearest(&self, q: &Point, without: Option<usize>) -> Option<Sample> {
+        self.near(&self.standardised(q), 1, without).first().map(|near| self.sample(*near))
+    }
+
+    /// The line at `q`, as if the row `without` were not there.
+    pub fn line(&self, q: &Point, without: Option<usize>) -> Line {
+        let q = self.standardised(q);
+        Line::through(self, &q, &self.near(&q, self.neighbours, without))
+    }
+
+    /// The answer at `q`, as if the row `without` were not there; within what the rows give.
+    pub fn fit(&self, q: &Point, without: Option<usize>) -> Fit {
+        let fit = self.line(q, without).fit();
+        Fit { value: self.clamped(fit.value), ..fit }
+    }
+
+    /// Outputs within what the rows give.
+    pub fn clamped(&self, mut value: Point) -> Point {
+        for (value, [low, high]) in value.iter_mut().zip(&self.span) {
+            *value = value.clamp(*low, *high);
+        }
+        value
     }
 }
 
-/// The neighbours of a question as the rows of a regression.
-struct Design {
-    /// (1, (xᵢ − q)/h).
-    x: DMatrix<f64>,
-    /// The same times wᵢ.
-    weighted: DMatrix<f64>,
-    weight: DVector<f64>,
+/// a · b, number by number.
+fn times(a: &Place, b: &Place) -> Place {
+    let mut product = *a;
+    product.iter_mut().zip(b).for_each(|(a, b)| *a *= b);
+    product
 }
 
-impl Design {
-    fn new(local: &Local, near: &[(f64, usize)], q: &[f64], h: f64) -> Self {
-        let dims = local.dims;
-        let x = DMatrix::from_fn(near.len(), dims + 1, |i, j| match j {
-            0 => 1.0,
-            _ => (local.x[near[i].1 * dims + j - 1] - q[j - 1] / local.scale[j - 1]) / h,
-        });
-        let weight = DVector::from_iterator(
-            near.len(),
-            near.iter().map(|(squared, _)| {
-                let d = 1.5 * squared.sqrt() / h;
-                libm::exp(-d * d)
-            }),
-        );
-        let mut weighted = x.clone();
-        for (mut row, w) in weighted.row_iter_mut().zip(weight.iter()) {
-            row *= *w;
-        }
-        Self { x, weighted, weight }
+/// Standard deviation of each of `len` numbers over rows and their mirror images; the last two, a vector, share one.
+fn scales<'a>(rows: impl ExactSizeIterator<Item = &'a Place> + Clone, len: usize, images: Images) -> Place {
+    let (n, count) = (rows.len().max(1) as f64, images.len() as f64);
+    let mut mean = Point::of([0.0; MOST].into_iter().take(len));
+    for row in rows.clone() {
+        mean.padded.iter_mut().zip(row).for_each(|(mean, x)| *mean += x / n);
     }
+    // An image that mirrors cancels what it mirrors, or leaves it.
+    let balance = [0, 1].map(|axis| images.iter().map(|image| image[axis]).sum::<f64>() / count);
+    let mean = mean.mirrored(balance).padded;
+    let mut variance = Point::of([0.0; MOST].into_iter().take(len));
+    for row in rows {
+        for ((variance, x), mean) in variance.iter_mut().zip(row).zip(&mean) {
+            *variance += (x - mean) * (x - mean) / n;
+        }
+    }
+    if let [.., x, y] = &mut *variance {
+        let shared = (*x + *y) / 2.0;
+        (*x, *y) = (shared, shared);
+    }
+    // What does not vary at all must not divide by zero; 1 leaves it without weight.
+    variance.padded.map(|variance| if variance > 1e-18 { variance.sqrt() } else { 1.0 })
 }
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
+    use super::super::tree::squared;
     use super::*;
+
+    impl Local {
+        /// The same by looking at every sample: what the tree is held to.
+        fn near_by_looking_at_all(&self, q: &Place, k: usize, without: Option<usize>) -> Vec<Near> {
+            let rows = (0..self.rows.len()).filter(|row| without != Some(*row));
+            let images = |row| (0..self.images.len()).map(move |image| (row, image));
+            let mut near: Vec<Near> = rows
+                .flat_map(images)
+                .map(|(row, image)| {
+                    let [place, _] = self.known(Near::new(0.0, row as u32, image as u32));
+                    Near::new(squared(&place, q), row as u32, image as u32)
+                })
+                .collect();
+            near.sort_unstable();
+            near.truncate(k);
+            near
+        }
+    }
 
     /// Points of a 3-D box that fill it evenly without a generator (R₃ sequence), and `f` there.
     fn box_of(n: usize, f: impl Fn(&[f64]) -> Vec<f64>) -> Vec<Sample> {
         (0..n)
             .map(|i| {
-                let at: Vec<f64> =
-                    [0.819_172_5, 0.671_043_6, 0.549_700_5].map(|a| (0.5 + a * i as f64).fract()).into();
-                Sample { gives: f(&at), at, row: i }
+                let at =
+                    Point::of([0.819_172_5, 0.671_043_6, 0.549_700_5].map(|a| (0.5 + a * i as f64).fract()));
+                Sample { gives: Point::of(f(&at)), at }
             })
             .collect()
+    }
+
+    /// With 12 neighbours a feature.
+    fn twelve(rows: Vec<Sample>) -> Local {
+        Local::with_neighbours(rows, AS_IT_IS, 36)
     }
 
     #[test]
     fn a_plane_is_recovered_exactly() {
         let plane = |x: &[f64]| vec![1.0 + 2.0 * x[0] - 3.0 * x[1] + 40.0 * x[2], 7.0];
-        let local = Local::new(box_of(200, plane), 12);
+        let local = twelve(box_of(200, plane));
         for q in [[0.5, 0.5, 0.5], [0.1, 0.9, 0.3], [0.02, 0.02, 0.02]] {
-            let fit = local.fit(&q, None);
+            let fit = local.fit(&Point::of(q), None);
             assert!((fit.value[0] - plane(&q)[0]).abs() < 5e-4, "{q:?}: {}", fit.value[0]);
             assert_eq!(fit.value[1], 7.0);
             assert!(fit.deviation[0] < 1e-3 && fit.deviation[1] < 1e-12);
@@ -233,17 +276,17 @@ mod tests {
 
     #[test]
     fn an_answer_stays_within_what_was_seen() {
-        let local = Local::new(box_of(200, |x| vec![100.0 * x[0]]), 12);
-        let high = local.samples().iter().map(|s| s.gives[0]).fold(0.0, f64::max);
-        assert_eq!(local.fit(&[9.0, 0.5, 0.5], None).value[0], high);
+        let local = twelve(box_of(200, |x| vec![100.0 * x[0]]));
+        let high = local.rows().iter().map(|s| s.gives[0]).fold(0.0, f64::max);
+        assert_eq!(local.fit(&Point::of([9.0, 0.5, 0.5]), None).value[0], high);
     }
 
     #[test]
     fn a_row_left_out_has_no_say() {
-        let mut samples = box_of(100, |x| vec![x[0]]);
-        let (q, told) = (samples[40].at.clone(), samples[40].at[0]);
-        samples[40].gives[0] = 50.0;
-        let local = Local::new(samples, 7);
+        let mut rows = box_of(100, |x| vec![x[0]]);
+        let (q, told) = (rows[40].at, rows[40].at[0]);
+        rows[40].gives[0] = 50.0;
+        let local = Local::with_neighbours(rows, AS_IT_IS, 21);
         assert!((local.fit(&q, Some(40)).value[0] - told).abs() < 1e-4);
         assert!(local.fit(&q, None).value[0] > told + 1.0);
     }
@@ -251,30 +294,72 @@ mod tests {
     #[test]
     fn scatter_is_measured() {
         // ±0.1 by turns about a plane: standard deviation 0.1.
-        let samples = box_of(400, |x| vec![x[0]])
-            .into_iter()
-            .map(|mut s| {
-                s.gives[0] += if s.row % 2 == 0 { 0.1 } else { -0.1 };
-                s
-            })
-            .collect();
-        let deviation = Local::new(samples, 20).fit(&[0.5, 0.5, 0.5], None).deviation[0];
+        let mut rows = box_of(400, |x| vec![x[0]]);
+        for (i, row) in rows.iter_mut().enumerate() {
+            row.gives[0] += if i % 2 == 0 { 0.1 } else { -0.1 };
+        }
+        let deviation =
+            Local::with_neighbours(rows, AS_IT_IS, 60).fit(&Point::of([0.5; 3]), None).deviation[0];
         assert!((0.09..0.13).contains(&deviation), "{deviation}");
     }
 
     #[test]
-    fn samples_at_one_place_give_their_mean() {
-        let samples = (0..30)
-            .map(|row| Sample { at: vec![2.0, 0.0, 0.0], gives: vec![(row % 3) as f64], row })
+    fn rows_at_one_place_give_their_mean() {
+        let rows = (0..30)
+            .map(|row| Sample { at: Point::of([2.0, 0.0, 0.0]), gives: Point::of([(row % 3) as f64]) })
             .collect();
-        let value = Local::new(samples, 4).fit(&[2.0, 0.0, 0.0], None).value[0];
+        let value =
+            Local::with_neighbours(rows, AS_IT_IS, 12).fit(&Point::of([2.0, 0.0, 0.0]), None).value[0];
         assert!((value - 1.0).abs() < 0.2, "{value}");
     }
 
     #[test]
-    fn the_nearest_sample_is_found() {
-        let local = Local::new(box_of(50, |x| vec![x[0]]), 4);
-        let at = local.samples()[17].at.clone();
-        assert_eq!(local.nearest(&[at[0] + 1e-3, at[1], at[2] - 1e-3]), at);
+    fn the_nearest_row_is_found() {
+        let local = twelve(box_of(50, |x| vec![x[0]]));
+        let at = local.rows()[17].at;
+        assert_eq!(local.nearest(&Point::of([at[0] + 1e-3, at[1], at[2] - 1e-3]), None).unwrap().at, at);
+        assert_ne!(local.nearest(&at, Some(17)).unwrap().at, at);
+    }
+
+    #[test]
+    fn a_row_stands_for_its_mirror_images() {
+        let images: Images = &[[1.0, 1.0], [1.0, -1.0]];
+        let row = |a: f64, x: f64, y: f64| Sample { at: Point::of([a, x, y]), gives: Point::of([a, x, y]) };
+        let local = Local::with_neighbours(vec![row(0.0, 3.0, 1.0), row(1.0, 5.0, 2.0)], images, 4);
+        let near = local.near(&local.standardised(&Point::of([0.0, 3.0, -1.0])), 1, None);
+        assert_eq!(near[0], Near::new(0.0, 0, 1));
+        assert_eq!(*local.sample(near[0]).gives, [0.0, 3.0, -1.0]);
+    }
+
+    /// Coordinates many of which are equal, so that there are ties.
+    fn coordinate() -> impl Strategy<Value = f64> {
+        prop_oneof![-1.0..1.0_f64, (-2..=2_i8).prop_map(f64::from), Just(-0.0)]
+    }
+
+    proptest! {
+        #[test]
+        fn the_tree_finds_what_looking_at_all_finds_to_the_bit(
+            dims in 3..=MOST,
+            numbers in proptest::collection::vec(coordinate(), 5..400),
+            q in proptest::collection::vec(prop_oneof![coordinate(), -1e9..1e9_f64], MOST),
+            k in 0..70_usize,
+            without in proptest::option::of(0..80_usize),
+            mirrors in any::<bool>(),
+        ) {
+            let rows: Vec<Sample> = numbers
+                .chunks_exact(dims)
+                .map(|at| Sample { at: Point::of(at.iter().copied()), gives: Point::of([at[0]]) })
+                .collect();
+            let images: Images =
+                if mirrors { &[[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] } else { AS_IT_IS };
+            let local = Local::with_neighbours(rows, images, k);
+            let q = local.standardised(&Point::of(q.into_iter().take(dims)));
+            prop_assert_eq!(local.near(&q, k, without), local.near_by_looking_at_all(&q, k, without));
+            // And at a row itself, where ties are.
+            if !local.known.is_empty() {
+                let [q, _] = local.known[k % local.known.len()];
+                prop_assert_eq!(local.near(&q, k, without), local.near_by_looking_at_all(&q, k, without));
+            }
+        }
     }
 }

@@ -19,6 +19,7 @@
 //! rows are, and the answer says so ([`Coverage`]).
 
 mod answer;
+mod bandwidth;
 mod columns;
 mod coordinates;
 mod coverage;
@@ -27,13 +28,17 @@ mod error;
 #[cfg(test)]
 mod laws;
 mod leave_one_out;
+mod line;
 mod local;
+mod note;
+mod point;
 mod row;
 mod spot_map;
 mod stripe_map;
 #[cfg(test)]
 mod tests;
 mod training_set;
+mod tree;
 
 pub use answer::{Answer, AskError, Prediction};
 pub use columns::{Column, columns_of};
@@ -41,5 +46,6 @@ pub use coverage::Coverage;
 pub use csv_rows::{line_of, six_digits, write_rows};
 pub use error::TrainingError;
 pub use leave_one_out::{ErrorTable, Errors, leave_one_out};
+pub use note::{Note, Quantity, Unit};
 pub use row::{Parameters, Row};
 pub use training_set::{SYSTEMS, TrainingSet};

@@ -2,15 +2,17 @@
 
 use super::answer::{Prediction, Reached, Z90};
 use super::coordinates as to;
-use super::coverage::{Judgement, Limit, brief};
-use super::local::{Local, Sample, mirrored, varies};
+use super::coverage::{Judgement, Limit};
+use super::local::{AS_IT_IS, Images, Local, Sample, varies};
+use super::note::{Note, Quantity, Unit};
+use super::point::Point;
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Spots};
 
 /// The mirror images of a row: (cos, sin) of a double angle under θ, −θ, 90° − θ and 90° + θ.
 ///
 /// The grid looks the same under x ↔ y and under mirrors, so each row stands for four.
-const IMAGES: [[f64; 2]; 4] = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+const IMAGES: Images = &[[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
 
 /// The map of a spot set.
 pub(super) struct SpotMap {
@@ -40,7 +42,7 @@ fn density(spots: &Spots) -> Option<f64> {
 }
 
 impl SpotMap {
-    pub fn new(rows: &[Row], neighbours: usize) -> Self {
+    pub fn new(rows: &[Row]) -> Self {
         let runs: Vec<(Spots, Parameters)> = rows
             .iter()
             .filter_map(|row| match row.attributes {
@@ -50,42 +52,51 @@ impl SpotMap {
             .collect();
         let ratio = varies(runs.iter().map(|(_, p)| libm::log(p.ratio.unwrap_or(1.0))));
         let level = varies(runs.iter().map(|(_, p)| p.level.unwrap_or(0.5)));
-        let local = |of: &dyn Fn(&Spots, &Parameters) -> [Vec<f64>; 2]| {
-            let samples = runs.iter().enumerate().flat_map(|(row, (s, p))| {
-                let [at, gives] = of(s, p);
-                IMAGES.map(|image| Sample { at: mirrored(&at, image), gives: mirrored(&gives, image), row })
+        let local = |images, of: &(dyn Fn(&Spots, &Parameters) -> [Point; 2] + Sync)| {
+            let samples = runs.iter().map(|(spots, parameters)| {
+                let [at, gives] = of(spots, parameters);
+                Sample { at, gives }
             });
-            Local::new(samples.collect(), neighbours)
+            Local::new(samples.collect(), images)
         };
-        let asked = local(&|s, p| {
-            let density = density(s).filter(|_| ratio || level);
-            let at = to::spots_asked(libm::log(s.area), density, to::elongation(s.aspect, s.angle));
-            [at, to::spots_answered(s, p)]
-        });
-        let told =
-            local(&|s, p| [to::spots_told(p, ratio, level), to::elongation(s.aspect, s.angle).to_vec()]);
-        let even = runs.iter().enumerate().map(|(row, (s, p))| {
-            let at = to::spots_told_even(p, ratio, level);
-            Sample { at, gives: to::spots_seen_even(s, p), row }
-        });
-        let even = Local::new(even.collect(), neighbours);
+        let asked = || {
+            local(IMAGES, &|s, p| {
+                let density = density(s).filter(|_| ratio || level);
+                let at = to::spots_asked(libm::log(s.area), density, to::elongation(s.aspect, s.angle));
+                [at, to::spots_answered(s, p)]
+            })
+        };
+        let told = || {
+            local(IMAGES, &|s, p| {
+                [to::spots_told(p, ratio, level), Point::of(to::elongation(s.aspect, s.angle))]
+            })
+        };
+        let even =
+            || local(AS_IT_IS, &|s, p| [to::spots_told_even(p, ratio, level), to::spots_seen_even(s, p)]);
+        let (asked, (told, even)) = rayon::join(asked, || rayon::join(told, even));
         let of = |f: fn(&Spots) -> f64| runs.iter().map(move |(spots, _)| f(spots));
         let mut densities: Vec<f64> = runs.iter().filter_map(|(spots, _)| density(spots)).collect();
         densities.sort_by(f64::total_cmp);
         let middle_density = densities.get(densities.len() / 2).copied().unwrap_or(0.0);
         Self {
-            area: Limit::of("area", " cells", ["smallest", "largest"], libm::exp, of(|s| libm::log(s.area))),
+            area: Limit::of(
+                "area",
+                Unit::Area,
+                ["the smallest this system grows", "the largest this system grows"],
+                libm::exp,
+                of(|s| libm::log(s.area)),
+            ),
             density: Limit::of(
                 "area/spacing²",
-                "",
-                ["sparsest", "densest"],
+                Unit::Share,
+                ["the sparsest this system packs", "the densest this system packs"],
                 libm::exp,
                 densities.into_iter(),
             ),
             elongation: Limit::of(
                 "aspect",
-                "",
-                ["roundest", "longest"],
+                Unit::Share,
+                ["the roundest this system grows", "the longest this system grows"],
                 |e| libm::exp(-e),
                 of(|s| -libm::log(s.aspect)),
             ),
@@ -118,12 +129,16 @@ impl SpotMap {
             aspect: if e_reached == e { spots.aspect } else { libm::exp(-e_reached) },
             ..*spots
         };
-        let called = |at: &[f64]| {
+        let called = |at: &Point| {
+            let mut named = vec![Quantity::new("area", libm::exp(at[0]), Unit::Area)];
+            let density = || Quantity::new("area/spacing²", libm::exp(at[1]), Unit::Share);
+            named.extend(self.dense().then(density));
             let aspect = libm::exp(-to::length([at[n - 2], at[n - 1]]));
-            format!("area {} cells, aspect {}", brief(libm::exp(at[0])), brief(aspect))
+            named.push(Quantity::new("aspect", aspect, Unit::Share));
+            named
         };
-        let before = at.clone();
-        let mut fit = judgement.within(&self.asked, &mut at, called);
+        let before = at;
+        let mut answered = judgement.within(&self.asked, &mut at, called);
         if at != before {
             let v = [at[n - 2], at[n - 1]];
             nearest.area = libm::exp(at[0]);
@@ -132,10 +147,10 @@ impl SpotMap {
         } else if e < e_reached {
             // Rounder than any row: their directions lie all around, so this is no extrapolation.
             (at[n - 2], at[n - 1]) = (e * c, e * s);
-            fit = self.asked.fit(&at, None);
+            answered = self.asked.clamped(self.asked.line(&at, None).value());
         }
         nearest.spacing = self.dense().then(|| (nearest.area / libm::exp(at[1])).sqrt());
-        let mut parameters = to::spot_parameters(at[0], &fit.value);
+        let mut parameters = to::spot_parameters(at[0], &answered);
         if parameters.stretch > 1.0 - 1e-9 {
             // No direction: the one asked for as well as any.
             parameters.direction = spots.angle;
@@ -150,10 +165,7 @@ impl SpotMap {
         if let Some(density) = density(spots) {
             return judgement.clamp(&self.density, density);
         }
-        let middle = brief(libm::exp(self.middle_density));
-        judgement
-            .notes
-            .push(format!("spacing is free: area/spacing² {middle} taken, the middle of this set"));
+        judgement.notes.push(Note::FreeSpacing(libm::exp(self.middle_density)));
         self.middle_density
     }
 
@@ -175,12 +187,11 @@ impl SpotMap {
         let off = libm::log(asked) - libm::log(given);
         let sure = prediction.half_width("spacing");
         if judgement.beyond(off.abs() - sure) {
-            let side = if off > 0.0 { "less" } else { "more" };
-            let density = |spacing: f64| brief(libm::exp(to::log_density(predicted.area, spacing)));
-            let [asked, given] = [density(asked), density(given)];
-            judgement.notes.push(format!(
-                "area/spacing² {asked} is {side} than {given}, which is what this system gives; nearest {given}"
-            ));
+            let [asked, reached] = [asked, given].map(|spacing| {
+                let density = libm::exp(to::log_density(predicted.area, spacing));
+                Quantity::new("area/spacing²", density, Unit::Share)
+            });
+            judgement.notes.push(Note::Beyond { asked, reached, called: "as this system always packs" });
         } else {
             nearest.spacing = Some(asked);
         }
@@ -188,9 +199,8 @@ impl SpotMap {
 
     /// The parameters that the other rows give for `row`.
     pub fn left_out(&self, row: usize) -> Parameters {
-        // The first image of a row is the row itself.
-        let at = &self.asked.samples()[row * IMAGES.len()].at;
-        to::spot_parameters(at[0], &self.asked.fit(at, Some(row)).value)
+        let at = self.asked.rows()[row].at;
+        to::spot_parameters(at[0], &self.asked.fit(&at, Some(row)).value)
     }
 
     /// What grows from parameters, as if the row `without` were not there.

@@ -2,15 +2,17 @@
 
 use super::answer::{Prediction, Reached, Z90};
 use super::coordinates as to;
-use super::coverage::{Judgement, Limit, brief};
-use super::local::{Local, Sample, mirrored, varies};
+use super::coverage::{Judgement, Limit};
+use super::local::{Images, Local, Sample, varies};
+use super::note::{Quantity, Unit};
+use super::point::Point;
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Stripes};
 use crate::marks::axial;
 
 /// The mirror images of a row. The grid looks the same under x ↔ y and under mirrors, so each row stands
 /// for four; the features hold the fourth harmonic, in which two of them are the same.
-const IMAGES: [[f64; 2]; 2] = [[1.0, 1.0], [1.0, -1.0]];
+const IMAGES: Images = &[[1.0, 1.0], [1.0, -1.0]];
 
 /// The map of a stripe set.
 pub(super) struct StripeMap {
@@ -25,7 +27,7 @@ pub(super) struct StripeMap {
 }
 
 impl StripeMap {
-    pub fn new(rows: &[Row], neighbours: usize) -> Self {
+    pub fn new(rows: &[Row]) -> Self {
         let runs: Vec<(Stripes, Parameters)> = rows
             .iter()
             .filter_map(|row| match row.attributes {
@@ -34,19 +36,25 @@ impl StripeMap {
             })
             .collect();
         let stretch = varies(runs.iter().map(|(_, p)| libm::log(p.stretch)));
-        let local = |of: &dyn Fn(&Stripes, &Parameters) -> [Vec<f64>; 2]| {
-            let samples = runs.iter().enumerate().flat_map(|(row, (s, p))| {
-                let [at, gives] = of(s, p);
-                IMAGES.map(|image| Sample { at: mirrored(&at, image), gives: mirrored(&gives, image), row })
+        let local = |of: &dyn Fn(&Stripes, &Parameters) -> [Point; 2]| {
+            let samples = runs.iter().map(|(stripes, parameters)| {
+                let [at, gives] = of(stripes, parameters);
+                Sample { at, gives }
             });
-            Local::new(samples.collect(), neighbours)
+            Local::new(samples.collect(), IMAGES)
         };
         let asked =
             local(&|s, p| [to::stripes_asked(libm::log(s.width), s.angle), to::stripes_answered(s, p)]);
         let told = local(&|s, p| [to::stripes_told(p, stretch), to::stripes_seen(s, p)]);
         let widths = runs.iter().map(|(stripes, _)| libm::log(stripes.width));
         Self {
-            width: Limit::of("width", " cells", ["thinnest", "widest"], libm::exp, widths),
+            width: Limit::of(
+                "width",
+                Unit::Length,
+                ["the thinnest this system grows", "the widest this system grows"],
+                libm::exp,
+                widths,
+            ),
             asked,
             told,
             stretch,
@@ -67,23 +75,24 @@ impl StripeMap {
             let quarter = 0.5 * to::axis([at[1], at[2]]);
             axial(stripes.angle + (quarter - stripes.angle + 45.0).rem_euclid(90.0) - 45.0)
         };
-        let called =
-            |at: &[f64]| format!("width {} cells, angle {}", brief(libm::exp(at[0])), brief(angle(at)));
-        let before = at.clone();
-        let fit = judgement.within(&self.asked, &mut at, called);
+        let called = |at: &Point| {
+            let width = Quantity::new("width", libm::exp(at[0]), Unit::Length);
+            vec![width, Quantity::new("angle", angle(at), Unit::Angle)]
+        };
+        let before = at;
+        let answered = judgement.within(&self.asked, &mut at, called);
         if at != before {
             nearest = Stripes { width: libm::exp(at[0]), angle: angle(&at) };
         }
-        let parameters = to::stripe_parameters(at[0], nearest.angle, &fit.value);
+        let parameters = to::stripe_parameters(at[0], nearest.angle, &answered);
         let prediction = self.predict(&parameters, None);
         Reached { parameters, prediction, nearest: Attributes::Stripes(nearest), judgement }
     }
 
     /// The parameters that the other rows give for `row`, which was measured at `angle`.
     pub fn left_out(&self, row: usize, angle: f64) -> Parameters {
-        // The first image of a row is the row itself.
-        let at = &self.asked.samples()[row * IMAGES.len()].at;
-        to::stripe_parameters(at[0], angle, &self.asked.fit(at, Some(row)).value)
+        let at = self.asked.rows()[row].at;
+        to::stripe_parameters(at[0], angle, &self.asked.fit(&at, Some(row)).value)
     }
 
     /// What grows from parameters, as if the row `without` were not there.

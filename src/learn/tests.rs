@@ -90,7 +90,7 @@ fn the_law_of_stripes_is_learnt() {
     for (width, angle) in [(4.0, 0.0), (8.0, 22.0), (8.0, 135.0), (15.0, 179.0)] {
         let answer = set.ask(&Attributes::Stripes(Stripes { width, angle })).unwrap();
         let p = answer.parameters;
-        close(p.rate, stripe_law(width) / (width * width), 0.01);
+        close(p.rate, stripe_law(width) / (width * width), 0.015);
         assert!(turn(laws::pulled(p.direction, 3.0 * width), angle).abs() < 0.2, "{p:?}");
         close(p.stretch, 0.5, 1e-9);
         let Attributes::Stripes(predicted) = answer.predicted else { panic!() };
@@ -124,7 +124,7 @@ fn round_spots_ask_for_no_stretch_and_are_predicted_as_round_as_they_come() {
     assert_eq!(seen(&answer.nearest).angle, 0.0);
     assert!((seen(&answer.predicted).aspect - 0.88).abs() < 0.015);
     assert_eq!(answer.coverage, Coverage::Outside);
-    assert!(answer.notes[0].starts_with("aspect 1 is more than 0.8"), "{:?}", answer.notes);
+    assert!(answer.notes[0].to_string().starts_with("aspect 1 is more than 0.8"), "{:?}", answer.notes);
 
     let meinhardt = TrainingSet::from_rows("meinhardt-spots", meinhardt(500, MEASURED)).unwrap();
     let answer = meinhardt.ask(&spots(60.0, 1.0, 0.0, Some(30.0))).unwrap();
@@ -165,8 +165,12 @@ fn a_question_beyond_the_rows_is_answered_for_the_nearest_within() {
     let edge = set.ask(&spots(60.0, 0.6, 0.0, spacing(density[1] * 1.04))).unwrap();
     let outside = set.ask(&spots(60.0, 0.6, 0.0, spacing(density[1] * 1.4))).unwrap();
     assert_eq!((edge.coverage, outside.coverage), (Coverage::Edge, Coverage::Outside));
-    assert!(outside.notes[0].starts_with("area/spacing² 0.19"), "{:?}", outside.notes);
-    assert!(outside.notes[0].contains("the densest this set holds; nearest 0.1"), "{:?}", outside.notes);
+    assert!(outside.notes[0].to_string().starts_with("area/spacing² 0.19"), "{:?}", outside.notes);
+    assert!(
+        outside.notes[0].to_string().contains("the densest this system packs; growing at 0.1"),
+        "{:?}",
+        outside.notes
+    );
     let nearest = seen(&outside.nearest);
     assert!(nearest.area / nearest.spacing.unwrap().powi(2) <= density[1] * 1.0001);
     close(edge.parameters.ratio.unwrap(), outside.parameters.ratio.unwrap(), 0.02);
@@ -179,7 +183,7 @@ fn a_question_beyond_the_rows_is_answered_for_the_nearest_within() {
     let answer = set.ask(&spots(60.0, 0.01, 0.0, None)).unwrap();
     assert!(answer.parameters.stretch > 0.29 && seen(&answer.nearest).aspect >= aspect[0] * 0.9999);
     assert!(
-        answer.notes.iter().any(|note| note.contains("the longest this set holds")),
+        answer.notes.iter().any(|note| note.to_string().contains("the longest this system grows")),
         "{:?}",
         answer.notes
     );
@@ -193,7 +197,7 @@ fn a_spacing_that_the_system_does_not_give_is_refused_in_words() {
     assert_eq!(ask(natural).coverage, Coverage::Inside);
     let answer = ask(30.0);
     assert_eq!(answer.coverage, Coverage::Outside);
-    assert!(answer.notes[0].starts_with("area/spacing² 0.06"), "{:?}", answer.notes);
+    assert!(answer.notes[0].to_string().starts_with("area/spacing² 0.06"), "{:?}", answer.notes);
     close(seen(&answer.nearest).spacing.unwrap(), natural, 0.02);
 }
 
@@ -202,7 +206,7 @@ fn a_free_spacing_is_the_middle_of_the_set_and_says_so() {
     let set = TrainingSet::from_rows("meinhardt-spots", meinhardt(500, EXACT)).unwrap();
     let answer = set.ask(&spots(60.0, 0.6, 40.0, None)).unwrap();
     assert_eq!(answer.coverage, Coverage::Inside);
-    assert!(answer.notes[0].starts_with("spacing is free"), "{:?}", answer.notes);
+    assert!(answer.notes[0].to_string().starts_with("spacing is free"), "{:?}", answer.notes);
     close(answer.parameters.ratio.unwrap(), libm::sqrt(1000.0), 0.15);
     close(seen(&answer.nearest).spacing.unwrap(), seen(&answer.predicted).spacing.unwrap(), 0.02);
 }

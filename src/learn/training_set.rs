@@ -11,9 +11,6 @@ use super::{Row, TrainingError};
 /// The systems that have a training set, by the names of the document.
 pub const SYSTEMS: [&str; 3] = ["turing-spots", "meinhardt-spots", "meinhardt-stripes"];
 
-/// Neighbours a feature that an answer is drawn from. Tuned by [`leave_one_out`](super::leave_one_out()):
-/// the errors on rows made from the known laws change by less than a tenth from 9 to 20 a feature.
-const NEIGHBOURS: usize = 12;
 /// A line in five dimensions, and a scatter about it, from fewer rows is a guess.
 const FEWEST_ROWS: usize = 30;
 
@@ -112,7 +109,7 @@ impl TrainingSet {
             rows.extend(read_rows(kind, file, bytes)?);
             names.push(file);
         }
-        Self::new(system, rows, NEIGHBOURS).map_err(|error| match error {
+        Self::new(system, rows).map_err(|error| match error {
             TrainingError::TooFew { rows, needed, .. } => {
                 TrainingError::TooFew { file: names.join(", "), rows, needed }
             }
@@ -127,19 +124,18 @@ impl TrainingSet {
     pub fn from_rows(system: &str, rows: Vec<Row>) -> Result<Self, TrainingError> {
         // Writing checks every value.
         super::write_rows(system, &rows, std::io::sink())?;
-        Self::new(system, rows, NEIGHBOURS)
+        Self::new(system, rows)
     }
 
-    /// The same, with another number of neighbours a feature.
-    pub(super) fn new(system: &str, rows: Vec<Row>, neighbours: usize) -> Result<Self, TrainingError> {
+    fn new(system: &str, rows: Vec<Row>) -> Result<Self, TrainingError> {
         let (system, kind) = find(system)?;
         if rows.len() < FEWEST_ROWS {
             let file = format!("training/{system}.csv");
             return Err(TrainingError::TooFew { file, rows: rows.len(), needed: FEWEST_ROWS });
         }
         let map = match kind {
-            Kind::Spots => Map::Spots(Box::new(SpotMap::new(&rows, neighbours))),
-            Kind::Stripes => Map::Stripes(Box::new(StripeMap::new(&rows, neighbours))),
+            Kind::Spots => Map::Spots(Box::new(SpotMap::new(&rows))),
+            Kind::Stripes => Map::Stripes(Box::new(StripeMap::new(&rows))),
         };
         Ok(Self { system, rows, map })
     }

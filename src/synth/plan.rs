@@ -96,17 +96,7 @@ pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) 
     let shrink = cell / exact;
     let mut answer = training.of(system)?.ask(&wanted.scaled(1.0 / exact))?;
     answer.parameters.rate *= shrink * shrink;
-    answer.predicted = answer.predicted.scaled(exact);
-    answer.nearest = answer.nearest.scaled(exact);
-    for (attribute, range) in &mut answer.interval {
-        let factor = match *attribute {
-            "area" => exact * exact,
-            "spacing" | "width" => exact,
-            _ => 1.0,
-        };
-        *range = range.map(|end| end * factor);
-    }
-    Ok(answer)
+    Ok(answer.in_px(exact))
 }
 
 /// Plans a layer with these wanted attributes. The canvas is that of `map`.

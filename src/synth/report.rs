@@ -52,7 +52,7 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
         parameters.insert("level".to_owned(), json!(level * layer.correction[index]));
     }
     parameters.insert("cell".to_owned(), json!(cell));
-    let mut notes = answer.notes.clone();
+    let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
     notes.extend(plan.probed[index].note());
     let (marks, error) = errors(&layer.measured, index);
     if marks == Some(0) {

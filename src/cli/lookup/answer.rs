@@ -15,6 +15,8 @@ pub(super) struct Looked {
     pub asked: Attributes,
     pub cell: f64,
     pub answer: Answer,
+    /// What there is to say about it.
+    pub notes: Vec<String>,
 }
 
 impl Looked {
@@ -37,9 +39,9 @@ impl Looked {
             free = Some(format!("spacing is free: {} px taken", brief(spacing)));
         }
         let cell = plan::cell_for(&filled);
-        let mut answer = plan::ask(training, system, &filled, cell).map_err(Error::step)?;
-        answer.notes.extend(free);
-        Ok(Self { system, asked: *wanted, cell, answer })
+        let answer = plan::ask(training, system, &filled, cell).map_err(Error::step)?;
+        let notes = answer.notes.iter().map(ToString::to_string).chain(free).collect();
+        Ok(Self { system, asked: *wanted, cell, answer, notes })
     }
 
     /// The parameters by name, the size of a cell last.
@@ -64,7 +66,7 @@ impl Looked {
             "interval": interval,
             "coverage": self.answer.coverage.to_string(),
             "nearest": object(named(&self.answer.nearest)),
-            "notes": self.answer.notes,
+            "notes": self.notes,
         })
     }
 
@@ -92,7 +94,7 @@ impl Looked {
         if self.answer.coverage != Coverage::Inside {
             let _ = writeln!(text, "nearest:    {}", list(named(&self.answer.nearest)));
         }
-        for note in &self.answer.notes {
+        for note in &self.notes {
             let _ = writeln!(text, "note:       {note}");
         }
         text

@@ -161,7 +161,7 @@ pub(super) fn answered(questions: &Questions, looked: &[Looked]) -> Vec<u8> {
             let parameter = parameters.iter().find(|(name, _)| *name == column);
             record.push_field(&match column {
                 "coverage" => looked.answer.coverage.to_string(),
-                "note" => looked.answer.notes.join("; "),
+                "note" => looked.notes.join("; "),
                 _ => parameter.map_or_else(String::new, |(_, value)| value.to_string()),
             });
         }

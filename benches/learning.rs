@@ -1,0 +1,84 @@
+//! The training sets: a question, and making a set ready for questions. See README.md.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use dapple::attributes::{Attributes, Spots, Stripes};
+use dapple::learn::{Parameters, Row, TrainingSet, write_rows};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+use std::hint::black_box;
+use std::time::Duration;
+
+/// Rows of the largest set that is swept.
+const ROWS: u64 = 9_000;
+
+/// Rows of Meinhardt spots by the laws of scale (facts B), with the noise of 80 spots.
+fn rows() -> Vec<Row> {
+    let row = |seed| {
+        let rng = &mut Pcg64::seed_from_u64(seed);
+        let mut between = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();
+        let ratio = libm::exp(between(libm::log(12.0), libm::log(70.0)));
+        let level = if seed % 10 < 3 { between(0.27, 0.5) } else { 0.5 };
+        let area = libm::exp(between(libm::log(18.0), libm::log(150.0)));
+        let (stretch, direction) = (between(0.26, 1.0), between(0.0, 180.0));
+        let density = 1.41 / ratio * libm::exp(2.8 * (0.5 - level));
+        let spots = Spots {
+            area: area * between(0.98, 1.02),
+            aspect: 0.99 * stretch,
+            angle: (direction + between(-0.5, 0.5)).rem_euclid(180.0),
+            spacing: Some((area / density).sqrt() * between(0.98, 1.02)),
+        };
+        let rate = 1_387.0 * density * (1.0 - 1.2 / area) / area;
+        Row {
+            seed,
+            extent: 80.0,
+            evenness: 0.05,
+            attributes: Attributes::Spots(spots),
+            parameters: Parameters { rate, ratio: Some(ratio), stretch, direction, level: Some(level) },
+        }
+    };
+    (0..ROWS).map(row).collect()
+}
+
+fn learning(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("learning");
+    group.sample_size(20);
+    group.warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_millis(1500));
+
+    let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 30.0 });
+    let spots = |density: f64, aspect: f64| {
+        let spacing = Some((60.0 / density).sqrt());
+        Attributes::Spots(Spots { area: 60.0, aspect, angle: 30.0, spacing })
+    };
+    let built_in = |system| TrainingSet::embedded(system).expect("the set is built in");
+    let swept = TrainingSet::from_rows("meinhardt-spots", rows()).expect("the rows are good");
+    let questions = [
+        ("turing-spots", &built_in("turing-spots"), spots(0.22, 0.6)),
+        ("meinhardt-spots", &built_in("meinhardt-spots"), spots(0.1, 0.6)),
+        ("meinhardt-stripes", &built_in("meinhardt-stripes"), stripes),
+        ("9000 rows", &swept, spots(0.1, 0.6)),
+    ];
+    for (name, set, wanted) in &questions {
+        group.bench_function(format!("ask {name}"), |bencher| bencher.iter(|| set.ask(black_box(wanted))));
+    }
+    // Every number that a user may draw: inside, at the edge, round, in a corner, beyond.
+    for (name, density, aspect) in
+        [("round", 0.1, 1.0), ("in a corner", 0.021, 0.27), ("beyond", 0.9, 0.1), ("dense", 0.2, 0.5)]
+    {
+        let wanted = spots(density, aspect);
+        group.bench_function(format!("ask 9000 rows, {name}"), |bencher| {
+            bencher.iter(|| swept.ask(black_box(&wanted)));
+        });
+    }
+    group.bench_function("read meinhardt-spots", |bencher| {
+        bencher.iter(|| TrainingSet::embedded(black_box("meinhardt-spots")));
+    });
+    let folder = tempfile::tempdir().expect("there is room for a file");
+    let file = std::fs::File::create(folder.path().join("meinhardt-spots.csv")).expect("a file can be made");
+    write_rows("meinhardt-spots", &rows(), file).expect("a file can be written");
+    group.bench_function("read 9000 rows", |bencher| {
+        bencher.iter(|| TrainingSet::load(folder.path(), black_box("meinhardt-spots")));
+    });
+}
+
+criterion_group!(benches, learning);
+criterion_main!(benches);

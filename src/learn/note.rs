@@ -1,0 +1,180 @@
+//! What there is to say about an answer, in words and numbers: about the system, not about its rows.
+
+use std::fmt;
+
+/// What the numbers of an attribute are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Cells of the grid, or px.
+    Length,
+    /// The same squared.
+    Area,
+    /// Degrees.
+    Angle,
+    /// A share.
+    Share,
+}
+
+/// An attribute with its number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// The attribute.
+    pub attribute: &'static str,
+    /// Its number.
+    pub value: f64,
+    /// What that is.
+    pub unit: Unit,
+    /// Are lengths px? Else they are cells.
+    px: bool,
+}
+
+impl Quantity {
+    /// A number in cells.
+    pub(super) fn new(attribute: &'static str, value: f64, unit: Unit) -> Self {
+        Self { attribute, value, unit, px: false }
+    }
+
+    /// The same where a cell is `cell` px.
+    fn in_px(self, cell: f64) -> Self {
+        let factor = match self.unit {
+            Unit::Length => cell,
+            Unit::Area => cell * cell,
+            Unit::Angle | Unit::Share => 1.0,
+        };
+        Self { value: self.value * factor, px: true, ..self }
+    }
+
+    /// The number with its unit.
+    fn number(&self) -> String {
+        let unit = match (self.unit, self.px) {
+            (Unit::Share, _) => "",
+            (Unit::Angle, _) => "°",
+            (Unit::Length, true) => " px",
+            (Unit::Area, true) => " px²",
+            (_, false) => " cells",
+        };
+        format!("{}{unit}", brief(self.value))
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.attribute, self.number())
+    }
+}
+
+/// Something to be told about an answer; `Display` is the sentence.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Note {
+    /// An attribute lies beyond what the system grows.
+    Beyond {
+        /// What was asked.
+        asked: Quantity,
+        /// What is grown instead.
+        reached: Quantity,
+        /// What that is of the system, such as "the densest this system packs".
+        called: &'static str,
+    },
+    /// Each attribute is reached, but not all at once.
+    Together {
+        /// What was asked.
+        asked: Vec<Quantity>,
+        /// What is grown instead.
+        reached: Vec<Quantity>,
+    },
+    /// The spacing was left free: area ÷ spacing² that is taken.
+    FreeSpacing(f64),
+}
+
+impl Note {
+    /// The same about a grid of `cell` px a cell: its lengths, which were cells, in px.
+    #[must_use]
+    pub fn in_px(self, cell: f64) -> Self {
+        let all = |list: Vec<Quantity>| list.into_iter().map(|quantity| quantity.in_px(cell)).collect();
+        match self {
+            Self::Beyond { asked, reached, called } => {
+                Self::Beyond { asked: asked.in_px(cell), reached: reached.in_px(cell), called }
+            }
+            Self::Together { asked, reached } => Self::Together { asked: all(asked), reached: all(reached) },
+            Self::FreeSpacing(density) => Self::FreeSpacing(density),
+        }
+    }
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let listed = |list: &[Quantity]| list.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        match self {
+            Self::Beyond { asked, reached, called } => {
+                let side = if asked.value > reached.value { "more" } else { "less" };
+                let number = reached.number();
+                write!(f, "{asked} is {side} than {number}, {called}; growing at {number}")
+            }
+            Self::Together { asked, reached } => {
+                let (asked, reached) = (listed(asked), listed(reached));
+                write!(f, "{asked} together are beyond what this system grows; growing at {reached}")
+            }
+            Self::FreeSpacing(density) => {
+                write!(f, "spacing is free: growing at area/spacing² {}", brief(*density))
+            }
+        }
+    }
+}
+
+/// A number in a sentence: three significant digits.
+fn brief(value: f64) -> String {
+    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    if (1e-4..1e7).contains(&rounded.abs()) || rounded == 0.0 {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_be_reached_is_said_of_the_system_with_its_numbers() {
+        let share = |value| Quantity::new("area/spacing²", value, Unit::Share);
+        let note = Note::Beyond {
+            asked: share(0.31),
+            reached: share(0.2304),
+            called: "the densest this system packs",
+        };
+        assert_eq!(
+            note.to_string(),
+            "area/spacing² 0.31 is more than 0.23, the densest this system packs; growing at 0.23"
+        );
+        assert_eq!(note.clone().in_px(3.0).to_string(), note.to_string());
+    }
+
+    #[test]
+    fn lengths_are_told_in_px_once_a_cell_has_some() {
+        let area = |value| Quantity::new("area", value, Unit::Area);
+        let width = |value| Quantity::new("width", value, Unit::Length);
+        let note =
+            Note::Beyond { asked: area(2.0), reached: area(18.0), called: "the smallest this system grows" };
+        assert_eq!(
+            note.to_string(),
+            "area 2 cells is less than 18 cells, the smallest this system grows; growing at 18 cells"
+        );
+        assert_eq!(
+            note.in_px(0.5).to_string(),
+            "area 0.5 px² is less than 4.5 px², the smallest this system grows; growing at 4.5 px²"
+        );
+        let angle = Quantity::new("angle", 33.0, Unit::Angle);
+        let note = Note::Together { asked: vec![width(4.0), angle], reached: vec![width(5.0), angle] };
+        assert_eq!(
+            note.in_px(2.0).to_string(),
+            "width 8 px, angle 33° together are beyond what this system grows; growing at width 10 px, angle 33°"
+        );
+    }
+
+    #[test]
+    fn numbers_in_sentences_are_short() {
+        let seen: Vec<String> = [0.0, 1.0, 0.123_456, 12_345.0, 1e300, 3e-9].map(brief).into();
+        assert_eq!(seen, ["0", "1", "0.123", "12300", "1e300", "3e-9"]);
+    }
+}

@@ -1,0 +1,68 @@
+//! A handful of coordinates, without a heap allocation for each of the thousands of rows.
+
+use std::ops::{Deref, DerefMut};
+
+/// Coordinates at most: the four that a spot set may be told plus a second component of the vector.
+pub(super) const MOST: usize = 5;
+
+/// Up to [`MOST`] coordinates; those beyond its length are 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Point {
+    /// All numbers, zeros at the end.
+    pub padded: [f64; MOST],
+    len: usize,
+}
+
+impl Point {
+    /// The numbers in their order.
+    pub fn of(numbers: impl IntoIterator<Item = f64>) -> Self {
+        let mut point = Self::default();
+        point.extend(numbers);
+        point
+    }
+
+    /// Numbers at the end; those that find no place are a bug.
+    pub fn extend(&mut self, numbers: impl IntoIterator<Item = f64>) {
+        for number in numbers {
+            debug_assert!(self.len < MOST, "more than {MOST} coordinates");
+            if let Some(place) = self.padded.get_mut(self.len) {
+                *place = number;
+                self.len += 1;
+            }
+        }
+    }
+
+    /// The double-angle vector in the last two numbers, its components times ±1: a mirror image.
+    pub fn mirrored(mut self, [c, s]: [f64; 2]) -> Self {
+        if let [.., x, y] = &mut *self {
+            (*x, *y) = (*x * c, *y * s);
+        }
+        self
+    }
+}
+
+impl Deref for Point {
+    type Target = [f64];
+
+    fn deref(&self) -> &[f64] {
+        &self.padded[..self.len]
+    }
+}
+
+impl DerefMut for Point {
+    fn deref_mut(&mut self) -> &mut [f64] {
+        &mut self.padded[..self.len]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mirror_image_turns_the_last_two_numbers_and_leaves_the_padding_alone() {
+        let point = Point::of([1.0, 2.0, 3.0]);
+        assert_eq!(*point.mirrored([-1.0, 1.0]), [1.0, -2.0, 3.0]);
+        assert_eq!(point.mirrored([1.0, -1.0]).padded, [1.0, 2.0, -3.0, 0.0, 0.0]);
+    }
+}
