@@ -64,9 +64,8 @@ pub struct Bar {
 impl Bar {
     /// A bar for so many runs of the set `name`, of which `before` were done earlier.
     pub fn new(name: &str, runs: u64, before: Tally) -> Self {
-        let style = ProgressStyle::with_template(
-            "{prefix:30} {bar:30} {pos}/{len}  {msg}  {elapsed} gone, {eta} left",
-        );
+        let style =
+            ProgressStyle::with_template("{prefix} {bar:20} {pos}/{len}  {elapsed} gone, {eta} left  {msg}");
         let bar = ProgressBar::new(runs)
             .with_prefix(name.to_owned())
             .with_message(before.to_string())
@@ -79,11 +78,11 @@ impl Bar {
 
     /// One more run is done.
     pub fn done(&self, verdict: &'static str) {
+        self.bar.inc(1);
         if let Ok(mut tally) = self.tally.lock() {
             tally.add(verdict);
             self.bar.set_message(tally.to_string());
         }
-        self.bar.inc(1);
     }
 
     /// Takes the bar away.

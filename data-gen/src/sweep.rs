@@ -3,9 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
-
-use rayon::prelude::*;
 
 use crate::files;
 use crate::journal::Journal;
@@ -94,14 +93,13 @@ fn sweep(plan: &Plan, folder: &Path, shard: Shard) -> Result<Swept, String> {
             (0..planned.runs).filter(|index| shard.holds(*index) && !done.contains(index)).collect();
         let bar = Bar::new(&planned.name, shard.count(planned.runs), Tally::of(before));
         let (start, new) = (Instant::now(), Mutex::new(Vec::new()));
-        // Runs cost from milliseconds to seconds, and the order in which they end does not matter.
-        let result = left.par_iter().with_max_len(1).try_for_each(|index| {
-            let (verdict, line) = run(planned, *index)?;
-            let record = Record { set, index: *index, verdict, line };
+        let result = each(&left, |index| {
+            let (verdict, line) = run(planned, index)?;
+            let record = Record { set, index, verdict, line };
             journal.append(plan, &record)?;
             bar.done(verdict);
             new.lock().map_err(|_| "another run failed".to_owned())?.push(record);
-            Ok::<(), String>(())
+            Ok(())
         });
         bar.clear();
         result?;
@@ -111,4 +109,70 @@ fn sweep(plan: &Plan, folder: &Path, shard: Shard) -> Result<Swept, String> {
         ran += left.len() as u64;
     }
     Ok(Swept { journal, records, ran })
+}
+
+/// Does `work` with each of `items`, as many at a time as there are threads, each on one thread by itself; stops at
+/// the first that fails.
+///
+/// Runs cost from milliseconds to half a minute: each thread takes the next when it is free. Were the threads of the
+/// pool shared with what runs inside (a patch is stepped and measured in parallel too), a thread that waits there would
+/// begin another run on top of its own, and another on top of that.
+fn each(items: &[u64], work: impl Fn(u64) -> Result<(), String> + Sync) -> Result<(), String> {
+    let (next, failed) = (AtomicUsize::new(0), Mutex::new(None));
+    let fail = |error: String| {
+        next.store(items.len(), Ordering::Relaxed);
+        if let Ok(mut failed) = failed.lock() {
+            failed.get_or_insert(error);
+        }
+    };
+    let alone = || {
+        let pool = match rayon::ThreadPoolBuilder::new().num_threads(1).build() {
+            Ok(pool) => pool,
+            Err(error) => return fail(format!("cannot start a thread: {error}")),
+        };
+        while let Some(item) = items.get(next.fetch_add(1, Ordering::Relaxed)) {
+            if let Err(error) = pool.install(|| work(*item)) {
+                return fail(error);
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..rayon::current_num_threads().min(items.len()) {
+            scope.spawn(alone);
+        }
+    });
+    failed.into_inner().map_err(|_| "a run failed".to_owned())?.map_or(Ok(()), Err)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_item_is_worked_on_once_by_one_thread_alone() {
+        let items: Vec<u64> = (0..100).collect();
+        let done = Mutex::new(Vec::new());
+        let work = |item| {
+            assert_eq!(rayon::current_num_threads(), 1);
+            done.lock().unwrap().push(item);
+            Ok(())
+        };
+        assert_eq!(each(&items, work), Ok(()));
+        let mut done = done.into_inner().unwrap();
+        done.sort_unstable();
+        assert_eq!(done, items);
+    }
+
+    #[test]
+    fn nothing_is_begun_after_a_failure() {
+        let begun = AtomicUsize::new(0);
+        let work = |item| {
+            begun.fetch_add(1, Ordering::Relaxed);
+            if item == 3 { Err("the disk is full".to_owned()) } else { Ok(()) }
+        };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+        let items: Vec<u64> = (0..100).collect();
+        assert_eq!(pool.install(|| each(&items, work)), Err("the disk is full".to_owned()));
+        assert_eq!(begun.into_inner(), 4);
+    }
 }

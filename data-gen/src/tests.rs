@@ -234,64 +234,67 @@ fn two_sweeps_do_not_write_one_journal() {
     assert!(Part::read(&folder.path().join("sweep.journal")).unwrap().records.is_empty());
 }
 
+/// Asserts that [`tiny`], changed so, is refused with these words.
+#[track_caller]
+fn wrong(change: impl Fn(&mut Value), words: &[&str]) {
+    let mut plan = tiny();
+    change(&mut plan);
+    let error = Plan::parse(&plan.to_string(), "my.json").unwrap_err();
+    assert!(error.starts_with("my.json: ") && words.iter().all(|word| error.contains(word)), "{error}");
+}
+
+const FIRST: &str = "set 'meinhardt-spots-mine', ";
+
 #[test]
-fn a_wrong_plan_is_told_by_set_key_value_and_what_is_allowed() {
-    let wrong = |change: &dyn Fn(&mut Value), words: &[&str]| {
-        let mut plan = tiny();
-        change(&mut plan);
-        let error = Plan::parse(&plan.to_string(), "my.json").unwrap_err();
-        assert!(error.starts_with("my.json: ") && words.iter().all(|word| error.contains(word)), "{error}");
+fn a_wrong_range_is_told_by_set_key_value_and_what_is_allowed() {
+    let area = |key: &'static str, value: Value| {
+        move |plan: &mut Value| plan["sets"][0]["sweep"]["area"][key] = value.clone()
     };
-    let set = "set 'meinhardt-spots-mine', ";
-    let area = |plan: &mut Value, value: Value| plan["sets"][0]["sweep"]["area"]["range"] = value;
-    wrong(&|plan| area(plan, json!([0.5, 20])), &[set, "sweep.area.range: 0.5 is not from 1 to 2000"]);
-    wrong(&|plan| area(plan, json!([20, 14])), &[set, "sweep.area.range", "20 is more than 14"]);
-    wrong(&|plan| area(plan, json!("large")), &[set, "sweep.area.range", "large"]);
-    wrong(&|plan| area(plan, json!([20])), &[set, "sweep.area.range", "2"]);
+    wrong(area("range", json!([0.5, 20])), &[FIRST, "sweep.area.range: 0.5 is not from 1 to 2000"]);
+    wrong(area("range", json!([20, 14])), &[FIRST, "sweep.area.range", "20 is more than 14"]);
+    wrong(area("range", json!("large")), &[FIRST, "sweep.area.range", "large"]);
+    wrong(area("range", json!([20])), &[FIRST, "sweep.area.range", "2"]);
+    wrong(area("unit", json!("px")), &[FIRST, "sweep.area.unit: it is 'cells', not 'px'"]);
+    wrong(area("scale", json!("cubic")), &[FIRST, "sweep.area.scale", "`cubic`", "`log`"]);
+    wrong(area("share", json!(0.5)), &[FIRST, "sweep.area.share", "level"]);
+    wrong(|plan| plan["sets"][0]["sweep"]["sise"] = json!({}), &[FIRST, "sweep", "`sise`", "`area`"]);
     wrong(
-        &|plan| plan["sets"][0]["sweep"]["area"]["unit"] = json!("px"),
-        &["area.unit: it is 'cells', not 'px'"],
-    );
-    wrong(
-        &|plan| plan["sets"][0]["sweep"]["area"]["scale"] = json!("cubic"),
-        &["area.scale", "`cubic`", "`log`"],
-    );
-    wrong(&|plan| plan["sets"][0]["sweep"]["sise"] = json!({}), &[set, "sweep", "`sise`", "`area`"]);
-    wrong(&|plan| plan["sets"][0]["runs"] = json!("many"), &[set, "runs", "many"]);
-    wrong(&|plan| plan["sets"][0]["runs"] = json!(0), &[set, "runs: 0 is not from 1 to 1000000"]);
-    wrong(&|plan| plan["sets"][0]["system"] = json!("voronoi"), &[set, "system", "voronoi", "turing-spots"]);
-    wrong(&|plan| plan["sets"][0]["system"] = json!("turing-spots"), &["name", "turing-spots-MORE"]);
-    wrong(&|plan| plan["sets"][0]["name"] = json!("meinhardt-spots-../x"), &["name", "small letters"]);
-    wrong(
-        &|plan| plan["sets"][0]["patch"]["least"] = json!(10),
-        &[set, "patch.least: 10 is not from 1 to 9"],
-    );
-    let large = |plan: &mut Value| {
-        area(plan, json!([14, 2_000]));
-        plan["sets"][0]["patch"]["grown"] = json!(9_999);
-    };
-    wrong(&large, &[set, "cells along a side", "4096"]);
-    wrong(&|plan| plan["sets"][1]["seed"] = json!(12), &["seeds", "'meinhardt-spots-mine'", "10 to 14"]);
-    wrong(
-        &|plan| plan["sets"][1]["sweep"]["area"] = plan["sets"][0]["sweep"]["area"].clone(),
+        |plan| plan["sets"][1]["sweep"]["area"] = plan["sets"][0]["sweep"]["area"].clone(),
         &["has no area"],
     );
-    wrong(
-        &|plan| drop(plan["sets"][0]["sweep"].as_object_mut().unwrap().remove("level")),
-        &["level", "missing"],
-    );
-    wrong(
-        &|plan| plan["sets"][0]["sweep"]["ratio"]["range"] = json!([12, 20]),
-        &["sweep.level.share: it is missing"],
-    );
-    wrong(&|plan| plan["sets"][0]["sweep"]["area"]["share"] = json!(0.5), &["sweep.area.share", "level"]);
-    wrong(&|plan| plan["version"] = json!(2), &["version 2 is newer than 1"]);
-    wrong(&|plan| plan["format"] = json!("dapple"), &["no plan of a sweep"]);
-    wrong(&|plan| plan["sets"] = json!([]), &["no sets"]);
+    let without_level = |plan: &mut Value| {
+        plan["sets"][0]["sweep"].as_object_mut().unwrap().remove("level");
+    };
+    wrong(without_level, &[FIRST, "sweep.level: it is missing"]);
+    let both = |plan: &mut Value| plan["sets"][0]["sweep"]["ratio"]["range"] = json!([12, 20]);
+    wrong(both, &[FIRST, "sweep.level.share: it is missing"]);
     let mut turing = Plan::built_in().unwrap();
     turing.sets[0].sweep.ratio.as_mut().unwrap().range = [3.8, 8.0];
     let error = Plan::of(&serde_json::to_value(&turing).unwrap()).unwrap_err();
     assert!(error.contains("sweep.ratio.range: 8 is not 3.8, all that the program grows"), "{error}");
+}
+
+#[test]
+fn a_wrong_set_is_told_by_name_key_value_and_what_is_allowed() {
+    let set = |key: &'static str, value: Value| move |plan: &mut Value| plan["sets"][0][key] = value.clone();
+    wrong(set("runs", json!("many")), &[FIRST, "runs", "many"]);
+    wrong(set("runs", json!(0)), &[FIRST, "runs: 0 is not from 1 to 1000000"]);
+    wrong(set("system", json!("voronoi")), &[FIRST, "system", "voronoi", "turing-spots"]);
+    wrong(set("system", json!("turing-spots")), &[FIRST, "name", "turing-spots-MORE"]);
+    wrong(set("name", json!("meinhardt-spots-../x")), &["name", "small letters"]);
+    wrong(set("seed", json!(17)), &["seeds", "'meinhardt-spots-mine'", "17 to 21"]);
+    wrong(
+        |plan| plan["sets"][0]["patch"]["least"] = json!(10),
+        &[FIRST, "patch.least: 10 is not from 1 to 9"],
+    );
+    let large = |plan: &mut Value| {
+        plan["sets"][0]["sweep"]["area"]["range"] = json!([14, 2_000]);
+        plan["sets"][0]["patch"]["grown"] = json!(9_999);
+    };
+    wrong(large, &[FIRST, "cells along a side", "4096"]);
+    wrong(|plan| plan["sets"] = json!([]), &["no sets"]);
+    wrong(|plan| plan["version"] = json!(2), &["version 2 is newer than 1"]);
+    wrong(|plan| plan["format"] = json!("dapple"), &["no plan of a sweep"]);
     let error = plan().chosen(&["meinhardt-spots".to_owned()], None).unwrap_err();
     assert!(
         error.contains("no set is called 'meinhardt-spots'; the plan has meinhardt-spots-mine"),
@@ -328,4 +331,15 @@ fn the_built_in_plan_has_the_six_sets_and_as_many_runs_as_the_paper() {
     assert!(plan.sets.iter().map(|set| set.runs).sum::<u64>() >= 15_600);
     let least = |system: &str| if system.ends_with("stripes") { 20.0 } else { 60.0 };
     assert!(plan.sets.iter().all(|set| set.patch.least >= least(set.system.name())));
+}
+
+#[test]
+fn the_sets_the_columns_and_the_reasons_stand_in_the_readme_beside_the_files() {
+    let readme = include_str!("../../training/README.md");
+    let plan = Plan::built_in().unwrap();
+    let columns = plan.sets.iter().flat_map(|set| dapple::learn::columns_of(set.system.name()).unwrap());
+    let names = plan.sets.iter().map(|set| set.name.as_str()).chain(columns.map(|column| column.name));
+    for name in names.chain(dapple::measure::Reason::KINDS) {
+        assert!(readme.contains(&format!("| `{name}` |")), "{name}");
+    }
 }

@@ -96,7 +96,7 @@ const STRIPES: [Column; 7] = [
     column("direction", ["degrees", "long axis of the diffusion tensor of the activators"], ANGLE, DEGREES),
 ];
 
-/// The columns of the training files of `system`, in the order in which [`write_rows`] writes them.
+/// The columns of the training files of `system`, in the order in which [`write_rows`](super::write_rows) writes them.
 ///
 /// # Errors
 /// [`TrainingError::UnknownSystem`].

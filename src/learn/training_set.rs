@@ -205,7 +205,7 @@ mod tests {
 
         let message = |system| TrainingSet::load(dir.path(), system).err().unwrap().to_string();
         let missing = message("meinhardt-spots");
-        assert!(missing.contains("holds neither meinhardt-spots.csv nor meinhardt-spots-*.csv"), "{missing}");
+        assert!(missing.contains("neither meinhardt-spots.csv nor meinhardt-spots-*.csv"), "{missing}");
         assert!(message("spots").contains("allowed: turing-spots, meinhardt-spots, meinhardt-stripes"));
         std::fs::write(dir.path().join("meinhardt-spots.csv"), [0xff, 0xfe, 0x00]).unwrap();
         assert!(message("meinhardt-spots").contains("meinhardt-spots.csv, line 1"));
