@@ -170,8 +170,8 @@ fn check_range(key: &str, quantity: &Quantity, range: &Range) -> Result<(), Stri
     if low > high {
         return Err(format!("{key}.range: {low} is more than {high}; the lower stands first"));
     }
-    if range.scale == Scale::Log && low <= 0.0 {
-        return Err(format!("{key}.scale: a log scale cannot begin at {low}"));
+    if range.scale != Scale::Linear && low <= 0.0 {
+        return Err(format!("{key}.scale: a log or reciprocal scale cannot begin at {low}"));
     }
     Ok(())
 }

@@ -22,6 +22,7 @@ impl Range {
                 let ends = [libm::log(low), libm::log(high)];
                 libm::exp(ends[0] + (ends[1] - ends[0]) * share).clamp(low, high)
             }
+            Scale::Reciprocal => (low * high / (high - (high - low) * share)).clamp(low, high),
         }
     }
 }

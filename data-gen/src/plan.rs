@@ -112,6 +112,8 @@ pub enum Scale {
     Linear,
     /// Evenly in the logarithm.
     Log,
+    /// Evenly in 1/x.
+    Reciprocal,
 }
 
 /// Systems by their names in documents.
