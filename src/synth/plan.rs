@@ -2,9 +2,10 @@
 
 use super::lattice::{Lattice, Node};
 use super::recipe::SystemChoice;
+use super::spread::limited;
 use super::training::Training;
 use crate::attributes::regions::RegionMap;
-use crate::attributes::{Attributes, Spots};
+use crate::attributes::{Attributes, Spots, Spread};
 use crate::learn::{Answer, AskError, TrainingError};
 use crate::measure::Canvas;
 use crate::rd::{Maps, System};
@@ -54,6 +55,8 @@ pub struct Plan {
     pub lattice: Lattice,
     /// What was looked up for each region, lengths in px but parameters in cells.
     pub answers: Vec<Answer>,
+    /// How much the spots of each region will vary: as wanted, as far as that can be.
+    spreads: Vec<Spread>,
 }
 
 /// px a cell that suits these attributes.
@@ -120,8 +123,16 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
     let exact = [size[0] / grid[0] as f64, size[1] / grid[1] as f64];
     let cell = (exact[0] * exact[1]).sqrt();
 
-    let answers =
+    let mut answers =
         regions.iter().map(|wanted| ask(training, system, wanted, cell)).collect::<Result<Vec<_>, _>>()?;
+    let mut spreads = vec![Spread::EVEN; regions.len()];
+    for (index, (place, region)) in map.regions().enumerate() {
+        if let Attributes::Spots(wanted) = map.at(map.layout().center(place)) {
+            let limited = limited(system, &wanted, &region.spread);
+            spreads[index] = limited.spread;
+            answers[index].notes.extend(limited.notes);
+        }
+    }
     let layout = Lattice::over(map.layout());
     let nodes = (0..layout.len())
         .map(|index| {
@@ -129,7 +140,7 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
             Ok(Node::of(&ask(training, system, &wanted, cell)?.parameters))
         })
         .collect::<Result<Vec<_>, PlanError>>()?;
-    Ok(Plan { system, map, cell: exact, grid, lattice: Lattice { layout, nodes }, answers })
+    Ok(Plan { system, map, cell: exact, grid, lattice: Lattice { layout, nodes }, answers, spreads })
 }
 
 /// Spacing, px, that the system gives such spots by itself.
@@ -188,22 +199,43 @@ impl Plan {
         })
     }
 
+    /// How much the spots of region `index` will vary.
+    #[must_use]
+    pub fn spread(&self, index: usize) -> Spread {
+        self.spreads[index]
+    }
+
+    /// Where a point of the grid, cells, lies on the canvas, px.
+    #[must_use]
+    pub fn place(&self, at: [f64; 2]) -> [f64; 2] {
+        [at[0] * self.cell[0], at[1] * self.cell[1]]
+    }
+
+    /// The same of many.
+    #[must_use]
+    pub fn px(&self, at: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        at.iter().map(|at| self.place(*at)).collect()
+    }
+
+    /// What is known by region of `map`, at a point, px.
+    #[must_use]
+    pub fn between_regions(&self, known: &[f64], point: [f64; 2]) -> f64 {
+        self.map.layout().corners(point).iter().map(|&(i, weight)| weight * known[i]).sum()
+    }
+
     /// Parameters of every cell. `pitch` says how much farther apart than the system would the spots begin, by
     /// region of `map`.
     #[must_use]
     pub fn maps(&self, pitch: &[f64]) -> Maps {
         use rayon::prelude::*;
         let [nx, ny] = self.grid;
-        let regions = self.map.layout();
         let uniform = self.lattice.nodes.len() == 1 && pitch.len() == 1;
         let parameters = if uniform {
             vec![self.lattice.nodes[0].parameters(pitch[0]); nx * ny]
         } else {
             let at = |cell: usize| {
-                let point = [(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5];
-                let point = [point[0] * self.cell[0], point[1] * self.cell[1]];
-                let pitch = regions.corners(point).iter().map(|&(i, weight)| weight * pitch[i]).sum();
-                self.lattice.at(point).parameters(pitch)
+                let point = self.place([(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5]);
+                self.lattice.at(point).parameters(self.between_regions(pitch, point))
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };
