@@ -108,8 +108,11 @@ mod tests {
 
     #[test]
     fn ellipses_that_are_alike_have_no_spread() {
-        let spread =
-            Spread::of(&[ellipse(0.0, 30.0, 0.5, 20.0), ellipse(9.0, 30.0, 0.5, 20.0), ellipse(18.0, 30.0, 0.5, 20.0)]);
+        let spread = Spread::of(&[
+            ellipse(0.0, 30.0, 0.5, 20.0),
+            ellipse(9.0, 30.0, 0.5, 20.0),
+            ellipse(18.0, 30.0, 0.5, 20.0),
+        ]);
         assert!(spread.named().iter().all(|(_, value)| *value < 1e-6), "{spread:?}");
         assert_eq!(Spread::of(&[]), Spread::EVEN);
     }
@@ -134,7 +137,8 @@ mod tests {
     #[test]
     fn directions_that_cancel_point_all_ways() {
         assert_eq!(scatter([(40.0, 1.0), (130.0, 1.0)]), ALL_WAYS);
-        let even = scatter((0..180).map(|degree| (f64::from(degree) + if degree == 0 { 1e-3 } else { 0.0 }, 1.0)));
+        let even =
+            scatter((0..180).map(|degree| (f64::from(degree) + if degree == 0 { 1e-3 } else { 0.0 }, 1.0)));
         assert!((even - ALL_WAYS).abs() < 0.1, "{even}");
     }
 

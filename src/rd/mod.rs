@@ -24,10 +24,10 @@ mod vector;
 mod wavefront;
 
 pub use begin::{Beginning, nuclei};
-pub use mosaic::mosaic;
-pub use nuclei::make_room;
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
+pub use mosaic::mosaic;
+pub use nuclei::make_room;
 pub use prolong::prolonged;
 pub use wavefront::{Instructions, Tiling};
 

@@ -10,10 +10,10 @@
 
 use super::ladder::{self, Work};
 use super::pattern::Pattern;
+use super::pitches::pitches;
 use super::plan::Plan;
 use super::settle::{Rest, Verdict};
 use super::spread::{Varied, vary};
-use super::pitches::pitches;
 use crate::field::{Edges, Field};
 use crate::rd::{Beginning, Growth, Maps, System, prolonged};
 

@@ -49,11 +49,7 @@ impl Node {
     /// Itself with [`Self::offset`]s added.
     #[must_use]
     pub fn plus(&self, [ln_rate, c, s]: [f64; 3]) -> Self {
-        Self {
-            ln_rate: self.ln_rate + ln_rate,
-            shape: [self.shape[0] + c, self.shape[1] + s],
-            ..*self
-        }
+        Self { ln_rate: self.ln_rate + ln_rate, shape: [self.shape[0] + c, self.shape[1] + s], ..*self }
     }
 
     /// What the simulation is told.

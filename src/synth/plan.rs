@@ -128,7 +128,7 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
     let mut spreads = vec![Spread::EVEN; regions.len()];
     for (index, (place, region)) in map.regions().enumerate() {
         if let Attributes::Spots(wanted) = map.at(map.layout().center(place)) {
-            let limited = limited(system, &wanted, &region.spread);
+            let limited = limited(system, &wanted, &region.spread, map.spread_is_given());
             spreads[index] = limited.spread;
             answers[index].notes.extend(limited.notes);
         }

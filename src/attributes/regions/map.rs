@@ -64,6 +64,7 @@ pub struct Region {
 pub struct RegionMap {
     layout: Layout,
     regions: Vec<Region>,
+    spread_is_given: bool,
 }
 
 impl RegionMap {
@@ -98,7 +99,7 @@ impl RegionMap {
                 (0, _) => lines.iter().map(|set| stripes(set)).collect(),
                 (ellipses, lines) => return Err(RegionsError::Mixed { ellipses, lines }),
             };
-        Ok(Self { layout, regions: fill(&layout, &owns) })
+        Ok(Self { layout, regions: fill(&layout, &owns), spread_is_given: false })
     }
 
     /// Where the regions lie.
@@ -174,7 +175,14 @@ impl RegionMap {
     #[must_use]
     pub fn varied_by(mut self, spread: Spread) -> Self {
         self.regions.iter_mut().for_each(|region| region.spread = spread);
+        self.spread_is_given = true;
         self
+    }
+
+    /// Was the spread given by [`Self::varied_by`], and not drawn?
+    #[must_use]
+    pub fn spread_is_given(&self) -> bool {
+        self.spread_is_given
     }
 
     /// (cos 2θ, sin 2θ) of the angle θ that [`Self::at`] has there: the same without a transcendental.
@@ -198,7 +206,7 @@ impl RegionMap {
     /// The same regions stretched over another canvas of `size` px: the same marks, more or fewer of them.
     #[must_use]
     pub fn resized(&self, size: [f64; 2]) -> Self {
-        Self { layout: Layout { size, ..self.layout }, regions: self.regions.clone() }
+        Self { layout: Layout { size, ..self.layout }, ..self.clone() }
     }
 
     /// The blend of the unit double-angle vectors, of unit length again.

@@ -1,7 +1,9 @@
 //! A JSON value → a checked document, key by key.
 
 use super::limits::{self, Range};
-use super::{After, Colours, Document, Growth, Kind, Layer, Options, Problem, SpreadChoice, Stop, SystemChoice};
+use super::{
+    After, Colours, Document, Growth, Kind, Layer, Options, Problem, SpreadChoice, Stop, SystemChoice,
+};
 use super::{node::Node, strokes};
 use crate::attributes::Spread;
 use crate::field::Edges;

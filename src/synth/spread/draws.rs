@@ -3,7 +3,7 @@
 use rand::seq::SliceRandom;
 use rand_pcg::Pcg64Mcg;
 
-use super::limits::{beyond, by_itself};
+use super::limits::{ASPECTS, beyond, by_itself};
 use super::{spread_at, wanted};
 use crate::attributes::{Spots, Spread};
 use crate::field::Edges;
@@ -134,7 +134,8 @@ fn areas(drawn: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
     let mut areas = Vec::new();
     for _ in 0..ROUNDS {
         // A log-normal area of coefficient of variation v has a logarithm of variance ln(1 + v²).
-        let area = |(score, spread): (&f64, &f64)| libm::exp(wider * score * libm::log1p(spread * spread).sqrt());
+        let area =
+            |(score, spread): (&f64, &f64)| libm::exp(wider * score * libm::log1p(spread * spread).sqrt());
         areas = scores.iter().zip(&spreads).map(area).collect();
         let mean = areas.iter().sum::<f64>() / n;
         areas.iter_mut().for_each(|area| *area /= mean);
@@ -152,7 +153,7 @@ fn aspects(drawn: impl Iterator<Item = (f64, f64)>, wanted: &[Spots]) -> Vec<f64
     let mut aspects: Vec<f64> = scores.iter().zip(&spreads).map(|(score, spread)| score * spread).collect();
     let bounds = |i: usize| {
         let mean: f64 = wanted[i].aspect;
-        [(0.27 - mean).min(0.0), (0.99 - mean).max(0.0)]
+        [(ASPECTS[0] - mean).min(0.0), (ASPECTS[1] - mean).max(0.0)]
     };
     standardise(&mut aspects, &vec![1.0; scores.len()], &spreads, bounds);
     aspects
