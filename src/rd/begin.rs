@@ -5,19 +5,21 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use super::maps::{Maps, Parameters};
-use super::nuclei::{Nucleus, lay, thinned};
+use super::nuclei::{Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
 use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
 use crate::field::Edges;
 
 /// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes.
 #[must_use]
-pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Vec<[f64; 2]> {
+pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Places {
     if system == System::MeinhardtStripes {
-        return Vec::new();
+        return Places::default();
     }
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
-    lay(maps, edges, &|p| system.spacing(p), &mut rng).iter().map(|nucleus| nucleus.at).collect()
+    let Laid { inside, beyond } = lay(maps, edges, &|p| system.spacing(p), &mut rng);
+    let at = |laid: Vec<Nucleus>| laid.iter().map(|nucleus| nucleus.at).collect();
+    Places { inside: at(inside), beyond: at(beyond) }
 }
 
 /// What a growth begins from, for any grid over its canvas: spots at the same places, stripes from the same waves.
@@ -34,7 +36,7 @@ impl Beginning {
     /// What [`super::Growth::new`] begins from.
     #[must_use]
     pub fn new(system: System, maps: &Maps, edges: Edges, seed: u64) -> Self {
-        Self::at(system, maps, edges, seed, &nuclei(system, maps, edges, seed))
+        Self::at(system, maps, edges, seed, &nuclei(system, maps, edges, seed).inside)
     }
 
     /// The same from spots at these `places`, cells of `maps`.
@@ -67,7 +69,7 @@ impl Beginning {
 
 /// Spots begin as bells on [`nuclei`].
 pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
-    let laid = lay(maps, edges, &|p| system.spacing(p), rng);
+    let laid = lay(maps, edges, &|p| system.spacing(p), rng).inside;
     planes(maps, edges, bells_on(system, maps, edges, &laid))
 }
 

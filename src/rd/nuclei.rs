@@ -57,27 +57,47 @@ const PUSH: f64 = 1.25;
 /// Rounds of relaxation. Tuned by the spread of the spacing: 0.16 after darts, 0.085 after 30, 0.08 after 100.
 const ROUNDS: usize = 30;
 
+/// How far beyond closed edges spots are laid, in reaches of one pitch: what is pushed there does not reach the edge.
+const FRAME: f64 = 1.5;
+/// Spots nearer to a closed edge than this share of the pitch are put on it. Seen: farther off they grow a tail to it.
+const SNAP: f64 = 0.22;
+/// Others are held this far from it; nearer they grow a tail too.
+const HOLD: f64 = 0.42;
+
 /// Points that are not worth handing to another thread.
 const FEW: usize = 128;
 
+/// Points that were laid.
+pub struct Laid {
+    /// Those on the grid.
+    pub inside: Vec<Nucleus>,
+    /// Beyond closed edges, those that keep the others from spreading over them.
+    pub beyond: Vec<Nucleus>,
+}
+
 /// Points over the whole grid whose neighbours stand `pitch(parameters)` cells apart.
+///
+/// At closed edges as if the pattern went on beyond them: they are laid over a frame too, which is cut off.
 pub fn lay(
     maps: &Maps,
     edges: Edges,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     rng: &mut impl Rng,
-) -> Vec<Nucleus> {
-    let Crowd { densities, wanted, densest, largest } = crowd(maps, pitch);
-    let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
-    let nucleus = |at: [f64; 2]| Nucleus::at(maps, at, pitch);
+) -> Laid {
+    let crowd = Crowd::of(maps, pitch);
+    let frame = if edges == Edges::Closed { (FRAME * crowd.largest).ceil() } else { 0.0 };
+    let size = [maps.nx as f64, maps.ny as f64];
+    let space = Space { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
+    let on_maps = |at: [f64; 2]| at.map(|v| v - frame);
+    let nucleus = |at: [f64; 2]| Nucleus { at, ..Nucleus::at(maps, on_maps(at), pitch) };
+    let wanted = crowd.wanted(frame);
 
-    let mut placed = Buckets::new(space, PUSH * largest);
+    let mut placed = Buckets::new(space, PUSH * crowd.largest);
     let mut closest = DART;
     let mut refused = 0;
     while placed.all.len() < wanted {
         let at = [rng.random::<f64>() * space.size[0], rng.random::<f64>() * space.size[1]];
-        let cell = (at[1] as usize).min(maps.ny - 1) * maps.nx + (at[0] as usize).min(maps.nx - 1);
-        if rng.random::<f64>() * densest > densities[cell] {
+        if rng.random::<f64>() * crowd.densest > crowd.densities[maps.cell_at(on_maps(at))] {
             continue;
         }
         let dart = nucleus(at);
@@ -97,71 +117,145 @@ pub fn lay(
     for _ in 0..ROUNDS {
         relax(&mut placed, PUSH, &|_, at| nucleus(at));
     }
-    placed.all
+    let mut all = placed.all;
+    all.iter_mut().for_each(|point| point.at = on_maps(point.at));
+    if edges == Edges::Wrap {
+        return Laid { inside: all, beyond: Vec::new() };
+    }
+    all.iter_mut().for_each(|point| point.at = off_walls(point, size));
+    let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
+    let (inside, beyond) = all.into_iter().partition(inside);
+    Laid { inside, beyond }
 }
 
-/// Where the points `at`, cells, come to stand in `rounds` rounds of mutual repulsion, each with the pitch and the
-/// metric of its `own` parameters; those farther than `reach` pitches do not push each other.
+/// Where `point` comes to stand on closed edges of a grid of `size` cells: near a wall a spot cannot keep its shape.
+/// One on the wall is half a spot, cut by the edge; nearer than [`HOLD`] it would be drawn out to the wall.
+fn off_walls(point: &Nucleus, size: [f64; 2]) -> [f64; 2] {
+    let [xx, xy, yy] = point.metric;
+    // The shortest way to the wall, along x or y, in pitches a cell.
+    let determinant = xx * yy - xy * xy;
+    let pitches = [(determinant / yy).sqrt(), (determinant / xx).sqrt()];
+    let mut at = point.at;
+    for axis in 0..2 {
+        let last = size[axis] * (1.0 - 1e-12);
+        for (wall, inward) in [(0.0, 1.0), (last, -1.0)] {
+            let away = (at[axis] - wall) * inward * pitches[axis];
+            if away.abs() < SNAP {
+                at[axis] = wall;
+            } else if away > 0.0 && away < HOLD {
+                at[axis] = (wall + inward * HOLD / pitches[axis]).clamp(0.0, last);
+            }
+        }
+    }
+    at
+}
+
+/// Where the points `laid` come to stand in `rounds` rounds of mutual repulsion, each with the pitch and the metric of
+/// its `own` parameters; those farther than `reach` pitches do not push each other. Those beyond the edges stay.
 #[must_use]
 pub fn make_room(
     system: System,
     maps: &Maps,
     edges: Edges,
-    at: &[[f64; 2]],
+    laid: &Places,
     own: &[Parameters],
     reach: f64,
     rounds: usize,
 ) -> Vec<[f64; 2]> {
+    let at = &laid.inside;
     let nucleus = |i: usize, at: [f64; 2]| Nucleus::of(&own[i], maps.cell, at, system.spacing(&own[i]));
     let largest = (0..at.len()).map(|i| nucleus(i, at[i]).reach).fold(0.0, f64::max);
-    let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
+    let frame = if edges == Edges::Closed { (FRAME * largest).ceil() } else { 0.0 };
+    let size = [maps.nx as f64, maps.ny as f64];
+    let space = Space { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
+    let framed = |at: [f64; 2]| space.folded(at.map(|v| v + frame));
+    let pitch = |p: &Parameters| system.spacing(p);
+    let beyond = laid.beyond.iter().filter(|at| (0..2).all(|i| (-frame..size[i] + frame).contains(&at[i])));
+    let beyond: Vec<Nucleus> =
+        beyond.map(|at| Nucleus { at: framed(*at), ..Nucleus::at(maps, *at, &pitch) }).collect();
+    let moved = |i: usize, at: [f64; 2]| if i < own.len() { nucleus(i, at) } else { beyond[i - own.len()] };
     let mut placed = Buckets::new(space, PUSH.max(reach) * largest);
-    at.iter().enumerate().for_each(|(i, at)| placed.insert(nucleus(i, space.folded(*at))));
+    at.iter().enumerate().for_each(|(i, at)| placed.insert(nucleus(i, framed(*at))));
+    beyond.iter().for_each(|point| placed.insert(*point));
     for _ in 0..rounds {
-        relax(&mut placed, reach, &nucleus);
+        relax(&mut placed, reach, &moved);
     }
-    placed.all.iter().map(|nucleus| nucleus.at).collect()
+    let inner = |v: f64, side: f64| v.clamp(0.0, side * (1.0 - 1e-12));
+    let stands = |point: &Nucleus| {
+        let at = [0, 1].map(|i| point.at[i] - frame);
+        match edges {
+            Edges::Wrap => at,
+            Edges::Closed => {
+                let at = [inner(at[0], size[0]), inner(at[1], size[1])];
+                off_walls(&Nucleus { at, ..*point }, size)
+            }
+        }
+    };
+    placed.all[..own.len()].iter().map(stands).collect()
+}
+
+/// Places of points, cells: those on the grid, and those beyond closed edges, which keep the others from spreading over
+/// them.
+#[derive(Clone, Debug, Default)]
+pub struct Places {
+    /// On the grid.
+    pub inside: Vec<[f64; 2]>,
+    /// Beyond closed edges.
+    pub beyond: Vec<[f64; 2]>,
 }
 
 /// How crowded the grid will be.
 struct Crowd {
     /// Points a cell, by cell.
     densities: Vec<f64>,
-    /// Points in all.
-    wanted: usize,
+    /// Cells in a row.
+    columns: usize,
     densest: f64,
     /// The farthest that a pitch reaches, cells.
     largest: f64,
 }
 
-fn crowd(maps: &Maps, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Crowd {
-    let rows: Vec<(Vec<f64>, f64)> = maps
-        .parameters
-        .par_chunks(maps.nx)
-        .map(|row| {
-            let (mut before, mut here, mut largest) = (None, 0.0, 0.0f64);
-            let densities = row
-                .iter()
-                .map(|p| {
-                    // Mostly the same as beside it.
-                    if before != Some(p) {
-                        let pitch = pitch(p);
-                        // A hexagonal lattice of pitch 1 has 2/√3 points a unit area.
-                        here = 2.0 / (3.0f64.sqrt() * pitch * pitch);
-                        largest = largest.max(1.05 * pitch / f64::from(p.stretch).sqrt());
-                        before = Some(p);
-                    }
-                    here
-                })
-                .collect();
-            (densities, largest)
-        })
-        .collect();
-    let largest = rows.iter().map(|(_, largest)| *largest).fold(0.0, f64::max);
-    let densities: Vec<f64> = rows.into_iter().flat_map(|(row, _)| row).collect();
-    let wanted = densities.iter().sum::<f64>().round().max(1.0) as usize;
-    let densest = densities.iter().copied().fold(0.0, f64::max);
-    Crowd { densities, wanted, densest, largest }
+impl Crowd {
+    fn of(maps: &Maps, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
+        let rows: Vec<(Vec<f64>, f64)> = maps
+            .parameters
+            .par_chunks(maps.nx)
+            .map(|row| {
+                let (mut before, mut here, mut largest) = (None, 0.0, 0.0f64);
+                let densities = row
+                    .iter()
+                    .map(|p| {
+                        // Mostly the same as beside it.
+                        if before != Some(p) {
+                            let pitch = pitch(p);
+                            // A hexagonal lattice of pitch 1 has 2/√3 points a unit area.
+                            here = 2.0 / (3.0f64.sqrt() * pitch * pitch);
+                            largest = largest.max(1.05 * pitch / f64::from(p.stretch).sqrt());
+                            before = Some(p);
+                        }
+                        here
+                    })
+                    .collect();
+                (densities, largest)
+            })
+            .collect();
+        let largest = rows.iter().map(|(_, largest)| *largest).fold(0.0, f64::max);
+        let densities: Vec<f64> = rows.into_iter().flat_map(|(row, _)| row).collect();
+        let densest = densities.iter().copied().fold(0.0, f64::max);
+        Self { densities, columns: maps.nx, densest, largest }
+    }
+
+    /// Points in all, those over a frame of so many cells too: it is as crowded as the border beside it.
+    fn wanted(&self, frame: f64) -> usize {
+        let row = |row: &[f64]| {
+            let ends = row.first().zip(row.last()).map_or(0.0, |(first, last)| first + last);
+            row.iter().sum::<f64>() + frame * ends
+        };
+        let mut rows = self.densities.chunks_exact(self.columns);
+        let ends = rows.clone().next().zip(rows.clone().next_back());
+        let ends = ends.map_or(0.0, |(first, last)| row(first) + row(last));
+        (rows.by_ref().map(row).sum::<f64>() + frame * ends).round().max(1.0) as usize
+    }
 }
 
 /// Those of `laid` that have room among those before them, where they are `crowded`.
@@ -281,11 +375,17 @@ impl Buckets {
             for dx in -1..=1 {
                 let (c, sx) = image(column + dx, self.columns, self.space.edges, w);
                 let (r, sy) = image(row + dy, self.rows, self.space.edges, h);
+                let beyond = |i: isize, n: usize| i < 0 || i >= n as isize;
+                let mirrored = [beyond(column + dx, self.columns), beyond(row + dy, self.rows)];
                 for &other in &self.cells[r * self.columns + c] {
                     let other = &self.all[other as usize];
-                    let delta = [sx(other.at[0]) - point.at[0], sy(other.at[1]) - point.at[1]];
+                    let seen = [sx(other.at[0]), sy(other.at[1])];
+                    let delta = [seen[0] - point.at[0], seen[1] - point.at[1]];
+                    // The image of a point on the wall is that point, and counts once.
+                    let twice = |axis: usize| mirrored[axis] && (seen[axis] - other.at[axis]).abs() < 1e-6;
+                    let twice = twice(0) || twice(1);
                     let itself = dx == 0 && dy == 0 && delta == [0.0, 0.0];
-                    if !itself && delta[0].abs() <= reach && delta[1].abs() <= reach {
+                    if !itself && !twice && delta[0].abs() <= reach && delta[1].abs() <= reach {
                         each(other, delta);
                     }
                 }
@@ -321,19 +421,42 @@ mod tests {
     fn placed(edges: Edges, stretch: f32) -> Vec<Nucleus> {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 20.0, pitch: 1.0 };
         let maps = Maps::uniform(240, 200, p);
-        lay(&maps, edges, &|_| 14.0, &mut Pcg64Mcg::seed_from_u64(5))
+        lay(&maps, edges, &|_| 14.0, &mut Pcg64Mcg::seed_from_u64(5)).inside
     }
 
     #[test]
     fn as_many_are_placed_as_a_hexagonal_lattice_of_the_pitch_would_have() {
         for edges in [Edges::Closed, Edges::Wrap] {
             for stretch in [1.0, 0.4] {
-                assert_eq!(
-                    placed(edges, stretch).len(),
-                    (240.0 * 200.0 / (14.0 * 14.0 * 0.866_025_4)) as usize + 1
-                );
+                let wanted = (240.0 * 200.0 / (14.0 * 14.0 * 0.866_025_4)) as usize + 1;
+                // Closed edges cut through spots: those on them are half in.
+                let (found, cut) = match edges {
+                    Edges::Wrap => (placed(edges, stretch).len(), 0),
+                    Edges::Closed => (placed(edges, stretch).len(), 24),
+                };
+                assert!(found.abs_diff(wanted) <= cut, "{found} of {wanted}");
             }
         }
+    }
+
+    #[test]
+    fn near_closed_edges_they_stand_on_them_or_well_off() {
+        let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
+        let maps = Maps::uniform(240, 200, p);
+        let all = lay(&maps, Edges::Closed, &|_| 14.0, &mut Pcg64Mcg::seed_from_u64(5)).inside;
+        // Upright marks of half the width: the metric is (ρ·along² + across²/ρ)/pitch².
+        let off = |at: f64, side: f64, pitch: f64| at.min(side - at) / pitch;
+        let (mut on, mut inside) = (0, 0);
+        for point in &all {
+            for away in
+                [off(point.at[0], 240.0, 14.0 * 0.5f64.sqrt()), off(point.at[1], 200.0, 14.0 / 0.5f64.sqrt())]
+            {
+                assert!(!(1e-9..=HOLD - 1e-9).contains(&away), "{away}");
+                on += usize::from(away < 1e-9);
+                inside += usize::from(away > 1.0);
+            }
+        }
+        assert!(on > 10 && inside > 2 * on, "{on} {inside}");
     }
 
     #[test]

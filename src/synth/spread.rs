@@ -21,7 +21,7 @@ use super::pitches::{MANY, ROUNDS, corrected, spots_at};
 use super::plan::Plan;
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::measure::spot_errors;
-use crate::rd::{self, Maps, Parameters, System};
+use crate::rd::{self, Maps, Parameters, Places, System};
 use draws::Scores;
 pub use limits::limited;
 
@@ -120,15 +120,16 @@ impl Laid {
         let first = rd::nuclei(plan.system, &maps, edges, seed);
         // Another stream than the one that laid them.
         let mut rng = Pcg64Mcg::seed_from_u64(seed ^ 0x7370_7265_6164);
-        let scores = Scores::new(plan, &plan.px(&first), &mut rng);
-        let (_, own) = drawn(plan, &first, pitch, &scores);
-        let room = |places: &[[f64; 2]], own: &[Parameters], reach: f64, rounds: usize| {
-            rd::make_room(plan.system, &maps, edges, places, own, reach, rounds)
+        let scores = Scores::new(plan, &plan.px(&first.inside), &mut rng);
+        let (_, own) = drawn(plan, &first.inside, pitch, &scores);
+        let room = |laid: &Places, own: &[Parameters], reach: f64, rounds: usize| {
+            rd::make_room(plan.system, &maps, edges, laid, own, reach, rounds)
         };
         let mut places = room(&first, &own, ROOM_REACH, ROOM_ROUNDS);
         if shaking.iter().any(|shaking| shaking.by > 0.0) {
             shake(plan, &mut places, &own, shaking, &mut rng);
-            places = room(&places, &own, SHAKEN_REACH, SHAKEN_ROUNDS);
+            let shaken = Places { inside: places, beyond: first.beyond };
+            places = room(&shaken, &own, SHAKEN_REACH, SHAKEN_ROUNDS);
         }
         // Some have moved into another region.
         let (offsets, own) = drawn(plan, &places, pitch, &scores);
