@@ -228,6 +228,10 @@ fn errors_of_spots_are_those_between_the_marks_and_the_map() {
         assert!((error.aspect.unwrap() - 0.03).abs() < 0.003, "{error:?}");
         assert!((error.angle.unwrap() - 3.0).abs() < 0.05, "{error:?}");
         assert!((error.spacing.unwrap() + 0.04).abs() < 0.002, "{error:?}");
+        // They follow the map, so that nothing varies about it; but for what the grid leaves.
+        let spread = error.spread.unwrap();
+        assert!(spread.area < 0.005 && spread.angle < 0.3, "{spread:?}");
+        assert!(spread.aspect < 0.005 && spread.spacing < 0.005, "{spread:?}");
     }
     let rounder = |p: [f64; 2]| match wanted(p) {
         Attributes::Spots(spots) => Attributes::Spots(Spots { aspect: 0.9, spacing: None, ..spots }),

@@ -54,13 +54,6 @@ fn an_unknown_key_is_named_with_its_place_and_its_neighbours() {
 }
 
 #[test]
-fn options_are_refused_as_long_as_there_are_none() {
-    accepted(&with("/layers/0/options", json!({})));
-    let options = with("/layers/0/options", json!({"speed": 1}));
-    refused(&options, "layers[0].options", "the unknown key \"speed\"", "no keys here yet");
-}
-
-#[test]
 fn missing_keys_are_named() {
     for key in ["size", "layers", "version"] {
         let mut document = least();

@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 mod content;
 mod files;
 mod no_json;
+mod options;
 mod properties;
 mod read;
 mod values;

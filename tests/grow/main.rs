@@ -10,3 +10,4 @@ mod interrupt;
 mod options;
 mod refusals;
 mod sketches;
+mod spread;

@@ -28,8 +28,8 @@ pub const BEND_Y: Range = Range { low: -2.0, high: 3.0, unit: "" };
 
 /// Coefficient of variation of the areas of a layer's spots.
 pub const SPREAD_AREA: Range = Range { low: 0.0, high: 0.6, unit: "" };
-/// Scatter of their directions.
-pub const SPREAD_ANGLE: Range = Range { low: 0.0, high: 30.0, unit: "degrees" };
+/// Scatter of their directions; 52° is all ways.
+pub const SPREAD_ANGLE: Range = Range { low: 0.0, high: 45.0, unit: "degrees" };
 /// Standard deviation of their aspects.
 pub const SPREAD_ASPECT: Range = Range { low: 0.0, high: 0.2, unit: "" };
 /// Coefficient of variation of their distances.

@@ -30,7 +30,7 @@
 //! |---|---|
 //! | `"drawn"` | as much as the marks of each region; those of fewer than six marks are even |
 //! | a number, 0–0.6 | the coefficient of variation of the area; shapes, directions and distances are even |
-//! | `{"area": 0–0.6, "angle": 0–30, "aspect": 0–0.2, "spacing": 0–0.2}` | each by itself; what is left out is even |
+//! | `{"area": 0–0.6, "angle": 0–45, "aspect": 0–0.2, "spacing": 0–0.2}` | each by itself; what is left out is even |
 
 mod choices;
 mod error;

@@ -29,10 +29,9 @@ impl Scores {
     pub fn new(plan: &Plan, px: &[[f64; 2]], rng: &mut Pcg64Mcg) -> Self {
         let mut scores = vec![[0.0; 3]; px.len()];
         for group in groups(plan, px) {
-            for attribute in 0..3 {
-                for (i, score) in group.iter().zip(stratified(group.len(), rng)) {
-                    scores[*i][attribute] = score;
-                }
+            let drawn = [(); 3].map(|()| stratified(group.len(), rng));
+            for (k, i) in group.iter().enumerate() {
+                scores[*i] = [0, 1, 2].map(|attribute: usize| drawn[attribute][k]);
             }
         }
         Self(scores)
@@ -166,4 +165,64 @@ fn turns(drawn: impl Iterator<Item = (f64, f64)>, weights: impl Iterator<Item = 
     let weights: Vec<f64> = weights.collect();
     standardise(&mut turns, &weights, &spreads, |_| [-180.0, 180.0]);
     turns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+
+    fn moments(values: &[f64]) -> (f64, f64) {
+        let n = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / n;
+        (mean, (values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / n).sqrt())
+    }
+
+    #[test]
+    fn scores_of_few_spots_are_as_wide_as_those_of_many() {
+        for n in [2, 3, 7, 40, 1_000] {
+            let scores = stratified(n, &mut Pcg64Mcg::seed_from_u64(3));
+            let (mean, deviation) = moments(&scores);
+            assert!(mean.abs() < 1e-12 && (deviation - 1.0).abs() < 1e-12, "{n}: {mean} {deviation}");
+            assert!(scores.iter().all(|score| score.abs() < 6.0f64.sqrt()), "{n}");
+        }
+        assert_eq!(stratified(1, &mut Pcg64Mcg::seed_from_u64(3)), [0.0]);
+        assert!(stratified(0, &mut Pcg64Mcg::seed_from_u64(3)).is_empty());
+    }
+
+    #[test]
+    fn drawn_areas_have_the_mean_and_the_variation_asked_for() {
+        for (n, spread) in [(5, 0.1), (12, 0.3), (200, 0.6)] {
+            let scores = stratified(n, &mut Pcg64Mcg::seed_from_u64(1));
+            let areas = areas(scores.into_iter().map(|score| (score, spread)));
+            let (mean, deviation) = moments(&areas);
+            assert!(
+                (mean - 1.0).abs() < 1e-12 && (deviation / spread - 1.0).abs() < 1e-3,
+                "{n}: {deviation}"
+            );
+            assert!(areas.iter().all(|area| *area > 0.0));
+        }
+        assert_eq!(areas([(0.0, 0.3)].into_iter()), [1.0]);
+    }
+
+    #[test]
+    fn drawn_aspects_stay_in_bounds_and_keep_their_mean() {
+        let wanted = Spots { area: 100.0, aspect: 0.9, angle: 0.0, spacing: None };
+        let scores = stratified(30, &mut Pcg64Mcg::seed_from_u64(1));
+        let aspects = aspects(scores.into_iter().map(|score| (score, 0.05)), &[wanted; 30]);
+        let (mean, deviation) = moments(&aspects);
+        assert!(mean.abs() < 1e-9 && (deviation - 0.05).abs() < 0.003, "{mean} {deviation}");
+        assert!(aspects.iter().all(|aspect| *aspect < ASPECTS[1] - 0.9 + 0.005), "{aspects:?}");
+    }
+
+    #[test]
+    fn drawn_turns_cancel_under_the_weights_by_which_they_count() {
+        let scores = stratified(20, &mut Pcg64Mcg::seed_from_u64(1));
+        let weights: Vec<f64> = (1..=20).map(|k| f64::from(k) / 20.0).collect();
+        let turns = turns(scores.into_iter().map(|score| (score, 12.0)), weights.iter().copied());
+        let squares: Vec<f64> = turns.iter().map(|turn| turn * turn).collect();
+        assert!(mean(&turns, &weights).abs() < 1e-9);
+        assert!((mean(&squares, &weights).sqrt() - 12.0).abs() < 0.05);
+        assert_eq!(self::turns([(1.0, 0.0), (-1.0, 0.0)].into_iter(), [0.5, 0.5].into_iter()), [0.0, 0.0]);
+    }
 }

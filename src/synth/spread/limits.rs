@@ -21,8 +21,9 @@ pub const ASPECTS: [f64; 2] = [0.27, 0.99];
 /// some nearer than the farthest there must be.
 const WITHIN: f64 = 0.6;
 /// area ÷ spacing² up to which Meinhardt's spots bear all of [`SPREAD_AREA`], and what they bear less for each unit more:
-/// of 280 spots at 0.2 one merged at 0.5, none at 0.35.
-const AREAS: [f64; 2] = [0.12, 2.5];
+/// of 280 spots at 0.2 one merged at 0.5, none at
+/// 0.35; of 900 at 0.16 one at 0.5.
+const AREAS: [f64; 2] = [0.12, 3.5];
 /// Degrees by which Meinhardt's spots may be turned that are as long as 0.8 spacings, and the power of 1/length: of 600
 /// spots one merged at 10° (length 0.8) and at 20° (0.63), none at 30° (0.56); a per cent did at twice that.
 const TURNED: [f64; 3] = [8.5, 0.8, 3.0];
@@ -32,12 +33,14 @@ const TURING: Spread = Spread { area: 0.6, angle: 25.0, aspect: 0.2, spacing: 0.
 const UNEVEN: f64 = 0.18;
 /// Coefficient of variation of the distances of round spots.
 const EVEN: f64 = 0.09;
+/// See [`least_spacing`].
+const STRETCHED: f64 = 0.85;
 
 /// The most that spots which are `wanted` on the mean can vary.
 fn most(system: System, wanted: &Spots) -> Spread {
     let room = WITHIN * (wanted.aspect - ASPECTS[0]).min(ASPECTS[1] - wanted.aspect).max(0.0);
     if system == System::TuringSpots {
-        return Spread { aspect: room, ..TURING };
+        return Spread { aspect: room, angle: TURING.angle.max(by_itself(system, wanted).angle), ..TURING };
     }
     let packing = wanted.spacing.map_or(AREAS[0], |spacing| wanted.area / (spacing * spacing));
     let length = 2.0 * (packing / (PI * wanted.aspect)).sqrt();
@@ -53,7 +56,8 @@ fn most(system: System, wanted: &Spots) -> Spread {
 /// Coefficient of variation of the distances of spots of which none was told to differ: the farther apart along their
 /// direction, the longer they are.
 ///
-/// A ring of neighbours of a hexagonal lattice drawn out by 1/√ρ along and √ρ across, and [`EVEN`] on top.
+/// A ring of neighbours drawn out by 1/√ρ along and √ρ across, of which the share [`STRETCHED`] is left, and [`EVEN`] on
+/// top: 0.12, 0.15, 0.17–0.19, 0.22, 0.24 were measured at aspect 0.8, 0.7, 0.6, 0.5, 0.4.
 fn least_spacing(wanted: &Spots) -> f64 {
     const WAYS: usize = 64;
     let squares = (0..WAYS).map(|k| {
@@ -62,7 +66,8 @@ fn least_spacing(wanted: &Spots) -> f64 {
     });
     let (sum, square) = squares.fold((0.0, 0.0), |(sum, square), one| (sum + one.sqrt(), square + one));
     let (mean, square) = (sum / WAYS as f64, square / WAYS as f64);
-    ((square / (mean * mean) - 1.0).max(0.0) + EVEN * EVEN).sqrt()
+    let stretched = STRETCHED * STRETCHED * (square / (mean * mean) - 1.0).max(0.0);
+    (stretched + EVEN * EVEN).sqrt()
 }
 
 /// What of `asked` can be had of spots that are `wanted` on the mean. That they vary more by themselves is told where it
@@ -99,7 +104,7 @@ pub fn limited(system: System, wanted: &Spots, asked: &Spread, given: bool) -> L
 #[must_use]
 pub fn by_itself(system: System, wanted: &Spots) -> Spread {
     let (area, shape) = match system {
-        System::TuringSpots => (0.045, 0.065),
+        System::TuringSpots => (0.045, 0.055),
         _ => (0.03, 0.005),
     };
     let long = -libm::log(wanted.aspect.min(0.99));
@@ -115,4 +120,55 @@ pub fn by_itself(system: System, wanted: &Spots) -> Spread {
 #[must_use]
 pub fn beyond(asked: f64, own: f64) -> f64 {
     (asked * asked - own * own).max(0.0).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spots(aspect: f64, packing: f64) -> Spots {
+        Spots { area: 100.0, aspect, angle: 0.0, spacing: Some((100.0 / packing).sqrt()) }
+    }
+
+    #[test]
+    fn what_can_be_had_is_left_as_it_is() {
+        let asked = Spread { area: 0.3, angle: 10.0, aspect: 0.1, spacing: 0.15 };
+        let limited = limited(System::MeinhardtSpots, &spots(0.7, 0.1), &asked, false);
+        assert_eq!(limited, Limited { spread: asked, notes: Vec::new() });
+    }
+
+    #[test]
+    fn too_much_is_cut_and_said_in_numbers() {
+        let asked = Spread { area: 0.5, angle: 20.0, ..Spread::EVEN };
+        let limited = limited(System::MeinhardtSpots, &spots(0.4, 0.2), &asked, false);
+        assert!((limited.spread.area - 0.32).abs() < 1e-9 && (limited.spread.angle - 8.6).abs() < 0.1);
+        assert_eq!(
+            limited.notes,
+            [
+                "the area of spots varies by 0.50, more than the 0.32 which keeps them apart; growing at 0.32",
+                "the angle of spots varies by 20°, more than the 9° which keeps them apart; growing at 9°",
+            ]
+        );
+    }
+
+    #[test]
+    fn that_long_spots_stand_unevenly_is_told_where_a_number_was_given() {
+        let asked = Spread { spacing: 0.1, ..Spread::EVEN };
+        let notes = |given| limited(System::MeinhardtSpots, &spots(0.5, 0.1), &asked, given).notes;
+        let told =
+            "the spacing of spots varies by 0.10, less than the 0.21 that such spots have by themselves";
+        assert_eq!((notes(true), notes(false)), (vec![told.to_owned()], Vec::new()));
+    }
+
+    #[test]
+    fn round_spots_stand_about_as_evenly_as_a_relaxed_lattice_and_long_ones_do_not() {
+        assert!((least_spacing(&spots(1.0, 0.1)) - EVEN).abs() < 1e-9);
+        let [long, longer] = [0.6, 0.4].map(|aspect| least_spacing(&spots(aspect, 0.1)));
+        assert!(long > 0.15 && longer > long && longer < 0.28, "{long} {longer}");
+    }
+
+    #[test]
+    fn what_is_there_already_needs_not_be_added() {
+        assert_eq!((beyond(0.5, 0.3), beyond(0.1, 0.3)), (0.4, 0.0));
+    }
 }

@@ -244,3 +244,43 @@ proptest! {
         prop_assert!(aspect > 0.9 || turn(got.angle, angle).abs() < 1e-9);
     }
 }
+
+/// Six ellipses in a row from x on, whose areas alternate between 80 and 120 px², turned by ± 10°.
+fn six(x: f64) -> Vec<Mark> {
+    let sign = |k: u8| if k.is_multiple_of(2) { -1.0 } else { 1.0 };
+    (0..6)
+        .map(|k| spot([x + 10.0 * f64::from(k), 50.0], 100.0 + 20.0 * sign(k), 0.5, 30.0 + 10.0 * sign(k)))
+        .collect()
+}
+
+#[test]
+fn a_region_of_six_marks_varies_as_they_do_and_one_of_fewer_does_not() {
+    let six = six(10.0);
+    let spread = map(&six, [1, 1], Edges::Closed).region([0, 0]).spread;
+    assert!((spread.area - 0.2).abs() < 1e-9 && (spread.angle - 10.0).abs() < 1e-9, "{spread:?}");
+    assert!(spread.aspect < 1e-9 && spread.spacing < 1e-9, "{spread:?}");
+    let five = map(&six[..5], [1, 1], Edges::Closed);
+    assert_eq!(five.region([0, 0]).spread, Spread::EVEN);
+    assert!(five.is_even() && !map(&six, [1, 1], Edges::Closed).is_even());
+}
+
+#[test]
+fn an_empty_region_takes_the_spread_with_the_attributes_and_between_regions_it_is_blended() {
+    let mut marks = six(10.0);
+    marks.push(spot([150.0, 50.0], 100.0, 0.5, 30.0));
+    let map = map(&marks, [3, 1], Edges::Closed);
+    assert_eq!(map.region([2, 0]).spread, Spread::EVEN);
+    assert!((map.spread_at([100.0, 0.0]).area - 0.1).abs() < 1e-9);
+    assert!((map.spread_at([0.0, 50.0]).area - 0.2).abs() < 1e-9);
+    let alone = RegionMap::of(&six(10.0), [200.0, 100.0], [2, 1], Edges::Closed).unwrap();
+    assert_eq!(alone.region([1, 0]).spread, alone.region([0, 0]).spread);
+}
+
+#[test]
+fn a_given_spread_holds_everywhere() {
+    let given = Spread { area: 0.3, ..Spread::EVEN };
+    let map = map(&six(10.0), [2, 1], Edges::Closed).varied_by(given);
+    assert!(map.regions().all(|(_, region)| region.spread == given) && map.spread_is_given());
+    assert!(map.resized([50.0, 50.0]).spread_is_given());
+    assert!(map.varied_by(Spread::EVEN).is_even());
+}
