@@ -4,6 +4,7 @@
 
 mod files;
 mod plan;
+mod plot;
 mod route;
 mod run;
 mod trial;
@@ -23,6 +24,8 @@ enum Command {
     Trial(trial::Args),
     /// Compare patterns grown over coarse grids with the same grown by plain steps to the end
     Route(route::Args),
+    /// Draw the table of `dapple learn`
+    Plot(plot::Args),
 }
 
 #[derive(clap::Args)]
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
         Command::Sweep(sweep) => run_sweep(&sweep).map(|()| true),
         Command::Trial(trial) => trial::run(&trial),
         Command::Route(route) => route::run(&route),
+        Command::Plot(plot) => plot::run(&plot),
     };
     match done {
         Ok(true) => ExitCode::SUCCESS,

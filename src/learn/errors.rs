@@ -7,6 +7,10 @@ use crate::marks::turn;
 /// Directions of marks whose aspect, or stretch, is not below this say nothing.
 const DIRECTED: f64 = 0.8;
 
+/// All quantities in the order in which they are told.
+const ORDER: [&str; 10] =
+    ["rate", "ratio", "level", "stretch", "direction", "area", "spacing", "width", "aspect", "angle"];
+
 /// An absolute error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Error {
@@ -80,7 +84,7 @@ impl Error {
     }
 }
 
-/// The errors of many answers, by quantity, in the order in which they first occur.
+/// The errors of many answers, by quantity: sizes first, directions last.
 #[must_use]
 pub fn summaries(errors: impl IntoIterator<Item = Error>) -> Vec<Errors> {
     let mut seen: Vec<(Error, Vec<f64>)> = Vec::new();
@@ -90,6 +94,7 @@ pub fn summaries(errors: impl IntoIterator<Item = Error>) -> Vec<Errors> {
             None => seen.push((error, vec![error.value])),
         }
     }
+    seen.sort_by_key(|(first, _)| ORDER.iter().position(|quantity| *quantity == first.quantity));
     seen.into_iter().map(|(first, values)| summary(first, values)).collect()
 }
 
@@ -127,6 +132,14 @@ mod tests {
         };
         assert_eq!(quantities(0.79).collect::<Vec<_>>(), ["area", "aspect", "angle"]);
         assert_eq!(quantities(0.8).collect::<Vec<_>>(), ["area", "aspect"]);
+    }
+
+    #[test]
+    fn quantities_keep_their_order_whichever_comes_first() {
+        let errors =
+            [turned("direction", 1.0, 2.0), difference("level", 1.0, 2.0), percent("rate", 1.0, 2.0)];
+        let told: Vec<_> = summaries(errors).iter().map(|errors| errors.quantity).collect();
+        assert_eq!(told, ["rate", "level", "direction"]);
     }
 
     #[test]

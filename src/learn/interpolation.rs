@@ -28,12 +28,28 @@ pub(super) fn nearest(local: &Local, q: &Point) -> Option<Sample> {
 
 /// What lies between the samples around `q` there; where there are none on one side, the nearest.
 pub(super) fn linear(local: &Local, q: &Point) -> Option<Sample> {
+    linear_in(local, q, local.dims(), |place, _| *place)
+}
+
+/// The same where the last two of three features are cos and sin of one angle: between places on a cylinder there are
+/// none that lie on it, so angles are told by the sine of how far they are from the question's.
+pub(super) fn linear_round_a_cylinder(local: &Local, q: &Point) -> Option<Sample> {
+    linear_in(local, q, 2, |x, q| [x[0], x[2] * q[1] - x[1] * q[2], 0.0, 0.0, 0.0])
+}
+
+/// The same in a `chart` of `dims` coordinates, which tells where a place lies for a question.
+fn linear_in(
+    local: &Local,
+    q: &Point,
+    dims: usize,
+    chart: impl Fn(&Place, &Place) -> Place,
+) -> Option<Sample> {
     let place = local.standardised(q);
     let near = local.near(&place, AROUND[1], None);
     let mut around = AROUND.map(|count| &near[..count.min(near.len())]).into_iter();
     let found = around.find_map(|near| {
-        let places: Vec<Place> = near.iter().map(|near| local.known(*near)[0]).collect();
-        Some((near, weights(&places, &place, local.dims())?))
+        let places: Vec<Place> = near.iter().map(|near| chart(&local.known(*near)[0], &place)).collect();
+        Some((near, weights(&places, &chart(&place, &place), dims)?))
     });
     let Some((near, weights)) = found else { return nearest(local, q) };
     let mut gives = [0.0; MOST];
@@ -186,6 +202,20 @@ mod tests {
         let local = local(|x| libm::sin(9.0 * x[0]) + x[1]);
         let row = local.rows()[77];
         assert!((linear(&local, &row.at).unwrap().gives[0] - row.gives[0]).abs() < 1e-9);
+    }
+
+    #[test]
+    fn angles_are_interpolated_round_a_cylinder() {
+        let around = |i: usize, angle: f64| Point::of([0.1 * i as f64, libm::cos(angle), libm::sin(angle)]);
+        let rows = (0..200).map(|i| Sample {
+            at: around(i % 10, 0.0314 * i as f64),
+            gives: Point::of([i as f64 % 10.0 + libm::sin(0.0314 * i as f64)]),
+        });
+        let local = Local::with_neighbours(rows.collect(), AS_IT_IS, 12);
+        let q = Point::of([0.45, libm::cos(1.0), libm::sin(1.0)]);
+        let found = linear_round_a_cylinder(&local, &q).unwrap();
+        assert!((found.gives[0] - 4.5 - libm::sin(1.0)).abs() < 0.02, "{found:?}");
+        assert_eq!(linear(&local, &q).unwrap().gives, nearest(&local, &q).unwrap().gives);
     }
 
     #[test]

@@ -61,7 +61,7 @@ impl TrainingSet {
                 Ok(map.known(spots, interpolation::linear))
             }
             (Method::LinearInterpolation, Map::Stripes(map), Attributes::Stripes(stripes)) => {
-                Ok(map.known(stripes, interpolation::linear))
+                Ok(map.known(stripes, interpolation::linear_round_a_cylinder))
             }
             // And whatever is of the other kind, which it refuses.
             _ => Ok(self.ask(&wanted)?.parameters),
