@@ -4,7 +4,7 @@ use super::outcome::{Of, Outcome};
 use super::way::Way;
 use super::{Setting, bar};
 use crate::cli::Error;
-use crate::learn::{self, Fold, Method, folds, summaries};
+use crate::learn::{self, Fold, Method, evenly, folds, summaries};
 use crate::rd::System;
 use crate::synth::Training;
 use rayon::prelude::*;
@@ -18,8 +18,8 @@ pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error
     let folds = folds(set.rows(), &SIZES, setting.targets);
     let mut ways: Vec<Way> = Method::ALL.into_iter().map(Way::Learnt).collect();
     ways.extend(setting.grow.then_some(Way::Refined));
-    let questions = folds.first().map_or(0, |fold| fold.questions.len());
-    let bar = bar(format!("{}, parameters", system.name()), ways.len() * folds.len() * questions);
+    let asked = |way| folds.iter().map(move |fold| questions(fold, way).len());
+    let bar = bar(format!("{}, parameters", system.name()), ways.iter().flat_map(|way| asked(*way)).sum());
     let mut outcomes = Vec::new();
     for way in ways {
         for fold in &folds {
@@ -29,6 +29,14 @@ pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error
     }
     bar.finish_and_clear();
     Ok(outcomes)
+}
+
+/// The rows that are asked for; of a way that grows patches for each, a fifth.
+fn questions(fold: &Fold, way: Way) -> Vec<learn::Row> {
+    match way {
+        Way::Refined => evenly(&fold.questions, fold.questions.len().div_ceil(5)),
+        Way::Learnt(_) => fold.questions.clone(),
+    }
 }
 
 fn outcome(
@@ -46,14 +54,15 @@ fn outcome(
         done();
         Ok(learn::Error::of_parameters(&got, &row.parameters))
     };
-    let errors = fold.questions.par_iter().map(errors_of).collect::<Result<Vec<_>, Error>>()?;
+    let questions = questions(fold, way);
+    let errors = questions.par_iter().map(errors_of).collect::<Result<Vec<_>, Error>>()?;
     Ok(Outcome {
         system,
         of: Of::Parameters,
         way,
         rows: fold.rows.len(),
         all: fold.all,
-        asked: fold.questions.len(),
+        asked: questions.len(),
         failed: Vec::new(),
         errors: summaries(errors.into_iter().flatten()),
     })

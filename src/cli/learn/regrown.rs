@@ -41,47 +41,64 @@ pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error
     let all = setting.training.of(system).map_err(Error::step)?.rows();
     let few = Training::of_rows(system, evenly(all, FEW)).map_err(Error::step)?;
     let sets = [(&few, FEW.min(all.len()), false), (setting.training, all.len(), true)];
-    let bar = bar(format!("{}, grown anew", system.name()), WAYS.len() * sets.len() * targets.len());
-    let mut outcomes = Vec::new();
-    for way in WAYS {
-        for (training, rows, all) in sets {
-            let regrown = |target: &Target| {
-                let regrown = regrown(setting, system, training, way, target);
-                bar.inc(1);
-                regrown
-            };
-            let found = targets.par_iter().map(regrown).collect::<Result<Vec<_>, Error>>()?;
-            let failed = found.iter().filter_map(|found| found.as_ref().err().cloned()).collect();
-            let errors = summaries(found.into_iter().flatten().flatten());
+    let bar = bar(format!("{}, grown anew", system.name()), sets.len() * targets.len());
+    let mut outcomes: Vec<Vec<Outcome>> = vec![Vec::new(); WAYS.len()];
+    for (training, rows, all) in sets {
+        let regrown = |target: &Target| {
+            let regrown = regrown(setting, system, training, target);
+            bar.inc(1);
+            regrown
+        };
+        let mut found = targets.par_iter().map(regrown).collect::<Result<Vec<_>, Error>>()?;
+        for (way, outcomes) in WAYS.into_iter().zip(&mut outcomes).rev() {
+            let of_way: Vec<Found> = found.iter_mut().filter_map(Vec::pop).collect();
+            let failed = of_way.iter().filter_map(|found| found.as_ref().err().cloned()).collect();
+            let errors = summaries(of_way.into_iter().flatten().flatten());
             let asked = targets.len();
             outcomes.push(Outcome { system, of: Of::Grown, way, rows, all, asked, failed, errors });
         }
     }
     bar.finish_and_clear();
-    Ok(outcomes)
+    Ok(outcomes.into_iter().flatten().collect())
 }
 
 /// The errors of what grows for a target; or why nothing does, with what was asked.
+type Found = Result<Vec<learn::Error>, String>;
+
+/// What each of the ways gives for a target.
 fn regrown(
     setting: &Setting,
     system: System,
     training: &Training,
-    way: Way,
     target: &Target,
-) -> Result<Result<Vec<learn::Error>, String>, Error> {
+) -> Result<Vec<Found>, Error> {
     let cell = cell_for(&target.wanted);
-    let failed = |why: String| format!("{}: {why}", described(&target.wanted));
-    if let Some(why) = way.refusal(training, system, &target.wanted, cell)? {
-        return Ok(Err(failed(why)));
-    }
-    let parameters = way.parameters(training, system, &target.wanted, cell, setting.when, setting.watch)?;
-    let extent = if system == System::MeinhardtStripes { WAVELENGTHS } else { SPOTS };
-    let patch = Patch { system, parameters, extent, seed: target.seed };
-    let (marks, _) = patch.grow(setting.watch).map_err(|_| Error::Interrupted)?;
     let wanted = target.wanted.scaled(1.0 / cell);
-    let got =
-        if way == Way::Refined { levelled(&patch, &marks, &wanted) } else { measured(&patch, &marks, 1.0) };
-    Ok(got.map(|got| learn::Error::of_attributes(&got, &wanted)).map_err(failed))
+    let failed = |why: String| format!("{}: {why}", described(&target.wanted));
+    // A patch that was not corrected is the one before.
+    let mut last: Option<(Patch, Field)> = None;
+    let mut found = Vec::with_capacity(WAYS.len());
+    for way in WAYS {
+        if let Some(why) = way.refusal(training, system, &target.wanted, cell)? {
+            found.push(Err(failed(why)));
+            continue;
+        }
+        let parameters =
+            way.parameters(training, system, &target.wanted, cell, setting.when, setting.watch)?;
+        let extent = if system == System::MeinhardtStripes { WAVELENGTHS } else { SPOTS };
+        let patch = Patch { system, parameters, extent, seed: target.seed };
+        let marks = match last.take().filter(|(before, _)| *before == patch) {
+            Some((_, marks)) => marks,
+            None => patch.grow(setting.watch).map_err(|_| Error::Interrupted)?.0,
+        };
+        let got = match way {
+            Way::Refined => levelled(&patch, &marks, &wanted),
+            Way::Learnt(_) => measured(&patch, &marks, 1.0),
+        };
+        found.push(got.map(|got| learn::Error::of_attributes(&got, &wanted)).map_err(failed));
+        last = Some((patch, marks));
+    }
+    Ok(found)
 }
 
 /// Such as `area 300 px², aspect 0.512, angle 33°, area/spacing² 0.0812`.

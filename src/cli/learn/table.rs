@@ -39,18 +39,15 @@ pub fn text(system: System, outcomes: &[Outcome]) -> String {
     let mut text = format!("{}\n", system.name());
     for of in [Of::Parameters, Of::Grown] {
         let outcomes: Vec<&Outcome> = outcomes.iter().filter(|outcome| outcome.of == of).collect();
-        let Some(first) = outcomes.first() else { continue };
+        if outcomes.is_empty() {
+            continue;
+        }
         let _ = match of {
             Of::Parameters => writeln!(
                 text,
-                "\n  parameters of {} rows that were not learnt from: |error|, median / 95th percentile",
-                first.asked
+                "\n  parameters of rows that were not learnt from: |error|, median / 95th percentile"
             ),
-            Of::Grown => writeln!(
-                text,
-                "\n  {} random targets grown anew: |error|, median / 95th percentile",
-                first.asked
-            ),
+            Of::Grown => writeln!(text, "\n  random targets grown anew: |error|, median / 95th percentile"),
         };
         text += &lines(of, &outcomes);
     }
@@ -67,13 +64,13 @@ fn lines(of: Of, outcomes: &[&Outcome]) -> String {
             heads.push((errors.quantity, errors.unit));
         }
     }
-    let mut text = format!("  {:22}{:>6}", "", "rows");
+    let mut text = format!("  {:22}{:>6}{:>7}", "", "rows", "asked");
     for (quantity, unit) in &heads {
         let _ = write!(text, "{:>17}", format!("{quantity} {unit}").trim_end());
     }
     text += if of == Of::Grown { "   failed\n" } else { "\n" };
     for outcome in outcomes {
-        let _ = write!(text, "  {:22}{:>6}", outcome.way.name(), outcome.rows);
+        let _ = write!(text, "  {:22}{:>6}{:>7}", outcome.way.name(), outcome.rows, outcome.asked);
         for (quantity, _) in &heads {
             let found = outcome.errors.iter().find(|errors| errors.quantity == *quantity);
             let _ = write!(text, "{:>17}", found.map_or("–".to_owned(), figures));
