@@ -315,7 +315,7 @@ fn a_picture_is_told_to_be_spots_or_stripes() {
 
 #[test]
 fn what_is_no_texture_is_told_why() {
-    let judge = |field: &Field| measure::spot_texture(field, &measure::census(field, 0.5), 0.3);
+    let judge = |field: &Field| measure::spot_texture(field, &measure::census(field, 0.5), [0.0, 1.0]);
     let with = |ellipses: &[Ellipse]| draw([240, 249], Edges::Wrap, Profile::Firm, ellipses);
     let even: Vec<Ellipse> = graded().iter().map(|e| Ellipse::of(e.center, 130.0, 0.6, e.angle)).collect();
     assert_eq!(judge(&with(&even)), Ok(()));
@@ -323,7 +323,7 @@ fn what_is_no_texture_is_told_why() {
     let mut blown = with(&even);
     blown.values[77] = f32::NAN;
     assert_eq!(judge(&blown), Err(Reason::NotFinite));
-    assert_eq!(judge(&with(&even[..4])), Err(Reason::TooFew { marks: 4 }));
+    assert_eq!(judge(&with(&even[..4])), Err(Reason::TooFew { marks: 4, least: 6 }));
     let mixed: Vec<Ellipse> =
         (0..120).map(|k| Ellipse::of(even[k].center, [60.0, 160.0][k % 2], 0.9, 0.0)).collect();
     assert!(matches!(judge(&with(&mixed)), Err(Reason::TooIrregular { .. })));
@@ -347,8 +347,8 @@ fn what_is_no_texture_is_told_why() {
     let lines = stripes([240, 240], false, 6.0, 0.0, 12.0);
     assert!(judge(&Field { edges: Edges::Wrap, ..lines.clone() }).is_err());
     let found = measure::stripes(&lines, 0.5);
-    assert_eq!(measure::stripe_texture(&lines, found.as_ref(), 0.3), Ok(()));
+    assert_eq!(measure::stripe_texture(&lines, found.as_ref(), [0.0, 1.0]), Ok(()));
     let dots = draw([240, 240], Edges::Wrap, Profile::Firm, &graded());
     let found = measure::stripes(&dots, 0.5);
-    assert!(measure::stripe_texture(&dots, found.as_ref(), 0.3).is_err(), "{found:?}");
+    assert!(measure::stripe_texture(&dots, found.as_ref(), [0.0, 1.0]).is_err(), "{found:?}");
 }

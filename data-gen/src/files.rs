@@ -1,59 +1,45 @@
-//! Outcomes → files: `SYSTEM.csv` for what may be learnt from, `SYSTEM.rejected.csv` for the rest.
+//! Runs → the files of a training set: rows, rejected runs, manifest.
 
-use std::collections::BTreeMap;
-use std::fmt::Write as _;
+use std::io::Write;
 use std::path::Path;
 
-use dapple::export::save;
-use dapple::learn::{Row, write_rows};
-use dapple::rd::System;
+use dapple::export::{ExportError, prepare};
 
-use crate::run::Outcome;
+use crate::manifest::manifest;
+use crate::plan::Plan;
+use crate::run::{ACCEPTED, Record, headers};
 
-/// Writes both files of `system` into `folder`, and tells on stderr what came out.
-pub fn write(folder: &Path, system: System, outcomes: &[Outcome]) -> Result<(), String> {
+/// Writes `SET.csv`, `SET.rejected.csv` and `SET.json` of each set of `plan` into `folder`: all of them, or none where
+/// one cannot be written.
+///
+/// `records` are all runs, in any order.
+pub fn write(folder: &Path, plan: &Plan, mut records: Vec<Record>) -> Result<(), String> {
+    make_folder(folder)?;
+    records.sort_by_key(|record| (record.set, record.index));
+    let failed = |error: ExportError| error.to_string();
+    let mut files = Vec::new();
+    for (number, set) in plan.sets.iter().enumerate() {
+        let from = records.partition_point(|record| record.set < number);
+        let to = records.partition_point(|record| record.set <= number);
+        let runs = &records[from..to];
+        let [mut rows, mut rejected] = headers(set)?.map(|header| header + "\n");
+        for run in runs {
+            let table = if run.verdict == ACCEPTED { &mut rows } else { &mut rejected };
+            table.push_str(&run.line);
+            table.push('\n');
+        }
+        let manifest = manifest(plan, set, runs)?;
+        let manifest = serde_json::to_string_pretty(&manifest).map_err(|error| error.to_string())? + "\n";
+        for (ending, text) in [("csv", rows), ("rejected.csv", rejected), ("json", manifest)] {
+            let path = folder.join(format!("{}.{ending}", set.name));
+            files.push(prepare(&path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(failed)?);
+        }
+    }
+    files.into_iter().try_for_each(|file| file.keep().map_err(failed))
+}
+
+/// Makes a folder where there is none.
+pub fn make_folder(folder: &Path) -> Result<(), String> {
     std::fs::create_dir_all(folder)
-        .map_err(|error| format!("cannot make the folder '{}': {error}", folder.display()))?;
-    let rows: Vec<Row> = outcomes.iter().filter_map(|outcome| outcome.row.as_ref().ok().copied()).collect();
-    let mut table = Vec::new();
-    write_rows(system.name(), &rows, &mut table).map_err(|error| error.to_string())?;
-
-    let mut rejected = "seed,rate,ratio,stretch,direction,level,reason\n".to_owned();
-    let mut reasons: BTreeMap<String, usize> = BTreeMap::new();
-    for outcome in outcomes {
-        let Err(reason) = &outcome.row else { continue };
-        let p = &outcome.parameters;
-        let optional = |value: Option<f64>| value.map(|v| format!("{v:.6}")).unwrap_or_default();
-        let _ = writeln!(
-            rejected,
-            "{},{:.6},{},{:.6},{:.4},{},\"{reason}\"",
-            outcome.seed,
-            p.rate,
-            optional(p.ratio),
-            p.stretch,
-            p.direction,
-            optional(p.level)
-        );
-        // The sentence without its numbers.
-        let kind = reason.split([':', ',']).next().unwrap_or(reason);
-        let kind: String = kind.chars().filter(|c| !c.is_ascii_digit() && *c != '.').collect();
-        *reasons.entry(kind).or_default() += 1;
-    }
-    for (name, bytes) in [
-        (format!("{}.csv", system.name()), table),
-        (format!("{}.rejected.csv", system.name()), rejected.into()),
-    ] {
-        save(&folder.join(name), |out| {
-            std::io::Write::write_all(out, &bytes)?;
-            Ok(())
-        })
-        .map_err(|error| error.to_string())?;
-    }
-    eprintln!(
-        "{}: {} accepted, {} rejected {reasons:?}",
-        system.name(),
-        rows.len(),
-        outcomes.len() - rows.len()
-    );
-    Ok(())
+        .map_err(|error| format!("cannot make the folder '{}': {error}", folder.display()))
 }

@@ -1,15 +1,30 @@
 //! The sweep, ahead of time: parameters → simulation → measured attributes (or a rejection with its reason) →
 //! rows in `training/`. And the trial: how well what grows matches what was drawn; and the
 //! route: how well what grows fast matches what grows slowly.
+//!
+//! ```text
+//!  plan.json ─▶ plan ─▶ draw ─▶ run ─▶ journal (a shard's) ─┐
+//!               check                  journal, …          ─┴▶ merge ─▶ files: rows, rejected, manifest
+//! ```
 
+mod check;
+mod draw;
 mod files;
+mod journal;
+mod manifest;
+mod merge;
 mod plan;
 mod plot;
+mod progress;
 mod route;
 mod run;
+mod shard;
+mod sweep;
+#[cfg(test)]
+mod tests;
 mod trial;
 
-use std::path::PathBuf;
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -18,8 +33,14 @@ use clap::Parser;
 #[derive(Parser)]
 #[command(name = "data-gen", version)]
 enum Command {
-    /// Run the simulations of the training sets and write one CSV a system, with what was rejected beside it
-    Sweep(Sweep),
+    /// Run the simulations of the training sets; write their rows, what was rejected and a manifest
+    ///
+    /// A sweep that is stopped goes on where it was when it is started again.
+    Sweep(sweep::Args),
+    /// Make the files of parts that were swept with --shard
+    Merge(merge::Args),
+    /// Print the built-in plan: what is swept, over which ranges, and why
+    Plan,
     /// Grow all examples and many random sketches; tell how far they are from what was drawn
     Trial(trial::Args),
     /// Compare patterns grown over coarse grids with the same grown by plain steps to the end
@@ -28,25 +49,15 @@ enum Command {
     Plot(plot::Args),
 }
 
-#[derive(clap::Args)]
-struct Sweep {
-    /// Only this system
-    #[arg(long, value_parser = dapple::learn::SYSTEMS)]
-    system: Option<String>,
-    /// Simulations a system [default: as planned for each]
-    #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
-    runs: Option<u64>,
-    /// Where to write
-    #[arg(short, long, default_value = "training")]
-    output: PathBuf,
-    /// Threads to use [default: all cores]
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
-    threads: Option<u16>,
-}
-
 fn main() -> ExitCode {
     let done = match Command::parse() {
-        Command::Sweep(sweep) => run_sweep(&sweep).map(|()| true),
+        Command::Sweep(sweep) => sweep::command(&sweep).map(|()| true),
+        Command::Merge(merge) => merge::command(&merge).map(|()| true),
+        // A reader who has seen enough is no failure.
+        Command::Plan => {
+            let _ = std::io::stdout().write_all(plan::BUILT_IN.as_bytes());
+            Ok(true)
+        }
         Command::Trial(trial) => trial::run(&trial),
         Command::Route(route) => route::run(&route),
         Command::Plot(plot) => plot::run(&plot),
@@ -59,20 +70,4 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
-}
-
-fn run_sweep(sweep: &Sweep) -> Result<(), String> {
-    if let Some(threads) = sweep.threads {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(usize::from(threads))
-            .build_global()
-            .map_err(|error| format!("cannot start {threads} threads: {error}"))?;
-    }
-    for set in plan::sets() {
-        if sweep.system.as_deref().is_none_or(|system| system == set.system.name()) {
-            let outcomes = run::all(&set, sweep.runs.unwrap_or(set.runs));
-            files::write(&sweep.output, set.system, &outcomes)?;
-        }
-    }
-    Ok(())
 }

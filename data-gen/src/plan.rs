@@ -1,99 +1,213 @@
-//! What is swept: systems, ranges, and why. Lengths are cells of the simulation grid.
+//! What is swept, as data: `plan.json` is the plan of `training/`, and users bring plans of their own.
+//!
+//! ```text
+//!  plan.json ─▶ parsed, checked ─▶ sets ─▶ run 0, 1, … of each: its seed and its parameters (`draw.rs`)
+//! ```
 
-use dapple::learn::Parameters;
+use std::path::Path;
+
 use dapple::rd::System;
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
-/// The sweep of one system.
+/// The plan of `training/`.
+pub const BUILT_IN: &str = include_str!("../plan.json");
+/// What stands under `format` in a plan.
+const FORMAT: &str = "dapple sweep plan";
+/// The version that is read and written.
+const VERSION: u64 = 1;
+/// Runs that a set may have.
+pub const MOST_RUNS: u64 = 1_000_000;
+
+/// What is swept.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    format: String,
+    version: u64,
+    /// The sets, in the order in which they are run.
+    pub sets: Vec<Set>,
+}
+
+/// Runs that make one file of a training set.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Set {
+    /// The name of its files: that of the system, or beginning with it and a hyphen.
+    pub name: String,
     /// The system.
+    #[serde(with = "system")]
     pub system: System,
+    /// What it is for.
+    pub why: String,
     /// How many simulations.
     pub runs: u64,
-    /// Area of a spot, or width of a stripe, that parameters are drawn for: from the coarsest grid that resolves
-    /// it to where its size in cells no longer matters.
-    size: [f64; 2],
-    /// R = D_b/Dₐ.
-    ratio: [f64; 2],
-    /// Level read at the lowest ratio: below it spots of that ratio would touch.
-    dense_level: f64,
-    /// The level that is read otherwise.
-    level: f64,
+    /// The seed of run 0; that of run i is i more. What each run is does not depend on how many there are.
+    pub seed: u64,
+    /// How much each run grows.
+    pub patch: Size,
+    /// What is varied.
+    pub sweep: Sweep,
+}
+
+/// How much one run grows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Size {
+    /// Spots that the patch is made for, or wavelengths along its side.
+    pub grown: f64,
+    /// Fewer whole spots or wavelengths found are rejected.
+    pub least: f64,
+    /// `spots` or `wavelengths`.
+    pub unit: String,
+    /// Why so much.
+    pub why: String,
+}
+
+/// What is varied; what a system does not have is left out.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sweep {
+    /// Area that a spot is to have, by the law of scale.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub area: Option<Range>,
+    /// Width that a stripe is to have.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub width: Option<Range>,
+    /// Diffusion rate of one chemical ÷ the other's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ratio: Option<Range>,
+    /// Share of the peak that is a mark's edge.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub level: Option<Range>,
     /// Minor ÷ major axis of the tensor.
-    stretch: [f64; 2],
+    pub stretch: Range,
+    /// Its long axis.
+    pub direction: Range,
 }
 
-/// All sets.
-pub fn sets() -> [Set; 3] {
-    [
-        Set {
-            system: System::TuringSpots,
-            runs: 700,
-            size: [18.0, 150.0],
-            ratio: [3.8, 3.8],
-            dense_level: 0.35,
-            level: 0.35,
-            stretch: [0.26, 1.0],
-        },
-        Set {
-            system: System::MeinhardtSpots,
-            runs: 1_000,
-            size: [18.0, 150.0],
-            // Below 12 spots become unround; 60 packs 0.024 of the plane.
-            ratio: [12.0, 60.0],
-            // Reads 0.23 of the plane, what Turing's spots cover.
-            dense_level: 0.27,
-            level: 0.5,
-            stretch: [0.26, 1.0],
-        },
-        Set {
-            system: System::MeinhardtStripes,
-            runs: 300,
-            size: [3.0, 17.0],
-            ratio: [1.0, 1.0],
-            dense_level: 0.5,
-            level: 0.5,
-            // Anisotropy 4 of the activators is the least that makes stripes follow (`facts.md` E).
-            stretch: [0.5, 0.5],
-        },
-    ]
+/// The range of one quantity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Range {
+    /// Lowest and highest.
+    pub range: [f64; 2],
+    /// Of both.
+    pub unit: String,
+    /// How values are spread between them.
+    pub scale: Scale,
+    /// Of a level where the ratio varies too: the share of the runs in which the level varies, with the ratio at
+    /// its lowest. In the others the ratio varies, with the level at its highest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub share: Option<f64>,
+    /// Why this range.
+    pub why: String,
 }
 
-impl Set {
-    /// The seed of run `index`: of where its spots begin, and of its own draw.
-    pub fn seed(&self, index: u64) -> u64 {
-        1_000_000 * (self.system as u64 + 1) + index
+/// How values are spread over a range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// Evenly in the logarithm.
+    Log,
+    /// Evenly in 1/x.
+    Reciprocal,
+}
+
+/// Systems by their names in documents.
+mod system {
+    use super::System;
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+    const ALL: [System; 3] = [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes];
+
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over a reference")]
+    pub fn serialize<S: Serializer>(system: &System, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(system.name())
     }
 
-    /// The parameters of run `index`, the same whatever other runs there are.
-    pub fn draw(&self, index: u64) -> Parameters {
-        let mut rng = Pcg64Mcg::seed_from_u64(self.seed(index));
-        let mut uniform = |[low, high]: [f64; 2]| low + (high - low) * rng.random::<f64>();
-        let size = libm::exp(uniform(self.size.map(libm::log)));
-        // Three tenths of the runs go into the dense end, where the level and not the ratio varies.
-        let dense = self.dense_level < self.level && uniform([0.0, 1.0]) < 0.3;
-        let (ratio, level) = if dense {
-            (self.ratio[0], uniform([self.dense_level, self.level]))
-        } else {
-            (libm::exp(uniform(self.ratio.map(libm::log))), self.level)
-        };
-        let stretch = uniform(self.stretch);
-        let direction = uniform([0.0, 180.0]);
-        match self.system {
-            System::MeinhardtStripes => {
-                // facts C: width 40.5/√rate.
-                let rate = 40.5 * 40.5 / (size * size);
-                Parameters { rate, ratio: None, stretch, direction, level: None }
-            }
-            system => {
-                // Scale laws (facts A, B), good to some ten per cent: where to draw, not what is learnt.
-                let law = match system {
-                    System::TuringSpots => 5.2,
-                    _ => 163.0 * (12.0 / ratio) * libm::exp(2.85 * (0.5 - level)),
-                };
-                Parameters { rate: law / size, ratio: Some(ratio), stretch, direction, level: Some(level) }
-            }
+    pub fn deserialize<'a, D: Deserializer<'a>>(deserializer: D) -> Result<System, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        ALL.into_iter().find(|system| system.name() == name).ok_or_else(|| {
+            let allowed = ALL.map(System::name).join(", ");
+            D::Error::custom(format!("no system is called '{name}'; allowed: {allowed}"))
+        })
+    }
+}
+
+impl Plan {
+    /// The plan of `training/`.
+    pub fn built_in() -> Result<Self, String> {
+        Self::parse(BUILT_IN, "plan.json (built in)")
+    }
+
+    /// The plan in a file.
+    pub fn load(path: &Path) -> Result<Self, String> {
+        let file = path.display().to_string();
+        let text = std::fs::read_to_string(path).map_err(|error| {
+            format!("{file}: cannot be read: {error} (`data-gen plan` prints a plan to begin from)")
+        })?;
+        Self::parse(&text, &file)
+    }
+
+    /// The plan that stands in `text`; `file` is its name in messages.
+    pub fn parse(text: &str, file: &str) -> Result<Self, String> {
+        let value: Value = serde_json::from_str(text).map_err(|error| format!("{file}: {error}"))?;
+        Self::of(&value).map_err(|problem| format!("{file}: {problem}"))
+    }
+
+    /// The plan that this is.
+    pub fn of(value: &Value) -> Result<Self, String> {
+        let format = value.get("format").and_then(Value::as_str);
+        if format != Some(FORMAT) {
+            return Err(format!("this is no plan of a sweep: it has no \"format\": \"{FORMAT}\""));
         }
+        let version = value.get("version").and_then(Value::as_u64);
+        if version.is_some_and(|version| version > VERSION) {
+            return Err(format!(
+                "version {} is newer than {VERSION}, which this program reads",
+                version.unwrap_or(0)
+            ));
+        }
+        let plan: Self = serde_path_to_error::deserialize(value).map_err(|error| {
+            let place = place(value, &error.path().to_string());
+            format!("{place}: {}", error.into_inner())
+        })?;
+        super::check::check(&plan)?;
+        Ok(plan)
+    }
+
+    /// The sets of these names (all where none is named), each with so many runs (as planned where `None`).
+    pub fn chosen(mut self, names: &[String], runs: Option<u64>) -> Result<Self, String> {
+        if let Some(unknown) = names.iter().find(|name| !self.sets.iter().any(|set| set.name == **name)) {
+            let sets: Vec<&str> = self.sets.iter().map(|set| set.name.as_str()).collect();
+            return Err(format!("no set is called '{unknown}'; the plan has {}", sets.join(", ")));
+        }
+        self.sets.retain(|set| names.is_empty() || names.contains(&set.name));
+        for set in &mut self.sets {
+            set.runs = runs.unwrap_or(set.runs);
+        }
+        super::check::check(&self)?;
+        Ok(self)
+    }
+
+    /// The plan that has only this set.
+    pub fn only(&self, set: &Set) -> Self {
+        Self { sets: vec![set.clone()], ..self.clone() }
+    }
+}
+
+/// `sets[2].sweep.area` → `set 'turing-spots-size', sweep.area`.
+fn place(value: &Value, path: &str) -> String {
+    let Some((number, rest)) = path.strip_prefix("sets[").and_then(|rest| rest.split_once(']')) else {
+        return path.to_owned();
+    };
+    let name = number.parse::<usize>().ok().and_then(|set| value["sets"][set]["name"].as_str());
+    let set = name.map_or_else(|| format!("set {number}"), |name| format!("set '{name}'"));
+    match rest.trim_start_matches('.') {
+        "" => set,
+        key => format!("{set}, {key}"),
     }
 }

@@ -1,81 +1,63 @@
-//! One run: parameters → simulation → a row, or the reason why not.
+//! One run: parameters → simulation → verdict → a line of one of the two files.
 
-use dapple::learn::{Parameters, Row};
-use dapple::rd::System;
+use dapple::learn::{Parameters, Row, columns_of, six_digits, write_rows};
+use dapple::measure::Reason;
 use dapple::synth::{Patch, Sample, Watch};
-use indicatif::{ProgressBar, ProgressStyle};
-use rayon::prelude::*;
 
 use crate::plan::Set;
 
-/// Spots that a patch holds: enough that its means are known to a per cent.
-const SPOTS: f64 = 80.0;
-/// Wavelengths along the side of a patch of stripes.
-const WAVELENGTHS: f64 = 20.0;
+/// The verdict on a run that can be learnt from; on others it is one of [`Reason::KINDS`].
+pub const ACCEPTED: &str = "accepted";
 
 /// What came of a run.
-pub struct Outcome {
-    /// Its seed.
-    pub seed: u64,
-    /// What had been set.
-    pub parameters: Parameters,
-    /// What was measured, or why it cannot be learnt from.
-    pub row: Result<Row, String>,
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Record {
+    /// The number of its set in the plan.
+    pub set: usize,
+    /// Its own number in that.
+    pub index: u64,
+    /// [`ACCEPTED`], or why not, in one word.
+    pub verdict: &'static str,
+    /// Its line in the file of rows, or in that of rejected runs.
+    pub line: String,
 }
 
-/// Runs 0..`runs` of a set, in parallel, in their order.
-pub fn all(set: &Set, runs: u64) -> Vec<Outcome> {
-    let style = ProgressStyle::with_template("{msg:18} {bar:40} {pos}/{len}  {elapsed} gone, {eta} left");
-    let bar = ProgressBar::new(runs)
-        .with_message(set.system.name())
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    let outcomes = (0..runs)
-        .into_par_iter()
-        .map(|index| {
-            let outcome = one(set, index);
-            bar.inc(1);
-            outcome
-        })
-        .collect();
-    bar.finish();
-    outcomes
-}
-
-fn one(set: &Set, index: u64) -> Outcome {
-    let (seed, parameters) = (set.seed(index), set.draw(index));
-    let extent = if set.system == System::MeinhardtStripes { WAVELENGTHS } else { SPOTS };
-    let patch = Patch { system: set.system, parameters, extent, seed };
-    let row = grown(&patch).map(|Sample { extent, evenness, attributes }| Row {
-        seed,
-        extent,
-        evenness,
-        attributes,
-        parameters,
-    });
-    Outcome { seed, parameters, row }
-}
-
-fn grown(patch: &Patch) -> Result<Sample, String> {
+/// Grows, measures and judges run `index` of `set`.
+pub fn run(set: &Set, index: u64) -> Result<(&'static str, String), String> {
+    let (seed, parameters) = (set.seed_of(index), set.parameters_of(index));
+    let patch = Patch { system: set.system, parameters, extent: set.patch.grown, seed };
     let (marks, settled) = patch.grow(&Watch::NOBODY).map_err(|cancelled| cancelled.to_string())?;
-    if !settled {
-        return Err("did not settle".to_owned());
+    match patch.judge(&marks, settled, set.patch.least) {
+        Ok(sample) => Ok((ACCEPTED, accepted(set, seed, parameters, sample)?)),
+        Err(reason) => Ok((reason.kind(), rejected(seed, &parameters, &reason))),
     }
-    patch.measure(&marks).map_err(|reason| reason.to_string())
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::plan::sets;
+fn accepted(set: &Set, seed: u64, parameters: Parameters, sample: Sample) -> Result<String, String> {
+    let Sample { extent, evenness, attributes } = sample;
+    let row = Row { seed, extent, evenness, attributes, parameters };
+    let mut table = Vec::new();
+    let failed = |error: String| format!("set '{}', seed {seed}: {error}", set.name);
+    write_rows(set.system.name(), &[row], &mut table).map_err(|error| failed(error.to_string()))?;
+    let table = String::from_utf8(table).map_err(|error| failed(error.to_string()))?;
+    Ok(table.lines().nth(1).unwrap_or_default().to_owned())
+}
 
-    #[test]
-    fn the_rows_do_not_depend_on_the_number_of_threads() {
-        let [.., set] = sets();
-        let rows = |threads: usize| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            let outcomes = pool.install(|| all(&set, 3));
-            outcomes.into_iter().map(|outcome| outcome.row.unwrap()).collect::<Vec<_>>()
-        };
-        assert_eq!(rows(1), rows(3));
+fn rejected(seed: u64, parameters: &Parameters, reason: &Reason) -> String {
+    let mut line = seed.to_string();
+    for (_, value) in parameters.named() {
+        line.push(',');
+        line.push_str(&six_digits(value));
     }
+    // The sentences hold no quotes.
+    format!("{line},{},\"{reason}\"", reason.kind())
+}
+
+/// The header of the file of rows and that of the file of rejected runs.
+pub fn headers(set: &Set) -> Result<[String; 2], String> {
+    let columns = columns_of(set.system.name()).map_err(|error| error.to_string())?;
+    let rows: Vec<&str> = columns.map(|column| column.name).collect();
+    let told = set.parameters_of(0).named();
+    let told: Vec<&str> = told.iter().map(|(name, _)| *name).collect();
+    Ok([rows.join(","), format!("seed,{},reason,detail", told.join(","))])
 }

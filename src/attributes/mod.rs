@@ -3,7 +3,10 @@
 pub mod regions;
 pub mod spacing;
 mod spots;
+pub mod spread;
 mod stripes;
+
+pub use spread::Spread;
 
 use serde::{Deserialize, Serialize};
 

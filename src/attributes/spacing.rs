@@ -39,22 +39,40 @@ impl HasPosition for Site {
 /// coincide count once.
 #[must_use]
 pub fn mean_spacing(points: &[[f64; 2]]) -> Option<f64> {
+    mean(&neighbour_lengths(points))
+}
+
+/// The distances between neighbours, px, that [`mean_spacing`] is the mean of, ascending.
+#[must_use]
+pub fn neighbour_lengths(points: &[[f64; 2]]) -> Vec<f64> {
     let all = edges(points, None);
     let mut lengths: Vec<f64> = all.iter().filter(|edge| !edge.hull).map(|edge| edge.length).collect();
     if lengths.len() < 3 {
         lengths = all.iter().map(|edge| edge.length).collect();
     }
-    trimmed_mean(lengths)
+    trimmed(lengths)
+}
+
+/// The lengths that are not over twice their median, ascending.
+#[must_use]
+pub fn trimmed(mut lengths: Vec<f64>) -> Vec<f64> {
+    lengths.sort_by(f64::total_cmp);
+    let n = lengths.len();
+    if n > 0 {
+        let median = 0.5 * (lengths[n / 2] + lengths[(n - 1) / 2]);
+        lengths.retain(|length| *length <= LONGEST * median);
+    }
+    lengths
 }
 
 /// Mean of the lengths that are not over twice their median; `None` of none.
 #[must_use]
-pub fn trimmed_mean(mut lengths: Vec<f64>) -> Option<f64> {
-    lengths.sort_by(f64::total_cmp);
-    let n = lengths.len();
-    let median = 0.5 * (lengths.get(n / 2)? + lengths.get((n - 1) / 2)?);
-    lengths.retain(|length| *length <= LONGEST * median);
-    Some(lengths.iter().sum::<f64>() / lengths.len() as f64)
+pub fn trimmed_mean(lengths: Vec<f64>) -> Option<f64> {
+    mean(&trimmed(lengths))
+}
+
+fn mean(lengths: &[f64]) -> Option<f64> {
+    (!lengths.is_empty()).then(|| lengths.iter().sum::<f64>() / lengths.len() as f64)
 }
 
 /// The Delaunay edges of `points` (px), each once; on a tile of `wrap` px those across its border too.

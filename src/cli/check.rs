@@ -1,7 +1,7 @@
 //! `dapple check`: is a document valid, and what is in it.
 
 use super::Error;
-use crate::attributes::Attributes;
+use crate::attributes::{Attributes, Spread};
 use crate::field::Edges;
 use crate::synth::drawn::region_map;
 use crate::synth::plan::{Plan, plan};
@@ -61,9 +61,14 @@ fn reach(plan: &Plan, index: usize) -> String {
         }
         let wanted = plan.map.at(layout.center([column, row]));
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "  region [{column}, {row}]: {}; {}", described(&wanted), answer.coverage);
+        let varied = varied(&plan.map.region([column, row]).spread);
+        let _ =
+            writeln!(text, "  region [{column}, {row}]: {}{varied}; {}", described(&wanted), answer.coverage);
         for note in &answer.notes {
             let _ = writeln!(text, "    {note}");
+        }
+        for remark in &plan.remarks[region] {
+            let _ = writeln!(text, "    {remark}");
         }
     }
     if empty > 0 {
@@ -85,6 +90,16 @@ fn described(wanted: &Attributes) -> String {
             format!("stripes {:.1} px wide at {:.0}°", stripes.width, stripes.angle)
         }
     }
+}
+
+/// Such as `, varied: area by 0.12, angle by 8°`; nothing where all are alike.
+fn varied(spread: &Spread) -> String {
+    let part = |(name, value): (&str, f64)| match name {
+        "angle" => (value >= 0.05).then(|| format!("angle by {value:.1}°")),
+        _ => (value >= 0.0005).then(|| format!("{name} by {value:.3}")),
+    };
+    let parts: Vec<String> = spread.named().into_iter().filter_map(part).collect();
+    if parts.is_empty() { String::new() } else { format!(", varied: {}", parts.join(", ")) }
 }
 
 fn summary(document: &Document) -> String {

@@ -147,13 +147,13 @@ fn as_json(found: &Picture) -> Value {
             object.insert("aspect".into(), json!(got.aspect));
             object.insert("angle".into(), json!(got.angle));
             let mut spreads = Map::new();
-            spreads.insert("area".into(), json!(spread.area));
-            spreads.insert("aspect".into(), json!(spread.aspect));
+            for (name, value) in spread.named() {
+                if name != "spacing" || got.spacing.is_some() {
+                    spreads.insert(name.into(), json!(value));
+                }
+            }
             if let Some(spacing) = got.spacing {
                 object.insert("spacing".into(), json!(spacing));
-            }
-            if let Some(spacing) = spread.spacing {
-                spreads.insert("spacing".into(), json!(spacing));
             }
             object.insert("spread".into(), Value::Object(spreads));
             Value::Object(object)
@@ -172,13 +172,16 @@ fn as_json(found: &Picture) -> Value {
 fn as_text(found: &Picture) -> String {
     match found {
         Picture::Spots { marks, got, spread } => {
-            let spacing = got.spacing.map_or_else(|| "-".to_owned(), |spacing| format!("{spacing:.2} px"));
+            let spacing = |spacing| format!("{spacing:.2} px (varies by {:.0} %)", 100.0 * spread.spacing);
+            let spacing = got.spacing.map_or_else(|| "-".to_owned(), spacing);
             format!(
-                "spots    {marks} whole\narea     {:.2} px² (varies by {:.0} %)\naspect   {:.3}\nangle    {:.1}°\nspacing  {spacing}\n",
+                "spots    {marks} whole\narea     {:.2} px² (varies by {:.0} %)\naspect   {:.3} (by {:.3})\nangle    {:.1}° (by {:.1}°)\nspacing  {spacing}\n",
                 got.area,
                 100.0 * spread.area,
                 got.aspect,
+                spread.aspect,
                 got.angle,
+                spread.angle,
             )
         }
         Picture::Stripes { marks, got } => format!(

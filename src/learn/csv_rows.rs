@@ -4,59 +4,10 @@ use std::io::Write;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
+use super::columns::{Column, SEED, columns};
 use super::{Parameters, Row, TrainingError, training_set::Kind};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
-
-/// A column of numbers.
-struct Column {
-    name: &'static str,
-    /// Lowest and highest value.
-    range: [f64; 2],
-    /// The same in words.
-    allowed: &'static str,
-}
-
-const fn column(name: &'static str, range: [f64; 2], allowed: &'static str) -> Column {
-    Column { name, range, allowed }
-}
-
-const SEED: Column = column("seed", [0.0, 0.0], "a whole number from 0 to 18446744073709551615");
-const ANGLE: [f64; 2] = [-360.0, 360.0];
-const DEGREES: &str = "an angle in degrees from -360 to 360";
-
-/// The columns of a spot set, after `seed`.
-const SPOTS: [Column; 11] = [
-    column("marks", [1.0, 1e9], "a count of spots from 1 to 1e9"),
-    column("area", [0.1, 1e6], "an area from 0.1 to 1e6 cells"),
-    column("aspect", [0.01, 1.0], "an aspect from 0.01 to 1"),
-    column("angle", ANGLE, DEGREES),
-    column("spacing", [0.1, 1e5], "a length from 0.1 to 1e5 cells"),
-    column("area_cv", [0.0, 10.0], "a coefficient of variation from 0 to 10"),
-    column("rate", [1e-9, 1e3], "a rate from 1e-9 to 1e3 per cell²"),
-    column("ratio", [1e-4, 1e4], "a ratio Db/Da from 1e-4 to 1e4"),
-    column("stretch", [0.01, 1.0], "a stretch from 0.01 to 1"),
-    column("direction", ANGLE, DEGREES),
-    column("level", [0.001, 0.999], "a share of the peak from 0.001 to 0.999"),
-];
-
-/// The columns of a stripe set, after `seed`.
-const STRIPES: [Column; 7] = [
-    column("wavelengths", [0.1, 1e6], "a count of wavelengths from 0.1 to 1e6"),
-    column("width", [0.1, 1e5], "a length from 0.1 to 1e5 cells"),
-    column("angle", ANGLE, DEGREES),
-    column("coherence", [0.0, 1.0], "a coherence from 0 to 1"),
-    column("rate", [1e-9, 1e3], "a rate from 1e-9 to 1e3 per cell²"),
-    column("stretch", [0.01, 1.0], "a stretch from 0.01 to 1"),
-    column("direction", ANGLE, DEGREES),
-];
-
-fn columns(kind: Kind) -> &'static [Column] {
-    match kind {
-        Kind::Spots => &SPOTS,
-        Kind::Stripes => &STRIPES,
-    }
-}
 
 /// The numbers of a row in the order of its columns; `None` where the row is not of this kind.
 fn numbers(kind: Kind, row: &Row) -> Option<Vec<f64>> {
@@ -220,7 +171,8 @@ pub fn write_rows(system: &str, rows: &[Row], mut out: impl Write) -> Result<(),
 }
 
 /// `value` to six significant digits, as short as they can be written.
-fn six_digits(value: f64) -> String {
+#[must_use]
+pub fn six_digits(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     // (+0.0 turns −0 into 0)
     (rounded + 0.0).to_string()

@@ -13,13 +13,21 @@ pub enum TrainingError {
         /// The names there are.
         allowed: String,
     },
-    /// The file could not be opened.
-    #[error("{}: cannot be read (a folder of training sets holds SYSTEM.csv for each system, as data-gen writes them)", path.display())]
+    /// A file or folder could not be opened.
+    #[error("{}: cannot be read (a folder of training sets holds SYSTEM.csv or SYSTEM-*.csv for each system, as data-gen writes them)", path.display())]
     Open {
-        /// The file.
+        /// The file or folder.
         path: PathBuf,
-        /// What the system said.
+        /// What the operating system said.
         source: std::io::Error,
+    },
+    /// A folder has no file of this system.
+    #[error("{}: holds no rows of {system}: neither {system}.csv nor {system}-*.csv, as data-gen writes them", dir.display())]
+    NoFiles {
+        /// The folder.
+        dir: PathBuf,
+        /// The system.
+        system: String,
     },
     /// The file is no table.
     #[error("{file}, line {line}: {problem}")]

@@ -20,6 +20,7 @@
 
 mod answer;
 mod bandwidth;
+mod columns;
 mod coordinates;
 mod coverage;
 mod csv_rows;
@@ -44,8 +45,9 @@ mod training_set;
 mod tree;
 
 pub use answer::{Answer, AskError, Prediction};
+pub use columns::{Column, columns_of};
 pub use coverage::Coverage;
-pub use csv_rows::{line_of, write_rows};
+pub use csv_rows::{line_of, six_digits, write_rows};
 pub use error::TrainingError;
 pub use errors::{Error, Errors, summaries};
 pub use folds::{Fold, evenly, folds};

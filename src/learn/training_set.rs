@@ -1,6 +1,6 @@
 //! The rows of one system, ready to be asked.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use super::coverage::Limit;
@@ -44,36 +44,77 @@ pub(super) enum Map {
     Stripes(Box<StripeMap>),
 }
 
+/// Names and contents of files of `training/`.
+macro_rules! embedded {
+    ($($name:literal),*) => {
+        [$(($name, include_str!(concat!("../../training/", $name, ".csv")))),*]
+    };
+}
+
+/// The files of `system` in the folder `dir`, by name.
+fn files_of(dir: &Path, system: &str) -> Result<Vec<PathBuf>, TrainingError> {
+    let unread = |source| TrainingError::Open { path: dir.to_owned(), source };
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(dir).map_err(unread)? {
+        let name = entry.map_err(unread)?.file_name();
+        // What has a name that is no text is not of ours.
+        let Some(stem) = name.to_str().and_then(|name| name.strip_suffix(".csv")) else { continue };
+        let set = stem.strip_prefix(system);
+        if set.is_some_and(|set| set.is_empty() || set.starts_with('-')) && !stem.ends_with(".rejected") {
+            names.push(name);
+        }
+    }
+    names.sort();
+    if names.is_empty() {
+        return Err(TrainingError::NoFiles { dir: dir.to_owned(), system: system.to_owned() });
+    }
+    Ok(names.iter().map(|name| dir.join(name)).collect())
+}
+
 impl TrainingSet {
     /// The set of `system` that is compiled in.
     ///
     /// # Errors
     /// [`TrainingError::UnknownSystem`]; the others only if the program was built from a broken file.
     pub fn embedded(system: &str) -> Result<Self, TrainingError> {
-        let text = match find(system)?.0 {
-            "turing-spots" => include_str!("../../training/turing-spots.csv"),
-            "meinhardt-spots" => include_str!("../../training/meinhardt-spots.csv"),
-            _ => include_str!("../../training/meinhardt-stripes.csv"),
+        let files = match find(system)?.0 {
+            "turing-spots" => embedded!("turing-spots-orientation", "turing-spots-size"),
+            "meinhardt-spots" => embedded!("meinhardt-spots-orientation", "meinhardt-spots-size"),
+            _ => embedded!("meinhardt-stripes-orientation", "meinhardt-stripes-width"),
         };
-        Self::read(system, &format!("training/{system}.csv (compiled in)"), text.as_bytes())
+        let files = files.map(|(name, text)| (format!("training/{name}.csv (compiled in)"), text));
+        Self::read(system, files.iter().map(|(name, text)| (name.as_str(), text.as_bytes())))
     }
 
-    /// The set of `system` in the folder `dir`: `dir/SYSTEM.csv`.
+    /// The set of `system` in the folder `dir`: the rows of `SYSTEM.csv` and of each `SYSTEM-*.csv`, in the order of
+    /// their names.
     ///
     /// # Errors
-    /// [`TrainingError`]: no such system, no such file, or a fault in it with file, line, column and value.
+    /// [`TrainingError`]: no such system, no such file, or a fault in one with file, line, column and value.
     pub fn load(dir: &Path, system: &str) -> Result<Self, TrainingError> {
-        let path = dir.join(format!("{}.csv", find(system)?.0));
-        let bytes =
-            std::fs::read(&path).map_err(|source| TrainingError::Open { path: path.clone(), source })?;
-        Self::read(system, &path.display().to_string(), &bytes)
+        let system = find(system)?.0;
+        let mut files = Vec::new();
+        for path in files_of(dir, system)? {
+            let name = path.display().to_string();
+            files.push((name, std::fs::read(&path).map_err(|source| TrainingError::Open { path, source })?));
+        }
+        Self::read(system, files.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())))
     }
 
-    fn read(system: &str, file: &str, bytes: &[u8]) -> Result<Self, TrainingError> {
-        let rows = read_rows(find(system)?.1, file, bytes)?;
+    /// The rows of all `files` (names for messages, contents) as one set.
+    fn read<'a>(
+        system: &str,
+        files: impl Iterator<Item = (&'a str, &'a [u8])>,
+    ) -> Result<Self, TrainingError> {
+        let kind = find(system)?.1;
+        let (mut rows, mut names) = (Vec::new(), Vec::new());
+        for (file, bytes) in files {
+            rows.extend(read_rows(kind, file, bytes)?);
+            names.push(file);
+        }
         Self::new(system, rows).map_err(|error| match error {
             TrainingError::TooFew { rows, needed, .. } => {
-                TrainingError::TooFew { file: file.to_owned(), rows, needed }
+                TrainingError::TooFew { file: names.join(", "), rows, needed }
             }
             other => other,
         })
@@ -149,18 +190,36 @@ mod tests {
     }
 
     #[test]
-    fn a_set_is_read_from_a_folder() {
+    fn a_set_is_read_from_all_its_files_in_a_folder() {
         let dir = tempfile::tempdir().unwrap();
         let rows = turing(60, MEASURED);
-        let file = std::fs::File::create(dir.path().join("turing-spots.csv")).unwrap();
-        super::super::write_rows("turing-spots", &rows, file).unwrap();
-        assert_eq!(TrainingSet::load(dir.path(), "turing-spots").unwrap().rows().len(), 60);
+        let write = |name: &str, rows: &[Row]| {
+            let file = std::fs::File::create(dir.path().join(name)).unwrap();
+            super::super::write_rows("turing-spots", rows, file).unwrap();
+        };
+        write("turing-spots-b.csv", &rows[50..]);
+        write("turing-spots.csv", &rows[..20]);
+        write("turing-spots-a.csv", &rows[20..50]);
+        // Not of this set.
+        write("turing-spots-a.rejected.csv", &rows);
+        write("turing-spotted.csv", &rows);
+        write("old-turing-spots.csv", &rows);
+        std::fs::write(dir.path().join("turing-spots-a.json"), "{}").unwrap();
+        let set = TrainingSet::load(dir.path(), "turing-spots").unwrap();
+        // '-' stands before '.'.
+        let seeds: Vec<u64> = set.rows().iter().map(|row| row.seed).collect();
+        let expected = rows[20..].iter().chain(&rows[..20]).map(|row| row.seed);
+        assert_eq!(seeds, expected.collect::<Vec<_>>());
 
         let message = |system| TrainingSet::load(dir.path(), system).err().unwrap().to_string();
-        assert!(message("meinhardt-spots").contains("meinhardt-spots.csv: cannot be read"));
+        let missing = message("meinhardt-spots");
+        assert!(missing.contains("neither meinhardt-spots.csv nor meinhardt-spots-*.csv"), "{missing}");
         assert!(message("spots").contains("allowed: turing-spots, meinhardt-spots, meinhardt-stripes"));
         std::fs::write(dir.path().join("meinhardt-spots.csv"), [0xff, 0xfe, 0x00]).unwrap();
         assert!(message("meinhardt-spots").contains("meinhardt-spots.csv, line 1"));
+        let nowhere =
+            TrainingSet::load(&dir.path().join("nowhere"), "turing-spots").err().unwrap().to_string();
+        assert!(nowhere.contains("nowhere: cannot be read"), "{nowhere}");
     }
 
     #[test]

@@ -3,8 +3,9 @@
 use super::directions::Directions;
 use super::spots::Spot;
 use super::stripes::{tallies, wavelength};
-use crate::attributes::spacing::{LONGEST, edges, trimmed_mean};
-use crate::attributes::{Attributes, Spots, Stripes, axial_mean};
+use crate::attributes::spacing::{LONGEST, edges, trimmed, trimmed_mean};
+use crate::attributes::spread::{deviation, scatter, variation};
+use crate::attributes::{Attributes, Spots, Spread, Stripes, axial_mean};
 use crate::field::{Edges, Field};
 use crate::marks::{axial, turn};
 
@@ -40,6 +41,9 @@ pub struct SpotErrors {
     pub angle: Option<f64>,
     /// got ÷ wanted − 1; `None` where the spacing is free or no edge counts.
     pub spacing: Option<f64>,
+    /// How much the marks vary about the region map, which has no part in it: of area ÷ wanted, aspect − wanted, the
+    /// turn from the wanted direction, edge ÷ wanted spacing.
+    pub spread: Option<Spread>,
 }
 
 /// How the stripes of a region differ from what was asked.
@@ -137,6 +141,24 @@ fn compare(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> SpotErrors
         aspect: Some(aspect - wanted_aspect),
         angle: off.filter(|_| wanted_aspect < DIRECTED).map(|off| turn(off, 0.0)),
         spacing: spacing.zip(wanted_spacing).map(|(got, wanted)| got / wanted - 1.0),
+        spread: Some(vary(marks, edges)),
+    }
+}
+
+/// The ruler of [`Spread::of`] on what remains when the region map is taken away.
+fn vary(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> Spread {
+    let turned = |(spot, wanted): &(&Spot, Spots)| {
+        (turn(spot.ellipse.major_angle(), wanted.angle), 1.0 - spot.ellipse.aspect())
+    };
+    let relative = |(length, wanted): &(f64, Option<f64>)| wanted.map(|wanted| length / wanted);
+    let lengths: Option<Vec<f64>> = edges.iter().map(relative).collect();
+    Spread {
+        area: variation(marks.iter().map(|(spot, wanted)| spot.ellipse.area() / wanted.area)),
+        angle: scatter(marks.iter().map(turned)),
+        aspect: deviation(marks.iter().map(|(spot, wanted)| spot.ellipse.aspect() - wanted.aspect)),
+        spacing: variation(
+            lengths.unwrap_or_else(|| trimmed(edges.iter().map(|(length, _)| *length).collect())),
+        ),
     }
 }
 

@@ -22,7 +22,7 @@ mod verdict;
 
 pub use directions::{Deviation, Directions};
 pub use errors::{Canvas, SpotErrors, StripeErrors, spot_errors, stripe_errors};
-pub use picture::{Picture, Spread, picture};
+pub use picture::{Picture, picture};
 pub use spots::{Census, Spot, census, spots};
 pub use stripes::{StripeStatistics, stripes, widths};
-pub use verdict::{Reason, spot_texture, stripe_texture};
+pub use verdict::{Reason, formed, spot_texture, stripe_texture};

@@ -2,9 +2,11 @@
 
 use super::spots::{Census, Spot, census};
 use super::stripes::{StripeStatistics, stripes};
-use crate::attributes::spacing::{edges, mean_spacing, trimmed_mean};
-use crate::attributes::{Spots, axial_mean};
+use crate::attributes::spacing::{edges, neighbour_lengths, trimmed};
+use crate::attributes::spread::variation;
+use crate::attributes::{Spots, Spread};
 use crate::field::{Edges, Field};
+use crate::marks::Ellipse;
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,17 +27,6 @@ pub enum Picture {
         /// Their statistics.
         got: StripeStatistics,
     },
-}
-
-/// Coefficients of variation (standard deviation ÷ mean).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread {
-    /// Of the areas.
-    pub area: f64,
-    /// Of the aspects.
-    pub aspect: f64,
-    /// Of the distances between neighbours, where there are any.
-    pub spacing: Option<f64>,
 }
 
 /// Contour² ÷ (4π·area): 1 for a disc, 1.8 for an ellipse of aspect 0.25; a band of ten widths has 3.
@@ -70,42 +61,20 @@ fn is_band(spot: &Spot) -> bool {
 }
 
 fn spotted(field: &Field, census: &Census) -> Option<Picture> {
-    let whole: Vec<&Spot> = census.spots.iter().filter(|spot| spot.whole).collect();
-    let areas: Vec<f64> = whole.iter().map(|spot| spot.ellipse.area()).collect();
-    let aspects: Vec<f64> = whole.iter().map(|spot| spot.ellipse.aspect()).collect();
-    let (area, area_spread) = mean_and_variation(&areas)?;
-    let (aspect, aspect_spread) = mean_and_variation(&aspects)?;
-    let angles = whole.iter().map(|spot| (spot.ellipse.major_angle(), 1.0 - spot.ellipse.aspect()));
+    let whole: Vec<Ellipse> =
+        census.spots.iter().filter(|spot| spot.whole).map(|spot| spot.ellipse).collect();
     let centers: Vec<[f64; 2]> = census.spots.iter().map(|spot| spot.ellipse.center).collect();
-    let lengths: Vec<f64> = match field.edges {
-        Edges::Closed => {
-            edges(&centers, None).iter().filter(|edge| !edge.hull).map(|edge| edge.length).collect()
+    let lengths = match field.edges {
+        Edges::Closed => neighbour_lengths(&centers),
+        Edges::Wrap => {
+            trimmed(edges(&centers, Some(field.extent())).iter().map(|edge| edge.length).collect())
         }
-        Edges::Wrap => edges(&centers, Some(field.extent())).iter().map(|edge| edge.length).collect(),
     };
-    let spacing = match field.edges {
-        Edges::Closed => mean_spacing(&centers),
-        Edges::Wrap => trimmed_mean(lengths.clone()),
-    };
-    let near: Vec<f64> =
-        lengths.into_iter().filter(|length| spacing.is_some_and(|mean| *length <= 2.0 * mean)).collect();
+    // All spots are neighbours, also those that are cut.
+    let spacing = (!lengths.is_empty()).then(|| lengths.iter().sum::<f64>() / lengths.len() as f64);
     Some(Picture::Spots {
         marks: whole.len(),
-        got: Spots { area, aspect, angle: axial_mean(angles).map_or(0.0, |(angle, _)| angle), spacing },
-        spread: Spread {
-            area: area_spread,
-            aspect: aspect_spread,
-            spacing: mean_and_variation(&near).map(|(_, spread)| spread),
-        },
+        got: Spots { spacing, ..Spots::of(&whole)? },
+        spread: Spread { spacing: variation(lengths), ..Spread::of(&whole) },
     })
-}
-
-fn mean_and_variation(values: &[f64]) -> Option<(f64, f64)> {
-    if values.is_empty() {
-        return None;
-    }
-    let n = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let variance = values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / n;
-    Some((mean, variance.sqrt() / mean))
 }

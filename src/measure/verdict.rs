@@ -18,11 +18,32 @@ pub enum Reason {
         /// What it takes.
         least: f32,
     },
+    /// A value is far beyond what the system can hold: the growth ran away.
+    #[error("a value is {value}, far out of the usual {} to {}", usual[0], usual[1])]
+    LeftRange {
+        /// The value that is farthest out.
+        value: f32,
+        /// What ground and marks usually are.
+        usual: [f32; 2],
+    },
+    /// It was still changing when its time was up.
+    #[error("did not settle: still forming when its time was up")]
+    Unsettled,
     /// Too few whole spots to take means over.
-    #[error("too few spots: {marks} whole ones, at least {MARKS} are needed")]
+    #[error("too few spots: {marks} whole ones, at least {least} are needed")]
     TooFew {
         /// Whole spots.
         marks: usize,
+        /// What it takes.
+        least: usize,
+    },
+    /// Too few stripes side by side to take means over.
+    #[error("too few stripes: {wavelengths:.1} wavelengths across, at least {least} are needed")]
+    TooFewStripes {
+        /// Wavelengths along a side.
+        wavelengths: f64,
+        /// What it takes.
+        least: f64,
     },
     /// The spots are smaller than the grid resolves.
     #[error("spots of {cells:.1} cells are too small for the grid, at least {CELLS} are needed")]
@@ -58,29 +79,85 @@ pub enum Reason {
     },
 }
 
+impl Reason {
+    /// All that [`Self::kind`] can say.
+    pub const KINDS: [&'static str; 7] =
+        ["unsettled", "no-pattern", "touching", "too-few", "too-small", "irregular", "left-range"];
+
+    /// The reason in one word, for counting.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        let [unsettled, no_pattern, touching, too_few, too_small, irregular, left_range] = Self::KINDS;
+        match self {
+            Self::NotFinite | Self::LeftRange { .. } => left_range,
+            Self::Unsettled => unsettled,
+            Self::NoPattern { .. } => no_pattern,
+            Self::TooFew { .. } | Self::TooFewStripes { .. } => too_few,
+            Self::TooSmall { .. } => too_small,
+            // What runs all ways is a labyrinth, what fills nearly all has grown together.
+            Self::Merged { .. } | Self::NoDirection { .. } => touching,
+            Self::OneSided { share } => {
+                if *share > 0.5 {
+                    touching
+                } else {
+                    no_pattern
+                }
+            }
+            Self::TooIrregular { .. } => irregular,
+        }
+    }
+}
+
+/// Values that span less than this share of the usual have formed nothing: dead or fading patterns were seen below
+/// it (`facts.md` 10).
+const LEAST_RANGE: f32 = 0.1;
+/// Values farther out than this many times the usual span have run away. Settled marks were seen within a tenth
+/// of it, Turing's spots of 2 cells, which feed on a dead cell, at 2.2 times beyond.
+const BEYOND: f32 = 1.0;
 /// Fewer whole spots give no mean worth learning.
 const MARKS: usize = 6;
 /// Below this, soft spots are still read to 2 % but grown ones feel the grid (areas −20 % at 11 cells).
 const CELLS: f64 = 7.0;
 /// An ellipse fills 1, a rectangle 0.955, two spots grown together less; mixed bars were seen at 0.93–0.98.
 const FILL: f64 = 0.93;
-/// Share of the area that may be in marks that fill less.
-const BENT: f64 = 0.05;
+/// Share of the area that may be in marks that fill less: one pair among 80 spots that touch is more, and moves
+/// their mean area by more than it differs between seeds.
+const BENT: f64 = 0.02;
 /// Mean fill: good textures were seen above 0.985, bars below 0.98, labyrinths below 0.85.
 const MEAN_FILL: f64 = 0.98;
-/// Coefficient of variation of the area: good textures were seen below 0.2, bars from 0.29 on.
-const SPREAD: f64 = 0.25;
+/// Coefficient of variation of the area, where all spots have the same parameters: 0.02–0.04 was seen of Meinhardt's,
+/// 0.03–0.08 of Turing's; two doubled ones among 80 make 0.16.
+const SPREAD: f64 = 0.15;
 /// Random waves of one length reach 0.48 when they run all ways (a labyrinth), 0.71 within ±45°, 0.94 within
 /// ±15°.
 const COHERENCE: f64 = 0.7;
 
-/// Is a field whose spots all have the same parameters a texture of spots? `least` is the range of values below
-/// which nothing has formed (10 % of the system's usual range).
+/// Has anything formed, and stayed within what the system can hold? `usual` are the values of ground and of the
+/// middle of a mark.
 ///
 /// # Errors
 /// The first [`Reason`] that applies.
-pub fn spot_texture(field: &Field, census: &Census, least: f32) -> Result<(), Reason> {
-    formed(field, least)?;
+pub fn formed(field: &Field, usual: [f32; 2]) -> Result<(), Reason> {
+    if !field.values.iter().all(|value| value.is_finite()) {
+        return Err(Reason::NotFinite);
+    }
+    let low = field.values.iter().copied().fold(f32::INFINITY, f32::min);
+    let high = field.values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+    let span = usual[1] - usual[0];
+    let (under, over) = (usual[0] - low, high - usual[1]);
+    if under.max(over) > BEYOND * span {
+        return Err(Reason::LeftRange { value: if under > over { low } else { high }, usual });
+    }
+    let (range, least) = (high - low, LEAST_RANGE * span);
+    if range >= least { Ok(()) } else { Err(Reason::NoPattern { range, least }) }
+}
+
+/// Is a field whose spots all have the same parameters a texture of spots? `usual` as for [`formed`].
+///
+/// # Errors
+/// The first [`Reason`] that applies.
+pub fn spot_texture(field: &Field, census: &Census, usual: [f32; 2]) -> Result<(), Reason> {
+    formed(field, usual)?;
     let whole: Vec<&Spot> = census.spots.iter().filter(|spot| spot.whole).collect();
     let sum = |chosen: &dyn Fn(&&Spot) -> bool| -> f64 {
         census.spots.iter().filter(chosen).map(|spot| spot.ellipse.area()).sum()
@@ -94,7 +171,7 @@ pub fn spot_texture(field: &Field, census: &Census, least: f32) -> Result<(), Re
         return Err(Reason::Merged { bent: 100.0 * bent, fill });
     }
     if whole.len() < MARKS {
-        return Err(Reason::TooFew { marks: whole.len() });
+        return Err(Reason::TooFew { marks: whole.len(), least: MARKS });
     }
     let usual = mean(&|spot| spot.ellipse.area());
     let cells = usual / (field.cell[0] * field.cell[1]);
@@ -106,13 +183,17 @@ pub fn spot_texture(field: &Field, census: &Census, least: f32) -> Result<(), Re
     if spread > SPREAD { Err(Reason::TooIrregular { spread }) } else { Ok(()) }
 }
 
-/// Is a field a texture of stripes? `least` as for [`spot_texture`].
+/// Is a field a texture of stripes? `usual` as for [`formed`].
 ///
 /// # Errors
 /// The first [`Reason`] that applies.
-pub fn stripe_texture(field: &Field, found: Option<&StripeStatistics>, least: f32) -> Result<(), Reason> {
-    formed(field, least)?;
-    let Some(found) = found else { return Err(Reason::TooFew { marks: 0 }) };
+pub fn stripe_texture(
+    field: &Field,
+    found: Option<&StripeStatistics>,
+    usual: [f32; 2],
+) -> Result<(), Reason> {
+    formed(field, usual)?;
+    let Some(found) = found else { return Err(Reason::OneSided { share: all_or_nothing(field) }) };
     if !(0.15..=0.85).contains(&found.share) {
         return Err(Reason::OneSided { share: found.share });
     }
@@ -122,12 +203,7 @@ pub fn stripe_texture(field: &Field, found: Option<&StripeStatistics>, least: f3
     Ok(())
 }
 
-fn formed(field: &Field, least: f32) -> Result<(), Reason> {
-    if !field.values.iter().all(|value| value.is_finite()) {
-        return Err(Reason::NotFinite);
-    }
-    let low = field.values.iter().copied().fold(f32::INFINITY, f32::min);
-    let high = field.values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
-    let range = high - low;
-    if range >= least { Ok(()) } else { Err(Reason::NoPattern { range, least }) }
+/// Share above the middle of a field in which no stripe has an edge.
+fn all_or_nothing(field: &Field) -> f64 {
+    f64::from(u8::from(field.values.first().is_some_and(|value| *value > 0.5)))
 }

@@ -34,9 +34,14 @@ impl Beginning {
     /// What [`super::Growth::new`] begins from.
     #[must_use]
     pub fn new(system: System, maps: &Maps, edges: Edges, seed: u64) -> Self {
-        let share = |[x, y]: [f64; 2]| [x / maps.nx as f64, y / maps.ny as f64];
-        let places = nuclei(system, maps, edges, seed).into_iter().map(share).collect();
-        Self { system, edges, seed, places }
+        Self::at(system, maps, edges, seed, &nuclei(system, maps, edges, seed))
+    }
+
+    /// The same from spots at these `places`, cells of `maps`.
+    #[must_use]
+    pub fn at(system: System, maps: &Maps, edges: Edges, seed: u64, places: &[[f64; 2]]) -> Self {
+        let share = |[x, y]: &[f64; 2]| [x / maps.nx as f64, y / maps.ny as f64];
+        Self { system, edges, seed, places: places.iter().map(share).collect() }
     }
 
     /// The concentrations that it makes on `maps`.

@@ -12,6 +12,7 @@ mod lanes;
 mod maps;
 mod meinhardt_spots;
 mod meinhardt_stripes;
+mod mosaic;
 mod nuclei;
 mod plane;
 mod problem;
@@ -25,6 +26,8 @@ mod wavefront;
 pub use begin::{Beginning, nuclei};
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
+pub use mosaic::mosaic;
+pub use nuclei::make_room;
 pub use prolong::prolonged;
 pub use wavefront::{Instructions, Tiling};
 

@@ -10,6 +10,7 @@
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
+use super::System;
 use super::maps::{Maps, Parameters};
 use crate::field::Edges;
 
@@ -28,10 +29,14 @@ impl Nucleus {
     /// The point `at`, cells, with the metric of the parameters there.
     pub fn at(maps: &Maps, at: [f64; 2], pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
         let p = maps.at(at);
-        let pitch = pitch(&p);
+        Self::of(&p, maps.cell, at, pitch(&p))
+    }
+
+    /// The point `at`, cells, with the metric of the parameters `p`, whose pitch is `pitch` cells.
+    pub fn of(p: &Parameters, cell: [f64; 2], at: [f64; 2], pitch: f64) -> Self {
         let stretch = f64::from(p.stretch);
         let t = super::selling::Tensor::oriented(stretch, 1.0 / stretch, f64::from(p.direction));
-        let [cx, cy] = [(maps.cell[0] / maps.cell[1]).sqrt(), (maps.cell[1] / maps.cell[0]).sqrt()];
+        let [cx, cy] = [(cell[0] / cell[1]).sqrt(), (cell[1] / cell[0]).sqrt()];
         let scale = 1.0 / (pitch * pitch);
         let metric = [t.xx * cx * cx * scale, t.xy * scale, t.yy * cy * cy * scale];
         Self { at, metric, reach: 1.05 * pitch / stretch.sqrt() }
@@ -90,9 +95,32 @@ pub fn lay(
         }
     }
     for _ in 0..ROUNDS {
-        relax(&mut placed, &nucleus);
+        relax(&mut placed, PUSH, &|_, at| nucleus(at));
     }
     placed.all
+}
+
+/// Where the points `at`, cells, come to stand in `rounds` rounds of mutual repulsion, each with the pitch and the
+/// metric of its `own` parameters; those farther than `reach` pitches do not push each other.
+#[must_use]
+pub fn make_room(
+    system: System,
+    maps: &Maps,
+    edges: Edges,
+    at: &[[f64; 2]],
+    own: &[Parameters],
+    reach: f64,
+    rounds: usize,
+) -> Vec<[f64; 2]> {
+    let nucleus = |i: usize, at: [f64; 2]| Nucleus::of(&own[i], maps.cell, at, system.spacing(&own[i]));
+    let largest = (0..at.len()).map(|i| nucleus(i, at[i]).reach).fold(0.0, f64::max);
+    let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
+    let mut placed = Buckets::new(space, PUSH.max(reach) * largest);
+    at.iter().enumerate().for_each(|(i, at)| placed.insert(nucleus(i, space.folded(*at))));
+    for _ in 0..rounds {
+        relax(&mut placed, reach, &nucleus);
+    }
+    placed.all.iter().map(|nucleus| nucleus.at).collect()
 }
 
 /// How crowded the grid will be.
@@ -161,26 +189,26 @@ pub fn thinned(
     kept.all
 }
 
-fn relax(placed: &mut Buckets, nucleus: &(dyn Fn([f64; 2]) -> Nucleus + Sync)) {
-    let moved = |point: &Nucleus| {
+fn relax(placed: &mut Buckets, reach: f64, nucleus: &(dyn Fn(usize, [f64; 2]) -> Nucleus + Sync)) {
+    let moved = |(index, point): (usize, &Nucleus)| {
         let mut shift = [0.0, 0.0];
-        placed.near(point, PUSH, |other, delta| {
+        placed.near(point, reach, |other, delta| {
             let own = point.distance2(delta);
             // Too far by half of the mean already.
-            if 0.5 * own >= PUSH * PUSH {
+            if 0.5 * own >= reach * reach {
                 return;
             }
             let d = (0.5 * (own + other.distance2(delta))).sqrt();
-            if d > 1e-9 && d < PUSH {
-                // Half of the gap to PUSH, shared with the other, damped for six neighbours.
-                let push = 0.22 * (PUSH - d) / d;
+            if d > 1e-9 && d < reach {
+                // Half of the gap to the reach, shared with the other, damped for six neighbours.
+                let push = 0.22 * (reach - d) / d;
                 shift[0] -= push * delta[0];
                 shift[1] -= push * delta[1];
             }
         });
-        nucleus(placed.space.folded([point.at[0] + shift[0], point.at[1] + shift[1]]))
+        nucleus(index, placed.space.folded([point.at[0] + shift[0], point.at[1] + shift[1]]))
     };
-    let all: Vec<Nucleus> = placed.all.par_iter().with_min_len(FEW).map(moved).collect();
+    let all: Vec<Nucleus> = placed.all.par_iter().enumerate().with_min_len(FEW).map(moved).collect();
     placed.all.clear();
     placed.cells.iter_mut().for_each(Vec::clear);
     all.into_iter().for_each(|point| placed.insert(point));

@@ -1,6 +1,6 @@
 //! A layer's strokes → its marks → the region map.
 
-use super::recipe::{Document, DocumentError, Kind, Problem, Stroke};
+use super::recipe::{Document, DocumentError, Kind, Problem, SpreadChoice, Stroke};
 use crate::attributes::regions::RegionMap;
 use crate::marks::Mark;
 use crate::sketch::recognise;
@@ -38,18 +38,28 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
     {
         return Err(problem.in_file(source));
     }
+    if layer.options.spread != SpreadChoice::Drawn
+        && let Some(problem) = SpreadChoice::mismatch(&format!("layers[{index}].options.spread"), first)
+    {
+        return Err(problem.in_file(source));
+    }
     Ok(marks)
 }
 
-/// The region map of layer `index` on the document's own canvas.
+/// The region map of layer `index` on the document's own canvas, with the spread that its options say.
 ///
 /// # Errors
 /// As [`marks`].
 pub fn region_map(document: &Document, index: usize, source: &str) -> Result<RegionMap, DocumentError> {
     let marks = marks(document, index, source)?;
     let size = document.size.map(f64::from);
-    RegionMap::of(&marks, size, document.regions.map(|n| n as usize), document.edges).map_err(|error| {
+    let map = RegionMap::of(&marks, size, document.regions.map(|n| n as usize), document.edges);
+    let map = map.map_err(|error| {
         let place = format!("layers[{index}].strokes");
         Problem::new(place, error.to_string(), "at least one ellipse, or at least one line").in_file(source)
+    })?;
+    Ok(match document.layers[index].options.spread {
+        SpreadChoice::Drawn => map,
+        SpreadChoice::Given(spread) => map.varied_by(spread),
     })
 }

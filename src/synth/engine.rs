@@ -10,9 +10,10 @@
 
 use super::ladder::{self, Work};
 use super::pattern::Pattern;
+use super::pitches::pitches;
 use super::plan::Plan;
 use super::settle::{Rest, Verdict};
-use super::spread::pitches;
+use super::spread::{Varied, vary};
 use crate::field::{Edges, Field};
 use crate::rd::{Beginning, Growth, Maps, System, prolonged};
 
@@ -55,14 +56,27 @@ impl Engine {
     /// Growth of `plan` from `seed`.
     #[must_use]
     pub fn new(plan: &Plan, seed: u64) -> Self {
-        Self::of(plan.system, plan.maps(&pitches(plan, seed)), plan.map.layout().edges, seed)
+        let edges = plan.map.layout().edges;
+        match vary(plan, seed) {
+            None => Self::of(plan.system, plan.maps(&pitches(plan, seed)), edges, seed),
+            Some(Varied { maps, places, largest }) => {
+                let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
+                Self::begun(plan.system, maps, edges, beginning, largest)
+            }
+        }
     }
 
     /// Growth of `maps` from `seed`.
     #[must_use]
     pub fn of(system: System, maps: Maps, edges: Edges, seed: u64) -> Self {
         let beginning = Beginning::new(system, &maps, edges, seed);
-        let grids = ladder::grids(system, &maps);
+        let largest = ladder::largest(system, &maps);
+        Self::begun(system, maps, edges, beginning, largest)
+    }
+
+    /// Marks of up to `largest` cells may be formed on grids that smaller ones are too small for.
+    fn begun(system: System, maps: Maps, edges: Edges, beginning: Beginning, largest: f64) -> Self {
+        let grids = ladder::grids(system, &maps, largest);
         let stage = stage(system, edges, &maps, &beginning, &grids, 0, None);
         Self {
             system,

@@ -45,15 +45,17 @@ fn cells(system: System, p: &Parameters) -> f64 {
     if system == System::TuringSpots { cells * f64::from(p.stretch) } else { cells }
 }
 
-/// Grids from the coarsest to that of `maps`.
+/// Cells of the largest mark as far as they resolve it.
 #[must_use]
-pub fn grids(system: System, maps: &Maps) -> Vec<[usize; 2]> {
+pub fn largest(system: System, maps: &Maps) -> f64 {
+    maps.parameters.iter().map(|p| cells(system, p)).fold(0.0, f64::max)
+}
+
+/// Grids from the coarsest to that of `maps`: none that would hold only marks of more than `most` cells.
+#[must_use]
+pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
     let enough = resolved(system).enough * ROOM;
-    let (mut least, mut most) = (f64::INFINITY, 0.0f64);
-    for p in &maps.parameters {
-        let cells = cells(system, p);
-        (least, most) = (least.min(cells), most.max(cells));
-    }
+    let least = maps.parameters.iter().map(|p| cells(system, p)).fold(f64::INFINITY, f64::min);
     let mut factors = vec![1.0];
     let first = (least / enough).sqrt();
     if first >= WORTH {

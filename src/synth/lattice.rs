@@ -35,6 +35,23 @@ impl Node {
         }
     }
 
+    /// What is to be added for a spot whose rate and stretch are e to these powers times larger, turned by so many
+    /// degrees.
+    #[must_use]
+    pub fn offset(&self, ln_rate: f64, ln_stretch: f64, turn: f64) -> [f64; 3] {
+        let [c, s] = self.shape;
+        let length = (c * c + s * s).sqrt();
+        let double = libm::atan2(s, c) + (2.0 * turn).to_radians();
+        let long = (length - ln_stretch).max(0.0);
+        [ln_rate, long * libm::cos(double) - c, long * libm::sin(double) - s]
+    }
+
+    /// Itself with [`Self::offset`]s added.
+    #[must_use]
+    pub fn plus(&self, [ln_rate, c, s]: [f64; 3]) -> Self {
+        Self { ln_rate: self.ln_rate + ln_rate, shape: [self.shape[0] + c, self.shape[1] + s], ..*self }
+    }
+
     /// What the simulation is told.
     #[must_use]
     pub fn parameters(&self, pitch: f64) -> rd::Parameters {

@@ -8,6 +8,7 @@ mod lattice;
 pub mod memory;
 mod patch;
 pub mod pattern;
+mod pitches;
 pub mod plan;
 pub mod probe;
 pub mod recipe;

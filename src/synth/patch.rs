@@ -10,8 +10,8 @@ use crate::learn;
 use crate::measure::{self, Reason, Spot};
 use crate::rd::{Maps, Parameters, System};
 
-/// Range of the marks field below which nothing has formed, a tenth of the usual.
-const LEAST: f32 = 0.1;
+/// Marks fields run from 0, the ground, to 1, the middle of a mark.
+const USUAL: [f32; 2] = [0.0, 1.0];
 
 /// What to grow.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,12 +83,30 @@ impl Patch {
             _ => spots(marks, self.parameters.level.unwrap_or(0.5)),
         }
     }
+
+    /// Judges what [`Self::grow`] gave: what may be learnt from holds `least` whole spots or wavelengths.
+    ///
+    /// # Errors
+    /// Why it is no texture; what has run away or died is told as such, whether it settled or not.
+    pub fn judge(&self, marks: &Field, settled: bool, least: f64) -> Result<Sample, Reason> {
+        measure::formed(marks, USUAL)?;
+        if !settled {
+            return Err(Reason::Unsettled);
+        }
+        let sample = self.measure(marks)?;
+        let extent = sample.extent;
+        match self.system {
+            _ if extent >= least => Ok(sample),
+            System::MeinhardtStripes => Err(Reason::TooFewStripes { wavelengths: extent, least }),
+            _ => Err(Reason::TooFew { marks: extent as usize, least: least.ceil() as usize }),
+        }
+    }
 }
 
 /// Means over the whole spots of a patch.
 fn spots(marks: &Field, level: f64) -> Result<Sample, Reason> {
     let census = measure::census(marks, level as f32);
-    measure::spot_texture(marks, &census, LEAST)?;
+    measure::spot_texture(marks, &census, USUAL)?;
     let whole: Vec<&Spot> = census.spots.iter().filter(|spot| spot.whole).collect();
     let n = whole.len() as f64;
     let mean = |value: &dyn Fn(&Spot) -> f64| whole.iter().map(|spot| value(spot)).sum::<f64>() / n;
@@ -109,8 +127,8 @@ fn spots(marks: &Field, level: f64) -> Result<Sample, Reason> {
 /// Means over a patch of stripes.
 fn stripes(marks: &Field) -> Result<Sample, Reason> {
     let found = measure::stripes(marks, 0.5);
-    measure::stripe_texture(marks, found.as_ref(), LEAST)?;
-    let found = found.ok_or(Reason::TooFew { marks: 0 })?;
+    measure::stripe_texture(marks, found.as_ref(), USUAL)?;
+    let found = found.ok_or(Reason::TooFewStripes { wavelengths: 0.0, least: 1.0 })?;
     Ok(Sample {
         extent: marks.extent()[0] / found.wavelength,
         evenness: found.coherence,

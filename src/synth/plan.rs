@@ -3,10 +3,11 @@
 use super::lattice::{Lattice, Node};
 use super::probe::{self, Offset, ProbeError, Probed, When};
 use super::recipe::SystemChoice;
+use super::spread::limited;
 use super::training::Training;
 use super::watch::Watch;
 use crate::attributes::regions::RegionMap;
-use crate::attributes::{Attributes, Spots};
+use crate::attributes::{Attributes, Spots, Spread};
 use crate::learn::{Answer, AskError, TrainingError};
 use crate::measure::Canvas;
 use crate::rd::{Maps, System};
@@ -57,8 +58,12 @@ pub struct Plan {
     pub lattice: Lattice,
     /// What was looked up for each region, lengths in px but parameters in cells.
     pub answers: Vec<Answer>,
+    /// What there is to say beside the notes of the answers, by region.
+    pub remarks: Vec<Vec<String>>,
     /// What probes found about it, by region.
     pub probed: Vec<Probed>,
+    /// How much the spots of each region will vary: as wanted, as far as that can be.
+    spreads: Vec<Spread>,
 }
 
 /// px a cell that suits these attributes.
@@ -123,8 +128,17 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
     let answers =
         regions.iter().map(|wanted| ask(training, system, wanted, cell)).collect::<Result<Vec<_>, _>>()?;
     let probed = vec![Probed::default(); regions.len()];
+    let mut remarks = vec![Vec::new(); regions.len()];
+    let mut spreads = vec![Spread::EVEN; regions.len()];
+    for (index, (place, region)) in map.regions().enumerate() {
+        if let Attributes::Spots(wanted) = map.at(map.layout().center(place)) {
+            let limited = limited(system, &wanted, &region.spread, map.spread_is_given());
+            spreads[index] = limited.spread;
+            remarks[index] = limited.notes;
+        }
+    }
     let lattice = lattice(training, system, &map, cell, &probed)?;
-    Ok(Plan { system, map, cell: exact, grid, lattice, answers, probed })
+    Ok(Plan { system, map, cell: exact, grid, lattice, answers, remarks, probed, spreads })
 }
 
 /// Parameters at the nodes over the canvas of `map`: those looked up for what is wanted there, less what probes found
@@ -235,21 +249,42 @@ impl Plan {
         })
     }
 
+    /// How much the spots of region `index` will vary.
+    #[must_use]
+    pub fn spread(&self, index: usize) -> Spread {
+        self.spreads[index]
+    }
+
+    /// Where a point of the grid, cells, lies on the canvas, px.
+    #[must_use]
+    pub fn place(&self, at: [f64; 2]) -> [f64; 2] {
+        [at[0] * self.cell[0], at[1] * self.cell[1]]
+    }
+
+    /// The same of many.
+    #[must_use]
+    pub fn px(&self, at: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        at.iter().map(|at| self.place(*at)).collect()
+    }
+
+    /// What is known by region of `map`, at a point, px.
+    #[must_use]
+    pub fn between_regions(&self, known: &[f64], point: [f64; 2]) -> f64 {
+        self.map.layout().corners(point).iter().map(|&(i, weight)| weight * known[i]).sum()
+    }
+
     /// Parameters of every cell. `pitch` says how much farther apart than the system would the spots begin, by
     /// region of `map`.
     #[must_use]
     pub fn maps(&self, pitch: &[f64]) -> Maps {
         let [nx, ny] = self.grid;
-        let regions = self.map.layout();
         let uniform = self.lattice.nodes.len() == 1 && pitch.len() == 1;
         let parameters = if uniform {
             vec![self.lattice.nodes[0].parameters(pitch[0]); nx * ny]
         } else {
             let at = |cell: usize| {
-                let point = [(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5];
-                let point = [point[0] * self.cell[0], point[1] * self.cell[1]];
-                let pitch = regions.corners(point).iter().map(|&(i, weight)| weight * pitch[i]).sum();
-                self.lattice.at(point).parameters(pitch)
+                let point = self.place([(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5]);
+                self.lattice.at(point).parameters(self.between_regions(pitch, point))
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };

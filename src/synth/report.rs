@@ -53,6 +53,7 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
     }
     parameters.insert("cell".to_owned(), json!(cell));
     let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
+    notes.extend(plan.remarks[index].iter().cloned());
     notes.extend(plan.probed[index].note());
     let (marks, error) = errors(&layer.measured, index);
     if marks == Some(0) {
@@ -70,8 +71,27 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
         report.insert("got".to_owned(), attributes(&got));
     }
     report.insert("error".to_owned(), Value::Object(error));
+    if let Some(spread) = spread(layer, place, index) {
+        report.insert("spread".to_owned(), spread);
+    }
     report.insert("notes".to_owned(), json!(notes));
     Value::Object(report)
+}
+
+/// How much the spots of a region were to vary and do; `None` where none was to.
+fn spread(layer: &GrownLayer, place: [usize; 2], index: usize) -> Option<Value> {
+    let asked = layer.plan.map.region(place).spread;
+    if asked.is_even() {
+        return None;
+    }
+    let mut spread = Map::new();
+    spread.insert("asked".to_owned(), json!(asked));
+    if let Measured::Spots { errors, .. } = &layer.measured
+        && let Some(got) = errors[index].spread
+    {
+        spread.insert("got".to_owned(), json!(got));
+    }
+    Some(Value::Object(spread))
 }
 
 fn attributes(attributes: &Attributes) -> Value {

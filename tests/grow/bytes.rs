@@ -1,6 +1,6 @@
 //! Same document and seed: same bytes. Another seed: others.
 
-use crate::folder::{Folder, hexagon, spots, stripes};
+use crate::folder::{ASPECT, Folder, hexagon, spots, stripes};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -72,9 +72,9 @@ fn a_seed_changes_the_texture_and_is_the_document_s_unless_told() {
 fn copy_training(folder: &Folder) {
     std::fs::create_dir(folder.path("training")).unwrap();
     let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("training");
-    for system in ["turing-spots", "meinhardt-spots", "meinhardt-stripes"] {
-        let name = format!("{system}.csv");
-        std::fs::copy(from.join(&name), folder.path("training").join(&name)).unwrap();
+    for entry in std::fs::read_dir(from).unwrap() {
+        let path = entry.unwrap().path();
+        std::fs::copy(&path, folder.path("training").join(path.file_name().unwrap())).unwrap();
     }
 }
 
@@ -93,10 +93,39 @@ fn training_sets_in_a_folder_are_those_built_in() {
 }
 
 #[test]
+fn a_folder_of_ones_own_ranges_is_used_instead_of_the_built_in_sets() {
+    let mut document = spots();
+    document["layers"][0]["system"] = json!("meinhardt-spots");
+    let folder = Folder::with(&document);
+    // Only the runs of long spots, under a name of one's own.
+    std::fs::create_dir(folder.path("my-sets")).unwrap();
+    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("training/meinhardt-spots-orientation.csv");
+    let table = std::fs::read_to_string(from).unwrap();
+    let (header, rows) = table.split_once('\n').unwrap();
+    let column = header.split(',').position(|name| name == "aspect").unwrap();
+    let long = |row: &&str| row.split(',').nth(column).unwrap().parse::<f64>().unwrap() < 0.45;
+    let rows: Vec<&str> = rows.lines().filter(long).collect();
+    folder.write("my-sets/meinhardt-spots-long.csv", &format!("{header}\n{}\n", rows.join("\n")));
+    folder.write("my-sets/meinhardt-spots-long.rejected.csv", "not read\n");
+    let predicted = |name: &str, more: &str| {
+        folder.grow(&format!("--no-refine --report {name} {more}"));
+        folder.json(name)["layers"][0]["regions"][0]["predicted"]["aspect"].as_f64().unwrap()
+    };
+    assert!((predicted("built_in.json", "") - ASPECT).abs() < 0.02);
+    assert!(predicted("own.json", "--training my-sets") < 0.46);
+    // What is not in it is not taken from elsewhere.
+    folder.refuses(
+        "lookup --system turing-spots --area 60 --aspect 0.6 --angle 0 --training my-sets",
+        1,
+        &["my-sets"],
+    );
+}
+
+#[test]
 fn a_broken_training_set_is_told_by_file_line_and_column() {
     let folder = Folder::with(&spots());
     copy_training(&folder);
-    let name = "training/meinhardt-spots.csv";
+    let name = "training/meinhardt-spots-size.csv";
     let whole = String::from_utf8(folder.bytes(name)).unwrap();
     let column = whole.lines().next().unwrap().split(',').position(|name| name == "aspect").unwrap();
     let mut lines: Vec<String> = whole.lines().map(str::to_owned).collect();
@@ -105,8 +134,9 @@ fn a_broken_training_set_is_told_by_file_line_and_column() {
     lines[6] = values.join(",");
     folder.write(name, &lines.join("\n"));
     let grow = "grow a.dapple -o a.png --training training";
-    folder.refuses(grow, 1, &["meinhardt-spots.csv", "line 7", "column aspect", "'1.5'", "0.01 to 1"]);
+    folder.refuses(grow, 1, &["meinhardt-spots-size.csv", "line 7", "column aspect", "'1.5'", "0.01 to 1"]);
     std::fs::remove_file(folder.path(name)).unwrap();
-    folder.refuses(grow, 1, &["meinhardt-spots.csv", "cannot be read"]);
+    std::fs::remove_file(folder.path("training/meinhardt-spots-orientation.csv")).unwrap();
+    folder.refuses(grow, 1, &["training", "neither meinhardt-spots.csv nor meinhardt-spots-*.csv"]);
     folder.refuses("grow a.dapple -o a.png --training elsewhere", 1, &["elsewhere"]);
 }

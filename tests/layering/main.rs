@@ -20,7 +20,7 @@ const DOORS: [&str; 2] = ["cli", "app"];
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-const ADDRESSES: [(&str, &[&str]); 15] = [
+const ADDRESSES: [(&str, &[&str]); 16] = [
     ("bytemuck", &["src/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
     ("csv", &["src/learn/", "src/cli/"]),
@@ -34,6 +34,7 @@ const ADDRESSES: [(&str, &[&str]); 15] = [
     ("palette", &["src/colour/"]),
     ("png", &["src/export/", "src/cli/measure.rs"]),
     ("serde_json", &["src/synth/", "src/cli/", "src/learn/", "data-gen/"]),
+    ("serde_path_to_error", &["data-gen/"]),
     ("spade", &["src/attributes/spacing.rs"]),
     ("tempfile", &["src/export/"]),
 ];

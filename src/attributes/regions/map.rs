@@ -3,12 +3,15 @@
 use thiserror::Error;
 
 use super::Layout;
-use crate::attributes::{Attributes, Spots, Stripes};
+use crate::attributes::{Attributes, Spots, Spread, Stripes};
 use crate::field::Edges;
 use crate::marks::{Ellipse, Line, Mark, axial};
 
 /// Above this mean aspect a region has no direction of its own (the contract's number).
 const ROUND: f64 = 0.9;
+
+/// A region needs as many marks for their differences to be meant.
+pub const MARKS_OF_A_SPREAD: usize = 6;
 
 /// Below this squared length a sum of unit double-angle vectors has cancelled: rounding leaves some 1e-32.
 const CANCELLED: f64 = 1e-24;
@@ -49,6 +52,9 @@ pub struct Region {
     /// `own`, or those of the nearest region with marks. The angle is that of the marks even where they
     /// are round; the map turns it, see [`RegionMap::at`].
     pub filled: Attributes,
+    /// How much the marks that `filled` is the mean of vary, where they are at least [`MARKS_OF_A_SPREAD`] ellipses;
+    /// else [`Spread::EVEN`].
+    pub spread: Spread,
     /// (cos 2θ, sin 2θ) of the direction that the map has at the region's centre.
     direction: [f64; 2],
 }
@@ -58,6 +64,7 @@ pub struct Region {
 pub struct RegionMap {
     layout: Layout,
     regions: Vec<Region>,
+    spread_is_given: bool,
 }
 
 impl RegionMap {
@@ -85,14 +92,14 @@ impl RegionMap {
             Mark::Ellipse(_) => None,
         });
         let count = |counts: &mut dyn Iterator<Item = usize>| counts.sum::<usize>();
-        let owns: Vec<(usize, Option<Attributes>)> =
+        let owns: Vec<Own> =
             match (count(&mut ellipses.iter().map(Vec::len)), count(&mut lines.iter().map(Vec::len))) {
                 (0, 0) => return Err(RegionsError::NoMarks),
-                (_, 0) => ellipses.iter().map(|set| (set.len(), spots(set))).collect(),
-                (0, _) => lines.iter().map(|set| (set.len(), stripes(set))).collect(),
+                (_, 0) => ellipses.iter().map(|set| spots(set)).collect(),
+                (0, _) => lines.iter().map(|set| stripes(set)).collect(),
                 (ellipses, lines) => return Err(RegionsError::Mixed { ellipses, lines }),
             };
-        Ok(Self { layout, regions: fill(&layout, &owns) })
+        Ok(Self { layout, regions: fill(&layout, &owns), spread_is_given: false })
     }
 
     /// Where the regions lie.
@@ -149,6 +156,35 @@ impl RegionMap {
         }
     }
 
+    /// How much the marks wanted at a point (px) vary: bilinear between the regions, as [`Self::at`].
+    #[must_use]
+    pub fn spread_at(&self, point: [f64; 2]) -> Spread {
+        let corners = self.layout.corners(point);
+        corners.iter().fold(Spread::EVEN, |sum, &(i, weight)| {
+            sum.with(&self.regions[i].spread, |sum, one| sum + weight * one)
+        })
+    }
+
+    /// Is no variation wanted anywhere?
+    #[must_use]
+    pub fn is_even(&self) -> bool {
+        self.regions.iter().all(|region| region.spread.is_even())
+    }
+
+    /// The same map with this spread in all regions, whatever was drawn.
+    #[must_use]
+    pub fn varied_by(mut self, spread: Spread) -> Self {
+        self.regions.iter_mut().for_each(|region| region.spread = spread);
+        self.spread_is_given = true;
+        self
+    }
+
+    /// Was the spread given by [`Self::varied_by`], and not drawn?
+    #[must_use]
+    pub fn spread_is_given(&self) -> bool {
+        self.spread_is_given
+    }
+
     /// (cos 2θ, sin 2θ) of the angle θ that [`Self::at`] has there: the same without a transcendental.
     #[must_use]
     pub fn double_angle_at(&self, point: [f64; 2]) -> [f64; 2] {
@@ -170,7 +206,7 @@ impl RegionMap {
     /// The same regions stretched over another canvas of `size` px: the same marks, more or fewer of them.
     #[must_use]
     pub fn resized(&self, size: [f64; 2]) -> Self {
-        Self { layout: Layout { size, ..self.layout }, regions: self.regions.clone() }
+        Self { layout: Layout { size, ..self.layout }, ..self.clone() }
     }
 
     /// The blend of the unit double-angle vectors, of unit length again.
@@ -215,12 +251,20 @@ fn gather<T>(layout: &Layout, marks: &[Mark], pick: impl Fn(&Mark) -> Option<([f
     sets
 }
 
-fn spots(set: &[Ellipse]) -> Option<Attributes> {
-    Spots::of(set).map(Attributes::Spots)
+/// What was drawn in a region.
+struct Own {
+    marks: usize,
+    attributes: Option<Attributes>,
+    spread: Spread,
 }
 
-fn stripes(set: &[Line]) -> Option<Attributes> {
-    Stripes::of(set).map(Attributes::Stripes)
+fn spots(set: &[Ellipse]) -> Own {
+    let spread = if set.len() >= MARKS_OF_A_SPREAD { Spread::of(set) } else { Spread::EVEN };
+    Own { marks: set.len(), attributes: Spots::of(set).map(Attributes::Spots), spread }
+}
+
+fn stripes(set: &[Line]) -> Own {
+    Own { marks: set.len(), attributes: Stripes::of(set).map(Attributes::Stripes), spread: Spread::EVEN }
 }
 
 /// Whether the attributes have a direction of their own.
@@ -233,11 +277,12 @@ fn is_directed(attributes: &Attributes) -> bool {
 
 /// Regions from their marks' attributes, of which at least one is there: the empty ones take attributes,
 /// then the round ones a direction.
-fn fill(layout: &Layout, owns: &[(usize, Option<Attributes>)]) -> Vec<Region> {
+fn fill(layout: &Layout, owns: &[Own]) -> Vec<Region> {
     let near = |index: usize, holds: &dyn Fn(usize) -> bool| layout.nearest(layout.place(index), holds);
-    let filled: Vec<Attributes> = (0..layout.len())
-        .filter_map(|index| near(index, &|other| owns[other].1.is_some()).and_then(|other| owns[other].1))
-        .collect();
+    let (filled, spreads): (Vec<Attributes>, Vec<Spread>) = (0..layout.len())
+        .filter_map(|index| near(index, &|other| owns[other].attributes.is_some()))
+        .filter_map(|other| Some((owns[other].attributes?, owns[other].spread)))
+        .unzip();
     let direction = |index: usize| {
         let angle = near(index, &|other| is_directed(&filled[other])).map_or(0.0, |i| filled[i].angle());
         let double = (2.0 * angle).to_radians();
@@ -245,10 +290,11 @@ fn fill(layout: &Layout, owns: &[(usize, Option<Attributes>)]) -> Vec<Region> {
     };
     owns.iter()
         .enumerate()
-        .map(|(index, &(marks, own))| Region {
-            marks,
-            own,
+        .map(|(index, own)| Region {
+            marks: own.marks,
+            own: own.attributes,
             filled: filled[index],
+            spread: spreads[index],
             direction: direction(index),
         })
         .collect()

@@ -1,6 +1,6 @@
 //! The named choices of a document.
 
-use super::Problem;
+use super::{Problem, SpreadChoice};
 
 /// What a layer's marks are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,11 +78,12 @@ impl SystemChoice {
         }
     }
 
-    /// The keys that a layer's `options` may have with it: none yet.
+    /// The keys that a layer's `options` may have with it.
     #[must_use]
     pub fn option_keys(self) -> &'static [&'static str] {
         match self {
-            Self::Auto | Self::TuringSpots | Self::MeinhardtSpots | Self::MeinhardtStripes => &[],
+            Self::Auto | Self::TuringSpots | Self::MeinhardtSpots => &["spread"],
+            Self::MeinhardtStripes => &[],
         }
     }
 
@@ -96,6 +97,15 @@ impl SystemChoice {
         let names: Vec<&str> = Self::NAMES.iter().filter(fitting).map(|(name, _)| *name).collect();
         let found = format!("\"{}\" for a layer of {}s", self.name(), kind.name());
         Some(Problem::new(place, found, names.join(", ")))
+    }
+}
+
+impl SpreadChoice {
+    /// The problem that a layer's `options` say at `place` how its marks differ although they are of `kind`.
+    #[must_use]
+    pub fn mismatch(place: &str, kind: Option<Kind>) -> Option<Problem> {
+        let stripes = kind == Some(Kind::Line);
+        stripes.then(|| Problem::new(place, "a spread of stripes", "no such key: only spots have a spread"))
     }
 }
 

@@ -26,6 +26,15 @@ pub const BEND_X: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// y of a Bezier handle: it may overshoot the two colours, by no more than twice their distance.
 pub const BEND_Y: Range = Range { low: -2.0, high: 3.0, unit: "" };
 
+/// Coefficient of variation of the areas of a layer's spots.
+pub const SPREAD_AREA: Range = Range { low: 0.0, high: 0.6, unit: "" };
+/// Scatter of their directions.
+pub const SPREAD_ANGLE: Range = Range { low: 0.0, high: 30.0, unit: "degrees" };
+/// Standard deviation of their aspects.
+pub const SPREAD_ASPECT: Range = Range { low: 0.0, high: 0.2, unit: "" };
+/// Coefficient of variation of their distances.
+pub const SPREAD_SPACING: Range = Range { low: 0.0, high: 0.2, unit: "" };
+
 /// A number's bounds, both included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {

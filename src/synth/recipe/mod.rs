@@ -17,11 +17,20 @@
 //! | a layer's `after` | `"between"` |
 //! | a layer's `visible` | true |
 //! | a layer's `seed` | derived from the document's: [`Document::layer_seed`] |
-//! | a layer's `options` | `{}`; no system has options yet |
+//! | a layer's `options` | `{}` |
+//! | `options.spread`, of spots | `"drawn"` |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
 //! | the `width` of a line or a freehand stroke | 6 px |
+//!
+//! `options.spread` of a layer of spots says how much they differ from each other, as [`Spread`] defines it:
+//!
+//! | value | meaning |
+//! |---|---|
+//! | `"drawn"` | as much as the marks of each region; those of fewer than six marks are even |
+//! | a number, 0–0.6 | the coefficient of variation of the area; shapes, directions and distances are even |
+//! | `{"area": 0–0.6, "angle": 0–30, "aspect": 0–0.2, "spacing": 0–0.2}` | each by itself; what is left out is even |
 
 mod choices;
 mod error;
@@ -34,6 +43,7 @@ mod strokes;
 mod syntax;
 mod writer;
 
+use crate::attributes::Spread;
 pub use choices::{After, Kind, SystemChoice};
 pub use error::{DocumentError, Problem};
 
@@ -146,10 +156,22 @@ impl Default for Layer {
     }
 }
 
-/// Options of a layer's system. No system has any yet; the keys that each system takes stand in
-/// [`SystemChoice::option_keys`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Options {}
+/// What a layer's system can be told beyond the marks; which keys each takes stands in [`SystemChoice::option_keys`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Options {
+    /// How much its spots differ from each other.
+    pub spread: SpreadChoice,
+}
+
+/// How much the spots of a layer differ from each other.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum SpreadChoice {
+    /// As much as the marks of their region, where these are at least six; elsewhere not at all.
+    #[default]
+    Drawn,
+    /// So much everywhere, whatever was drawn.
+    Given(Spread),
+}
 
 /// What a hand drew.
 #[derive(Clone, Debug, PartialEq)]

@@ -60,6 +60,11 @@ impl<'a> Node<'a> {
         Ok(())
     }
 
+    /// Is it an object?
+    pub(super) fn is_object(&self) -> bool {
+        self.value.is_object()
+    }
+
     fn object(&self) -> Result<&'a Map<String, Value>, Problem> {
         self.value.as_object().ok_or_else(|| self.wrong("an object {…}"))
     }

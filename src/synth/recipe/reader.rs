@@ -1,8 +1,11 @@
 //! A JSON value → a checked document, key by key.
 
 use super::limits::{self, Range};
-use super::{After, Colours, Document, Growth, Layer, Options, Problem, Stop, SystemChoice};
+use super::{
+    After, Colours, Document, Growth, Kind, Layer, Options, Problem, SpreadChoice, Stop, SystemChoice,
+};
 use super::{node::Node, strokes};
+use crate::attributes::Spread;
 use crate::field::Edges;
 
 pub(super) const EDGES: [(&str, Edges); 2] = [("closed", Edges::Closed), ("wrap", Edges::Wrap)];
@@ -58,7 +61,8 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
     let default = Layer::default();
     let system = node.get("system").map_or(Ok(default.system), |node| node.choice(&SystemChoice::NAMES))?;
     let strokes = strokes::strokes(&node.need("strokes", "a list of strokes")?, size)?;
-    if let Some(kind) = strokes.iter().find_map(super::Stroke::kind) {
+    let kind = strokes.iter().find_map(super::Stroke::kind);
+    if let Some(kind) = kind {
         let place = format!("{}.system", node.place());
         system.mismatch(&place, kind).map_or(Ok(()), Err)?;
     }
@@ -69,14 +73,45 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
         visible: node.get("visible").map_or(Ok(default.visible), |node| node.flag())?,
         seed: seed(node)?,
         strokes,
-        options: node.get("options").map_or(Ok(default.options), |node| options(&node, system))?,
+        options: node.get("options").map_or(Ok(default.options), |node| options(&node, system, kind))?,
         colours: node.get("colours").map(|node| colours(&node)).transpose()?,
     })
 }
 
-fn options(node: &Node, system: SystemChoice) -> Result<Options, Problem> {
+fn options(node: &Node, system: SystemChoice, kind: Option<Kind>) -> Result<Options, Problem> {
+    if let Some(problem) =
+        node.get("spread").and_then(|node| SpreadChoice::mismatch(&node.place(), system.grows().or(kind)))
+    {
+        return Err(problem);
+    }
     node.keys(system.option_keys())?;
-    Ok(Options {})
+    let default = Options::default();
+    Ok(Options { spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))? })
+}
+
+/// `"drawn"`, the variation of the area, or an object.
+fn spread(node: &Node) -> Result<SpreadChoice, Problem> {
+    if node.is_object() {
+        node.keys(&Spread::EVEN.named().map(|(name, _)| name))?;
+        let number = |key: &str, range| node.get(key).map_or(Ok(0.0), |node| node.number(range));
+        return Ok(SpreadChoice::Given(Spread {
+            area: number("area", &limits::SPREAD_AREA)?,
+            angle: number("angle", &limits::SPREAD_ANGLE)?,
+            aspect: number("aspect", &limits::SPREAD_ASPECT)?,
+            spacing: number("spacing", &limits::SPREAD_SPACING)?,
+        }));
+    }
+    let allowed = format!(
+        "\"drawn\", {} (the areas' coefficient of variation), or an object with area, angle, aspect, spacing",
+        limits::SPREAD_AREA
+    );
+    if node.text(&allowed) == Ok("drawn") {
+        return Ok(SpreadChoice::Drawn);
+    }
+    match node.number(&limits::SPREAD_AREA) {
+        Ok(area) => Ok(SpreadChoice::Given(Spread { area, ..Spread::EVEN })),
+        Err(_) => Err(node.wrong(allowed)),
+    }
 }
 
 fn colours(node: &Node) -> Result<Colours, Problem> {

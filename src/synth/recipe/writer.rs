@@ -1,6 +1,6 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of the contract.
 
-use super::{Colours, Document, Layer, Stroke, migrate, reader};
+use super::{Colours, Document, Layer, Options, SpreadChoice, Stroke, migrate, reader};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
@@ -33,11 +33,21 @@ fn layer(layer: &Layer) -> Value {
         map.insert("seed".into(), json!(seed));
     }
     map.insert("strokes".into(), layer.strokes.iter().map(stroke).collect());
-    map.insert("options".into(), json!({}));
+    map.insert("options".into(), options(&layer.options));
     if let Some(set) = &layer.colours {
         map.insert("colours".into(), colours(set));
     }
     Value::Object(map)
+}
+
+fn options(options: &Options) -> Value {
+    match &options.spread {
+        SpreadChoice::Drawn => json!({}),
+        SpreadChoice::Given(spread) => {
+            let named = spread.named().map(|(name, value)| (name.to_owned(), number(value)));
+            json!({"spread": Map::from_iter(named)})
+        }
+    }
 }
 
 fn stroke(stroke: &Stroke) -> Value {

@@ -1,0 +1,187 @@
+//! What a plan may say: each quantity with its unit and its range.
+
+use dapple::rd::System;
+use dapple::synth::Patch;
+
+use super::plan::{MOST_RUNS, Plan, Range, Scale, Set};
+
+/// Cells along the side of a patch: more would take the night and gigabytes.
+const MOST_CELLS: usize = 4096;
+/// Spots, or wavelengths, that a patch may be made for: the mean over fewer says nothing.
+const GROWN: [f64; 2] = [6.0, 10_000.0];
+/// Seeds that a plan can have: what every reader of JSON holds exactly.
+const MOST_SEED: u64 = 1 << 53;
+
+/// A quantity of a system: its unit, and what it may be.
+struct Quantity {
+    name: &'static str,
+    unit: &'static str,
+    allowed: [f64; 2],
+}
+
+const fn quantity(name: &'static str, unit: &'static str, allowed: [f64; 2]) -> Quantity {
+    Quantity { name, unit, allowed }
+}
+
+/// Thinner tensors do not fit the stencil (`rd::selling`).
+const STRETCH: Quantity = quantity("stretch", "minor/major", [0.26, 1.0]);
+const DIRECTION: Quantity = quantity("direction", "degrees", [0.0, 180.0]);
+const LEVEL: Quantity = quantity("level", "of the peak", [0.02, 0.98]);
+const AREA: Quantity = quantity("area", "cells", [1.0, 2_000.0]);
+
+fn quantities(system: System) -> Vec<Quantity> {
+    match system {
+        // The program grows Turing's spots at this ratio alone (`rd`).
+        System::TuringSpots => {
+            vec![AREA, quantity("ratio", "Da/Db", [3.8, 3.8]), LEVEL, STRETCH, DIRECTION]
+        }
+        System::MeinhardtSpots => {
+            vec![AREA, quantity("ratio", "Db/Da", [1.0, 1_000.0]), LEVEL, STRETCH, DIRECTION]
+        }
+        System::MeinhardtStripes => vec![quantity("width", "cells", [1.0, 100.0]), STRETCH, DIRECTION],
+    }
+}
+
+/// Is this a plan that can be run?
+pub fn check(plan: &Plan) -> Result<(), String> {
+    if plan.sets.is_empty() {
+        return Err("the plan has no sets".to_owned());
+    }
+    for (number, set) in plan.sets.iter().enumerate() {
+        check_set(set).map_err(|problem| format!("set '{}', {problem}", set.name))?;
+        for before in &plan.sets[..number] {
+            if before.name == set.name {
+                return Err(format!("two sets are called '{}'", set.name));
+            }
+            if before.seed < set.seed + set.runs && set.seed < before.seed + before.runs {
+                return Err(format!(
+                    "set '{}', seed: the seeds {} to {} are also those of '{}', {} to {}; keep the seeds of two sets apart",
+                    set.name,
+                    set.seed,
+                    set.seed + set.runs - 1,
+                    before.name,
+                    before.seed,
+                    before.seed + before.runs - 1
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn check_set(set: &Set) -> Result<(), String> {
+    let system = set.system.name();
+    let more = set.name.strip_prefix(system);
+    let plain = set.name.bytes().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == b'-');
+    if !plain || !more.is_some_and(|more| more.is_empty() || more.starts_with('-')) {
+        return Err(format!(
+            "name: a set of {system} is called {system} or {system}-MORE, in small letters, digits and hyphens"
+        ));
+    }
+    within("runs", set.runs as f64, [1.0, MOST_RUNS as f64])?;
+    if set.seed > MOST_SEED - MOST_RUNS {
+        return Err(format!("seed: {} is more than {}", set.seed, MOST_SEED - MOST_RUNS));
+    }
+    let unit = if set.system == System::MeinhardtStripes { "wavelengths" } else { "spots" };
+    same_unit("patch", &set.patch.unit, unit)?;
+    within("patch.grown", set.patch.grown, GROWN)?;
+    within("patch.least", set.patch.least, [1.0, set.patch.grown])?;
+    check_sweep(set)?;
+    let side = largest_side(set);
+    if side > MOST_CELLS {
+        return Err(format!(
+            "patch: its largest runs take {side} cells along a side, at most {MOST_CELLS} can be; lower patch.grown, the size or the ratio"
+        ));
+    }
+    Ok(())
+}
+
+fn within(key: &str, value: f64, [low, high]: [f64; 2]) -> Result<(), String> {
+    if low <= value && value <= high {
+        Ok(())
+    } else if low == high {
+        Err(format!("{key}: {value} is not {low}, all that the program grows"))
+    } else {
+        Err(format!("{key}: {value} is not from {low} to {high}"))
+    }
+}
+
+fn same_unit(key: &str, unit: &str, expected: &str) -> Result<(), String> {
+    if unit == expected { Ok(()) } else { Err(format!("{key}.unit: it is '{expected}', not '{unit}'")) }
+}
+
+fn check_sweep(set: &Set) -> Result<(), String> {
+    let quantities = quantities(set.system);
+    let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name).collect();
+    let s = &set.sweep;
+    let given = [
+        ("area", s.area.as_ref()),
+        ("width", s.width.as_ref()),
+        ("ratio", s.ratio.as_ref()),
+        ("level", s.level.as_ref()),
+        ("stretch", Some(&s.stretch)),
+        ("direction", Some(&s.direction)),
+    ];
+    for (name, range) in given {
+        let key = format!("sweep.{name}");
+        match (quantities.iter().find(|quantity| quantity.name == name), range) {
+            (Some(quantity), Some(range)) => check_range(&key, quantity, range)?,
+            (Some(_), None) => {
+                return Err(format!(
+                    "{key}: it is missing; {} needs {}",
+                    set.system.name(),
+                    names.join(", ")
+                ));
+            }
+            (None, Some(_)) => {
+                return Err(format!(
+                    "{key}: {} has no {name}; it has {}",
+                    set.system.name(),
+                    names.join(", ")
+                ));
+            }
+            (None, None) => {}
+        }
+    }
+    let both = s.ratio.as_ref().is_some_and(Range::varies) && s.level.as_ref().is_some_and(Range::varies);
+    for (name, range) in given {
+        let share = range.and_then(|range| range.share);
+        match share {
+            Some(_) if name != "level" || !both => {
+                return Err(format!(
+                    "sweep.{name}.share: only of a level that varies where the ratio varies too"
+                ));
+            }
+            Some(share) => within("sweep.level.share", share, [0.0, 1.0])?,
+            None if name == "level" && both => {
+                return Err("sweep.level.share: it is missing; where both vary, it says in which share of the runs the level does (with the ratio at its lowest)".to_owned());
+            }
+            None => {}
+        }
+    }
+    Ok(())
+}
+
+fn check_range(key: &str, quantity: &Quantity, range: &Range) -> Result<(), String> {
+    same_unit(key, &range.unit, quantity.unit)?;
+    let [low, high] = range.range;
+    within(&format!("{key}.range"), low, quantity.allowed)?;
+    within(&format!("{key}.range"), high, quantity.allowed)?;
+    if low > high {
+        return Err(format!("{key}.range: {low} is more than {high}; the lower stands first"));
+    }
+    if range.scale != Scale::Linear && low <= 0.0 {
+        return Err(format!("{key}.scale: a log or reciprocal scale cannot begin at {low}"));
+    }
+    Ok(())
+}
+
+/// Cells along the side of the largest patch of a set.
+fn largest_side(set: &Set) -> usize {
+    let corners = [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let side = |[size, packing]: [f64; 2]| {
+        let parameters = set.parameters_at([size, packing, 1.0, 0.0]);
+        Patch { system: set.system, parameters, extent: set.patch.grown, seed: 0 }.side()
+    };
+    corners.into_iter().map(side).max().unwrap_or(0)
+}

@@ -1,0 +1,126 @@
+//! How far a sweep is: a bar on a terminal, a sentence at the end.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::sync::Mutex;
+use std::time::Duration;
+
+use dapple::measure::Reason;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::run::{ACCEPTED, Record};
+
+/// Runs counted by verdict.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    counts: BTreeMap<&'static str, u64>,
+}
+
+impl Tally {
+    /// Of these runs.
+    pub fn of<'a>(records: impl IntoIterator<Item = &'a Record>) -> Self {
+        let mut tally = Self::default();
+        for record in records {
+            tally.add(record.verdict);
+        }
+        tally
+    }
+
+    /// Counts one more.
+    pub fn add(&mut self, verdict: &'static str) {
+        *self.counts.entry(verdict).or_default() += 1;
+    }
+
+    /// Runs with this verdict.
+    pub fn count(&self, verdict: &str) -> u64 {
+        self.counts.get(verdict).copied().unwrap_or(0)
+    }
+
+    /// All runs.
+    pub fn all(&self) -> u64 {
+        self.counts.values().sum()
+    }
+}
+
+impl std::fmt::Display for Tally {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let accepted = self.count(ACCEPTED);
+        write!(f, "{accepted} accepted, {} rejected", self.all() - accepted)?;
+        let mut reasons = String::new();
+        for kind in Reason::KINDS.iter().filter(|kind| self.count(kind) > 0) {
+            let comma = if reasons.is_empty() { "" } else { ", " };
+            write!(reasons, "{comma}{kind} {}", self.count(kind))?;
+        }
+        if reasons.is_empty() { Ok(()) } else { write!(f, " ({reasons})") }
+    }
+}
+
+/// The bar of one set. Nothing is drawn where stderr is no terminal.
+pub struct Bar {
+    bar: ProgressBar,
+    tally: Mutex<Tally>,
+}
+
+impl Bar {
+    /// A bar for so many runs of the set `name`, of which `before` were done earlier.
+    pub fn new(name: &str, runs: u64, before: Tally) -> Self {
+        let style =
+            ProgressStyle::with_template("{prefix} {bar:20} {pos}/{len}  {elapsed} gone, {eta} left  {msg}");
+        let bar = ProgressBar::new(runs)
+            .with_prefix(name.to_owned())
+            .with_message(before.to_string())
+            .with_position(before.all())
+            .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        // The time left is told from what is done now, not from what was.
+        bar.reset_eta();
+        Self { bar, tally: Mutex::new(before) }
+    }
+
+    /// One more run is done.
+    pub fn done(&self, verdict: &'static str) {
+        self.bar.inc(1);
+        if let Ok(mut tally) = self.tally.lock() {
+            tally.add(verdict);
+            self.bar.set_message(tally.to_string());
+        }
+    }
+
+    /// Takes the bar away.
+    pub fn clear(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+/// What became of a set, in a sentence: `ran` runs of it in this time, the others before.
+pub fn summary(name: &str, tally: &Tally, ran: u64, time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    let speed =
+        if ran > 0 { format!(", {:.1} a second", ran as f64 / seconds.max(1e-9)) } else { String::new() };
+    let before = tally.all() - ran;
+    let earlier = if before > 0 { format!(" ({before} of them earlier)") } else { String::new() };
+    format!("{name}: {} runs{earlier} in {seconds:.1} s{speed}: {tally}", tally.all())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_became_of_a_set_is_told_with_the_reasons() {
+        let mut tally = Tally::default();
+        assert_eq!(tally.to_string(), "0 accepted, 0 rejected");
+        for verdict in [ACCEPTED, "too-small", "touching", ACCEPTED, "touching", ACCEPTED] {
+            tally.add(verdict);
+        }
+        assert_eq!(tally.to_string(), "3 accepted, 3 rejected (touching 2, too-small 1)");
+        let told = summary("a-set", &tally, 4, Duration::from_secs(2));
+        assert_eq!(
+            told,
+            "a-set: 6 runs (2 of them earlier) in 2.0 s, 2.0 a second: 3 accepted, 3 rejected (touching 2, too-small 1)"
+        );
+        assert!(
+            summary("a-set", &tally, 0, Duration::ZERO)
+                .starts_with("a-set: 6 runs (6 of them earlier) in 0.0 s: 3")
+        );
+    }
+}

@@ -1,0 +1,54 @@
+//! How far apart spots begin, so that they end as far apart as asked.
+//!
+//! Spots keep the places they begin at but for a per cent of the spacing, so the spacing can be measured before
+//! anything has grown: the nuclei are laid, measured by the contract's rule, and laid again.
+
+use super::plan::Plan;
+use crate::marks::Ellipse;
+use crate::measure::{Spot, spot_errors};
+use crate::rd::{System, nuclei};
+
+/// Rounds of laying nuclei before they are laid to stay; a third changes nothing that the noise of a dozen spots would
+/// not hide.
+pub const ROUNDS: usize = 2;
+/// How far the pitch may leave the system's own: beyond it spots die or split (`pitch` 0.8 and 1.3 were tried).
+const PITCHES: [f64; 2] = [0.88, 1.2];
+/// Nuclei above which regions are so full that the law alone meets the spacing to a per cent.
+pub const MANY: usize = 20_000;
+
+/// What the system's own pitch is multiplied by, by region.
+#[must_use]
+pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
+    let layout = plan.map.layout();
+    let mut pitch = vec![1.0; layout.len()];
+    if plan.system == System::MeinhardtStripes {
+        return pitch;
+    }
+    for _ in 0..ROUNDS {
+        let points = nuclei(plan.system, &plan.maps(&pitch), layout.edges, seed);
+        if points.len() > MANY {
+            break;
+        }
+        let spots = spots_at(plan, &points);
+        for (pitch, found) in pitch.iter_mut().zip(plan.on_canvas(|canvas| spot_errors(&spots, canvas))) {
+            *pitch = corrected(*pitch, found.spacing);
+        }
+    }
+    pitch
+}
+
+/// The pitch that makes up for this error of the spacing (got ÷ wanted − 1).
+#[must_use]
+pub fn corrected(pitch: f64, error: Option<f64>) -> f64 {
+    error.map_or(pitch, |error| (pitch / (1.0 + error)).clamp(PITCHES[0], PITCHES[1]))
+}
+
+/// Spots of which only the places, cells, count.
+#[must_use]
+pub fn spots_at(plan: &Plan, places: &[[f64; 2]]) -> Vec<Spot> {
+    let spot = |center: [f64; 2]| {
+        let ellipse = Ellipse::of(center, 1.0, 1.0, 0.0);
+        Spot { ellipse, whole: true, endless: false, contour: 0.0, fill: 1.0, peak: 1.0 }
+    };
+    plan.px(places).into_iter().map(spot).collect()
+}

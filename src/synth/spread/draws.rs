@@ -1,0 +1,169 @@
+//! How each spot differs from the mean of its region.
+
+use rand::seq::SliceRandom;
+use rand_pcg::Pcg64Mcg;
+
+use super::limits::{ASPECTS, beyond, by_itself};
+use super::{spread_at, wanted};
+use crate::attributes::{Spots, Spread};
+use crate::field::Edges;
+use crate::marks::Ellipse;
+use crate::synth::plan::Plan;
+
+/// How one spot differs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Draw {
+    /// Its area ÷ the mean.
+    pub area: f64,
+    /// Its direction − the mean, degrees.
+    pub turn: f64,
+    /// Its aspect − the mean.
+    pub aspect: f64,
+}
+
+/// Where in its region each spot stands in size, direction and aspect, in standard deviations.
+pub struct Scores(Vec<[f64; 3]>);
+
+impl Scores {
+    /// Scores of spots at these places, px.
+    pub fn new(plan: &Plan, px: &[[f64; 2]], rng: &mut Pcg64Mcg) -> Self {
+        let mut scores = vec![[0.0; 3]; px.len()];
+        for group in groups(plan, px) {
+            for attribute in 0..3 {
+                for (i, score) in group.iter().zip(stratified(group.len(), rng)) {
+                    scores[*i][attribute] = score;
+                }
+            }
+        }
+        Self(scores)
+    }
+
+    /// What they mean for these spots, now at `px`: in each region the whole spots have the means of the region map
+    /// and the spread asked for, and so have those that the border cuts.
+    pub fn draws(&self, plan: &Plan, px: &[[f64; 2]]) -> Vec<Draw> {
+        let mut draws = vec![Draw { area: 1.0, turn: 0.0, aspect: 0.0 }; px.len()];
+        for group in groups(plan, px) {
+            let wanted: Vec<Spots> = group.iter().map(|i| wanted(plan, px[*i])).collect();
+            let own = wanted.iter().map(|wanted| by_itself(plan.system, wanted));
+            let spreads: Vec<Spread> =
+                group.iter().zip(own).map(|(i, own)| spread_at(plan, px[*i]).with(&own, beyond)).collect();
+            let of = |attribute: usize| group.iter().map(move |i| self.0[*i][attribute]);
+            let areas = areas(of(0).zip(spreads.iter().map(|spread| spread.area)));
+            let aspects = aspects(of(1).zip(spreads.iter().map(|spread| spread.aspect)), &wanted);
+            let weights = wanted.iter().zip(&aspects).map(|(wanted, aspect)| 1.0 - wanted.aspect - aspect);
+            let turns = turns(of(2).zip(spreads.iter().map(|spread| spread.angle)), weights);
+            for (k, i) in group.iter().enumerate() {
+                draws[*i] = Draw { area: areas[k], turn: turns[k], aspect: aspects[k] };
+            }
+        }
+        draws
+    }
+}
+
+/// Spots that have means of their own: by region those that are whole, which will be measured, and those that are cut.
+fn groups(plan: &Plan, px: &[[f64; 2]]) -> Vec<Vec<usize>> {
+    let layout = plan.map.layout();
+    let mut groups = vec![Vec::new(); 2 * layout.len()];
+    for (i, point) in px.iter().enumerate() {
+        let reach = reach(&wanted(plan, *point));
+        let inside = |axis: usize| (reach[axis]..=layout.size[axis] - reach[axis]).contains(&point[axis]);
+        let whole = layout.edges == Edges::Wrap || inside(0) && inside(1);
+        groups[2 * layout.index(layout.region_of(*point)) + usize::from(!whole)].push(i);
+    }
+    groups
+}
+
+/// How far a spot reaches from its centre along x and y.
+fn reach(spots: &Spots) -> [f64; 2] {
+    let [a, b] = Ellipse::of([0.0; 2], spots.area, spots.aspect, 0.0).radii;
+    let angle = spots.angle.to_radians();
+    let (s, c) = (libm::sin(angle), libm::cos(angle));
+    [(a * a * c * c + b * b * s * s).sqrt(), (a * a * s * s + b * b * c * c).sqrt()]
+}
+
+/// `n` numbers of mean 0 and variance 1 in random order: those that cut a triangular distribution into equal parts, so
+/// that a few spots vary as much as many do, and none by more than √6 standard deviations.
+fn stratified(n: usize, rng: &mut Pcg64Mcg) -> Vec<f64> {
+    let quantile = |share: f64| {
+        let end = 1.0 - (2.0 * share.min(1.0 - share)).sqrt();
+        if share < 0.5 { -end } else { end }
+    };
+    let mut scores: Vec<f64> = (0..n).map(|k| quantile((k as f64 + 0.5) / n as f64)).collect();
+    let deviation = (scores.iter().map(|score| score * score).sum::<f64>() / n as f64).sqrt();
+    if deviation > 0.0 {
+        scores.iter_mut().for_each(|score| *score /= deviation);
+    }
+    scores.shuffle(rng);
+    scores
+}
+
+/// Rounds in which bounds, mean and spread are brought together.
+const ROUNDS: usize = 12;
+
+/// Mean under weights.
+fn mean(values: &[f64], weights: &[f64]) -> f64 {
+    let total: f64 = weights.iter().sum();
+    if total <= 0.0 { 0.0 } else { values.iter().zip(weights).map(|(v, w)| v * w).sum::<f64>() / total }
+}
+
+/// Brings `values` to a weighted mean of 0, and to the weighted variance of the `spreads`, inside their bounds.
+fn standardise(values: &mut [f64], weights: &[f64], spreads: &[f64], bounds: impl Fn(usize) -> [f64; 2]) {
+    let squares = |values: &[f64]| mean(&values.iter().map(|v| v * v).collect::<Vec<_>>(), weights);
+    let wanted = squares(spreads);
+    for _ in 0..ROUNDS {
+        let middle = mean(values, weights);
+        values.iter_mut().for_each(|value| *value -= middle);
+        let got = squares(values);
+        // One spot alone has no variance.
+        let factor = if got > 1e-12 * wanted { (wanted / got).sqrt().clamp(0.7, 1.4) } else { 0.0 };
+        for (i, value) in values.iter_mut().enumerate() {
+            let [low, high] = bounds(i);
+            *value = (*value * factor).clamp(low, high);
+        }
+    }
+    let middle = mean(values, weights);
+    values.iter_mut().for_each(|value| *value -= middle);
+}
+
+/// Areas ÷ the mean: logarithms from the scores, so that none is negative; mean 1, and the variation asked for.
+fn areas(drawn: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
+    let (scores, spreads): (Vec<f64>, Vec<f64>) = drawn.unzip();
+    let n = scores.len().max(1) as f64;
+    let wanted = (spreads.iter().map(|spread| spread * spread).sum::<f64>() / n).sqrt();
+    let mut wider = 1.0;
+    let mut areas = Vec::new();
+    for _ in 0..ROUNDS {
+        // A log-normal area of coefficient of variation v has a logarithm of variance ln(1 + v²).
+        let area =
+            |(score, spread): (&f64, &f64)| libm::exp(wider * score * libm::log1p(spread * spread).sqrt());
+        areas = scores.iter().zip(&spreads).map(area).collect();
+        let mean = areas.iter().sum::<f64>() / n;
+        areas.iter_mut().for_each(|area| *area /= mean);
+        let got = (areas.iter().map(|area| (area - 1.0) * (area - 1.0)).sum::<f64>() / n).sqrt();
+        if got > 0.0 {
+            wider *= (wanted / got).clamp(0.7, 1.4);
+        }
+    }
+    areas
+}
+
+/// Aspects − the mean.
+fn aspects(drawn: impl Iterator<Item = (f64, f64)>, wanted: &[Spots]) -> Vec<f64> {
+    let (scores, spreads): (Vec<f64>, Vec<f64>) = drawn.unzip();
+    let mut aspects: Vec<f64> = scores.iter().zip(&spreads).map(|(score, spread)| score * spread).collect();
+    let bounds = |i: usize| {
+        let mean: f64 = wanted[i].aspect;
+        [(ASPECTS[0] - mean).min(0.0), (ASPECTS[1] - mean).max(0.0)]
+    };
+    standardise(&mut aspects, &vec![1.0; scores.len()], &spreads, bounds);
+    aspects
+}
+
+/// Turns from the mean direction, degrees; the rounder a spot is, the less it counts.
+fn turns(drawn: impl Iterator<Item = (f64, f64)>, weights: impl Iterator<Item = f64>) -> Vec<f64> {
+    let (scores, spreads): (Vec<f64>, Vec<f64>) = drawn.unzip();
+    let mut turns: Vec<f64> = scores.iter().zip(&spreads).map(|(score, spread)| score * spread).collect();
+    let weights: Vec<f64> = weights.collect();
+    standardise(&mut turns, &weights, &spreads, |_| [-180.0, 180.0]);
+    turns
+}

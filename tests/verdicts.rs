@@ -1,0 +1,138 @@
+//! The verdict on patterns that were really grown: what is no texture is told for what it is.
+
+use dapple::field::{Edges, Field};
+use dapple::learn::Parameters;
+use dapple::measure::{self, Reason};
+use dapple::rd::{self, Maps, System};
+use dapple::synth::{Engine, Patch, Sample, Watch, settle};
+
+/// Spots (or wavelengths along a side) ordered, and the least of them to learn from.
+const ORDERED: f64 = 24.0;
+const LEAST: f64 = 20.0;
+
+const SPOTS: Parameters =
+    Parameters { rate: 4.0, ratio: Some(12.0), stretch: 1.0, direction: 30.0, level: Some(0.5) };
+const STRIPES: Parameters =
+    Parameters { rate: 45.0, ratio: None, stretch: 0.5, direction: 30.0, level: None };
+
+fn patch(system: System, parameters: Parameters) -> Patch {
+    Patch { system, parameters, extent: ORDERED, seed: 5 }
+}
+
+/// Grows it to the end and judges it.
+fn judged(patch: Patch) -> Result<Sample, Reason> {
+    let (marks, settled) = patch.grow(&Watch::NOBODY).unwrap();
+    patch.judge(&marks, settled, LEAST)
+}
+
+#[track_caller]
+fn rejected(patch: Patch, kind: &str) -> Reason {
+    let reason = judged(patch).expect_err("this is no texture");
+    assert_eq!(reason.kind(), kind, "{reason}");
+    assert!(Reason::KINDS.contains(&reason.kind()));
+    reason
+}
+
+#[test]
+fn well_grown_patches_are_accepted() {
+    for stretch in [1.0, 0.4] {
+        let spots = Parameters { stretch, ..SPOTS };
+        judged(patch(System::MeinhardtSpots, spots)).unwrap();
+        let turing = Parameters { rate: 0.1, ratio: Some(3.8), level: Some(0.35), ..spots };
+        judged(patch(System::TuringSpots, turing)).unwrap();
+    }
+    judged(patch(System::MeinhardtStripes, STRIPES)).unwrap();
+}
+
+#[test]
+fn spots_whose_inhibitor_reaches_too_little_do_not_form() {
+    rejected(patch(System::MeinhardtSpots, Parameters { ratio: Some(6.0), ..SPOTS }), "no-pattern");
+}
+
+#[test]
+fn spots_read_at_too_low_a_level_touch() {
+    let low = Parameters { level: Some(0.06), ..SPOTS };
+    rejected(patch(System::MeinhardtSpots, low), "touching");
+}
+
+#[test]
+fn stripes_are_no_spots_and_spots_no_stripes() {
+    let stripes = patch(System::MeinhardtStripes, STRIPES);
+    let (marks, settled) = stripes.grow(&Watch::NOBODY).unwrap();
+    let spots = patch(System::MeinhardtSpots, SPOTS);
+    assert_eq!(spots.judge(&marks, settled, LEAST).unwrap_err().kind(), "touching");
+    let (marks, settled) = spots.grow(&Watch::NOBODY).unwrap();
+    assert!(stripes.judge(&marks, settled, LEAST).is_err());
+}
+
+#[test]
+fn spots_just_too_dense_grow_into_one_another() {
+    rejected(patch(System::MeinhardtSpots, Parameters { ratio: Some(8.0), ..SPOTS }), "touching");
+}
+
+#[test]
+fn stripes_that_lost_their_direction_are_a_labyrinth() {
+    // 1.3 cells a stripe: which way they run is up to the grid.
+    let reason =
+        rejected(patch(System::MeinhardtStripes, Parameters { rate: 1000.0, ..STRIPES }), "touching");
+    assert!(matches!(reason, Reason::NoDirection { .. }), "{reason}");
+}
+
+#[test]
+fn a_patch_too_small_for_what_was_ordered_holds_too_few() {
+    let spots = Patch { extent: 12.0, ..patch(System::MeinhardtSpots, SPOTS) };
+    let reason = rejected(spots, "too-few");
+    assert_eq!(reason, Reason::TooFew { marks: 12, least: 20 });
+    assert_eq!(reason.to_string(), "too few spots: 12 whole ones, at least 20 are needed");
+    let stripes = Patch { extent: 6.0, ..patch(System::MeinhardtStripes, STRIPES) };
+    rejected(stripes, "too-few");
+}
+
+#[test]
+fn spots_of_a_few_cells_are_too_small_for_the_grid() {
+    rejected(patch(System::MeinhardtSpots, Parameters { rate: 40.0, ..SPOTS }), "too-small");
+}
+
+#[test]
+fn spots_under_rates_that_vary_are_too_irregular() {
+    let [nx, ny] = [160, 160];
+    let told = |rate: f32| rd::Parameters { rate, ratio: 12.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+    let parameters = (0..nx * ny).map(|cell| {
+        let across = (cell % nx) as f32 / nx as f32;
+        told(2.0 + 8.0 * (2.0 * across - 1.0).abs())
+    });
+    let maps = Maps { nx, ny, cell: [1.0, 1.0], parameters: parameters.collect() };
+    let mut engine = Engine::of(System::MeinhardtSpots, maps, Edges::Wrap, 5);
+    assert!(settle(&mut engine, &Watch::NOBODY).unwrap());
+    let verdict = patch(System::MeinhardtSpots, SPOTS).judge(&engine.marks(), true, LEAST);
+    assert_eq!(verdict.unwrap_err().kind(), "irregular");
+}
+
+#[test]
+fn what_runs_away_has_left_its_range() {
+    // Spots of half a cell: in a cell without b nothing takes a away.
+    let turing = Parameters { rate: 10.0, ratio: Some(3.8), level: Some(0.35), ..SPOTS };
+    rejected(patch(System::TuringSpots, turing), "left-range");
+    // And whatever is no number.
+    let spots = patch(System::MeinhardtSpots, SPOTS);
+    let (mut marks, settled) = spots.grow(&Watch::NOBODY).unwrap();
+    marks.values[100] = f32::NAN;
+    assert_eq!(spots.judge(&marks, settled, LEAST), Err(Reason::NotFinite));
+    assert_eq!(Reason::NotFinite.kind(), "left-range");
+}
+
+#[test]
+fn what_was_stopped_early_is_unsettled() {
+    let spots = patch(System::MeinhardtSpots, SPOTS);
+    let side = spots.side();
+    let told = rd::Parameters { rate: 4.0, ratio: 12.0, stretch: 1.0, direction: 30.0, pitch: 1.0 };
+    let maps = Maps::uniform(side, side, told);
+    let mut engine = Engine::of(System::MeinhardtSpots, maps, Edges::Wrap, 5);
+    engine.advance((side * side) as u64 * 20);
+    assert!(engine.growing());
+    assert_eq!(spots.judge(&engine.marks(), engine.settled(), LEAST), Err(Reason::Unsettled));
+    // What has not settled because it ran away is told as that.
+    let high = Field::flat(side, side, Edges::Wrap, 9.0);
+    assert_eq!(spots.judge(&high, false, LEAST).unwrap_err().kind(), "left-range");
+    assert!(measure::formed(&engine.marks(), [0.0, 1.0]).is_ok());
+}
