@@ -40,6 +40,8 @@ const INSET: [f64; 2] = [46.0, 28.0];
 /// px above all panels, for the legend; above the panels of a system, for its name.
 const LEGEND: f64 = 48.0;
 const NAME: f64 = 34.0;
+/// px that a number of rows takes.
+const NUMBER: f64 = 26.0;
 
 /// Draws the table.
 pub fn run(args: &Args) -> Result<bool, String> {
@@ -118,8 +120,14 @@ fn drawn(panel: &Panel, at: [f64; 2]) -> String {
         );
         svg += &words([at[0] - 5.0, y + 4.0], "end", 10, &value.to_string());
     }
-    for rows in panel.rows() {
-        svg += &words([across.at(rows), at[1] + PLOT[1] + 14.0], "middle", 10, &rows.to_string());
+    svg += &words([at[0] - 5.0, at[1] + PLOT[1] + 14.0], "end", 10, "rows");
+    let rows = panel.rows();
+    for (i, &value) in rows.iter().enumerate() {
+        // A number without room before the next is left out; its dots show where it was.
+        let room = rows.get(i + 1).map_or(f64::INFINITY, |next| across.at(*next) - across.at(value));
+        if room > NUMBER {
+            svg += &words([across.at(value), at[1] + PLOT[1] + 14.0], "middle", 10, &value.to_string());
+        }
     }
     for curve in &panel.curves {
         svg += &line(curve, &across, &up);

@@ -41,6 +41,32 @@ fn density(spots: &Spots) -> Option<f64> {
     spots.spacing.map(|spacing| to::log_density(spots.area, spacing))
 }
 
+/// How far ln A, ln(A/L²) and −ln(aspect) reach.
+fn limits<'a>(spots: impl Iterator<Item = &'a Spots> + Clone) -> [Limit; 3] {
+    let area = Limit::of(
+        "area",
+        Unit::Area,
+        ["the smallest this system grows", "the largest this system grows"],
+        libm::exp,
+        spots.clone().map(|s| libm::log(s.area)),
+    );
+    let density = Limit::of(
+        "area/spacing²",
+        Unit::Share,
+        ["the sparsest this system packs", "the densest this system packs"],
+        libm::exp,
+        spots.clone().filter_map(density),
+    );
+    let elongation = Limit::of(
+        "aspect",
+        Unit::Share,
+        ["the roundest this system grows", "the longest this system grows"],
+        |e| libm::exp(-e),
+        spots.map(|s| -libm::log(s.aspect)),
+    );
+    [area, density, elongation]
+}
+
 impl SpotMap {
     pub fn new(rows: &[Row]) -> Self {
         let runs: Vec<(Spots, Parameters)> = rows
@@ -74,39 +100,11 @@ impl SpotMap {
         let even =
             || local(AS_IT_IS, &|s, p| [to::spots_told_even(p, ratio, level), to::spots_seen_even(s, p)]);
         let (asked, (told, even)) = rayon::join(asked, || rayon::join(told, even));
-        let of = |f: fn(&Spots) -> f64| runs.iter().map(move |(spots, _)| f(spots));
+        let [area, density_limit, elongation] = limits(runs.iter().map(|(spots, _)| spots));
         let mut densities: Vec<f64> = runs.iter().filter_map(|(spots, _)| density(spots)).collect();
         densities.sort_by(f64::total_cmp);
         let middle_density = densities.get(densities.len() / 2).copied().unwrap_or(0.0);
-        Self {
-            area: Limit::of(
-                "area",
-                Unit::Area,
-                ["the smallest this system grows", "the largest this system grows"],
-                libm::exp,
-                of(|s| libm::log(s.area)),
-            ),
-            density: Limit::of(
-                "area/spacing²",
-                Unit::Share,
-                ["the sparsest this system packs", "the densest this system packs"],
-                libm::exp,
-                densities.into_iter(),
-            ),
-            elongation: Limit::of(
-                "aspect",
-                Unit::Share,
-                ["the roundest this system grows", "the longest this system grows"],
-                |e| libm::exp(-e),
-                of(|s| -libm::log(s.aspect)),
-            ),
-            middle_density,
-            asked,
-            told,
-            even,
-            ratio,
-            level,
-        }
+        Self { area, density: density_limit, elongation, middle_density, asked, told, even, ratio, level }
     }
 
     /// Is area/spacing² free in this set, rather than what the system gives?

@@ -60,7 +60,7 @@ fn lines(of: Of, outcomes: &[&Outcome]) -> String {
     let mut heads: Vec<(&str, &str)> = Vec::new();
     for errors in outcomes.iter().flat_map(|outcome| &outcome.errors) {
         // What never varies in a set is no achievement.
-        if errors.p95 > 0.0 && !heads.iter().any(|(quantity, _)| *quantity == errors.quantity) {
+        if errors.p95 > 1e-9 && !heads.iter().any(|(quantity, _)| *quantity == errors.quantity) {
             heads.push((errors.quantity, errors.unit));
         }
     }
