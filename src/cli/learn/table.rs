@@ -107,7 +107,7 @@ fn verdicts(outcomes: &[Outcome]) -> String {
             text,
             "    {:8}{failed:>17}   allowed {:14} {}",
             "failed",
-            0,
+            "none",
             verdict(outcome.none_failed())
         );
         for why in &outcome.failed {
@@ -165,7 +165,7 @@ mod tests {
         assert!(told.contains("width         1.50 / 2.50   allowed 2 / 6 %        ok\n"), "{told}");
         assert!(
             told.contains(
-                "failed            1 of 10   allowed 0              MISSED\n      width 3 px: why\n"
+                "failed            1 of 10   allowed none           MISSED\n      width 3 px: why\n"
             )
         );
     }
