@@ -14,6 +14,7 @@ mod journal;
 mod manifest;
 mod merge;
 mod plan;
+mod plot;
 mod progress;
 mod route;
 mod run;
@@ -44,6 +45,8 @@ enum Command {
     Trial(trial::Args),
     /// Compare patterns grown over coarse grids with the same grown by plain steps to the end
     Route(route::Args),
+    /// Draw the table of `dapple learn`
+    Plot(plot::Args),
 }
 
 fn main() -> ExitCode {
@@ -57,6 +60,7 @@ fn main() -> ExitCode {
         }
         Command::Trial(trial) => trial::run(&trial),
         Command::Route(route) => route::run(&route),
+        Command::Plot(plot) => plot::run(&plot),
     };
     match done {
         Ok(true) => ExitCode::SUCCESS,

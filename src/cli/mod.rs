@@ -8,6 +8,7 @@ mod check;
 mod error;
 mod grow;
 mod interrupt;
+mod learn;
 mod lookup;
 mod measure;
 mod values;
@@ -40,6 +41,8 @@ enum Command {
     Measure(measure::Args),
     /// Tell whether a document is valid, and what is in it
     Check(check::Args),
+    /// Tell how good the training sets are, against other methods and against what then grows
+    Learn(learn::Args),
     /// Measure how fast this machine is
     Bench(bench::Args),
 }
@@ -68,6 +71,7 @@ fn run(command: Command) -> Result<(), Error> {
         Command::Lookup(args) => lookup::run(&args),
         Command::Measure(args) => measure::run(&args),
         Command::Check(args) => check::run(&args),
+        Command::Learn(args) => learn::run(&args),
         Command::Bench(args) => bench::run(&args),
     }
 }

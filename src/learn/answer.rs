@@ -125,6 +125,20 @@ fn checked_spots(spots: &Spots) -> Result<Spots, AskError> {
     })
 }
 
+/// `attributes` with their angle in [0, 180).
+///
+/// # Errors
+/// [`AskError::Value`]: a number that is none of its kind.
+pub(super) fn checked(attributes: &Attributes) -> Result<Attributes, AskError> {
+    Ok(match attributes {
+        Attributes::Spots(spots) => Attributes::Spots(checked_spots(spots)?),
+        Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {
+            width: length("width", stripes.width)?,
+            angle: angle(stripes.angle)?,
+        }),
+    })
+}
+
 impl TrainingSet {
     /// The parameters that give `wanted` (lengths in cells, angles any finite degrees).
     ///
@@ -134,12 +148,9 @@ impl TrainingSet {
     /// # Errors
     /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
     pub fn ask(&self, wanted: &Attributes) -> Result<Answer, AskError> {
-        let reached = match (&self.map, wanted) {
-            (Map::Spots(map), Attributes::Spots(spots)) => map.ask(&checked_spots(spots)?),
-            (Map::Stripes(map), Attributes::Stripes(stripes)) => {
-                let width = length("width", stripes.width)?;
-                map.ask(&Stripes { width, angle: angle(stripes.angle)? })
-            }
+        let reached = match (&self.map, &checked(wanted)?) {
+            (Map::Spots(map), Attributes::Spots(spots)) => map.ask(spots),
+            (Map::Stripes(map), Attributes::Stripes(stripes)) => map.ask(stripes),
             (Map::Spots(_), _) => return Err(self.other_kind("area, aspect, angle and perhaps spacing")),
             (Map::Stripes(_), _) => return Err(self.other_kind("width and angle")),
         };
@@ -163,8 +174,8 @@ impl TrainingSet {
     #[must_use]
     pub fn predict(&self, parameters: &Parameters) -> Prediction {
         match &self.map {
-            Map::Spots(map) => map.predict(parameters, None),
-            Map::Stripes(map) => map.predict(parameters, None),
+            Map::Spots(map) => map.predict(parameters),
+            Map::Stripes(map) => map.predict(parameters),
         }
     }
 }

@@ -41,6 +41,32 @@ fn density(spots: &Spots) -> Option<f64> {
     spots.spacing.map(|spacing| to::log_density(spots.area, spacing))
 }
 
+/// How far ln A, ln(A/L²) and −ln(aspect) reach.
+fn limits<'a>(spots: impl Iterator<Item = &'a Spots> + Clone) -> [Limit; 3] {
+    let area = Limit::of(
+        "area",
+        Unit::Area,
+        ["the smallest this system grows", "the largest this system grows"],
+        libm::exp,
+        spots.clone().map(|s| libm::log(s.area)),
+    );
+    let density = Limit::of(
+        "area/spacing²",
+        Unit::Share,
+        ["the sparsest this system packs", "the densest this system packs"],
+        libm::exp,
+        spots.clone().filter_map(density),
+    );
+    let elongation = Limit::of(
+        "aspect",
+        Unit::Share,
+        ["the roundest this system grows", "the longest this system grows"],
+        |e| libm::exp(-e),
+        spots.map(|s| -libm::log(s.aspect)),
+    );
+    [area, density, elongation]
+}
+
 impl SpotMap {
     pub fn new(rows: &[Row]) -> Self {
         let runs: Vec<(Spots, Parameters)> = rows
@@ -74,39 +100,11 @@ impl SpotMap {
         let even =
             || local(AS_IT_IS, &|s, p| [to::spots_told_even(p, ratio, level), to::spots_seen_even(s, p)]);
         let (asked, (told, even)) = rayon::join(asked, || rayon::join(told, even));
-        let of = |f: fn(&Spots) -> f64| runs.iter().map(move |(spots, _)| f(spots));
+        let [area, density_limit, elongation] = limits(runs.iter().map(|(spots, _)| spots));
         let mut densities: Vec<f64> = runs.iter().filter_map(|(spots, _)| density(spots)).collect();
         densities.sort_by(f64::total_cmp);
         let middle_density = densities.get(densities.len() / 2).copied().unwrap_or(0.0);
-        Self {
-            area: Limit::of(
-                "area",
-                Unit::Area,
-                ["the smallest this system grows", "the largest this system grows"],
-                libm::exp,
-                of(|s| libm::log(s.area)),
-            ),
-            density: Limit::of(
-                "area/spacing²",
-                Unit::Share,
-                ["the sparsest this system packs", "the densest this system packs"],
-                libm::exp,
-                densities.into_iter(),
-            ),
-            elongation: Limit::of(
-                "aspect",
-                Unit::Share,
-                ["the roundest this system grows", "the longest this system grows"],
-                |e| libm::exp(-e),
-                of(|s| -libm::log(s.aspect)),
-            ),
-            middle_density,
-            asked,
-            told,
-            even,
-            ratio,
-            level,
-        }
+        Self { area, density: density_limit, elongation, middle_density, asked, told, even, ratio, level }
     }
 
     /// Is area/spacing² free in this set, rather than what the system gives?
@@ -155,7 +153,7 @@ impl SpotMap {
             // No direction: the one asked for as well as any.
             parameters.direction = spots.angle;
         }
-        let prediction = self.predict(&parameters, None);
+        let prediction = self.predict(&parameters);
         self.judge_spacing(spots, &prediction, &mut nearest, &mut judgement);
         Reached { parameters, prediction, nearest: Attributes::Spots(nearest), judgement }
     }
@@ -197,21 +195,28 @@ impl SpotMap {
         }
     }
 
-    /// The parameters that the other rows give for `row`.
-    pub fn left_out(&self, row: usize) -> Parameters {
-        let at = self.asked.rows()[row].at;
-        to::spot_parameters(at[0], &self.asked.fit(&at, Some(row)).value)
+    /// ln(A/L²) of the spots, the set's middle where their spacing is free; `None` where the system gives it.
+    pub fn log_density(&self, spots: &Spots) -> Option<f64> {
+        self.dense().then(|| density(spots).unwrap_or(self.middle_density))
     }
 
-    /// What grows from parameters, as if the row `without` were not there.
-    pub fn predict(&self, p: &Parameters, without: Option<usize>) -> Prediction {
+    /// The parameters for `spots` that `find` finds among the known points.
+    pub fn known(&self, spots: &Spots, find: impl Fn(&Local, &Point) -> Option<Sample>) -> Parameters {
+        let v = to::elongation(spots.aspect, spots.angle);
+        let at = to::spots_asked(libm::log(spots.area), self.log_density(spots), v);
+        let found = find(&self.asked, &at).unwrap_or(self.asked.rows()[0]);
+        to::spot_parameters(found.at[0], &found.gives)
+    }
+
+    /// What grows from parameters.
+    pub fn predict(&self, p: &Parameters) -> Prediction {
         let log_rate = libm::log(p.rate);
-        let even = self.even.fit(&to::spots_told_even(p, self.ratio, self.level), without);
+        let even = self.even.fit(&to::spots_told_even(p, self.ratio, self.level), None);
         let [log_area, log_spacing] = [even.value[0] - log_rate, 0.5 * (even.value[1] - log_rate)];
         let [by_area, by_spacing] = [Z90 * even.deviation[0], 0.5 * Z90 * even.deviation[1]];
         let (e, by_e) = (even.value[2], Z90 * even.deviation[2]);
         let aspect = |e: f64| libm::exp(-e.max(0.0));
-        let fit = self.told.fit(&to::spots_told(p, self.ratio, self.level), without);
+        let fit = self.told.fit(&to::spots_told(p, self.ratio, self.level), None);
         let v = [fit.value[0], fit.value[1]];
         let by_v = Z90 * to::length([fit.deviation[0], fit.deviation[1]]) / std::f64::consts::SQRT_2;
         let directed = to::length(v) > 1e-9;

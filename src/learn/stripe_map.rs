@@ -26,6 +26,12 @@ pub(super) struct StripeMap {
     pub width: Limit,
 }
 
+/// The angle at a place, where 4θ is known: of the four it stands for the one nearest to `asked`.
+fn quarter(asked: f64, at: &Point) -> f64 {
+    let quarter = 0.5 * to::axis([at[1], at[2]]);
+    axial(asked + (quarter - asked + 45.0).rem_euclid(90.0) - 45.0)
+}
+
 impl StripeMap {
     pub fn new(rows: &[Row]) -> Self {
         let runs: Vec<(Stripes, Parameters)> = rows
@@ -70,11 +76,7 @@ impl StripeMap {
             ..*stripes
         };
         let mut at = to::stripes_asked(log_width, stripes.angle);
-        // 4θ is known, so of the four directions it stands for the one nearest to what was asked.
-        let angle = |at: &[f64]| {
-            let quarter = 0.5 * to::axis([at[1], at[2]]);
-            axial(stripes.angle + (quarter - stripes.angle + 45.0).rem_euclid(90.0) - 45.0)
-        };
+        let angle = |at: &Point| quarter(stripes.angle, at);
         let called = |at: &Point| {
             let width = Quantity::new("width", libm::exp(at[0]), Unit::Length);
             vec![width, Quantity::new("angle", angle(at), Unit::Angle)]
@@ -85,19 +87,20 @@ impl StripeMap {
             nearest = Stripes { width: libm::exp(at[0]), angle: angle(&at) };
         }
         let parameters = to::stripe_parameters(at[0], nearest.angle, &answered);
-        let prediction = self.predict(&parameters, None);
+        let prediction = self.predict(&parameters);
         Reached { parameters, prediction, nearest: Attributes::Stripes(nearest), judgement }
     }
 
-    /// The parameters that the other rows give for `row`, which was measured at `angle`.
-    pub fn left_out(&self, row: usize, angle: f64) -> Parameters {
-        let at = self.asked.rows()[row].at;
-        to::stripe_parameters(at[0], angle, &self.asked.fit(&at, Some(row)).value)
+    /// The parameters for `stripes` that `find` finds among the known points.
+    pub fn known(&self, stripes: &Stripes, find: impl Fn(&Local, &Point) -> Option<Sample>) -> Parameters {
+        let at = to::stripes_asked(libm::log(stripes.width), stripes.angle);
+        let found = find(&self.asked, &at).unwrap_or(self.asked.rows()[0]);
+        to::stripe_parameters(found.at[0], quarter(stripes.angle, &found.at), &found.gives)
     }
 
-    /// What grows from parameters, as if the row `without` were not there.
-    pub fn predict(&self, p: &Parameters, without: Option<usize>) -> Prediction {
-        let fit = self.told.fit(&to::stripes_told(p, self.stretch), without);
+    /// What grows from parameters.
+    pub fn predict(&self, p: &Parameters) -> Prediction {
+        let fit = self.told.fit(&to::stripes_told(p, self.stretch), None);
         let log_width = 0.5 * (fit.value[0] - libm::log(p.rate));
         let by_width = 0.5 * Z90 * fit.deviation[0];
         let angle = axial(p.direction - to::axis([fit.value[1], fit.value[2]]));

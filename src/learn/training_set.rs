@@ -1,9 +1,11 @@
 //! The rows of one system, ready to be asked.
 
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use super::coverage::Limit;
 use super::csv_rows::read_rows;
+use super::scale_law::Law;
 use super::spot_map::SpotMap;
 use super::stripe_map::StripeMap;
 use super::{Row, TrainingError};
@@ -33,6 +35,7 @@ pub struct TrainingSet {
     pub(super) system: &'static str,
     pub(super) rows: Vec<Row>,
     pub(super) map: Map,
+    law: OnceLock<Law>,
 }
 
 /// The map between attributes and parameters, learnt from the rows.
@@ -137,7 +140,7 @@ impl TrainingSet {
             Kind::Spots => Map::Spots(Box::new(SpotMap::new(&rows))),
             Kind::Stripes => Map::Stripes(Box::new(StripeMap::new(&rows))),
         };
-        Ok(Self { system, rows, map })
+        Ok(Self { system, rows, map, law: OnceLock::new() })
     }
 
     /// The system's name.
@@ -150,6 +153,11 @@ impl TrainingSet {
     #[must_use]
     pub fn rows(&self) -> &[Row] {
         &self.rows
+    }
+
+    /// The laws of scale with the constants of these rows, worked out when first asked for.
+    pub(super) fn law(&self) -> &Law {
+        self.law.get_or_init(|| Law::of(&self.rows))
     }
 
     /// The lowest and highest value of each attribute in the set that limits a question, lengths in cells.

@@ -1,0 +1,117 @@
+//! `dapple learn`: how good the training sets are, against other ways to use them and against what then grows.
+
+mod bounds;
+mod held_out;
+mod outcome;
+mod regrown;
+mod table;
+mod targets;
+mod way;
+
+use super::{Error, say, values};
+use crate::export;
+use crate::rd::System;
+use crate::synth::probe::When;
+use crate::synth::recipe::SystemChoice;
+use crate::synth::{Training, Watch};
+use indicatif::{ProgressBar, ProgressStyle};
+use outcome::Outcome;
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::atomic::Ordering;
+
+/// What to compare.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// Only this system: turing-spots, meinhardt-spots, meinhardt-stripes
+    #[arg(long, value_name = "S", value_parser = values::system)]
+    pub system: Option<SystemChoice>,
+    /// Random targets a system that are grown, and rows that are held out, at most
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub targets: u32,
+    /// Use the training sets in this folder instead of those built in
+    #[arg(long, value_name = "DIR")]
+    pub training: Option<PathBuf>,
+    /// Only errors in parameters; nothing is grown
+    #[arg(long)]
+    pub no_simulation: bool,
+    /// Refine by two growths of a patch even where the training set is sure
+    #[arg(long)]
+    pub always_probe: bool,
+    /// Draws the targets, and where their spots begin
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Threads to use [default: all cores]
+    #[arg(long, value_name = "N", value_parser = values::threads)]
+    pub threads: Option<usize>,
+    /// Also write the table
+    #[arg(short, long, value_name = "TABLE.csv")]
+    pub output: Option<PathBuf>,
+}
+
+/// What every part of the comparison needs.
+struct Setting<'a> {
+    training: &'a Training,
+    /// Targets and questions a system.
+    targets: usize,
+    seed: u64,
+    when: When,
+    /// Whether anything is grown.
+    grow: bool,
+    watch: &'a Watch<'a>,
+}
+
+/// Compares, prints the table, writes it.
+///
+/// # Errors
+/// A training set cannot be read, or the table not be written.
+pub fn run(args: &Args) -> Result<(), Error> {
+    args.output.as_deref().map(export::check_file).transpose().map_err(Error::step)?;
+    if let Some(threads) = args.threads {
+        // Fails only where the pool exists already, and nothing has used it yet.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    }
+    let cancelled = super::install();
+    let watch = Watch { progress: &|_, _| {}, cancelled: &|| cancelled.load(Ordering::Relaxed) };
+    let training = Training::from(args.training.clone());
+    let setting = Setting {
+        training: &training,
+        targets: args.targets as usize,
+        seed: args.seed,
+        when: if args.always_probe { When::Always } else { When::Unsure },
+        grow: !args.no_simulation,
+        watch: &watch,
+    };
+    let systems = [
+        (System::TuringSpots, SystemChoice::TuringSpots),
+        (System::MeinhardtSpots, SystemChoice::MeinhardtSpots),
+        (System::MeinhardtStripes, SystemChoice::MeinhardtStripes),
+    ];
+    let mut outcomes: Vec<Outcome> = Vec::new();
+    for (system, choice) in systems {
+        if args.system.is_none_or(|only| only == choice) {
+            let of_system = compared(&setting, system)?;
+            say(&table::text(system, &of_system))?;
+            outcomes.extend(of_system);
+        }
+    }
+    let Some(path) = &args.output else { return Ok(()) };
+    let csv = table::csv(&outcomes);
+    export::save(path, |stream| Ok(stream.write_all(csv.as_bytes())?)).map_err(Error::step)
+}
+
+/// All that is told of one system.
+fn compared(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error> {
+    let mut outcomes = held_out::outcomes(setting, system)?;
+    if setting.grow {
+        outcomes.extend(regrown::outcomes(setting, system)?);
+    }
+    Ok(outcomes)
+}
+
+/// A bar on a terminal; nothing elsewhere.
+fn bar(message: String, steps: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg:40} {bar:30} {pos}/{len}  {elapsed} gone, {eta} left");
+    let bar = ProgressBar::new(steps as u64).with_message(message);
+    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

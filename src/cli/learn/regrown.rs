@@ -1,0 +1,193 @@
+//! Errors in attributes: random targets are looked up, grown anew and measured.
+
+use super::outcome::{Of, Outcome};
+use super::targets::{Target, targets};
+use super::way::Way;
+use super::{Setting, bar};
+use crate::attributes::{Attributes, Stripes};
+use crate::cli::Error;
+use crate::field::Field;
+use crate::learn::{self, Method, evenly, summaries};
+use crate::measure;
+use crate::rd::System;
+use crate::synth::plan::{cell_for, free_spacing};
+use crate::synth::{Patch, Training};
+use rayon::prelude::*;
+
+/// Spots that a patch holds.
+const SPOTS: f64 = 160.0;
+/// Wavelengths along the side of a patch of stripes.
+const WAVELENGTHS: f64 = 20.0;
+/// Rows to learn from, beside all.
+const FEW: usize = 100;
+/// Ways whose parameters are grown.
+const WAYS: [Way; 3] = [Way::Learnt(Method::ScaleLaw), Way::REGRESSION, Way::Refined];
+/// Measurements at most while the level moves, and the share of itself by which a size may stay off: as `grow` has it.
+const ROUNDS: usize = 5;
+const NEAR: f64 = 0.001;
+/// What the level may be multiplied by.
+const CORRECTIONS: [f64; 2] = [0.6, 1.5];
+
+/// Each way with few rows and with all.
+pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error> {
+    let mut targets = targets(system, setting.targets, setting.seed);
+    if system == System::TuringSpots {
+        for target in &mut targets {
+            if let Attributes::Spots(spots) = &mut target.wanted {
+                spots.spacing = Some(free_spacing(setting.training, system, spots));
+            }
+        }
+    }
+    let all = setting.training.of(system).map_err(Error::step)?.rows();
+    let few = Training::of_rows(system, evenly(all, FEW)).map_err(Error::step)?;
+    let sets = [(&few, FEW.min(all.len()), false), (setting.training, all.len(), true)];
+    let bar = bar(format!("{}, grown anew", system.name()), sets.len() * targets.len());
+    let mut outcomes: Vec<Vec<Outcome>> = vec![Vec::new(); WAYS.len()];
+    for (training, rows, all) in sets {
+        let regrown = |target: &Target| {
+            let regrown = regrown(setting, system, training, target);
+            bar.inc(1);
+            regrown
+        };
+        let mut found = targets.par_iter().map(regrown).collect::<Result<Vec<_>, Error>>()?;
+        for (way, outcomes) in WAYS.into_iter().zip(&mut outcomes).rev() {
+            let of_way: Vec<Found> = found.iter_mut().filter_map(Vec::pop).collect();
+            let failed = of_way.iter().filter_map(|found| found.as_ref().err().cloned()).collect();
+            let errors = summaries(of_way.into_iter().flatten().flatten());
+            let asked = targets.len();
+            outcomes.push(Outcome { system, of: Of::Grown, way, rows, all, asked, failed, errors });
+        }
+    }
+    bar.finish_and_clear();
+    Ok(outcomes.into_iter().flatten().collect())
+}
+
+/// The errors of what grows for a target; or why nothing does, with what was asked.
+type Found = Result<Vec<learn::Error>, String>;
+
+/// What each of the ways gives for a target.
+fn regrown(
+    setting: &Setting,
+    system: System,
+    training: &Training,
+    target: &Target,
+) -> Result<Vec<Found>, Error> {
+    let cell = cell_for(&target.wanted);
+    let wanted = target.wanted.scaled(1.0 / cell);
+    let failed = |why: String| format!("{}: {why}", described(&target.wanted));
+    // A patch that was not corrected is the one before.
+    let mut last: Option<(Patch, Field)> = None;
+    let mut found = Vec::with_capacity(WAYS.len());
+    for way in WAYS {
+        if let Some(why) = way.refusal(training, system, &target.wanted, cell)? {
+            found.push(Err(failed(why)));
+            continue;
+        }
+        let parameters =
+            way.parameters(training, system, &target.wanted, cell, setting.when, setting.watch)?;
+        let extent = if system == System::MeinhardtStripes { WAVELENGTHS } else { SPOTS };
+        let patch = Patch { system, parameters, extent, seed: target.seed };
+        let marks = match last.take().filter(|(before, _)| *before == patch) {
+            Some((_, marks)) => marks,
+            None => patch.grow(setting.watch).map_err(|_| Error::Interrupted)?.0,
+        };
+        let got = match way {
+            Way::Refined => levelled(&patch, &marks, &wanted),
+            Way::Learnt(_) => measured(&patch, &marks, 1.0),
+        };
+        found.push(got.map(|got| learn::Error::of_attributes(&got, &wanted)).map_err(failed));
+        last = Some((patch, marks));
+    }
+    Ok(found)
+}
+
+/// Such as `area 300 px², aspect 0.512, angle 33°, area/spacing² 0.0812`.
+fn described(wanted: &Attributes) -> String {
+    match wanted {
+        Attributes::Spots(spots) => {
+            let density = spots.spacing.map(|spacing| spots.area / (spacing * spacing));
+            let density = density.map_or(String::new(), |density| format!(", area/spacing² {density:.4}"));
+            format!(
+                "area {:.0} px², aspect {:.3}, angle {:.0}°{density}",
+                spots.area, spots.aspect, spots.angle
+            )
+        }
+        Attributes::Stripes(stripes) => format!("width {:.2} px, angle {:.0}°", stripes.width, stripes.angle),
+    }
+}
+
+/// What stands on a patch, cells, with its level multiplied by `correction`; or why it is no texture.
+fn measured(patch: &Patch, marks: &Field, correction: f64) -> Result<Attributes, String> {
+    let mut parameters = patch.parameters;
+    parameters.level = parameters.level.map(|level| level * correction);
+    let attributes =
+        Patch { parameters, ..*patch }.measure(marks).map_err(|reason| reason.to_string())?.attributes;
+    if let (Attributes::Stripes(stripes), true) = (attributes, correction != 1.0) {
+        // Their edge lies at ½, and their direction does not depend on it.
+        let found = measure::stripes(marks, (0.5 * correction) as f32);
+        let width = found.map_or(stripes.width, |found| found.width);
+        return Ok(Attributes::Stripes(Stripes { width, ..stripes }));
+    }
+    Ok(attributes)
+}
+
+/// The same at the level at which the size is the one that was asked for.
+fn levelled(patch: &Patch, marks: &Field, wanted: &Attributes) -> Result<Attributes, String> {
+    let off = |got: &Attributes| match (got, wanted) {
+        (Attributes::Spots(got), Attributes::Spots(wanted)) => libm::log(got.area / wanted.area),
+        (Attributes::Stripes(got), Attributes::Stripes(wanted)) => libm::log(got.width / wanted.width),
+        _ => 0.0,
+    };
+    let mut correction = 1.0;
+    let mut got = measured(patch, marks, correction)?;
+    // d ln size / d ln level, to begin with: of a Gaussian bell, of a sinusoidal stripe (`synth::refine`).
+    let stripes = patch.system == System::MeinhardtStripes;
+    let mut slope = if stripes { -2.0 / std::f64::consts::PI } else { -1.44 };
+    for _ in 1..ROUNDS {
+        let before = off(&got);
+        if before.abs() < NEAR {
+            break;
+        }
+        let next = (correction * libm::exp(-before / slope)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
+        let Ok(moved) = measured(patch, marks, next) else { break };
+        let seen = (off(&moved) - before) / libm::log(next / correction);
+        if seen.is_finite() {
+            slope = seen.clamp(2.0 * slope, 0.5 * slope);
+        }
+        (correction, got) = (next, moved);
+    }
+    Ok(got)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::learn::Parameters;
+    use crate::synth::Watch;
+
+    #[test]
+    fn a_level_is_found_at_which_spots_are_as_large_as_asked() {
+        let parameters =
+            Parameters { rate: 3.0, ratio: Some(15.0), stretch: 0.6, direction: 30.0, level: Some(0.5) };
+        let patch = Patch { system: System::MeinhardtSpots, parameters, extent: 16.0, seed: 3 };
+        let (marks, _) = patch.grow(&Watch::NOBODY).unwrap();
+        let open = measured(&patch, &marks, 1.0).unwrap();
+        let Attributes::Spots(spots) = open else { panic!() };
+        let wanted = Attributes::Spots(crate::attributes::Spots { area: 1.1 * spots.area, ..spots });
+        let Attributes::Spots(got) = levelled(&patch, &marks, &wanted).unwrap() else { panic!() };
+        assert!((got.area / spots.area - 1.1).abs() < 0.0015, "{got:?}");
+        assert!((got.spacing.unwrap() / spots.spacing.unwrap() - 1.0).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_level_is_found_at_which_stripes_are_as_wide_as_asked() {
+        let parameters = Parameters { rate: 25.0, ratio: None, stretch: 0.5, direction: 30.0, level: None };
+        let patch = Patch { system: System::MeinhardtStripes, parameters, extent: 5.0, seed: 3 };
+        let (marks, _) = patch.grow(&Watch::NOBODY).unwrap();
+        let Attributes::Stripes(open) = measured(&patch, &marks, 1.0).unwrap() else { panic!() };
+        let wanted = Attributes::Stripes(Stripes { width: 0.95 * open.width, ..open });
+        let Attributes::Stripes(got) = levelled(&patch, &marks, &wanted).unwrap() else { panic!() };
+        assert!((got.width / open.width - 0.95).abs() < 0.0015, "{got:?}");
+        assert_eq!(got.angle, open.angle);
+    }
+}

@@ -1,0 +1,79 @@
+//! Attributes to ask for: anything in the ranges that a system is to reach.
+
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::rd::System;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+/// px².
+const AREA: [f64; 2] = [40.0, 1_500.0];
+const ASPECT: [f64; 2] = [0.3, 1.0];
+/// area ÷ spacing², of Meinhardt's spots; Turing's have their own.
+const DENSITY: [f64; 2] = [0.02, 0.2];
+/// px.
+const WIDTH: [f64; 2] = [3.0, 40.0];
+
+/// Something to ask for, px.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target {
+    /// What is wanted; of Turing's spots without spacing.
+    pub wanted: Attributes,
+    /// Where its marks begin.
+    pub seed: u64,
+}
+
+/// `count` targets: sizes and densities even on a logarithmic scale, aspects and angles as they are.
+pub fn targets(system: System, count: usize, seed: u64) -> Vec<Target> {
+    let mut rng = Pcg64::seed_from_u64(seed);
+    (0..count)
+        .map(|_| {
+            let mut even = |[low, high]: [f64; 2]| low + (high - low) * rng.random::<f64>();
+            let mut log = |range: [f64; 2]| libm::exp(even(range.map(libm::log)));
+            let wanted = if system == System::MeinhardtStripes {
+                let width = log(WIDTH);
+                Attributes::Stripes(Stripes { width, angle: even([0.0, 180.0]) })
+            } else {
+                let (area, density) = (log(AREA), log(DENSITY));
+                let spacing = (system == System::MeinhardtSpots).then(|| (area / density).sqrt());
+                Attributes::Spots(Spots { area, aspect: even(ASPECT), angle: even([0.0, 180.0]), spacing })
+            };
+            Target { wanted, seed: rng.random() }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn targets_fill_the_ranges_and_are_the_same_for_a_seed() {
+        let of = |seed| targets(System::MeinhardtSpots, 1_000, seed);
+        assert_eq!(of(7), of(7));
+        assert_ne!(of(7), of(8));
+        let spots: Vec<Spots> = of(7)
+            .iter()
+            .map(|target| match target.wanted {
+                Attributes::Spots(spots) => spots,
+                Attributes::Stripes(stripes) => panic!("{stripes:?}"),
+            })
+            .collect();
+        let span = |of: fn(&Spots) -> f64| {
+            spots.iter().map(of).fold([f64::INFINITY, 0.0], |[low, high], x| [low.min(x), f64::max(high, x)])
+        };
+        let inside = |[low, high]: [f64; 2], range: [f64; 2]| {
+            let slack = 0.05 * (range[1] - range[0]);
+            range[0] <= low && low < range[0] + slack && range[1] - slack < high && high <= range[1]
+        };
+        assert!(inside(span(|s| s.area), AREA));
+        assert!(inside(span(|s| s.aspect), ASPECT));
+        assert!(inside(span(|s| s.angle), [0.0, 180.0]));
+        assert!(inside(span(|s| s.area / s.spacing.unwrap().powi(2)), DENSITY));
+    }
+
+    #[test]
+    fn turing_s_spots_have_their_own_spacing() {
+        let own = |target: &Target| matches!(target.wanted, Attributes::Spots(Spots { spacing: None, .. }));
+        assert!(targets(System::TuringSpots, 9, 1).iter().all(own));
+    }
+}

@@ -1,0 +1,81 @@
+//! The ways from attributes to parameters that are compared.
+
+use crate::attributes::Attributes;
+use crate::cli::Error;
+use crate::learn::{Answer, Coverage, Method, Note, Parameters};
+use crate::rd::System;
+use crate::synth::probe::{ProbeError, When, probed};
+use crate::synth::{Training, Watch, plan};
+
+/// A way from attributes to parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// From the rows alone.
+    Learnt(Method),
+    /// By local regression, corrected by growths of a patch; what then has grown is levelled. As `dapple grow` does.
+    Refined,
+}
+
+impl Way {
+    /// What `dapple grow --no-refine` does.
+    pub const REGRESSION: Self = Self::Learnt(Method::LocalRegression);
+
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Learnt(method) => method.name(),
+            Self::Refined => "LWR + refinement",
+        }
+    }
+
+    /// The parameters, in cells, that give `wanted` (px) on a grid of `cell` px a cell.
+    pub fn parameters(
+        self,
+        training: &Training,
+        system: System,
+        wanted: &Attributes,
+        cell: f64,
+        when: When,
+        watch: &Watch,
+    ) -> Result<Parameters, Error> {
+        let asked = |wanted| plan::ask(training, system, wanted, cell).map_err(Error::step);
+        match self {
+            Self::REGRESSION => Ok(asked(wanted)?.parameters),
+            Self::Learnt(method) => {
+                let set = training.of(system).map_err(Error::step)?;
+                set.by(method, &wanted.scaled(1.0 / cell)).map_err(Error::step)
+            }
+            Self::Refined => {
+                let found = probed(training, system, std::slice::from_ref(wanted), cell, when, watch);
+                let found = found.map_err(|error| match error {
+                    ProbeError::Cancelled(_) => Error::Interrupted,
+                    other => Error::step(other),
+                })?;
+                let corrected = found.iter().map(|found| found.offset.applied(-1.0, wanted)).next();
+                Ok(asked(&corrected.unwrap_or(*wanted))?.parameters)
+            }
+        }
+    }
+
+    /// Why the answer for `wanted` is none: it lies outside what was learnt, or was moved there. `None` where it is
+    /// one, or where the way knows no limits.
+    pub fn refusal(
+        self,
+        training: &Training,
+        system: System,
+        wanted: &Attributes,
+        cell: f64,
+    ) -> Result<Option<String>, Error> {
+        if !matches!(self, Self::REGRESSION | Self::Refined) {
+            return Ok(None);
+        }
+        let Answer { coverage, notes, .. } =
+            plan::ask(training, system, wanted, cell).map_err(Error::step)?;
+        let moved: Vec<String> = notes
+            .iter()
+            .filter(|note| matches!(note, Note::Beyond { .. } | Note::Together { .. }))
+            .map(ToString::to_string)
+            .collect();
+        Ok((coverage == Coverage::Outside || !moved.is_empty()).then(|| moved.join("; ")))
+    }
+}

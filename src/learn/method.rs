@@ -1,0 +1,70 @@
+//! Other ways from attributes to parameters, to compare with.
+
+use super::answer::checked;
+use super::interpolation;
+use super::training_set::Map;
+use super::{AskError, Parameters, TrainingSet};
+use crate::attributes::Attributes;
+
+/// A way from attributes to parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Method {
+    /// The parameters of the nearest row.
+    NearestNeighbour,
+    /// Barycentric between the rows around the question; where there are none on one side, the nearest row. What
+    /// Phan & Grimm (2006) fell back to.
+    LinearInterpolation,
+    /// The laws of scale in closed form, their constants fitted to the rows: `scale_law.rs`.
+    ScaleLaw,
+    /// [`TrainingSet::ask`].
+    LocalRegression,
+}
+
+impl Method {
+    /// All, the simplest first.
+    pub const ALL: [Self; 4] =
+        [Self::NearestNeighbour, Self::LinearInterpolation, Self::ScaleLaw, Self::LocalRegression];
+
+    /// What it is called.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NearestNeighbour => "nearest neighbour",
+            Self::LinearInterpolation => "linear interpolation",
+            Self::ScaleLaw => "scale law",
+            Self::LocalRegression => "LWR",
+        }
+    }
+}
+
+impl TrainingSet {
+    /// The parameters that `method` gives for `wanted` (lengths in cells, angles any finite degrees).
+    ///
+    /// # Errors
+    /// As [`Self::ask`].
+    pub fn by(&self, method: Method, wanted: &Attributes) -> Result<Parameters, AskError> {
+        let wanted = checked(wanted)?;
+        match (method, &self.map, &wanted) {
+            (Method::ScaleLaw, Map::Spots(map), Attributes::Spots(spots)) => {
+                Ok(self.law().spots(map.log_density(spots), spots))
+            }
+            (Method::ScaleLaw, Map::Stripes(_), Attributes::Stripes(stripes)) => {
+                Ok(self.law().stripes(stripes))
+            }
+            (Method::NearestNeighbour, Map::Spots(map), Attributes::Spots(spots)) => {
+                Ok(map.known(spots, interpolation::nearest))
+            }
+            (Method::NearestNeighbour, Map::Stripes(map), Attributes::Stripes(stripes)) => {
+                Ok(map.known(stripes, interpolation::nearest))
+            }
+            (Method::LinearInterpolation, Map::Spots(map), Attributes::Spots(spots)) => {
+                Ok(map.known(spots, interpolation::linear))
+            }
+            (Method::LinearInterpolation, Map::Stripes(map), Attributes::Stripes(stripes)) => {
+                Ok(map.known(stripes, interpolation::linear_round_a_cylinder))
+            }
+            // And whatever is of the other kind, which it refuses.
+            _ => Ok(self.ask(&wanted)?.parameters),
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! The laws of scale in closed form, as one would use them without a training set but for their constants.
+//!
+//! ```text
+//! spots    A/L² = C e^(S (l₀ − l)) / R      rate·A = K e^(S (l₀ − l)) / R      stretch = aspect   φ = θ
+//! stripes  rate·W² = K                      stretch = that of the rows                            φ = θ
+//! ```
+//!
+//! A area, L spacing, W width, R ratio, l level, φ direction, θ angle. `facts.md` A (area = K·g/ka), B (both tables fall
+//! as 1/R within 7 % from 12 to 60, areas grow as e^(2.85 (½ − l)) from level ½ to 0.2), C (wavelength ∝ √D). A density is
+//! reached by the ratio as far as the rows' lowest ratio goes, beyond it by the level. C and K are the rows' means.
+
+use super::{Parameters, Row};
+use crate::attributes::{Attributes, Spots, Stripes};
+
+/// S: by how much ln area falls from level to level.
+const BY_LEVEL: f64 = 2.85;
+
+/// The laws with their constants.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Law {
+    /// ln K.
+    size: f64,
+    /// ln C.
+    density: f64,
+    /// The lowest ratio of the rows; R is 1 where none have any.
+    ratio: f64,
+    /// l₀, the highest level, and the lowest.
+    levels: Option<[f64; 2]>,
+    /// Mean of the rows' stretch, for stripes.
+    stretch: f64,
+}
+
+impl Law {
+    /// The laws with the constants that fit `rows` best.
+    pub fn of(rows: &[Row]) -> Self {
+        let n = rows.len().max(1) as f64;
+        let mean = |value: &dyn Fn(&Row) -> f64| rows.iter().map(value).sum::<f64>() / n;
+        let ratio = rows.iter().filter_map(|row| row.parameters.ratio).fold(f64::INFINITY, f64::min);
+        let levels = rows.iter().filter_map(|row| row.parameters.level).fold(None, |levels, level| {
+            let [high, low] = levels.unwrap_or([level; 2]);
+            Some([f64::max(high, level), f64::min(low, level)])
+        });
+        let lowered =
+            |p: &Parameters| levels.zip(p.level).map_or(0.0, |([high, _], l)| BY_LEVEL * (high - l));
+        let over_ratio =
+            |row: &Row| libm::log(row.parameters.ratio.unwrap_or(1.0)) - lowered(&row.parameters);
+        let size = mean(&|row| {
+            let size = match row.attributes {
+                Attributes::Spots(spots) => libm::log(spots.area),
+                Attributes::Stripes(stripes) => 2.0 * libm::log(stripes.width),
+            };
+            libm::log(row.parameters.rate) + size + over_ratio(row)
+        });
+        let density = mean(&|row| match row.attributes {
+            Attributes::Spots(Spots { area, spacing: Some(spacing), .. }) => {
+                libm::log(area) - 2.0 * libm::log(spacing) + over_ratio(row)
+            }
+            _ => 0.0,
+        });
+        let stretch = mean(&|row| row.parameters.stretch);
+        Self { size, density, ratio: if ratio.is_finite() { ratio } else { 1.0 }, levels, stretch }
+    }
+
+    /// Parameters for spots whose ln(A/L²) is `density`; `None` where the system gives it by itself.
+    pub fn spots(&self, density: Option<f64>, spots: &Spots) -> Parameters {
+        let lowest = libm::log(self.ratio);
+        let ratio = density.map_or(lowest, |density| (self.density - density).max(lowest));
+        // What the lowest ratio falls short of.
+        let missing = density.map_or(0.0, |density| density - (self.density - ratio)).max(0.0);
+        let level = self.levels.map(|[high, low]| (high - missing / BY_LEVEL).max(low));
+        let lowered = self.levels.zip(level).map_or(0.0, |([high, _], level)| BY_LEVEL * (high - level));
+        Parameters {
+            rate: libm::exp(self.size - ratio + lowered) / spots.area,
+            ratio: Some(libm::exp(ratio)),
+            stretch: spots.aspect,
+            direction: spots.angle,
+            level,
+        }
+    }
+
+    /// Parameters for stripes.
+    pub fn stripes(&self, stripes: &Stripes) -> Parameters {
+        Parameters {
+            rate: libm::exp(self.size) / (stripes.width * stripes.width),
+            ratio: None,
+            stretch: self.stretch,
+            direction: stripes.angle,
+            level: None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::laws::{EXACT, growth_by_level, meinhardt_by_level, stripes};
+    use super::*;
+
+    #[test]
+    fn the_law_of_rows_that_follow_it_is_found() {
+        let rows = meinhardt_by_level(400, EXACT);
+        let law = Law::of(&rows);
+        for row in &rows {
+            let Attributes::Spots(spots) = row.attributes else { panic!() };
+            let density = spots.spacing.map(|spacing| libm::log(spots.area / (spacing * spacing)));
+            let (found, told) = (law.spots(density, &spots), row.parameters);
+            // The rows' own law has a term for small spots, which is 6 % at 20 cells.
+            assert!((found.rate / told.rate - 1.0).abs() < 0.08, "{found:?} {told:?}");
+            assert!((found.ratio.unwrap() / told.ratio.unwrap() - 1.0).abs() < 0.03);
+            assert!((found.level.unwrap() - told.level.unwrap()).abs() < 0.015);
+        }
+        assert!((growth_by_level(0.3) - libm::exp(0.2 * BY_LEVEL)).abs() < 0.03);
+    }
+
+    #[test]
+    fn stripes_have_one_constant() {
+        let law = Law::of(&stripes(100, EXACT));
+        let found = law.stripes(&Stripes { width: 10.0, angle: 33.0 });
+        assert!((found.rate - 0.65).abs() < 0.04, "{found:?}");
+        assert_eq!((found.direction, found.stretch), (33.0, 0.5));
+    }
+}

@@ -1,0 +1,102 @@
+//! `dapple learn`: the table of errors, as users get it.
+
+use assert_cmd::Command;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+fn learn(arguments: &[&str], folder: &Path) -> std::process::Output {
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("dapple"));
+    command.current_dir(folder).arg("learn").args(arguments).assert().get_output().clone()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// The cells of a table, its header first.
+fn table(path: &Path) -> Vec<Vec<String>> {
+    let text = std::fs::read_to_string(path).unwrap();
+    text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect()
+}
+
+/// What stands in a column, each once.
+fn distinct(table: &[Vec<String>], column: usize) -> BTreeSet<&str> {
+    table[1..].iter().map(|line| line[column].as_str()).collect()
+}
+
+#[test]
+fn errors_in_parameters_are_told_of_every_system_and_method_and_fall_with_more_rows() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = learn(&["--no-simulation", "-o", "table.csv"], folder.path());
+    assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));
+    for word in
+        ["turing-spots", "nearest neighbour", "linear interpolation", "scale law", "LWR", "direction °"]
+    {
+        assert!(text(&output.stdout).contains(word), "{word} in {}", text(&output.stdout));
+    }
+    let table = table(&folder.path().join("table.csv"));
+    let columns = [
+        "system",
+        "errors",
+        "method",
+        "rows",
+        "all",
+        "quantity",
+        "unit",
+        "count",
+        "median",
+        "p95",
+        "median_bound",
+        "p95_bound",
+        "verdict",
+    ];
+    assert_eq!(table[0], columns);
+    assert!(table.iter().all(|line| line.len() == columns.len()));
+    assert_eq!(
+        distinct(&table, 0).into_iter().collect::<Vec<_>>(),
+        ["meinhardt-spots", "meinhardt-stripes", "turing-spots"]
+    );
+    assert_eq!(distinct(&table, 1).into_iter().collect::<Vec<_>>(), ["parameters"]);
+    let expected = ["LWR", "linear interpolation", "nearest neighbour", "scale law"];
+    assert_eq!(distinct(&table, 2).into_iter().collect::<Vec<_>>(), expected);
+    assert!(distinct(&table, 3).is_superset(&["30", "100", "300"].into()));
+
+    let median = |method: &str, rows: &str| -> f64 {
+        let wanted = ["meinhardt-spots", "parameters", method, rows];
+        let line = table.iter().find(|line| line[..4] == wanted && line[5] == "rate");
+        line.unwrap()[8].parse().unwrap()
+    };
+    assert!(median("LWR", "300") < median("LWR", "30"));
+    assert!(median("LWR", "300") < 0.5 * median("nearest neighbour", "300"));
+    assert!(median("LWR", "300") < median("scale law", "300"));
+}
+
+#[test]
+fn what_grows_anew_is_held_to_the_bounds() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = ["--targets", "1", "--system", "turing-spots", "--seed", "3", "-o", "table.csv"];
+    let output = learn(&arguments, folder.path());
+    assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));
+    let told = text(&output.stdout);
+    assert!(told.contains("random targets grown anew") && told.contains("allowed 1.5 / 5 %"), "{told}");
+    let table = table(&folder.path().join("table.csv"));
+    let grown: Vec<&Vec<String>> = table.iter().filter(|line| line[1] == "grown").collect();
+    let methods: BTreeSet<&str> = grown.iter().map(|line| line[2].as_str()).collect();
+    assert_eq!(methods, ["LWR", "LWR + refinement", "scale law"].into());
+    let refined = |quantity: &str| {
+        grown.iter().find(|line| line[2] == "LWR + refinement" && line[4] == "true" && line[5] == quantity)
+    };
+    // The level brings the area to a tenth of a per cent.
+    let area = refined("area").unwrap();
+    assert!(area[8].parse::<f64>().unwrap() < 0.2 && area[12] == "ok", "{area:?}");
+    assert_eq!(refined("failed").unwrap()[7..], ["0", "", "", "", "", "ok"]);
+}
+
+#[test]
+fn a_folder_without_sets_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = learn(&["--no-simulation", "--training", "."], folder.path());
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("turing-spots"), "{}", text(&output.stderr));
+    assert_eq!(learn(&["--targets", "0"], folder.path()).status.code(), Some(2));
+}
