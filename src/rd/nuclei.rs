@@ -64,6 +64,9 @@ const SNAP: f64 = 0.22;
 /// Others are held this far from it; nearer they grow a tail too.
 const HOLD: f64 = 0.42;
 
+/// Rounds of relaxation around those that stand so.
+const WALLED: usize = 6;
+
 /// Points that are not worth handing to another thread.
 const FEW: usize = 128;
 
@@ -117,37 +120,55 @@ pub fn lay(
     for _ in 0..ROUNDS {
         relax(&mut placed, PUSH, &|_, at| nucleus(at));
     }
+    let grid = Grid { frame, size };
+    if edges == Edges::Closed {
+        grid.keep_off_walls(&mut placed, |placed| relax(placed, PUSH, &|_, at| nucleus(at)));
+    }
     let mut all = placed.all;
     all.iter_mut().for_each(|point| point.at = on_maps(point.at));
     if edges == Edges::Wrap {
         return Laid { inside: all, beyond: Vec::new() };
     }
-    all.iter_mut().for_each(|point| point.at = off_walls(point, size));
     let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
     let (inside, beyond) = all.into_iter().partition(inside);
     Laid { inside, beyond }
 }
 
-/// Where `point` comes to stand on closed edges of a grid of `size` cells: near a wall a spot cannot keep its shape.
-/// One on the wall is half a spot, cut by the edge; nearer than [`HOLD`] it would be drawn out to the wall.
-fn off_walls(point: &Nucleus, size: [f64; 2]) -> [f64; 2] {
-    let [xx, xy, yy] = point.metric;
-    // The shortest way to the wall, along x or y, in pitches a cell.
-    let determinant = xx * yy - xy * xy;
-    let pitches = [(determinant / yy).sqrt(), (determinant / xx).sqrt()];
-    let mut at = point.at;
-    for axis in 0..2 {
-        let last = size[axis] * (1.0 - 1e-12);
-        for (wall, inward) in [(0.0, 1.0), (last, -1.0)] {
-            let away = (at[axis] - wall) * inward * pitches[axis];
-            if away.abs() < SNAP {
-                at[axis] = wall;
-            } else if away > 0.0 && away < HOLD {
-                at[axis] = (wall + inward * HOLD / pitches[axis]).clamp(0.0, last);
-            }
+/// A grid with closed edges amid the frame over which points are laid, cells.
+struct Grid {
+    frame: f64,
+    size: [f64; 2],
+}
+
+impl Grid {
+    /// Near a wall a spot cannot keep its shape. One on the wall is half a spot, cut by the edge; nearer than [`HOLD`] it
+    /// would be drawn out to the wall. So those that are near are moved, and the others `relax` around them.
+    fn keep_off_walls(&self, placed: &mut Buckets, mut relax: impl FnMut(&mut Buckets)) {
+        for _ in 0..WALLED {
+            relax(placed);
+            placed.moved(|point| self.off_walls(point));
         }
     }
-    at
+
+    fn off_walls(&self, point: &Nucleus) -> [f64; 2] {
+        let [xx, xy, yy] = point.metric;
+        // The shortest way to the wall, along x or y, in pitches a cell.
+        let determinant = xx * yy - xy * xy;
+        let pitches = [(determinant / yy).sqrt(), (determinant / xx).sqrt()];
+        let mut at = point.at;
+        for axis in 0..2 {
+            let last = self.size[axis] * (1.0 - 1e-12);
+            for (wall, inward) in [(0.0, 1.0), (last, -1.0)] {
+                let away = (at[axis] - self.frame - wall) * inward * pitches[axis];
+                if away.abs() < SNAP {
+                    at[axis] = self.frame + wall;
+                } else if away > 0.0 && away < HOLD {
+                    at[axis] = self.frame + (wall + inward * HOLD / pitches[axis]).clamp(0.0, last);
+                }
+            }
+        }
+        at
+    }
 }
 
 /// Where the points `laid` come to stand in `rounds` rounds of mutual repulsion, each with the pitch and the metric of
@@ -180,17 +201,10 @@ pub fn make_room(
     for _ in 0..rounds {
         relax(&mut placed, reach, &moved);
     }
-    let inner = |v: f64, side: f64| v.clamp(0.0, side * (1.0 - 1e-12));
-    let stands = |point: &Nucleus| {
-        let at = [0, 1].map(|i| point.at[i] - frame);
-        match edges {
-            Edges::Wrap => at,
-            Edges::Closed => {
-                let at = [inner(at[0], size[0]), inner(at[1], size[1])];
-                off_walls(&Nucleus { at, ..*point }, size)
-            }
-        }
-    };
+    if edges == Edges::Closed {
+        Grid { frame, size }.keep_off_walls(&mut placed, |placed| relax(placed, reach, &moved));
+    }
+    let stands = |point: &Nucleus| [0, 1].map(|i| (point.at[i] - frame).clamp(0.0, size[i] * (1.0 - 1e-12)));
     placed.all[..own.len()].iter().map(stands).collect()
 }
 
@@ -303,9 +317,7 @@ fn relax(placed: &mut Buckets, reach: f64, nucleus: &(dyn Fn(usize, [f64; 2]) ->
         nucleus(index, placed.space.folded([point.at[0] + shift[0], point.at[1] + shift[1]]))
     };
     let all: Vec<Nucleus> = placed.all.par_iter().enumerate().with_min_len(FEW).map(moved).collect();
-    placed.all.clear();
-    placed.cells.iter_mut().for_each(Vec::clear);
-    all.into_iter().for_each(|point| placed.insert(point));
+    placed.replace(all);
 }
 
 /// Squared distance in pitches, by the mean of both metrics.
@@ -357,6 +369,18 @@ impl Buckets {
             ((at[0] / self.space.size[0] * self.columns as f64) as usize).min(self.columns - 1) as isize,
             ((at[1] / self.space.size[1] * self.rows as f64) as usize).min(self.rows - 1) as isize,
         ]
+    }
+
+    /// The same points elsewhere.
+    fn moved(&mut self, to: impl Fn(&Nucleus) -> [f64; 2]) {
+        let all = self.all.iter().map(|point| Nucleus { at: to(point), ..*point }).collect();
+        self.replace(all);
+    }
+
+    fn replace(&mut self, all: Vec<Nucleus>) {
+        self.all.clear();
+        self.cells.iter_mut().for_each(Vec::clear);
+        all.into_iter().for_each(|point| self.insert(point));
     }
 
     fn insert(&mut self, point: Nucleus) {
