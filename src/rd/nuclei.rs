@@ -42,6 +42,12 @@ impl Nucleus {
         Self { at, metric, reach: 1.05 * pitch / stretch.sqrt() }
     }
 
+    /// Pitches that a cell of the shortest way to a wall across this axis is.
+    fn pitches_to_wall(&self, axis: usize) -> f64 {
+        let [xx, xy, yy] = self.metric;
+        ((xx * yy - xy * xy) / [yy, xx][axis]).sqrt()
+    }
+
     /// Squared distance of a point at `delta` cells from here, in pitches.
     pub fn distance2(&self, [x, y]: [f64; 2]) -> f64 {
         let [xx, xy, yy] = self.metric;
@@ -65,7 +71,7 @@ const SNAP: f64 = 0.22;
 const HOLD: f64 = 0.42;
 
 /// Rounds of relaxation around those that stand so.
-const WALLED: usize = 6;
+const WALLED: usize = 10;
 
 /// Points that are not worth handing to another thread.
 const FEW: usize = 128;
@@ -130,7 +136,11 @@ pub fn lay(
         return Laid { inside: all, beyond: Vec::new() };
     }
     let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
-    let (inside, beyond) = all.into_iter().partition(inside);
+    let (mut inside, beyond): (Vec<_>, Vec<_>) = all.into_iter().partition(inside);
+    if inside.is_empty() {
+        // A canvas that is smaller than the room of one spot still shows one.
+        inside.push(Nucleus::at(maps, size.map(|side| 0.5 * side), pitch));
+    }
     Laid { inside, beyond }
 }
 
@@ -142,32 +152,39 @@ struct Grid {
 
 impl Grid {
     /// Near a wall a spot cannot keep its shape. One on the wall is half a spot, cut by the edge; nearer than [`HOLD`] it
-    /// would be drawn out to the wall. So those that are near are moved, and the others `relax` around them.
+    /// would be drawn out to the wall. So those that are near are moved, once and for all, and the others `relax` around
+    /// them.
     fn keep_off_walls(&self, placed: &mut Buckets, mut relax: impl FnMut(&mut Buckets)) {
+        let on_walls: Vec<[Option<f64>; 2]> =
+            placed.all.iter().map(|point| [0, 1].map(|axis| self.wall_under(point, axis))).collect();
         for _ in 0..WALLED {
             relax(placed);
-            placed.moved(|point| self.off_walls(point));
+            placed.moved(|index, point| {
+                [0, 1].map(|axis| on_walls[index][axis].unwrap_or_else(|| self.held(point, axis)))
+            });
         }
     }
 
-    fn off_walls(&self, point: &Nucleus) -> [f64; 2] {
-        let [xx, xy, yy] = point.metric;
-        // The shortest way to the wall, along x or y, in pitches a cell.
-        let determinant = xx * yy - xy * xy;
-        let pitches = [(determinant / yy).sqrt(), (determinant / xx).sqrt()];
-        let mut at = point.at;
-        for axis in 0..2 {
-            let last = self.size[axis] * (1.0 - 1e-12);
-            for (wall, inward) in [(0.0, 1.0), (last, -1.0)] {
-                let away = (at[axis] - self.frame - wall) * inward * pitches[axis];
-                if away.abs() < SNAP {
-                    at[axis] = self.frame + wall;
-                } else if away > 0.0 && away < HOLD {
-                    at[axis] = self.frame + (wall + inward * HOLD / pitches[axis]).clamp(0.0, last);
-                }
-            }
-        }
-        at
+    /// The walls along one axis with the way inward.
+    fn walls(&self, axis: usize) -> [(f64, f64); 2] {
+        [(self.frame, 1.0), (self.frame + self.size[axis] * (1.0 - 1e-12), -1.0)]
+    }
+
+    /// The wall that a point is so near to that it is put on it.
+    fn wall_under(&self, point: &Nucleus, axis: usize) -> Option<f64> {
+        let near =
+            |(wall, _): &(f64, f64)| (point.at[axis] - wall).abs() * point.pitches_to_wall(axis) < SNAP;
+        self.walls(axis).into_iter().find(near).map(|(wall, _)| wall)
+    }
+
+    /// Where a point that is on no wall may stand: on the side that it is on, as far off as it must.
+    fn held(&self, point: &Nucleus, axis: usize) -> f64 {
+        let far = HOLD / point.pitches_to_wall(axis);
+        let hold = |at: f64, (wall, inward): (f64, f64)| match (at - wall) * inward {
+            away if away <= 0.0 => at,
+            away => wall + inward * away.max(far),
+        };
+        self.walls(axis).into_iter().fold(point.at[axis], hold)
     }
 }
 
@@ -372,8 +389,9 @@ impl Buckets {
     }
 
     /// The same points elsewhere.
-    fn moved(&mut self, to: impl Fn(&Nucleus) -> [f64; 2]) {
-        let all = self.all.iter().map(|point| Nucleus { at: to(point), ..*point }).collect();
+    fn moved(&mut self, to: impl Fn(usize, &Nucleus) -> [f64; 2]) {
+        let all = self.all.iter().enumerate();
+        let all = all.map(|(index, point)| Nucleus { at: to(index, point), ..*point }).collect();
         self.replace(all);
     }
 
@@ -459,6 +477,19 @@ mod tests {
                     Edges::Closed => (placed(edges, stretch).len(), 24),
                 };
                 assert!(found.abs_diff(wanted) <= cut, "{found} of {wanted}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_smallest_canvas_has_a_spot() {
+        let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
+        for edges in [Edges::Closed, Edges::Wrap] {
+            for seed in 0..20 {
+                let maps = Maps::uniform(8, 8, p);
+                let laid = lay(&maps, edges, &|_| 40.0, &mut Pcg64Mcg::seed_from_u64(seed));
+                let on = |at: f64| (0.0..8.0).contains(&at);
+                assert!(!laid.inside.is_empty() && laid.inside.iter().all(|p| on(p.at[0]) && on(p.at[1])));
             }
         }
     }
