@@ -52,7 +52,7 @@ pub struct Region {
     /// `own`, or those of the nearest region with marks. The angle is that of the marks even where they
     /// are round; the map turns it, see [`RegionMap::at`].
     pub filled: Attributes,
-    /// How much the marks that `filled` is the mean of vary, where they are at least [`MARKS_OF_A_SPREAD`] ellipses;
+    /// How much the marks that `filled` is the mean of vary, where they are at least six ellipses;
     /// else [`Spread::EVEN`].
     pub spread: Spread,
     /// (cos 2θ, sin 2θ) of the direction that the map has at the region's centre.

@@ -1,0 +1,55 @@
+//! Spots that differ from each other: each takes the room that its own parameters need.
+
+use super::near::{Buckets, Space, relax};
+use super::walls::Grid;
+use super::{FRAME, Nucleus, PUSH};
+use crate::field::Edges;
+use crate::rd::System;
+use crate::rd::maps::{Maps, Parameters};
+
+/// Where the points `laid` come to stand in `rounds` rounds of mutual repulsion, each with the pitch and the metric of
+/// its `own` parameters; those farther than `reach` pitches do not push each other. Those beyond the edges stay.
+#[must_use]
+pub fn make_room(
+    system: System,
+    maps: &Maps,
+    edges: Edges,
+    laid: &Places,
+    own: &[Parameters],
+    reach: f64,
+    rounds: usize,
+) -> Vec<[f64; 2]> {
+    let at = &laid.inside;
+    let nucleus = |i: usize, at: [f64; 2]| Nucleus::of(&own[i], maps.cell, at, system.spacing(&own[i]));
+    let largest = (0..at.len()).map(|i| nucleus(i, at[i]).reach).fold(0.0, f64::max);
+    let frame = if edges == Edges::Closed { (FRAME * largest).ceil() } else { 0.0 };
+    let size = [maps.nx as f64, maps.ny as f64];
+    let space = Space { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
+    let framed = |at: [f64; 2]| space.folded(at.map(|v| v + frame));
+    let pitch = |p: &Parameters| system.spacing(p);
+    let beyond = laid.beyond.iter().filter(|at| (0..2).all(|i| (-frame..size[i] + frame).contains(&at[i])));
+    let beyond: Vec<Nucleus> =
+        beyond.map(|at| Nucleus { at: framed(*at), ..Nucleus::at(maps, *at, &pitch) }).collect();
+    let moved = |i: usize, at: [f64; 2]| if i < own.len() { nucleus(i, at) } else { beyond[i - own.len()] };
+    let mut placed = Buckets::new(space, PUSH.max(reach) * largest);
+    at.iter().enumerate().for_each(|(i, at)| placed.insert(nucleus(i, framed(*at))));
+    beyond.iter().for_each(|point| placed.insert(*point));
+    for _ in 0..rounds {
+        relax(&mut placed, reach, &moved);
+    }
+    if edges == Edges::Closed {
+        Grid { frame, size }.keep_off_walls(&mut placed, |placed| relax(placed, reach, &moved));
+    }
+    let stands = |point: &Nucleus| [0, 1].map(|i| (point.at[i] - frame).clamp(0.0, size[i] * (1.0 - 1e-12)));
+    placed.all[..own.len()].iter().map(stands).collect()
+}
+
+/// Places of points, cells: those on the grid, and those beyond closed edges, which keep the others from spreading over
+/// them.
+#[derive(Clone, Debug, Default)]
+pub struct Places {
+    /// On the grid.
+    pub inside: Vec<[f64; 2]>,
+    /// Beyond closed edges.
+    pub beyond: Vec<[f64; 2]>,
+}
