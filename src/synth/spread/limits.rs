@@ -45,7 +45,7 @@ fn most(system: System, wanted: &Spots) -> Spread {
     let packing = wanted.spacing.map_or(AREAS[0], |spacing| wanted.area / (spacing * spacing));
     let length = 2.0 * (packing / (PI * wanted.aspect)).sqrt();
     Spread {
-        area: SPREAD_AREA.high - AREAS[1] * (packing - AREAS[0]).max(0.0),
+        area: (SPREAD_AREA.high - AREAS[1] * (packing - AREAS[0]).max(0.0)).max(0.0),
         angle: (TURNED[0] * libm::pow(TURNED[1] / length, TURNED[2])).min(SPREAD_ANGLE.high),
         aspect: room,
         // What long spots have by themselves, they may have.
@@ -149,6 +149,13 @@ mod tests {
                 "the angle of spots varies by 20°, more than the 9° which keeps them apart; growing at 9°",
             ]
         );
+    }
+
+    #[test]
+    fn spots_without_room_to_differ_are_even_and_nothing_is_said_of_rounding() {
+        let asked = Spread { area: 1e-17, ..Spread::EVEN };
+        let limited = limited(System::MeinhardtSpots, &spots(0.6, 0.45), &asked, false);
+        assert_eq!(limited, Limited { spread: Spread::EVEN, notes: Vec::new() });
     }
 
     #[test]
