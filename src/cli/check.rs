@@ -50,7 +50,7 @@ fn reach(plan: &Plan, index: usize) -> String {
         "layer {}: grown by {} on {nx} × {ny} cells of {:.2} px\n",
         index + 1,
         plan.system.name(),
-        (plan.cell[0] * plan.cell[1]).sqrt()
+        plan.px_a_cell()
     );
     let mut empty = 0;
     for (region, answer) in plan.answers.iter().enumerate() {

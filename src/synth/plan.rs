@@ -208,8 +208,9 @@ fn distance(a: &Attributes, b: &Attributes) -> f64 {
 }
 
 impl Plan {
-    /// px a cell.
-    fn pitch(&self) -> f64 {
+    /// px a cell, where cells are as good as square.
+    #[must_use]
+    pub fn px_a_cell(&self) -> f64 {
         (self.cell[0] * self.cell[1]).sqrt()
     }
 
@@ -221,7 +222,7 @@ impl Plan {
         let layout = *self.map.layout();
         let wanted: Vec<Attributes> =
             (0..layout.len()).map(|i| self.map.at(layout.center(layout.place(i)))).collect();
-        let cell = self.pitch();
+        let cell = self.px_a_cell();
         self.probed = probe::probed(training, self.system, &wanted, cell, when, watch)?;
         if self.probed.iter().all(|probed| probed.growths == 0) {
             return Ok(self);

@@ -27,7 +27,7 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
 
 fn layer_report(layer: &GrownLayer, name: &str) -> Value {
     let plan = &layer.plan;
-    let cell = (plan.cell[0] * plan.cell[1]).sqrt();
+    let cell = plan.px_a_cell();
     let regions: Vec<Value> =
         (0..plan.answers.len()).map(|index| region_report(layer, index, cell)).collect();
     json!({
