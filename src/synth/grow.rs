@@ -2,12 +2,13 @@
 
 use super::engine::Engine;
 use super::memory::TooLarge;
+use super::painting::Look;
 use super::pattern::Pattern;
 use super::plan::{Plan, PlanError, plan};
 use super::probe::{ProbeError, When};
 use super::recipe::{Document, DocumentError, Problem};
 use super::refine::{Measured, refine};
-use super::settle::settle;
+use super::settle::settle_seen;
 use super::training::Training;
 use super::watch::{Cancelled, Stage, Watch};
 use super::{drawn, memory};
@@ -101,6 +102,22 @@ pub fn grow(
     options: Options,
     watch: &Watch,
 ) -> Result<Grown, GrowError> {
+    grow_seen(document, source, training, options, watch, &mut |_| {})
+}
+
+/// The same for somebody who wants to have a look now and then, every few milliseconds; what comes out does not
+/// depend on it.
+///
+/// # Errors
+/// See [`GrowError`].
+pub fn grow_seen(
+    document: &Document,
+    source: &str,
+    training: &Training,
+    options: Options,
+    watch: &Watch,
+    seen: &mut dyn FnMut(&Look),
+) -> Result<Grown, GrowError> {
     if document.layers.len() > 1 {
         let found = format!("{} layers", document.layers.len());
         return Err(Problem::new("layers", found, "one layer; growing on top of others is not built yet")
@@ -119,7 +136,9 @@ pub fn grow(
             watch.step(Stage::Plan, 0.1)?;
             plan = plan.probed(training, When::Unsure, watch)?;
         }
-        layers.push(grow_layer(plan, document.layer_seed(index), index + 1, correct, watch)?);
+        let mut seen = |plan: &Plan, engine: &Engine| seen(&Look { beneath: &layers, plan, engine });
+        let layer = grow_layer(plan, document.layer_seed(index), index + 1, correct, watch, &mut seen)?;
+        layers.push(layer);
     }
     Ok(Grown { size, layers })
 }
@@ -130,11 +149,12 @@ fn grow_layer(
     layer: usize,
     correct: bool,
     watch: &Watch,
+    seen: &mut dyn FnMut(&Plan, &Engine),
 ) -> Result<GrownLayer, GrowError> {
     watch.step(Stage::Plan, 0.5)?;
     let mut engine = Engine::new(&plan, seed);
     watch.step(Stage::Plan, 1.0)?;
-    let settled = settle(&mut engine, watch)?;
+    let settled = settle_seen(&mut engine, watch, &mut |engine| seen(&plan, engine))?;
     let marks = engine.marks();
     if !marks.values.iter().all(|value| value.is_finite()) {
         return Err(GrowError::NoPattern { layer });

@@ -133,8 +133,21 @@ const UPDATES: u64 = 4_000_000;
 /// # Errors
 /// [`Cancelled`].
 pub fn settle(engine: &mut Engine, watch: &Watch) -> Result<bool, Cancelled> {
+    settle_seen(engine, watch, &mut |_| {})
+}
+
+/// The same for somebody who wants to have a look now and then.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn settle_seen(
+    engine: &mut Engine,
+    watch: &Watch,
+    seen: &mut dyn FnMut(&Engine),
+) -> Result<bool, Cancelled> {
     while engine.advance(UPDATES) {
         watch.step(Stage::Grow, engine.progress())?;
+        seen(engine);
     }
     Ok(engine.settled())
 }

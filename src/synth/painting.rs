@@ -1,0 +1,165 @@
+//! Grown layers → the texture's px, its pattern, its labels: the same for a file and for a window.
+
+use std::ops::Range;
+use std::path::Path;
+
+use super::engine::Engine;
+use super::grow::{Grown, GrownLayer};
+use super::pattern::Pattern;
+use super::plan::Plan;
+use super::recipe::{Colours, Document};
+use super::watch::{Stage, Watch};
+use crate::colour::{Bend, Gradient, Painted, Stop, Table, paint_rows, painter};
+use crate::export::png::{self, Header, Samples};
+use crate::export::{self, ExportError, Prepared, Stopped};
+use crate::field::{Edges, Field, to_u16};
+
+/// A pattern value from which on a px is covered by a mark.
+const COVERED: f32 = 0.5;
+
+/// What is painted, at the size of the pictures.
+pub struct Painting<'a> {
+    /// Width and height, px.
+    pub size: [usize; 2],
+    layers: Vec<Pattern<'a>>,
+    tables: Vec<Table>,
+    visible: Vec<bool>,
+}
+
+impl<'a> Painting<'a> {
+    /// What `document` has `grown`, with `scale` times the px along each side.
+    #[must_use]
+    pub fn of(document: &Document, grown: &'a Grown, scale: usize) -> Self {
+        Self::with(
+            document,
+            grown.size.map(|side| side as usize * scale),
+            grown.layers.iter().map(GrownLayer::pattern).collect(),
+        )
+    }
+
+    /// A layer that still grows, on top of those that have `grown`, at `size` px.
+    #[must_use]
+    pub fn growing(document: &Document, look: &Look<'a>, size: [usize; 2]) -> Self {
+        let mut layers: Vec<_> = look.beneath.iter().map(GrownLayer::pattern).collect();
+        layers.push(Pattern::new(look.plan, &look.engine.marks()));
+        Self::with(document, size, layers)
+    }
+
+    fn with(document: &Document, size: [usize; 2], layers: Vec<Pattern<'a>>) -> Self {
+        let tables = document.layers.iter().enumerate().map(|(index, layer)| {
+            let gradient = layer.colours.as_ref().map(gradient);
+            gradient.unwrap_or_else(|| Gradient::default_for_layer(index)).table()
+        });
+        Self {
+            size,
+            tables: tables.collect(),
+            visible: document.layers.iter().map(|layer| layer.visible).collect(),
+            layers,
+        }
+    }
+
+    /// Some of its rows.
+    #[must_use]
+    pub fn band(&self, rows: Range<usize>) -> Band<'_> {
+        let [width, height] = self.size;
+        let field = |values: Vec<f32>| Field {
+            width,
+            height: rows.len(),
+            cell: [1.0, 1.0],
+            edges: Edges::Closed,
+            values,
+        };
+        let layers = self.layers.iter();
+        let patterns = layers.map(|layer| field(layer.rows(rows.clone(), width, height))).collect();
+        Band { painting: self, patterns }
+    }
+
+    /// The whole texture: red, green, blue a px, row by row from the top.
+    #[must_use]
+    pub fn rgb(&self) -> Vec<u8> {
+        let mut rgb = vec![0; 3 * self.size[0] * self.size[1]];
+        self.band(0..self.size[1]).paint(&mut rgb);
+        rgb
+    }
+
+    /// Writes a picture of it to `path`, which does not have its name yet. `fill` gives the bytes of a band.
+    ///
+    /// # Errors
+    /// Where the file cannot be written, or `watch` does not want it any more.
+    pub fn prepare(
+        &self,
+        path: &Path,
+        (samples, dpi): (Samples, f64),
+        watch: &Watch,
+        fill: impl Fn(&Band, &mut [u8]),
+    ) -> Result<Prepared, ExportError> {
+        let header = Header { size: self.size, samples, dpi: Some(dpi) };
+        export::prepare(path, |out| {
+            png::write(out, header, |rows, bytes| {
+                let done = rows.start as f64 / self.size[1] as f64;
+                watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
+                fill(&self.band(rows), bytes);
+                Ok(())
+            })
+        })
+    }
+}
+
+/// A look at a document that grows.
+pub struct Look<'a> {
+    /// The layers that have grown.
+    pub beneath: &'a [GrownLayer],
+    /// What grows on top of them.
+    pub plan: &'a Plan,
+    /// How far it is.
+    pub engine: &'a Engine,
+}
+
+fn gradient(colours: &Colours) -> Gradient {
+    Gradient {
+        stops: colours.stops.iter().map(|stop| Stop { at: stop.at as f32, colour: stop.colour }).collect(),
+        bends: colours.bends.iter().map(|bend| Bend(*bend)).collect(),
+    }
+}
+
+/// Some rows of the pictures: the pattern of each layer there.
+pub struct Band<'a> {
+    painting: &'a Painting<'a>,
+    patterns: Vec<Field>,
+}
+
+impl Band<'_> {
+    fn painted(&self) -> Vec<Painted<'_>> {
+        let layers = self.patterns.iter().zip(&self.painting.tables).zip(&self.painting.visible);
+        layers
+            .map(|((pattern, table), visible)| Painted { pattern, free: None, table, visible: *visible })
+            .collect()
+    }
+
+    /// Its colours: red, green, blue a px.
+    pub fn paint(&self, rgb: &mut [u8]) {
+        let rows = self.patterns.first().map_or(0, |pattern| pattern.height);
+        paint_rows(&self.painted(), self.painting.size[0], 0..rows, rgb);
+    }
+
+    /// The pattern of layer `only`, or of the layer that painted each px; ground where none did. 16 bit, big end
+    /// first.
+    pub fn pattern(&self, only: Option<usize>, gray: &mut [u8]) {
+        let painted = self.painted();
+        for (px, two) in gray.chunks_exact_mut(2).enumerate() {
+            let layer = only.or_else(|| painter(&painted, px));
+            let value = layer.map_or(0.0, |layer| self.patterns[layer].values[px]);
+            two.copy_from_slice(&to_u16(value).to_be_bytes());
+        }
+    }
+
+    /// Which layer's mark covers each px: 1 = the lowest, 0 = none.
+    pub fn labels(&self, labels: &mut [u8]) {
+        let painted = self.painted();
+        for (px, label) in labels.iter_mut().enumerate() {
+            let layer = painter(&painted, px).filter(|layer| self.patterns[*layer].values[px] >= COVERED);
+            // A document has at most 255 layers.
+            *label = layer.map_or(0, |layer| (layer + 1) as u8);
+        }
+    }
+}
