@@ -45,4 +45,6 @@ pub mod sketch;
 pub mod synth;
 
 // Doors.
+#[cfg(feature = "app")]
+pub mod app;
 pub mod cli;

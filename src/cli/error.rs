@@ -27,8 +27,9 @@ pub enum Error {
     /// Arguments that contradict each other.
     #[error("{0}")]
     Usage(String),
-    /// There is no window yet.
-    #[error("{file}: there is no window to open it in yet; allowed: dapple grow {file} -o OUT.png")]
+    /// It was built without the window.
+    #[cfg(not(feature = "app"))]
+    #[error("{file}: this dapple was built without its window; allowed: dapple grow {file} -o OUT.png")]
     NoWindow {
         /// The document.
         file: String,

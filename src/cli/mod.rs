@@ -1,4 +1,4 @@
-//! The command line: one file a command.
+//! The command line: one file a command. Without one it opens the window.
 //!
 //! Exit codes: 0 done; 1 could not (file, growth); 2 used wrongly; 130 interrupted. What is asked for goes to
 //! stdout, errors and progress go to stderr.
@@ -23,7 +23,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 /// Draw a few spots or stripes; dapple grows a reaction-diffusion texture with their size, shape, spacing and
-/// direction.
+/// direction. Without a command, or with a document alone, it opens its window.
 #[derive(Parser)]
 #[command(name = "dapple", version, subcommand_required = true, arg_required_else_help = true)]
 struct Cli {
@@ -52,8 +52,8 @@ enum Command {
 pub fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().collect();
     match &arguments[..] {
-        [] | [_] => finish(say(&Cli::command().render_help().to_string())),
-        [_, file] if is_document(file) => finish(no_window(file)),
+        [] | [_] => finish(window(None)),
+        [_, file] if is_document(file) => finish(window(Some(file))),
         _ => match Cli::try_parse_from(arguments) {
             Ok(cli) => finish(run(cli.command)),
             Err(error) => {
@@ -85,10 +85,20 @@ fn is_document(argument: &OsString) -> bool {
     !named && (path.extension().is_some_and(|extension| extension == "dapple") || path.is_file())
 }
 
-/// Until there is a window to open a document in.
-fn no_window(file: &OsString) -> Result<(), Error> {
+/// Opens the window, with a document if one is named.
+#[cfg(feature = "app")]
+fn window(file: Option<&OsString>) -> Result<(), Error> {
+    crate::app::run(file.map(Into::into)).map_err(Error::step)
+}
+
+/// Built without the window.
+#[cfg(not(feature = "app"))]
+fn window(file: Option<&OsString>) -> Result<(), Error> {
     say(&Cli::command().render_help().to_string())?;
-    Err(Error::NoWindow { file: file.to_string_lossy().into_owned() })
+    match file {
+        None => Ok(()),
+        Some(file) => Err(Error::NoWindow { file: file.to_string_lossy().into_owned() }),
+    }
 }
 
 /// Tells how it went, once and on stderr, and gives the exit code.

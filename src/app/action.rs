@@ -1,0 +1,95 @@
+//! All that one can do, whatever button, menu or key it is asked by.
+
+use std::path::PathBuf;
+
+use super::canvas::tool::Tool;
+
+/// Something to be done.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Ask what the new document shall be.
+    New,
+    /// Ask which document to open.
+    Open,
+    /// Open this one.
+    OpenFile(PathBuf),
+    /// Open the example with this name.
+    Example(&'static str),
+    /// Save.
+    Save,
+    /// Ask where to save.
+    SaveAs,
+    /// Ask where to export the texture.
+    Export,
+    /// Close the window.
+    Quit,
+    /// Undo the last step.
+    Undo,
+    /// Do it again.
+    Redo,
+    /// Copy what is selected, and take it away.
+    Cut,
+    /// Copy what is selected.
+    Copy,
+    /// Put down what was copied, as text.
+    Paste(String),
+    /// Put down a copy of what is selected.
+    Duplicate,
+    /// Take away what is selected.
+    Delete,
+    /// Select all.
+    SelectAll,
+    /// Select nothing, let go of what is being drawn.
+    Escape,
+    /// Select the next mark (1) or the one before (−1).
+    Next(isize),
+    /// Move what is selected, px.
+    Nudge([f64; 2]),
+    /// Turn what is selected, degrees.
+    Turn(f64),
+    /// Make what is selected larger or smaller.
+    Scale(f64),
+    /// Put an ellipse (true) or a line (false) into the middle of what is seen.
+    Insert(bool),
+    /// Take a tool.
+    Tool(Tool),
+    /// Show the whole canvas.
+    Fit,
+    /// One px of the canvas a px of the screen.
+    ActualSize,
+    /// Zoom by this factor.
+    Zoom(f32),
+    /// Side by side, or one over the other.
+    Over(bool),
+    /// Two by two tiles.
+    Tiled(bool),
+    /// Show the region grid.
+    Regions(bool),
+    /// Show what is seen in the sketch.
+    Analysis(bool),
+    /// Ask for a picture to lie under the canvas.
+    Reference,
+    /// Pause, or go on.
+    Pause,
+    /// Stop growing.
+    Stop,
+    /// Grow again.
+    Grow,
+    /// Another seed.
+    AnotherSeed,
+    /// Show or hide a page.
+    Page(Page),
+}
+
+/// A page over the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Page {
+    /// How to begin.
+    Hint,
+    /// Examples, as pictures.
+    Examples,
+    /// Keys.
+    Shortcuts,
+    /// What this is, and whence.
+    About,
+}

@@ -1,0 +1,88 @@
+//! How marks and strokes look on the canvas.
+
+use eframe::egui::epaint::{EllipseShape, PathShape};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
+
+use super::view::View;
+use crate::marks::{Line, Mark};
+
+/// Paints on a canvas.
+pub struct Ink<'a> {
+    /// With what.
+    pub painter: &'a Painter,
+    /// Which part of it is seen.
+    pub view: &'a View,
+    /// Where.
+    pub room: Rect,
+}
+
+impl Ink<'_> {
+    /// Where a point of the canvas, px, is seen.
+    #[must_use]
+    pub fn at(&self, point: [f64; 2]) -> Pos2 {
+        self.view.to_screen(self.room, point)
+    }
+
+    /// A mark, filled and outlined.
+    pub fn mark(&self, mark: &Mark, fill: Color32, outline: Stroke) {
+        match mark {
+            Mark::Ellipse(ellipse) => {
+                let radius = vec2(ellipse.radii[0] as f32, ellipse.radii[1] as f32) * self.view.zoom;
+                let shape = EllipseShape {
+                    center: self.at(ellipse.center),
+                    radius,
+                    fill,
+                    stroke: outline,
+                    angle: 0.0,
+                };
+                self.painter.add(shape.with_angle(ellipse.angle.to_radians() as f32));
+            }
+            Mark::Line(line) => {
+                let outline = PathShape {
+                    closed: true,
+                    ..PathShape::convex_polygon(self.rounded(line), fill, outline)
+                };
+                self.painter.add(outline);
+            }
+        }
+    }
+
+    /// The outline of a line with round ends.
+    fn rounded(&self, line: &Line) -> Vec<Pos2> {
+        /// Steps of each end's half circle.
+        const STEPS: usize = 8;
+        let [from, to] = [line.from, line.to].map(|end| self.at(end));
+        let half = (0.5 * line.width as f32 * self.view.zoom).max(0.75);
+        let start = (to - from).angle() - std::f32::consts::FRAC_PI_2;
+        let mut outline = Vec::with_capacity(2 * STEPS + 2);
+        for (end, turn) in [(to, 0.0), (from, std::f32::consts::PI)] {
+            for step in 0..=STEPS {
+                let angle = start + turn + std::f32::consts::PI * step as f32 / STEPS as f32;
+                outline.push(end + half * vec2(angle.cos(), angle.sin()));
+            }
+        }
+        outline
+    }
+
+    /// A path of the pen.
+    pub fn path(&self, points: &[[f64; 2]], stroke: Stroke) {
+        let points: Vec<Pos2> = points.iter().map(|point| self.at(*point)).collect();
+        match &points[..] {
+            [] => {}
+            [dot] => drop(self.painter.circle_filled(*dot, 0.5 * stroke.width, stroke.color)),
+            _ => drop(self.painter.add(Shape::line(points, stroke))),
+        }
+    }
+
+    /// A straight line.
+    pub fn segment(&self, [from, to]: [[f64; 2]; 2], stroke: Stroke) {
+        self.painter.line_segment([self.at(from), self.at(to)], stroke);
+    }
+
+    /// A box with a dashed border.
+    pub fn dashed(&self, corners: [Pos2; 2], stroke: Stroke) {
+        let rect = Rect::from_two_pos(corners[0], corners[1]);
+        let [a, b, c, d] = [rect.left_top(), rect.right_top(), rect.right_bottom(), rect.left_bottom()];
+        self.painter.extend(Shape::dashed_line(&[a, b, c, d, a], stroke, 4.0, 3.0));
+    }
+}

@@ -1,0 +1,334 @@
+//! The canvas: the sketch, the tools, the selection.
+
+pub mod analysis;
+mod gesture;
+mod handles;
+pub mod ink;
+mod navigate;
+pub mod tool;
+pub mod view;
+
+pub use gesture::Nib;
+pub use navigate::navigate;
+
+use eframe::egui::{
+    Align2, Color32, CursorIcon, EventFilter, FontId, Id, Key, PointerButton, Rect, Response, Role, Sense,
+    Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+};
+
+use super::desk::Desk;
+use super::reference::Reference;
+use super::theme::Palette;
+use crate::field::Edges;
+use analysis::Analysis;
+use gesture::{Gesture, Hand};
+use ink::Ink;
+use tool::Tool;
+use view::View;
+
+/// Seconds in which a recognised stroke fades away.
+const FADE: f64 = 0.7;
+
+/// What lies over the sketch on request.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Overlays {
+    /// The region grid.
+    pub regions: bool,
+    /// Fitted ellipses, neighbours, directions.
+    pub analysis: bool,
+}
+
+/// The canvas' own state: nothing of it is saved.
+pub struct Canvas {
+    /// The tool at hand.
+    pub tool: Tool,
+    /// What new marks are made with.
+    pub nib: Nib,
+    /// Which part is seen.
+    pub view: View,
+    /// What lies over it.
+    pub overlays: Overlays,
+    /// The place under the pointer, px.
+    pub pointer: Option<[f64; 2]>,
+    /// What is seen in the sketch.
+    pub analysis: Analysis,
+    /// A picture beneath.
+    pub reference: Reference,
+    /// Its widget, once it was shown.
+    pub id: Option<Id>,
+    gesture: Option<Gesture>,
+    /// Strokes that were recognised, and when.
+    fading: Vec<(Vec<[f64; 2]>, f64)>,
+}
+
+impl Default for Canvas {
+    fn default() -> Self {
+        Self {
+            tool: Tool::default(),
+            nib: Nib::default(),
+            view: View::default(),
+            overlays: Overlays { regions: true, analysis: false },
+            pointer: None,
+            analysis: Analysis::default(),
+            reference: Reference::default(),
+            id: None,
+            gesture: None,
+            fading: Vec::new(),
+        }
+    }
+}
+
+impl Canvas {
+    /// Is the pen down?
+    #[must_use]
+    pub fn is_busy(&self) -> bool {
+        self.gesture.as_ref().is_some_and(|gesture| !matches!(gesture, Gesture::Pan))
+    }
+
+    /// Lets go of what is being drawn.
+    pub fn cancel(&mut self, desk: &mut Desk) -> bool {
+        let held = self.gesture.take().is_some();
+        if held {
+            desk.revert();
+        }
+        held
+    }
+
+    /// Shows the canvas in `room` and lets the hand work on it.
+    pub fn ui(&mut self, ui: &mut Ui, room: Rect, desk: &mut Desk) -> Response {
+        let response = ui.interact(room, ui.scope_id().with("sketch"), Sense::drag());
+        self.id = Some(response.id);
+        let marks = desk.marks().count();
+        let name = format!("Sketch canvas, {marks} {}", if marks == 1 { "mark" } else { "marks" });
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, &name));
+        if self.view.fitted {
+            self.view.fit(desk.document().size, room);
+        }
+        if response.has_focus() {
+            let filter =
+                EventFilter { tab: false, horizontal_arrows: true, vertical_arrows: true, escape: true };
+            ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+        }
+        self.pointer = response.hover_pos().map(|at| self.view.to_canvas(room, at));
+        if ui.input(eframe::egui::InputState::multi_touch).is_some() {
+            // Two fingers move the view; what the first one began was not meant.
+            self.cancel(desk);
+        } else {
+            self.hand(ui, &response, room, desk);
+        }
+        let grabbed = matches!(self.gesture, Some(Gesture::Pan));
+        navigate(ui, &response, room, &mut self.view, grabbed);
+        self.analysis.follow(desk);
+        self.paint(ui, room, desk, &response);
+        response
+    }
+
+    fn hand(&mut self, ui: &Ui, response: &Response, room: Rect, desk: &mut Desk) {
+        let (modifiers, space) = ui.input(|input| (input.modifiers, input.key_down(Key::Space)));
+        let zoom = f64::from(self.view.zoom);
+        let view = self.view;
+        let hand =
+            |at| Hand { at: view.to_canvas(room, at), zoom, shift: modifiers.shift, alt: modifiers.alt };
+        let handles = handles::handles(desk, &self.view, room);
+        if response.drag_started() {
+            response.request_focus();
+            let primary = ui.input(|input| input.pointer.button_down(PointerButton::Primary));
+            if let Some(at) = ui.input(|input| input.pointer.press_origin()) {
+                let handle = handles::at(&handles, at);
+                let tool = if primary && !space { self.tool } else { Tool::Hand };
+                self.gesture = Some(gesture::press(tool, desk, handle, hand(at)));
+            }
+        }
+        if let Some(gesture) = &mut self.gesture {
+            // All the places the pointer was at since the last frame, not just the last one.
+            let path = ui.input(|input| moves(&input.events));
+            for at in path {
+                gesture.advance(desk, hand(at));
+            }
+        }
+        if response.drag_stopped()
+            && let Some(gesture) = self.gesture.take()
+        {
+            let at = response.interact_pointer_pos().or(ui.input(|input| input.pointer.latest_pos()));
+            if let Some(at) = at {
+                let stroke = gesture.release(desk, &mut self.nib, hand(at));
+                self.fading.extend(stroke.map(|points| (points, ui.input(|input| input.time))));
+            }
+        }
+        self.cursor(ui, response, &handles, space);
+    }
+
+    fn cursor(
+        &self,
+        ui: &Ui,
+        response: &Response,
+        handles: &[(handles::Handle, eframe::egui::Pos2)],
+        space: bool,
+    ) {
+        let Some(at) = response.hover_pos() else { return };
+        let over = if self.tool == Tool::Select { handles::at(handles, at) } else { None };
+        let held = self.gesture.is_some();
+        let icon = match (&self.gesture, over) {
+            (Some(Gesture::Pull(handle, ..)), _) => handles::cursor(*handle),
+            (_, Some(handle)) if !space => handles::cursor(handle),
+            _ if space || self.tool == Tool::Hand => {
+                if held {
+                    CursorIcon::Grabbing
+                } else {
+                    CursorIcon::Grab
+                }
+            }
+            _ if self.tool == Tool::Select => CursorIcon::Default,
+            _ => CursorIcon::Crosshair,
+        };
+        ui.ctx().set_cursor_icon(icon);
+    }
+
+    fn paint(&mut self, ui: &Ui, room: Rect, desk: &Desk, response: &Response) {
+        let colours = Palette::of(ui.visuals());
+        let painter = ui.painter_at(room);
+        painter.rect_filled(room, 0.0, colours.desk);
+        let paper = self.view.paper(room, desk.document().size);
+        painter.rect_filled(paper, 2.0, colours.paper);
+        self.reference.paint(&painter, paper);
+        let ink = Ink { painter: &painter, view: &self.view, room };
+        if self.overlays.regions {
+            grid(&ink, desk, colours);
+        }
+        painter.rect_stroke(paper, 2.0, Stroke::new(1.0, colours.border), StrokeKind::Outside);
+        self.marks(&ink, desk, colours);
+        if self.overlays.analysis {
+            self.analysis.paint(&ink, desk, desk.layer, colours);
+        }
+        self.selection(&ink, desk, colours);
+        self.in_hand(ui, &ink, colours);
+        fade(ui, &ink, &mut self.fading, colours);
+        if response.has_focus() && ui.input(|input| !input.pointer.any_down()) {
+            painter.rect_stroke(
+                room.shrink(1.0),
+                3.0,
+                Stroke::new(1.0, colours.accent_pale),
+                StrokeKind::Inside,
+            );
+        }
+    }
+
+    fn marks(&self, ink: &Ink, desk: &Desk, colours: &Palette) {
+        for (place, mark) in desk.marks() {
+            let layer = &desk.document().layers[place.layer];
+            let colour = colours.ink(place.layer);
+            let pale = if layer.visible { 1.0 } else { 0.3 };
+            let fill = if self.overlays.analysis { 0.10 } else { 0.82 };
+            if desk.selection.holds(place) {
+                let outline = Stroke::new(2.0, colours.accent);
+                ink.mark(&mark, colour.gamma_multiply(0.6 * fill), outline);
+            } else {
+                ink.mark(
+                    &mark,
+                    colour.gamma_multiply(pale * fill),
+                    Stroke::new(1.0, colour.gamma_multiply(pale)),
+                );
+            }
+        }
+    }
+
+    fn selection(&self, ink: &Ink, desk: &Desk, colours: &Palette) {
+        let marks: Vec<_> = desk.selected().collect();
+        if marks.len() > 1
+            && let Some(around) = handles::frame(&marks, ink.view, ink.room)
+        {
+            ink.dashed([around.min, around.max], Stroke::new(1.0, colours.accent));
+        }
+        if self.tool != Tool::Select || matches!(self.gesture, Some(Gesture::Move { .. })) {
+            return;
+        }
+        for (handle, at) in handles::handles(desk, ink.view, ink.room) {
+            let stroke = Stroke::new(1.5, colours.accent);
+            if handle == handles::Handle::Turn {
+                ink.painter.circle(at, 4.5, colours.accent, stroke);
+            } else {
+                ink.painter.rect(
+                    Rect::from_center_size(at, vec2(8.0, 8.0)),
+                    2.0,
+                    colours.paper,
+                    stroke,
+                    StrokeKind::Middle,
+                );
+            }
+        }
+    }
+
+    /// What the hand is about to make.
+    fn in_hand(&self, ui: &Ui, ink: &Ink, colours: &Palette) {
+        match &self.gesture {
+            Some(Gesture::Pen(points)) => {
+                let width = (self.nib.width as f32 * ink.view.zoom).clamp(1.5, 3.0);
+                ink.path(points, Stroke::new(width, colours.pen));
+            }
+            Some(Gesture::Box(ends, _)) => {
+                ink.dashed(ends.map(|end| ink.at(end)), Stroke::new(1.0, colours.accent));
+            }
+            Some(gesture) => {
+                if let Some(mark) = gesture.preview(&self.nib) {
+                    ink.mark(&mark, colours.pen.gamma_multiply(0.25), Stroke::new(1.5, colours.pen));
+                    if let Some(at) = ui.input(|input| input.pointer.latest_pos()) {
+                        label(ink, &mark, at, colours);
+                    }
+                }
+            }
+            None => {}
+        }
+    }
+}
+
+/// Strokes that were recognised fade away.
+fn fade(ui: &Ui, ink: &Ink, fading: &mut Vec<(Vec<[f64; 2]>, f64)>, colours: &Palette) {
+    let now = ui.input(|input| input.time);
+    fading.retain(|(_, since)| now - since < FADE);
+    for (points, since) in &*fading {
+        let left = 1.0 - ((now - since) / FADE) as f32;
+        ink.path(points, Stroke::new(2.0, colours.pen.gamma_multiply(left)));
+    }
+    if !fading.is_empty() {
+        ui.ctx().request_repaint();
+    }
+}
+
+/// The places that the pointer went to.
+fn moves(events: &[eframe::egui::Event]) -> Vec<eframe::egui::Pos2> {
+    let place = |event: &eframe::egui::Event| match event {
+        eframe::egui::Event::PointerMoved(at) => Some(*at),
+        _ => None,
+    };
+    events.iter().filter_map(place).collect()
+}
+
+/// How large it would be, beside the pointer.
+fn label(ink: &Ink, mark: &crate::marks::Mark, at: eframe::egui::Pos2, colours: &Palette) {
+    let text = match mark {
+        crate::marks::Mark::Ellipse(ellipse) => format!("{:.0} px²", ellipse.area()),
+        crate::marks::Mark::Line(line) => format!("{:.0}°", line.angle()),
+    };
+    let galley = ink.painter.layout_no_wrap(text, FontId::proportional(11.5), colours.paper);
+    let rect = Align2::LEFT_TOP.anchor_size(at + vec2(14.0, 14.0), galley.size() + vec2(10.0, 4.0));
+    ink.painter.rect_filled(rect, 4.0, colours.pen);
+    ink.painter.galley(rect.min + vec2(5.0, 2.0), galley, Color32::PLACEHOLDER);
+}
+
+/// The borders between regions; on a seamless canvas its own border too.
+fn grid(ink: &Ink, desk: &Desk, colours: &Palette) {
+    let document = desk.document();
+    let size = document.size.map(f64::from);
+    let stroke = Stroke::new(1.0, colours.grid);
+    for axis in 0..2 {
+        for line in 1..document.regions[axis] {
+            let place = size[axis] * f64::from(line) / f64::from(document.regions[axis]);
+            let [mut from, mut to] = [[0.0; 2], size];
+            (from[axis], to[axis]) = (place, place);
+            ink.segment([from, to], stroke);
+        }
+    }
+    if document.edges == Edges::Wrap {
+        ink.dashed([ink.at([0.0; 2]), ink.at(size)], Stroke::new(1.5, colours.accent_pale));
+    }
+}

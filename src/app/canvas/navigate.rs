@@ -1,0 +1,27 @@
+//! Moving the view: wheel, touchpad, two fingers, dragging.
+
+use eframe::egui::{Rect, Response, Ui, Vec2};
+
+use super::view::View;
+
+/// Moves `view`, which is seen in `room`, as the wheel and the fingers say, and as it is dragged where it is `grabbed`.
+/// Gives whether it moved.
+pub fn navigate(ui: &Ui, response: &Response, room: Rect, view: &mut View, grabbed: bool) -> bool {
+    let before = *view;
+    if grabbed && response.dragged() {
+        view.pan(response.drag_delta());
+    }
+    if response.contains_pointer() {
+        let (scroll, zoom, touch, at) = ui.input(|input| {
+            (input.smooth_scroll_delta(), input.zoom_delta(), input.multi_touch(), input.pointer.hover_pos())
+        });
+        let scroll = touch.map_or(scroll, |touch| touch.translation_delta);
+        if scroll != Vec2::ZERO {
+            view.pan(scroll);
+        }
+        if zoom != 1.0 {
+            view.zoom_at(room, at.unwrap_or(room.center()), zoom);
+        }
+    }
+    *view != before
+}

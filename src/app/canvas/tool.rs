@@ -1,0 +1,72 @@
+//! The tools.
+
+use crate::app::icons::Icon;
+
+/// What the pointer does on the canvas.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Tool {
+    /// Selects, moves, resizes, turns.
+    Select,
+    /// Draws freely: closed = an ellipse, open = a line.
+    #[default]
+    Pen,
+    /// Drags an ellipse up.
+    Ellipse,
+    /// Drags a line.
+    Line,
+    /// Takes away what it touches.
+    Eraser,
+    /// Moves the view.
+    Hand,
+}
+
+impl Tool {
+    /// All of them, in the order of the strip.
+    pub const ALL: [Self; 6] = [Self::Select, Self::Pen, Self::Ellipse, Self::Line, Self::Eraser, Self::Hand];
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Select => "Select",
+            Self::Pen => "Freehand",
+            Self::Ellipse => "Ellipse",
+            Self::Line => "Line",
+            Self::Eraser => "Eraser",
+            Self::Hand => "Pan",
+        }
+    }
+
+    /// How it is used.
+    #[must_use]
+    pub fn help(self) -> &'static str {
+        match self {
+            Self::Select => {
+                "Click a mark or drag a box around some; Shift adds. Drag to move, the handles resize and turn. \
+                 Alt-drag leaves a copy."
+            }
+            Self::Pen => {
+                "Draw as with a pen: a closed stroke becomes an ellipse, an open one a line, as the pen lifts."
+            }
+            Self::Ellipse => {
+                "Drag from corner to corner; Shift makes a circle. A click repeats the last one."
+            }
+            Self::Line => "Drag from end to end; Shift keeps to steps of 15°.",
+            Self::Eraser => "Drag over what should go.",
+            Self::Hand => "Drag the view. The middle button and Space do so with every tool.",
+        }
+    }
+
+    /// Its picture.
+    #[must_use]
+    pub fn icon(self) -> Icon {
+        match self {
+            Self::Select => Icon::Arrow,
+            Self::Pen => Icon::Pen,
+            Self::Ellipse => Icon::Ellipse,
+            Self::Line => Icon::Line,
+            Self::Eraser => Icon::Eraser,
+            Self::Hand => Icon::Hand,
+        }
+    }
+}

@@ -1,0 +1,267 @@
+//! Choosing a file: the system's own dialog where it has one, else ours.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver, TryRecvError};
+use std::thread;
+
+use eframe::egui::{Button, Context, Key, ScrollArea, TextEdit, Ui, vec2};
+
+/// What the file is wanted for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// A document to open.
+    Open,
+    /// Where to save the document.
+    Save,
+    /// Where to write the picture.
+    Export,
+    /// A picture to lie under the canvas.
+    Reference,
+}
+
+impl Purpose {
+    /// Its heading.
+    #[must_use]
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Open => "Open a document",
+            Self::Save => "Save the document",
+            Self::Export => "Export the texture",
+            Self::Reference => "A picture to draw over",
+        }
+    }
+
+    fn verb(self) -> &'static str {
+        match self {
+            Self::Open | Self::Reference => "Open",
+            Self::Save => "Save",
+            Self::Export => "Export",
+        }
+    }
+
+    fn endings(self) -> &'static [&'static str] {
+        match self {
+            Self::Open | Self::Save => &["dapple"],
+            Self::Export => &["png"],
+            Self::Reference => &["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp"],
+        }
+    }
+
+    fn writes(self) -> bool {
+        matches!(self, Self::Save | Self::Export)
+    }
+}
+
+/// What came of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// This one.
+    Chosen(PathBuf),
+    /// None.
+    Nothing,
+    /// It is still being chosen.
+    Waiting,
+}
+
+/// A file being chosen.
+pub struct Chooser {
+    /// What for.
+    pub purpose: Purpose,
+    system: Option<Receiver<Option<PathBuf>>>,
+    folder: PathBuf,
+    name: String,
+    entries: Vec<(String, bool)>,
+    /// The file that would be replaced: asked about once.
+    replaces: Option<PathBuf>,
+    fresh: bool,
+}
+
+impl Chooser {
+    /// Begins where `at` lies; `native` = with the system's dialog where there is one.
+    #[must_use]
+    pub fn new(purpose: Purpose, at: Option<&Path>, name: &str, native: bool, ctx: &Context) -> Self {
+        let folder = at.and_then(Path::parent).filter(|folder| folder.is_dir()).map(Path::to_owned);
+        let folder = folder.or_else(|| std::env::current_dir().ok()).unwrap_or_else(|| PathBuf::from("."));
+        let folder = folder.canonicalize().unwrap_or(folder);
+        let system =
+            (native && has_system_dialog()).then(|| system_dialog(purpose, &folder, name, ctx.clone()));
+        let mut chooser = Self {
+            purpose,
+            system,
+            folder,
+            name: name.to_owned(),
+            entries: Vec::new(),
+            replaces: None,
+            fresh: true,
+        };
+        chooser.list();
+        chooser
+    }
+
+    /// Is it our own dialog?
+    #[must_use]
+    pub fn is_ours(&self) -> bool {
+        self.system.is_none()
+    }
+
+    /// What the system's dialog says by now.
+    pub fn listen(&mut self) -> Choice {
+        match self.system.as_ref().map(Receiver::try_recv) {
+            None | Some(Err(TryRecvError::Empty)) => Choice::Waiting,
+            Some(Ok(Some(path))) => Choice::Chosen(self.with_ending(path)),
+            Some(Ok(None) | Err(TryRecvError::Disconnected)) => Choice::Nothing,
+        }
+    }
+
+    fn list(&mut self) {
+        let fits = |name: &str| {
+            let ending = Path::new(name).extension().map(|ending| ending.to_string_lossy().to_lowercase());
+            ending.is_some_and(|ending| self.purpose.endings().contains(&ending.as_str()))
+        };
+        let files = fs::read_dir(&self.folder).into_iter().flatten().flatten();
+        let mut entries: Vec<(String, bool)> = files
+            .map(|entry| (entry.file_name().to_string_lossy().into_owned(), entry.path().is_dir()))
+            .filter(|(name, folder)| !name.starts_with('.') && (*folder || fits(name)))
+            .collect();
+        entries.sort_by_key(|(name, folder)| (!folder, name.to_lowercase()));
+        self.entries = entries;
+    }
+
+    fn enter(&mut self, folder: PathBuf) {
+        self.folder = folder;
+        self.replaces = None;
+        self.list();
+    }
+
+    /// Our own dialog's inside.
+    pub fn ui(&mut self, ui: &mut Ui) -> Choice {
+        ui.set_width(480.0);
+        ui.heading(self.purpose.title());
+        ui.add_space(4.0);
+        ui.horizontal(|ui| {
+            let up = self.folder.parent().map(Path::to_owned);
+            let button = ui.add_enabled(up.is_some(), Button::new("Up")).on_hover_text("The folder above");
+            if let (true, Some(up)) = (button.clicked(), up) {
+                self.enter(up);
+            }
+            ui.weak(self.folder.display().to_string());
+        });
+        let mut chosen = self.entries_ui(ui);
+        ui.horizontal(|ui| {
+            let label = ui.label("File");
+            let edit = TextEdit::singleline(&mut self.name).desired_width(ui.available_width());
+            let edit = ui.add(edit).labelled_by(label.id);
+            if std::mem::take(&mut self.fresh) {
+                edit.request_focus();
+            }
+            if edit.changed() {
+                self.replaces = None;
+            }
+            chosen |= edit.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        });
+        let path = self.path();
+        if let Some(there) = &self.replaces {
+            let name = there.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            ui.colored_label(ui.visuals().warn_fg_color, format!("{name} is there already. Replace it?"));
+        }
+        let mut choice = Choice::Waiting;
+        ui.add_space(4.0);
+        ui.with_layout(eframe::egui::Layout::right_to_left(eframe::egui::Align::Center), |ui| {
+            let verb = if self.replaces.is_some() { "Replace" } else { self.purpose.verb() };
+            let button =
+                ui.add_enabled(!self.name.trim().is_empty(), Button::new(verb).min_size(vec2(90.0, 28.0)));
+            chosen |= button.clicked();
+            if ui.add(Button::new("Cancel").min_size(vec2(80.0, 28.0))).clicked() {
+                choice = Choice::Nothing;
+            }
+        });
+        if chosen && choice == Choice::Waiting && !self.name.trim().is_empty() {
+            self.choose(path)
+        } else {
+            choice
+        }
+    }
+
+    fn entries_ui(&mut self, ui: &mut Ui) -> bool {
+        let mut chosen = false;
+        let mut enter = None;
+        let height = 240.0;
+        ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false; 2]).show(
+            ui,
+            |ui| {
+                if self.entries.is_empty() {
+                    ui.weak("Nothing to choose here.");
+                }
+                for (name, folder) in &self.entries {
+                    let text = if *folder { format!("{name}/") } else { name.clone() };
+                    let row = ui.selectable_label(!folder && *name == self.name, text);
+                    if row.clicked() {
+                        if *folder {
+                            enter = Some(self.folder.join(name));
+                        } else {
+                            self.name.clone_from(name);
+                            self.replaces = None;
+                        }
+                    }
+                    chosen |= !folder && row.double_clicked();
+                }
+            },
+        );
+        if let Some(folder) = enter {
+            self.enter(folder);
+        }
+        chosen
+    }
+
+    /// The path that stands there: a whole one may be typed.
+    fn path(&self) -> PathBuf {
+        self.with_ending(self.folder.join(self.name.trim()))
+    }
+
+    fn with_ending(&self, path: PathBuf) -> PathBuf {
+        if self.purpose.writes() && path.extension().is_none() {
+            path.with_extension(self.purpose.endings()[0])
+        } else {
+            path
+        }
+    }
+
+    fn choose(&mut self, path: PathBuf) -> Choice {
+        if path.is_dir() {
+            self.name.clear();
+            self.enter(path);
+            return Choice::Waiting;
+        }
+        if self.purpose.writes() && path.exists() && self.replaces.as_ref() != Some(&path) {
+            self.replaces = Some(path);
+            return Choice::Waiting;
+        }
+        Choice::Chosen(path)
+    }
+}
+
+/// On Linux a dialog needs the session's bus; without one the call would come back silently.
+fn has_system_dialog() -> bool {
+    if !cfg!(target_os = "linux") {
+        return true;
+    }
+    let bus = || Some(PathBuf::from(std::env::var_os("XDG_RUNTIME_DIR")?).join("bus"));
+    std::env::var_os("DBUS_SESSION_BUS_ADDRESS").is_some() || bus().is_some_and(|bus| bus.exists())
+}
+
+fn system_dialog(purpose: Purpose, folder: &Path, name: &str, ctx: Context) -> Receiver<Option<PathBuf>> {
+    let dialog = rfd::FileDialog::new()
+        .set_title(purpose.title())
+        .set_directory(folder)
+        .set_file_name(name)
+        .add_filter(purpose.endings()[0], purpose.endings());
+    let (tell, chosen) = mpsc::channel();
+    thread::spawn(move || {
+        let path = if purpose.writes() { dialog.save_file() } else { dialog.pick_file() };
+        // The window may have gone.
+        let _ = tell.send(path);
+        ctx.request_repaint();
+    });
+    chosen
+}

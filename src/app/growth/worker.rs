@@ -1,0 +1,209 @@
+//! The thread that grows: the latest order wins.
+
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::{Picture, Texture};
+use crate::synth::painting::Look;
+use crate::synth::recipe::Document;
+use crate::synth::{GrowError, Options, Stage, Training, Watch, grow_seen};
+
+/// Pictures of a growth come no faster than this.
+const BETWEEN_PICTURES: Duration = Duration::from_millis(60);
+
+/// What the thread tells, and of which order.
+pub(super) struct News {
+    pub(super) generation: u64,
+    pub(super) what: What,
+}
+
+pub(super) enum What {
+    /// How it looks by now.
+    Picture(Picture),
+    /// It has settled.
+    Settled(Texture, Picture),
+    /// It cannot be grown.
+    Failed(String),
+}
+
+/// What the thread is asked for.
+pub(super) struct Orders {
+    next: Mutex<Next>,
+    called: Condvar,
+    /// The order that counts; others are given up.
+    generation: AtomicU64,
+    paused: AtomicBool,
+    /// Generation (upper 32 bits), stage and share (per 65,535) of what is being done.
+    progress: AtomicU64,
+}
+
+#[derive(Default)]
+struct Next {
+    job: Option<Job>,
+    end: bool,
+}
+
+enum Job {
+    Grow(u64, Document),
+    Paint(u64, Texture),
+}
+
+impl Orders {
+    fn order(&self, job: Option<Job>) {
+        let mut next = self.next.lock().unwrap_or_else(PoisonError::into_inner);
+        next.job = job;
+        drop(next);
+        self.called.notify_all();
+    }
+
+    pub(super) fn grow(&self, generation: u64, document: &Document) {
+        self.generation.store(generation, Ordering::Release);
+        self.order(Some(Job::Grow(generation, document.clone())));
+    }
+
+    pub(super) fn paint(&self, generation: u64, texture: Texture) {
+        self.order(Some(Job::Paint(generation, texture)));
+    }
+
+    pub(super) fn cancel(&self, generation: u64) {
+        self.generation.store(generation, Ordering::Release);
+        self.order(None);
+    }
+
+    pub(super) fn pause(&self, paused: bool) {
+        self.paused.store(paused, Ordering::Release);
+        // The lock makes sure that nobody falls asleep between its look and our call.
+        drop(self.next.lock());
+        self.called.notify_all();
+    }
+
+    pub(super) fn end(&self) {
+        self.next.lock().unwrap_or_else(PoisonError::into_inner).end = true;
+        self.cancel(u64::MAX);
+        self.pause(false);
+    }
+
+    /// How far order `generation` is.
+    pub(super) fn progress(&self, generation: u64) -> Option<(Stage, f64)> {
+        let told = self.progress.load(Ordering::Acquire);
+        let stage = [Stage::Plan, Stage::Grow, Stage::Refine, Stage::Write];
+        let of = (told >> 32) == (generation & 0xffff_ffff);
+        of.then(|| (stage[(told >> 16 & 3) as usize], (told & 0xffff) as f64 / 65_535.0))
+    }
+
+    fn tell(&self, generation: u64, stage: Stage, share: f64) {
+        let stage = match stage {
+            Stage::Plan => 0,
+            Stage::Grow => 1,
+            Stage::Refine => 2,
+            Stage::Write => 3,
+        };
+        let share = (share.clamp(0.0, 1.0) * 65_535.0) as u64;
+        self.progress.store((generation & 0xffff_ffff) << 32 | stage << 16 | share, Ordering::Release);
+    }
+
+    fn is_over(&self, generation: u64) -> bool {
+        self.generation.load(Ordering::Acquire) != generation
+    }
+
+    /// Sleeps while it is paused.
+    fn wait_while_paused(&self, generation: u64) {
+        let paused = || self.paused.load(Ordering::Acquire) && !self.is_over(generation);
+        if paused() {
+            let next = self.next.lock().unwrap_or_else(PoisonError::into_inner);
+            drop(self.called.wait_while(next, |next| paused() && !next.end));
+        }
+    }
+
+    /// Sleeps until there is something to do; `None` = go home.
+    fn next(&self) -> Option<Job> {
+        let next = self.next.lock().unwrap_or_else(PoisonError::into_inner);
+        let waited = self.called.wait_while(next, |next| next.job.is_none() && !next.end);
+        let mut next = waited.unwrap_or_else(PoisonError::into_inner);
+        if next.end { None } else { next.job.take() }
+    }
+}
+
+/// Starts the thread.
+pub(super) fn start(wake: impl Fn() + Send + Sync + 'static) -> (Arc<Orders>, Receiver<News>) {
+    let orders = Arc::new(Orders {
+        next: Mutex::default(),
+        called: Condvar::new(),
+        generation: AtomicU64::new(0),
+        paused: AtomicBool::new(false),
+        progress: AtomicU64::new(u64::MAX),
+    });
+    let (tell, news) = mpsc::channel();
+    let worker =
+        Worker { orders: Arc::clone(&orders), tell, wake: Box::new(wake), training: Training::default() };
+    let started = thread::Builder::new().name("growth".to_owned()).spawn(move || worker.run());
+    // Without a thread nothing grows; the program still draws and saves.
+    drop(started);
+    (orders, news)
+}
+
+struct Worker {
+    orders: Arc<Orders>,
+    tell: Sender<News>,
+    wake: Box<dyn Fn() + Send + Sync>,
+    training: Training,
+}
+
+impl Worker {
+    fn run(&self) {
+        // A core is left to the window.
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(cores.saturating_sub(1).max(1)).build();
+        while let Some(job) = self.orders.next() {
+            match &pool {
+                Ok(pool) => pool.install(|| self.work(job)),
+                Err(_) => self.work(job),
+            }
+        }
+    }
+
+    fn work(&self, job: Job) {
+        match job {
+            Job::Grow(generation, document) => self.grow(generation, document),
+            Job::Paint(generation, texture) => {
+                let picture = Picture::settled(&texture);
+                self.say(generation, What::Picture(picture));
+            }
+        }
+    }
+
+    fn say(&self, generation: u64, what: What) {
+        // The window may have gone.
+        let _ = self.tell.send(News { generation, what });
+        (self.wake)();
+    }
+
+    fn grow(&self, generation: u64, document: Document) {
+        let orders = &self.orders;
+        let progress = |stage, share| {
+            orders.tell(generation, stage, share);
+            orders.wait_while_paused(generation);
+        };
+        let watch = Watch { progress: &progress, cancelled: &|| orders.is_over(generation) };
+        let mut shown: Option<Instant> = None;
+        let mut seen = |look: &Look| {
+            if shown.is_none_or(|shown| shown.elapsed() >= BETWEEN_PICTURES) && !orders.is_over(generation) {
+                self.say(generation, What::Picture(Picture::growing(&document, look)));
+                shown = Some(Instant::now());
+            }
+        };
+        let grown = grow_seen(&document, "the sketch", &self.training, Options::default(), &watch, &mut seen);
+        match grown {
+            Ok(grown) => {
+                let texture = Texture { document: Arc::new(document), grown: Arc::new(grown) };
+                let picture = Picture::settled(&texture);
+                self.say(generation, What::Settled(texture, picture));
+            }
+            Err(GrowError::Cancelled(_)) => {}
+            Err(error) => self.say(generation, What::Failed(error.to_string())),
+        }
+    }
+}

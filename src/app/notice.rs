@@ -1,0 +1,85 @@
+//! What has to be said: read, copied, put away.
+
+use eframe::egui::{Align2, Area, Context, Frame, Id, Label, Order, RichText, vec2};
+
+use super::theme::Palette;
+
+/// Notices that are not put away yet.
+#[derive(Default)]
+pub struct Notices(Vec<Notice>);
+
+/// Something that has to be said.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Notice {
+    /// What.
+    pub text: String,
+    /// Did something go wrong?
+    pub wrong: bool,
+}
+
+/// Notices that are shown at most; the oldest go.
+const MOST: usize = 4;
+
+impl Notices {
+    /// Something went wrong.
+    pub fn wrong(&mut self, text: impl Into<String>) {
+        self.push(Notice { text: text.into(), wrong: true });
+    }
+
+    /// Something was done.
+    pub fn done(&mut self, text: impl Into<String>) {
+        // What was done is known by the next thing that is.
+        self.0.retain(|notice| notice.wrong);
+        self.push(Notice { text: text.into(), wrong: false });
+    }
+
+    fn push(&mut self, notice: Notice) {
+        self.0.retain(|other| *other != notice);
+        self.0.push(notice);
+        if self.0.len() > MOST {
+            self.0.remove(0);
+        }
+    }
+
+    /// All of them, the oldest first.
+    #[must_use]
+    pub fn all(&self) -> &[Notice] {
+        &self.0
+    }
+
+    /// Shows them in the lower middle.
+    pub fn ui(&mut self, ctx: &Context) {
+        if self.0.is_empty() {
+            return;
+        }
+        let mut away = None;
+        Area::new(Id::unique("notices"))
+            .order(Order::Foreground)
+            .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -44.0))
+            .show(ctx, |ui| {
+                for (index, notice) in self.0.iter().enumerate() {
+                    Frame::window(ui.style()).inner_margin(12).show(ui, |ui| {
+                        ui.set_max_width(520.0);
+                        ui.horizontal_top(|ui| {
+                            let colours = Palette::of(ui.visuals());
+                            let text = RichText::new(&notice.text);
+                            let text = if notice.wrong { text.color(colours.wrong) } else { text };
+                            ui.vertical(|ui| {
+                                ui.set_max_width(400.0);
+                                ui.add(Label::new(text).wrap().selectable(true));
+                            });
+                            if notice.wrong && ui.button("Copy").on_hover_text("Copy the text").clicked() {
+                                ctx.copy_text(notice.text.clone());
+                            }
+                            if ui.button("OK").on_hover_text("Put this notice away").clicked() {
+                                away = Some(index);
+                            }
+                        });
+                    });
+                }
+            });
+        if let Some(index) = away {
+            self.0.remove(index);
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! Pages over the window: the new document, the question about unsaved work, about, the first hint.
+
+use eframe::egui::{Button, Checkbox, DragValue, Grid, RichText, Ui, vec2};
+
+use super::action::{Action, Page};
+use super::exporting::Size;
+use crate::field::Edges;
+use crate::synth::recipe::{Document, limits};
+
+/// What a new document shall be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct New {
+    /// Width and height, px.
+    pub size: [u32; 2],
+    /// Columns and rows.
+    pub regions: [u32; 2],
+    /// A seamless tile?
+    pub seamless: bool,
+}
+
+impl Default for New {
+    fn default() -> Self {
+        Self { size: [512, 512], regions: [2, 2], seamless: false }
+    }
+}
+
+/// What a page with an answer was answered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// Yes; the first choice.
+    Yes,
+    /// No; the second choice.
+    No,
+    /// Never mind.
+    Cancel,
+}
+
+impl New {
+    /// The document.
+    #[must_use]
+    pub fn document(&self) -> Document {
+        let edges = if self.seamless { Edges::Wrap } else { Edges::Closed };
+        Document { size: self.size, regions: self.regions, edges, ..Document::default() }
+    }
+
+    /// The page.
+    pub fn ui(&mut self, ui: &mut Ui) -> Option<Answer> {
+        ui.set_width(340.0);
+        ui.heading("New document");
+        ui.add_space(6.0);
+        Grid::new("new").num_columns(2).spacing(vec2(16.0, 10.0)).show(ui, |ui| {
+            ui.label("Size").on_hover_text("Width and height of the canvas, px");
+            ui.horizontal(|ui| pair(ui, &mut self.size, 16..=8192, ["Width", "Height"], " px"));
+            ui.end_row();
+            ui.label("Regions").on_hover_text(REGIONS);
+            ui.horizontal(|ui| pair(ui, &mut self.regions, 1..=limits::MAX_REGIONS, ["Columns", "Rows"], ""));
+            ui.end_row();
+            ui.label("Seamless").on_hover_text(SEAMLESS);
+            ui.add(Checkbox::new(&mut self.seamless, "tiles without a seam"));
+            ui.end_row();
+        });
+        ui.horizontal(|ui| {
+            ui.weak("Sizes");
+            for (name, size) in [("512²", [512, 512]), ("1024²", [1024, 1024]), ("768 × 512", [768, 512])]
+            {
+                if ui.small_button(name).clicked() {
+                    self.size = size;
+                }
+            }
+        });
+        ui.add_space(6.0);
+        choice(ui, "Create", None)
+    }
+}
+
+/// What regions are.
+pub const REGIONS: &str = "The canvas is cut into columns and rows. The marks in a region say what grows there; \
+                           between regions their size, shape and direction change smoothly.";
+/// What seamless means.
+pub const SEAMLESS: &str = "What leaves on one side comes in on the other: the texture can be laid side by side \
+                            without a seam.";
+
+/// Two whole numbers side by side.
+pub fn pair(
+    ui: &mut Ui,
+    values: &mut [u32; 2],
+    range: std::ops::RangeInclusive<u32>,
+    names: [&str; 2],
+    unit: &str,
+) -> bool {
+    let mut changed = false;
+    for (index, (value, name)) in values.iter_mut().zip(names).enumerate() {
+        if index > 0 {
+            ui.weak("×");
+        }
+        let field = DragValue::new(value).range(range.clone()).suffix(unit).update_while_editing(false);
+        changed |= ui.add(field).accessible_name(name).changed();
+    }
+    changed
+}
+
+/// The buttons of a page, the first choice on the right.
+pub fn choice(ui: &mut Ui, yes: &str, no: Option<&str>) -> Option<Answer> {
+    let mut answer = None;
+    ui.with_layout(eframe::egui::Layout::right_to_left(eframe::egui::Align::Center), |ui| {
+        let fill = ui.visuals().selection.bg_fill;
+        let text = RichText::new(yes).color(ui.visuals().selection.stroke.color);
+        if ui.add(Button::new(text).fill(fill).min_size(vec2(96.0, 28.0))).clicked() {
+            answer = Some(Answer::Yes);
+        }
+        if let Some(no) = no
+            && ui.add(Button::new(no).min_size(vec2(96.0, 28.0))).clicked()
+        {
+            answer = Some(Answer::No);
+        }
+        if ui.add(Button::new("Cancel").min_size(vec2(80.0, 28.0))).clicked() {
+            answer = Some(Answer::Cancel);
+        }
+    });
+    answer
+}
+
+/// Asks what to do with changes that are not saved.
+pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
+    ui.set_width(400.0);
+    ui.heading(format!("Save the changes to {title}?"));
+    ui.label("They are lost if you don't.");
+    ui.add_space(8.0);
+    choice(ui, "Save", Some("Don't save"))
+}
+
+/// Asks how large the exported picture shall be.
+pub fn export(ui: &mut Ui, size: &mut Size, document: &Document) -> Option<Answer> {
+    ui.set_width(380.0);
+    ui.heading("Export the texture");
+    ui.add_space(6.0);
+    let more = size.canvas.is_some();
+    if ui.radio(!more, "This texture").on_hover_text("The picture that you see").clicked() {
+        size.canvas = None;
+    }
+    let explained =
+        "A larger or smaller canvas with marks of the same size; the regions stretch. It is grown afresh.";
+    if ui.radio(more, "More texture, marks of the same size").on_hover_text(explained).clicked() {
+        size.canvas = Some(document.size.map(|side| 2 * side));
+    }
+    Grid::new("export").num_columns(2).spacing(vec2(16.0, 10.0)).show(ui, |ui| {
+        if let Some(canvas) = &mut size.canvas {
+            ui.label("Canvas");
+            ui.horizontal(|ui| {
+                pair(ui, canvas, 16..=16_384, ["Width of the export", "Height of the export"], " px")
+            });
+            ui.end_row();
+        }
+        ui.label("Scale").on_hover_text("So many times the px along each side, sharp at any size");
+        let field = DragValue::new(&mut size.scale).range(1..=64).suffix("×").update_while_editing(false);
+        ui.add(field).accessible_name("Scale");
+        ui.end_row();
+        let [width, height] = size.of(document);
+        ui.label("Picture");
+        ui.weak(format!("{width} × {height} px"));
+        ui.end_row();
+    });
+    ui.add_space(6.0);
+    choice(ui, "Choose a file…", None)
+}
+
+/// What this is, and whence.
+pub fn about(ui: &mut Ui) {
+    ui.set_width(460.0);
+    ui.heading("dapple");
+    ui.label(format!("Version {}", env!("CARGO_PKG_VERSION")));
+    ui.add_space(6.0);
+    ui.label(
+        "Draw a few spots or stripes; dapple grows a texture with their size, shape, spacing and direction. \
+         Nothing is painted in: two substances react and spread until a pattern stands.",
+    );
+    ui.add_space(6.0);
+    ui.label(RichText::new("The papers").strong());
+    for paper in [
+        "Phan & Grimm, Sketching Reaction-Diffusion Texture. Sketch-Based Interfaces and Modeling, 2006.",
+        "Turk, Generating Textures on Arbitrary Surfaces Using Reaction-Diffusion. SIGGRAPH 1991.",
+        "Witkin & Kass, Reaction-Diffusion Textures. SIGGRAPH 1991.",
+        "Turing, The Chemical Basis of Morphogenesis. Phil. Trans. R. Soc. B 237, 1952.",
+        "Meinhardt, Models of Biological Pattern Formation. Academic Press, 1982.",
+    ] {
+        ui.label(paper);
+    }
+    ui.add_space(6.0);
+    ui.weak("Licensed under MIT or Apache-2.0, as you like.");
+}
+
+/// How to begin.
+pub fn hint(ui: &mut Ui) -> Option<Action> {
+    ui.set_width(400.0);
+    let mut action = None;
+    ui.heading("Your first texture");
+    ui.add_space(4.0);
+    for (number, text) in [
+        "Draw a few round or oval spots on the canvas, each with one stroke.",
+        "Watch the texture grow beside it: spots of that size, shape and spacing, all over.",
+        "Draw other spots in another region, and it changes from here to there.",
+    ]
+    .iter()
+    .enumerate()
+    {
+        ui.horizontal_top(|ui| {
+            ui.label(RichText::new(format!("{}", number + 1)).strong());
+            ui.label(*text);
+        });
+    }
+    ui.add_space(2.0);
+    ui.weak("Open strokes grow stripes. Everything can be undone.");
+    ui.add_space(8.0);
+    ui.horizontal(|ui| {
+        if ui.add(Button::new("Start drawing").min_size(vec2(120.0, 30.0))).clicked() {
+            action = Some(Action::Page(Page::Hint));
+        }
+        if ui.add(Button::new("Look at examples").min_size(vec2(130.0, 30.0))).clicked() {
+            action = Some(Action::Page(Page::Examples));
+        }
+    });
+    action
+}

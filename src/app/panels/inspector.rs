@@ -1,0 +1,196 @@
+//! The column on the right: numbers.
+
+use eframe::egui::{DragValue, Grid, RichText, ScrollArea, Slider, Ui, vec2};
+
+use super::selected;
+use crate::app::Window;
+use crate::app::action::Action;
+use crate::app::canvas::tool::Tool;
+use crate::app::desk::Desk;
+use crate::app::pages::{REGIONS, SEAMLESS, pair};
+use crate::app::shape;
+use crate::attributes::Attributes;
+use crate::field::Edges;
+use crate::synth::recipe::limits;
+
+/// Widths of lines to choose from, px: those of the paper's figures.
+const WIDTHS: [f64; 4] = [4.0, 8.0, 12.0, 16.0];
+
+/// The column. Gives what is chosen.
+pub fn inspector(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
+    let mut actions = Vec::new();
+    ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {
+        if window.desk.selection.is_empty() {
+            tool(ui, window);
+        } else {
+            selected::selected(ui, window, &mut actions);
+        }
+        canvas(ui, window);
+        region(ui, window);
+        shown(ui, window, &mut actions);
+    });
+    actions
+}
+
+/// A heading over a part of the column.
+pub fn heading(ui: &mut Ui, text: &str) {
+    ui.add_space(8.0);
+    ui.label(RichText::new(text).strong());
+}
+
+/// Rows of a name and a value.
+pub fn rows(ui: &mut Ui, id: &str, add: impl FnOnce(&mut Ui)) {
+    Grid::new(id).num_columns(2).min_col_width(72.0).spacing(vec2(10.0, 7.0)).show(ui, add);
+}
+
+fn tool(ui: &mut Ui, window: &mut Window) {
+    let tool = window.canvas.tool;
+    ui.label(RichText::new(tool.name()).strong());
+    if matches!(tool, Tool::Pen | Tool::Line) {
+        rows(ui, "nib", |ui| {
+            ui.label("Line width").on_hover_text("Width of the stripe that a line stands for, px");
+            let field =
+                DragValue::new(&mut window.canvas.nib.width).range(0.5..=400.0).speed(0.1).suffix(" px");
+            ui.add(field.max_decimals(1)).accessible_name("Line width");
+            ui.end_row();
+        });
+        presets(ui, &mut window.canvas.nib.width);
+    } else if tool == Tool::Ellipse {
+        rows(ui, "stamp", |ui| {
+            ui.label("A click makes").on_hover_text("The size of the ellipse that a click puts down, px");
+            ui.horizontal(|ui| {
+                for (radius, name) in
+                    window.canvas.nib.radii.iter_mut().zip(["Radius along", "Radius across"])
+                {
+                    let field = DragValue::new(radius).range(0.5..=2000.0).speed(0.1).max_decimals(1);
+                    ui.add(field).accessible_name(name);
+                }
+            });
+            ui.end_row();
+        });
+    } else {
+        ui.weak("Nothing is selected.");
+    }
+}
+
+/// The widths to choose from, each drawn as it is.
+pub fn presets(ui: &mut Ui, width: &mut f64) -> bool {
+    let mut changed = false;
+    ui.horizontal(|ui| {
+        for preset in WIDTHS {
+            let chosen = (*width - preset).abs() < 0.05;
+            let button = ui.selectable_label(chosen, format!("{preset:.0}"));
+            let button = button.accessible_name(format!("{preset:.0} px wide"));
+            if button.on_hover_text(format!("{preset:.0} px wide")).clicked() {
+                *width = preset;
+                changed = true;
+            }
+        }
+    });
+    changed
+}
+
+fn canvas(ui: &mut Ui, window: &mut Window) {
+    heading(ui, "Canvas");
+    let desk = &mut window.desk;
+    let document = desk.document();
+    let (mut size, mut regions) = (document.size, document.regions);
+    let mut seamless = document.edges == Edges::Wrap;
+    rows(ui, "canvas", |ui| {
+        ui.label("Size").on_hover_text("Width and height of the canvas, px");
+        ui.horizontal(|ui| {
+            if pair(ui, &mut size, 16..=8192, ["Canvas width", "Canvas height"], "") {
+                resize(desk, size);
+                window.canvas.view.fitted = true;
+                window.texture.view.fitted = true;
+            }
+        });
+        ui.end_row();
+        ui.label("Regions").on_hover_text(REGIONS);
+        ui.horizontal(|ui| {
+            if pair(ui, &mut regions, 1..=limits::MAX_REGIONS, ["Region columns", "Region rows"], "") {
+                desk.edit(|document| document.regions = regions);
+            }
+        });
+        ui.end_row();
+        ui.label("Seamless").on_hover_text(SEAMLESS);
+        if ui.checkbox(&mut seamless, "tiles").accessible_name("Seamless").on_hover_text(SEAMLESS).changed() {
+            desk.edit(|document| document.edges = if seamless { Edges::Wrap } else { Edges::Closed });
+            window.texture.tiled &= seamless;
+        }
+        ui.end_row();
+    });
+}
+
+/// Another canvas; marks that are not on it any more go.
+fn resize(desk: &mut Desk, size: [u32; 2]) {
+    let outside = |point: [f64; 2]| (0..2).any(|axis| point[axis] > f64::from(size[axis]));
+    let gone: Vec<_> =
+        desk.marks().filter(|(_, mark)| outside(shape::middle(mark))).map(|(place, _)| place).collect();
+    desk.remove(&gone);
+    desk.edit(|document| document.size = size);
+}
+
+fn region(ui: &mut Ui, window: &Window) {
+    let middle = window.desk.document().size.map(|side| 0.5 * f64::from(side));
+    let at = window.canvas.pointer.unwrap_or(middle);
+    let Some((place, region)) = window.canvas.analysis.region(window.desk.layer, at) else { return };
+    let Some(map) = window.canvas.analysis.map(window.desk.layer) else { return };
+    heading(ui, &format!("Region {} , {}", place[0] + 1, place[1] + 1).replace(" ,", ","));
+    let own = region.own.is_some();
+    rows(ui, "region", |ui| {
+        let mut row = |name: &str, value: String, help: &str| {
+            ui.label(name).on_hover_text(help);
+            ui.label(RichText::new(value).weak());
+            ui.end_row();
+        };
+        let marks = if own { region.marks.to_string() } else { "none; as nearby".to_owned() };
+        row("Marks", marks, "Marks whose middle lies in this region");
+        match map.at(map.layout().center(place)) {
+            Attributes::Spots(spots) => {
+                row("Area", format!("{:.0} px²", spots.area), "Mean area of the ellipses");
+                row("Aspect", format!("{:.2}", spots.aspect), "Minor ÷ major radius; 1 is round");
+                row("Direction", format!("{:.0}°", spots.angle), "Mean direction of the major axes");
+                let spacing = spots.spacing.map_or("free".to_owned(), |spacing| format!("{spacing:.0} px"));
+                row("Spacing", spacing, "Mean distance between neighbours; free = what grows by itself");
+            }
+            Attributes::Stripes(stripes) => {
+                row("Width", format!("{:.1} px", stripes.width), "Mean width of the lines");
+                row("Direction", format!("{:.0}°", stripes.angle), "Mean direction of the lines");
+            }
+        }
+    });
+}
+
+fn shown(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
+    heading(ui, "Shown");
+    ui.checkbox(&mut window.canvas.overlays.regions, "Region grid").on_hover_text(REGIONS);
+    ui.checkbox(&mut window.canvas.overlays.analysis, "What dapple sees").on_hover_text(
+        "Fitted marks with their axes, the edges between neighbours whose mean is the spacing, and each \
+         region's mean mark",
+    );
+    if window.desk.document().edges == Edges::Wrap {
+        ui.checkbox(&mut window.texture.tiled, "Tiles, two by two")
+            .on_hover_text("So that a seam would be seen");
+    }
+    ui.checkbox(&mut window.linked, "Views move together")
+        .on_hover_text("Zooming and panning the sketch does the same to the texture");
+    let reference = &mut window.canvas.reference;
+    if reference.is_there() {
+        ui.horizontal(|ui| {
+            ui.checkbox(&mut reference.shown, "Picture").on_hover_text(&reference.name);
+            let slider = Slider::new(&mut reference.opacity, 0.0..=1.0).show_value(false);
+            ui.spacing_mut().slider_width = 80.0;
+            ui.add(slider).accessible_name("Opacity of the reference picture");
+            if ui.small_button("Remove").clicked() {
+                reference.clear();
+            }
+        });
+    } else if ui
+        .button("Reference picture…")
+        .on_hover_text("A photo under the canvas, to draw over")
+        .clicked()
+    {
+        actions.push(Action::Reference);
+    }
+}

@@ -1,0 +1,138 @@
+//! The menu bar.
+
+use eframe::egui::{Button, MenuBar, RichText, ThemePreference, Ui};
+
+use crate::app::Window;
+use crate::app::action::{Action, Page};
+use crate::app::shortcuts;
+use crate::field::Edges;
+
+/// The menus, and the document's name in the middle. Gives what is chosen.
+pub fn menu(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
+    let mut actions = Vec::new();
+    MenuBar::new().ui(ui, |ui| {
+        ui.menu_button("File", |ui| file(ui, window, &mut actions));
+        ui.menu_button("Edit", |ui| edit(ui, window, &mut actions));
+        ui.menu_button("View", |ui| view(ui, window, &mut actions));
+        ui.menu_button("Growth", |ui| growth(ui, window, &mut actions));
+        ui.menu_button("Help", |ui| {
+            item(ui, "First steps", &Action::Page(Page::Hint), true, &mut actions);
+            item(ui, "Keys", &Action::Page(Page::Shortcuts), true, &mut actions);
+            item(ui, "About dapple", &Action::Page(Page::About), true, &mut actions);
+        });
+        ui.with_layout(eframe::egui::Layout::right_to_left(eframe::egui::Align::Center), |ui| {
+            let changed = if window.desk.is_changed() { "  (changed)" } else { "" };
+            ui.label(RichText::new(format!("{}{changed}", window.desk.title())).weak());
+        });
+    });
+    actions
+}
+
+fn item(ui: &mut Ui, text: &str, action: &Action, enabled: bool, actions: &mut Vec<Action>) {
+    let keys = shortcuts::told(ui.ctx(), action).unwrap_or_default();
+    let button = Button::new(text).shortcut_text(keys);
+    if ui.add_enabled(enabled, button).clicked() {
+        actions.push(action.clone());
+        ui.close();
+    }
+}
+
+fn check(ui: &mut Ui, text: &str, on: bool, action: &Action, actions: &mut Vec<Action>) {
+    let mut value = on;
+    if ui.checkbox(&mut value, text).clicked() {
+        actions.push(action.clone());
+        ui.close();
+    }
+}
+
+fn file(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
+    ui.set_min_width(210.0);
+    item(ui, "New…", &Action::New, true, actions);
+    item(ui, "Open…", &Action::Open, true, actions);
+    let recent = window.settings.recent.clone();
+    ui.add_enabled_ui(!recent.is_empty(), |ui| {
+        ui.menu_button("Open recent", |ui| {
+            for path in recent {
+                let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                if ui.button(name).on_hover_text(path.display().to_string()).clicked() {
+                    actions.push(Action::OpenFile(path));
+                    ui.close();
+                }
+            }
+            ui.separator();
+            if ui.button("Forget these").clicked() {
+                window.settings.forget();
+                ui.close();
+            }
+        });
+    });
+    item(ui, "Examples…", &Action::Page(Page::Examples), true, actions);
+    ui.separator();
+    item(ui, "Save", &Action::Save, true, actions);
+    item(ui, "Save as…", &Action::SaveAs, true, actions);
+    item(ui, "Export picture…", &Action::Export, !window.growth.is_empty(), actions);
+    ui.separator();
+    item(ui, "Quit", &Action::Quit, true, actions);
+}
+
+fn edit(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
+    ui.set_min_width(210.0);
+    let [undo, redo] = window.desk.can_undo_redo();
+    let some = !window.desk.selection.is_empty();
+    item(ui, "Undo", &Action::Undo, undo, actions);
+    item(ui, "Redo", &Action::Redo, redo, actions);
+    ui.separator();
+    for (text, action, keys) in [("Cut", Action::Cut, "X"), ("Copy", Action::Copy, "C")] {
+        if ui.add_enabled(some, Button::new(text).shortcut_text(format!("Ctrl+{keys}"))).clicked() {
+            actions.push(action);
+            ui.close();
+        }
+    }
+    item(ui, "Duplicate", &Action::Duplicate, some, actions);
+    item(ui, "Delete", &Action::Delete, some, actions);
+    item(ui, "Select all", &Action::SelectAll, true, actions);
+    ui.separator();
+    item(ui, "Put an ellipse in the middle", &Action::Insert(true), true, actions);
+    item(ui, "Put a line in the middle", &Action::Insert(false), true, actions);
+}
+
+fn view(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
+    ui.set_min_width(210.0);
+    check(ui, "One over the other", window.over, &Action::Over(!window.over), actions);
+    let wrap = window.desk.document().edges == Edges::Wrap;
+    ui.add_enabled_ui(wrap, |ui| {
+        let tiled = window.texture.tiled;
+        check(ui, "Tiles, two by two", tiled, &Action::Tiled(!tiled), actions);
+    });
+    let overlays = window.canvas.overlays;
+    check(ui, "Region grid", overlays.regions, &Action::Regions(!overlays.regions), actions);
+    check(ui, "What dapple sees", overlays.analysis, &Action::Analysis(!overlays.analysis), actions);
+    item(ui, "Reference picture…", &Action::Reference, true, actions);
+    ui.separator();
+    item(ui, "Show the whole canvas", &Action::Fit, true, actions);
+    item(ui, "Actual size", &Action::ActualSize, true, actions);
+    item(ui, "Zoom in", &Action::Zoom(1.25), true, actions);
+    item(ui, "Zoom out", &Action::Zoom(0.8), true, actions);
+    ui.separator();
+    let before = window.settings.theme;
+    for (text, theme) in [
+        ("As the system", ThemePreference::System),
+        ("Light", ThemePreference::Light),
+        ("Dark", ThemePreference::Dark),
+    ] {
+        ui.radio_value(&mut window.settings.theme, theme, text);
+    }
+    if window.settings.theme != before {
+        ui.ctx().set_theme(window.settings.theme);
+        window.settings.write();
+    }
+}
+
+fn growth(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
+    ui.set_min_width(180.0);
+    let text = if window.growth.is_paused() { "Go on" } else { "Pause" };
+    item(ui, text, &Action::Pause, window.growth.is_growing(), actions);
+    item(ui, "Stop", &Action::Stop, window.growth.is_growing(), actions);
+    item(ui, "Grow again", &Action::Grow, !window.growth.is_empty(), actions);
+    item(ui, "Another seed", &Action::AnotherSeed, true, actions);
+}

@@ -1,0 +1,16 @@
+//! What stands around the canvas and the texture.
+
+mod growth_bar;
+mod inspector;
+mod menu;
+mod selected;
+mod sketch_bar;
+mod status;
+mod strip;
+
+pub use growth_bar::growth_bar;
+pub use inspector::inspector;
+pub use menu::menu;
+pub use sketch_bar::sketch_bar;
+pub use status::status;
+pub use strip::strip;

@@ -1,0 +1,157 @@
+//! Numbers of what is selected.
+
+use eframe::egui::{Button, DragValue, RichText, Ui};
+
+use super::inspector::{presets, rows};
+use crate::app::Window;
+use crate::app::action::Action;
+use crate::app::desk::Desk;
+use crate::app::selection::Place;
+use crate::app::shape;
+use crate::marks::{Ellipse, Line, Mark};
+
+/// The numbers, and what to do with what is selected.
+pub fn selected(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
+    let marks: Vec<(Place, Mark)> = window.desk.selected().collect();
+    match &marks[..] {
+        [(place, Mark::Ellipse(ellipse))] => self::ellipse(ui, &mut window.desk, *place, *ellipse),
+        [(place, Mark::Line(line))] => self::line(ui, &mut window.desk, *place, *line),
+        many => self::many(ui, &mut window.desk, many),
+    }
+    ui.horizontal(|ui| {
+        for (text, action) in [("Duplicate", Action::Duplicate), ("Delete", Action::Delete)] {
+            if ui.add(Button::new(text)).clicked() {
+                actions.push(action);
+            }
+        }
+    });
+}
+
+/// A number that can be typed or dragged.
+fn number(ui: &mut Ui, name: &str, value: &mut f64, unit: &str) -> bool {
+    let field = DragValue::new(value).speed(0.2).max_decimals(1).suffix(unit).update_while_editing(false);
+    ui.add(field).accessible_name(name).changed()
+}
+
+fn point(ui: &mut Ui, name: &str, value: &mut [f64; 2]) -> bool {
+    ui.label(name);
+    let changed = ui
+        .horizontal(|ui| {
+            let [x, y] = value;
+            number(ui, &format!("{name} x"), x, "") | number(ui, &format!("{name} y"), y, "")
+        })
+        .inner;
+    ui.end_row();
+    changed
+}
+
+fn ellipse(ui: &mut Ui, desk: &mut Desk, place: Place, mut ellipse: Ellipse) {
+    ui.label(RichText::new("Ellipse").strong());
+    let before = ellipse;
+    rows(ui, "ellipse", |ui| {
+        point(ui, "Middle", &mut ellipse.center);
+        ui.label("Radii").on_hover_text("Along its direction, and across, px");
+        ui.horizontal(|ui| {
+            number(ui, "Radius along", &mut ellipse.radii[0], "");
+            number(ui, "Radius across", &mut ellipse.radii[1], "");
+        });
+        ui.end_row();
+        ui.label("Direction").on_hover_text("Degrees, from right towards down");
+        number(ui, "Direction", &mut ellipse.angle, "°");
+        ui.end_row();
+        ui.label("Area").on_hover_text("Another area keeps the shape");
+        let mut area = ellipse.area();
+        if number(ui, "Area", &mut area, " px²") && area > 0.0 {
+            let factor = (area / before.area()).sqrt();
+            ellipse.radii = before.radii.map(|radius| factor * radius);
+        }
+        ui.end_row();
+    });
+    if ellipse != before {
+        desk.replace(&[(place, Mark::Ellipse(ellipse))]);
+    }
+}
+
+fn line(ui: &mut Ui, desk: &mut Desk, place: Place, mut line: Line) {
+    ui.label(RichText::new("Line").strong());
+    let before = line;
+    rows(ui, "line", |ui| {
+        point(ui, "From", &mut line.from);
+        point(ui, "To", &mut line.to);
+        ui.label("Direction");
+        let mut angle = line.angle();
+        if number(ui, "Direction", &mut angle, "°") {
+            let by = angle - before.angle();
+            if let Mark::Line(turned) = shape::turned(&Mark::Line(before), by, before.center()) {
+                line = turned;
+            }
+        }
+        ui.end_row();
+        ui.label("Width").on_hover_text("Width of the stripe that it stands for, px");
+        number(ui, "Width", &mut line.width, " px");
+        ui.end_row();
+    });
+    presets(ui, &mut line.width);
+    if line != before {
+        desk.replace(&[(place, Mark::Line(line))]);
+    }
+}
+
+fn many(ui: &mut Ui, desk: &mut Desk, marks: &[(Place, Mark)]) {
+    ui.label(RichText::new(format!("{} marks", marks.len())).strong());
+    let areas: Vec<f64> = marks.iter().filter_map(|(_, mark)| area(mark)).collect();
+    let widths: Vec<f64> = marks.iter().filter_map(|(_, mark)| width(mark)).collect();
+    let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
+    rows(ui, "many", |ui| {
+        if !areas.is_empty() {
+            ui.label("Mean area")
+                .on_hover_text("Another mean area makes all of them larger or smaller where they are");
+            let before = mean(&areas);
+            let mut area = before;
+            if number(ui, "Mean area", &mut area, " px²") && area > 0.0 {
+                let factor = (area / before).sqrt();
+                let grown = |(place, mark): &(Place, Mark)| {
+                    (*place, shape::scaled(mark, factor, shape::middle(mark)))
+                };
+                desk.replace(&marks.iter().map(grown).collect::<Vec<_>>());
+            }
+            ui.end_row();
+        }
+        if !widths.is_empty() {
+            ui.label("Width").on_hover_text("One width for all selected lines, px");
+            let mut width = mean(&widths);
+            if number(ui, "Width of all", &mut width, " px") {
+                set_width(desk, marks, width);
+            }
+            ui.end_row();
+        }
+    });
+    if let Some(first) = widths.first() {
+        let mut width = *first;
+        if presets(ui, &mut width) {
+            set_width(desk, marks, width);
+        }
+    }
+}
+
+fn area(mark: &Mark) -> Option<f64> {
+    match mark {
+        Mark::Ellipse(ellipse) => Some(ellipse.area()),
+        Mark::Line(_) => None,
+    }
+}
+
+fn width(mark: &Mark) -> Option<f64> {
+    match mark {
+        Mark::Ellipse(_) => None,
+        Mark::Line(line) => Some(line.width),
+    }
+}
+
+fn set_width(desk: &mut Desk, marks: &[(Place, Mark)], width: f64) {
+    let of_width = |(place, mark): &(Place, Mark)| match mark {
+        Mark::Line(line) => Some((*place, Mark::Line(Line { width, ..*line }))),
+        Mark::Ellipse(_) => None,
+    };
+    desk.replace(&marks.iter().filter_map(of_width).collect::<Vec<_>>());
+}

@@ -1,0 +1,46 @@
+//! The strip of tools.
+
+use eframe::egui::{Ui, vec2};
+
+use crate::app::Window;
+use crate::app::action::Action;
+use crate::app::canvas::tool::Tool;
+use crate::app::icons::Icon;
+use crate::app::shortcuts;
+
+/// The strip. Gives what is chosen.
+pub fn strip(ui: &mut Ui, window: &Window) -> Vec<Action> {
+    let mut actions = Vec::new();
+    let size = vec2(36.0, 34.0);
+    ui.spacing_mut().item_spacing.y = 4.0;
+    ui.vertical_centered(|ui| {
+        for tool in Tool::ALL {
+            if tool == Tool::Eraser || tool == Tool::Pen {
+                ui.add_space(4.0);
+            }
+            let button = tool.icon().button_of(ui, tool.name(), window.canvas.tool == tool, size);
+            let keys = shortcuts::told(ui.ctx(), &Action::Tool(tool)).unwrap_or_default();
+            let button = button.on_hover_ui(|ui| {
+                ui.strong(format!("{} ({keys})", tool.name()));
+                ui.label(tool.help());
+            });
+            if button.clicked() {
+                actions.push(Action::Tool(tool));
+            }
+        }
+        ui.add_space(10.0);
+        let [undo, redo] = window.desk.can_undo_redo();
+        for (icon, name, action, can) in
+            [(Icon::Undo, "Undo", Action::Undo, undo), (Icon::Redo, "Redo", Action::Redo, redo)]
+        {
+            ui.add_enabled_ui(can, |ui| {
+                let keys = shortcuts::told(ui.ctx(), &action).unwrap_or_default();
+                let button = icon.button_of(ui, name, false, size);
+                if button.on_hover_text(format!("{name} ({keys})")).clicked() {
+                    actions.push(action);
+                }
+            });
+        }
+    });
+    actions
+}

@@ -1,0 +1,190 @@
+//! What one does with a mark on the canvas: move, turn, stretch, hit, keep within bounds.
+
+use crate::marks::{Ellipse, Line, Mark};
+use crate::synth::recipe::limits::MIN_LENGTH;
+
+/// The smallest radius or width that the hand can make, px.
+pub const SMALLEST: f64 = 0.5;
+
+/// The middle of a mark, px.
+#[must_use]
+pub fn middle(mark: &Mark) -> [f64; 2] {
+    match mark {
+        Mark::Ellipse(ellipse) => ellipse.center,
+        Mark::Line(line) => line.center(),
+    }
+}
+
+/// The mark `by` px farther.
+#[must_use]
+pub fn moved(mark: &Mark, by: [f64; 2]) -> Mark {
+    let add = |p: [f64; 2]| [p[0] + by[0], p[1] + by[1]];
+    match *mark {
+        Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse { center: add(ellipse.center), ..ellipse }),
+        Mark::Line(line) => Mark::Line(Line { from: add(line.from), to: add(line.to), ..line }),
+    }
+}
+
+/// The mark turned by `degrees` around `pivot`.
+#[must_use]
+pub fn turned(mark: &Mark, degrees: f64, pivot: [f64; 2]) -> Mark {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let turn = |p: [f64; 2]| {
+        let [x, y] = [p[0] - pivot[0], p[1] - pivot[1]];
+        [pivot[0] + cos * x - sin * y, pivot[1] + sin * x + cos * y]
+    };
+    match *mark {
+        Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse {
+            center: turn(ellipse.center),
+            angle: (ellipse.angle + degrees).rem_euclid(180.0),
+            ..ellipse
+        }),
+        Mark::Line(line) => Mark::Line(Line { from: turn(line.from), to: turn(line.to), ..line }),
+    }
+}
+
+/// The mark, all its lengths and its distance from `pivot` multiplied by `factor`.
+#[must_use]
+pub fn scaled(mark: &Mark, factor: f64, pivot: [f64; 2]) -> Mark {
+    let place = |p: [f64; 2]| [0, 1].map(|axis| pivot[axis] + factor * (p[axis] - pivot[axis]));
+    match *mark {
+        Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse {
+            center: place(ellipse.center),
+            radii: ellipse.radii.map(|radius| factor * radius),
+            ..ellipse
+        }),
+        Mark::Line(line) => {
+            Mark::Line(Line { from: place(line.from), to: place(line.to), width: factor * line.width })
+        }
+    }
+}
+
+/// A point in a mark's own frame: along its angle, and across.
+#[must_use]
+pub fn into_frame(point: [f64; 2], center: [f64; 2], degrees: f64) -> [f64; 2] {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let [x, y] = [point[0] - center[0], point[1] - center[1]];
+    [cos * x + sin * y, cos * y - sin * x]
+}
+
+/// The way back from [`into_frame`].
+#[must_use]
+pub fn out_of_frame(point: [f64; 2], center: [f64; 2], degrees: f64) -> [f64; 2] {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    [center[0] + cos * point[0] - sin * point[1], center[1] + sin * point[0] + cos * point[1]]
+}
+
+/// How far `point` is from the mark's body, px; 0 inside.
+#[must_use]
+pub fn distance(mark: &Mark, point: [f64; 2]) -> f64 {
+    match mark {
+        Mark::Ellipse(ellipse) => {
+            let [x, y] = into_frame(point, ellipse.center, ellipse.angle);
+            let share = (x / ellipse.radii[0]).hypot(y / ellipse.radii[1]);
+            // Along the ray from the centre: exact enough for a pointer.
+            if share <= 1.0 { 0.0 } else { x.hypot(y) * (1.0 - 1.0 / share) }
+        }
+        Mark::Line(line) => {
+            let [dx, dy] = [line.to[0] - line.from[0], line.to[1] - line.from[1]];
+            let [x, y] = [point[0] - line.from[0], point[1] - line.from[1]];
+            let length = dx * dx + dy * dy;
+            let t = if length > 0.0 { ((x * dx + y * dy) / length).clamp(0.0, 1.0) } else { 0.0 };
+            ((x - t * dx).hypot(y - t * dy) - 0.5 * line.width).max(0.0)
+        }
+    }
+}
+
+/// The mark as a document of `size` px may hold it: its middle on the canvas, no thicker than the canvas.
+#[must_use]
+pub fn bounded(mark: &Mark, size: [u32; 2]) -> Mark {
+    let thickest = f64::from(size[0].max(size[1]));
+    let thick = |length: f64| length.clamp(SMALLEST.min(thickest), thickest);
+    let inside = |p: [f64; 2]| [0, 1].map(|axis| p[axis].clamp(0.0, f64::from(size[axis])));
+    match *mark {
+        Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse {
+            center: inside(ellipse.center),
+            radii: ellipse.radii.map(thick),
+            angle: ellipse.angle,
+        }),
+        Mark::Line(line) => {
+            let end = |p: [f64; 2]| {
+                [0, 1].map(|axis| p[axis].clamp(-f64::from(size[axis]), 2.0 * f64::from(size[axis])))
+            };
+            let mut line = Line { from: end(line.from), to: end(line.to), width: thick(line.width) };
+            if line.length() < MIN_LENGTH {
+                line.to[0] += SMALLEST;
+            }
+            let middle = line.center();
+            let by = [0, 1].map(|axis| inside(middle)[axis] - middle[axis]);
+            moved(&Mark::Line(line), by)
+        }
+    }
+}
+
+/// The smallest upright box around the marks: least and greatest corner, px. `None` of none.
+#[must_use]
+pub fn extent<'a>(marks: impl IntoIterator<Item = &'a Mark>) -> Option<[[f64; 2]; 2]> {
+    let mut found: Option<[[f64; 2]; 2]> = None;
+    for mark in marks {
+        let [low, high] = extent_of(mark);
+        let [least, most] = found.get_or_insert([low, high]);
+        for axis in 0..2 {
+            least[axis] = least[axis].min(low[axis]);
+            most[axis] = most[axis].max(high[axis]);
+        }
+    }
+    found
+}
+
+fn extent_of(mark: &Mark) -> [[f64; 2]; 2] {
+    match mark {
+        Mark::Ellipse(ellipse) => {
+            let (sin, cos) = ellipse.angle.to_radians().sin_cos();
+            let [a, b] = ellipse.radii;
+            let half = [(a * cos).hypot(b * sin), (a * sin).hypot(b * cos)];
+            [-1.0, 1.0].map(|side| [0, 1].map(|axis| ellipse.center[axis] + side * half[axis]))
+        }
+        Mark::Line(line) => {
+            let half = 0.5 * line.width;
+            let low = [0, 1].map(|axis| line.from[axis].min(line.to[axis]) - half);
+            let high = [0, 1].map(|axis| line.from[axis].max(line.to[axis]) + half);
+            [low, high]
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ELLIPSE: Mark = Mark::Ellipse(Ellipse { center: [50.0, 40.0], radii: [20.0, 10.0], angle: 90.0 });
+
+    #[test]
+    fn a_point_is_in_an_ellipse_or_so_far_from_it() {
+        assert_eq!(distance(&ELLIPSE, [50.0, 59.0]), 0.0);
+        assert!((distance(&ELLIPSE, [50.0, 65.0]) - 5.0).abs() < 1e-9);
+        assert!((distance(&ELLIPSE, [63.0, 40.0]) - 3.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_box_around_a_turned_ellipse_touches_it() {
+        let [low, high] = extent([&ELLIPSE]).unwrap();
+        for (found, expected) in low.iter().chain(&high).zip([40.0, 20.0, 60.0, 60.0]) {
+            assert!((found - expected).abs() < 1e-9, "{low:?} {high:?}");
+        }
+    }
+
+    #[test]
+    fn a_mark_is_kept_on_the_canvas_by_its_middle() {
+        let line = Mark::Line(Line { from: [-30.0, 10.0], to: [10.0, 10.0], width: 900.0 });
+        let Mark::Line(line) = bounded(&line, [100, 80]) else { panic!("a line stays a line") };
+        assert_eq!((line.from, line.to, line.width), ([-20.0, 10.0], [20.0, 10.0], 100.0));
+    }
+
+    #[test]
+    fn turning_there_and_back_changes_nothing() {
+        let there = turned(&ELLIPSE, 33.0, [0.0, 0.0]);
+        let Mark::Ellipse(back) = turned(&there, -33.0, [0.0, 0.0]) else { panic!() };
+        assert!((back.center[0] - 50.0).abs() < 1e-9 && (back.angle - 90.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,170 @@
+//! Keys, and the page that lists them.
+
+use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, ScrollArea, Ui};
+
+use super::action::{Action, Page};
+use super::canvas::tool::Tool;
+
+const CTRL: Modifiers = Modifiers::COMMAND;
+const CTRL_SHIFT: Modifiers = CTRL.plus(Modifiers::SHIFT);
+
+/// A key, what it does, and in which group of the page it stands.
+pub struct Shortcut {
+    /// The keys.
+    pub keys: KeyboardShortcut,
+    /// What it does.
+    pub action: fn() -> Action,
+    /// What is said of it.
+    pub text: &'static str,
+    /// Its group.
+    pub group: &'static str,
+}
+
+const fn with(
+    modifiers: Modifiers,
+    key: Key,
+    text: &'static str,
+    group: &'static str,
+    action: fn() -> Action,
+) -> Shortcut {
+    Shortcut { keys: KeyboardShortcut::new(modifiers, key), action, text, group }
+}
+
+/// All keys. Those with more modifiers stand before those with fewer.
+pub const SHORTCUTS: &[Shortcut] = &[
+    with(CTRL, Key::N, "New document", "Document", || Action::New),
+    with(CTRL, Key::O, "Open", "Document", || Action::Open),
+    with(CTRL_SHIFT, Key::S, "Save as", "Document", || Action::SaveAs),
+    with(CTRL, Key::S, "Save", "Document", || Action::Save),
+    with(CTRL, Key::E, "Export picture", "Document", || Action::Export),
+    with(CTRL_SHIFT, Key::E, "Examples", "Document", || Action::Page(Page::Examples)),
+    with(CTRL, Key::Q, "Quit", "Document", || Action::Quit),
+    with(CTRL_SHIFT, Key::Z, "Redo", "Edit", || Action::Redo),
+    with(CTRL, Key::Z, "Undo", "Edit", || Action::Undo),
+    with(CTRL, Key::Y, "Redo", "Edit", || Action::Redo),
+    with(CTRL, Key::D, "Duplicate", "Edit", || Action::Duplicate),
+    with(CTRL, Key::A, "Select all", "Edit", || Action::SelectAll),
+    with(Modifiers::NONE, Key::Delete, "Delete", "Edit", || Action::Delete),
+    with(Modifiers::NONE, Key::Backspace, "Delete", "Edit", || Action::Delete),
+    with(Modifiers::NONE, Key::Escape, "Let go, select nothing", "Edit", || Action::Escape),
+    with(Modifiers::NONE, Key::CloseBracket, "Select the next mark", "Edit", || Action::Next(1)),
+    with(Modifiers::NONE, Key::OpenBracket, "Select the mark before", "Edit", || Action::Next(-1)),
+    with(Modifiers::NONE, Key::Period, "Turn by 5°", "Edit", || Action::Turn(5.0)),
+    with(Modifiers::NONE, Key::Comma, "Turn back by 5°", "Edit", || Action::Turn(-5.0)),
+    with(Modifiers::NONE, Key::Plus, "Larger", "Edit", || Action::Scale(1.1)),
+    with(Modifiers::NONE, Key::Equals, "Larger", "Edit", || Action::Scale(1.1)),
+    with(Modifiers::NONE, Key::Minus, "Smaller", "Edit", || Action::Scale(1.0 / 1.1)),
+    with(Modifiers::SHIFT, Key::E, "Put an ellipse in the middle", "Draw", || Action::Insert(true)),
+    with(Modifiers::SHIFT, Key::L, "Put a line in the middle", "Draw", || Action::Insert(false)),
+    with(Modifiers::NONE, Key::V, "Select", "Draw", || Action::Tool(Tool::Select)),
+    with(Modifiers::NONE, Key::B, "Freehand", "Draw", || Action::Tool(Tool::Pen)),
+    with(Modifiers::NONE, Key::E, "Ellipse", "Draw", || Action::Tool(Tool::Ellipse)),
+    with(Modifiers::NONE, Key::L, "Line", "Draw", || Action::Tool(Tool::Line)),
+    with(Modifiers::NONE, Key::X, "Eraser", "Draw", || Action::Tool(Tool::Eraser)),
+    with(Modifiers::NONE, Key::H, "Pan", "Draw", || Action::Tool(Tool::Hand)),
+    with(CTRL, Key::Num0, "Show the whole canvas", "View", || Action::Fit),
+    with(CTRL, Key::Num1, "Actual size", "View", || Action::ActualSize),
+    with(CTRL, Key::Plus, "Zoom in", "View", || Action::Zoom(1.25)),
+    with(CTRL, Key::Equals, "Zoom in", "View", || Action::Zoom(1.25)),
+    with(CTRL, Key::Minus, "Zoom out", "View", || Action::Zoom(0.8)),
+    with(Modifiers::NONE, Key::P, "Pause the growth, go on", "Growth", || Action::Pause),
+    with(Modifiers::NONE, Key::N, "Another seed", "Growth", || Action::AnotherSeed),
+    with(CTRL, Key::R, "Grow again", "Growth", || Action::Grow),
+    with(CTRL, Key::Period, "Stop", "Growth", || Action::Stop),
+    with(Modifiers::NONE, Key::F1, "This page", "Help", || Action::Page(Page::Shortcuts)),
+];
+
+/// Arrows: which way.
+const ARROWS: [(Key, [f64; 2]); 4] = [
+    (Key::ArrowLeft, [-1.0, 0.0]),
+    (Key::ArrowRight, [1.0, 0.0]),
+    (Key::ArrowUp, [0.0, -1.0]),
+    (Key::ArrowDown, [0.0, 1.0]),
+];
+
+/// What the keys ask for. `canvas` = the canvas has the keys, or nobody; otherwise keys without Ctrl go to whoever
+/// has them.
+pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
+    let mut actions = Vec::new();
+    ctx.input_mut(|input| {
+        if canvas {
+            for event in &input.events {
+                match event {
+                    Event::Copy => actions.push(Action::Copy),
+                    Event::Cut => actions.push(Action::Cut),
+                    Event::Paste(text) => actions.push(Action::Paste(text.clone())),
+                    _ => {}
+                }
+            }
+        }
+        for shortcut in SHORTCUTS {
+            let plain = !shortcut.keys.modifiers.command;
+            let function = shortcut.keys.logical_key == Key::F1;
+            if plain && !canvas && !function {
+                continue;
+            }
+            while input.consume_shortcut(&shortcut.keys) {
+                actions.push((shortcut.action)());
+            }
+        }
+        if arrows {
+            for (key, [x, y]) in ARROWS {
+                for (modifiers, by) in [(Modifiers::SHIFT, 10.0), (Modifiers::NONE, 1.0)] {
+                    let times = input.count_and_consume_key(modifiers, key);
+                    actions.extend((0..times).map(|_| Action::Nudge([by * x, by * y])));
+                }
+            }
+        }
+    });
+    actions
+}
+
+/// The keys of an action, as they are told on this system.
+#[must_use]
+pub fn told(ctx: &Context, action: &Action) -> Option<String> {
+    let shortcut = SHORTCUTS.iter().find(|shortcut| (shortcut.action)() == *action)?;
+    Some(ctx.format_shortcut(&shortcut.keys))
+}
+
+/// The page that lists them.
+pub fn page(ui: &mut Ui) {
+    ScrollArea::vertical().max_height(460.0).show(ui, |ui| {
+        ui.columns(2, |columns| {
+            for (column, groups) in
+                columns.iter_mut().zip([["Document", "View", "Growth"], ["Draw", "Edit", "Help"]])
+            {
+                for group in groups {
+                    column.label(RichText::new(group).strong());
+                    for shortcut in SHORTCUTS.iter().filter(|shortcut| shortcut.group == group) {
+                        row(column, shortcut.text, &column.ctx().format_shortcut(&shortcut.keys));
+                    }
+                    for (text, keys) in
+                        OTHERS.iter().filter(|(of, ..)| *of == group).map(|(_, text, keys)| (text, keys))
+                    {
+                        row(column, text, keys);
+                    }
+                    column.add_space(10.0);
+                }
+            }
+        });
+    });
+}
+
+/// What is no single key.
+const OTHERS: &[(&str, &str, &str)] = &[
+    ("View", "Zoom", "Ctrl + wheel, pinch"),
+    ("View", "Pan", "wheel, middle button, Space + drag"),
+    ("Edit", "Move by 1 px, by 10 px", "arrows, Shift + arrows"),
+    ("Edit", "Copy, cut, paste", "Ctrl+C, Ctrl+X, Ctrl+V"),
+    ("Draw", "Circle; steps of 15°", "Shift while dragging"),
+    ("Draw", "Leave a copy", "Alt while dragging"),
+];
+
+fn row(ui: &mut Ui, text: &str, keys: &str) {
+    ui.horizontal(|ui| {
+        ui.label(text);
+        ui.with_layout(eframe::egui::Layout::right_to_left(eframe::egui::Align::Center), |ui| {
+            ui.label(RichText::new(keys).weak());
+        });
+    });
+}

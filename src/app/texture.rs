@@ -1,0 +1,135 @@
+//! The texture beside the canvas.
+
+use eframe::egui::{
+    Align2, Color32, FontId, Id, Painter, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind,
+    TextureHandle, TextureOptions, TextureWrapMode, Ui, WidgetInfo, epaint::Mesh, pos2, vec2,
+};
+
+use super::canvas::navigate;
+use super::canvas::view::View;
+use super::growth::{Growth, Phase, Picture};
+use super::theme::Palette;
+
+/// The view of the texture.
+#[derive(Default)]
+pub struct TextureView {
+    texture: Option<TextureHandle>,
+    /// Which part is seen.
+    pub view: View,
+    /// Is it shown two by two, so that seams would be seen?
+    pub tiled: bool,
+}
+
+impl TextureView {
+    /// Takes a picture to the graphics card.
+    pub fn take(&mut self, ui: &Ui, picture: Option<&Picture>) {
+        let Some(picture) = picture else {
+            self.texture = None;
+            return;
+        };
+        let options = TextureOptions { wrap_mode: TextureWrapMode::Repeat, ..TextureOptions::LINEAR };
+        let image = picture.image.clone();
+        match &mut self.texture {
+            Some(texture) if texture.size() == image.size => texture.set_partial([0, 0], image, options),
+            _ => self.texture = Some(ui.ctx().load_texture("texture", image, options)),
+        }
+    }
+
+    /// Shows the texture of a canvas of `size` px in `room`.
+    pub fn ui(&mut self, ui: &mut Ui, room: Rect, size: [u32; 2], growth: &Growth) -> Response {
+        let response = ui.interact(room, ui.scope_id().with("texture"), Sense::drag());
+        let name = format!("Texture, {}", said(&growth.phase));
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
+        let shown = if self.tiled { size.map(|side| 2 * side) } else { size };
+        if self.view.fitted {
+            self.view.fit(shown, room);
+        }
+        navigate(ui, &response, room, &mut self.view, true);
+        let painter = ui.painter_at(room);
+        painter.rect_filled(room, 0.0, Palette::of(ui.visuals()).desk);
+        self.paint(ui, &painter, room, size);
+        if self.texture.is_none() {
+            empty(ui, &painter, self.view.paper(room, shown), &growth.phase);
+        }
+        response
+    }
+
+    /// Paints the texture where the canvas lies in `room`.
+    pub fn paint(&self, ui: &Ui, painter: &Painter, room: Rect, size: [u32; 2]) {
+        let Some(texture) = &self.texture else { return };
+        let tiles = if self.tiled { 2.0 } else { 1.0 };
+        let shown = if self.tiled { size.map(|side| 2 * side) } else { size };
+        let rect = self.view.paper(room, shown);
+        let mut mesh = Mesh::with_texture(texture.id());
+        mesh.add_rect_with_uv(rect, Rect::from_min_size(pos2(0.0, 0.0), vec2(tiles, tiles)), Color32::WHITE);
+        painter.add(Shape::mesh(mesh));
+        let border = Palette::of(ui.visuals()).border;
+        painter.rect_stroke(rect, 2.0, Stroke::new(1.0, border), StrokeKind::Outside);
+    }
+
+    /// Is there something to be seen?
+    #[must_use]
+    pub fn is_there(&self) -> bool {
+        self.texture.is_some()
+    }
+}
+
+/// What is said of a growth in a word or two.
+#[must_use]
+pub fn said(phase: &Phase) -> &'static str {
+    match phase {
+        Phase::Idle => "empty",
+        Phase::Growing(..) => "growing",
+        Phase::Stopped => "stopped",
+        Phase::Settled(_) => "settled",
+        Phase::Failed(_) => "cannot be grown",
+    }
+}
+
+fn empty(ui: &Ui, painter: &Painter, paper: Rect, phase: &Phase) {
+    let colours = Palette::of(ui.visuals());
+    let stroke = Stroke::new(1.0, colours.border);
+    let [a, b, c, d] = [paper.left_top(), paper.right_top(), paper.right_bottom(), paper.left_bottom()];
+    painter.extend(Shape::dashed_line(&[a, b, c, d, a], stroke, 5.0, 5.0));
+    let text = match phase {
+        Phase::Idle => "The texture grows here",
+        Phase::Growing(..) => "Looking up what grows like this …",
+        _ => return,
+    };
+    let weak = ui.visuals().weak_text_color();
+    painter.text(paper.center(), Align2::CENTER_CENTER, text, FontId::proportional(15.0), weak);
+}
+
+/// The bar between two pictures that lie over each other: dragged, it uncovers one of them. `share` is where it is.
+pub fn curtain(ui: &mut Ui, room: Rect, share: &mut f32) -> Response {
+    let x = room.left() + *share * room.width();
+    let bar = Rect::from_center_size(pos2(x, room.center().y), vec2(16.0, room.height()));
+    let response = ui.interact(bar, Id::unique("curtain"), Sense::drag());
+    response.widget_info(|| WidgetInfo::slider(true, f64::from(*share), "Sketch over texture"));
+    if response.dragged() {
+        *share = (*share + response.drag_delta().x / room.width()).clamp(0.0, 1.0);
+    }
+    if response.has_focus() {
+        let step = ui.input(|input| {
+            let pressed = |key| input.num_presses(key) as f32;
+            0.05 * (pressed(eframe::egui::Key::ArrowRight) - pressed(eframe::egui::Key::ArrowLeft))
+        });
+        *share = (*share + step).clamp(0.0, 1.0);
+    }
+    response.on_hover_and_drag_cursor(eframe::egui::CursorIcon::ResizeHorizontal)
+}
+
+/// Paints the bar.
+pub fn paint_curtain(ui: &Ui, room: Rect, share: f32) {
+    let colours = Palette::of(ui.visuals());
+    let x = room.left() + share * room.width();
+    let painter = ui.painter_at(room);
+    painter.vline(x, room.y_range(), Stroke::new(2.0, colours.accent));
+    painter.circle(pos2(x, room.center().y), 9.0, colours.paper, Stroke::new(2.0, colours.accent));
+    for side in [-1.0, 1.0] {
+        let tip = pos2(x + side * 5.0, room.center().y);
+        let back = vec2(-side * 3.0, 3.0);
+        painter.line_segment([tip, tip + back], Stroke::new(1.5, colours.accent));
+        painter.line_segment([tip, tip + vec2(back.x, -back.y)], Stroke::new(1.5, colours.accent));
+    }
+}

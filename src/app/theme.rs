@@ -1,0 +1,183 @@
+//! Colours, sizes and type of the window, light and dark.
+
+use eframe::egui::{
+    Color32, Context, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle, Theme,
+    Visuals, vec2,
+};
+
+/// The colours that the widgets' style does not know.
+#[derive(Clone, Copy, Debug)]
+pub struct Palette {
+    /// What the canvas and the texture lie on.
+    pub desk: Color32,
+    /// The canvas.
+    pub paper: Color32,
+    /// The canvas' border.
+    pub border: Color32,
+    /// Marks, by layer.
+    pub inks: [Color32; 4],
+    /// The pen's own stroke.
+    pub pen: Color32,
+    /// What is selected, what is at work.
+    pub accent: Color32,
+    /// The same, standing back.
+    pub accent_pale: Color32,
+    /// The region grid.
+    pub grid: Color32,
+    /// An edge between neighbours whose length counts.
+    pub edge: Color32,
+    /// One whose length does not.
+    pub edge_pale: Color32,
+    /// Axes of fitted marks.
+    pub axis: Color32,
+    /// What went wrong.
+    pub wrong: Color32,
+}
+
+const LIGHT: Palette = Palette {
+    desk: Color32::from_rgb(0xe4, 0xe1, 0xdb),
+    paper: Color32::from_rgb(0xfd, 0xfc, 0xf9),
+    border: Color32::from_rgb(0xc9, 0xc4, 0xba),
+    inks: [
+        Color32::from_rgb(0x3c, 0x36, 0x30),
+        Color32::from_rgb(0x9a, 0x4b, 0x27),
+        Color32::from_rgb(0x2f, 0x5d, 0x7c),
+        Color32::from_rgb(0x5d, 0x6b, 0x2b),
+    ],
+    pen: Color32::from_rgb(0x1b, 0x6f, 0x6a),
+    accent: Color32::from_rgb(0x12, 0x7a, 0x74),
+    accent_pale: Color32::from_rgb(0x9c, 0xc4, 0xc0),
+    grid: Color32::from_rgb(0xd3, 0xce, 0xc4),
+    edge: Color32::from_rgb(0x2f, 0x6f, 0xb4),
+    edge_pale: Color32::from_rgb(0xb9, 0xcd, 0xe2),
+    axis: Color32::from_rgb(0xc2, 0x5a, 0x1e),
+    wrong: Color32::from_rgb(0xa8, 0x32, 0x1f),
+};
+
+const DARK: Palette = Palette {
+    desk: Color32::from_rgb(0x18, 0x18, 0x19),
+    paper: Color32::from_rgb(0x2a, 0x2a, 0x2b),
+    border: Color32::from_rgb(0x43, 0x43, 0x45),
+    inks: [
+        Color32::from_rgb(0xe8, 0xe3, 0xda),
+        Color32::from_rgb(0xe5, 0x96, 0x6b),
+        Color32::from_rgb(0x7f, 0xb4, 0xd8),
+        Color32::from_rgb(0xb6, 0xc6, 0x75),
+    ],
+    pen: Color32::from_rgb(0x62, 0xcf, 0xc6),
+    accent: Color32::from_rgb(0x4f, 0xc0, 0xb6),
+    accent_pale: Color32::from_rgb(0x2d, 0x68, 0x63),
+    grid: Color32::from_rgb(0x44, 0x44, 0x47),
+    edge: Color32::from_rgb(0x6f, 0xad, 0xec),
+    edge_pale: Color32::from_rgb(0x38, 0x50, 0x68),
+    axis: Color32::from_rgb(0xe8, 0x8b, 0x4e),
+    wrong: Color32::from_rgb(0xef, 0x83, 0x6e),
+};
+
+impl Palette {
+    /// The colours of the theme that is on.
+    #[must_use]
+    pub fn of(visuals: &Visuals) -> &'static Self {
+        if visuals.dark_mode { &DARK } else { &LIGHT }
+    }
+
+    /// The ink of a layer.
+    #[must_use]
+    pub fn ink(&self, layer: usize) -> Color32 {
+        self.inks[layer % self.inks.len()]
+    }
+}
+
+/// Gives a window its look.
+pub fn dress(ctx: &Context) {
+    for theme in [Theme::Light, Theme::Dark] {
+        ctx.style_mut_of(theme, |style| {
+            sizes(style);
+            match theme {
+                Theme::Light => light(&mut style.visuals),
+                Theme::Dark => dark(&mut style.visuals),
+            }
+        });
+    }
+}
+
+fn sizes(style: &mut Style) {
+    let font = |size| FontId::new(size, FontFamily::Proportional);
+    style.text_styles.insert(TextStyle::Body, font(13.5));
+    style.text_styles.insert(TextStyle::Button, font(13.5));
+    style.text_styles.insert(TextStyle::Small, font(11.5));
+    style.text_styles.insert(TextStyle::Heading, font(19.0));
+    let spacing = &mut style.spacing;
+    spacing.item_spacing = vec2(8.0, 7.0);
+    spacing.button_padding = vec2(9.0, 4.0);
+    spacing.interact_size = vec2(36.0, 24.0);
+    spacing.menu_margin = Margin::same(6);
+    spacing.slider_width = 120.0;
+    spacing.tooltip_width = 280.0;
+    style.interaction.tooltip_delay = 0.4;
+}
+
+fn shared(visuals: &mut Visuals, palette: &Palette) {
+    let round = CornerRadius::same(5);
+    let widgets = &mut visuals.widgets;
+    for widget in [
+        &mut widgets.noninteractive,
+        &mut widgets.inactive,
+        &mut widgets.hovered,
+        &mut widgets.active,
+        &mut widgets.open,
+    ] {
+        widget.corner_radius = round;
+        widget.expansion = 0.0;
+    }
+    visuals.window_corner_radius = CornerRadius::same(9);
+    visuals.menu_corner_radius = CornerRadius::same(7);
+    visuals.window_shadow =
+        Shadow { offset: [0, 8], blur: 28, spread: 0, color: Color32::from_black_alpha(50) };
+    visuals.popup_shadow =
+        Shadow { offset: [0, 4], blur: 14, spread: 0, color: Color32::from_black_alpha(40) };
+    visuals.selection.bg_fill = palette.accent;
+    visuals.selection.stroke = Stroke::new(1.0, Color32::WHITE);
+    visuals.hyperlink_color = palette.accent;
+    visuals.slider_trailing_fill = true;
+    visuals.error_fg_color = palette.wrong;
+}
+
+fn light(visuals: &mut Visuals) {
+    shared(visuals, &LIGHT);
+    let ink = Color32::from_rgb(0x2e, 0x2a, 0x26);
+    visuals.panel_fill = Color32::from_rgb(0xf4, 0xf2, 0xee);
+    visuals.window_fill = Color32::from_rgb(0xfa, 0xf9, 0xf6);
+    visuals.extreme_bg_color = Color32::from_rgb(0xff, 0xfe, 0xfc);
+    visuals.faint_bg_color = Color32::from_rgb(0xec, 0xe9, 0xe3);
+    visuals.window_stroke = Stroke::new(1.0, LIGHT.border);
+    let widgets = &mut visuals.widgets;
+    widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0xdd, 0xd9, 0xd1));
+    widgets.noninteractive.fg_stroke = Stroke::new(1.0, ink);
+    widgets.inactive.weak_bg_fill = Color32::from_rgb(0xe8, 0xe5, 0xdf);
+    widgets.inactive.bg_fill = Color32::from_rgb(0xdd, 0xd9, 0xd1);
+    widgets.inactive.fg_stroke = Stroke::new(1.0, ink);
+    widgets.hovered.weak_bg_fill = Color32::from_rgb(0xdd, 0xd9, 0xd1);
+    widgets.hovered.bg_stroke = Stroke::new(1.0, LIGHT.border);
+    widgets.active.weak_bg_fill = Color32::from_rgb(0xd0, 0xcb, 0xc1);
+}
+
+fn dark(visuals: &mut Visuals) {
+    shared(visuals, &DARK);
+    visuals.selection.stroke = Stroke::new(1.0, Color32::from_rgb(0x0e, 0x1c, 0x1b));
+    let ink = Color32::from_rgb(0xdc, 0xd9, 0xd4);
+    visuals.panel_fill = Color32::from_rgb(0x22, 0x22, 0x23);
+    visuals.window_fill = Color32::from_rgb(0x29, 0x29, 0x2b);
+    visuals.extreme_bg_color = Color32::from_rgb(0x19, 0x19, 0x1a);
+    visuals.faint_bg_color = Color32::from_rgb(0x2b, 0x2b, 0x2d);
+    visuals.window_stroke = Stroke::new(1.0, DARK.border);
+    let widgets = &mut visuals.widgets;
+    widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0x36, 0x36, 0x38));
+    widgets.noninteractive.fg_stroke = Stroke::new(1.0, ink);
+    widgets.inactive.weak_bg_fill = Color32::from_rgb(0x33, 0x33, 0x35);
+    widgets.inactive.bg_fill = Color32::from_rgb(0x3b, 0x3b, 0x3e);
+    widgets.inactive.fg_stroke = Stroke::new(1.0, ink);
+    widgets.hovered.weak_bg_fill = Color32::from_rgb(0x3e, 0x3e, 0x41);
+    widgets.hovered.bg_stroke = Stroke::new(1.0, DARK.border);
+    widgets.active.weak_bg_fill = Color32::from_rgb(0x49, 0x49, 0x4d);
+}

@@ -1,0 +1,293 @@
+//! The window as a whole: who stands where, and what happens in a frame.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use eframe::egui::{
+    CentralPanel, Context, Frame, Margin, Panel, Rect, Ui, UiBuilder, ViewportCommand, pos2, vec2,
+};
+
+use super::canvas::{Canvas, view::View};
+use super::desk::Desk;
+use super::examples::Gallery;
+use super::exporting::Exporting;
+use super::files::Files;
+use super::growth::{Growth, Phase, Texture};
+use super::notice::{Notice, Notices};
+use super::settings::Settings;
+use super::texture::{self, TextureView};
+use super::theme::{self, Palette};
+use super::trace::Trace;
+use super::{action::Page, panels, shortcuts};
+use crate::synth::recipe::Document;
+
+/// With what the window begins.
+#[derive(Default)]
+pub struct Start {
+    /// The document to open.
+    pub file: Option<PathBuf>,
+    /// What is remembered.
+    pub settings: Settings,
+    /// Are files chosen with the system's own dialogs?
+    pub native_dialogs: bool,
+}
+
+/// The window.
+pub struct Window {
+    pub(super) desk: Desk,
+    pub(super) canvas: Canvas,
+    pub(super) texture: TextureView,
+    pub(super) growth: Growth,
+    pub(super) settings: Settings,
+    pub(super) notices: Notices,
+    pub(super) files: Files,
+    pub(super) gallery: Gallery,
+    pub(super) exporting: Option<Exporting>,
+    pub(super) page: Option<Page>,
+    /// One over the other, instead of side by side.
+    pub(super) over: bool,
+    /// Where the curtain hangs, 0..1.
+    pub(super) curtain: f32,
+    /// Do the views move together?
+    pub(super) linked: bool,
+    /// The revision that is growing.
+    grown: Option<u64>,
+    title: String,
+    trace: Trace,
+}
+
+impl Window {
+    /// A window, with what it begins with.
+    #[must_use]
+    pub fn new(ctx: &Context, start: Start) -> Self {
+        theme::dress(ctx);
+        ctx.set_theme(start.settings.theme);
+        // Ctrl and + or − zoom the canvas, not the buttons.
+        ctx.options_mut(|options| options.zoom_with_keyboard = false);
+        let wake = ctx.clone();
+        let first = !start.settings.hint_seen && start.file.is_none();
+        let mut window = Self {
+            desk: Desk::open(super::pages::New::default().document(), None),
+            canvas: Canvas::default(),
+            texture: TextureView::default(),
+            growth: Growth::new(move || wake.request_repaint()),
+            settings: start.settings,
+            notices: Notices::default(),
+            files: Files::new(start.native_dialogs),
+            gallery: Gallery::default(),
+            exporting: None,
+            page: first.then_some(Page::Hint),
+            over: false,
+            curtain: 0.5,
+            linked: true,
+            grown: None,
+            title: String::new(),
+            trace: Trace::asked(),
+        };
+        if let Some(file) = start.file {
+            window.open(&file);
+        }
+        window
+    }
+
+    /// The document as it is saved and grown.
+    #[must_use]
+    pub fn document(&self) -> Document {
+        self.desk.finished()
+    }
+
+    /// What lies on the desk.
+    #[must_use]
+    pub fn desk(&self) -> &Desk {
+        &self.desk
+    }
+
+    /// How far the growth is.
+    #[must_use]
+    pub fn phase(&self) -> &Phase {
+        &self.growth.phase
+    }
+
+    /// The growth.
+    #[must_use]
+    pub fn growth(&self) -> &Growth {
+        &self.growth
+    }
+
+    /// What has settled.
+    #[must_use]
+    pub fn settled(&self) -> Option<&Texture> {
+        self.growth.texture.as_ref()
+    }
+
+    /// What has to be said.
+    #[must_use]
+    pub fn notices(&self) -> &[Notice] {
+        self.notices.all()
+    }
+
+    /// Shows a whole frame.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let settling = self.growth.is_growing();
+        let first = self.growth.first_picture;
+        if self.growth.listen() {
+            self.texture.take(ui, self.growth.picture.as_ref());
+            if let (None, Some(took)) = (first, self.growth.first_picture) {
+                self.trace.event("first picture", took);
+            }
+            if let (true, Phase::Settled(took)) = (settling, &self.growth.phase) {
+                self.trace.event("settled", *took);
+            }
+        }
+        self.listen(ui);
+        let mut actions = self.keys(ui);
+        actions.extend(self.dropped(ui));
+        let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
+        Panel::top("menu").frame(bar).show(ui, |ui| actions.extend(panels::menu(ui, self)));
+        Panel::bottom("status").frame(bar).exact_size(28.0).show(ui, |ui| panels::status(ui, self));
+        let strip = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(6, 8));
+        let strip = Panel::left("tools").frame(strip).resizable(false).exact_size(50.0);
+        strip.show(ui, |ui| actions.extend(panels::strip(ui, self)));
+        let column = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(14, 10));
+        let column = Panel::right("inspector").frame(column).resizable(false).exact_size(236.0);
+        column.show(ui, |ui| actions.extend(panels::inspector(ui, self)));
+        CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
+        actions.extend(self.over_all(ui));
+        for action in actions {
+            self.perform(ui, action);
+        }
+        self.grow_what_changed(ui);
+        self.entitle(ui);
+    }
+
+    /// What the keys ask for.
+    fn keys(&mut self, ui: &Ui) -> Vec<super::Action> {
+        if self.files.is_asking() {
+            return Vec::new();
+        }
+        let focused = ui.memory(eframe::egui::Memory::focused);
+        let canvas = focused.is_none_or(|id| self.canvas.id == Some(id));
+        let keys = !ui.text_edit_focused() && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
+        shortcuts::asked(ui.ctx(), keys, canvas)
+    }
+
+    /// A focused button takes Space, Enter and the arrows; letters are free.
+    fn is_button(&self, ui: &Ui, id: eframe::egui::Id) -> bool {
+        ui.ctx()
+            .read_response(id)
+            .is_some_and(|response| response.sense.senses_click() && !response.sense.senses_drag())
+    }
+
+    fn middle(&mut self, ui: &mut Ui) -> Vec<super::Action> {
+        let mut actions = Vec::new();
+        let all = ui.max_rect();
+        let (head, body) = all.split_top_bottom_at_y(all.top() + 38.0);
+        ui.painter().rect_filled(head, 0.0, ui.visuals().panel_fill);
+        let (left, right) = head.split_left_right_at_fraction(0.5);
+        let inside = |rect: Rect| UiBuilder::new().max_rect(rect.shrink2(vec2(14.0, 4.0)));
+        ui.scope_builder(inside(left), |ui| actions.extend(panels::sketch_bar(ui, self)));
+        ui.scope_builder(inside(right), |ui| actions.extend(panels::growth_bar(ui, self)));
+        let before = [self.canvas.view, self.texture.view];
+        if self.over {
+            self.one_over_the_other(ui, body)
+        } else {
+            self.side_by_side(ui, body)
+        }
+        self.link(before);
+        if let Phase::Failed(why) = &self.growth.phase {
+            let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).1 };
+            failed(ui, room, why);
+        }
+        actions
+    }
+
+    fn side_by_side(&mut self, ui: &mut Ui, body: Rect) {
+        let (left, right) = body.split_left_right_at_fraction(0.5);
+        self.canvas.ui(ui, left, &mut self.desk);
+        self.texture.ui(ui, right, self.desk.document().size, &self.growth);
+        let line = ui.visuals().widgets.noninteractive.bg_stroke;
+        ui.painter().vline(body.center().x, body.y_range(), line);
+    }
+
+    fn one_over_the_other(&mut self, ui: &mut Ui, body: Rect) {
+        self.canvas.ui(ui, body, &mut self.desk);
+        let x = body.left() + self.curtain * body.width();
+        let seen = Rect::from_min_max(pos2(x, body.top()), body.max);
+        let painter = ui.painter_at(seen);
+        painter.rect_filled(seen, 0.0, Palette::of(ui.visuals()).desk);
+        self.texture.view = self.canvas.view;
+        self.texture.paint(ui, &painter, body, self.desk.document().size);
+        texture::curtain(ui, body, &mut self.curtain);
+        texture::paint_curtain(ui, body, self.curtain);
+    }
+
+    /// Views that move together: the one that was moved takes the other along.
+    fn link(&mut self, before: [View; 2]) {
+        if !self.linked || self.over || self.texture.tiled {
+            return;
+        }
+        if self.canvas.view != before[0] {
+            self.texture.view = self.canvas.view;
+        } else if self.texture.view != before[1] {
+            self.canvas.view = self.texture.view;
+        }
+    }
+
+    /// Makes what was done a step that can be undone, and grows it, once the hand rests.
+    fn grow_what_changed(&mut self, ui: &Ui) {
+        let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
+        if busy {
+            return;
+        }
+        self.desk.commit();
+        if self.grown != Some(self.desk.revision()) {
+            self.grown = Some(self.desk.revision());
+            self.growth.grow(&self.desk.finished());
+            if self.growth.picture.is_none() {
+                self.texture.take(ui, None);
+            }
+        }
+    }
+
+    /// Another document lies on the desk.
+    pub(super) fn begin(&mut self, desk: Desk) {
+        self.desk = desk;
+        self.canvas.view.fitted = true;
+        self.texture.view.fitted = true;
+        self.texture.tiled = false;
+        self.canvas.analysis.forget();
+        self.growth.forget();
+        self.grown = None;
+    }
+
+    fn entitle(&mut self, ui: &Ui) {
+        let changed = if self.desk.is_changed() { "*" } else { "" };
+        let title = format!("{changed}{} – dapple", self.desk.title());
+        if title != self.title {
+            ui.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+}
+
+/// Why it cannot be grown, where the texture would be.
+fn failed(ui: &mut Ui, room: Rect, why: &str) {
+    let rect = Rect::from_center_size(room.center(), vec2((room.width() - 60.0).min(380.0), 150.0));
+    ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
+        Frame::window(ui.style()).inner_margin(16).show(ui, |ui| {
+            ui.strong("This cannot be grown");
+            ui.add(eframe::egui::Label::new(why).wrap().selectable(true));
+            if ui.button("Copy").on_hover_text("Copy the text").clicked() {
+                ui.ctx().copy_text(why.to_owned());
+            }
+        });
+    });
+}
+
+impl eframe::App for Window {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        let began = Instant::now();
+        Self::ui(self, ui);
+        self.trace.frame(began.elapsed(), frame.info().cpu_usage, self.growth.is_growing());
+    }
+}

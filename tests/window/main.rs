@@ -1,0 +1,11 @@
+//! The window, driven by pointer and keys as a hand would.
+#![cfg(feature = "app")]
+
+mod documents;
+mod drawing;
+mod growing;
+mod hand;
+mod history;
+mod keyboard;
+mod selecting;
+mod sights;
