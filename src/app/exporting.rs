@@ -47,13 +47,7 @@ pub struct Exporting {
 impl Exporting {
     /// Begins. What has settled is taken as it is, where that is what is asked for; otherwise it is grown.
     #[must_use]
-    pub fn new(
-        path: &Path,
-        document: &Document,
-        size: Size,
-        settled: Option<Texture>,
-        wake: impl Fn() + Send + 'static,
-    ) -> Self {
+    pub fn new(path: &Path, document: &Document, size: Size, settled: Option<Texture>) -> Self {
         let (done, cancelled) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicBool::new(false)));
         let (tell, outcome) = mpsc::channel();
         let job = Job {
@@ -67,7 +61,6 @@ impl Exporting {
         thread::spawn(move || {
             // The window may have gone.
             let _ = tell.send(job.run());
-            wake();
         });
         Self { path: path.to_owned(), done, cancelled, outcome }
     }

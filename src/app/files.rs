@@ -151,19 +151,18 @@ impl Window {
         }
     }
 
-    fn export(&mut self, ui: &Ui, path: &Path) {
-        let wake = ui.ctx().clone();
+    /// Writes the texture to `path`, of a canvas of `canvas` px or the document's, with `scale` times the px.
+    pub fn export(&mut self, path: &Path, canvas: Option<[u32; 2]>, scale: u32) {
         let settled = self.growth.texture.clone();
-        let document = self.desk.finished();
-        let job = Exporting::new(path, &document, self.files.size, settled, move || wake.request_repaint());
-        self.exporting = Some(job);
+        let size = Size { canvas, scale };
+        self.exporting = Some(Exporting::new(path, &self.desk.finished(), size, settled));
     }
 
     fn chosen(&mut self, ui: &Ui, purpose: Purpose, path: PathBuf) {
         match purpose {
             Purpose::Open => self.open(&path),
             Purpose::Save => self.save(ui, Some(path)),
-            Purpose::Export => self.export(ui, &path),
+            Purpose::Export => self.export(&path, self.files.size.canvas, self.files.size.scale),
             Purpose::Reference => self.canvas.reference.load(&path, ui.ctx()),
         }
     }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use eframe::egui::{
-    CentralPanel, Context, Frame, Margin, Panel, Rect, Ui, UiBuilder, ViewportCommand, pos2, vec2,
+    CentralPanel, Context, Frame, Margin, Panel, Pos2, Rect, Ui, UiBuilder, ViewportCommand, pos2, vec2,
 };
 
 use super::canvas::{Canvas, view::View};
@@ -114,10 +114,29 @@ impl Window {
         &self.growth
     }
 
+    /// Where a px of the canvas, which is shown in `room`, is seen.
+    #[must_use]
+    pub fn screen(&self, room: Rect, point: [f64; 2]) -> Pos2 {
+        self.canvas.view.to_screen(room, point)
+    }
+
+    /// Shows no more how long something took: for pictures that shall be alike.
+    pub fn hide_times(&mut self) {
+        if let Phase::Settled(took) = &mut self.growth.phase {
+            *took = std::time::Duration::ZERO;
+        }
+    }
+
     /// What has settled.
     #[must_use]
     pub fn settled(&self) -> Option<&Texture> {
         self.growth.texture.as_ref()
+    }
+
+    /// Does a picture lie under the canvas?
+    #[must_use]
+    pub fn has_reference(&self) -> bool {
+        self.canvas.reference.is_there()
     }
 
     /// What has to be said.
@@ -168,7 +187,12 @@ impl Window {
         let focused = ui.memory(eframe::egui::Memory::focused);
         let canvas = focused.is_none_or(|id| self.canvas.id == Some(id));
         let keys = !ui.text_edit_focused() && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
-        shortcuts::asked(ui.ctx(), keys, canvas)
+        let mut actions = shortcuts::asked(ui.ctx(), keys, canvas);
+        if actions.contains(&super::Action::Escape) && self.canvas.cancel(&mut self.desk) {
+            // Before the canvas sees that the toolkit lets go of the pointer.
+            actions.retain(|action| *action != super::Action::Escape);
+        }
+        actions
     }
 
     /// A focused button takes Space, Enter and the arrows; letters are free.

@@ -1,41 +1,190 @@
 //! A window and the hand that works in it.
 
 use std::f64::consts::TAU;
+use std::path::PathBuf;
+use std::thread;
 use std::time::{Duration, Instant};
 
-use dapple::app::{Phase, Settings, Start, Tool, Window};
+use dapple::app::{Phase, Start, Window};
 use dapple::marks::{Ellipse, Line};
 use dapple::synth::recipe::{Document, Stroke};
-use eframe::egui::{Key, Modifiers, Pos2, Rect, Theme, Vec2, pos2, vec2};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, Pos2, Rect, Theme, Vec2, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT, Queryable, by};
+use egui_kittest::kittest::Queryable;
 
-/// A window on a desk of its own.
-pub type Desk = Harness<'static, Window>;
+/// A window of its own.
+pub struct Hand {
+    pub window: Harness<'static, Window>,
+}
 
-/// A window of 1280 × 800 points, as after the first hint.
-pub fn window() -> Desk {
-    opened(Start::default(), vec2(1280.0, 800.0), Theme::Light)
+/// A window of 1280 × 800 points whose first hint was read.
+pub fn hand() -> Hand {
+    with(Start::default(), vec2(1280.0, 800.0), Theme::Light)
+}
+
+/// A window with a document.
+pub fn hand_with(document: &Document) -> (Hand, tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dapple");
+    document.write(&path).unwrap();
+    let start = Start { file: Some(path.clone()), ..Start::default() };
+    (with(start, vec2(1280.0, 800.0), Theme::Light), folder, path)
 }
 
 /// A window that begins with something.
-pub fn opened(mut start: Start, size: Vec2, theme: Theme) -> Desk {
+pub fn with(mut start: Start, size: Vec2, theme: Theme) -> Hand {
     start.settings.hint_seen = true;
     begun(start, size, theme)
 }
 
 /// A window as it is; the hint may be there.
-pub fn begun(mut start: Start, size: Vec2, theme: Theme) -> Desk {
+pub fn begun(mut start: Start, size: Vec2, theme: Theme) -> Hand {
     start.settings.theme = theme.into();
-    let mut start = Some(start);
-    let mut window: Option<Window> = None;
-    let mut desk = Harness::builder().with_size(size).with_theme(theme).with_step_dt(1.0 / 60.0).build_ui_state(
-        move |ui, window: &mut Option<Window>| {
-            let window = window.get_or_insert_with(|| Window::new(ui.ctx(), start.take().unwrap_or_default()));
-            window.ui(ui);
-        },
-        window.take(),
-    );
-    desk.run_steps(3);
-    desk_of(desk)
+    let window = Harness::builder()
+        .with_size(size)
+        .with_theme(theme)
+        .with_step_dt(1.0 / 60.0)
+        .build_eframe(|cc| Window::new(&cc.egui_ctx, start));
+    let mut hand = Hand { window };
+    hand.rest();
+    hand
+}
+
+impl Hand {
+    /// A few frames.
+    pub fn rest(&mut self) {
+        self.window.run_steps(4);
+    }
+
+    /// What is drawn.
+    pub fn document(&self) -> Document {
+        self.window.state().document()
+    }
+
+    /// All strokes of all layers.
+    pub fn strokes(&self) -> Vec<Stroke> {
+        self.document().layers.into_iter().flat_map(|layer| layer.strokes).collect()
+    }
+
+    /// The ellipses that are drawn.
+    pub fn ellipses(&self) -> Vec<Ellipse> {
+        let ellipse = |stroke| if let Stroke::Ellipse(ellipse) = stroke { Some(ellipse) } else { None };
+        self.strokes().into_iter().filter_map(ellipse).collect()
+    }
+
+    /// The lines that are drawn.
+    pub fn lines(&self) -> Vec<Line> {
+        let line = |stroke| if let Stroke::Line(line) = stroke { Some(line) } else { None };
+        self.strokes().into_iter().filter_map(line).collect()
+    }
+
+    /// Where the canvas is.
+    pub fn canvas(&self) -> Rect {
+        self.window.get_by_role(Role::Canvas).rect()
+    }
+
+    /// A px of the canvas on the screen: fitted, as [`dapple::app`] fits it.
+    pub fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
+        self.window.state().screen(self.canvas(), [x, y])
+    }
+
+    /// Drags from px to px of the canvas.
+    pub fn drag(&mut self, path: &[[f64; 2]]) {
+        self.drag_with(path, Modifiers::NONE);
+    }
+
+    /// The same with a key held.
+    pub fn drag_with(&mut self, path: &[[f64; 2]], modifiers: Modifiers) {
+        let path: Vec<Pos2> = path.iter().map(|point| self.at(*point)).collect();
+        self.window.event(eframe::egui::Event::ModifiersChanged(modifiers));
+        self.window.hover_at(path[0]);
+        self.window.step();
+        self.button(path[0], true, modifiers);
+        for point in &path {
+            self.window.hover_at(*point);
+            self.window.step();
+        }
+        self.button(path[path.len() - 1], false, modifiers);
+        self.window.event(eframe::egui::Event::ModifiersChanged(Modifiers::NONE));
+        self.rest();
+    }
+
+    fn button(&mut self, pos: Pos2, pressed: bool, modifiers: Modifiers) {
+        let button = eframe::egui::PointerButton::Primary;
+        self.window.event(eframe::egui::Event::PointerButton { pos, button, pressed, modifiers });
+        self.window.step();
+    }
+
+    /// Clicks on a px of the canvas.
+    pub fn click(&mut self, point: [f64; 2]) {
+        self.drag(&[point, point]);
+    }
+
+    /// Draws round an ellipse as a hand does: once round, in some 60 points.
+    pub fn draw_round(&mut self, center: [f64; 2], radii: [f64; 2], degrees: f64) {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let path: Vec<[f64; 2]> = (0..=60)
+            .map(|i| {
+                let (y, x) = (TAU * f64::from(i) / 60.0).sin_cos();
+                let [x, y] = [radii[0] * x, radii[1] * y];
+                [center[0] + cos * x - sin * y, center[1] + sin * x + cos * y]
+            })
+            .collect();
+        self.drag(&path);
+    }
+
+    /// Presses a button by its name.
+    pub fn press(&mut self, name: &str) {
+        let pressed = [Role::Button, Role::CheckBox, Role::SpinButton, Role::RadioButton];
+        let of_role = |role| self.window.query_by_role_and_label(role, name);
+        pressed.into_iter().find_map(of_role).unwrap_or_else(|| panic!("no button {name}")).click();
+        self.rest();
+    }
+
+    /// Types a number into the field with this name.
+    pub fn type_into(&mut self, name: &str, text: &str) {
+        let role = if name == "File" { Role::TextInput } else { Role::SpinButton };
+        self.window.get_by_role_and_label(role, name).click();
+        self.rest();
+        self.key(Modifiers::COMMAND, Key::A);
+        self.window.event(eframe::egui::Event::Text(text.to_owned()));
+        self.window.step();
+        self.key(Modifiers::NONE, Key::Enter);
+    }
+
+    /// Presses keys.
+    pub fn key(&mut self, modifiers: Modifiers, key: Key) {
+        self.window.key_press_modifiers(modifiers, key);
+        self.rest();
+    }
+
+    /// Waits until `is` so; real time goes by.
+    #[track_caller]
+    pub fn until(&mut self, what: &str, mut is: impl FnMut(&Window) -> bool) {
+        let began = Instant::now();
+        loop {
+            self.window.step();
+            if is(self.window.state()) {
+                return;
+            }
+            assert!(
+                began.elapsed() < Duration::from_secs(120),
+                "waited for ever: {what}: {:?}",
+                self.phase()
+            );
+            thread::sleep(Duration::from_millis(2));
+        }
+    }
+
+    /// How far the growth is.
+    pub fn phase(&self) -> &Phase {
+        self.window.state().phase()
+    }
+
+    /// Waits until what is drawn has settled.
+    #[track_caller]
+    pub fn until_settled(&mut self) {
+        self.until("settled", |window| matches!(window.phase(), Phase::Settled(_)));
+    }
 }

@@ -12,6 +12,8 @@ use crate::marks::{Ellipse, Line, Mark};
 const REACH: f32 = 9.0;
 /// How far the handle that turns stands off, points.
 const OFF: f32 = 22.0;
+/// How near a handle may stand to the middle, points: a small mark must still be taken hold of.
+const NEAR: f32 = 20.0;
 
 /// A handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,31 +57,32 @@ pub fn frame(marks: &[(Place, Mark)], view: &View, room: Rect) -> Option<Rect> {
 }
 
 fn of_ellipse(ellipse: &Ellipse, view: &View, room: Rect) -> Vec<(Handle, Pos2)> {
-    let at =
-        |x: f64, y: f64| view.to_screen(room, shape::out_of_frame([x, y], ellipse.center, ellipse.angle));
-    let [a, b] = ellipse.radii;
     let center = view.to_screen(room, ellipse.center);
-    let end = at(a, 0.0);
-    let away = (end - center).normalized();
+    let along = Vec2::angled(ellipse.angle.to_radians() as f32);
+    let reach = ellipse.radii.map(|radius| (radius as f32 * view.zoom).max(NEAR));
     vec![
-        (Handle::Turn, end + away * OFF),
-        (Handle::Radius(0, 1.0), end),
-        (Handle::Radius(0, -1.0), at(-a, 0.0)),
-        (Handle::Radius(1, 1.0), at(0.0, b)),
-        (Handle::Radius(1, -1.0), at(0.0, -b)),
+        (Handle::Turn, center + along * (reach[0] + OFF)),
+        (Handle::Radius(0, 1.0), center + along * reach[0]),
+        (Handle::Radius(0, -1.0), center - along * reach[0]),
+        (Handle::Radius(1, 1.0), center + along.rot90() * reach[1]),
+        (Handle::Radius(1, -1.0), center - along.rot90() * reach[1]),
     ]
 }
 
 fn of_line(line: &Line, view: &View, room: Rect) -> Vec<(Handle, Pos2)> {
-    let [from, to] = [line.from, line.to].map(|end| view.to_screen(room, end));
     let middle = view.to_screen(room, line.center());
-    let across = (to - from).normalized().rot90();
-    let half = 0.5 * line.width as f32 * view.zoom;
+    let along = Vec2::angled(line.angle().to_radians() as f32);
+    let ends = [line.from, line.to].map(|end| view.to_screen(room, end));
+    let out = ends.map(|end| {
+        let away = end - middle;
+        if away.length() < NEAR { middle + NEAR * away.normalized() } else { end }
+    });
+    let side = (0.5 * line.width as f32 * view.zoom).max(NEAR);
     vec![
-        (Handle::End(0), from),
-        (Handle::End(1), to),
-        (Handle::Width, middle + across * half.max(10.0)),
-        (Handle::Turn, to + (to - from).normalized() * OFF),
+        (Handle::End(0), out[0]),
+        (Handle::End(1), out[1]),
+        (Handle::Width, middle + along.rot90() * side),
+        (Handle::Turn, out[1] + (out[1] - middle).normalized() * OFF),
     ]
 }
 
@@ -117,9 +120,9 @@ pub fn pulled(
         |change: &dyn Fn(&Mark) -> Mark| marks.iter().map(|(place, mark)| (*place, change(mark))).collect();
     let [low, high] = shape::extent(marks.iter().map(|(_, mark)| mark)).unwrap_or_default();
     match handle {
-        Handle::Radius(axis, _) => each(&|mark| radius(mark, axis, to, even)),
-        Handle::End(end) => each(&|mark| line_end(mark, end, to, even)),
-        Handle::Width => each(&|mark| width(mark, to)),
+        Handle::Radius(axis, side) => each(&|mark| radius(mark, (axis, side), [from, to], even)),
+        Handle::End(end) => each(&|mark| line_end(mark, end, [from, to], even)),
+        Handle::Width => each(&|mark| width(mark, [from, to])),
         Handle::Corner(side) => {
             // The opposite corner stays.
             let side = [f64::from(side.x), f64::from(side.y)];
@@ -150,10 +153,10 @@ pub fn pulled(
 /// Degrees that Shift keeps to.
 const STEP: f64 = 15.0;
 
-fn radius(mark: &Mark, axis: usize, to: [f64; 2], even: bool) -> Mark {
+fn radius(mark: &Mark, (axis, side): (usize, f64), [from, to]: [[f64; 2]; 2], even: bool) -> Mark {
     let Mark::Ellipse(mut ellipse) = *mark else { return *mark };
-    let at = shape::into_frame(to, ellipse.center, ellipse.angle);
-    let radius = at[axis].abs().max(shape::SMALLEST);
+    let along = |point| side * shape::into_frame(point, ellipse.center, ellipse.angle)[axis];
+    let radius = (ellipse.radii[axis] + along(to) - along(from)).max(shape::SMALLEST);
     let factor = radius / ellipse.radii[axis];
     ellipse.radii[axis] = radius;
     if even {
@@ -162,19 +165,19 @@ fn radius(mark: &Mark, axis: usize, to: [f64; 2], even: bool) -> Mark {
     Mark::Ellipse(ellipse)
 }
 
-fn line_end(mark: &Mark, end: usize, to: [f64; 2], even: bool) -> Mark {
+fn line_end(mark: &Mark, end: usize, [from, to]: [[f64; 2]; 2], even: bool) -> Mark {
     let Mark::Line(mut line) = *mark else { return *mark };
-    let fixed = if end == 0 { line.to } else { line.from };
+    let [fixed, free] = if end == 0 { [line.to, line.from] } else { [line.from, line.to] };
+    let to = [0, 1].map(|axis| free[axis] + to[axis] - from[axis]);
     let to = if even { straightened(fixed, to) } else { to };
     *(if end == 0 { &mut line.from } else { &mut line.to }) = to;
     Mark::Line(line)
 }
 
-fn width(mark: &Mark, to: [f64; 2]) -> Mark {
+fn width(mark: &Mark, [from, to]: [[f64; 2]; 2]) -> Mark {
     let Mark::Line(line) = *mark else { return *mark };
-    let middle = line.center();
-    let across = shape::into_frame(to, middle, line.angle())[1];
-    Mark::Line(Line { width: 2.0 * across.abs().max(0.5 * shape::SMALLEST), ..line })
+    let across = |point| shape::into_frame(point, line.center(), line.angle())[1];
+    Mark::Line(Line { width: (line.width + 2.0 * (across(to) - across(from))).max(shape::SMALLEST), ..line })
 }
 
 /// `to`, turned around `from` to the nearest step of 15°.

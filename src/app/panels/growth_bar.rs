@@ -69,6 +69,9 @@ fn phase(ui: &mut Ui, window: &Window) {
         Phase::Stopped => {
             ui.weak("stopped");
         }
+        Phase::Settled(time) if time.is_zero() => {
+            ui.weak("settled");
+        }
         Phase::Settled(time) => {
             ui.weak(format!("settled in {:.1} s", time.as_secs_f64()));
         }

@@ -40,7 +40,7 @@ pub fn sketch_bar(ui: &mut Ui, window: &Window) -> Vec<Action> {
                 button(
                     ui,
                     Icon::Tiles,
-                    "Tiles, two by two",
+                    "Two by two",
                     tiled,
                     "Shows the tile two by two, so that a seam would be seen",
                     Action::Tiled(!tiled),

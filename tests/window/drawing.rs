@@ -1,0 +1,112 @@
+//! Drawing: strokes of the pointer become the marks that were meant.
+
+use eframe::egui::{Key, Modifiers};
+
+use crate::hand::hand;
+
+#[test]
+fn a_round_stroke_becomes_an_ellipse_as_the_pen_lifts() {
+    let mut hand = hand();
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    let [ellipse] = hand.ellipses()[..] else { panic!("{:?}", hand.strokes()) };
+    for (found, drawn) in ellipse.center.into_iter().zip([150.0, 200.0]) {
+        assert!((found - drawn).abs() < 1.5, "{ellipse:?}");
+    }
+    assert!((ellipse.area() / (std::f64::consts::PI * 800.0) - 1.0).abs() < 0.05, "{ellipse:?}");
+    assert!((ellipse.major_angle() - 30.0).abs() < 3.0, "{ellipse:?}");
+}
+
+#[test]
+fn an_open_stroke_becomes_a_line_as_wide_as_the_pen() {
+    let mut hand = hand();
+    hand.drag(&[[100.0, 100.0], [150.0, 121.0], [200.0, 139.0], [300.0, 180.0]]);
+    let [line] = hand.lines()[..] else { panic!("{:?}", hand.strokes()) };
+    assert!((line.angle() - 21.8).abs() < 1.0, "{line:?}");
+    assert!((line.length() - 215.0).abs() < 8.0, "{line:?}");
+    assert_eq!(line.width, 6.0);
+}
+
+#[test]
+fn a_click_of_the_pen_makes_nothing() {
+    let mut hand = hand();
+    hand.click([100.0, 100.0]);
+    assert!(hand.strokes().is_empty());
+}
+
+#[test]
+fn an_ellipse_is_dragged_from_corner_to_corner() {
+    let mut hand = hand();
+    hand.press("Ellipse");
+    hand.drag(&[[100.0, 100.0], [140.0, 130.0], [180.0, 140.0]]);
+    let [ellipse] = hand.ellipses()[..] else { panic!("{:?}", hand.strokes()) };
+    for (found, drawn) in ellipse.center.into_iter().chain(ellipse.radii).zip([140.0, 120.0, 40.0, 20.0]) {
+        assert!((found - drawn).abs() < 0.1, "{ellipse:?}");
+    }
+}
+
+#[test]
+fn shift_makes_a_circle_and_a_click_repeats_it() {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::E);
+    hand.drag_with(&[[100.0, 100.0], [120.0, 110.0], [160.0, 130.0]], Modifiers::SHIFT);
+    hand.click([300.0, 300.0]);
+    let [circle, again] = hand.ellipses()[..] else { panic!("{:?}", hand.strokes()) };
+    assert!((circle.radii[0] - 30.0).abs() < 0.1 && circle.radii[0] == circle.radii[1], "{circle:?}");
+    assert_eq!(again.radii, circle.radii);
+    assert!((again.center[0] - 300.0).abs() < 0.1);
+}
+
+#[test]
+fn a_line_takes_one_of_the_four_widths() {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::L);
+    hand.press("12 px wide");
+    hand.drag(&[[100.0, 100.0], [200.0, 150.0], [300.0, 100.0]]);
+    hand.drag_with(&[[100.0, 300.0], [200.0, 310.0], [300.0, 310.0]], Modifiers::SHIFT);
+    let [line, straight] = hand.lines()[..] else { panic!("{:?}", hand.strokes()) };
+    assert_eq!(line.width, 12.0);
+    assert!((line.to[0] - 300.0).abs() < 0.1 && (line.to[1] - 100.0).abs() < 0.1, "{line:?}");
+    assert!(straight.angle().abs() < 1e-6, "{straight:?}");
+}
+
+#[test]
+fn a_line_among_ellipses_opens_a_layer_of_its_own() {
+    let mut hand = hand();
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 0.0);
+    hand.key(Modifiers::NONE, Key::L);
+    hand.drag(&[[300.0, 300.0], [400.0, 300.0]]);
+    hand.key(Modifiers::NONE, Key::E);
+    hand.drag(&[[300.0, 100.0], [340.0, 120.0]]);
+    let document = hand.document();
+    let counts: Vec<usize> = document.layers.iter().map(|layer| layer.strokes.len()).collect();
+    assert_eq!(counts, [2, 1]);
+    document.check("two layers").unwrap();
+}
+
+#[test]
+fn the_eraser_takes_what_it_touches() {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::E);
+    for x in [100.0, 200.0, 300.0, 400.0] {
+        hand.drag(&[[x - 20.0, 180.0], [x + 20.0, 220.0]]);
+    }
+    hand.key(Modifiers::NONE, Key::X);
+    hand.drag(&[[190.0, 150.0], [195.0, 200.0], [310.0, 200.0]]);
+    let left: Vec<f64> = hand.ellipses().iter().map(|ellipse| ellipse.center[0].round()).collect();
+    assert_eq!(left, [100.0, 400.0]);
+}
+
+#[test]
+fn escape_lets_go_of_what_is_being_drawn() {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::E);
+    let [from, to] = [hand.at([100.0, 100.0]), hand.at([200.0, 200.0])];
+    hand.window.drag_at(from);
+    hand.window.step();
+    hand.window.hover_at(to);
+    hand.window.step();
+    hand.key(Modifiers::NONE, Key::Escape);
+    hand.window.drop_at(to);
+    hand.rest();
+    assert!(hand.strokes().is_empty());
+}

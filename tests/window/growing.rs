@@ -1,0 +1,143 @@
+//! It grows while one watches, and what has settled is what `dapple grow` writes.
+
+use std::fs;
+
+use assert_cmd::Command;
+use dapple::app::Phase;
+use dapple::synth::recipe::Document;
+use eframe::egui::{Key, Modifiers};
+
+use crate::hand::{Hand, hand, hand_with};
+
+fn three_spots(hand: &mut Hand) {
+    hand.draw_round([60.0, 60.0], [14.0, 9.0], 20.0);
+    hand.draw_round([100.0, 90.0], [13.0, 9.0], 25.0);
+    hand.draw_round([55.0, 120.0], [14.0, 8.0], 15.0);
+}
+
+/// A small canvas grows quickly.
+fn small() -> (Hand, tempfile::TempDir) {
+    let text = r#"{"format": "dapple", "version": 1, "size": [160, 160], "layers": [
+        {"strokes": [{"kind": "ellipse", "center": [60, 60], "radii": [14, 9], "angle": 20}]}]}"#;
+    let (hand, folder, _) = hand_with(&Document::parse(text, "small").unwrap());
+    (hand, folder)
+}
+
+#[test]
+fn what_has_settled_is_what_the_command_line_writes() {
+    let mut hand = hand();
+    three_spots(&mut hand);
+    hand.until_settled();
+    let folder = tempfile::tempdir().unwrap();
+    let [saved, exported, grown] =
+        ["a.dapple", "window.png", "grown.png"].map(|name| folder.path().join(name));
+
+    hand.key(Modifiers::COMMAND, Key::S);
+    hand.type_into("File", saved.to_str().unwrap());
+    hand.window.state_mut().export(&exported, None, 1);
+    hand.until("exported", |_| exported.exists());
+
+    let dapple = assert_cmd::cargo::cargo_bin!("dapple");
+    Command::new(dapple).arg("grow").arg(&saved).arg("-o").arg(&grown).arg("-q").assert().success();
+    assert_eq!(fs::read(&exported).unwrap(), fs::read(&grown).unwrap());
+
+    // And so are the px on the screen.
+    let shown = &hand.window.state().growth().picture.as_ref().unwrap().image;
+    let mut reader =
+        png::Decoder::new(std::io::BufReader::new(fs::File::open(&grown).unwrap())).read_info().unwrap();
+    let mut written = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut written).unwrap();
+    let same = shown.pixels.iter().zip(written.chunks_exact(3)).all(|(px, rgb)| px.to_array()[..3] == *rgb);
+    assert!(same && shown.pixels.len() * 3 == written.len());
+}
+
+#[test]
+fn a_change_replaces_what_grows() {
+    let (mut hand, _folder) = small();
+    hand.until("growing", |window| matches!(window.phase(), Phase::Growing(..)));
+    hand.draw_round([110.0, 110.0], [20.0, 15.0], 0.0);
+    hand.until_settled();
+    let grown = &hand.window.state().settled().unwrap().document;
+    assert_eq!(**grown, hand.document());
+    assert_eq!(grown.layers[0].strokes.len(), 2);
+}
+
+#[test]
+fn a_paused_growth_stands_still_until_it_goes_on() {
+    let mut hand = hand();
+    three_spots(&mut hand);
+    hand.press("Pause");
+    let before = hand.phase().clone();
+    assert!(matches!(before, Phase::Growing(..)));
+    // What was under way when it was asked to pause is let through.
+    hand.until("standing still", {
+        let mut last = None;
+        let mut still = 0;
+        move |window| {
+            still = if last.as_ref() == Some(window.phase()) { still + 1 } else { 0 };
+            last = Some(window.phase().clone());
+            still > 50
+        }
+    });
+    assert!(matches!(hand.phase(), Phase::Growing(..)), "{:?}", hand.phase());
+    hand.press("Go on");
+    hand.until_settled();
+}
+
+#[test]
+fn a_stopped_growth_keeps_its_picture_and_grows_again_when_asked() {
+    let mut hand = hand();
+    three_spots(&mut hand);
+    hand.until("a first picture", |window| window.growth().picture.is_some());
+    hand.key(Modifiers::COMMAND, Key::Period);
+    if matches!(hand.phase(), Phase::Stopped) {
+        assert!(hand.window.state().growth().picture.is_some() && hand.window.state().settled().is_none());
+        hand.press("Grow again");
+    }
+    hand.until_settled();
+}
+
+#[test]
+fn another_seed_is_another_texture_that_can_be_undone() {
+    let (mut hand, _folder) = small();
+    hand.until_settled();
+    let before = hand.window.state().growth().picture.as_ref().unwrap().image.clone();
+    hand.key(Modifiers::NONE, Key::N);
+    hand.until_settled();
+    let after = hand.window.state().growth().picture.as_ref().unwrap().image.clone();
+    assert_eq!(hand.document().seed, 2);
+    assert_ne!(before.pixels, after.pixels);
+    hand.key(Modifiers::COMMAND, Key::Z);
+    hand.until_settled();
+    assert_eq!(before.pixels, hand.window.state().growth().picture.as_ref().unwrap().image.pixels);
+}
+
+#[test]
+fn an_empty_canvas_grows_nothing() {
+    let mut hand = hand();
+    three_spots(&mut hand);
+    hand.until_settled();
+    hand.key(Modifiers::COMMAND, Key::A);
+    hand.key(Modifiers::NONE, Key::Delete);
+    assert_eq!(*hand.phase(), Phase::Idle);
+    assert!(hand.window.state().growth().picture.is_none());
+}
+
+#[test]
+fn an_export_at_another_size_runs_beside_and_can_be_given_up() {
+    let (mut hand, folder) = small();
+    hand.until_settled();
+    let path = folder.path().join("large.png");
+    hand.window.state_mut().export(&path, Some([320, 240]), 2);
+    hand.until("written", |_| path.exists());
+    let size =
+        png::Decoder::new(std::io::BufReader::new(fs::File::open(&path).unwrap())).read_info().unwrap();
+    assert_eq!((size.info().width, size.info().height), (640, 480));
+
+    let given_up = folder.path().join("huge.png");
+    hand.window.state_mut().export(&given_up, Some([3000, 3000]), 1);
+    hand.rest();
+    hand.press("Cancel");
+    hand.until("given up", |window| window.notices().iter().any(|notice| notice.text.contains("given up")));
+    assert!(!given_up.exists());
+}

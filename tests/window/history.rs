@@ -1,0 +1,130 @@
+//! Undo and redo, whatever was done.
+
+use dapple::app::Desk;
+use dapple::app::{Place, Selection};
+use dapple::marks::{Ellipse, Line, Mark};
+use dapple::synth::recipe::Document;
+use proptest::prelude::*;
+
+#[derive(Clone, Debug)]
+enum Deed {
+    Add(Mark),
+    Remove(usize),
+    Nudge([f64; 2]),
+    Replace(usize, Mark),
+    Regions([u32; 2]),
+    Select(usize),
+    Seed(u64),
+    Undo,
+    Redo,
+}
+
+fn mark() -> impl Strategy<Value = Mark> {
+    let place = || (0.0..512.0f64, 0.0..512.0f64);
+    prop_oneof![
+        (place(), 2.0..40.0f64, 2.0..40.0f64, 0.0..180.0f64).prop_map(|((x, y), a, b, angle)| {
+            Mark::Ellipse(Ellipse { center: [x, y], radii: [a, b], angle })
+        }),
+        (place(), place(), 1.0..20.0f64)
+            .prop_map(|((x, y), (u, v), width)| { Mark::Line(Line { from: [x, y], to: [u, v], width }) }),
+    ]
+}
+
+fn deed() -> impl Strategy<Value = Deed> {
+    prop_oneof![
+        4 => mark().prop_map(Deed::Add),
+        1 => any::<usize>().prop_map(Deed::Remove),
+        1 => [-90.0..90.0f64, -90.0..90.0f64].prop_map(Deed::Nudge),
+        1 => (any::<usize>(), mark()).prop_map(|(i, mark)| Deed::Replace(i, mark)),
+        1 => [1..5u32, 1..5u32].prop_map(Deed::Regions),
+        1 => any::<usize>().prop_map(Deed::Select),
+        1 => any::<u64>().prop_map(Deed::Seed),
+        2 => Just(Deed::Undo),
+        1 => Just(Deed::Redo),
+    ]
+}
+
+fn some(desk: &Desk, index: usize) -> Option<Place> {
+    let places: Vec<Place> = desk.marks().map(|(place, _)| place).collect();
+    (!places.is_empty()).then(|| places[index % places.len()])
+}
+
+fn act(desk: &mut Desk, deed: &Deed) {
+    match deed {
+        Deed::Add(mark) => desk.add(&[*mark]),
+        Deed::Remove(index) => desk.remove(&some(desk, *index).into_iter().collect::<Vec<_>>()),
+        Deed::Nudge(by) => desk.nudge(*by),
+        Deed::Replace(index, mark) => {
+            // Only by its own kind: a hand cannot make a line of an ellipse.
+            if let Some(place) = some(desk, *index)
+                && std::mem::discriminant(&desk.mark(place).unwrap()) == std::mem::discriminant(mark)
+            {
+                desk.replace(&[(place, *mark)]);
+            }
+        }
+        Deed::Regions(regions) => desk.edit(|document| document.regions = *regions),
+        Deed::Select(index) => desk.selection = Selection::of(some(desk, *index)),
+        Deed::Seed(seed) => desk.edit(|document| document.seed = *seed),
+        Deed::Undo => desk.undo(),
+        Deed::Redo => desk.redo(),
+    }
+    desk.commit();
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
+
+    #[test]
+    fn all_can_be_undone_and_done_again(deeds in prop::collection::vec(deed(), 1..40)) {
+        let mut desk = Desk::open(Document::default(), None);
+        for deed in &deeds {
+            act(&mut desk, deed);
+        }
+        let last = desk.document().clone();
+        let mut steps = 0;
+        while desk.can_undo_redo()[0] {
+            desk.undo();
+            steps += 1;
+            prop_assert!(steps <= deeds.len());
+        }
+        prop_assert_eq!(desk.document(), &Document::default());
+        for _ in 0..steps {
+            desk.redo();
+        }
+        while desk.can_undo_redo()[1] {
+            desk.redo();
+        }
+        // What was undone at the end of the deeds is done again beyond it.
+        if !deeds.iter().any(|deed| matches!(deed, Deed::Undo)) {
+            prop_assert_eq!(desk.document(), &last);
+        }
+    }
+
+    #[test]
+    fn whatever_is_drawn_can_be_saved_and_read_again(deeds in prop::collection::vec(deed(), 1..40)) {
+        let mut desk = Desk::open(Document::default(), None);
+        for deed in &deeds {
+            act(&mut desk, deed);
+            let document = desk.finished();
+            if !document.layers.is_empty() {
+                let again = Document::parse(&document.to_json(), "itself").unwrap();
+                prop_assert_eq!(again, document);
+            }
+        }
+    }
+
+    #[test]
+    fn one_step_back_and_forth_is_no_change(deeds in prop::collection::vec(deed(), 1..30)) {
+        let mut desk = Desk::open(Document::default(), None);
+        for deed in &deeds {
+            act(&mut desk, deed);
+            if matches!(deed, Deed::Undo | Deed::Redo) || !desk.can_undo_redo()[0] {
+                continue;
+            }
+            let now = desk.document().clone();
+            desk.undo();
+            desk.redo();
+            prop_assert_eq!(desk.document(), &now);
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! Selecting, moving, resizing, turning, copying.
+
+use eframe::egui::{Event, Key, Modifiers};
+
+use crate::hand::{Hand, hand};
+
+/// Ellipses of 40 × 20 px, this far along x, and the tool that selects.
+fn row(places: &[f64]) -> Hand {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::E);
+    for x in places {
+        hand.drag(&[[x - 20.0, 190.0], [x + 20.0, 210.0]]);
+    }
+    hand.key(Modifiers::NONE, Key::V);
+    hand
+}
+
+fn selected(hand: &Hand) -> usize {
+    hand.window.state().desk().selection.len()
+}
+
+#[test]
+fn a_click_selects_one_and_shift_another() {
+    let mut hand = row(&[100.0, 200.0, 300.0]);
+    hand.click([100.0, 200.0]);
+    assert_eq!(selected(&hand), 1);
+    hand.drag_with(&[[200.0, 200.0], [200.0, 200.0]], Modifiers::SHIFT);
+    assert_eq!(selected(&hand), 2);
+    hand.click([400.0, 400.0]);
+    assert_eq!(selected(&hand), 0);
+}
+
+#[test]
+fn a_box_selects_what_it_holds() {
+    let mut hand = row(&[100.0, 200.0, 300.0]);
+    hand.drag(&[[60.0, 150.0], [150.0, 200.0], [240.0, 250.0]]);
+    assert_eq!(selected(&hand), 2);
+}
+
+#[test]
+fn a_mark_is_moved_but_not_off_the_canvas() {
+    let mut hand = row(&[100.0]);
+    hand.drag(&[[100.0, 200.0], [150.0, 240.0], [180.0, 260.0]]);
+    let moved = hand.ellipses()[0].center;
+    assert!((moved[0] - 180.0).abs() < 0.1 && (moved[1] - 260.0).abs() < 0.1, "{moved:?}");
+    hand.drag(&[[180.0, 260.0], [100.0, 260.0], [-60.0, 260.0]]);
+    assert_eq!(hand.ellipses()[0].center[0], 0.0);
+}
+
+#[test]
+fn handles_resize_and_turn() {
+    let mut hand = row(&[200.0]);
+    hand.click([200.0, 200.0]);
+    hand.drag(&[[220.0, 200.0], [230.0, 200.0], [250.0, 200.0]]);
+    let ellipse = hand.ellipses()[0];
+    assert!((ellipse.radii[0] - 50.0).abs() < 0.2 && (ellipse.radii[1] - 10.0).abs() < 0.2, "{ellipse:?}");
+    // The handle that turns stands off the end by 22 points.
+    let off = 22.0 / f64::from((hand.at([1.0, 0.0]) - hand.at([0.0, 0.0])).x);
+    hand.drag(&[[250.0 + off, 200.0], [240.0, 240.0], [200.0, 300.0]]);
+    assert!((hand.ellipses()[0].angle - 90.0).abs() < 0.5, "{:?}", hand.ellipses()[0]);
+}
+
+#[test]
+fn several_are_scaled_by_their_box() {
+    let mut hand = row(&[100.0, 200.0]);
+    hand.key(Modifiers::COMMAND, Key::A);
+    // The box is 4 points larger than what it holds.
+    let off = 4.0 / f64::from((hand.at([1.0, 0.0]) - hand.at([0.0, 0.0])).x);
+    hand.drag(&[[220.0 + off, 210.0 + off], [300.0, 220.0], [360.0, 230.0 + off]]);
+    let [a, b] = hand.ellipses()[..] else { panic!() };
+    assert!((a.radii[0] - 40.0).abs() < 1.5 && (a.radii[0] - b.radii[0]).abs() < 1e-9, "{a:?}");
+    assert!((b.center[0] - a.center[0] - 200.0).abs() < 8.0, "{a:?} {b:?}");
+}
+
+#[test]
+fn numbers_are_typed() {
+    let mut hand = row(&[100.0]);
+    hand.click([100.0, 200.0]);
+    hand.type_into("Middle x", "256.5");
+    hand.type_into("Direction", "45");
+    hand.type_into("Area", "500");
+    let ellipse = hand.ellipses()[0];
+    assert!((ellipse.center[0] - 256.5).abs() < 1e-9, "{ellipse:?}");
+    assert!((ellipse.angle - 45.0).abs() < 1e-9, "{ellipse:?}");
+    assert!((ellipse.area() - 500.0).abs() < 1e-6 && (ellipse.aspect() - 0.5).abs() < 0.02, "{ellipse:?}");
+    hand.key(Modifiers::NONE, Key::Escape);
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert!((hand.ellipses()[0].area() - 500.0).abs() > 1.0);
+}
+
+#[test]
+fn copies_are_made_by_alt_by_key_and_over_the_clipboard() {
+    let mut hand = row(&[100.0]);
+    hand.drag_with(&[[100.0, 200.0], [150.0, 240.0], [200.0, 300.0]], Modifiers::ALT);
+    assert_eq!(hand.ellipses().len(), 2);
+    hand.key(Modifiers::COMMAND, Key::D);
+    assert_eq!(hand.ellipses().len(), 3);
+    hand.key(Modifiers::COMMAND, Key::A);
+    hand.window.event(Event::Copy);
+    hand.window.step();
+    let copied = hand.window.output().platform_output.commands.iter().find_map(|command| match command {
+        eframe::egui::OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    hand.window.event(Event::Paste(copied.expect("something was copied")));
+    hand.rest();
+    assert_eq!(hand.ellipses().len(), 6);
+    assert_eq!(selected(&hand), 3);
+    hand.window.event(Event::Paste("no marks".to_owned()));
+    hand.rest();
+    assert!(hand.window.state().notices()[0].wrong);
+    assert_eq!(hand.ellipses().len(), 6);
+}
+
+#[test]
+fn everything_selected_can_be_deleted_and_brought_back() {
+    let mut hand = row(&[100.0, 200.0, 300.0]);
+    let before = hand.document();
+    hand.key(Modifiers::COMMAND, Key::A);
+    hand.key(Modifiers::NONE, Key::Delete);
+    assert!(hand.strokes().is_empty());
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.document(), before);
+    hand.key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    assert!(hand.strokes().is_empty());
+}

@@ -1,0 +1,108 @@
+//! How it looks: pictures of the main states. `UPDATE_SNAPSHOTS=force cargo test --test window sights` renews them.
+
+use std::path::PathBuf;
+
+use dapple::app::Start;
+use eframe::egui::{Key, Modifiers, Theme, vec2};
+use egui_kittest::SnapshotOptions;
+
+use crate::hand::{Hand, begun, with};
+
+const SMALL: [f32; 2] = [1280.0, 800.0];
+const LARGE: [f32; 2] = [1920.0, 1080.0];
+
+fn example(name: &str) -> Start {
+    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}.dapple"));
+    Start { file: Some(file), ..Start::default() }
+}
+
+/// Compares with the picture that is kept, where this machine can draw at all.
+#[track_caller]
+fn see(hand: &mut Hand, name: &str) {
+    // Time that something took differs; the pointer is nowhere.
+    hand.window.remove_cursor();
+    hand.rest();
+    if hand.window.render().is_err() {
+        eprintln!("nothing here can draw: {name} was not looked at");
+        return;
+    }
+    let options = SnapshotOptions::new()
+        .output_path(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/window/sights"))
+        .threshold(1.5)
+        .max_failed_pixels(400);
+    hand.window.snapshot_options(name, &options);
+}
+
+#[test]
+fn the_first_hint() {
+    for (name, theme) in [("hint-light", Theme::Light), ("hint-dark", Theme::Dark)] {
+        see(&mut begun(Start::default(), SMALL.into(), theme), name);
+    }
+}
+
+#[test]
+fn a_sketch_beside_its_texture() {
+    for (name, size, theme) in [("cheetah-light", SMALL, Theme::Light), ("cheetah-dark", LARGE, Theme::Dark)]
+    {
+        let mut hand = with(example("cheetah-run"), size.into(), theme);
+        hand.until_settled();
+        hand.window.state_mut().hide_times();
+        see(&mut hand, name);
+    }
+}
+
+#[test]
+fn an_ellipse_that_is_selected_on_an_empty_desk() {
+    let mut hand = with(Start::default(), vec2(1280.0, 800.0), Theme::Dark);
+    hand.key(Modifiers::NONE, Key::E);
+    hand.drag(&[[100.0, 100.0], [220.0, 180.0]]);
+    hand.key(Modifiers::CTRL, Key::Period);
+    hand.key(Modifiers::NONE, Key::V);
+    hand.window.state_mut().hide_times();
+    see(&mut hand, "selected-dark");
+}
+
+#[test]
+fn what_dapple_sees() {
+    let mut hand = with(example("turning-spots"), SMALL.into(), Theme::Light);
+    hand.press("What dapple sees");
+    hand.until_settled();
+    hand.window.state_mut().hide_times();
+    see(&mut hand, "analysis-light");
+}
+
+#[test]
+fn pages() {
+    let mut hand = with(Start::default(), SMALL.into(), Theme::Light);
+    hand.key(Modifiers::NONE, Key::F1);
+    see(&mut hand, "keys-light");
+    hand.key(Modifiers::NONE, Key::Escape);
+    hand.key(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
+    see(&mut hand, "examples-light");
+    hand.key(Modifiers::NONE, Key::Escape);
+    hand.key(Modifiers::COMMAND, Key::N);
+    see(&mut hand, "new-light");
+}
+
+#[test]
+fn a_bad_file_is_told_as_a_notice() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("bad.dapple");
+    std::fs::write(&file, "{\"format\": \"dapple\"").unwrap();
+    let start = Start { file: Some(file), ..Start::default() };
+    let hand = with(start, SMALL.into(), Theme::Light);
+    let notices = hand.window.state().notices().to_vec();
+    assert!(notices[0].wrong && notices[0].text.contains("bad.dapple"), "{notices:?}");
+}
+
+#[test]
+fn one_over_the_other_with_tiles() {
+    let mut hand = with(example("tile-petals"), SMALL.into(), Theme::Light);
+    hand.until_settled();
+    hand.window.state_mut().hide_times();
+    hand.press("One over the other");
+    see(&mut hand, "curtain-light");
+    hand.press("Side by side");
+    hand.press("Two by two");
+    see(&mut hand, "tiles-light");
+}
