@@ -7,8 +7,8 @@ use std::sync::mpsc::{self, Receiver};
 use std::thread;
 
 use super::growth::Texture;
-use crate::export::{self, png::Samples};
-use crate::synth::painting::Painting;
+use crate::export;
+use crate::synth::painting::{Channel, Painting};
 use crate::synth::recipe::Document;
 use crate::synth::{Grown, Options, Stage, Training, Watch, grow};
 
@@ -128,8 +128,7 @@ impl Job {
         };
         let painting = Painting::of(&self.document, &grown, self.size.scale as usize);
         let dpi = self.document.dpi * f64::from(self.size.scale);
-        let prepared =
-            painting.prepare(&self.path, (Samples::Rgb8, dpi), &watch, |band, rgb| band.paint(rgb));
+        let prepared = painting.prepare(&self.path, Channel::Texture, dpi, &watch);
         prepared.and_then(export::Prepared::keep).map_err(|error| error.to_string())
     }
 }

@@ -176,7 +176,7 @@ impl Window {
             match outcome {
                 Ok(()) => self.notices.done(format!("Written: {}", job.path.display())),
                 Err(_) if job.is_cancelled() => {
-                    self.notices.done("The export was given up; nothing was written.")
+                    self.notices.done("The export was given up; nothing was written.");
                 }
                 Err(why) => self.notices.wrong(why),
             }
@@ -256,7 +256,7 @@ impl Window {
                     action = self.gallery.ui(ui);
                 }
                 Page::Shortcuts => {
-                    ui.set_width(560.0);
+                    ui.set_width(620.0);
                     ui.heading("Keys");
                     shortcuts::page(ui);
                 }
@@ -300,6 +300,9 @@ impl Window {
         let frame = eframe::egui::Frame::window(&ui.global_style()).inner_margin(20);
         let title = self.desk.title();
         let document = self.desk.finished();
+        // Enter that ends the typing of a number is no answer yet.
+        let enter =
+            ui.input(|input| input.key_pressed(Key::Enter)) && ui.memory(|memory| memory.focused().is_none());
         let files = &mut self.files;
         let modal = Modal::new(Id::unique("asking")).frame(frame);
         let shown = if files.unsaved.is_some() {
@@ -311,8 +314,6 @@ impl Window {
         } else {
             return;
         };
-        let enter =
-            ui.input(|input| input.key_pressed(Key::Enter)) && ui.memory(|memory| memory.focused().is_none());
         let answer = shown.inner.or(enter.then_some(Answer::Yes));
         let answer = if shown.should_close() { Some(Answer::Cancel) } else { answer };
         if let Some(answer) = answer {

@@ -40,126 +40,71 @@ pub enum Icon {
     Over,
     /// Two by two tiles.
     Tiles,
-    /// Views move together.
-    Link,
 }
 
+/// What a picture is made of, in a square of 20 × 20.
+enum Part {
+    /// A line.
+    Path(&'static [[f32; 2]]),
+    /// A closed line.
+    Closed(&'static [[f32; 2]]),
+    /// A filled convex outline.
+    Filled(&'static [[f32; 2]]),
+    /// A dot: its middle and radius.
+    Dot([f32; 3]),
+    /// An ellipse: its middle, radii and angle.
+    Oval([f32; 5]),
+    /// Half a circle that opens to the left (−1) or to the right: its middle and radius.
+    Half([f32; 3], f32),
+}
+
+use Part::{Closed, Dot, Filled, Half, Oval, Path};
+
 impl Icon {
+    fn parts(self) -> &'static [Part] {
+        match self {
+            Self::Arrow => ARROW,
+            Self::Pen => PEN,
+            Self::Ellipse => &[Oval([10.0, 10.0, 7.0, 4.6, -0.45])],
+            Self::Line => &[Path(&[[4.5, 15.5], [15.5, 4.5]]), Dot([4.5, 15.5, 1.9]), Dot([15.5, 4.5, 1.9])],
+            Self::Eraser => ERASER,
+            Self::Hand => HAND,
+            Self::Undo => UNDO,
+            Self::Redo => REDO,
+            Self::Pause => PAUSE,
+            Self::Play => &[Filled(&[[6.5, 4.0], [15.5, 10.0], [6.5, 16.0]])],
+            Self::Stop => &[Filled(&[[5.5, 5.5], [14.5, 5.5], [14.5, 14.5], [5.5, 14.5]])],
+            Self::Dice => DICE,
+            Self::Fit => FIT,
+            Self::Beside => BESIDE,
+            Self::Over => OVER,
+            Self::Tiles => TILES,
+        }
+    }
+
     /// Paints it into a square.
     pub fn paint(self, painter: &Painter, rect: Rect, colour: Color32) {
         let unit = rect.width() / 20.0;
         let at = |[x, y]: [f32; 2]| rect.min + vec2(x, y) * unit;
+        let all = |points: &[[f32; 2]]| points.iter().map(|point| at(*point)).collect::<Vec<Pos2>>();
         let stroke = Stroke::new(1.4 * unit.max(0.8), colour);
-        let path = |points: &[[f32; 2]]| {
-            let points: Vec<Pos2> = points.iter().map(|point| at(*point)).collect();
-            painter.add(Shape::line(points, stroke));
-        };
-        let closed = |points: &[[f32; 2]]| {
-            painter.add(Shape::closed_line(points.iter().map(|point| at(*point)).collect(), stroke));
-        };
-        let filled = |points: &[[f32; 2]]| {
-            let points: Vec<Pos2> = points.iter().map(|point| at(*point)).collect();
-            painter.add(Shape::convex_polygon(points, colour, Stroke::NONE));
-        };
-        let dot = |x: f32, y: f32, r: f32| {
-            painter.circle_filled(at([x, y]), r * unit, colour);
-        };
-        match self {
-            Self::Arrow => closed(&[
-                [5.0, 3.0],
-                [5.0, 15.5],
-                [8.3, 12.4],
-                [10.6, 17.2],
-                [12.6, 16.2],
-                [10.4, 11.5],
-                [14.8, 11.2],
-            ]),
-            Self::Pen => {
-                closed(&[[4.0, 16.0], [5.0, 12.2], [13.4, 3.8], [16.2, 6.6], [7.8, 15.0]]);
-                path(&[[11.4, 5.8], [14.2, 8.6]]);
-            }
-            Self::Ellipse => {
-                let ellipse = EllipseShape::stroke(at([10.0, 10.0]), vec2(7.0, 4.6) * unit, stroke);
-                painter.add(ellipse.with_angle(-0.45));
-            }
-            Self::Line => {
-                path(&[[4.5, 15.5], [15.5, 4.5]]);
-                dot(4.5, 15.5, 1.9);
-                dot(15.5, 4.5, 1.9);
-            }
-            Self::Eraser => {
-                closed(&[[3.5, 12.5], [11.5, 4.5], [16.0, 9.0], [9.5, 15.5], [6.5, 15.5]]);
-                path(&[[7.5, 8.5], [12.0, 13.0]]);
-                path(&[[11.0, 15.5], [16.5, 15.5]]);
-            }
-            Self::Hand => {
-                path(&[[10.0, 3.0], [10.0, 17.0]]);
-                path(&[[3.0, 10.0], [17.0, 10.0]]);
-                for [a, b, c] in [
-                    [[8.0, 5.0], [10.0, 3.0], [12.0, 5.0]],
-                    [[8.0, 15.0], [10.0, 17.0], [12.0, 15.0]],
-                    [[5.0, 8.0], [3.0, 10.0], [5.0, 12.0]],
-                    [[15.0, 8.0], [17.0, 10.0], [15.0, 12.0]],
-                ] {
-                    path(&[a, b, c]);
+        for part in self.parts() {
+            painter.add(match part {
+                Path(points) => Shape::line(all(points), stroke),
+                Closed(points) => Shape::closed_line(all(points), stroke),
+                Filled(points) => Shape::convex_polygon(all(points), colour, Stroke::NONE),
+                Dot([x, y, radius]) => Shape::circle_filled(at([*x, *y]), radius * unit, colour),
+                Oval([x, y, a, b, angle]) => {
+                    EllipseShape::stroke(at([*x, *y]), vec2(*a, *b) * unit, stroke).with_angle(*angle).into()
                 }
-            }
-            Self::Undo | Self::Redo => {
-                let flip = |x: f32| if self == Self::Undo { x } else { 20.0 - x };
-                let arc: Vec<[f32; 2]> = (0..=14)
-                    .map(|i| {
-                        let angle = -std::f32::consts::FRAC_PI_2 + std::f32::consts::PI * i as f32 / 14.0;
-                        [flip(11.0 + 4.5 * angle.cos()), 11.5 + 4.5 * angle.sin()]
-                    })
-                    .collect();
-                path(&arc);
-                path(&[[flip(11.0), 7.0], [flip(4.5), 7.0]]);
-                path(&[[flip(7.5), 4.0], [flip(4.5), 7.0], [flip(7.5), 10.0]]);
-                path(&[[flip(11.0), 16.0], [flip(7.0), 16.0]]);
-            }
-            Self::Pause => {
-                filled(&[[6.0, 4.5], [8.6, 4.5], [8.6, 15.5], [6.0, 15.5]]);
-                filled(&[[11.4, 4.5], [14.0, 4.5], [14.0, 15.5], [11.4, 15.5]]);
-            }
-            Self::Play => filled(&[[6.5, 4.0], [15.5, 10.0], [6.5, 16.0]]),
-            Self::Stop => filled(&[[5.5, 5.5], [14.5, 5.5], [14.5, 14.5], [5.5, 14.5]]),
-            Self::Dice => {
-                let square = Rect::from_min_max(at([3.5, 3.5]), at([16.5, 16.5]));
-                painter.rect_stroke(square, 3.0 * unit, stroke, eframe::egui::StrokeKind::Middle);
-                for [x, y] in [[7.0, 7.0], [13.0, 7.0], [10.0, 10.0], [7.0, 13.0], [13.0, 13.0]] {
-                    dot(x, y, 1.2);
+                Half([x, y, radius], side) => {
+                    let point = |i: i32| {
+                        let (sin, cos) = (std::f32::consts::PI * (i as f32 / 14.0 - 0.5)).sin_cos();
+                        at([x + side * radius * cos, y + radius * sin])
+                    };
+                    Shape::line((0..=14).map(point).collect(), stroke)
                 }
-            }
-            Self::Fit => {
-                for [x, y, dx, dy] in [
-                    [4.0, 4.0, 1.0, 1.0],
-                    [16.0, 4.0, -1.0, 1.0],
-                    [16.0, 16.0, -1.0, -1.0],
-                    [4.0, 16.0, 1.0, -1.0],
-                ] {
-                    path(&[[x + 4.0 * dx, y], [x, y], [x, y + 4.0 * dy]]);
-                }
-            }
-            Self::Beside => {
-                closed(&[[3.0, 5.0], [9.0, 5.0], [9.0, 15.0], [3.0, 15.0]]);
-                closed(&[[11.0, 5.0], [17.0, 5.0], [17.0, 15.0], [11.0, 15.0]]);
-            }
-            Self::Over => {
-                closed(&[[3.5, 5.0], [16.5, 5.0], [16.5, 15.0], [3.5, 15.0]]);
-                path(&[[10.0, 3.0], [10.0, 17.0]]);
-                filled(&[[10.0, 5.0], [16.5, 5.0], [16.5, 15.0], [10.0, 15.0]]);
-            }
-            Self::Tiles => {
-                for [x, y] in [[3.5, 3.5], [10.8, 3.5], [3.5, 10.8], [10.8, 10.8]] {
-                    closed(&[[x, y], [x + 5.7, y], [x + 5.7, y + 5.7], [x, y + 5.7]]);
-                }
-            }
-            Self::Link => {
-                for x in [7.0, 13.0] {
-                    let ring = EllipseShape::stroke(at([x, 10.0]), vec2(4.0, 3.0) * unit, stroke);
-                    painter.add(ring);
-                }
-            }
+            });
         }
     }
 
@@ -186,3 +131,84 @@ impl Icon {
         response.accessible_name(name)
     }
 }
+
+const ARROW: &[Part] = &[Closed(&[
+    [5.0, 3.0],
+    [5.0, 15.5],
+    [8.3, 12.4],
+    [10.6, 17.2],
+    [12.6, 16.2],
+    [10.4, 11.5],
+    [14.8, 11.2],
+])];
+const PEN: &[Part] = &[
+    Closed(&[[4.0, 16.0], [5.0, 12.2], [13.4, 3.8], [16.2, 6.6], [7.8, 15.0]]),
+    Path(&[[11.4, 5.8], [14.2, 8.6]]),
+];
+const ERASER: &[Part] = &[
+    Closed(&[[3.5, 12.5], [11.5, 4.5], [16.0, 9.0], [9.5, 15.5], [6.5, 15.5]]),
+    Path(&[[7.5, 8.5], [12.0, 13.0]]),
+    Path(&[[11.0, 15.5], [16.5, 15.5]]),
+];
+const HAND: &[Part] = &[
+    Path(&[[10.0, 3.0], [10.0, 17.0]]),
+    Path(&[[3.0, 10.0], [17.0, 10.0]]),
+    Path(&[[8.0, 5.0], [10.0, 3.0], [12.0, 5.0]]),
+    Path(&[[8.0, 15.0], [10.0, 17.0], [12.0, 15.0]]),
+    Path(&[[5.0, 8.0], [3.0, 10.0], [5.0, 12.0]]),
+    Path(&[[15.0, 8.0], [17.0, 10.0], [15.0, 12.0]]),
+];
+const UNDO: &[Part] = &[
+    Half([11.0, 11.5, 4.5], 1.0),
+    Path(&[[11.0, 7.0], [4.5, 7.0]]),
+    Path(&[[7.5, 4.0], [4.5, 7.0], [7.5, 10.0]]),
+    Path(&[[11.0, 16.0], [7.0, 16.0]]),
+];
+const REDO: &[Part] = &[
+    Half([9.0, 11.5, 4.5], -1.0),
+    Path(&[[9.0, 7.0], [15.5, 7.0]]),
+    Path(&[[12.5, 4.0], [15.5, 7.0], [12.5, 10.0]]),
+    Path(&[[9.0, 16.0], [13.0, 16.0]]),
+];
+const PAUSE: &[Part] = &[
+    Filled(&[[6.0, 4.5], [8.6, 4.5], [8.6, 15.5], [6.0, 15.5]]),
+    Filled(&[[11.4, 4.5], [14.0, 4.5], [14.0, 15.5], [11.4, 15.5]]),
+];
+const DICE: &[Part] = &[
+    Closed(&[
+        [4.5, 3.5],
+        [15.5, 3.5],
+        [16.5, 4.5],
+        [16.5, 15.5],
+        [15.5, 16.5],
+        [4.5, 16.5],
+        [3.5, 15.5],
+        [3.5, 4.5],
+    ]),
+    Dot([7.0, 7.0, 1.2]),
+    Dot([13.0, 7.0, 1.2]),
+    Dot([10.0, 10.0, 1.2]),
+    Dot([7.0, 13.0, 1.2]),
+    Dot([13.0, 13.0, 1.2]),
+];
+const FIT: &[Part] = &[
+    Path(&[[8.0, 4.0], [4.0, 4.0], [4.0, 8.0]]),
+    Path(&[[12.0, 4.0], [16.0, 4.0], [16.0, 8.0]]),
+    Path(&[[12.0, 16.0], [16.0, 16.0], [16.0, 12.0]]),
+    Path(&[[8.0, 16.0], [4.0, 16.0], [4.0, 12.0]]),
+];
+const BESIDE: &[Part] = &[
+    Closed(&[[3.0, 5.0], [9.0, 5.0], [9.0, 15.0], [3.0, 15.0]]),
+    Closed(&[[11.0, 5.0], [17.0, 5.0], [17.0, 15.0], [11.0, 15.0]]),
+];
+const OVER: &[Part] = &[
+    Closed(&[[3.5, 5.0], [16.5, 5.0], [16.5, 15.0], [3.5, 15.0]]),
+    Path(&[[10.0, 3.0], [10.0, 17.0]]),
+    Filled(&[[10.0, 5.0], [16.5, 5.0], [16.5, 15.0], [10.0, 15.0]]),
+];
+const TILES: &[Part] = &[
+    Closed(&[[3.5, 3.5], [9.2, 3.5], [9.2, 9.2], [3.5, 9.2]]),
+    Closed(&[[10.8, 3.5], [16.5, 3.5], [16.5, 9.2], [10.8, 9.2]]),
+    Closed(&[[3.5, 10.8], [9.2, 10.8], [9.2, 16.5], [3.5, 16.5]]),
+    Closed(&[[10.8, 10.8], [16.5, 10.8], [16.5, 16.5], [10.8, 16.5]]),
+];

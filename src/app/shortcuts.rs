@@ -1,6 +1,6 @@
 //! Keys, and the page that lists them.
 
-use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, ScrollArea, Ui};
+use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, ScrollArea, Ui, vec2};
 
 use super::action::{Action, Page};
 use super::canvas::tool::Tool;
@@ -30,7 +30,7 @@ const fn with(
     Shortcut { keys: KeyboardShortcut::new(modifiers, key), action, text, group }
 }
 
-/// All keys. Those with more modifiers stand before those with fewer.
+/// All keys, in the order of the page.
 pub const SHORTCUTS: &[Shortcut] = &[
     with(CTRL, Key::N, "New document", "Document", || Action::New),
     with(CTRL, Key::O, "Open", "Document", || Action::Open),
@@ -97,7 +97,10 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
                 }
             }
         }
-        for shortcut in SHORTCUTS {
+        // Those with Shift first: without it they would take these too.
+        let shift = |shortcut: &&Shortcut| shortcut.keys.modifiers.shift;
+        let ordered = SHORTCUTS.iter().filter(shift).chain(SHORTCUTS.iter().filter(|one| !shift(one)));
+        for shortcut in ordered {
             let plain = !shortcut.keys.modifiers.command;
             let function = shortcut.keys.logical_key == Key::F1;
             if plain && !canvas && !function {
@@ -128,26 +131,34 @@ pub fn told(ctx: &Context, action: &Action) -> Option<String> {
 
 /// The page that lists them.
 pub fn page(ui: &mut Ui) {
-    ScrollArea::vertical().max_height(460.0).show(ui, |ui| {
-        ui.columns(2, |columns| {
-            for (column, groups) in
-                columns.iter_mut().zip([["Document", "View", "Growth"], ["Draw", "Edit", "Help"]])
-            {
+    let columns = [["Document", "View", "Growth"], ["Draw", "Edit", "Help"]];
+    ScrollArea::vertical().max_height(600.0).show(ui, |ui| {
+        ui.spacing_mut().item_spacing = vec2(28.0, 3.0);
+        ui.columns(2, |uis| {
+            for (ui, groups) in uis.iter_mut().zip(columns) {
                 for group in groups {
-                    column.label(RichText::new(group).strong());
-                    for shortcut in SHORTCUTS.iter().filter(|shortcut| shortcut.group == group) {
-                        row(column, shortcut.text, &column.ctx().format_shortcut(&shortcut.keys));
+                    ui.label(RichText::new(group).strong());
+                    for (text, keys) in rows(ui, group) {
+                        row(ui, text, &keys);
                     }
-                    for (text, keys) in
-                        OTHERS.iter().filter(|(of, ..)| *of == group).map(|(_, text, keys)| (text, keys))
-                    {
-                        row(column, text, keys);
-                    }
-                    column.add_space(10.0);
+                    ui.add_space(10.0);
                 }
             }
         });
     });
+}
+
+/// What stands in a group: what it does, and the first keys for it.
+fn rows(ui: &Ui, group: &str) -> Vec<(&'static str, String)> {
+    let mut rows: Vec<(&str, String)> = Vec::new();
+    for shortcut in SHORTCUTS.iter().filter(|shortcut| shortcut.group == group) {
+        if rows.iter().all(|(text, _)| *text != shortcut.text) {
+            rows.push((shortcut.text, ui.ctx().format_shortcut(&shortcut.keys)));
+        }
+    }
+    let others = OTHERS.iter().filter(|(of, ..)| *of == group);
+    rows.extend(others.map(|(_, text, keys)| (*text, (*keys).to_owned())));
+    rows
 }
 
 /// What is no single key.
@@ -164,7 +175,7 @@ fn row(ui: &mut Ui, text: &str, keys: &str) {
     ui.horizontal(|ui| {
         ui.label(text);
         ui.with_layout(eframe::egui::Layout::right_to_left(eframe::egui::Align::Center), |ui| {
-            ui.label(RichText::new(keys).weak());
+            ui.label(RichText::new(keys).small().weak());
         });
     });
 }

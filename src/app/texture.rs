@@ -66,12 +66,6 @@ impl TextureView {
         let border = Palette::of(ui.visuals()).border;
         painter.rect_stroke(rect, 2.0, Stroke::new(1.0, border), StrokeKind::Outside);
     }
-
-    /// Is there something to be seen?
-    #[must_use]
-    pub fn is_there(&self) -> bool {
-        self.texture.is_some()
-    }
 }
 
 /// What is said of a growth in a word or two.

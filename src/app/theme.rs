@@ -155,7 +155,7 @@ fn light(visuals: &mut Visuals) {
     widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0xdd, 0xd9, 0xd1));
     widgets.noninteractive.fg_stroke = Stroke::new(1.0, ink);
     widgets.inactive.weak_bg_fill = Color32::from_rgb(0xe8, 0xe5, 0xdf);
-    widgets.inactive.bg_fill = Color32::from_rgb(0xdd, 0xd9, 0xd1);
+    widgets.inactive.bg_fill = Color32::from_rgb(0xd3, 0xcd, 0xc2);
     widgets.inactive.fg_stroke = Stroke::new(1.0, ink);
     widgets.hovered.weak_bg_fill = Color32::from_rgb(0xdd, 0xd9, 0xd1);
     widgets.hovered.bg_stroke = Stroke::new(1.0, LIGHT.border);
@@ -175,7 +175,7 @@ fn dark(visuals: &mut Visuals) {
     widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0x36, 0x36, 0x38));
     widgets.noninteractive.fg_stroke = Stroke::new(1.0, ink);
     widgets.inactive.weak_bg_fill = Color32::from_rgb(0x33, 0x33, 0x35);
-    widgets.inactive.bg_fill = Color32::from_rgb(0x3b, 0x3b, 0x3e);
+    widgets.inactive.bg_fill = Color32::from_rgb(0x48, 0x48, 0x4c);
     widgets.inactive.fg_stroke = Stroke::new(1.0, ink);
     widgets.hovered.weak_bg_fill = Color32::from_rgb(0x3e, 0x3e, 0x41);
     widgets.hovered.bg_stroke = Stroke::new(1.0, DARK.border);

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 pub struct Trace {
     out: Option<BufWriter<File>>,
     began: Instant,
+    place: Option<([f32; 2], f32)>,
 }
 
 impl Trace {
@@ -15,7 +16,7 @@ impl Trace {
     #[must_use]
     pub fn asked() -> Self {
         let file = std::env::var_os("DAPPLE_TRACE").and_then(|path| File::create(path).ok());
-        Self { out: file.map(BufWriter::new), began: Instant::now() }
+        Self { out: file.map(BufWriter::new), began: Instant::now(), place: None }
     }
 
     /// A frame: our own work, all of it with drawing by the toolkit, whether something grew.
@@ -27,8 +28,13 @@ impl Trace {
     /// Something happened, and how long it took.
     pub fn event(&mut self, what: &str, took: Duration) {
         self.line(&format!("{what},{:.3}", 1e3 * took.as_secs_f64()));
-        if let Some(out) = &mut self.out {
-            let _ = out.flush();
+    }
+
+    /// Where the canvas is now: its corner, and points on the screen a px.
+    pub fn canvas(&mut self, corner: [f32; 2], zoom: f32) {
+        if self.out.is_some() && self.place != Some((corner, zoom)) {
+            self.place = Some((corner, zoom));
+            self.line(&format!("canvas,{:.2},{:.2},{zoom:.5}", corner[0], corner[1]));
         }
     }
 
@@ -36,6 +42,9 @@ impl Trace {
         if let Some(out) = &mut self.out {
             // A trace that cannot be written must not disturb what is traced.
             let _ = writeln!(out, "{:.3},{line}", 1e3 * self.began.elapsed().as_secs_f64());
+            if !line.starts_with("frame") {
+                let _ = out.flush();
+            }
         }
     }
 }

@@ -213,9 +213,9 @@ impl Window {
         ui.scope_builder(inside(right), |ui| actions.extend(panels::growth_bar(ui, self)));
         let before = [self.canvas.view, self.texture.view];
         if self.over {
-            self.one_over_the_other(ui, body)
+            self.one_over_the_other(ui, body);
         } else {
-            self.side_by_side(ui, body)
+            self.side_by_side(ui, body);
         }
         self.link(before);
         if let Phase::Failed(why) = &self.growth.phase {
@@ -228,6 +228,8 @@ impl Window {
     fn side_by_side(&mut self, ui: &mut Ui, body: Rect) {
         let (left, right) = body.split_left_right_at_fraction(0.5);
         self.canvas.ui(ui, left, &mut self.desk);
+        let corner = self.canvas.view.to_screen(left, [0.0; 2]);
+        self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
         self.texture.ui(ui, right, self.desk.document().size, &self.growth);
         let line = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().vline(body.center().x, body.y_range(), line);

@@ -82,27 +82,48 @@ impl<'a> Painting<'a> {
         rgb
     }
 
-    /// Writes a picture of it to `path`, which does not have its name yet. `fill` gives the bytes of a band.
+    /// Writes a picture of `channel` to `path`, which does not have its name yet; `dpi` stands in it.
     ///
     /// # Errors
     /// Where the file cannot be written, or `watch` does not want it any more.
     pub fn prepare(
         &self,
         path: &Path,
-        (samples, dpi): (Samples, f64),
+        channel: Channel,
+        dpi: f64,
         watch: &Watch,
-        fill: impl Fn(&Band, &mut [u8]),
     ) -> Result<Prepared, ExportError> {
+        let samples = match channel {
+            Channel::Texture => Samples::Rgb8,
+            Channel::Pattern(_) => Samples::Gray16,
+            Channel::Labels => Samples::Gray8,
+        };
         let header = Header { size: self.size, samples, dpi: Some(dpi) };
         export::prepare(path, |out| {
             png::write(out, header, |rows, bytes| {
                 let done = rows.start as f64 / self.size[1] as f64;
                 watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
-                fill(&self.band(rows), bytes);
+                let band = self.band(rows);
+                match channel {
+                    Channel::Texture => band.paint(bytes),
+                    Channel::Pattern(only) => band.pattern(only, bytes),
+                    Channel::Labels => band.labels(bytes),
+                }
                 Ok(())
             })
         })
     }
+}
+
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Channel {
+    /// The texture: red, green, blue, 8 bit each.
+    Texture,
+    /// The pattern of one layer, or of the layer that painted each px: 16-bit gray.
+    Pattern(Option<usize>),
+    /// Which layer's mark covers each px: 8 bit.
+    Labels,
 }
 
 /// A look at a document that grows.

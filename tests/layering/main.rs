@@ -20,7 +20,7 @@ const DOORS: [&str; 2] = ["cli", "app"];
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-const ADDRESSES: [(&str, &[&str]); 16] = [
+const ADDRESSES: [(&str, &[&str]); 17] = [
     ("bytemuck", &["src/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
     ("csv", &["src/learn/", "src/cli/"]),
@@ -28,11 +28,12 @@ const ADDRESSES: [(&str, &[&str]); 16] = [
     ("dapple", &["src/main.rs", "data-gen/"]),
     ("eframe", &["src/app/", "src/cli/", "src/main.rs"]),
     (WINDOW, &["src/app/", "src/cli/"]),
-    ("image", &["src/export/", "src/cli/measure.rs"]),
+    ("image", &["src/export/", "src/cli/measure.rs", "src/app/examples.rs", "src/app/reference.rs"]),
     ("indicatif", &["src/cli/", "data-gen/"]),
     ("nalgebra", &["src/marks/", "src/learn/", "src/rd/"]),
     ("palette", &["src/colour/"]),
     ("png", &["src/export/", "src/cli/measure.rs"]),
+    ("rfd", &["src/app/chooser.rs"]),
     ("serde_json", &["src/synth/", "src/cli/", "src/learn/", "data-gen/"]),
     ("serde_path_to_error", &["data-gen/"]),
     ("spade", &["src/attributes/spacing.rs"]),

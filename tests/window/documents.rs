@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use dapple::app::{Settings, Start};
+use dapple::app::{Settings, Start, Window};
 use dapple::synth::recipe::Document;
 use eframe::egui::{DroppedFile, Key, Modifiers, Theme, vec2};
 
@@ -110,7 +110,7 @@ fn a_picture_that_is_dropped_lies_under_the_canvas() {
     let picture = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/examples/zebra.png");
     let mut hand = hand();
     drop_file(&mut hand, &picture);
-    hand.until("the picture", |window| window.has_reference());
+    hand.until("the picture", Window::has_reference);
     assert!(hand.strokes().is_empty());
 }
 

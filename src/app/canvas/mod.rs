@@ -56,6 +56,8 @@ pub struct Canvas {
     pub reference: Reference,
     /// Its widget, once it was shown.
     pub id: Option<Id>,
+    /// Has it the keys because the pointer was on it? Then nobody needs to be shown where they go.
+    by_pointer: bool,
     gesture: Option<Gesture>,
     /// Strokes that were recognised, and when.
     fading: Vec<(Vec<[f64; 2]>, f64)>,
@@ -72,6 +74,7 @@ impl Default for Canvas {
             analysis: Analysis::default(),
             reference: Reference::default(),
             id: None,
+            by_pointer: false,
             gesture: None,
             fading: Vec::new(),
         }
@@ -104,6 +107,7 @@ impl Canvas {
         if self.view.fitted {
             self.view.fit(desk.document().size, room);
         }
+        self.by_pointer &= response.has_focus() || response.dragged();
         if response.has_focus() {
             let filter =
                 EventFilter { tab: false, horizontal_arrows: true, vertical_arrows: true, escape: true };
@@ -132,6 +136,7 @@ impl Canvas {
         let handles = handles::handles(desk, &self.view, room);
         if response.drag_started() {
             response.request_focus();
+            self.by_pointer = true;
             let primary = ui.input(|input| input.pointer.button_down(PointerButton::Primary));
             if let Some(at) = ui.input(|input| input.pointer.press_origin()) {
                 let handle = handles::at(&handles, at);
@@ -203,7 +208,7 @@ impl Canvas {
         self.selection(&ink, desk, colours);
         self.in_hand(ui, &ink, colours);
         fade(ui, &ink, &mut self.fading, colours);
-        if response.has_focus() && ui.input(|input| !input.pointer.any_down()) {
+        if response.has_focus() && !self.by_pointer {
             painter.rect_stroke(
                 room.shrink(1.0),
                 3.0,

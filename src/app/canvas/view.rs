@@ -36,21 +36,21 @@ impl View {
 
     /// Where a point of the canvas, px, is seen in `room`.
     #[must_use]
-    pub fn to_screen(&self, room: Rect, point: [f64; 2]) -> Pos2 {
+    pub fn to_screen(self, room: Rect, point: [f64; 2]) -> Pos2 {
         let by = [0, 1].map(|axis| (point[axis] - self.center[axis]) as f32 * self.zoom);
         room.center() + vec2(by[0], by[1])
     }
 
     /// The point of the canvas, px, that is seen at `at`.
     #[must_use]
-    pub fn to_canvas(&self, room: Rect, at: Pos2) -> [f64; 2] {
+    pub fn to_canvas(self, room: Rect, at: Pos2) -> [f64; 2] {
         let by = (at - room.center()) / self.zoom;
         [self.center[0] + f64::from(by.x), self.center[1] + f64::from(by.y)]
     }
 
     /// The canvas' own rectangle on the screen.
     #[must_use]
-    pub fn paper(&self, room: Rect, size: [u32; 2]) -> Rect {
+    pub fn paper(self, room: Rect, size: [u32; 2]) -> Rect {
         Rect::from_min_max(self.to_screen(room, [0.0; 2]), self.to_screen(room, size.map(f64::from)))
     }
 

@@ -6,6 +6,7 @@ use crate::app::Window;
 use crate::app::action::Action;
 use crate::app::growth::Phase;
 use crate::app::icons::Icon;
+use crate::field::Edges;
 use crate::synth::Stage;
 
 /// The bar. Gives what is chosen.
@@ -29,6 +30,13 @@ pub fn growth_bar(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
                 .clicked()
             {
                 actions.push(Action::AnotherSeed);
+            }
+            if window.desk.document().edges == Edges::Wrap {
+                let tiled = window.texture.tiled;
+                let help = "Shows the tile two by two, so that a seam would be seen";
+                if Icon::Tiles.button(ui, "Two by two", tiled).on_hover_text(help).clicked() {
+                    actions.push(Action::Tiled(!tiled));
+                }
             }
             ui.add_enabled_ui(window.growth.is_growing(), |ui| {
                 if Icon::Stop.button(ui, "Stop", false).on_hover_text("Stop; what is there stays").clicked() {

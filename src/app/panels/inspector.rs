@@ -1,6 +1,6 @@
 //! The column on the right: numbers.
 
-use eframe::egui::{DragValue, Grid, RichText, ScrollArea, Slider, Ui, vec2};
+use eframe::egui::{Button, DragValue, Grid, Rect, RichText, ScrollArea, Slider, Ui, vec2};
 
 use super::selected;
 use crate::app::Window;
@@ -13,7 +13,7 @@ use crate::attributes::Attributes;
 use crate::field::Edges;
 use crate::synth::recipe::limits;
 
-/// Widths of lines to choose from, px: those of the paper's figures.
+/// Widths of lines to choose from, px: evenly over those that grow in moments.
 const WIDTHS: [f64; 4] = [4.0, 8.0, 12.0, 16.0];
 
 /// The column. Gives what is chosen.
@@ -77,9 +77,18 @@ fn tool(ui: &mut Ui, window: &mut Window) {
 pub fn presets(ui: &mut Ui, width: &mut f64) -> bool {
     let mut changed = false;
     ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
         for preset in WIDTHS {
             let chosen = (*width - preset).abs() < 0.05;
-            let button = ui.selectable_label(chosen, format!("{preset:.0}"));
+            let size = vec2(46.0, 26.0);
+            let button = ui.add_sized(size, Button::new("").selected(chosen));
+            let colour = if chosen {
+                ui.visuals().selection.stroke.color
+            } else {
+                ui.style().interact(&button).text_color()
+            };
+            let bar = Rect::from_center_size(button.rect.center(), vec2(26.0, preset as f32));
+            ui.painter().rect_filled(bar, 2.0, colour);
             let button = button.accessible_name(format!("{preset:.0} px wide"));
             if button.on_hover_text(format!("{preset:.0} px wide")).clicked() {
                 *width = preset;
@@ -136,7 +145,7 @@ fn region(ui: &mut Ui, window: &Window) {
     let at = window.canvas.pointer.unwrap_or(middle);
     let Some((place, region)) = window.canvas.analysis.region(window.desk.layer, at) else { return };
     let Some(map) = window.canvas.analysis.map(window.desk.layer) else { return };
-    heading(ui, &format!("Region {} , {}", place[0] + 1, place[1] + 1).replace(" ,", ","));
+    heading(ui, &format!("Region {}, {}", place[0] + 1, place[1] + 1));
     let own = region.own.is_some();
     rows(ui, "region", |ui| {
         let mut row = |name: &str, value: String, help: &str| {

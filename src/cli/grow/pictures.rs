@@ -3,8 +3,7 @@
 use super::Args;
 use crate::cli::Error;
 use crate::export::Prepared;
-use crate::export::png::Samples;
-use crate::synth::painting::Painting;
+use crate::synth::painting::{Channel, Painting};
 use crate::synth::recipe::Document;
 use crate::synth::{Grown, Watch};
 
@@ -17,17 +16,14 @@ pub fn prepare(
 ) -> Result<Vec<Prepared>, Error> {
     let painting = Painting::of(document, grown, args.scale as usize);
     let dpi = document.dpi * f64::from(args.scale);
-    let texture = painting.prepare(&args.output, (Samples::Rgb8, dpi), watch, |band, rgb| band.paint(rgb));
-    let mut pictures = vec![texture.map_err(Error::exported)?];
-    if let Some(path) = &args.pattern {
-        let only = args.layer.map(|layer| layer as usize - 1);
-        let pattern =
-            painting.prepare(path, (Samples::Gray16, dpi), watch, |band, gray| band.pattern(only, gray));
-        pictures.push(pattern.map_err(Error::exported)?);
-    }
-    if let Some(path) = &args.labels {
-        let labels = painting.prepare(path, (Samples::Gray8, dpi), watch, |band, labels| band.labels(labels));
-        pictures.push(labels.map_err(Error::exported)?);
-    }
-    Ok(pictures)
+    let only = args.layer.map(|layer| layer as usize - 1);
+    let pictures = [
+        (Some(&args.output), Channel::Texture),
+        (args.pattern.as_ref(), Channel::Pattern(only)),
+        (args.labels.as_ref(), Channel::Labels),
+    ];
+    let asked = pictures.into_iter().filter_map(|(path, channel)| Some((path?, channel)));
+    asked
+        .map(|(path, channel)| painting.prepare(path, channel, dpi, watch).map_err(Error::exported))
+        .collect()
 }
