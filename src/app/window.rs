@@ -4,7 +4,8 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use eframe::egui::{
-    CentralPanel, Context, Frame, Margin, Panel, Pos2, Rect, Ui, UiBuilder, ViewportCommand, pos2, vec2,
+    CentralPanel, Context, Frame, Margin, Panel, Pos2, Rect, Theme, Ui, UiBuilder, ViewportCommand, pos2,
+    vec2,
 };
 
 use super::canvas::{Canvas, view::View};
@@ -63,7 +64,10 @@ impl Window {
         theme::dress(ctx);
         ctx.set_theme(start.settings.theme);
         // Ctrl and + or − zoom the canvas, not the buttons.
-        ctx.options_mut(|options| options.zoom_with_keyboard = false);
+        ctx.options_mut(|options| {
+            options.zoom_with_keyboard = false;
+            options.fallback_theme = Theme::Light;
+        });
         let wake = ctx.clone();
         let first = !start.settings.hint_seen && start.file.is_none();
         let mut window = Self {
@@ -181,7 +185,8 @@ impl Window {
 
     /// What the keys ask for.
     fn keys(&mut self, ui: &Ui) -> Vec<super::Action> {
-        if self.files.is_asking() {
+        // A page over the window has all keys.
+        if self.files.is_asking() || self.page.is_some() {
             return Vec::new();
         }
         let focused = ui.memory(eframe::egui::Memory::focused);

@@ -1,6 +1,7 @@
 //! All of it without a pointer.
 
 use eframe::egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
 
 use crate::hand::hand;
 
@@ -35,4 +36,16 @@ fn letters_that_are_typed_into_a_field_take_no_tool() {
     hand.key(Modifiers::NONE, Key::X);
     hand.key(Modifiers::NONE, Key::Delete);
     assert_eq!(hand.document(), before);
+}
+
+#[test]
+fn escape_puts_a_page_away() {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::F1);
+    assert!(hand.window.query_by_label("Keys").is_some());
+    hand.key(Modifiers::NONE, Key::Escape);
+    assert!(hand.window.query_by_label("Keys").is_none());
+    hand.key(Modifiers::COMMAND, Key::N);
+    hand.key(Modifiers::NONE, Key::Escape);
+    assert!(hand.window.query_by_label("Create").is_none());
 }
