@@ -264,14 +264,15 @@ impl Window {
         }
     }
 
-    /// Makes what was done a step that can be undone, and grows it, once the hand rests.
+    /// Grows what was drawn; makes it a step that can be undone once the hand rests.
     fn grow_what_changed(&mut self, ui: &Ui) {
         let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
-        if busy {
-            return;
+        if !busy {
+            self.desk.commit();
         }
-        self.desk.commit();
-        if self.grown != Some(self.desk.revision()) {
+        // While the hand still moves, every growth gets as far as its first picture.
+        let in_time = !busy || !self.growth.is_growing() || self.growth.first_picture.is_some();
+        if in_time && self.grown != Some(self.desk.revision()) {
             self.grown = Some(self.desk.revision());
             self.growth.grow(&self.desk.finished());
             if self.growth.picture.is_none() {

@@ -4,6 +4,7 @@
 //! that `dapple grow` writes.
 
 mod picture;
+mod preview;
 mod worker;
 
 pub use picture::Picture;

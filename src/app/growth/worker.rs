@@ -6,6 +6,7 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use super::preview::preview;
 use super::{Picture, Texture};
 use crate::synth::painting::Look;
 use crate::synth::recipe::Document;
@@ -189,6 +190,9 @@ impl Worker {
         };
         let watch = Watch { progress: &progress, cancelled: &|| orders.is_over(generation) };
         let mut shown: Option<Instant> = None;
+        if let Some(picture) = preview(&document, &self.training).filter(|_| !orders.is_over(generation)) {
+            self.say(generation, What::Picture(picture));
+        }
         let mut seen = |look: &Look| {
             if shown.is_none_or(|shown| shown.elapsed() >= BETWEEN_PICTURES) && !orders.is_over(generation) {
                 self.say(generation, What::Picture(Picture::growing(&document, look)));
