@@ -1,7 +1,7 @@
 //! The window as a whole: who stands where, and what happens in a frame.
 
 use std::path::PathBuf;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use eframe::egui::{
     CentralPanel, Context, Frame, Margin, Panel, Pos2, Rect, Theme, Ui, UiBuilder, ViewportCommand, pos2,
@@ -127,7 +127,7 @@ impl Window {
     /// Shows no more how long something took: for pictures that shall be alike.
     pub fn hide_times(&mut self) {
         if let Phase::Settled(took) = &mut self.growth.phase {
-            *took = std::time::Duration::ZERO;
+            *took = Duration::ZERO;
         }
     }
 
@@ -135,6 +135,12 @@ impl Window {
     #[must_use]
     pub fn settled(&self) -> Option<&Texture> {
         self.growth.texture.as_ref()
+    }
+
+    /// Where the sketch and the texture are looked at: the px in the middle, and points a px.
+    #[must_use]
+    pub fn views(&self) -> [([f64; 2], f32); 2] {
+        [self.canvas.view, self.texture.view].map(|view| (view.center, view.zoom))
     }
 
     /// Does a picture lie under the canvas?
@@ -180,6 +186,10 @@ impl Window {
             self.perform(ui, action);
         }
         self.grow_what_changed(ui);
+        if self.growth.is_growing() && !self.growth.is_paused() {
+            // Between two pictures the bar moves on.
+            ui.ctx().request_repaint_after(Duration::from_millis(100));
+        }
         self.entitle(ui);
     }
 

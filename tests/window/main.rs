@@ -1,6 +1,7 @@
 //! The window, driven by pointer and keys as a hand would.
 #![cfg(feature = "app")]
 
+mod access;
 mod documents;
 mod drawing;
 mod growing;
@@ -9,3 +10,4 @@ mod history;
 mod keyboard;
 mod selecting;
 mod sights;
+mod views;

@@ -1,5 +1,6 @@
 //! The thread that grows: the latest order wins.
 
+use std::panic::{self, AssertUnwindSafe};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
@@ -199,7 +200,15 @@ impl Worker {
                 shown = Some(Instant::now());
             }
         };
-        let grown = grow_seen(&document, "the sketch", &self.training, Options::default(), &watch, &mut seen);
+        let mut grown =
+            || grow_seen(&document, "the sketch", &self.training, Options::default(), &watch, &mut seen);
+        // A fault in growing must not take the sketch along.
+        let Ok(grown) = panic::catch_unwind(AssertUnwindSafe(&mut grown)) else {
+            let why = "growing it failed inside dapple; please report the document. The sketch is not harmed: \
+                       save it, or change it and it is grown anew";
+            self.say(generation, What::Failed(why.to_owned()));
+            return;
+        };
         match grown {
             Ok(grown) => {
                 let texture = Texture { document: Arc::new(document), grown: Arc::new(grown) };

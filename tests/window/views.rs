@@ -1,0 +1,121 @@
+//! Looking: zoom, pan, together or apart, fingers.
+
+use dapple::synth::recipe::Document;
+use eframe::egui::{
+    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchDeviceId, TouchId, TouchPhase,
+    ViewportCommand, ViewportEvent, ViewportId, vec2,
+};
+use egui_kittest::kittest::Queryable;
+
+use crate::hand::{Hand, hand, hand_with};
+
+fn wheel(hand: &mut Hand, at: [f64; 2], by: f32, modifiers: Modifiers) {
+    let at = hand.at(at);
+    hand.window.hover_at(at);
+    hand.window.event(Event::ModifiersChanged(modifiers));
+    let delta = vec2(0.0, by);
+    let (unit, phase) = (MouseWheelUnit::Point, TouchPhase::Move);
+    let source = MouseWheelSource::Wheel;
+    hand.window.event(Event::MouseWheel { unit, delta, phase, modifiers, source });
+    hand.window.run_steps(20);
+    hand.window.event(Event::ModifiersChanged(Modifiers::NONE));
+    hand.rest();
+}
+
+#[test]
+fn the_wheel_zooms_around_the_pointer_and_takes_the_texture_along() {
+    let mut hand = hand();
+    let before = hand.at([100.0, 150.0]);
+    wheel(&mut hand, [100.0, 150.0], 200.0, Modifiers::COMMAND);
+    let [(center, zoom), texture] = hand.window.state().views();
+    assert!(zoom > 1.2 && center != [256.0, 256.0], "{zoom} {center:?}");
+    assert!(before.distance(hand.at([100.0, 150.0])) < 0.5, "what is under the pointer stays");
+    assert_eq!(texture, (center, zoom));
+
+    hand.press("Views move together");
+    wheel(&mut hand, [100.0, 150.0], -60.0, Modifiers::NONE);
+    let [sketch, apart] = hand.window.state().views();
+    assert_ne!(sketch, apart);
+    hand.key(Modifiers::COMMAND, Key::Num0);
+    let [sketch, texture] = hand.window.state().views();
+    assert_eq!(sketch, texture);
+}
+
+#[test]
+fn a_mark_is_drawn_where_the_pen_is_at_any_zoom() {
+    let mut hand = hand();
+    wheel(&mut hand, [300.0, 300.0], 300.0, Modifiers::COMMAND);
+    hand.key(Modifiers::NONE, Key::E);
+    hand.drag(&[[290.0, 290.0], [300.0, 300.0], [310.0, 300.0]]);
+    let ellipse = hand.ellipses()[0];
+    assert!((ellipse.center[0] - 300.0).abs() < 0.1 && (ellipse.radii[1] - 5.0).abs() < 0.1, "{ellipse:?}");
+}
+
+#[test]
+fn two_fingers_move_the_view_and_draw_nothing() {
+    let mut hand = hand();
+    let [a, b] = [hand.at([100.0, 100.0]), hand.at([200.0, 100.0])];
+    let touch = |id, phase, pos| Event::Touch {
+        device_id: TouchDeviceId(0),
+        id: TouchId(id),
+        phase,
+        pos,
+        force: None,
+    };
+    hand.window.event(touch(1, TouchPhase::Start, a));
+    hand.window.drag_at(a);
+    hand.window.step();
+    hand.window.hover_at(a + vec2(8.0, 0.0));
+    hand.window.event(touch(1, TouchPhase::Move, a + vec2(8.0, 0.0)));
+    hand.window.step();
+    hand.window.event(touch(2, TouchPhase::Start, b));
+    hand.window.step();
+    for step in 1..10 {
+        let by = vec2(0.0, 6.0 * step as f32);
+        hand.window.event(touch(1, TouchPhase::Move, a + by));
+        hand.window.event(touch(2, TouchPhase::Move, b + by));
+        hand.window.hover_at(a + by);
+        hand.window.step();
+    }
+    hand.window.event(touch(1, TouchPhase::End, a));
+    hand.window.event(touch(2, TouchPhase::End, b));
+    hand.window.drop_at(a);
+    hand.rest();
+    assert!(hand.strokes().is_empty());
+    assert_ne!(hand.window.state().views()[0].0, [256.0, 256.0]);
+}
+
+#[test]
+fn pointing_at_a_region_tells_its_attributes() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/turning-spots.dapple");
+    let (mut hand, ..) = hand_with(&Document::read(file).unwrap());
+    let there = hand.at([50.0, 400.0]);
+    hand.window.hover_at(there);
+    hand.rest();
+    assert!(hand.window.query_by_label("Region 1, 2").is_some());
+    assert!(hand.window.query_all_by_label_contains(" px²").count() > 0);
+}
+
+#[test]
+fn one_over_the_other_is_drawn_on_as_well() {
+    let mut hand = hand();
+    hand.press("One over the other");
+    hand.draw_round([120.0, 200.0], [40.0, 20.0], 30.0);
+    assert_eq!(hand.ellipses().len(), 1);
+}
+
+#[test]
+fn a_window_with_unsaved_work_asks_before_it_closes() {
+    let mut hand = hand();
+    hand.draw_round([120.0, 200.0], [40.0, 20.0], 30.0);
+    let root = hand.window.input_mut().viewports.entry(ViewportId::ROOT).or_default();
+    root.events.push(ViewportEvent::Close);
+    hand.window.step();
+    let commands = &hand.window.output().viewport_output[&ViewportId::ROOT].commands;
+    assert!(commands.contains(&ViewportCommand::CancelClose), "{commands:?}");
+    hand.window.input_mut().viewports.entry(ViewportId::ROOT).or_default().events.clear();
+    hand.rest();
+    assert!(hand.window.query_by_label("Don't save").is_some());
+    hand.press("Cancel");
+    assert_eq!(hand.ellipses().len(), 1);
+}
