@@ -63,7 +63,7 @@ impl Gallery {
             self.0 = EXAMPLES.iter().map(|example| load(ui, example)).collect();
         }
         let mut chosen = None;
-        ScrollArea::vertical().max_height(520.0).show(ui, |ui| {
+        ScrollArea::vertical().max_height(570.0).show(ui, |ui| {
             Grid::new("examples").spacing(vec2(12.0, 12.0)).show(ui, |ui| {
                 for (index, (example, texture)) in EXAMPLES.iter().zip(&self.0).enumerate() {
                     if card(ui, example, texture) {

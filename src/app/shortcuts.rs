@@ -126,7 +126,24 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
 #[must_use]
 pub fn told(ctx: &Context, action: &Action) -> Option<String> {
     let shortcut = SHORTCUTS.iter().find(|shortcut| (shortcut.action)() == *action)?;
-    Some(ctx.format_shortcut(&shortcut.keys))
+    Some(spelled(ctx, shortcut.keys))
+}
+
+/// Keys as they stand on the keyboard.
+fn spelled(ctx: &Context, keys: KeyboardShortcut) -> String {
+    let sign = match keys.logical_key {
+        Key::OpenBracket => "[",
+        Key::CloseBracket => "]",
+        Key::Period => ".",
+        Key::Comma => ",",
+        Key::Plus => "+",
+        Key::Minus => "-",
+        other => other.name(),
+    };
+    match ctx.format_modifiers(keys.modifiers) {
+        none if none.is_empty() => sign.to_owned(),
+        modifiers => format!("{modifiers}+{sign}"),
+    }
 }
 
 /// The page that lists them.
@@ -134,6 +151,7 @@ pub fn page(ui: &mut Ui) {
     let columns = [["Document", "View", "Growth"], ["Draw", "Edit", "Help"]];
     ScrollArea::vertical().max_height(600.0).show(ui, |ui| {
         ui.spacing_mut().item_spacing = vec2(28.0, 3.0);
+        ui.spacing_mut().interact_size.y = 18.0;
         ui.columns(2, |uis| {
             for (ui, groups) in uis.iter_mut().zip(columns) {
                 for group in groups {
@@ -153,7 +171,7 @@ fn rows(ui: &Ui, group: &str) -> Vec<(&'static str, String)> {
     let mut rows: Vec<(&str, String)> = Vec::new();
     for shortcut in SHORTCUTS.iter().filter(|shortcut| shortcut.group == group) {
         if rows.iter().all(|(text, _)| *text != shortcut.text) {
-            rows.push((shortcut.text, ui.ctx().format_shortcut(&shortcut.keys)));
+            rows.push((shortcut.text, spelled(ui.ctx(), shortcut.keys)));
         }
     }
     let others = OTHERS.iter().filter(|(of, ..)| *of == group);

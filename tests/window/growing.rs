@@ -52,6 +52,21 @@ fn what_has_settled_is_what_the_command_line_writes() {
 }
 
 #[test]
+fn growth_begins_in_the_frame_in_which_the_pen_lifts() {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::E);
+    let [from, to] = [hand.at([100.0, 100.0]), hand.at([130.0, 120.0])];
+    hand.window.drag_at(from);
+    hand.window.step();
+    hand.window.hover_at(to);
+    hand.window.step();
+    assert_eq!(*hand.phase(), Phase::Idle);
+    hand.window.drop_at(to);
+    hand.window.step();
+    assert!(matches!(hand.phase(), Phase::Growing(..)), "{:?}", hand.phase());
+}
+
+#[test]
 fn a_change_replaces_what_grows() {
     let (mut hand, _folder) = small();
     hand.until("growing", |window| matches!(window.phase(), Phase::Growing(..)));

@@ -4,7 +4,10 @@ use dapple::app::Desk;
 use dapple::app::{Place, Selection};
 use dapple::marks::{Ellipse, Line, Mark};
 use dapple::synth::recipe::Document;
+use eframe::egui::{Key, Modifiers};
 use proptest::prelude::*;
+
+use crate::hand::hand;
 
 #[derive(Clone, Debug)]
 enum Deed {
@@ -126,5 +129,66 @@ proptest! {
             desk.redo();
             prop_assert_eq!(desk.document(), &now);
         }
+    }
+}
+
+/// What a hand does in the window.
+#[derive(Clone, Debug)]
+enum Move {
+    Drag([f64; 2], [f64; 2]),
+    Key(Modifiers, Key),
+}
+
+fn moves() -> impl Strategy<Value = Move> {
+    let place = || [0.0..512.0f64, 0.0..512.0f64];
+    let keys = prop::sample::select(vec![
+        (Modifiers::NONE, Key::V),
+        (Modifiers::NONE, Key::B),
+        (Modifiers::NONE, Key::E),
+        (Modifiers::NONE, Key::L),
+        (Modifiers::NONE, Key::X),
+        (Modifiers::NONE, Key::N),
+        (Modifiers::NONE, Key::Delete),
+        (Modifiers::NONE, Key::Period),
+        (Modifiers::NONE, Key::Plus),
+        (Modifiers::SHIFT, Key::E),
+        (Modifiers::SHIFT, Key::ArrowLeft),
+        (Modifiers::COMMAND, Key::A),
+        (Modifiers::COMMAND, Key::D),
+        (Modifiers::COMMAND, Key::Z),
+    ]);
+    prop_oneof![
+        3 => (place(), place()).prop_map(|(from, to)| Move::Drag(from, to)),
+        2 => keys.prop_map(|(modifiers, key)| Move::Key(modifiers, key)),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 12, max_shrink_iters: 40, ..ProptestConfig::default() })]
+
+    #[test]
+    fn whatever_the_hand_did_is_undone_step_by_step(moves in prop::collection::vec(moves(), 1..25)) {
+        let mut hand = hand();
+        let empty = hand.window.state().desk().document().clone();
+        for act in &moves {
+            match act {
+                Move::Drag(from, to) => {
+                    let middle = [0, 1].map(|axis| 0.5 * (from[axis] + to[axis]));
+                    hand.drag(&[*from, middle, *to]);
+                }
+                Move::Key(modifiers, key) => hand.key(*modifiers, *key),
+            }
+            let document = hand.document();
+            if !document.layers.is_empty() {
+                document.check("what was drawn").unwrap();
+            }
+        }
+        for _ in 0..200 {
+            if !hand.window.state().desk().can_undo_redo()[0] {
+                break;
+            }
+            hand.key(Modifiers::COMMAND, Key::Z);
+        }
+        prop_assert_eq!(hand.window.state().desk().document(), &empty);
     }
 }
