@@ -112,7 +112,7 @@ fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec
             }
             [a[i], b[i]] = match system {
                 System::TuringSpots => turing_spots::begin(*bell),
-                _ => meinhardt_spots::begin(*bell, peak),
+                _ => meinhardt_spots::begin(*bell, peak, p.apart() > 1.0),
             };
         }
     });
