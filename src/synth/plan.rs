@@ -106,12 +106,12 @@ pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) 
     let exact = exact_cell(wanted, cell);
     let (set, asked) = (training.of(system)?, wanted.scaled(1.0 / exact));
     let answer = set.ask(&asked)?;
-    let apart = if is_sparser(&asked, &answer.nearest) { set.ask_apart(&asked)? } else { None };
+    let apart = if is_sparser(&asked, &answer.nearest) { set.ask_apart(&asked, 1.0)? } else { None };
     Ok(on_grid(apart.unwrap_or(answer), cell, exact))
 }
 
 /// As [`ask`], for spots that are laid at given places: as spots that stand alone where these are far enough apart for
-/// it. Of each other's room they are given `room` of the spacing, 0..1.
+/// it. `room` is the share of the spacing, 0..1, that is left to them where the places suit their shape least.
 ///
 /// # Errors
 /// As [`ask`].
@@ -124,16 +124,9 @@ pub fn ask_placed(
 ) -> Result<Answer, PlanError> {
     let exact = exact_cell(wanted, cell);
     let (set, asked) = (training.of(system)?, wanted.scaled(1.0 / exact));
-    let crowded = match asked {
-        Attributes::Spots(spots) => {
-            Attributes::Spots(Spots { spacing: spots.spacing.map(|spacing| room * spacing), ..spots })
-        }
-        stripes => stripes,
-    };
-    let alone = set.ask_apart(&crowded)?.is_some();
-    let mut answer = match set.ask_apart(&asked)?.filter(|_| alone) {
+    let mut answer = match set.ask_apart(&asked, room)? {
         Some(answer) => answer,
-        None => set.ask(&crowded)?,
+        None => set.ask(&asked)?,
     };
     answer.notes.retain(|note| !matches!(note, Note::Apart { .. }));
     Ok(on_grid(answer, cell, exact))
