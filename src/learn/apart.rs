@@ -164,8 +164,9 @@ mod tests {
 
     #[test]
     fn the_nearer_they_stand_the_slower_they_must_react_until_they_are_too_near() {
-        let rates: Vec<f64> =
-            [120.0, 40.0, 30.0, 27.0].map(|spacing| asked(48.0, 1.0, spacing).unwrap().parameters.rate).into();
+        let rates: Vec<f64> = [120.0, 40.0, 30.0, 27.0]
+            .map(|spacing| asked(48.0, 1.0, spacing).unwrap().parameters.rate)
+            .into();
         assert!(rates.windows(2).all(|pair| pair[1] <= pair[0]), "{rates:?}");
         assert!(rates[3] < 0.95 * rates[0], "{rates:?}");
         assert!(asked(48.0, 1.0, 20.0).is_none());

@@ -2,8 +2,8 @@
 
 use super::beneath::taken;
 use super::engine::Engine;
-use super::memory::TooLarge;
 use super::inside::{is_replaced, plan_inside, refusal};
+use super::memory::TooLarge;
 use super::pattern::Pattern;
 use super::plan::{Plan, PlanError, plan};
 use super::probe::{ProbeError, When};
@@ -115,7 +115,8 @@ pub fn grow(
     for (index, layer) in document.layers.iter().enumerate().skip(1) {
         if !matches!(layer.after, After::Between | After::Inside) {
             let place = format!("layers[{index}].after");
-            let allowed = "\"between\" or \"inside\"; the other ways to meet the marks beneath are not built yet";
+            let allowed =
+                "\"between\" or \"inside\"; the other ways to meet the marks beneath are not built yet";
             let found = format!("\"{}\"", layer.after.name());
             return Err(Problem::new(place, found, allowed).in_file(source).into());
         }
