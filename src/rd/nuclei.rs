@@ -92,7 +92,7 @@ pub fn lay(
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     rng: &mut impl Rng,
 ) -> Laid {
-    let mut crowd = Crowd::of(maps, pitch);
+    let crowd = Crowd::of(maps, pitch);
     let frame = if edges == Edges::Closed { (FRAME * crowd.largest).ceil() } else { 0.0 };
     let size = [maps.nx as f64, maps.ny as f64];
     let space = Space { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
@@ -100,18 +100,20 @@ pub fn lay(
     let nucleus = |at: [f64; 2]| Nucleus { at, ..Nucleus::at(maps, on_maps(at), pitch) };
     let mut placed = Buckets::new(space, PUSH * crowd.largest);
     let fixed = taken::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
-    if !fixed.is_empty() {
-        crowd.leave(&|cell| !taken::is_clear(maps, edges, &Nucleus::at(maps, maps.middle(cell), pitch)));
-    }
-    let wanted = crowd.wanted(frame);
-    if crowd.densest == 0.0 {
-        return Laid { inside: Vec::new(), beyond: fixed };
-    }
-    let likely = |at: [f64; 2]| crowd.densities[maps.cell_at(on_maps(at))] / crowd.densest;
-    throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
     let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
-    for _ in 0..ROUNDS {
-        relax(&mut placed, PUSH, &moved);
+    if fixed.is_empty() {
+        let wanted = crowd.wanted(frame);
+        let likely = |at: [f64; 2]| crowd.densities[maps.cell_at(on_maps(at))] / crowd.densest;
+        throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
+        (0..ROUNDS).for_each(|_| relax(&mut placed, PUSH, &moved));
+    } else {
+        let clear = taken::clear(maps, edges, pitch);
+        let clear = |at: [f64; 2]| clear[maps.cell_at(on_maps(at))];
+        for closest in taken::FILLS {
+            taken::fill(&mut placed, fixed.len(), space.size, closest, &clear, &nucleus, rng);
+            (0..ROUNDS)
+                .for_each(|_| taken::within(&mut placed, &clear, |placed| relax(placed, PUSH, &moved)));
+        }
     }
     let grid = Grid { frame, size };
     if edges == Edges::Closed {

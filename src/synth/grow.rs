@@ -1,6 +1,5 @@
 //! Growing a document.
 
-use super::beneath::taken;
 use super::engine::Engine;
 use super::memory::TooLarge;
 use super::pattern::Pattern;
@@ -11,8 +10,9 @@ use super::refine::{Measured, refine};
 use super::settle::settle;
 use super::training::Training;
 use super::watch::{Cancelled, Stage, Watch};
-use super::{drawn, memory};
+use super::{beneath, drawn, memory};
 use crate::field::Field;
+use crate::rd::System;
 
 impl From<ProbeError> for GrowError {
     fn from(error: ProbeError) -> Self {
@@ -132,9 +132,17 @@ pub fn grow(
         }
         if index > 0 {
             let beneath: Vec<Pattern> = layers.iter().map(GrownLayer::pattern).collect();
-            plan.taken = taken(&beneath, plan.grid);
+            plan.taken = beneath::taken(&beneath, plan.grid);
+            if plan.system == System::MeinhardtStripes {
+                plan.taken = beneath::with_rim(&plan.taken, plan.grid, document.edges);
+            }
         }
-        layers.push(grow_layer(plan, document.layer_seed(index), index + 1, correct, watch)?);
+        let seed = document.layer_seed(index);
+        let mut layer = grow_layer(plan, seed, index + 1, correct, watch)?;
+        if let Some(found) = beneath::shaped(&layer.plan, &layer.measured).filter(|_| correct) {
+            layer = grow_layer(layer.plan.against(training, &found)?, seed, index + 1, correct, watch)?;
+        }
+        layers.push(layer);
     }
     Ok(Grown { size, layers })
 }

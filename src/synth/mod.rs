@@ -9,7 +9,7 @@ mod lattice;
 pub mod memory;
 mod patch;
 pub mod pattern;
-mod pitches;
+pub mod pitches;
 pub mod plan;
 pub mod probe;
 pub mod recipe;
