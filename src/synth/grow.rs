@@ -3,16 +3,13 @@
 use super::engine::Engine;
 use super::memory::TooLarge;
 use super::pattern::Pattern;
-use super::plan::{Plan, PlanError, plan};
-use super::probe::{ProbeError, When};
-use super::recipe::{After, Document, DocumentError, Problem};
+use super::plan::{Plan, PlanError};
+use super::probe::ProbeError;
+use super::recipe::{Document, DocumentError};
 use super::refine::{Measured, refine};
 use super::settle::settle;
-use super::training::Training;
 use super::watch::{Cancelled, Stage, Watch};
-use super::{beneath, drawn, memory};
 use crate::field::Field;
-use crate::rd::System;
 
 impl From<ProbeError> for GrowError {
     fn from(error: ProbeError) -> Self {
@@ -33,6 +30,7 @@ pub struct Options {
 }
 
 /// A grown layer.
+#[derive(Clone)]
 pub struct GrownLayer {
     /// What was planned.
     pub plan: Plan,
@@ -64,6 +62,10 @@ pub struct Grown {
     pub size: [u32; 2],
     /// Its layers, the lowest first.
     pub layers: Vec<GrownLayer>,
+    /// What it was grown from.
+    pub document: Document,
+    /// And how.
+    pub options: Options,
 }
 
 /// Why a document was not grown.
@@ -99,55 +101,8 @@ pub enum GrowError {
     },
 }
 
-/// Grows `document` (named `source` in messages).
-///
-/// # Errors
-/// See [`GrowError`].
-pub fn grow(
-    document: &Document,
-    source: &str,
-    training: &Training,
-    options: Options,
-    watch: &Watch,
-) -> Result<Grown, GrowError> {
-    for (index, layer) in document.layers.iter().enumerate().skip(1) {
-        if layer.after != After::Between {
-            let place = format!("layers[{index}].after");
-            let allowed = "\"between\"; the other ways to meet the marks beneath are not built yet";
-            let found = format!("\"{}\"", layer.after.name());
-            return Err(Problem::new(place, found, allowed).in_file(source).into());
-        }
-    }
-    let size = options.size.unwrap_or(document.size);
-    let correct = options.refine.unwrap_or(document.growth.refine);
-    let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
-    for index in 0..document.layers.len() {
-        watch.step(Stage::Plan, 0.0)?;
-        let map = drawn::region_map(document, index, source)?.resized(size.map(f64::from));
-        let mut plan = plan(training, document.layers[index].system, &map)?;
-        memory::check(plan.system, size.map(f64::from), plan.grid)?;
-        if correct {
-            watch.step(Stage::Plan, 0.1)?;
-            plan = plan.probed(training, When::Unsure, watch)?;
-        }
-        if index > 0 {
-            let beneath: Vec<Pattern> = layers.iter().map(GrownLayer::pattern).collect();
-            plan.taken = beneath::taken(&beneath, plan.grid);
-            if plan.system == System::MeinhardtStripes {
-                plan.taken = beneath::with_rim(&plan.taken, plan.grid, document.edges);
-            }
-        }
-        let seed = document.layer_seed(index);
-        let mut layer = grow_layer(plan, seed, index + 1, correct, watch)?;
-        if let Some(found) = beneath::shaped(&layer.plan, &layer.measured).filter(|_| correct) {
-            layer = grow_layer(layer.plan.against(training, &found)?, seed, index + 1, correct, watch)?;
-        }
-        layers.push(layer);
-    }
-    Ok(Grown { size, layers })
-}
-
-fn grow_layer(
+/// Grows layer number `layer` of a document as planned.
+pub(super) fn grow_layer(
     plan: Plan,
     seed: u64,
     layer: usize,

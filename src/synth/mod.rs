@@ -1,9 +1,11 @@
 //! The thread: a document in, a grown texture out.
 
 pub mod beneath;
+mod cascade;
 pub mod drawn;
 mod engine;
 mod grow;
+pub mod inside;
 mod ladder;
 mod lattice;
 pub mod memory;
@@ -20,8 +22,9 @@ mod spread;
 mod training;
 mod watch;
 
+pub use cascade::{grow, planned, regrow};
 pub use engine::Engine;
-pub use grow::{GrowError, Grown, GrownLayer, Options, grow};
+pub use grow::{GrowError, Grown, GrownLayer, Options};
 pub use patch::{Patch, Sample};
 pub use refine::Measured;
 pub use settle::settle;
