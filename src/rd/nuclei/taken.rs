@@ -32,10 +32,11 @@ pub fn posts(maps: &Maps, placed: &mut Buckets, nucleus: &dyn Fn([f64; 2]) -> Nu
 /// it 0.907); those that follow fill what opens when the first have spread.
 pub const FILLS: [f64; 2] = [0.777, 0.85];
 
-/// Which cells stand clear of the taken ones.
+/// Which cells stand clear of the taken ones: by the system's own distances, however far spots are to stand apart.
 pub fn clear(maps: &Maps, edges: Edges, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
+    let own = |p: &Parameters| pitch(p) / f64::from(p.pitch);
     let cells = (0..maps.taken.len()).into_par_iter();
-    cells.map(|cell| is_clear(maps, edges, &Nucleus::at(maps, maps.middle(cell), pitch))).collect()
+    cells.map(|cell| is_clear(maps, edges, &Nucleus::at(maps, maps.middle(cell), &own))).collect()
 }
 
 /// Places spots after the `posts` of `placed` wherever one is `clear` and `closest` pitches or more from all others,
@@ -81,10 +82,10 @@ pub fn within(placed: &mut Buckets, clear: &dyn Fn([f64; 2]) -> bool, move_on: i
 /// at this.
 const SQUEEZED: f64 = 0.76;
 
-/// Those of `all` that stand clear of the taken cells, and of those before them. `kept` holds none yet.
-pub fn with_room(maps: &Maps, edges: Edges, all: Vec<Nucleus>, mut kept: Buckets) -> Vec<Nucleus> {
+/// Those of `all` that have room among those before them. `kept` holds none yet.
+pub fn with_room(all: Vec<Nucleus>, mut kept: Buckets) -> Vec<Nucleus> {
     for point in all {
-        let mut free = is_clear(maps, edges, &point);
+        let mut free = true;
         kept.near(&point, SQUEEZED, |other, delta| {
             free &= distance2(&point, other, delta) >= SQUEEZED * SQUEEZED;
         });
@@ -96,7 +97,7 @@ pub fn with_room(maps: &Maps, edges: Edges, all: Vec<Nucleus>, mut kept: Buckets
 }
 
 /// Is `place` (cells of `maps`) clear of the taken cells?
-pub fn is_clear(maps: &Maps, edges: Edges, place: &Nucleus) -> bool {
+fn is_clear(maps: &Maps, edges: Edges, place: &Nucleus) -> bool {
     let reach = CLEAR * place.reach;
     let range = |v: f64| (v - 0.5 - reach).ceil() as isize..=(v - 0.5 + reach).floor() as isize;
     let within = |v: isize, n: usize| edges == Edges::Wrap || (0..n as isize).contains(&v);
