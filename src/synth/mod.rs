@@ -1,6 +1,7 @@
 //! The thread: a document in, a grown texture out.
 
 pub mod beneath;
+mod cascade;
 pub mod drawn;
 mod engine;
 mod grow;
@@ -10,7 +11,7 @@ mod lattice;
 pub mod memory;
 mod patch;
 pub mod pattern;
-mod pitches;
+pub mod pitches;
 pub mod plan;
 pub mod probe;
 pub mod recipe;
@@ -21,8 +22,9 @@ mod spread;
 mod training;
 mod watch;
 
+pub use cascade::{grow, planned, regrow};
 pub use engine::Engine;
-pub use grow::{GrowError, Grown, GrownLayer, Options, grow, planned};
+pub use grow::{GrowError, Grown, GrownLayer, Options};
 pub use patch::{Patch, Sample};
 pub use refine::Measured;
 pub use settle::settle;

@@ -294,26 +294,49 @@ impl Plan {
             // Spots at places of their own are as their law says; a patch would stand at others.
             return Ok(self);
         }
-        let layout = *self.map.layout();
-        let wanted: Vec<Attributes> =
-            (0..layout.len()).map(|i| self.map.at(layout.center(layout.place(i)))).collect();
+        let wanted = self.wanted();
         let cell = self.px_a_cell();
         self.probed = probe::probed(training, self.system, &wanted, cell, when, watch)?;
         if self.probed.iter().all(|probed| probed.growths == 0) {
             return Ok(self);
         }
+        self.follow(training, &wanted)?;
+        Ok(self)
+    }
+
+    /// The same plan with what marks beneath do to its own subtracted: `found` grown, by region.
+    ///
+    /// # Errors
+    /// The training set cannot be asked.
+    pub fn against(mut self, training: &Training, found: &[Offset]) -> Result<Self, PlanError> {
+        for (probed, found) in self.probed.iter_mut().zip(found) {
+            probed.offset = probed.offset.plus(1.0, *found);
+        }
+        let wanted = self.wanted();
+        self.follow(training, &wanted)?;
+        Ok(self)
+    }
+
+    /// What is wanted at the centre of each region.
+    fn wanted(&self) -> Vec<Attributes> {
+        let layout = self.map.layout();
+        (0..layout.len()).map(|i| self.map.at(layout.center(layout.place(i)))).collect()
+    }
+
+    /// Takes the offsets found into the parameters.
+    fn follow(&mut self, training: &Training, wanted: &[Attributes]) -> Result<(), PlanError> {
+        let cell = self.px_a_cell();
         let system = self.system;
         let asked = if self.answers.iter().any(|answer| answer.pitch > 1.0) { ask_among_sparse } else { ask };
         let ask_again = |wanted: &Attributes, cell| asked(training, system, wanted, cell);
         self.lattice = lattice(&self.map, cell, &self.probed, &ask_again)?;
-        for ((answer, wanted), Probed { offset, .. }) in
-            self.answers.iter_mut().zip(&wanted).zip(&self.probed)
+        for ((answer, wanted), Probed { offset, .. }) in self.answers.iter_mut().zip(wanted).zip(&self.probed)
         {
             let corrected = ask_again(&offset.applied(-1.0, wanted), cell)?;
             answer.parameters = corrected.parameters;
             answer.predicted = offset.applied(1.0, &corrected.predicted);
         }
-        Ok(self)
+        Ok(())
     }
 
     /// Have the marks of the layers beneath taken this place, px?
