@@ -88,7 +88,7 @@ fn a_set_whose_dense_end_is_reached_by_the_level_is_followed_round_its_corner() 
 fn the_law_of_stripes_is_learnt() {
     let set = TrainingSet::from_rows("meinhardt-stripes", stripes(200, EXACT)).unwrap();
     for (width, angle) in [(4.0, 0.0), (8.0, 22.0), (8.0, 135.0), (15.0, 179.0)] {
-        let answer = set.ask(&Attributes::Stripes(Stripes { width, angle })).unwrap();
+        let answer = set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: None })).unwrap();
         let p = answer.parameters;
         close(p.rate, stripe_law(width) / (width * width), 0.015);
         assert!(turn(laws::pulled(p.direction, 3.0 * width), angle).abs() < 0.2, "{p:?}");
@@ -98,7 +98,7 @@ fn the_law_of_stripes_is_learnt() {
         assert!(turn(predicted.angle, angle).abs() < 0.2);
         assert_eq!(
             (answer.coverage, answer.nearest),
-            (Coverage::Inside, Attributes::Stripes(Stripes { width, angle }))
+            (Coverage::Inside, Attributes::Stripes(Stripes { width, angle, wavelength: None }))
         );
     }
 }
@@ -214,7 +214,7 @@ fn a_free_spacing_is_the_middle_of_the_set_and_says_so() {
 #[test]
 fn a_question_of_the_wrong_kind_is_an_error() {
     let set = TrainingSet::from_rows("turing-spots", turing(40, MEASURED)).unwrap();
-    let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 0.0 });
+    let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 0.0, wavelength: None });
     assert_eq!(
         set.ask(&stripes).unwrap_err().to_string(),
         "turing-spots takes area, aspect, angle and perhaps spacing"
@@ -278,7 +278,7 @@ proptest! {
 
     #[test]
     fn any_stripes_have_a_finite_answer(width in positive(), angle in -1e9..1e9_f64) {
-        STRIPES.with(|set| sound(&set.ask(&Attributes::Stripes(Stripes { width, angle })).unwrap()));
+        STRIPES.with(|set| sound(&set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: None })).unwrap()));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use super::maps::{Maps, Parameters};
 use super::nuclei::{Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
 use super::{System, gabor, meinhardt_lines, meinhardt_spots, meinhardt_stripes, turing_spots};
-use crate::field::Edges;
+use crate::field::{Edges, Field};
 
 /// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes and
 /// lines.
@@ -79,6 +79,12 @@ impl Beginning {
         let cells = bells_on(self.system, maps, self.edges, &thinned(laid, maps, self.edges, &crowded));
         held(self.system, maps, cells.into())
     }
+}
+
+/// What shows of the marks that this growth begins from.
+#[must_use]
+pub fn begun(system: System, maps: &Maps, edges: Edges, seed: u64) -> Field {
+    super::Growth::new(system, maps, edges, seed).marks(maps)
 }
 
 /// The same concentrations with those of taken cells as marks of other layers have them.

@@ -24,7 +24,7 @@ mod turing_spots;
 mod vector;
 mod wavefront;
 
-pub use begin::{Beginning, held, nuclei};
+pub use begin::{Beginning, begun, held, nuclei};
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
 pub use mosaic::mosaic;
@@ -121,7 +121,7 @@ impl System {
             Self::TuringSpots => turing_spots::SPACING,
             Self::MeinhardtSpots => meinhardt_spots::spacing(p.ratio),
             Self::MeinhardtStripes => meinhardt_stripes::WAVELENGTH,
-            Self::MeinhardtLines => meinhardt_lines::WAVELENGTH,
+            Self::MeinhardtLines => meinhardt_lines::wavelength(p.ratio),
         };
         f64::from(p.pitch) * own / f64::from(p.rate).sqrt()
     }

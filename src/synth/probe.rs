@@ -44,7 +44,7 @@ const SEED: u64 = 0x5eed;
 pub struct Offset {
     /// Of ln area, or of ln width.
     pub size: f64,
-    /// Of ln spacing.
+    /// Of ln spacing, or of ln wavelength where that is free.
     pub spacing: f64,
     /// Of −ln aspect.
     pub elongation: f64,
@@ -87,6 +87,10 @@ impl Offset {
             },
             (Attributes::Stripes(asked), Attributes::Stripes(got)) => Self {
                 size: libm::log(got.width / asked.width),
+                spacing: asked
+                    .wavelength
+                    .zip(got.wavelength)
+                    .map_or(0.0, |(asked, got)| libm::log(got / asked)),
                 turn: turn(got.angle, asked.angle),
                 ..Self::default()
             },
@@ -108,6 +112,7 @@ impl Offset {
             Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {
                 width: stripes.width * size,
                 angle: axial(stripes.angle + turned),
+                wavelength: stripes.wavelength.map(|wavelength| wavelength * libm::exp(share * self.spacing)),
             }),
         }
     }
@@ -257,7 +262,8 @@ fn scatter(answer: &Answer) -> Offset {
             turn: half("angle", false),
         },
         Attributes::Stripes(_) => {
-            Offset { size: half("width", true), turn: half("angle", false), ..Offset::default() }
+            let spacing = half("wavelength", true);
+            Offset { size: half("width", true), spacing, turn: half("angle", false), elongation: 0.0 }
         }
     }
 }

@@ -87,7 +87,10 @@ fn stripes_follow_the_drawn_lines_in_width_and_direction() {
         document["edges"] = json!(edges);
         let folder = Folder::with(&document);
         folder.grow("--pattern p.png");
-        let error = stripe_errors(&folder.pattern("p.png", edges), Stripes { width: 6.0, angle: 30.0 });
+        let error = stripe_errors(
+            &folder.pattern("p.png", edges),
+            Stripes { width: 6.0, angle: 30.0, wavelength: None },
+        );
         near("width", error.width, 0.03);
         near("angle", error.angle, 4.0);
     }
