@@ -194,3 +194,48 @@ impl Wave {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+
+    /// Crests that each column of a grid crosses ÷ those that waves of 10 cells along x have, where directions go from
+    /// `left` to `right` degrees.
+    fn crossed(left: f32, right: f32) -> f64 {
+        const N: usize = 160;
+        let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 0.0, pitch: 1.0 };
+        let mut maps = Maps::uniform(N, N, p);
+        for (cell, p) in maps.parameters.iter_mut().enumerate() {
+            let share = (cell % N) as f32 / N as f32;
+            // As parameters have it: 0..180.
+            p.direction = (left + share * (right - left)).rem_euclid(180.0);
+        }
+        let phases = phases(&maps, Edges::Closed, &|_| 10.0, &mut Pcg64Mcg::seed_from_u64(1));
+        let crest = |cell: usize| phases[cell].abs() < 0.8;
+        let begins = (N..N * N).filter(|cell| crest(*cell) && !crest(cell - N)).count();
+        begins as f64 / (N * N) as f64 * 10.0
+    }
+
+    #[test]
+    fn crests_are_one_wavelength_apart_also_where_180_degrees_become_0() {
+        for (left, right) in [(30.0, 20.0), (5.0, -5.0), (176.0, 190.0)] {
+            // Seen along y, waves at 25° are 1/cos 25° = 1.1 times as long.
+            let share = crossed(left, right);
+            assert!((0.82..1.08).contains(&share), "{left}° to {right}°: {share}");
+        }
+    }
+
+    #[test]
+    fn the_number_of_threads_changes_no_phase() {
+        let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 33.0, pitch: 1.0 };
+        let maps = Maps::uniform(90, 70, p);
+        let phases = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            pool.install(|| phases(&maps, Edges::Wrap, &|_| 9.0, &mut Pcg64Mcg::seed_from_u64(2)))
+        };
+        assert!(phases(1) == phases(4));
+    }
+}

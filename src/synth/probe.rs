@@ -269,13 +269,14 @@ fn scatter(answer: &Answer) -> Offset {
 }
 
 /// The scatter of patches of [`TRAINED`] spots that were told the same, from seed to seed: medians of 40 patches each at
-/// stretches of 0.35, 0.6 and 0.9, three sizes (Turing, stripes) or five ratios and levels (Meinhardt). 0: not corrected, since the system has no say in it.
+/// stretches of 0.35, 0.6 and 0.9, three sizes (Turing, stripes) or five ratios and levels (Meinhardt); of lines
+/// 14 patches each of three ratios. 0: not corrected, since the system has no say in it.
 fn chance(system: System) -> Offset {
     match system {
         System::TuringSpots => Offset { size: 0.004, spacing: 0.0, elongation: 0.016, turn: 0.8 },
         System::MeinhardtSpots => Offset { size: 0.0008, spacing: 0.005, elongation: 0.001, turn: 0.05 },
         System::MeinhardtStripes => Offset { size: 0.014, spacing: 0.0, elongation: 0.0, turn: 0.5 },
-        System::MeinhardtLines => Offset { size: 0.014, spacing: 0.014, elongation: 0.0, turn: 0.5 },
+        System::MeinhardtLines => Offset { size: 0.01, spacing: 0.016, elongation: 0.0, turn: 0.42 },
     }
 }
 
@@ -283,9 +284,8 @@ fn chance(system: System) -> Offset {
 /// anyway; of directions half of what a canvas of stripes scatters, or what the eye does not see.
 fn tolerated(system: System) -> Offset {
     match system {
-        System::MeinhardtStripes | System::MeinhardtLines => {
-            Offset { size: 0.03, spacing: 0.0, elongation: 0.0, turn: 1.0 }
-        }
+        System::MeinhardtStripes => Offset { size: 0.03, spacing: 0.0, elongation: 0.0, turn: 1.0 },
+        System::MeinhardtLines => Offset { size: 0.03, spacing: 0.03, elongation: 0.0, turn: 1.0 },
         _ => Offset { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
     }
 }

@@ -233,6 +233,20 @@ mod tests {
     }
 
     #[test]
+    fn lines_are_asked_for_with_their_duty() {
+        let rows = table(
+            "system,width,angle,duty\nmeinhardt-lines,8,0,0.25\nmeinhardt-lines,8,0,\nmeinhardt-stripes,8,0,0.5\n",
+        );
+        let ratio = |row: usize| rows[row][5].parse::<f64>().unwrap();
+        assert!(ratio(1) > 2.0 * ratio(2) && rows[3][5].is_empty(), "{rows:?}");
+        let wrong = message("system,width,angle,duty\nmeinhardt-stripes,8,0,0.3\n");
+        assert!(
+            wrong.contains("column duty: found '0.3'; allowed: 0.5, the only duty of meinhardt-stripes"),
+            "{wrong}"
+        );
+    }
+
+    #[test]
     fn columns_of_the_other_kind_may_be_missing() {
         assert_eq!(table("system,width,angle\nmeinhardt-stripes,8,0\n").len(), 2);
         assert_eq!(table("system,area,angle,aspect\nturing-spots,200,0,0.6\n").len(), 2);
