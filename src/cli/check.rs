@@ -92,7 +92,8 @@ fn described(wanted: &Attributes) -> String {
             )
         }
         Attributes::Stripes(stripes) => {
-            format!("stripes {:.1} px wide at {:.0}°", stripes.width, stripes.angle)
+            let apart = stripes.wavelength.map(|apart| format!(", {apart:.1} px apart")).unwrap_or_default();
+            format!("stripes {:.1} px wide at {:.0}°{apart}", stripes.width, stripes.angle)
         }
     }
 }

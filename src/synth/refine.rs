@@ -39,7 +39,7 @@ const FINER: f64 = 1.5;
 /// Measures `pattern`, a field of the canvas of `plan`, against what was asked.
 #[must_use]
 pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
-    if plan.system == System::MeinhardtStripes {
+    if plan.system.is_striped() {
         return Measured::Stripes(plan.on_canvas(|canvas| measure::stripe_errors(pattern, 0.5, canvas)));
     }
     let marks = measure::spots(pattern, 0.5);
@@ -122,7 +122,7 @@ enum Ruler {
 
 impl Ruler {
     fn of(plan: &Plan) -> Self {
-        if plan.system != System::MeinhardtStripes {
+        if !plan.system.is_striped() {
             return Self::Spots;
         }
         let layout = plan.map.layout();
@@ -164,7 +164,11 @@ impl Ruler {
 const POINTS: usize = 16;
 
 /// d ln size / d ln level: of a Gaussian bell ln area = ln ln(1/l) + c, at a level of ½; of a stripe with a
-/// sinusoidal profile width = (λ/π) arccos(2l − 1).
+/// sinusoidal profile width = (λ/π) arccos(2l − 1); of a line, a Gaussian across, ln width = ½ ln ln(1/l) + c.
 fn first_slope(plan: &Plan) -> f64 {
-    if plan.system == System::MeinhardtStripes { -2.0 / std::f64::consts::PI } else { -1.44 }
+    match plan.system {
+        System::MeinhardtStripes => -2.0 / std::f64::consts::PI,
+        System::MeinhardtLines => -0.72,
+        System::TuringSpots | System::MeinhardtSpots => -1.44,
+    }
 }

@@ -86,7 +86,12 @@ fn options(node: &Node, system: SystemChoice, kind: Option<Kind>) -> Result<Opti
     }
     node.keys(system.option_keys())?;
     let default = Options::default();
-    Ok(Options { spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))? })
+    let options = Options {
+        spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))?,
+        duty: node.get("duty").map_or(Ok(default.duty), |node| node.number(&limits::DUTY))?,
+    };
+    let place = format!("{}.duty", node.place());
+    options.duty_mismatch(&place, system, kind).map_or(Ok(options), Err)
 }
 
 /// `"drawn"`, the variation of the area, or an object.
