@@ -5,7 +5,7 @@ use crate::attributes::{Attributes, Spread};
 use crate::field::Edges;
 use crate::synth::drawn::region_map;
 use crate::synth::plan::{Plan, plan};
-use crate::synth::recipe::{Document, Kind, Layer};
+use crate::synth::recipe::{After, Document, Kind, Layer};
 use crate::synth::{Training, memory};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -36,8 +36,10 @@ pub fn run(args: &Args) -> Result<(), Error> {
             let _ = writeln!(text, "  cannot be grown on this machine: {error}");
         }
     }
-    if document.layers.len() > 1 {
-        text += "growing one layer on top of another is not built yet: grow refuses this document\n";
+    let unbuilt = |(_, layer): &(usize, &Layer)| layer.after != After::Between;
+    for (index, layer) in document.layers.iter().enumerate().skip(1).filter(unbuilt) {
+        text +=
+            &format!("layer {}: \"{}\" is not built yet: grow refuses it\n", index + 1, layer.after.name());
     }
     super::say(&text)
 }

@@ -46,6 +46,12 @@ impl Beginning {
         Self { system, edges, seed, places: places.iter().map(share).collect() }
     }
 
+    /// Does anything begin? Spots need a place.
+    #[must_use]
+    pub fn is_any(&self) -> bool {
+        self.system == System::MeinhardtStripes || !self.places.is_empty()
+    }
+
     /// The concentrations that it makes on `maps`.
     ///
     /// Where marks are smaller than the grid can hold (`lost`, by cell), `maps` holds larger ones, and only so
@@ -54,7 +60,7 @@ impl Beginning {
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
         if self.system == System::MeinhardtStripes {
             let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-            return oriented_noise(maps, self.edges, &mut rng).into();
+            return held(self.system, maps, oriented_noise(maps, self.edges, &mut rng).into());
         }
         let pitch = |p: &Parameters| self.system.spacing(p);
         let nucleus = |at: &[f64; 2]| {
@@ -63,8 +69,23 @@ impl Beginning {
         };
         let laid = self.places.iter().map(nucleus).collect();
         let crowded = |nucleus: &Nucleus| lost(maps.cell_at(nucleus.at));
-        bells_on(self.system, maps, self.edges, &thinned(laid, maps, self.edges, &crowded)).into()
+        let cells = bells_on(self.system, maps, self.edges, &thinned(laid, maps, self.edges, &crowded));
+        held(self.system, maps, cells.into())
     }
+}
+
+/// The same concentrations with those of taken cells as marks of other layers have them.
+#[must_use]
+pub fn held(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Vec<f32>> {
+    let values = system.held();
+    for (cells, value) in chemicals.iter_mut().zip(values) {
+        for (cell, taken) in cells.iter_mut().zip(&maps.taken) {
+            if *taken {
+                *cell = *value;
+            }
+        }
+    }
+    chemicals
 }
 
 /// Spots begin as bells on [`nuclei`].

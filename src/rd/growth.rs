@@ -87,7 +87,10 @@ impl Growth {
     }
 
     fn of(system: System, maps: &Maps, edges: Edges, chemicals: Chemicals) -> Self {
-        let problem = problem(system, maps, edges);
+        let mut problem = problem(system, maps, edges);
+        if !maps.taken.is_empty() {
+            problem.freeze(&|cell: usize| maps.taken[cell]);
+        }
         let time_a_step = f64::from(problem.slowest) * f64::from(system.decay());
         let scratch = Scratch::default();
         Self { system, problem, cell: maps.cell, chemicals, scratch, time_a_step, steps: 0 }
@@ -189,6 +192,11 @@ impl Growth {
                 }
             }
         });
+        for (value, taken) in values.iter_mut().zip(&maps.taken) {
+            if *taken {
+                *value = 0.0;
+            }
+        }
         Field {
             width: self.problem.grid.nx,
             height: self.problem.grid.ny,

@@ -28,13 +28,15 @@ pub struct Maps {
     pub cell: [f64; 2],
     /// `nx · ny` of them, row by row.
     pub parameters: Vec<Parameters>,
+    /// Which cells other marks have taken, row by row; empty = none. Nothing grows there, and what does keeps away.
+    pub taken: Vec<bool>,
 }
 
 impl Maps {
     /// The same parameters everywhere, on square cells.
     #[must_use]
     pub fn uniform(nx: usize, ny: usize, parameters: Parameters) -> Self {
-        Self { nx, ny, cell: [1.0, 1.0], parameters: vec![parameters; nx * ny] }
+        Self { nx, ny, cell: [1.0, 1.0], parameters: vec![parameters; nx * ny], taken: Vec::new() }
     }
 
     /// The parameters of the cell that the point (x, y), in cells, lies in; beyond the border the nearest.
@@ -50,20 +52,34 @@ impl Maps {
         clamp(y, self.ny) * self.nx + clamp(x, self.nx)
     }
 
+    /// The middle of a cell, cells.
+    #[must_use]
+    pub fn middle(&self, cell: usize) -> [f64; 2] {
+        [(cell % self.nx) as f64 + 0.5, (cell / self.nx) as f64 + 0.5]
+    }
+
+    /// Have other marks taken this cell?
+    #[must_use]
+    pub fn is_taken(&self, cell: usize) -> bool {
+        self.taken.get(cell).copied().unwrap_or(false)
+    }
+
     /// The same canvas on `nx` × `ny` cells: lengths in cells change, what grows does not (but for what the grid
     /// does to it).
     #[must_use]
     pub fn on_grid(&self, nx: usize, ny: usize) -> Self {
         let [wide, high] = [self.nx as f64 / nx as f64, self.ny as f64 / ny as f64];
         let finer = (wide * high) as f32;
+        let at = |i: usize| [((i % nx) as f64 + 0.5) * wide, ((i / nx) as f64 + 0.5) * high];
+        let taken = if self.taken.is_empty() { 0 } else { nx * ny };
+        let taken = (0..taken).map(|i| self.is_taken(self.cell_at(at(i)))).collect();
         let parameters = (0..nx * ny)
             .into_par_iter()
             .map(|i| {
-                let at = [((i % nx) as f64 + 0.5) * wide, ((i / nx) as f64 + 0.5) * high];
-                let p = self.at(at);
+                let p = self.at(at(i));
                 Parameters { rate: p.rate * finer, ..p }
             })
             .collect();
-        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters }
+        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters, taken }
     }
 }

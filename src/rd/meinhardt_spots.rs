@@ -55,3 +55,6 @@ pub fn radius(ratio: f32) -> f64 {
 pub fn begin(bell: f32, peak: f32) -> [f32; 2] {
     [0.02 + peak * bell, 0.3]
 }
+
+/// No activator, and as much inhibitor as between spots.
+pub const HELD: [f32; 2] = [0.0, 0.4];

@@ -23,7 +23,7 @@ mod turing_spots;
 mod vector;
 mod wavefront;
 
-pub use begin::{Beginning, nuclei};
+pub use begin::{Beginning, held, nuclei};
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
 pub use mosaic::mosaic;
@@ -63,6 +63,15 @@ impl System {
 }
 
 impl System {
+    /// Concentrations that keep marks away: of cells that other marks have taken.
+    fn held(self) -> &'static [f32] {
+        match self {
+            Self::TuringSpots => &turing_spots::HELD,
+            Self::MeinhardtSpots => &meinhardt_spots::HELD,
+            Self::MeinhardtStripes => &meinhardt_stripes::HELD,
+        }
+    }
+
     /// The name in documents and of the training set.
     #[must_use]
     pub fn name(self) -> &'static str {

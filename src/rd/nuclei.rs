@@ -10,6 +10,7 @@
 mod crowd;
 mod near;
 mod room;
+mod taken;
 mod walls;
 
 pub use room::{Places, make_room};
@@ -78,7 +79,7 @@ const FRAME: f64 = 1.5;
 pub struct Laid {
     /// Those on the grid.
     pub inside: Vec<Nucleus>,
-    /// Beyond closed edges, those that keep the others from spreading over them.
+    /// Beyond closed edges and on taken cells, those that keep the others from spreading over them.
     pub beyond: Vec<Nucleus>,
 }
 
@@ -91,18 +92,24 @@ pub fn lay(
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     rng: &mut impl Rng,
 ) -> Laid {
-    let crowd = Crowd::of(maps, pitch);
+    let mut crowd = Crowd::of(maps, pitch);
     let frame = if edges == Edges::Closed { (FRAME * crowd.largest).ceil() } else { 0.0 };
     let size = [maps.nx as f64, maps.ny as f64];
     let space = Space { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
     let on_maps = |at: [f64; 2]| at.map(|v| v - frame);
     let nucleus = |at: [f64; 2]| Nucleus { at, ..Nucleus::at(maps, on_maps(at), pitch) };
-    let wanted = crowd.wanted(frame);
-
     let mut placed = Buckets::new(space, PUSH * crowd.largest);
+    let fixed = taken::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
+    if !fixed.is_empty() {
+        crowd.leave(&|cell| taken::is_near(&placed, &nucleus(maps.middle(cell).map(|v| v + frame))));
+    }
+    let wanted = crowd.wanted(frame);
+    if crowd.densest == 0.0 {
+        return Laid { inside: Vec::new(), beyond: fixed };
+    }
     let mut closest = DART;
     let mut refused = 0;
-    while placed.all.len() < wanted {
+    while placed.all.len() < fixed.len() + wanted {
         let at = [rng.random::<f64>() * space.size[0], rng.random::<f64>() * space.size[1]];
         if rng.random::<f64>() * crowd.densest > crowd.densities[maps.cell_at(on_maps(at))] {
             continue;
@@ -121,21 +128,25 @@ pub fn lay(
             }
         }
     }
+    let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
     for _ in 0..ROUNDS {
-        relax(&mut placed, PUSH, &|_, at| nucleus(at));
+        relax(&mut placed, PUSH, &moved);
     }
     let grid = Grid { frame, size };
     if edges == Edges::Closed {
-        grid.keep_off_walls(&mut placed, |placed| relax(placed, PUSH, &|_, at| nucleus(at)));
+        grid.keep_off_walls(&mut placed, |placed| relax(placed, PUSH, &moved));
     }
     let mut all = placed.all;
+    let mut posts: Vec<Nucleus> = all.drain(..fixed.len()).collect();
+    posts.iter_mut().zip(&fixed).for_each(|(post, fixed)| post.at = on_maps(fixed.at));
     all.iter_mut().for_each(|point| point.at = on_maps(point.at));
     if edges == Edges::Wrap {
-        return Laid { inside: all, beyond: Vec::new() };
+        return Laid { inside: all, beyond: posts };
     }
     let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
-    let (mut inside, beyond): (Vec<_>, Vec<_>) = all.into_iter().partition(inside);
-    if inside.is_empty() {
+    let (mut inside, mut beyond): (Vec<_>, Vec<_>) = all.into_iter().partition(inside);
+    beyond.append(&mut posts);
+    if inside.is_empty() && fixed.is_empty() {
         // A canvas that is smaller than the room of one spot still shows one.
         inside.push(Nucleus::at(maps, size.map(|side| 0.5 * side), pitch));
     }

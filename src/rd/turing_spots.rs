@@ -55,3 +55,6 @@ pub fn share(a: f32) -> f32 {
 
 /// Area of a spot × rate (`facts.md` A).
 pub const AREA: f64 = 5.7;
+
+/// The middle of a spot, which keeps others away (`facts.md` G, cheetah).
+pub const HELD: [f32; 2] = [7.3, 0.0];

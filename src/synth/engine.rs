@@ -15,7 +15,7 @@ use super::plan::Plan;
 use super::settle::{Rest, Verdict};
 use super::spread::{Varied, vary};
 use crate::field::{Edges, Field};
-use crate::rd::{Beginning, Growth, Maps, System, prolonged};
+use crate::rd::{Beginning, Growth, Maps, System, held, prolonged};
 
 /// A layer being grown.
 #[derive(Clone, Debug)]
@@ -118,6 +118,12 @@ impl Engine {
         let unit = unit(&engine.stage.growth, 1.0);
         engine.stage.rest = Rest::new(engine.system, unit, true, engine.marks().values);
         Some(engine)
+    }
+
+    /// Is there a place for anything to begin?
+    #[must_use]
+    pub fn begins(&self) -> bool {
+        self.beginning.is_any() && (self.maps.taken.is_empty() || self.maps.taken.iter().any(|taken| !taken))
     }
 
     /// Goes on for about `updates` cell updates, at least a step; gives whether it is still growing.
@@ -274,6 +280,7 @@ fn stage(
             if kept.iter().all(|kept| *kept == 1.0) { fine } else { fresh(Some(fine)) }
         }
     };
+    let concentrations = held(system, here, concentrations);
     let growth =
         Growth::resumed(system, here, edges, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);

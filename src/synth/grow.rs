@@ -1,11 +1,12 @@
 //! Growing a document.
 
+use super::beneath::taken;
 use super::engine::Engine;
 use super::memory::TooLarge;
 use super::pattern::Pattern;
 use super::plan::{Plan, PlanError, plan};
 use super::probe::{ProbeError, When};
-use super::recipe::{Document, DocumentError, Problem};
+use super::recipe::{After, Document, DocumentError, Problem};
 use super::refine::{Measured, refine};
 use super::settle::settle;
 use super::training::Training;
@@ -80,6 +81,14 @@ pub enum GrowError {
     /// It was asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+    /// The marks beneath leave no place for any of its own.
+    #[error(
+        "layer {layer} finds no room: none of its marks fits between those of the layers beneath; draw smaller ones, or those beneath farther apart"
+    )]
+    NoRoom {
+        /// 1 = the lowest.
+        layer: usize,
+    },
     /// The pattern left the range in which its system works.
     #[error(
         "layer {layer} grew no pattern: its concentrations are not finite; try another seed or larger marks"
@@ -101,15 +110,17 @@ pub fn grow(
     options: Options,
     watch: &Watch,
 ) -> Result<Grown, GrowError> {
-    if document.layers.len() > 1 {
-        let found = format!("{} layers", document.layers.len());
-        return Err(Problem::new("layers", found, "one layer; growing on top of others is not built yet")
-            .in_file(source)
-            .into());
+    for (index, layer) in document.layers.iter().enumerate().skip(1) {
+        if layer.after != After::Between {
+            let place = format!("layers[{index}].after");
+            let allowed = "\"between\"; the other ways to meet the marks beneath are not built yet";
+            let found = format!("\"{}\"", layer.after.name());
+            return Err(Problem::new(place, found, allowed).in_file(source).into());
+        }
     }
     let size = options.size.unwrap_or(document.size);
     let correct = options.refine.unwrap_or(document.growth.refine);
-    let mut layers = Vec::with_capacity(document.layers.len());
+    let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
     for index in 0..document.layers.len() {
         watch.step(Stage::Plan, 0.0)?;
         let map = drawn::region_map(document, index, source)?.resized(size.map(f64::from));
@@ -118,6 +129,10 @@ pub fn grow(
         if correct {
             watch.step(Stage::Plan, 0.1)?;
             plan = plan.probed(training, When::Unsure, watch)?;
+        }
+        if index > 0 {
+            let beneath: Vec<Pattern> = layers.iter().map(GrownLayer::pattern).collect();
+            plan.taken = taken(&beneath, plan.grid);
         }
         layers.push(grow_layer(plan, document.layer_seed(index), index + 1, correct, watch)?);
     }
@@ -133,6 +148,9 @@ fn grow_layer(
 ) -> Result<GrownLayer, GrowError> {
     watch.step(Stage::Plan, 0.5)?;
     let mut engine = Engine::new(&plan, seed);
+    if !engine.begins() {
+        return Err(GrowError::NoRoom { layer });
+    }
     watch.step(Stage::Plan, 1.0)?;
     let settled = settle(&mut engine, watch)?;
     let marks = engine.marks();

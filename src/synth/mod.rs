@@ -1,5 +1,6 @@
 //! The thread: a document in, a grown texture out.
 
+pub mod beneath;
 pub mod drawn;
 mod engine;
 mod grow;

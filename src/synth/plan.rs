@@ -56,6 +56,8 @@ pub struct Plan {
     pub grid: [usize; 2],
     /// Parameters (in cells) at every place.
     pub lattice: Lattice,
+    /// Which cells the marks of the layers beneath have taken; empty = none.
+    pub taken: Vec<bool>,
     /// What was looked up for each region, lengths in px but parameters in cells.
     pub answers: Vec<Answer>,
     /// What there is to say beside the notes of the answers, by region.
@@ -138,7 +140,7 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
         }
     }
     let lattice = lattice(training, system, &map, cell, &probed)?;
-    Ok(Plan { system, map, cell: exact, grid, lattice, answers, remarks, probed, spreads })
+    Ok(Plan { system, map, cell: exact, grid, lattice, taken: Vec::new(), answers, remarks, probed, spreads })
 }
 
 /// Parameters at the nodes over the canvas of `map`: those looked up for what is wanted there, less what probes found
@@ -289,6 +291,6 @@ impl Plan {
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };
-        Maps { nx, ny, cell: self.cell, parameters }
+        Maps { nx, ny, cell: self.cell, parameters, taken: self.taken.clone() }
     }
 }

@@ -41,7 +41,13 @@ fn varying(system: System) -> Maps {
             pitch: 1.0 + 0.1 * x,
         }
     };
-    Maps { nx: 48, ny: 40, cell: [1.0, 0.95], parameters: (0..48 * 40).map(parameters).collect() }
+    Maps {
+        nx: 48,
+        ny: 40,
+        cell: [1.0, 0.95],
+        parameters: (0..48 * 40).map(parameters).collect(),
+        taken: Vec::new(),
+    }
 }
 
 /// FNV-1a, 64 bits, of the values' bytes, the lowest first.

@@ -6,14 +6,12 @@ use crate::colour::{Bend, Gradient, Painted, Stop, Table, paint_rows, painter};
 use crate::export::png::{self, Header, Samples};
 use crate::export::{self, Prepared, Stopped};
 use crate::field::{Edges, Field, to_u16};
+use crate::synth::beneath::COVERED;
 use crate::synth::pattern::Pattern;
 use crate::synth::recipe::{Colours, Document};
 use crate::synth::{Grown, GrownLayer, Stage, Watch};
 use std::ops::Range;
 use std::path::Path;
-
-/// A pattern value from which on a px is covered by a mark.
-const COVERED: f32 = 0.5;
 
 /// Writes all pictures that were asked for, none of which has its name yet.
 pub fn prepare(
@@ -79,8 +77,17 @@ impl<'a> Canvas<'a> {
             values,
         };
         let layers = self.layers.iter();
-        let patterns = layers.map(|layer| field(layer.rows(rows.clone(), width, height))).collect();
-        Band { canvas: self, patterns }
+        let patterns: Vec<Field> =
+            layers.map(|layer| field(layer.rows(rows.clone(), width, height))).collect();
+        let mut free = Vec::with_capacity(patterns.len());
+        let mut left = vec![true; width * rows.len()];
+        for pattern in &patterns {
+            free.push(left.clone());
+            for (left, value) in left.iter_mut().zip(&pattern.values) {
+                *left &= *value < COVERED;
+            }
+        }
+        Band { canvas: self, patterns, free }
     }
 }
 
@@ -95,13 +102,20 @@ fn gradient(colours: &Colours) -> Gradient {
 struct Band<'a> {
     canvas: &'a Canvas<'a>,
     patterns: Vec<Field>,
+    /// Where each was free to grow: the marks of those beneath are frozen.
+    free: Vec<Vec<bool>>,
 }
 
 impl Band<'_> {
     fn painted(&self) -> Vec<Painted<'_>> {
-        let layers = self.patterns.iter().zip(&self.canvas.tables).zip(&self.canvas.visible);
+        let layers = self.patterns.iter().zip(&self.free).zip(&self.canvas.tables).zip(&self.canvas.visible);
         layers
-            .map(|((pattern, table), visible)| Painted { pattern, free: None, table, visible: *visible })
+            .map(|(((pattern, free), table), visible)| Painted {
+                pattern,
+                free: Some(free),
+                table,
+                visible: *visible,
+            })
             .collect()
     }
 

@@ -44,12 +44,12 @@ pub fn make_room(
     placed.all[..own.len()].iter().map(stands).collect()
 }
 
-/// Places of points, cells: those on the grid, and those beyond closed edges, which keep the others from spreading over
+/// Places of points, cells: those on the grid, and those beyond closed edges or on taken cells, which keep the others from spreading over
 /// them.
 #[derive(Clone, Debug, Default)]
 pub struct Places {
     /// On the grid.
     pub inside: Vec<[f64; 2]>,
-    /// Beyond closed edges.
+    /// Beyond closed edges, and on taken cells.
     pub beyond: Vec<[f64; 2]>,
 }
