@@ -3,7 +3,7 @@
 use super::directions::Directions;
 use super::spots::Spot;
 use super::stripes::{tallies, wavelength};
-use crate::attributes::spacing::{LONGEST, edges, trimmed, trimmed_mean};
+use crate::attributes::spacing::{Edge, LONGEST, edges, trimmed, trimmed_mean};
 use crate::attributes::spread::{deviation, scatter, variation};
 use crate::attributes::{Attributes, Spots, Spread, Stripes, axial_mean};
 use crate::field::{Edges, Field};
@@ -19,6 +19,8 @@ pub struct Canvas<'a> {
     pub regions: usize,
     /// The region of a place, below `regions`.
     pub region_of: &'a (dyn Fn([f64; 2]) -> usize + Sync),
+    /// Do the marks of another layer cover a place? Spots on either side of one are no neighbours.
+    pub covered: &'a (dyn Fn([f64; 2]) -> bool + Sync),
     /// The region map: what is wanted at a place.
     pub wanted: &'a (dyn Fn([f64; 2]) -> Attributes + Sync),
 }
@@ -92,12 +94,32 @@ fn neighbours(spots: &[Spot], canvas: &Canvas) -> Vec<Vec<(f64, Option<f64>)>> {
     let tile = (canvas.edges == Edges::Wrap).then_some(canvas.size);
     let mut found = vec![Vec::new(); canvas.regions];
     for edge in edges(&centers, tile).iter().filter(|edge| !edge.hull) {
+        if crosses(edge, centers[edge.ends[0]], canvas) {
+            continue;
+        }
         let Attributes::Spots(wanted) = (canvas.wanted)(edge.middle) else { continue };
         if wanted.spacing.is_none_or(|spacing| edge.length <= LONGEST * spacing) {
             found[(canvas.region_of)(edge.middle)].push((edge.length, wanted.spacing));
         }
     }
     found
+}
+
+/// Points between the ends of an edge at which it is asked whether it crosses a covered place.
+const ASKED: usize = 7;
+
+/// Does an edge that begins at `from` cross a place that another layer's marks cover?
+fn crosses(edge: &Edge, from: [f64; 2], canvas: &Canvas) -> bool {
+    let half = [0, 1].map(|axis| {
+        let way = edge.middle[axis] - from[axis];
+        let side = canvas.size[axis];
+        if canvas.edges == Edges::Wrap { way - side * (way / side).round() } else { way }
+    });
+    let fold = |v: f64, side: f64| if canvas.edges == Edges::Wrap { v.rem_euclid(side) } else { v };
+    (1..=ASKED).any(|k| {
+        let share = 2.0 * k as f64 / (ASKED + 1) as f64;
+        (canvas.covered)([0, 1].map(|axis| fold(from[axis] + share * half[axis], canvas.size[axis])))
+    })
 }
 
 fn compare(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> SpotErrors {

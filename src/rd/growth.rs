@@ -30,6 +30,8 @@ pub struct Growth {
     cell: [f64; 2],
     chemicals: Chemicals,
     scratch: Scratch,
+    /// Cells whose concentrations are those of other marks, not of this pattern's.
+    masked: Vec<bool>,
     /// Normalised time that one step takes where the reactions are slowest.
     time_a_step: f64,
     steps: u64,
@@ -93,7 +95,8 @@ impl Growth {
         }
         let time_a_step = f64::from(problem.slowest) * f64::from(system.decay());
         let scratch = Scratch::default();
-        Self { system, problem, cell: maps.cell, chemicals, scratch, time_a_step, steps: 0 }
+        let masked = masked(system, maps, edges);
+        Self { masked, system, problem, cell: maps.cell, chemicals, scratch, time_a_step, steps: 0 }
     }
 
     /// Leaves the cells that `frozen` names (`y · nx + x`) as they are from now on, while their neighbours still see
@@ -192,8 +195,8 @@ impl Growth {
                 }
             }
         });
-        for (value, taken) in values.iter_mut().zip(&maps.taken) {
-            if *taken {
+        for (value, masked) in values.iter_mut().zip(&self.masked) {
+            if *masked {
                 *value = 0.0;
             }
         }
@@ -214,6 +217,28 @@ impl Growth {
             Chemicals::Five(five) => five[0].iter().map(Plane::cells).collect(),
         }
     }
+}
+
+/// Distance to taken cells ÷ spacing within which Turing's a is high only because it is held high there: half of where
+/// its spots' edges are kept.
+const RIM: f64 = 0.25;
+
+/// Where the concentrations are those of the marks of other layers: on taken cells, and where Turing's a leaks out.
+fn masked(system: System, maps: &Maps, edges: Edges) -> Vec<bool> {
+    if system != System::TuringSpots {
+        return maps.taken.clone();
+    }
+    let mut masked = maps.taken.clone();
+    for cell in (0..maps.taken.len()).filter(|cell| maps.taken[*cell]) {
+        let reach = (RIM * system.spacing(&maps.parameters[cell])).ceil() as isize;
+        let (x, y) = ((cell % maps.nx) as isize, (cell / maps.nx) as isize);
+        for (dy, dx) in (-reach..=reach).flat_map(|dy| (-reach..=reach).map(move |dx| (dy, dx))) {
+            if dx * dx + dy * dy <= reach * reach {
+                masked[edges.index(y + dy, maps.ny) * maps.nx + edges.index(x + dx, maps.nx)] = true;
+            }
+        }
+    }
+    masked
 }
 
 fn step_and_swap<const N: usize, K: Kinetics<N>>(problem: &Problem, planes: &mut [[Plane; N]; 2]) {

@@ -101,17 +101,57 @@ pub fn lay(
     let mut placed = Buckets::new(space, PUSH * crowd.largest);
     let fixed = taken::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
     if !fixed.is_empty() {
-        crowd.leave(&|cell| taken::is_near(&placed, &nucleus(maps.middle(cell).map(|v| v + frame))));
+        crowd.leave(&|cell| !taken::is_clear(maps, edges, &Nucleus::at(maps, maps.middle(cell), pitch)));
     }
     let wanted = crowd.wanted(frame);
     if crowd.densest == 0.0 {
         return Laid { inside: Vec::new(), beyond: fixed };
     }
+    let likely = |at: [f64; 2]| crowd.densities[maps.cell_at(on_maps(at))] / crowd.densest;
+    throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
+    let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
+    for _ in 0..ROUNDS {
+        relax(&mut placed, PUSH, &moved);
+    }
+    let grid = Grid { frame, size };
+    if edges == Edges::Closed {
+        grid.keep_off_walls(&mut placed, |placed| relax(placed, PUSH, &moved));
+    }
+    let mut all = placed.all;
+    let mut posts: Vec<Nucleus> = all.drain(..fixed.len()).collect();
+    posts.iter_mut().zip(&fixed).for_each(|(post, fixed)| post.at = on_maps(fixed.at));
+    all.iter_mut().for_each(|point| point.at = on_maps(point.at));
+    if !fixed.is_empty() {
+        all = taken::with_room(maps, edges, all, Buckets::new(Space { size, edges }, PUSH * crowd.largest));
+    }
+    if edges == Edges::Wrap {
+        return Laid { inside: all, beyond: posts };
+    }
+    let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
+    let (mut inside, mut beyond): (Vec<_>, Vec<_>) = all.into_iter().partition(inside);
+    beyond.append(&mut posts);
+    if inside.is_empty() && fixed.is_empty() {
+        // A canvas that is smaller than the room of one spot still shows one.
+        inside.push(Nucleus::at(maps, size.map(|side| 0.5 * side), pitch));
+    }
+    Laid { inside, beyond }
+}
+
+/// Throws darts until `wanted` more points are placed, all over `size`, as `likely` as it says at a place, 0..1.
+fn throw(
+    placed: &mut Buckets,
+    wanted: usize,
+    size: [f64; 2],
+    likely: &dyn Fn([f64; 2]) -> f64,
+    nucleus: &dyn Fn([f64; 2]) -> Nucleus,
+    rng: &mut impl Rng,
+) {
+    let wanted = placed.all.len() + wanted;
     let mut closest = DART;
     let mut refused = 0;
-    while placed.all.len() < fixed.len() + wanted {
-        let at = [rng.random::<f64>() * space.size[0], rng.random::<f64>() * space.size[1]];
-        if rng.random::<f64>() * crowd.densest > crowd.densities[maps.cell_at(on_maps(at))] {
+    while placed.all.len() < wanted {
+        let at = [rng.random::<f64>() * size[0], rng.random::<f64>() * size[1]];
+        if rng.random::<f64>() > likely(at) {
             continue;
         }
         let dart = nucleus(at);
@@ -128,29 +168,6 @@ pub fn lay(
             }
         }
     }
-    let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
-    for _ in 0..ROUNDS {
-        relax(&mut placed, PUSH, &moved);
-    }
-    let grid = Grid { frame, size };
-    if edges == Edges::Closed {
-        grid.keep_off_walls(&mut placed, |placed| relax(placed, PUSH, &moved));
-    }
-    let mut all = placed.all;
-    let mut posts: Vec<Nucleus> = all.drain(..fixed.len()).collect();
-    posts.iter_mut().zip(&fixed).for_each(|(post, fixed)| post.at = on_maps(fixed.at));
-    all.iter_mut().for_each(|point| point.at = on_maps(point.at));
-    if edges == Edges::Wrap {
-        return Laid { inside: all, beyond: posts };
-    }
-    let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
-    let (mut inside, mut beyond): (Vec<_>, Vec<_>) = all.into_iter().partition(inside);
-    beyond.append(&mut posts);
-    if inside.is_empty() && fixed.is_empty() {
-        // A canvas that is smaller than the room of one spot still shows one.
-        inside.push(Nucleus::at(maps, size.map(|side| 0.5 * side), pitch));
-    }
-    Laid { inside, beyond }
 }
 
 /// Those of `laid` that have room among those before them, where they are `crowded`.

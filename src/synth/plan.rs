@@ -240,6 +240,12 @@ impl Plan {
         Ok(self)
     }
 
+    /// Have the marks of the layers beneath taken this place, px?
+    fn is_taken(&self, point: [f64; 2]) -> bool {
+        let cell = |axis: usize| ((point[axis] / self.cell[axis]).max(0.0) as usize).min(self.grid[axis] - 1);
+        self.taken.get(cell(1) * self.grid[0] + cell(0)).copied().unwrap_or(false)
+    }
+
     /// Does `work` with the canvas that the ruler compares against: its regions, and what is wanted where.
     pub fn on_canvas<T>(&self, work: impl FnOnce(&Canvas) -> T) -> T {
         let layout = self.map.layout();
@@ -248,6 +254,7 @@ impl Plan {
             edges: layout.edges,
             regions: layout.len(),
             region_of: &|point| layout.index(layout.region_of(point)),
+            covered: &|point| self.is_taken(point),
             wanted: &|point| self.map.at(point),
         })
     }

@@ -15,6 +15,7 @@ fn spot_errors(pattern: &Field, wanted: Spots) -> Vec<SpotErrors> {
         edges: pattern.edges,
         regions: 2,
         region_of: &|[x, _]| usize::from(x >= half),
+        covered: &|_| false,
         wanted: &|_| Attributes::Spots(wanted),
     };
     measure::spot_errors(&measure::spots(pattern, 0.5), &canvas)
@@ -26,6 +27,7 @@ fn stripe_errors(pattern: &Field, wanted: Stripes) -> StripeErrors {
         edges: pattern.edges,
         regions: 1,
         region_of: &|_| 0,
+        covered: &|_| false,
         wanted: &|_| Attributes::Stripes(wanted),
     };
     measure::stripe_errors(pattern, 0.5, &canvas)[0]
