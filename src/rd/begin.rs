@@ -7,13 +7,14 @@ use rayon::prelude::*;
 use super::maps::{Maps, Parameters};
 use super::nuclei::{Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
-use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
+use super::{System, gabor, meinhardt_lines, meinhardt_spots, meinhardt_stripes, turing_spots};
 use crate::field::Edges;
 
-/// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes.
+/// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes and
+/// lines.
 #[must_use]
 pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Places {
-    if system == System::MeinhardtStripes {
+    if system.is_striped() {
         return Places::default();
     }
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
@@ -49,7 +50,7 @@ impl Beginning {
     /// Does anything begin? Spots need a place.
     #[must_use]
     pub fn is_any(&self) -> bool {
-        self.system == System::MeinhardtStripes || !self.places.is_empty()
+        self.system.is_striped() || !self.places.is_empty()
     }
 
     /// The concentrations that it makes on `maps`.
@@ -58,9 +59,15 @@ impl Beginning {
     /// many of the spots begin as have room. Neighbours may die there; nothing else would be left of them.
     #[must_use]
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
-        if self.system == System::MeinhardtStripes {
-            let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-            return held(self.system, maps, oriented_noise(maps, self.edges, &mut rng).into());
+        let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
+        match self.system {
+            System::MeinhardtStripes => {
+                return held(self.system, maps, oriented_noise(maps, self.edges, &mut rng).into());
+            }
+            System::MeinhardtLines => {
+                return held(self.system, maps, crests(maps, self.edges, &mut rng).into());
+            }
+            System::TuringSpots | System::MeinhardtSpots => {}
         }
         let pitch = |p: &Parameters| self.system.spacing(p);
         let nucleus = |at: &[f64; 2]| {
@@ -176,6 +183,32 @@ fn oriented_noise(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 5
             cells[chemical][i] *= 1.0 + sign * n;
         }
     }
+    cells
+}
+
+/// Lines begin as crests of oriented waves.
+pub fn lines(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
+    planes(maps, edges, crests(maps, edges, rng))
+}
+
+/// Standard deviation of a crest's profile, a Gaussian, ÷ the width of the line it becomes: at half its height it is as
+/// wide.
+const CREST: f64 = 0.42;
+
+fn crests(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 2] {
+    let wavelength = |p: &Parameters| System::MeinhardtLines.spacing(p);
+    let phases = gabor::phases(maps, edges, &wavelength, rng);
+    let mut cells = [vec![0.0; phases.len()], vec![0.0; phases.len()]];
+    let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
+    let rows = phases.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
+    a.zip(b).zip(rows).for_each(|((a, b), (phases, parameters))| {
+        for (i, (phase, p)) in phases.iter().zip(parameters).enumerate() {
+            let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();
+            let off = f64::from(*phase) / std::f64::consts::TAU * wavelength(p) / width;
+            let crest = libm::exp(-0.5 * off * off) as f32;
+            [a[i], b[i]] = meinhardt_lines::begin(crest, meinhardt_lines::peak(p.ratio));
+        }
+    });
     cells
 }
 

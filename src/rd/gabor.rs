@@ -29,8 +29,70 @@ pub fn noise(
     wavelength: &dyn Fn(&Parameters) -> f64,
     rng: &mut impl Rng,
 ) -> Vec<f32> {
+    let waves = waves(maps, edges, wavelength, rng);
+    let mut sum = vec![0.0f32; maps.nx * maps.ny];
+    // Each band adds all waves in their order, so that the sums are the same however many threads there are.
+    sum.par_chunks_mut(ROWS_A_BAND * maps.nx).enumerate().for_each(|(band, sum)| {
+        for wave in &waves {
+            wave.add(rows(band, sum.len(), maps), maps, edges, |cell, cos, _| sum[cell] += cos as f32);
+        }
+    });
+    // ∫ window² cos² = ½ (π/5) A·B, times DENSITY/λ².
+    let deviation = (0.5 * std::f64::consts::PI / 5.0 * REACH[0] * REACH[1] * DENSITY).sqrt() as f32;
+    for n in &mut sum {
+        *n /= deviation;
+    }
+    sum
+}
+
+/// The phase of that noise over the grid, row by row, −π..π: 0 along a crest, however low the noise is there. What has
+/// crests where this is 0 has all of them alike, and they end only where two waves cancel each other.
+///
+/// φ(x) = atan2(Σᵢ ±(1 − r²)² sin(…), Σᵢ (1 − r²)² cos(…)): Tricard et al., "Procedural phasor noise", SIGGRAPH 2019.
+/// A wave has no sense of direction, nᵢ or −nᵢ being the same: ± takes that of the two which is nearer to the place's
+/// own. The phase's sign means nothing, then.
+pub fn phases(
+    maps: &Maps,
+    edges: Edges,
+    wavelength: &dyn Fn(&Parameters) -> f64,
+    rng: &mut impl Rng,
+) -> Vec<f32> {
+    let waves = waves(maps, edges, wavelength, rng);
+    let mut phases = vec![0.0f32; maps.nx * maps.ny];
+    phases.par_chunks_mut(ROWS_A_BAND * maps.nx).enumerate().for_each(|(band, phases)| {
+        let rows = rows(band, phases.len(), maps);
+        let first = rows.start as usize * maps.nx;
+        let own = &maps.parameters[first..first + phases.len()];
+        let own: Vec<[f64; 2]> = own.iter().map(across).collect();
+        let mut sums = vec![[0.0f64; 2]; phases.len()];
+        for wave in &waves {
+            wave.add(rows.clone(), maps, edges, |cell, cos, sin| {
+                let same = own[cell][0] * wave.n[0] + own[cell][1] * wave.n[1] >= 0.0;
+                sums[cell][0] += cos;
+                sums[cell][1] += if same { sin } else { -sin };
+            });
+        }
+        for (phase, [cos, sin]) in phases.iter_mut().zip(sums) {
+            *phase = libm::atan2(sin, cos) as f32;
+        }
+    });
+    phases
+}
+
+/// The rows of a band of `cells` cells.
+fn rows(band: usize, cells: usize, maps: &Maps) -> Range<isize> {
+    let first = band * ROWS_A_BAND;
+    first as isize..(first + cells / maps.nx) as isize
+}
+
+/// Waves thrown over the grid.
+fn waves(
+    maps: &Maps,
+    edges: Edges,
+    wavelength: &dyn Fn(&Parameters) -> f64,
+    rng: &mut impl Rng,
+) -> Vec<Wave> {
     let (nx, ny) = (maps.nx, maps.ny);
-    let mut sum = vec![0.0f32; nx * ny];
     let densities: Vec<f64> =
         maps.parameters.iter().map(|p| DENSITY / (wavelength(p) * wavelength(p))).collect();
     let densest = densities.iter().copied().fold(0.0, f64::max);
@@ -51,19 +113,13 @@ pub fn noise(
             waves.push(Wave::new(at, &p, length, phase));
         }
     }
-    // Each band adds all waves in their order, so that the sums are the same however many threads there are.
-    sum.par_chunks_mut(ROWS_A_BAND * nx).enumerate().for_each(|(band, sum)| {
-        let rows = (band * ROWS_A_BAND) as isize..(band * ROWS_A_BAND + sum.len() / nx) as isize;
-        for wave in &waves {
-            wave.add(sum, rows.clone(), [nx, ny], edges);
-        }
-    });
-    // ∫ window² cos² = ½ (π/5) A·B, times DENSITY/λ².
-    let deviation = (0.5 * std::f64::consts::PI / 5.0 * REACH[0] * REACH[1] * DENSITY).sqrt() as f32;
-    for n in &mut sum {
-        *n /= deviation;
-    }
-    sum
+    waves
+}
+
+/// The unit vector across the stripes that have these parameters.
+fn across(p: &Parameters) -> [f64; 2] {
+    let across = (f64::from(p.direction) + 90.0).to_radians();
+    [libm::cos(across), libm::sin(across)]
 }
 
 /// One wave under its window.
@@ -80,13 +136,13 @@ struct Wave {
 
 impl Wave {
     fn new(at: [f64; 2], p: &Parameters, length: f64, phase: f64) -> Self {
-        let across = (f64::from(p.direction) + 90.0).to_radians();
-        let n = [libm::cos(across), libm::sin(across)];
-        Self { at, far: REACH.map(|reach| reach * length), n, length, phase }
+        Self { at, far: REACH.map(|reach| reach * length), n: across(p), length, phase }
     }
 
-    /// Adds it to the rows `rows` of a grid, which `sum` holds.
-    fn add(&self, sum: &mut [f32], rows: Range<isize>, [nx, ny]: [usize; 2], edges: Edges) {
+    /// Hands what it is under its window, and a quarter of a wave behind, to `sum` with each cell it reaches of the rows
+    /// `rows`, counted from the first of them.
+    fn add(&self, rows: Range<isize>, maps: &Maps, edges: Edges, mut sum: impl FnMut(usize, f64, f64)) {
+        let (nx, ny) = (maps.nx, maps.ny);
         use std::f64::consts::TAU;
         let ([far, near], n) = (self.far, self.n);
         let (kx, ky) = (TAU / self.length * n[0], TAU / self.length * n[1]);
@@ -119,7 +175,8 @@ impl Wave {
             for x in columns {
                 let dx = x as f64 + 0.5 - self.at[0];
                 let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
-                sum[row + edges.index(x, nx)] += (window * window * cos) as f32;
+                let height = window * window;
+                sum(row + edges.index(x, nx), height * cos, height * sin);
                 (cos, sin) = (cos * cos_step - sin * sin_step, sin * cos_step + cos * sin_step);
             }
         }

@@ -5,15 +5,16 @@ use rayon::prelude::*;
 /// Parameters at one point, in cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
-    /// Reaction rate ÷ diffusion, 1/cell²: s/√(DₐD_b) of spots, s/Dₐ of stripes. Lengths go as 1/√rate.
+    /// Reaction rate ÷ diffusion, 1/cell²: s/√(DₐD_b) of spots and lines (with Dₐ that across), s/Dₐ of stripes. Lengths
+    /// go as 1/√rate.
     pub rate: f32,
-    /// R = D_b/Dₐ of Meinhardt spots; the others have a fixed ratio and do not read it.
+    /// R = D_b/Dₐ of Meinhardt spots and lines; the others have a fixed ratio and do not read it.
     pub ratio: f32,
     /// Minor ÷ major axis of what the diffusion tensor makes of a circle, [`super::selling::MIN_STRETCH`]..1.
     pub stretch: f32,
     /// Direction of the long axis, degrees from +x towards +y.
     pub direction: f32,
-    /// Distance between the nuclei of spots ÷ the system's own at this rate and ratio; 1 = its own.
+    /// Distance at which spots or lines begin ÷ the system's own at this rate and ratio; 1 = its own.
     pub pitch: f32,
 }
 

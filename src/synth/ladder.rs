@@ -25,6 +25,7 @@ fn resolved(system: System) -> Resolved {
         System::TuringSpots => Resolved { least: 22.0, enough: 27.0 },
         System::MeinhardtSpots => Resolved { least: 9.0, enough: 11.0 },
         System::MeinhardtStripes => Resolved { least: 18.0, enough: 23.0 },
+        System::MeinhardtLines => Resolved { least: 9.0, enough: 11.0 },
     }
 }
 

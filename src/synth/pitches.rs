@@ -6,7 +6,7 @@
 use super::plan::Plan;
 use crate::marks::Ellipse;
 use crate::measure::{Spot, spot_errors};
-use crate::rd::{System, nuclei};
+use crate::rd::nuclei;
 
 /// Rounds of laying nuclei before they are laid to stay; a third changes nothing that the noise of a dozen spots would
 /// not hide.
@@ -21,7 +21,7 @@ pub const MANY: usize = 20_000;
 pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
     let layout = plan.map.layout();
     let mut pitch = vec![1.0; layout.len()];
-    if plan.system == System::MeinhardtStripes {
+    if plan.system.is_striped() {
         return pitch;
     }
     for _ in 0..ROUNDS {

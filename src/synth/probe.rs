@@ -235,7 +235,7 @@ fn grown(
     index: u64,
     watch: &Watch,
 ) -> Result<Result<Attributes, Reason>, Cancelled> {
-    let extent = if system == System::MeinhardtStripes { WAVELENGTHS } else { SPOTS };
+    let extent = if system.is_striped() { WAVELENGTHS } else { SPOTS };
     let patch = Patch { system, parameters: answer.parameters, extent, seed: SEED + index };
     let (marks, _) = patch.grow(watch)?;
     Ok(patch.measure(&marks).map(|sample| sample.attributes))
@@ -271,6 +271,7 @@ fn chance(system: System) -> Offset {
         System::TuringSpots => Offset { size: 0.004, spacing: 0.0, elongation: 0.018, turn: 1.0 },
         System::MeinhardtSpots => Offset { size: 0.0008, spacing: 0.005, elongation: 0.001, turn: 0.05 },
         System::MeinhardtStripes => Offset { size: 0.014, spacing: 0.0, elongation: 0.0, turn: 0.5 },
+        System::MeinhardtLines => Offset { size: 0.014, spacing: 0.014, elongation: 0.0, turn: 0.5 },
     }
 }
 
@@ -278,7 +279,9 @@ fn chance(system: System) -> Offset {
 /// anyway; of directions half of what a canvas of stripes scatters, or what the eye does not see.
 fn tolerated(system: System) -> Offset {
     match system {
-        System::MeinhardtStripes => Offset { size: 0.03, spacing: 0.0, elongation: 0.0, turn: 1.0 },
+        System::MeinhardtStripes | System::MeinhardtLines => {
+            Offset { size: 0.03, spacing: 0.0, elongation: 0.0, turn: 1.0 }
+        }
         _ => Offset { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
     }
 }
@@ -297,7 +300,7 @@ fn gain(system: System, answer: &Answer, scatter: Offset, growths: usize, when: 
         return Offset { size: 1.0, spacing: 1.0, elongation: 1.0, turn: 1.0 };
     }
     let chance = chance(system);
-    let shrunk = if system == System::MeinhardtStripes { 1.0 } else { TRAINED / SPOTS };
+    let shrunk = if system.is_striped() { 1.0 } else { TRAINED / SPOTS };
     let share = |scatter: f64, chance: f64| {
         let probes = chance * chance * shrunk / growths as f64;
         let map = (scatter * scatter - chance * chance).max(0.0);

@@ -9,7 +9,6 @@ use super::watch::{Cancelled, Stage, Watch};
 use crate::attributes::Attributes;
 use crate::field::Field;
 use crate::measure::{self, Spot, SpotErrors, StripeErrors};
-use crate::rd::System;
 
 /// What was measured, by region.
 #[derive(Clone, Debug)]
@@ -39,7 +38,7 @@ const FINER: f64 = 1.5;
 /// Measures `pattern`, a field of the canvas of `plan`, against what was asked.
 #[must_use]
 pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
-    if plan.system == System::MeinhardtStripes {
+    if plan.system.is_striped() {
         return Measured::Stripes(plan.on_canvas(|canvas| measure::stripe_errors(pattern, 0.5, canvas)));
     }
     let marks = measure::spots(pattern, 0.5);
@@ -122,7 +121,7 @@ enum Ruler {
 
 impl Ruler {
     fn of(plan: &Plan) -> Self {
-        if plan.system != System::MeinhardtStripes {
+        if !plan.system.is_striped() {
             return Self::Spots;
         }
         let layout = plan.map.layout();
@@ -166,5 +165,5 @@ const POINTS: usize = 16;
 /// d ln size / d ln level: of a Gaussian bell ln area = ln ln(1/l) + c, at a level of ½; of a stripe with a
 /// sinusoidal profile width = (λ/π) arccos(2l − 1).
 fn first_slope(plan: &Plan) -> f64 {
-    if plan.system == System::MeinhardtStripes { -2.0 / std::f64::consts::PI } else { -1.44 }
+    if plan.system.is_striped() { -2.0 / std::f64::consts::PI } else { -1.44 }
 }

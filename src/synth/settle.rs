@@ -44,6 +44,9 @@ fn criterion(system: System) -> Criterion {
         System::MeinhardtStripes => {
             Criterion { earliest: 30.0, latest: 300.0, drift: 0.008, corrected: 2.0, still: 0.01 }
         }
+        System::MeinhardtLines => {
+            Criterion { earliest: 30.0, latest: 300.0, drift: 0.008, corrected: 4.0, still: 0.01 }
+        }
     }
 }
 

@@ -29,7 +29,7 @@ pub fn targets(system: System, count: usize, seed: u64) -> Vec<Target> {
         .map(|_| {
             let mut even = |[low, high]: [f64; 2]| low + (high - low) * rng.random::<f64>();
             let mut log = |range: [f64; 2]| libm::exp(even(range.map(libm::log)));
-            let wanted = if system == System::MeinhardtStripes {
+            let wanted = if system.is_striped() {
                 let width = log(WIDTH);
                 Attributes::Stripes(Stripes { width, angle: even([0.0, 180.0]) })
             } else {
