@@ -4,9 +4,9 @@ use super::Error;
 use crate::attributes::{Attributes, Spread};
 use crate::field::Edges;
 use crate::synth::drawn::region_map;
-use crate::synth::plan::{Plan, plan};
+use crate::synth::plan::Plan;
 use crate::synth::recipe::{After, Document, Kind, Layer};
-use crate::synth::{Training, memory};
+use crate::synth::{Training, memory, planned};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -27,16 +27,19 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let source = args.file.display().to_string();
     let mut text = format!("{source}: valid\n{}", summary(&document));
     let training = Training::default();
+    let mut beneath: Option<Plan> = None;
     for index in 0..document.layers.len() {
         let map = region_map(&document, index, &source)?;
-        let plan = plan(&training, document.layers[index].system, &map).map_err(Error::step)?;
+        let plan = planned(&document, index, &source, &training, &map, beneath.as_ref());
+        let plan = plan.map_err(Error::grown)?;
         text += &reach(&plan, index);
         if let Err(error) = memory::check(plan.system, document.size.map(f64::from), plan.grid) {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  cannot be grown on this machine: {error}");
         }
+        beneath = Some(plan);
     }
-    let unbuilt = |(_, layer): &(usize, &Layer)| layer.after != After::Between;
+    let unbuilt = |(_, layer): &(usize, &Layer)| !matches!(layer.after, After::Between | After::Inside);
     for (index, layer) in document.layers.iter().enumerate().skip(1).filter(unbuilt) {
         text +=
             &format!("layer {}: \"{}\" is not built yet: grow refuses it\n", index + 1, layer.after.name());

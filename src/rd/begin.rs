@@ -104,7 +104,7 @@ pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [
 fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec<f32>; 2] {
     let radius = |p: &Parameters| match system {
         System::TuringSpots => turing_spots::RADIUS,
-        _ => meinhardt_spots::radius(p.ratio),
+        _ => meinhardt_spots::radius(p.ratio) / p.apart(),
     };
     let bell = bells(maps, edges, laid, &radius);
     let mut cells = [vec![0.0; bell.len()], vec![0.0; bell.len()]];

@@ -13,7 +13,7 @@ mod room;
 mod taken;
 mod walls;
 
-pub use room::{Places, make_room};
+pub use room::{Places, make_room, off_walls};
 
 use rand::{Rng, RngExt};
 
@@ -32,6 +32,8 @@ pub struct Nucleus {
     pub metric: [f64; 3],
     /// Reach of one pitch in any direction, cells.
     pub reach: f64,
+    /// See [`Parameters::apart`].
+    apart: f64,
 }
 
 impl Nucleus {
@@ -48,13 +50,13 @@ impl Nucleus {
         let [cx, cy] = [(cell[0] / cell[1]).sqrt(), (cell[1] / cell[0]).sqrt()];
         let scale = 1.0 / (pitch * pitch);
         let metric = [t.xx * cx * cx * scale, t.xy * scale, t.yy * cy * cy * scale];
-        Self { at, metric, reach: 1.05 * pitch / stretch.sqrt() }
+        Self { at, metric, reach: 1.05 * pitch / stretch.sqrt(), apart: p.apart() }
     }
 
-    /// Pitches that a cell of the shortest way to a wall across this axis is.
+    /// Pitches, of the room that it needs itself, that a cell of the shortest way to a wall across this axis is.
     fn pitches_to_wall(&self, axis: usize) -> f64 {
         let [xx, xy, yy] = self.metric;
-        ((xx * yy - xy * xy) / [yy, xx][axis]).sqrt()
+        self.apart * ((xx * yy - xy * xy) / [yy, xx][axis]).sqrt()
     }
 
     /// Squared distance of a point at `delta` cells from here, in pitches.

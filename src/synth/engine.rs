@@ -58,6 +58,12 @@ impl Engine {
     pub fn new(plan: &Plan, seed: u64) -> Self {
         let edges = plan.map.layout().edges;
         match vary(plan, seed) {
+            None if let Some(places) = plan.places_in_cells() => {
+                let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+                let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
+                let largest = ladder::largest(plan.system, &maps);
+                Self::begun(plan.system, maps, edges, beginning, largest)
+            }
             None => Self::of(plan.system, plan.maps(&pitches(plan, seed)), edges, seed),
             Some(Varied { maps, places, largest }) => {
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);

@@ -3,6 +3,7 @@
 use super::beneath::taken;
 use super::engine::Engine;
 use super::memory::TooLarge;
+use super::inside::{is_replaced, plan_inside, refusal};
 use super::pattern::Pattern;
 use super::plan::{Plan, PlanError, plan};
 use super::probe::{ProbeError, When};
@@ -12,6 +13,7 @@ use super::settle::settle;
 use super::training::Training;
 use super::watch::{Cancelled, Stage, Watch};
 use super::{drawn, memory};
+use crate::attributes::regions::RegionMap;
 use crate::field::Field;
 
 impl From<ProbeError> for GrowError {
@@ -111,9 +113,9 @@ pub fn grow(
     watch: &Watch,
 ) -> Result<Grown, GrowError> {
     for (index, layer) in document.layers.iter().enumerate().skip(1) {
-        if layer.after != After::Between {
+        if !matches!(layer.after, After::Between | After::Inside) {
             let place = format!("layers[{index}].after");
-            let allowed = "\"between\"; the other ways to meet the marks beneath are not built yet";
+            let allowed = "\"between\" or \"inside\"; the other ways to meet the marks beneath are not built yet";
             let found = format!("\"{}\"", layer.after.name());
             return Err(Problem::new(place, found, allowed).in_file(source).into());
         }
@@ -124,19 +126,53 @@ pub fn grow(
     for index in 0..document.layers.len() {
         watch.step(Stage::Plan, 0.0)?;
         let map = drawn::region_map(document, index, source)?.resized(size.map(f64::from));
-        let mut plan = plan(training, document.layers[index].system, &map)?;
+        let beneath = layers.last().map(|layer| &layer.plan);
+        let mut plan = planned(document, index, source, training, &map, beneath)?;
         memory::check(plan.system, size.map(f64::from), plan.grid)?;
         if correct {
             watch.step(Stage::Plan, 0.1)?;
             plan = plan.probed(training, When::Unsure, watch)?;
         }
-        if index > 0 {
-            let beneath: Vec<Pattern> = layers.iter().map(GrownLayer::pattern).collect();
+        if plan.places.is_some()
+            && let Some(beneath) = layers.last()
+        {
+            plan.place_inside(&beneath.measured);
+        }
+        let shown = layers.iter().enumerate().filter(|(below, _)| !is_replaced(document, *below));
+        let beneath: Vec<Pattern> = shown.map(|(_, layer)| layer.pattern()).collect();
+        if !beneath.is_empty() {
             plan.taken = taken(&beneath, plan.grid);
         }
-        layers.push(grow_layer(plan, document.layer_seed(index), index + 1, correct, watch)?);
+        let mut layer = grow_layer(plan, document.layer_seed(index), index + 1, correct, watch)?;
+        if document.layers[index].after == After::Inside {
+            layer.plan.tell_places(&layer.measured, &document.layers[index - 1].name);
+        }
+        layers.push(layer);
     }
     Ok(Grown { size, layers })
+}
+
+/// Plans layer `index`, whose marks make `map`, above the layer with the plan `beneath`.
+///
+/// # Errors
+/// What was drawn cannot be grown there, or its parameters cannot be looked up.
+pub fn planned(
+    document: &Document,
+    index: usize,
+    source: &str,
+    training: &Training,
+    map: &RegionMap,
+    beneath: Option<&Plan>,
+) -> Result<Plan, GrowError> {
+    let layer = &document.layers[index];
+    if layer.after != After::Inside {
+        return Ok(plan(training, layer.system, map)?);
+    }
+    if let Some(problem) = refusal(document, index, map, beneath) {
+        return Err(problem.in_file(source).into());
+    }
+    let beneath = beneath.expect("refused without one");
+    Ok(plan_inside(training, map, beneath)?)
 }
 
 fn grow_layer(

@@ -4,6 +4,7 @@ pub mod beneath;
 pub mod drawn;
 mod engine;
 mod grow;
+pub mod inside;
 mod ladder;
 mod lattice;
 pub mod memory;
@@ -21,7 +22,7 @@ mod training;
 mod watch;
 
 pub use engine::Engine;
-pub use grow::{GrowError, Grown, GrownLayer, Options, grow};
+pub use grow::{GrowError, Grown, GrownLayer, Options, grow, planned};
 pub use patch::{Patch, Sample};
 pub use refine::Measured;
 pub use settle::settle;

@@ -202,6 +202,10 @@ fn probed_one(
     let cell = exact_cell(wanted, cell);
     let watch = &Watch { progress: &|_, _| {}, cancelled: watch.cancelled };
     let open = ask(training, system, wanted, cell)?;
+    if open.pitch > 1.0 {
+        // Of spots that stand alone no row has a say, and their law is as sure as a probe.
+        return Ok(Probed::default());
+    }
     // What cannot be reached is not what is corrected to.
     let goal = open.nearest;
     let scatter = scatter(&open);

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::grow::{Grown, GrownLayer};
+use super::inside::is_replaced;
 use super::recipe::Document;
 use super::refine::Measured;
 use crate::attributes::Attributes;
@@ -14,7 +15,14 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
         .layers
         .iter()
         .zip(&document.layers)
-        .map(|(grown, layer)| layer_report(grown, &layer.name))
+        .enumerate()
+        .map(|(index, (grown, layer))| {
+            let mut report = layer_report(grown, &layer.name);
+            if is_replaced(document, index) {
+                report["shown"] = json!(false);
+            }
+            report
+        })
         .collect();
     json!({
         "document": source,
@@ -50,6 +58,9 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
         answer.parameters.named().into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect();
     if let Some(level) = answer.parameters.level {
         parameters.insert("level".to_owned(), json!(level * layer.correction[index]));
+    }
+    if answer.pitch > 1.0 {
+        parameters.insert("pitch".to_owned(), json!(answer.pitch));
     }
     parameters.insert("cell".to_owned(), json!(cell));
     let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();

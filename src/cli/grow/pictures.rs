@@ -7,6 +7,7 @@ use crate::export::png::{self, Header, Samples};
 use crate::export::{self, Prepared, Stopped};
 use crate::field::{Edges, Field, to_u16};
 use crate::synth::beneath::COVERED;
+use crate::synth::inside::is_replaced;
 use crate::synth::pattern::Pattern;
 use crate::synth::recipe::{Colours, Document};
 use crate::synth::{Grown, GrownLayer, Stage, Watch};
@@ -51,6 +52,8 @@ struct Canvas<'a> {
     layers: Vec<Pattern<'a>>,
     tables: Vec<Table>,
     visible: Vec<bool>,
+    /// Which stand only for the places of the next, and cover nothing.
+    replaced: Vec<bool>,
 }
 
 impl<'a> Canvas<'a> {
@@ -63,7 +66,13 @@ impl<'a> Canvas<'a> {
             size: grown.size.map(|side| side as usize * args.scale as usize),
             layers: grown.layers.iter().map(GrownLayer::pattern).collect(),
             tables: tables.collect(),
-            visible: document.layers.iter().map(|layer| layer.visible).collect(),
+            visible: document
+                .layers
+                .iter()
+                .enumerate()
+                .map(|(index, layer)| layer.visible && !is_replaced(document, index))
+                .collect(),
+            replaced: (0..document.layers.len()).map(|index| is_replaced(document, index)).collect(),
         }
     }
 
@@ -81,8 +90,11 @@ impl<'a> Canvas<'a> {
             layers.map(|layer| field(layer.rows(rows.clone(), width, height))).collect();
         let mut free = Vec::with_capacity(patterns.len());
         let mut left = vec![true; width * rows.len()];
-        for pattern in &patterns {
+        for (pattern, replaced) in patterns.iter().zip(&self.replaced) {
             free.push(left.clone());
+            if *replaced {
+                continue;
+            }
             for (left, value) in left.iter_mut().zip(&pattern.values) {
                 *left &= *value < COVERED;
             }
