@@ -64,6 +64,9 @@ impl Beginning {
             System::MeinhardtStripes => {
                 return held(self.system, maps, oriented_noise(maps, self.edges, &mut rng).into());
             }
+            System::MeinhardtLines if !maps.crests.is_empty() => {
+                return held(self.system, maps, along_crests(maps).into());
+            }
             System::MeinhardtLines => {
                 return held(self.system, maps, crests(maps, self.edges, &mut rng).into());
             }
@@ -205,6 +208,22 @@ fn crests(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 2] {
         for (i, (phase, p)) in phases.iter().zip(parameters).enumerate() {
             let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();
             let off = f64::from(*phase) / std::f64::consts::TAU * wavelength(p) / width;
+            let crest = libm::exp(-0.5 * off * off) as f32;
+            [a[i], b[i]] = meinhardt_lines::begin(crest, meinhardt_lines::peak(p.ratio));
+        }
+    });
+    cells
+}
+
+/// Lines begin along the curves of `maps`.
+fn along_crests(maps: &Maps) -> [Vec<f32>; 2] {
+    let mut cells = [vec![0.0; maps.crests.len()], vec![0.0; maps.crests.len()]];
+    let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
+    let rows = maps.crests.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
+    a.zip(b).zip(rows).for_each(|((a, b), (off, parameters))| {
+        for (i, (off, p)) in off.iter().zip(parameters).enumerate() {
+            let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();
+            let off = f64::from(*off) / width;
             let crest = libm::exp(-0.5 * off * off) as f32;
             [a[i], b[i]] = meinhardt_lines::begin(crest, meinhardt_lines::peak(p.ratio));
         }

@@ -1,13 +1,15 @@
 //! Growing a document.
 
+use super::around::{self, plan_lines, way};
 use super::beneath::taken;
+use super::course::CourseError;
 use super::engine::Engine;
 use super::memory::TooLarge;
 use super::inside::{is_replaced, plan_inside, refusal};
 use super::pattern::Pattern;
 use super::plan::{Plan, PlanError, plan};
 use super::probe::{ProbeError, When};
-use super::recipe::{After, Document, DocumentError, Problem};
+use super::recipe::{After, Document, DocumentError};
 use super::refine::{Measured, refine};
 use super::settle::settle;
 use super::training::Training;
@@ -91,6 +93,14 @@ pub enum GrowError {
         /// 1 = the lowest.
         layer: usize,
     },
+    /// Rings or a web find nothing to go round, or no room.
+    #[error("layer {layer} cannot be grown: {reason}")]
+    Course {
+        /// 1 = the lowest.
+        layer: usize,
+        /// Why.
+        reason: CourseError,
+    },
     /// The pattern left the range in which its system works.
     #[error(
         "layer {layer} grew no pattern: its concentrations are not finite; try another seed or larger marks"
@@ -112,14 +122,6 @@ pub fn grow(
     options: Options,
     watch: &Watch,
 ) -> Result<Grown, GrowError> {
-    for (index, layer) in document.layers.iter().enumerate().skip(1) {
-        if !matches!(layer.after, After::Between | After::Inside) {
-            let place = format!("layers[{index}].after");
-            let allowed = "\"between\" or \"inside\"; the other ways to meet the marks beneath are not built yet";
-            let found = format!("\"{}\"", layer.after.name());
-            return Err(Problem::new(place, found, allowed).in_file(source).into());
-        }
-    }
     let size = options.size.unwrap_or(document.size);
     let correct = options.refine.unwrap_or(document.growth.refine);
     let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
@@ -143,6 +145,9 @@ pub fn grow(
         if !beneath.is_empty() {
             plan.taken = taken(&beneath, plan.grid);
         }
+        let broken = document.layers[index].options.broken;
+        plan.lay_course(broken, document.layer_seed(index))
+            .map_err(|reason| GrowError::Course { layer: index + 1, reason })?;
         let mut layer = grow_layer(plan, document.layer_seed(index), index + 1, correct, watch)?;
         if document.layers[index].after == After::Inside {
             layer.plan.tell_places(&layer.measured, &document.layers[index - 1].name);
@@ -165,6 +170,12 @@ pub fn planned(
     beneath: Option<&Plan>,
 ) -> Result<Plan, GrowError> {
     let layer = &document.layers[index];
+    if let Some(problem) = around::refusal(document, index, map) {
+        return Err(problem.in_file(source).into());
+    }
+    if let Some(way) = way(layer.after) {
+        return Ok(plan_lines(way, map.clone())?);
+    }
     if layer.after != After::Inside {
         return Ok(plan(training, layer.system, map)?);
     }
@@ -189,7 +200,7 @@ fn grow_layer(
     }
     watch.step(Stage::Plan, 1.0)?;
     let settled = settle(&mut engine, watch)?;
-    let marks = engine.marks();
+    let marks = plan.levelled(engine.marks());
     if !marks.values.iter().all(|value| value.is_finite()) {
         return Err(GrowError::NoPattern { layer });
     }

@@ -1,6 +1,8 @@
 //! The thread: a document in, a grown texture out.
 
+mod around;
 pub mod beneath;
+mod course;
 pub mod drawn;
 mod engine;
 mod grow;

@@ -19,6 +19,7 @@
 //! | a layer's `seed` | derived from the document's: [`Document::layer_seed`] |
 //! | a layer's `options` | `{}` |
 //! | `options.spread`, of spots | `"drawn"` |
+//! | `options.broken`, of `"after": "around"` | 0: closed rings |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
@@ -31,6 +32,9 @@
 //! | `"drawn"` | as much as the marks of each region; those of fewer than six marks are even |
 //! | a number, 0–0.6 | the coefficient of variation of the area; shapes, directions and distances are even |
 //! | `{"area": 0–0.6, "angle": 0–45, "aspect": 0–0.2, "spacing": 0–0.2}` | each by itself; what is left out is even |
+
+//! `options.broken` of a layer `around` the one beneath, 0–0.6: the share of each ring that is open, in two to five gaps a
+//! ring, as on a leopard.
 
 mod choices;
 mod error;
@@ -161,6 +165,8 @@ impl Default for Layer {
 pub struct Options {
     /// How much its spots differ from each other.
     pub spread: SpreadChoice,
+    /// The share of each ring of an `around` layer that is open, 0..[`limits::BROKEN`].
+    pub broken: f64,
 }
 
 /// How much the spots of a layer differ from each other.
