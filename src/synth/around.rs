@@ -3,7 +3,7 @@
 //! They are Meinhardt's lines along a [`Course`] that is laid once the layers beneath have grown. Their width is all
 //! that is drawn; their rate follows from it by one law, and the level sets the last per cents.
 
-use super::course::{Course, CourseError, Grid, Need, RATIO, STRETCH, Wanted, Way};
+use super::course::{Course, CourseError, Grid, Need, RATIO, Wanted, Way};
 use super::plan::{Plan, PlanError, planned};
 use super::recipe::{After, Document, Problem, SystemChoice};
 use crate::attributes::regions::RegionMap;
@@ -63,7 +63,7 @@ pub fn plan_lines(way: Way, map: RegionMap) -> Result<Plan, PlanError> {
             parameters: learn::Parameters {
                 rate: root * root,
                 ratio: Some(RATIO),
-                stretch: STRETCH,
+                stretch: way.stretch(),
                 direction: 0.0,
                 level: Some(0.5),
             },

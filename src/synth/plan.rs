@@ -380,7 +380,7 @@ impl Plan {
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };
-        let maps = Maps { nx, ny, cell: self.cell, parameters, taken: self.taken.clone(), crests: Vec::new() };
+        let maps = Maps { nx, ny, cell: self.cell, parameters, taken: self.taken.clone(), crests: None };
         match &self.course {
             None => maps,
             Some(course) => course.told(maps),

@@ -18,6 +18,11 @@ const TRIES: usize = 6;
 /// Ring widths to either side of the curve within which a gap keeps cells free.
 const REACH: f64 = 1.4;
 
+/// What the end of an arc recedes from a gap by, ÷ its width.
+const RECEDES: f64 = 0.65;
+/// Half the length that is kept free in the smallest gap ÷ the width.
+const LEAST_CUT: f64 = 0.2;
+
 /// Where rings are open.
 pub struct Gaps {
     /// Whether a cell is in a gap.
@@ -47,7 +52,7 @@ pub fn open(
         let width = cells.iter().map(|cell| f64::from(wanted.width[*cell])).sum::<f64>() / cells.len() as f64;
         let more = MORE_OR_LESS * (2.0 * rng.random::<f64>() - 1.0);
         let gaps = (length / (APART * width) + more).round().max(LEAST);
-        let half = 0.5 * wanted.broken * length / gaps;
+        let half = (0.5 * wanted.broken * length / gaps - RECEDES * width).max(LEAST_CUT * width);
         let members = |cell: usize| curve[cell] && cells.binary_search(&cell).is_ok();
         for place in places(cells, grid, gaps as usize, &mut rng) {
             walk(place, grid, half, &members, &mut cut);

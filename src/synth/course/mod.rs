@@ -22,7 +22,7 @@ pub use copies::Grid;
 pub use room::{CourseError, Need};
 
 use crate::measure::StripeErrors;
-use crate::rd::{Maps, Parameters};
+use crate::rd::{Crests, Maps, Parameters};
 use blur::blurred;
 use rayon::prelude::*;
 
@@ -32,9 +32,6 @@ pub const RATIO: f64 = 15.0;
 /// The same where three lines meet, and the inhibitor of all of them comes together: at [`RATIO`] they part there
 /// after T = 60.
 const MEETING: f64 = 9.0;
-/// Minor ÷ major axis of the activator's tensor along a line: four times as fast along as across. At 1 : 1.5 lines break
-/// into spots; at 1 : 10 they widen where they bend.
-pub const STRETCH: f64 = 0.5;
 
 /// What lines do to the marks beneath.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,8 +47,19 @@ impl Way {
     #[must_use]
     pub fn law(self) -> f64 {
         match self {
-            Self::Rings => 13.3,
-            Self::Web => 13.3,
+            Self::Rings => 12.5,
+            Self::Web => 15.8,
+        }
+    }
+
+    /// Minor ÷ major axis of the activator's tensor along a line, √(slow ÷ fast). Webs in the open break into spots at
+    /// 1 : 1.5, and widen where they bend at 1 : 10. The more of it, the more lines that bend are drawn to the inside:
+    /// rings, which have a lane to hold them, are drawn against their marks at 1 : 2.
+    #[must_use]
+    pub fn stretch(self) -> f64 {
+        match self {
+            Self::Rings => 0.82,
+            Self::Web => 0.5,
         }
     }
 }
@@ -67,6 +75,8 @@ pub struct Course {
     pub along: Vec<Along>,
     /// Where nothing grows beside the marks beneath: close to them, and where rings are open.
     pub kept_off: Vec<bool>,
+    /// Inhibitor where nothing grows.
+    pub held: Vec<f32>,
     /// Whether it is a cell that the curve passes, and rings are not open there.
     curve: Vec<bool>,
     /// Ends of open rings by region, and the length of what is left of them, px.
@@ -128,7 +138,7 @@ impl Course {
         for (taken, kept_off) in maps.taken.iter_mut().zip(&self.kept_off) {
             *taken |= kept_off;
         }
-        Maps { crests: self.off.clone(), ..maps }
+        Maps { crests: Some(Crests { off: self.off.clone(), held: self.held.clone() }), ..maps }
     }
 
     /// What 2 × area ÷ contour length in region `index` says about the width there: the ends of open rings have a
@@ -157,7 +167,13 @@ impl Course {
 
 /// Directions and ratios from the way (columns, rows) to the curve, or from it, that each cell has: lines run across it.
 /// Where ways from all sides meet there is no direction.
-fn along(ways: &[[i32; 2]], grid: &Grid, radius: usize, meeting: impl Fn(usize) -> f64 + Sync) -> Vec<Along> {
+fn along(
+    way: Way,
+    ways: &[[i32; 2]],
+    grid: &Grid,
+    radius: usize,
+    meeting: impl Fn(usize) -> f64 + Sync,
+) -> Vec<Along> {
     // Cells beside a curve know its direction to 45° only, those farther away better.
     let far = (2 * radius.max(1)) as f64;
     let weighted = |[x, y]: [i32; 2]| {
@@ -182,7 +198,7 @@ fn along(ways: &[[i32; 2]], grid: &Grid, radius: usize, meeting: impl Fn(usize) 
             let meets = (1.0 - agreed) * meeting(i);
             Along {
                 direction: (0.5 * libm::atan2(-s, -c)).to_degrees() as f32,
-                stretch: libm::pow(STRETCH, agreed) as f32,
+                stretch: libm::pow(way.stretch(), agreed) as f32,
                 ratio: (RATIO + (MEETING - RATIO) * (1.5 * meets).min(1.0)) as f32,
             }
         })

@@ -10,7 +10,7 @@ impl Need {
     #[must_use]
     pub fn own(way: Way) -> f64 {
         match way {
-            Way::Rings => 2.0 * (super::rings::HALO + super::rings::AWAY) + super::rings::SHARED,
+            Way::Rings => 2.0 * super::rings::OWN,
             Way::Web => super::web::NEED,
         }
     }

@@ -6,9 +6,11 @@ use super::{Course, Grid, Wanted, Way, along, radius};
 use crate::field::distance::{length, nearest};
 
 /// Distance between two marks ÷ the web's width that a web needs between them; nearer ones are surrounded together.
-pub const NEED: f64 = 1.5;
+pub const NEED: f64 = 1.8;
 /// Nothing grows nearer to a mark than this share of the web's width.
 const HALO: f64 = 0.2;
+/// Inhibitor that the marks are held at: between lines there is as much.
+const HELD: f32 = 0.4;
 /// Pieces of the web that are less than this share of all of it are left out; larger ones are too many.
 const PIECE: f64 = 0.1;
 /// Where more than this share of the web finds no room it is none.
@@ -56,8 +58,9 @@ pub fn lay(wanted: &Wanted, grid: &Grid, regions: usize) -> Result<Course, Cours
         let widths = f64::from(off[cell]) * px / width(cell);
         libm::exp(-widths * widths)
     };
-    let along = along(&to, grid, radius(wanted.width, grid), meeting);
-    Ok(Course { way: Way::Web, off, along, kept_off, curve, ends: vec![(0.0, 0.0); regions], remarks })
+    let along = along(Way::Web, &to, grid, radius(wanted.width, grid), meeting);
+    let held = vec![HELD; grid.len()];
+    Ok(Course { way: Way::Web, off, along, kept_off, held, curve, ends: vec![(0.0, 0.0); regions], remarks })
 }
 
 /// The cell to the right and the one below, of those there are, with what each is seen to be nearest to.
