@@ -3,7 +3,7 @@
 //! They are Meinhardt's lines along a [`Course`] that is laid once the layers beneath have grown. Their width is all
 //! that is drawn; their rate follows from it by one law, and the level sets the last per cents.
 
-use super::course::{Course, CourseError, Grid, Need, RATIO, Wanted, Way};
+use super::course::{Course, CourseError, Grid, RATIO, Wanted, Way};
 use super::plan::{Plan, PlanError, planned};
 use super::recipe::{After, Document, Problem, SystemChoice};
 use crate::attributes::regions::RegionMap;
@@ -126,32 +126,44 @@ impl Plan {
     }
 }
 
-/// What there will be to say of `plan`'s room above the layer planned `beneath`, before anything has grown; `None` where
-/// there is enough.
-#[must_use]
-pub fn expected_room(plan: &Plan, beneath: &Plan) -> Option<String> {
-    let way = plan.way?;
-    let layout = plan.map.layout();
-    let tightest = |(place, _)| {
-        let center = layout.center(place);
-        let Attributes::Stripes(Stripes { width, .. }) = plan.map.at(center) else { return None };
-        let gap = match beneath.map.at(center) {
-            Attributes::Spots(Spots { area, spacing, .. }) => spacing? - 2.0 * (area / std::f64::consts::PI).sqrt(),
-            Attributes::Stripes(stripes) => stripes.width,
+/// Mean distance of spots, less their size, ÷ what lines between them need, below which most places have too little: the
+/// nearest of a spot's neighbours stands nearer than the mean. Below the second some have.
+const TIGHT: [f64; 2] = [1.1, 1.5];
+
+impl Plan {
+    /// What there will be to say about room above the layer planned `beneath`, before anything has grown; `None` where
+    /// there is enough.
+    #[must_use]
+    pub fn expected_room(&self, beneath: &Self) -> Option<String> {
+        let way = self.way.filter(|_| beneath.way.is_none())?;
+        let layout = self.map.layout();
+        let room = |(place, _)| {
+            let center = layout.center(place);
+            let Attributes::Stripes(Stripes { width, .. }) = self.map.at(center) else { return None };
+            let gap = match beneath.map.at(center) {
+                Attributes::Spots(Spots { area, spacing, .. }) => {
+                    spacing? - 2.0 * (area / std::f64::consts::PI).sqrt()
+                }
+                Attributes::Stripes(stripes) => stripes.width,
+            };
+            Some((gap / width, gap, width))
         };
-        Some((gap / width, gap, width))
-    };
-    let (room, gap, width) = plan.map.regions().filter_map(tightest).min_by(|a, b| a.0.total_cmp(&b.0))?;
-    let need = Need::own(way);
-    let [lines, less] = match way {
-        Way::Rings => ["rings", "neighbours will share walls, or be ringed together"],
-        Way::Web => ["a web of lines", "marks will be surrounded together, or there will be no web"],
-    };
-    (room < need).then(|| {
-        format!(
-            "{lines} {width:.1} px wide want {:.1} px between the marks beneath, which will stand about {gap:.1} px \
-             apart: {less}",
-            need * width
-        )
-    })
+        let (room, gap, width) =
+            self.map.regions().filter_map(room).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let [lines, some] = match way {
+            Way::Rings => ["rings", "some neighbours will share a wall"],
+            Way::Web => ["a web of lines", "some marks will be surrounded together"],
+        };
+        let tight = TIGHT.map(|tight| room < tight * way.need());
+        let then = match tight {
+            [true, _] => "grow will most likely refuse it; draw thinner lines, or the marks beneath farther apart",
+            [false, true] => some,
+            [false, false] => return None,
+        };
+        Some(format!(
+            "{lines} {width:.1} px wide need {:.1} px between the marks beneath, which will stand about {gap:.1} px \
+             apart: {then}",
+            way.need() * width
+        ))
+    }
 }

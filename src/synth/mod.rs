@@ -2,7 +2,7 @@
 
 mod around;
 pub mod beneath;
-mod course;
+pub mod course;
 pub mod drawn;
 mod engine;
 mod grow;

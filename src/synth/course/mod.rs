@@ -19,7 +19,7 @@ mod room;
 mod web;
 
 pub use copies::Grid;
-pub use room::{CourseError, Need};
+pub use room::CourseError;
 
 use crate::measure::StripeErrors;
 use crate::rd::{Crests, Maps, Parameters};
@@ -49,6 +49,15 @@ impl Way {
         match self {
             Self::Rings => 12.5,
             Self::Web => 15.8,
+        }
+    }
+
+    /// Distance between two marks ÷ the width of the lines, that lines of their own need between them.
+    #[must_use]
+    pub fn need(self) -> f64 {
+        match self {
+            Self::Rings => rings::OWN,
+            Self::Web => web::NEED,
         }
     }
 
@@ -166,13 +175,13 @@ impl Course {
 }
 
 /// Directions and ratios from the way (columns, rows) to the curve, or from it, that each cell has: lines run across it.
-/// Where ways from all sides meet there is no direction.
+/// Where ways from all sides meet there is no direction. `told` gives the stretch at a cell, and how far lines meet there
+/// where they have none, 0..1.
 fn along(
-    way: Way,
     ways: &[[i32; 2]],
     grid: &Grid,
     radius: usize,
-    meeting: impl Fn(usize) -> f64 + Sync,
+    told: impl Fn(usize) -> (f64, f64) + Sync,
 ) -> Vec<Along> {
     // Cells beside a curve know its direction to 45° only, those farther away better.
     let far = (2 * radius.max(1)) as f64;
@@ -195,10 +204,11 @@ fn along(
         .map(|i| {
             let [c, s, all] = [cos[i], sin[i], all[i]].map(f64::from);
             let agreed = if all > 0.0 { ((c * c + s * s).sqrt() / all).min(1.0) } else { 0.0 };
-            let meets = (1.0 - agreed) * meeting(i);
+            let (stretch, meeting) = told(i);
+            let meets = (1.0 - agreed) * meeting;
             Along {
                 direction: (0.5 * libm::atan2(-s, -c)).to_degrees() as f32,
-                stretch: libm::pow(way.stretch(), agreed) as f32,
+                stretch: libm::pow(stretch, agreed) as f32,
                 ratio: (RATIO + (MEETING - RATIO) * (1.5 * meets).min(1.0)) as f32,
             }
         })

@@ -15,19 +15,21 @@ const LANE: f64 = 0.85;
 const NARROWEST: f64 = 0.7;
 /// Inhibitor that is held on the inner and the outer side of a ring. Round marks of 1 to 6 ring widths these keep it in
 /// the middle of its lane, open or closed, from T = 30 to 80; with as much on both sides it slides inwards.
-const SIDES: [f64; 2] = [0.45, 0.2];
+const SIDES: [f32; 2] = [0.45, 0.2];
 /// The same on both sides of a wall that two marks share.
-const WALL: f64 = 0.3;
+const WALL: f32 = 0.3;
 
-/// Half the distance between two marks ÷ the width of rings, below which their rings are one wall: lanes would overlap.
-pub const SHARED: f64 = 2.0 * LANE;
-/// The same from which on each has its own place; the wall forks in between.
-pub const OWN: f64 = SHARED + 0.5;
+/// Half the distance between two marks ÷ the width of their rings, below which these are one wall for both.
+const SHARED: f64 = 1.5;
+/// Between two rings that are nearer than this is a strip, so many widths to either side of the middle, where nothing
+/// grows: else one takes the other's room.
+const STRIP: [f64; 2] = [1.9, 0.12];
+/// Distance between two marks ÷ the width of rings at which each has its own.
+pub const OWN: f64 = 2.0 * SHARED;
 
-/// An outline is ringed where a ring passes within this many widths of it.
-const NEAR: f64 = 2.0;
-/// Outlines that are ringed less than this are told, and refused below the second.
-const RINGED: [f64; 2] = [0.95, 0.5];
+/// Where more than this share of the outlines has no room for a ring of its own, there are none: walls from all sides
+/// would leave scraps.
+const CROWDED: f64 = 0.7;
 
 /// Rings round the marks that `wanted` says.
 pub fn lay(
@@ -47,13 +49,18 @@ pub fn lay(
     let at = |cell: usize| place(room[cell] / width(cell)) * width(cell);
     let off: Vec<f32> =
         (0..grid.len()).map(|cell| ((distance[cell] - at(cell)).abs() / px) as f32).collect();
+    let has_own = |cell: usize| room[cell] >= SHARED * width(cell);
     let narrow = |cell: usize| room[cell] < NARROWEST * width(cell) && distance[cell] < width(cell);
+    let between_rings = |cell: usize| {
+        let room = room[cell] / width(cell);
+        (SHARED..STRIP[0]).contains(&room) && distance[cell] / width(cell) > room - STRIP[1]
+    };
     let mut kept_off: Vec<bool> = (0..grid.len())
-        .map(|cell| f64::from(off[cell]) * px > LANE * width(cell) || narrow(cell))
+        .map(|cell| f64::from(off[cell]) * px > LANE * width(cell) || narrow(cell) || between_rings(cell))
         .collect();
     let mut curve: Vec<bool> = off.iter().zip(&kept_off).map(|(off, kept)| *off < 1.0 && !kept).collect();
     let mut remarks = Vec::new();
-    told(wanted, grid, &curve, &mut remarks)?;
+    told(wanted, grid, &has_own, &mut remarks)?;
     let mut ends = vec![(0.0, 0.0); regions];
     if wanted.broken > 0.0 {
         let Gaps { opened, ends: places } = open(wanted, grid, &off, &curve, |cell| {
@@ -70,23 +77,18 @@ pub fn lay(
         }
     }
     let held = (0..grid.len())
-        .map(|cell| {
-            let own = ((room[cell] / width(cell) - SHARED) / (OWN - SHARED)).clamp(0.0, 1.0);
-            let side = SIDES[usize::from(distance[cell] > at(cell))];
-            (WALL + own * (side - WALL)) as f32
-        })
+        .map(|cell| if has_own(cell) { SIDES[usize::from(distance[cell] > at(cell))] } else { WALL })
         .collect();
-    let along = along(Way::Rings, &away, grid, radius(wanted.width, grid), |_| 0.0);
+    let along = along(&away, grid, radius(wanted.width, grid), |cell| {
+        let way = if has_own(cell) { Way::Rings } else { Way::Web };
+        (way.stretch(), if has_own(cell) { 0.0 } else { 1.0 })
+    });
     Ok(Course { way: Way::Rings, off, along, kept_off, held, curve, ends, remarks })
 }
 
 /// Distance of a ring's middle from its mark, ÷ its width, where half the distance to the next mark is so many widths.
 fn place(room: f64) -> f64 {
-    if room < SHARED {
-        return room.max(LANE);
-    }
-    let apart = ((room - SHARED) / (OWN - SHARED)).min(1.0);
-    SHARED + apart * (LANE - SHARED)
+    if room < SHARED { room.max(LANE) } else { LANE }
 }
 
 /// Half the distance between the two marks whose middle is nearest to each cell, px.
@@ -98,11 +100,11 @@ fn room(grid: &Grid, middle: &[bool], distance: &[f64]) -> Vec<f64> {
     (0..grid.len()).map(at).collect()
 }
 
-/// How much of the outlines has a ring, where that is not all of them.
+/// Refuses what has too little room, and says where some of it has.
 fn told(
     wanted: &Wanted,
     grid: &Grid,
-    curve: &[bool],
+    has_own: &dyn Fn(usize) -> bool,
     remarks: &mut Vec<String>,
 ) -> Result<(), CourseError> {
     let outline: Vec<usize> = (0..grid.len())
@@ -112,24 +114,22 @@ fn told(
             sides.filter_map(|side| grid.away(*cell, *side)).any(|(side, _)| !wanted.taken[side])
         })
         .collect();
-    let to = nearest(curve, grid.size, grid.cell, grid.edges);
-    let near = |cell: &&usize| {
-        let width = f64::from(wanted.width[**cell]);
-        to.as_ref().is_some_and(|to| length(to[**cell], grid.cell) < NEAR * width)
-    };
-    let share = outline.iter().filter(near).count() as f64 / outline.len().max(1) as f64;
-    if share >= RINGED[0] {
-        return Ok(());
+    if outline.is_empty() {
+        return Err(CourseError::Nothing("ring"));
     }
-    let width = outline.iter().map(|cell| f64::from(wanted.width[*cell])).sum::<f64>() / outline.len() as f64;
-    let need = 2.0 * NARROWEST * width;
-    if share < RINGED[1] {
-        return Err(CourseError::TooNarrow { lines: "rings", width, need, share: 1.0 - share });
+    let all = outline.len() as f64;
+    let share = outline.iter().filter(|cell| !has_own(**cell)).count() as f64 / all;
+    let width = outline.iter().map(|cell| f64::from(wanted.width[*cell])).sum::<f64>() / all;
+    let need = OWN * width;
+    if share > CROWDED {
+        return Err(CourseError::TooNarrow { lines: "rings", width, need, share });
     }
-    remarks.push(format!(
-        "rings {width:.1} px wide need {need:.1} px between marks; {:.0} % of their outlines have less, and marks there \
-         are ringed together",
-        100.0 * (1.0 - share)
-    ));
+    if share > 0.005 {
+        remarks.push(format!(
+            "rings {width:.1} px wide want {need:.1} px between marks; {:.0} % of the outlines have less, and neighbours \
+             share a wall there",
+            100.0 * share
+        ));
+    }
     Ok(())
 }

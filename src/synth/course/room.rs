@@ -1,20 +1,4 @@
-//! Whether there is room for rings or a web, and what to say where there is none.
-
-use super::Way;
-
-/// Distance between two marks, ÷ the width of the lines, that they need between them.
-pub struct Need;
-
-impl Need {
-    /// For lines of their own; below it neighbours share what is between them.
-    #[must_use]
-    pub fn own(way: Way) -> f64 {
-        match way {
-            Way::Rings => 2.0 * super::rings::OWN,
-            Way::Web => super::web::NEED,
-        }
-    }
-}
+//! What to say where there is no room for rings or a web.
 
 /// Why there is no course.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -24,8 +8,8 @@ pub enum CourseError {
     Nothing(&'static str),
     /// The marks beneath stand too near to each other.
     #[error(
-        "{lines} {width:.1} px wide need {need:.1} px between the marks beneath, and {:.0} % of these stand nearer; draw \
-         thinner lines, or the marks beneath farther apart",
+        "{lines} {width:.1} px wide need {need:.1} px between the marks beneath, and {:.0} % of their outlines have less; \
+         draw thinner lines, or the marks beneath farther apart",
         100.0 * share
     )]
     TooNarrow {

@@ -37,7 +37,7 @@ pub fn lay(wanted: &Wanted, grid: &Grid, regions: usize) -> Result<Course, Cours
     let mean = whole.iter().enumerate().filter(|(_, set)| **set).map(|(cell, _)| width(cell)).sum::<f64>();
     let mean = mean / all as f64;
     if share > NARROW {
-        return Err(CourseError::TooNarrow { lines: "a web of lines", width: mean, need: NEED * mean, share });
+        return Err(CourseError::TooNarrow { lines: "webs", width: mean, need: NEED * mean, share });
     }
     one_piece(&mut middle, grid)?;
     let mut remarks = Vec::new();
@@ -54,11 +54,11 @@ pub fn lay(wanted: &Wanted, grid: &Grid, regions: usize) -> Result<Course, Cours
         to.iter().map(|way| ((length(*way, grid.cell) / px) as f32 - 0.5).max(0.0)).collect();
     let kept_off: Vec<bool> = (0..grid.len()).map(|cell| distance[cell] < HALO * width(cell)).collect();
     let curve = off.iter().zip(&kept_off).map(|(off, kept)| *off < 1.0 && !kept).collect();
-    let meeting = |cell: usize| {
+    let told = |cell: usize| {
         let widths = f64::from(off[cell]) * px / width(cell);
-        libm::exp(-widths * widths)
+        (Way::Web.stretch(), libm::exp(-widths * widths))
     };
-    let along = along(Way::Web, &to, grid, radius(wanted.width, grid), meeting);
+    let along = along(&to, grid, radius(wanted.width, grid), told);
     let held = vec![HELD; grid.len()];
     Ok(Course { way: Way::Web, off, along, kept_off, held, curve, ends: vec![(0.0, 0.0); regions], remarks })
 }
