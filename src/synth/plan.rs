@@ -1,5 +1,6 @@
 //! What will be grown: the system, the size of a cell, and the parameters at every place.
 
+use super::course::{Course, Way};
 use super::lattice::{Lattice, Node};
 use super::probe::{self, Offset, ProbeError, Probed, When};
 use super::recipe::SystemChoice;
@@ -66,6 +67,10 @@ pub struct Plan {
     pub lattice: Lattice,
     /// Which cells the marks of the layers beneath have taken; empty = none.
     pub taken: Vec<bool>,
+    /// What its lines do to the marks beneath, where they are such.
+    pub way: Option<Way>,
+    /// How they run, once that is known.
+    pub course: Option<Course>,
     /// Where its marks begin, px, where that is not for its system to say.
     pub places: Option<Vec<[f64; 2]>>,
     /// What was looked up for each region, lengths in px but parameters in cells.
@@ -221,8 +226,21 @@ pub(super) fn planned(system: System, map: RegionMap, asked: Asked) -> Result<Pl
         }
     }
     let lattice = lattice(&map, cell, &probed, asked)?;
-    let (taken, places) = (Vec::new(), None);
-    Ok(Plan { system, map, cell: exact, grid, lattice, taken, places, answers, remarks, probed, spreads })
+    Ok(Plan {
+        system,
+        map,
+        cell: exact,
+        grid,
+        lattice,
+        taken: Vec::new(),
+        way: None,
+        course: None,
+        places: None,
+        answers,
+        remarks,
+        probed,
+        spreads,
+    })
 }
 
 /// Parameters at the nodes over the canvas of `map`: those looked up for what is wanted there, less what probes found
@@ -301,7 +319,7 @@ impl Plan {
     /// # Errors
     /// The training set cannot be asked; or [`super::Cancelled`].
     pub fn probed(mut self, training: &Training, when: When, watch: &Watch) -> Result<Self, ProbeError> {
-        if self.places.is_some() {
+        if self.places.is_some() || self.way.is_some() {
             // Spots at places of their own are as their law says; a patch would stand at others.
             return Ok(self);
         }
@@ -415,6 +433,10 @@ impl Plan {
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };
-        Maps { nx, ny, cell: self.cell, parameters, taken: self.taken.clone() }
+        let maps = Maps { nx, ny, cell: self.cell, parameters, taken: self.taken.clone(), crests: None };
+        match &self.course {
+            None => maps,
+            Some(course) => course.told(maps),
+        }
     }
 }

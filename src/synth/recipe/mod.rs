@@ -20,6 +20,7 @@
 //! | a layer's `options` | `{}` |
 //! | `options.spread`, of spots | `"drawn"` |
 //! | `options.duty`, of stripes | 0.5 |
+//! | `options.broken`, of `"after": "around"` | 0: closed rings |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
@@ -36,6 +37,9 @@
 //! `options.duty` of a layer of stripes, 0.2–0.5, says which share of the way from one stripe to the next each covers:
 //! they are as wide as drawn, and width ÷ duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as
 //! their gaps; below it `meinhardt-lines`, thin stripes on wide ground. `meinhardt-stripes` takes no other duty.
+//!
+//! `options.broken` of a layer `around` the one beneath, 0–0.6: the share of each ring that is open, in two to five gaps a
+//! ring, as on a leopard.
 
 mod choices;
 mod error;
@@ -168,11 +172,13 @@ pub struct Options {
     pub spread: SpreadChoice,
     /// Stripe ÷ period, 0.2–0.5.
     pub duty: f64,
+    /// The share of each ring of an `around` layer that is open, 0..[`limits::BROKEN`].
+    pub broken: f64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { spread: SpreadChoice::default(), duty: Self::DUTY }
+        Self { spread: SpreadChoice::default(), duty: Self::DUTY, broken: 0.0 }
     }
 }
 

@@ -49,6 +49,9 @@ fn options(options: &Options) -> Value {
     if options.duty != Options::DUTY {
         map.insert("duty".into(), number(options.duty));
     }
+    if options.broken > 0.0 {
+        map.insert("broken".into(), number(options.broken));
+    }
     Value::Object(map)
 }
 
