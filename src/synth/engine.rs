@@ -291,6 +291,7 @@ fn stage(
         Growth::resumed(system, here, edges, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
     let rest = Rest::new(system, unit, begins, growth.marks(here).values);
+    let rest = if here.taken.contains(&true) { rest.among_frozen() } else { rest };
     let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
     Stage { level, coarse, growth, counts, rest, expected }
 }

@@ -8,7 +8,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn document() -> Document {
     let small = spots(63.0, 0.8, 60.0, 24.0);
-    cascade(Edges::Closed, 1, vec![spots(850.0, 0.83, 30.0, 80.0), small, stripes(3.0, 45.0)])
+    let layers = vec![spots(850.0, 0.83, 30.0, 80.0), small, stripes(3.0, 45.0)];
+    Document { size: [240, 240], ..cascade(Edges::Closed, 1, layers) }
 }
 
 /// `document` grown after `before`, and how many layers were.
@@ -36,7 +37,7 @@ fn changed_layers_are_grown_again_and_those_beneath_are_not() {
     let seed = |document: &mut Document| document.layers[2].seed = Some(9);
     let marks = |document: &mut Document| document.layers[1].strokes.truncate(2);
     let all = |document: &mut Document| document.seed = 2;
-    let size = |document: &mut Document| document.size = [300, 360];
+    let size = |document: &mut Document| document.size = [200, 240];
     let cases: [(&dyn Fn(&mut Document), usize); 5] =
         [(&colours, 0), (&seed, 1), (&marks, 2), (&all, 3), (&size, 3)];
     for (change, times) in cases {
