@@ -8,6 +8,7 @@ use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;
 use super::kinetics::Kinetics;
 use super::maps::{Maps, Parameters};
+use super::meinhardt_lines::{self, MeinhardtLines};
 use super::meinhardt_spots::{self, MeinhardtSpots};
 use super::meinhardt_stripes::{self, MeinhardtStripes};
 use super::plane::{Grid, Plane};
@@ -60,6 +61,13 @@ impl Chemicals {
     }
 }
 
+impl System {
+    /// What tells the height of a mark's middle from the ratio, of Meinhardt's two chemicals.
+    fn peak(self) -> fn(f32) -> f32 {
+        if self == Self::MeinhardtLines { meinhardt_lines::peak } else { meinhardt_spots::peak }
+    }
+}
+
 impl Growth {
     /// Lays out the grid, its coefficients and what the growth begins from.
     #[must_use]
@@ -67,6 +75,7 @@ impl Growth {
         let mut rng = Pcg64Mcg::seed_from_u64(seed);
         let chemicals = match system {
             System::MeinhardtStripes => Chemicals::five(begin::stripes(maps, edges, &mut rng)),
+            System::MeinhardtLines => Chemicals::two(begin::lines(maps, edges, &mut rng)),
             _ => Chemicals::two(begin::spots(system, maps, edges, &mut rng)),
         };
         Self::of(system, maps, edges, chemicals)
@@ -124,6 +133,9 @@ impl Growth {
                 (Chemicals::Two(two), System::TuringSpots) => {
                     sweep_and_swap::<2, TuringSpots>(problem, two, tiling, instructions, scratch);
                 }
+                (Chemicals::Two(two), System::MeinhardtLines) => {
+                    sweep_and_swap::<2, MeinhardtLines>(problem, two, tiling, instructions, scratch);
+                }
                 (Chemicals::Two(two), _) => {
                     sweep_and_swap::<2, MeinhardtSpots>(problem, two, tiling, instructions, scratch);
                 }
@@ -141,6 +153,9 @@ impl Growth {
             match (&mut self.chemicals, self.system) {
                 (Chemicals::Two(two), System::TuringSpots) => {
                     step_and_swap::<2, TuringSpots>(&self.problem, two);
+                }
+                (Chemicals::Two(two), System::MeinhardtLines) => {
+                    step_and_swap::<2, MeinhardtLines>(&self.problem, two);
                 }
                 (Chemicals::Two(two), _) => step_and_swap::<2, MeinhardtSpots>(&self.problem, two),
                 (Chemicals::Five(five), _) => step_and_swap::<5, MeinhardtStripes>(&self.problem, five),
@@ -180,11 +195,12 @@ impl Growth {
                 }
             }
             Chemicals::Two(two) => {
+                let peak_at = self.system.peak();
                 let (mut ratio, mut peak) = (f32::NAN, 0.0);
                 for ((mark, a), p) in row.iter_mut().zip(two[0][0].row(y)).zip(&maps.parameters[y * nx..]) {
                     // Mostly the same as beside it.
                     if p.ratio != ratio {
-                        (ratio, peak) = (p.ratio, meinhardt_spots::peak(p.ratio));
+                        (ratio, peak) = (p.ratio, peak_at(p.ratio));
                     }
                     *mark = a / peak;
                 }
@@ -265,7 +281,7 @@ fn problem(system: System, maps: &Maps, edges: Edges) -> Problem {
         let stretch = f64::from(p.stretch.max(MIN_STRETCH));
         let [along, across] = match system {
             System::TuringSpots | System::MeinhardtSpots => [1.0 / stretch, stretch],
-            System::MeinhardtStripes => [1.0 / (stretch * stretch), 1.0],
+            System::MeinhardtStripes | System::MeinhardtLines => [1.0 / (stretch * stretch), 1.0],
         };
         Tensor::oriented(along, across, f64::from(p.direction)).on_cells(maps.cell)
     };
@@ -276,13 +292,15 @@ fn problem(system: System, maps: &Maps, edges: Edges) -> Problem {
     let isotropic = [square.xx as f32, square.yy as f32];
     let shares = |p: &Parameters| match system {
         System::TuringSpots => [turing_spots::RATIO.sqrt(), 1.0 / turing_spots::RATIO.sqrt()],
-        System::MeinhardtSpots => [1.0 / p.ratio.sqrt(), p.ratio.sqrt()],
+        System::MeinhardtSpots | System::MeinhardtLines => [1.0 / p.ratio.sqrt(), p.ratio.sqrt()],
         System::MeinhardtStripes => [1.0, meinhardt_stripes::RATIO],
     };
     let fastest = |p: &Parameters| {
         let [d0, d1] = shares(p);
         match system {
-            System::MeinhardtStripes => (d0 * diffusion.largest).max(d1 * (isotropic[0] + isotropic[1])),
+            System::MeinhardtStripes | System::MeinhardtLines => {
+                (d0 * diffusion.largest).max(d1 * (isotropic[0] + isotropic[1]))
+            }
             _ => d0.max(d1) * diffusion.largest,
         }
     };
@@ -306,6 +324,7 @@ mod tests {
         let rate = match system {
             System::TuringSpots => 0.15,
             System::MeinhardtSpots => 2.0,
+            System::MeinhardtLines => 6.0,
             System::MeinhardtStripes => 40.0,
         };
         let maps = Maps::uniform(
@@ -323,6 +342,7 @@ mod tests {
             (System::TuringSpots, 0.10..0.45),
             (System::MeinhardtSpots, 0.05..0.12),
             (System::MeinhardtStripes, 0.45..0.55),
+            (System::MeinhardtLines, 0.25..0.45),
         ] {
             let (maps, mut growth) = small(system);
             growth.advance(growth.steps_in(30.0));
@@ -331,13 +351,15 @@ mod tests {
             let lowest = marks.iter().copied().fold(f32::INFINITY, f32::min);
             let highest = marks.iter().copied().fold(f32::NEG_INFINITY, f32::max);
             assert!(cover.contains(&share), "{system:?} covers {share}");
-            assert!((-0.1..0.15).contains(&lowest) && (0.85..1.15).contains(&highest), "{lowest}..{highest}");
+            // Where a line ends it is higher than along it.
+            let ends = if system == System::MeinhardtLines { 1.3 } else { 1.15 };
+            assert!((-0.1..0.15).contains(&lowest) && (0.85..ends).contains(&highest), "{lowest}..{highest}");
         }
     }
 
     #[test]
     fn a_grown_pattern_is_stationary() {
-        for system in [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes] {
+        for system in System::ALL {
             let (maps, mut growth) = small(system);
             growth.advance(growth.steps_in(60.0));
             let before = growth.marks(&maps).values;
@@ -353,7 +375,7 @@ mod tests {
 
     #[test]
     fn resuming_goes_on_bit_for_bit() {
-        for system in [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes] {
+        for system in System::ALL {
             let (maps, mut growth) = small(system);
             growth.advance(40);
             let mut again =
@@ -366,7 +388,7 @@ mod tests {
 
     #[test]
     fn frozen_cells_stay_as_they_are_and_are_felt() {
-        for system in [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes] {
+        for system in System::ALL {
             let (_, mut growth) = small(system);
             growth.advance(50);
             let (before, mut free, mut plain) = (growth.concentrations(), growth.clone(), growth.clone());
@@ -402,16 +424,18 @@ mod tests {
 
     #[test]
     fn the_number_of_threads_changes_no_bit() {
-        let grown = |threads: usize| {
+        let grown = |system: System, threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
             pool.install(|| {
                 let p = Parameters { rate: 2.0, ratio: 15.0, stretch: 0.5, direction: 70.0, pitch: 1.0 };
                 let maps = Maps::uniform(300, 260, p);
-                let mut growth = Growth::new(System::MeinhardtSpots, &maps, Edges::Closed, 9);
+                let mut growth = Growth::new(system, &maps, Edges::Closed, 9);
                 growth.advance(50);
                 growth.concentrations()
             })
         };
-        assert!(grown(1) == grown(4));
+        for system in [System::MeinhardtSpots, System::MeinhardtLines] {
+            assert!(grown(system, 1) == grown(system, 4), "{system:?}");
+        }
     }
 }

@@ -253,6 +253,7 @@ mod tests {
     use super::super::coefficients::Coefficients;
     use super::super::diffusion::Diffusion;
     use super::super::explicit;
+    use super::super::meinhardt_lines::MeinhardtLines;
     use super::super::meinhardt_spots::MeinhardtSpots;
     use super::super::meinhardt_stripes::MeinhardtStripes;
     use super::super::plane::Grid;
@@ -343,6 +344,7 @@ mod tests {
                 agree::<2, TuringSpots>(grid, thinnest, tilings);
                 agree::<2, MeinhardtSpots>(grid, thinnest, tilings);
                 agree::<5, MeinhardtStripes>(grid, thinnest, tilings);
+                agree::<2, MeinhardtLines>(grid, thinnest, tilings);
             }
         }
     }

@@ -234,7 +234,7 @@ impl Engine {
     /// The pattern as far as it has grown, at `width` × `height` px. `plan` is that of the engine.
     #[must_use]
     pub fn look(&self, plan: &Plan, width: usize, height: usize) -> Field {
-        Pattern::new(plan, &self.marks()).field(width, height)
+        Pattern::new(plan, &plan.levelled(self.marks())).field(width, height)
     }
 }
 
