@@ -29,7 +29,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let training = Training::default();
     for index in 0..document.layers.len() {
         let map = region_map(&document, index, &source)?;
-        let plan = plan(&training, document.layers[index].system, &map).map_err(Error::step)?;
+        let plan = plan(&training, document.layers[index].choice(), &map).map_err(Error::step)?;
         text += &reach(&plan, index);
         if let Err(error) = memory::check(plan.system, document.size.map(f64::from), plan.grid) {
             // Writing to a String cannot fail.

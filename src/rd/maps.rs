@@ -31,13 +31,22 @@ pub struct Maps {
     pub parameters: Vec<Parameters>,
     /// Which cells other marks have taken, row by row; empty = none. Nothing grows there, and what does keeps away.
     pub taken: Vec<bool>,
+    /// By how much the decay β of Turing's spots differs from its 12, row by row; empty = nowhere.
+    pub uneven: Vec<f32>,
 }
 
 impl Maps {
     /// The same parameters everywhere, on square cells.
     #[must_use]
     pub fn uniform(nx: usize, ny: usize, parameters: Parameters) -> Self {
-        Self { nx, ny, cell: [1.0, 1.0], parameters: vec![parameters; nx * ny], taken: Vec::new() }
+        Self {
+            nx,
+            ny,
+            cell: [1.0, 1.0],
+            parameters: vec![parameters; nx * ny],
+            taken: Vec::new(),
+            uneven: Vec::new(),
+        }
     }
 
     /// The parameters of the cell that the point (x, y), in cells, lies in; beyond the border the nearest.
@@ -65,6 +74,13 @@ impl Maps {
         self.taken.get(cell).copied().unwrap_or(false)
     }
 
+    /// [`Self::uneven`] about a point, over a rectangle of these sides.
+    fn uneven_at(&self, [x, y]: [f64; 2], [wide, high]: [f64; 2]) -> f32 {
+        const SHIFTS: [f64; 4] = [-0.375, -0.125, 0.125, 0.375];
+        let at = |dx: f64, dy: f64| self.uneven[self.cell_at([x + dx * wide, y + dy * high])];
+        SHIFTS.iter().flat_map(|dy| SHIFTS.map(|dx| at(dx, *dy))).sum::<f32>() / 16.0
+    }
+
     /// The same canvas on `nx` × `ny` cells: lengths in cells change, what grows does not (but for what the grid
     /// does to it).
     #[must_use]
@@ -74,6 +90,8 @@ impl Maps {
         let at = |i: usize| [((i % nx) as f64 + 0.5) * wide, ((i / nx) as f64 + 0.5) * high];
         let taken = if self.taken.is_empty() { 0 } else { nx * ny };
         let taken = (0..taken).map(|i| self.is_taken(self.cell_at(at(i)))).collect();
+        let uneven = if self.uneven.is_empty() { 0 } else { nx * ny };
+        let uneven = (0..uneven).map(|i| self.uneven_at(at(i), [wide, high])).collect();
         let parameters = (0..nx * ny)
             .into_par_iter()
             .map(|i| {
@@ -81,6 +99,6 @@ impl Maps {
                 Parameters { rate: p.rate * finer, ..p }
             })
             .collect();
-        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters, taken }
+        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters, taken, uneven }
     }
 }

@@ -58,8 +58,12 @@ impl Engine {
     pub fn new(plan: &Plan, seed: u64) -> Self {
         let edges = plan.map.layout().edges;
         match vary(plan, seed) {
-            None => Self::of(plan.system, plan.maps(&pitches(plan, seed)), edges, seed),
+            None => {
+                let maps = plan.maps(&pitches(plan, seed)).uneven(plan.irregular, edges, seed);
+                Self::of(plan.system, maps, edges, seed)
+            }
             Some(Varied { maps, places, largest }) => {
+                let maps = maps.uneven(plan.irregular, edges, seed);
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }

@@ -124,7 +124,8 @@ pub fn grow(
     for index in 0..document.layers.len() {
         watch.step(Stage::Plan, 0.0)?;
         let map = drawn::region_map(document, index, source)?.resized(size.map(f64::from));
-        let mut plan = plan(training, document.layers[index].system, &map)?;
+        let mut plan = plan(training, document.layers[index].choice(), &map)?;
+        plan.irregular = document.layers[index].options.irregular;
         memory::check(plan.system, size.map(f64::from), plan.grid)?;
         if correct {
             watch.step(Stage::Plan, 0.1)?;

@@ -60,6 +60,8 @@ pub struct Plan {
     pub grid: [usize; 2],
     /// Parameters (in cells) at every place.
     pub lattice: Lattice,
+    /// How irregular its spots are to be, 0..1: Turing's can be.
+    pub irregular: f64,
     /// Which cells the marks of the layers beneath have taken; empty = none.
     pub taken: Vec<bool>,
     /// What was looked up for each region, lengths in px but parameters in cells.
@@ -147,7 +149,9 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
         }
     }
     let lattice = lattice(training, system, &map, cell, &probed)?;
-    Ok(Plan { system, map, cell: exact, grid, lattice, taken: Vec::new(), answers, remarks, probed, spreads })
+    let taken = Vec::new();
+    let irregular = 0.0;
+    Ok(Plan { system, map, cell: exact, grid, lattice, irregular, taken, answers, remarks, probed, spreads })
 }
 
 /// Parameters at the nodes over the canvas of `map`: those looked up for what is wanted there, less what probes found
@@ -309,6 +313,6 @@ impl Plan {
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };
-        Maps { nx, ny, cell: self.cell, parameters, taken: self.taken.clone() }
+        Maps { nx, ny, cell: self.cell, parameters, taken: self.taken.clone(), uneven: Vec::new() }
     }
 }

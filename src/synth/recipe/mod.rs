@@ -20,6 +20,7 @@
 //! | a layer's `options` | `{}` |
 //! | `options.spread`, of spots | `"drawn"` |
 //! | `options.duty`, of stripes | 0.5 |
+//! | `options.irregular`, of spots | 0 |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
@@ -36,6 +37,10 @@
 //! `options.duty` of a layer of stripes, 0.2–0.5, says which share of the way from one stripe to the next each covers:
 //! they are as wide as drawn, and width ÷ duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as
 //! their gaps; below it `meinhardt-lines`, thin stripes on wide ground. `meinhardt-stripes` takes no other duty.
+//!
+//! `options.irregular` of a layer of spots, 0–1, says how irregular their shapes are: 0 grows ellipses, 1 beans, bars and
+//! drops that differ by 0.4 in area (β ± 3 of Phan & Grimm). Only `turing-spots` does that, which `auto` takes then; their
+//! spacing goes with their area. The mean area is as drawn; aspect and angle are those of the spots before they were bent.
 
 mod choices;
 mod error;
@@ -146,6 +151,14 @@ pub struct Layer {
     pub colours: Option<Colours>,
 }
 
+impl Layer {
+    /// The system that is asked for: only one grows irregular spots.
+    #[must_use]
+    pub fn choice(&self) -> SystemChoice {
+        if self.options.irregular > 0.0 { SystemChoice::TuringSpots } else { self.system }
+    }
+}
+
 impl Default for Layer {
     fn default() -> Self {
         Self {
@@ -168,11 +181,13 @@ pub struct Options {
     pub spread: SpreadChoice,
     /// Stripe ÷ period, 0.2–0.5.
     pub duty: f64,
+    /// How irregular its spots are, 0–1.
+    pub irregular: f64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { spread: SpreadChoice::default(), duty: Self::DUTY }
+        Self { spread: SpreadChoice::default(), duty: Self::DUTY, irregular: 0.0 }
     }
 }
 

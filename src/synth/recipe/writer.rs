@@ -49,6 +49,9 @@ fn options(options: &Options) -> Value {
     if options.duty != Options::DUTY {
         map.insert("duty".into(), number(options.duty));
     }
+    if options.irregular != 0.0 {
+        map.insert("irregular".into(), number(options.irregular));
+    }
     Value::Object(map)
 }
 
