@@ -219,7 +219,14 @@ fn errors_of_spots_are_those_between_the_marks_and_the_map() {
         })
     };
     let region_of = |[x, _]: [f64; 2]| usize::from(x >= 120.0);
-    let canvas = Canvas { size: field.extent(), edges, regions: 3, region_of: &region_of, wanted: &wanted };
+    let canvas = Canvas {
+        size: field.extent(),
+        edges,
+        regions: 3,
+        region_of: &region_of,
+        covered: &|_| false,
+        wanted: &wanted,
+    };
     let errors = measure::spot_errors(&spots, &canvas);
     assert_eq!(errors[2], measure::SpotErrors::default());
     assert_eq!(errors[0].marks + errors[1].marks, 120);
@@ -250,8 +257,14 @@ fn cut_marks_are_neighbours_but_not_measured() {
     assert!(whole < spots.len());
     let wanted =
         |_: [f64; 2]| Attributes::Spots(Spots { area: 150.0, aspect: 0.6, angle: 20.0, spacing: Some(24.0) });
-    let canvas =
-        Canvas { size: field.extent(), edges: Edges::Closed, regions: 1, region_of: &|_| 0, wanted: &wanted };
+    let canvas = Canvas {
+        size: field.extent(),
+        edges: Edges::Closed,
+        regions: 1,
+        region_of: &|_| 0,
+        covered: &|_| false,
+        wanted: &wanted,
+    };
     let errors = measure::spot_errors(&spots, &canvas);
     assert_eq!(errors[0].marks, whole);
     // What is cut has its centre pulled inwards, and the hull it makes leaves some long edges inside.
@@ -263,7 +276,7 @@ fn errors_of_stripes_are_those_between_the_field_and_the_map() {
     let field = stripes([240, 200], false, 7.0, 40.0, 16.0);
     let wanted = |[x, _]: [f64; 2]| {
         let angle = if x < 120.0 { 35.0 } else { 44.0 };
-        Attributes::Stripes(Stripes { width: 6.0, angle })
+        Attributes::Stripes(Stripes { width: 6.0, angle, wavelength: None })
     };
     let region_of = |[x, _]: [f64; 2]| usize::from(x >= 120.0);
     let canvas = Canvas {
@@ -271,6 +284,7 @@ fn errors_of_stripes_are_those_between_the_field_and_the_map() {
         edges: Edges::Closed,
         regions: 2,
         region_of: &region_of,
+        covered: &|_| false,
         wanted: &wanted,
     };
     let errors = measure::stripe_errors(&field, 0.5, &canvas);

@@ -4,16 +4,17 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
-use super::maps::{Maps, Parameters};
+use super::maps::{Crests, Maps, Parameters};
 use super::nuclei::{Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
-use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
-use crate::field::Edges;
+use super::{System, gabor, meinhardt_lines, meinhardt_spots, meinhardt_stripes, turing_spots};
+use crate::field::{Edges, Field};
 
-/// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes.
+/// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes and
+/// lines.
 #[must_use]
 pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Places {
-    if system == System::MeinhardtStripes {
+    if system.is_striped() {
         return Places::default();
     }
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
@@ -46,15 +47,31 @@ impl Beginning {
         Self { system, edges, seed, places: places.iter().map(share).collect() }
     }
 
+    /// Does anything begin? Spots need a place.
+    #[must_use]
+    pub fn is_any(&self) -> bool {
+        self.system.is_striped() || !self.places.is_empty()
+    }
+
     /// The concentrations that it makes on `maps`.
     ///
     /// Where marks are smaller than the grid can hold (`lost`, by cell), `maps` holds larger ones, and only so
     /// many of the spots begin as have room. Neighbours may die there; nothing else would be left of them.
     #[must_use]
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
-        if self.system == System::MeinhardtStripes {
-            let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-            return oriented_noise(maps, self.edges, &mut rng).into();
+        let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
+        match self.system {
+            System::MeinhardtStripes => {
+                return held(self.system, maps, oriented_noise(maps, self.edges, &mut rng).into());
+            }
+            System::MeinhardtLines => {
+                let begun = match &maps.crests {
+                    Some(crests) => along(crests, maps),
+                    None => crests(maps, self.edges, &mut rng),
+                };
+                return held(self.system, maps, begun.into());
+            }
+            System::TuringSpots | System::MeinhardtSpots => {}
         }
         let pitch = |p: &Parameters| self.system.spacing(p);
         let nucleus = |at: &[f64; 2]| {
@@ -63,8 +80,36 @@ impl Beginning {
         };
         let laid = self.places.iter().map(nucleus).collect();
         let crowded = |nucleus: &Nucleus| lost(maps.cell_at(nucleus.at));
-        bells_on(self.system, maps, self.edges, &thinned(laid, maps, self.edges, &crowded)).into()
+        let cells = bells_on(self.system, maps, self.edges, &thinned(laid, maps, self.edges, &crowded));
+        held(self.system, maps, cells.into())
     }
+}
+
+/// What shows of the marks that this growth begins from.
+#[must_use]
+pub fn begun(system: System, maps: &Maps, edges: Edges, seed: u64) -> Field {
+    super::Growth::new(system, maps, edges, seed).marks(maps)
+}
+
+/// The same concentrations with those of taken cells as marks of other layers have them.
+#[must_use]
+pub fn held(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Vec<f32>> {
+    let values = system.held();
+    for (cells, value) in chemicals.iter_mut().zip(values) {
+        for (cell, taken) in cells.iter_mut().zip(&maps.taken) {
+            if *taken {
+                *cell = *value;
+            }
+        }
+    }
+    if let (Some(crests), [_, inhibitor, ..]) = (&maps.crests, &mut chemicals[..]) {
+        for ((cell, taken), held) in inhibitor.iter_mut().zip(&maps.taken).zip(&crests.held) {
+            if *taken {
+                *cell = *held;
+            }
+        }
+    }
+    chemicals
 }
 
 /// Spots begin as bells on [`nuclei`].
@@ -76,7 +121,7 @@ pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [
 fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec<f32>; 2] {
     let radius = |p: &Parameters| match system {
         System::TuringSpots => turing_spots::RADIUS,
-        _ => meinhardt_spots::radius(p.ratio),
+        _ => meinhardt_spots::radius(p.ratio) / p.apart(),
     };
     let bell = bells(maps, edges, laid, &radius);
     let mut cells = [vec![0.0; bell.len()], vec![0.0; bell.len()]];
@@ -91,7 +136,7 @@ fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec
             }
             [a[i], b[i]] = match system {
                 System::TuringSpots => turing_spots::begin(*bell),
-                _ => meinhardt_spots::begin(*bell, peak),
+                _ => meinhardt_spots::begin(*bell, peak, p.apart() > 1.0),
             };
         }
     });
@@ -155,6 +200,48 @@ fn oriented_noise(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 5
             cells[chemical][i] *= 1.0 + sign * n;
         }
     }
+    cells
+}
+
+/// Lines begin as crests of oriented waves.
+pub fn lines(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
+    planes(maps, edges, crests(maps, edges, rng))
+}
+
+/// Standard deviation of a crest's profile, a Gaussian, ÷ the width of the line it becomes: at half its height it is as
+/// wide.
+const CREST: f64 = 0.42;
+
+fn crests(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 2] {
+    let wavelength = |p: &Parameters| System::MeinhardtLines.spacing(p);
+    let phases = gabor::phases(maps, edges, &wavelength, rng);
+    let mut cells = [vec![0.0; phases.len()], vec![0.0; phases.len()]];
+    let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
+    let rows = phases.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
+    a.zip(b).zip(rows).for_each(|((a, b), (phases, parameters))| {
+        for (i, (phase, p)) in phases.iter().zip(parameters).enumerate() {
+            let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();
+            let off = f64::from(*phase) / std::f64::consts::TAU * wavelength(p) / width;
+            let crest = libm::exp(-0.5 * off * off) as f32;
+            [a[i], b[i]] = meinhardt_lines::begin(crest, meinhardt_lines::peak(p.ratio));
+        }
+    });
+    cells
+}
+
+/// Lines begin along the curves of `maps`.
+fn along(crests: &Crests, maps: &Maps) -> [Vec<f32>; 2] {
+    let mut cells = [vec![0.0; crests.off.len()], vec![0.0; crests.off.len()]];
+    let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
+    let rows = crests.off.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
+    a.zip(b).zip(rows).for_each(|((a, b), (off, parameters))| {
+        for (i, (off, p)) in off.iter().zip(parameters).enumerate() {
+            let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();
+            let off = f64::from(*off) / width;
+            let crest = libm::exp(-0.5 * off * off) as f32;
+            [a[i], b[i]] = meinhardt_lines::begin(crest, meinhardt_lines::peak(p.ratio));
+        }
+    });
     cells
 }
 

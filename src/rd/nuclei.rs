@@ -10,9 +10,10 @@
 mod crowd;
 mod near;
 mod room;
+mod taken;
 mod walls;
 
-pub use room::{Places, make_room};
+pub use room::{Places, make_room, off_walls};
 
 use rand::{Rng, RngExt};
 
@@ -31,6 +32,8 @@ pub struct Nucleus {
     pub metric: [f64; 3],
     /// Reach of one pitch in any direction, cells.
     pub reach: f64,
+    /// See [`Parameters::apart`].
+    apart: f64,
 }
 
 impl Nucleus {
@@ -47,13 +50,19 @@ impl Nucleus {
         let [cx, cy] = [(cell[0] / cell[1]).sqrt(), (cell[1] / cell[0]).sqrt()];
         let scale = 1.0 / (pitch * pitch);
         let metric = [t.xx * cx * cx * scale, t.xy * scale, t.yy * cy * cy * scale];
-        Self { at, metric, reach: 1.05 * pitch / stretch.sqrt() }
+        Self { at, metric, reach: 1.05 * pitch / stretch.sqrt(), apart: p.apart() }
     }
 
-    /// Pitches that a cell of the shortest way to a wall across this axis is.
+    /// The same with the room that its own spot needs, however far apart they are laid.
+    fn alone(self) -> Self {
+        let metric = self.metric.map(|part| part * self.apart * self.apart);
+        Self { metric, reach: self.reach / self.apart, apart: 1.0, ..self }
+    }
+
+    /// Pitches, of the room that it needs itself, that a cell of the shortest way to a wall across this axis is.
     fn pitches_to_wall(&self, axis: usize) -> f64 {
         let [xx, xy, yy] = self.metric;
-        ((xx * yy - xy * xy) / [yy, xx][axis]).sqrt()
+        self.apart * ((xx * yy - xy * xy) / [yy, xx][axis]).sqrt()
     }
 
     /// Squared distance of a point at `delta` cells from here, in pitches.
@@ -78,7 +87,7 @@ const FRAME: f64 = 1.5;
 pub struct Laid {
     /// Those on the grid.
     pub inside: Vec<Nucleus>,
-    /// Beyond closed edges, those that keep the others from spreading over them.
+    /// Beyond closed edges and on taken cells, those that keep the others from spreading over them.
     pub beyond: Vec<Nucleus>,
 }
 
@@ -97,14 +106,65 @@ pub fn lay(
     let space = Space { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
     let on_maps = |at: [f64; 2]| at.map(|v| v - frame);
     let nucleus = |at: [f64; 2]| Nucleus { at, ..Nucleus::at(maps, on_maps(at), pitch) };
-    let wanted = crowd.wanted(frame);
-
     let mut placed = Buckets::new(space, PUSH * crowd.largest);
+    let fixed = taken::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
+    let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
+    let clear = if fixed.is_empty() { Vec::new() } else { taken::clear(maps, edges, pitch) };
+    let is_clear = |at: [f64; 2]| clear.is_empty() || clear[maps.cell_at(on_maps(at))];
+    let spread =
+        |placed: &mut Buckets| taken::within(placed, &is_clear, |placed| relax(placed, PUSH, &moved));
+    if fixed.is_empty() {
+        let wanted = crowd.wanted(frame);
+        let likely = |at: [f64; 2]| crowd.densities[maps.cell_at(on_maps(at))] / crowd.densest;
+        throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
+        (0..ROUNDS).for_each(|_| relax(&mut placed, PUSH, &moved));
+    } else {
+        for closest in taken::FILLS {
+            taken::fill(&mut placed, fixed.len(), space.size, closest, &is_clear, &nucleus, rng);
+            (0..ROUNDS).for_each(|_| spread(&mut placed));
+        }
+    }
+    let grid = Grid { frame, size };
+    if edges == Edges::Closed {
+        grid.keep_off_walls(&mut placed, spread);
+    }
+    let mut all = placed.all;
+    let mut posts: Vec<Nucleus> = all.drain(..fixed.len()).collect();
+    posts.iter_mut().zip(&fixed).for_each(|(post, fixed)| post.at = on_maps(fixed.at));
+    if !fixed.is_empty() {
+        all.retain(|point| is_clear(point.at));
+        // Where they were laid: those beyond closed edges are no images of those inside.
+        all = taken::with_room(all, Buckets::new(space, PUSH * crowd.largest));
+    }
+    all.iter_mut().for_each(|point| point.at = on_maps(point.at));
+    if edges == Edges::Wrap {
+        return Laid { inside: all, beyond: posts };
+    }
+    let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
+    let (mut inside, mut beyond): (Vec<_>, Vec<_>) = all.into_iter().partition(inside);
+    beyond.append(&mut posts);
+    if inside.is_empty() && fixed.is_empty() {
+        // A canvas that is smaller than the room of one spot still shows one.
+        inside.push(Nucleus::at(maps, size.map(|side| 0.5 * side), pitch));
+    }
+    Laid { inside, beyond }
+}
+
+/// Throws darts until `wanted` more points are placed, all over `size`, as `likely` as it says at a place, 0..1.
+fn throw(
+    placed: &mut Buckets,
+    wanted: usize,
+    size: [f64; 2],
+    likely: &dyn Fn([f64; 2]) -> f64,
+    nucleus: &dyn Fn([f64; 2]) -> Nucleus,
+    rng: &mut impl Rng,
+) {
+    let wanted = placed.all.len() + wanted;
     let mut closest = DART;
     let mut refused = 0;
     while placed.all.len() < wanted {
-        let at = [rng.random::<f64>() * space.size[0], rng.random::<f64>() * space.size[1]];
-        if rng.random::<f64>() * crowd.densest > crowd.densities[maps.cell_at(on_maps(at))] {
+        let at = [rng.random::<f64>() * size[0], rng.random::<f64>() * size[1]];
+        if rng.random::<f64>() > likely(at) {
             continue;
         }
         let dart = nucleus(at);
@@ -121,25 +181,6 @@ pub fn lay(
             }
         }
     }
-    for _ in 0..ROUNDS {
-        relax(&mut placed, PUSH, &|_, at| nucleus(at));
-    }
-    let grid = Grid { frame, size };
-    if edges == Edges::Closed {
-        grid.keep_off_walls(&mut placed, |placed| relax(placed, PUSH, &|_, at| nucleus(at)));
-    }
-    let mut all = placed.all;
-    all.iter_mut().for_each(|point| point.at = on_maps(point.at));
-    if edges == Edges::Wrap {
-        return Laid { inside: all, beyond: Vec::new() };
-    }
-    let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
-    let (mut inside, beyond): (Vec<_>, Vec<_>) = all.into_iter().partition(inside);
-    if inside.is_empty() {
-        // A canvas that is smaller than the room of one spot still shows one.
-        inside.push(Nucleus::at(maps, size.map(|side| 0.5 * side), pitch));
-    }
-    Laid { inside, beyond }
 }
 
 /// Those of `laid` that have room among those before them, where they are `crowded`.

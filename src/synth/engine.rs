@@ -15,7 +15,7 @@ use super::plan::Plan;
 use super::settle::{Rest, Verdict};
 use super::spread::{Varied, vary};
 use crate::field::{Edges, Field};
-use crate::rd::{Beginning, Growth, Maps, System, prolonged};
+use crate::rd::{Beginning, Growth, Maps, System, held, prolonged};
 
 /// A layer being grown.
 #[derive(Clone, Debug)]
@@ -58,8 +58,19 @@ impl Engine {
     pub fn new(plan: &Plan, seed: u64) -> Self {
         let edges = plan.map.layout().edges;
         match vary(plan, seed) {
-            None => Self::of(plan.system, plan.maps(&pitches(plan, seed)), edges, seed),
+            None if let Some(places) = plan.places_in_cells() => {
+                let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+                let maps = maps.uneven(plan.irregular, edges, seed);
+                let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
+                let largest = ladder::largest(plan.system, &maps);
+                Self::begun(plan.system, maps, edges, beginning, largest)
+            }
+            None => {
+                let maps = plan.maps(&pitches(plan, seed)).uneven(plan.irregular, edges, seed);
+                Self::of(plan.system, maps, edges, seed)
+            }
             Some(Varied { maps, places, largest }) => {
+                let maps = maps.uneven(plan.irregular, edges, seed);
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }
@@ -118,6 +129,12 @@ impl Engine {
         let unit = unit(&engine.stage.growth, 1.0);
         engine.stage.rest = Rest::new(engine.system, unit, true, engine.marks().values);
         Some(engine)
+    }
+
+    /// Is there a place for anything to begin?
+    #[must_use]
+    pub fn begins(&self) -> bool {
+        self.beginning.is_any() && (self.maps.taken.is_empty() || self.maps.taken.iter().any(|taken| !taken))
     }
 
     /// Goes on for about `updates` cell updates, at least a step; gives whether it is still growing.
@@ -222,7 +239,7 @@ impl Engine {
     /// The pattern as far as it has grown, at `width` × `height` px. `plan` is that of the engine.
     #[must_use]
     pub fn look(&self, plan: &Plan, width: usize, height: usize) -> Field {
-        Pattern::new(plan, &self.marks()).field(width, height)
+        Pattern::new(plan, &plan.levelled(self.marks())).field(width, height)
     }
 }
 
@@ -274,10 +291,12 @@ fn stage(
             if kept.iter().all(|kept| *kept == 1.0) { fine } else { fresh(Some(fine)) }
         }
     };
+    let concentrations = held(system, here, concentrations);
     let growth =
         Growth::resumed(system, here, edges, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
     let rest = Rest::new(system, unit, begins, growth.marks(here).values);
+    let rest = if here.taken.contains(&true) { rest.among_frozen() } else { rest };
     let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
     Stage { level, coarse, growth, counts, rest, expected }
 }

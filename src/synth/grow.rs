@@ -1,17 +1,15 @@
 //! Growing a document.
 
+use super::course::CourseError;
 use super::engine::Engine;
 use super::memory::TooLarge;
-use super::painting::Look;
 use super::pattern::Pattern;
-use super::plan::{Plan, PlanError, plan};
-use super::probe::{ProbeError, When};
-use super::recipe::{Document, DocumentError, Problem};
+use super::plan::{Plan, PlanError};
+use super::probe::ProbeError;
+use super::recipe::{Document, DocumentError};
 use super::refine::{Measured, refine};
 use super::settle::settle_seen;
-use super::training::Training;
 use super::watch::{Cancelled, Stage, Watch};
-use super::{drawn, memory};
 use crate::field::Field;
 
 impl From<ProbeError> for GrowError {
@@ -33,6 +31,7 @@ pub struct Options {
 }
 
 /// A grown layer.
+#[derive(Clone)]
 pub struct GrownLayer {
     /// What was planned.
     pub plan: Plan,
@@ -64,6 +63,10 @@ pub struct Grown {
     pub size: [u32; 2],
     /// Its layers, the lowest first.
     pub layers: Vec<GrownLayer>,
+    /// What it was grown from.
+    pub document: Document,
+    /// And how.
+    pub options: Options,
 }
 
 /// Why a document was not grown.
@@ -81,6 +84,22 @@ pub enum GrowError {
     /// It was asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+    /// The marks beneath leave no place for any of its own.
+    #[error(
+        "layer {layer} finds no room: none of its marks fits between those of the layers beneath; draw smaller ones, or those beneath farther apart"
+    )]
+    NoRoom {
+        /// 1 = the lowest.
+        layer: usize,
+    },
+    /// Rings or a web find nothing to go round, or no room.
+    #[error("layer {layer} cannot be grown: {reason}")]
+    Course {
+        /// 1 = the lowest.
+        layer: usize,
+        /// Why.
+        reason: CourseError,
+    },
     /// The pattern left the range in which its system works.
     #[error(
         "layer {layer} grew no pattern: its concentrations are not finite; try another seed or larger marks"
@@ -91,59 +110,8 @@ pub enum GrowError {
     },
 }
 
-/// Grows `document` (named `source` in messages).
-///
-/// # Errors
-/// See [`GrowError`].
-pub fn grow(
-    document: &Document,
-    source: &str,
-    training: &Training,
-    options: Options,
-    watch: &Watch,
-) -> Result<Grown, GrowError> {
-    grow_seen(document, source, training, options, watch, &mut |_| {})
-}
-
-/// The same for somebody who wants to have a look now and then, every few milliseconds; what comes out does not
-/// depend on it.
-///
-/// # Errors
-/// See [`GrowError`].
-pub fn grow_seen(
-    document: &Document,
-    source: &str,
-    training: &Training,
-    options: Options,
-    watch: &Watch,
-    seen: &mut dyn FnMut(&Look),
-) -> Result<Grown, GrowError> {
-    if document.layers.len() > 1 {
-        let found = format!("{} layers", document.layers.len());
-        return Err(Problem::new("layers", found, "one layer; growing on top of others is not built yet")
-            .in_file(source)
-            .into());
-    }
-    let size = options.size.unwrap_or(document.size);
-    let correct = options.refine.unwrap_or(document.growth.refine);
-    let mut layers = Vec::with_capacity(document.layers.len());
-    for index in 0..document.layers.len() {
-        watch.step(Stage::Plan, 0.0)?;
-        let map = drawn::region_map(document, index, source)?.resized(size.map(f64::from));
-        let mut plan = plan(training, document.layers[index].system, &map)?;
-        memory::check(plan.system, size.map(f64::from), plan.grid)?;
-        if correct {
-            watch.step(Stage::Plan, 0.1)?;
-            plan = plan.probed(training, When::Unsure, watch)?;
-        }
-        let mut seen = |plan: &Plan, engine: &Engine| seen(&Look { beneath: &layers, plan, engine });
-        let layer = grow_layer(plan, document.layer_seed(index), index + 1, correct, watch, &mut seen)?;
-        layers.push(layer);
-    }
-    Ok(Grown { size, layers })
-}
-
-fn grow_layer(
+/// Grows layer number `layer` of a document as planned.
+pub(super) fn grow_layer(
     plan: Plan,
     seed: u64,
     layer: usize,
@@ -153,9 +121,12 @@ fn grow_layer(
 ) -> Result<GrownLayer, GrowError> {
     watch.step(Stage::Plan, 0.5)?;
     let mut engine = Engine::new(&plan, seed);
+    if !engine.begins() {
+        return Err(GrowError::NoRoom { layer });
+    }
     watch.step(Stage::Plan, 1.0)?;
     let settled = settle_seen(&mut engine, watch, &mut |engine| seen(&plan, engine))?;
-    let marks = engine.marks();
+    let marks = plan.levelled(engine.marks());
     if !marks.values.iter().all(|value| value.is_finite()) {
         return Err(GrowError::NoPattern { layer });
     }

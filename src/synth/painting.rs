@@ -3,8 +3,10 @@
 use std::ops::Range;
 use std::path::Path;
 
+use super::beneath::COVERED;
 use super::engine::Engine;
 use super::grow::{Grown, GrownLayer};
+use super::inside::is_replaced;
 use super::pattern::Pattern;
 use super::plan::Plan;
 use super::recipe::{Colours, Document};
@@ -14,9 +16,6 @@ use crate::export::png::{self, Header, Samples};
 use crate::export::{self, ExportError, Prepared, Stopped};
 use crate::field::{Edges, Field, to_u16};
 
-/// A pattern value from which on a px is covered by a mark.
-const COVERED: f32 = 0.5;
-
 /// What is painted, at the size of the pictures.
 pub struct Painting<'a> {
     /// Width and height, px.
@@ -24,25 +23,33 @@ pub struct Painting<'a> {
     layers: Vec<Pattern<'a>>,
     tables: Vec<Table>,
     visible: Vec<bool>,
+    /// Which stand only for the places of the next, and cover nothing.
+    replaced: Vec<bool>,
 }
 
 impl<'a> Painting<'a> {
     /// What `document` has `grown`, with `scale` times the px along each side.
     #[must_use]
     pub fn of(document: &Document, grown: &'a Grown, scale: usize) -> Self {
-        Self::with(
-            document,
-            grown.size.map(|side| side as usize * scale),
-            grown.layers.iter().map(GrownLayer::pattern).collect(),
-        )
+        Self::sized(document, grown, grown.size.map(|side| side as usize * scale))
+    }
+
+    /// What `document` has `grown`, at `size` px.
+    #[must_use]
+    pub fn sized(document: &Document, grown: &'a Grown, size: [usize; 2]) -> Self {
+        Self::with(document, size, grown.layers.iter().map(GrownLayer::pattern).collect())
     }
 
     /// A layer that still grows, on top of those that have `grown`, at `size` px.
     #[must_use]
     pub fn growing(document: &Document, look: &Look<'a>, size: [usize; 2]) -> Self {
         let mut layers: Vec<_> = look.beneath.iter().map(GrownLayer::pattern).collect();
-        layers.push(Pattern::new(look.plan, &look.engine.marks()));
-        Self::with(document, size, layers)
+        layers.push(Pattern::new(look.plan, &look.plan.levelled(look.engine.marks())));
+        let mut painting = Self::with(document, size, layers);
+        // What grows is seen although the next layer will stand in its place.
+        let top = painting.layers.len() - 1;
+        painting.visible[top] = document.layers[top].visible;
+        painting
     }
 
     fn with(document: &Document, size: [usize; 2], layers: Vec<Pattern<'a>>) -> Self {
@@ -53,7 +60,13 @@ impl<'a> Painting<'a> {
         Self {
             size,
             tables: tables.collect(),
-            visible: document.layers.iter().map(|layer| layer.visible).collect(),
+            visible: document
+                .layers
+                .iter()
+                .enumerate()
+                .map(|(index, layer)| layer.visible && !is_replaced(document, index))
+                .collect(),
+            replaced: (0..document.layers.len()).map(|index| is_replaced(document, index)).collect(),
             layers,
         }
     }
@@ -70,8 +83,20 @@ impl<'a> Painting<'a> {
             values,
         };
         let layers = self.layers.iter();
-        let patterns = layers.map(|layer| field(layer.rows(rows.clone(), width, height))).collect();
-        Band { painting: self, patterns }
+        let patterns: Vec<Field> =
+            layers.map(|layer| field(layer.rows(rows.clone(), width, height))).collect();
+        let mut free = Vec::with_capacity(patterns.len());
+        let mut left = vec![true; width * rows.len()];
+        for (pattern, replaced) in patterns.iter().zip(&self.replaced) {
+            free.push(left.clone());
+            if *replaced {
+                continue;
+            }
+            for (left, value) in left.iter_mut().zip(&pattern.values) {
+                *left &= *value < COVERED;
+            }
+        }
+        Band { painting: self, patterns, free }
     }
 
     /// The whole texture: red, green, blue a px, row by row from the top.
@@ -147,13 +172,21 @@ fn gradient(colours: &Colours) -> Gradient {
 pub struct Band<'a> {
     painting: &'a Painting<'a>,
     patterns: Vec<Field>,
+    /// Where each was free to grow: the marks of those beneath are frozen.
+    free: Vec<Vec<bool>>,
 }
 
 impl Band<'_> {
     fn painted(&self) -> Vec<Painted<'_>> {
-        let layers = self.patterns.iter().zip(&self.painting.tables).zip(&self.painting.visible);
+        let Painting { tables, visible, .. } = self.painting;
+        let layers = self.patterns.iter().zip(&self.free).zip(tables).zip(visible);
         layers
-            .map(|((pattern, table), visible)| Painted { pattern, free: None, table, visible: *visible })
+            .map(|(((pattern, free), table), visible)| Painted {
+                pattern,
+                free: Some(free),
+                table,
+                visible: *visible,
+            })
             .collect()
     }
 

@@ -27,6 +27,12 @@ impl<'a> Pattern<'a> {
         Self { plan, spline: Spline::new(marks), correction: vec![1.0; regions] }
     }
 
+    /// Cells along x and y of the grid that it has grown on.
+    #[must_use]
+    pub fn grid(&self) -> [usize; 2] {
+        self.plan.grid
+    }
+
     /// The concentration as a share of the local peak, at `width` × `height` px: what [`Self::levelled`] makes the
     /// pattern of, whatever the levels.
     #[must_use]

@@ -129,6 +129,7 @@ impl Outcome {
             edges: layout.edges,
             regions: layout.len(),
             region_of: &|point| layout.index(layout.region_of(point)),
+            covered: &|_| false,
             wanted: &|point| map.at(point),
         };
         self.spots = matches!(map.at([0.0, 0.0]), Attributes::Spots(_));

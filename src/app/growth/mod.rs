@@ -1,6 +1,6 @@
 //! Growth beside the window: a thread grows the latest document, the window is told and never waits.
 //!
-//! The thread runs [`crate::synth::grow_seen`], as `dapple grow` does, and so the picture that has settled is the one
+//! The thread runs [`crate::synth::regrow_seen`], as `dapple grow` does, and so the picture that has settled is the one
 //! that `dapple grow` writes.
 
 mod picture;

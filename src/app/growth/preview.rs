@@ -17,7 +17,7 @@ pub(super) fn preview(document: &Document, training: &Training) -> Option<Pictur
         return None;
     }
     let map = drawn::region_map(document, 0, "").ok()?;
-    let plan = plan(training, document.layers[0].system, &map).ok()?;
+    let plan = plan(training, document.layers[0].choice(), &map).ok()?;
     crate::synth::memory::check(plan.system, document.size.map(f64::from), plan.grid).ok()?;
     let layout = plan.map.layout();
     // As far apart as the system itself would have them: finding out better takes several times as long.

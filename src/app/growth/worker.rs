@@ -11,7 +11,7 @@ use super::preview::preview;
 use super::{Picture, Texture};
 use crate::synth::painting::Look;
 use crate::synth::recipe::Document;
-use crate::synth::{GrowError, Options, Stage, Training, Watch, grow_seen};
+use crate::synth::{GrowError, Grown, Options, Stage, Training, Watch, regrow_seen};
 
 /// Pictures of a growth come no faster than this.
 const BETWEEN_PICTURES: Duration = Duration::from_millis(60);
@@ -139,8 +139,13 @@ pub(super) fn start(wake: impl Fn() + Send + Sync + 'static) -> (Arc<Orders>, Re
         progress: AtomicU64::new(u64::MAX),
     });
     let (tell, news) = mpsc::channel();
-    let worker =
-        Worker { orders: Arc::clone(&orders), tell, wake: Box::new(wake), training: Training::default() };
+    let worker = Worker {
+        orders: Arc::clone(&orders),
+        tell,
+        wake: Box::new(wake),
+        training: Training::default(),
+        before: Mutex::default(),
+    };
     let started = thread::Builder::new().name("growth".to_owned()).spawn(move || worker.run());
     // Without a thread nothing grows; the program still draws and saves.
     drop(started);
@@ -152,6 +157,8 @@ struct Worker {
     tell: Sender<News>,
     wake: Box<dyn Fn() + Send + Sync>,
     training: Training,
+    /// What settled last: layers that were not changed are taken from there.
+    before: Mutex<Option<Arc<Grown>>>,
 }
 
 impl Worker {
@@ -190,6 +197,7 @@ impl Worker {
             orders.wait_while_paused(generation);
         };
         let watch = Watch { progress: &progress, cancelled: &|| orders.is_over(generation) };
+        let before = self.before.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let mut shown: Option<Instant> = None;
         if let Some(picture) = preview(&document, &self.training).filter(|_| !orders.is_over(generation)) {
             self.say(generation, What::Picture(picture));
@@ -200,8 +208,18 @@ impl Worker {
                 shown = Some(Instant::now());
             }
         };
-        let mut grown =
-            || grow_seen(&document, "the sketch", &self.training, Options::default(), &watch, &mut seen);
+        let mut grown = || {
+            let before = before.as_deref();
+            regrow_seen(
+                &document,
+                "the sketch",
+                &self.training,
+                Options::default(),
+                before,
+                &watch,
+                &mut seen,
+            )
+        };
         // A fault in growing must not take the sketch along.
         let Ok(grown) = panic::catch_unwind(AssertUnwindSafe(&mut grown)) else {
             let why = "growing it failed inside dapple; please report the document. The sketch is not harmed: \
@@ -212,6 +230,8 @@ impl Worker {
         match grown {
             Ok(grown) => {
                 let texture = Texture { document: Arc::new(document), grown: Arc::new(grown) };
+                *self.before.lock().unwrap_or_else(PoisonError::into_inner) =
+                    Some(Arc::clone(&texture.grown));
                 let picture = Picture::settled(&texture);
                 self.say(generation, What::Settled(texture, picture));
             }
