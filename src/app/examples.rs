@@ -1,6 +1,8 @@
 //! Examples, as a menu of pictures.
 
-use eframe::egui::{Button, ColorImage, Grid, Image, ScrollArea, TextureHandle, TextureOptions, Ui, vec2};
+use eframe::egui::{
+    Button, ColorImage, Grid, Image, Label, RichText, ScrollArea, TextureHandle, TextureOptions, Ui, vec2,
+};
 
 use super::action::Action;
 
@@ -14,18 +16,19 @@ pub struct Example {
     pub picture: &'static [u8],
 }
 
-macro_rules! examples {
-    ($($name:literal),* $(,)?) => {
-        /// All of them, in the order of the menu.
-        pub const EXAMPLES: &[Example] = &[$(Example {
+macro_rules! documents {
+    ($folder:literal: $($name:literal),* $(,)?) => {
+        &[$(Example {
             name: $name,
-            text: include_str!(concat!("../../examples/", $name, ".dapple")),
+            text: include_str!(concat!("../../examples/", $folder, $name, ".dapple")),
             picture: include_bytes!(concat!("../../assets/examples/", $name, ".png")),
-        }),*];
+        }),*]
     };
 }
 
-examples![
+/// Drawn freely, in the order of the menu.
+pub const EXAMPLES: &[Example] = documents![
+    "":
     "cheetah-run",
     "zebra",
     "tiger",
@@ -52,6 +55,32 @@ examples![
     "tile-waves",
 ];
 
+/// Drawn after the figures of the papers.
+pub const GALLERY: &[Example] = documents![
+    "gallery/":
+    "phan-grimm-01a-turned-dots",
+    "phan-grimm-01b-dots-between",
+    "phan-grimm-01c-sloping-stripes",
+    "phan-grimm-02-growing-spots",
+    "phan-grimm-03-turning-spots",
+    "phan-grimm-04-far-apart",
+    "phan-grimm-05a-yellow-spots",
+    "phan-grimm-05b-red-between",
+    "phan-grimm-06-stripes",
+    "phan-grimm-07a-four-colours-spots",
+    "phan-grimm-07b-four-colours-stripes",
+    "phan-grimm-08-two-colour-sets",
+    "phan-grimm-12-mixed-spots",
+    "phan-grimm-14-small-inside-large",
+    "phan-grimm-16-anisotropic-spots",
+    "phan-grimm-17a-changing-spots",
+    "phan-grimm-17b-round-a-centre",
+    "turk-2-lower-left-cheetah",
+    "turk-2-upper-left-large-spots",
+    "turk-2-upper-right-small-spots",
+    "turk-3-lower-left-random-stripes",
+];
+
 /// The pictures, once they were shown.
 #[derive(Default)]
 pub struct Gallery(Vec<TextureHandle>);
@@ -60,23 +89,37 @@ impl Gallery {
     /// The menu. Gives what is chosen.
     pub fn ui(&mut self, ui: &mut Ui) -> Option<Action> {
         if self.0.is_empty() {
-            self.0 = EXAMPLES.iter().map(|example| load(ui, example)).collect();
+            self.0 = EXAMPLES.iter().chain(GALLERY).map(|example| load(ui, example)).collect();
         }
-        let mut chosen = None;
-        ScrollArea::vertical().max_height(570.0).show(ui, |ui| {
-            Grid::new("examples").spacing(vec2(12.0, 12.0)).show(ui, |ui| {
-                for (index, (example, texture)) in EXAMPLES.iter().zip(&self.0).enumerate() {
-                    if card(ui, example, texture) {
-                        chosen = Some(Action::Example(example.name));
-                    }
-                    if index % 6 == 5 {
-                        ui.end_row();
-                    }
-                }
-            });
+        let (examples, gallery) = self.0.split_at(EXAMPLES.len());
+        let scroll = ScrollArea::vertical().max_height(570.0);
+        let shown = scroll.show(ui, |ui| {
+            ui.set_width(COLUMNS as f32 * (SIDE + 30.0));
+            let example = cards(ui, EXAMPLES, examples);
+            ui.add_space(8.0);
+            ui.heading("After the papers' figures");
+            example.or(cards(ui, GALLERY, gallery))
         });
-        chosen
+        shown.inner
     }
+}
+
+/// Pictures in a row.
+const COLUMNS: usize = 6;
+
+fn cards(ui: &mut Ui, examples: &[Example], textures: &[TextureHandle]) -> Option<Action> {
+    let mut chosen = None;
+    Grid::new(examples[0].name).spacing(vec2(12.0, 12.0)).show(ui, |ui| {
+        for (index, (example, texture)) in examples.iter().zip(textures).enumerate() {
+            if card(ui, example, texture) {
+                chosen = Some(Action::Example(example.name));
+            }
+            if index % COLUMNS == COLUMNS - 1 {
+                ui.end_row();
+            }
+        }
+    });
+    chosen
 }
 
 fn card(ui: &mut Ui, example: &Example, texture: &TextureHandle) -> bool {
@@ -86,7 +129,11 @@ fn card(ui: &mut Ui, example: &Example, texture: &TextureHandle) -> bool {
         let picture = Image::new((texture.id(), vec2(SIDE, SIDE))).corner_radius(4);
         let button = ui.add(Button::image(picture));
         let clicked = button.accessible_name(format!("Example: {name}")).on_hover_text(&name).clicked();
-        ui.vertical_centered(|ui| ui.small(&name));
+        // The papers' names are longer than a picture is wide.
+        let short = name.trim_start_matches("phan grimm ").trim_start_matches("turk ");
+        ui.allocate_ui(vec2(SIDE + 18.0, 16.0), |ui| {
+            ui.vertical_centered(|ui| ui.add(Label::new(RichText::new(short).small()).truncate()));
+        });
         clicked
     })
     .inner

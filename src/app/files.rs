@@ -7,7 +7,7 @@ use eframe::egui::{Align2, Color32, FontId, Id, Key, Modal, Ui, ViewportCommand}
 use super::action::{Action, Page};
 use super::chooser::{Choice, Chooser, Purpose};
 use super::desk::Desk;
-use super::examples::EXAMPLES;
+use super::examples::{EXAMPLES, GALLERY};
 use super::exporting::{Exporting, Size};
 use super::pages::{self, Answer, New};
 use super::shortcuts;
@@ -94,7 +94,9 @@ impl Window {
     }
 
     fn open_example(&mut self, name: &str) {
-        let Some(example) = EXAMPLES.iter().find(|example| example.name == name) else { return };
+        let Some(example) = EXAMPLES.iter().chain(GALLERY).find(|example| example.name == name) else {
+            return;
+        };
         match Document::parse(example.text, name) {
             Ok(document) => {
                 self.page = None;

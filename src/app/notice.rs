@@ -6,7 +6,11 @@ use super::theme::Palette;
 
 /// Notices that are not put away yet.
 #[derive(Default)]
-pub struct Notices(Vec<Notice>);
+pub struct Notices {
+    all: Vec<Notice>,
+    /// When the last thing that was done was first seen, seconds.
+    seen: Option<f64>,
+}
 
 /// Something that has to be said.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,6 +23,8 @@ pub struct Notice {
 
 /// Notices that are shown at most; the oldest go.
 const MOST: usize = 4;
+/// Seconds after which nobody needs to be told any more what was done.
+const DONE: f64 = 4.0;
 
 impl Notices {
     /// Something went wrong.
@@ -29,27 +35,34 @@ impl Notices {
     /// Something was done.
     pub fn done(&mut self, text: impl Into<String>) {
         // What was done is known by the next thing that is.
-        self.0.retain(|notice| notice.wrong);
+        self.all.retain(|notice| notice.wrong);
+        self.seen = None;
         self.push(Notice { text: text.into(), wrong: false });
     }
 
     fn push(&mut self, notice: Notice) {
-        self.0.retain(|other| *other != notice);
-        self.0.push(notice);
-        if self.0.len() > MOST {
-            self.0.remove(0);
+        self.all.retain(|other| *other != notice);
+        self.all.push(notice);
+        if self.all.len() > MOST {
+            self.all.remove(0);
         }
     }
 
     /// All of them, the oldest first.
     #[must_use]
     pub fn all(&self) -> &[Notice] {
-        &self.0
+        &self.all
     }
 
     /// Shows them in the lower middle.
     pub fn ui(&mut self, ctx: &Context) {
-        if self.0.is_empty() {
+        if self.all.iter().any(|notice| !notice.wrong) {
+            let now = ctx.time();
+            let since = *self.seen.get_or_insert(now);
+            self.all.retain(|notice| notice.wrong || now - since < DONE);
+            ctx.request_repaint_after_secs((since + DONE - now) as f32);
+        }
+        if self.all.is_empty() {
             return;
         }
         let mut away = None;
@@ -57,7 +70,7 @@ impl Notices {
             .order(Order::Foreground)
             .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -44.0))
             .show(ctx, |ui| {
-                for (index, notice) in self.0.iter().enumerate() {
+                for (index, notice) in self.all.iter().enumerate() {
                     Frame::window(ui.style()).inner_margin(12).show(ui, |ui| {
                         ui.set_max_width(520.0);
                         ui.horizontal_top(|ui| {
@@ -79,7 +92,7 @@ impl Notices {
                 }
             });
         if let Some(index) = away {
-            self.0.remove(index);
+            self.all.remove(index);
         }
     }
 }

@@ -50,8 +50,9 @@ fn what_is_saved_is_opened_again() {
 
 #[test]
 fn every_example_is_opened_and_saved_without_a_change() {
-    for file in fs::read_dir(example("zebra").parent().unwrap()).unwrap() {
-        let path = file.unwrap().path();
+    let folder = example("zebra").parent().unwrap().to_owned();
+    let files = |folder: PathBuf| fs::read_dir(folder).unwrap().map(|file| file.unwrap().path());
+    for path in files(folder.clone()).chain(files(folder.join("gallery"))) {
         if path.extension().is_some_and(|ending| ending == "dapple") {
             let document = Document::read(&path).unwrap();
             let desk = dapple::app::Desk::open(document.clone(), Some(path.clone()));

@@ -113,6 +113,21 @@ fn a_stopped_growth_keeps_its_picture_and_grows_again_when_asked() {
 }
 
 #[test]
+fn a_line_among_ellipses_grows_on_a_layer_of_its_own() {
+    let (mut hand, _folder) = small();
+    hand.until_settled();
+    hand.key(Modifiers::NONE, Key::L);
+    hand.drag(&[[20.0, 140.0], [80.0, 150.0], [140.0, 140.0]]);
+    hand.until_settled();
+    assert_eq!(hand.window.state().settled().unwrap().grown.layers.len(), 2);
+    // What was taken over from the growth before is what grows from nothing.
+    let shown = hand.window.state().growth().picture.as_ref().unwrap().image.clone();
+    hand.press("Grow again");
+    hand.until_settled();
+    assert_eq!(shown.pixels, hand.window.state().growth().picture.as_ref().unwrap().image.pixels);
+}
+
+#[test]
 fn another_seed_is_another_texture_that_can_be_undone() {
     let (mut hand, _folder) = small();
     hand.until_settled();

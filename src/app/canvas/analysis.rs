@@ -1,13 +1,14 @@
 //! What the program sees in the sketch, as in the paper's figures: regions, neighbours, directions.
 
-use eframe::egui::{Align2, FontId, Stroke};
+use eframe::egui::{Align2, Color32, FontId, Stroke, vec2};
 
 use super::ink::Ink;
 use crate::app::desk::Desk;
+use crate::app::shape;
 use crate::app::theme::Palette;
 use crate::attributes::regions::{Region, RegionMap};
 use crate::attributes::{Attributes, spacing};
-use crate::marks::{Ellipse, Mark};
+use crate::marks::{Ellipse, Line, Mark};
 
 /// The analysed sketch: one map a layer that has marks.
 #[derive(Default)]
@@ -54,8 +55,7 @@ impl Analysis {
         let Some(map) = self.map(layer) else { return };
         let marks = desk.marks_of(layer);
         for index in 0..map.layout().len() {
-            let own =
-                |mark: &&Mark| map.layout().index(map.region_of(crate::app::shape::middle(mark))) == index;
+            let own = |mark: &&Mark| map.layout().index(map.region_of(shape::middle(mark))) == index;
             let own: Vec<Mark> = marks.iter().filter(own).copied().collect();
             neighbours(ink, &own, colours);
         }
@@ -63,7 +63,7 @@ impl Analysis {
             axes(ink, mark, colours);
         }
         for (place, region) in map.regions() {
-            direction(ink, map, place, region, colours);
+            mean(ink, map, place, region, colours);
         }
     }
 }
@@ -94,9 +94,9 @@ fn axes(ink: &Ink, mark: &Mark, colours: &Palette) {
     let stroke = Stroke::new(1.2, colours.axis);
     match mark {
         Mark::Ellipse(ellipse) => {
-            let end = |x, y| crate::app::shape::out_of_frame([x, y], ellipse.center, ellipse.angle);
+            let end = |x, y| shape::out_of_frame([x, y], ellipse.center, ellipse.angle);
             let [a, b] = ellipse.radii;
-            ink.mark(mark, eframe::egui::Color32::TRANSPARENT, stroke);
+            ink.mark(mark, Color32::TRANSPARENT, stroke);
             ink.segment([end(-a, 0.0), end(a, 0.0)], stroke);
             ink.segment([end(0.0, -b), end(0.0, b)], stroke);
         }
@@ -104,23 +104,33 @@ fn axes(ink: &Ink, mark: &Mark, colours: &Palette) {
     }
 }
 
-/// What a region stands for: its mean mark, in its middle.
-fn direction(ink: &Ink, map: &RegionMap, place: [usize; 2], region: &Region, colours: &Palette) {
-    let center = map.layout().center(place);
-    let stroke = Stroke::new(2.0, if region.own.is_some() { colours.accent } else { colours.accent_pale });
-    match map.at(center) {
+/// What a region stands for: its mean mark, in its upper left corner.
+fn mean(ink: &Ink, map: &RegionMap, place: [usize; 2], region: &Region, colours: &Palette) {
+    let layout = map.layout();
+    let center = layout.center(place);
+    let colour = if region.own.is_some() { colours.accent } else { colours.accent_pale };
+    let stroke = Stroke::new(2.0, colour);
+    let side = [0, 1].map(|axis| layout.size[axis] / layout.grid[axis] as f64);
+    let corner = [0, 1].map(|axis| center[axis] - 0.5 * side[axis]);
+    let off = |reach: f64| [0, 1].map(|axis| corner[axis] + (reach + 6.0).min(0.5 * side[axis]));
+    let (at, reach) = match map.at(center) {
         Attributes::Spots(spots) => {
-            let mean = Ellipse::of(center, spots.area, spots.aspect, spots.angle);
-            ink.mark(&Mark::Ellipse(mean), eframe::egui::Color32::TRANSPARENT, stroke);
+            let reach = Ellipse::of(center, spots.area, spots.aspect, 0.0).radii[0];
+            let at = off(reach);
+            let mean = Ellipse::of(at, spots.area, spots.aspect, spots.angle);
+            ink.mark(&Mark::Ellipse(mean), Color32::TRANSPARENT, stroke);
+            (at, reach)
         }
         Attributes::Stripes(stripes) => {
-            let half =
-                0.12 * map.layout().size[0].min(map.layout().size[1]) / map.layout().grid[0].max(1) as f64;
-            let end = |x| crate::app::shape::out_of_frame([x, 0.0], center, stripes.angle);
-            ink.segment([end(-half), end(half)], Stroke::new(stroke.width + 1.0, stroke.color));
+            let reach = 0.12 * side[0].min(side[1]);
+            let at = off(reach);
+            let end = |x| shape::out_of_frame([x, 0.0], at, stripes.angle);
+            let mean = Line { from: end(-reach), to: end(reach), width: stripes.width };
+            ink.mark(&Mark::Line(mean), Color32::TRANSPARENT, stroke);
+            (at, reach)
         }
-    }
-    let text = format!("{}", region.marks);
-    let at = ink.at(center) + eframe::egui::vec2(6.0, 6.0);
-    ink.painter.text(at, Align2::LEFT_TOP, text, FontId::proportional(11.0), stroke.color);
+    };
+    let text = if region.marks == 1 { "1 mark".to_owned() } else { format!("{} marks", region.marks) };
+    let beside = ink.at([at[0] + reach, at[1]]) + vec2(8.0, 0.0);
+    ink.painter.text(beside, Align2::LEFT_CENTER, text, FontId::proportional(11.5), colour);
 }
