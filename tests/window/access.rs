@@ -15,7 +15,7 @@ fn all_are_named(hand: &Hand, page: &str) {
     for role in CONTROLS {
         for node in hand.window.query_all_by_role(role) {
             let node = node.accesskit_node();
-            let name = node.label().or_else(|| Some(node.labelled_by().next()?.value()?)).unwrap_or_default();
+            let name = node.label().or_else(|| node.labelled_by().next()?.value()).unwrap_or_default();
             assert!(!name.trim().is_empty(), "{page}: a {role:?} at {:?} has no name", node.bounding_box());
             controls += 1;
         }
