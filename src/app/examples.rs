@@ -92,7 +92,8 @@ impl Gallery {
             self.0 = EXAMPLES.iter().chain(GALLERY).map(|example| load(ui, example)).collect();
         }
         let (examples, gallery) = self.0.split_at(EXAMPLES.len());
-        let scroll = ScrollArea::vertical().max_height(570.0);
+        let height = (ui.ctx().content_rect().height() - 190.0).clamp(200.0, 700.0);
+        let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
         let shown = scroll.show(ui, |ui| {
             ui.set_width(COLUMNS as f32 * (SIDE + 30.0));
             let example = cards(ui, EXAMPLES, examples);

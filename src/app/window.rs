@@ -53,6 +53,8 @@ pub struct Window {
     pub(super) linked: bool,
     /// The revision that is growing.
     grown: Option<u64>,
+    /// Was a menu open in the last frame?
+    menu_open: bool,
     title: String,
     trace: Trace,
 }
@@ -85,6 +87,7 @@ impl Window {
             curtain: 0.5,
             linked: true,
             grown: None,
+            menu_open: false,
             title: String::new(),
             trace: Trace::asked(),
         };
@@ -190,6 +193,7 @@ impl Window {
             // Between two pictures the bar moves on.
             ui.ctx().request_repaint_after(Duration::from_millis(100));
         }
+        self.menu_open = ui.any_popup_open();
         self.entitle(ui);
     }
 
@@ -200,7 +204,8 @@ impl Window {
             return Vec::new();
         }
         let focused = ui.memory(eframe::egui::Memory::focused);
-        let canvas = focused.is_none_or(|id| self.canvas.id == Some(id));
+        // An open menu takes Escape and the arrows itself.
+        let canvas = focused.is_none_or(|id| self.canvas.id == Some(id)) && !self.menu_open;
         let keys = !ui.text_edit_focused() && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
         let mut actions = shortcuts::asked(ui.ctx(), keys, canvas);
         if actions.contains(&super::Action::Escape) && self.canvas.cancel(&mut self.desk) {

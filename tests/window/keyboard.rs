@@ -49,3 +49,14 @@ fn escape_puts_a_page_away() {
     hand.key(Modifiers::NONE, Key::Escape);
     assert!(hand.window.query_by_label("Create").is_none());
 }
+
+#[test]
+fn escape_closes_a_menu_and_keeps_what_is_selected() {
+    let mut hand = hand();
+    hand.key(Modifiers::SHIFT, Key::E);
+    hand.press("Edit");
+    assert!(hand.window.query_by_label_contains("Select all").is_some());
+    hand.key(Modifiers::NONE, Key::Escape);
+    assert!(hand.window.query_by_label_contains("Select all").is_none());
+    assert_eq!(hand.window.state().desk().selection.len(), 1);
+}
