@@ -9,8 +9,12 @@ use crate::field::distance::{length, nearest};
 pub const NEED: f64 = 1.8;
 /// Nothing grows nearer to a mark than this share of the web's width.
 const HALO: f64 = 0.2;
-/// Inhibitor that the marks are held at: between lines there is as much.
-const HELD: f32 = 0.4;
+/// Half the width of the lane in which a web is free to grow ÷ its own width: all beyond is held. In the open it comes
+/// apart where lines meet, from T = 100 on.
+const LANE: f64 = 1.3;
+/// Inhibitor that is held on both sides: from 0.25 down lines slide to one side of their lane, from 0.4 up they die in
+/// narrow ones.
+const HELD: f32 = 0.33;
 /// Pieces of the web that are less than this share of all of it are left out; larger ones are too many.
 const PIECE: f64 = 0.1;
 /// Where more than this share of the web finds no room it is none.
@@ -52,7 +56,9 @@ pub fn lay(wanted: &Wanted, grid: &Grid, regions: usize) -> Result<Course, Cours
     let to = nearest(&middle, grid.size, grid.cell, grid.edges).ok_or(CourseError::Single)?;
     let off: Vec<f32> =
         to.iter().map(|way| ((length(*way, grid.cell) / px) as f32 - 0.5).max(0.0)).collect();
-    let kept_off: Vec<bool> = (0..grid.len()).map(|cell| distance[cell] < HALO * width(cell)).collect();
+    let kept_off: Vec<bool> = (0..grid.len())
+        .map(|cell| distance[cell] < HALO * width(cell) || f64::from(off[cell]) * px > LANE * width(cell))
+        .collect();
     let curve = off.iter().zip(&kept_off).map(|(off, kept)| *off < 1.0 && !kept).collect();
     let told = |cell: usize| {
         let widths = f64::from(off[cell]) * px / width(cell);
