@@ -48,6 +48,7 @@ fn varying(system: System) -> Maps {
         cell: [1.0, 0.95],
         parameters: (0..48 * 40).map(parameters).collect(),
         taken: Vec::new(),
+        crests: None,
     }
 }
 

@@ -10,7 +10,7 @@ use crate::field::distance::{length, nearest};
 /// Half the width of the lane in which a ring is free to grow ÷ its own width: all beyond is held. It keeps rings where
 /// they are, and neighbours from taking each other's room; without it they shrink until they stand against their
 /// marks, and of neighbours that are near one dies.
-const LANE: f64 = 0.85;
+const LANE: f64 = 0.8;
 /// The least half of a lane: below it no line lives.
 const NARROWEST: f64 = 0.7;
 /// Inhibitor that is held on the inner and the outer side of a ring. Round marks of 1 to 6 ring widths these keep it in
@@ -20,10 +20,10 @@ const SIDES: [f32; 2] = [0.45, 0.2];
 const WALL: f32 = 0.3;
 
 /// Half the distance between two marks ÷ the width of their rings, below which these are one wall for both.
-const SHARED: f64 = 1.5;
+const SHARED: f64 = 1.6;
 /// Between two rings that are nearer than this is a strip, so many widths to either side of the middle, where nothing
 /// grows: else one takes the other's room.
-const STRIP: [f64; 2] = [1.9, 0.12];
+const STRIP: [f64; 2] = [1.9, 0.1];
 /// Distance between two marks ÷ the width of rings at which each has its own.
 pub const OWN: f64 = 2.0 * SHARED;
 
