@@ -65,8 +65,12 @@ fn reach(plan: &Plan, index: usize) -> String {
         let wanted = plan.map.at(layout.center([column, row]));
         // Writing to a String cannot fail.
         let varied = varied(&plan.map.region([column, row]).spread);
-        let _ =
-            writeln!(text, "  region [{column}, {row}]: {}{varied}; {}", described(&wanted, plan.way.is_some()), answer.coverage);
+        let _ = writeln!(
+            text,
+            "  region [{column}, {row}]: {}{varied}; {}",
+            described(&wanted, plan.way.is_some()),
+            answer.coverage
+        );
         for note in &answer.notes {
             let _ = writeln!(text, "    {note}");
         }
@@ -91,7 +95,8 @@ fn described(wanted: &Attributes, bent: bool) -> String {
         }
         Attributes::Stripes(stripes) if bent => format!("lines {:.1} px wide", stripes.width),
         Attributes::Stripes(stripes) => {
-            format!("stripes {:.1} px wide at {:.0}°", stripes.width, stripes.angle)
+            let apart = stripes.wavelength.map(|apart| format!(", {apart:.1} px apart")).unwrap_or_default();
+            format!("stripes {:.1} px wide at {:.0}°{apart}", stripes.width, stripes.angle)
         }
     }
 }

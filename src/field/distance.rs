@@ -69,13 +69,7 @@ struct Parabola {
     from: f64,
 }
 
-fn along_row(
-    row: &mut [[i32; 2]],
-    down: &[i32],
-    cell: [f64; 2],
-    edges: Edges,
-    envelope: &mut Vec<Parabola>,
-) {
+fn along_row(row: &mut [[i32; 2]], down: &[i32], cell: [f64; 2], edges: Edges, envelope: &mut Vec<Parabola>) {
     let nx = down.len() as i32;
     let columns = if edges == Edges::Wrap { -nx..2 * nx } else { 0..nx };
     envelope.clear();

@@ -129,13 +129,18 @@ impl fmt::Display for Note {
             Self::FreeSpacing(density) => {
                 write!(f, "spacing is free: growing at area/spacing² {}", brief(*density))
             }
-            Self::Apart { asked, sparsest, pitch } => write!(
-                f,
-                "{asked} is less than {}, the sparsest that one run packs: each spot is laid at a place of its own, {} \
-                 times as far from the next as the system would put it",
-                sparsest.number(),
-                brief(*pitch)
-            ),
+            Self::Apart { asked, sparsest, pitch } => {
+                let pitch = brief(*pitch);
+                let laid = format!(
+                    "each spot is laid at a place of its own, {pitch} times as far apart as the system puts them"
+                );
+                if asked.value < sparsest.value {
+                    let sparsest = sparsest.number();
+                    write!(f, "{asked} is less than {sparsest}, the sparsest that one run packs: {laid}")
+                } else {
+                    write!(f, "{laid}, like those of the sparser regions around it")
+                }
+            }
         }
     }
 }

@@ -8,7 +8,7 @@ use super::maps::{Crests, Maps, Parameters};
 use super::nuclei::{Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
 use super::{System, gabor, meinhardt_lines, meinhardt_spots, meinhardt_stripes, turing_spots};
-use crate::field::Edges;
+use crate::field::{Edges, Field};
 
 /// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes and
 /// lines.
@@ -85,6 +85,12 @@ impl Beginning {
     }
 }
 
+/// What shows of the marks that this growth begins from.
+#[must_use]
+pub fn begun(system: System, maps: &Maps, edges: Edges, seed: u64) -> Field {
+    super::Growth::new(system, maps, edges, seed).marks(maps)
+}
+
 /// The same concentrations with those of taken cells as marks of other layers have them.
 #[must_use]
 pub fn held(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Vec<f32>> {
@@ -130,7 +136,7 @@ fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec
             }
             [a[i], b[i]] = match system {
                 System::TuringSpots => turing_spots::begin(*bell),
-                _ => meinhardt_spots::begin(*bell, peak),
+                _ => meinhardt_spots::begin(*bell, peak, p.apart() > 1.0),
             };
         }
     });

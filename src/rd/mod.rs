@@ -21,10 +21,11 @@ mod prolong;
 mod runs;
 pub mod selling;
 mod turing_spots;
+mod uneven;
 mod vector;
 mod wavefront;
 
-pub use begin::{Beginning, held, nuclei};
+pub use begin::{Beginning, begun, held, nuclei};
 pub use growth::Growth;
 pub use maps::{Crests, Maps, Parameters};
 pub use mosaic::mosaic;
@@ -121,7 +122,7 @@ impl System {
             Self::TuringSpots => turing_spots::SPACING,
             Self::MeinhardtSpots => meinhardt_spots::spacing(p.ratio),
             Self::MeinhardtStripes => meinhardt_stripes::WAVELENGTH,
-            Self::MeinhardtLines => meinhardt_lines::WAVELENGTH,
+            Self::MeinhardtLines => meinhardt_lines::wavelength(p.ratio),
         };
         f64::from(p.pitch) * own / f64::from(p.rate).sqrt()
     }

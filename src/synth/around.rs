@@ -148,15 +148,16 @@ impl Plan {
             };
             Some((gap / width, gap, width))
         };
-        let (room, gap, width) =
-            self.map.regions().filter_map(room).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let (room, gap, width) = self.map.regions().filter_map(room).min_by(|a, b| a.0.total_cmp(&b.0))?;
         let [lines, some] = match way {
             Way::Rings => ["rings", "some neighbours will share a wall"],
             Way::Web => ["a web of lines", "some marks will be surrounded together"],
         };
         let tight = TIGHT.map(|tight| room < tight * way.need());
         let then = match tight {
-            [true, _] => "grow will most likely refuse it; draw thinner lines, or the marks beneath farther apart",
+            [true, _] => {
+                "grow will most likely refuse it; draw thinner lines, or the marks beneath farther apart"
+            }
             [false, true] => some,
             [false, false] => return None,
         };

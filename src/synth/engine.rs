@@ -60,12 +60,17 @@ impl Engine {
         match vary(plan, seed) {
             None if let Some(places) = plan.places_in_cells() => {
                 let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+                let maps = maps.uneven(plan.irregular, edges, seed);
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
                 let largest = ladder::largest(plan.system, &maps);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }
-            None => Self::of(plan.system, plan.maps(&pitches(plan, seed)), edges, seed),
+            None => {
+                let maps = plan.maps(&pitches(plan, seed)).uneven(plan.irregular, edges, seed);
+                Self::of(plan.system, maps, edges, seed)
+            }
             Some(Varied { maps, places, largest }) => {
+                let maps = maps.uneven(plan.irregular, edges, seed);
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }
@@ -291,6 +296,7 @@ fn stage(
         Growth::resumed(system, here, edges, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
     let rest = Rest::new(system, unit, begins, growth.marks(here).values);
+    let rest = if here.taken.contains(&true) { rest.among_frozen() } else { rest };
     let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
     Stage { level, coarse, growth, counts, rest, expected }
 }

@@ -1,21 +1,15 @@
 //! Growing a document.
 
-use super::around::{self, plan_lines, way};
-use super::beneath::taken;
 use super::course::CourseError;
 use super::engine::Engine;
 use super::memory::TooLarge;
-use super::inside::{is_replaced, plan_inside, refusal};
 use super::pattern::Pattern;
-use super::plan::{Plan, PlanError, plan};
-use super::probe::{ProbeError, When};
-use super::recipe::{After, Document, DocumentError};
+use super::plan::{Plan, PlanError};
+use super::probe::ProbeError;
+use super::recipe::{Document, DocumentError};
 use super::refine::{Measured, refine};
 use super::settle::settle;
-use super::training::Training;
 use super::watch::{Cancelled, Stage, Watch};
-use super::{drawn, memory};
-use crate::attributes::regions::RegionMap;
 use crate::field::Field;
 
 impl From<ProbeError> for GrowError {
@@ -37,6 +31,7 @@ pub struct Options {
 }
 
 /// A grown layer.
+#[derive(Clone)]
 pub struct GrownLayer {
     /// What was planned.
     pub plan: Plan,
@@ -68,6 +63,10 @@ pub struct Grown {
     pub size: [u32; 2],
     /// Its layers, the lowest first.
     pub layers: Vec<GrownLayer>,
+    /// What it was grown from.
+    pub document: Document,
+    /// And how.
+    pub options: Options,
 }
 
 /// Why a document was not grown.
@@ -111,82 +110,8 @@ pub enum GrowError {
     },
 }
 
-/// Grows `document` (named `source` in messages).
-///
-/// # Errors
-/// See [`GrowError`].
-pub fn grow(
-    document: &Document,
-    source: &str,
-    training: &Training,
-    options: Options,
-    watch: &Watch,
-) -> Result<Grown, GrowError> {
-    let size = options.size.unwrap_or(document.size);
-    let correct = options.refine.unwrap_or(document.growth.refine);
-    let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
-    for index in 0..document.layers.len() {
-        watch.step(Stage::Plan, 0.0)?;
-        let map = drawn::region_map(document, index, source)?.resized(size.map(f64::from));
-        let beneath = layers.last().map(|layer| &layer.plan);
-        let mut plan = planned(document, index, source, training, &map, beneath)?;
-        memory::check(plan.system, size.map(f64::from), plan.grid)?;
-        if correct {
-            watch.step(Stage::Plan, 0.1)?;
-            plan = plan.probed(training, When::Unsure, watch)?;
-        }
-        if plan.places.is_some()
-            && let Some(beneath) = layers.last()
-        {
-            plan.place_inside(&beneath.measured);
-        }
-        let shown = layers.iter().enumerate().filter(|(below, _)| !is_replaced(document, *below));
-        let beneath: Vec<Pattern> = shown.map(|(_, layer)| layer.pattern()).collect();
-        if !beneath.is_empty() {
-            plan.taken = taken(&beneath, plan.grid);
-        }
-        let broken = document.layers[index].options.broken;
-        plan.lay_course(broken, document.layer_seed(index))
-            .map_err(|reason| GrowError::Course { layer: index + 1, reason })?;
-        let mut layer = grow_layer(plan, document.layer_seed(index), index + 1, correct, watch)?;
-        if document.layers[index].after == After::Inside {
-            layer.plan.tell_places(&layer.measured, &document.layers[index - 1].name);
-        }
-        layers.push(layer);
-    }
-    Ok(Grown { size, layers })
-}
-
-/// Plans layer `index`, whose marks make `map`, above the layer with the plan `beneath`.
-///
-/// # Errors
-/// What was drawn cannot be grown there, or its parameters cannot be looked up.
-pub fn planned(
-    document: &Document,
-    index: usize,
-    source: &str,
-    training: &Training,
-    map: &RegionMap,
-    beneath: Option<&Plan>,
-) -> Result<Plan, GrowError> {
-    let layer = &document.layers[index];
-    if let Some(problem) = around::refusal(document, index, map) {
-        return Err(problem.in_file(source).into());
-    }
-    if let Some(way) = way(layer.after) {
-        return Ok(plan_lines(way, map.clone())?);
-    }
-    if layer.after != After::Inside {
-        return Ok(plan(training, layer.system, map)?);
-    }
-    if let Some(problem) = refusal(document, index, map, beneath) {
-        return Err(problem.in_file(source).into());
-    }
-    let beneath = beneath.expect("refused without one");
-    Ok(plan_inside(training, map, beneath)?)
-}
-
-fn grow_layer(
+/// Grows layer number `layer` of a document as planned.
+pub(super) fn grow_layer(
     plan: Plan,
     seed: u64,
     layer: usize,

@@ -21,7 +21,12 @@ pub fn is_replaced(document: &Document, index: usize) -> bool {
 
 /// Why layer `index`, whose marks make `map`, cannot stand inside the layer beneath with its `plan`; `None` where it can.
 #[must_use]
-pub fn refusal(document: &Document, index: usize, map: &RegionMap, beneath: Option<&Plan>) -> Option<Problem> {
+pub fn refusal(
+    document: &Document,
+    index: usize,
+    map: &RegionMap,
+    beneath: Option<&Plan>,
+) -> Option<Problem> {
     let at = |key: &str| format!("layers[{index}].{key}");
     let after = |allowed: &str| Some(Problem::new(at("after"), "\"inside\"", allowed));
     let Some(beneath) = beneath else {
@@ -31,13 +36,14 @@ pub fn refusal(document: &Document, index: usize, map: &RegionMap, beneath: Opti
     if index > 1 && matches!(met, Some(After::Around | After::Net)) {
         return after("above a layer of single spots: rings and webs have no places");
     }
-    if beneath.system == System::MeinhardtStripes {
+    if matches!(beneath.system, System::MeinhardtStripes | System::MeinhardtLines) {
         return after("above a layer of ellipses: stripes have no places");
     }
     let layout = map.layout();
     for (place, _) in map.regions() {
         let center = layout.center(place);
-        let (Attributes::Spots(own), Attributes::Spots(there)) = (map.at(center), beneath.map.at(center)) else {
+        let (Attributes::Spots(own), Attributes::Spots(there)) = (map.at(center), beneath.map.at(center))
+        else {
             let allowed = "ellipses, as \"after\" is \"inside\": a spot inside each spot beneath";
             return Some(Problem::new(at("strokes"), "lines", allowed));
         };
@@ -72,8 +78,7 @@ pub fn plan_inside(training: &Training, map: &RegionMap, beneath: &Plan) -> Resu
     let room = |place| room(&map.at(layout.center(place)), &beneath.map.at(layout.center(place)));
     let room = map.regions().map(|(place, _)| room(place)).fold(1.0, f64::min);
     let system = System::MeinhardtSpots;
-    let mut plan =
-        planned(system, map, &|wanted, cell| ask_placed(training, system, wanted, room, cell))?;
+    let mut plan = planned(system, map, &|wanted, cell| ask_placed(training, system, wanted, room, cell))?;
     plan.places = Some(Vec::new());
     Ok(plan)
 }
@@ -117,7 +122,9 @@ impl Plan {
         // Where none is missing on the whole, one may still have moved over the border of its region.
         let missing = marks.len() < places.len();
         for ([given, grown], remarks) in counts.into_iter().zip(&mut self.remarks) {
-            remarks.push(format!("one mark at each place of \"{beneath}\", which is not shown; the spacing is its"));
+            remarks.push(format!(
+                "one mark at each place of \"{beneath}\", which is not shown; the spacing is its"
+            ));
             if missing && grown < given {
                 remarks.push(format!(
                     "{} of {given} places have no mark of their own: they are too near each other for such marks; \

@@ -79,7 +79,7 @@ impl Patch {
     /// Why it is no texture.
     pub fn measure(&self, marks: &Field) -> Result<Sample, Reason> {
         match self.system {
-            system if system.is_striped() => stripes(marks),
+            system if system.is_striped() => stripes(system, marks),
             _ => spots(marks, self.parameters.level.unwrap_or(0.5)),
         }
     }
@@ -125,14 +125,18 @@ fn spots(marks: &Field, level: f64) -> Result<Sample, Reason> {
 }
 
 /// Means over a patch of stripes.
-fn stripes(marks: &Field) -> Result<Sample, Reason> {
+fn stripes(system: System, marks: &Field) -> Result<Sample, Reason> {
     let found = measure::stripes(marks, 0.5);
     measure::stripe_texture(marks, found.as_ref(), USUAL)?;
     let found = found.ok_or(Reason::TooFewStripes { wavelengths: 0.0, least: 1.0 })?;
     Ok(Sample {
         extent: marks.extent()[0] / found.wavelength,
         evenness: found.coherence,
-        attributes: Attributes::Stripes(Stripes { width: found.width, angle: found.angle }),
+        attributes: Attributes::Stripes(Stripes {
+            width: found.width,
+            angle: found.angle,
+            wavelength: (system == System::MeinhardtLines).then_some(found.wavelength),
+        }),
     })
 }
 

@@ -44,7 +44,7 @@ const SEED: u64 = 0x5eed;
 pub struct Offset {
     /// Of ln area, or of ln width.
     pub size: f64,
-    /// Of ln spacing.
+    /// Of ln spacing, or of ln wavelength where that is free.
     pub spacing: f64,
     /// Of −ln aspect.
     pub elongation: f64,
@@ -87,6 +87,10 @@ impl Offset {
             },
             (Attributes::Stripes(asked), Attributes::Stripes(got)) => Self {
                 size: libm::log(got.width / asked.width),
+                spacing: asked
+                    .wavelength
+                    .zip(got.wavelength)
+                    .map_or(0.0, |(asked, got)| libm::log(got / asked)),
                 turn: turn(got.angle, asked.angle),
                 ..Self::default()
             },
@@ -108,6 +112,7 @@ impl Offset {
             Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {
                 width: stripes.width * size,
                 angle: axial(stripes.angle + turned),
+                wavelength: stripes.wavelength.map(|wavelength| wavelength * libm::exp(share * self.spacing)),
             }),
         }
     }
@@ -203,7 +208,7 @@ fn probed_one(
     let watch = &Watch { progress: &|_, _| {}, cancelled: watch.cancelled };
     let open = ask(training, system, wanted, cell)?;
     if open.pitch > 1.0 {
-        // Of spots that stand alone no row has a say, and their law is as sure as a probe.
+        // Their law is as sure as a probe.
         return Ok(Probed::default());
     }
     // What cannot be reached is not what is corrected to.
@@ -261,21 +266,22 @@ fn scatter(answer: &Answer) -> Offset {
             turn: half("angle", false),
         },
         Attributes::Stripes(_) => {
-            Offset { size: half("width", true), turn: half("angle", false), ..Offset::default() }
+            let spacing = half("wavelength", true);
+            Offset { size: half("width", true), spacing, turn: half("angle", false), elongation: 0.0 }
         }
     }
 }
 
 /// The scatter of patches of [`TRAINED`] spots that were told the same, from seed to seed: of 40 patches each at
 /// stretches of 0.35, 0.6 and 0.9, three sizes (Turing, stripes) or five ratios and levels (Meinhardt), the median; of
-/// Turing's shape, which scatters most, the largest where it has a direction. 0: not corrected, since the system has no
-/// say in it.
+/// Turing's shape, which scatters most, the largest where it has a direction; of lines 14 patches each of three ratios.
+/// 0: not corrected, since the system has no say in it.
 fn chance(system: System) -> Offset {
     match system {
         System::TuringSpots => Offset { size: 0.004, spacing: 0.0, elongation: 0.018, turn: 1.0 },
         System::MeinhardtSpots => Offset { size: 0.0008, spacing: 0.005, elongation: 0.001, turn: 0.05 },
         System::MeinhardtStripes => Offset { size: 0.014, spacing: 0.0, elongation: 0.0, turn: 0.5 },
-        System::MeinhardtLines => Offset { size: 0.014, spacing: 0.014, elongation: 0.0, turn: 0.5 },
+        System::MeinhardtLines => Offset { size: 0.01, spacing: 0.016, elongation: 0.0, turn: 0.42 },
     }
 }
 
@@ -283,9 +289,8 @@ fn chance(system: System) -> Offset {
 /// anyway; of directions half of what a canvas of stripes scatters, or what the eye does not see.
 fn tolerated(system: System) -> Offset {
     match system {
-        System::MeinhardtStripes | System::MeinhardtLines => {
-            Offset { size: 0.03, spacing: 0.0, elongation: 0.0, turn: 1.0 }
-        }
+        System::MeinhardtStripes => Offset { size: 0.03, spacing: 0.0, elongation: 0.0, turn: 1.0 },
+        System::MeinhardtLines => Offset { size: 0.03, spacing: 0.03, elongation: 0.0, turn: 1.0 },
         _ => Offset { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
     }
 }

@@ -9,6 +9,7 @@ use super::watch::{Cancelled, Stage, Watch};
 use crate::attributes::Attributes;
 use crate::field::Field;
 use crate::measure::{self, Spot, SpotErrors, StripeErrors};
+use crate::rd::System;
 
 /// What was measured, by region.
 #[derive(Clone, Debug)]
@@ -171,7 +172,11 @@ impl Ruler {
 const POINTS: usize = 16;
 
 /// d ln size / d ln level: of a Gaussian bell ln area = ln ln(1/l) + c, at a level of ½; of a stripe with a
-/// sinusoidal profile width = (λ/π) arccos(2l − 1).
+/// sinusoidal profile width = (λ/π) arccos(2l − 1); of a line, a Gaussian across, ln width = ½ ln ln(1/l) + c.
 fn first_slope(plan: &Plan) -> f64 {
-    if plan.system.is_striped() { -2.0 / std::f64::consts::PI } else { -1.44 }
+    match plan.system {
+        System::MeinhardtStripes => -2.0 / std::f64::consts::PI,
+        System::MeinhardtLines => -0.72,
+        System::TuringSpots | System::MeinhardtSpots => -1.44,
+    }
 }

@@ -129,7 +129,13 @@ fn errors(measured: &Measured, index: usize) -> (Option<usize>, Map<String, Valu
         }
         Measured::Stripes(errors) => {
             let e = &errors[index];
-            (None, vec![("width", e.width), ("angle", e.angle), ("angle_rms", e.angle_rms)])
+            let named = [
+                ("width", e.width),
+                ("wavelength", e.wavelength),
+                ("angle", e.angle),
+                ("angle_rms", e.angle_rms),
+            ];
+            (None, named.to_vec())
         }
     };
     let error =

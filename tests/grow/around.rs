@@ -32,19 +32,19 @@ fn net(width: f64) -> Value {
     json!({"strokes": line(width), "after": "net"})
 }
 
-/// Labels at four times the px.
+/// Labels at twice the px.
 struct Labels {
     side: usize,
     wrap: bool,
     values: Vec<u8>,
 }
 
-const SCALE: f64 = 4.0;
+const SCALE: f64 = 2.0;
 
 impl Labels {
     fn of(document: &Value) -> (Self, Folder) {
         let folder = Folder::with(document);
-        folder.grow("--scale 4 --labels l.png --report r.json");
+        folder.grow("--scale 2 --labels l.png --report r.json");
         let ([side, _], values) = folder.gray8("l.png");
         (Self { side, wrap: document["edges"] == "wrap", values }, folder)
     }
@@ -164,7 +164,7 @@ fn broken_rings_are_open_by_the_share_that_was_asked() {
 #[test]
 fn a_net_is_one_web_as_wide_as_it_was_drawn() {
     for edges in ["closed", "wrap"] {
-        for (spacing, width) in [(26.0, 2.5), (26.0, 5.0), (34.0, 3.0)] {
+        for (spacing, width) in [(26.0, 5.0), (34.0, 3.5)] {
             let (labels, folder) = Labels::of(&layers(edges, spacing, &[net(width)]));
             let pieces = labels.pieces(|value| value == 2);
             assert_eq!(pieces.len(), 1, "{edges} {spacing} {width}");
@@ -189,7 +189,7 @@ fn a_tile_of_one_spot_has_a_web_too() {
 fn widths_follow_the_regions() {
     for after in ["around", "net"] {
         let lines = json!([
-            {"kind": "line", "from": [20, 50], "to": [60, 50], "width": 2.5},
+            {"kind": "line", "from": [20, 50], "to": [60, 50], "width": 3},
             {"kind": "line", "from": [100, 50], "to": [140, 50], "width": 4.5}
         ]);
         let mut document = layers("closed", 31.0, &[json!({"strokes": lines, "after": after})]);
@@ -273,9 +273,9 @@ fn a_web_that_stripes_cut_into_parts_is_refused() {
 
 #[test]
 fn rings_of_stripes_run_along_them() {
-    let stripes = json!([{"kind": "line", "from": [20, 75], "to": [130, 75], "width": 14}]);
-    let document = json!({"format": "dapple", "version": 1, "size": [150, 150], "edges": "wrap",
-        "layers": [{"strokes": stripes}, {"strokes": line(2.5), "after": "around"}]});
+    let stripes = json!([{"kind": "line", "from": [20, 55], "to": [90, 55], "width": 18}]);
+    let document = json!({"format": "dapple", "version": 1, "size": [110, 110], "edges": "wrap",
+        "layers": [{"strokes": stripes}, {"strokes": line(4.0), "after": "around"}]});
     let (labels, folder) = Labels::of(&document);
     assert!(labels.keeps_apart(1, 2));
     width_is_met(&folder, 1);
@@ -283,6 +283,11 @@ fn rings_of_stripes_run_along_them() {
         folder.grow("--pattern p.png --layer 2");
         folder.pattern("p.png", Edges::Wrap)
     };
-    // Every column is crossed by two lines a stripe.
-    assert!(field.values.iter().filter(|value| **value > 0.5).count() > 2 * 150 * 4);
+    // Three stripes, and two lines along each.
+    let crossed = |x: usize| {
+        let column: Vec<bool> = (0..110).map(|y| field.values[y * 110 + x] > 0.5).collect();
+        (0..110).filter(|y| column[*y] && !column[(y + 1) % 110]).count()
+    };
+    let lines: Vec<usize> = (0..110).map(crossed).collect();
+    assert!(lines.iter().filter(|lines| **lines == 6).count() > 90, "{lines:?}");
 }

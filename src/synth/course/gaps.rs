@@ -83,7 +83,11 @@ fn places(cells: &[usize], grid: &Grid, count: usize, rng: &mut impl Rng) -> Vec
                 let [x, y] = [0, 1].map(|axis| {
                     let side = grid.size[axis] as f64 * grid.cell[axis];
                     let straight = (a[axis] - b[axis]).abs();
-                    if grid.edges == crate::field::Edges::Wrap { straight.min(side - straight) } else { straight }
+                    if grid.edges == crate::field::Edges::Wrap {
+                        straight.min(side - straight)
+                    } else {
+                        straight
+                    }
                 });
                 x * x + y * y
             };

@@ -38,7 +38,6 @@ fn highest(values: &[f32], grid: &Grid, radius: usize) -> Vec<f32> {
             .map(|cell| (-reach..=reach).map(|i| values[at(cell, i)]).fold(f32::NEG_INFINITY, f32::max))
             .collect()
     };
-    let rows =
-        along(values, &|cell, i| cell - cell % nx + grid.edges.index((cell % nx) as isize + i, nx));
+    let rows = along(values, &|cell, i| cell - cell % nx + grid.edges.index((cell % nx) as isize + i, nx));
     along(&rows, &|cell, i| grid.edges.index((cell / nx) as isize + i, ny) * nx + cell % nx)
 }

@@ -47,8 +47,7 @@ pub fn lay(
     let room = room(grid, &between(&away, grid, &copies), &distance);
     let width = |cell: usize| f64::from(wanted.width[cell]);
     let at = |cell: usize| place(room[cell] / width(cell)) * width(cell);
-    let off: Vec<f32> =
-        (0..grid.len()).map(|cell| ((distance[cell] - at(cell)).abs() / px) as f32).collect();
+    let off: Vec<f32> = (0..grid.len()).map(|cell| ((distance[cell] - at(cell)).abs() / px) as f32).collect();
     let has_own = |cell: usize| room[cell] >= SHARED * width(cell);
     let narrow = |cell: usize| room[cell] < NARROWEST * width(cell) && distance[cell] < width(cell);
     let between_rings = |cell: usize| {

@@ -23,9 +23,13 @@ pub enum CourseError {
         share: f64,
     },
     /// There is but one mark, whose web would have no end to meet.
-    #[error("one mark beneath it on a closed canvas: a web runs between marks; draw those beneath smaller or nearer")]
+    #[error(
+        "one mark beneath it on a closed canvas: a web runs between marks; draw those beneath smaller or nearer"
+    )]
     Single,
     /// Marks from border to border cut the web.
-    #[error("the marks beneath cut the web into {0} parts: a web runs between marks that leave a way round them")]
+    #[error(
+        "the marks beneath cut the web into {0} parts: a web runs between marks that leave a way round them"
+    )]
     Parts(usize),
 }

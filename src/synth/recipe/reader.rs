@@ -74,7 +74,9 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
         visible: node.get("visible").map_or(Ok(default.visible), |node| node.flag())?,
         seed: seed(node)?,
         strokes,
-        options: node.get("options").map_or(Ok(default.options), |node| options(&node, system, kind, after))?,
+        options: node
+            .get("options")
+            .map_or(Ok(default.options), |node| options(&node, system, kind, after))?,
         colours: node.get("colours").map(|node| colours(&node)).transpose()?,
     })
 }
@@ -88,8 +90,15 @@ fn options(node: &Node, system: SystemChoice, kind: Option<Kind>, after: After) 
     let keys = [system.option_keys(), after.option_keys()].concat();
     node.keys(&keys)?;
     let default = Options::default();
-    let broken = node.get("broken").map_or(Ok(default.broken), |node| node.number(&limits::BROKEN))?;
-    Ok(Options { broken, spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))? })
+    let options = Options {
+        spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))?,
+        broken: node.get("broken").map_or(Ok(default.broken), |node| node.number(&limits::BROKEN))?,
+        duty: node.get("duty").map_or(Ok(default.duty), |node| node.number(&limits::DUTY))?,
+        irregular: node
+            .get("irregular")
+            .map_or(Ok(default.irregular), |node| node.number(&limits::IRREGULAR))?,
+    };
+    options.mismatch(&node.place(), system, kind).map_or(Ok(options), Err)
 }
 
 /// `"drawn"`, the variation of the area, or an object.
