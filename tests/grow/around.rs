@@ -246,7 +246,9 @@ fn what_rings_and_webs_are_not_drawn_with_is_refused() {
         let words = ["layers[1].system", "meinhardt-stripes", "auto"];
         Folder::with(&layers("wrap", 31.0, &[stripes])).refuses("grow a.dapple -o a.png", 1, &words);
     }
-    for broken in [json!({"strokes": line(4.0), "after": "net", "options": {"broken": 0.2}}), around(4.0, 0.7)] {
+    for broken in
+        [json!({"strokes": line(4.0), "after": "net", "options": {"broken": 0.2}}), around(4.0, 0.7)]
+    {
         let words = ["layers[1].options", "broken"];
         Folder::with(&layers("wrap", 31.0, &[broken])).refuses("grow a.dapple -o a.png", 1, &words);
     }

@@ -47,14 +47,15 @@ pub fn lay(
     let room = room(grid, &between(&away, grid, &copies), &distance);
     let width = |cell: usize| f64::from(wanted.width[cell]);
     let at = |cell: usize| place(room[cell] / width(cell)) * width(cell);
-    let off: Vec<f32> = (0..grid.len()).map(|cell| ((distance[cell] - at(cell)).abs() / px) as f32).collect();
+    let off: Vec<f32> =
+        (0..grid.cells()).map(|cell| ((distance[cell] - at(cell)).abs() / px) as f32).collect();
     let has_own = |cell: usize| room[cell] >= SHARED * width(cell);
     let narrow = |cell: usize| room[cell] < NARROWEST * width(cell) && distance[cell] < width(cell);
     let between_rings = |cell: usize| {
         let room = room[cell] / width(cell);
         (SHARED..STRIP[0]).contains(&room) && distance[cell] / width(cell) > room - STRIP[1]
     };
-    let mut kept_off: Vec<bool> = (0..grid.len())
+    let mut kept_off: Vec<bool> = (0..grid.cells())
         .map(|cell| f64::from(off[cell]) * px > LANE * width(cell) || narrow(cell) || between_rings(cell))
         .collect();
     let mut curve: Vec<bool> = off.iter().zip(&kept_off).map(|(off, kept)| *off < 1.0 && !kept).collect();
@@ -75,7 +76,7 @@ pub fn lay(
             }
         }
     }
-    let held = (0..grid.len())
+    let held = (0..grid.cells())
         .map(|cell| if has_own(cell) { SIDES[usize::from(distance[cell] > at(cell))] } else { WALL })
         .collect();
     let along = along(&away, grid, radius(wanted.width, grid), |cell| {
@@ -93,10 +94,10 @@ fn place(room: f64) -> f64 {
 /// Half the distance between the two marks whose middle is nearest to each cell, px.
 fn room(grid: &Grid, middle: &[bool], distance: &[f64]) -> Vec<f64> {
     let Some(to) = nearest(middle, grid.size, grid.cell, grid.edges) else {
-        return vec![f64::INFINITY; grid.len()];
+        return vec![f64::INFINITY; grid.cells()];
     };
     let at = |cell: usize| grid.away(cell, to[cell]).map_or(f64::INFINITY, |(at, _)| distance[at]);
-    (0..grid.len()).map(at).collect()
+    (0..grid.cells()).map(at).collect()
 }
 
 /// Refuses what has too little room, and says where some of it has.
@@ -106,7 +107,7 @@ fn told(
     has_own: &dyn Fn(usize) -> bool,
     remarks: &mut Vec<String>,
 ) -> Result<(), CourseError> {
-    let outline: Vec<usize> = (0..grid.len())
+    let outline: Vec<usize> = (0..grid.cells())
         .filter(|cell| wanted.taken[*cell])
         .filter(|cell| {
             let sides = [[1, 0], [-1, 0], [0, 1], [0, -1]].iter();
