@@ -5,6 +5,7 @@ mod bytes;
 mod extremes;
 mod folder;
 mod golden;
+mod inside;
 #[cfg(unix)]
 mod interrupt;
 mod options;
