@@ -5,7 +5,7 @@ use crate::attributes::{Attributes, Spread};
 use crate::field::Edges;
 use crate::synth::drawn::region_map;
 use crate::synth::plan::Plan;
-use crate::synth::recipe::{After, Document, Kind, Layer};
+use crate::synth::recipe::{Document, Kind, Layer};
 use crate::synth::{Training, memory, planned};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -37,12 +37,10 @@ pub fn run(args: &Args) -> Result<(), Error> {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  cannot be grown on this machine: {error}");
         }
+        if let Some(told) = beneath.as_ref().and_then(|beneath| plan.expected_room(beneath)) {
+            text += &format!("  {told}\n");
+        }
         beneath = Some(plan);
-    }
-    let unbuilt = |(_, layer): &(usize, &Layer)| !matches!(layer.after, After::Between | After::Inside);
-    for (index, layer) in document.layers.iter().enumerate().skip(1).filter(unbuilt) {
-        text +=
-            &format!("layer {}: \"{}\" is not built yet: grow refuses it\n", index + 1, layer.after.name());
     }
     super::say(&text)
 }
@@ -67,8 +65,12 @@ fn reach(plan: &Plan, index: usize) -> String {
         let wanted = plan.map.at(layout.center([column, row]));
         // Writing to a String cannot fail.
         let varied = varied(&plan.map.region([column, row]).spread);
-        let _ =
-            writeln!(text, "  region [{column}, {row}]: {}{varied}; {}", described(&wanted), answer.coverage);
+        let _ = writeln!(
+            text,
+            "  region [{column}, {row}]: {}{varied}; {}",
+            described(&wanted, plan.way.is_some()),
+            answer.coverage
+        );
         for note in &answer.notes {
             let _ = writeln!(text, "    {note}");
         }
@@ -82,7 +84,7 @@ fn reach(plan: &Plan, index: usize) -> String {
     text
 }
 
-fn described(wanted: &Attributes) -> String {
+fn described(wanted: &Attributes, bent: bool) -> String {
     match wanted {
         Attributes::Spots(spots) => {
             let spacing = spots.spacing.map(|spacing| format!(", {spacing:.1} px apart")).unwrap_or_default();
@@ -91,8 +93,10 @@ fn described(wanted: &Attributes) -> String {
                 spots.area, spots.aspect, spots.angle
             )
         }
+        Attributes::Stripes(stripes) if bent => format!("lines {:.1} px wide", stripes.width),
         Attributes::Stripes(stripes) => {
-            format!("stripes {:.1} px wide at {:.0}°", stripes.width, stripes.angle)
+            let apart = stripes.wavelength.map(|apart| format!(", {apart:.1} px apart")).unwrap_or_default();
+            format!("stripes {:.1} px wide at {:.0}°{apart}", stripes.width, stripes.angle)
         }
     }
 }

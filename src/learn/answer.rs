@@ -16,7 +16,8 @@ pub struct Answer {
     pub parameters: Parameters,
     /// How many times as far apart as their system puts them the spots are laid; 1 = as it does.
     pub pitch: f64,
-    /// What these parameters grow, as far as the rows tell; of spots always with their spacing.
+    /// What these parameters grow, as far as the rows tell; of spots always with their spacing, of lines with their
+    /// wavelength.
     pub predicted: Attributes,
     /// For each attribute the range that a patch grown like those of the set has in 90 of 100 cases.
     /// Angles are degrees about the predicted one and may leave 0..180.
@@ -37,7 +38,7 @@ impl Answer {
         for (attribute, range) in &mut self.interval {
             let factor = match *attribute {
                 "area" => cell * cell,
-                "spacing" | "width" => cell,
+                "spacing" | "width" | "wavelength" => cell,
                 _ => 1.0,
             };
             *range = range.map(|end| end * factor);
@@ -137,6 +138,7 @@ pub(super) fn checked(attributes: &Attributes) -> Result<Attributes, AskError> {
         Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {
             width: length("width", stripes.width)?,
             angle: angle(stripes.angle)?,
+            wavelength: stripes.wavelength.map(|wavelength| length("wavelength", wavelength)).transpose()?,
         }),
     })
 }
@@ -154,7 +156,7 @@ impl TrainingSet {
             (Map::Spots(map), Attributes::Spots(spots)) => map.ask(spots),
             (Map::Stripes(map), Attributes::Stripes(stripes)) => map.ask(stripes),
             (Map::Spots(_), _) => return Err(self.other_kind("area, aspect, angle and perhaps spacing")),
-            (Map::Stripes(_), _) => return Err(self.other_kind("width and angle")),
+            (Map::Stripes(_), _) => return Err(self.other_kind("width, angle and perhaps wavelength")),
         };
         Ok(Answer {
             parameters: reached.parameters,

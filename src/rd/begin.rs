@@ -4,16 +4,17 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
-use super::maps::{Maps, Parameters};
+use super::maps::{Crests, Maps, Parameters};
 use super::nuclei::{Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
-use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
-use crate::field::Edges;
+use super::{System, gabor, meinhardt_lines, meinhardt_spots, meinhardt_stripes, turing_spots};
+use crate::field::{Edges, Field};
 
-/// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes.
+/// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes and
+/// lines.
 #[must_use]
 pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Places {
-    if system == System::MeinhardtStripes {
+    if system.is_striped() {
         return Places::default();
     }
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
@@ -49,7 +50,7 @@ impl Beginning {
     /// Does anything begin? Spots need a place.
     #[must_use]
     pub fn is_any(&self) -> bool {
-        self.system == System::MeinhardtStripes || !self.places.is_empty()
+        self.system.is_striped() || !self.places.is_empty()
     }
 
     /// The concentrations that it makes on `maps`.
@@ -58,9 +59,19 @@ impl Beginning {
     /// many of the spots begin as have room. Neighbours may die there; nothing else would be left of them.
     #[must_use]
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
-        if self.system == System::MeinhardtStripes {
-            let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-            return held(self.system, maps, oriented_noise(maps, self.edges, &mut rng).into());
+        let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
+        match self.system {
+            System::MeinhardtStripes => {
+                return held(self.system, maps, oriented_noise(maps, self.edges, &mut rng).into());
+            }
+            System::MeinhardtLines => {
+                let begun = match &maps.crests {
+                    Some(crests) => along(crests, maps),
+                    None => crests(maps, self.edges, &mut rng),
+                };
+                return held(self.system, maps, begun.into());
+            }
+            System::TuringSpots | System::MeinhardtSpots => {}
         }
         let pitch = |p: &Parameters| self.system.spacing(p);
         let nucleus = |at: &[f64; 2]| {
@@ -74,6 +85,12 @@ impl Beginning {
     }
 }
 
+/// What shows of the marks that this growth begins from.
+#[must_use]
+pub fn begun(system: System, maps: &Maps, edges: Edges, seed: u64) -> Field {
+    super::Growth::new(system, maps, edges, seed).marks(maps)
+}
+
 /// The same concentrations with those of taken cells as marks of other layers have them.
 #[must_use]
 pub fn held(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Vec<f32>> {
@@ -82,6 +99,13 @@ pub fn held(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Ve
         for (cell, taken) in cells.iter_mut().zip(&maps.taken) {
             if *taken {
                 *cell = *value;
+            }
+        }
+    }
+    if let (Some(crests), [_, inhibitor, ..]) = (&maps.crests, &mut chemicals[..]) {
+        for ((cell, taken), held) in inhibitor.iter_mut().zip(&maps.taken).zip(&crests.held) {
+            if *taken {
+                *cell = *held;
             }
         }
     }
@@ -176,6 +200,48 @@ fn oriented_noise(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 5
             cells[chemical][i] *= 1.0 + sign * n;
         }
     }
+    cells
+}
+
+/// Lines begin as crests of oriented waves.
+pub fn lines(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
+    planes(maps, edges, crests(maps, edges, rng))
+}
+
+/// Standard deviation of a crest's profile, a Gaussian, ÷ the width of the line it becomes: at half its height it is as
+/// wide.
+const CREST: f64 = 0.42;
+
+fn crests(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 2] {
+    let wavelength = |p: &Parameters| System::MeinhardtLines.spacing(p);
+    let phases = gabor::phases(maps, edges, &wavelength, rng);
+    let mut cells = [vec![0.0; phases.len()], vec![0.0; phases.len()]];
+    let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
+    let rows = phases.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
+    a.zip(b).zip(rows).for_each(|((a, b), (phases, parameters))| {
+        for (i, (phase, p)) in phases.iter().zip(parameters).enumerate() {
+            let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();
+            let off = f64::from(*phase) / std::f64::consts::TAU * wavelength(p) / width;
+            let crest = libm::exp(-0.5 * off * off) as f32;
+            [a[i], b[i]] = meinhardt_lines::begin(crest, meinhardt_lines::peak(p.ratio));
+        }
+    });
+    cells
+}
+
+/// Lines begin along the curves of `maps`.
+fn along(crests: &Crests, maps: &Maps) -> [Vec<f32>; 2] {
+    let mut cells = [vec![0.0; crests.off.len()], vec![0.0; crests.off.len()]];
+    let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
+    let rows = crests.off.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
+    a.zip(b).zip(rows).for_each(|((a, b), (off, parameters))| {
+        for (i, (off, p)) in off.iter().zip(parameters).enumerate() {
+            let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();
+            let off = f64::from(*off) / width;
+            let crest = libm::exp(-0.5 * off * off) as f32;
+            [a[i], b[i]] = meinhardt_lines::begin(crest, meinhardt_lines::peak(p.ratio));
+        }
+    });
     cells
 }
 

@@ -10,6 +10,7 @@ mod growth;
 mod kinetics;
 mod lanes;
 mod maps;
+mod meinhardt_lines;
 mod meinhardt_spots;
 mod meinhardt_stripes;
 mod mosaic;
@@ -20,12 +21,13 @@ mod prolong;
 mod runs;
 pub mod selling;
 mod turing_spots;
+mod uneven;
 mod vector;
 mod wavefront;
 
-pub use begin::{Beginning, held, nuclei};
+pub use begin::{Beginning, begun, held, nuclei};
 pub use growth::Growth;
-pub use maps::{Maps, Parameters};
+pub use maps::{Crests, Maps, Parameters};
 pub use mosaic::mosaic;
 pub use nuclei::{Places, make_room, off_walls};
 pub use prolong::prolonged;
@@ -40,6 +42,8 @@ pub enum System {
     MeinhardtSpots,
     /// Five chemicals; stripes.
     MeinhardtStripes,
+    /// Two chemicals; thin stripes on wide ground.
+    MeinhardtLines,
 }
 
 impl System {
@@ -47,7 +51,7 @@ impl System {
     fn decay(self) -> f32 {
         match self {
             Self::TuringSpots => 1.0,
-            Self::MeinhardtSpots => meinhardt_spots::P2,
+            Self::MeinhardtSpots | Self::MeinhardtLines => meinhardt_spots::P2,
             Self::MeinhardtStripes => meinhardt_stripes::K_AB,
         }
     }
@@ -56,19 +60,30 @@ impl System {
     fn reaction_limit(self) -> f32 {
         match self {
             Self::TuringSpots => 0.045,
-            Self::MeinhardtSpots => 1.0,
+            Self::MeinhardtSpots | Self::MeinhardtLines => 1.0,
             Self::MeinhardtStripes => 4.0,
         }
     }
 }
 
 impl System {
+    /// All of them.
+    pub const ALL: [Self; 4] =
+        [Self::TuringSpots, Self::MeinhardtSpots, Self::MeinhardtStripes, Self::MeinhardtLines];
+
+    /// Does it grow stripes, and not spots?
+    #[must_use]
+    pub fn is_striped(self) -> bool {
+        matches!(self, Self::MeinhardtStripes | Self::MeinhardtLines)
+    }
+
     /// Concentrations that keep marks away: of cells that other marks have taken.
     fn held(self) -> &'static [f32] {
         match self {
             Self::TuringSpots => &turing_spots::HELD,
             Self::MeinhardtSpots => &meinhardt_spots::HELD,
             Self::MeinhardtStripes => &meinhardt_stripes::HELD,
+            Self::MeinhardtLines => &meinhardt_lines::HELD,
         }
     }
 
@@ -79,6 +94,7 @@ impl System {
             Self::TuringSpots => "turing-spots",
             Self::MeinhardtSpots => "meinhardt-spots",
             Self::MeinhardtStripes => "meinhardt-stripes",
+            Self::MeinhardtLines => "meinhardt-lines",
         }
     }
 
@@ -92,6 +108,10 @@ impl System {
             Self::MeinhardtStripes => {
                 0.25 * meinhardt_stripes::WAVELENGTH * meinhardt_stripes::WAVELENGTH / rate
             }
+            Self::MeinhardtLines => {
+                let width = meinhardt_lines::width(p.ratio);
+                width * width / rate
+            }
         }
     }
 
@@ -102,6 +122,7 @@ impl System {
             Self::TuringSpots => turing_spots::SPACING,
             Self::MeinhardtSpots => meinhardt_spots::spacing(p.ratio),
             Self::MeinhardtStripes => meinhardt_stripes::WAVELENGTH,
+            Self::MeinhardtLines => meinhardt_lines::wavelength(p.ratio),
         };
         f64::from(p.pitch) * own / f64::from(p.rate).sqrt()
     }

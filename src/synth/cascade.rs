@@ -1,16 +1,17 @@
 //! Layer by layer: what earlier ones grew is frozen, and what comes next grows into what they left.
 
+use super::around::{self, plan_lines, way};
 use super::grow::{GrowError, Grown, GrownLayer, Options, grow_layer};
 use super::inside::{is_replaced, plan_inside, refusal};
 use super::pattern::Pattern;
 use super::plan::{Plan, plan};
 use super::probe::When;
-use super::recipe::{After, Document, Problem};
+use super::recipe::{After, Document};
 use super::training::Training;
 use super::watch::{Stage, Watch};
 use super::{beneath, drawn, memory};
+use crate::attributes::Attributes;
 use crate::attributes::regions::RegionMap;
-use crate::rd::System;
 
 /// Grows `document` (named `source` in messages).
 ///
@@ -39,15 +40,6 @@ pub fn regrow(
     before: Option<&Grown>,
     watch: &Watch,
 ) -> Result<Grown, GrowError> {
-    for (index, layer) in document.layers.iter().enumerate().skip(1) {
-        if !matches!(layer.after, After::Between | After::Inside) {
-            let place = format!("layers[{index}].after");
-            let allowed =
-                "\"between\" or \"inside\"; the other ways to meet the marks beneath are not built yet";
-            let found = format!("\"{}\"", layer.after.name());
-            return Err(Problem::new(place, found, allowed).in_file(source).into());
-        }
-    }
     let size = options.size.unwrap_or(document.size);
     let frozen = before.map_or(0, |before| frozen(document, options, before));
     let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
@@ -111,11 +103,15 @@ impl Cascade<'_> {
         let shown: Vec<Pattern> = shown.map(|(_, layer)| layer.pattern()).collect();
         if !shown.is_empty() {
             plan.taken = beneath::taken(&shown, plan.grid);
-            if plan.system == System::MeinhardtStripes {
+            if matches!(plan.map.at([0.0, 0.0]), Attributes::Stripes(_))
+                && way(document.layers[index].after).is_none()
+            {
                 plan.taken = beneath::with_rim(&plan.taken, plan.grid, document.edges);
             }
         }
         let seed = document.layer_seed(index);
+        plan.lay_course(document.layers[index].options.broken, seed)
+            .map_err(|reason| GrowError::Course { layer: index + 1, reason })?;
         let mut layer = grow_layer(plan, seed, index + 1, correct, watch)?;
         if let Some(found) =
             beneath::shaped(&layer.plan, &layer.measured).filter(|_| correct && layer.plan.places.is_none())
@@ -142,8 +138,16 @@ pub fn planned(
     beneath: Option<&Plan>,
 ) -> Result<Plan, GrowError> {
     let layer = &document.layers[index];
+    if let Some(problem) = around::refusal(document, index, map) {
+        return Err(problem.in_file(source).into());
+    }
+    if let Some(way) = way(layer.after) {
+        return Ok(plan_lines(way, map.clone())?);
+    }
     if layer.after != After::Inside {
-        return Ok(plan(training, layer.system, map)?);
+        let mut plan = plan(training, layer.choice(), map)?;
+        plan.irregular = layer.options.irregular;
+        return Ok(plan);
     }
     if let Some(problem) = refusal(document, index, map, beneath) {
         return Err(problem.in_file(source).into());

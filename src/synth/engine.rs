@@ -60,12 +60,17 @@ impl Engine {
         match vary(plan, seed) {
             None if let Some(places) = plan.places_in_cells() => {
                 let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+                let maps = maps.uneven(plan.irregular, edges, seed);
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
                 let largest = ladder::largest(plan.system, &maps);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }
-            None => Self::of(plan.system, plan.maps(&pitches(plan, seed)), edges, seed),
+            None => {
+                let maps = plan.maps(&pitches(plan, seed)).uneven(plan.irregular, edges, seed);
+                Self::of(plan.system, maps, edges, seed)
+            }
             Some(Varied { maps, places, largest }) => {
+                let maps = maps.uneven(plan.irregular, edges, seed);
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }
@@ -234,7 +239,7 @@ impl Engine {
     /// The pattern as far as it has grown, at `width` × `height` px. `plan` is that of the engine.
     #[must_use]
     pub fn look(&self, plan: &Plan, width: usize, height: usize) -> Field {
-        Pattern::new(plan, &self.marks()).field(width, height)
+        Pattern::new(plan, &plan.levelled(self.marks())).field(width, height)
     }
 }
 

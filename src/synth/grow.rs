@@ -1,5 +1,6 @@
 //! Growing a document.
 
+use super::course::CourseError;
 use super::engine::Engine;
 use super::memory::TooLarge;
 use super::pattern::Pattern;
@@ -91,6 +92,14 @@ pub enum GrowError {
         /// 1 = the lowest.
         layer: usize,
     },
+    /// Rings or a web find nothing to go round, or no room.
+    #[error("layer {layer} cannot be grown: {reason}")]
+    Course {
+        /// 1 = the lowest.
+        layer: usize,
+        /// Why.
+        reason: CourseError,
+    },
     /// The pattern left the range in which its system works.
     #[error(
         "layer {layer} grew no pattern: its concentrations are not finite; try another seed or larger marks"
@@ -116,7 +125,7 @@ pub(super) fn grow_layer(
     }
     watch.step(Stage::Plan, 1.0)?;
     let settled = settle(&mut engine, watch)?;
-    let marks = engine.marks();
+    let marks = plan.levelled(engine.marks());
     if !marks.values.iter().all(|value| value.is_finite()) {
         return Err(GrowError::NoPattern { layer });
     }

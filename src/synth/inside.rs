@@ -36,7 +36,7 @@ pub fn refusal(
     if index > 1 && matches!(met, Some(After::Around | After::Net)) {
         return after("above a layer of single spots: rings and webs have no places");
     }
-    if beneath.system == System::MeinhardtStripes {
+    if matches!(beneath.system, System::MeinhardtStripes | System::MeinhardtLines) {
         return after("above a layer of ellipses: stripes have no places");
     }
     let layout = map.layout();

@@ -1,7 +1,9 @@
 //! The thread: a document in, a grown texture out.
 
+mod around;
 pub mod beneath;
 mod cascade;
+pub mod course;
 pub mod drawn;
 mod engine;
 mod grow;

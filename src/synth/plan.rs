@@ -1,5 +1,6 @@
 //! What will be grown: the system, the size of a cell, and the parameters at every place.
 
+use super::course::{Course, Way};
 use super::lattice::{Lattice, Node};
 use super::probe::{self, Offset, ProbeError, Probed, When};
 use super::recipe::SystemChoice;
@@ -7,7 +8,7 @@ use super::spread::limited;
 use super::training::Training;
 use super::watch::Watch;
 use crate::attributes::regions::RegionMap;
-use crate::attributes::{Attributes, Spots, Spread};
+use crate::attributes::{Attributes, Spots, Spread, Stripes};
 use crate::learn::{Answer, AskError, Note, TrainingError};
 use crate::measure::Canvas;
 use crate::rd::{Maps, System};
@@ -18,11 +19,15 @@ use rayon::prelude::*;
 const CELLS: f64 = 48.0;
 /// Cells across the thinnest stripe (`facts.md` C: wavelength 12–20).
 const CELLS_ACROSS: f64 = 8.0;
+/// Cells across the thinnest line: the grid takes 1.5 % of its width, of 4 cells 3 %.
+const CELLS_ACROSS_A_LINE: f64 = 5.0;
 /// From this size on a spot's size in cells no longer matters: parameters scale exactly (`facts.md` A, B), so
 /// that a larger one is looked up at this size. The sets reach to 160.
 const EXACT_CELLS: f64 = 120.0;
 /// The same for the width of a stripe, cells. The set reaches to 16.
 const EXACT_ACROSS: f64 = 14.0;
+/// The same of a line. The set reaches to 9.
+const EXACT_ACROSS_A_LINE: f64 = 8.0;
 /// px a cell below which a pattern could not be seen on the canvas anyway.
 const FINEST: f64 = 0.35;
 /// area ÷ spacing² of a spot whose spacing is free: what Meinhardt's system packs at its smallest ratio, where
@@ -60,8 +65,14 @@ pub struct Plan {
     pub grid: [usize; 2],
     /// Parameters (in cells) at every place.
     pub lattice: Lattice,
+    /// How irregular its spots are to be, 0..1: Turing's can be.
+    pub irregular: f64,
     /// Which cells the marks of the layers beneath have taken; empty = none.
     pub taken: Vec<bool>,
+    /// What its lines do to the marks beneath, where they are such.
+    pub way: Option<Way>,
+    /// How they run, once that is known.
+    pub course: Option<Course>,
     /// Where its marks begin, px, where that is not for its system to say.
     pub places: Option<Vec<[f64; 2]>>,
     /// What was looked up for each region, lengths in px but parameters in cells.
@@ -78,7 +89,8 @@ pub struct Plan {
 #[must_use]
 pub fn cell_for(wanted: &Attributes) -> f64 {
     let cell = match wanted {
-        Attributes::Stripes(stripes) => stripes.width / CELLS_ACROSS,
+        Attributes::Stripes(Stripes { width, wavelength: None, .. }) => width / CELLS_ACROSS,
+        Attributes::Stripes(line) => line.width / CELLS_ACROSS_A_LINE,
         Attributes::Spots(spots) => {
             // Denser spots are read at a lower level, and so are larger than the peak that must be resolved.
             let dense =
@@ -95,7 +107,8 @@ pub fn cell_for(wanted: &Attributes) -> f64 {
 pub fn exact_cell(wanted: &Attributes, cell: f64) -> f64 {
     cell.max(match wanted {
         Attributes::Spots(spots) => (spots.area / EXACT_CELLS).sqrt(),
-        Attributes::Stripes(stripes) => stripes.width / EXACT_ACROSS,
+        Attributes::Stripes(Stripes { width, wavelength: None, .. }) => width / EXACT_ACROSS,
+        Attributes::Stripes(line) => line.width / EXACT_ACROSS_A_LINE,
     })
 }
 
@@ -180,6 +193,7 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
         SystemChoice::TuringSpots => System::TuringSpots,
         SystemChoice::MeinhardtSpots => System::MeinhardtSpots,
         SystemChoice::MeinhardtStripes => System::MeinhardtStripes,
+        SystemChoice::MeinhardtLines => System::MeinhardtLines,
         SystemChoice::Auto => auto(training, &map)?,
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
@@ -214,8 +228,22 @@ pub(super) fn planned(system: System, map: RegionMap, asked: Asked) -> Result<Pl
         }
     }
     let lattice = lattice(&map, cell, &probed, asked)?;
-    let (taken, places) = (Vec::new(), None);
-    Ok(Plan { system, map, cell: exact, grid, lattice, taken, places, answers, remarks, probed, spreads })
+    Ok(Plan {
+        system,
+        map,
+        cell: exact,
+        grid,
+        lattice,
+        irregular: 0.0,
+        taken: Vec::new(),
+        way: None,
+        course: None,
+        places: None,
+        answers,
+        remarks,
+        probed,
+        spreads,
+    })
 }
 
 /// Parameters at the nodes over the canvas of `map`: those looked up for what is wanted there, less what probes found
@@ -250,13 +278,17 @@ pub fn free_spacing(training: &Training, system: System, spots: &Spots) -> f64 {
     }
 }
 
-/// Lines want stripes; ellipses want Meinhardt's system, whose spots are rounder and stand as far apart as
+/// Lines want stripes, thin ones on wide ground [`System::MeinhardtLines`]; ellipses want Meinhardt's system, whose spots are rounder and stand as far apart as
 /// asked, unless Turing's meets what is asked and Meinhardt's does not.
 fn auto(training: &Training, map: &RegionMap) -> Result<System, PlanError> {
     let mut miss = [0.0f64; 2];
     for (place, _) in map.regions() {
         let mut wanted = map.at(map.layout().center(place));
-        let Attributes::Spots(spots) = &mut wanted else { return Ok(System::MeinhardtStripes) };
+        let spots = match &mut wanted {
+            Attributes::Spots(spots) => spots,
+            Attributes::Stripes(Stripes { wavelength: None, .. }) => return Ok(System::MeinhardtStripes),
+            Attributes::Stripes(_) => return Ok(System::MeinhardtLines),
+        };
         if spots.spacing.is_none() {
             spots.spacing = Some(free_spacing(training, System::MeinhardtSpots, spots));
         }
@@ -290,7 +322,7 @@ impl Plan {
     /// # Errors
     /// The training set cannot be asked; or [`super::Cancelled`].
     pub fn probed(mut self, training: &Training, when: When, watch: &Watch) -> Result<Self, ProbeError> {
-        if self.places.is_some() {
+        if self.places.is_some() || self.way.is_some() {
             // Spots at places of their own are as their law says; a patch would stand at others.
             return Ok(self);
         }
@@ -404,6 +436,10 @@ impl Plan {
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };
-        Maps { nx, ny, cell: self.cell, parameters, taken: self.taken.clone() }
+        let maps = Maps { taken: self.taken.clone(), ..Maps::new([nx, ny], self.cell, parameters) };
+        match &self.course {
+            None => maps,
+            Some(course) => course.told(maps),
+        }
     }
 }

@@ -21,7 +21,7 @@ use super::pitches::{MANY, ROUNDS, corrected, spots_at};
 use super::plan::Plan;
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::measure::spot_errors;
-use crate::rd::{self, Maps, Parameters, Places, System};
+use crate::rd::{self, Maps, Parameters, Places};
 use draws::Scores;
 pub use limits::limited;
 
@@ -57,7 +57,7 @@ const MOST_SHAKEN: f64 = 1.2;
 
 /// The spots of `plan`; `None` where none is to differ from its neighbours.
 pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
-    if plan.system == System::MeinhardtStripes || plan.map.is_even() {
+    if plan.system.is_striped() || plan.map.is_even() {
         return None;
     }
     let regions = plan.map.layout().len();

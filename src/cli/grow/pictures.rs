@@ -21,7 +21,7 @@ pub fn prepare(
     grown: &Grown,
     watch: &Watch,
 ) -> Result<Vec<Prepared>, Error> {
-    let canvas = Canvas::of(args, document, grown);
+    let canvas = Canvas::of(document, grown, grown.size.map(|side| side as usize * args.scale as usize));
     let dpi = Some(document.dpi * f64::from(args.scale));
     let picture = |path: &Path, samples: Samples, fill: &dyn Fn(&Band, &mut [u8])| {
         let header = Header { size: canvas.size, samples, dpi };
@@ -46,6 +46,14 @@ pub fn prepare(
     Ok(pictures)
 }
 
+/// The texture at `size` px: red, green, blue a px, row by row from the top.
+#[must_use]
+pub fn texture(document: &Document, grown: &Grown, size: [usize; 2]) -> Vec<u8> {
+    let mut rgb = vec![0; 3 * size[0] * size[1]];
+    Canvas::of(document, grown, size).band(0..size[1]).paint(&mut rgb);
+    rgb
+}
+
 /// What is painted, at the size of the pictures.
 struct Canvas<'a> {
     size: [usize; 2],
@@ -57,13 +65,13 @@ struct Canvas<'a> {
 }
 
 impl<'a> Canvas<'a> {
-    fn of(args: &Args, document: &Document, grown: &'a Grown) -> Self {
+    fn of(document: &Document, grown: &'a Grown, size: [usize; 2]) -> Self {
         let tables = document.layers.iter().enumerate().map(|(index, layer)| {
             let gradient = layer.colours.as_ref().map(gradient);
             gradient.unwrap_or_else(|| Gradient::default_for_layer(index)).table()
         });
         Self {
-            size: grown.size.map(|side| side as usize * args.scale as usize),
+            size,
             layers: grown.layers.iter().map(GrownLayer::pattern).collect(),
             tables: tables.collect(),
             visible: document
