@@ -6,6 +6,7 @@ mod bytes;
 mod extremes;
 mod folder;
 mod golden;
+mod inside;
 #[cfg(unix)]
 mod interrupt;
 mod options;
