@@ -14,7 +14,7 @@ use super::meinhardt_stripes::{self, MeinhardtStripes};
 use super::plane::{Grid, Plane};
 use super::problem::Problem;
 use super::selling::{MIN_STRETCH, Tensor};
-use super::turing_spots::{self, TuringSpots};
+use super::turing_spots::{self, TuringSpots, UnevenTuringSpots};
 use super::wavefront::{self, Instructions, Scratch, Tiling};
 use super::{System, begin, explicit};
 use crate::field::{Edges, Field};
@@ -41,6 +41,8 @@ pub struct Growth {
 #[derive(Clone, Debug)]
 enum Chemicals {
     Two(Box<[[Plane; 2]; 2]>),
+    /// Two, and the decay of each cell.
+    Three(Box<[[Plane; 3]; 2]>),
     Five(Box<[[Plane; 5]; 2]>),
 }
 
@@ -48,12 +50,24 @@ impl Chemicals {
     fn count(&self) -> usize {
         match self {
             Self::Two(_) => 2,
+            Self::Three(_) => 3,
             Self::Five(_) => 5,
         }
     }
 
     fn two(planes: [Plane; 2]) -> Self {
         Self::Two(Box::new([planes.clone(), planes]))
+    }
+
+    /// These two of Turing's with the decay that `maps` gives each cell.
+    fn with_decay([a, b]: [Plane; 2], maps: &Maps, grid: Grid) -> Self {
+        let mut decay = Plane::flat(grid, turing_spots::BETA);
+        for (y, row) in maps.uneven.chunks_exact(maps.nx).enumerate() {
+            let row: Vec<f32> = row.iter().map(|off| turing_spots::BETA + off).collect();
+            decay.set_row(y, &row);
+        }
+        let planes = [a, b, decay];
+        Self::Three(Box::new([planes.clone(), planes]))
     }
 
     fn five(planes: [Plane; 5]) -> Self {
@@ -98,6 +112,13 @@ impl Growth {
     }
 
     fn of(system: System, maps: &Maps, edges: Edges, chemicals: Chemicals) -> Self {
+        let chemicals = match chemicals {
+            Chemicals::Two(two) if system == System::TuringSpots && !maps.uneven.is_empty() => {
+                let [planes, _] = *two;
+                Chemicals::with_decay(planes, maps, Grid { nx: maps.nx, ny: maps.ny, edges })
+            }
+            others => others,
+        };
         let mut problem = problem(system, maps, edges);
         if !maps.taken.is_empty() {
             problem.freeze(&|cell: usize| maps.taken[cell]);
@@ -139,6 +160,9 @@ impl Growth {
                 (Chemicals::Two(two), _) => {
                     sweep_and_swap::<2, MeinhardtSpots>(problem, two, tiling, instructions, scratch);
                 }
+                (Chemicals::Three(three), _) => {
+                    sweep_and_swap::<3, UnevenTuringSpots>(problem, three, tiling, instructions, scratch);
+                }
                 (Chemicals::Five(five), _) => {
                     sweep_and_swap::<5, MeinhardtStripes>(problem, five, tiling, instructions, scratch);
                 }
@@ -158,6 +182,7 @@ impl Growth {
                     step_and_swap::<2, MeinhardtLines>(&self.problem, two);
                 }
                 (Chemicals::Two(two), _) => step_and_swap::<2, MeinhardtSpots>(&self.problem, two),
+                (Chemicals::Three(three), _) => step_and_swap::<3, UnevenTuringSpots>(&self.problem, three),
                 (Chemicals::Five(five), _) => step_and_swap::<5, MeinhardtStripes>(&self.problem, five),
             }
         }
@@ -194,6 +219,11 @@ impl Growth {
                     *mark = turing_spots::share(*a);
                 }
             }
+            Chemicals::Three(three) => {
+                for (mark, a) in row.iter_mut().zip(three[0][0].row(y)) {
+                    *mark = turing_spots::share(*a);
+                }
+            }
             Chemicals::Two(two) => {
                 let peak_at = self.system.peak();
                 let (mut ratio, mut peak) = (f32::NAN, 0.0);
@@ -225,11 +255,12 @@ impl Growth {
         }
     }
 
-    /// The concentrations of each chemical, row by row.
+    /// The concentrations of each chemical, row by row; not the decay of uneven spots, which does not change.
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
         match &self.chemicals {
             Chemicals::Two(two) => two[0].iter().map(Plane::cells).collect(),
+            Chemicals::Three(three) => three[0][..2].iter().map(Plane::cells).collect(),
             Chemicals::Five(five) => five[0].iter().map(Plane::cells).collect(),
         }
     }

@@ -43,6 +43,8 @@ pub struct Maps {
     pub parameters: Vec<Parameters>,
     /// Which cells other marks have taken, row by row; empty = none. Nothing grows there, and what does keeps away.
     pub taken: Vec<bool>,
+    /// By how much the decay β of Turing's spots differs from its 12, row by row; empty = nowhere.
+    pub uneven: Vec<f32>,
     /// Where lines begin; `None` = everywhere.
     pub crests: Option<Crests>,
 }
@@ -60,7 +62,7 @@ impl Maps {
     /// These parameters of `nx` × `ny` cells, row by row, on a free canvas.
     #[must_use]
     pub fn new([nx, ny]: [usize; 2], cell: [f64; 2], parameters: Vec<Parameters>) -> Self {
-        Self { nx, ny, cell, parameters, taken: Vec::new(), crests: None }
+        Self { nx, ny, cell, parameters, taken: Vec::new(), uneven: Vec::new(), crests: None }
     }
 
     /// The same parameters everywhere, on square cells.
@@ -94,6 +96,13 @@ impl Maps {
         self.taken.get(cell).copied().unwrap_or(false)
     }
 
+    /// [`Self::uneven`] about a point, over a rectangle of these sides.
+    fn uneven_at(&self, [x, y]: [f64; 2], [wide, high]: [f64; 2]) -> f32 {
+        const SHIFTS: [f64; 4] = [-0.375, -0.125, 0.125, 0.375];
+        let at = |dx: f64, dy: f64| self.uneven[self.cell_at([x + dx * wide, y + dy * high])];
+        SHIFTS.iter().flat_map(|dy| SHIFTS.map(|dx| at(dx, *dy))).sum::<f32>() / 16.0
+    }
+
     /// The same canvas on `nx` × `ny` cells: lengths in cells change, what grows does not (but for what the grid
     /// does to it).
     #[must_use]
@@ -109,6 +118,8 @@ impl Maps {
             };
             Crests { off: there(&crests.off, 1.0 / finer.sqrt()), held: there(&crests.held, 1.0) }
         });
+        let uneven = if self.uneven.is_empty() { 0 } else { nx * ny };
+        let uneven = (0..uneven).map(|i| self.uneven_at(at(i), [wide, high])).collect();
         let parameters = (0..nx * ny)
             .into_par_iter()
             .map(|i| {
@@ -116,6 +127,6 @@ impl Maps {
                 Parameters { rate: p.rate * finer, ..p }
             })
             .collect();
-        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters, taken, crests }
+        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters, taken, uneven, crests }
     }
 }

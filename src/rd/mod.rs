@@ -21,6 +21,7 @@ mod prolong;
 mod runs;
 pub mod selling;
 mod turing_spots;
+mod uneven;
 mod vector;
 mod wavefront;
 

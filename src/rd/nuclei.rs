@@ -53,6 +53,12 @@ impl Nucleus {
         Self { at, metric, reach: 1.05 * pitch / stretch.sqrt(), apart: p.apart() }
     }
 
+    /// The same with the room that its own spot needs, however far apart they are laid.
+    fn alone(self) -> Self {
+        let metric = self.metric.map(|part| part * self.apart * self.apart);
+        Self { metric, reach: self.reach / self.apart, apart: 1.0, ..self }
+    }
+
     /// Pitches, of the room that it needs itself, that a cell of the shortest way to a wall across this axis is.
     fn pitches_to_wall(&self, axis: usize) -> f64 {
         let [xx, xy, yy] = self.metric;
@@ -125,11 +131,12 @@ pub fn lay(
     let mut all = placed.all;
     let mut posts: Vec<Nucleus> = all.drain(..fixed.len()).collect();
     posts.iter_mut().zip(&fixed).for_each(|(post, fixed)| post.at = on_maps(fixed.at));
-    all.iter_mut().for_each(|point| point.at = on_maps(point.at));
     if !fixed.is_empty() {
-        all.retain(|point| clear[maps.cell_at(point.at)]);
-        all = taken::with_room(all, Buckets::new(Space { size, edges }, PUSH * crowd.largest));
+        all.retain(|point| is_clear(point.at));
+        // Where they were laid: those beyond closed edges are no images of those inside.
+        all = taken::with_room(all, Buckets::new(space, PUSH * crowd.largest));
     }
+    all.iter_mut().for_each(|point| point.at = on_maps(point.at));
     if edges == Edges::Wrap {
         return Laid { inside: all, beyond: posts };
     }

@@ -258,7 +258,7 @@ mod tests {
     use super::super::meinhardt_stripes::MeinhardtStripes;
     use super::super::plane::Grid;
     use super::super::selling::Tensor;
-    use super::super::turing_spots::TuringSpots;
+    use super::super::turing_spots::{TuringSpots, UnevenTuringSpots};
     use super::*;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
@@ -345,6 +345,7 @@ mod tests {
                 agree::<2, MeinhardtSpots>(grid, thinnest, tilings);
                 agree::<5, MeinhardtStripes>(grid, thinnest, tilings);
                 agree::<2, MeinhardtLines>(grid, thinnest, tilings);
+                agree::<3, UnevenTuringSpots>(grid, thinnest, tilings);
             }
         }
     }

@@ -145,7 +145,9 @@ pub fn planned(
         return Ok(plan_lines(way, map.clone())?);
     }
     if layer.after != After::Inside {
-        return Ok(plan(training, layer.system, map)?);
+        let mut plan = plan(training, layer.choice(), map)?;
+        plan.irregular = layer.options.irregular;
+        return Ok(plan);
     }
     if let Some(problem) = refusal(document, index, map, beneath) {
         return Err(problem.in_file(source).into());

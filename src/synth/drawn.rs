@@ -43,8 +43,7 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
     {
         return Err(problem.in_file(source));
     }
-    let place = format!("layers[{index}].options.duty");
-    match layer.options.duty_mismatch(&place, layer.system, first) {
+    match layer.options.mismatch(&format!("layers[{index}].options"), layer.system, first) {
         Some(problem) => Err(problem.in_file(source)),
         None => Ok(marks),
     }

@@ -60,12 +60,17 @@ impl Engine {
         match vary(plan, seed) {
             None if let Some(places) = plan.places_in_cells() => {
                 let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+                let maps = maps.uneven(plan.irregular, edges, seed);
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
                 let largest = ladder::largest(plan.system, &maps);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }
-            None => Self::of(plan.system, plan.maps(&pitches(plan, seed)), edges, seed),
+            None => {
+                let maps = plan.maps(&pitches(plan, seed)).uneven(plan.irregular, edges, seed);
+                Self::of(plan.system, maps, edges, seed)
+            }
             Some(Varied { maps, places, largest }) => {
+                let maps = maps.uneven(plan.irregular, edges, seed);
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }

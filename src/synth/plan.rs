@@ -65,6 +65,8 @@ pub struct Plan {
     pub grid: [usize; 2],
     /// Parameters (in cells) at every place.
     pub lattice: Lattice,
+    /// How irregular its spots are to be, 0..1: Turing's can be.
+    pub irregular: f64,
     /// Which cells the marks of the layers beneath have taken; empty = none.
     pub taken: Vec<bool>,
     /// What its lines do to the marks beneath, where they are such.
@@ -232,6 +234,7 @@ pub(super) fn planned(system: System, map: RegionMap, asked: Asked) -> Result<Pl
         cell: exact,
         grid,
         lattice,
+        irregular: 0.0,
         taken: Vec::new(),
         way: None,
         course: None,
@@ -433,7 +436,7 @@ impl Plan {
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };
-        let maps = Maps { nx, ny, cell: self.cell, parameters, taken: self.taken.clone(), crests: None };
+        let maps = Maps { taken: self.taken.clone(), ..Maps::new([nx, ny], self.cell, parameters) };
         match &self.course {
             None => maps,
             Some(course) => course.told(maps),

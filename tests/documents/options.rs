@@ -63,7 +63,12 @@ fn what_no_spread_is_is_refused() {
 #[test]
 fn other_options_are_refused() {
     let options = |value: Value| with("/layers/0/options", value);
-    refused(&options(json!({"speed": 1})), "layers[0].options", "the unknown key \"speed\"", "spread, duty");
+    refused(
+        &options(json!({"speed": 1})),
+        "layers[0].options",
+        "the unknown key \"speed\"",
+        "spread, duty, irregular",
+    );
     let mut stripes = options(json!({"speed": 1}));
     stripes["layers"][0]["system"] = json!("meinhardt-stripes");
     stripes["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);
@@ -132,4 +137,38 @@ fn spots_have_no_duty() {
     let error =
         dapple::synth::drawn::region_map(&accepted(&document), 0, "a.dapple").unwrap_err().to_string();
     assert_eq!(error, format!("a.dapple: {place}: found a duty of spots; allowed: {allowed}"));
+}
+
+#[test]
+fn spots_are_regular_unless_the_options_say_otherwise() {
+    for (options, irregular) in
+        [(json!({}), 0.0), (json!({"irregular": 1}), 1.0), (json!({"irregular": 0.3}), 0.3)]
+    {
+        for system in ["auto", "turing-spots"] {
+            let mut document = with("/layers/0/options", options.clone());
+            document["layers"][0]["system"] = json!(system);
+            let document = accepted(&document);
+            assert_eq!(document.layers[0].options.irregular, irregular);
+            assert_eq!(accepted(&serde_json::from_str(&document.to_json()).unwrap()), document);
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_irregular_is_refused() {
+    let place = "layers[0].options.irregular";
+    for (value, found) in [(json!(1.01), "1.01"), (json!(-0.5), "-0.5"), (json!("very"), "\"very\"")] {
+        refused(
+            &with("/layers/0/options", json!({"irregular": value})),
+            place,
+            found,
+            "a number from 0 to 1",
+        );
+    }
+    let mut round = with("/layers/0/options", json!({"irregular": 0.5}));
+    round["layers"][0]["system"] = json!("meinhardt-spots");
+    let allowed = "0, its spots stay ellipses; for irregular ones the system \"turing-spots\" or \"auto\"";
+    refused(&round, place, "0.5 with the system \"meinhardt-spots\"", allowed);
+    let allowed = "no such key: only spots can be irregular";
+    refused(&lined("auto", json!({"irregular": 0.5})), place, "irregular stripes", allowed);
 }

@@ -97,6 +97,34 @@ fn stripes_follow_the_drawn_lines_in_width_and_direction() {
 }
 
 #[test]
+fn irregular_spots_differ_in_shape_and_size_but_not_in_their_mean() {
+    let ellipse = json!([{"kind": "ellipse", "center": [50, 50], "radii": [7, 5.5], "angle": 20}]);
+    let mut document = document([240, 220], &ellipse);
+    let mut grown = |irregular: f64| {
+        document["layers"][0]["options"] = json!({"irregular": irregular});
+        let folder = Folder::with(&document);
+        folder.grow("--pattern p.png --report r.json");
+        let layer = folder.json("r.json")["layers"][0].clone();
+        let error = layer["regions"][0]["error"]["area"].as_f64().unwrap();
+        assert!(error.abs() < 0.02, "{irregular}: mean area off by {error}");
+        assert_eq!(layer["settled"], true);
+        assert!(irregular == 0.0 || layer["system"] == "turing-spots", "{layer}");
+        // What a picture of them shows is still spots.
+        let told = folder.measured("p.png");
+        assert_eq!(told["kind"], "spots");
+        let spots = measure::spots(&folder.pattern("p.png", Edges::Closed), 0.5);
+        let whole: Vec<_> = spots.iter().filter(|spot| spot.whole).collect();
+        let fill = whole.iter().map(|spot| spot.fill).sum::<f64>() / whole.len() as f64;
+        (told["spread"]["area"].as_f64().unwrap(), fill, folder.bytes("p.png"))
+    };
+    let [even, half, full] = [0.0, 0.5, 1.0].map(&mut grown);
+    assert!(even.0 < 0.1 && (0.1..0.3).contains(&half.0) && (0.3..0.65).contains(&full.0), "{even:?}");
+    // Bent, but no labyrinth.
+    assert!((0.95..0.998).contains(&full.1), "{}", full.1);
+    assert!(full.2 == grown(1.0).2, "the same document, other bytes");
+}
+
+#[test]
 fn thin_stripes_are_as_wide_as_drawn_and_stand_as_far_apart_as_their_duty_says() {
     for (system, duty, angle) in
         [("auto", 0.2, 20.0), ("auto", 0.3, 90.0), ("auto", 0.42, 130.0), ("meinhardt-lines", 0.5, 65.0)]

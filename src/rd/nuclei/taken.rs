@@ -14,10 +14,11 @@ const APART: f64 = 0.9;
 /// some hundred touched.
 const CLEAR: f64 = 0.45;
 
-/// Puts posts on the taken cells, as many as keep others off, and gives them.
+/// Puts posts on the taken cells, as many as keep others off, and gives them. However far spots stand apart from each
+/// other, posts push no farther than a spot's own room.
 pub fn posts(maps: &Maps, placed: &mut Buckets, nucleus: &dyn Fn([f64; 2]) -> Nucleus) -> Vec<Nucleus> {
     for cell in (0..maps.taken.len()).filter(|cell| maps.taken[*cell]) {
-        let post = nucleus(maps.middle(cell));
+        let post = nucleus(maps.middle(cell)).alone();
         let mut near = false;
         placed.near(&post, APART, |other, delta| near |= distance2(&post, other, delta) < APART * APART);
         if !near {

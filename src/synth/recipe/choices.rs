@@ -85,8 +85,8 @@ impl SystemChoice {
     #[must_use]
     pub fn option_keys(self) -> &'static [&'static str] {
         match self {
-            Self::Auto => &["spread", "duty"],
-            Self::TuringSpots | Self::MeinhardtSpots => &["spread"],
+            Self::Auto => &["spread", "duty", "irregular"],
+            Self::TuringSpots | Self::MeinhardtSpots => &["spread", "irregular"],
             Self::MeinhardtStripes | Self::MeinhardtLines => &["duty"],
         }
     }
@@ -108,10 +108,16 @@ impl Options {
     /// The share of the way from stripe to stripe that each covers where nothing else is said.
     pub const DUTY: f64 = 0.5;
 
+    /// The problem that options at `place` do not go with marks of `kind`, or with `system`.
+    #[must_use]
+    pub fn mismatch(&self, place: &str, system: SystemChoice, kind: Option<Kind>) -> Option<Problem> {
+        let duty = self.duty_mismatch(&format!("{place}.duty"), system, kind);
+        duty.or_else(|| self.irregular_mismatch(&format!("{place}.irregular"), system, kind))
+    }
+
     /// The problem that a layer's `options` say at `place` how much of the ground its marks cover although they are of
     /// `kind`, or `system` cannot.
-    #[must_use]
-    pub fn duty_mismatch(&self, place: &str, system: SystemChoice, kind: Option<Kind>) -> Option<Problem> {
+    fn duty_mismatch(&self, place: &str, system: SystemChoice, kind: Option<Kind>) -> Option<Problem> {
         if self.duty == Self::DUTY {
             return None;
         }
@@ -122,6 +128,26 @@ impl Options {
         (system == SystemChoice::MeinhardtStripes).then(|| {
             let found = format!("{} with the system \"meinhardt-stripes\"", self.duty);
             let allowed = "0.5, the only duty of this system; for thinner stripes the system \"meinhardt-lines\" or \"auto\"";
+            Problem::new(place, found, allowed)
+        })
+    }
+}
+
+impl Options {
+    /// The problem that a layer's `options` say at `place` how irregular its marks are although they are of `kind`, or
+    /// `system` cannot.
+    fn irregular_mismatch(&self, place: &str, system: SystemChoice, kind: Option<Kind>) -> Option<Problem> {
+        if self.irregular == 0.0 {
+            return None;
+        }
+        if system.grows().or(kind) == Some(Kind::Line) {
+            let allowed = "no such key: only spots can be irregular";
+            return Some(Problem::new(place, "irregular stripes", allowed));
+        }
+        (system == SystemChoice::MeinhardtSpots).then(|| {
+            let found = format!("{} with the system \"meinhardt-spots\"", self.irregular);
+            let allowed =
+                "0, its spots stay ellipses; for irregular ones the system \"turing-spots\" or \"auto\"";
             Problem::new(place, found, allowed)
         })
     }

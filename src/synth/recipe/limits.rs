@@ -21,6 +21,8 @@ pub const MIN_LENGTH: f64 = 0.01;
 pub const DPI: Range = Range { low: 1.0, high: 100_000.0, unit: "dots an inch" };
 /// Stripe ÷ period: from where thin stripes break to pieces to where they are as wide as their gaps.
 pub const DUTY: Range = Range { low: 0.2, high: 0.5, unit: "" };
+/// How irregular spots are.
+pub const IRREGULAR: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// Place of a colour stop: a pattern value.
 pub const STOP: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// x of a Bezier handle: inside the gap, or the curve would turn back (as in CSS).

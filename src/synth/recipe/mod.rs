@@ -21,6 +21,7 @@
 //! | `options.spread`, of spots | `"drawn"` |
 //! | `options.duty`, of stripes | 0.5 |
 //! | `options.broken`, of `"after": "around"` | 0: closed rings |
+//! | `options.irregular`, of spots | 0 |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
@@ -40,6 +41,10 @@
 //!
 //! `options.broken` of a layer `around` the one beneath, 0–0.6: the share of each ring that is open, in two to five gaps a
 //! ring, as on a leopard.
+//!
+//! `options.irregular` of a layer of spots, 0–1, says how irregular their shapes are: 0 grows ellipses, 1 beans, bars and
+//! drops that differ by 0.4 in area (β ± 3 of Phan & Grimm). Only `turing-spots` does that, which `auto` takes then; their
+//! spacing goes with their area. The mean area is as drawn; aspect and angle are those of the spots before they were bent.
 
 mod choices;
 mod error;
@@ -150,6 +155,14 @@ pub struct Layer {
     pub colours: Option<Colours>,
 }
 
+impl Layer {
+    /// The system that is asked for: only one grows irregular spots.
+    #[must_use]
+    pub fn choice(&self) -> SystemChoice {
+        if self.options.irregular > 0.0 { SystemChoice::TuringSpots } else { self.system }
+    }
+}
+
 impl Default for Layer {
     fn default() -> Self {
         Self {
@@ -174,11 +187,13 @@ pub struct Options {
     pub duty: f64,
     /// The share of each ring of an `around` layer that is open, 0..[`limits::BROKEN`].
     pub broken: f64,
+    /// How irregular its spots are, 0–1.
+    pub irregular: f64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { spread: SpreadChoice::default(), duty: Self::DUTY, broken: 0.0 }
+        Self { spread: SpreadChoice::default(), duty: Self::DUTY, broken: 0.0, irregular: 0.0 }
     }
 }
 

@@ -94,9 +94,11 @@ fn options(node: &Node, system: SystemChoice, kind: Option<Kind>, after: After) 
         spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))?,
         broken: node.get("broken").map_or(Ok(default.broken), |node| node.number(&limits::BROKEN))?,
         duty: node.get("duty").map_or(Ok(default.duty), |node| node.number(&limits::DUTY))?,
+        irregular: node
+            .get("irregular")
+            .map_or(Ok(default.irregular), |node| node.number(&limits::IRREGULAR))?,
     };
-    let place = format!("{}.duty", node.place());
-    options.duty_mismatch(&place, system, kind).map_or(Ok(options), Err)
+    options.mismatch(&node.place(), system, kind).map_or(Ok(options), Err)
 }
 
 /// `"drawn"`, the variation of the area, or an object.

@@ -52,6 +52,9 @@ fn options(options: &Options) -> Value {
     if options.broken > 0.0 {
         map.insert("broken".into(), number(options.broken));
     }
+    if options.irregular != 0.0 {
+        map.insert("irregular".into(), number(options.irregular));
+    }
     Value::Object(map)
 }
 
