@@ -5,21 +5,23 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use super::maps::{Maps, Parameters};
-use super::nuclei::{Laid, Nucleus, Places, lay, thinned};
+use super::nuclei::{Kept, Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
 use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
 use crate::field::Edges;
 
-/// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes.
+/// Where the spots of this growth begin, in cells, the `kept` ones first; without any, the same places that
+/// [`super::Growth::new`] takes. Empty for stripes.
 #[must_use]
-pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Places {
+pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64, kept: &[Kept]) -> Places {
     if system == System::MeinhardtStripes {
         return Places::default();
     }
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
-    let Laid { inside, beyond } = lay(maps, edges, &|p| system.spacing(p), &mut rng);
+    let fixed: Vec<Nucleus> = kept.iter().map(|kept| kept.nucleus(system, maps)).collect();
+    let Laid { inside, beyond } = lay(maps, edges, &|p| system.spacing(p), &fixed, &mut rng);
     let at = |laid: Vec<Nucleus>| laid.iter().map(|nucleus| nucleus.at).collect();
-    Places { inside: at(inside), beyond: at(beyond) }
+    Places { inside: at(inside), beyond: at(beyond), kept: kept.len() }
 }
 
 /// What a growth begins from, for any grid over its canvas: spots at the same places, stripes from the same waves.
@@ -36,7 +38,7 @@ impl Beginning {
     /// What [`super::Growth::new`] begins from.
     #[must_use]
     pub fn new(system: System, maps: &Maps, edges: Edges, seed: u64) -> Self {
-        Self::at(system, maps, edges, seed, &nuclei(system, maps, edges, seed).inside)
+        Self::at(system, maps, edges, seed, &nuclei(system, maps, edges, seed, &[]).inside)
     }
 
     /// The same from spots at these `places`, cells of `maps`.
@@ -44,6 +46,11 @@ impl Beginning {
     pub fn at(system: System, maps: &Maps, edges: Edges, seed: u64, places: &[[f64; 2]]) -> Self {
         let share = |[x, y]: &[f64; 2]| [x / maps.nx as f64, y / maps.ny as f64];
         Self { system, edges, seed, places: places.iter().map(share).collect() }
+    }
+
+    /// Moves the first of its spots to these `places`, shares of the canvas' sides.
+    pub fn move_first(&mut self, places: &[[f64; 2]]) {
+        self.places.iter_mut().zip(places).for_each(|(place, to)| *place = *to);
     }
 
     /// Does anything begin? Spots need a place.
@@ -90,7 +97,7 @@ pub fn held(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Ve
 
 /// Spots begin as bells on [`nuclei`].
 pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
-    let laid = lay(maps, edges, &|p| system.spacing(p), rng).inside;
+    let laid = lay(maps, edges, &|p| system.spacing(p), &[], rng).inside;
     planes(maps, edges, bells_on(system, maps, edges, &laid))
 }
 

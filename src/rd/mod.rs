@@ -27,7 +27,7 @@ pub use begin::{Beginning, held, nuclei};
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
 pub use mosaic::mosaic;
-pub use nuclei::{Places, make_room};
+pub use nuclei::{Hindrance, Kept, Places, make_room, standing};
 pub use prolong::prolonged;
 pub use wavefront::{Instructions, Tiling};
 

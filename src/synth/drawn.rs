@@ -63,3 +63,22 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Reg
         SpreadChoice::Given(spread) => map.varied_by(spread),
     })
 }
+
+/// The marks of layer `index` on a canvas of `size` px: at their places on the document's own, and where that is stretched,
+/// at the stretched places; no larger or smaller for it.
+///
+/// # Errors
+/// As [`marks`].
+pub fn marks_on(
+    document: &Document,
+    index: usize,
+    source: &str,
+    size: [f64; 2],
+) -> Result<Vec<Mark>, DocumentError> {
+    let [x, y] = [0, 1].map(|axis| size[axis] / f64::from(document.size[axis]));
+    let moved = |mark: Mark| {
+        let [from_x, from_y] = mark.center();
+        mark.shifted([(x - 1.0) * from_x, (y - 1.0) * from_y])
+    };
+    Ok(marks(document, index, source)?.into_iter().map(moved).collect())
+}

@@ -8,6 +8,7 @@
 //! The same pattern comes out however it was advanced and whether it was looked at. To pause, do not advance; to
 //! cancel, drop it. It has no threads of its own.
 
+use super::aim::Aim;
 use super::ladder::{self, Work};
 use super::pattern::Pattern;
 use super::pitches::pitches;
@@ -25,6 +26,8 @@ pub struct Engine {
     /// Parameters on the planned grid.
     maps: Maps,
     beginning: Beginning,
+    /// Where the kept marks are to end.
+    aim: Option<Aim>,
     /// From the coarsest to the planned one.
     grids: Vec<[usize; 2]>,
     stage: Stage,
@@ -61,7 +64,8 @@ impl Engine {
             None => Self::of(plan.system, plan.maps(&pitches(plan, seed)), edges, seed),
             Some(Varied { maps, places, largest }) => {
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
-                Self::begun(plan.system, maps, edges, beginning, largest)
+                let engine = Self::begun(plan.system, maps, edges, beginning, largest);
+                Self { aim: Aim::of(plan), ..engine }
             }
         }
     }
@@ -83,6 +87,7 @@ impl Engine {
             edges,
             maps,
             beginning,
+            aim: None,
             grids,
             stage,
             passed: 0.0,
@@ -155,9 +160,10 @@ impl Engine {
         let marks = self.marks().values;
         let stage = &mut self.stage;
         let verdict = stage.rest.look(marks, &stage.counts, stage.growth.steps());
-        if verdict == Verdict::Forming {
+        if verdict == Verdict::Forming || self.begins_again() {
             return;
         }
+        let stage = &self.stage;
         self.settled &= verdict == Verdict::Settled;
         if stage.level + 1 == self.grids.len() {
             self.done = true;
@@ -175,6 +181,17 @@ impl Engine {
             level,
             Some(formed),
         );
+    }
+
+    /// Begins anew where kept marks end too far from where they were drawn; gives whether it does.
+    fn begins_again(&mut self) -> bool {
+        let (0, Some(aim)) = (self.stage.level, &mut self.aim) else { return false };
+        let shown = self.stage.growth.marks(self.stage.coarse.as_ref().unwrap_or(&self.maps));
+        let Some(places) = aim.again(&shown) else { return false };
+        self.passed += self.stage.expected;
+        self.beginning.move_first(&places);
+        self.stage = stage(self.system, self.edges, &self.maps, &self.beginning, &self.grids, 0, None);
+        true
     }
 
     /// How far it is, 0..1; never falls.

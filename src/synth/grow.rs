@@ -2,6 +2,7 @@
 
 use super::beneath::taken;
 use super::engine::Engine;
+use super::keep::keep;
 use super::memory::TooLarge;
 use super::pattern::Pattern;
 use super::plan::{Plan, PlanError, plan};
@@ -133,6 +134,10 @@ pub fn grow(
         if index > 0 {
             let beneath: Vec<Pattern> = layers.iter().map(GrownLayer::pattern).collect();
             plan.taken = taken(&beneath, plan.grid);
+        }
+        if document.keeps(index) {
+            let marks = drawn::marks_on(document, index, source, size.map(f64::from))?;
+            keep(&mut plan, &marks);
         }
         layers.push(grow_layer(plan, document.layer_seed(index), index + 1, correct, watch)?);
     }

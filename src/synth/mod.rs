@@ -1,9 +1,11 @@
 //! The thread: a document in, a grown texture out.
 
+mod aim;
 pub mod beneath;
 pub mod drawn;
 mod engine;
 mod grow;
+pub mod keep;
 mod ladder;
 mod lattice;
 pub mod memory;

@@ -1,5 +1,6 @@
 //! What will be grown: the system, the size of a cell, and the parameters at every place.
 
+use super::keep::Kept;
 use super::lattice::{Lattice, Node};
 use super::probe::{self, Offset, ProbeError, Probed, When};
 use super::recipe::SystemChoice;
@@ -58,6 +59,8 @@ pub struct Plan {
     pub lattice: Lattice,
     /// Which cells the marks of the layers beneath have taken; empty = none.
     pub taken: Vec<bool>,
+    /// Drawn marks that grow where they were drawn.
+    pub kept: Vec<Kept>,
     /// What was looked up for each region, lengths in px but parameters in cells.
     pub answers: Vec<Answer>,
     /// What there is to say beside the notes of the answers, by region.
@@ -140,7 +143,8 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
         }
     }
     let lattice = lattice(training, system, &map, cell, &probed)?;
-    Ok(Plan { system, map, cell: exact, grid, lattice, taken: Vec::new(), answers, remarks, probed, spreads })
+    let (taken, kept) = (Vec::new(), Vec::new());
+    Ok(Plan { system, map, cell: exact, grid, lattice, taken, kept, answers, remarks, probed, spreads })
 }
 
 /// Parameters at the nodes over the canvas of `map`: those looked up for what is wanted there, less what probes found

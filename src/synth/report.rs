@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::grow::{Grown, GrownLayer};
+use super::keep::{self, Stayed};
 use super::recipe::Document;
 use super::refine::Measured;
 use crate::attributes::Attributes;
@@ -28,8 +29,12 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
 fn layer_report(layer: &GrownLayer, name: &str) -> Value {
     let plan = &layer.plan;
     let cell = plan.px_a_cell();
-    let regions: Vec<Value> =
-        (0..plan.answers.len()).map(|index| region_report(layer, index, cell)).collect();
+    let stayed = match &layer.measured {
+        Measured::Spots { marks, .. } if !plan.kept.is_empty() => keep::stayed(plan, marks),
+        _ => Vec::new(),
+    };
+    let region = |index| region_report(layer, index, cell, stayed.get(index));
+    let regions: Vec<Value> = (0..plan.answers.len()).map(region).collect();
     json!({
         "name": name,
         "system": plan.system.name(),
@@ -41,7 +46,7 @@ fn layer_report(layer: &GrownLayer, name: &str) -> Value {
     })
 }
 
-fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
+fn region_report(layer: &GrownLayer, index: usize, cell: f64, stayed: Option<&Stayed>) -> Value {
     let plan = &layer.plan;
     let layout = plan.map.layout();
     let place = layout.place(index);
@@ -55,6 +60,7 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
     let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
     notes.extend(plan.remarks[index].iter().cloned());
     notes.extend(plan.probed[index].note());
+    notes.extend(stayed.and_then(Stayed::note));
     let (marks, error) = errors(&layer.measured, index);
     if marks == Some(0) {
         notes.push("no whole mark grew in this region: nothing was measured".to_owned());
@@ -73,6 +79,9 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
     report.insert("error".to_owned(), Value::Object(error));
     if let Some(spread) = spread(layer, place, index) {
         report.insert("spread".to_owned(), spread);
+    }
+    if let Some(stayed) = stayed {
+        report.insert("kept".to_owned(), json!(stayed));
     }
     report.insert("notes".to_owned(), json!(notes));
     Value::Object(report)

@@ -7,6 +7,7 @@ mod folder;
 mod golden;
 #[cfg(unix)]
 mod interrupt;
+mod keep;
 mod options;
 mod refusals;
 mod sketches;

@@ -28,22 +28,33 @@ pub fn posts(maps: &Maps, placed: &mut Buckets, nucleus: &dyn Fn([f64; 2]) -> Nu
 /// at this.
 const SQUEEZED: f64 = 0.76;
 
-/// Those of `all` that stand clear of the taken cells, and of those before them. `kept` holds none yet.
-pub fn with_room(maps: &Maps, edges: Edges, all: Vec<Nucleus>, mut kept: Buckets) -> Vec<Nucleus> {
-    for point in all {
+/// All of `kept`, and those of `others` that stand clear of the taken cells and of those before them. `placed` holds none
+/// yet.
+pub fn with_room(
+    maps: &Maps,
+    edges: Edges,
+    kept: &[Nucleus],
+    others: Vec<Nucleus>,
+    mut placed: Buckets,
+) -> Vec<Nucleus> {
+    kept.iter().for_each(|point| placed.insert(*point));
+    for point in others {
         let mut free = is_clear(maps, edges, &point);
-        kept.near(&point, SQUEEZED, |other, delta| {
+        placed.near(&point, SQUEEZED, |other, delta| {
             free &= distance2(&point, other, delta) >= SQUEEZED * SQUEEZED;
         });
         if free {
-            kept.insert(point);
+            placed.insert(point);
         }
     }
-    kept.all
+    placed.all
 }
 
 /// Is `place` (cells of `maps`) clear of the taken cells?
 pub fn is_clear(maps: &Maps, edges: Edges, place: &Nucleus) -> bool {
+    if maps.taken.is_empty() {
+        return true;
+    }
     let reach = CLEAR * place.reach;
     let range = |v: f64| (v - 0.5 - reach).ceil() as isize..=(v - 0.5 + reach).floor() as isize;
     let within = |v: isize, n: usize| edges == Edges::Wrap || (0..n as isize).contains(&v);

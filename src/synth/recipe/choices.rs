@@ -82,8 +82,8 @@ impl SystemChoice {
     #[must_use]
     pub fn option_keys(self) -> &'static [&'static str] {
         match self {
-            Self::Auto | Self::TuringSpots | Self::MeinhardtSpots => &["spread"],
-            Self::MeinhardtStripes => &[],
+            Self::Auto | Self::TuringSpots | Self::MeinhardtSpots => &["spread", "keep"],
+            Self::MeinhardtStripes => &["keep"],
         }
     }
 

@@ -107,6 +107,17 @@ impl Document {
     }
 }
 
+impl Document {
+    /// Do the drawn marks of the layer at `index` stay where they were drawn? Unless it says so itself: where there is
+    /// one region. In many, marks say what is wanted around them, and may lie where the map between regions wants
+    /// something else.
+    #[must_use]
+    pub fn keeps(&self, index: usize) -> bool {
+        let told = self.layers.get(index).and_then(|layer| layer.options.keep);
+        told.unwrap_or(self.regions == [1, 1])
+    }
+}
+
 /// How a document is grown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Growth {
@@ -161,6 +172,8 @@ impl Default for Layer {
 pub struct Options {
     /// How much its spots differ from each other.
     pub spread: SpreadChoice,
+    /// Whether the drawn marks are among those that grow; `None` = see [`Document::keeps`].
+    pub keep: Option<bool>,
 }
 
 /// How much the spots of a layer differ from each other.

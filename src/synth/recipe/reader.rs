@@ -86,7 +86,10 @@ fn options(node: &Node, system: SystemChoice, kind: Option<Kind>) -> Result<Opti
     }
     node.keys(system.option_keys())?;
     let default = Options::default();
-    Ok(Options { spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))? })
+    Ok(Options {
+        spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))?,
+        keep: node.get("keep").map(|node| node.flag()).transpose()?,
+    })
 }
 
 /// `"drawn"`, the variation of the area, or an object.

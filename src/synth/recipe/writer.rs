@@ -41,13 +41,15 @@ fn layer(layer: &Layer) -> Value {
 }
 
 fn options(options: &Options) -> Value {
-    match &options.spread {
-        SpreadChoice::Drawn => json!({}),
-        SpreadChoice::Given(spread) => {
-            let named = spread.named().map(|(name, value)| (name.to_owned(), number(value)));
-            json!({"spread": Map::from_iter(named)})
-        }
+    let mut map = Map::new();
+    if let SpreadChoice::Given(spread) = &options.spread {
+        let named = spread.named().map(|(name, value)| (name.to_owned(), number(value)));
+        map.insert("spread".into(), Value::Object(Map::from_iter(named)));
     }
+    if let Some(keep) = options.keep {
+        map.insert("keep".into(), json!(keep));
+    }
+    Value::Object(map)
 }
 
 fn stroke(stroke: &Stroke) -> Value {

@@ -1,0 +1,85 @@
+//! Spots whose places are given: the others are laid around them.
+
+use super::Nucleus;
+use super::near::{Buckets, Space, distance2};
+use super::{PUSH, taken};
+use crate::field::Edges;
+use crate::rd::System;
+use crate::rd::maps::{Maps, Parameters};
+
+/// A spot that is to stand at a given place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kept {
+    /// Its place, cells.
+    pub at: [f64; 2],
+    /// The parameters of the room that it takes.
+    pub own: Parameters,
+}
+
+impl Kept {
+    pub(in crate::rd) fn nucleus(&self, system: System, maps: &Maps) -> Nucleus {
+        Nucleus::of(&self.own, maps.cell, self.at, system.spacing(&self.own))
+    }
+}
+
+/// Why a spot cannot stand where it is to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hindrance {
+    /// The mark of another layer is there, or too near.
+    Taken,
+    /// Another is too near that stays.
+    Neighbour,
+}
+
+/// Nearer to each other than this share of the pitch spots merge, or push each other too far. Of pairs among others 18 of
+/// 18 merged at 0.6 where area/spacing² is 0.2, two at 0.65, none at 0.7; where it is 0.05 and 0.12, at 0.6, 0.65, 0.7,
+/// 0.76 a pair had moved by 0.1–0.29, 0.1–0.22, 0.1–0.18, 0.1–0.13 of its radius on the median, and 0.34, 0.31, 0.27, 0.27
+/// at most; at 1 by 0.08 and 0.17.
+const NEAREST: f64 = 0.7;
+
+/// Which of `spots` can stand where they are to: as many as can be of which none hinders another, nearly. A closed edge
+/// hinders none, but draws those to itself that are near.
+#[must_use]
+pub fn standing(system: System, maps: &Maps, edges: Edges, spots: &[Kept]) -> Vec<Result<(), Hindrance>> {
+    let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, maps)).collect();
+    let clear: Vec<bool> = nuclei.iter().map(|nucleus| taken::is_clear(maps, edges, nucleus)).collect();
+    let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
+    let largest = nuclei.iter().map(|nucleus| nucleus.reach).fold(1.0, f64::max);
+    let mut placed = Buckets::new(space, PUSH * largest);
+    nuclei.iter().zip(&clear).filter(|(_, clear)| **clear).for_each(|(nucleus, _)| placed.insert(*nucleus));
+    let mut stays = independent(&crowded(&placed)).into_iter();
+    let stands = |clear: bool| match clear.then(|| stays.next()) {
+        None => Err(Hindrance::Taken),
+        Some(stays) => stays.unwrap_or(false).then_some(()).ok_or(Hindrance::Neighbour),
+    };
+    clear.into_iter().map(stands).collect()
+}
+
+/// Which of those placed are too near to which.
+fn crowded(placed: &Buckets) -> Vec<Vec<usize>> {
+    let mut near = vec![Vec::new(); placed.all.len()];
+    for (i, point) in placed.all.iter().enumerate() {
+        placed.near_by_index(point, NEAREST, |other, delta| {
+            if other != i && distance2(point, &placed.all[other], delta) < NEAREST * NEAREST {
+                near[i].push(other);
+            }
+        });
+    }
+    near
+}
+
+/// As many as can be of which none is `near` another, nearly: those with the fewest left beside them first, the earlier
+/// of equals.
+fn independent(near: &[Vec<usize>]) -> Vec<bool> {
+    let mut stays = vec![None; near.len()];
+    loop {
+        let open = |i: &usize| stays[*i].is_none();
+        let degree = |i: &usize| near[*i].iter().filter(|other| open(other)).count();
+        let Some(next) = (0..near.len()).filter(open).min_by_key(degree) else { break };
+        near[next].iter().for_each(|other| {
+            stays[*other].get_or_insert(false);
+        });
+        stays[next] = Some(true);
+    }
+    stays.into_iter().map(|stays| stays == Some(true)).collect()
+}
