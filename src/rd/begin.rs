@@ -48,11 +48,6 @@ impl Beginning {
         Self { system, edges, seed, places: places.iter().map(share).collect() }
     }
 
-    /// Moves the first of its spots to these `places`, shares of the canvas' sides.
-    pub fn move_first(&mut self, places: &[[f64; 2]]) {
-        self.places.iter_mut().zip(places).for_each(|(place, to)| *place = *to);
-    }
-
     /// Does anything begin? Spots need a place.
     #[must_use]
     pub fn is_any(&self) -> bool {

@@ -19,6 +19,7 @@ mod problem;
 mod prolong;
 mod runs;
 pub mod selling;
+mod slide;
 mod turing_spots;
 mod vector;
 mod wavefront;
@@ -29,6 +30,7 @@ pub use maps::{Maps, Parameters};
 pub use mosaic::mosaic;
 pub use nuclei::{Hindrance, Kept, Places, make_room, standing};
 pub use prolong::prolonged;
+pub use slide::Slide;
 pub use wavefront::{Instructions, Tiling};
 
 /// The reaction-diffusion systems.

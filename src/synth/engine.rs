@@ -160,10 +160,9 @@ impl Engine {
         let marks = self.marks().values;
         let stage = &mut self.stage;
         let verdict = stage.rest.look(marks, &stage.counts, stage.growth.steps());
-        if verdict == Verdict::Forming || self.begins_again() {
-            return;
+        if verdict == Verdict::Forming {
+            return self.bring_back();
         }
-        let stage = &self.stage;
         self.settled &= verdict == Verdict::Settled;
         if stage.level + 1 == self.grids.len() {
             self.done = true;
@@ -183,15 +182,14 @@ impl Engine {
         );
     }
 
-    /// Begins anew where kept marks end too far from where they were drawn; gives whether it does.
-    fn begins_again(&mut self) -> bool {
-        let (0, Some(aim)) = (self.stage.level, &mut self.aim) else { return false };
-        let shown = self.stage.growth.marks(self.stage.coarse.as_ref().unwrap_or(&self.maps));
-        let Some(places) = aim.again(&shown) else { return false };
-        self.passed += self.stage.expected;
-        self.beginning.move_first(&places);
-        self.stage = stage(self.system, self.edges, &self.maps, &self.beginning, &self.grids, 0, None);
-        true
+    /// Moves back what is to stay where it was drawn.
+    fn bring_back(&mut self) {
+        let Some(aim) = &self.aim else { return };
+        let maps = self.stage.coarse.as_ref().unwrap_or(&self.maps);
+        let slides = aim.slides(&self.stage.growth.marks(maps), maps);
+        if !slides.is_empty() {
+            self.stage.growth.slide(maps, &slides);
+        }
     }
 
     /// How far it is, 0..1; never falls.
