@@ -14,6 +14,8 @@ pub struct Kept {
     pub at: [f64; 2],
     /// The parameters of the room that it takes.
     pub own: Parameters,
+    /// Nearer than this to another both would merge, in pitches.
+    pub near: f64,
 }
 
 impl Kept {
@@ -31,12 +33,6 @@ pub enum Hindrance {
     Neighbour,
 }
 
-/// Nearer to each other than this share of the pitch spots merge, or push each other too far. Of pairs among others 18 of
-/// 18 merged at 0.6 where area/spacing² is 0.2, two at 0.65, none at 0.7; where it is 0.05 and 0.12, at 0.6, 0.65, 0.7,
-/// 0.76 a pair had moved by 0.1–0.29, 0.1–0.22, 0.1–0.18, 0.1–0.13 of its radius on the median, and 0.34, 0.31, 0.27, 0.27
-/// at most; at 1 by 0.08 and 0.17.
-const NEAREST: f64 = 0.7;
-
 /// Which of `spots` can stand where they are to: as many as can be of which none hinders another, nearly. A closed edge
 /// hinders none, but draws those to itself that are near.
 #[must_use]
@@ -47,7 +43,9 @@ pub fn standing(system: System, maps: &Maps, edges: Edges, spots: &[Kept]) -> Ve
     let largest = nuclei.iter().map(|nucleus| nucleus.reach).fold(1.0, f64::max);
     let mut placed = Buckets::new(space, PUSH * largest);
     nuclei.iter().zip(&clear).filter(|(_, clear)| **clear).for_each(|(nucleus, _)| placed.insert(*nucleus));
-    let mut stays = independent(&crowded(&placed)).into_iter();
+    let near: Vec<f64> =
+        spots.iter().zip(&clear).filter(|(_, clear)| **clear).map(|(spot, _)| spot.near).collect();
+    let mut stays = independent(&crowded(&placed, &near)).into_iter();
     let stands = |clear: bool| match clear.then(|| stays.next()) {
         None => Err(Hindrance::Taken),
         Some(stays) => stays.unwrap_or(false).then_some(()).ok_or(Hindrance::Neighbour),
@@ -55,17 +53,18 @@ pub fn standing(system: System, maps: &Maps, edges: Edges, spots: &[Kept]) -> Ve
     clear.into_iter().map(stands).collect()
 }
 
-/// Which of those placed are too near to which.
-fn crowded(placed: &Buckets) -> Vec<Vec<usize>> {
-    let mut near = vec![Vec::new(); placed.all.len()];
+/// Which of those placed are too near to which: nearer than the mean of what is `near` to each.
+fn crowded(placed: &Buckets, near: &[f64]) -> Vec<Vec<usize>> {
+    let mut crowded = vec![Vec::new(); placed.all.len()];
     for (i, point) in placed.all.iter().enumerate() {
-        placed.near_by_index(point, NEAREST, |other, delta| {
-            if other != i && distance2(point, &placed.all[other], delta) < NEAREST * NEAREST {
-                near[i].push(other);
+        placed.near_by_index(point, PUSH, |other, delta| {
+            let least = 0.5 * (near[i] + near[other]);
+            if other != i && distance2(point, &placed.all[other], delta) < least * least {
+                crowded[i].push(other);
             }
         });
     }
-    near
+    crowded
 }
 
 /// As many as can be of which none is `near` another, nearly: those with the fewest left beside them first, the earlier
