@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::plan::Plan;
 use super::spread::{ASPECTS, Draw, most, own, wanted};
+use crate::attributes::Attributes;
 use crate::attributes::regions::Layout;
 use crate::field::Edges;
 use crate::marks::{Ellipse, Mark, turn};
@@ -45,11 +46,15 @@ impl Kept {
         let larger = 1.0 + DEVIATIONS * most.area;
         let rounder = DEVIATIONS * most.aspect;
         let turned = (DEVIATIONS * most.angle).min(90.0);
-        let aspect = drawn.aspect().clamp(ASPECTS[0], ASPECTS[1]) - wanted.aspect;
+        let mean = match plan.map.region(plan.map.region_of(drawn.center)).filled {
+            Attributes::Spots(mean) => mean,
+            Attributes::Stripes(_) => wanted,
+        };
+        let bounds = [ASPECTS[0] - wanted.aspect, ASPECTS[1] - wanted.aspect].map(|b| b.clamp(-rounder, rounder));
         let draw = Draw {
-            area: (drawn.area() / wanted.area).clamp(1.0 / larger, larger),
-            aspect: aspect.clamp(-rounder, rounder),
-            turn: turn(drawn.major_angle(), wanted.angle).clamp(-turned, turned),
+            area: (drawn.area() / mean.area).clamp(1.0 / larger, larger),
+            aspect: (drawn.aspect() - mean.aspect).clamp(bounds[0].min(0.0), bounds[1].max(0.0)),
+            turn: turn(drawn.major_angle(), mean.angle).clamp(-turned, turned),
         };
         Self { drawn, draw }
     }

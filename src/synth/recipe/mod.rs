@@ -114,7 +114,7 @@ impl Document {
     #[must_use]
     pub fn keeps(&self, index: usize) -> bool {
         let told = self.layers.get(index).and_then(|layer| layer.options.keep);
-        told.unwrap_or(self.regions == [1, 1] || std::env::var_os("KEEPALL").is_some())
+        told.unwrap_or(self.regions == [1, 1])
     }
 }
 
