@@ -4,6 +4,7 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
+use super::crests::{Crest, lead};
 use super::maps::{Maps, Parameters};
 use super::nuclei::{Kept, Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
@@ -32,6 +33,8 @@ pub struct Beginning {
     seed: u64,
     /// Where spots begin, as shares of the canvas' sides.
     places: Vec<[f64; 2]>,
+    /// Lines along which stripes run.
+    crests: Vec<Crest>,
 }
 
 impl Beginning {
@@ -45,7 +48,13 @@ impl Beginning {
     #[must_use]
     pub fn at(system: System, maps: &Maps, edges: Edges, seed: u64, places: &[[f64; 2]]) -> Self {
         let share = |[x, y]: &[f64; 2]| [x / maps.nx as f64, y / maps.ny as f64];
-        Self { system, edges, seed, places: places.iter().map(share).collect() }
+        Self { system, edges, seed, places: places.iter().map(share).collect(), crests: Vec::new() }
+    }
+
+    /// The same with stripes along these lines.
+    #[must_use]
+    pub fn along(self, crests: Vec<Crest>) -> Self {
+        Self { crests, ..self }
     }
 
     /// Does anything begin? Spots need a place.
@@ -62,7 +71,7 @@ impl Beginning {
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
         if self.system == System::MeinhardtStripes {
             let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-            return held(self.system, maps, oriented_noise(maps, self.edges, &mut rng).into());
+            return held(self.system, maps, oriented_noise(maps, self.edges, &self.crests, &mut rng).into());
         }
         let pitch = |p: &Parameters| self.system.spacing(p);
         let nucleus = |at: &[f64; 2]| {
@@ -165,12 +174,13 @@ fn bells(
 
 /// Stripes begin as oriented noise in a against b.
 pub fn stripes(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 5] {
-    planes(maps, edges, oriented_noise(maps, edges, rng))
+    planes(maps, edges, oriented_noise(maps, edges, &[], rng))
 }
 
-fn oriented_noise(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 5] {
+fn oriented_noise(maps: &Maps, edges: Edges, crests: &[Crest], rng: &mut Pcg64Mcg) -> [Vec<f32>; 5] {
     let wavelength = |p: &Parameters| System::MeinhardtStripes.spacing(p);
-    let noise = gabor::noise(maps, edges, &wavelength, rng);
+    let mut noise = gabor::noise(maps, edges, &wavelength, rng);
+    lead(&mut noise, maps, edges, crests);
     let mut cells = meinhardt_stripes::REST.map(|c| vec![c; noise.len()]);
     for (i, noise) in noise.iter().enumerate() {
         let n = (0.2 * noise).clamp(-0.9, 0.9);

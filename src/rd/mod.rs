@@ -3,6 +3,7 @@
 mod begin;
 mod coefficients;
 mod compensate;
+mod crests;
 mod diffusion;
 mod explicit;
 mod gabor;
@@ -25,6 +26,7 @@ mod vector;
 mod wavefront;
 
 pub use begin::{Beginning, held, nuclei};
+pub use crests::Crest;
 pub use growth::Growth;
 pub use maps::{Maps, Parameters};
 pub use mosaic::mosaic;

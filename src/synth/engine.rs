@@ -16,7 +16,7 @@ use super::plan::Plan;
 use super::settle::{Rest, Verdict};
 use super::spread::{Varied, vary};
 use crate::field::{Edges, Field};
-use crate::rd::{Beginning, Growth, Maps, System, held, prolonged};
+use crate::rd::{Beginning, Crest, Growth, Maps, System, held, prolonged};
 
 /// A layer being grown.
 #[derive(Clone, Debug)]
@@ -61,7 +61,12 @@ impl Engine {
     pub fn new(plan: &Plan, seed: u64) -> Self {
         let edges = plan.map.layout().edges;
         match vary(plan, seed) {
-            None => Self::of(plan.system, plan.maps(&pitches(plan, seed)), edges, seed),
+            None => {
+                let maps = plan.maps(&pitches(plan, seed));
+                let beginning = Beginning::new(plan.system, &maps, edges, seed).along(crests(plan));
+                let largest = ladder::largest(plan.system, &maps);
+                Self::begun(plan.system, maps, edges, beginning, largest)
+            }
             Some(Varied { maps, places, largest }) => {
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
                 let engine = Self::begun(plan.system, maps, edges, beginning, largest);
@@ -245,6 +250,13 @@ impl Engine {
     pub fn look(&self, plan: &Plan, width: usize, height: usize) -> Field {
         Pattern::new(plan, &self.marks()).field(width, height)
     }
+}
+
+/// The kept lines of `plan`.
+fn crests(plan: &Plan) -> Vec<Crest> {
+    let size = plan.map.layout().size;
+    let share = |end: [f64; 2]| [0, 1].map(|axis| end[axis] / size[axis]);
+    plan.crests.iter().map(|line| Crest { from: share(line.from), to: share(line.to) }).collect()
 }
 
 /// Steps a unit of time, `pace` times those where the reactions are slowest.

@@ -12,8 +12,9 @@ use super::plan::Plan;
 use super::spread::{ASPECTS, Draw, most, own, wanted};
 use crate::attributes::Attributes;
 use crate::attributes::regions::Layout;
-use crate::field::Edges;
-use crate::marks::{Ellipse, Mark, turn};
+use crate::field::resample::Spline;
+use crate::field::{Edges, Field};
+use crate::marks::{Ellipse, Line, Mark, turn};
 use crate::measure::Spot;
 use crate::rd::{self, Hindrance, System, standing};
 
@@ -134,6 +135,14 @@ pub fn keep(plan: &mut Plan, marks: &[Mark]) {
         Mark::Ellipse(ellipse) => Some(*ellipse),
         Mark::Line(_) => None,
     });
+    if plan.system == System::MeinhardtStripes {
+        let lines = marks.iter().filter_map(|mark| match mark {
+            Mark::Ellipse(_) => None,
+            Mark::Line(line) => Some(*line),
+        });
+        plan.crests = lines.collect();
+        return;
+    }
     let drawn: Vec<Kept> = ellipses.map(|ellipse| Kept::of(plan, ellipse)).collect();
     let pitch = vec![1.0; layout.len()];
     let laid: Vec<rd::Kept> = drawn.iter().map(|kept| kept.laid(plan, &pitch)).collect();
@@ -219,4 +228,25 @@ impl Counts {
         let kept = self.drawn - lost;
         (lost > 0).then(|| format!("{kept} of {} drawn marks kept: {}", self.drawn, said.join(", ")))
     }
+}
+
+/// The share of each kept line of `plan` that lies in a stripe of `pattern`.
+#[must_use]
+pub fn covered(plan: &Plan, pattern: &Field) -> Vec<f64> {
+    const POINTS: usize = 64;
+    let surface = Spline::new(pattern);
+    let layout = plan.map.layout();
+    let share = |line: &Line| {
+        let points = (0..POINTS).map(|k| {
+            let t = (k as f64 + 0.5) / POINTS as f64;
+            [0, 1].map(|axis| line.from[axis] + t * (line.to[axis] - line.from[axis]))
+        });
+        let on = |point: &[f64; 2]| {
+            layout.edges == Edges::Wrap || (0..2).all(|axis| (0.0..=layout.size[axis]).contains(&point[axis]))
+        };
+        let points: Vec<[f64; 2]> = points.filter(on).collect();
+        let covered = points.iter().filter(|point| surface.at(**point) >= 0.5).count();
+        covered as f64 / points.len().max(1) as f64
+    };
+    plan.crests.iter().map(share).collect()
 }

@@ -10,6 +10,7 @@ use super::watch::Watch;
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::learn::{Answer, AskError, TrainingError};
+use crate::marks::Line;
 use crate::measure::Canvas;
 use crate::rd::{Maps, System};
 use rayon::prelude::*;
@@ -61,6 +62,8 @@ pub struct Plan {
     pub taken: Vec<bool>,
     /// Drawn marks that grow where they were drawn.
     pub kept: Vec<Kept>,
+    /// Drawn lines along which stripes run.
+    pub crests: Vec<Line>,
     /// What was looked up for each region, lengths in px but parameters in cells.
     pub answers: Vec<Answer>,
     /// What there is to say beside the notes of the answers, by region.
@@ -143,8 +146,8 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
         }
     }
     let lattice = lattice(training, system, &map, cell, &probed)?;
-    let (taken, kept) = (Vec::new(), Vec::new());
-    Ok(Plan { system, map, cell: exact, grid, lattice, taken, kept, answers, remarks, probed, spreads })
+    let (taken, kept, crests) = (Vec::new(), Vec::new(), Vec::new());
+    Ok(Plan { system, map, cell: exact, grid, lattice, taken, kept, crests, answers, remarks, probed, spreads })
 }
 
 /// Parameters at the nodes over the canvas of `map`: those looked up for what is wanted there, less what probes found

@@ -85,3 +85,31 @@ for (packing, aspect, turned) in [(0.12, 0.95, 0.0), (0.12, 0.5, 0.0), (0.12, 0.
         }
     }
 }
+
+#[test]
+#[ignore = "prints a table"]
+fn a_table_of_lines() {
+    let training = Training::default();
+    for name in ["line-stripes", "mackerel", "sand-ripples", "sloping-lines", "tiger", "tile-waves", "wood-grain", "zebra"] {
+        for keeps in [true, false] {
+            let mut document = Document::read(format!("examples/{name}.dapple")).unwrap();
+            document.layers[0].options.keep = Some(keeps);
+            let mut grown = grow(&document, "test", &training, Options::default(), &Watch::NOBODY).unwrap();
+            let layer = &mut grown.layers[0];
+            let marks = dapple::synth::drawn::marks(&document, 0, "").unwrap();
+            let size = document.size.map(|side| side as usize);
+            let pattern = layer.pattern().field(size[0], size[1]);
+            let mut plan = layer.plan.clone();
+            keep(&mut plan, &marks);
+            let mut covered = dapple::synth::keep::covered(&plan, &pattern);
+            covered.sort_by(f64::total_cmp);
+            let good = covered.iter().filter(|share| **share >= 0.9).count();
+            let Measured::Stripes(errors) = &layer.measured else { panic!() };
+            let mean = |value: &dyn Fn(&measure::StripeErrors) -> Option<f64>| {
+                let all: Vec<f64> = errors.iter().filter_map(value).map(f64::abs).collect();
+                all.iter().sum::<f64>() / all.len() as f64
+            };
+            println!("{name} keep {keeps}: {good} of {} good, least {:.2}, mean {:.2}; |angle| {:.2}, rms {:.2}, settled {} steps {}", covered.len(), covered[0], covered.iter().sum::<f64>() / covered.len() as f64, mean(&|e| e.angle), mean(&|e| e.angle_rms), layer.settled, layer.steps);
+        }
+    }
+}
