@@ -8,6 +8,7 @@ use super::crests::{Crest, lead};
 use super::maps::{Maps, Parameters};
 use super::nuclei::{Kept, Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
+use super::seeding::{Seeding, seeded, segments, waves};
 use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
 use crate::field::Edges;
 
@@ -35,6 +36,7 @@ pub struct Beginning {
     places: Vec<[f64; 2]>,
     /// Lines along which stripes run.
     crests: Vec<Crest>,
+    seeding: Seeding,
 }
 
 impl Beginning {
@@ -48,19 +50,40 @@ impl Beginning {
     #[must_use]
     pub fn at(system: System, maps: &Maps, edges: Edges, seed: u64, places: &[[f64; 2]]) -> Self {
         let share = |[x, y]: &[f64; 2]| [x / maps.nx as f64, y / maps.ny as f64];
-        Self { system, edges, seed, places: places.iter().map(share).collect(), crests: Vec::new() }
+        Self { system, edges, seed, places: places.iter().map(share).collect(), crests: Vec::new(), seeding: Seeding::Noise }
     }
 
-    /// The same with stripes along these lines.
+    /// The same of stripes with other seeds: `crests` are the lines that they are to run along. Segments are thrown for
+    /// `maps`.
     #[must_use]
-    pub fn along(self, crests: Vec<Crest>) -> Self {
-        Self { crests, ..self }
+    pub fn seeded(self, maps: &Maps, seeding: Seeding, crests: Vec<Crest>) -> Self {
+        let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
+        let crests = if seeding == Seeding::Segments { segments(maps, &crests, &mut rng) } else { crests };
+        Self { crests, seeding, ..self }
     }
 
     /// Does anything begin? Spots need a place.
     #[must_use]
     pub fn is_any(&self) -> bool {
         self.system == System::MeinhardtStripes || !self.places.is_empty()
+    }
+
+    fn stripes(&self, maps: &Maps) -> [Vec<f32>; 5] {
+        match self.seeding {
+            Seeding::Noise => {
+                let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
+                oriented_noise(maps, self.edges, &self.crests, &mut rng)
+            }
+            Seeding::Segments => {
+                let seeded = seeded(maps, self.edges, &self.crests);
+                let mut cells = meinhardt_stripes::REST.map(|c| vec![c; seeded.len()]);
+                for (cells, seed) in cells.iter_mut().zip(meinhardt_stripes::SEED) {
+                    cells.iter_mut().zip(&seeded).for_each(|(cell, share)| *cell += share * (seed - *cell));
+                }
+                cells
+            }
+            Seeding::Initiators => ripples(&waves(maps, self.edges, &self.crests)),
+        }
     }
 
     /// The concentrations that it makes on `maps`.
@@ -70,8 +93,7 @@ impl Beginning {
     #[must_use]
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
         if self.system == System::MeinhardtStripes {
-            let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-            return held(self.system, maps, oriented_noise(maps, self.edges, &self.crests, &mut rng).into());
+            return held(self.system, maps, self.stripes(maps).into());
         }
         let pitch = |p: &Parameters| self.system.spacing(p);
         let nucleus = |at: &[f64; 2]| {
@@ -181,6 +203,11 @@ fn oriented_noise(maps: &Maps, edges: Edges, crests: &[Crest], rng: &mut Pcg64Mc
     let wavelength = |p: &Parameters| System::MeinhardtStripes.spacing(p);
     let mut noise = gabor::noise(maps, edges, &wavelength, rng);
     lead(&mut noise, maps, edges, crests);
+    ripples(&noise)
+}
+
+/// The ground at rest with a raised against b, and d against e, by `noise`.
+fn ripples(noise: &[f32]) -> [Vec<f32>; 5] {
     let mut cells = meinhardt_stripes::REST.map(|c| vec![c; noise.len()]);
     for (i, noise) in noise.iter().enumerate() {
         let n = (0.2 * noise).clamp(-0.9, 0.9);

@@ -54,6 +54,18 @@ fn waves(maps: &Maps, edges: Edges, crests: &[Crest], cell: usize) -> (f64, f64)
 }
 
 impl Crest {
+    /// The corners of the box around it, cells.
+    pub fn box_of(&self, n: [usize; 2]) -> [[f64; 2]; 2] {
+        [f64::min as fn(f64, f64) -> f64, f64::max]
+            .map(|pick| [0, 1].map(|axis| pick(self.from[axis], self.to[axis]) * n[axis] as f64))
+    }
+
+    /// How far a point (cells) is from it, cells.
+    pub fn distance(&self, at: [f64; 2], n: [usize; 2], edges: Edges) -> f64 {
+        let [beyond, across] = self.seen(at, n, edges);
+        (beyond * beyond + across * across).sqrt()
+    }
+
     /// How far a point (cells) lies beyond the ends and across, cells.
     fn seen(&self, at: [f64; 2], n: [usize; 2], edges: Edges) -> [f64; 2] {
         let [from, to] = [self.from, self.to].map(|end| [end[0] * n[0] as f64, end[1] * n[1] as f64]);

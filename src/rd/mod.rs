@@ -19,6 +19,7 @@ mod plane;
 mod problem;
 mod prolong;
 mod runs;
+mod seeding;
 pub mod selling;
 mod slide;
 mod turing_spots;
@@ -32,6 +33,7 @@ pub use maps::{Maps, Parameters};
 pub use mosaic::mosaic;
 pub use nuclei::{Hindrance, Kept, Places, make_room, standing};
 pub use prolong::prolonged;
+pub use seeding::Seeding;
 pub use slide::Slide;
 pub use wavefront::{Instructions, Tiling};
 

@@ -63,7 +63,8 @@ impl Engine {
         match vary(plan, seed) {
             None => {
                 let maps = plan.maps(&pitches(plan, seed));
-                let beginning = Beginning::new(plan.system, &maps, edges, seed).along(crests(plan));
+                let beginning = Beginning::new(plan.system, &maps, edges, seed);
+                let beginning = beginning.seeded(&maps, plan.seeding, crests(plan));
                 let largest = ladder::largest(plan.system, &maps);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }

@@ -14,6 +14,7 @@ use super::training::Training;
 use super::watch::{Cancelled, Stage, Watch};
 use super::{drawn, memory};
 use crate::field::Field;
+use crate::rd::Seeding;
 
 impl From<ProbeError> for GrowError {
     fn from(error: ProbeError) -> Self {
@@ -127,7 +128,8 @@ pub fn grow(
         let map = drawn::region_map(document, index, source)?.resized(size.map(f64::from));
         let mut plan = plan(training, document.layers[index].system, &map)?;
         memory::check(plan.system, size.map(f64::from), plan.grid)?;
-        if correct {
+        plan.seeding = document.layers[index].options.seeding;
+        if correct && plan.seeding == Seeding::Noise {
             watch.step(Stage::Plan, 0.1)?;
             plan = plan.probed(training, When::Unsure, watch)?;
         }
@@ -135,7 +137,7 @@ pub fn grow(
             let beneath: Vec<Pattern> = layers.iter().map(GrownLayer::pattern).collect();
             plan.taken = taken(&beneath, plan.grid);
         }
-        if document.keeps(index) {
+        if document.keeps(index) || plan.seeding == Seeding::Initiators {
             let marks = drawn::marks_on(document, index, source, size.map(f64::from))?;
             keep(&mut plan, &marks);
         }

@@ -12,7 +12,7 @@ use crate::attributes::{Attributes, Spots, Spread};
 use crate::learn::{Answer, AskError, TrainingError};
 use crate::marks::Line;
 use crate::measure::Canvas;
-use crate::rd::{Maps, System};
+use crate::rd::{Maps, Parameters, Seeding, System};
 use rayon::prelude::*;
 
 /// Cells that the smallest spot of a texture covers at half its peak. `facts.md` rule 1: below 25 the grid
@@ -62,6 +62,8 @@ pub struct Plan {
     pub taken: Vec<bool>,
     /// Drawn marks that grow where they were drawn.
     pub kept: Vec<Kept>,
+    /// What stripes begin from; other seeds than noise grow without a tensor.
+    pub seeding: Seeding,
     /// Drawn lines along which stripes run.
     pub crests: Vec<Line>,
     /// What was looked up for each region, lengths in px but parameters in cells.
@@ -147,7 +149,8 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
     }
     let lattice = lattice(training, system, &map, cell, &probed)?;
     let (taken, kept, crests) = (Vec::new(), Vec::new(), Vec::new());
-    Ok(Plan { system, map, cell: exact, grid, lattice, taken, kept, crests, answers, remarks, probed, spreads })
+    let seeding = Seeding::Noise;
+    Ok(Plan { system, seeding, map, cell: exact, grid, lattice, taken, kept, crests, answers, remarks, probed, spreads })
 }
 
 /// Parameters at the nodes over the canvas of `map`: those looked up for what is wanted there, less what probes found
@@ -290,6 +293,11 @@ impl Plan {
         self.map.layout().corners(point).iter().map(|&(i, weight)| weight * known[i]).sum()
     }
 
+    /// What a cell is told that has these parameters by the lattice.
+    fn told(&self, p: Parameters) -> Parameters {
+        if self.seeding == Seeding::Noise { p } else { Parameters { stretch: 1.0, ..p } }
+    }
+
     /// Parameters of every cell. `pitch` says how much farther apart than the system would the spots begin, by
     /// region of `map`.
     #[must_use]
@@ -297,11 +305,11 @@ impl Plan {
         let [nx, ny] = self.grid;
         let uniform = self.lattice.nodes.len() == 1 && pitch.len() == 1;
         let parameters = if uniform {
-            vec![self.lattice.nodes[0].parameters(pitch[0]); nx * ny]
+            vec![self.told(self.lattice.nodes[0].parameters(pitch[0])); nx * ny]
         } else {
             let at = |cell: usize| {
                 let point = self.place([(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5]);
-                self.lattice.at(point).parameters(self.between_regions(pitch, point))
+                self.told(self.lattice.at(point).parameters(self.between_regions(pitch, point)))
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };

@@ -1,6 +1,6 @@
 //! The named choices of a document.
 
-use super::{Problem, SpreadChoice};
+use super::{Problem, Seeding, SpreadChoice};
 
 /// What a layer's marks are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,8 +82,9 @@ impl SystemChoice {
     #[must_use]
     pub fn option_keys(self) -> &'static [&'static str] {
         match self {
-            Self::Auto | Self::TuringSpots | Self::MeinhardtSpots => &["spread", "keep"],
-            Self::MeinhardtStripes => &["keep"],
+            Self::Auto => &["spread", "keep", "seeding"],
+            Self::TuringSpots | Self::MeinhardtSpots => &["spread", "keep"],
+            Self::MeinhardtStripes => &["keep", "seeding"],
         }
     }
 
@@ -107,6 +108,17 @@ impl SpreadChoice {
         let stripes = kind == Some(Kind::Line);
         stripes.then(|| Problem::new(place, "a spread of stripes", "no such key: only spots have a spread"))
     }
+}
+
+/// What stripes begin from, with its names in documents.
+pub const SEEDINGS: [(&str, Seeding); 3] =
+    [("noise", Seeding::Noise), ("segments", Seeding::Segments), ("initiators", Seeding::Initiators)];
+
+/// The problem that a layer's `options` say at `place` what its stripes begin from although its marks are of `kind`.
+#[must_use]
+pub fn seeding_mismatch(place: &str, kind: Option<Kind>) -> Option<Problem> {
+    let spots = kind == Some(Kind::Ellipse);
+    spots.then(|| Problem::new(place, "a seeding of spots", "no such key: only stripes have a seeding"))
 }
 
 /// How a layer meets the frozen marks beneath it.
@@ -135,7 +147,8 @@ impl After {
     }
 }
 
-fn name_in<T: Copy + PartialEq>(names: &[(&'static str, T)], one: T) -> &'static str {
+/// The name of `one` among these.
+pub fn name_in<T: Copy + PartialEq>(names: &[(&'static str, T)], one: T) -> &'static str {
     names.iter().find(|(_, other)| *other == one).map_or("", |(name, _)| name)
 }
 

@@ -44,7 +44,8 @@ mod syntax;
 mod writer;
 
 use crate::attributes::Spread;
-pub use choices::{After, Kind, SystemChoice};
+pub use choices::{After, Kind, SystemChoice, seeding_mismatch};
+pub use crate::rd::Seeding;
 pub use error::{DocumentError, Problem};
 
 use crate::field::Edges;
@@ -174,6 +175,8 @@ pub struct Options {
     pub spread: SpreadChoice,
     /// Whether the drawn marks are among those that grow; `None` = see [`Document::keeps`].
     pub keep: Option<bool>,
+    /// What its stripes begin from.
+    pub seeding: Seeding,
 }
 
 /// How much the spots of a layer differ from each other.

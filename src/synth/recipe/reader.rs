@@ -4,6 +4,7 @@ use super::limits::{self, Range};
 use super::{
     After, Colours, Document, Growth, Kind, Layer, Options, Problem, SpreadChoice, Stop, SystemChoice,
 };
+use super::choices::{SEEDINGS, seeding_mismatch};
 use super::{node::Node, strokes};
 use crate::attributes::Spread;
 use crate::field::Edges;
@@ -84,10 +85,16 @@ fn options(node: &Node, system: SystemChoice, kind: Option<Kind>) -> Result<Opti
     {
         return Err(problem);
     }
+    if let Some(problem) =
+        node.get("seeding").and_then(|node| seeding_mismatch(&node.place(), system.grows().or(kind)))
+    {
+        return Err(problem);
+    }
     node.keys(system.option_keys())?;
     let default = Options::default();
     Ok(Options {
         spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))?,
+        seeding: node.get("seeding").map_or(Ok(default.seeding), |node| node.choice(&SEEDINGS))?,
         keep: node.get("keep").map(|node| node.flag()).transpose()?,
     })
 }
