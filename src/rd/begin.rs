@@ -50,7 +50,14 @@ impl Beginning {
     #[must_use]
     pub fn at(system: System, maps: &Maps, edges: Edges, seed: u64, places: &[[f64; 2]]) -> Self {
         let share = |[x, y]: &[f64; 2]| [x / maps.nx as f64, y / maps.ny as f64];
-        Self { system, edges, seed, places: places.iter().map(share).collect(), crests: Vec::new(), seeding: Seeding::Noise }
+        Self {
+            system,
+            edges,
+            seed,
+            places: places.iter().map(share).collect(),
+            crests: Vec::new(),
+            seeding: Seeding::Noise,
+        }
     }
 
     /// The same of stripes with other seeds: `crests` are the lines that they are to run along. Segments are thrown for
@@ -58,7 +65,8 @@ impl Beginning {
     #[must_use]
     pub fn seeded(self, maps: &Maps, seeding: Seeding, crests: Vec<Crest>) -> Self {
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-        let crests = if seeding == Seeding::Segments { segments(maps, &crests, &mut rng) } else { crests };
+        let crests =
+            if seeding == Seeding::Segments { segments(maps, self.edges, &crests, &mut rng) } else { crests };
         Self { crests, seeding, ..self }
     }
 
@@ -66,6 +74,12 @@ impl Beginning {
     #[must_use]
     pub fn is_any(&self) -> bool {
         self.system == System::MeinhardtStripes || !self.places.is_empty()
+    }
+
+    /// Do stripes begin in pieces that must find together?
+    #[must_use]
+    pub fn is_scattered(&self) -> bool {
+        self.seeding == Seeding::Segments
     }
 
     fn stripes(&self, maps: &Maps) -> [Vec<f32>; 5] {

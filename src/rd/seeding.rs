@@ -29,11 +29,16 @@ const DENSITY: f64 = 0.5;
 const LENGTH: f64 = 2.0;
 /// Standard deviation of their directions, degrees (`facts.md` E).
 const JITTER: f64 = 5.0;
+/// Nearer to drawn lines than this their middles do not lie, wavelengths: they would cross these.
+const CLEAR: f64 = 1.25;
 /// Half of their thickness, wavelengths: a cell of the coarsest grid, which has eight a wavelength.
 const THICKNESS: f64 = 0.0625;
 
-/// The segments for the grid of `maps`: `drawn` ones and as many thrown at random as there are to be.
-pub fn segments(maps: &Maps, drawn: &[Crest], rng: &mut impl Rng) -> Vec<Crest> {
+/// The segments for the grid of `maps`: `drawn` ones, and elsewhere as many thrown at random as there are to be.
+pub fn segments(maps: &Maps, edges: Edges, drawn: &[Crest], rng: &mut impl Rng) -> Vec<Crest> {
+    let clear = |at: [f64; 2], length: f64| {
+        drawn.iter().all(|line| line.distance(at, [maps.nx, maps.ny], edges) >= CLEAR * length)
+    };
     let [w, h] = [maps.nx as f64, maps.ny as f64];
     let density = |p: &Parameters| {
         let length = wavelength(p);
@@ -45,7 +50,7 @@ pub fn segments(maps: &Maps, drawn: &[Crest], rng: &mut impl Rng) -> Vec<Crest> 
         let at = [rng.random::<f64>() * w, rng.random::<f64>() * h];
         let (keep, one, other) = (rng.random::<f64>(), rng.random::<f64>(), rng.random::<f64>());
         let p = maps.at(at);
-        if keep * densest > density(&p) {
+        if keep * densest > density(&p) || !clear(at, wavelength(&p)) {
             continue;
         }
         // A difference of two even numbers has a variance of 1/6.

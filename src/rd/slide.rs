@@ -32,8 +32,7 @@ const OUTER: f64 = 0.6;
 #[must_use]
 pub fn slid(system: System, maps: &Maps, edges: Edges, chemical: &[f32], slides: &[Slide]) -> Vec<f32> {
     let shifts = shifts(system, maps, edges, slides);
-    let field =
-        Field { width: maps.nx, height: maps.ny, cell: [1.0, 1.0], edges, values: chemical.to_vec() };
+    let field = Field { width: maps.nx, height: maps.ny, cell: [1.0, 1.0], edges, values: chemical.to_vec() };
     let surface = Spline::new(&field);
     let mut cells = field.values;
     for (cell, [x, y]) in shifts {

@@ -53,7 +53,8 @@ impl Aim {
 impl Aimed {
     fn slide(&self, found: &[Spot], layout: &Layout, maps: &Maps) -> Option<Slide> {
         let length = |[x, y]: [f64; 2]| (x * x + y * y).sqrt() / self.radius;
-        let ways = found.iter().map(|spot| (spot.ellipse.center, apart(self.target, spot.ellipse.center, layout)));
+        let ways =
+            found.iter().map(|spot| (spot.ellipse.center, apart(self.target, spot.ellipse.center, layout)));
         let (at, way) = ways.min_by(|(_, a), (_, b)| length(*a).total_cmp(&length(*b)))?;
         let missed = length(way);
         if !(NEAR..OWN).contains(&missed) {

@@ -1,6 +1,8 @@
 //! A layer's strokes → its marks → the region map.
 
-use super::recipe::{Document, DocumentError, Kind, Problem, Seeding, SpreadChoice, Stroke, seeding_mismatch};
+use super::recipe::{
+    Document, DocumentError, Kind, Problem, Seeding, SpreadChoice, Stroke, seeding_mismatch,
+};
 use crate::attributes::regions::RegionMap;
 use crate::marks::Mark;
 use crate::sketch::recognise;

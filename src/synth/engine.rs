@@ -9,6 +9,7 @@
 //! cancel, drop it. It has no threads of its own.
 
 use super::aim::Aim;
+use super::keep::crests;
 use super::ladder::{self, Work};
 use super::pattern::Pattern;
 use super::pitches::pitches;
@@ -16,7 +17,7 @@ use super::plan::Plan;
 use super::settle::{Rest, Verdict};
 use super::spread::{Varied, vary};
 use crate::field::{Edges, Field};
-use crate::rd::{Beginning, Crest, Growth, Maps, System, held, prolonged};
+use crate::rd::{Beginning, Growth, Maps, System, held, prolonged};
 
 /// A layer being grown.
 #[derive(Clone, Debug)]
@@ -253,13 +254,6 @@ impl Engine {
     }
 }
 
-/// The kept lines of `plan`.
-fn crests(plan: &Plan) -> Vec<Crest> {
-    let size = plan.map.layout().size;
-    let share = |end: [f64; 2]| [0, 1].map(|axis| end[axis] / size[axis]);
-    plan.crests.iter().map(|line| Crest { from: share(line.from), to: share(line.to) }).collect()
-}
-
 /// Steps a unit of time, `pace` times those where the reactions are slowest.
 fn unit(growth: &Growth, pace: f64) -> f64 {
     pace * growth.steps_in(1_000.0) as f64 / 1_000.0
@@ -312,7 +306,7 @@ fn stage(
     let growth =
         Growth::resumed(system, here, edges, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
-    let rest = Rest::new(system, unit, begins, growth.marks(here).values);
+    let rest = Rest::new(system, unit, begins, growth.marks(here).values).healing(beginning.is_scattered());
     let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
     Stage { level, coarse, growth, counts, rest, expected }
 }

@@ -150,7 +150,21 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
     let lattice = lattice(training, system, &map, cell, &probed)?;
     let (taken, kept, crests) = (Vec::new(), Vec::new(), Vec::new());
     let seeding = Seeding::Noise;
-    Ok(Plan { system, seeding, map, cell: exact, grid, lattice, taken, kept, crests, answers, remarks, probed, spreads })
+    Ok(Plan {
+        system,
+        seeding,
+        map,
+        cell: exact,
+        grid,
+        lattice,
+        taken,
+        kept,
+        crests,
+        answers,
+        remarks,
+        probed,
+        spreads,
+    })
 }
 
 /// Parameters at the nodes over the canvas of `map`: those looked up for what is wanted there, less what probes found

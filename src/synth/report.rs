@@ -7,6 +7,7 @@ use super::keep::{self, Stayed};
 use super::recipe::Document;
 use super::refine::Measured;
 use crate::attributes::Attributes;
+use crate::rd::{Seeding, System};
 
 /// The report of `grown`, in the form that the contract gives. `document` is named `source`.
 #[must_use]
@@ -29,10 +30,8 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
 fn layer_report(layer: &GrownLayer, name: &str) -> Value {
     let plan = &layer.plan;
     let cell = plan.px_a_cell();
-    let stayed = match &layer.measured {
-        Measured::Spots { marks, .. } if !plan.kept.is_empty() => keep::stayed(plan, marks),
-        _ => Vec::new(),
-    };
+    let [nx, ny] = plan.grid;
+    let stayed = keep::stayed(plan, &layer.measured, &|| layer.pattern().field(nx, ny));
     let region = |index| region_report(layer, index, cell, stayed.get(index));
     let regions: Vec<Value> = (0..plan.answers.len()).map(region).collect();
     json!({
@@ -60,8 +59,12 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64, stayed: Option<&St
     let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
     notes.extend(plan.remarks[index].iter().cloned());
     notes.extend(plan.probed[index].note());
-    notes.extend(stayed.and_then(Stayed::note));
-    let (marks, error) = errors(&layer.measured, index);
+    notes.extend(stayed.and_then(|stayed| stayed.note(plan.system == System::MeinhardtStripes)));
+    let (marks, mut error) = errors(&layer.measured, index);
+    if plan.seeding == Seeding::Initiators {
+        // Stripes run round the lines; no direction was asked.
+        error.retain(|name, _| name == "width");
+    }
     if marks == Some(0) {
         notes.push("no whole mark grew in this region: nothing was measured".to_owned());
     }

@@ -47,6 +47,9 @@ fn criterion(system: System) -> Criterion {
     }
 }
 
+/// Time after which stripes from segments are as wide as others; at T = 30 there are blots where segments met.
+const HEALED: f64 = 100.0;
+
 /// Watches a pattern on one grid come to rest.
 #[derive(Clone, Debug)]
 pub struct Rest {
@@ -55,6 +58,8 @@ pub struct Rest {
     unit: f64,
     /// Does anything begin on this grid?
     begins: bool,
+    /// Not asked before.
+    earliest: f64,
     before: Vec<f32>,
     last: f64,
     looks: u64,
@@ -75,7 +80,14 @@ impl Rest {
     /// Begins to watch `marks`, as they are before the first of the steps of which `unit` make up a unit of time.
     #[must_use]
     pub fn new(system: System, unit: f64, begins: bool, marks: Vec<f32>) -> Self {
-        Self { system, unit, begins, before: marks, last: f64::INFINITY, looks: 0 }
+        let earliest = criterion(system).earliest;
+        Self { system, unit, begins, earliest, before: marks, last: f64::INFINITY, looks: 0 }
+    }
+
+    /// The same where the marks must find together first, if they are `scattered`.
+    #[must_use]
+    pub fn healing(self, scattered: bool) -> Self {
+        if scattered { Self { earliest: HEALED, ..self } } else { self }
     }
 
     /// The steps after which to look next.
@@ -103,7 +115,7 @@ impl Rest {
         let corrected = !self.begins && time >= criterion.corrected && change < criterion.still;
         (self.before, self.last) = (marks, change);
         self.looks += 1;
-        if corrected || time >= criterion.earliest && (steady || change < REST) {
+        if corrected || time >= self.earliest && (steady || change < REST) {
             return Verdict::Settled;
         }
         if time >= criterion.latest || steps >= STEPS || !change.is_finite() {

@@ -165,10 +165,7 @@ fn drawn(
 ) -> (Vec<[f64; 3]>, Vec<Parameters>) {
     let px = plan.px(places);
     let draws = scores.draws(plan, &px);
-    px.iter()
-        .zip(&draws)
-        .map(|(px, draw)| own(plan, *px, pitch, draw))
-        .unzip()
+    px.iter().zip(&draws).map(|(px, draw)| own(plan, *px, pitch, draw)).unzip()
 }
 
 /// What a draw does to the parameters of a spot at a place (px), and the parameters of the room that it takes.

@@ -10,5 +10,6 @@ mod interrupt;
 mod keep;
 mod options;
 mod refusals;
+mod seeding;
 mod sketches;
 mod spread;

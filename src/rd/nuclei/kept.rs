@@ -45,7 +45,7 @@ pub fn standing(system: System, maps: &Maps, edges: Edges, spots: &[Kept]) -> Ve
     nuclei.iter().zip(&clear).filter(|(_, clear)| **clear).for_each(|(nucleus, _)| placed.insert(*nucleus));
     let near: Vec<f64> =
         spots.iter().zip(&clear).filter(|(_, clear)| **clear).map(|(spot, _)| spot.near).collect();
-    let mut stays = independent(&crowded(&placed, &near)).into_iter();
+    let mut stays = independent(&crowded(&placed, edges, &near)).into_iter();
     let stands = |clear: bool| match clear.then(|| stays.next()) {
         None => Err(Hindrance::Taken),
         Some(stays) => stays.unwrap_or(false).then_some(()).ok_or(Hindrance::Neighbour),
@@ -54,12 +54,16 @@ pub fn standing(system: System, maps: &Maps, edges: Edges, spots: &[Kept]) -> Ve
 }
 
 /// Which of those placed are too near to which: nearer than the mean of what is `near` to each.
-fn crowded(placed: &Buckets, near: &[f64]) -> Vec<Vec<usize>> {
+fn crowded(placed: &Buckets, edges: Edges, near: &[f64]) -> Vec<Vec<usize>> {
     let mut crowded = vec![Vec::new(); placed.all.len()];
     for (i, point) in placed.all.iter().enumerate() {
         placed.near_by_index(point, PUSH, |other, delta| {
             let least = 0.5 * (near[i] + near[other]);
-            if other != i && distance2(point, &placed.all[other], delta) < least * least {
+            // Images beyond a closed edge are none's neighbours.
+            let there = &placed.all[other];
+            let image = edges == Edges::Closed
+                && (0..2).any(|axis| (there.at[axis] - point.at[axis] - delta[axis]).abs() > 1e-6);
+            if other != i && !image && distance2(point, there, delta) < least * least {
                 crowded[i].push(other);
             }
         });

@@ -44,8 +44,8 @@ mod syntax;
 mod writer;
 
 use crate::attributes::Spread;
-pub use choices::{After, Kind, SystemChoice, seeding_mismatch};
 pub use crate::rd::Seeding;
+pub use choices::{After, Kind, SystemChoice, seeding_mismatch};
 pub use error::{DocumentError, Problem};
 
 use crate::field::Edges;

@@ -1,10 +1,10 @@
 //! A JSON value → a checked document, key by key.
 
+use super::choices::{SEEDINGS, seeding_mismatch};
 use super::limits::{self, Range};
 use super::{
     After, Colours, Document, Growth, Kind, Layer, Options, Problem, SpreadChoice, Stop, SystemChoice,
 };
-use super::choices::{SEEDINGS, seeding_mismatch};
 use super::{node::Node, strokes};
 use crate::attributes::Spread;
 use crate::field::Edges;

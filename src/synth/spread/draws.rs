@@ -80,7 +80,8 @@ fn make_up(draws: &mut [Draw], kept: &[usize], group: &[usize], aspect: &dyn Fn(
     for i in group {
         let one = &mut draws[*i];
         one.area *= 1.0 - area;
-        one.aspect = (one.aspect - longer).clamp(ASPECTS[0] - aspect(*i), (ASPECTS[1] - aspect(*i)).max(one.aspect));
+        one.aspect =
+            (one.aspect - longer).clamp(ASPECTS[0] - aspect(*i), (ASPECTS[1] - aspect(*i)).max(one.aspect));
         one.turn -= turn;
     }
 }
