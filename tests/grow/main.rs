@@ -9,7 +9,9 @@ mod golden;
 mod inside;
 #[cfg(unix)]
 mod interrupt;
+mod keep;
 mod options;
 mod refusals;
+mod seeding;
 mod sketches;
 mod spread;
