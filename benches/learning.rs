@@ -44,7 +44,7 @@ fn learning(criterion: &mut Criterion) {
     group.sample_size(20);
     group.warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_millis(1500));
 
-    let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 30.0 });
+    let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 30.0, wavelength: None });
     let spots = |density: f64, aspect: f64| {
         let spacing = Some((60.0 / density).sqrt());
         Attributes::Spots(Spots { area: 60.0, aspect, angle: 30.0, spacing })

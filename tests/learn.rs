@@ -54,7 +54,7 @@ fn errors_in_parameters_are_told_of_every_system_and_method_and_fall_with_more_r
     assert!(table.iter().all(|line| line.len() == columns.len()));
     assert_eq!(
         distinct(&table, 0).into_iter().collect::<Vec<_>>(),
-        ["meinhardt-spots", "meinhardt-stripes", "turing-spots"]
+        ["meinhardt-lines", "meinhardt-spots", "meinhardt-stripes", "turing-spots"]
     );
     assert_eq!(distinct(&table, 1).into_iter().collect::<Vec<_>>(), ["parameters"]);
     let expected = ["LWR", "linear interpolation", "nearest neighbour", "scale law"];

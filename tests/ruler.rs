@@ -276,7 +276,7 @@ fn errors_of_stripes_are_those_between_the_field_and_the_map() {
     let field = stripes([240, 200], false, 7.0, 40.0, 16.0);
     let wanted = |[x, _]: [f64; 2]| {
         let angle = if x < 120.0 { 35.0 } else { 44.0 };
-        Attributes::Stripes(Stripes { width: 6.0, angle })
+        Attributes::Stripes(Stripes { width: 6.0, angle, wavelength: None })
     };
     let region_of = |[x, _]: [f64; 2]| usize::from(x >= 120.0);
     let canvas = Canvas {

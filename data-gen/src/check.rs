@@ -27,6 +27,7 @@ const fn quantity(name: &'static str, unit: &'static str, allowed: [f64; 2]) -> 
 const STRETCH: Quantity = quantity("stretch", "minor/major", [0.26, 1.0]);
 const DIRECTION: Quantity = quantity("direction", "degrees", [0.0, 180.0]);
 const LEVEL: Quantity = quantity("level", "of the peak", [0.02, 0.98]);
+const WIDTH: Quantity = quantity("width", "cells", [1.0, 100.0]);
 const AREA: Quantity = quantity("area", "cells", [1.0, 2_000.0]);
 
 fn quantities(system: System) -> Vec<Quantity> {
@@ -38,7 +39,10 @@ fn quantities(system: System) -> Vec<Quantity> {
         System::MeinhardtSpots => {
             vec![AREA, quantity("ratio", "Db/Da", [1.0, 1_000.0]), LEVEL, STRETCH, DIRECTION]
         }
-        System::MeinhardtStripes => vec![quantity("width", "cells", [1.0, 100.0]), STRETCH, DIRECTION],
+        System::MeinhardtStripes => vec![WIDTH, STRETCH, DIRECTION],
+        System::MeinhardtLines => {
+            vec![WIDTH, quantity("ratio", "Db/Da", [1.0, 1_000.0]), STRETCH, DIRECTION]
+        }
     }
 }
 
@@ -82,7 +86,7 @@ fn check_set(set: &Set) -> Result<(), String> {
     if set.seed > MOST_SEED - MOST_RUNS {
         return Err(format!("seed: {} is more than {}", set.seed, MOST_SEED - MOST_RUNS));
     }
-    let unit = if set.system == System::MeinhardtStripes { "wavelengths" } else { "spots" };
+    let unit = if set.system.is_striped() { "wavelengths" } else { "spots" };
     same_unit("patch", &set.patch.unit, unit)?;
     within("patch.grown", set.patch.grown, GROWN)?;
     within("patch.least", set.patch.least, [1.0, set.patch.grown])?;

@@ -53,8 +53,16 @@ impl Set {
         let s = &self.sweep;
         let [stretch, direction] = [s.stretch.at(stretch), s.direction.at(direction)];
         if let Some(width) = &s.width {
+            let width = width.at(size);
+            if let Some(ratio) = &s.ratio {
+                // As `rd` has it: width 14.8 (R/10)^−0.37/√rate.
+                let ratio = ratio.at(packing);
+                let rate = 14.8 * libm::pow(ratio / 10.0, -0.37) / width;
+                let rate = rate * rate;
+                return Parameters { rate, ratio: Some(ratio), stretch, direction, level: None };
+            }
             // facts C: width 40.5/√rate.
-            let rate = 40.5 / width.at(size);
+            let rate = 40.5 / width;
             return Parameters { rate: rate * rate, ratio: None, stretch, direction, level: None };
         }
         let [ratio, level] = self.packed(packing);

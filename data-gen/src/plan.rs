@@ -71,7 +71,7 @@ pub struct Sweep {
     /// Area that a spot is to have, by the law of scale.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub area: Option<Range>,
-    /// Width that a stripe is to have.
+    /// Width that a stripe or a line is to have.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub width: Option<Range>,
     /// Diffusion rate of one chemical ÷ the other's.
@@ -121,8 +121,6 @@ mod system {
     use super::System;
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
 
-    const ALL: [System; 3] = [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes];
-
     #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over a reference")]
     pub fn serialize<S: Serializer>(system: &System, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(system.name())
@@ -130,8 +128,8 @@ mod system {
 
     pub fn deserialize<'a, D: Deserializer<'a>>(deserializer: D) -> Result<System, D::Error> {
         let name = String::deserialize(deserializer)?;
-        ALL.into_iter().find(|system| system.name() == name).ok_or_else(|| {
-            let allowed = ALL.map(System::name).join(", ");
+        System::ALL.into_iter().find(|system| system.name() == name).ok_or_else(|| {
+            let allowed = System::ALL.map(System::name).join(", ");
             D::Error::custom(format!("no system is called '{name}'; allowed: {allowed}"))
         })
     }

@@ -31,6 +31,9 @@ pub struct Stripes {
     pub width: f64,
     /// Axial mean direction, degrees in [0, 180), weighted by length.
     pub angle: f64,
+    /// Distance from one stripe to the next, px; `None` = twice the width.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wavelength: Option<f64>,
 }
 
 /// The attributes of a set of marks.
@@ -53,7 +56,11 @@ impl Attributes {
                 spacing: spots.spacing.map(|spacing| spacing * factor),
                 ..spots
             }),
-            Self::Stripes(stripes) => Self::Stripes(Stripes { width: stripes.width * factor, ..stripes }),
+            Self::Stripes(stripes) => Self::Stripes(Stripes {
+                width: stripes.width * factor,
+                wavelength: stripes.wavelength.map(|wavelength| wavelength * factor),
+                ..stripes
+            }),
         }
     }
 

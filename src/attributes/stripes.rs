@@ -4,10 +4,16 @@ use super::{Stripes, axial_mean};
 use crate::marks::Line;
 
 impl Stripes {
+    /// Stripe ÷ period: what share of the way from one stripe to the next is covered.
+    #[must_use]
+    pub fn duty(&self) -> f64 {
+        self.wavelength.map_or(0.5, |wavelength| self.width / wavelength)
+    }
+
     /// The attributes of a set of lines; `None` of none.
     ///
     /// The width is the plain mean, the angle the axial mean weighted by length (0 where the directions
-    /// cancel).
+    /// cancel). Lines do not say how far apart they are meant to stand.
     #[must_use]
     pub fn of(lines: &[Line]) -> Option<Self> {
         if lines.is_empty() {
@@ -17,6 +23,7 @@ impl Stripes {
         Some(Self {
             width: lines.iter().map(|line| line.width).sum::<f64>() / lines.len() as f64,
             angle: axial_mean(directions).map_or(0.0, |(angle, _)| angle),
+            wavelength: None,
         })
     }
 }

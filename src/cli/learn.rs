@@ -86,6 +86,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         (System::TuringSpots, SystemChoice::TuringSpots),
         (System::MeinhardtSpots, SystemChoice::MeinhardtSpots),
         (System::MeinhardtStripes, SystemChoice::MeinhardtStripes),
+        (System::MeinhardtLines, SystemChoice::MeinhardtLines),
     ];
     let mut outcomes: Vec<Outcome> = Vec::new();
     for (system, choice) in systems {

@@ -4,7 +4,7 @@ mod answer;
 mod batch;
 
 use super::{Error, say, values};
-use crate::attributes::{Attributes, Spots, Stripes};
+use crate::attributes::{Attributes, Spots};
 use crate::export;
 use crate::synth::Training;
 use crate::synth::recipe::{Kind, SystemChoice};
@@ -16,11 +16,11 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args, Debug)]
 #[command(
     override_usage = "dapple lookup --system S --area A --aspect R --angle D [--spacing L] [--training DIR] [--json]
-       dapple lookup --system S --width W --angle D [--training DIR] [--json]
+       dapple lookup --system S --width W --angle D [--duty Q] [--training DIR] [--json]
        dapple lookup --batch IN.csv -o OUT.csv [--training DIR]"
 )]
 pub struct Args {
-    /// The system: turing-spots, meinhardt-spots, meinhardt-stripes
+    /// The system: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines
     #[arg(long, value_name = "S", value_parser = values::system, required_unless_present = "batch")]
     pub system: Option<SystemChoice>,
     /// Mean area of a spot, px²
@@ -38,10 +38,13 @@ pub struct Args {
     /// Mean width of a stripe, px
     #[arg(long, value_name = "W", value_parser = values::positive, conflicts_with_all = ["area", "aspect", "spacing"])]
     pub width: Option<f64>,
-    /// Look up each row of a table: columns system,area,aspect,angle,spacing,width
+    /// Which share of the way from one line to the next each covers, 0.2 to 0.5, of meinhardt-lines [default: 0.5]
+    #[arg(long, value_name = "Q", value_parser = values::duty, requires = "width")]
+    pub duty: Option<f64>,
+    /// Look up each row of a table: columns system,area,aspect,angle,spacing,width,duty
     #[arg(
         long, value_name = "IN.csv", requires = "output",
-        conflicts_with_all = ["system", "area", "aspect", "angle", "spacing", "width", "json"]
+        conflicts_with_all = ["system", "area", "aspect", "angle", "spacing", "width", "duty", "json"]
     )]
     pub batch: Option<PathBuf>,
     /// Where to write the answers to a table
@@ -66,7 +69,10 @@ impl Args {
         let attributes = if system.grows() == Some(Kind::Line) {
             let needs = "--width and --angle (area, aspect and spacing are a spot's)";
             let (Some(width), Some(angle)) = (self.width, self.angle) else { return Err(usage(needs)) };
-            Attributes::Stripes(Stripes { width, angle: crate::marks::axial(angle) })
+            if let Some(allowed) = self.duty.and_then(|duty| values::duty_mismatch(duty, system)) {
+                return Err(Error::Usage(format!("--duty: allowed: {allowed}")));
+            }
+            Attributes::Stripes(values::stripes(system, width, angle, self.duty))
         } else {
             let needs = "--area, --aspect and --angle (--width is a stripe's)";
             let (Some(area), Some(aspect), Some(angle)) = (self.area, self.aspect, self.angle) else {

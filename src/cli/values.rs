@@ -1,6 +1,8 @@
 //! Arguments → checked values; clap puts the argument's name and text before each message.
 
-use crate::synth::recipe::{SystemChoice, limits};
+use crate::attributes::Stripes;
+use crate::marks::axial;
+use crate::synth::recipe::{Options, SystemChoice, limits};
 
 /// `WxH`, such as `4096x4096`, px.
 pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
@@ -39,6 +41,26 @@ pub(super) fn aspect(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "allowed: minor / major radius, above 0, at most 1 (round)".to_owned())
 }
 
+/// Stripe ÷ period.
+pub(super) fn duty(text: &str) -> Result<f64, String> {
+    let limits::Range { low, high, .. } = limits::DUTY;
+    let number = text.parse::<f64>().ok().filter(|number| (low..=high).contains(number));
+    number.ok_or_else(|| format!("allowed: {}", limits::DUTY))
+}
+
+/// The problem that stripes of `system` are to have this duty; `None` where it can.
+pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<&'static str> {
+    let only = system == SystemChoice::MeinhardtStripes && duty != Options::DUTY;
+    only.then_some("0.5, the only duty of meinhardt-stripes; thinner ones are grown by meinhardt-lines")
+}
+
+/// What is asked of stripes that `system` grows.
+pub(super) fn stripes(system: SystemChoice, width: f64, angle: f64, duty: Option<f64>) -> Stripes {
+    let duty = duty.unwrap_or(Options::DUTY);
+    let wavelength = (system == SystemChoice::MeinhardtLines).then_some(width / duty);
+    Stripes { width, angle: axial(angle), wavelength }
+}
+
 /// An angle.
 pub(super) fn angle(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
@@ -49,6 +71,12 @@ pub(super) fn angle(text: &str) -> Result<f64, String> {
 pub(super) fn threads(text: &str) -> Result<usize, String> {
     let number = text.parse::<usize>().ok().filter(|number| (1..=1024).contains(number));
     number.ok_or_else(|| "allowed: a whole number from 1 to 1024".to_owned())
+}
+
+/// A number of rows, columns or pictures.
+pub(super) fn count(text: &str) -> Result<usize, String> {
+    let number = text.parse::<usize>().ok().filter(|number| (1..=1000).contains(number));
+    number.ok_or_else(|| "allowed: a whole number from 1 to 1000".to_owned())
 }
 
 /// Cells along each side of a grid to measure on. The largest takes some 3 GB.

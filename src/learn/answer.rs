@@ -14,7 +14,10 @@ pub(super) const Z90: f64 = 1.645;
 pub struct Answer {
     /// What to tell the simulation.
     pub parameters: Parameters,
-    /// What these parameters grow, as far as the rows tell; of spots always with their spacing.
+    /// How many times as far apart as their system puts them the spots are laid; 1 = as it does.
+    pub pitch: f64,
+    /// What these parameters grow, as far as the rows tell; of spots always with their spacing, of lines with their
+    /// wavelength.
     pub predicted: Attributes,
     /// For each attribute the range that a patch grown like those of the set has in 90 of 100 cases.
     /// Angles are degrees about the predicted one and may leave 0..180.
@@ -35,7 +38,7 @@ impl Answer {
         for (attribute, range) in &mut self.interval {
             let factor = match *attribute {
                 "area" => cell * cell,
-                "spacing" | "width" => cell,
+                "spacing" | "width" | "wavelength" => cell,
                 _ => 1.0,
             };
             *range = range.map(|end| end * factor);
@@ -135,6 +138,7 @@ pub(super) fn checked(attributes: &Attributes) -> Result<Attributes, AskError> {
         Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {
             width: length("width", stripes.width)?,
             angle: angle(stripes.angle)?,
+            wavelength: stripes.wavelength.map(|wavelength| length("wavelength", wavelength)).transpose()?,
         }),
     })
 }
@@ -152,10 +156,11 @@ impl TrainingSet {
             (Map::Spots(map), Attributes::Spots(spots)) => map.ask(spots),
             (Map::Stripes(map), Attributes::Stripes(stripes)) => map.ask(stripes),
             (Map::Spots(_), _) => return Err(self.other_kind("area, aspect, angle and perhaps spacing")),
-            (Map::Stripes(_), _) => return Err(self.other_kind("width and angle")),
+            (Map::Stripes(_), _) => return Err(self.other_kind("width, angle and perhaps wavelength")),
         };
         Ok(Answer {
             parameters: reached.parameters,
+            pitch: 1.0,
             predicted: reached.prediction.attributes,
             interval: reached.prediction.interval,
             coverage: reached.judgement.coverage,

@@ -96,6 +96,44 @@ const STRIPES: [Column; 7] = [
     column("direction", ["degrees", "long axis of the diffusion tensor of the activators"], ANGLE, DEGREES),
 ];
 
+/// The columns of a set of lines, after `seed`.
+const LINES: [Column; 9] = [
+    column(
+        "wavelengths",
+        ["", "wavelengths along a side of the patch"],
+        [0.1, 1e6],
+        "a count of wavelengths from 0.1 to 1e6",
+    ),
+    column("width", ["cells", "2 × area ÷ contour length"], [0.1, 1e5], "a length from 0.1 to 1e5 cells"),
+    column("angle", ["degrees", "axial mean of the directions along the lines"], ANGLE, DEGREES),
+    column(
+        "wavelength",
+        ["cells", "2 × area of the patch ÷ contour length: the distance from line to line"],
+        [0.1, 1e5],
+        "a length from 0.1 to 1e5 cells",
+    ),
+    column(
+        "coherence",
+        ["", "mean coherence of the structure tensor"],
+        [0.0, 1.0],
+        "a coherence from 0 to 1",
+    ),
+    column(
+        "rate",
+        ["1/cell²", "reaction rate ÷ √(Da·Db), Da that across the lines"],
+        [1e-9, 1e3],
+        "a rate from 1e-9 to 1e3 per cell²",
+    ),
+    column("ratio", ["", "Db ÷ Da, Da that across the lines"], [1e-4, 1e4], "a ratio Db/Da from 1e-4 to 1e4"),
+    column(
+        "stretch",
+        ["", "minor ÷ major axis of the diffusion tensor of the activator"],
+        [0.01, 1.0],
+        "a stretch from 0.01 to 1",
+    ),
+    column("direction", ["degrees", "long axis of the diffusion tensor of the activator"], ANGLE, DEGREES),
+];
+
 /// The columns of the training files of `system`, in the order in which [`write_rows`](super::write_rows) writes them.
 ///
 /// # Errors
@@ -110,5 +148,6 @@ pub(super) fn columns(kind: Kind) -> &'static [Column] {
     match kind {
         Kind::Spots => &SPOTS,
         Kind::Stripes => &STRIPES,
+        Kind::Lines => &LINES,
     }
 }

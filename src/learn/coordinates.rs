@@ -90,41 +90,48 @@ pub(super) fn spots_seen_even(spots: &Spots, p: &Parameters) -> Point {
     Point::of([rate + libm::log(spots.area), rate + 2.0 * log_spacing, -libm::log(spots.aspect)])
 }
 
-/// What is asked of a stripe set: (ln W, cos 4θ, sin 4θ).
+/// What is asked of a stripe set: (ln W, ln(W/λ) where `duty`, cos 4θ, sin 4θ).
 ///
 /// The fourth harmonic: a grid looks the same after a quarter turn.
-pub(super) fn stripes_asked(log_width: f64, angle: f64) -> Point {
-    let [c, s] = harmonic(angle, 4.0);
-    Point::of([log_width, c, s])
+pub(super) fn stripes_asked(log_width: f64, duty: Option<f64>, angle: f64) -> Point {
+    Point::of(std::iter::once(log_width).chain(duty).chain(harmonic(angle, 4.0)))
 }
 
-/// What a stripe set answers: (ln(rate·W²), −ln stretch, cos 2Δ, sin 2Δ), Δ = direction − angle.
+/// What a stripe set answers: (ln(rate·W²), −ln stretch, ln ratio where it has one, cos 2Δ, sin 2Δ), Δ = direction −
+/// angle.
 pub(super) fn stripes_answered(stripes: &Stripes, p: &Parameters) -> Point {
-    let [c, s] = harmonic(p.direction - stripes.angle, 2.0);
-    Point::of([libm::log(p.rate) + 2.0 * libm::log(stripes.width), -libm::log(p.stretch), c, s])
+    let mut answered = Point::of([libm::log(p.rate) + 2.0 * libm::log(stripes.width), -libm::log(p.stretch)]);
+    answered.extend(p.ratio.map(libm::log));
+    answered.extend(harmonic(p.direction - stripes.angle, 2.0));
+    answered
 }
 
 /// The parameters that this answer, given for stripes of `log_width` and `angle`, stands for.
 pub(super) fn stripe_parameters(log_width: f64, angle: f64, answered: &[f64]) -> Parameters {
+    let n = answered.len();
     Parameters {
         rate: libm::exp(answered[0] - 2.0 * log_width),
-        ratio: None,
+        ratio: (n > 4).then(|| libm::exp(answered[2])),
         stretch: libm::exp(-answered[1]),
-        direction: axial(angle + axis([answered[2], answered[3]])),
+        direction: axial(angle + axis([answered[n - 2], answered[n - 1]])),
         level: None,
     }
 }
 
-/// What a stripe set can be told: (ln rate, −ln stretch where it varies, cos 4φ, sin 4φ).
+/// What a stripe set can be told: (ln rate, ln ratio where it has one, −ln stretch where it varies, cos 4φ, sin 4φ).
 pub(super) fn stripes_told(p: &Parameters, stretch: bool) -> Point {
     let mut told = Point::of([libm::log(p.rate)]);
+    told.extend(p.ratio.map(libm::log));
     told.extend(stretch.then(|| -libm::log(p.stretch)));
     told.extend(harmonic(p.direction, 4.0));
     told
 }
 
-/// What then is seen: (ln(rate·W²), cos 2Δ, sin 2Δ).
+/// What then is seen: (ln(rate·W²), ln(rate·λ²) where it is free, cos 2Δ, sin 2Δ).
 pub(super) fn stripes_seen(stripes: &Stripes, p: &Parameters) -> Point {
-    let [c, s] = harmonic(p.direction - stripes.angle, 2.0);
-    Point::of([libm::log(p.rate) + 2.0 * libm::log(stripes.width), c, s])
+    let rate = libm::log(p.rate);
+    let mut seen = Point::of([rate + 2.0 * libm::log(stripes.width)]);
+    seen.extend(stripes.wavelength.map(|wavelength| rate + 2.0 * libm::log(wavelength)));
+    seen.extend(harmonic(p.direction - stripes.angle, 2.0));
+    seen
 }

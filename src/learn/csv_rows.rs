@@ -29,6 +29,17 @@ fn numbers(kind: Kind, row: &Row) -> Option<Vec<f64>> {
         (Kind::Stripes, Attributes::Stripes(a)) => {
             Some(vec![row.extent, a.width, a.angle, row.evenness, p.rate, p.stretch, p.direction])
         }
+        (Kind::Lines, Attributes::Stripes(a)) => Some(vec![
+            row.extent,
+            a.width,
+            a.angle,
+            a.wavelength?,
+            row.evenness,
+            p.rate,
+            p.ratio?,
+            p.stretch,
+            p.direction,
+        ]),
         _ => None,
     }
 }
@@ -58,12 +69,29 @@ fn row(kind: Kind, seed: u64, n: &[f64]) -> Row {
             seed,
             extent: n[0],
             evenness: n[3],
-            attributes: Attributes::Stripes(Stripes { width: n[1], angle: axial(n[2]) }),
+            attributes: Attributes::Stripes(Stripes { width: n[1], angle: axial(n[2]), wavelength: None }),
             parameters: Parameters {
                 rate: n[4],
                 ratio: None,
                 stretch: n[5],
                 direction: axial(n[6]),
+                level: None,
+            },
+        },
+        Kind::Lines => Row {
+            seed,
+            extent: n[0],
+            evenness: n[4],
+            attributes: Attributes::Stripes(Stripes {
+                width: n[1],
+                angle: axial(n[2]),
+                wavelength: Some(n[3]),
+            }),
+            parameters: Parameters {
+                rate: n[5],
+                ratio: Some(n[6]),
+                stretch: n[7],
+                direction: axial(n[8]),
                 level: None,
             },
         },
@@ -180,7 +208,7 @@ pub fn six_digits(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::laws::{MEASURED, meinhardt, stripes, turing};
+    use super::super::laws::{MEASURED, lines, meinhardt, stripes, turing};
     use super::*;
 
     fn written(system: &str, rows: &[Row]) -> String {
@@ -201,6 +229,7 @@ mod tests {
             ("turing-spots", Kind::Spots, turing(40, MEASURED)),
             ("meinhardt-spots", Kind::Spots, meinhardt(40, MEASURED)),
             ("meinhardt-stripes", Kind::Stripes, stripes(40, MEASURED)),
+            ("meinhardt-lines", Kind::Lines, lines(40, MEASURED)),
         ];
         for (system, kind, rows) in sets {
             let text = written(system, &rows);
@@ -221,7 +250,10 @@ mod tests {
             "direction,seed,stretch,rate,coherence,angle,width,wavelengths\n10,7,0.5,0.4,0.9,-11,8,12\n";
         let row = read_rows(Kind::Stripes, "s.csv", text.as_bytes()).unwrap()[0];
         assert_eq!((row.seed, row.extent, row.evenness), (7, 12.0, 0.9));
-        assert_eq!(row.attributes, Attributes::Stripes(Stripes { width: 8.0, angle: 169.0 }));
+        assert_eq!(
+            row.attributes,
+            Attributes::Stripes(Stripes { width: 8.0, angle: 169.0, wavelength: None })
+        );
         assert_eq!(row.parameters.named(), [("rate", 0.4), ("stretch", 0.5), ("direction", 10.0)]);
     }
 

@@ -8,8 +8,19 @@ use crate::marks::turn;
 const DIRECTED: f64 = 0.8;
 
 /// All quantities in the order in which they are told.
-const ORDER: [&str; 10] =
-    ["rate", "ratio", "level", "stretch", "direction", "area", "spacing", "width", "aspect", "angle"];
+const ORDER: [&str; 11] = [
+    "rate",
+    "ratio",
+    "level",
+    "stretch",
+    "direction",
+    "area",
+    "spacing",
+    "width",
+    "wavelength",
+    "aspect",
+    "angle",
+];
 
 /// An absolute error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +88,11 @@ impl Error {
                 errors
             }
             (Attributes::Stripes(got), Attributes::Stripes(wanted)) => {
-                vec![percent("width", got.width, wanted.width), angle]
+                let mut errors = vec![percent("width", got.width, wanted.width)];
+                let wavelength = got.wavelength.zip(wanted.wavelength);
+                errors.extend(wavelength.map(|(got, wanted)| percent("wavelength", got, wanted)));
+                errors.push(angle);
+                errors
             }
             _ => Vec::new(),
         }

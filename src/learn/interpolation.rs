@@ -31,10 +31,16 @@ pub(super) fn linear(local: &Local, q: &Point) -> Option<Sample> {
     linear_in(local, q, local.dims(), |place, _| *place)
 }
 
-/// The same where the last two of three features are cos and sin of one angle: between places on a cylinder there are
-/// none that lie on it, so angles are told by the sine of how far they are from the question's.
+/// The same where the last two features are cos and sin of one angle: between places on a cylinder there are none that
+/// lie on it, so angles are told by the sine of how far they are from the question's.
 pub(super) fn linear_round_a_cylinder(local: &Local, q: &Point) -> Option<Sample> {
-    linear_in(local, q, 2, |x, q| [x[0], x[2] * q[1] - x[1] * q[2], 0.0, 0.0, 0.0])
+    let plain = local.dims() - 2;
+    linear_in(local, q, plain + 1, |x, q| {
+        let mut place = [0.0; MOST];
+        place[..plain].copy_from_slice(&x[..plain]);
+        place[plain] = x[plain + 1] * q[plain] - x[plain] * q[plain + 1];
+        place
+    })
 }
 
 /// The same in a `chart` of `dims` coordinates, which tells where a place lies for a question.

@@ -150,6 +150,7 @@ pub(super) fn stripes(n: u64, Noise(by_width, _, _, by_angle): Noise) -> Vec<Row
                 attributes: Attributes::Stripes(Stripes {
                     width: width * (1.0 + by_width * scatter(rng)),
                     angle: axial(pulled(direction, 3.0 * width) + by_angle * scatter(rng)),
+                    wavelength: None,
                 }),
                 parameters: Parameters {
                     rate: stripe_law(width) / (width * width),
@@ -161,4 +162,23 @@ pub(super) fn stripes(n: u64, Noise(by_width, _, _, by_angle): Noise) -> Vec<Row
             }
         })
         .collect()
+}
+
+/// Stripe ÷ period of lines, by Db/Da.
+pub(super) fn line_duty(ratio: f64) -> f64 {
+    0.5 * libm::pow(ratio / 10.3, -0.93)
+}
+
+/// `n` rows of a set of lines: stretch constant, widths 3 to 9, ratios 10.3 to 30.
+pub(super) fn lines(n: u64, Noise(by_width, by_wavelength, _, by_angle): Noise) -> Vec<Row> {
+    let mut rows = stripes(n, Noise(by_width, by_wavelength, 0.0, by_angle));
+    for row in &mut rows {
+        let rng = &mut Pcg64::seed_from_u64(4_000_000 + row.seed);
+        let ratio = uniform(rng, 10.3, 30.0);
+        let Attributes::Stripes(stripes) = &mut row.attributes else { continue };
+        stripes.wavelength = Some(stripes.width / line_duty(ratio) * (1.0 + by_wavelength * scatter(rng)));
+        row.parameters.rate *= libm::pow(ratio / 10.3, -0.7);
+        row.parameters.ratio = Some(ratio);
+    }
+    rows
 }

@@ -9,9 +9,10 @@
 //! ```text
 //! spots    asked: ln A, ln(A/L²), v                    answered: ln(rate·A), ln ratio, level, w
 //! stripes  asked: ln W, (cos 4θ, sin 4θ)               answered: ln(rate·W²), −ln stretch, (cos 2Δ, sin 2Δ)
+//! lines    asked: ln W, ln(W/λ), (cos 4θ, sin 4θ)      answered: ln(rate·W²), −ln stretch, ln ratio, (cos 2Δ, sin 2Δ)
 //!
 //!          v = −ln(aspect)·(cos 2θ, sin 2θ)   w = −ln(stretch)·(cos 2φ, sin 2φ)   Δ = φ − θ
-//!          A area, L spacing, W width, θ angle; φ direction
+//!          A area, L spacing, W width, λ wavelength, θ angle; φ direction
 //! ```
 //!
 //! All lengths here are cells of the simulation grid, because the grid's own error at small spots is
@@ -19,6 +20,7 @@
 //! rows are, and the answer says so ([`Coverage`]).
 
 mod answer;
+mod apart;
 mod bandwidth;
 mod columns;
 mod coordinates;

@@ -3,15 +3,19 @@
 //! ```text
 //! spots    A/L² = C e^(S (l₀ − l)) / R      rate·A = K e^(S (l₀ − l)) / R      stretch = aspect   φ = θ
 //! stripes  rate·W² = K                      stretch = that of the rows                            φ = θ
+//! lines    W/λ = C / R                      rate·W² = K / R^P      stretch = that of the rows     φ = θ
 //! ```
 //!
-//! A area, L spacing, W width, R ratio, l level, φ direction, θ angle. `facts.md` A (area = K·g/ka), B (both tables fall
+//! A area, L spacing, W width, λ wavelength, R ratio, l level, φ direction, θ angle. `facts.md` A (area = K·g/ka), B (both tables fall
 //! as 1/R within 7 % from 12 to 60, areas grow as e^(2.85 (½ − l)) from level ½ to 0.2), C (wavelength ∝ √D). A density is
 //! reached by the ratio as far as the rows' lowest ratio goes, beyond it by the level. C and K are the rows' means.
+//! `rd::meinhardt_lines`: lines of ratio R are R^−0.37 as wide and stand R^0.55 as far apart.
 
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Spots, Stripes};
 
+/// P: by how much ln W² falls from ln R to ln R.
+const THINNER: f64 = 0.74;
 /// S: by how much ln area falls from level to level.
 const BY_LEVEL: f64 = 2.85;
 
@@ -22,6 +26,8 @@ pub(super) struct Law {
     size: f64,
     /// ln C.
     density: f64,
+    /// Do stripes have a ratio?
+    lines: bool,
     /// The lowest ratio of the rows; R is 1 where none have any.
     ratio: f64,
     /// l₀, the highest level, and the lowest.
@@ -45,20 +51,26 @@ impl Law {
         let over_ratio =
             |row: &Row| libm::log(row.parameters.ratio.unwrap_or(1.0)) - lowered(&row.parameters);
         let size = mean(&|row| {
-            let size = match row.attributes {
-                Attributes::Spots(spots) => libm::log(spots.area),
-                Attributes::Stripes(stripes) => 2.0 * libm::log(stripes.width),
-            };
-            libm::log(row.parameters.rate) + size + over_ratio(row)
+            let rate = libm::log(row.parameters.rate);
+            match row.attributes {
+                Attributes::Spots(spots) => rate + libm::log(spots.area) + over_ratio(row),
+                Attributes::Stripes(stripes) => {
+                    rate + 2.0 * libm::log(stripes.width) + THINNER * over_ratio(row)
+                }
+            }
         });
         let density = mean(&|row| match row.attributes {
             Attributes::Spots(Spots { area, spacing: Some(spacing), .. }) => {
                 libm::log(area) - 2.0 * libm::log(spacing) + over_ratio(row)
             }
+            Attributes::Stripes(Stripes { width, wavelength: Some(wavelength), .. }) => {
+                libm::log(width / wavelength) + over_ratio(row)
+            }
             _ => 0.0,
         });
         let stretch = mean(&|row| row.parameters.stretch);
-        Self { size, density, ratio: if ratio.is_finite() { ratio } else { 1.0 }, levels, stretch }
+        let lines = ratio.is_finite();
+        Self { size, density, lines, ratio: if lines { ratio } else { 1.0 }, levels, stretch }
     }
 
     /// Parameters for spots whose ln(A/L²) is `density`; `None` where the system gives it by itself.
@@ -80,9 +92,11 @@ impl Law {
 
     /// Parameters for stripes.
     pub fn stripes(&self, stripes: &Stripes) -> Parameters {
+        let ratio = self.lines.then(|| (self.density - libm::log(stripes.duty())).max(libm::log(self.ratio)));
+        let size = self.size - THINNER * ratio.unwrap_or(0.0);
         Parameters {
-            rate: libm::exp(self.size) / (stripes.width * stripes.width),
-            ratio: None,
+            rate: libm::exp(size) / (stripes.width * stripes.width),
+            ratio: ratio.map(libm::exp),
             stretch: self.stretch,
             direction: stripes.angle,
             level: None,
@@ -114,7 +128,7 @@ mod tests {
     #[test]
     fn stripes_have_one_constant() {
         let law = Law::of(&stripes(100, EXACT));
-        let found = law.stripes(&Stripes { width: 10.0, angle: 33.0 });
+        let found = law.stripes(&Stripes { width: 10.0, angle: 33.0, wavelength: None });
         assert!((found.rate - 0.65).abs() < 0.04, "{found:?}");
         assert_eq!((found.direction, found.stretch), (33.0, 0.5));
     }

@@ -24,11 +24,14 @@ pub(super) struct StripeMap {
     stretch: bool,
     /// ln W.
     pub width: Limit,
+    /// ln(W/λ), where it is free: else each stripe is as wide as its gap.
+    pub duty: Option<Limit>,
 }
 
 /// The angle at a place, where 4θ is known: of the four it stands for the one nearest to `asked`.
 fn quarter(asked: f64, at: &Point) -> f64 {
-    let quarter = 0.5 * to::axis([at[1], at[2]]);
+    let n = at.len();
+    let quarter = 0.5 * to::axis([at[n - 2], at[n - 1]]);
     axial(asked + (quarter - asked + 45.0).rem_euclid(90.0) - 45.0)
 }
 
@@ -49,9 +52,23 @@ impl StripeMap {
             });
             Local::new(samples.collect(), IMAGES)
         };
-        let asked =
-            local(&|s, p| [to::stripes_asked(libm::log(s.width), s.angle), to::stripes_answered(s, p)]);
+        let log_duty = |s: &Stripes| s.wavelength.map(|wavelength| libm::log(s.width / wavelength));
+        let asked = local(&|s, p| {
+            [to::stripes_asked(libm::log(s.width), log_duty(s), s.angle), to::stripes_answered(s, p)]
+        });
         let told = local(&|s, p| [to::stripes_told(p, stretch), to::stripes_seen(s, p)]);
+        let duty = runs.iter().any(|(s, _)| s.wavelength.is_some()).then(|| {
+            Limit::of(
+                "duty",
+                Unit::Share,
+                [
+                    "the least of its period that this system covers",
+                    "the most of its period that this system covers",
+                ],
+                libm::exp,
+                runs.iter().filter_map(|(s, _)| log_duty(s)),
+            )
+        });
         let widths = runs.iter().map(|(stripes, _)| libm::log(stripes.width));
         Self {
             width: Limit::of(
@@ -61,6 +78,7 @@ impl StripeMap {
                 libm::exp,
                 widths,
             ),
+            duty,
             asked,
             told,
             stretch,
@@ -71,20 +89,24 @@ impl StripeMap {
     pub fn ask(&self, stripes: &Stripes) -> Reached {
         let mut judgement = Judgement::new();
         let log_width = judgement.clamp(&self.width, libm::log(stripes.width));
-        let mut nearest = Stripes {
-            width: if log_width == libm::log(stripes.width) { stripes.width } else { libm::exp(log_width) },
-            ..*stripes
-        };
-        let mut at = to::stripes_asked(log_width, stripes.angle);
+        let duty = self.duty.as_ref().map(|limit| judgement.clamp(limit, libm::log(stripes.duty())));
+        let width = if log_width == libm::log(stripes.width) { stripes.width } else { libm::exp(log_width) };
+        let wavelength = |width: f64, at: &Point| self.duty.as_ref().map(|_| width / libm::exp(at[1]));
+        let mut at = to::stripes_asked(log_width, duty, stripes.angle);
+        let mut nearest = Stripes { width, angle: stripes.angle, wavelength: wavelength(width, &at) };
         let angle = |at: &Point| quarter(stripes.angle, at);
         let called = |at: &Point| {
-            let width = Quantity::new("width", libm::exp(at[0]), Unit::Length);
-            vec![width, Quantity::new("angle", angle(at), Unit::Angle)]
+            let mut named = vec![Quantity::new("width", libm::exp(at[0]), Unit::Length)];
+            let duty = || Quantity::new("duty", libm::exp(at[1]), Unit::Share);
+            named.extend(self.duty.as_ref().map(|_| duty()));
+            named.push(Quantity::new("angle", angle(at), Unit::Angle));
+            named
         };
         let before = at;
         let answered = judgement.within(&self.asked, &mut at, called);
         if at != before {
-            nearest = Stripes { width: libm::exp(at[0]), angle: angle(&at) };
+            let width = libm::exp(at[0]);
+            nearest = Stripes { width, angle: angle(&at), wavelength: wavelength(width, &at) };
         }
         let parameters = to::stripe_parameters(at[0], nearest.angle, &answered);
         let prediction = self.predict(&parameters);
@@ -93,7 +115,8 @@ impl StripeMap {
 
     /// The parameters for `stripes` that `find` finds among the known points.
     pub fn known(&self, stripes: &Stripes, find: impl Fn(&Local, &Point) -> Option<Sample>) -> Parameters {
-        let at = to::stripes_asked(libm::log(stripes.width), stripes.angle);
+        let duty = self.duty.as_ref().map(|_| libm::log(stripes.duty()));
+        let at = to::stripes_asked(libm::log(stripes.width), duty, stripes.angle);
         let found = find(&self.asked, &at).unwrap_or(self.asked.rows()[0]);
         to::stripe_parameters(found.at[0], quarter(stripes.angle, &found.at), &found.gives)
     }
@@ -103,14 +126,21 @@ impl StripeMap {
         let fit = self.told.fit(&to::stripes_told(p, self.stretch), None);
         let log_width = 0.5 * (fit.value[0] - libm::log(p.rate));
         let by_width = 0.5 * Z90 * fit.deviation[0];
-        let angle = axial(p.direction - to::axis([fit.value[1], fit.value[2]]));
-        let sine = Z90 * fit.deviation[2];
+        let n = fit.value.len();
+        let angle = axial(p.direction - to::axis([fit.value[n - 2], fit.value[n - 1]]));
+        let sine = Z90 * fit.deviation[n - 1];
         let by_angle = if sine < 1.0 { 0.5 * libm::asin(sine).to_degrees() } else { 90.0 };
-        let interval = vec![
+        let mut interval = vec![
             ("width", [log_width - by_width, log_width + by_width].map(libm::exp)),
             ("angle", [angle - by_angle, angle + by_angle]),
         ];
-        let stripes = Stripes { width: libm::exp(log_width), angle };
+        let wavelength = self.duty.as_ref().map(|_| {
+            let log_wavelength = 0.5 * (fit.value[1] - libm::log(p.rate));
+            let by = 0.5 * Z90 * fit.deviation[1];
+            interval.push(("wavelength", [log_wavelength - by, log_wavelength + by].map(libm::exp)));
+            libm::exp(log_wavelength)
+        });
+        let stripes = Stripes { width: libm::exp(log_width), angle, wavelength };
         Prediction { attributes: Attributes::Stripes(stripes), interval }
     }
 }

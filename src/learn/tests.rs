@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 
 use super::laws::{
-    EXACT, MEASURED, area_of, growth_by_level, meinhardt, meinhardt_by_level, meinhardt_density,
-    meinhardt_law, stripe_law, stripes, turing, turing_law,
+    EXACT, MEASURED, area_of, growth_by_level, line_duty, lines, meinhardt, meinhardt_by_level,
+    meinhardt_density, meinhardt_law, stripe_law, stripes, turing, turing_law,
 };
 use super::*;
 use crate::attributes::{Attributes, Spots, Stripes};
@@ -88,7 +88,7 @@ fn a_set_whose_dense_end_is_reached_by_the_level_is_followed_round_its_corner() 
 fn the_law_of_stripes_is_learnt() {
     let set = TrainingSet::from_rows("meinhardt-stripes", stripes(200, EXACT)).unwrap();
     for (width, angle) in [(4.0, 0.0), (8.0, 22.0), (8.0, 135.0), (15.0, 179.0)] {
-        let answer = set.ask(&Attributes::Stripes(Stripes { width, angle })).unwrap();
+        let answer = set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: None })).unwrap();
         let p = answer.parameters;
         close(p.rate, stripe_law(width) / (width * width), 0.015);
         assert!(turn(laws::pulled(p.direction, 3.0 * width), angle).abs() < 0.2, "{p:?}");
@@ -98,9 +98,41 @@ fn the_law_of_stripes_is_learnt() {
         assert!(turn(predicted.angle, angle).abs() < 0.2);
         assert_eq!(
             (answer.coverage, answer.nearest),
-            (Coverage::Inside, Attributes::Stripes(Stripes { width, angle }))
+            (Coverage::Inside, Attributes::Stripes(Stripes { width, angle, wavelength: None }))
         );
     }
+}
+
+#[test]
+fn the_law_of_lines_is_learnt_and_a_duty_that_no_row_has_is_moved_to_the_nearest() {
+    let set = TrainingSet::from_rows("meinhardt-lines", lines(400, EXACT)).unwrap();
+    let ask = |width, angle, duty: f64| {
+        set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: Some(width / duty) })).unwrap()
+    };
+    for (width, angle, duty) in [(4.0, 0.0, 0.25), (8.0, 22.0, 0.4), (8.0, 135.0, 0.3), (15.0, 179.0, 0.48)] {
+        let answer = ask(width, angle, duty);
+        let p = answer.parameters;
+        close(line_duty(p.ratio.unwrap()), duty, 0.02);
+        close(p.stretch, 0.5, 1e-9);
+        assert!(turn(laws::pulled(p.direction, 3.0 * width), angle).abs() < 0.3, "{p:?}");
+        let Attributes::Stripes(predicted) = answer.predicted else { panic!() };
+        close(predicted.width, width, 0.02);
+        close(predicted.wavelength.unwrap(), width / duty, 0.02);
+        assert_eq!(answer.coverage, Coverage::Inside, "{:?}", answer.notes);
+        assert_eq!(
+            answer.interval.iter().map(|(name, _)| *name).collect::<Vec<_>>(),
+            ["width", "angle", "wavelength"]
+        );
+    }
+    let answer = ask(8.0, 40.0, 0.1);
+    assert_eq!(answer.coverage, Coverage::Outside);
+    let note = answer.notes[0].to_string();
+    assert!(note.starts_with("duty 0.1 is less than 0.18") && note.contains("growing at 0.18"), "{note}");
+    let Attributes::Stripes(nearest) = answer.nearest else { panic!() };
+    close(nearest.duty(), 0.185, 0.03);
+    // A wavelength that is left free is twice the width.
+    let free = set.ask(&Attributes::Stripes(Stripes { width: 8.0, angle: 40.0, wavelength: None })).unwrap();
+    assert_eq!(free.parameters, ask(8.0, 40.0, 0.5).parameters);
 }
 
 #[test]
@@ -214,7 +246,7 @@ fn a_free_spacing_is_the_middle_of_the_set_and_says_so() {
 #[test]
 fn a_question_of_the_wrong_kind_is_an_error() {
     let set = TrainingSet::from_rows("turing-spots", turing(40, MEASURED)).unwrap();
-    let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 0.0 });
+    let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 0.0, wavelength: None });
     assert_eq!(
         set.ask(&stripes).unwrap_err().to_string(),
         "turing-spots takes area, aspect, angle and perhaps spacing"
@@ -278,7 +310,7 @@ proptest! {
 
     #[test]
     fn any_stripes_have_a_finite_answer(width in positive(), angle in -1e9..1e9_f64) {
-        STRIPES.with(|set| sound(&set.ask(&Attributes::Stripes(Stripes { width, angle })).unwrap()));
+        STRIPES.with(|set| sound(&set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: None })).unwrap()));
     }
 
     #[test]

@@ -11,7 +11,7 @@ use super::stripe_map::StripeMap;
 use super::{Row, TrainingError};
 
 /// The systems that have a training set, by the names of the document.
-pub const SYSTEMS: [&str; 3] = ["turing-spots", "meinhardt-spots", "meinhardt-stripes"];
+pub const SYSTEMS: [&str; 4] = ["turing-spots", "meinhardt-spots", "meinhardt-stripes", "meinhardt-lines"];
 
 /// A line in five dimensions, and a scatter about it, from fewer rows is a guess.
 const FEWEST_ROWS: usize = 30;
@@ -21,13 +21,20 @@ const FEWEST_ROWS: usize = 30;
 pub(super) enum Kind {
     Spots,
     Stripes,
+    /// Stripes whose distance is free.
+    Lines,
 }
 
 /// The system of this name.
 pub(super) fn find(name: &str) -> Result<(&'static str, Kind), TrainingError> {
     let unknown = || TrainingError::UnknownSystem { name: name.to_owned(), allowed: SYSTEMS.join(", ") };
     let system = *SYSTEMS.iter().find(|system| **system == name).ok_or_else(unknown)?;
-    Ok((system, if system.ends_with("stripes") { Kind::Stripes } else { Kind::Spots }))
+    let kind = match system {
+        "meinhardt-stripes" => Kind::Stripes,
+        "meinhardt-lines" => Kind::Lines,
+        _ => Kind::Spots,
+    };
+    Ok((system, kind))
 }
 
 /// The rows of one system, ready to be asked.
@@ -47,7 +54,7 @@ pub(super) enum Map {
 /// Names and contents of files of `training/`.
 macro_rules! embedded {
     ($($name:literal),*) => {
-        [$(($name, include_str!(concat!("../../training/", $name, ".csv")))),*]
+        [$(($name, include_str!(concat!("../../training/", $name, ".csv")))),*].as_slice()
     };
 }
 
@@ -80,9 +87,11 @@ impl TrainingSet {
         let files = match find(system)?.0 {
             "turing-spots" => embedded!("turing-spots-orientation", "turing-spots-size"),
             "meinhardt-spots" => embedded!("meinhardt-spots-orientation", "meinhardt-spots-size"),
-            _ => embedded!("meinhardt-stripes-orientation", "meinhardt-stripes-width"),
+            "meinhardt-stripes" => embedded!("meinhardt-stripes-orientation", "meinhardt-stripes-width"),
+            _ => embedded!("meinhardt-lines"),
         };
-        let files = files.map(|(name, text)| (format!("training/{name}.csv (compiled in)"), text));
+        let files: Vec<(String, &str)> =
+            files.iter().map(|(name, text)| (format!("training/{name}.csv (compiled in)"), *text)).collect();
         Self::read(system, files.iter().map(|(name, text)| (name.as_str(), text.as_bytes())))
     }
 
@@ -138,7 +147,7 @@ impl TrainingSet {
         }
         let map = match kind {
             Kind::Spots => Map::Spots(Box::new(SpotMap::new(&rows))),
-            Kind::Stripes => Map::Stripes(Box::new(StripeMap::new(&rows))),
+            Kind::Stripes | Kind::Lines => Map::Stripes(Box::new(StripeMap::new(&rows))),
         };
         Ok(Self { system, rows, map, law: OnceLock::new() })
     }
@@ -165,7 +174,7 @@ impl TrainingSet {
     pub fn reach(&self) -> Vec<(&'static str, [f64; 2])> {
         let limits = match &self.map {
             Map::Spots(map) => vec![&map.area, &map.density, &map.elongation],
-            Map::Stripes(map) => vec![&map.width],
+            Map::Stripes(map) => std::iter::once(&map.width).chain(map.duty.as_ref()).collect(),
         };
         let shown = |limit: &Limit| {
             let [a, b] = limit.span.map(limit.shown);
@@ -214,7 +223,10 @@ mod tests {
         let message = |system| TrainingSet::load(dir.path(), system).err().unwrap().to_string();
         let missing = message("meinhardt-spots");
         assert!(missing.contains("neither meinhardt-spots.csv nor meinhardt-spots-*.csv"), "{missing}");
-        assert!(message("spots").contains("allowed: turing-spots, meinhardt-spots, meinhardt-stripes"));
+        assert!(
+            message("spots")
+                .contains("allowed: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines")
+        );
         std::fs::write(dir.path().join("meinhardt-spots.csv"), [0xff, 0xfe, 0x00]).unwrap();
         assert!(message("meinhardt-spots").contains("meinhardt-spots.csv, line 1"));
         let nowhere =

@@ -19,7 +19,7 @@ pub struct Canvas<'a> {
     pub regions: usize,
     /// The region of a place, below `regions`.
     pub region_of: &'a (dyn Fn([f64; 2]) -> usize + Sync),
-    /// Do the marks of another layer cover a place? Spots on either side of one are no neighbours.
+    /// Do the marks of another layer cover a place? Spots with one between them are no neighbours.
     pub covered: &'a (dyn Fn([f64; 2]) -> bool + Sync),
     /// The region map: what is wanted at a place.
     pub wanted: &'a (dyn Fn([f64; 2]) -> Attributes + Sync),
@@ -51,12 +51,14 @@ pub struct SpotErrors {
 /// How the stripes of a region differ from what was asked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StripeErrors {
-    /// Width and coherence-weighted direction; `None` without stripes.
+    /// Width, coherence-weighted direction and distance; `None` without stripes.
     pub got: Option<Stripes>,
     /// Means of the region map over the region.
     pub wanted: Option<Stripes>,
     /// got ÷ wanted − 1.
     pub width: Option<f64>,
+    /// got ÷ wanted − 1; `None` where twice the width is wanted.
+    pub wavelength: Option<f64>,
     /// Coherence-weighted mean deviation of the local directions from the map, degrees in −90..90.
     pub angle: Option<f64>,
     /// Its root mean square, degrees.
@@ -94,7 +96,7 @@ fn neighbours(spots: &[Spot], canvas: &Canvas) -> Vec<Vec<(f64, Option<f64>)>> {
     let tile = (canvas.edges == Edges::Wrap).then_some(canvas.size);
     let mut found = vec![Vec::new(); canvas.regions];
     for edge in edges(&centers, tile).iter().filter(|edge| !edge.hull) {
-        if crosses(edge, centers[edge.ends[0]], canvas) {
+        if is_parted(edge, centers[edge.ends[0]], canvas) {
             continue;
         }
         let Attributes::Spots(wanted) = (canvas.wanted)(edge.middle) else { continue };
@@ -105,21 +107,34 @@ fn neighbours(spots: &[Spot], canvas: &Canvas) -> Vec<Vec<(f64, Option<f64>)>> {
     found
 }
 
-/// Points between the ends of an edge at which it is asked whether it crosses a covered place.
-const ASKED: usize = 7;
+/// Rings of points in the circle between the ends of an edge at which it is asked whether a mark stands there.
+const RINGS: usize = 4;
 
-/// Does an edge that begins at `from` cross a place that another layer's marks cover?
-fn crosses(edge: &Edge, from: [f64; 2], canvas: &Canvas) -> bool {
+/// Does another layer's mark stand between the ends of an edge, one of which is `from`: in the circle that has the edge
+/// as its diameter?
+fn is_parted(edge: &Edge, from: [f64; 2], canvas: &Canvas) -> bool {
     let half = [0, 1].map(|axis| {
         let way = edge.middle[axis] - from[axis];
         let side = canvas.size[axis];
         if canvas.edges == Edges::Wrap { way - side * (way / side).round() } else { way }
     });
-    let fold = |v: f64, side: f64| if canvas.edges == Edges::Wrap { v.rem_euclid(side) } else { v };
-    (1..=ASKED).any(|k| {
-        let share = 2.0 * k as f64 / (ASKED + 1) as f64;
-        (canvas.covered)([0, 1].map(|axis| fold(from[axis] + share * half[axis], canvas.size[axis])))
-    })
+    let fold = |v: f64, side: f64| match canvas.edges {
+        Edges::Wrap => v.rem_euclid(side),
+        Edges::Closed => v.clamp(0.0, side),
+    };
+    let covered = |x: f64, y: f64| {
+        let away = [x * half[0] - y * half[1], x * half[1] + y * half[0]];
+        (canvas.covered)([0, 1].map(|axis| fold(edge.middle[axis] + away[axis], canvas.size[axis])))
+    };
+    let ring = |ring: usize| {
+        let points = (6 * ring).max(1);
+        let radius = ring as f64 / RINGS as f64;
+        (0..points).any(|k| {
+            let turn = std::f64::consts::TAU * k as f64 / points as f64;
+            covered(radius * libm::cos(turn), radius * libm::sin(turn))
+        })
+    };
+    (0..=RINGS).any(ring)
 }
 
 fn compare(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> SpotErrors {
@@ -184,6 +199,40 @@ fn vary(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> Spread {
     }
 }
 
+/// What is asked for in a region, summed up.
+#[derive(Clone, Copy, Default)]
+struct Asked {
+    count: f64,
+    width: f64,
+    /// Not a number where none is asked for.
+    wavelength: f64,
+    double: [f64; 2],
+}
+
+impl Asked {
+    fn mean(&self) -> Option<Stripes> {
+        let [c, s] = self.double;
+        (self.count > 0.0).then(|| Stripes {
+            width: self.width / self.count,
+            angle: axial(0.5 * libm::atan2(s, c).to_degrees()),
+            wavelength: Some(self.wavelength / self.count).filter(|wavelength| wavelength.is_finite()),
+        })
+    }
+}
+
+/// px² of each region that no other layer's marks cover.
+fn free(field: &Field, canvas: &Canvas) -> Vec<f64> {
+    let mut free = vec![0.0; canvas.regions];
+    for cell in 0..field.values.len() {
+        let [x, y] = [cell % field.width, cell / field.width].map(|at| at as f64 + 0.5);
+        let place = [x * field.cell[0], y * field.cell[1]];
+        if !(canvas.covered)(place) {
+            free[(canvas.region_of)(place)] += field.cell[0] * field.cell[1];
+        }
+    }
+    free
+}
+
 /// Errors of a layer of stripes, by region: of what is above `level` in `field`, which covers the canvas.
 #[must_use]
 pub fn stripe_errors(field: &Field, level: f32, canvas: &Canvas) -> Vec<StripeErrors> {
@@ -201,22 +250,29 @@ pub fn stripe_errors(field: &Field, level: f32, canvas: &Canvas) -> Vec<StripeEr
     let places: Vec<(usize, [f64; 2])> = asked.iter().map(|(region, double, _)| (*region, *double)).collect();
     let turns = directions.deviations(&places, canvas.regions);
     let angles = directions.means(&places, canvas.regions);
-    let mut sums = vec![(0.0, 0.0, [0.0, 0.0]); canvas.regions];
+    let free = free(field, canvas);
+    let mut sums = vec![Asked::default(); canvas.regions];
     for (region, [c, s], wanted) in &asked {
         if let Attributes::Stripes(wanted) = wanted {
-            let (count, width, double) = sums[*region];
-            sums[*region] = (count + 1.0, width + wanted.width, [double[0] + c, double[1] + s]);
+            let sum = &mut sums[*region];
+            sum.count += 1.0;
+            sum.width += wanted.width;
+            sum.wavelength += wanted.wavelength.unwrap_or(f64::NAN);
+            sum.double = [sum.double[0] + c, sum.double[1] + s];
         }
     }
     let region = |k: usize| {
         let angle = angles[k];
         let width = (tallies[k].contour > 0.0).then(|| 2.0 * tallies[k].area / tallies[k].contour);
-        let (count, sum, [c, s]) = sums[k];
-        let wanted = (count > 0.0)
-            .then(|| Stripes { width: sum / count, angle: axial(0.5 * libm::atan2(s, c).to_degrees()) });
+        let wanted = sums[k].mean();
+        // Only where a distance is asked for: of others it is twice the width.
+        let asked = wanted.and_then(|wanted| wanted.wavelength);
+        let wavelength =
+            asked.filter(|_| tallies[k].contour > 0.0).map(|_| 2.0 * free[k] / tallies[k].contour);
         StripeErrors {
-            got: width.zip(angle).map(|(width, angle)| Stripes { width, angle }),
+            got: width.zip(angle).map(|(width, angle)| Stripes { width, angle, wavelength }),
             wanted,
+            wavelength: wavelength.zip(asked).map(|(got, asked)| got / asked - 1.0),
             width: width.zip(wanted).map(|(width, wanted)| width / wanted.width - 1.0),
             angle: turns[k].map(|deviation| deviation.mean),
             angle_rms: turns[k].map(|deviation| deviation.rms),

@@ -5,18 +5,18 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use super::crests::{Crest, lead};
-use super::maps::{Maps, Parameters};
+use super::maps::{Crests, Maps, Parameters};
 use super::nuclei::{Kept, Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
 use super::seeding::{Seeding, seeded, segments, waves};
-use super::{System, gabor, meinhardt_spots, meinhardt_stripes, turing_spots};
-use crate::field::Edges;
+use super::{System, gabor, meinhardt_lines, meinhardt_spots, meinhardt_stripes, turing_spots};
+use crate::field::{Edges, Field};
 
 /// Where the spots of this growth begin, in cells, the `kept` ones first; without any, the same places that
-/// [`super::Growth::new`] takes. Empty for stripes.
+/// [`super::Growth::new`] takes. Empty for stripes and lines.
 #[must_use]
 pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64, kept: &[Kept]) -> Places {
-    if system == System::MeinhardtStripes {
+    if system.is_striped() {
         return Places::default();
     }
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
@@ -73,7 +73,7 @@ impl Beginning {
     /// Does anything begin? Spots need a place.
     #[must_use]
     pub fn is_any(&self) -> bool {
-        self.system == System::MeinhardtStripes || !self.places.is_empty()
+        self.system.is_striped() || !self.places.is_empty()
     }
 
     /// Do stripes begin in pieces that must find together?
@@ -106,8 +106,18 @@ impl Beginning {
     /// many of the spots begin as have room. Neighbours may die there; nothing else would be left of them.
     #[must_use]
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
-        if self.system == System::MeinhardtStripes {
-            return held(self.system, maps, self.stripes(maps).into());
+        match self.system {
+            System::MeinhardtStripes => {
+                return held(self.system, maps, self.stripes(maps).into());
+            }
+            System::MeinhardtLines => {
+                let begun = match &maps.crests {
+                    Some(crests) => along(crests, maps),
+                    None => crests(maps, self.edges, &mut Pcg64Mcg::seed_from_u64(self.seed)),
+                };
+                return held(self.system, maps, begun.into());
+            }
+            System::TuringSpots | System::MeinhardtSpots => {}
         }
         let pitch = |p: &Parameters| self.system.spacing(p);
         let nucleus = |at: &[f64; 2]| {
@@ -121,6 +131,12 @@ impl Beginning {
     }
 }
 
+/// What shows of the marks that this growth begins from.
+#[must_use]
+pub fn begun(system: System, maps: &Maps, edges: Edges, seed: u64) -> Field {
+    super::Growth::new(system, maps, edges, seed).marks(maps)
+}
+
 /// The same concentrations with those of taken cells as marks of other layers have them.
 #[must_use]
 pub fn held(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Vec<f32>> {
@@ -129,6 +145,13 @@ pub fn held(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Ve
         for (cell, taken) in cells.iter_mut().zip(&maps.taken) {
             if *taken {
                 *cell = *value;
+            }
+        }
+    }
+    if let (Some(crests), [_, inhibitor, ..]) = (&maps.crests, &mut chemicals[..]) {
+        for ((cell, taken), held) in inhibitor.iter_mut().zip(&maps.taken).zip(&crests.held) {
+            if *taken {
+                *cell = *held;
             }
         }
     }
@@ -144,7 +167,7 @@ pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [
 fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec<f32>; 2] {
     let radius = |p: &Parameters| match system {
         System::TuringSpots => turing_spots::RADIUS,
-        _ => meinhardt_spots::radius(p.ratio),
+        _ => meinhardt_spots::radius(p.ratio) / p.apart(),
     };
     let bell = bells(maps, edges, laid, &radius);
     let mut cells = [vec![0.0; bell.len()], vec![0.0; bell.len()]];
@@ -159,7 +182,7 @@ fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec
             }
             [a[i], b[i]] = match system {
                 System::TuringSpots => turing_spots::begin(*bell),
-                _ => meinhardt_spots::begin(*bell, peak),
+                _ => meinhardt_spots::begin(*bell, peak, p.apart() > 1.0),
             };
         }
     });
@@ -229,6 +252,48 @@ fn ripples(noise: &[f32]) -> [Vec<f32>; 5] {
             cells[chemical][i] *= 1.0 + sign * n;
         }
     }
+    cells
+}
+
+/// Lines begin as crests of oriented waves.
+pub fn lines(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
+    planes(maps, edges, crests(maps, edges, rng))
+}
+
+/// Standard deviation of a crest's profile, a Gaussian, ÷ the width of the line it becomes: at half its height it is as
+/// wide.
+const CREST: f64 = 0.42;
+
+fn crests(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 2] {
+    let wavelength = |p: &Parameters| System::MeinhardtLines.spacing(p);
+    let phases = gabor::phases(maps, edges, &wavelength, rng);
+    let mut cells = [vec![0.0; phases.len()], vec![0.0; phases.len()]];
+    let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
+    let rows = phases.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
+    a.zip(b).zip(rows).for_each(|((a, b), (phases, parameters))| {
+        for (i, (phase, p)) in phases.iter().zip(parameters).enumerate() {
+            let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();
+            let off = f64::from(*phase) / std::f64::consts::TAU * wavelength(p) / width;
+            let crest = libm::exp(-0.5 * off * off) as f32;
+            [a[i], b[i]] = meinhardt_lines::begin(crest, meinhardt_lines::peak(p.ratio));
+        }
+    });
+    cells
+}
+
+/// Lines begin along the curves of `maps`.
+fn along(crests: &Crests, maps: &Maps) -> [Vec<f32>; 2] {
+    let mut cells = [vec![0.0; crests.off.len()], vec![0.0; crests.off.len()]];
+    let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
+    let rows = crests.off.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
+    a.zip(b).zip(rows).for_each(|((a, b), (off, parameters))| {
+        for (i, (off, p)) in off.iter().zip(parameters).enumerate() {
+            let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();
+            let off = f64::from(*off) / width;
+            let crest = libm::exp(-0.5 * off * off) as f32;
+            [a[i], b[i]] = meinhardt_lines::begin(crest, meinhardt_lines::peak(p.ratio));
+        }
+    });
     cells
 }
 

@@ -15,12 +15,12 @@ use super::selling::{OFFSETS, Tensor};
 impl System {
     /// κ². Tuned on patches of 86 spots of 12 (Turing: 21) cells against the same of 48, stretch 1, 0.6, 0.35: of
     /// errors of 3 % in area, 3 % in aspect and 1° are left 0.9 %, 0.5 % and 0.4° (Meinhardt); for Turing, where
-    /// spots have a hard edge, two thirds of 6 % in area, but none of the aspect. Stripes need none.
+    /// spots have a hard edge, two thirds of 6 % in area, but none of the aspect. Stripes and lines need none.
     fn compensation(self) -> f64 {
         match self {
             Self::TuringSpots => 20.0,
             Self::MeinhardtSpots => 10.0,
-            Self::MeinhardtStripes => 0.0,
+            Self::MeinhardtStripes | Self::MeinhardtLines => 0.0,
         }
     }
 

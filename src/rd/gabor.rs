@@ -13,11 +13,21 @@ use rayon::prelude::*;
 use super::maps::{Maps, Parameters};
 use crate::field::Edges;
 
-/// A and B, the kernel's reach along and across the stripes, in wavelengths. Longer kernels make longer stripes
-/// with fewer forks, but follow turning directions worse.
-const REACH: [f64; 2] = [4.0, 1.8];
-/// Kernels a square wavelength; fewer leave gaps.
-const DENSITY: f64 = 2.0;
+/// The kernels.
+#[derive(Clone, Copy)]
+struct Kernels {
+    /// A and B, their reach along and across the stripes, in wavelengths. Longer ones make longer stripes with fewer
+    /// forks, but follow turning directions worse.
+    reach: [f64; 2],
+    /// How many there are a square wavelength; fewer leave gaps.
+    density: f64,
+}
+
+/// Of stripes.
+const STRIPES: Kernels = Kernels { reach: [4.0, 1.8], density: 2.0 };
+/// Of lines, which mend less than stripes do: half as many end as with the kernels of stripes, and no more where they
+/// turn.
+const LINES: Kernels = Kernels { reach: [8.0, 4.0], density: 0.6 };
 
 /// Rows that are summed at once.
 const ROWS_A_BAND: usize = 32;
@@ -29,15 +39,79 @@ pub fn noise(
     wavelength: &dyn Fn(&Parameters) -> f64,
     rng: &mut impl Rng,
 ) -> Vec<f32> {
+    let waves = waves(maps, edges, wavelength, STRIPES, rng);
+    let mut sum = vec![0.0f32; maps.nx * maps.ny];
+    // Each band adds all waves in their order, so that the sums are the same however many threads there are.
+    sum.par_chunks_mut(ROWS_A_BAND * maps.nx).enumerate().for_each(|(band, sum)| {
+        for wave in &waves {
+            wave.add(rows(band, sum.len(), maps), maps, edges, |cell, cos, _| sum[cell] += cos as f32);
+        }
+    });
+    // ∫ window² cos² = ½ (π/5) A·B, times density/λ².
+    let Kernels { reach: [a, b], density } = STRIPES;
+    let deviation = (0.5 * std::f64::consts::PI / 5.0 * a * b * density).sqrt() as f32;
+    for n in &mut sum {
+        *n /= deviation;
+    }
+    sum
+}
+
+/// The phase of that noise over the grid, row by row, −π..π: 0 along a crest, however low the noise is there. What has
+/// crests where this is 0 has all of them alike, and they end only where two waves cancel each other.
+///
+/// φ(x) = atan2(Σᵢ ±(1 − r²)² sin(…), Σᵢ (1 − r²)² cos(…)): Tricard et al., "Procedural phasor noise", SIGGRAPH 2019.
+/// A wave has no sense of direction, nᵢ or −nᵢ being the same: ± takes that of the two which is nearer to the place's
+/// own. The phase's sign means nothing, then.
+pub fn phases(
+    maps: &Maps,
+    edges: Edges,
+    wavelength: &dyn Fn(&Parameters) -> f64,
+    rng: &mut impl Rng,
+) -> Vec<f32> {
+    let waves = waves(maps, edges, wavelength, LINES, rng);
+    let mut phases = vec![0.0f32; maps.nx * maps.ny];
+    phases.par_chunks_mut(ROWS_A_BAND * maps.nx).enumerate().for_each(|(band, phases)| {
+        let rows = rows(band, phases.len(), maps);
+        let first = rows.start as usize * maps.nx;
+        let own = &maps.parameters[first..first + phases.len()];
+        let own: Vec<[f64; 2]> = own.iter().map(across).collect();
+        let mut sums = vec![[0.0f64; 2]; phases.len()];
+        for wave in &waves {
+            wave.add(rows.clone(), maps, edges, |cell, cos, sin| {
+                let same = own[cell][0] * wave.n[0] + own[cell][1] * wave.n[1] >= 0.0;
+                sums[cell][0] += cos;
+                sums[cell][1] += if same { sin } else { -sin };
+            });
+        }
+        for (phase, [cos, sin]) in phases.iter_mut().zip(sums) {
+            *phase = libm::atan2(sin, cos) as f32;
+        }
+    });
+    phases
+}
+
+/// The rows of a band of `cells` cells.
+fn rows(band: usize, cells: usize, maps: &Maps) -> Range<isize> {
+    let first = band * ROWS_A_BAND;
+    first as isize..(first + cells / maps.nx) as isize
+}
+
+/// Waves thrown over the grid.
+fn waves(
+    maps: &Maps,
+    edges: Edges,
+    wavelength: &dyn Fn(&Parameters) -> f64,
+    Kernels { reach, density }: Kernels,
+    rng: &mut impl Rng,
+) -> Vec<Wave> {
     let (nx, ny) = (maps.nx, maps.ny);
-    let mut sum = vec![0.0f32; nx * ny];
     let densities: Vec<f64> =
-        maps.parameters.iter().map(|p| DENSITY / (wavelength(p) * wavelength(p))).collect();
+        maps.parameters.iter().map(|p| density / (wavelength(p) * wavelength(p))).collect();
     let densest = densities.iter().copied().fold(0.0, f64::max);
     // Thrown over a frame beyond closed borders too, so that the noise does not fade there.
     let frame = match edges {
         Edges::Wrap => 0.0,
-        Edges::Closed => REACH[0] * maps.parameters.iter().map(wavelength).fold(0.0, f64::max),
+        Edges::Closed => reach[0] * maps.parameters.iter().map(wavelength).fold(0.0, f64::max),
     };
     let (w, h) = (nx as f64 + 2.0 * frame, ny as f64 + 2.0 * frame);
     let throws = (densest * w * h).ceil() as usize;
@@ -47,23 +121,17 @@ pub fn noise(
         let (keep, phase) = (rng.random::<f64>(), rng.random::<f64>());
         let p = maps.at(at);
         let length = wavelength(&p);
-        if keep * densest <= DENSITY / (length * length) {
-            waves.push(Wave::new(at, &p, length, phase));
+        if keep * densest <= density / (length * length) {
+            waves.push(Wave::new(at, &p, reach, length, phase));
         }
     }
-    // Each band adds all waves in their order, so that the sums are the same however many threads there are.
-    sum.par_chunks_mut(ROWS_A_BAND * nx).enumerate().for_each(|(band, sum)| {
-        let rows = (band * ROWS_A_BAND) as isize..(band * ROWS_A_BAND + sum.len() / nx) as isize;
-        for wave in &waves {
-            wave.add(sum, rows.clone(), [nx, ny], edges);
-        }
-    });
-    // ∫ window² cos² = ½ (π/5) A·B, times DENSITY/λ².
-    let deviation = (0.5 * std::f64::consts::PI / 5.0 * REACH[0] * REACH[1] * DENSITY).sqrt() as f32;
-    for n in &mut sum {
-        *n /= deviation;
-    }
-    sum
+    waves
+}
+
+/// The unit vector across the stripes that have these parameters.
+fn across(p: &Parameters) -> [f64; 2] {
+    let across = (f64::from(p.direction) + 90.0).to_radians();
+    [libm::cos(across), libm::sin(across)]
 }
 
 /// One wave under its window.
@@ -79,14 +147,14 @@ struct Wave {
 }
 
 impl Wave {
-    fn new(at: [f64; 2], p: &Parameters, length: f64, phase: f64) -> Self {
-        let across = (f64::from(p.direction) + 90.0).to_radians();
-        let n = [libm::cos(across), libm::sin(across)];
-        Self { at, far: REACH.map(|reach| reach * length), n, length, phase }
+    fn new(at: [f64; 2], p: &Parameters, reach: [f64; 2], length: f64, phase: f64) -> Self {
+        Self { at, far: reach.map(|reach| reach * length), n: across(p), length, phase }
     }
 
-    /// Adds it to the rows `rows` of a grid, which `sum` holds.
-    fn add(&self, sum: &mut [f32], rows: Range<isize>, [nx, ny]: [usize; 2], edges: Edges) {
+    /// Hands what it is under its window, and a quarter of a wave behind, to `sum` with each cell it reaches of the rows
+    /// `rows`, counted from the first of them.
+    fn add(&self, rows: Range<isize>, maps: &Maps, edges: Edges, mut sum: impl FnMut(usize, f64, f64)) {
+        let (nx, ny) = (maps.nx, maps.ny);
         use std::f64::consts::TAU;
         let ([far, near], n) = (self.far, self.n);
         let (kx, ky) = (TAU / self.length * n[0], TAU / self.length * n[1]);
@@ -119,9 +187,55 @@ impl Wave {
             for x in columns {
                 let dx = x as f64 + 0.5 - self.at[0];
                 let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
-                sum[row + edges.index(x, nx)] += (window * window * cos) as f32;
+                let height = window * window;
+                sum(row + edges.index(x, nx), height * cos, height * sin);
                 (cos, sin) = (cos * cos_step - sin * sin_step, sin * cos_step + cos * sin_step);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+
+    /// Crests that each column of a grid crosses ÷ those that waves of 10 cells along x have, where directions go from
+    /// `left` to `right` degrees.
+    fn crossed(left: f32, right: f32) -> f64 {
+        const N: usize = 160;
+        let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 0.0, pitch: 1.0 };
+        let mut maps = Maps::uniform(N, N, p);
+        for (cell, p) in maps.parameters.iter_mut().enumerate() {
+            let share = (cell % N) as f32 / N as f32;
+            // As parameters have it: 0..180.
+            p.direction = (left + share * (right - left)).rem_euclid(180.0);
+        }
+        let phases = phases(&maps, Edges::Closed, &|_| 10.0, &mut Pcg64Mcg::seed_from_u64(1));
+        let crest = |cell: usize| phases[cell].abs() < 0.8;
+        let begins = (N..N * N).filter(|cell| crest(*cell) && !crest(cell - N)).count();
+        begins as f64 / (N * N) as f64 * 10.0
+    }
+
+    #[test]
+    fn crests_are_one_wavelength_apart_also_where_180_degrees_become_0() {
+        for (left, right) in [(30.0, 20.0), (5.0, -5.0), (176.0, 190.0)] {
+            // Seen along y, waves at 25° are 1/cos 25° = 1.1 times as long.
+            let share = crossed(left, right);
+            assert!((0.82..1.08).contains(&share), "{left}° to {right}°: {share}");
+        }
+    }
+
+    #[test]
+    fn the_number_of_threads_changes_no_phase() {
+        let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 33.0, pitch: 1.0 };
+        let maps = Maps::uniform(90, 70, p);
+        let phases = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            pool.install(|| phases(&maps, Edges::Wrap, &|_| 9.0, &mut Pcg64Mcg::seed_from_u64(2)))
+        };
+        assert!(phases(1) == phases(4));
     }
 }

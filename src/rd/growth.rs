@@ -8,13 +8,14 @@ use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;
 use super::kinetics::Kinetics;
 use super::maps::{Maps, Parameters};
+use super::meinhardt_lines::{self, MeinhardtLines};
 use super::meinhardt_spots::{self, MeinhardtSpots};
 use super::meinhardt_stripes::{self, MeinhardtStripes};
 use super::plane::{Grid, Plane};
 use super::problem::Problem;
 use super::selling::{MIN_STRETCH, Tensor};
 use super::slide::{Slide, slid};
-use super::turing_spots::{self, TuringSpots};
+use super::turing_spots::{self, TuringSpots, UnevenTuringSpots};
 use super::wavefront::{self, Instructions, Scratch, Tiling};
 use super::{System, begin, explicit};
 use crate::field::{Edges, Field};
@@ -41,6 +42,8 @@ pub struct Growth {
 #[derive(Clone, Debug)]
 enum Chemicals {
     Two(Box<[[Plane; 2]; 2]>),
+    /// Two, and the decay of each cell.
+    Three(Box<[[Plane; 3]; 2]>),
     Five(Box<[[Plane; 5]; 2]>),
 }
 
@@ -48,6 +51,7 @@ impl Chemicals {
     fn count(&self) -> usize {
         match self {
             Self::Two(_) => 2,
+            Self::Three(_) => 3,
             Self::Five(_) => 5,
         }
     }
@@ -56,8 +60,26 @@ impl Chemicals {
         Self::Two(Box::new([planes.clone(), planes]))
     }
 
+    /// These two of Turing's with the decay that `maps` gives each cell.
+    fn with_decay([a, b]: [Plane; 2], maps: &Maps, grid: Grid) -> Self {
+        let mut decay = Plane::flat(grid, turing_spots::BETA);
+        for (y, row) in maps.uneven.chunks_exact(maps.nx).enumerate() {
+            let row: Vec<f32> = row.iter().map(|off| turing_spots::BETA + off).collect();
+            decay.set_row(y, &row);
+        }
+        let planes = [a, b, decay];
+        Self::Three(Box::new([planes.clone(), planes]))
+    }
+
     fn five(planes: [Plane; 5]) -> Self {
         Self::Five(Box::new([planes.clone(), planes]))
+    }
+}
+
+impl System {
+    /// What tells the height of a mark's middle from the ratio, of Meinhardt's two chemicals.
+    fn peak(self) -> fn(f32) -> f32 {
+        if self == Self::MeinhardtLines { meinhardt_lines::peak } else { meinhardt_spots::peak }
     }
 }
 
@@ -68,6 +90,7 @@ impl Growth {
         let mut rng = Pcg64Mcg::seed_from_u64(seed);
         let chemicals = match system {
             System::MeinhardtStripes => Chemicals::five(begin::stripes(maps, edges, &mut rng)),
+            System::MeinhardtLines => Chemicals::two(begin::lines(maps, edges, &mut rng)),
             _ => Chemicals::two(begin::spots(system, maps, edges, &mut rng)),
         };
         Self::of(system, maps, edges, chemicals)
@@ -90,6 +113,13 @@ impl Growth {
     }
 
     fn of(system: System, maps: &Maps, edges: Edges, chemicals: Chemicals) -> Self {
+        let chemicals = match chemicals {
+            Chemicals::Two(two) if system == System::TuringSpots && !maps.uneven.is_empty() => {
+                let [planes, _] = *two;
+                Chemicals::with_decay(planes, maps, Grid { nx: maps.nx, ny: maps.ny, edges })
+            }
+            others => others,
+        };
         let mut problem = problem(system, maps, edges);
         if !maps.taken.is_empty() {
             problem.freeze(&|cell: usize| maps.taken[cell]);
@@ -115,6 +145,8 @@ impl Growth {
         };
         match &mut self.chemicals {
             Chemicals::Two(two) => two[0].iter_mut().for_each(moved),
+            // β stays where it is.
+            Chemicals::Three(three) => three[0][..2].iter_mut().for_each(moved),
             Chemicals::Five(five) => five[0].iter_mut().for_each(moved),
         }
     }
@@ -138,8 +170,14 @@ impl Growth {
                 (Chemicals::Two(two), System::TuringSpots) => {
                     sweep_and_swap::<2, TuringSpots>(problem, two, tiling, instructions, scratch);
                 }
+                (Chemicals::Two(two), System::MeinhardtLines) => {
+                    sweep_and_swap::<2, MeinhardtLines>(problem, two, tiling, instructions, scratch);
+                }
                 (Chemicals::Two(two), _) => {
                     sweep_and_swap::<2, MeinhardtSpots>(problem, two, tiling, instructions, scratch);
+                }
+                (Chemicals::Three(three), _) => {
+                    sweep_and_swap::<3, UnevenTuringSpots>(problem, three, tiling, instructions, scratch);
                 }
                 (Chemicals::Five(five), _) => {
                     sweep_and_swap::<5, MeinhardtStripes>(problem, five, tiling, instructions, scratch);
@@ -156,7 +194,11 @@ impl Growth {
                 (Chemicals::Two(two), System::TuringSpots) => {
                     step_and_swap::<2, TuringSpots>(&self.problem, two);
                 }
+                (Chemicals::Two(two), System::MeinhardtLines) => {
+                    step_and_swap::<2, MeinhardtLines>(&self.problem, two);
+                }
                 (Chemicals::Two(two), _) => step_and_swap::<2, MeinhardtSpots>(&self.problem, two),
+                (Chemicals::Three(three), _) => step_and_swap::<3, UnevenTuringSpots>(&self.problem, three),
                 (Chemicals::Five(five), _) => step_and_swap::<5, MeinhardtStripes>(&self.problem, five),
             }
         }
@@ -193,12 +235,18 @@ impl Growth {
                     *mark = turing_spots::share(*a);
                 }
             }
+            Chemicals::Three(three) => {
+                for (mark, a) in row.iter_mut().zip(three[0][0].row(y)) {
+                    *mark = turing_spots::share(*a);
+                }
+            }
             Chemicals::Two(two) => {
+                let peak_at = self.system.peak();
                 let (mut ratio, mut peak) = (f32::NAN, 0.0);
                 for ((mark, a), p) in row.iter_mut().zip(two[0][0].row(y)).zip(&maps.parameters[y * nx..]) {
                     // Mostly the same as beside it.
                     if p.ratio != ratio {
-                        (ratio, peak) = (p.ratio, meinhardt_spots::peak(p.ratio));
+                        (ratio, peak) = (p.ratio, peak_at(p.ratio));
                     }
                     *mark = a / peak;
                 }
@@ -223,11 +271,12 @@ impl Growth {
         }
     }
 
-    /// The concentrations of each chemical, row by row.
+    /// The concentrations of each chemical, row by row; not the decay of uneven spots, which does not change.
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
         match &self.chemicals {
             Chemicals::Two(two) => two[0].iter().map(Plane::cells).collect(),
+            Chemicals::Three(three) => three[0][..2].iter().map(Plane::cells).collect(),
             Chemicals::Five(five) => five[0].iter().map(Plane::cells).collect(),
         }
     }
@@ -279,7 +328,7 @@ fn problem(system: System, maps: &Maps, edges: Edges) -> Problem {
         let stretch = f64::from(p.stretch.max(MIN_STRETCH));
         let [along, across] = match system {
             System::TuringSpots | System::MeinhardtSpots => [1.0 / stretch, stretch],
-            System::MeinhardtStripes => [1.0 / (stretch * stretch), 1.0],
+            System::MeinhardtStripes | System::MeinhardtLines => [1.0 / (stretch * stretch), 1.0],
         };
         Tensor::oriented(along, across, f64::from(p.direction)).on_cells(maps.cell)
     };
@@ -290,13 +339,15 @@ fn problem(system: System, maps: &Maps, edges: Edges) -> Problem {
     let isotropic = [square.xx as f32, square.yy as f32];
     let shares = |p: &Parameters| match system {
         System::TuringSpots => [turing_spots::RATIO.sqrt(), 1.0 / turing_spots::RATIO.sqrt()],
-        System::MeinhardtSpots => [1.0 / p.ratio.sqrt(), p.ratio.sqrt()],
+        System::MeinhardtSpots | System::MeinhardtLines => [1.0 / p.ratio.sqrt(), p.ratio.sqrt()],
         System::MeinhardtStripes => [1.0, meinhardt_stripes::RATIO],
     };
     let fastest = |p: &Parameters| {
         let [d0, d1] = shares(p);
         match system {
-            System::MeinhardtStripes => (d0 * diffusion.largest).max(d1 * (isotropic[0] + isotropic[1])),
+            System::MeinhardtStripes | System::MeinhardtLines => {
+                (d0 * diffusion.largest).max(d1 * (isotropic[0] + isotropic[1]))
+            }
             _ => d0.max(d1) * diffusion.largest,
         }
     };
@@ -320,6 +371,7 @@ mod tests {
         let rate = match system {
             System::TuringSpots => 0.15,
             System::MeinhardtSpots => 2.0,
+            System::MeinhardtLines => 6.0,
             System::MeinhardtStripes => 40.0,
         };
         let maps = Maps::uniform(
@@ -337,6 +389,7 @@ mod tests {
             (System::TuringSpots, 0.10..0.45),
             (System::MeinhardtSpots, 0.05..0.12),
             (System::MeinhardtStripes, 0.45..0.55),
+            (System::MeinhardtLines, 0.25..0.45),
         ] {
             let (maps, mut growth) = small(system);
             growth.advance(growth.steps_in(30.0));
@@ -345,13 +398,15 @@ mod tests {
             let lowest = marks.iter().copied().fold(f32::INFINITY, f32::min);
             let highest = marks.iter().copied().fold(f32::NEG_INFINITY, f32::max);
             assert!(cover.contains(&share), "{system:?} covers {share}");
-            assert!((-0.1..0.15).contains(&lowest) && (0.85..1.15).contains(&highest), "{lowest}..{highest}");
+            // Where a line ends it is higher than along it.
+            let ends = if system == System::MeinhardtLines { 1.3 } else { 1.15 };
+            assert!((-0.1..0.15).contains(&lowest) && (0.85..ends).contains(&highest), "{lowest}..{highest}");
         }
     }
 
     #[test]
     fn a_grown_pattern_is_stationary() {
-        for system in [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes] {
+        for system in System::ALL {
             let (maps, mut growth) = small(system);
             growth.advance(growth.steps_in(60.0));
             let before = growth.marks(&maps).values;
@@ -367,7 +422,7 @@ mod tests {
 
     #[test]
     fn resuming_goes_on_bit_for_bit() {
-        for system in [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes] {
+        for system in System::ALL {
             let (maps, mut growth) = small(system);
             growth.advance(40);
             let mut again =
@@ -380,7 +435,7 @@ mod tests {
 
     #[test]
     fn frozen_cells_stay_as_they_are_and_are_felt() {
-        for system in [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes] {
+        for system in System::ALL {
             let (_, mut growth) = small(system);
             growth.advance(50);
             let (before, mut free, mut plain) = (growth.concentrations(), growth.clone(), growth.clone());
@@ -416,16 +471,18 @@ mod tests {
 
     #[test]
     fn the_number_of_threads_changes_no_bit() {
-        let grown = |threads: usize| {
+        let grown = |system: System, threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
             pool.install(|| {
                 let p = Parameters { rate: 2.0, ratio: 15.0, stretch: 0.5, direction: 70.0, pitch: 1.0 };
                 let maps = Maps::uniform(300, 260, p);
-                let mut growth = Growth::new(System::MeinhardtSpots, &maps, Edges::Closed, 9);
+                let mut growth = Growth::new(system, &maps, Edges::Closed, 9);
                 growth.advance(50);
                 growth.concentrations()
             })
         };
-        assert!(grown(1) == grown(4));
+        for system in [System::MeinhardtSpots, System::MeinhardtLines] {
+            assert!(grown(system, 1) == grown(system, 4), "{system:?}");
+        }
     }
 }

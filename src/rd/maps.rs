@@ -5,16 +5,29 @@ use rayon::prelude::*;
 /// Parameters at one point, in cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
-    /// Reaction rate ÷ diffusion, 1/cell²: s/√(DₐD_b) of spots, s/Dₐ of stripes. Lengths go as 1/√rate.
+    /// Reaction rate ÷ diffusion, 1/cell²: s/√(DₐD_b) of spots and lines (with Dₐ that across), s/Dₐ of stripes. Lengths
+    /// go as 1/√rate.
     pub rate: f32,
-    /// R = D_b/Dₐ of Meinhardt spots; the others have a fixed ratio and do not read it.
+    /// R = D_b/Dₐ of Meinhardt spots and lines; the others have a fixed ratio and do not read it.
     pub ratio: f32,
     /// Minor ÷ major axis of what the diffusion tensor makes of a circle, [`super::selling::MIN_STRETCH`]..1.
     pub stretch: f32,
     /// Direction of the long axis, degrees from +x towards +y.
     pub direction: f32,
-    /// Distance between the nuclei of spots ÷ the system's own at this rate and ratio; 1 = its own.
+    /// Distance at which spots or lines begin ÷ the system's own at this rate and ratio; 1 = its own.
     pub pitch: f32,
+}
+
+/// Up to here the pitch only makes up for how places come out, and all that is told in pitches goes with it.
+const CORRECTED: f32 = 1.2;
+
+impl Parameters {
+    /// How many times farther apart than their own room spots are laid, ≥ 1: what is about a spot itself, its beginning
+    /// and its distance from walls, does not go with it.
+    #[must_use]
+    pub fn apart(&self) -> f64 {
+        f64::from((self.pitch / CORRECTED).max(1.0))
+    }
 }
 
 /// The grid and the [`Parameters`] of each of its cells.
@@ -30,13 +43,32 @@ pub struct Maps {
     pub parameters: Vec<Parameters>,
     /// Which cells other marks have taken, row by row; empty = none. Nothing grows there, and what does keeps away.
     pub taken: Vec<bool>,
+    /// By how much the decay β of Turing's spots differs from its 12, row by row; empty = nowhere.
+    pub uneven: Vec<f32>,
+    /// Where lines begin; `None` = everywhere.
+    pub crests: Option<Crests>,
+}
+
+/// Curves that lines begin along, and what keeps them there; by cell, row by row.
+#[derive(Clone, Debug)]
+pub struct Crests {
+    /// Cells to the nearest of them.
+    pub off: Vec<f32>,
+    /// Inhibitor of taken cells: lines lean towards little of it.
+    pub held: Vec<f32>,
 }
 
 impl Maps {
+    /// These parameters of `nx` × `ny` cells, row by row, on a free canvas.
+    #[must_use]
+    pub fn new([nx, ny]: [usize; 2], cell: [f64; 2], parameters: Vec<Parameters>) -> Self {
+        Self { nx, ny, cell, parameters, taken: Vec::new(), uneven: Vec::new(), crests: None }
+    }
+
     /// The same parameters everywhere, on square cells.
     #[must_use]
     pub fn uniform(nx: usize, ny: usize, parameters: Parameters) -> Self {
-        Self { nx, ny, cell: [1.0, 1.0], parameters: vec![parameters; nx * ny], taken: Vec::new() }
+        Self::new([nx, ny], [1.0, 1.0], vec![parameters; nx * ny])
     }
 
     /// The parameters of the cell that the point (x, y), in cells, lies in; beyond the border the nearest.
@@ -64,6 +96,13 @@ impl Maps {
         self.taken.get(cell).copied().unwrap_or(false)
     }
 
+    /// [`Self::uneven`] about a point, over a rectangle of these sides.
+    fn uneven_at(&self, [x, y]: [f64; 2], [wide, high]: [f64; 2]) -> f32 {
+        const SHIFTS: [f64; 4] = [-0.375, -0.125, 0.125, 0.375];
+        let at = |dx: f64, dy: f64| self.uneven[self.cell_at([x + dx * wide, y + dy * high])];
+        SHIFTS.iter().flat_map(|dy| SHIFTS.map(|dx| at(dx, *dy))).sum::<f32>() / 16.0
+    }
+
     /// The same canvas on `nx` × `ny` cells: lengths in cells change, what grows does not (but for what the grid
     /// does to it).
     #[must_use]
@@ -73,6 +112,14 @@ impl Maps {
         let at = |i: usize| [((i % nx) as f64 + 0.5) * wide, ((i / nx) as f64 + 0.5) * high];
         let taken = if self.taken.is_empty() { 0 } else { nx * ny };
         let taken = (0..taken).map(|i| self.is_taken(self.cell_at(at(i)))).collect();
+        let crests = self.crests.as_ref().map(|crests| {
+            let there = |values: &[f32], factor: f32| -> Vec<f32> {
+                (0..nx * ny).map(|i| factor * values[self.cell_at(at(i))]).collect()
+            };
+            Crests { off: there(&crests.off, 1.0 / finer.sqrt()), held: there(&crests.held, 1.0) }
+        });
+        let uneven = if self.uneven.is_empty() { 0 } else { nx * ny };
+        let uneven = (0..uneven).map(|i| self.uneven_at(at(i), [wide, high])).collect();
         let parameters = (0..nx * ny)
             .into_par_iter()
             .map(|i| {
@@ -80,6 +127,6 @@ impl Maps {
                 Parameters { rate: p.rate * finer, ..p }
             })
             .collect();
-        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters, taken }
+        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters, taken, uneven, crests }
     }
 }

@@ -11,6 +11,7 @@ mod growth;
 mod kinetics;
 mod lanes;
 mod maps;
+mod meinhardt_lines;
 mod meinhardt_spots;
 mod meinhardt_stripes;
 mod mosaic;
@@ -23,15 +24,16 @@ mod seeding;
 pub mod selling;
 mod slide;
 mod turing_spots;
+mod uneven;
 mod vector;
 mod wavefront;
 
-pub use begin::{Beginning, held, nuclei};
+pub use begin::{Beginning, begun, held, nuclei};
 pub use crests::Crest;
 pub use growth::Growth;
-pub use maps::{Maps, Parameters};
+pub use maps::{Crests, Maps, Parameters};
 pub use mosaic::mosaic;
-pub use nuclei::{Hindrance, Kept, Places, make_room, standing};
+pub use nuclei::{Hindrance, Kept, Places, make_room, off_walls, standing};
 pub use prolong::prolonged;
 pub use seeding::Seeding;
 pub use slide::Slide;
@@ -46,6 +48,8 @@ pub enum System {
     MeinhardtSpots,
     /// Five chemicals; stripes.
     MeinhardtStripes,
+    /// Two chemicals; thin stripes on wide ground.
+    MeinhardtLines,
 }
 
 impl System {
@@ -53,7 +57,7 @@ impl System {
     fn decay(self) -> f32 {
         match self {
             Self::TuringSpots => 1.0,
-            Self::MeinhardtSpots => meinhardt_spots::P2,
+            Self::MeinhardtSpots | Self::MeinhardtLines => meinhardt_spots::P2,
             Self::MeinhardtStripes => meinhardt_stripes::K_AB,
         }
     }
@@ -62,19 +66,30 @@ impl System {
     fn reaction_limit(self) -> f32 {
         match self {
             Self::TuringSpots => 0.045,
-            Self::MeinhardtSpots => 1.0,
+            Self::MeinhardtSpots | Self::MeinhardtLines => 1.0,
             Self::MeinhardtStripes => 4.0,
         }
     }
 }
 
 impl System {
+    /// All of them.
+    pub const ALL: [Self; 4] =
+        [Self::TuringSpots, Self::MeinhardtSpots, Self::MeinhardtStripes, Self::MeinhardtLines];
+
+    /// Does it grow stripes, and not spots?
+    #[must_use]
+    pub fn is_striped(self) -> bool {
+        matches!(self, Self::MeinhardtStripes | Self::MeinhardtLines)
+    }
+
     /// Concentrations that keep marks away: of cells that other marks have taken.
     fn held(self) -> &'static [f32] {
         match self {
             Self::TuringSpots => &turing_spots::HELD,
             Self::MeinhardtSpots => &meinhardt_spots::HELD,
             Self::MeinhardtStripes => &meinhardt_stripes::HELD,
+            Self::MeinhardtLines => &meinhardt_lines::HELD,
         }
     }
 
@@ -85,6 +100,7 @@ impl System {
             Self::TuringSpots => "turing-spots",
             Self::MeinhardtSpots => "meinhardt-spots",
             Self::MeinhardtStripes => "meinhardt-stripes",
+            Self::MeinhardtLines => "meinhardt-lines",
         }
     }
 
@@ -98,6 +114,10 @@ impl System {
             Self::MeinhardtStripes => {
                 0.25 * meinhardt_stripes::WAVELENGTH * meinhardt_stripes::WAVELENGTH / rate
             }
+            Self::MeinhardtLines => {
+                let width = meinhardt_lines::width(p.ratio);
+                width * width / rate
+            }
         }
     }
 
@@ -108,6 +128,7 @@ impl System {
             Self::TuringSpots => turing_spots::SPACING,
             Self::MeinhardtSpots => meinhardt_spots::spacing(p.ratio),
             Self::MeinhardtStripes => meinhardt_stripes::WAVELENGTH,
+            Self::MeinhardtLines => meinhardt_lines::wavelength(p.ratio),
         };
         f64::from(p.pitch) * own / f64::from(p.rate).sqrt()
     }

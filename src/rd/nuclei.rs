@@ -15,7 +15,7 @@ mod taken;
 mod walls;
 
 pub use kept::{Hindrance, Kept, standing};
-pub use room::{Places, make_room};
+pub use room::{Places, make_room, off_walls};
 
 use rand::{Rng, RngExt};
 
@@ -34,6 +34,8 @@ pub struct Nucleus {
     pub metric: [f64; 3],
     /// Reach of one pitch in any direction, cells.
     pub reach: f64,
+    /// See [`Parameters::apart`].
+    apart: f64,
 }
 
 impl Nucleus {
@@ -50,13 +52,19 @@ impl Nucleus {
         let [cx, cy] = [(cell[0] / cell[1]).sqrt(), (cell[1] / cell[0]).sqrt()];
         let scale = 1.0 / (pitch * pitch);
         let metric = [t.xx * cx * cx * scale, t.xy * scale, t.yy * cy * cy * scale];
-        Self { at, metric, reach: 1.05 * pitch / stretch.sqrt() }
+        Self { at, metric, reach: 1.05 * pitch / stretch.sqrt(), apart: p.apart() }
     }
 
-    /// Pitches that a cell of the shortest way to a wall across this axis is.
+    /// The same with the room that its own spot needs, however far apart they are laid.
+    fn alone(self) -> Self {
+        let metric = self.metric.map(|part| part * self.apart * self.apart);
+        Self { metric, reach: self.reach / self.apart, apart: 1.0, ..self }
+    }
+
+    /// Pitches, of the room that it needs itself, that a cell of the shortest way to a wall across this axis is.
     fn pitches_to_wall(&self, axis: usize) -> f64 {
         let [xx, xy, yy] = self.metric;
-        ((xx * yy - xy * xy) / [yy, xx][axis]).sqrt()
+        self.apart * ((xx * yy - xy * xy) / [yy, xx][axis]).sqrt()
     }
 
     /// Squared distance of a point at `delta` cells from here, in pitches.
@@ -96,7 +104,7 @@ pub fn lay(
     kept: &[Nucleus],
     rng: &mut impl Rng,
 ) -> Laid {
-    let mut crowd = Crowd::of(maps, pitch);
+    let crowd = Crowd::of(maps, pitch);
     let frame = if edges == Edges::Closed { (FRAME * crowd.largest).ceil() } else { 0.0 };
     let size = [maps.nx as f64, maps.ny as f64];
     let space = Space { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
@@ -105,33 +113,37 @@ pub fn lay(
     let largest = kept.iter().map(|kept| kept.reach).fold(crowd.largest, f64::max);
     let mut placed = Buckets::new(space, PUSH * largest);
     let posts = taken::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
-    if !posts.is_empty() {
-        crowd.leave(&|cell| !taken::is_clear(maps, edges, &Nucleus::at(maps, maps.middle(cell), pitch)));
-    }
     kept.iter().for_each(|kept| placed.insert(Nucleus { at: kept.at.map(|v| v + frame), ..*kept }));
     let fixed = placed.all.clone();
-    let wanted = crowd.wanted(frame).saturating_sub(crowd.in_the_room_of(kept, maps));
-    if crowd.densest == 0.0 {
-        return Laid { inside: kept.to_vec(), beyond: posts };
-    }
-    let likely = |at: [f64; 2]| crowd.densities[maps.cell_at(on_maps(at))] / crowd.densest;
-    throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
     let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
-    for _ in 0..ROUNDS {
-        relax(&mut placed, PUSH, &moved);
+    let clear = if posts.is_empty() { Vec::new() } else { taken::clear(maps, edges, pitch) };
+    let is_clear = |at: [f64; 2]| clear.is_empty() || clear[maps.cell_at(on_maps(at))];
+    let spread =
+        |placed: &mut Buckets| taken::within(placed, &is_clear, |placed| relax(placed, PUSH, &moved));
+    if posts.is_empty() {
+        let wanted = crowd.wanted(frame).saturating_sub(crowd.in_the_room_of(kept, maps));
+        let likely = |at: [f64; 2]| crowd.densities[maps.cell_at(on_maps(at))] / crowd.densest;
+        throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
+        (0..ROUNDS).for_each(|_| relax(&mut placed, PUSH, &moved));
+    } else {
+        for closest in taken::FILLS {
+            taken::fill(&mut placed, posts.len(), space.size, closest, &is_clear, &nucleus, rng);
+            (0..ROUNDS).for_each(|_| spread(&mut placed));
+        }
     }
     let grid = Grid { frame, size };
     if edges == Edges::Closed {
-        grid.keep_off_walls(&mut placed, fixed.len(), |placed| relax(placed, PUSH, &moved));
+        grid.keep_off_walls(&mut placed, fixed.len(), spread);
     }
-    let mut thrown = placed.all.split_off(fixed.len());
-    thrown.iter_mut().for_each(|point| point.at = on_maps(point.at));
-    let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
-    let (mut inside, mut beyond): (Vec<_>, Vec<_>) = thrown.into_iter().partition(inside);
+    let mut all = placed.all.split_off(fixed.len());
     if !fixed.is_empty() {
-        let space = Space { size, edges };
-        inside = taken::with_room(maps, edges, kept, inside, Buckets::new(space, PUSH * largest));
+        all.retain(|point| is_clear(point.at));
+        // Where they were laid: those beyond closed edges are no images of those inside.
+        all = taken::with_room(&fixed[posts.len()..], all, Buckets::new(space, PUSH * largest));
     }
+    all.iter_mut().for_each(|point| point.at = on_maps(point.at));
+    let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
+    let (mut inside, mut beyond): (Vec<_>, Vec<_>) = all.into_iter().partition(inside);
     if inside.is_empty() && fixed.is_empty() {
         // A canvas that is smaller than the room of one spot still shows one.
         inside.push(Nucleus::at(maps, size.map(|side| 0.5 * side), pitch));

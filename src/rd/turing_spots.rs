@@ -16,8 +16,8 @@ pub struct TuringSpots;
 
 /// Growth of a: 16, as printed.
 const GROWTH: f32 = 16.0;
-/// Decay of b, constant over the grid: noise in β makes spots irregular.
-const BETA: f32 = 12.0;
+/// Decay of b, the same over the grid unless spots are to be irregular: [`UnevenTuringSpots`].
+pub const BETA: f32 = 12.0;
 
 /// Dₐ/D_b. `facts.md` A: well-formed spots at 3.6–4.0, roundest below 3.8.
 pub const RATIO: f32 = 3.8;
@@ -35,7 +35,25 @@ impl Kinetics<2> for TuringSpots {
 
     #[inline(always)]
     fn bounded<V: Number>([a, b]: [V; 2]) -> [V; 2] {
-        [a, b.not_negative()]
+        [a, b.at_least(0.0)]
+    }
+}
+
+/// a, b and β, which differs from place to place and stays as it is.
+pub struct UnevenTuringSpots;
+
+impl Kinetics<3> for UnevenTuringSpots {
+    const SPREAD: [Spread; 3] = [Spread::Tensor(0), Spread::Tensor(1), Spread::Still];
+
+    #[inline(always)]
+    fn react<V: Number>([a, b, beta]: [V; 3]) -> [V; 3] {
+        let ab = a * b;
+        [V::of(GROWTH) - ab, ab - b - beta, V::of(0.0)]
+    }
+
+    #[inline(always)]
+    fn bounded<V: Number>([a, b, beta]: [V; 3]) -> [V; 3] {
+        [a, b.at_least(0.0), beta]
     }
 }
 

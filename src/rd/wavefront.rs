@@ -253,11 +253,12 @@ mod tests {
     use super::super::coefficients::Coefficients;
     use super::super::diffusion::Diffusion;
     use super::super::explicit;
+    use super::super::meinhardt_lines::MeinhardtLines;
     use super::super::meinhardt_spots::MeinhardtSpots;
     use super::super::meinhardt_stripes::MeinhardtStripes;
     use super::super::plane::Grid;
     use super::super::selling::Tensor;
-    use super::super::turing_spots::TuringSpots;
+    use super::super::turing_spots::{TuringSpots, UnevenTuringSpots};
     use super::*;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
@@ -343,6 +344,8 @@ mod tests {
                 agree::<2, TuringSpots>(grid, thinnest, tilings);
                 agree::<2, MeinhardtSpots>(grid, thinnest, tilings);
                 agree::<5, MeinhardtStripes>(grid, thinnest, tilings);
+                agree::<2, MeinhardtLines>(grid, thinnest, tilings);
+                agree::<3, UnevenTuringSpots>(grid, thinnest, tilings);
             }
         }
     }

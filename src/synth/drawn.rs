@@ -1,7 +1,8 @@
 //! A layer's strokes → its marks → the region map.
 
 use super::recipe::{
-    Document, DocumentError, Kind, Problem, Seeding, SpreadChoice, Stroke, seeding_mismatch,
+    Document, DocumentError, Kind, Options, Problem, Seeding, SpreadChoice, Stroke, SystemChoice,
+    seeding_mismatch,
 };
 use crate::attributes::regions::RegionMap;
 use crate::marks::Mark;
@@ -51,10 +52,13 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
     {
         return Err(problem.in_file(source));
     }
-    Ok(marks)
+    match layer.options.mismatch(&format!("layers[{index}].options"), layer.system, first) {
+        Some(problem) => Err(problem.in_file(source)),
+        None => Ok(marks),
+    }
 }
 
-/// The region map of layer `index` on the document's own canvas, with the spread that its options say.
+/// The region map of layer `index` on the document's own canvas, with the spread and the duty that its options say.
 ///
 /// # Errors
 /// As [`marks`].
@@ -66,10 +70,13 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Reg
         let place = format!("layers[{index}].strokes");
         Problem::new(place, error.to_string(), "at least one ellipse, or at least one line").in_file(source)
     })?;
-    Ok(match document.layers[index].options.spread {
+    let layer = &document.layers[index];
+    let map = match layer.options.spread {
         SpreadChoice::Drawn => map,
         SpreadChoice::Given(spread) => map.varied_by(spread),
-    })
+    };
+    let apart = layer.system == SystemChoice::MeinhardtLines || layer.options.duty < Options::DUTY;
+    Ok(if apart { map.covering(layer.options.duty) } else { map })
 }
 
 /// The marks of layer `index` on a canvas of `size` px: at their places on the document's own, and where that is stretched,

@@ -62,14 +62,22 @@ impl Engine {
     pub fn new(plan: &Plan, seed: u64) -> Self {
         let edges = plan.map.layout().edges;
         match vary(plan, seed) {
+            None if let Some(places) = plan.places_in_cells() => {
+                let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+                let maps = maps.uneven(plan.irregular, edges, seed);
+                let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
+                let largest = ladder::largest(plan.system, &maps);
+                Self::begun(plan.system, maps, edges, beginning, largest)
+            }
             None => {
-                let maps = plan.maps(&pitches(plan, seed));
+                let maps = plan.maps(&pitches(plan, seed)).uneven(plan.irregular, edges, seed);
                 let beginning = Beginning::new(plan.system, &maps, edges, seed);
                 let beginning = beginning.seeded(&maps, plan.seeding, crests(plan));
                 let largest = ladder::largest(plan.system, &maps);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }
             Some(Varied { maps, places, largest }) => {
+                let maps = maps.uneven(plan.irregular, edges, seed);
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
                 let engine = Self::begun(plan.system, maps, edges, beginning, largest);
                 Self { aim: Aim::of(plan), ..engine }
@@ -250,7 +258,7 @@ impl Engine {
     /// The pattern as far as it has grown, at `width` × `height` px. `plan` is that of the engine.
     #[must_use]
     pub fn look(&self, plan: &Plan, width: usize, height: usize) -> Field {
-        Pattern::new(plan, &self.marks()).field(width, height)
+        Pattern::new(plan, &plan.levelled(self.marks())).field(width, height)
     }
 }
 
@@ -307,6 +315,7 @@ fn stage(
         Growth::resumed(system, here, edges, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
     let rest = Rest::new(system, unit, begins, growth.marks(here).values).healing(beginning.is_scattered());
+    let rest = if here.taken.contains(&true) { rest.among_frozen() } else { rest };
     let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
     Stage { level, coarse, growth, counts, rest, expected }
 }

@@ -12,6 +12,7 @@ fn graded(system: System, [nx, ny]: [usize; 2], times: f32) -> Maps {
         System::TuringSpots => 0.12,
         System::MeinhardtSpots => 3.4,
         System::MeinhardtStripes => 25.6,
+        System::MeinhardtLines => 9.0,
     };
     let parameters = (0..nx * ny)
         .map(|i| {
@@ -20,10 +21,8 @@ fn graded(system: System, [nx, ny]: [usize; 2], times: f32) -> Maps {
             Parameters { rate, ratio: 12.0, stretch: 0.6, direction: 20.0 + 30.0 * t, pitch: 1.0 }
         })
         .collect();
-    Maps { nx, ny, cell: [1.0, 1.0], parameters, taken: Vec::new() }
+    Maps::new([nx, ny], [1.0, 1.0], parameters)
 }
-
-const SYSTEMS: [System; 3] = [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes];
 
 /// A canvas with several grids under it.
 fn engine(system: System) -> Engine {
@@ -41,7 +40,7 @@ fn finished(mut engine: Engine, budget: u64) -> Engine {
 
 #[test]
 fn however_it_is_advanced_the_same_bits_come_out() {
-    for system in SYSTEMS {
+    for system in System::ALL {
         let whole = finished(engine(system), u64::MAX);
         assert!(whole.level()[1] > 1, "{system:?} has one grid only");
         let pieces = finished(engine(system), 30_011);
@@ -87,7 +86,7 @@ fn a_copy_goes_on_like_the_one_it_was_taken_of() {
 
 #[test]
 fn progress_rises_to_one_and_a_small_budget_is_kept() {
-    for system in SYSTEMS {
+    for system in System::ALL {
         let mut engine = engine(system);
         let (mut last, mut calls) = (0.0, 0);
         while engine.advance(500_000) {

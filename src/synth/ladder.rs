@@ -25,6 +25,7 @@ fn resolved(system: System) -> Resolved {
         System::TuringSpots => Resolved { least: 22.0, enough: 27.0 },
         System::MeinhardtSpots => Resolved { least: 9.0, enough: 11.0 },
         System::MeinhardtStripes => Resolved { least: 18.0, enough: 23.0 },
+        System::MeinhardtLines => Resolved { least: 9.0, enough: 11.0 },
     }
 }
 
@@ -54,6 +55,10 @@ pub fn largest(system: System, maps: &Maps) -> f64 {
 /// Grids from the coarsest to that of `maps`: none that would hold only marks of more than `most` cells.
 #[must_use]
 pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
+    if maps.crests.is_some() {
+        // What is told by cell, on which side of a curve it lies, no coarser grid can tell.
+        return vec![[maps.nx, maps.ny]];
+    }
     let enough = resolved(system).enough * ROOM;
     let least = maps.parameters.iter().map(|p| cells(system, p)).fold(f64::INFINITY, f64::min);
     let mut factors = vec![1.0];

@@ -1,17 +1,21 @@
 //! The thread: a document in, a grown texture out.
 
 mod aim;
+mod around;
 pub mod beneath;
+mod cascade;
+pub mod course;
 pub mod drawn;
 mod engine;
 mod grow;
+pub mod inside;
 pub mod keep;
 mod ladder;
 mod lattice;
 pub mod memory;
 mod patch;
 pub mod pattern;
-mod pitches;
+pub mod pitches;
 pub mod plan;
 pub mod probe;
 pub mod recipe;
@@ -22,8 +26,9 @@ mod spread;
 mod training;
 mod watch;
 
+pub use cascade::{grow, planned, regrow};
 pub use engine::Engine;
-pub use grow::{GrowError, Grown, GrownLayer, Options, grow};
+pub use grow::{GrowError, Grown, GrownLayer, Options};
 pub use patch::{Patch, Sample};
 pub use refine::Measured;
 pub use settle::settle;

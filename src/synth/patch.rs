@@ -43,7 +43,7 @@ impl Patch {
     pub fn side(&self) -> usize {
         let spacing = self.system.spacing(&self.told());
         let side = match self.system {
-            System::MeinhardtStripes => self.extent * spacing,
+            system if system.is_striped() => self.extent * spacing,
             // A hexagonal lattice has 2/√3 points a squared spacing.
             _ => (self.extent * 0.75f64.sqrt()).sqrt() * spacing,
         };
@@ -79,7 +79,7 @@ impl Patch {
     /// Why it is no texture.
     pub fn measure(&self, marks: &Field) -> Result<Sample, Reason> {
         match self.system {
-            System::MeinhardtStripes => stripes(marks),
+            system if system.is_striped() => stripes(system, marks),
             _ => spots(marks, self.parameters.level.unwrap_or(0.5)),
         }
     }
@@ -97,7 +97,7 @@ impl Patch {
         let extent = sample.extent;
         match self.system {
             _ if extent >= least => Ok(sample),
-            System::MeinhardtStripes => Err(Reason::TooFewStripes { wavelengths: extent, least }),
+            system if system.is_striped() => Err(Reason::TooFewStripes { wavelengths: extent, least }),
             _ => Err(Reason::TooFew { marks: extent as usize, least: least.ceil() as usize }),
         }
     }
@@ -125,14 +125,18 @@ fn spots(marks: &Field, level: f64) -> Result<Sample, Reason> {
 }
 
 /// Means over a patch of stripes.
-fn stripes(marks: &Field) -> Result<Sample, Reason> {
+fn stripes(system: System, marks: &Field) -> Result<Sample, Reason> {
     let found = measure::stripes(marks, 0.5);
     measure::stripe_texture(marks, found.as_ref(), USUAL)?;
     let found = found.ok_or(Reason::TooFewStripes { wavelengths: 0.0, least: 1.0 })?;
     Ok(Sample {
         extent: marks.extent()[0] / found.wavelength,
         evenness: found.coherence,
-        attributes: Attributes::Stripes(Stripes { width: found.width, angle: found.angle }),
+        attributes: Attributes::Stripes(Stripes {
+            width: found.width,
+            angle: found.angle,
+            wavelength: (system == System::MeinhardtLines).then_some(found.wavelength),
+        }),
     })
 }
 

@@ -1,12 +1,14 @@
-//! How far apart spots begin, so that they end as far apart as asked.
+//! How far apart spots and lines begin, so that they end as far apart as asked.
 //!
 //! Spots keep the places they begin at but for a per cent of the spacing, so the spacing can be measured before
-//! anything has grown: the nuclei are laid, measured by the contract's rule, and laid again.
+//! anything has grown: the nuclei are laid, measured by the contract's rule, and laid again. So do lines: their crests are
+//! measured. What a system makes of its own distance is in the training rows, so that these are what is compared to.
 
 use super::plan::Plan;
+use crate::attributes::{Attributes, Stripes};
 use crate::marks::Ellipse;
-use crate::measure::{Spot, spot_errors};
-use crate::rd::{System, nuclei};
+use crate::measure::{Canvas, Spot, spot_errors, stripe_errors};
+use crate::rd::{Maps, System, begun, nuclei};
 
 /// Rounds of laying nuclei before they are laid to stay; a third changes nothing that the noise of a dozen spots would
 /// not hide.
@@ -21,8 +23,18 @@ pub const MANY: usize = 20_000;
 pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
     let layout = plan.map.layout();
     let mut pitch = vec![1.0; layout.len()];
-    if plan.system == System::MeinhardtStripes {
-        return pitch;
+    match plan.system {
+        System::TuringSpots | System::MeinhardtSpots => {}
+        System::MeinhardtStripes => return pitch,
+        System::MeinhardtLines => {
+            for _ in 0..ROUNDS {
+                let errors = crowding(plan, &pitch, seed);
+                for (pitch, error) in pitch.iter_mut().zip(errors) {
+                    *pitch = corrected(*pitch, error);
+                }
+            }
+            return pitch;
+        }
     }
     for _ in 0..ROUNDS {
         let points = nuclei(plan.system, &plan.maps(&pitch), layout.edges, seed, &[]).inside;
@@ -35,6 +47,22 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
         }
     }
     pitch
+}
+
+/// By region, by how much farther apart the lines begin than the system's own distance (got ÷ own − 1).
+fn crowding(plan: &Plan, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
+    let layout = plan.map.layout();
+    // What covers them counts later.
+    let maps = Maps { taken: Vec::new(), ..plan.maps(pitch) };
+    let crests = begun(plan.system, &maps, layout.edges, seed);
+    plan.on_canvas(|canvas| {
+        let own = |point: [f64; 2]| {
+            let wavelength = plan.system.spacing(&plan.lattice.at(point).parameters(1.0)) * plan.px_a_cell();
+            Attributes::Stripes(Stripes { width: 1.0, angle: 0.0, wavelength: Some(wavelength) })
+        };
+        let canvas = Canvas { wanted: &own, covered: &|_| false, ..*canvas };
+        stripe_errors(&crests, 0.5, &canvas).iter().map(|error| error.wavelength).collect()
+    })
 }
 
 /// The pitch that makes up for this error of the spacing (got ÷ wanted − 1).

@@ -44,7 +44,7 @@ const SEED: u64 = 0x5eed;
 pub struct Offset {
     /// Of ln area, or of ln width.
     pub size: f64,
-    /// Of ln spacing.
+    /// Of ln spacing, or of ln wavelength where that is free.
     pub spacing: f64,
     /// Of −ln aspect.
     pub elongation: f64,
@@ -87,6 +87,10 @@ impl Offset {
             },
             (Attributes::Stripes(asked), Attributes::Stripes(got)) => Self {
                 size: libm::log(got.width / asked.width),
+                spacing: asked
+                    .wavelength
+                    .zip(got.wavelength)
+                    .map_or(0.0, |(asked, got)| libm::log(got / asked)),
                 turn: turn(got.angle, asked.angle),
                 ..Self::default()
             },
@@ -108,6 +112,7 @@ impl Offset {
             Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {
                 width: stripes.width * size,
                 angle: axial(stripes.angle + turned),
+                wavelength: stripes.wavelength.map(|wavelength| wavelength * libm::exp(share * self.spacing)),
             }),
         }
     }
@@ -202,6 +207,10 @@ fn probed_one(
     let cell = exact_cell(wanted, cell);
     let watch = &Watch { progress: &|_, _| {}, cancelled: watch.cancelled };
     let open = ask(training, system, wanted, cell)?;
+    if open.pitch > 1.0 {
+        // Their law is as sure as a probe.
+        return Ok(Probed::default());
+    }
     // What cannot be reached is not what is corrected to.
     let goal = open.nearest;
     let scatter = scatter(&open);
@@ -235,7 +244,7 @@ fn grown(
     index: u64,
     watch: &Watch,
 ) -> Result<Result<Attributes, Reason>, Cancelled> {
-    let extent = if system == System::MeinhardtStripes { WAVELENGTHS } else { SPOTS };
+    let extent = if system.is_striped() { WAVELENGTHS } else { SPOTS };
     let patch = Patch { system, parameters: answer.parameters, extent, seed: SEED + index };
     let (marks, _) = patch.grow(watch)?;
     Ok(patch.measure(&marks).map(|sample| sample.attributes))
@@ -257,20 +266,22 @@ fn scatter(answer: &Answer) -> Offset {
             turn: half("angle", false),
         },
         Attributes::Stripes(_) => {
-            Offset { size: half("width", true), turn: half("angle", false), ..Offset::default() }
+            let spacing = half("wavelength", true);
+            Offset { size: half("width", true), spacing, turn: half("angle", false), elongation: 0.0 }
         }
     }
 }
 
 /// The scatter of patches of [`TRAINED`] spots that were told the same, from seed to seed: of 40 patches each at
 /// stretches of 0.35, 0.6 and 0.9, three sizes (Turing, stripes) or five ratios and levels (Meinhardt), the median; of
-/// Turing's shape, which scatters most, the largest where it has a direction. 0: not corrected, since the system has no
-/// say in it.
+/// Turing's shape, which scatters most, the largest where it has a direction; of lines 14 patches each of three ratios.
+/// 0: not corrected, since the system has no say in it.
 fn chance(system: System) -> Offset {
     match system {
         System::TuringSpots => Offset { size: 0.004, spacing: 0.0, elongation: 0.018, turn: 1.0 },
         System::MeinhardtSpots => Offset { size: 0.0008, spacing: 0.005, elongation: 0.001, turn: 0.05 },
         System::MeinhardtStripes => Offset { size: 0.014, spacing: 0.0, elongation: 0.0, turn: 0.5 },
+        System::MeinhardtLines => Offset { size: 0.01, spacing: 0.016, elongation: 0.0, turn: 0.42 },
     }
 }
 
@@ -279,6 +290,7 @@ fn chance(system: System) -> Offset {
 fn tolerated(system: System) -> Offset {
     match system {
         System::MeinhardtStripes => Offset { size: 0.03, spacing: 0.0, elongation: 0.0, turn: 1.0 },
+        System::MeinhardtLines => Offset { size: 0.03, spacing: 0.03, elongation: 0.0, turn: 1.0 },
         _ => Offset { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
     }
 }
@@ -297,7 +309,7 @@ fn gain(system: System, answer: &Answer, scatter: Offset, growths: usize, when: 
         return Offset { size: 1.0, spacing: 1.0, elongation: 1.0, turn: 1.0 };
     }
     let chance = chance(system);
-    let shrunk = if system == System::MeinhardtStripes { 1.0 } else { TRAINED / SPOTS };
+    let shrunk = if system.is_striped() { 1.0 } else { TRAINED / SPOTS };
     let share = |scatter: f64, chance: f64| {
         let probes = chance * chance * shrunk / growths as f64;
         let map = (scatter * scatter - chance * chance).max(0.0);

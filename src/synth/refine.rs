@@ -39,8 +39,12 @@ const FINER: f64 = 1.5;
 /// Measures `pattern`, a field of the canvas of `plan`, against what was asked.
 #[must_use]
 pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
-    if plan.system == System::MeinhardtStripes {
-        return Measured::Stripes(plan.on_canvas(|canvas| measure::stripe_errors(pattern, 0.5, canvas)));
+    if plan.system.is_striped() {
+        let mut errors = plan.on_canvas(|canvas| measure::stripe_errors(pattern, 0.5, canvas));
+        if let Some(course) = &plan.course {
+            errors.iter_mut().enumerate().for_each(|(index, errors)| course.corrected(index, errors));
+        }
+        return Measured::Stripes(errors);
     }
     let marks = measure::spots(pattern, 0.5);
     Measured::Spots { errors: plan.on_canvas(|canvas| measure::spot_errors(&marks, canvas)), marks }
@@ -122,7 +126,7 @@ enum Ruler {
 
 impl Ruler {
     fn of(plan: &Plan) -> Self {
-        if plan.system != System::MeinhardtStripes {
+        if !plan.system.is_striped() {
             return Self::Spots;
         }
         let layout = plan.map.layout();
@@ -152,8 +156,12 @@ impl Ruler {
             Self::Stripes(wanted) => {
                 let widths =
                     plan.on_canvas(|canvas| measure::widths(pattern, 0.5, canvas.regions, canvas.region_of));
+                let got = |(index, got): (usize, Option<f64>)| match &plan.course {
+                    Some(course) => Some(course.width(index, got?)),
+                    None => got,
+                };
                 let error = |(got, wanted): (Option<f64>, &f64)| Some(got? / wanted - 1.0);
-                (widths.into_iter().zip(wanted).map(error).collect(), None)
+                (widths.into_iter().enumerate().map(got).zip(wanted).map(error).collect(), None)
             }
         }
     }
@@ -164,7 +172,11 @@ impl Ruler {
 const POINTS: usize = 16;
 
 /// d ln size / d ln level: of a Gaussian bell ln area = ln ln(1/l) + c, at a level of ½; of a stripe with a
-/// sinusoidal profile width = (λ/π) arccos(2l − 1).
+/// sinusoidal profile width = (λ/π) arccos(2l − 1); of a line, a Gaussian across, ln width = ½ ln ln(1/l) + c.
 fn first_slope(plan: &Plan) -> f64 {
-    if plan.system == System::MeinhardtStripes { -2.0 / std::f64::consts::PI } else { -1.44 }
+    match plan.system {
+        System::MeinhardtStripes => -2.0 / std::f64::consts::PI,
+        System::MeinhardtLines => -0.72,
+        System::TuringSpots | System::MeinhardtSpots => -1.44,
+    }
 }

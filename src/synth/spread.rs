@@ -21,7 +21,7 @@ use super::pitches::{MANY, ROUNDS, corrected, spots_at};
 use super::plan::Plan;
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::measure::spot_errors;
-use crate::rd::{self, Maps, Parameters, Places, System};
+use crate::rd::{self, Maps, Parameters, Places};
 pub use draws::Draw;
 use draws::Scores;
 pub use limits::{ASPECTS, limited, most};
@@ -58,12 +58,16 @@ const MOST_SHAKEN: f64 = 1.2;
 
 /// The spots of `plan`; `None` where none is to differ from its neighbours, and none is kept.
 pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
-    if plan.system == System::MeinhardtStripes || plan.map.is_even() && plan.kept.is_empty() {
+    if plan.system.is_striped() || plan.map.is_even() && plan.kept.is_empty() {
         return None;
     }
     let regions = plan.map.layout().len();
     let mut pitch = vec![1.0; regions];
     let mut shaking = vec![Shaking::default(); regions];
+    if plan.places.is_some() {
+        // They are where they are.
+        return Some(Laid::new(plan, &pitch, &shaking, seed).grown_from(plan, &pitch));
+    }
     let mut round = 0;
     loop {
         let laid = Laid::new(plan, &pitch, &shaking, seed);
@@ -118,9 +122,14 @@ impl Laid {
     fn new(plan: &Plan, pitch: &[f64], shaking: &[Shaking], seed: u64) -> Self {
         let edges = plan.map.layout().edges;
         let maps = plan.maps(pitch);
-        let first = rd::nuclei(plan.system, &maps, edges, seed, &kept(plan, pitch));
         // Another stream than the one that laid them.
         let mut rng = Pcg64Mcg::seed_from_u64(seed ^ 0x7370_7265_6164);
+        if let Some(places) = plan.places_in_cells() {
+            let scores = Scores::new(plan, &plan.px(&places), &mut rng);
+            let (offsets, own) = drawn(plan, &places, pitch, &scores);
+            return Self { maps, places, offsets, own };
+        }
+        let first = rd::nuclei(plan.system, &maps, edges, seed, &kept(plan, pitch));
         let scores = Scores::new(plan, &plan.px(&first.inside), &mut rng);
         let (_, own) = drawn(plan, &first.inside, pitch, &scores);
         let room = |laid: &Places, own: &[Parameters], reach: f64, rounds: usize| {

@@ -10,7 +10,7 @@ use crate::rd::System;
 #[derive(Default)]
 pub struct Training {
     folder: Option<PathBuf>,
-    sets: [OnceLock<TrainingSet>; 3],
+    sets: [OnceLock<TrainingSet>; System::ALL.len()],
 }
 
 impl Training {

@@ -1,4 +1,4 @@
-//! What a layer's `options` may hold: the spread of its spots.
+//! What a layer's `options` may hold: the spread of its spots, the duty of its stripes.
 
 use super::*;
 use dapple::attributes::Spread;
@@ -63,11 +63,16 @@ fn what_no_spread_is_is_refused() {
 #[test]
 fn other_options_are_refused() {
     let options = |value: Value| with("/layers/0/options", value);
-    refused(&options(json!({"speed": 1})), "layers[0].options", "the unknown key \"speed\"", "spread");
+    refused(
+        &options(json!({"speed": 1})),
+        "layers[0].options",
+        "the unknown key \"speed\"",
+        "spread, duty, irregular",
+    );
     let mut stripes = options(json!({"speed": 1}));
     stripes["layers"][0]["system"] = json!("meinhardt-stripes");
     stripes["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);
-    refused(&stripes, "layers[0].options", "the unknown key \"speed\"", "no keys here yet");
+    refused(&stripes, "layers[0].options", "the unknown key \"speed\"", "duty");
 }
 
 #[test]
@@ -86,4 +91,84 @@ fn stripes_have_no_spread() {
     let error =
         dapple::synth::drawn::region_map(&accepted(&document), 0, "a.dapple").unwrap_err().to_string();
     assert_eq!(error, format!("a.dapple: {place}: found a spread of stripes; allowed: {allowed}"));
+}
+
+/// A layer of a line with these options, grown by `system`.
+fn lined(system: &str, options: Value) -> Value {
+    let mut document = with("/layers/0/options", options);
+    document["layers"][0]["system"] = json!(system);
+    document["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);
+    document
+}
+
+#[test]
+fn a_duty_is_a_half_unless_it_is_given_and_is_written() {
+    for (options, duty) in [(json!({}), 0.5), (json!({"duty": 0.5}), 0.5), (json!({"duty": 0.2}), 0.2)] {
+        for system in ["auto", "meinhardt-lines"] {
+            let document = accepted(&lined(system, options.clone()));
+            assert_eq!(document.layers[0].options.duty, duty);
+            assert_eq!(accepted(&serde_json::from_str(&document.to_json()).unwrap()), document);
+        }
+    }
+    assert_eq!(accepted(&lined("meinhardt-stripes", json!({"duty": 0.5}))).layers[0].options.duty, 0.5);
+}
+
+#[test]
+fn what_no_duty_is_is_refused() {
+    let place = "layers[0].options.duty";
+    for (value, found) in [(json!(0.19), "0.19"), (json!(0.51), "0.51"), (json!("thin"), "\"thin\"")] {
+        refused(&lined("auto", json!({"duty": value})), place, found, "a number from 0.2 to 0.5");
+    }
+    let allowed =
+        "0.5, the only duty of this system; for thinner stripes the system \"meinhardt-lines\" or \"auto\"";
+    let found = "0.3 with the system \"meinhardt-stripes\"";
+    refused(&lined("meinhardt-stripes", json!({"duty": 0.3})), place, found, allowed);
+}
+
+#[test]
+fn spots_have_no_duty() {
+    let allowed = "no such key: only stripes have a duty; spots stand as far apart as they are drawn";
+    let place = "layers[0].options.duty";
+    refused(&with("/layers/0/options", json!({"duty": 0.3})), place, "a duty of spots", allowed);
+    // What a freehand stroke is, is known once it is fitted.
+    let mut document = with("/layers/0/options", json!({"duty": 0.3}));
+    document["layers"][0]["strokes"] =
+        json!([{"kind": "freehand", "points": [[20, 20], [40, 20], [40, 40], [20, 40], [20, 21]]}]);
+    let error =
+        dapple::synth::drawn::region_map(&accepted(&document), 0, "a.dapple").unwrap_err().to_string();
+    assert_eq!(error, format!("a.dapple: {place}: found a duty of spots; allowed: {allowed}"));
+}
+
+#[test]
+fn spots_are_regular_unless_the_options_say_otherwise() {
+    for (options, irregular) in
+        [(json!({}), 0.0), (json!({"irregular": 1}), 1.0), (json!({"irregular": 0.3}), 0.3)]
+    {
+        for system in ["auto", "turing-spots"] {
+            let mut document = with("/layers/0/options", options.clone());
+            document["layers"][0]["system"] = json!(system);
+            let document = accepted(&document);
+            assert_eq!(document.layers[0].options.irregular, irregular);
+            assert_eq!(accepted(&serde_json::from_str(&document.to_json()).unwrap()), document);
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_irregular_is_refused() {
+    let place = "layers[0].options.irregular";
+    for (value, found) in [(json!(1.01), "1.01"), (json!(-0.5), "-0.5"), (json!("very"), "\"very\"")] {
+        refused(
+            &with("/layers/0/options", json!({"irregular": value})),
+            place,
+            found,
+            "a number from 0 to 1",
+        );
+    }
+    let mut round = with("/layers/0/options", json!({"irregular": 0.5}));
+    round["layers"][0]["system"] = json!("meinhardt-spots");
+    let allowed = "0, its spots stay ellipses; for irregular ones the system \"turing-spots\" or \"auto\"";
+    refused(&round, place, "0.5 with the system \"meinhardt-spots\"", allowed);
+    let allowed = "no such key: only spots can be irregular";
+    refused(&lined("auto", json!({"irregular": 0.5})), place, "irregular stripes", allowed);
 }

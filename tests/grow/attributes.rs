@@ -87,9 +87,75 @@ fn stripes_follow_the_drawn_lines_in_width_and_direction() {
         document["edges"] = json!(edges);
         let folder = Folder::with(&document);
         folder.grow("--pattern p.png");
-        let error = stripe_errors(&folder.pattern("p.png", edges), Stripes { width: 6.0, angle: 30.0 });
+        let error = stripe_errors(
+            &folder.pattern("p.png", edges),
+            Stripes { width: 6.0, angle: 30.0, wavelength: None },
+        );
         near("width", error.width, 0.03);
         near("angle", error.angle, 4.0);
+    }
+}
+
+#[test]
+fn irregular_spots_differ_in_shape_and_size_but_not_in_their_mean() {
+    let ellipse = json!([{"kind": "ellipse", "center": [50, 50], "radii": [7, 5.5], "angle": 20}]);
+    let mut document = document([240, 220], &ellipse);
+    let mut grown = |irregular: f64| {
+        document["layers"][0]["options"] = json!({"irregular": irregular});
+        let folder = Folder::with(&document);
+        folder.grow("--pattern p.png --report r.json");
+        let layer = folder.json("r.json")["layers"][0].clone();
+        let error = layer["regions"][0]["error"]["area"].as_f64().unwrap();
+        assert!(error.abs() < 0.02, "{irregular}: mean area off by {error}");
+        assert_eq!(layer["settled"], true);
+        assert!(irregular == 0.0 || layer["system"] == "turing-spots", "{layer}");
+        // What a picture of them shows is still spots.
+        let told = folder.measured("p.png");
+        assert_eq!(told["kind"], "spots");
+        let spots = measure::spots(&folder.pattern("p.png", Edges::Closed), 0.5);
+        let whole: Vec<_> = spots.iter().filter(|spot| spot.whole).collect();
+        let fill = whole.iter().map(|spot| spot.fill).sum::<f64>() / whole.len() as f64;
+        (told["spread"]["area"].as_f64().unwrap(), fill, folder.bytes("p.png"))
+    };
+    let [even, half, full] = [0.0, 0.5, 1.0].map(&mut grown);
+    assert!(even.0 < 0.1 && (0.1..0.3).contains(&half.0) && (0.3..0.65).contains(&full.0), "{even:?}");
+    // Bent, but no labyrinth.
+    assert!((0.95..0.998).contains(&full.1), "{}", full.1);
+    assert!(full.2 == grown(1.0).2, "the same document, other bytes");
+}
+
+#[test]
+fn thin_stripes_are_as_wide_as_drawn_and_stand_as_far_apart_as_their_duty_says() {
+    for (system, duty, angle) in
+        [("auto", 0.2, 20.0), ("auto", 0.3, 90.0), ("auto", 0.42, 130.0), ("meinhardt-lines", 0.5, 65.0)]
+    {
+        let mut document = stripes();
+        let [c, s] = [libm::cos, libm::sin].map(|f| 20.0 * f(f64::to_radians(angle)));
+        let [from, to] = [[120.0 - c, 120.0 - s], [120.0 + c, 120.0 + s]];
+        document["size"] = json!([240, 240]);
+        document["layers"][0]["system"] = json!(system);
+        document["layers"][0]["options"] = json!({"duty": duty});
+        document["layers"][0]["strokes"] = json!([{"kind": "line", "from": from, "to": to, "width": 5}]);
+        let folder = Folder::with(&document);
+        folder.grow("--pattern p.png --report r.json");
+        let layer = folder.json("r.json")["layers"][0].clone();
+        assert_eq!((&layer["system"], &layer["settled"]), (&json!("meinhardt-lines"), &json!(true)));
+        let of = |part: &str, key: &str| layer["regions"][0][part][key].as_f64();
+        assert!((of("asked", "wavelength").unwrap() - 5.0 / duty).abs() < 1e-9);
+        for key in ["width", "wavelength"] {
+            assert!((of("got", key).unwrap() / of("asked", key).unwrap() - 1.0).abs() < 0.05, "{layer}");
+        }
+        let pattern = folder.pattern("p.png", Edges::Closed);
+        let error = stripe_errors(&pattern, Stripes { width: 5.0, angle, wavelength: Some(5.0 / duty) });
+        near(&format!("{duty}: width"), error.width, 0.01);
+        near(&format!("{duty}: wavelength"), error.wavelength, 0.05);
+        near(&format!("{duty}: angle"), error.angle, 3.0);
+        // From side to side of the canvas there are 240·duty/5 lines: hardly one of them is broken.
+        let pieces = measure::spots(&pattern, 0.5);
+        let lines = 240.0 * duty / 5.0 * (c.abs() + s.abs()) / 20.0;
+        assert!((pieces.len() as f64) < 1.5 * lines, "{duty}: {} pieces of {lines} lines", pieces.len());
+        let bead = pieces.iter().find(|piece| piece.whole && piece.ellipse.area() < 3.0 * 25.0);
+        assert!(bead.is_none(), "{duty}: a bead at {bead:?}");
     }
 }
 

@@ -30,6 +30,7 @@ fn varying(system: System) -> Maps {
         System::TuringSpots => 0.15,
         System::MeinhardtSpots => 2.0,
         System::MeinhardtStripes => 40.0,
+        System::MeinhardtLines => 6.0,
     };
     let parameters = |cell: u16| {
         let [x, y] = [f32::from(cell % 48) / 48.0, f32::from(cell / 48) / 40.0];
@@ -41,13 +42,7 @@ fn varying(system: System) -> Maps {
             pitch: 1.0 + 0.1 * x,
         }
     };
-    Maps {
-        nx: 48,
-        ny: 40,
-        cell: [1.0, 0.95],
-        parameters: (0..48 * 40).map(parameters).collect(),
-        taken: Vec::new(),
-    }
+    Maps::new([48, 40], [1.0, 0.95], (0..48 * 40).map(parameters).collect())
 }
 
 /// FNV-1a, 64 bits, of the values' bytes, the lowest first.
@@ -62,7 +57,7 @@ fn concentrations() -> String {
         "# Concentrations on 48 x 40 cells after 20 steps, by system, edges, chemical: FNV-1a of the\n\
                     # bits of all cells; then cells 0, 500, 1000, 1500, 1919 as bits=value.\n"
             .to_owned();
-    for system in [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes] {
+    for system in System::ALL {
         for (edges, word) in [(Edges::Wrap, "wrap"), (Edges::Closed, "closed")] {
             let mut growth = Growth::new(system, &varying(system), edges, 11);
             growth.advance(20);

@@ -1,10 +1,12 @@
 //! `dapple grow` through the real binary: documents in, pictures and reports out.
 
+mod around;
 mod attributes;
 mod bytes;
 mod extremes;
 mod folder;
 mod golden;
+mod inside;
 #[cfg(unix)]
 mod interrupt;
 mod keep;

@@ -70,7 +70,7 @@ fn stripes_radiate_from_initiators_in_regular_order() {
         let share = ((off[0] * way[0] + off[1] * way[1]) / (line.length() * line.length())).clamp(0.0, 1.0);
         let out = [off[0] - share * way[0], off[1] - share * way[1]];
         let angle = out[1].atan2(out[0]).to_degrees() + 90.0;
-        Attributes::Stripes(Stripes { width: 8.0, angle: angle.rem_euclid(180.0) })
+        Attributes::Stripes(Stripes { width: 8.0, angle: angle.rem_euclid(180.0), wavelength: None })
     };
     let canvas = Canvas {
         size: [300.0; 2],

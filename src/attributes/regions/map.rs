@@ -140,8 +140,14 @@ impl RegionMap {
         let angle = angle_of(self.blend_directions(&corners));
         match &self.regions[corners[0].0].filled {
             Attributes::Stripes(_) => {
-                let width = corners.iter().map(|&(i, weight)| weight * self.stripes_of(i).width).sum();
-                Attributes::Stripes(Stripes { width, angle })
+                let mut blend = Stripes { width: 0.0, angle, wavelength: Some(0.0) };
+                for (i, weight) in corners {
+                    let stripes = self.stripes_of(i);
+                    blend.width += weight * stripes.width;
+                    blend.wavelength =
+                        blend.wavelength.zip(stripes.wavelength).map(|(sum, one)| sum + weight * one);
+                }
+                Attributes::Stripes(blend)
             }
             Attributes::Spots(_) => {
                 let mut blend = Spots { area: 0.0, aspect: 0.0, angle, spacing: Some(0.0) };
@@ -179,6 +185,17 @@ impl RegionMap {
         self
     }
 
+    /// The same map with stripes that cover this share of the way from one to the next, 0..1.
+    #[must_use]
+    pub fn covering(mut self, duty: f64) -> Self {
+        for region in &mut self.regions {
+            if let Attributes::Stripes(stripes) = &mut region.filled {
+                stripes.wavelength = Some(stripes.width / duty);
+            }
+        }
+        self
+    }
+
     /// Was the spread given by [`Self::varied_by`], and not drawn?
     #[must_use]
     pub fn spread_is_given(&self) -> bool {
@@ -201,6 +218,18 @@ impl RegionMap {
                 spots.spacing = Some(spacing(&Spots { angle, ..*spots }));
             }
         }
+    }
+
+    /// The same map with these spacings, px, by region; `None` = as it is.
+    #[must_use]
+    pub fn spaced_by(&self, spacings: &[Option<f64>]) -> Self {
+        let mut map = self.clone();
+        for (region, given) in map.regions.iter_mut().zip(spacings) {
+            if let (Attributes::Spots(spots), Some(given)) = (&mut region.filled, given) {
+                spots.spacing = Some(*given);
+            }
+        }
+        map
     }
 
     /// The same regions stretched over another canvas of `size` px: the same marks, more or fewer of them.

@@ -58,7 +58,7 @@ impl Case {
     pub fn maps(&self, size: usize) -> Maps {
         let rate = match self.system {
             System::TuringSpots => 0.15,
-            System::MeinhardtSpots => 2.0,
+            System::MeinhardtSpots | System::MeinhardtLines => 2.0,
             System::MeinhardtStripes => 40.0,
         };
         let parameters = Parameters { rate, ratio: 20.0, stretch: self.stretch, direction: 0.0, pitch: 1.0 };

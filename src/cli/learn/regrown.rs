@@ -85,7 +85,7 @@ fn regrown(
         }
         let parameters =
             way.parameters(training, system, &target.wanted, cell, setting.when, setting.watch)?;
-        let extent = if system == System::MeinhardtStripes { WAVELENGTHS } else { SPOTS };
+        let extent = if system.is_striped() { WAVELENGTHS } else { SPOTS };
         let patch = Patch { system, parameters, extent, seed: target.seed };
         let marks = match last.take().filter(|(before, _)| *before == patch) {
             Some((_, marks)) => marks,
@@ -141,7 +141,7 @@ fn levelled(patch: &Patch, marks: &Field, wanted: &Attributes) -> Result<Attribu
     let mut correction = 1.0;
     let mut got = measured(patch, marks, correction)?;
     // d ln size / d ln level, to begin with: of a Gaussian bell, of a sinusoidal stripe (`synth::refine`).
-    let stripes = patch.system == System::MeinhardtStripes;
+    let stripes = patch.system.is_striped();
     let mut slope = if stripes { -2.0 / std::f64::consts::PI } else { -1.44 };
     for _ in 1..ROUNDS {
         let before = off(&got);

@@ -13,6 +13,9 @@ const DENSITY: [f64; 2] = [0.02, 0.2];
 /// px.
 const WIDTH: [f64; 2] = [3.0, 40.0];
 
+/// Stripe ÷ period, of lines.
+const DUTY: [f64; 2] = [0.2, 0.5];
+
 /// Something to ask for, px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Target {
@@ -29,9 +32,11 @@ pub fn targets(system: System, count: usize, seed: u64) -> Vec<Target> {
         .map(|_| {
             let mut even = |[low, high]: [f64; 2]| low + (high - low) * rng.random::<f64>();
             let mut log = |range: [f64; 2]| libm::exp(even(range.map(libm::log)));
-            let wanted = if system == System::MeinhardtStripes {
+            let wanted = if system.is_striped() {
                 let width = log(WIDTH);
-                Attributes::Stripes(Stripes { width, angle: even([0.0, 180.0]) })
+                let duty = (system == System::MeinhardtLines).then(|| even(DUTY));
+                let wavelength = duty.map(|duty| width / duty);
+                Attributes::Stripes(Stripes { width, angle: even([0.0, 180.0]), wavelength })
             } else {
                 let (area, density) = (log(AREA), log(DENSITY));
                 let spacing = (system == System::MeinhardtSpots).then(|| (area / density).sqrt());

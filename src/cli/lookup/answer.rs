@@ -27,6 +27,7 @@ impl Looked {
         let system = match choice {
             SystemChoice::TuringSpots => System::TuringSpots,
             SystemChoice::MeinhardtStripes => System::MeinhardtStripes,
+            SystemChoice::MeinhardtLines => System::MeinhardtLines,
             SystemChoice::MeinhardtSpots | SystemChoice::Auto => System::MeinhardtSpots,
         };
         let mut filled = *wanted;
@@ -47,6 +48,9 @@ impl Looked {
     /// The parameters by name, the size of a cell last.
     pub fn parameters(&self) -> Vec<(&'static str, f64)> {
         let mut named = self.answer.parameters.named();
+        if self.answer.pitch > 1.0 {
+            named.push(("pitch", self.answer.pitch));
+        }
         named.push(("cell", self.cell));
         named
     }
@@ -109,7 +113,11 @@ fn named(attributes: &Attributes) -> Vec<(&'static str, f64)> {
             named.extend(spots.spacing.map(|spacing| ("spacing", spacing)));
             named
         }
-        Attributes::Stripes(stripes) => vec![("width", stripes.width), ("angle", stripes.angle)],
+        Attributes::Stripes(stripes) => {
+            let mut named = vec![("width", stripes.width), ("angle", stripes.angle)];
+            named.extend(stripes.wavelength.map(|wavelength| ("wavelength", wavelength)));
+            named
+        }
     }
 }
 
@@ -151,7 +159,7 @@ mod tests {
         assert_eq!(json["interval"]["area"].as_array().unwrap().len(), 2);
         assert!(json["notes"].is_array());
 
-        let stripes = Attributes::Stripes(Stripes { width: 10.0, angle: 30.0 });
+        let stripes = Attributes::Stripes(Stripes { width: 10.0, angle: 30.0, wavelength: None });
         let json = Looked::up(&training, SystemChoice::MeinhardtStripes, &stripes).unwrap().json();
         assert_eq!(keys(&json["parameters"]), ["rate", "stretch", "direction", "cell"]);
         assert_eq!(keys(&json["nearest"]), ["width", "angle"]);

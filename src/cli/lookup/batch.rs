@@ -1,7 +1,7 @@
 //! A table of questions, and the same table with their answers.
 
 use super::answer::Looked;
-use crate::attributes::{Attributes, Spots, Stripes};
+use crate::attributes::{Attributes, Spots};
 use crate::cli::values;
 use crate::learn::line_of;
 use crate::marks::axial;
@@ -9,9 +9,10 @@ use crate::synth::recipe::{Kind, SystemChoice};
 use csv::{ReaderBuilder, StringRecord, Trim, Writer};
 
 /// The columns of a table of questions.
-const COLUMNS: [&str; 6] = ["system", "area", "aspect", "angle", "spacing", "width"];
+const COLUMNS: [&str; 7] = ["system", "area", "aspect", "angle", "spacing", "width", "duty"];
 /// The columns that the answers add.
-const ANSWERS: [&str; 8] = ["rate", "ratio", "stretch", "direction", "level", "cell", "coverage", "note"];
+const ANSWERS: [&str; 9] =
+    ["rate", "ratio", "stretch", "direction", "level", "pitch", "cell", "coverage", "note"];
 
 /// What is wrong with a table.
 #[derive(Debug, PartialEq, thiserror::Error)]
@@ -87,12 +88,18 @@ impl Row<'_> {
         let system = self.value("system", values::system)?;
         let wanted = if system.grows() == Some(Kind::Line) {
             self.empty(&["area", "aspect", "spacing"], "stripes")?;
-            Attributes::Stripes(Stripes {
-                width: self.value("width", values::positive)?,
-                angle: axial(self.value("angle", values::angle)?),
-            })
+            let duty = match self.text("duty") {
+                "" => None,
+                _ => Some(self.value("duty", values::duty)?),
+            };
+            if let Some(allowed) = duty.and_then(|duty| values::duty_mismatch(duty, system)) {
+                return Err(self.wrong("duty", format!("allowed: {allowed}")));
+            }
+            let [width, angle] =
+                [self.value("width", values::positive)?, self.value("angle", values::angle)?];
+            Attributes::Stripes(values::stripes(system, width, angle, duty))
         } else {
-            self.empty(&["width"], "spots")?;
+            self.empty(&["width", "duty"], "spots")?;
             let free = self.text("spacing").is_empty();
             Attributes::Spots(Spots {
                 area: self.value("area", values::positive)?,
@@ -211,6 +218,7 @@ mod tests {
                 "stretch",
                 "direction",
                 "level",
+                "pitch",
                 "cell",
                 "coverage",
                 "note"
@@ -219,11 +227,25 @@ mod tests {
         assert_eq!(rows[1][..6], ["30", "meinhardt-stripes", "8", "", "", ""]);
         assert_eq!(rows[2][..6], ["-20", "meinhardt-spots", "", "0.5", "300", "60"]);
         assert_eq!((rows[1][7].as_str(), rows[1][10].as_str()), ("", ""));
-        assert!(rows.iter().all(|row| row.len() == 14));
+        assert!(rows.iter().all(|row| row.len() == 15));
         let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
-        assert!((1..4).all(|row| number(row, 6) > 0.0 && number(row, 11) > 0.0));
+        assert!((1..4).all(|row| number(row, 6) > 0.0 && number(row, 12) > 0.0));
         assert!((number(2, 9) - 160.0).abs() < 3.0);
-        assert_eq!(rows[1][12], "inside");
+        assert_eq!(rows[1][13], "inside");
+    }
+
+    #[test]
+    fn lines_are_asked_for_with_their_duty() {
+        let rows = table(
+            "system,width,angle,duty\nmeinhardt-lines,8,0,0.25\nmeinhardt-lines,8,0,\nmeinhardt-stripes,8,0,0.5\n",
+        );
+        let ratio = |row: usize| rows[row][5].parse::<f64>().unwrap();
+        assert!(ratio(1) > 2.0 * ratio(2) && rows[3][5].is_empty(), "{rows:?}");
+        let wrong = message("system,width,angle,duty\nmeinhardt-stripes,8,0,0.3\n");
+        assert!(
+            wrong.contains("column duty: found '0.3'; allowed: 0.5, the only duty of meinhardt-stripes"),
+            "{wrong}"
+        );
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The named choices of a document.
 
-use super::{Problem, Seeding, SpreadChoice};
+use super::{Options, Problem, Seeding, SpreadChoice};
 
 /// What a layer's marks are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,15 +51,18 @@ pub enum SystemChoice {
     MeinhardtSpots,
     /// Meinhardt's stripes.
     MeinhardtStripes,
+    /// Meinhardt's lines: thin stripes on wide ground.
+    MeinhardtLines,
 }
 
 impl SystemChoice {
     /// All of them with their names in documents and on the command line.
-    pub const NAMES: [(&'static str, Self); 4] = [
+    pub const NAMES: [(&'static str, Self); 5] = [
         ("auto", Self::Auto),
         ("turing-spots", Self::TuringSpots),
         ("meinhardt-spots", Self::MeinhardtSpots),
         ("meinhardt-stripes", Self::MeinhardtStripes),
+        ("meinhardt-lines", Self::MeinhardtLines),
     ];
 
     /// Its name.
@@ -74,7 +77,7 @@ impl SystemChoice {
         match self {
             Self::Auto => None,
             Self::TuringSpots | Self::MeinhardtSpots => Some(Kind::Ellipse),
-            Self::MeinhardtStripes => Some(Kind::Line),
+            Self::MeinhardtStripes | Self::MeinhardtLines => Some(Kind::Line),
         }
     }
 
@@ -82,9 +85,10 @@ impl SystemChoice {
     #[must_use]
     pub fn option_keys(self) -> &'static [&'static str] {
         match self {
-            Self::Auto => &["spread", "keep", "seeding"],
-            Self::TuringSpots | Self::MeinhardtSpots => &["spread", "keep"],
-            Self::MeinhardtStripes => &["keep", "seeding"],
+            Self::Auto => &["spread", "keep", "duty", "irregular", "seeding"],
+            Self::TuringSpots | Self::MeinhardtSpots => &["spread", "keep", "irregular"],
+            Self::MeinhardtStripes => &["keep", "duty", "seeding"],
+            Self::MeinhardtLines => &["duty"],
         }
     }
 
@@ -98,6 +102,55 @@ impl SystemChoice {
         let names: Vec<&str> = Self::NAMES.iter().filter(fitting).map(|(name, _)| *name).collect();
         let found = format!("\"{}\" for a layer of {}s", self.name(), kind.name());
         Some(Problem::new(place, found, names.join(", ")))
+    }
+}
+
+impl Options {
+    /// The share of the way from stripe to stripe that each covers where nothing else is said.
+    pub const DUTY: f64 = 0.5;
+
+    /// The problem that options at `place` do not go with marks of `kind`, or with `system`.
+    #[must_use]
+    pub fn mismatch(&self, place: &str, system: SystemChoice, kind: Option<Kind>) -> Option<Problem> {
+        let duty = self.duty_mismatch(&format!("{place}.duty"), system, kind);
+        duty.or_else(|| self.irregular_mismatch(&format!("{place}.irregular"), system, kind))
+    }
+
+    /// The problem that a layer's `options` say at `place` how much of the ground its marks cover although they are of
+    /// `kind`, or `system` cannot.
+    fn duty_mismatch(&self, place: &str, system: SystemChoice, kind: Option<Kind>) -> Option<Problem> {
+        if self.duty == Self::DUTY {
+            return None;
+        }
+        if system.grows().or(kind) == Some(Kind::Ellipse) {
+            let allowed = "no such key: only stripes have a duty; spots stand as far apart as they are drawn";
+            return Some(Problem::new(place, "a duty of spots", allowed));
+        }
+        (system == SystemChoice::MeinhardtStripes).then(|| {
+            let found = format!("{} with the system \"meinhardt-stripes\"", self.duty);
+            let allowed = "0.5, the only duty of this system; for thinner stripes the system \"meinhardt-lines\" or \"auto\"";
+            Problem::new(place, found, allowed)
+        })
+    }
+}
+
+impl Options {
+    /// The problem that a layer's `options` say at `place` how irregular its marks are although they are of `kind`, or
+    /// `system` cannot.
+    fn irregular_mismatch(&self, place: &str, system: SystemChoice, kind: Option<Kind>) -> Option<Problem> {
+        if self.irregular == 0.0 {
+            return None;
+        }
+        if system.grows().or(kind) == Some(Kind::Line) {
+            let allowed = "no such key: only spots can be irregular";
+            return Some(Problem::new(place, "irregular stripes", allowed));
+        }
+        (system == SystemChoice::MeinhardtSpots).then(|| {
+            let found = format!("{} with the system \"meinhardt-spots\"", self.irregular);
+            let allowed =
+                "0, its spots stay ellipses; for irregular ones the system \"turing-spots\" or \"auto\"";
+            Problem::new(place, found, allowed)
+        })
     }
 }
 
@@ -145,6 +198,15 @@ impl After {
     pub fn name(self) -> &'static str {
         name_in(&Self::NAMES, self)
     }
+
+    /// The keys that a layer's `options` may have with it, beside those of its system.
+    #[must_use]
+    pub fn option_keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Around => &["broken"],
+            Self::Between | Self::Net | Self::Inside => &[],
+        }
+    }
 }
 
 /// The name of `one` among these.
@@ -161,6 +223,6 @@ mod tests {
         assert_eq!(SystemChoice::Auto.mismatch("system", Kind::Line), None);
         assert_eq!(SystemChoice::TuringSpots.mismatch("system", Kind::Ellipse), None);
         let problem = SystemChoice::TuringSpots.mismatch("layers[0].system", Kind::Line).unwrap();
-        assert_eq!(problem.allowed, "auto, meinhardt-stripes");
+        assert_eq!(problem.allowed, "auto, meinhardt-stripes, meinhardt-lines");
     }
 }

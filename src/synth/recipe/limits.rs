@@ -19,6 +19,10 @@ pub const MAX_FILE: u64 = 256 << 20;
 pub const MIN_LENGTH: f64 = 0.01;
 /// Dots an inch.
 pub const DPI: Range = Range { low: 1.0, high: 100_000.0, unit: "dots an inch" };
+/// Stripe ÷ period: from where thin stripes break to pieces to where they are as wide as their gaps.
+pub const DUTY: Range = Range { low: 0.2, high: 0.5, unit: "" };
+/// How irregular spots are.
+pub const IRREGULAR: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// Place of a colour stop: a pattern value.
 pub const STOP: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// x of a Bezier handle: inside the gap, or the curve would turn back (as in CSS).
@@ -34,6 +38,9 @@ pub const SPREAD_ANGLE: Range = Range { low: 0.0, high: 45.0, unit: "degrees" };
 pub const SPREAD_ASPECT: Range = Range { low: 0.0, high: 0.2, unit: "" };
 /// Coefficient of variation of their distances.
 pub const SPREAD_SPACING: Range = Range { low: 0.0, high: 0.2, unit: "" };
+
+/// Share of a ring that is open.
+pub const BROKEN: Range = Range { low: 0.0, high: 0.6, unit: "" };
 
 /// A number's bounds, both included.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -19,6 +19,9 @@
 //! | a layer's `seed` | derived from the document's: [`Document::layer_seed`] |
 //! | a layer's `options` | `{}` |
 //! | `options.spread`, of spots | `"drawn"` |
+//! | `options.duty`, of stripes | 0.5 |
+//! | `options.broken`, of `"after": "around"` | 0: closed rings |
+//! | `options.irregular`, of spots | 0 |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
@@ -31,6 +34,17 @@
 //! | `"drawn"` | as much as the marks of each region; those of fewer than six marks are even |
 //! | a number, 0–0.6 | the coefficient of variation of the area; shapes, directions and distances are even |
 //! | `{"area": 0–0.6, "angle": 0–45, "aspect": 0–0.2, "spacing": 0–0.2}` | each by itself; what is left out is even |
+
+//! `options.duty` of a layer of stripes, 0.2–0.5, says which share of the way from one stripe to the next each covers:
+//! they are as wide as drawn, and width ÷ duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as
+//! their gaps; below it `meinhardt-lines`, thin stripes on wide ground. `meinhardt-stripes` takes no other duty.
+//!
+//! `options.broken` of a layer `around` the one beneath, 0–0.6: the share of each ring that is open, in two to five gaps a
+//! ring, as on a leopard.
+//!
+//! `options.irregular` of a layer of spots, 0–1, says how irregular their shapes are: 0 grows ellipses, 1 beans, bars and
+//! drops that differ by 0.4 in area (β ± 3 of Phan & Grimm). Only `turing-spots` does that, which `auto` takes then; their
+//! spacing goes with their area. The mean area is as drawn; aspect and angle are those of the spots before they were bent.
 
 mod choices;
 mod error;
@@ -153,6 +167,14 @@ pub struct Layer {
     pub colours: Option<Colours>,
 }
 
+impl Layer {
+    /// The system that is asked for: only one grows irregular spots.
+    #[must_use]
+    pub fn choice(&self) -> SystemChoice {
+        if self.options.irregular > 0.0 { SystemChoice::TuringSpots } else { self.system }
+    }
+}
+
 impl Default for Layer {
     fn default() -> Self {
         Self {
@@ -169,14 +191,33 @@ impl Default for Layer {
 }
 
 /// What a layer's system can be told beyond the marks; which keys each takes stands in [`SystemChoice::option_keys`].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// How much its spots differ from each other.
     pub spread: SpreadChoice,
+    /// Stripe ÷ period, 0.2–0.5.
+    pub duty: f64,
+    /// The share of each ring of an `around` layer that is open, 0..[`limits::BROKEN`].
+    pub broken: f64,
+    /// How irregular its spots are, 0–1.
+    pub irregular: f64,
     /// Whether the drawn marks are among those that grow; `None` = see [`Document::keeps`].
     pub keep: Option<bool>,
     /// What its stripes begin from.
     pub seeding: Seeding,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            spread: SpreadChoice::default(),
+            duty: Self::DUTY,
+            broken: 0.0,
+            irregular: 0.0,
+            keep: None,
+            seeding: Seeding::Noise,
+        }
+    }
 }
 
 /// How much the spots of a layer differ from each other.

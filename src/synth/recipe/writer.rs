@@ -46,6 +46,15 @@ fn options(options: &Options) -> Value {
         let named = spread.named().map(|(name, value)| (name.to_owned(), number(value)));
         map.insert("spread".into(), Value::Object(Map::from_iter(named)));
     }
+    if options.duty != Options::DUTY {
+        map.insert("duty".into(), number(options.duty));
+    }
+    if options.broken > 0.0 {
+        map.insert("broken".into(), number(options.broken));
+    }
+    if options.irregular != 0.0 {
+        map.insert("irregular".into(), number(options.irregular));
+    }
     if let Some(keep) = options.keep {
         map.insert("keep".into(), json!(keep));
     }

@@ -60,7 +60,7 @@ fn alike(a: &Attributes, b: &Attributes) -> bool {
                 && packing(a).zip(packing(b)).is_some_and(|(a, b)| near(a, b, LOOSER))
                 && !(directed && turn(a.angle, b.angle).abs() > TURN)
         }
-        (Attributes::Stripes(Stripes { width, angle }), Attributes::Stripes(b)) => {
+        (Attributes::Stripes(Stripes { width, angle, .. }), Attributes::Stripes(b)) => {
             near(*width, b.width, FACTOR) && turn(*angle, b.angle).abs() <= TURN
         }
         _ => false,
