@@ -1,5 +1,6 @@
 //! Numbers on a grid: a concentration, a pattern, a picture's lightness.
 
+pub mod distance;
 pub mod resample;
 
 use serde::{Deserialize, Serialize};

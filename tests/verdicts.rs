@@ -101,14 +101,7 @@ fn spots_under_rates_that_vary_are_too_irregular() {
         let across = (cell % nx) as f32 / nx as f32;
         told(2.0 + 8.0 * (2.0 * across - 1.0).abs())
     });
-    let maps = Maps {
-        nx,
-        ny,
-        cell: [1.0, 1.0],
-        parameters: parameters.collect(),
-        taken: Vec::new(),
-        uneven: Vec::new(),
-    };
+    let maps = Maps::new([nx, ny], [1.0, 1.0], parameters.collect());
     let mut engine = Engine::of(System::MeinhardtSpots, maps, Edges::Wrap, 5);
     assert!(settle(&mut engine, &Watch::NOBODY).unwrap());
     let verdict = patch(System::MeinhardtSpots, SPOTS).judge(&engine.marks(), true, LEAST);

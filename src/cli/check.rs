@@ -4,9 +4,9 @@ use super::Error;
 use crate::attributes::{Attributes, Spread};
 use crate::field::Edges;
 use crate::synth::drawn::region_map;
-use crate::synth::plan::{Plan, plan};
-use crate::synth::recipe::{After, Document, Kind, Layer};
-use crate::synth::{Training, memory};
+use crate::synth::plan::Plan;
+use crate::synth::recipe::{Document, Kind, Layer};
+use crate::synth::{Training, memory, planned};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -27,19 +27,20 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let source = args.file.display().to_string();
     let mut text = format!("{source}: valid\n{}", summary(&document));
     let training = Training::default();
+    let mut beneath: Option<Plan> = None;
     for index in 0..document.layers.len() {
         let map = region_map(&document, index, &source)?;
-        let plan = plan(&training, document.layers[index].choice(), &map).map_err(Error::step)?;
+        let plan = planned(&document, index, &source, &training, &map, beneath.as_ref());
+        let plan = plan.map_err(Error::grown)?;
         text += &reach(&plan, index);
         if let Err(error) = memory::check(plan.system, document.size.map(f64::from), plan.grid) {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  cannot be grown on this machine: {error}");
         }
-    }
-    let unbuilt = |(_, layer): &(usize, &Layer)| layer.after != After::Between;
-    for (index, layer) in document.layers.iter().enumerate().skip(1).filter(unbuilt) {
-        text +=
-            &format!("layer {}: \"{}\" is not built yet: grow refuses it\n", index + 1, layer.after.name());
+        if let Some(told) = beneath.as_ref().and_then(|beneath| plan.expected_room(beneath)) {
+            text += &format!("  {told}\n");
+        }
+        beneath = Some(plan);
     }
     super::say(&text)
 }
@@ -64,8 +65,12 @@ fn reach(plan: &Plan, index: usize) -> String {
         let wanted = plan.map.at(layout.center([column, row]));
         // Writing to a String cannot fail.
         let varied = varied(&plan.map.region([column, row]).spread);
-        let _ =
-            writeln!(text, "  region [{column}, {row}]: {}{varied}; {}", described(&wanted), answer.coverage);
+        let _ = writeln!(
+            text,
+            "  region [{column}, {row}]: {}{varied}; {}",
+            described(&wanted, plan.way.is_some()),
+            answer.coverage
+        );
         for note in &answer.notes {
             let _ = writeln!(text, "    {note}");
         }
@@ -79,7 +84,7 @@ fn reach(plan: &Plan, index: usize) -> String {
     text
 }
 
-fn described(wanted: &Attributes) -> String {
+fn described(wanted: &Attributes, bent: bool) -> String {
     match wanted {
         Attributes::Spots(spots) => {
             let spacing = spots.spacing.map(|spacing| format!(", {spacing:.1} px apart")).unwrap_or_default();
@@ -88,6 +93,7 @@ fn described(wanted: &Attributes) -> String {
                 spots.area, spots.aspect, spots.angle
             )
         }
+        Attributes::Stripes(stripes) if bent => format!("lines {:.1} px wide", stripes.width),
         Attributes::Stripes(stripes) => {
             let apart = stripes.wavelength.map(|apart| format!(", {apart:.1} px apart")).unwrap_or_default();
             format!("stripes {:.1} px wide at {:.0}°{apart}", stripes.width, stripes.angle)

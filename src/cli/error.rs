@@ -33,6 +33,16 @@ pub enum Error {
         /// The document.
         file: String,
     },
+    /// Some pictures of a sheet were not grown.
+    #[error("{} of {all} pictures were not grown; {sheet} says why in their places:\n  {}", why.len(), why.join("\n  "))]
+    Tiles {
+        /// The sheet, which was written.
+        sheet: String,
+        /// Pictures that it has places for.
+        all: usize,
+        /// One line for each that is missing.
+        why: Vec<String>,
+    },
     /// Ctrl-C.
     #[error("interrupted")]
     Interrupted,

@@ -1,7 +1,7 @@
 //! `dapple grow`: a document → its texture.
 
-mod pictures;
-mod progress;
+pub(super) mod pictures;
+pub(super) mod progress;
 
 use super::{Error, values};
 use crate::export;
@@ -105,7 +105,7 @@ impl Args {
 }
 
 /// Where a path leads, so that `a.png` and `./a.png` are one; a file need not be there yet.
-fn place(path: &Path) -> PathBuf {
+pub(super) fn place(path: &Path) -> PathBuf {
     let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
     let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
     path.canonicalize().unwrap_or_else(|_| folder.join(path.file_name().unwrap_or_default()))

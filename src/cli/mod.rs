@@ -11,6 +11,7 @@ mod interrupt;
 mod learn;
 mod lookup;
 mod measure;
+mod sheet;
 mod values;
 
 pub use error::Error;
@@ -35,6 +36,8 @@ struct Cli {
 enum Command {
     /// Grow a document and write its picture
     Grow(grow::Args),
+    /// Grow many documents and lay their pictures out on one sheet
+    Sheet(sheet::Args),
     /// Look up the parameters that give spots or stripes of certain attributes
     Lookup(lookup::Args),
     /// Measure the spots or stripes in a picture
@@ -68,6 +71,7 @@ pub fn main() -> ExitCode {
 fn run(command: Command) -> Result<(), Error> {
     match command {
         Command::Grow(args) => grow::run(&args),
+        Command::Sheet(args) => sheet::run(&args),
         Command::Lookup(args) => lookup::run(&args),
         Command::Measure(args) => measure::run(&args),
         Command::Check(args) => check::run(&args),

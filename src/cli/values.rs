@@ -73,6 +73,12 @@ pub(super) fn threads(text: &str) -> Result<usize, String> {
     number.ok_or_else(|| "allowed: a whole number from 1 to 1024".to_owned())
 }
 
+/// A number of rows, columns or pictures.
+pub(super) fn count(text: &str) -> Result<usize, String> {
+    let number = text.parse::<usize>().ok().filter(|number| (1..=1000).contains(number));
+    number.ok_or_else(|| "allowed: a whole number from 1 to 1000".to_owned())
+}
+
 /// Cells along each side of a grid to measure on. The largest takes some 3 GB.
 pub(super) fn grid_side(text: &str) -> Result<usize, String> {
     let number = text.parse::<usize>().ok().filter(|number| (16..=4096).contains(number));

@@ -14,7 +14,10 @@ pub(super) const Z90: f64 = 1.645;
 pub struct Answer {
     /// What to tell the simulation.
     pub parameters: Parameters,
-    /// What these parameters grow, as far as the rows tell; of spots always with their spacing, of lines with their wavelength.
+    /// How many times as far apart as their system puts them the spots are laid; 1 = as it does.
+    pub pitch: f64,
+    /// What these parameters grow, as far as the rows tell; of spots always with their spacing, of lines with their
+    /// wavelength.
     pub predicted: Attributes,
     /// For each attribute the range that a patch grown like those of the set has in 90 of 100 cases.
     /// Angles are degrees about the predicted one and may leave 0..180.
@@ -157,6 +160,7 @@ impl TrainingSet {
         };
         Ok(Answer {
             parameters: reached.parameters,
+            pitch: 1.0,
             predicted: reached.prediction.attributes,
             interval: reached.prediction.interval,
             coverage: reached.judgement.coverage,

@@ -20,6 +20,7 @@
 //! rows are, and the answer says so ([`Coverage`]).
 
 mod answer;
+mod apart;
 mod bandwidth;
 mod columns;
 mod coordinates;

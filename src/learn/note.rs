@@ -84,6 +84,15 @@ pub enum Note {
     },
     /// The spacing was left free: area ÷ spacing² that is taken.
     FreeSpacing(f64),
+    /// Spots are laid farther apart than their system puts them.
+    Apart {
+        /// Area ÷ spacing² that was asked, and will grow.
+        asked: Quantity,
+        /// The least that the system packs by itself.
+        sparsest: Quantity,
+        /// How many times as far apart as by themselves.
+        pitch: f64,
+    },
 }
 
 impl Note {
@@ -96,6 +105,9 @@ impl Note {
                 Self::Beyond { asked: asked.in_px(cell), reached: reached.in_px(cell), called }
             }
             Self::Together { asked, reached } => Self::Together { asked: all(asked), reached: all(reached) },
+            Self::Apart { asked, sparsest, pitch } => {
+                Self::Apart { asked: asked.in_px(cell), sparsest: sparsest.in_px(cell), pitch }
+            }
             Self::FreeSpacing(density) => Self::FreeSpacing(density),
         }
     }
@@ -116,6 +128,18 @@ impl fmt::Display for Note {
             }
             Self::FreeSpacing(density) => {
                 write!(f, "spacing is free: growing at area/spacing² {}", brief(*density))
+            }
+            Self::Apart { asked, sparsest, pitch } => {
+                let pitch = brief(*pitch);
+                let laid = format!(
+                    "each spot is laid at a place of its own, {pitch} times as far apart as the system puts them"
+                );
+                if asked.value < sparsest.value {
+                    let sparsest = sparsest.number();
+                    write!(f, "{asked} is less than {sparsest}, the sparsest that one run packs: {laid}")
+                } else {
+                    write!(f, "{laid}, like those of the sparser regions around it")
+                }
             }
         }
     }

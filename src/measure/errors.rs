@@ -19,7 +19,7 @@ pub struct Canvas<'a> {
     pub regions: usize,
     /// The region of a place, below `regions`.
     pub region_of: &'a (dyn Fn([f64; 2]) -> usize + Sync),
-    /// Do the marks of another layer cover a place? Spots on either side of one are no neighbours.
+    /// Do the marks of another layer cover a place? Spots with one between them are no neighbours.
     pub covered: &'a (dyn Fn([f64; 2]) -> bool + Sync),
     /// The region map: what is wanted at a place.
     pub wanted: &'a (dyn Fn([f64; 2]) -> Attributes + Sync),
@@ -96,7 +96,7 @@ fn neighbours(spots: &[Spot], canvas: &Canvas) -> Vec<Vec<(f64, Option<f64>)>> {
     let tile = (canvas.edges == Edges::Wrap).then_some(canvas.size);
     let mut found = vec![Vec::new(); canvas.regions];
     for edge in edges(&centers, tile).iter().filter(|edge| !edge.hull) {
-        if crosses(edge, centers[edge.ends[0]], canvas) {
+        if is_parted(edge, centers[edge.ends[0]], canvas) {
             continue;
         }
         let Attributes::Spots(wanted) = (canvas.wanted)(edge.middle) else { continue };
@@ -107,21 +107,34 @@ fn neighbours(spots: &[Spot], canvas: &Canvas) -> Vec<Vec<(f64, Option<f64>)>> {
     found
 }
 
-/// Points between the ends of an edge at which it is asked whether it crosses a covered place.
-const ASKED: usize = 7;
+/// Rings of points in the circle between the ends of an edge at which it is asked whether a mark stands there.
+const RINGS: usize = 4;
 
-/// Does an edge that begins at `from` cross a place that another layer's marks cover?
-fn crosses(edge: &Edge, from: [f64; 2], canvas: &Canvas) -> bool {
+/// Does another layer's mark stand between the ends of an edge, one of which is `from`: in the circle that has the edge
+/// as its diameter?
+fn is_parted(edge: &Edge, from: [f64; 2], canvas: &Canvas) -> bool {
     let half = [0, 1].map(|axis| {
         let way = edge.middle[axis] - from[axis];
         let side = canvas.size[axis];
         if canvas.edges == Edges::Wrap { way - side * (way / side).round() } else { way }
     });
-    let fold = |v: f64, side: f64| if canvas.edges == Edges::Wrap { v.rem_euclid(side) } else { v };
-    (1..=ASKED).any(|k| {
-        let share = 2.0 * k as f64 / (ASKED + 1) as f64;
-        (canvas.covered)([0, 1].map(|axis| fold(from[axis] + share * half[axis], canvas.size[axis])))
-    })
+    let fold = |v: f64, side: f64| match canvas.edges {
+        Edges::Wrap => v.rem_euclid(side),
+        Edges::Closed => v.clamp(0.0, side),
+    };
+    let covered = |x: f64, y: f64| {
+        let away = [x * half[0] - y * half[1], x * half[1] + y * half[0]];
+        (canvas.covered)([0, 1].map(|axis| fold(edge.middle[axis] + away[axis], canvas.size[axis])))
+    };
+    let ring = |ring: usize| {
+        let points = (6 * ring).max(1);
+        let radius = ring as f64 / RINGS as f64;
+        (0..points).any(|k| {
+            let turn = std::f64::consts::TAU * k as f64 / points as f64;
+            covered(radius * libm::cos(turn), radius * libm::sin(turn))
+        })
+    };
+    (0..=RINGS).any(ring)
 }
 
 fn compare(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> SpotErrors {

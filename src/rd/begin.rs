@@ -4,7 +4,7 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
-use super::maps::{Maps, Parameters};
+use super::maps::{Crests, Maps, Parameters};
 use super::nuclei::{Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
 use super::{System, gabor, meinhardt_lines, meinhardt_spots, meinhardt_stripes, turing_spots};
@@ -65,7 +65,11 @@ impl Beginning {
                 return held(self.system, maps, oriented_noise(maps, self.edges, &mut rng).into());
             }
             System::MeinhardtLines => {
-                return held(self.system, maps, crests(maps, self.edges, &mut rng).into());
+                let begun = match &maps.crests {
+                    Some(crests) => along(crests, maps),
+                    None => crests(maps, self.edges, &mut rng),
+                };
+                return held(self.system, maps, begun.into());
             }
             System::TuringSpots | System::MeinhardtSpots => {}
         }
@@ -98,6 +102,13 @@ pub fn held(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Ve
             }
         }
     }
+    if let (Some(crests), [_, inhibitor, ..]) = (&maps.crests, &mut chemicals[..]) {
+        for ((cell, taken), held) in inhibitor.iter_mut().zip(&maps.taken).zip(&crests.held) {
+            if *taken {
+                *cell = *held;
+            }
+        }
+    }
     chemicals
 }
 
@@ -110,7 +121,7 @@ pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [
 fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec<f32>; 2] {
     let radius = |p: &Parameters| match system {
         System::TuringSpots => turing_spots::RADIUS,
-        _ => meinhardt_spots::radius(p.ratio),
+        _ => meinhardt_spots::radius(p.ratio) / p.apart(),
     };
     let bell = bells(maps, edges, laid, &radius);
     let mut cells = [vec![0.0; bell.len()], vec![0.0; bell.len()]];
@@ -125,7 +136,7 @@ fn bells_on(system: System, maps: &Maps, edges: Edges, laid: &[Nucleus]) -> [Vec
             }
             [a[i], b[i]] = match system {
                 System::TuringSpots => turing_spots::begin(*bell),
-                _ => meinhardt_spots::begin(*bell, peak),
+                _ => meinhardt_spots::begin(*bell, peak, p.apart() > 1.0),
             };
         }
     });
@@ -211,6 +222,22 @@ fn crests(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 2] {
         for (i, (phase, p)) in phases.iter().zip(parameters).enumerate() {
             let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();
             let off = f64::from(*phase) / std::f64::consts::TAU * wavelength(p) / width;
+            let crest = libm::exp(-0.5 * off * off) as f32;
+            [a[i], b[i]] = meinhardt_lines::begin(crest, meinhardt_lines::peak(p.ratio));
+        }
+    });
+    cells
+}
+
+/// Lines begin along the curves of `maps`.
+fn along(crests: &Crests, maps: &Maps) -> [Vec<f32>; 2] {
+    let mut cells = [vec![0.0; crests.off.len()], vec![0.0; crests.off.len()]];
+    let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
+    let rows = crests.off.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
+    a.zip(b).zip(rows).for_each(|((a, b), (off, parameters))| {
+        for (i, (off, p)) in off.iter().zip(parameters).enumerate() {
+            let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();
+            let off = f64::from(*off) / width;
             let crest = libm::exp(-0.5 * off * off) as f32;
             [a[i], b[i]] = meinhardt_lines::begin(crest, meinhardt_lines::peak(p.ratio));
         }

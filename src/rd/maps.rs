@@ -18,6 +18,18 @@ pub struct Parameters {
     pub pitch: f32,
 }
 
+/// Up to here the pitch only makes up for how places come out, and all that is told in pitches goes with it.
+const CORRECTED: f32 = 1.2;
+
+impl Parameters {
+    /// How many times farther apart than their own room spots are laid, ≥ 1: what is about a spot itself, its beginning
+    /// and its distance from walls, does not go with it.
+    #[must_use]
+    pub fn apart(&self) -> f64 {
+        f64::from((self.pitch / CORRECTED).max(1.0))
+    }
+}
+
 /// The grid and the [`Parameters`] of each of its cells.
 #[derive(Clone, Debug)]
 pub struct Maps {
@@ -33,20 +45,30 @@ pub struct Maps {
     pub taken: Vec<bool>,
     /// By how much the decay β of Turing's spots differs from its 12, row by row; empty = nowhere.
     pub uneven: Vec<f32>,
+    /// Where lines begin; `None` = everywhere.
+    pub crests: Option<Crests>,
+}
+
+/// Curves that lines begin along, and what keeps them there; by cell, row by row.
+#[derive(Clone, Debug)]
+pub struct Crests {
+    /// Cells to the nearest of them.
+    pub off: Vec<f32>,
+    /// Inhibitor of taken cells: lines lean towards little of it.
+    pub held: Vec<f32>,
 }
 
 impl Maps {
+    /// These parameters of `nx` × `ny` cells, row by row, on a free canvas.
+    #[must_use]
+    pub fn new([nx, ny]: [usize; 2], cell: [f64; 2], parameters: Vec<Parameters>) -> Self {
+        Self { nx, ny, cell, parameters, taken: Vec::new(), uneven: Vec::new(), crests: None }
+    }
+
     /// The same parameters everywhere, on square cells.
     #[must_use]
     pub fn uniform(nx: usize, ny: usize, parameters: Parameters) -> Self {
-        Self {
-            nx,
-            ny,
-            cell: [1.0, 1.0],
-            parameters: vec![parameters; nx * ny],
-            taken: Vec::new(),
-            uneven: Vec::new(),
-        }
+        Self::new([nx, ny], [1.0, 1.0], vec![parameters; nx * ny])
     }
 
     /// The parameters of the cell that the point (x, y), in cells, lies in; beyond the border the nearest.
@@ -92,6 +114,12 @@ impl Maps {
         let taken = (0..taken).map(|i| self.is_taken(self.cell_at(at(i)))).collect();
         let uneven = if self.uneven.is_empty() { 0 } else { nx * ny };
         let uneven = (0..uneven).map(|i| self.uneven_at(at(i), [wide, high])).collect();
+        let crests = self.crests.as_ref().map(|crests| {
+            let there = |values: &[f32], factor: f32| -> Vec<f32> {
+                (0..nx * ny).map(|i| factor * values[self.cell_at(at(i))]).collect()
+            };
+            Crests { off: there(&crests.off, 1.0 / finer.sqrt()), held: there(&crests.held, 1.0) }
+        });
         let parameters = (0..nx * ny)
             .into_par_iter()
             .map(|i| {
@@ -99,6 +127,7 @@ impl Maps {
                 Parameters { rate: p.rate * finer, ..p }
             })
             .collect();
-        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters, taken, uneven }
+        let cell = [self.cell[0] * wide, self.cell[1] * high];
+        Self { nx, ny, cell, parameters, taken, uneven, crests }
     }
 }

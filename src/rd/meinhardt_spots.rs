@@ -16,6 +16,9 @@ pub struct MeinhardtSpots;
 const P1: f32 = 0.03;
 /// Decay of b.
 pub const P2: f32 = 0.04;
+/// a and b are no less. Far from any spot both decay for ever; without a bound a² and b leave what 32 bits hold, and
+/// a²/b has no value. So low that nothing is seen of it, and b so much above a that a²/b stays nothing.
+const LEAST: [f32; 2] = [1e-17, 1e-12];
 // β = 1 and p₃ = 0: noise in β makes spots uneven, p₃ > 0 thins them out (`facts.md` B).
 
 impl Kinetics<2> for MeinhardtSpots {
@@ -25,6 +28,11 @@ impl Kinetics<2> for MeinhardtSpots {
     fn react<V: Number>([a, b]: [V; 2]) -> [V; 2] {
         let source = V::of(0.01) * a * a;
         [source / b - V::of(P1) * a, source - V::of(P2) * b]
+    }
+
+    #[inline(always)]
+    fn bounded<V: Number>([a, b]: [V; 2]) -> [V; 2] {
+        [a.at_least(LEAST[0]), b.at_least(LEAST[1])]
     }
 }
 
@@ -52,8 +60,11 @@ pub fn radius(ratio: f32) -> f64 {
 
 /// Concentrations to begin from, `bell` 1 in the middle of a spot to be and 0 far away (`facts.md` G). `peak` is
 /// what [`peak`] says of the ratio there.
-pub fn begin(bell: f32, peak: f32) -> [f32; 2] {
-    [0.02 + peak * bell, 0.3]
+///
+/// Where spots stand far `apart`, the ground has no a: out of their reach a decays as exp(−p₁/p₂·T), more slowly than b,
+/// and the ground would turn into pattern once a/b = 3, at T = 15.
+pub fn begin(bell: f32, peak: f32, apart: bool) -> [f32; 2] {
+    [if apart { 0.0 } else { 0.02 } + peak * bell, 0.3]
 }
 
 /// No activator, and as much inhibitor as between spots.

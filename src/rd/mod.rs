@@ -27,9 +27,9 @@ mod wavefront;
 
 pub use begin::{Beginning, begun, held, nuclei};
 pub use growth::Growth;
-pub use maps::{Maps, Parameters};
+pub use maps::{Crests, Maps, Parameters};
 pub use mosaic::mosaic;
-pub use nuclei::{Places, make_room};
+pub use nuclei::{Places, make_room, off_walls};
 pub use prolong::prolonged;
 pub use wavefront::{Instructions, Tiling};
 

@@ -13,7 +13,7 @@ mod room;
 mod taken;
 mod walls;
 
-pub use room::{Places, make_room};
+pub use room::{Places, make_room, off_walls};
 
 use rand::{Rng, RngExt};
 
@@ -32,6 +32,8 @@ pub struct Nucleus {
     pub metric: [f64; 3],
     /// Reach of one pitch in any direction, cells.
     pub reach: f64,
+    /// See [`Parameters::apart`].
+    apart: f64,
 }
 
 impl Nucleus {
@@ -48,13 +50,19 @@ impl Nucleus {
         let [cx, cy] = [(cell[0] / cell[1]).sqrt(), (cell[1] / cell[0]).sqrt()];
         let scale = 1.0 / (pitch * pitch);
         let metric = [t.xx * cx * cx * scale, t.xy * scale, t.yy * cy * cy * scale];
-        Self { at, metric, reach: 1.05 * pitch / stretch.sqrt() }
+        Self { at, metric, reach: 1.05 * pitch / stretch.sqrt(), apart: p.apart() }
     }
 
-    /// Pitches that a cell of the shortest way to a wall across this axis is.
+    /// The same with the room that its own spot needs, however far apart they are laid.
+    fn alone(self) -> Self {
+        let metric = self.metric.map(|part| part * self.apart * self.apart);
+        Self { metric, reach: self.reach / self.apart, apart: 1.0, ..self }
+    }
+
+    /// Pitches, of the room that it needs itself, that a cell of the shortest way to a wall across this axis is.
     fn pitches_to_wall(&self, axis: usize) -> f64 {
         let [xx, xy, yy] = self.metric;
-        ((xx * yy - xy * xy) / [yy, xx][axis]).sqrt()
+        self.apart * ((xx * yy - xy * xy) / [yy, xx][axis]).sqrt()
     }
 
     /// Squared distance of a point at `delta` cells from here, in pitches.
@@ -92,7 +100,7 @@ pub fn lay(
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     rng: &mut impl Rng,
 ) -> Laid {
-    let mut crowd = Crowd::of(maps, pitch);
+    let crowd = Crowd::of(maps, pitch);
     let frame = if edges == Edges::Closed { (FRAME * crowd.largest).ceil() } else { 0.0 };
     let size = [maps.nx as f64, maps.ny as f64];
     let space = Space { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
@@ -100,30 +108,35 @@ pub fn lay(
     let nucleus = |at: [f64; 2]| Nucleus { at, ..Nucleus::at(maps, on_maps(at), pitch) };
     let mut placed = Buckets::new(space, PUSH * crowd.largest);
     let fixed = taken::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
-    if !fixed.is_empty() {
-        crowd.leave(&|cell| !taken::is_clear(maps, edges, &Nucleus::at(maps, maps.middle(cell), pitch)));
-    }
-    let wanted = crowd.wanted(frame);
-    if crowd.densest == 0.0 {
-        return Laid { inside: Vec::new(), beyond: fixed };
-    }
-    let likely = |at: [f64; 2]| crowd.densities[maps.cell_at(on_maps(at))] / crowd.densest;
-    throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
     let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
-    for _ in 0..ROUNDS {
-        relax(&mut placed, PUSH, &moved);
+    let clear = if fixed.is_empty() { Vec::new() } else { taken::clear(maps, edges, pitch) };
+    let is_clear = |at: [f64; 2]| clear.is_empty() || clear[maps.cell_at(on_maps(at))];
+    let spread =
+        |placed: &mut Buckets| taken::within(placed, &is_clear, |placed| relax(placed, PUSH, &moved));
+    if fixed.is_empty() {
+        let wanted = crowd.wanted(frame);
+        let likely = |at: [f64; 2]| crowd.densities[maps.cell_at(on_maps(at))] / crowd.densest;
+        throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
+        (0..ROUNDS).for_each(|_| relax(&mut placed, PUSH, &moved));
+    } else {
+        for closest in taken::FILLS {
+            taken::fill(&mut placed, fixed.len(), space.size, closest, &is_clear, &nucleus, rng);
+            (0..ROUNDS).for_each(|_| spread(&mut placed));
+        }
     }
     let grid = Grid { frame, size };
     if edges == Edges::Closed {
-        grid.keep_off_walls(&mut placed, |placed| relax(placed, PUSH, &moved));
+        grid.keep_off_walls(&mut placed, spread);
     }
     let mut all = placed.all;
     let mut posts: Vec<Nucleus> = all.drain(..fixed.len()).collect();
     posts.iter_mut().zip(&fixed).for_each(|(post, fixed)| post.at = on_maps(fixed.at));
-    all.iter_mut().for_each(|point| point.at = on_maps(point.at));
     if !fixed.is_empty() {
-        all = taken::with_room(maps, edges, all, Buckets::new(Space { size, edges }, PUSH * crowd.largest));
+        all.retain(|point| is_clear(point.at));
+        // Where they were laid: those beyond closed edges are no images of those inside.
+        all = taken::with_room(all, Buckets::new(space, PUSH * crowd.largest));
     }
+    all.iter_mut().for_each(|point| point.at = on_maps(point.at));
     if edges == Edges::Wrap {
         return Laid { inside: all, beyond: posts };
     }

@@ -35,7 +35,7 @@ impl Kinetics<2> for TuringSpots {
 
     #[inline(always)]
     fn bounded<V: Number>([a, b]: [V; 2]) -> [V; 2] {
-        [a, b.not_negative()]
+        [a, b.at_least(0.0)]
     }
 }
 
@@ -53,7 +53,7 @@ impl Kinetics<3> for UnevenTuringSpots {
 
     #[inline(always)]
     fn bounded<V: Number>([a, b, beta]: [V; 3]) -> [V; 3] {
-        [a, b.not_negative(), beta]
+        [a, b.at_least(0.0), beta]
     }
 }
 

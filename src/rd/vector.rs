@@ -10,9 +10,9 @@ pub trait Number:
     /// The same value in all lanes.
     fn of(value: f32) -> Self;
 
-    /// 0 where negative; anything else, not-a-number included, as it is.
+    /// `least` where below it; anything else, not-a-number included, as it is.
     #[must_use]
-    fn not_negative(self) -> Self;
+    fn at_least(self, least: f32) -> Self;
 }
 
 impl Number for f32 {
@@ -22,8 +22,8 @@ impl Number for f32 {
     }
 
     #[inline(always)]
-    fn not_negative(self) -> Self {
-        if self < 0.0 { 0.0 } else { self }
+    fn at_least(self, least: f32) -> Self {
+        if self < least { least } else { self }
     }
 }
 
@@ -60,10 +60,10 @@ impl Number for Four {
     }
 
     #[inline(always)]
-    fn not_negative(self) -> Self {
+    fn at_least(self, least: f32) -> Self {
         let mut lanes = self.0;
         for lane in &mut lanes {
-            *lane = lane.not_negative();
+            *lane = lane.at_least(least);
         }
         Self(lanes)
     }
@@ -132,10 +132,10 @@ mod x86 {
                 }
 
                 #[inline(always)]
-                fn not_negative(self) -> Self {
+                fn at_least(self, least: f32) -> Self {
                     // The second operand comes back where neither is greater, and where one is not a number.
                     // SAFETY: the processor has such registers.
-                    Self(unsafe { $max($splat(0.0), self.0) })
+                    Self(unsafe { $max($splat(least), self.0) })
                 }
             }
 

@@ -58,6 +58,12 @@ impl Engine {
     pub fn new(plan: &Plan, seed: u64) -> Self {
         let edges = plan.map.layout().edges;
         match vary(plan, seed) {
+            None if let Some(places) = plan.places_in_cells() => {
+                let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+                let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
+                let largest = ladder::largest(plan.system, &maps);
+                Self::begun(plan.system, maps, edges, beginning, largest)
+            }
             None => {
                 let maps = plan.maps(&pitches(plan, seed)).uneven(plan.irregular, edges, seed);
                 Self::of(plan.system, maps, edges, seed)
@@ -232,7 +238,7 @@ impl Engine {
     /// The pattern as far as it has grown, at `width` × `height` px. `plan` is that of the engine.
     #[must_use]
     pub fn look(&self, plan: &Plan, width: usize, height: usize) -> Field {
-        Pattern::new(plan, &self.marks()).field(width, height)
+        Pattern::new(plan, &plan.levelled(self.marks())).field(width, height)
     }
 }
 
@@ -289,6 +295,7 @@ fn stage(
         Growth::resumed(system, here, edges, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
     let rest = Rest::new(system, unit, begins, growth.marks(here).values);
+    let rest = if here.taken.contains(&true) { rest.among_frozen() } else { rest };
     let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
     Stage { level, coarse, growth, counts, rest, expected }
 }

@@ -21,7 +21,7 @@ fn graded(system: System, [nx, ny]: [usize; 2], times: f32) -> Maps {
             Parameters { rate, ratio: 12.0, stretch: 0.6, direction: 20.0 + 30.0 * t, pitch: 1.0 }
         })
         .collect();
-    Maps { nx, ny, cell: [1.0, 1.0], parameters, taken: Vec::new(), uneven: Vec::new() }
+    Maps::new([nx, ny], [1.0, 1.0], parameters)
 }
 
 /// A canvas with several grids under it.

@@ -1,17 +1,15 @@
 //! Growing a document.
 
-use super::beneath::taken;
+use super::course::CourseError;
 use super::engine::Engine;
 use super::memory::TooLarge;
 use super::pattern::Pattern;
-use super::plan::{Plan, PlanError, plan};
-use super::probe::{ProbeError, When};
-use super::recipe::{After, Document, DocumentError, Problem};
+use super::plan::{Plan, PlanError};
+use super::probe::ProbeError;
+use super::recipe::{Document, DocumentError};
 use super::refine::{Measured, refine};
 use super::settle::settle;
-use super::training::Training;
 use super::watch::{Cancelled, Stage, Watch};
-use super::{drawn, memory};
 use crate::field::Field;
 
 impl From<ProbeError> for GrowError {
@@ -33,6 +31,7 @@ pub struct Options {
 }
 
 /// A grown layer.
+#[derive(Clone)]
 pub struct GrownLayer {
     /// What was planned.
     pub plan: Plan,
@@ -64,6 +63,10 @@ pub struct Grown {
     pub size: [u32; 2],
     /// Its layers, the lowest first.
     pub layers: Vec<GrownLayer>,
+    /// What it was grown from.
+    pub document: Document,
+    /// And how.
+    pub options: Options,
 }
 
 /// Why a document was not grown.
@@ -89,6 +92,14 @@ pub enum GrowError {
         /// 1 = the lowest.
         layer: usize,
     },
+    /// Rings or a web find nothing to go round, or no room.
+    #[error("layer {layer} cannot be grown: {reason}")]
+    Course {
+        /// 1 = the lowest.
+        layer: usize,
+        /// Why.
+        reason: CourseError,
+    },
     /// The pattern left the range in which its system works.
     #[error(
         "layer {layer} grew no pattern: its concentrations are not finite; try another seed or larger marks"
@@ -99,48 +110,8 @@ pub enum GrowError {
     },
 }
 
-/// Grows `document` (named `source` in messages).
-///
-/// # Errors
-/// See [`GrowError`].
-pub fn grow(
-    document: &Document,
-    source: &str,
-    training: &Training,
-    options: Options,
-    watch: &Watch,
-) -> Result<Grown, GrowError> {
-    for (index, layer) in document.layers.iter().enumerate().skip(1) {
-        if layer.after != After::Between {
-            let place = format!("layers[{index}].after");
-            let allowed = "\"between\"; the other ways to meet the marks beneath are not built yet";
-            let found = format!("\"{}\"", layer.after.name());
-            return Err(Problem::new(place, found, allowed).in_file(source).into());
-        }
-    }
-    let size = options.size.unwrap_or(document.size);
-    let correct = options.refine.unwrap_or(document.growth.refine);
-    let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
-    for index in 0..document.layers.len() {
-        watch.step(Stage::Plan, 0.0)?;
-        let map = drawn::region_map(document, index, source)?.resized(size.map(f64::from));
-        let mut plan = plan(training, document.layers[index].choice(), &map)?;
-        plan.irregular = document.layers[index].options.irregular;
-        memory::check(plan.system, size.map(f64::from), plan.grid)?;
-        if correct {
-            watch.step(Stage::Plan, 0.1)?;
-            plan = plan.probed(training, When::Unsure, watch)?;
-        }
-        if index > 0 {
-            let beneath: Vec<Pattern> = layers.iter().map(GrownLayer::pattern).collect();
-            plan.taken = taken(&beneath, plan.grid);
-        }
-        layers.push(grow_layer(plan, document.layer_seed(index), index + 1, correct, watch)?);
-    }
-    Ok(Grown { size, layers })
-}
-
-fn grow_layer(
+/// Grows layer number `layer` of a document as planned.
+pub(super) fn grow_layer(
     plan: Plan,
     seed: u64,
     layer: usize,
@@ -154,7 +125,7 @@ fn grow_layer(
     }
     watch.step(Stage::Plan, 1.0)?;
     let settled = settle(&mut engine, watch)?;
-    let marks = engine.marks();
+    let marks = plan.levelled(engine.marks());
     if !marks.values.iter().all(|value| value.is_finite()) {
         return Err(GrowError::NoPattern { layer });
     }

@@ -2,10 +2,10 @@
 //!
 //! Attributes are bilinear between region centres, parameters are not: they are looked up on a lattice a few
 //! times finer than the regions and interpolated in the coordinates in which the map is near-linear
-//! (ln rate, ln ratio, −ln stretch · (cos 2φ, sin 2φ), level).
+//! (ln rate, ln ratio, −ln stretch · (cos 2φ, sin 2φ), ln pitch, level).
 
 use crate::attributes::regions::Layout;
-use crate::learn;
+use crate::learn::Answer;
 use crate::rd;
 
 /// Lattice nodes a region along each side; odd, so that region centres, where attributes bend, are nodes.
@@ -17,6 +17,7 @@ pub struct Node {
     ln_rate: f64,
     ln_ratio: f64,
     shape: [f64; 2],
+    ln_pitch: f64,
     /// Share of the peak that is the mark's edge.
     pub level: f64,
 }
@@ -24,13 +25,15 @@ pub struct Node {
 impl Node {
     /// From parameters looked up; a system without a ratio or a level gets neutral ones.
     #[must_use]
-    pub fn of(p: &learn::Parameters) -> Self {
+    pub fn of(answer: &Answer) -> Self {
+        let p = &answer.parameters;
         let stretch = -libm::log(p.stretch);
         let double = (2.0 * p.direction).to_radians();
         Self {
             ln_rate: libm::log(p.rate),
             ln_ratio: libm::log(p.ratio.unwrap_or(1.0)),
             shape: [stretch * libm::cos(double), stretch * libm::sin(double)],
+            ln_pitch: libm::log(answer.pitch),
             level: p.level.unwrap_or(0.5),
         }
     }
@@ -52,7 +55,7 @@ impl Node {
         Self { ln_rate: self.ln_rate + ln_rate, shape: [self.shape[0] + c, self.shape[1] + s], ..*self }
     }
 
-    /// What the simulation is told.
+    /// What the simulation is told; the pitch corrected by this factor.
     #[must_use]
     pub fn parameters(&self, pitch: f64) -> rd::Parameters {
         let [c, s] = self.shape;
@@ -61,7 +64,7 @@ impl Node {
             ratio: libm::exp(self.ln_ratio) as f32,
             stretch: libm::exp(-(c * c + s * s).sqrt()) as f32,
             direction: (0.5 * libm::atan2(s, c)).to_degrees() as f32,
-            pitch: pitch as f32,
+            pitch: (pitch * libm::exp(self.ln_pitch)) as f32,
         }
     }
 }
@@ -93,6 +96,7 @@ impl Lattice {
             sum.ln_ratio += weight * node.ln_ratio;
             sum.shape[0] += weight * node.shape[0];
             sum.shape[1] += weight * node.shape[1];
+            sum.ln_pitch += weight * node.ln_pitch;
             sum.level += weight * node.level;
         }
         sum

@@ -1,15 +1,19 @@
 //! The thread: a document in, a grown texture out.
 
+mod around;
 pub mod beneath;
+mod cascade;
+pub mod course;
 pub mod drawn;
 mod engine;
 mod grow;
+pub mod inside;
 mod ladder;
 mod lattice;
 pub mod memory;
 mod patch;
 pub mod pattern;
-mod pitches;
+pub mod pitches;
 pub mod plan;
 pub mod probe;
 pub mod recipe;
@@ -20,8 +24,9 @@ mod spread;
 mod training;
 mod watch;
 
+pub use cascade::{grow, planned, regrow};
 pub use engine::Engine;
-pub use grow::{GrowError, Grown, GrownLayer, Options, grow};
+pub use grow::{GrowError, Grown, GrownLayer, Options};
 pub use patch::{Patch, Sample};
 pub use refine::Measured;
 pub use settle::settle;

@@ -1,5 +1,6 @@
 //! What will be grown: the system, the size of a cell, and the parameters at every place.
 
+use super::course::{Course, Way};
 use super::lattice::{Lattice, Node};
 use super::probe::{self, Offset, ProbeError, Probed, When};
 use super::recipe::SystemChoice;
@@ -8,7 +9,7 @@ use super::training::Training;
 use super::watch::Watch;
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
-use crate::learn::{Answer, AskError, TrainingError};
+use crate::learn::{Answer, AskError, Note, TrainingError};
 use crate::measure::Canvas;
 use crate::rd::{Maps, System};
 use rayon::prelude::*;
@@ -33,6 +34,10 @@ const FINEST: f64 = 0.35;
 /// its spots are evenest.
 const FREE_MEINHARDT: f64 = 0.12;
 
+/// Spots sparser than what is reached by less than this are as good as met.
+const NOTICED: f64 = 0.02;
+/// From this pitch on spots among sparse ones are laid apart: they stand alone at their usual level.
+const ALONE: f64 = 1.7;
 /// What is asked counts as met where area, spacing and aspect together are nearer than this.
 const MET: f64 = 0.05;
 
@@ -64,6 +69,12 @@ pub struct Plan {
     pub irregular: f64,
     /// Which cells the marks of the layers beneath have taken; empty = none.
     pub taken: Vec<bool>,
+    /// What its lines do to the marks beneath, where they are such.
+    pub way: Option<Way>,
+    /// How they run, once that is known.
+    pub course: Option<Course>,
+    /// Where its marks begin, px, where that is not for its system to say.
+    pub places: Option<Vec<[f64; 2]>>,
     /// What was looked up for each region, lengths in px but parameters in cells.
     pub answers: Vec<Answer>,
     /// What there is to say beside the notes of the answers, by region.
@@ -102,17 +113,75 @@ pub fn exact_cell(wanted: &Attributes, cell: f64) -> f64 {
 }
 
 /// Looks up attributes (px) for a grid of `cell` px a cell. The answer's attributes are px, its parameters
-/// those of the grid.
+/// those of the grid. Spots sparser than any that their system packs by itself are laid farther apart, if they can.
 ///
 /// # Errors
 /// The training set cannot be read, or does not take such attributes.
 pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) -> Result<Answer, PlanError> {
     let exact = exact_cell(wanted, cell);
-    let shrink = cell / exact;
-    let mut answer = training.of(system)?.ask(&wanted.scaled(1.0 / exact))?;
-    answer.parameters.rate *= shrink * shrink;
-    Ok(answer.in_px(exact))
+    let (set, asked) = (training.of(system)?, wanted.scaled(1.0 / exact));
+    let answer = set.ask(&asked)?;
+    let apart = if is_sparser(&asked, &answer.nearest) { set.ask_apart(&asked, 1.0)? } else { None };
+    Ok(on_grid(apart.unwrap_or(answer), cell, exact))
 }
+
+/// As [`ask`], on a canvas where some spots are laid apart: others are, too, where they have the room. On the way from
+/// dense regions to sparse ones parameters else went through those of the sparsest that one run packs, which take twenty
+/// times the steps.
+fn ask_among_sparse(
+    training: &Training,
+    system: System,
+    wanted: &Attributes,
+    cell: f64,
+) -> Result<Answer, PlanError> {
+    let exact = exact_cell(wanted, cell);
+    let apart = training.of(system)?.ask_apart(&wanted.scaled(1.0 / exact), 1.0)?;
+    match apart.filter(|answer| answer.pitch >= ALONE) {
+        Some(answer) => Ok(on_grid(answer, cell, exact)),
+        None => ask(training, system, wanted, cell),
+    }
+}
+
+/// As [`ask`], for spots that are laid at given places: as spots that stand alone where these are far enough apart for
+/// it. `room` is the share of the spacing, 0..1, that is left to them where the places suit their shape least.
+///
+/// # Errors
+/// As [`ask`].
+pub fn ask_placed(
+    training: &Training,
+    system: System,
+    wanted: &Attributes,
+    room: f64,
+    cell: f64,
+) -> Result<Answer, PlanError> {
+    let exact = exact_cell(wanted, cell);
+    let (set, asked) = (training.of(system)?, wanted.scaled(1.0 / exact));
+    let mut answer = match set.ask_apart(&asked, room)? {
+        Some(answer) => answer,
+        None => set.ask(&asked)?,
+    };
+    answer.notes.retain(|note| !matches!(note, Note::Apart { .. }));
+    Ok(on_grid(answer, cell, exact))
+}
+
+/// An answer about cells of `exact` px for a grid of `cell` px a cell.
+fn on_grid(mut answer: Answer, cell: f64, exact: f64) -> Answer {
+    let shrink = cell / exact;
+    answer.parameters.rate *= shrink * shrink;
+    answer.in_px(exact)
+}
+
+/// Is what is asked sparser than what is reached?
+fn is_sparser(asked: &Attributes, reached: &Attributes) -> bool {
+    let packing = |attributes: &Attributes| match attributes {
+        Attributes::Spots(Spots { area, spacing: Some(spacing), .. }) => Some(area / (spacing * spacing)),
+        _ => None,
+    };
+    packing(asked).zip(packing(reached)).is_some_and(|(asked, reached)| asked < (1.0 - NOTICED) * reached)
+}
+
+/// Looks up attributes (px) for a grid of so many px a cell.
+type Asked<'a> = &'a (dyn Fn(&Attributes, f64) -> Result<Answer, PlanError> + Sync);
 
 /// Plans a layer with these wanted attributes. The canvas is that of `map`.
 ///
@@ -128,6 +197,17 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
         SystemChoice::Auto => auto(training, &map)?,
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
+    let sparse = |(place, _)| {
+        let wanted = map.at(map.layout().center(place));
+        Ok(ask(training, system, &wanted, cell_for(&wanted))?.pitch > 1.0)
+    };
+    let sparse = map.regions().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
+    let asked = if sparse { ask_among_sparse } else { ask };
+    planned(system, map, &|wanted, cell| asked(training, system, wanted, cell))
+}
+
+/// Plans a layer of `system` with these wanted attributes, no spacing free, whose parameters are `asked`.
+pub(super) fn planned(system: System, map: RegionMap, asked: Asked) -> Result<Plan, PlanError> {
     let regions: Vec<Attributes> =
         map.regions().map(|(place, _)| map.at(map.layout().center(place))).collect();
     let cell = regions.iter().map(cell_for).fold(f64::INFINITY, f64::min);
@@ -136,8 +216,7 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
     let exact = [size[0] / grid[0] as f64, size[1] / grid[1] as f64];
     let cell = (exact[0] * exact[1]).sqrt();
 
-    let answers =
-        regions.iter().map(|wanted| ask(training, system, wanted, cell)).collect::<Result<Vec<_>, _>>()?;
+    let answers = regions.iter().map(|wanted| asked(wanted, cell)).collect::<Result<Vec<_>, _>>()?;
     let probed = vec![Probed::default(); regions.len()];
     let mut remarks = vec![Vec::new(); regions.len()];
     let mut spreads = vec![Spread::EVEN; regions.len()];
@@ -148,21 +227,28 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
             remarks[index] = limited.notes;
         }
     }
-    let lattice = lattice(training, system, &map, cell, &probed)?;
-    let taken = Vec::new();
-    let irregular = 0.0;
-    Ok(Plan { system, map, cell: exact, grid, lattice, irregular, taken, answers, remarks, probed, spreads })
+    let lattice = lattice(&map, cell, &probed, asked)?;
+    Ok(Plan {
+        system,
+        map,
+        cell: exact,
+        grid,
+        lattice,
+        irregular: 0.0,
+        taken: Vec::new(),
+        way: None,
+        course: None,
+        places: None,
+        answers,
+        remarks,
+        probed,
+        spreads,
+    })
 }
 
 /// Parameters at the nodes over the canvas of `map`: those looked up for what is wanted there, less what probes found
 /// the regions around to be off by.
-fn lattice(
-    training: &Training,
-    system: System,
-    map: &RegionMap,
-    cell: f64,
-    probed: &[Probed],
-) -> Result<Lattice, PlanError> {
+fn lattice(map: &RegionMap, cell: f64, probed: &[Probed], ask: Asked) -> Result<Lattice, PlanError> {
     let layout = Lattice::over(map.layout());
     let node = |index: usize| {
         let point = layout.center(layout.place(index));
@@ -171,7 +257,7 @@ fn lattice(
             .iter()
             .fold(Offset::default(), |sum, &(region, weight)| sum.plus(weight, probed[region].offset));
         let asked = offset.applied(-1.0, &map.at(point));
-        Ok(Node::of(&ask(training, system, &asked, cell)?.parameters))
+        Ok(Node::of(&ask(&asked, cell)?))
     };
     let nodes = (0..layout.len()).into_par_iter().map(node).collect::<Result<Vec<_>, PlanError>>()?;
     Ok(Lattice { layout, nodes })
@@ -236,23 +322,53 @@ impl Plan {
     /// # Errors
     /// The training set cannot be asked; or [`super::Cancelled`].
     pub fn probed(mut self, training: &Training, when: When, watch: &Watch) -> Result<Self, ProbeError> {
-        let layout = *self.map.layout();
-        let wanted: Vec<Attributes> =
-            (0..layout.len()).map(|i| self.map.at(layout.center(layout.place(i)))).collect();
+        if self.places.is_some() || self.way.is_some() {
+            // Spots at places of their own are as their law says; a patch would stand at others.
+            return Ok(self);
+        }
+        let wanted = self.wanted();
         let cell = self.px_a_cell();
         self.probed = probe::probed(training, self.system, &wanted, cell, when, watch)?;
         if self.probed.iter().all(|probed| probed.growths == 0) {
             return Ok(self);
         }
-        self.lattice = lattice(training, self.system, &self.map, cell, &self.probed)?;
-        for ((answer, wanted), Probed { offset, .. }) in
-            self.answers.iter_mut().zip(&wanted).zip(&self.probed)
+        self.follow(training, &wanted)?;
+        Ok(self)
+    }
+
+    /// The same plan with what marks beneath do to its own subtracted: `found` grown, by region.
+    ///
+    /// # Errors
+    /// The training set cannot be asked.
+    pub fn against(mut self, training: &Training, found: &[Offset]) -> Result<Self, PlanError> {
+        for (probed, found) in self.probed.iter_mut().zip(found) {
+            probed.offset = probed.offset.plus(1.0, *found);
+        }
+        let wanted = self.wanted();
+        self.follow(training, &wanted)?;
+        Ok(self)
+    }
+
+    /// What is wanted at the centre of each region.
+    fn wanted(&self) -> Vec<Attributes> {
+        let layout = self.map.layout();
+        (0..layout.len()).map(|i| self.map.at(layout.center(layout.place(i)))).collect()
+    }
+
+    /// Takes the offsets found into the parameters.
+    fn follow(&mut self, training: &Training, wanted: &[Attributes]) -> Result<(), PlanError> {
+        let cell = self.px_a_cell();
+        let system = self.system;
+        let asked = if self.answers.iter().any(|answer| answer.pitch > 1.0) { ask_among_sparse } else { ask };
+        let ask_again = |wanted: &Attributes, cell| asked(training, system, wanted, cell);
+        self.lattice = lattice(&self.map, cell, &self.probed, &ask_again)?;
+        for ((answer, wanted), Probed { offset, .. }) in self.answers.iter_mut().zip(wanted).zip(&self.probed)
         {
-            let corrected = ask(training, self.system, &offset.applied(-1.0, wanted), cell)?;
+            let corrected = ask_again(&offset.applied(-1.0, wanted), cell)?;
             answer.parameters = corrected.parameters;
             answer.predicted = offset.applied(1.0, &corrected.predicted);
         }
-        Ok(self)
+        Ok(())
     }
 
     /// Have the marks of the layers beneath taken this place, px?
@@ -292,6 +408,13 @@ impl Plan {
         at.iter().map(|at| self.place(*at)).collect()
     }
 
+    /// Where its marks begin, cells, where that is not for its system to say.
+    #[must_use]
+    pub fn places_in_cells(&self) -> Option<Vec<[f64; 2]>> {
+        let cells = |at: &[f64; 2]| [0, 1].map(|axis| at[axis] / self.cell[axis]);
+        Some(self.places.as_ref()?.iter().map(cells).collect())
+    }
+
     /// What is known by region of `map`, at a point, px.
     #[must_use]
     pub fn between_regions(&self, known: &[f64], point: [f64; 2]) -> f64 {
@@ -313,6 +436,18 @@ impl Plan {
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };
-        Maps { nx, ny, cell: self.cell, parameters, taken: self.taken.clone(), uneven: Vec::new() }
+        let maps = Maps {
+            nx,
+            ny,
+            cell: self.cell,
+            parameters,
+            taken: self.taken.clone(),
+            uneven: Vec::new(),
+            crests: None,
+        };
+        match &self.course {
+            None => maps,
+            Some(course) => course.told(maps),
+        }
     }
 }

@@ -40,7 +40,11 @@ const FINER: f64 = 1.5;
 #[must_use]
 pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
     if plan.system.is_striped() {
-        return Measured::Stripes(plan.on_canvas(|canvas| measure::stripe_errors(pattern, 0.5, canvas)));
+        let mut errors = plan.on_canvas(|canvas| measure::stripe_errors(pattern, 0.5, canvas));
+        if let Some(course) = &plan.course {
+            errors.iter_mut().enumerate().for_each(|(index, errors)| course.corrected(index, errors));
+        }
+        return Measured::Stripes(errors);
     }
     let marks = measure::spots(pattern, 0.5);
     Measured::Spots { errors: plan.on_canvas(|canvas| measure::spot_errors(&marks, canvas)), marks }
@@ -152,8 +156,12 @@ impl Ruler {
             Self::Stripes(wanted) => {
                 let widths =
                     plan.on_canvas(|canvas| measure::widths(pattern, 0.5, canvas.regions, canvas.region_of));
+                let got = |(index, got): (usize, Option<f64>)| match &plan.course {
+                    Some(course) => Some(course.width(index, got?)),
+                    None => got,
+                };
                 let error = |(got, wanted): (Option<f64>, &f64)| Some(got? / wanted - 1.0);
-                (widths.into_iter().zip(wanted).map(error).collect(), None)
+                (widths.into_iter().enumerate().map(got).zip(wanted).map(error).collect(), None)
             }
         }
     }

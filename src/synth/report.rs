@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::grow::{Grown, GrownLayer};
+use super::inside::is_replaced;
 use super::recipe::Document;
 use super::refine::Measured;
 use crate::attributes::Attributes;
@@ -14,7 +15,14 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
         .layers
         .iter()
         .zip(&document.layers)
-        .map(|(grown, layer)| layer_report(grown, &layer.name))
+        .enumerate()
+        .map(|(index, (grown, layer))| {
+            let mut report = layer_report(grown, &layer.name);
+            if is_replaced(document, index) {
+                report["shown"] = json!(false);
+            }
+            report
+        })
         .collect();
     json!({
         "document": source,
@@ -51,6 +59,12 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
     if let Some(level) = answer.parameters.level {
         parameters.insert("level".to_owned(), json!(level * layer.correction[index]));
     }
+    if answer.pitch > 1.0 {
+        parameters.insert("pitch".to_owned(), json!(answer.pitch));
+    }
+    if plan.way.is_some() {
+        parameters.remove("direction");
+    }
     parameters.insert("cell".to_owned(), json!(cell));
     let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
     notes.extend(plan.remarks[index].iter().cloned());
@@ -64,6 +78,7 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
     if let Some(marks) = marks {
         report.insert("marks".to_owned(), json!(marks));
     }
+    let attributes = |what: &Attributes| attributes(what, plan.way.is_none());
     report.insert("asked".to_owned(), attributes(&plan.map.at(layout.center(place))));
     report.insert("parameters".to_owned(), Value::Object(parameters));
     report.insert("predicted".to_owned(), attributes(&answer.predicted));
@@ -94,10 +109,12 @@ fn spread(layer: &GrownLayer, place: [usize; 2], index: usize) -> Option<Value> 
     Some(Value::Object(spread))
 }
 
-fn attributes(attributes: &Attributes) -> Value {
+/// Lines round marks, or between them, are not `directed`: they run as these let them.
+fn attributes(attributes: &Attributes, directed: bool) -> Value {
     match attributes {
         Attributes::Spots(spots) => json!(spots),
-        Attributes::Stripes(stripes) => json!(stripes),
+        Attributes::Stripes(stripes) if directed => json!(stripes),
+        Attributes::Stripes(stripes) => json!({"width": stripes.width}),
     }
 }
 

@@ -61,6 +61,8 @@ pub struct Rest {
     unit: f64,
     /// Does anything begin on this grid?
     begins: bool,
+    /// What the drift that counts as rest is multiplied by.
+    slack: f64,
     before: Vec<f32>,
     last: f64,
     looks: u64,
@@ -81,7 +83,14 @@ impl Rest {
     /// Begins to watch `marks`, as they are before the first of the steps of which `unit` make up a unit of time.
     #[must_use]
     pub fn new(system: System, unit: f64, begins: bool, marks: Vec<f32>) -> Self {
-        Self { system, unit, begins, before: marks, last: f64::INFINITY, looks: 0 }
+        Self { system, unit, begins, slack: 1.0, before: marks, last: f64::INFINITY, looks: 0 }
+    }
+
+    /// The same among frozen marks, which push what stands beside them on for long: lone spots in lanes between three
+    /// others drift by up to 0.007 a unit of time when their areas have long come to rest.
+    #[must_use]
+    pub fn among_frozen(self) -> Self {
+        Self { slack: 2.0, ..self }
     }
 
     /// The steps after which to look next.
@@ -105,7 +114,7 @@ impl Rest {
         let time = steps as f64 / self.unit;
         let every = if self.begins { EVERY } else { OFTEN };
         let change = change(&self.before, &marks, counts) / every;
-        let steady = change < criterion.drift && change > FALLING * self.last;
+        let steady = change < self.slack * criterion.drift && change > FALLING * self.last;
         let corrected = !self.begins && time >= criterion.corrected && change < criterion.still;
         (self.before, self.last) = (marks, change);
         self.looks += 1;

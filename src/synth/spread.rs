@@ -63,6 +63,10 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
     let regions = plan.map.layout().len();
     let mut pitch = vec![1.0; regions];
     let mut shaking = vec![Shaking::default(); regions];
+    if plan.places.is_some() {
+        // They are where they are.
+        return Some(Laid::new(plan, &pitch, &shaking, seed).grown_from(plan, &pitch));
+    }
     let mut round = 0;
     loop {
         let laid = Laid::new(plan, &pitch, &shaking, seed);
@@ -117,9 +121,14 @@ impl Laid {
     fn new(plan: &Plan, pitch: &[f64], shaking: &[Shaking], seed: u64) -> Self {
         let edges = plan.map.layout().edges;
         let maps = plan.maps(pitch);
-        let first = rd::nuclei(plan.system, &maps, edges, seed);
         // Another stream than the one that laid them.
         let mut rng = Pcg64Mcg::seed_from_u64(seed ^ 0x7370_7265_6164);
+        if let Some(places) = plan.places_in_cells() {
+            let scores = Scores::new(plan, &plan.px(&places), &mut rng);
+            let (offsets, own) = drawn(plan, &places, pitch, &scores);
+            return Self { maps, places, offsets, own };
+        }
+        let first = rd::nuclei(plan.system, &maps, edges, seed);
         let scores = Scores::new(plan, &plan.px(&first.inside), &mut rng);
         let (_, own) = drawn(plan, &first.inside, pitch, &scores);
         let room = |laid: &Places, own: &[Parameters], reach: f64, rounds: usize| {

@@ -42,14 +42,7 @@ fn varying(system: System) -> Maps {
             pitch: 1.0 + 0.1 * x,
         }
     };
-    Maps {
-        nx: 48,
-        ny: 40,
-        cell: [1.0, 0.95],
-        parameters: (0..48 * 40).map(parameters).collect(),
-        taken: Vec::new(),
-        uneven: Vec::new(),
-    }
+    Maps::new([48, 40], [1.0, 0.95], (0..48 * 40).map(parameters).collect())
 }
 
 /// FNV-1a, 64 bits, of the values' bytes, the lowest first.

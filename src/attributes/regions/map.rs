@@ -220,6 +220,18 @@ impl RegionMap {
         }
     }
 
+    /// The same map with these spacings, px, by region; `None` = as it is.
+    #[must_use]
+    pub fn spaced_by(&self, spacings: &[Option<f64>]) -> Self {
+        let mut map = self.clone();
+        for (region, given) in map.regions.iter_mut().zip(spacings) {
+            if let (Attributes::Spots(spots), Some(given)) = (&mut region.filled, given) {
+                spots.spacing = Some(*given);
+            }
+        }
+        map
+    }
+
     /// The same regions stretched over another canvas of `size` px: the same marks, more or fewer of them.
     #[must_use]
     pub fn resized(&self, size: [f64; 2]) -> Self {

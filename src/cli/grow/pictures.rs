@@ -7,6 +7,7 @@ use crate::export::png::{self, Header, Samples};
 use crate::export::{self, Prepared, Stopped};
 use crate::field::{Edges, Field, to_u16};
 use crate::synth::beneath::COVERED;
+use crate::synth::inside::is_replaced;
 use crate::synth::pattern::Pattern;
 use crate::synth::recipe::{Colours, Document};
 use crate::synth::{Grown, GrownLayer, Stage, Watch};
@@ -20,7 +21,7 @@ pub fn prepare(
     grown: &Grown,
     watch: &Watch,
 ) -> Result<Vec<Prepared>, Error> {
-    let canvas = Canvas::of(args, document, grown);
+    let canvas = Canvas::of(document, grown, grown.size.map(|side| side as usize * args.scale as usize));
     let dpi = Some(document.dpi * f64::from(args.scale));
     let picture = |path: &Path, samples: Samples, fill: &dyn Fn(&Band, &mut [u8])| {
         let header = Header { size: canvas.size, samples, dpi };
@@ -45,25 +46,41 @@ pub fn prepare(
     Ok(pictures)
 }
 
+/// The texture at `size` px: red, green, blue a px, row by row from the top.
+#[must_use]
+pub fn texture(document: &Document, grown: &Grown, size: [usize; 2]) -> Vec<u8> {
+    let mut rgb = vec![0; 3 * size[0] * size[1]];
+    Canvas::of(document, grown, size).band(0..size[1]).paint(&mut rgb);
+    rgb
+}
+
 /// What is painted, at the size of the pictures.
 struct Canvas<'a> {
     size: [usize; 2],
     layers: Vec<Pattern<'a>>,
     tables: Vec<Table>,
     visible: Vec<bool>,
+    /// Which stand only for the places of the next, and cover nothing.
+    replaced: Vec<bool>,
 }
 
 impl<'a> Canvas<'a> {
-    fn of(args: &Args, document: &Document, grown: &'a Grown) -> Self {
+    fn of(document: &Document, grown: &'a Grown, size: [usize; 2]) -> Self {
         let tables = document.layers.iter().enumerate().map(|(index, layer)| {
             let gradient = layer.colours.as_ref().map(gradient);
             gradient.unwrap_or_else(|| Gradient::default_for_layer(index)).table()
         });
         Self {
-            size: grown.size.map(|side| side as usize * args.scale as usize),
+            size,
             layers: grown.layers.iter().map(GrownLayer::pattern).collect(),
             tables: tables.collect(),
-            visible: document.layers.iter().map(|layer| layer.visible).collect(),
+            visible: document
+                .layers
+                .iter()
+                .enumerate()
+                .map(|(index, layer)| layer.visible && !is_replaced(document, index))
+                .collect(),
+            replaced: (0..document.layers.len()).map(|index| is_replaced(document, index)).collect(),
         }
     }
 
@@ -81,8 +98,11 @@ impl<'a> Canvas<'a> {
             layers.map(|layer| field(layer.rows(rows.clone(), width, height))).collect();
         let mut free = Vec::with_capacity(patterns.len());
         let mut left = vec![true; width * rows.len()];
-        for pattern in &patterns {
+        for (pattern, replaced) in patterns.iter().zip(&self.replaced) {
             free.push(left.clone());
+            if *replaced {
+                continue;
+            }
             for (left, value) in left.iter_mut().zip(&pattern.values) {
                 *left &= *value < COVERED;
             }

@@ -48,6 +48,9 @@ impl Looked {
     /// The parameters by name, the size of a cell last.
     pub fn parameters(&self) -> Vec<(&'static str, f64)> {
         let mut named = self.answer.parameters.named();
+        if self.answer.pitch > 1.0 {
+            named.push(("pitch", self.answer.pitch));
+        }
         named.push(("cell", self.cell));
         named
     }

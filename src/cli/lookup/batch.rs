@@ -11,7 +11,8 @@ use csv::{ReaderBuilder, StringRecord, Trim, Writer};
 /// The columns of a table of questions.
 const COLUMNS: [&str; 7] = ["system", "area", "aspect", "angle", "spacing", "width", "duty"];
 /// The columns that the answers add.
-const ANSWERS: [&str; 8] = ["rate", "ratio", "stretch", "direction", "level", "cell", "coverage", "note"];
+const ANSWERS: [&str; 9] =
+    ["rate", "ratio", "stretch", "direction", "level", "pitch", "cell", "coverage", "note"];
 
 /// What is wrong with a table.
 #[derive(Debug, PartialEq, thiserror::Error)]
@@ -217,6 +218,7 @@ mod tests {
                 "stretch",
                 "direction",
                 "level",
+                "pitch",
                 "cell",
                 "coverage",
                 "note"
@@ -225,11 +227,11 @@ mod tests {
         assert_eq!(rows[1][..6], ["30", "meinhardt-stripes", "8", "", "", ""]);
         assert_eq!(rows[2][..6], ["-20", "meinhardt-spots", "", "0.5", "300", "60"]);
         assert_eq!((rows[1][7].as_str(), rows[1][10].as_str()), ("", ""));
-        assert!(rows.iter().all(|row| row.len() == 14));
+        assert!(rows.iter().all(|row| row.len() == 15));
         let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
-        assert!((1..4).all(|row| number(row, 6) > 0.0 && number(row, 11) > 0.0));
+        assert!((1..4).all(|row| number(row, 6) > 0.0 && number(row, 12) > 0.0));
         assert!((number(2, 9) - 160.0).abs() < 3.0);
-        assert_eq!(rows[1][12], "inside");
+        assert_eq!(rows[1][13], "inside");
     }
 
     #[test]

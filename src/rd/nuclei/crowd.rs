@@ -45,16 +45,6 @@ impl Crowd {
         Self { densities, columns: maps.nx, densest, largest }
     }
 
-    /// Leaves the cells that `left` names to others.
-    pub fn leave(&mut self, left: &(dyn Fn(usize) -> bool + Sync)) {
-        self.densities
-            .par_iter_mut()
-            .enumerate()
-            .filter(|(cell, _)| left(*cell))
-            .for_each(|(_, density)| *density = 0.0);
-        self.densest = self.densities.iter().copied().fold(0.0, f64::max);
-    }
-
     /// Points in all, those over a frame of so many cells too: it is as crowded as the border beside it.
     pub fn wanted(&self, frame: f64) -> usize {
         let row = |row: &[f64]| {

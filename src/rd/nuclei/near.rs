@@ -81,6 +81,11 @@ impl Buckets {
         Self { space, columns, rows, all: Vec::new(), cells: vec![Vec::new(); columns * rows] }
     }
 
+    /// None of the points, in the same space.
+    pub fn emptied(&self) -> Self {
+        Self { all: Vec::new(), cells: vec![Vec::new(); self.cells.len()], ..*self }
+    }
+
     fn bucket(&self, at: [f64; 2]) -> [isize; 2] {
         [
             ((at[0] / self.space.size[0] * self.columns as f64) as usize).min(self.columns - 1) as isize,

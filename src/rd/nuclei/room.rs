@@ -44,6 +44,23 @@ pub fn make_room(
     placed.all[..own.len()].iter().map(stands).collect()
 }
 
+/// Where points at `places`, cells, come to stand when those are moved that are too near a closed edge for a spot: on it,
+/// or well off.
+#[must_use]
+pub fn off_walls(system: System, maps: &Maps, edges: Edges, places: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    if edges == Edges::Wrap || places.is_empty() {
+        return places;
+    }
+    let size = [maps.nx as f64, maps.ny as f64];
+    let nucleus = |at: [f64; 2]| Nucleus::at(maps, at, &|p| system.spacing(p));
+    let all: Vec<Nucleus> = places.into_iter().map(nucleus).collect();
+    let largest = all.iter().map(|point| point.reach).fold(0.0, f64::max);
+    let mut placed = Buckets::new(Space { size, edges }, largest);
+    placed.replace(all);
+    Grid { frame: 0.0, size }.keep_off_walls(&mut placed, |_| ());
+    placed.all.iter().map(|point| point.at).collect()
+}
+
 /// Places of points, cells: those on the grid, and those beyond closed edges or on taken cells, which keep the others from spreading over
 /// them.
 #[derive(Clone, Debug, Default)]

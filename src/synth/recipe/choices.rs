@@ -186,6 +186,15 @@ impl After {
     pub fn name(self) -> &'static str {
         name_in(&Self::NAMES, self)
     }
+
+    /// The keys that a layer's `options` may have with it, beside those of its system.
+    #[must_use]
+    pub fn option_keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Around => &["broken"],
+            Self::Between | Self::Net | Self::Inside => &[],
+        }
+    }
 }
 
 fn name_in<T: Copy + PartialEq>(names: &[(&'static str, T)], one: T) -> &'static str {

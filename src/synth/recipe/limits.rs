@@ -39,6 +39,9 @@ pub const SPREAD_ASPECT: Range = Range { low: 0.0, high: 0.2, unit: "" };
 /// Coefficient of variation of their distances.
 pub const SPREAD_SPACING: Range = Range { low: 0.0, high: 0.2, unit: "" };
 
+/// Share of a ring that is open.
+pub const BROKEN: Range = Range { low: 0.0, high: 0.6, unit: "" };
+
 /// A number's bounds, both included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {

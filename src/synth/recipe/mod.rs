@@ -21,6 +21,7 @@
 //! | `options.spread`, of spots | `"drawn"` |
 //! | `options.duty`, of stripes | 0.5 |
 //! | `options.irregular`, of spots | 0 |
+//! | `options.broken`, of `"after": "around"` | 0: closed rings |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
@@ -41,6 +42,9 @@
 //! `options.irregular` of a layer of spots, 0–1, says how irregular their shapes are: 0 grows ellipses, 1 beans, bars and
 //! drops that differ by 0.4 in area (β ± 3 of Phan & Grimm). Only `turing-spots` does that, which `auto` takes then; their
 //! spacing goes with their area. The mean area is as drawn; aspect and angle are those of the spots before they were bent.
+//!
+//! `options.broken` of a layer `around` the one beneath, 0–0.6: the share of each ring that is open, in two to five gaps a
+//! ring, as on a leopard.
 
 mod choices;
 mod error;
@@ -183,11 +187,13 @@ pub struct Options {
     pub duty: f64,
     /// How irregular its spots are, 0–1.
     pub irregular: f64,
+    /// The share of each ring of an `around` layer that is open, 0..[`limits::BROKEN`].
+    pub broken: f64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { spread: SpreadChoice::default(), duty: Self::DUTY, irregular: 0.0 }
+        Self { spread: SpreadChoice::default(), duty: Self::DUTY, irregular: 0.0, broken: 0.0 }
     }
 }
 

@@ -66,33 +66,43 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
         let place = format!("{}.system", node.place());
         system.mismatch(&place, kind).map_or(Ok(()), Err)?;
     }
+    let after = node.get("after").map_or(Ok(default.after), |node| node.choice(&After::NAMES))?;
     Ok(Layer {
         name: name(node)?.unwrap_or_else(|| format!("layer {}", index + 1)),
         system,
-        after: node.get("after").map_or(Ok(default.after), |node| node.choice(&After::NAMES))?,
+        after,
         visible: node.get("visible").map_or(Ok(default.visible), |node| node.flag())?,
         seed: seed(node)?,
         strokes,
-        options: node.get("options").map_or(Ok(default.options), |node| options(&node, system, kind))?,
+        options: node
+            .get("options")
+            .map_or(Ok(default.options), |node| options(&node, system, kind, after))?,
         colours: node.get("colours").map(|node| colours(&node)).transpose()?,
     })
 }
 
-fn options(node: &Node, system: SystemChoice, kind: Option<Kind>) -> Result<Options, Problem> {
+fn options(node: &Node, system: SystemChoice, kind: Option<Kind>, after: After) -> Result<Options, Problem> {
     if let Some(problem) =
         node.get("spread").and_then(|node| SpreadChoice::mismatch(&node.place(), system.grows().or(kind)))
     {
         return Err(problem);
     }
-    node.keys(system.option_keys())?;
+    let keys = [system.option_keys(), after.option_keys()].concat();
+    node.keys(&keys)?;
     let default = Options::default();
     let options = Options {
         spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))?,
+        broken: node.get("broken").map_or(Ok(default.broken), |node| node.number(&limits::BROKEN))?,
         duty: node.get("duty").map_or(Ok(default.duty), |node| node.number(&limits::DUTY))?,
         irregular: node
             .get("irregular")
             .map_or(Ok(default.irregular), |node| node.number(&limits::IRREGULAR))?,
     };
+    if options.irregular > 0.0 && after == After::Inside {
+        let place = format!("{}.irregular", node.place());
+        let allowed = "0: a spot inside another begins and stays as an ellipse";
+        return Err(Problem::new(place, format!("{} of a layer \"inside\"", options.irregular), allowed));
+    }
     options.mismatch(&node.place(), system, kind).map_or(Ok(options), Err)
 }
 

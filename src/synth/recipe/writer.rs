@@ -52,6 +52,9 @@ fn options(options: &Options) -> Value {
     if options.irregular != 0.0 {
         map.insert("irregular".into(), number(options.irregular));
     }
+    if options.broken > 0.0 {
+        map.insert("broken".into(), number(options.broken));
+    }
     Value::Object(map)
 }
 

@@ -1,0 +1,233 @@
+//! `dapple sheet`: many documents → one picture with all of them, their names beneath.
+
+mod layout;
+mod paper;
+mod text;
+
+use super::grow::{pictures, place, progress};
+use super::{Error, values};
+use crate::export::{self, png};
+use crate::synth::recipe::Document;
+use crate::synth::{Options, Stage, Training, Watch, grow};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use layout::{Layout, Shape, Spot};
+use paper::Paper;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+use text::Pen;
+
+/// Pictures are painted with so many times the px of their thumbnails, then shrunk.
+const FINER: usize = 3;
+/// Px of the largest sheet: 400 MB while it is made.
+const MOST_PX: usize = 1 << 27;
+/// Lines that a name may take.
+const NAME_LINES: usize = 3;
+/// Steps of the progress bar a picture.
+const STEPS: f64 = 100.0;
+
+/// What to grow, and how to lay it out.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// The documents to grow, in the order in which they are laid out
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Where to write the sheet
+    #[arg(short, long, value_name = "SHEET.png")]
+    pub output: PathBuf,
+    /// Documents in a row [default: as make the sheet a little wider than high]
+    #[arg(long, value_name = "N", value_parser = values::count)]
+    pub columns: Option<usize>,
+    /// The longer side of each picture, px
+    #[arg(long, value_name = "PX", default_value_t = 256, value_parser = clap::value_parser!(u32).range(32..=4096))]
+    pub thumb: u32,
+    /// Grow each document from K seeds, side by side: its own and those after it
+    #[arg(long, value_name = "K", default_value = "1", value_parser = values::count)]
+    pub seeds: usize,
+    /// Use the training sets in this folder instead of those built in
+    #[arg(long, value_name = "DIR")]
+    pub training: Option<PathBuf>,
+    /// Threads to use [default: all cores]
+    #[arg(long, value_name = "N", value_parser = values::threads)]
+    pub threads: Option<usize>,
+    /// Show no progress
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// A document, or why there is none.
+struct Entry {
+    file: String,
+    name: String,
+    document: Result<Document, String>,
+}
+
+impl Entry {
+    fn read(path: &Path) -> Self {
+        let file = path.display().to_string();
+        let document = Document::read(path).map_err(|error| Error::from(error).with_causes());
+        let named = document.as_ref().ok().map(|document| document.name.trim().to_owned());
+        let stem = || path.file_stem().map_or_else(|| file.clone(), |stem| stem.to_string_lossy().into());
+        let name = named.filter(|name| !name.is_empty()).unwrap_or_else(stem);
+        Self { file, name, document }
+    }
+
+    /// How large its pictures are shown: as wide to high as the canvas.
+    fn picture(&self, thumb: usize) -> [usize; 2] {
+        let Ok(document) = &self.document else { return [thumb; 2] };
+        let longest = f64::from(document.size[0].max(document.size[1]));
+        document.size.map(|side| ((f64::from(side) / longest * thumb as f64).round() as usize).max(1))
+    }
+
+    fn seed(&self, picture: usize) -> u64 {
+        self.document.as_ref().map_or(0, |document| document.seed).wrapping_add(picture as u64)
+    }
+
+    /// Grows picture number `picture`, `size` px: red, green, blue a px.
+    fn grow(
+        &self,
+        picture: usize,
+        size: [usize; 2],
+        training: &Training,
+        watch: &Watch,
+    ) -> Result<Vec<u8>, Error> {
+        let document = self.document.as_ref().map_err(|reason| Error::step(reason.clone()))?;
+        let document = Document { seed: self.seed(picture), ..document.clone() };
+        let grown = grow(&document, &self.file, training, Options::default(), watch).map_err(Error::grown)?;
+        let fine = size.map(|side| FINER * side);
+        Ok(export::shrink(&pictures::texture(&document, &grown, fine), fine, size))
+    }
+}
+
+/// Grows the documents and writes the sheet.
+///
+/// # Errors
+/// Where the sheet cannot be written; where pictures are missing in it.
+pub fn run(args: &Args) -> Result<(), Error> {
+    if let Some(file) = args.files.iter().find(|file| place(file) == place(&args.output)) {
+        let file = file.display();
+        return Err(Error::Usage(format!("FILE and --output: found {file} twice; allowed: two files")));
+    }
+    export::check_target(&args.output).map_err(Error::step)?;
+    if let Some(threads) = args.threads {
+        // Fails only where the pool exists already, and nothing has used it yet.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    }
+    let entries: Vec<Entry> = args.files.iter().map(|file| Entry::read(file)).collect();
+    let pen = Pen::for_pictures_of(args.thumb as usize);
+    let (layout, names) = lay_out(args, &entries, &pen)?;
+    let mut paper = Paper::blank(layout.size);
+    let missing = fill(args, &entries, &layout, &pen, &mut paper)?;
+    for (spot, lines) in layout.spots.iter().zip(&names) {
+        for (line, text) in lines.iter().enumerate() {
+            pen.write(&mut paper, text, [spot.name[0], spot.name[1] + line * pen.line], text::INK);
+        }
+    }
+    export::save(&args.output, |out| png::rgb8(out, paper.size, None, &paper.rgb))
+        .map_err(Error::exported)?;
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let sheet = args.output.display().to_string();
+    Err(Error::Tiles { sheet, all: entries.len() * args.seeds, why: missing })
+}
+
+/// Where everything goes, and the lines of each name.
+fn lay_out(args: &Args, entries: &[Entry], pen: &Pen) -> Result<(Layout, Vec<Vec<String>>), Error> {
+    let thumb = args.thumb as usize;
+    let columns = args.columns.unwrap_or_else(|| layout::columns(entries.len(), args.seeds));
+    let width = layout::width(thumb, args.seeds);
+    let names: Vec<_> = entries.iter().map(|entry| pen.wrap(&entry.name, width, NAME_LINES)).collect();
+    let shape = |(entry, lines): (&Entry, &Vec<String>)| Shape {
+        picture: entry.picture(thumb),
+        name: lines.len() * pen.line,
+    };
+    let shapes: Vec<Shape> = entries.iter().zip(&names).map(shape).collect();
+    let under = if args.seeds > 1 { pen.line } else { 0 };
+    let layout = Layout::new(&shapes, columns, thumb, args.seeds, under);
+    let [wide, high] = layout.size;
+    if wide.saturating_mul(high) > MOST_PX {
+        return Err(Error::Usage(format!(
+            "the sheet would be {wide} × {high} px; allowed: {MOST_PX} px in all; take a smaller --thumb, fewer \
+             --seeds or fewer files"
+        )));
+    }
+    Ok((layout, names))
+}
+
+/// Grows all pictures onto the paper; why some are missing, one line each.
+fn fill(
+    args: &Args,
+    entries: &[Entry],
+    layout: &Layout,
+    pen: &Pen,
+    paper: &mut Paper,
+) -> Result<Vec<String>, Error> {
+    let cancelled = super::install();
+    let cancelled = || cancelled.load(Ordering::Relaxed);
+    let training = Training::from(args.training.clone());
+    let all = entries.len() * args.seeds;
+    let bar = bar(args.quiet, all);
+    let mut missing = Vec::new();
+    for (index, (entry, spot)) in entries.iter().zip(&layout.spots).enumerate() {
+        for picture in 0..args.seeds {
+            let done = index * args.seeds + picture;
+            bar.set_message(format!("{} of {all}: {}", done + 1, entry.name));
+            let show = |stage: Stage, share: f64| {
+                let share = progress::of_the_whole(stage, share);
+                bar.set_position((STEPS * (done as f64 + share)) as u64);
+            };
+            let watch = Watch { progress: &show, cancelled: &cancelled };
+            let at = [spot.pictures[picture], spot.top];
+            match entry.grow(picture, spot.size, &training, &watch) {
+                Ok(rgb) => paper.lay(&rgb, spot.size, at),
+                Err(Error::Interrupted) => {
+                    bar.finish_and_clear();
+                    return Err(Error::Interrupted);
+                }
+                Err(error) => {
+                    let reason = error.with_causes();
+                    refuse(paper, pen, &reason, spot, at);
+                    missing.push(told(entry, picture, args.seeds, &reason));
+                }
+            }
+            if args.seeds > 1 && entry.document.is_ok() {
+                let seed = format!("seed {}", entry.seed(picture));
+                pen.write(paper, &seed, [at[0], spot.seeds], text::PALE);
+            }
+        }
+    }
+    bar.finish_and_clear();
+    Ok(missing)
+}
+
+/// An empty tile with the reason in it.
+fn refuse(paper: &mut Paper, pen: &Pen, reason: &str, spot: &Spot, at: [usize; 2]) {
+    paper.fill(at, spot.size, paper::EMPTY);
+    let inset = pen.line / 2;
+    let [width, height] = spot.size.map(|side| side.saturating_sub(2 * inset));
+    for (line, text) in pen.wrap(reason, width, height / pen.line).iter().enumerate() {
+        pen.write(paper, text, [at[0] + inset, at[1] + inset + line * pen.line], text::RED);
+    }
+}
+
+/// Why a picture is missing, with the file's name once.
+fn told(entry: &Entry, picture: usize, seeds: usize, reason: &str) -> String {
+    let file = if reason.contains(&entry.file) { String::new() } else { format!("{}: ", entry.file) };
+    let seed = if seeds > 1 && entry.document.is_ok() {
+        format!("seed {}: ", entry.seed(picture))
+    } else {
+        String::new()
+    };
+    format!("{seed}{file}{reason}")
+}
+
+fn bar(quiet: bool, all: usize) -> ProgressBar {
+    let bar = if quiet {
+        ProgressBar::hidden()
+    } else {
+        ProgressBar::with_draw_target(Some(all as u64 * STEPS as u64), ProgressDrawTarget::stderr())
+    };
+    let style =
+        ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed} gone, {eta} left  {wide_msg}");
+    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

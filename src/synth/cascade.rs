@@ -1,0 +1,157 @@
+//! Layer by layer: what earlier ones grew is frozen, and what comes next grows into what they left.
+
+use super::around::{self, plan_lines, way};
+use super::grow::{GrowError, Grown, GrownLayer, Options, grow_layer};
+use super::inside::{is_replaced, plan_inside, refusal};
+use super::pattern::Pattern;
+use super::plan::{Plan, plan};
+use super::probe::When;
+use super::recipe::{After, Document};
+use super::training::Training;
+use super::watch::{Stage, Watch};
+use super::{beneath, drawn, memory};
+use crate::attributes::Attributes;
+use crate::attributes::regions::RegionMap;
+
+/// Grows `document` (named `source` in messages).
+///
+/// # Errors
+/// See [`GrowError`].
+pub fn grow(
+    document: &Document,
+    source: &str,
+    training: &Training,
+    options: Options,
+    watch: &Watch,
+) -> Result<Grown, GrowError> {
+    regrow(document, source, training, options, None, watch)
+}
+
+/// The same where some of it stands in `before`, grown from the same training sets: its lowest layers, as far as they
+/// would grow as they have, are taken from there. What comes out is what [`grow`] gives.
+///
+/// # Errors
+/// See [`GrowError`].
+pub fn regrow(
+    document: &Document,
+    source: &str,
+    training: &Training,
+    options: Options,
+    before: Option<&Grown>,
+    watch: &Watch,
+) -> Result<Grown, GrowError> {
+    let size = options.size.unwrap_or(document.size);
+    let frozen = before.map_or(0, |before| frozen(document, options, before));
+    let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
+    layers.extend(before.iter().flat_map(|before| &before.layers[..frozen]).cloned());
+    let cascade = Cascade { document, source, training, options, watch };
+    for index in frozen..document.layers.len() {
+        layers.push(cascade.layer(index, &layers)?);
+    }
+    Ok(Grown { size, layers, document: document.clone(), options })
+}
+
+/// How many of the lowest layers of `document` are as they were when `before` was grown.
+fn frozen(document: &Document, options: Options, before: &Grown) -> usize {
+    let canvas = |of: &Document, options: Options| {
+        (of.size, of.regions, of.edges, options.size, options.refine.unwrap_or(of.growth.refine))
+    };
+    if canvas(document, options) != canvas(&before.document, before.options) {
+        return 0;
+    }
+    let pairs = document.layers.iter().zip(&before.document.layers).enumerate();
+    let same = pairs.take_while(|(index, (new, old))| {
+        let seed = document.layer_seed(*index) == before.document.layer_seed(*index);
+        let marks = (new.system, new.after, &new.options, &new.strokes)
+            == (old.system, old.after, &old.options, &old.strokes);
+        // What is written of a layer names the one beneath.
+        seed && marks && new.name == old.name
+    });
+    same.count()
+}
+
+/// What every layer of a document is grown with.
+struct Cascade<'a> {
+    document: &'a Document,
+    source: &'a str,
+    training: &'a Training,
+    options: Options,
+    watch: &'a Watch<'a>,
+}
+
+impl Cascade<'_> {
+    /// Grows layer `index` into what those `beneath` left free.
+    fn layer(&self, index: usize, beneath: &[GrownLayer]) -> Result<GrownLayer, GrowError> {
+        let Self { document, source, training, options, watch } = *self;
+        let correct = options.refine.unwrap_or(document.growth.refine);
+        let size = options.size.unwrap_or(document.size).map(f64::from);
+        watch.step(Stage::Plan, 0.0)?;
+        let map = drawn::region_map(document, index, source)?.resized(size);
+        let mut plan =
+            planned(document, index, source, training, &map, beneath.last().map(|layer| &layer.plan))?;
+        memory::check(plan.system, size, plan.grid)?;
+        if correct {
+            watch.step(Stage::Plan, 0.1)?;
+            plan = plan.probed(training, When::Unsure, watch)?;
+        }
+        if plan.places.is_some()
+            && let Some(beneath) = beneath.last()
+        {
+            plan.place_inside(&beneath.measured);
+        }
+        let shown = beneath.iter().enumerate().filter(|(below, _)| !is_replaced(document, *below));
+        let shown: Vec<Pattern> = shown.map(|(_, layer)| layer.pattern()).collect();
+        if !shown.is_empty() {
+            plan.taken = beneath::taken(&shown, plan.grid);
+            if matches!(plan.map.at([0.0, 0.0]), Attributes::Stripes(_))
+                && way(document.layers[index].after).is_none()
+            {
+                plan.taken = beneath::with_rim(&plan.taken, plan.grid, document.edges);
+            }
+        }
+        let seed = document.layer_seed(index);
+        plan.lay_course(document.layers[index].options.broken, seed)
+            .map_err(|reason| GrowError::Course { layer: index + 1, reason })?;
+        let mut layer = grow_layer(plan, seed, index + 1, correct, watch)?;
+        if let Some(found) =
+            beneath::shaped(&layer.plan, &layer.measured).filter(|_| correct && layer.plan.places.is_none())
+        {
+            layer = grow_layer(layer.plan.against(training, &found)?, seed, index + 1, correct, watch)?;
+        }
+        if document.layers[index].after == After::Inside {
+            layer.plan.tell_places(&layer.measured, &document.layers[index - 1].name);
+        }
+        Ok(layer)
+    }
+}
+
+/// Plans layer `index`, whose marks make `map`, above the layer with the plan `beneath`.
+///
+/// # Errors
+/// What was drawn cannot be grown there, or its parameters cannot be looked up.
+pub fn planned(
+    document: &Document,
+    index: usize,
+    source: &str,
+    training: &Training,
+    map: &RegionMap,
+    beneath: Option<&Plan>,
+) -> Result<Plan, GrowError> {
+    let layer = &document.layers[index];
+    if let Some(problem) = around::refusal(document, index, map) {
+        return Err(problem.in_file(source).into());
+    }
+    if let Some(way) = way(layer.after) {
+        return Ok(plan_lines(way, map.clone())?);
+    }
+    if layer.after != After::Inside {
+        let mut plan = plan(training, layer.choice(), map)?;
+        plan.irregular = layer.options.irregular;
+        return Ok(plan);
+    }
+    if let Some(problem) = refusal(document, index, map, beneath) {
+        return Err(problem.in_file(source).into());
+    }
+    let beneath = beneath.expect("refused without one");
+    Ok(plan_inside(training, map, beneath)?)
+}

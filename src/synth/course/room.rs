@@ -1,0 +1,35 @@
+//! What to say where there is no room for rings or a web.
+
+/// Why there is no course.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CourseError {
+    /// Nothing was grown beneath, or nothing that is shown.
+    #[error("no mark has grown beneath it: nothing to {0}")]
+    Nothing(&'static str),
+    /// The marks beneath stand too near to each other.
+    #[error(
+        "{lines} {width:.1} px wide need {need:.1} px between the marks beneath, and {:.0} % of their outlines have less; \
+         draw thinner lines, or the marks beneath farther apart",
+        100.0 * share
+    )]
+    TooNarrow {
+        /// What is drawn.
+        lines: &'static str,
+        /// Mean width, px.
+        width: f64,
+        /// What it needs, px.
+        need: f64,
+        /// Share of what would be drawn that finds no room, 0..1.
+        share: f64,
+    },
+    /// There is but one mark, whose web would have no end to meet.
+    #[error(
+        "one mark beneath it on a closed canvas: a web runs between marks; draw those beneath smaller or nearer"
+    )]
+    Single,
+    /// Marks from border to border cut the web.
+    #[error(
+        "the marks beneath cut the web into {0} parts: a web runs between marks that leave a way round them"
+    )]
+    Parts(usize),
+}

@@ -1,0 +1,114 @@
+//! The documents in `examples/gallery/`: one for each figure, valid, and written as the program writes.
+
+use std::fs;
+use std::path::PathBuf;
+
+use dapple::synth::drawn::region_map;
+use dapple::synth::recipe::{After, Document};
+use dapple::synth::{Options, Training, Watch, grow};
+
+/// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991).
+const FIGURES: [&str; 19] = [
+    "phan-grimm-01a",
+    "phan-grimm-01b",
+    "phan-grimm-01c",
+    "phan-grimm-02",
+    "phan-grimm-03",
+    "phan-grimm-04",
+    "phan-grimm-05a",
+    "phan-grimm-05b",
+    "phan-grimm-06",
+    "phan-grimm-07",
+    "phan-grimm-08",
+    "phan-grimm-12",
+    "phan-grimm-14",
+    "phan-grimm-16",
+    "phan-grimm-17",
+    "turk-2-upper-left",
+    "turk-2-upper-right",
+    "turk-2-lower-left",
+    "turk-3-lower-left",
+];
+
+fn gallery() -> Vec<(String, PathBuf, Document)> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples/gallery");
+    let entries = fs::read_dir(folder).expect("the gallery is there");
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("readable").path()).collect();
+    paths.sort();
+    let read = |path: PathBuf| {
+        let name = path.file_stem().expect("a name").to_str().expect("UTF-8").to_owned();
+        let document = Document::read(&path).unwrap_or_else(|error| panic!("{error}"));
+        (name, path, document)
+    };
+    paths.into_iter().map(read).collect()
+}
+
+#[test]
+fn each_figure_has_a_document_and_each_document_a_figure() {
+    let gallery = gallery();
+    for figure in FIGURES {
+        assert!(gallery.iter().any(|(file, ..)| file.starts_with(figure)), "no document of {figure}");
+    }
+    for (file, ..) in &gallery {
+        assert!(FIGURES.iter().any(|figure| file.starts_with(figure)), "{file} is of no figure");
+    }
+}
+
+#[test]
+fn each_says_what_it_is_and_where_it_is_from() {
+    for (file, _, document) in gallery() {
+        let source = if file.starts_with("turk") { "(Turk 1991, fig. " } else { "(Phan & Grimm 2006, fig. " };
+        let (what, figure) = document.name.split_once(source).expect("a source in its name");
+        assert!(what.len() > 5 && figure.ends_with(')'), "{}", document.name);
+        let number = figure.chars().take_while(char::is_ascii_digit).count();
+        let number: u32 = figure[..number].parse().expect("the figure's number");
+        let there = file.split('-').find_map(|part| part.trim_end_matches(char::is_alphabetic).parse().ok());
+        assert_eq!(there, Some(number), "{file}: {}", document.name);
+        assert!(
+            document.layers.iter().all(|layer| layer.colours.is_some() && !layer.name.is_empty()),
+            "{file}"
+        );
+    }
+}
+
+#[test]
+fn each_is_written_as_the_program_writes_it() {
+    for (file, path, document) in gallery() {
+        let text = fs::read_to_string(path).expect("readable");
+        assert!(text == document.to_json(), "{file} is not what Document::to_json gives");
+    }
+}
+
+#[test]
+fn each_layer_is_drawn_with_a_handful_of_marks_a_region() {
+    for (file, _, document) in gallery() {
+        for index in 0..document.layers.len() {
+            let map = region_map(&document, index, &file).unwrap_or_else(|error| panic!("{error}"));
+            assert!(map.regions().all(|(_, region)| region.marks <= 14), "{file}, layer {}", index + 1);
+        }
+    }
+}
+
+#[test]
+fn the_ways_to_meet_the_marks_beneath_are_shown() {
+    let gallery = gallery();
+    for after in [After::Between, After::Inside] {
+        let shown = |(_, _, document): &(String, PathBuf, Document)| {
+            document.layers.iter().skip(1).any(|layer| layer.after == after)
+        };
+        assert!(gallery.iter().any(shown), "no document with a layer {:?}", after.name());
+    }
+}
+
+#[test]
+fn a_small_cheetah_grows_both_its_layers() {
+    let (file, _, document) =
+        gallery().into_iter().find(|(file, ..)| file.ends_with("cheetah")).expect("a cheetah");
+    let options = Options { size: Some([200, 200]), ..Options::default() };
+    let grown = grow(&document, &file, &Training::default(), options, &Watch::NOBODY)
+        .unwrap_or_else(|error| panic!("{error}"));
+    let spots =
+        grown.layers.iter().map(|layer| dapple::measure::spots(&layer.pattern().field(200, 200), 0.5).len());
+    let spots: Vec<usize> = spots.collect();
+    assert!(spots[0] > 4 && spots[1] > spots[0], "{spots:?} spots");
+}

@@ -1,0 +1,115 @@
+//! `between` keeps away from what is beneath, and each layer is as it was drawn.
+
+use super::{after, cascade, covered, grown, patterns, spots, stripes, try_grow};
+use dapple::field::{Edges, Field};
+use dapple::synth::recipe::{After, Document, Layer, SystemChoice};
+use dapple::synth::{Grown, Measured};
+
+/// Pairs of neighbouring points (of eight each) of which a lower layer covers one and a higher layer the other.
+fn touching(patterns: &[Field]) -> usize {
+    let mut beneath = vec![false; patterns[0].values.len()];
+    let mut touching = 0;
+    for pattern in patterns {
+        let own = covered(pattern);
+        let (nx, ny) = (pattern.width, pattern.height);
+        for cell in (0..own.len()).filter(|cell| own[*cell]) {
+            let (x, y) = ((cell % nx) as isize, (cell / nx) as isize);
+            for (dy, dx) in (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dy, dx))) {
+                let [x, y] = [pattern.edges.index(x + dx, nx), pattern.edges.index(y + dy, ny)];
+                touching += usize::from(beneath[y * nx + x]);
+            }
+        }
+        beneath.iter_mut().zip(own).for_each(|(beneath, own)| *beneath |= own);
+    }
+    touching
+}
+
+/// Every layer within 5 % of its area (width) and spacing, and within 3° of its angle.
+fn assert_as_drawn(grown: &Grown, of: &str) {
+    for (index, layer) in grown.layers.iter().enumerate() {
+        let of = format!("{of}, layer {}", index + 1);
+        assert!(layer.settled, "{of} is still moving");
+        let errors: Vec<(&str, Option<f64>, f64)> = match &layer.measured {
+            Measured::Spots { errors, .. } => {
+                assert!(errors[0].marks > 12, "{of}: {} marks", errors[0].marks);
+                let of = &errors[0];
+                vec![("area", of.area, 0.05), ("spacing", of.spacing, 0.05), ("angle", of.angle, 3.0)]
+            }
+            Measured::Stripes(errors) => {
+                vec![("width", errors[0].width, 0.05), ("angle", errors[0].angle, 3.0)]
+            }
+        };
+        for (name, error, allowed) in errors {
+            assert!(error.is_none_or(|error| error.abs() < allowed), "{of}: {name} is off by {error:?}");
+        }
+    }
+}
+
+fn large() -> Layer {
+    spots(850.0, 0.83, 30.0, 80.0)
+}
+
+fn small() -> Layer {
+    spots(63.0, 0.8, 60.0, 24.0)
+}
+
+fn assert_between(of: &str, layers: &[Layer], edges: Edges) {
+    for seed in [1, 2] {
+        let document = cascade(edges, seed, layers.to_vec());
+        let grown = grown(&document);
+        let of = format!("{of}, seed {seed}");
+        assert_as_drawn(&grown, &of);
+        assert_eq!(touching(&patterns(&grown)), 0, "{of}: touching");
+    }
+}
+
+#[test]
+fn spots_grow_between_spots() {
+    assert_between("cheetah", &[large(), small()], Edges::Closed);
+    assert_between("cheetah tile", &[large(), small()], Edges::Wrap);
+}
+
+#[test]
+fn turings_spots_grow_between_spots() {
+    let turing = Layer { system: SystemChoice::TuringSpots, ..spots(115.0, 0.75, 60.0, 23.0) };
+    assert_between("Turing", &[large(), turing], Edges::Closed);
+}
+
+#[test]
+fn thin_stripes_grow_between_stripes() {
+    assert_between("lionfish", &[stripes(24.0, 20.0), stripes(4.0, 20.0)], Edges::Closed);
+}
+
+#[test]
+fn spots_grow_between_stripes() {
+    assert_between("lanes", &[stripes(24.0, 20.0), small()], Edges::Closed);
+}
+
+#[test]
+fn stripes_grow_around_spots() {
+    assert_between("stream", &[large(), stripes(5.0, 20.0)], Edges::Wrap);
+}
+
+#[test]
+fn three_layers_grow_one_between_the_other() {
+    let middle = spots(176.0, 0.875, 0.0, 36.0);
+    assert_between("three", &[large(), middle, spots(28.3, 1.0, 0.0, 16.0)], Edges::Closed);
+}
+
+#[test]
+fn neighbouring_spots_stay_apart_where_marks_beneath_squeeze_them() {
+    for seed in 3..7 {
+        let document = cascade(Edges::Closed, seed, vec![large(), small()]);
+        let Measured::Spots { marks, .. } = &grown(&document).layers[1].measured else { panic!("spots") };
+        let merged = marks.iter().filter(|mark| mark.whole && mark.ellipse.area() > 1.6 * 63.0).count();
+        assert_eq!(merged, 0, "seed {seed}, of {} marks", marks.len());
+    }
+}
+
+#[test]
+fn marks_too_large_for_what_is_left_are_refused_before_they_are_grown() {
+    let document: Document =
+        cascade(Edges::Closed, 1, vec![large(), after(After::Between, spots(5000.0, 1.0, 0.0, 150.0))]);
+    let error = try_grow(&document).err().expect("no room").to_string();
+    assert!(error.starts_with("layer 2 finds no room"), "{error}");
+}

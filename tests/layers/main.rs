@@ -1,0 +1,52 @@
+//! Layers: what grows next meets the frozen marks beneath as it was told.
+
+mod between;
+mod regrown;
+
+use dapple::field::{Edges, Field};
+use dapple::marks::{Ellipse, Line};
+use dapple::synth::recipe::{After, Document, Layer, Stroke};
+use dapple::synth::{GrowError, Grown, Options, Training, Watch, grow};
+
+/// Four spots with this area, aspect, angle and spacing, somewhere on a canvas of 360 px.
+fn spots(area: f64, aspect: f64, angle: f64, spacing: f64) -> Layer {
+    let high = spacing * 0.75f64.sqrt();
+    let center = |[x, y]: [f64; 2]| [150.0 + x * spacing, 150.0 + y * high];
+    let places = [[0.0, 0.0], [1.0, 0.0], [0.5, 1.0], [1.5, 1.0]];
+    let stroke = |place| Stroke::Ellipse(Ellipse::of(center(place), area, aspect, angle));
+    Layer { strokes: places.map(stroke).into(), ..Layer::default() }
+}
+
+/// A stripe of this width and angle.
+fn stripes(width: f64, angle: f64) -> Layer {
+    let [x, y] = [angle.to_radians().cos(), angle.to_radians().sin()].map(|part| 60.0 * part);
+    let line = Line { from: [180.0 - x, 180.0 - y], to: [180.0 + x, 180.0 + y], width };
+    Layer { strokes: vec![Stroke::Line(line)], ..Layer::default() }
+}
+
+fn cascade(edges: Edges, seed: u64, layers: Vec<Layer>) -> Document {
+    Document { size: [360, 360], edges, seed, layers, ..Document::default() }
+}
+
+fn after(after: After, layer: Layer) -> Layer {
+    Layer { after, ..layer }
+}
+
+fn try_grow(document: &Document) -> Result<Grown, GrowError> {
+    grow(document, "test", &Training::default(), Options::default(), &Watch::NOBODY)
+}
+
+fn grown(document: &Document) -> Grown {
+    try_grow(document).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The pattern of each layer, two points a px.
+fn patterns(grown: &Grown) -> Vec<Field> {
+    let [width, height] = grown.size.map(|side| 2 * side as usize);
+    grown.layers.iter().map(|layer| layer.pattern().field(width, height)).collect()
+}
+
+/// Which px a layer's marks cover.
+fn covered(pattern: &Field) -> Vec<bool> {
+    pattern.values.iter().map(|value| *value >= 0.5).collect()
+}

@@ -1,0 +1,50 @@
+//! A layer grows again without those beneath.
+
+use super::{cascade, grown, spots, stripes};
+use dapple::field::Edges;
+use dapple::synth::recipe::Document;
+use dapple::synth::{Grown, Options, Stage, Training, Watch, regrow};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+fn document() -> Document {
+    let small = spots(63.0, 0.8, 60.0, 24.0);
+    let layers = vec![spots(850.0, 0.83, 30.0, 80.0), small, stripes(3.0, 45.0)];
+    Document { size: [240, 240], ..cascade(Edges::Closed, 1, layers) }
+}
+
+/// `document` grown after `before`, and how many layers were.
+fn after(document: &Document, before: &Grown) -> (Grown, usize) {
+    let planned = AtomicUsize::new(0);
+    let count = |stage: Stage, share: f64| {
+        planned.fetch_add(usize::from(stage == Stage::Plan && share == 0.0), Ordering::Relaxed);
+    };
+    let watch = Watch { progress: &count, cancelled: &|| false };
+    let options = Options::default();
+    let grown = regrow(document, "test", &Training::default(), options, Some(before), &watch).unwrap();
+    (grown, planned.into_inner())
+}
+
+fn assert_same(a: &Grown, b: &Grown) {
+    for (a, b) in a.layers.iter().zip(&b.layers) {
+        assert!(a.marks.values == b.marks.values && a.correction == b.correction);
+    }
+}
+
+#[test]
+fn changed_layers_are_grown_again_and_those_beneath_are_not() {
+    let before = grown(&document());
+    let colours = |document: &mut Document| document.layers[0].visible = false;
+    let seed = |document: &mut Document| document.layers[2].seed = Some(9);
+    let marks = |document: &mut Document| document.layers[1].strokes.truncate(2);
+    let all = |document: &mut Document| document.seed = 2;
+    let size = |document: &mut Document| document.size = [200, 240];
+    let cases: [(&dyn Fn(&mut Document), usize); 5] =
+        [(&colours, 0), (&seed, 1), (&marks, 2), (&all, 3), (&size, 3)];
+    for (change, times) in cases {
+        let mut document = document();
+        change(&mut document);
+        let (again, planned) = after(&document, &before);
+        assert_eq!(planned, times);
+        assert_same(&again, &grown(&document));
+    }
+}
