@@ -8,7 +8,7 @@ use dapple::synth::recipe::{After, Document};
 use dapple::synth::{Options, Training, Watch, grow};
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991).
-const FIGURES: [&str; 19] = [
+const FIGURES: [&str; 21] = [
     "phan-grimm-01a",
     "phan-grimm-01b",
     "phan-grimm-01c",
@@ -27,7 +27,9 @@ const FIGURES: [&str; 19] = [
     "turk-2-upper-left",
     "turk-2-upper-right",
     "turk-2-lower-left",
+    "turk-3-upper-left",
     "turk-3-lower-left",
+    "turk-3-lower-right",
 ];
 
 fn gallery() -> Vec<(String, PathBuf, Document)> {
