@@ -30,6 +30,8 @@ macro_rules! documents {
 pub const EXAMPLES: &[Example] = documents![
     "":
     "cheetah-run",
+    "bongo",
+    "starry-sky",
     "zebra",
     "tiger",
     "fallow-deer",
@@ -70,15 +72,21 @@ pub const GALLERY: &[Example] = documents![
     "phan-grimm-07a-four-colours-spots",
     "phan-grimm-07b-four-colours-stripes",
     "phan-grimm-08-two-colour-sets",
+    "phan-grimm-11-initiators",
     "phan-grimm-12-mixed-spots",
+    "phan-grimm-13-leopard",
     "phan-grimm-14-small-inside-large",
     "phan-grimm-16-anisotropic-spots",
     "phan-grimm-17a-changing-spots",
     "phan-grimm-17b-round-a-centre",
     "turk-2-lower-left-cheetah",
+    "turk-2-lower-right-leopard",
     "turk-2-upper-left-large-spots",
     "turk-2-upper-right-small-spots",
     "turk-3-lower-left-random-stripes",
+    "turk-3-lower-right-lionfish",
+    "turk-3-upper-left-irregular-spots",
+    "turk-3-upper-right-reticulation",
 ];
 
 /// The pictures, once they were shown.

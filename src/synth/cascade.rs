@@ -4,6 +4,7 @@ use super::around::{self, plan_lines, way};
 use super::engine::Engine;
 use super::grow::{GrowError, Grown, GrownLayer, Options, grow_layer};
 use super::inside::{is_replaced, plan_inside, refusal};
+use super::keep::keep;
 use super::painting::Look;
 use super::pattern::Pattern;
 use super::plan::{Plan, plan};
@@ -14,6 +15,7 @@ use super::watch::{Stage, Watch};
 use super::{beneath, drawn, memory};
 use crate::attributes::Attributes;
 use crate::attributes::regions::RegionMap;
+use crate::rd::Seeding;
 
 /// Grows `document` (named `source` in messages).
 ///
@@ -116,7 +118,8 @@ impl Cascade<'_> {
         let mut plan =
             planned(document, index, source, training, &map, beneath.last().map(|layer| &layer.plan))?;
         memory::check(plan.system, size, plan.grid)?;
-        if correct {
+        plan.seeding = document.layers[index].options.seeding;
+        if correct && plan.seeding == Seeding::Noise {
             watch.step(Stage::Plan, 0.1)?;
             plan = plan.probed(training, When::Unsure, watch)?;
         }
@@ -134,6 +137,10 @@ impl Cascade<'_> {
             {
                 plan.taken = beneath::with_rim(&plan.taken, plan.grid, document.edges);
             }
+        }
+        let free = plan.way.is_none() && plan.places.is_none();
+        if free && (document.keeps(index) || plan.seeding == Seeding::Initiators) {
+            keep(&mut plan, &drawn::marks_on(document, index, source, size)?);
         }
         let seed = document.layer_seed(index);
         plan.lay_course(document.layers[index].options.broken, seed)
