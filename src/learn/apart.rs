@@ -163,13 +163,15 @@ mod tests {
     }
 
     #[test]
-    fn the_nearer_they_stand_the_slower_they_must_react_until_they_are_too_near() {
-        let rates: Vec<f64> = [120.0, 40.0, 30.0, 27.0]
-            .map(|spacing| asked(48.0, 1.0, spacing).unwrap().parameters.rate)
-            .into();
-        assert!(rates.windows(2).all(|pair| pair[1] <= pair[0]), "{rates:?}");
-        assert!(rates[3] < 0.95 * rates[0], "{rates:?}");
-        assert!(asked(48.0, 1.0, 20.0).is_none());
+    fn the_nearer_they_stand_the_smaller_their_peaks_until_they_are_too_near() {
+        let found = [120.0, 28.0, 26.0, 20.0].map(|spacing| asked(48.0, 1.0, spacing).unwrap());
+        let levels = found.each_ref().map(|answer| answer.parameters.level.unwrap());
+        assert!(levels[0] == LEVELS[0] && levels[3] == LEVELS[1], "{levels:?}");
+        assert!(levels.windows(2).all(|pair| pair[1] < pair[0]), "{levels:?}");
+        // Those between have just the pitch that they need.
+        let enough = |answer: &Answer| (answer.pitch - ROOMY[0]).abs() < 0.01;
+        assert!(found[1..3].iter().all(enough) && found[3].pitch >= ROOMY[1], "{found:?}");
+        assert!(asked(48.0, 1.0, 12.0).is_none());
     }
 
     #[test]

@@ -112,14 +112,14 @@ impl Maps {
         let at = |i: usize| [((i % nx) as f64 + 0.5) * wide, ((i / nx) as f64 + 0.5) * high];
         let taken = if self.taken.is_empty() { 0 } else { nx * ny };
         let taken = (0..taken).map(|i| self.is_taken(self.cell_at(at(i)))).collect();
-        let uneven = if self.uneven.is_empty() { 0 } else { nx * ny };
-        let uneven = (0..uneven).map(|i| self.uneven_at(at(i), [wide, high])).collect();
         let crests = self.crests.as_ref().map(|crests| {
             let there = |values: &[f32], factor: f32| -> Vec<f32> {
                 (0..nx * ny).map(|i| factor * values[self.cell_at(at(i))]).collect()
             };
             Crests { off: there(&crests.off, 1.0 / finer.sqrt()), held: there(&crests.held, 1.0) }
         });
+        let uneven = if self.uneven.is_empty() { 0 } else { nx * ny };
+        let uneven = (0..uneven).map(|i| self.uneven_at(at(i), [wide, high])).collect();
         let parameters = (0..nx * ny)
             .into_par_iter()
             .map(|i| {
@@ -127,7 +127,6 @@ impl Maps {
                 Parameters { rate: p.rate * finer, ..p }
             })
             .collect();
-        let cell = [self.cell[0] * wide, self.cell[1] * high];
-        Self { nx, ny, cell, parameters, taken, uneven, crests }
+        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters, taken, uneven, crests }
     }
 }

@@ -1,13 +1,17 @@
 //! `dapple grow` through the real binary: documents in, pictures and reports out.
 
+mod around;
 mod attributes;
 mod bytes;
 mod extremes;
 mod folder;
 mod golden;
+mod inside;
 #[cfg(unix)]
 mod interrupt;
+mod keep;
 mod options;
 mod refusals;
+mod seeding;
 mod sketches;
 mod spread;

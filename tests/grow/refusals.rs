@@ -64,15 +64,6 @@ fn what_does_not_fit_into_memory_is_told_with_the_numbers() {
 }
 
 #[test]
-fn layers_upon_layers_are_told_to_be_unknown_yet() {
-    let mut document = spots();
-    let layer = document["layers"][0].clone();
-    document["layers"].as_array_mut().unwrap().push(layer);
-    let folder = Folder::with(&document);
-    folder.refuses("grow a.dapple -o a.png", 1, &["a.dapple", "layers", "2 layers", "one layer"]);
-}
-
-#[test]
 fn a_stroke_that_is_neither_ellipse_nor_line_is_told_by_its_place() {
     let ellipse = json!({"kind": "ellipse", "center": [50, 50], "radii": [6, 6], "angle": 0});
     let line = json!({"kind": "freehand", "points": [[10, 10], [30, 12], [60, 14]], "width": 5});

@@ -1,7 +1,9 @@
 //! Layers: what grows next meets the frozen marks beneath as it was told.
 
 mod between;
+mod inside;
 mod regrown;
+mod sparse;
 
 use dapple::field::{Edges, Field};
 use dapple::marks::{Ellipse, Line};

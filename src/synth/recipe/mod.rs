@@ -20,8 +20,8 @@
 //! | a layer's `options` | `{}` |
 //! | `options.spread`, of spots | `"drawn"` |
 //! | `options.duty`, of stripes | 0.5 |
-//! | `options.irregular`, of spots | 0 |
 //! | `options.broken`, of `"after": "around"` | 0: closed rings |
+//! | `options.irregular`, of spots | 0 |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
@@ -39,12 +39,12 @@
 //! they are as wide as drawn, and width ÷ duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as
 //! their gaps; below it `meinhardt-lines`, thin stripes on wide ground. `meinhardt-stripes` takes no other duty.
 //!
+//! `options.broken` of a layer `around` the one beneath, 0–0.6: the share of each ring that is open, in two to five gaps a
+//! ring, as on a leopard.
+//!
 //! `options.irregular` of a layer of spots, 0–1, says how irregular their shapes are: 0 grows ellipses, 1 beans, bars and
 //! drops that differ by 0.4 in area (β ± 3 of Phan & Grimm). Only `turing-spots` does that, which `auto` takes then; their
 //! spacing goes with their area. The mean area is as drawn; aspect and angle are those of the spots before they were bent.
-//!
-//! `options.broken` of a layer `around` the one beneath, 0–0.6: the share of each ring that is open, in two to five gaps a
-//! ring, as on a leopard.
 
 mod choices;
 mod error;
@@ -58,7 +58,8 @@ mod syntax;
 mod writer;
 
 use crate::attributes::Spread;
-pub use choices::{After, Kind, SystemChoice};
+pub use crate::rd::Seeding;
+pub use choices::{After, Kind, SystemChoice, seeding_mismatch};
 pub use error::{DocumentError, Problem};
 
 use crate::field::Edges;
@@ -118,6 +119,17 @@ impl Document {
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
+    }
+}
+
+impl Document {
+    /// Do the drawn marks of the layer at `index` stay where they were drawn? Unless it says so itself: where there is
+    /// one region. In many, marks say what is wanted around them, and may lie where the map between regions wants
+    /// something else.
+    #[must_use]
+    pub fn keeps(&self, index: usize) -> bool {
+        let told = self.layers.get(index).and_then(|layer| layer.options.keep);
+        told.unwrap_or(self.regions == [1, 1])
     }
 }
 
@@ -185,15 +197,26 @@ pub struct Options {
     pub spread: SpreadChoice,
     /// Stripe ÷ period, 0.2–0.5.
     pub duty: f64,
-    /// How irregular its spots are, 0–1.
-    pub irregular: f64,
     /// The share of each ring of an `around` layer that is open, 0..[`limits::BROKEN`].
     pub broken: f64,
+    /// How irregular its spots are, 0–1.
+    pub irregular: f64,
+    /// Whether the drawn marks are among those that grow; `None` = see [`Document::keeps`].
+    pub keep: Option<bool>,
+    /// What its stripes begin from.
+    pub seeding: Seeding,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { spread: SpreadChoice::default(), duty: Self::DUTY, irregular: 0.0, broken: 0.0 }
+        Self {
+            spread: SpreadChoice::default(),
+            duty: Self::DUTY,
+            broken: 0.0,
+            irregular: 0.0,
+            keep: None,
+            seeding: Seeding::Noise,
+        }
     }
 }
 
