@@ -25,11 +25,12 @@ pub struct Kept {
     pub draw: Draw,
 }
 
-/// Nearer to each other than this, in pitches, two spots merge: so much, and so much more for each unit of area ÷ spacing².
-/// Of nine pairs among others at 0.05, 0.12, 0.2 none merged at 0.47, 0.63, 0.74 pitches; some did at –, 0.58, 0.68.
-const NEAREST: [f64; 2] = [0.42, 1.65];
-/// The same of Turing's, which push harder: of 36 such pairs 14 lost a spot at 0.7, two at 0.8 spacings.
-const TURING: f64 = 0.88;
+/// Meinhardt's spots merge nearer to each other than d = N₀ + N₁ √(area ÷ spacing²) spacings. Of nine pairs among others,
+/// round and long, along and across, all stayed two at 0.40, 0.50, 0.58, 0.64, 0.68 where area ÷ spacing² was 0.03, 0.08,
+/// 0.12, 0.16, 0.2; by 0.02 nearer some merged, by 0.06 nearly all.
+const NEAREST: [f64; 2] = [0.23, 1.02];
+/// Turing's push harder: of 36 such pairs 20 lost a spot at 0.7 spacings, three at 0.8.
+const TURING: f64 = 0.85;
 /// area ÷ spacing² of spots as near as they come.
 const PACKED: f64 = 0.22;
 /// A single spot may differ by this many of the standard deviations that spots bear: as much as the drawn ones do.
@@ -71,13 +72,20 @@ impl Kept {
             let end = plan.grid[axis] as f64 * (1.0 - 1e-12);
             (self.drawn.center[axis] / plan.cell[axis]).clamp(0.0, end)
         });
-        let wanted = wanted(plan, self.drawn.center);
-        let packing =
-            wanted.spacing.map_or(PACKED, |spacing| self.draw.area * wanted.area / (spacing * spacing));
-        let near =
-            if plan.system == System::TuringSpots { TURING } else { NEAREST[0] + NEAREST[1] * packing };
-        rd::Kept { at, own, near }
+        rd::Kept { at, own, near: nearest(plan, self.drawn.center) }
     }
+}
+
+/// How near another spot may stand to one like those wanted at a place (px), in pitches.
+fn nearest(plan: &Plan, px: [f64; 2]) -> f64 {
+    let wanted = wanted(plan, px);
+    let pitch = plan.px_a_cell() * plan.system.spacing(&plan.lattice.at(px).parameters(1.0));
+    let spacing = wanted.spacing.unwrap_or((wanted.area / PACKED).sqrt());
+    let share = match plan.system {
+        System::TuringSpots => TURING,
+        _ => NEAREST[0] + NEAREST[1] * wanted.area.sqrt() / spacing,
+    };
+    share * spacing / pitch
 }
 
 /// Keeps in `plan` those of `marks` that can be, and says of the others why not.
