@@ -38,7 +38,7 @@ fn beginning(criterion: &mut Criterion) {
     let case = Case::ALL[4];
     let maps = case.maps(SIDE);
     group.bench_function("nuclei", |bencher| {
-        bencher.iter(|| nuclei(case.system, black_box(&maps), Edges::Wrap, 1));
+        bencher.iter(|| nuclei(case.system, black_box(&maps), Edges::Wrap, 1, &[]));
     });
 }
 

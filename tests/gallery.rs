@@ -8,7 +8,7 @@ use dapple::synth::recipe::{After, Document};
 use dapple::synth::{Options, Training, Watch, grow};
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991).
-const FIGURES: [&str; 19] = [
+const FIGURES: [&str; 25] = [
     "phan-grimm-01a",
     "phan-grimm-01b",
     "phan-grimm-01c",
@@ -20,14 +20,20 @@ const FIGURES: [&str; 19] = [
     "phan-grimm-06",
     "phan-grimm-07",
     "phan-grimm-08",
+    "phan-grimm-11",
     "phan-grimm-12",
+    "phan-grimm-13",
     "phan-grimm-14",
     "phan-grimm-16",
     "phan-grimm-17",
     "turk-2-upper-left",
     "turk-2-upper-right",
     "turk-2-lower-left",
+    "turk-2-lower-right",
+    "turk-3-upper-left",
+    "turk-3-upper-right",
     "turk-3-lower-left",
+    "turk-3-lower-right",
 ];
 
 fn gallery() -> Vec<(String, PathBuf, Document)> {
@@ -92,11 +98,11 @@ fn each_layer_is_drawn_with_a_handful_of_marks_a_region() {
 #[test]
 fn the_ways_to_meet_the_marks_beneath_are_shown() {
     let gallery = gallery();
-    for after in [After::Between, After::Inside] {
+    for (name, after) in After::NAMES {
         let shown = |(_, _, document): &(String, PathBuf, Document)| {
             document.layers.iter().skip(1).any(|layer| layer.after == after)
         };
-        assert!(gallery.iter().any(shown), "no document with a layer {:?}", after.name());
+        assert!(gallery.iter().any(shown), "no document with a layer {name:?}");
     }
 }
 

@@ -64,12 +64,23 @@ fn a_document_that_cannot_be_grown_leaves_its_place_empty() {
     let good = document(&folder, "good", [64, 64]);
     let broken = folder.path().join("broken.dapple");
     fs::write(&broken, "{").unwrap();
-    let gone = folder.path().join("gone.dapple");
+    let alone = document(&folder, "alone", [64, 64]);
+    let inside =
+        fs::read_to_string(&alone).unwrap().replace(r#""strokes""#, r#""after": "inside", "strokes""#);
+    fs::write(
+        &alone,
+        inside.replacen(
+            r#"[{"#,
+            r#"[{"after": "between", "strokes": [{"kind": "line", "from": [9, 9], "to": [50, 9]}]}, {"#,
+            1,
+        ),
+    )
+    .unwrap();
     let output = folder.path().join("sheet.png");
     let options = ["--thumb", "64", "--columns", "3"];
-    let outcome = sheet(&[&broken, &good, &gone], &output, &options).code(1).get_output().clone();
+    let outcome = sheet(&[&broken, &good, &alone], &output, &options).code(1).get_output().clone();
     let message = String::from_utf8(outcome.stderr).unwrap();
-    for word in ["error: 2 of 3", "sheet.png", "broken.dapple", "gone.dapple"] {
+    for word in ["error: 2 of 3", "sheet.png", "broken.dapple", "alone.dapple", "stripes have no places"] {
         assert!(message.contains(word), "{word} in {message}");
     }
     let picture = read(&output);

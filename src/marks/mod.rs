@@ -16,6 +16,27 @@ pub enum Mark {
     Line(Line),
 }
 
+impl Mark {
+    /// The centre of the ellipse, or the middle of the line, px.
+    #[must_use]
+    pub fn center(&self) -> [f64; 2] {
+        match self {
+            Self::Ellipse(ellipse) => ellipse.center,
+            Self::Line(line) => line.center(),
+        }
+    }
+
+    /// The same `by` so many px along x and y.
+    #[must_use]
+    pub fn shifted(&self, by: [f64; 2]) -> Self {
+        let shift = |point: [f64; 2]| [point[0] + by[0], point[1] + by[1]];
+        match *self {
+            Self::Ellipse(ellipse) => Self::Ellipse(Ellipse { center: shift(ellipse.center), ..ellipse }),
+            Self::Line(line) => Self::Line(Line { from: shift(line.from), to: shift(line.to), ..line }),
+        }
+    }
+}
+
 /// The axial angle in [0, 180) that any finite `degrees` stands for.
 #[must_use]
 pub fn axial(degrees: f64) -> f64 {

@@ -4,23 +4,26 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
+use super::crests::{Crest, lead};
 use super::maps::{Crests, Maps, Parameters};
-use super::nuclei::{Laid, Nucleus, Places, lay, thinned};
+use super::nuclei::{Kept, Laid, Nucleus, Places, lay, thinned};
 use super::plane::{Grid, Plane};
+use super::seeding::{Seeding, seeded, segments, waves};
 use super::{System, gabor, meinhardt_lines, meinhardt_spots, meinhardt_stripes, turing_spots};
 use crate::field::{Edges, Field};
 
-/// Where the spots of this growth begin, in cells; the same places that [`super::Growth::new`] takes. Empty for stripes and
-/// lines.
+/// Where the spots of this growth begin, in cells, the `kept` ones first; without any, the same places that
+/// [`super::Growth::new`] takes. Empty for stripes and lines.
 #[must_use]
-pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64) -> Places {
+pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64, kept: &[Kept]) -> Places {
     if system.is_striped() {
         return Places::default();
     }
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
-    let Laid { inside, beyond } = lay(maps, edges, &|p| system.spacing(p), &mut rng);
+    let fixed: Vec<Nucleus> = kept.iter().map(|kept| kept.nucleus(system, maps)).collect();
+    let Laid { inside, beyond } = lay(maps, edges, &|p| system.spacing(p), &fixed, &mut rng);
     let at = |laid: Vec<Nucleus>| laid.iter().map(|nucleus| nucleus.at).collect();
-    Places { inside: at(inside), beyond: at(beyond) }
+    Places { inside: at(inside), beyond: at(beyond), kept: kept.len() }
 }
 
 /// What a growth begins from, for any grid over its canvas: spots at the same places, stripes from the same waves.
@@ -31,20 +34,40 @@ pub struct Beginning {
     seed: u64,
     /// Where spots begin, as shares of the canvas' sides.
     places: Vec<[f64; 2]>,
+    /// Lines along which stripes run.
+    crests: Vec<Crest>,
+    seeding: Seeding,
 }
 
 impl Beginning {
     /// What [`super::Growth::new`] begins from.
     #[must_use]
     pub fn new(system: System, maps: &Maps, edges: Edges, seed: u64) -> Self {
-        Self::at(system, maps, edges, seed, &nuclei(system, maps, edges, seed).inside)
+        Self::at(system, maps, edges, seed, &nuclei(system, maps, edges, seed, &[]).inside)
     }
 
     /// The same from spots at these `places`, cells of `maps`.
     #[must_use]
     pub fn at(system: System, maps: &Maps, edges: Edges, seed: u64, places: &[[f64; 2]]) -> Self {
         let share = |[x, y]: &[f64; 2]| [x / maps.nx as f64, y / maps.ny as f64];
-        Self { system, edges, seed, places: places.iter().map(share).collect() }
+        Self {
+            system,
+            edges,
+            seed,
+            places: places.iter().map(share).collect(),
+            crests: Vec::new(),
+            seeding: Seeding::Noise,
+        }
+    }
+
+    /// The same of stripes with other seeds: `crests` are the lines that they are to run along. Segments are thrown for
+    /// `maps`.
+    #[must_use]
+    pub fn seeded(self, maps: &Maps, seeding: Seeding, crests: Vec<Crest>) -> Self {
+        let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
+        let crests =
+            if seeding == Seeding::Segments { segments(maps, self.edges, &crests, &mut rng) } else { crests };
+        Self { crests, seeding, ..self }
     }
 
     /// Does anything begin? Spots need a place.
@@ -53,21 +76,44 @@ impl Beginning {
         self.system.is_striped() || !self.places.is_empty()
     }
 
+    /// Do stripes begin in pieces that must find together?
+    #[must_use]
+    pub fn is_scattered(&self) -> bool {
+        self.seeding == Seeding::Segments
+    }
+
+    fn stripes(&self, maps: &Maps) -> [Vec<f32>; 5] {
+        match self.seeding {
+            Seeding::Noise => {
+                let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
+                oriented_noise(maps, self.edges, &self.crests, &mut rng)
+            }
+            Seeding::Segments => {
+                let seeded = seeded(maps, self.edges, &self.crests);
+                let mut cells = meinhardt_stripes::REST.map(|c| vec![c; seeded.len()]);
+                for (cells, seed) in cells.iter_mut().zip(meinhardt_stripes::SEED) {
+                    cells.iter_mut().zip(&seeded).for_each(|(cell, share)| *cell += share * (seed - *cell));
+                }
+                cells
+            }
+            Seeding::Initiators => ripples(&waves(maps, self.edges, &self.crests)),
+        }
+    }
+
     /// The concentrations that it makes on `maps`.
     ///
     /// Where marks are smaller than the grid can hold (`lost`, by cell), `maps` holds larger ones, and only so
     /// many of the spots begin as have room. Neighbours may die there; nothing else would be left of them.
     #[must_use]
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
-        let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
         match self.system {
             System::MeinhardtStripes => {
-                return held(self.system, maps, oriented_noise(maps, self.edges, &mut rng).into());
+                return held(self.system, maps, self.stripes(maps).into());
             }
             System::MeinhardtLines => {
                 let begun = match &maps.crests {
                     Some(crests) => along(crests, maps),
-                    None => crests(maps, self.edges, &mut rng),
+                    None => crests(maps, self.edges, &mut Pcg64Mcg::seed_from_u64(self.seed)),
                 };
                 return held(self.system, maps, begun.into());
             }
@@ -114,7 +160,7 @@ pub fn held(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Ve
 
 /// Spots begin as bells on [`nuclei`].
 pub fn spots(system: System, maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
-    let laid = lay(maps, edges, &|p| system.spacing(p), rng).inside;
+    let laid = lay(maps, edges, &|p| system.spacing(p), &[], rng).inside;
     planes(maps, edges, bells_on(system, maps, edges, &laid))
 }
 
@@ -187,12 +233,18 @@ fn bells(
 
 /// Stripes begin as oriented noise in a against b.
 pub fn stripes(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 5] {
-    planes(maps, edges, oriented_noise(maps, edges, rng))
+    planes(maps, edges, oriented_noise(maps, edges, &[], rng))
 }
 
-fn oriented_noise(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 5] {
+fn oriented_noise(maps: &Maps, edges: Edges, crests: &[Crest], rng: &mut Pcg64Mcg) -> [Vec<f32>; 5] {
     let wavelength = |p: &Parameters| System::MeinhardtStripes.spacing(p);
-    let noise = gabor::noise(maps, edges, &wavelength, rng);
+    let mut noise = gabor::noise(maps, edges, &wavelength, rng);
+    lead(&mut noise, maps, edges, crests);
+    ripples(&noise)
+}
+
+/// The ground at rest with a raised against b, and d against e, by `noise`.
+fn ripples(noise: &[f32]) -> [Vec<f32>; 5] {
     let mut cells = meinhardt_stripes::REST.map(|c| vec![c; noise.len()]);
     for (i, noise) in noise.iter().enumerate() {
         let n = (0.2 * noise).clamp(-0.9, 0.9);

@@ -14,6 +14,7 @@ use super::meinhardt_stripes::{self, MeinhardtStripes};
 use super::plane::{Grid, Plane};
 use super::problem::Problem;
 use super::selling::{MIN_STRETCH, Tensor};
+use super::slide::{Slide, slid};
 use super::turing_spots::{self, TuringSpots, UnevenTuringSpots};
 use super::wavefront::{self, Instructions, Scratch, Tiling};
 use super::{System, begin, explicit};
@@ -133,6 +134,21 @@ impl Growth {
     /// them. Their concentrations must be such that the reaction stays finite.
     pub fn freeze(&mut self, frozen: impl Fn(usize) -> bool + Sync) {
         self.problem.freeze(&frozen);
+    }
+
+    /// Moves spots of the pattern that grows in `maps`.
+    pub fn slide(&mut self, maps: &Maps, slides: &[Slide]) {
+        let grid = self.problem.grid;
+        let moved = |plane: &mut Plane| {
+            let cells = slid(self.system, maps, grid.edges, &plane.cells(), slides);
+            cells.chunks_exact(grid.nx).enumerate().for_each(|(y, row)| plane.set_row(y, row));
+        };
+        match &mut self.chemicals {
+            Chemicals::Two(two) => two[0].iter_mut().for_each(moved),
+            // β stays where it is.
+            Chemicals::Three(three) => three[0][..2].iter_mut().for_each(moved),
+            Chemicals::Five(five) => five[0].iter_mut().for_each(moved),
+        }
     }
 
     /// Takes `steps` explicit steps.

@@ -31,6 +31,9 @@ pub const REST: [f32; 5] = {
     [a, a, 0.02 * a * a * a / K_C, a, a]
 };
 
+/// Concentrations on a seed: a raised, b lowered (`facts.md` E).
+pub const SEED: [f32; 5] = [1.5, 0.6, REST[2], REST[3], REST[4]];
+
 impl Kinetics<5> for MeinhardtStripes {
     const SPREAD: [Spread; 5] =
         [Spread::Tensor(0), Spread::Tensor(0), Spread::Still, Spread::Isotropic(1), Spread::Isotropic(1)];

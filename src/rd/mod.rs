@@ -3,6 +3,7 @@
 mod begin;
 mod coefficients;
 mod compensate;
+mod crests;
 mod diffusion;
 mod explicit;
 mod gabor;
@@ -19,18 +20,23 @@ mod plane;
 mod problem;
 mod prolong;
 mod runs;
+mod seeding;
 pub mod selling;
+mod slide;
 mod turing_spots;
 mod uneven;
 mod vector;
 mod wavefront;
 
 pub use begin::{Beginning, begun, held, nuclei};
+pub use crests::Crest;
 pub use growth::Growth;
 pub use maps::{Crests, Maps, Parameters};
 pub use mosaic::mosaic;
-pub use nuclei::{Places, make_room, off_walls};
+pub use nuclei::{Hindrance, Kept, Places, make_room, off_walls, standing};
 pub use prolong::prolonged;
+pub use seeding::Seeding;
+pub use slide::Slide;
 pub use wavefront::{Instructions, Tiling};
 
 /// The reaction-diffusion systems.

@@ -8,11 +8,13 @@
 //! ds² = (ρ·along² + across²/ρ)/pitch².
 
 mod crowd;
+mod kept;
 mod near;
 mod room;
 mod taken;
 mod walls;
 
+pub use kept::{Hindrance, Kept, standing};
 pub use room::{Places, make_room, off_walls};
 
 use rand::{Rng, RngExt};
@@ -85,7 +87,7 @@ const FRAME: f64 = 1.5;
 
 /// Points that were laid.
 pub struct Laid {
-    /// Those on the grid.
+    /// Those on the grid, the kept ones first.
     pub inside: Vec<Nucleus>,
     /// Beyond closed edges and on taken cells, those that keep the others from spreading over them.
     pub beyond: Vec<Nucleus>,
@@ -93,11 +95,13 @@ pub struct Laid {
 
 /// Points over the whole grid whose neighbours stand `pitch(parameters)` cells apart.
 ///
-/// At closed edges as if the pattern went on beyond them: they are laid over a frame too, which is cut off.
+/// At closed edges as if the pattern went on beyond them: they are laid over a frame too, which is cut off. Those of
+/// `kept` stay where they are, on the grid; the others make room for them.
 pub fn lay(
     maps: &Maps,
     edges: Edges,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
+    kept: &[Nucleus],
     rng: &mut impl Rng,
 ) -> Laid {
     let crowd = Crowd::of(maps, pitch);
@@ -106,47 +110,45 @@ pub fn lay(
     let space = Space { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
     let on_maps = |at: [f64; 2]| at.map(|v| v - frame);
     let nucleus = |at: [f64; 2]| Nucleus { at, ..Nucleus::at(maps, on_maps(at), pitch) };
-    let mut placed = Buckets::new(space, PUSH * crowd.largest);
-    let fixed = taken::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
+    let largest = kept.iter().map(|kept| kept.reach).fold(crowd.largest, f64::max);
+    let mut placed = Buckets::new(space, PUSH * largest);
+    let posts = taken::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
+    kept.iter().for_each(|kept| placed.insert(Nucleus { at: kept.at.map(|v| v + frame), ..*kept }));
+    let fixed = placed.all.clone();
     let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
-    let clear = if fixed.is_empty() { Vec::new() } else { taken::clear(maps, edges, pitch) };
+    let clear = if posts.is_empty() { Vec::new() } else { taken::clear(maps, edges, pitch) };
     let is_clear = |at: [f64; 2]| clear.is_empty() || clear[maps.cell_at(on_maps(at))];
     let spread =
         |placed: &mut Buckets| taken::within(placed, &is_clear, |placed| relax(placed, PUSH, &moved));
-    if fixed.is_empty() {
-        let wanted = crowd.wanted(frame);
+    if posts.is_empty() {
+        let wanted = crowd.wanted(frame).saturating_sub(crowd.in_the_room_of(kept, maps));
         let likely = |at: [f64; 2]| crowd.densities[maps.cell_at(on_maps(at))] / crowd.densest;
         throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
         (0..ROUNDS).for_each(|_| relax(&mut placed, PUSH, &moved));
     } else {
         for closest in taken::FILLS {
-            taken::fill(&mut placed, fixed.len(), space.size, closest, &is_clear, &nucleus, rng);
+            taken::fill(&mut placed, posts.len(), space.size, closest, &is_clear, &nucleus, rng);
             (0..ROUNDS).for_each(|_| spread(&mut placed));
         }
     }
     let grid = Grid { frame, size };
     if edges == Edges::Closed {
-        grid.keep_off_walls(&mut placed, spread);
+        grid.keep_off_walls(&mut placed, fixed.len(), spread);
     }
-    let mut all = placed.all;
-    let mut posts: Vec<Nucleus> = all.drain(..fixed.len()).collect();
-    posts.iter_mut().zip(&fixed).for_each(|(post, fixed)| post.at = on_maps(fixed.at));
+    let mut all = placed.all.split_off(fixed.len());
     if !fixed.is_empty() {
         all.retain(|point| is_clear(point.at));
         // Where they were laid: those beyond closed edges are no images of those inside.
-        all = taken::with_room(all, Buckets::new(space, PUSH * crowd.largest));
+        all = taken::with_room(&fixed[posts.len()..], all, Buckets::new(space, PUSH * largest));
     }
     all.iter_mut().for_each(|point| point.at = on_maps(point.at));
-    if edges == Edges::Wrap {
-        return Laid { inside: all, beyond: posts };
-    }
     let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
     let (mut inside, mut beyond): (Vec<_>, Vec<_>) = all.into_iter().partition(inside);
-    beyond.append(&mut posts);
     if inside.is_empty() && fixed.is_empty() {
         // A canvas that is smaller than the room of one spot still shows one.
         inside.push(Nucleus::at(maps, size.map(|side| 0.5 * side), pitch));
     }
+    beyond.extend(posts.into_iter().map(|post| Nucleus { at: on_maps(post.at), ..post }));
     Laid { inside, beyond }
 }
 
@@ -218,7 +220,7 @@ mod tests {
     fn placed(edges: Edges, stretch: f32) -> Vec<Nucleus> {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 20.0, pitch: 1.0 };
         let maps = Maps::uniform(240, 200, p);
-        lay(&maps, edges, &|_| 14.0, &mut Pcg64Mcg::seed_from_u64(5)).inside
+        lay(&maps, edges, &|_| 14.0, &[], &mut Pcg64Mcg::seed_from_u64(5)).inside
     }
 
     #[test]
@@ -242,7 +244,7 @@ mod tests {
         for edges in [Edges::Closed, Edges::Wrap] {
             for seed in 0..20 {
                 let maps = Maps::uniform(8, 8, p);
-                let laid = lay(&maps, edges, &|_| 40.0, &mut Pcg64Mcg::seed_from_u64(seed));
+                let laid = lay(&maps, edges, &|_| 40.0, &[], &mut Pcg64Mcg::seed_from_u64(seed));
                 let on = |at: f64| (0.0..8.0).contains(&at);
                 assert!(!laid.inside.is_empty() && laid.inside.iter().all(|p| on(p.at[0]) && on(p.at[1])));
             }
@@ -253,7 +255,7 @@ mod tests {
     fn near_closed_edges_they_stand_on_them_or_well_off() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
         let maps = Maps::uniform(240, 200, p);
-        let all = lay(&maps, Edges::Closed, &|_| 14.0, &mut Pcg64Mcg::seed_from_u64(5)).inside;
+        let all = lay(&maps, Edges::Closed, &|_| 14.0, &[], &mut Pcg64Mcg::seed_from_u64(5)).inside;
         // Upright marks of half the width: the metric is (ρ·along² + across²/ρ)/pitch².
         let off = |at: f64, side: f64, pitch: f64| at.min(side - at) / pitch;
         let (mut on, mut inside) = (0, 0);

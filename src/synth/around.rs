@@ -5,7 +5,7 @@
 
 use super::course::{Course, CourseError, Grid, RATIO, Wanted, Way};
 use super::plan::{Plan, PlanError, planned};
-use super::recipe::{After, Document, Problem, SystemChoice};
+use super::recipe::{After, Document, Options, Problem, SystemChoice};
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::field::Field;
@@ -41,9 +41,14 @@ pub fn refusal(document: &Document, index: usize, map: &RegionMap) -> Option<Pro
         };
         return Some(Problem::new(at("strokes"), "ellipses", allowed));
     }
-    if layer.system != SystemChoice::Auto {
-        let allowed = format!("auto (\"after\" is \"{after}\", which Meinhardt's lines do)");
+    if !matches!(layer.system, SystemChoice::Auto | SystemChoice::MeinhardtLines) {
+        let allowed = format!("auto, meinhardt-lines (\"after\" is \"{after}\")");
         return Some(Problem::new(at("system"), format!("\"{}\"", layer.system.name()), allowed));
+    }
+    if layer.options.duty != Options::DUTY {
+        let allowed =
+            format!("no such key (\"after\" is \"{after}\"): the marks beneath say how far lines are apart");
+        return Some(Problem::new(at("options.duty"), layer.options.duty.to_string(), allowed));
     }
     None
 }
@@ -88,7 +93,7 @@ impl Plan {
     pub fn lay_course(&mut self, broken: f64, seed: u64) -> Result<(), CourseError> {
         let Some(way) = self.way else { return Ok(()) };
         let grid = self.grid_of_cells();
-        let nothing = vec![false; grid.len()];
+        let nothing = vec![false; grid.cells()];
         let taken = if self.taken.is_empty() { &nothing } else { &self.taken };
         let width = self.widths(&grid);
         let layout = *self.map.layout();
@@ -122,7 +127,7 @@ impl Plan {
             Attributes::Stripes(Stripes { width, .. }) => width as f32,
             Attributes::Spots(_) => 0.0,
         };
-        (0..grid.len()).map(width).collect()
+        (0..grid.cells()).map(width).collect()
     }
 }
 

@@ -3,6 +3,7 @@
 use super::around::{self, plan_lines, way};
 use super::grow::{GrowError, Grown, GrownLayer, Options, grow_layer};
 use super::inside::{is_replaced, plan_inside, refusal};
+use super::keep::keep;
 use super::pattern::Pattern;
 use super::plan::{Plan, plan};
 use super::probe::When;
@@ -12,6 +13,7 @@ use super::watch::{Stage, Watch};
 use super::{beneath, drawn, memory};
 use crate::attributes::Attributes;
 use crate::attributes::regions::RegionMap;
+use crate::rd::Seeding;
 
 /// Grows `document` (named `source` in messages).
 ///
@@ -90,7 +92,8 @@ impl Cascade<'_> {
         let mut plan =
             planned(document, index, source, training, &map, beneath.last().map(|layer| &layer.plan))?;
         memory::check(plan.system, size, plan.grid)?;
-        if correct {
+        plan.seeding = document.layers[index].options.seeding;
+        if correct && plan.seeding == Seeding::Noise {
             watch.step(Stage::Plan, 0.1)?;
             plan = plan.probed(training, When::Unsure, watch)?;
         }
@@ -108,6 +111,10 @@ impl Cascade<'_> {
             {
                 plan.taken = beneath::with_rim(&plan.taken, plan.grid, document.edges);
             }
+        }
+        let free = plan.way.is_none() && plan.places.is_none();
+        if free && (document.keeps(index) || plan.seeding == Seeding::Initiators) {
+            keep(&mut plan, &drawn::marks_on(document, index, source, size)?);
         }
         let seed = document.layer_seed(index);
         plan.lay_course(document.layers[index].options.broken, seed)

@@ -1,6 +1,9 @@
 //! A layer's strokes → its marks → the region map.
 
-use super::recipe::{Document, DocumentError, Kind, Options, Problem, SpreadChoice, Stroke, SystemChoice};
+use super::recipe::{
+    Document, DocumentError, Kind, Options, Problem, Seeding, SpreadChoice, Stroke, SystemChoice,
+    seeding_mismatch,
+};
 use crate::attributes::regions::RegionMap;
 use crate::marks::Mark;
 use crate::sketch::recognise;
@@ -43,6 +46,12 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
     {
         return Err(problem.in_file(source));
     }
+    let seeding = |first| seeding_mismatch(&format!("layers[{index}].options.seeding"), first);
+    if layer.options.seeding != Seeding::Noise
+        && let Some(problem) = seeding(first)
+    {
+        return Err(problem.in_file(source));
+    }
     match layer.options.mismatch(&format!("layers[{index}].options"), layer.system, first) {
         Some(problem) => Err(problem.in_file(source)),
         None => Ok(marks),
@@ -68,4 +77,23 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Reg
     };
     let apart = layer.system == SystemChoice::MeinhardtLines || layer.options.duty < Options::DUTY;
     Ok(if apart { map.covering(layer.options.duty) } else { map })
+}
+
+/// The marks of layer `index` on a canvas of `size` px: at their places on the document's own, and where that is stretched,
+/// at the stretched places; no larger or smaller for it.
+///
+/// # Errors
+/// As [`marks`].
+pub fn marks_on(
+    document: &Document,
+    index: usize,
+    source: &str,
+    size: [f64; 2],
+) -> Result<Vec<Mark>, DocumentError> {
+    let [x, y] = [0, 1].map(|axis| size[axis] / f64::from(document.size[axis]));
+    let moved = |mark: Mark| {
+        let [from_x, from_y] = mark.center();
+        mark.shifted([(x - 1.0) * from_x, (y - 1.0) * from_y])
+    };
+    Ok(marks(document, index, source)?.into_iter().map(moved).collect())
 }

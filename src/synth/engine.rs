@@ -8,6 +8,8 @@
 //! The same pattern comes out however it was advanced and whether it was looked at. To pause, do not advance; to
 //! cancel, drop it. It has no threads of its own.
 
+use super::aim::Aim;
+use super::keep::crests;
 use super::ladder::{self, Work};
 use super::pattern::Pattern;
 use super::pitches::pitches;
@@ -25,6 +27,8 @@ pub struct Engine {
     /// Parameters on the planned grid.
     maps: Maps,
     beginning: Beginning,
+    /// Where the kept marks are to end.
+    aim: Option<Aim>,
     /// From the coarsest to the planned one.
     grids: Vec<[usize; 2]>,
     stage: Stage,
@@ -67,12 +71,16 @@ impl Engine {
             }
             None => {
                 let maps = plan.maps(&pitches(plan, seed)).uneven(plan.irregular, edges, seed);
-                Self::of(plan.system, maps, edges, seed)
+                let beginning = Beginning::new(plan.system, &maps, edges, seed);
+                let beginning = beginning.seeded(&maps, plan.seeding, crests(plan));
+                let largest = ladder::largest(plan.system, &maps);
+                Self::begun(plan.system, maps, edges, beginning, largest)
             }
             Some(Varied { maps, places, largest }) => {
                 let maps = maps.uneven(plan.irregular, edges, seed);
                 let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
-                Self::begun(plan.system, maps, edges, beginning, largest)
+                let engine = Self::begun(plan.system, maps, edges, beginning, largest);
+                Self { aim: Aim::of(plan), ..engine }
             }
         }
     }
@@ -94,6 +102,7 @@ impl Engine {
             edges,
             maps,
             beginning,
+            aim: None,
             grids,
             stage,
             passed: 0.0,
@@ -167,7 +176,7 @@ impl Engine {
         let stage = &mut self.stage;
         let verdict = stage.rest.look(marks, &stage.counts, stage.growth.steps());
         if verdict == Verdict::Forming {
-            return;
+            return self.bring_back();
         }
         self.settled &= verdict == Verdict::Settled;
         if stage.level + 1 == self.grids.len() {
@@ -186,6 +195,16 @@ impl Engine {
             level,
             Some(formed),
         );
+    }
+
+    /// Moves back what is to stay where it was drawn.
+    fn bring_back(&mut self) {
+        let Some(aim) = &self.aim else { return };
+        let maps = self.stage.coarse.as_ref().unwrap_or(&self.maps);
+        let slides = aim.slides(&self.stage.growth.marks(maps), maps);
+        if !slides.is_empty() {
+            self.stage.growth.slide(maps, &slides);
+        }
     }
 
     /// How far it is, 0..1; never falls.
@@ -295,7 +314,7 @@ fn stage(
     let growth =
         Growth::resumed(system, here, edges, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
-    let rest = Rest::new(system, unit, begins, growth.marks(here).values);
+    let rest = Rest::new(system, unit, begins, growth.marks(here).values).healing(beginning.is_scattered());
     let rest = if here.taken.contains(&true) { rest.among_frozen() } else { rest };
     let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
     Stage { level, coarse, growth, counts, rest, expected }

@@ -1,5 +1,6 @@
 //! The thread: a document in, a grown texture out.
 
+mod aim;
 mod around;
 pub mod beneath;
 mod cascade;
@@ -8,6 +9,7 @@ pub mod drawn;
 mod engine;
 mod grow;
 pub mod inside;
+pub mod keep;
 mod ladder;
 mod lattice;
 pub mod memory;

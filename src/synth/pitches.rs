@@ -37,7 +37,7 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
         }
     }
     for _ in 0..ROUNDS {
-        let points = nuclei(plan.system, &plan.maps(&pitch), layout.edges, seed).inside;
+        let points = nuclei(plan.system, &plan.maps(&pitch), layout.edges, seed, &[]).inside;
         if points.len() > MANY {
             break;
         }

@@ -1,6 +1,7 @@
 //! What will be grown: the system, the size of a cell, and the parameters at every place.
 
 use super::course::{Course, Way};
+use super::keep::Kept;
 use super::lattice::{Lattice, Node};
 use super::probe::{self, Offset, ProbeError, Probed, When};
 use super::recipe::SystemChoice;
@@ -10,8 +11,9 @@ use super::watch::Watch;
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
 use crate::learn::{Answer, AskError, Note, TrainingError};
+use crate::marks::Line;
 use crate::measure::Canvas;
-use crate::rd::{Maps, System};
+use crate::rd::{Maps, Parameters, Seeding, System};
 use rayon::prelude::*;
 
 /// Cells that the smallest spot of a texture covers at half its peak. `facts.md` rule 1: below 25 the grid
@@ -75,6 +77,12 @@ pub struct Plan {
     pub course: Option<Course>,
     /// Where its marks begin, px, where that is not for its system to say.
     pub places: Option<Vec<[f64; 2]>>,
+    /// Drawn marks that grow where they were drawn.
+    pub kept: Vec<Kept>,
+    /// What stripes begin from; other seeds than noise grow without a tensor.
+    pub seeding: Seeding,
+    /// Drawn lines along which stripes run.
+    pub crests: Vec<Line>,
     /// What was looked up for each region, lengths in px but parameters in cells.
     pub answers: Vec<Answer>,
     /// What there is to say beside the notes of the answers, by region.
@@ -235,10 +243,13 @@ pub(super) fn planned(system: System, map: RegionMap, asked: Asked) -> Result<Pl
         grid,
         lattice,
         irregular: 0.0,
+        seeding: Seeding::Noise,
         taken: Vec::new(),
         way: None,
         course: None,
         places: None,
+        kept: Vec::new(),
+        crests: Vec::new(),
         answers,
         remarks,
         probed,
@@ -421,6 +432,11 @@ impl Plan {
         self.map.layout().corners(point).iter().map(|&(i, weight)| weight * known[i]).sum()
     }
 
+    /// What a cell is told that has these parameters by the lattice.
+    fn told(&self, p: Parameters) -> Parameters {
+        if self.seeding == Seeding::Noise { p } else { Parameters { stretch: 1.0, ..p } }
+    }
+
     /// Parameters of every cell. `pitch` says how much farther apart than the system would the spots begin, by
     /// region of `map`.
     #[must_use]
@@ -428,11 +444,11 @@ impl Plan {
         let [nx, ny] = self.grid;
         let uniform = self.lattice.nodes.len() == 1 && pitch.len() == 1;
         let parameters = if uniform {
-            vec![self.lattice.nodes[0].parameters(pitch[0]); nx * ny]
+            vec![self.told(self.lattice.nodes[0].parameters(pitch[0])); nx * ny]
         } else {
             let at = |cell: usize| {
                 let point = self.place([(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5]);
-                self.lattice.at(point).parameters(self.between_regions(pitch, point))
+                self.told(self.lattice.at(point).parameters(self.between_regions(pitch, point)))
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };

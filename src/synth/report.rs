@@ -4,9 +4,11 @@ use serde_json::{Map, Value, json};
 
 use super::grow::{Grown, GrownLayer};
 use super::inside::is_replaced;
+use super::keep::{self, Stayed};
 use super::recipe::Document;
 use super::refine::Measured;
 use crate::attributes::Attributes;
+use crate::rd::{Seeding, System};
 
 /// The report of `grown`, in the form that the contract gives. `document` is named `source`.
 #[must_use]
@@ -36,8 +38,10 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
 fn layer_report(layer: &GrownLayer, name: &str) -> Value {
     let plan = &layer.plan;
     let cell = plan.px_a_cell();
-    let regions: Vec<Value> =
-        (0..plan.answers.len()).map(|index| region_report(layer, index, cell)).collect();
+    let [nx, ny] = plan.grid;
+    let stayed = keep::stayed(plan, &layer.measured, &|| layer.pattern().field(nx, ny));
+    let region = |index| region_report(layer, index, cell, stayed.get(index));
+    let regions: Vec<Value> = (0..plan.answers.len()).map(region).collect();
     json!({
         "name": name,
         "system": plan.system.name(),
@@ -49,7 +53,7 @@ fn layer_report(layer: &GrownLayer, name: &str) -> Value {
     })
 }
 
-fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
+fn region_report(layer: &GrownLayer, index: usize, cell: f64, stayed: Option<&Stayed>) -> Value {
     let plan = &layer.plan;
     let layout = plan.map.layout();
     let place = layout.place(index);
@@ -69,7 +73,12 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
     let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
     notes.extend(plan.remarks[index].iter().cloned());
     notes.extend(plan.probed[index].note());
-    let (marks, error) = errors(&layer.measured, index);
+    notes.extend(stayed.and_then(|stayed| stayed.note(plan.system == System::MeinhardtStripes)));
+    let (marks, mut error) = errors(&layer.measured, index);
+    if plan.seeding == Seeding::Initiators {
+        // Stripes run round the lines; no direction was asked.
+        error.retain(|name, _| name == "width");
+    }
     if marks == Some(0) {
         notes.push("no whole mark grew in this region: nothing was measured".to_owned());
     }
@@ -88,6 +97,9 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64) -> Value {
     report.insert("error".to_owned(), Value::Object(error));
     if let Some(spread) = spread(layer, place, index) {
         report.insert("spread".to_owned(), spread);
+    }
+    if let Some(stayed) = stayed {
+        report.insert("kept".to_owned(), json!(stayed));
     }
     report.insert("notes".to_owned(), json!(notes));
     Value::Object(report)

@@ -53,6 +53,9 @@ fn criterion(system: System) -> Criterion {
     }
 }
 
+/// Time after which stripes from segments are as wide as others; at T = 30 there are blots where segments met.
+const HEALED: f64 = 100.0;
+
 /// Watches a pattern on one grid come to rest.
 #[derive(Clone, Debug)]
 pub struct Rest {
@@ -63,6 +66,8 @@ pub struct Rest {
     begins: bool,
     /// What the drift that counts as rest is multiplied by.
     slack: f64,
+    /// Not asked before.
+    earliest: f64,
     before: Vec<f32>,
     last: f64,
     looks: u64,
@@ -83,7 +88,8 @@ impl Rest {
     /// Begins to watch `marks`, as they are before the first of the steps of which `unit` make up a unit of time.
     #[must_use]
     pub fn new(system: System, unit: f64, begins: bool, marks: Vec<f32>) -> Self {
-        Self { system, unit, begins, slack: 1.0, before: marks, last: f64::INFINITY, looks: 0 }
+        let earliest = criterion(system).earliest;
+        Self { system, unit, begins, slack: 1.0, earliest, before: marks, last: f64::INFINITY, looks: 0 }
     }
 
     /// The same among frozen marks, which push what stands beside them on for long: lone spots in lanes between three
@@ -91,6 +97,12 @@ impl Rest {
     #[must_use]
     pub fn among_frozen(self) -> Self {
         Self { slack: 2.0, ..self }
+    }
+
+    /// The same where the marks must find together first, if they are `scattered`.
+    #[must_use]
+    pub fn healing(self, scattered: bool) -> Self {
+        if scattered { Self { earliest: HEALED, ..self } } else { self }
     }
 
     /// The steps after which to look next.
@@ -118,7 +130,7 @@ impl Rest {
         let corrected = !self.begins && time >= criterion.corrected && change < criterion.still;
         (self.before, self.last) = (marks, change);
         self.looks += 1;
-        if corrected || time >= criterion.earliest && (steady || change < REST) {
+        if corrected || time >= self.earliest && (steady || change < REST) {
             return Verdict::Settled;
         }
         if time >= criterion.latest || steps >= STEPS || !change.is_finite() {

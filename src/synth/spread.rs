@@ -22,8 +22,9 @@ use super::plan::Plan;
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::measure::spot_errors;
 use crate::rd::{self, Maps, Parameters, Places};
+pub use draws::Draw;
 use draws::Scores;
-pub use limits::limited;
+pub use limits::{ASPECTS, limited, most};
 
 /// What a layer of varied spots grows from.
 pub struct Varied {
@@ -55,9 +56,9 @@ const SHAKING: f64 = 0.27;
 /// Shaken by more pitches than this, spots stand as at random.
 const MOST_SHAKEN: f64 = 1.2;
 
-/// The spots of `plan`; `None` where none is to differ from its neighbours.
+/// The spots of `plan`; `None` where none is to differ from its neighbours, and none is kept.
 pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
-    if plan.system.is_striped() || plan.map.is_even() {
+    if plan.system.is_striped() || plan.map.is_even() && plan.kept.is_empty() {
         return None;
     }
     let regions = plan.map.layout().len();
@@ -128,7 +129,7 @@ impl Laid {
             let (offsets, own) = drawn(plan, &places, pitch, &scores);
             return Self { maps, places, offsets, own };
         }
-        let first = rd::nuclei(plan.system, &maps, edges, seed);
+        let first = rd::nuclei(plan.system, &maps, edges, seed, &kept(plan, pitch));
         let scores = Scores::new(plan, &plan.px(&first.inside), &mut rng);
         let (_, own) = drawn(plan, &first.inside, pitch, &scores);
         let room = |laid: &Places, own: &[Parameters], reach: f64, rounds: usize| {
@@ -137,7 +138,7 @@ impl Laid {
         let mut places = room(&first, &own, ROOM_REACH, ROOM_ROUNDS);
         if shaking.iter().any(|shaking| shaking.by > 0.0) {
             shake(plan, &mut places, &own, shaking, &mut rng);
-            let shaken = Places { inside: places, beyond: first.beyond };
+            let shaken = Places { inside: places, ..first };
             places = room(&shaken, &own, SHAKEN_REACH, SHAKEN_ROUNDS);
         }
         // Some have moved into another region.
@@ -159,6 +160,11 @@ impl Laid {
     }
 }
 
+/// The spots that are kept, with the parameters of the room that they take.
+fn kept(plan: &Plan, pitch: &[f64]) -> Vec<rd::Kept> {
+    plan.kept.iter().map(|kept| kept.laid(plan, pitch)).collect()
+}
+
 /// What the draws do to the parameters of the spots at `places` (cells), and the parameters of the room that these take.
 fn drawn(
     plan: &Plan,
@@ -168,24 +174,25 @@ fn drawn(
 ) -> (Vec<[f64; 3]>, Vec<Parameters>) {
     let px = plan.px(places);
     let draws = scores.draws(plan, &px);
-    px.iter()
-        .zip(&draws)
-        .map(|(px, draw)| {
-            let node: Node = plan.lattice.at(*px);
-            let wanted = wanted(plan, *px);
-            let rounder = libm::log((wanted.aspect + draw.aspect) / wanted.aspect);
-            let offset = node.offset(-libm::log(draw.area), rounder, draw.turn);
-            let [rate, c, s] = offset;
-            let room = node.plus([rate, OWN_SHAPE * c, OWN_SHAPE * s]);
-            (offset, room.parameters(plan.between_regions(pitch, *px)))
-        })
-        .unzip()
+    px.iter().zip(&draws).map(|(px, draw)| own(plan, *px, pitch, draw)).unzip()
+}
+
+/// What a draw does to the parameters of a spot at a place (px), and the parameters of the room that it takes.
+pub fn own(plan: &Plan, px: [f64; 2], pitch: &[f64], draw: &Draw) -> ([f64; 3], Parameters) {
+    let node: Node = plan.lattice.at(px);
+    let wanted = wanted(plan, px);
+    let rounder = libm::log((wanted.aspect + draw.aspect) / wanted.aspect);
+    let offset = node.offset(-libm::log(draw.area), rounder, draw.turn);
+    let [rate, c, s] = offset;
+    let room = node.plus([rate, OWN_SHAPE * c, OWN_SHAPE * s]);
+    (offset, room.parameters(plan.between_regions(pitch, px)))
 }
 
 /// Moves spots at random: the mean of two even numbers from −1 to 1 along either axis, times the shaking of the place.
 fn shake(plan: &Plan, places: &mut [[f64; 2]], own: &[Parameters], shaking: &[Shaking], rng: &mut Pcg64Mcg) {
+    let kept = plan.kept.len();
     let by: Vec<f64> = shaking.iter().map(|shaking| shaking.by).collect();
-    for (at, own) in places.iter_mut().zip(own) {
+    for (at, own) in places.iter_mut().zip(own).skip(kept) {
         let [along, across] = [(); 2].map(|()| rng.random::<f64>() + rng.random::<f64>() - 1.0);
         let reach = plan.between_regions(&by, plan.place(*at)) * plan.system.spacing(own);
         let longer = f64::from(own.stretch).sqrt();
@@ -198,7 +205,7 @@ fn shake(plan: &Plan, places: &mut [[f64; 2]], own: &[Parameters], shaking: &[Sh
 }
 
 /// The spots wanted at a point, px.
-fn wanted(plan: &Plan, point: [f64; 2]) -> Spots {
+pub fn wanted(plan: &Plan, point: [f64; 2]) -> Spots {
     match plan.map.at(point) {
         Attributes::Spots(spots) => spots,
         Attributes::Stripes(_) => unreachable!("stripes do not vary"),

@@ -1,5 +1,6 @@
 //! `dapple grow` through the real binary: documents in, pictures and reports out.
 
+mod around;
 mod attributes;
 mod bytes;
 mod extremes;
@@ -8,7 +9,9 @@ mod golden;
 mod inside;
 #[cfg(unix)]
 mod interrupt;
+mod keep;
 mod options;
 mod refusals;
+mod seeding;
 mod sketches;
 mod spread;

@@ -31,7 +31,7 @@ fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
     let layer = Layer {
         system: spots.system,
         strokes: vec![ellipse(200.0), ellipse(200.0 + spacing)],
-        options: Choices { spread: SpreadChoice::Given(spread), ..Choices::default() },
+        options: Choices { spread: SpreadChoice::Given(spread), keep: Some(false), ..Choices::default() },
         ..Layer::default()
     };
     let side = ((150.0 * 0.75f64.sqrt()).sqrt() * spacing) as u32;

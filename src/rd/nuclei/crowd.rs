@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::Nucleus;
 use crate::rd::maps::{Maps, Parameters};
 
 /// How crowded the grid will be.
@@ -55,5 +56,14 @@ impl Crowd {
         let ends = rows.clone().next().zip(rows.clone().next_back());
         let ends = ends.map_or(0.0, |(first, last)| row(first) + row(last));
         (rows.by_ref().map(row).sum::<f64>() + frame * ends).round().max(1.0) as usize
+    }
+
+    /// Of these, as many as the room of `kept` is for: one each, if they are like those around them.
+    pub fn in_the_room_of(&self, kept: &[Nucleus], maps: &Maps) -> usize {
+        let rooms = kept.iter().map(|kept| {
+            let [xx, xy, yy] = kept.metric;
+            0.75f64.sqrt() / (xx * yy - xy * xy).sqrt() * self.densities[maps.cell_at(kept.at)]
+        });
+        rooms.sum::<f64>().round() as usize
     }
 }

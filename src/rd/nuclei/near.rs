@@ -115,6 +115,11 @@ impl Buckets {
     /// Calls `each(other, other − point)` for every point, or image of one beyond the border (its own too),
     /// that can lie within `pitches` of `point`; and for some farther ones.
     pub fn near(&self, point: &Nucleus, pitches: f64, mut each: impl FnMut(&Nucleus, [f64; 2])) {
+        self.near_by_index(point, pitches, |other, delta| each(&self.all[other], delta));
+    }
+
+    /// The same with the index of the other.
+    pub fn near_by_index(&self, point: &Nucleus, pitches: f64, mut each: impl FnMut(usize, [f64; 2])) {
         let [column, row] = self.bucket(point.at);
         let reach = pitches * point.reach * 1.5;
         let [w, h] = self.space.size;
@@ -124,8 +129,8 @@ impl Buckets {
                 let (r, sy) = image(row + dy, self.rows, self.space.edges, h);
                 let beyond = |i: isize, n: usize| i < 0 || i >= n as isize;
                 let mirrored = [beyond(column + dx, self.columns), beyond(row + dy, self.rows)];
-                for &other in &self.cells[r * self.columns + c] {
-                    let other = &self.all[other as usize];
+                for &index in &self.cells[r * self.columns + c] {
+                    let other = &self.all[index as usize];
                     let seen = [sx(other.at[0]), sy(other.at[1])];
                     let delta = [seen[0] - point.at[0], seen[1] - point.at[1]];
                     // The image of a point on the wall is that point, and counts once.
@@ -133,7 +138,7 @@ impl Buckets {
                     let twice = twice(0) || twice(1);
                     let itself = dx == 0 && dy == 0 && delta == [0.0, 0.0];
                     if !itself && !twice && delta[0].abs() <= reach && delta[1].abs() <= reach {
-                        each(other, delta);
+                        each(index as usize, delta);
                     }
                 }
             }

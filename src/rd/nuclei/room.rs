@@ -8,7 +8,8 @@ use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 
 /// Where the points `laid` come to stand in `rounds` rounds of mutual repulsion, each with the pitch and the metric of
-/// its `own` parameters; those farther than `reach` pitches do not push each other. Those beyond the edges stay.
+/// its `own` parameters; those farther than `reach` pitches do not push each other. Those beyond the edges stay, and those
+/// that are kept.
 #[must_use]
 pub fn make_room(
     system: System,
@@ -30,7 +31,11 @@ pub fn make_room(
     let beyond = laid.beyond.iter().filter(|at| (0..2).all(|i| (-frame..size[i] + frame).contains(&at[i])));
     let beyond: Vec<Nucleus> =
         beyond.map(|at| Nucleus { at: framed(*at), ..Nucleus::at(maps, *at, &pitch) }).collect();
-    let moved = |i: usize, at: [f64; 2]| if i < own.len() { nucleus(i, at) } else { beyond[i - own.len()] };
+    let moved = |i: usize, to: [f64; 2]| match i {
+        i if i < laid.kept => nucleus(i, framed(at[i])),
+        i if i < own.len() => nucleus(i, to),
+        i => beyond[i - own.len()],
+    };
     let mut placed = Buckets::new(space, PUSH.max(reach) * largest);
     at.iter().enumerate().for_each(|(i, at)| placed.insert(nucleus(i, framed(*at))));
     beyond.iter().for_each(|point| placed.insert(*point));
@@ -38,7 +43,7 @@ pub fn make_room(
         relax(&mut placed, reach, &moved);
     }
     if edges == Edges::Closed {
-        Grid { frame, size }.keep_off_walls(&mut placed, |placed| relax(placed, reach, &moved));
+        Grid { frame, size }.keep_off_walls(&mut placed, laid.kept, |placed| relax(placed, reach, &moved));
     }
     let stands = |point: &Nucleus| [0, 1].map(|i| (point.at[i] - frame).clamp(0.0, size[i] * (1.0 - 1e-12)));
     placed.all[..own.len()].iter().map(stands).collect()
@@ -57,16 +62,17 @@ pub fn off_walls(system: System, maps: &Maps, edges: Edges, places: Vec<[f64; 2]
     let largest = all.iter().map(|point| point.reach).fold(0.0, f64::max);
     let mut placed = Buckets::new(Space { size, edges }, largest);
     placed.replace(all);
-    Grid { frame: 0.0, size }.keep_off_walls(&mut placed, |_| ());
+    Grid { frame: 0.0, size }.keep_off_walls(&mut placed, 0, |_| ());
     placed.all.iter().map(|point| point.at).collect()
 }
 
-/// Places of points, cells: those on the grid, and those beyond closed edges or on taken cells, which keep the others from spreading over
-/// them.
+/// Places of points, cells: those on the grid, and those that keep these from spreading over the edges.
 #[derive(Clone, Debug, Default)]
 pub struct Places {
     /// On the grid.
     pub inside: Vec<[f64; 2]>,
     /// Beyond closed edges, and on taken cells.
     pub beyond: Vec<[f64; 2]>,
+    /// How many of those on the grid, the first, stay where they are.
+    pub kept: usize,
 }

@@ -83,22 +83,26 @@ pub fn within(placed: &mut Buckets, clear: &dyn Fn([f64; 2]) -> bool, move_on: i
 /// at this.
 const SQUEEZED: f64 = 0.76;
 
-/// Those of `all` that have room among those before them. `kept` holds none yet.
-pub fn with_room(all: Vec<Nucleus>, mut kept: Buckets) -> Vec<Nucleus> {
-    for point in all {
+/// All of `kept`, and those of `others` that have room among those before them. `placed` holds none yet.
+pub fn with_room(kept: &[Nucleus], others: Vec<Nucleus>, mut placed: Buckets) -> Vec<Nucleus> {
+    kept.iter().for_each(|point| placed.insert(*point));
+    for point in others {
         let mut free = true;
-        kept.near(&point, SQUEEZED, |other, delta| {
+        placed.near(&point, SQUEEZED, |other, delta| {
             free &= distance2(&point, other, delta) >= SQUEEZED * SQUEEZED;
         });
         if free {
-            kept.insert(point);
+            placed.insert(point);
         }
     }
-    kept.all
+    placed.all
 }
 
 /// Is `place` (cells of `maps`) clear of the taken cells?
-fn is_clear(maps: &Maps, edges: Edges, place: &Nucleus) -> bool {
+pub fn is_clear(maps: &Maps, edges: Edges, place: &Nucleus) -> bool {
+    if maps.taken.is_empty() {
+        return true;
+    }
     let reach = CLEAR * place.reach;
     let range = |v: f64| (v - 0.5 - reach).ceil() as isize..=(v - 0.5 + reach).floor() as isize;
     let within = |v: isize, n: usize| edges == Edges::Wrap || (0..n as isize).contains(&v);

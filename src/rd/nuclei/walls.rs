@@ -22,13 +22,16 @@ pub struct Grid {
 impl Grid {
     /// Near a wall a spot cannot keep its shape. One on the wall is half a spot, cut by the edge; nearer than [`HOLD`] it
     /// would be drawn out to the wall. So those that are near are moved, once and for all, and the others `relax` around
-    /// them.
-    pub fn keep_off_walls(&self, placed: &mut Buckets, mut relax: impl FnMut(&mut Buckets)) {
+    /// them. The first `fixed` stay.
+    pub fn keep_off_walls(&self, placed: &mut Buckets, fixed: usize, mut relax: impl FnMut(&mut Buckets)) {
         let on_walls: Vec<[Option<f64>; 2]> =
             placed.all.iter().map(|point| [0, 1].map(|axis| self.wall_under(point, axis))).collect();
         for _ in 0..WALLED {
             relax(placed);
             placed.moved(|index, point| {
+                if index < fixed {
+                    return point.at;
+                }
                 [0, 1].map(|axis| on_walls[index][axis].unwrap_or_else(|| self.held(point, axis)))
             });
         }

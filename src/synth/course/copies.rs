@@ -28,7 +28,7 @@ impl Grid {
 
     /// Cells in all.
     #[must_use]
-    pub fn len(&self) -> usize {
+    pub fn cells(&self) -> usize {
         self.size[0] * self.size[1]
     }
 

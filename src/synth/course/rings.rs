@@ -10,7 +10,7 @@ use crate::field::distance::{length, nearest};
 /// Half the width of the lane in which a ring is free to grow ÷ its own width: all beyond is held. It keeps rings where
 /// they are, and neighbours from taking each other's room; without it they shrink until they stand against their
 /// marks, and of neighbours that are near one dies.
-const LANE: f64 = 0.85;
+const LANE: f64 = 0.8;
 /// The least half of a lane: below it no line lives.
 const NARROWEST: f64 = 0.7;
 /// Inhibitor that is held on the inner and the outer side of a ring. Round marks of 1 to 6 ring widths these keep it in
@@ -20,10 +20,10 @@ const SIDES: [f32; 2] = [0.45, 0.2];
 const WALL: f32 = 0.3;
 
 /// Half the distance between two marks ÷ the width of their rings, below which these are one wall for both.
-const SHARED: f64 = 1.5;
+const SHARED: f64 = 1.6;
 /// Between two rings that are nearer than this is a strip, so many widths to either side of the middle, where nothing
 /// grows: else one takes the other's room.
-const STRIP: [f64; 2] = [1.9, 0.12];
+const STRIP: [f64; 2] = [1.9, 0.1];
 /// Distance between two marks ÷ the width of rings at which each has its own.
 pub const OWN: f64 = 2.0 * SHARED;
 
@@ -47,14 +47,15 @@ pub fn lay(
     let room = room(grid, &between(&away, grid, &copies), &distance);
     let width = |cell: usize| f64::from(wanted.width[cell]);
     let at = |cell: usize| place(room[cell] / width(cell)) * width(cell);
-    let off: Vec<f32> = (0..grid.len()).map(|cell| ((distance[cell] - at(cell)).abs() / px) as f32).collect();
+    let off: Vec<f32> =
+        (0..grid.cells()).map(|cell| ((distance[cell] - at(cell)).abs() / px) as f32).collect();
     let has_own = |cell: usize| room[cell] >= SHARED * width(cell);
     let narrow = |cell: usize| room[cell] < NARROWEST * width(cell) && distance[cell] < width(cell);
     let between_rings = |cell: usize| {
         let room = room[cell] / width(cell);
         (SHARED..STRIP[0]).contains(&room) && distance[cell] / width(cell) > room - STRIP[1]
     };
-    let mut kept_off: Vec<bool> = (0..grid.len())
+    let mut kept_off: Vec<bool> = (0..grid.cells())
         .map(|cell| f64::from(off[cell]) * px > LANE * width(cell) || narrow(cell) || between_rings(cell))
         .collect();
     let mut curve: Vec<bool> = off.iter().zip(&kept_off).map(|(off, kept)| *off < 1.0 && !kept).collect();
@@ -75,7 +76,7 @@ pub fn lay(
             }
         }
     }
-    let held = (0..grid.len())
+    let held = (0..grid.cells())
         .map(|cell| if has_own(cell) { SIDES[usize::from(distance[cell] > at(cell))] } else { WALL })
         .collect();
     let along = along(&away, grid, radius(wanted.width, grid), |cell| {
@@ -93,10 +94,10 @@ fn place(room: f64) -> f64 {
 /// Half the distance between the two marks whose middle is nearest to each cell, px.
 fn room(grid: &Grid, middle: &[bool], distance: &[f64]) -> Vec<f64> {
     let Some(to) = nearest(middle, grid.size, grid.cell, grid.edges) else {
-        return vec![f64::INFINITY; grid.len()];
+        return vec![f64::INFINITY; grid.cells()];
     };
     let at = |cell: usize| grid.away(cell, to[cell]).map_or(f64::INFINITY, |(at, _)| distance[at]);
-    (0..grid.len()).map(at).collect()
+    (0..grid.cells()).map(at).collect()
 }
 
 /// Refuses what has too little room, and says where some of it has.
@@ -106,7 +107,7 @@ fn told(
     has_own: &dyn Fn(usize) -> bool,
     remarks: &mut Vec<String>,
 ) -> Result<(), CourseError> {
-    let outline: Vec<usize> = (0..grid.len())
+    let outline: Vec<usize> = (0..grid.cells())
         .filter(|cell| wanted.taken[*cell])
         .filter(|cell| {
             let sides = [[1, 0], [-1, 0], [0, 1], [0, -1]].iter();

@@ -1,6 +1,6 @@
 //! The named choices of a document.
 
-use super::{Options, Problem, SpreadChoice};
+use super::{Options, Problem, Seeding, SpreadChoice};
 
 /// What a layer's marks are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,9 +85,10 @@ impl SystemChoice {
     #[must_use]
     pub fn option_keys(self) -> &'static [&'static str] {
         match self {
-            Self::Auto => &["spread", "duty", "irregular"],
-            Self::TuringSpots | Self::MeinhardtSpots => &["spread", "irregular"],
-            Self::MeinhardtStripes | Self::MeinhardtLines => &["duty"],
+            Self::Auto => &["spread", "keep", "duty", "irregular", "seeding"],
+            Self::TuringSpots | Self::MeinhardtSpots => &["spread", "keep", "irregular"],
+            Self::MeinhardtStripes => &["keep", "duty", "seeding"],
+            Self::MeinhardtLines => &["duty"],
         }
     }
 
@@ -162,6 +163,17 @@ impl SpreadChoice {
     }
 }
 
+/// What stripes begin from, with its names in documents.
+pub const SEEDINGS: [(&str, Seeding); 3] =
+    [("noise", Seeding::Noise), ("segments", Seeding::Segments), ("initiators", Seeding::Initiators)];
+
+/// The problem that a layer's `options` say at `place` what its stripes begin from although its marks are of `kind`.
+#[must_use]
+pub fn seeding_mismatch(place: &str, kind: Option<Kind>) -> Option<Problem> {
+    let spots = kind == Some(Kind::Ellipse);
+    spots.then(|| Problem::new(place, "a seeding of spots", "no such key: only stripes have a seeding"))
+}
+
 /// How a layer meets the frozen marks beneath it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum After {
@@ -197,7 +209,8 @@ impl After {
     }
 }
 
-fn name_in<T: Copy + PartialEq>(names: &[(&'static str, T)], one: T) -> &'static str {
+/// The name of `one` among these.
+pub fn name_in<T: Copy + PartialEq>(names: &[(&'static str, T)], one: T) -> &'static str {
     names.iter().find(|(_, other)| *other == one).map_or("", |(name, _)| name)
 }
 

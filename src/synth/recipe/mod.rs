@@ -58,7 +58,8 @@ mod syntax;
 mod writer;
 
 use crate::attributes::Spread;
-pub use choices::{After, Kind, SystemChoice};
+pub use crate::rd::Seeding;
+pub use choices::{After, Kind, SystemChoice, seeding_mismatch};
 pub use error::{DocumentError, Problem};
 
 use crate::field::Edges;
@@ -118,6 +119,17 @@ impl Document {
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
+    }
+}
+
+impl Document {
+    /// Do the drawn marks of the layer at `index` stay where they were drawn? Unless it says so itself: where there is
+    /// one region. In many, marks say what is wanted around them, and may lie where the map between regions wants
+    /// something else.
+    #[must_use]
+    pub fn keeps(&self, index: usize) -> bool {
+        let told = self.layers.get(index).and_then(|layer| layer.options.keep);
+        told.unwrap_or(self.regions == [1, 1])
     }
 }
 
@@ -189,11 +201,22 @@ pub struct Options {
     pub broken: f64,
     /// How irregular its spots are, 0–1.
     pub irregular: f64,
+    /// Whether the drawn marks are among those that grow; `None` = see [`Document::keeps`].
+    pub keep: Option<bool>,
+    /// What its stripes begin from.
+    pub seeding: Seeding,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { spread: SpreadChoice::default(), duty: Self::DUTY, broken: 0.0, irregular: 0.0 }
+        Self {
+            spread: SpreadChoice::default(),
+            duty: Self::DUTY,
+            broken: 0.0,
+            irregular: 0.0,
+            keep: None,
+            seeding: Seeding::Noise,
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! A JSON value → a checked document, key by key.
 
+use super::choices::{SEEDINGS, seeding_mismatch};
 use super::limits::{self, Range};
 use super::{
     After, Colours, Document, Growth, Kind, Layer, Options, Problem, SpreadChoice, Stop, SystemChoice,
@@ -87,6 +88,11 @@ fn options(node: &Node, system: SystemChoice, kind: Option<Kind>, after: After) 
     {
         return Err(problem);
     }
+    if let Some(problem) =
+        node.get("seeding").and_then(|node| seeding_mismatch(&node.place(), system.grows().or(kind)))
+    {
+        return Err(problem);
+    }
     let keys = [system.option_keys(), after.option_keys()].concat();
     node.keys(&keys)?;
     let default = Options::default();
@@ -97,7 +103,14 @@ fn options(node: &Node, system: SystemChoice, kind: Option<Kind>, after: After) 
         irregular: node
             .get("irregular")
             .map_or(Ok(default.irregular), |node| node.number(&limits::IRREGULAR))?,
+        seeding: node.get("seeding").map_or(Ok(default.seeding), |node| node.choice(&SEEDINGS))?,
+        keep: node.get("keep").map(|node| node.flag()).transpose()?,
     };
+    if options.irregular > 0.0 && after == After::Inside {
+        let place = format!("{}.irregular", node.place());
+        let allowed = "0: a spot inside another begins and stays as an ellipse";
+        return Err(Problem::new(place, format!("{} of a layer \"inside\"", options.irregular), allowed));
+    }
     options.mismatch(&node.place(), system, kind).map_or(Ok(options), Err)
 }
 

@@ -1,6 +1,6 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of the contract.
 
-use super::{Colours, Document, Layer, Options, SpreadChoice, Stroke, migrate, reader};
+use super::{Colours, Document, Layer, Options, Seeding, SpreadChoice, Stroke, choices, migrate, reader};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
@@ -54,6 +54,12 @@ fn options(options: &Options) -> Value {
     }
     if options.irregular != 0.0 {
         map.insert("irregular".into(), number(options.irregular));
+    }
+    if let Some(keep) = options.keep {
+        map.insert("keep".into(), json!(keep));
+    }
+    if options.seeding != Seeding::Noise {
+        map.insert("seeding".into(), json!(choices::name_in(&choices::SEEDINGS, options.seeding)));
     }
     Value::Object(map)
 }

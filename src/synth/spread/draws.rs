@@ -21,14 +21,15 @@ pub struct Draw {
     pub aspect: f64,
 }
 
-/// Where in its region each spot stands in size, direction and aspect, in standard deviations.
+/// Where in its region each spot stands in size, direction and aspect, in standard deviations. Of those that are kept,
+/// the first, it is known how they differ.
 pub struct Scores(Vec<[f64; 3]>);
 
 impl Scores {
     /// Scores of spots at these places, px.
     pub fn new(plan: &Plan, px: &[[f64; 2]], rng: &mut Pcg64Mcg) -> Self {
         let mut scores = vec![[0.0; 3]; px.len()];
-        for group in groups(plan, px) {
+        for (_, group) in groups(plan, px) {
             let drawn = [(); 3].map(|()| stratified(group.len(), rng));
             for (k, i) in group.iter().enumerate() {
                 scores[*i] = [0, 1, 2].map(|attribute: usize| drawn[attribute][k]);
@@ -41,33 +42,64 @@ impl Scores {
     /// and the spread asked for, and so have those that the border cuts.
     pub fn draws(&self, plan: &Plan, px: &[[f64; 2]]) -> Vec<Draw> {
         let mut draws = vec![Draw { area: 1.0, turn: 0.0, aspect: 0.0 }; px.len()];
-        for group in groups(plan, px) {
-            let wanted: Vec<Spots> = group.iter().map(|i| wanted(plan, px[*i])).collect();
-            let own = wanted.iter().map(|wanted| by_itself(plan.system, wanted));
+        plan.kept.iter().zip(&mut draws).for_each(|(kept, draw)| *draw = kept.draw);
+        for (kept, group) in groups(plan, px) {
+            let asked: Vec<Spots> = group.iter().map(|i| wanted(plan, px[*i])).collect();
+            let own = asked.iter().map(|wanted| by_itself(plan.system, wanted));
             let spreads: Vec<Spread> =
                 group.iter().zip(own).map(|(i, own)| spread_at(plan, px[*i]).with(&own, beyond)).collect();
             let of = |attribute: usize| group.iter().map(move |i| self.0[*i][attribute]);
             let areas = areas(of(0).zip(spreads.iter().map(|spread| spread.area)));
-            let aspects = aspects(of(1).zip(spreads.iter().map(|spread| spread.aspect)), &wanted);
-            let weights = wanted.iter().zip(&aspects).map(|(wanted, aspect)| 1.0 - wanted.aspect - aspect);
+            let aspects = aspects(of(1).zip(spreads.iter().map(|spread| spread.aspect)), &asked);
+            let weights = asked.iter().zip(&aspects).map(|(wanted, aspect)| 1.0 - wanted.aspect - aspect);
             let turns = turns(of(2).zip(spreads.iter().map(|spread| spread.angle)), weights);
             for (k, i) in group.iter().enumerate() {
                 draws[*i] = Draw { area: areas[k], turn: turns[k], aspect: aspects[k] };
             }
+            make_up(&mut draws, &kept, &group, &|i| wanted(plan, px[i]).aspect);
         }
         draws
     }
 }
 
+/// Lets those of `group` make up for how the `kept` ones beside them differ, so that all of them have the means. `aspect`
+/// is what is wanted.
+fn make_up(draws: &mut [Draw], kept: &[usize], group: &[usize], aspect: &dyn Fn(usize) -> f64) {
+    let weight = |draws: &[Draw], i: usize| (1.0 - aspect(i) - draws[i].aspect).max(0.0);
+    let sum = |value: &dyn Fn(usize) -> f64| kept.iter().map(|i| value(*i)).sum::<f64>();
+    let area = sum(&|i| draws[i].area - 1.0) / group.len() as f64;
+    let longer = sum(&|i| draws[i].aspect) / group.len() as f64;
+    // Double angles: Σ w sin 2(t − δ) over the others is to cancel Σ w sin 2t over the kept.
+    let double = |of: &[usize], f: fn(f64) -> f64| -> f64 {
+        of.iter().map(|i| weight(draws, *i) * f((2.0 * draws[*i].turn).to_radians())).sum()
+    };
+    let [kept_sin, sin, cos] = [double(kept, libm::sin), double(group, libm::sin), double(group, libm::cos)];
+    let turn = if cos > 0.0 { 0.5 * ((kept_sin + sin) / cos).clamp(-1.0, 1.0).to_degrees() } else { 0.0 };
+    let [area, longer, turn] = [(area, MADE_UP[0]), (longer, MADE_UP[1]), (turn, MADE_UP[2])]
+        .map(|(value, most)| value.clamp(-most, most));
+    for i in group {
+        let one = &mut draws[*i];
+        one.area *= 1.0 - area;
+        one.aspect =
+            (one.aspect - longer).clamp(ASPECTS[0] - aspect(*i), (ASPECTS[1] - aspect(*i)).max(one.aspect));
+        one.turn -= turn;
+    }
+}
+
+/// The most by which spots make up for others: share of the area, aspect, degrees. Beyond, a few would look wrong.
+const MADE_UP: [f64; 3] = [0.1, 0.03, 3.0];
+
 /// Spots that have means of their own: by region those that are whole, which will be measured, and those that are cut.
-fn groups(plan: &Plan, px: &[[f64; 2]]) -> Vec<Vec<usize>> {
+/// The kept ones of each, and the others.
+fn groups(plan: &Plan, px: &[[f64; 2]]) -> Vec<(Vec<usize>, Vec<usize>)> {
     let layout = plan.map.layout();
-    let mut groups = vec![Vec::new(); 2 * layout.len()];
+    let mut groups = vec![(Vec::new(), Vec::new()); 2 * layout.len()];
     for (i, point) in px.iter().enumerate() {
         let reach = reach(&wanted(plan, *point));
         let inside = |axis: usize| (reach[axis]..=layout.size[axis] - reach[axis]).contains(&point[axis]);
         let whole = layout.edges == Edges::Wrap || inside(0) && inside(1);
-        groups[2 * layout.index(layout.region_of(*point)) + usize::from(!whole)].push(i);
+        let (kept, others) = &mut groups[2 * layout.index(layout.region_of(*point)) + usize::from(!whole)];
+        if i < plan.kept.len() { kept.push(i) } else { others.push(i) }
     }
     groups
 }

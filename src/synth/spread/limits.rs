@@ -37,7 +37,8 @@ const EVEN: f64 = 0.09;
 const STRETCHED: f64 = 0.85;
 
 /// The most that spots which are `wanted` on the mean can vary.
-fn most(system: System, wanted: &Spots) -> Spread {
+#[must_use]
+pub fn most(system: System, wanted: &Spots) -> Spread {
     let room = WITHIN * (wanted.aspect - ASPECTS[0]).min(ASPECTS[1] - wanted.aspect).max(0.0);
     if system == System::TuringSpots {
         return Spread { aspect: room, angle: TURING.angle.max(by_itself(system, wanted).angle), ..TURING };

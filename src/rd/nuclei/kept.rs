@@ -1,0 +1,88 @@
+//! Spots whose places are given: the others are laid around them.
+
+use super::Nucleus;
+use super::near::{Buckets, Space, distance2};
+use super::{PUSH, taken};
+use crate::field::Edges;
+use crate::rd::System;
+use crate::rd::maps::{Maps, Parameters};
+
+/// A spot that is to stand at a given place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kept {
+    /// Its place, cells.
+    pub at: [f64; 2],
+    /// The parameters of the room that it takes.
+    pub own: Parameters,
+    /// Nearer than this to another both would merge, in pitches.
+    pub near: f64,
+}
+
+impl Kept {
+    pub(in crate::rd) fn nucleus(&self, system: System, maps: &Maps) -> Nucleus {
+        Nucleus::of(&self.own, maps.cell, self.at, system.spacing(&self.own))
+    }
+}
+
+/// Why a spot cannot stand where it is to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hindrance {
+    /// The mark of another layer is there, or too near.
+    Taken,
+    /// Another is too near that stays.
+    Neighbour,
+}
+
+/// Which of `spots` can stand where they are to: as many as can be of which none hinders another, nearly. A closed edge
+/// hinders none, but draws those to itself that are near.
+#[must_use]
+pub fn standing(system: System, maps: &Maps, edges: Edges, spots: &[Kept]) -> Vec<Result<(), Hindrance>> {
+    let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, maps)).collect();
+    let clear: Vec<bool> = nuclei.iter().map(|nucleus| taken::is_clear(maps, edges, nucleus)).collect();
+    let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
+    let largest = nuclei.iter().map(|nucleus| nucleus.reach).fold(1.0, f64::max);
+    let mut placed = Buckets::new(space, PUSH * largest);
+    nuclei.iter().zip(&clear).filter(|(_, clear)| **clear).for_each(|(nucleus, _)| placed.insert(*nucleus));
+    let near: Vec<f64> =
+        spots.iter().zip(&clear).filter(|(_, clear)| **clear).map(|(spot, _)| spot.near).collect();
+    let mut stays = independent(&crowded(&placed, edges, &near)).into_iter();
+    let stands = |clear: bool| match clear.then(|| stays.next()) {
+        None => Err(Hindrance::Taken),
+        Some(stays) => stays.unwrap_or(false).then_some(()).ok_or(Hindrance::Neighbour),
+    };
+    clear.into_iter().map(stands).collect()
+}
+
+/// Which of those placed are too near to which: nearer than the mean of what is `near` to each.
+fn crowded(placed: &Buckets, edges: Edges, near: &[f64]) -> Vec<Vec<usize>> {
+    let mut crowded = vec![Vec::new(); placed.all.len()];
+    for (i, point) in placed.all.iter().enumerate() {
+        placed.near_by_index(point, PUSH, |other, delta| {
+            let least = 0.5 * (near[i] + near[other]);
+            // Images beyond a closed edge are none's neighbours.
+            let there = &placed.all[other];
+            let image = edges == Edges::Closed
+                && (0..2).any(|axis| (there.at[axis] - point.at[axis] - delta[axis]).abs() > 1e-6);
+            if other != i && !image && distance2(point, there, delta) < least * least {
+                crowded[i].push(other);
+            }
+        });
+    }
+    crowded
+}
+
+/// As many as can be of which none is `near` another, nearly: those with the fewest left beside them first, the earlier
+/// of equals.
+fn independent(near: &[Vec<usize>]) -> Vec<bool> {
+    let mut stays = vec![None; near.len()];
+    loop {
+        let open = |i: &usize| stays[*i].is_none();
+        let degree = |i: &usize| near[*i].iter().filter(|other| open(other)).count();
+        let Some(next) = (0..near.len()).filter(open).min_by_key(degree) else { break };
+        near[next].iter().for_each(|other| {
+            stays[*other].get_or_insert(false);
+        });
+        stays[next] = Some(true);
+    }
+    stays.into_iter().map(|stays| stays == Some(true)).collect()
+}

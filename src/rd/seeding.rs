@@ -1,0 +1,143 @@
+//! Other beginnings of stripes than noise: a ground at rest with seeds on it.
+
+use std::f64::consts::TAU;
+
+use rand::{Rng, RngExt};
+use rayon::prelude::*;
+
+use super::System;
+use super::crests::Crest;
+use super::maps::{Maps, Parameters};
+use crate::field::Edges;
+
+/// What stripes begin from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Seeding {
+    /// Noise that already has their wavelength and direction; they grow along a tensor.
+    #[default]
+    Noise,
+    /// Short line segments of their direction at random places; they grow without a tensor (Phan & Grimm, V.1).
+    Segments,
+    /// The drawn lines alone: stripes radiate from these in regular order, without a tensor (Turk, "Regular Stripe
+    /// Patterns"; Phan & Grimm, figure 11).
+    Initiators,
+}
+
+/// Segments a square wavelength (`facts.md` E).
+const DENSITY: f64 = 0.5;
+/// Their length, wavelengths (`facts.md` E).
+const LENGTH: f64 = 2.0;
+/// Standard deviation of their directions, degrees (`facts.md` E).
+const JITTER: f64 = 5.0;
+/// Nearer to drawn lines than this their middles do not lie, wavelengths: they would cross these.
+const CLEAR: f64 = 1.25;
+/// Half of their thickness, wavelengths: a cell of the coarsest grid, which has eight a wavelength.
+const THICKNESS: f64 = 0.0625;
+
+/// The segments for the grid of `maps`: `drawn` ones, and elsewhere as many thrown at random as there are to be.
+pub fn segments(maps: &Maps, edges: Edges, drawn: &[Crest], rng: &mut impl Rng) -> Vec<Crest> {
+    let clear = |at: [f64; 2], length: f64| {
+        drawn.iter().all(|line| line.distance(at, [maps.nx, maps.ny], edges) >= CLEAR * length)
+    };
+    let [w, h] = [maps.nx as f64, maps.ny as f64];
+    let density = |p: &Parameters| {
+        let length = wavelength(p);
+        DENSITY / (length * length)
+    };
+    let densest = maps.parameters.iter().map(density).fold(0.0, f64::max);
+    let mut all = drawn.to_vec();
+    for _ in 0..(densest * w * h).ceil() as usize {
+        let at = [rng.random::<f64>() * w, rng.random::<f64>() * h];
+        let (keep, one, other) = (rng.random::<f64>(), rng.random::<f64>(), rng.random::<f64>());
+        let p = maps.at(at);
+        if keep * densest > density(&p) || !clear(at, wavelength(&p)) {
+            continue;
+        }
+        // A difference of two even numbers has a variance of 1/6.
+        let way = (f64::from(p.direction) + JITTER * 6.0f64.sqrt() * (one - other)).to_radians();
+        let half = [libm::cos(way), libm::sin(way)].map(|part| 0.5 * LENGTH * wavelength(&p) * part);
+        let end = |sign: f64| [(at[0] + sign * half[0]) / w, (at[1] + sign * half[1]) / h];
+        all.push(Crest { from: end(-1.0), to: end(1.0) });
+    }
+    all
+}
+
+/// How far each cell of the grid of `maps` is seeded by these segments, 0..1.
+pub fn seeded(maps: &Maps, edges: Edges, segments: &[Crest]) -> Vec<f32> {
+    let n = [maps.nx, maps.ny];
+    let mut seeded = vec![0.0f32; maps.nx * maps.ny];
+    for segment in segments {
+        let [low, high] = segment.box_of(n);
+        let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+        let thick = THICKNESS * wavelength(&maps.at(middle));
+        let range = |axis: usize| {
+            (low[axis] - thick - 1.0).floor() as isize..=(high[axis] + thick + 1.0).ceil() as isize
+        };
+        let on = |i: isize, n: usize| edges == Edges::Wrap || (0..n as isize).contains(&i);
+        for y in range(1).filter(|y| on(*y, maps.ny)) {
+            for x in range(0).filter(|x| on(*x, maps.nx)) {
+                let cell = edges.index(y, maps.ny) * maps.nx + edges.index(x, maps.nx);
+                let away = segment.distance(maps.middle(cell), n, edges);
+                seeded[cell] = seeded[cell].max((thick + 0.5 - away).clamp(0.0, 1.0) as f32);
+            }
+        }
+    }
+    seeded
+}
+
+/// Waves that run from the `lines` outwards, −1..1: cos 2πφ with |∇φ| = 1/λ and φ = 0 on the lines.
+///
+/// Fast sweeping: Zhao, "A fast sweeping method for eikonal equations", Mathematics of Computation 74 (2005), eq. 2.4.
+pub fn waves(maps: &Maps, edges: Edges, lines: &[Crest]) -> Vec<f32> {
+    let n = [maps.nx, maps.ny];
+    let steps: Vec<f32> = maps.parameters.par_iter().map(|p| (1.0 / wavelength(p)) as f32).collect();
+    let mut phase = vec![f32::INFINITY; maps.nx * maps.ny];
+    phase.par_iter_mut().enumerate().for_each(|(cell, phase)| {
+        let nearest = |line: &Crest| line.distance(maps.middle(cell), n, edges);
+        let away = lines.iter().map(nearest).fold(f64::INFINITY, f64::min);
+        if away < EXACT {
+            *phase = away as f32 * steps[cell];
+        }
+    });
+    for _ in 0..SWEEPS {
+        for (down, right) in [(true, true), (true, false), (false, false), (false, true)] {
+            sweep(&mut phase, &steps, n, edges, down, right);
+        }
+    }
+    phase.into_par_iter().map(|phase| libm::cos(TAU * f64::from(phase)) as f32).collect()
+}
+
+/// Cells from a line within which φ is taken as it is, not swept.
+const EXACT: f64 = 1.5;
+/// Rounds of four sweeps: one where nothing stands in the way, another for what comes round on a tile.
+const SWEEPS: usize = 2;
+
+/// One sweep over all cells, downwards or up, to the right or left.
+fn sweep(phase: &mut [f32], steps: &[f32], [nx, ny]: [usize; 2], edges: Edges, down: bool, right: bool) {
+    let order = |k: usize, n: usize, forth: bool| if forth { k } else { n - 1 - k };
+    for k in 0..ny {
+        let y = order(k, ny, down);
+        for l in 0..nx {
+            let x = order(l, nx, right);
+            let at = |x: isize, y: isize| phase[edges.index(y, ny) * nx + edges.index(x, nx)];
+            let (column, row) = (x as isize, y as isize);
+            let a = at(column - 1, row).min(at(column + 1, row));
+            let b = at(column, row - 1).min(at(column, row + 1));
+            let step = steps[y * nx + x];
+            let reached = if (a - b).abs() >= step {
+                a.min(b) + step
+            } else {
+                0.5 * (a + b + (2.0 * step * step - (a - b) * (a - b)).sqrt())
+            };
+            let cell = &mut phase[y * nx + x];
+            // Nothing has reached either neighbour: the difference is no number.
+            if reached < *cell {
+                *cell = reached;
+            }
+        }
+    }
+}
+
+fn wavelength(p: &Parameters) -> f64 {
+    System::MeinhardtStripes.spacing(p)
+}

@@ -1,0 +1,331 @@
+//! What is drawn stays where it was drawn.
+
+use crate::folder::{Folder, document};
+use dapple::attributes::regions::RegionMap;
+use dapple::field::Edges;
+use dapple::marks::{Ellipse, Line, Mark, turn};
+use dapple::measure::{self, Spot};
+use dapple::synth::keep::{covered, keep, off};
+use dapple::synth::plan::plan;
+use dapple::synth::recipe::{Document, Layer, Options as Choices, Stroke, SystemChoice};
+use dapple::synth::{Engine, GrownLayer, Measured, Options, Training, Watch, grow, settle};
+use serde_json::{Value, json};
+
+fn grown(document: &Document) -> GrownLayer {
+    grow(document, "test", &Training::default(), Options::default(), &Watch::NOBODY).unwrap().layers.remove(0)
+}
+
+/// Ten spots as a hand draws them: unevenly, of all sizes, two of them cut by the edge.
+fn drawn() -> Vec<Ellipse> {
+    let ellipse =
+        |x: f64, y: f64, r: f64, q: f64, angle: f64| Ellipse { center: [x, y], radii: [r, q], angle };
+    vec![
+        ellipse(6.0, 40.0, 14.0, 9.0, 20.0),
+        ellipse(60.0, 52.0, 16.0, 10.0, 35.0),
+        ellipse(104.0, 30.0, 13.0, 9.0, 25.0),
+        ellipse(150.0, 5.0, 13.0, 9.0, 30.0),
+        ellipse(40.0, 92.0, 13.0, 8.0, 15.0),
+        ellipse(88.0, 90.0, 18.0, 10.0, 32.0),
+        ellipse(139.0, 66.0, 14.0, 10.0, 40.0),
+        ellipse(70.0, 133.0, 13.0, 9.0, 27.0),
+        ellipse(118.0, 128.0, 15.0, 10.0, 24.0),
+        ellipse(166.0, 105.0, 15.0, 9.0, 10.0),
+    ]
+}
+
+fn one_layer(ellipses: &[Ellipse], edges: Edges) -> Document {
+    let strokes = ellipses.iter().map(|ellipse| Stroke::Ellipse(*ellipse)).collect();
+    let layers = vec![Layer { strokes, ..Layer::default() }];
+    Document { size: [300, 240], edges, layers, ..Document::default() }
+}
+
+fn spots(layer: &GrownLayer) -> &[Spot] {
+    let Measured::Spots { marks, .. } = &layer.measured else { panic!("spots were drawn") };
+    marks
+}
+
+fn nearest(spots: &[Spot], to: [f64; 2]) -> Spot {
+    let far = |spot: &&Spot| (spot.ellipse.center[0] - to[0]).hypot(spot.ellipse.center[1] - to[1]);
+    *spots.iter().min_by(|a, b| far(a).total_cmp(&far(b))).expect("spots have grown")
+}
+
+#[test]
+fn each_drawn_spot_has_a_grown_one_in_its_place_of_its_size_and_direction() {
+    for edges in [Edges::Closed, Edges::Wrap] {
+        let layer = grown(&one_layer(&drawn(), edges));
+        let off = off(&layer.plan, spots(&layer));
+        assert_eq!(off.len(), 10);
+        assert!(off.iter().all(|off| *off < 0.25), "{edges:?}: {off:?}");
+        for mark in drawn().iter().filter(|mark| mark.center[0] > 10.0 && mark.center[1] > 10.0) {
+            let found = nearest(spots(&layer), mark.center).ellipse;
+            assert!((found.area() / mark.area() - 1.0).abs() < 0.15, "{mark:?} grew as {found:?}");
+            assert!((found.aspect() - mark.aspect()).abs() < 0.06, "{mark:?} grew as {found:?}");
+            assert!(turn(found.major_angle(), mark.angle).abs() < 6.0, "{mark:?} grew as {found:?}");
+        }
+    }
+}
+
+#[test]
+fn around_kept_marks_the_region_has_what_was_drawn() {
+    for seed in [1, 2, 3] {
+        let layer = grown(&Document { seed, size: [420, 400], ..one_layer(&drawn(), Edges::Wrap) });
+        let Measured::Spots { errors, .. } = &layer.measured else { panic!("spots were drawn") };
+        let [area, aspect, angle, spacing] =
+            [errors[0].area, errors[0].aspect, errors[0].angle, errors[0].spacing].map(Option::unwrap);
+        assert!(area.abs() < 0.003 && aspect.abs() < 0.006, "{area} {aspect}");
+        assert!(angle.abs() < 1.0 && spacing.abs() < 0.04, "{angle} {spacing}");
+    }
+}
+
+#[test]
+fn marks_too_near_to_each_other_are_counted_and_as_many_stay_as_can() {
+    let mut marks = drawn();
+    // Between two neighbours, so that it alone has to go; and nearly on another.
+    marks.push(Ellipse { center: [74.0, 71.0], ..marks[5] });
+    marks.push(Ellipse { center: [168.0, 108.0], ..marks[5] });
+    let document = Document { edges: Edges::Wrap, ..one_layer(&marks, Edges::Wrap) };
+    let folder = Folder::new();
+    document.write(folder.path("a.dapple")).unwrap();
+    let said = folder.grow("--report r.json");
+    assert!(
+        said.contains("10 of 12 drawn marks kept: 2 stand nearer to others than such spots can"),
+        "{said}"
+    );
+    let region = folder.json("r.json")["layers"][0]["regions"][0].clone();
+    assert_eq!((&region["kept"]["drawn"], &region["kept"]["kept"]), (&json!(12), &json!(10)));
+    assert!(region["kept"]["farthest"].as_f64().unwrap() < 0.25, "{region}");
+}
+
+#[test]
+fn on_a_larger_canvas_they_stand_at_the_stretched_places_and_keep_their_size() {
+    let document = one_layer(&drawn(), Edges::Closed);
+    let options = Options { size: Some([450, 480]), ..Options::default() };
+    let grown = grow(&document, "test", &Training::default(), options, &Watch::NOBODY).unwrap();
+    let mark = drawn()[5];
+    let found = nearest(spots(&grown.layers[0]), [mark.center[0] * 1.5, mark.center[1] * 2.0]).ellipse;
+    let off = [found.center[0] - mark.center[0] * 1.5, found.center[1] - mark.center[1] * 2.0];
+    assert!(off[0].hypot(off[1]) < 3.0 && (found.area() / mark.area() - 1.0).abs() < 0.08, "{found:?}");
+}
+
+#[test]
+fn marks_are_kept_in_one_region_unless_told_otherwise() {
+    let mut document = one_layer(&drawn(), Edges::Closed);
+    assert_eq!(grown(&document).plan.kept.len(), 10);
+    document.regions = [2, 1];
+    assert!(grown(&document).plan.kept.is_empty());
+    document.layers[0].options.keep = Some(true);
+    let layer = grown(&document);
+    let off = off(&layer.plan, spots(&layer));
+    assert!(off.len() == 10 && off.iter().all(|off| *off < 0.25), "{off:?}");
+    document.regions = [1, 1];
+    document.layers[0].options.keep = Some(false);
+    assert!(grown(&document).plan.kept.is_empty());
+}
+
+#[test]
+fn a_mark_drawn_on_one_of_a_layer_beneath_is_not_kept_and_that_is_said() {
+    let ellipse = |center: [f64; 2], r: f64| json!({"kind": "ellipse", "center": center, "radii": [r, r]});
+    let mut both = document([200, 160], &json!([]));
+    both["layers"] = json!([
+        {"strokes": [ellipse([60.0, 60.0], 10.0), ellipse([120.0, 60.0], 10.0)]},
+        {"strokes": [ellipse([62.0, 60.0], 3.0), ellipse([90.0, 60.0], 3.0), ellipse([90.0, 74.0], 3.0)]}
+    ]);
+    let folder = Folder::with(&both);
+    let said = folder.grow("--report r.json");
+    let told = "2 of 3 drawn marks kept: 1 stands on a mark of a layer beneath, or too near";
+    assert!(said.contains(told), "{said}");
+    let kept = folder.json("r.json")["layers"][1]["regions"][0]["kept"].clone();
+    assert!(kept["farthest"].as_f64().unwrap() < 0.25, "{kept}");
+}
+
+#[test]
+fn what_is_kept_is_the_same_again_and_on_one_thread() {
+    let folder = Folder::new();
+    one_layer(&drawn(), Edges::Closed).write(folder.path("a.dapple")).unwrap();
+    folder.grow("--pattern p.png");
+    folder.grow("--pattern again.png --threads 1");
+    assert!(folder.bytes("p.png") == folder.bytes("again.png"));
+}
+
+/// Stripes 8 px wide along these lines.
+fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
+    let line = |from: [f64; 2], to: [f64; 2]| Stroke::Line(Line { from, to, width: 8.0 });
+    let strokes = vec![
+        line([40.0, 50.0], [110.0, 70.0]),
+        line([60.0, 120.0], [140.0, 150.0]),
+        line([200.0, 60.0], [260.0, 90.0]),
+        line([190.0, 170.0], [270.0, 185.0]),
+    ];
+    let options = Choices { keep: keeps, ..Choices::default() };
+    let layers = vec![Layer { strokes, options, ..Layer::default() }];
+    Document { size: [300, 240], regions, layers, ..Document::default() }
+}
+
+/// The share of each line of `document` that lies in a stripe of `layer`.
+fn in_stripes(document: &Document, layer: &GrownLayer) -> Vec<f64> {
+    let marks = dapple::synth::drawn::marks(document, 0, "test").unwrap();
+    let mut plan = layer.plan.clone();
+    keep(&mut plan, &marks);
+    let [width, height] = document.size.map(|side| side as usize);
+    covered(&plan, &layer.pattern().field(width, height))
+}
+
+#[test]
+fn drawn_lines_lie_in_stripes_and_the_directions_are_no_worse_for_it() {
+    let rms = |layer: &GrownLayer| {
+        let Measured::Stripes(errors) = &layer.measured else { panic!("lines were drawn") };
+        errors.iter().map(|error| error.angle_rms.unwrap()).sum::<f64>() / errors.len() as f64
+    };
+    for regions in [[1, 1], [2, 2]] {
+        let document = lined(regions, Some(true));
+        let kept = grown(&document);
+        let shares = in_stripes(&document, &kept);
+        assert!(shares.iter().all(|share| *share >= 0.9), "{shares:?}");
+        let free = grown(&lined(regions, Some(false)));
+        assert!(in_stripes(&document, &free).iter().any(|share| *share < 0.8));
+        assert!(rms(&kept) < rms(&free) + 1.5, "{} {}", rms(&kept), rms(&free));
+    }
+    assert_eq!(grown(&lined([1, 1], None)).plan.crests.len(), 4);
+    assert!(grown(&lined([2, 2], None)).plan.crests.is_empty());
+}
+
+#[test]
+fn lines_that_no_stripes_can_follow_are_told() {
+    let mut crossed = document([200, 160], &json!([]));
+    let line = |from: [f64; 2], to: [f64; 2]| json!({"kind": "line", "from": from, "to": to, "width": 8});
+    crossed["layers"][0]["strokes"] = json!([
+        line([20.0, 40.0], [150.0, 60.0]),
+        line([80.0, 20.0], [90.0, 140.0]),
+        line([20.0, 90.0], [180.0, 100.0])
+    ]);
+    let folder = Folder::with(&crossed);
+    let said = folder.grow("--report r.json");
+    let kept: Value = folder.json("r.json")["layers"][0]["regions"][0]["kept"].clone();
+    assert!(said.contains("drawn lines more than a tenth lies in no stripe"), "{said}");
+    assert_eq!((&kept["drawn"], &kept["kept"]), (&json!(3), &json!(3)));
+    assert!(kept["off"].as_u64().unwrap() >= 1, "{kept}");
+}
+
+/// How far off `marks` grow among spots of 300 px² that are so near and so long, at 30°, on a canvas of 12 spacings.
+fn among(
+    system: SystemChoice,
+    packing: f64,
+    aspect: f64,
+    edges: Edges,
+    marks: &dyn Fn(f64) -> Vec<Mark>,
+) -> Vec<f64> {
+    let spacing = (300.0 / packing).sqrt();
+    let ellipse = |x: f64| Mark::Ellipse(Ellipse::of([x, 200.0], 300.0, aspect, 30.0));
+    let drawn = [ellipse(200.0), ellipse(200.0 + spacing)];
+    let map = RegionMap::of(&drawn, [12.0 * spacing; 2], [1, 1], edges).unwrap();
+    let mut plan = plan(&Training::default(), system, &map).unwrap();
+    keep(&mut plan, &marks(spacing));
+    let mut engine = Engine::new(&plan, 1);
+    settle(&mut engine, &Watch::NOBODY).unwrap();
+    let size = (12.0 * spacing) as usize;
+    off(&plan, &measure::spots(&engine.look(&plan, size, size), 0.5))
+}
+
+/// Nine pairs so many spacings apart, along or across.
+fn pairs(aspect: f64, apart: f64, across: bool) -> impl Fn(f64) -> Vec<Mark> {
+    let longer = if across { 1.0 / aspect } else { aspect };
+    let (s, c) = (if across { 120.0f64 } else { 30.0 }).to_radians().sin_cos();
+    move |spacing| {
+        let pair = |k: i32| {
+            let at = [k % 3, k / 3].map(|v| (2.0 + 4.0 * f64::from(v)) * spacing);
+            let half = 0.5 * apart * spacing / f64::sqrt(longer);
+            [-half, half]
+                .map(|h| Mark::Ellipse(Ellipse::of([at[0] + h * c, at[1] + h * s], 300.0, aspect, 30.0)))
+        };
+        (0..9).flat_map(pair).collect()
+    }
+}
+
+#[test]
+fn near_pairs_are_kept_and_held_where_they_were_drawn() {
+    for (packing, aspect, apart) in [(0.2, 0.5, 0.75), (0.12, 0.95, 0.65), (0.05, 0.8, 0.55)] {
+        for across in [false, true] {
+            let off = among(SystemChoice::Auto, packing, aspect, Edges::Wrap, &pairs(aspect, apart, across));
+            assert!(off.len() == 18 && off.iter().all(|off| *off < 0.1), "{packing} {across}: {off:?}");
+        }
+    }
+}
+
+fn told(what: &str, mut all: Vec<f64>) {
+    all.sort_by(f64::total_cmp);
+    let n = all.len();
+    let lost = all.iter().filter(|off| **off > 0.25).count();
+    if n > 0 {
+        let [median, most, worst] = [all[n / 2], all[n * 9 / 10], all[n - 1]];
+        println!("{what}: kept {n}, off {lost}, median {median:.3}, 90 % {most:.3}, worst {worst:.2}");
+    }
+}
+
+/// `cargo test --release --test grow a_table_of_kept -- --ignored --nocapture`
+#[test]
+#[ignore = "prints a table"]
+fn a_table_of_kept_pairs_and_of_kept_marks_at_edges() {
+    let meinhardt = [(0.12, 0.95), (0.12, 0.5), (0.05, 0.8), (0.2, 0.8), (0.2, 0.5)];
+    let turing = [(0.22, 0.9), (0.22, 0.5)];
+    let all = meinhardt.map(|(packing, aspect)| (SystemChoice::MeinhardtSpots, packing, aspect)).into_iter();
+    for (system, packing, aspect) in
+        all.chain(turing.map(|(packing, aspect)| (SystemChoice::TuringSpots, packing, aspect)))
+    {
+        let what = format!("{} area/spacing² {packing} aspect {aspect}", system.name());
+        for across in [false, true] {
+            for apart in [0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9] {
+                let off = among(system, packing, aspect, Edges::Wrap, &pairs(aspect, apart, across));
+                told(&format!("{what}, pairs {apart} spacings apart, across {across}"), off);
+            }
+        }
+        for away in [0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4] {
+            let mark = |k: i32, spacing: f64| {
+                Mark::Ellipse(Ellipse::of(
+                    [away, 2.4 * f64::from(k)].map(|v| v * spacing),
+                    300.0,
+                    aspect,
+                    30.0,
+                ))
+            };
+            let marks = |spacing: f64| (1..=4).map(|k| mark(k, spacing)).collect();
+            told(
+                &format!("{what}, {away} spacings from the edge"),
+                among(system, packing, aspect, Edges::Closed, &marks),
+            );
+        }
+    }
+}
+
+/// `cargo test --release --test grow a_table_of_lines -- --ignored --nocapture`
+#[test]
+#[ignore = "prints a table"]
+fn a_table_of_lines_kept_and_not() {
+    for name in [
+        "line-stripes",
+        "mackerel",
+        "sand-ripples",
+        "sloping-lines",
+        "tiger",
+        "tile-waves",
+        "wood-grain",
+        "zebra",
+    ] {
+        for keeps in [true, false] {
+            let mut document = Document::read(format!("examples/{name}.dapple")).unwrap();
+            document.layers[0].options.keep = Some(keeps);
+            let layer = grown(&document);
+            let shares = in_stripes(&document, &layer);
+            let good = shares.iter().filter(|share| **share >= 0.9).count();
+            let least = shares.iter().copied().fold(1.0, f64::min);
+            let Measured::Stripes(errors) = &layer.measured else { panic!("lines were drawn") };
+            let mean = |value: &dyn Fn(&measure::StripeErrors) -> Option<f64>| {
+                errors.iter().filter_map(value).map(f64::abs).sum::<f64>() / errors.len() as f64
+            };
+            let (angle, rms) = (mean(&|error| error.angle), mean(&|error| error.angle_rms));
+            let n = shares.len();
+            println!(
+                "{name}, keep {keeps}: {good} of {n} in stripes, least {least:.2}; angle {angle:.2}°, rms {rms:.2}°"
+            );
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! Other seeds of stripes than noise.
+
+use dapple::attributes::{Attributes, Stripes};
+use dapple::field::{Edges, Field};
+use dapple::marks::Line;
+use dapple::measure::{self, Canvas, StripeErrors};
+use dapple::synth::recipe::{Document, Layer, Options as Choices, Seeding, Stroke};
+use dapple::synth::{Measured, Options, Training, Watch, grow};
+
+/// What grows from lines 8 px wide.
+fn grown(
+    lines: &[Line],
+    regions: [u32; 2],
+    size: u32,
+    options: Choices,
+    seed: u64,
+) -> (Field, Vec<StripeErrors>) {
+    let strokes = lines.iter().map(|line| Stroke::Line(*line)).collect();
+    let layers = vec![Layer { strokes, options, ..Layer::default() }];
+    let document = Document { size: [size; 2], regions, seed, layers, ..Document::default() };
+    let grown = grow(&document, "test", &Training::default(), Options::default(), &Watch::NOBODY).unwrap();
+    let layer = &grown.layers[0];
+    let Measured::Stripes(errors) = &layer.measured else { panic!("lines were drawn") };
+    (layer.pattern().field(size as usize, size as usize), errors.clone())
+}
+
+fn seeded(seeding: Seeding) -> Choices {
+    Choices { seeding, keep: Some(false), ..Choices::default() }
+}
+
+/// A line through the middle of each region of `size` px, at these directions, degrees.
+fn lines(directions: &[&[f64]], size: f64) -> Vec<Line> {
+    let rows = directions.len() as f64;
+    let line = |row: usize, column: usize, degrees: f64| {
+        let place = |k: usize| (k as f64 + 0.5) * size / rows;
+        let (s, c) = degrees.to_radians().sin_cos();
+        let end = |sign: f64| [place(column) + sign * 20.0 * c, place(row) + sign * 20.0 * s];
+        Line { from: end(-1.0), to: end(1.0), width: 8.0 }
+    };
+    let all = directions.iter().enumerate();
+    all.flat_map(|(row, columns)| {
+        columns.iter().enumerate().map(move |(column, degrees)| line(row, column, *degrees))
+    })
+    .collect()
+}
+
+fn rms(errors: &[StripeErrors]) -> f64 {
+    let squares = errors.iter().map(|error| error.angle_rms.unwrap() * error.angle_rms.unwrap());
+    (squares.sum::<f64>() / errors.len() as f64).sqrt()
+}
+
+#[test]
+fn stripes_from_segments_have_the_width_and_roughly_the_direction_of_the_lines() {
+    let (_, segments) = grown(&lines(&[&[30.0]], 300.0), [1, 1], 300, seeded(Seeding::Segments), 1);
+    let (_, noise) = grown(&lines(&[&[30.0]], 300.0), [1, 1], 300, seeded(Seeding::Noise), 1);
+    assert!(segments[0].width.unwrap().abs() < 0.003, "{segments:?}");
+    assert!(segments[0].angle.unwrap().abs() < 4.0, "{segments:?}");
+    let (loose, strict) = (rms(&segments), rms(&noise));
+    assert!((12.0..28.0).contains(&loose) && strict < 0.4 * loose, "{loose} {strict}");
+}
+
+#[test]
+fn stripes_radiate_from_initiators_in_regular_order() {
+    let line = Line { from: [90.0, 130.0], to: [200.0, 160.0], width: 8.0 };
+    let (pattern, _) = grown(&[line], [1, 1], 300, seeded(Seeding::Initiators), 1);
+    // Parallel to the line beside it, round its ends beyond.
+    let wanted = |at: [f64; 2]| {
+        let way = [line.to[0] - line.from[0], line.to[1] - line.from[1]];
+        let off = [at[0] - line.from[0], at[1] - line.from[1]];
+        let share = ((off[0] * way[0] + off[1] * way[1]) / (line.length() * line.length())).clamp(0.0, 1.0);
+        let out = [off[0] - share * way[0], off[1] - share * way[1]];
+        let angle = out[1].atan2(out[0]).to_degrees() + 90.0;
+        Attributes::Stripes(Stripes { width: 8.0, angle: angle.rem_euclid(180.0), wavelength: None })
+    };
+    let canvas = Canvas {
+        size: [300.0; 2],
+        edges: Edges::Closed,
+        regions: 1,
+        region_of: &|_| 0,
+        covered: &|_| false,
+        wanted: &wanted,
+    };
+    let error = measure::stripe_errors(&pattern, 0.5, &canvas)[0];
+    assert!(error.width.unwrap().abs() < 0.01 && error.angle_rms.unwrap() < 4.0, "{error:?}");
+    // The period is twice the width: along a way outwards stripes and gaps alternate.
+    let dark = |k: usize| pattern.values[(145 + 16 * k) * 300 + 145 - 4 * k] > 0.5;
+    let light = |k: usize| pattern.values[(153 + 16 * k) * 300 + 143 - 4 * k] < 0.5;
+    assert!((0..6).filter(|k| dark(*k)).count() >= 5 && (0..6).filter(|k| light(*k)).count() >= 5);
+}
+
+#[test]
+fn the_seed_moves_segments_and_not_initiators() {
+    let field = |seeding, seed| grown(&lines(&[&[30.0]], 160.0), [1, 1], 160, seeded(seeding), seed).0.values;
+    assert!(field(Seeding::Segments, 1) != field(Seeding::Segments, 2));
+    assert!(field(Seeding::Initiators, 1) == field(Seeding::Initiators, 2));
+}
+
+/// `cargo test --release --test grow a_table_of_seeds -- --ignored --nocapture`
+#[test]
+#[ignore = "prints a table"]
+fn a_table_of_seeds() {
+    let kept = |seeding| Choices { seeding, keep: Some(true), ..Choices::default() };
+    let ways: [(&str, Choices); 4] = [
+        ("noise", seeded(Seeding::Noise)),
+        ("noise, lines kept", kept(Seeding::Noise)),
+        ("segments", seeded(Seeding::Segments)),
+        ("segments, lines kept", kept(Seeding::Segments)),
+    ];
+    for (name, options) in ways {
+        let one = |degrees: f64, seed: u64| {
+            let (field, errors) = grown(&lines(&[&[degrees]], 320.0), [1, 1], 320, options, seed);
+            (rms(&errors), errors[0].angle.unwrap().abs(), measure::stripes(&field, 0.5).unwrap().coherence)
+        };
+        let four = |seed: u64| {
+            rms(&grown(&lines(&[&[20.0, 70.0], &[40.0, 100.0]], 320.0), [2, 2], 320, options, seed).1)
+        };
+        let uniform: Vec<_> = (1..=6).map(|seed| one(25.0 * seed as f64, seed)).collect();
+        let mean = |value: &dyn Fn(&(f64, f64, f64)) -> f64| uniform.iter().map(value).sum::<f64>() / 6.0;
+        let field = (1..=6).map(four).sum::<f64>() / 6.0;
+        println!(
+            "| {name} | {:.1} | {:.1} | {:.3} | {field:.1} |",
+            mean(&|one| one.0),
+            mean(&|one| one.1),
+            mean(&|one| one.2)
+        );
+    }
+}
