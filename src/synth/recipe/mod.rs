@@ -59,7 +59,7 @@ mod writer;
 
 use crate::attributes::Spread;
 pub use crate::rd::Seeding;
-pub use choices::{After, Kind, SystemChoice, seeding_mismatch};
+pub use choices::{After, Kind, SystemChoice};
 pub use error::{DocumentError, Problem};
 
 use crate::field::Edges;
@@ -123,13 +123,15 @@ impl Document {
 }
 
 impl Document {
-    /// Do the drawn marks of the layer at `index` stay where they were drawn? Unless it says so itself: where there is
-    /// one region. In many, marks say what is wanted around them, and may lie where the map between regions wants
-    /// something else.
+    /// Do the drawn marks of the layer at `index` stay where they were drawn? Unless it says so itself, where there is one
+    /// region. In many, marks say what is wanted around them and may lie where the map between regions wants something
+    /// else; and irregular spots are none that a drawn ellipse would tell of.
     #[must_use]
     pub fn keeps(&self, index: usize) -> bool {
-        let told = self.layers.get(index).and_then(|layer| layer.options.keep);
-        told.unwrap_or(self.regions == [1, 1])
+        let Some(Layer { options, after, .. }) = self.layers.get(index) else { return false };
+        let usual = self.regions == [1, 1] && options.irregular == 0.0;
+        // The lowest layer has nothing beneath it to come after.
+        (index == 0 || *after == After::Between) && options.keep.unwrap_or(usual)
     }
 }
 
