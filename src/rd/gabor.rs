@@ -94,8 +94,8 @@ pub fn phases(
                 [] => Led::default(),
                 _ => led(System::MeinhardtLines, maps, edges, crests, first + cell, own[cell]),
             };
-            let [cos, sin] = [(cos, wave[0]), (sin, wave[1])]
-                .map(|(noise, wave)| (1.0 - share) * noise + LEADING * wave);
+            let [cos, sin] =
+                [(cos, wave[0]), (sin, wave[1])].map(|(noise, wave)| (1.0 - share) * noise + LEADING * wave);
             *phase = libm::atan2(sin, cos) as f32;
         }
     });

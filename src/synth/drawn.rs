@@ -1,8 +1,6 @@
 //! A layer's strokes → its marks → the region map.
 
-use super::recipe::{
-    Document, DocumentError, Kind, Options, Problem, SpreadChoice, Stroke, SystemChoice,
-};
+use super::recipe::{Document, DocumentError, Kind, Options, Problem, SpreadChoice, Stroke, SystemChoice};
 use crate::attributes::regions::RegionMap;
 use crate::marks::Mark;
 use crate::sketch::recognise;

@@ -67,12 +67,12 @@ fn other_options_are_refused() {
         &options(json!({"speed": 1})),
         "layers[0].options",
         "the unknown key \"speed\"",
-        "spread, duty, irregular",
+        "spread, keep, duty, irregular, seeding",
     );
     let mut stripes = options(json!({"speed": 1}));
     stripes["layers"][0]["system"] = json!("meinhardt-stripes");
     stripes["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);
-    refused(&stripes, "layers[0].options", "the unknown key \"speed\"", "duty");
+    refused(&stripes, "layers[0].options", "the unknown key \"speed\"", "keep, duty, seeding");
 }
 
 #[test]

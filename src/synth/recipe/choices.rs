@@ -163,7 +163,8 @@ impl Options {
             ("keep", self.keep == Some(true), "drawn marks that are kept"),
             ("seeding", self.seeding != Seeding::Noise, "a seeding"),
         ];
-        let (key, _, what) = told.into_iter().find(|(_, told, _)| *told).filter(|_| after != After::Between)?;
+        let (key, _, what) =
+            told.into_iter().find(|(_, told, _)| *told).filter(|_| after != After::Between)?;
         let found = format!("{what} with \"after\": \"{}\"", after.name());
         let allowed = "with \"between\" alone: here the marks of the layer beneath say where these grow";
         Some(Problem::new(format!("{place}.{key}"), found, allowed))
@@ -191,7 +192,11 @@ impl Options {
             return None;
         }
         if system.grows().or(kind) == Some(Kind::Ellipse) {
-            return Some(Problem::new(place, "a seeding of spots", "no such key: only stripes have a seeding"));
+            return Some(Problem::new(
+                place,
+                "a seeding of spots",
+                "no such key: only stripes have a seeding",
+            ));
         }
         let name = name_in(&SEEDINGS, self.seeding);
         (self.duty != Self::DUTY).then(|| {
