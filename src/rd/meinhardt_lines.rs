@@ -22,6 +22,11 @@ impl Kinetics<2> for MeinhardtLines {
     fn react<V: Number>(u: [V; 2]) -> [V; 2] {
         MeinhardtSpots::react(u)
     }
+
+    #[inline(always)]
+    fn bounded<V: Number>(u: [V; 2]) -> [V; 2] {
+        MeinhardtSpots::bounded(u)
+    }
 }
 
 /// a along the middle of a line. Fitted to straight lines at their own distance, R 10–36, within 2 %; where a line ends a

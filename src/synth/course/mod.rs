@@ -220,3 +220,6 @@ fn radius(width: &[f32], grid: &Grid) -> usize {
     let thinnest = width.iter().copied().fold(f32::INFINITY, f32::min);
     ((0.5 * f64::from(thinnest) / grid.px()).round() as usize).max(1)
 }
+
+#[cfg(test)]
+mod tests;

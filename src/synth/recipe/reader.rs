@@ -101,6 +101,11 @@ fn options(node: &Node, system: SystemChoice, kind: Option<Kind>, after: After) 
         seeding: node.get("seeding").map_or(Ok(default.seeding), |node| node.choice(&SEEDINGS))?,
         keep: node.get("keep").map(|node| node.flag()).transpose()?,
     };
+    if options.irregular > 0.0 && after == After::Inside {
+        let place = format!("{}.irregular", node.place());
+        let allowed = "0: a spot inside another begins and stays as an ellipse";
+        return Err(Problem::new(place, format!("{} of a layer \"inside\"", options.irregular), allowed));
+    }
     let problem = options.mismatch(&node.place(), system, kind);
     problem.or_else(|| options.placed(&node.place(), after)).map_or(Ok(options), Err)
 }
