@@ -116,3 +116,40 @@ fn fall(v: f64, [from, to]: [f64; 2]) -> f64 {
     let t = ((to - v) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rd::maps::Parameters;
+
+    #[test]
+    fn noise_is_led_along_a_line_and_left_alone_farther_off() {
+        let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
+        let maps = Maps::uniform(160, 120, p);
+        let mut noise = vec![0.5f32; 160 * 120];
+        let line = Crest { from: [0.3, 0.5], to: [0.7, 0.5] };
+        lead(System::MeinhardtStripes, &mut noise, &maps, Edges::Closed, &[line]);
+        let at = |x: usize, y: usize| noise[y * 160 + x];
+        // Rows 59 and 60 lie on either side of the line; half a wavelength, 8 cells, off it there is a trough.
+        assert!((50..110).all(|x| at(x, 59) > 1.9 && at(x, 60) > 1.9));
+        assert!(at(80, 67) < -1.0 && at(80, 52) < -1.0);
+        assert!(at(80, 60 + 22) == 0.5 && at(10, 60) == 0.5);
+        let before = noise.clone();
+        lead(System::MeinhardtStripes, &mut noise, &maps, Edges::Closed, &[]);
+        assert!(noise == before);
+    }
+
+    #[test]
+    fn lines_side_by_side_share_the_noise() {
+        let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
+        let maps = Maps::uniform(160, 120, p);
+        let line = |y: f64| Crest { from: [0.3, y / 120.0], to: [0.7, y / 120.0] };
+        // A period apart, both waves agree.
+        let pair = [line(52.0), line(68.0)];
+        let cell = 60 * 160 + 80;
+        let one = led(System::MeinhardtStripes, &maps, Edges::Closed, &pair[..1], cell, [0.0, 1.0]);
+        let both = led(System::MeinhardtStripes, &maps, Edges::Closed, &pair, cell, [0.0, 1.0]);
+        assert!(one.share <= 1.0 && both.share == 1.0, "{one:?} {both:?}");
+        assert!(both.wave[0] < -0.9 && one.wave[0] < 0.0, "{one:?} {both:?}");
+    }
+}
