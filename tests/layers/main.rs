@@ -25,7 +25,8 @@ fn spots(area: f64, aspect: f64, angle: f64, spacing: f64) -> Layer {
 fn stripes(width: f64, angle: f64) -> Layer {
     let [x, y] = [angle.to_radians().cos(), angle.to_radians().sin()].map(|part| 60.0 * part);
     let line = Line { from: [180.0 - x, 180.0 - y], to: [180.0 + x, 180.0 + y], width };
-    Layer { strokes: vec![Stroke::Line(line)], ..Layer::default() }
+    let options = Choices { keep: Some(false), ..Choices::default() };
+    Layer { strokes: vec![Stroke::Line(line)], options, ..Layer::default() }
 }
 
 fn cascade(edges: Edges, seed: u64, layers: Vec<Layer>) -> Document {
