@@ -54,7 +54,8 @@ pub fn has_room(plan: &Plan) -> bool {
     (0..nx * ny).into_par_iter().any(|cell| {
         let at = plan.place([(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5]);
         let Attributes::Stripes(wanted) = plan.map.at(at) else { return false };
-        2.0 * length(ways[cell], plan.cell) >= wanted.width
+        // To the near side of what is taken, not to the middle of its cell.
+        2.0 * length(ways[cell], plan.cell) - plan.px_a_cell() >= wanted.width
     })
 }
 
