@@ -108,7 +108,7 @@ fn neighbouring_spots_stay_apart_where_marks_beneath_squeeze_them() {
 
 #[test]
 fn marks_too_large_for_what_is_left_are_refused_before_they_are_grown() {
-    for too_large in [spots(5000.0, 1.0, 0.0, 150.0), stripes(90.0, 20.0)] {
+    for too_large in [spots(5000.0, 1.0, 0.0, 150.0), stripes(120.0, 20.0)] {
         let document = cascade(Edges::Closed, 1, vec![large(), too_large]);
         let error = try_grow(&document).err().expect("no room").to_string();
         assert!(error.starts_with("layer 2 finds no room"), "{error}");
