@@ -8,7 +8,7 @@ use dapple::synth::recipe::{After, Document};
 use dapple::synth::{Options, Training, Watch, grow};
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991).
-const FIGURES: [&str; 25] = [
+const FIGURES: [&str; 26] = [
     "phan-grimm-01a",
     "phan-grimm-01b",
     "phan-grimm-01c",
@@ -24,6 +24,7 @@ const FIGURES: [&str; 25] = [
     "phan-grimm-12",
     "phan-grimm-13",
     "phan-grimm-14",
+    "phan-grimm-15",
     "phan-grimm-16",
     "phan-grimm-17",
     "turk-2-upper-left",

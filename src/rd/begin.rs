@@ -113,7 +113,7 @@ impl Beginning {
             System::MeinhardtLines => {
                 let begun = match &maps.crests {
                     Some(crests) => along(crests, maps),
-                    None => crests(maps, self.edges, &mut Pcg64Mcg::seed_from_u64(self.seed)),
+                    None => crests(maps, self.edges, &self.crests, &mut Pcg64Mcg::seed_from_u64(self.seed)),
                 };
                 return held(self.system, maps, begun.into());
             }
@@ -239,7 +239,7 @@ pub fn stripes(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 5] {
 fn oriented_noise(maps: &Maps, edges: Edges, crests: &[Crest], rng: &mut Pcg64Mcg) -> [Vec<f32>; 5] {
     let wavelength = |p: &Parameters| System::MeinhardtStripes.spacing(p);
     let mut noise = gabor::noise(maps, edges, &wavelength, rng);
-    lead(&mut noise, maps, edges, crests);
+    lead(System::MeinhardtStripes, &mut noise, maps, edges, crests);
     ripples(&noise)
 }
 
@@ -257,16 +257,16 @@ fn ripples(noise: &[f32]) -> [Vec<f32>; 5] {
 
 /// Lines begin as crests of oriented waves.
 pub fn lines(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
-    planes(maps, edges, crests(maps, edges, rng))
+    planes(maps, edges, crests(maps, edges, &[], rng))
 }
 
 /// Standard deviation of a crest's profile, a Gaussian, ÷ the width of the line it becomes: at half its height it is as
 /// wide.
 const CREST: f64 = 0.42;
 
-fn crests(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Vec<f32>; 2] {
+fn crests(maps: &Maps, edges: Edges, leading: &[Crest], rng: &mut Pcg64Mcg) -> [Vec<f32>; 2] {
     let wavelength = |p: &Parameters| System::MeinhardtLines.spacing(p);
-    let phases = gabor::phases(maps, edges, &wavelength, rng);
+    let phases = gabor::phases(maps, edges, &wavelength, leading, rng);
     let mut cells = [vec![0.0; phases.len()], vec![0.0; phases.len()]];
     let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
     let rows = phases.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));

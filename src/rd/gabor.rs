@@ -10,6 +10,8 @@ use std::ops::Range;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
+use super::System;
+use super::crests::{Crest, Led, led};
 use super::maps::{Maps, Parameters};
 use crate::field::Edges;
 
@@ -28,6 +30,9 @@ const STRIPES: Kernels = Kernels { reach: [4.0, 1.8], density: 2.0 };
 /// Of lines, which mend less than stripes do: half as many end as with the kernels of stripes, and no more where they
 /// turn.
 const LINES: Kernels = Kernels { reach: [8.0, 4.0], density: 0.6 };
+
+/// Amplitude of the waves that lead [`phases`]; the deviation of the noise is 2.5.
+const LEADING: f64 = 4.0;
 
 /// Rows that are summed at once.
 const ROWS_A_BAND: usize = 32;
@@ -61,11 +66,12 @@ pub fn noise(
 ///
 /// φ(x) = atan2(Σᵢ ±(1 − r²)² sin(…), Σᵢ (1 − r²)² cos(…)): Tricard et al., "Procedural phasor noise", SIGGRAPH 2019.
 /// A wave has no sense of direction, nᵢ or −nᵢ being the same: ± takes that of the two which is nearer to the place's
-/// own. The phase's sign means nothing, then.
+/// own. The phase's sign means nothing, then. `crests` lead it.
 pub fn phases(
     maps: &Maps,
     edges: Edges,
     wavelength: &dyn Fn(&Parameters) -> f64,
+    crests: &[Crest],
     rng: &mut impl Rng,
 ) -> Vec<f32> {
     let waves = waves(maps, edges, wavelength, LINES, rng);
@@ -83,7 +89,13 @@ pub fn phases(
                 sums[cell][1] += if same { sin } else { -sin };
             });
         }
-        for (phase, [cos, sin]) in phases.iter_mut().zip(sums) {
+        for (cell, (phase, [cos, sin])) in phases.iter_mut().zip(sums).enumerate() {
+            let Led { share, wave } = match crests {
+                [] => Led::default(),
+                _ => led(System::MeinhardtLines, maps, edges, crests, first + cell, own[cell]),
+            };
+            let [cos, sin] =
+                [(cos, wave[0]), (sin, wave[1])].map(|(noise, wave)| (1.0 - share) * noise + LEADING * wave);
             *phase = libm::atan2(sin, cos) as f32;
         }
     });
@@ -213,7 +225,7 @@ mod tests {
             // As parameters have it: 0..180.
             p.direction = (left + share * (right - left)).rem_euclid(180.0);
         }
-        let phases = phases(&maps, Edges::Closed, &|_| 10.0, &mut Pcg64Mcg::seed_from_u64(1));
+        let phases = phases(&maps, Edges::Closed, &|_| 10.0, &[], &mut Pcg64Mcg::seed_from_u64(1));
         let crest = |cell: usize| phases[cell].abs() < 0.8;
         let begins = (N..N * N).filter(|cell| crest(*cell) && !crest(cell - N)).count();
         begins as f64 / (N * N) as f64 * 10.0
@@ -234,7 +246,7 @@ mod tests {
         let maps = Maps::uniform(90, 70, p);
         let phases = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            pool.install(|| phases(&maps, Edges::Wrap, &|_| 9.0, &mut Pcg64Mcg::seed_from_u64(2)))
+            pool.install(|| phases(&maps, Edges::Wrap, &|_| 9.0, &[], &mut Pcg64Mcg::seed_from_u64(2)))
         };
         assert!(phases(1) == phases(4));
     }

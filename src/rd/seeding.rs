@@ -95,8 +95,9 @@ pub fn waves(maps: &Maps, edges: Edges, lines: &[Crest]) -> Vec<f32> {
     phase.par_iter_mut().enumerate().for_each(|(cell, phase)| {
         let nearest = |line: &Crest| line.distance(maps.middle(cell), n, edges);
         let away = lines.iter().map(nearest).fold(f64::INFINITY, f64::min);
-        if away < EXACT {
-            *phase = away as f32 * steps[cell];
+        let reached = away as f32 * steps[cell];
+        if reached < EXACT {
+            *phase = reached;
         }
     });
     for _ in 0..SWEEPS {
@@ -107,8 +108,8 @@ pub fn waves(maps: &Maps, edges: Edges, lines: &[Crest]) -> Vec<f32> {
     phase.into_par_iter().map(|phase| libm::cos(TAU * f64::from(phase)) as f32).collect()
 }
 
-/// Cells from a line within which φ is taken as it is, not swept.
-const EXACT: f64 = 1.5;
+/// φ up to which it is taken as the way to the line, not swept: where waves bend most, sweeps err most.
+const EXACT: f32 = 1.0;
 /// Rounds of four sweeps: one where nothing stands in the way, another for what comes round on a tile.
 const SWEEPS: usize = 2;
 
@@ -140,4 +141,70 @@ fn sweep(phase: &mut [f32], steps: &[f32], [nx, ny]: [usize; 2], edges: Edges, d
 
 fn wavelength(p: &Parameters) -> f64 {
     System::MeinhardtStripes.spacing(p)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_pcg::Pcg64Mcg;
+
+    /// Stripes of 16 cells a wavelength, at 30°.
+    fn maps(nx: usize, ny: usize) -> Maps {
+        let rate = ((81.0 / 16.0) * (81.0 / 16.0)) as f32;
+        let p = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 30.0, pitch: 1.0 };
+        Maps::uniform(nx, ny, p)
+    }
+
+    #[test]
+    fn waves_run_from_a_line_at_one_wavelength_a_period() {
+        let maps = maps(160, 140);
+        let line = Crest { from: [0.4, 0.5], to: [0.6, 0.5] };
+        let waves = waves(&maps, Edges::Closed, &[line]);
+        let off = |cell: usize| {
+            let away = line.distance(maps.middle(cell), [160, 140], Edges::Closed);
+            (f64::from(waves[cell]) - libm::cos(TAU * away / 16.0)).abs()
+        };
+        // Sweeps are of first order: after four wavelengths they are off by some tenths of a cell.
+        let mean = (0..waves.len()).map(off).sum::<f64>() / waves.len() as f64;
+        assert!(mean < 0.1, "{mean}");
+    }
+
+    #[test]
+    fn on_a_tile_waves_come_round_the_border() {
+        let maps = maps(128, 96);
+        let line = [Crest { from: [0.0, 0.0], to: [0.0, 1.0] }];
+        let [wrap, closed] = [Edges::Wrap, Edges::Closed].map(|edges| waves(&maps, edges, &line));
+        let mirrored = |x: usize| (wrap[40 * 128 + x] - wrap[40 * 128 + 127 - x]).abs();
+        assert!((0..64).all(|x| mirrored(x) < 1e-3));
+        assert!((closed[40 * 128 + 63] - wrap[40 * 128 + 63]).abs() < 1e-3);
+    }
+
+    #[test]
+    fn segments_are_as_many_and_as_long_as_is_told_and_clear_of_drawn_ones() {
+        let maps = maps(320, 320);
+        let drawn = [Crest { from: [0.4, 0.4], to: [0.6, 0.5] }];
+        let n = [320, 320];
+        let all = segments(&maps, Edges::Closed, &drawn, &mut Pcg64Mcg::seed_from_u64(1));
+        assert!(all[0] == drawn[0] && (185..=200).contains(&all.len()), "{}", all.len());
+        let ways = all[1..].iter().map(|segment| {
+            let way = [0, 1].map(|axis| 320.0 * (segment.to[axis] - segment.from[axis]));
+            assert!(((way[0] * way[0] + way[1] * way[1]).sqrt() - 32.0).abs() < 1e-6);
+            let middle = [0, 1].map(|axis| 160.0 * (segment.to[axis] + segment.from[axis]));
+            assert!(drawn[0].distance(middle, n, Edges::Closed) >= 20.0);
+            libm::atan2(way[1], way[0]).to_degrees() - 30.0
+        });
+        let squares: f64 = ways.map(|off| off * off).sum();
+        let deviation = (squares / (all.len() - 1) as f64).sqrt();
+        assert!((4.2..5.8).contains(&deviation), "{deviation}");
+    }
+
+    #[test]
+    fn a_seeded_line_is_as_thick_as_is_told() {
+        let maps = maps(100, 100);
+        let seeded = seeded(&maps, Edges::Closed, &[Crest { from: [0.2, 0.5], to: [0.8, 0.5] }]);
+        let across: f32 = (0..100).map(|y| seeded[y * 100 + 50]).sum();
+        assert!((f64::from(across) - 2.0 * THICKNESS * 16.0).abs() < 0.5, "{across}");
+        assert_eq!((seeded[50 * 100 + 5], seeded[30 * 100 + 50]), (0.0, 0.0));
+    }
 }

@@ -72,3 +72,49 @@ fn weight(distance: f64) -> f64 {
     let t = ((OUTER - distance) / (OUTER - INNER)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const P: Parameters = Parameters { rate: 3.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+
+    /// A bell at a place on a ground of 1, on 60 × 50 cells.
+    fn bell(at: [f64; 2]) -> Vec<f32> {
+        let maps = Maps::uniform(60, 50, P);
+        let cell = |cell| {
+            let [x, y] = maps.middle(cell);
+            let away2 = (x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1]);
+            1.0 + 5.0 * libm::exp(-0.5 * away2 / 6.0) as f32
+        };
+        (0..60 * 50).map(cell).collect()
+    }
+
+    #[test]
+    fn a_spot_stands_where_it_was_moved_to_and_the_rest_as_it_was() {
+        let maps = Maps::uniform(60, 50, P);
+        for (edges, at) in [(Edges::Closed, [30.0, 25.0]), (Edges::Wrap, [1.0, 25.0])] {
+            let slide = Slide { at, own: P, by: [1.3, -0.8] };
+            let moved = slid(System::MeinhardtSpots, &maps, edges, &bell(at), &[slide]);
+            if edges == Edges::Closed {
+                let wanted = bell([31.3, 24.2]);
+                let worst = moved.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+                assert!(worst < 0.06, "{worst}");
+            }
+            let still = moved.iter().zip(&bell(at)).filter(|(a, b)| a.to_bits() == b.to_bits()).count();
+            assert!(still > 60 * 50 / 2, "{still}");
+        }
+    }
+
+    #[test]
+    fn cells_that_are_taken_stay_as_they_are() {
+        let mut maps = Maps::uniform(60, 50, P);
+        maps.taken = (0..60 * 50).map(|cell| cell % 60 > 31).collect();
+        let slide = Slide { at: [30.0, 25.0], own: P, by: [1.0, 0.0] };
+        let before = bell([30.0, 25.0]);
+        let moved = slid(System::MeinhardtSpots, &maps, Edges::Closed, &before, &[slide]);
+        let same = |cell: &usize| moved[*cell].to_bits() == before[*cell].to_bits();
+        assert!((0..60 * 50).filter(|cell| maps.taken[*cell]).all(|cell| same(&cell)));
+        assert!((0..60 * 50).any(|cell| !same(&cell)));
+    }
+}

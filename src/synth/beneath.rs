@@ -6,7 +6,9 @@ use super::pattern::Pattern;
 use super::plan::Plan;
 use super::probe::Offset;
 use super::refine::Measured;
+use crate::attributes::Attributes;
 use crate::field::Edges;
+use crate::field::distance::{length, nearest};
 
 /// From this pattern value on a place belongs to a mark.
 pub const COVERED: f32 = 0.5;
@@ -42,6 +44,19 @@ pub fn with_rim(taken: &[bool], [nx, ny]: [usize; 2], edges: Edges) -> Vec<bool>
         around.any(|(x, y)| taken[edges.index(y, ny) * nx + edges.index(x, nx)])
     };
     (0..taken.len()).into_par_iter().map(near).collect()
+}
+
+/// Is there a place where the stripes of `plan` fit between what is taken: as far from it as half a stripe is wide?
+#[must_use]
+pub fn has_room(plan: &Plan) -> bool {
+    let [nx, ny] = plan.grid;
+    let Some(ways) = nearest(&plan.taken, plan.grid, plan.cell, plan.map.layout().edges) else { return true };
+    (0..nx * ny).into_par_iter().any(|cell| {
+        let at = plan.place([(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5]);
+        let Attributes::Stripes(wanted) = plan.map.at(at) else { return false };
+        // To the near side of what is taken, not to the middle of its cell.
+        2.0 * length(ways[cell], plan.cell) - plan.px_a_cell() >= wanted.width
+    })
 }
 
 /// A region of fewer spots is left as it is: so few turn by chance as much as by what is beside them.

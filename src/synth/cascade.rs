@@ -132,11 +132,13 @@ impl Cascade<'_> {
         let shown: Vec<Pattern> = shown.map(|(_, layer)| layer.pattern()).collect();
         if !shown.is_empty() {
             plan.taken = beneath::taken(&shown, plan.grid);
-            if matches!(plan.map.at([0.0, 0.0]), Attributes::Stripes(_))
-                && way(document.layers[index].after).is_none()
-            {
-                plan.taken = beneath::with_rim(&plan.taken, plan.grid, document.edges);
+        }
+        let striped = matches!(plan.map.at([0.0, 0.0]), Attributes::Stripes(_));
+        if striped && plan.way.is_none() && !plan.taken.is_empty() {
+            if !beneath::has_room(&plan) {
+                return Err(GrowError::NoRoom { layer: index + 1 });
             }
+            plan.taken = beneath::with_rim(&plan.taken, plan.grid, document.edges);
         }
         let free = plan.way.is_none() && plan.places.is_none();
         if free && (document.keeps(index) || plan.seeding == Seeding::Initiators) {

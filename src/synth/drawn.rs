@@ -1,9 +1,6 @@
 //! A layer's strokes → its marks → the region map.
 
-use super::recipe::{
-    Document, DocumentError, Kind, Options, Problem, Seeding, SpreadChoice, Stroke, SystemChoice,
-    seeding_mismatch,
-};
+use super::recipe::{Document, DocumentError, Kind, Options, Problem, SpreadChoice, Stroke, SystemChoice};
 use crate::attributes::regions::RegionMap;
 use crate::marks::Mark;
 use crate::sketch::recognise;
@@ -43,12 +40,6 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
     }
     if layer.options.spread != SpreadChoice::Drawn
         && let Some(problem) = SpreadChoice::mismatch(&format!("layers[{index}].options.spread"), first)
-    {
-        return Err(problem.in_file(source));
-    }
-    let seeding = |first| seeding_mismatch(&format!("layers[{index}].options.seeding"), first);
-    if layer.options.seeding != Seeding::Noise
-        && let Some(problem) = seeding(first)
     {
         return Err(problem.in_file(source));
     }

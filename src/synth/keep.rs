@@ -40,11 +40,16 @@ impl Kept {
     /// What `drawn` is among the spots of `plan`.
     fn of(plan: &Plan, drawn: Ellipse) -> Self {
         let wanted = wanted(plan, drawn.center);
-        let most = most(plan.system, &wanted);
+        let place = plan.map.region_of(drawn.center);
+        let mut most = most(plan.system, &wanted);
+        if plan.map.spread_is_given() {
+            // Told how unlike spots are, those that were drawn are no more so.
+            most = most.with(&plan.map.region(place).spread, f64::min);
+        }
         let larger = 1.0 + DEVIATIONS * most.area;
         let rounder = DEVIATIONS * most.aspect;
         let turned = (DEVIATIONS * most.angle).min(90.0);
-        let mean = match plan.map.region(plan.map.region_of(drawn.center)).filled {
+        let mean = match plan.map.region(place).filled {
             Attributes::Spots(mean) => mean,
             Attributes::Stripes(_) => wanted,
         };

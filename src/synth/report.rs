@@ -8,7 +8,7 @@ use super::keep::{self, Stayed};
 use super::recipe::Document;
 use super::refine::Measured;
 use crate::attributes::Attributes;
-use crate::rd::{Seeding, System};
+use crate::rd::Seeding;
 
 /// The report of `grown`, in the form that the contract gives. `document` is named `source`.
 #[must_use]
@@ -73,7 +73,7 @@ fn region_report(layer: &GrownLayer, index: usize, cell: f64, stayed: Option<&St
     let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
     notes.extend(plan.remarks[index].iter().cloned());
     notes.extend(plan.probed[index].note());
-    notes.extend(stayed.and_then(|stayed| stayed.note(plan.system == System::MeinhardtStripes)));
+    notes.extend(stayed.and_then(|stayed| stayed.note(plan.system.is_striped())));
     let (marks, mut error) = errors(&layer.measured, index);
     if plan.seeding == Seeding::Initiators {
         // Stripes run round the lines; no direction was asked.

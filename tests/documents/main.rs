@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 
 mod content;
 mod files;
+mod keep;
 mod no_json;
 mod options;
 mod properties;

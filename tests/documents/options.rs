@@ -67,12 +67,12 @@ fn other_options_are_refused() {
         &options(json!({"speed": 1})),
         "layers[0].options",
         "the unknown key \"speed\"",
-        "spread, duty, irregular",
+        "spread, keep, duty, irregular, seeding",
     );
     let mut stripes = options(json!({"speed": 1}));
     stripes["layers"][0]["system"] = json!("meinhardt-stripes");
     stripes["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);
-    refused(&stripes, "layers[0].options", "the unknown key \"speed\"", "duty");
+    refused(&stripes, "layers[0].options", "the unknown key \"speed\"", "keep, duty, seeding");
 }
 
 #[test]
@@ -169,6 +169,10 @@ fn what_cannot_be_irregular_is_refused() {
     round["layers"][0]["system"] = json!("meinhardt-spots");
     let allowed = "0, its spots stay ellipses; for irregular ones the system \"turing-spots\" or \"auto\"";
     refused(&round, place, "0.5 with the system \"meinhardt-spots\"", allowed);
+    let mut inside = with("/layers/0/options", json!({"irregular": 0.5}));
+    inside["layers"][0]["after"] = json!("inside");
+    let allowed = "0: a spot inside another begins and stays as an ellipse";
+    refused(&inside, place, "0.5 of a layer \"inside\"", allowed);
     let allowed = "no such key: only spots can be irregular";
     refused(&lined("auto", json!({"irregular": 0.5})), place, "irregular stripes", allowed);
 }

@@ -7,7 +7,7 @@ mod sparse;
 
 use dapple::field::{Edges, Field};
 use dapple::marks::{Ellipse, Line};
-use dapple::synth::recipe::{After, Document, Layer, Stroke};
+use dapple::synth::recipe::{After, Document, Layer, Options as Choices, Stroke};
 use dapple::synth::{GrowError, Grown, Options, Training, Watch, grow};
 
 /// Four spots with this area, aspect, angle and spacing, somewhere on a canvas of 360 px.
@@ -16,14 +16,17 @@ fn spots(area: f64, aspect: f64, angle: f64, spacing: f64) -> Layer {
     let center = |[x, y]: [f64; 2]| [150.0 + x * spacing, 150.0 + y * high];
     let places = [[0.0, 0.0], [1.0, 0.0], [0.5, 1.0], [1.5, 1.0]];
     let stroke = |place| Stroke::Ellipse(Ellipse::of(center(place), area, aspect, angle));
-    Layer { strokes: places.map(stroke).into(), ..Layer::default() }
+    // The drawn marks are no part of what is counted here.
+    let options = Choices { keep: Some(false), ..Choices::default() };
+    Layer { strokes: places.map(stroke).into(), options, ..Layer::default() }
 }
 
 /// A stripe of this width and angle.
 fn stripes(width: f64, angle: f64) -> Layer {
     let [x, y] = [angle.to_radians().cos(), angle.to_radians().sin()].map(|part| 60.0 * part);
     let line = Line { from: [180.0 - x, 180.0 - y], to: [180.0 + x, 180.0 + y], width };
-    Layer { strokes: vec![Stroke::Line(line)], ..Layer::default() }
+    let options = Choices { keep: Some(false), ..Choices::default() };
+    Layer { strokes: vec![Stroke::Line(line)], options, ..Layer::default() }
 }
 
 fn cascade(edges: Edges, seed: u64, layers: Vec<Layer>) -> Document {

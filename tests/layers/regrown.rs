@@ -6,6 +6,8 @@ use dapple::synth::recipe::Document;
 use dapple::synth::{Grown, Options, Stage, Training, Watch, regrow};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+type Change = fn(&mut Document);
+
 fn document() -> Document {
     let small = spots(63.0, 0.8, 60.0, 24.0);
     let layers = vec![spots(850.0, 0.83, 30.0, 80.0), small, stripes(3.0, 45.0)];
@@ -38,8 +40,7 @@ fn changed_layers_are_grown_again_and_those_beneath_are_not() {
     let marks = |document: &mut Document| document.layers[1].strokes.truncate(2);
     let all = |document: &mut Document| document.seed = 2;
     let size = |document: &mut Document| document.size = [200, 240];
-    let cases: [(&dyn Fn(&mut Document), usize); 5] =
-        [(&colours, 0), (&seed, 1), (&marks, 2), (&all, 3), (&size, 3)];
+    let cases: [(Change, usize); 5] = [(colours, 0), (seed, 1), (marks, 2), (all, 3), (size, 3)];
     for (change, times) in cases {
         let mut document = document();
         change(&mut document);

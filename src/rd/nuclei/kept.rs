@@ -86,3 +86,66 @@ fn independent(near: &[Vec<usize>]) -> Vec<bool> {
     }
     stays.into_iter().map(|stays| stays == Some(true)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rd::nuclei::lay;
+    use rand::SeedableRng;
+    use rand_pcg::Pcg64Mcg;
+
+    const P: Parameters = Parameters { rate: 6.0, ratio: 20.0, stretch: 0.7, direction: 20.0, pitch: 1.0 };
+
+    fn kept(places: &[[f64; 2]]) -> Vec<Kept> {
+        places.iter().map(|at| Kept { at: *at, own: P, near: 0.6 }).collect()
+    }
+
+    #[test]
+    fn of_a_row_too_near_to_each_other_every_other_one_stays() {
+        let maps = Maps::uniform(200, 60, P);
+        let pitch = System::MeinhardtSpots.spacing(&P);
+        let row: Vec<[f64; 2]> = (0..7).map(|k| [20.0 + 0.55 * pitch * f64::from(k), 30.0]).collect();
+        let stays = standing(System::MeinhardtSpots, &maps, Edges::Closed, &kept(&row));
+        let stays: Vec<bool> = stays.iter().map(Result::is_ok).collect();
+        assert_eq!(stays, [true, false, true, false, true, false, true]);
+    }
+
+    #[test]
+    fn a_spot_on_taken_cells_hinders_no_other() {
+        let mut maps = Maps::uniform(80, 60, P);
+        maps.taken = (0..80 * 60).map(|cell| cell % 80 < 20).collect();
+        let spots = kept(&[[10.0, 30.0], [21.0, 30.0], [50.0, 30.0]]);
+        let found = standing(System::MeinhardtSpots, &maps, Edges::Closed, &spots);
+        assert_eq!(found, [Err(Hindrance::Taken), Err(Hindrance::Taken), Ok(())]);
+    }
+
+    #[test]
+    fn neighbours_are_seen_across_the_border_of_a_tile_alone() {
+        let maps = Maps::uniform(80, 60, P);
+        let spots = kept(&[[2.0, 30.0], [78.0, 30.0]]);
+        let stand = |edges| standing(System::MeinhardtSpots, &maps, edges, &spots);
+        assert_eq!(stand(Edges::Closed), [Ok(()), Ok(())]);
+        assert_eq!(stand(Edges::Wrap), [Ok(()), Err(Hindrance::Neighbour)]);
+    }
+
+    #[test]
+    fn others_are_laid_around_those_that_are_kept() {
+        let maps = Maps::uniform(160, 130, P);
+        let system = System::MeinhardtSpots;
+        let spots = kept(&[[1.0, 50.0], [60.3, 61.7], [73.1, 70.2], [100.0, 100.0]]);
+        let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, &maps)).collect();
+        let pitch = |p: &Parameters| system.spacing(p);
+        for edges in [Edges::Closed, Edges::Wrap] {
+            let free = lay(&maps, edges, &pitch, &[], &mut Pcg64Mcg::seed_from_u64(3)).inside.len();
+            let laid = lay(&maps, edges, &pitch, &nuclei, &mut Pcg64Mcg::seed_from_u64(3)).inside;
+            assert!(laid.iter().zip(&spots).all(|(laid, spot)| laid.at == spot.at));
+            assert!(laid.len().abs_diff(free) * 12 <= free, "{} with, {free} without", laid.len());
+            let near = laid[4..].iter().flat_map(|other| {
+                nuclei.iter().map(|kept| {
+                    distance2(kept, other, [other.at[0] - kept.at[0], other.at[1] - kept.at[1]]).sqrt()
+                })
+            });
+            assert!(near.fold(f64::INFINITY, f64::min) > 0.75);
+        }
+    }
+}

@@ -31,7 +31,7 @@ use rayon::prelude::*;
 pub const RATIO: f64 = 15.0;
 /// The same where three lines meet, and the inhibitor of all of them comes together: at [`RATIO`] they part there
 /// after T = 60.
-const MEETING: f64 = 9.0;
+const MEETING: f64 = 8.0;
 
 /// What lines do to the marks beneath.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -209,7 +209,7 @@ fn along(
             Along {
                 direction: (0.5 * libm::atan2(-s, -c)).to_degrees() as f32,
                 stretch: libm::pow(stretch, agreed) as f32,
-                ratio: (RATIO + (MEETING - RATIO) * (1.5 * meets).min(1.0)) as f32,
+                ratio: (RATIO + (MEETING - RATIO) * (2.0 * meets).min(1.0)) as f32,
             }
         })
         .collect()

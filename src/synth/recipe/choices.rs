@@ -88,7 +88,7 @@ impl SystemChoice {
             Self::Auto => &["spread", "keep", "duty", "irregular", "seeding"],
             Self::TuringSpots | Self::MeinhardtSpots => &["spread", "keep", "irregular"],
             Self::MeinhardtStripes => &["keep", "duty", "seeding"],
-            Self::MeinhardtLines => &["duty"],
+            Self::MeinhardtLines => &["keep", "duty"],
         }
     }
 
@@ -113,7 +113,8 @@ impl Options {
     #[must_use]
     pub fn mismatch(&self, place: &str, system: SystemChoice, kind: Option<Kind>) -> Option<Problem> {
         let duty = self.duty_mismatch(&format!("{place}.duty"), system, kind);
-        duty.or_else(|| self.irregular_mismatch(&format!("{place}.irregular"), system, kind))
+        let irregular = || self.irregular_mismatch(&format!("{place}.irregular"), system, kind);
+        duty.or_else(irregular).or_else(|| self.seeding_mismatch(&format!("{place}.seeding"), system, kind))
     }
 
     /// The problem that a layer's `options` say at `place` how much of the ground its marks cover although they are of
@@ -154,6 +155,22 @@ impl Options {
     }
 }
 
+impl Options {
+    /// The problem that options at `place` say where marks begin although the layer beneath does, `after` which they come.
+    #[must_use]
+    pub fn placed(&self, place: &str, after: After) -> Option<Problem> {
+        let told = [
+            ("keep", self.keep == Some(true), "drawn marks that are kept"),
+            ("seeding", self.seeding != Seeding::Noise, "a seeding"),
+        ];
+        let (key, _, what) =
+            told.into_iter().find(|(_, told, _)| *told).filter(|_| after != After::Between)?;
+        let found = format!("{what} with \"after\": \"{}\"", after.name());
+        let allowed = "with \"between\" alone: here the marks of the layer beneath say where these grow";
+        Some(Problem::new(format!("{place}.{key}"), found, allowed))
+    }
+}
+
 impl SpreadChoice {
     /// The problem that a layer's `options` say at `place` how its marks differ although they are of `kind`.
     #[must_use]
@@ -167,11 +184,26 @@ impl SpreadChoice {
 pub const SEEDINGS: [(&str, Seeding); 3] =
     [("noise", Seeding::Noise), ("segments", Seeding::Segments), ("initiators", Seeding::Initiators)];
 
-/// The problem that a layer's `options` say at `place` what its stripes begin from although its marks are of `kind`.
-#[must_use]
-pub fn seeding_mismatch(place: &str, kind: Option<Kind>) -> Option<Problem> {
-    let spots = kind == Some(Kind::Ellipse);
-    spots.then(|| Problem::new(place, "a seeding of spots", "no such key: only stripes have a seeding"))
+impl Options {
+    /// The problem that a layer's `options` say at `place` what its stripes begin from although its marks are of `kind`,
+    /// or are thin lines, which nothing but noise along a tensor makes.
+    fn seeding_mismatch(&self, place: &str, system: SystemChoice, kind: Option<Kind>) -> Option<Problem> {
+        if self.seeding == Seeding::Noise {
+            return None;
+        }
+        if system.grows().or(kind) == Some(Kind::Ellipse) {
+            return Some(Problem::new(
+                place,
+                "a seeding of spots",
+                "no such key: only stripes have a seeding",
+            ));
+        }
+        let name = name_in(&SEEDINGS, self.seeding);
+        (self.duty != Self::DUTY).then(|| {
+            let found = format!("\"{name}\" with a duty of {}", self.duty);
+            Problem::new(place, found, "\"noise\"; the others grow stripes of a duty of 0.5 alone")
+        })
+    }
 }
 
 /// How a layer meets the frozen marks beneath it.

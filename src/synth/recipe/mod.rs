@@ -22,6 +22,8 @@
 //! | `options.duty`, of stripes | 0.5 |
 //! | `options.broken`, of `"after": "around"` | 0: closed rings |
 //! | `options.irregular`, of spots | 0 |
+//! | `options.keep` | true where there is one region and `irregular` is 0 |
+//! | `options.seeding`, of stripes | `"noise"` |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
@@ -45,6 +47,21 @@
 //! `options.irregular` of a layer of spots, 0–1, says how irregular their shapes are: 0 grows ellipses, 1 beans, bars and
 //! drops that differ by 0.4 in area (β ± 3 of Phan & Grimm). Only `turing-spots` does that, which `auto` takes then; their
 //! spacing goes with their area. The mean area is as drawn; aspect and angle are those of the spots before they were bent.
+//!
+//! `options.keep`: whether the drawn marks are among those that grow. Each drawn ellipse then has a grown spot within a
+//! quarter of its radius √(r₁r₂), of its own size and shape as far as the spots of its region can differ; each drawn line
+//! lies in a stripe over nine tenths of its length. Where two are nearer to each other than such marks can stand, as many
+//! stay as can, and the report says how many do not. In many regions a mark says what is wanted around it, and may lie
+//! where the map between regions wants something else; there it is off unless asked for. On a canvas of another size than
+//! the document's the marks stand at the stretched places and keep their size. Not with `"after"` around, net, inside.
+//!
+//! `options.seeding` of a layer of stripes with a duty of 0.5 says what they begin from:
+//!
+//! | value | meaning |
+//! |---|---|
+//! | `"noise"` | noise of their wavelength and direction; they grow along a tensor and follow the direction to 4° (rms) |
+//! | `"segments"` | short lines of their direction at random places, and no tensor, as in Phan & Grimm, V.1: forked and wavy, 18° off (rms) |
+//! | `"initiators"` | the drawn lines alone, and no tensor: stripes radiate from them in regular order, as in Turk's "Regular Stripe Patterns" and Phan & Grimm, figure 11 |
 
 mod choices;
 mod error;
@@ -59,7 +76,7 @@ mod writer;
 
 use crate::attributes::Spread;
 pub use crate::rd::Seeding;
-pub use choices::{After, Kind, SystemChoice, seeding_mismatch};
+pub use choices::{After, Kind, SystemChoice};
 pub use error::{DocumentError, Problem};
 
 use crate::field::Edges;
@@ -123,13 +140,15 @@ impl Document {
 }
 
 impl Document {
-    /// Do the drawn marks of the layer at `index` stay where they were drawn? Unless it says so itself: where there is
-    /// one region. In many, marks say what is wanted around them, and may lie where the map between regions wants
-    /// something else.
+    /// Do the drawn marks of the layer at `index` stay where they were drawn? Unless it says so itself, where there is one
+    /// region. In many, marks say what is wanted around them and may lie where the map between regions wants something
+    /// else; and irregular spots are none that a drawn ellipse would tell of.
     #[must_use]
     pub fn keeps(&self, index: usize) -> bool {
-        let told = self.layers.get(index).and_then(|layer| layer.options.keep);
-        told.unwrap_or(self.regions == [1, 1])
+        let Some(Layer { options, after, .. }) = self.layers.get(index) else { return false };
+        let usual = self.regions == [1, 1] && options.irregular == 0.0;
+        // The lowest layer has nothing beneath it to come after.
+        (index == 0 || *after == After::Between) && options.keep.unwrap_or(usual)
     }
 }
 

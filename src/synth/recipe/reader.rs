@@ -1,6 +1,6 @@
 //! A JSON value → a checked document, key by key.
 
-use super::choices::{SEEDINGS, seeding_mismatch};
+use super::choices::SEEDINGS;
 use super::limits::{self, Range};
 use super::{
     After, Colours, Document, Growth, Kind, Layer, Options, Problem, SpreadChoice, Stop, SystemChoice,
@@ -88,11 +88,6 @@ fn options(node: &Node, system: SystemChoice, kind: Option<Kind>, after: After) 
     {
         return Err(problem);
     }
-    if let Some(problem) =
-        node.get("seeding").and_then(|node| seeding_mismatch(&node.place(), system.grows().or(kind)))
-    {
-        return Err(problem);
-    }
     let keys = [system.option_keys(), after.option_keys()].concat();
     node.keys(&keys)?;
     let default = Options::default();
@@ -111,7 +106,8 @@ fn options(node: &Node, system: SystemChoice, kind: Option<Kind>, after: After) 
         let allowed = "0: a spot inside another begins and stays as an ellipse";
         return Err(Problem::new(place, format!("{} of a layer \"inside\"", options.irregular), allowed));
     }
-    options.mismatch(&node.place(), system, kind).map_or(Ok(options), Err)
+    let problem = options.mismatch(&node.place(), system, kind);
+    problem.or_else(|| options.placed(&node.place(), after)).map_or(Ok(options), Err)
 }
 
 /// `"drawn"`, the variation of the area, or an object.

@@ -1,0 +1,84 @@
+//! What a layer's `options` may hold of marks that stay, and of what stripes begin from.
+
+use super::*;
+use dapple::synth::recipe::Seeding;
+
+/// The least document with a line instead, and these options.
+fn lined(options: Value) -> Value {
+    let mut document = with("/layers/0/options", options);
+    document["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);
+    document
+}
+
+#[test]
+fn marks_are_kept_in_one_region_unless_the_document_says_otherwise() {
+    let keeps = |options: Value, regions: Value| {
+        let mut document = with("/layers/0/options", options);
+        document["regions"] = regions;
+        accepted(&document).keeps(0)
+    };
+    assert!(keeps(json!({}), json!([1, 1])) && !keeps(json!({}), json!([2, 1])));
+    assert!(keeps(json!({"keep": true}), json!([2, 1])) && !keeps(json!({"keep": false}), json!([1, 1])));
+    assert!(!keeps(json!({"irregular": 0.5}), json!([1, 1])));
+}
+
+#[test]
+fn what_stays_and_what_stripes_begin_from_is_written_as_it_was_read() {
+    for options in [json!({}), json!({"keep": true}), json!({"keep": false, "seeding": "segments"})] {
+        let document = accepted(&lined(options.clone()));
+        assert_eq!(accepted(&serde_json::from_str(&document.to_json()).unwrap()), document);
+        let written: Value = serde_json::from_str(&document.to_json()).unwrap();
+        assert_eq!(written["layers"][0]["options"], options);
+    }
+    let seeding = |name: &str| accepted(&lined(json!({"seeding": name}))).layers[0].options.seeding;
+    assert_eq!(seeding("noise"), Seeding::Noise);
+    assert_eq!(seeding("segments"), Seeding::Segments);
+    assert_eq!(seeding("initiators"), Seeding::Initiators);
+}
+
+#[test]
+fn what_is_neither_is_refused() {
+    let place = |key: &str| format!("layers[0].options.{key}");
+    refused(&lined(json!({"keep": 1})), &place("keep"), "1", "true or false");
+    let allowed = "noise, segments, initiators (did you mean segments?)";
+    refused(&lined(json!({"seeding": "segment"})), &place("seeding"), "\"segment\"", allowed);
+}
+
+#[test]
+fn seeds_that_do_nothing_are_refused() {
+    let place = "layers[0].options.seeding";
+    let spots = with("/layers/0/options", json!({"seeding": "segments"}));
+    refused(&spots, place, "a seeding of spots", "no such key: only stripes have a seeding");
+    let thin = lined(json!({"seeding": "initiators", "duty": 0.3}));
+    let allowed = "\"noise\"; the others grow stripes of a duty of 0.5 alone";
+    refused(&thin, place, "\"initiators\" with a duty of 0.3", allowed);
+    // What a freehand stroke is, is known once it is fitted.
+    let mut document = spots;
+    document["layers"][0]["strokes"] =
+        json!([{"kind": "freehand", "points": [[10, 10], [30, 8], [40, 25], [25, 40], [8, 30], [10, 11]]}]);
+    let error =
+        dapple::synth::drawn::region_map(&accepted(&document), 0, "a.dapple").unwrap_err().to_string();
+    assert!(error.contains("options.seeding: found a seeding of spots"), "{error}");
+}
+
+#[test]
+fn where_the_layer_beneath_says_where_marks_grow_none_are_kept() {
+    let second = |after: &str, options: Value| {
+        let mut document = least();
+        let layer = document["layers"][0].clone();
+        document["layers"] = json!([layer, layer]);
+        document["layers"][1]["after"] = json!(after);
+        document["layers"][1]["options"] = options;
+        document
+    };
+    let allowed = "with \"between\" alone: here the marks of the layer beneath say where these grow";
+    refused(
+        &second("inside", json!({"keep": true})),
+        "layers[1].options.keep",
+        "drawn marks that are kept with \"after\": \"inside\"",
+        allowed,
+    );
+    assert!(accepted(&second("between", json!({"keep": true}))).keeps(1));
+    assert!(!accepted(&second("inside", json!({}))).keeps(1));
+    assert!(!accepted(&second("inside", json!({"keep": false}))).keeps(1));
+}
