@@ -138,7 +138,7 @@ impl Outcome {
             self.failures.extend(verdict::of_spots(&marks, &map));
             spots(&marks, &canvas)
         } else {
-            self.failures.extend(verdict::of_stripes(pattern, &layout));
+            self.failures.extend(verdict::of_stripes(pattern, &layout, document.layers[index].options.duty));
             stripes(pattern, &canvas)
         };
         for (k, region) in regions.iter_mut().enumerate() {

@@ -87,8 +87,6 @@ const BENT: f64 = 0.05;
 const HALF: f64 = 0.5;
 /// Mean coherence of stripes; a labyrinth reaches 0.48, good ones 0.98.
 const COHERENCE: f64 = 0.9;
-/// Share of a region of stripes that is stripe, at least and at most: half of ½, and as far above it.
-const STRIPE: [f64; 2] = [0.25, 0.75];
 /// Points along each side of a region at which the map is read.
 const POINTS: usize = 8;
 
@@ -156,8 +154,9 @@ fn points(layout: &Layout, index: usize) -> impl Iterator<Item = [f64; 2]> {
     (0..POINTS * POINTS).map(move |k| [at(0, k % POINTS), at(1, k / POINTS)])
 }
 
-/// What is wrong with these stripes.
-pub fn of_stripes(pattern: &Field, layout: &Layout) -> Vec<Failure> {
+/// What is wrong with these stripes, of which `duty` of the canvas was asked to be stripe; a region has at least
+/// [`HALF`] of that, and at most as much more.
+pub fn of_stripes(pattern: &Field, layout: &Layout, duty: f64) -> Vec<Failure> {
     let (mut inside, mut all) = (vec![0.0; layout.len()], vec![0.0; layout.len()]);
     for (px, value) in pattern.values.iter().enumerate() {
         let place = [(px % pattern.width) as f64 + 0.5, (px / pattern.width) as f64 + 0.5];
@@ -168,9 +167,9 @@ pub fn of_stripes(pattern: &Field, layout: &Layout) -> Vec<Failure> {
     let mut failures = Vec::new();
     for index in 0..layout.len() {
         let found: f64 = inside[index] / all[index];
-        if found < STRIPE[0] {
-            failures.push(Failure::HalfEmpty { region: layout.place(index), found, expected: 0.5 });
-        } else if found > STRIPE[1] {
+        if found < HALF * duty {
+            failures.push(Failure::HalfEmpty { region: layout.place(index), found, expected: duty });
+        } else if found > (2.0 - HALF) * duty {
             failures.push(Failure::Merged { share: found });
         }
     }
@@ -208,10 +207,26 @@ mod tests {
         let judged = |both: f64| {
             let value = |[x, y]: [f64; 2]| (0.5 + 0.4 * (wave(x) + both * wave(y)) / (1.0 + both)) as f32;
             let pattern = Field::from_fn([160, 160], [1.0, 1.0], Edges::Wrap, value);
-            of_stripes(&pattern, &layout).iter().map(Failure::kind).collect::<Vec<_>>()
+            of_stripes(&pattern, &layout, 0.5).iter().map(Failure::kind).collect::<Vec<_>>()
         };
         assert_eq!(judged(0.0), [""; 0]);
         assert_eq!(judged(1.0), ["incoherent"]);
+    }
+
+    #[test]
+    fn stripes_are_half_empty_where_less_than_half_of_what_was_asked_is_stripe() {
+        let layout = Layout { size: [160.0, 160.0], grid: [1, 1], edges: Edges::Wrap };
+        let judged = |covered: f64, duty: f64| {
+            let value = |[x, _]: [f64; 2]| {
+                let apart = ((x / 16.0).fract() - 0.5).abs() * 2.0;
+                (0.5 + 0.5 * (covered - apart)).clamp(0.0, 1.0) as f32
+            };
+            let pattern = Field::from_fn([160, 160], [1.0, 1.0], Edges::Wrap, value);
+            of_stripes(&pattern, &layout, duty).iter().map(Failure::kind).collect::<Vec<_>>()
+        };
+        assert_eq!(judged(0.15, 0.2), [""; 0]);
+        assert_eq!(judged(0.15, 0.5), ["half empty"]);
+        assert_eq!(judged(0.5, 0.2), ["merged"]);
     }
 
     #[test]
