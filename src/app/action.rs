@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::canvas::tool::Tool;
+use super::panels::Tab;
 
 /// Something to be done.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,6 +78,8 @@ pub enum Action {
     Grow,
     /// Another seed.
     AnotherSeed,
+    /// Show this in the column.
+    Tab(Tab),
     /// Show or hide a page.
     Page(Page),
 }

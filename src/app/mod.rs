@@ -37,6 +37,7 @@ pub use canvas::tool::Tool;
 pub use desk::Desk;
 pub use growth::{Growth, Phase};
 pub use notice::Notice;
+pub use panels::Tab;
 pub use selection::{Place, Selection};
 pub use settings::Settings;
 pub use window::{Start, Window};

@@ -35,6 +35,7 @@ impl Window {
             Action::Copy => self.copy(ui),
             Action::Paste(text) => self.paste(&text),
             Action::Page(page) => self.turn_to(page),
+            Action::Tab(tab) => self.tab = tab,
             Action::Pause => self.growth.pause(!self.growth.is_paused()),
             Action::Stop => self.growth.stop(),
             Action::Grow => self.growth.again(&self.desk.finished()),

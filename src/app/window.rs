@@ -45,6 +45,7 @@ pub struct Window {
     pub(super) gallery: Gallery,
     pub(super) exporting: Option<Exporting>,
     pub(super) page: Option<Page>,
+    pub(super) tab: panels::Tab,
     /// One over the other, instead of side by side.
     pub(super) over: bool,
     /// Where the curtain hangs, 0..1.
@@ -83,6 +84,7 @@ impl Window {
             gallery: Gallery::default(),
             exporting: None,
             page: first.then_some(Page::Hint),
+            tab: panels::Tab::default(),
             over: false,
             curtain: 0.5,
             linked: true,
@@ -181,7 +183,7 @@ impl Window {
         let strip = Panel::left("tools").frame(strip).resizable(false).exact_size(50.0);
         strip.show(ui, |ui| actions.extend(panels::strip(ui, self)));
         let column = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(14, 10));
-        let column = Panel::right("inspector").frame(column).resizable(false).exact_size(236.0);
+        let column = Panel::right("inspector").frame(column).resizable(false).exact_size(264.0);
         column.show(ui, |ui| actions.extend(panels::inspector(ui, self)));
         CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
         actions.extend(self.over_all(ui));

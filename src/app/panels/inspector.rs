@@ -1,8 +1,10 @@
-//! The column on the right: numbers.
+//! The column on the right: what is drawn, its colours, what came of it; below, the layers.
 
-use eframe::egui::{Button, DragValue, Grid, Rect, RichText, ScrollArea, Slider, Ui, vec2};
+use eframe::egui::{
+    Button, CentralPanel, DragValue, Frame, Grid, Margin, Panel, Rect, RichText, ScrollArea, Slider, Ui, vec2,
+};
 
-use super::selected;
+use super::{colour, layers, result, selected};
 use crate::app::Window;
 use crate::app::action::Action;
 use crate::app::canvas::tool::Tool;
@@ -16,20 +18,68 @@ use crate::synth::recipe::limits;
 /// Widths of lines to choose from, px: evenly over those that grow in moments.
 const WIDTHS: [f64; 4] = [4.0, 8.0, 12.0, 16.0];
 
+/// What the column shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tab {
+    /// The tool, what is selected, the canvas.
+    #[default]
+    Draw,
+    /// The colours of the layer at hand.
+    Colour,
+    /// What was asked and what has grown.
+    Result,
+}
+
+impl Tab {
+    /// All, as they stand.
+    pub const ALL: [Self; 3] = [Self::Draw, Self::Colour, Self::Result];
+
+    /// What people read.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Draw => "Draw",
+            Self::Colour => "Colour",
+            Self::Result => "Result",
+        }
+    }
+}
+
 /// The column. Gives what is chosen.
 pub fn inspector(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
     let mut actions = Vec::new();
-    ScrollArea::vertical().auto_shrink([false; 2]).show(ui, |ui| {
-        if window.desk.selection.is_empty() {
-            tool(ui, window);
-        } else {
-            selected::selected(ui, window, &mut actions);
-        }
-        canvas(ui, window);
-        region(ui, window);
-        shown(ui, window, &mut actions);
+    let frame = Frame::NONE.inner_margin(Margin { top: 8, ..Margin::ZERO });
+    let below = Panel::bottom("layers").frame(frame).resizable(false);
+    below.show(ui, |ui| layers::layers(ui, window, &mut actions));
+    CentralPanel::no_frame().show(ui, |ui| {
+        ui.horizontal(|ui| {
+            for tab in Tab::ALL {
+                let button = Button::new(tab.name()).selected(window.tab == tab);
+                if ui.add_sized(vec2(64.0, 26.0), button).clicked() {
+                    actions.push(Action::Tab(tab));
+                }
+            }
+        });
+        ui.add_space(6.0);
+        let area = ScrollArea::vertical().id_salt(window.tab.name()).auto_shrink([false; 2]);
+        area.show(ui, |ui| match window.tab {
+            Tab::Draw => draw(ui, window, &mut actions),
+            Tab::Colour => colour::colour(ui, window, &mut actions),
+            Tab::Result => result::result(ui, window, &mut actions),
+        });
     });
     actions
+}
+
+fn draw(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
+    if window.desk.selection.is_empty() {
+        tool(ui, window);
+    } else {
+        selected::selected(ui, window, actions);
+    }
+    canvas(ui, window);
+    region(ui, window);
+    shown(ui, window, actions);
 }
 
 /// A heading over a part of the column.
