@@ -54,8 +54,8 @@ pub struct Layering {
     pub naming: Option<(usize, String)>,
     /// Are the details of the layer at hand unfolded?
     pub unfolded: bool,
-    /// The row that shall have the keys.
-    pub focus: bool,
+    /// Did the row of the layer that is named have the keys, and shall have them again?
+    pub from_row: bool,
 }
 
 impl Layering {
@@ -107,6 +107,9 @@ impl Window {
                 self.layering.naming = Some((at_hand, desk.document().layers[at_hand].name.clone()));
             }
             LayerAction::Delete => desk.delete_layer(at_hand),
+        }
+        if action != LayerAction::Rename {
+            self.layering.naming = None;
         }
     }
 }

@@ -51,6 +51,17 @@ fn choose(hand: &mut Hand, list: &str, item: &str) {
     hand.press(item);
 }
 
+/// Presses Tab until this button has the keys.
+fn tab_to(hand: &mut Hand, name: &str) {
+    for _ in 0..80 {
+        if hand.window.get_by_role_and_label(Role::Button, name).is_focused() {
+            return;
+        }
+        hand.key(Modifiers::NONE, Key::Tab);
+    }
+    panic!("Tab does not come to {name}");
+}
+
 #[test]
 fn the_rows_say_what_each_layer_holds_the_highest_first() {
     let hand = two();
@@ -227,6 +238,7 @@ fn a_system_is_chosen_and_put_back() {
     let spots = hand.window.get_by_role_and_label(Role::Button, "Turing's spots");
     assert!(spots.accesskit_node().is_disabled());
     hand.key(Modifiers::NONE, Key::Escape);
+    hand.rest();
     hand.press("System: default");
     assert_eq!(hand.document().layers[1].system, SystemChoice::Auto);
     undo(&mut hand);
@@ -291,7 +303,8 @@ fn layers_are_worked_on_by_keys_alone() {
     hand.window.event(eframe::egui::Event::Text("rings".to_owned()));
     hand.window.step();
     hand.key(Modifiers::NONE, Key::Enter);
-    // The row has the keys now: down, up, a name, another place.
+    // The row is reached by Tab: down, up, another place, a name.
+    tab_to(&mut hand, "Layer rings, 1 line");
     hand.key(Modifiers::NONE, Key::ArrowDown);
     assert_eq!(at_hand(&hand), 0);
     hand.key(Modifiers::ALT, Key::ArrowUp);
@@ -300,18 +313,16 @@ fn layers_are_worked_on_by_keys_alone() {
     hand.key(Modifiers::ALT, Key::ArrowDown);
     hand.key(Modifiers::NONE, Key::ArrowUp);
     assert_eq!((kinds(&hand), at_hand(&hand)), (vec![true, false], 1));
-    // On by Tab to the details, which Space unfolds; then the picture of rings.
-    for name in ["Freeze it, sketch the next", "How it grows", "Meets: Around"] {
-        for _ in 0..20 {
-            hand.key(Modifiers::NONE, Key::Tab);
-            if hand.window.get_by_role_and_label(Role::Button, name).is_focused() {
-                break;
-            }
-        }
-        assert!(hand.window.get_by_role_and_label(Role::Button, name).is_focused(), "{name} is reached");
-        if name != "Freeze it, sketch the next" {
-            hand.key(Modifiers::NONE, Key::Space);
-        }
+    hand.key(Modifiers::NONE, Key::F2);
+    hand.window.event(eframe::egui::Event::Text("rosettes".to_owned()));
+    hand.window.step();
+    hand.key(Modifiers::NONE, Key::Enter);
+    assert_eq!(hand.document().layers[1].name, "rosettes");
+    assert!(hand.window.get_by_role_and_label(Role::Button, "Layer rosettes, 1 line").is_focused());
+    // On to the details, which Space unfolds; then the picture of rings.
+    for name in ["How it grows", "Meets: Around"] {
+        tab_to(&mut hand, name);
+        hand.key(Modifiers::NONE, Key::Space);
     }
     assert_eq!(hand.document().layers[1].after, After::Around);
     hand.key(Modifiers::COMMAND, Key::PageDown);
@@ -320,7 +331,7 @@ fn layers_are_worked_on_by_keys_alone() {
     hand.key(Modifiers::SHIFT, Key::H);
     assert!(!hand.document().layers[1].visible);
     hand.key(Modifiers::COMMAND, Key::J);
-    assert_eq!(hand.document().layers[2].name, "rings copy");
+    assert_eq!(hand.document().layers[2].name, "rosettes copy");
     hand.key(Modifiers::NONE, Key::PageDown);
     assert_eq!(at_hand(&hand), 1);
 }

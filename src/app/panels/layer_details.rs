@@ -1,6 +1,8 @@
 //! How the layer at hand grows: how it meets those beneath, its system, its options.
 
-use eframe::egui::{Align, ComboBox, DragValue, Grid, Layout, RichText, ScrollArea, Ui, vec2};
+use eframe::egui::{
+    Align, Button, ComboBox, DragValue, Grid, Label, Layout, Rect, RichText, ScrollArea, Ui, pos2, vec2,
+};
 
 use super::meets;
 use crate::app::Window;
@@ -11,8 +13,8 @@ use crate::attributes::Spread;
 use crate::synth::recipe::limits::{self, Range};
 use crate::synth::recipe::{After, Layer, Options, Seeding, SpreadChoice, SystemChoice};
 
-/// As high as the details grow before they scroll, points.
-const HIGHEST: f32 = 236.0;
+/// The share of the window's height that the details take before they scroll.
+const SHARE: f32 = 0.32;
 /// Width of the controls, points.
 const CONTROL: f32 = 118.0;
 
@@ -22,22 +24,27 @@ pub fn details(ui: &mut Ui, window: &mut Window) {
     let Some(layer) = desk.document().layers.get(desk.layer).cloned() else { return };
     let unfolded = &mut window.layering.unfolded;
     ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 2.0;
+        let button = Button::new(RichText::new("How it grows").strong()).frame_when_inactive(false);
+        let button = button.left_text(RichText::new("     ")).min_size(vec2(112.0, 24.0));
+        let fold = ui.add(button).accessible_name("How it grows");
         let icon = if *unfolded { Icon::Unfolded } else { Icon::Folded };
-        let fold = icon.button_of(ui, "How it grows", false, vec2(22.0, 24.0));
-        let title = ui.selectable_label(false, RichText::new("How it grows").strong());
-        let title = title.accessible_name("How it grows, details");
-        if fold.clicked() | title.clicked() {
+        let place = pos2(fold.rect.left() + 10.0, fold.rect.center().y);
+        let colour = ui.style().interact(&fold).text_color();
+        icon.paint(ui.painter(), Rect::from_center_size(place, vec2(16.0, 16.0)), colour);
+        if fold.on_hover_text("How the layer at hand meets those beneath, its system, its options").clicked()
+        {
             *unfolded = !*unfolded;
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.label(RichText::new(summary(desk, &layer)).small().weak());
+            ui.add(Label::new(RichText::new(summary(desk, &layer)).small().weak()).truncate());
         });
     });
     if !*unfolded {
         return;
     }
-    ScrollArea::vertical().id_salt("details").max_height(HIGHEST).show(ui, |ui| {
+    let highest = (SHARE * ui.content_rect().height()).round();
+    let area = ScrollArea::vertical().id_salt("details").max_height(highest).min_scrolled_height(highest);
+    area.show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 6.0;
         meeting(ui, desk, &layer);
         Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(8.0, 5.0)).show(ui, |ui| {
@@ -145,7 +152,7 @@ fn option(ui: &mut Ui, desk: &mut Desk, layer: &Layer, choice: Choice) {
     let (name, help) = described(choice);
     let refused = choice.refusal(layer);
     let enabled = refused.is_none();
-    let label = ui.add_enabled(enabled, eframe::egui::Label::new(name)).on_hover_text(help);
+    let label = ui.add_enabled(enabled, Label::new(name)).on_hover_text(help);
     label.on_disabled_hover_text(refused.unwrap_or_default());
     let mut options = layer.options;
     let shown = ui.add_enabled_ui(enabled, |ui| control(ui, desk, choice, &mut options)).inner;

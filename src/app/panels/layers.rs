@@ -1,5 +1,7 @@
 //! The layers, the highest first; the details of the one at hand are folded beneath.
 
+use eframe::egui::text::CCursorRange;
+use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{
     Align, Align2, Button, Color32, EventFilter, Id, Key, Layout, Modifiers, Rect, Response, RichText, Role,
     ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2, vec2,
@@ -33,10 +35,13 @@ pub fn layers(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
         ui.weak("The first mark opens a layer.");
         return;
     }
-    ScrollArea::vertical().id_salt("layers").max_height(ROWS * ROW).show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 0.0;
-        list(ui, window, actions);
-    });
+    ScrollArea::vertical().id_salt("layers").max_height(ROWS * ROW).min_scrolled_height(ROWS * ROW).show(
+        ui,
+        |ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            list(ui, window, actions);
+        },
+    );
     next(ui, &window.desk, actions);
     layer_details::details(ui, window);
 }
@@ -74,8 +79,9 @@ fn next(ui: &mut Ui, desk: &Desk, actions: &mut Vec<Action>) {
     let text = if last { "Freeze it, sketch the next" } else { "Freeze it, go to the next" };
     let help = "What is drawn so far stays as it is and is not grown again. You see its texture under the canvas, \
                 and draw the layer above. (F)";
-    let button = Button::new(text).min_size(vec2(ui.available_width(), 26.0));
-    let button = ui.add_enabled(desk.allows(action), button).on_hover_text(help);
+    let size = vec2(ui.available_width(), 26.0);
+    let button = ui.add_enabled_ui(desk.allows(action), |ui| ui.add_sized(size, Button::new(text))).inner;
+    let button = button.on_hover_text(help);
     if button.on_disabled_hover_text("The layer at hand is empty: draw in it first").clicked() {
         actions.push(Action::Layer(action));
     }
@@ -180,7 +186,6 @@ fn row(ui: &mut Ui, window: &mut Window, layer: usize, actions: &mut Vec<Action>
         actions.extend([LayerAction::Take(layer), LayerAction::Rename].map(Action::Layer));
     } else if response.clicked() {
         actions.push(Action::Layer(LayerAction::Take(layer)));
-        response.request_focus();
     }
     if response.has_focus() {
         keys(ui, window, &response, layer, actions);
@@ -264,30 +269,32 @@ fn thaw(ui: &mut Ui, desk: &Desk, layer: usize, rest: Rect, actions: &mut Vec<Ac
     place.left()
 }
 
-/// The field in which a name is typed.
+/// The field in which a name is typed. Enter, Tab and a click elsewhere keep it, Escape does not.
 fn naming(ui: &mut Ui, window: &mut Window, place: Rect) {
     let Some((layer, mut name)) = window.layering.naming.take() else { return };
-    let hint = window.desk.layer_name(layer);
-    let place = place.shrink2(vec2(0.0, 2.0));
-    let field = TextEdit::singleline(&mut name)
-        .id(ui.scope_id().with("name of layer"))
+    let field = ui.scope_id().with("name of layer");
+    let edit = TextEdit::singleline(&mut name)
+        .id(field)
         .char_limit(NAME)
-        .hint_text(hint)
+        .hint_text(window.desk.layer_name(layer))
         .margin(vec2(4.0, 3.0));
-    let field = ui.put(place, field).accessible_name("Layer name");
-    let [enter, escape] =
-        [Key::Enter, Key::Escape].map(|key| field.lost_focus() && ui.input(|input| input.key_pressed(key)));
-    if escape || window.desk.document().layers.len() <= layer {
+    let response = ui.put(place.shrink2(vec2(0.0, 2.0)), edit).accessible_name("Layer name");
+    let [enter, tab] = [Key::Enter, Key::Tab].map(|key| ui.input(|input| input.key_pressed(key)));
+    if response.lost_focus() {
+        if enter || tab || ui.input(|input| input.pointer.any_down()) {
+            let name = name.trim().to_owned();
+            window.desk.change_layer(layer, |of| of.name = name);
+        }
+        if std::mem::take(&mut window.layering.from_row) && !tab {
+            ui.memory_mut(|memory| memory.request_focus(id(ui, layer)));
+        }
         return;
     }
-    if enter || field.lost_focus() {
-        let name = name.trim().to_owned();
-        window.desk.change_layer(layer, |of| of.name = name);
-        window.layering.focus = enter;
-        return;
-    }
-    if !field.has_focus() {
-        field.request_focus();
+    if !response.has_focus() {
+        response.request_focus();
+        let mut state = TextEditState::load(ui.ctx(), field).unwrap_or_default();
+        state.cursor.set_char_range(Some(CCursorRange::select_all_str(&name)));
+        state.store(ui.ctx(), field);
     }
     window.layering.naming = Some((layer, name));
 }
@@ -313,6 +320,7 @@ fn keys(ui: &Ui, window: &mut Window, response: &Response, layer: usize, actions
     for (key, action) in [(Key::F2, LayerAction::Rename), (Key::Delete, LayerAction::Delete)] {
         if pressed(Modifiers::NONE, key) {
             actions.extend([LayerAction::Take(layer), action].map(Action::Layer));
+            window.layering.from_row = true;
         }
     }
 }
