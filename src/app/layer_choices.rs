@@ -294,14 +294,14 @@ mod tests {
     fn the_lowest_layer_meets_nothing_and_is_told_so() {
         let mut desk = Desk::open(Document::default(), None);
         desk.edit(|document| {
-            document.layers.push(Layer { strokes: vec![stroke(false)], ..Layer::default() })
+            document.layers.push(Layer { strokes: vec![stroke(false)], ..Layer::default() });
         });
         assert_eq!(after_refusal(&desk, 0, After::Between), None);
         for after in [After::Around, After::Net, After::Inside] {
             assert!(after_refusal(&desk, 0, after).unwrap().contains("beneath"));
         }
         desk.edit(|document| {
-            document.layers.push(Layer { strokes: vec![stroke(false)], ..Layer::default() })
+            document.layers.push(Layer { strokes: vec![stroke(false)], ..Layer::default() });
         });
         assert_eq!(after_refusal(&desk, 1, After::Around), None);
         assert!(after_refusal(&desk, 1, After::Inside).unwrap().contains("lines"));

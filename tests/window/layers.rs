@@ -238,7 +238,7 @@ fn a_system_is_chosen_and_put_back() {
     let spots = hand.window.get_by_role_and_label(Role::Button, "Turing's spots");
     assert!(spots.accesskit_node().is_disabled());
     hand.key(Modifiers::NONE, Key::Escape);
-    hand.rest();
+    assert!(hand.window.query_by_role_and_label(Role::Button, "Turing's spots").is_none());
     hand.press("System: default");
     assert_eq!(hand.document().layers[1].system, SystemChoice::Auto);
     undo(&mut hand);
@@ -258,9 +258,9 @@ fn options_of_stripes() {
     hand.press("Begins from: default");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Noise);
     let kept = hand.document().keeps(1);
-    hand.press("Drawn marks");
+    hand.press("Keep marks");
     assert_eq!(hand.document().layers[1].options.keep, Some(!kept));
-    hand.press("Drawn marks: default");
+    hand.press("Keep marks: default");
     assert_eq!(hand.document().layers[1].options.keep, None);
     hand.press("Meets: Around");
     hand.type_into("Broken", "25");

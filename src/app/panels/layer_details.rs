@@ -16,7 +16,7 @@ use crate::synth::recipe::{After, Layer, Options, Seeding, SpreadChoice, SystemC
 /// The share of the window's height that the details take before they scroll.
 const SHARE: f32 = 0.32;
 /// Width of the controls, points.
-const CONTROL: f32 = 118.0;
+const CONTROL: f32 = 122.0;
 
 /// The details, folded up or not.
 pub fn details(ui: &mut Ui, window: &mut Window) {
@@ -47,7 +47,7 @@ pub fn details(ui: &mut Ui, window: &mut Window) {
     area.show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 6.0;
         meeting(ui, desk, &layer);
-        Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(8.0, 5.0)).show(ui, |ui| {
+        Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
             system(ui, desk, &layer);
             let kind = desk.kind(desk.layer);
             for choice in Choice::ALL {
@@ -117,7 +117,7 @@ fn system(ui: &mut Ui, desk: &mut Desk, layer: &Layer) {
     let help = "The reaction-diffusion system that grows it";
     ui.label("System").on_hover_text(help);
     let mut chosen = layer.system;
-    let combo = ComboBox::from_id_salt("system").selected_text(read(chosen)).width(CONTROL);
+    let combo = ComboBox::from_id_salt("system").selected_text(read(chosen)).width(CONTROL).truncate();
     let combo = combo.show_ui(ui, |ui| {
         for (_, system) in SystemChoice::NAMES {
             let refused = system_refusal(desk, desk.layer, system);
@@ -183,7 +183,7 @@ fn described(choice: Choice) -> (&'static str, &'static str) {
              that",
         ),
         Choice::Keep => (
-            "Drawn marks",
+            "Keep marks",
             "Whether the drawn marks themselves are among those that grow. By default they are where there is one region",
         ),
         Choice::Duty => (
@@ -227,7 +227,7 @@ fn control(ui: &mut Ui, desk: &Desk, choice: Choice, options: &mut Options) -> e
         Choice::Broken => share(ui, name, &mut options.broken, &limits::BROKEN),
         Choice::Keep => {
             let mut keep = desk.document().keeps(desk.layer);
-            let field = ui.checkbox(&mut keep, "grow, too").accessible_name(name);
+            let field = ui.checkbox(&mut keep, "as drawn").accessible_name(name);
             if field.changed() {
                 options.keep = Some(keep);
             }
@@ -242,7 +242,7 @@ fn seeding(ui: &mut Ui, seeding: &mut Seeding) -> eframe::egui::Response {
     const READ: [(&str, Seeding); 3] =
         [("Noise", Seeding::Noise), ("Segments", Seeding::Segments), ("Drawn lines", Seeding::Initiators)];
     let now = READ.iter().find(|(_, one)| one == seeding).map_or("", |(name, _)| *name);
-    let combo = ComboBox::from_id_salt("seeding").selected_text(now).width(CONTROL);
+    let combo = ComboBox::from_id_salt("seeding").selected_text(now).width(CONTROL).truncate();
     let combo = combo.show_ui(ui, |ui| {
         for (name, one) in READ {
             ui.selectable_value(seeding, one, name);
@@ -258,7 +258,7 @@ fn spread(ui: &mut Ui, spread: &mut SpreadChoice) -> eframe::egui::Response {
         given if given == even => "None",
         SpreadChoice::Given(_) => "By numbers",
     };
-    let combo = ComboBox::from_id_salt("spread").selected_text(now).width(CONTROL);
+    let combo = ComboBox::from_id_salt("spread").selected_text(now).width(CONTROL).truncate();
     let combo = combo.show_ui(ui, |ui| {
         ui.selectable_value(spread, drawn, "As drawn");
         ui.selectable_value(spread, even, "None");
@@ -297,7 +297,7 @@ fn own_spread(ui: &mut Ui, options: &mut Options) {
         ("of direction", "Scatter of the directions, 0 to 45°", &mut spread.angle, &limits::SPREAD_ANGLE),
     ];
     for (name, help, value, range) in rows {
-        ui.label(RichText::new(format!("  {name}")).weak()).on_hover_text(help);
+        ui.label(RichText::new(format!("  {}", name.trim_start_matches("of "))).weak()).on_hover_text(help);
         let named = format!("Variation {name}");
         if range.unit.is_empty() {
             share(ui, &named, value, range).on_hover_text(help);
