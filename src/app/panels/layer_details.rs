@@ -15,8 +15,10 @@ use crate::synth::recipe::{After, Layer, Options, Seeding, SpreadChoice, SystemC
 
 /// The share of the window's height that the details take before they scroll.
 const SHARE: f32 = 0.32;
-/// Width of the controls, points.
-const CONTROL: f32 = 122.0;
+/// Width of the controls, points: right of them there is room for an arrow and a scroll bar.
+const CONTROL: f32 = 110.0;
+/// Width of the list of systems, points.
+const SYSTEM: f32 = 138.0;
 
 /// The details, folded up or not.
 pub fn details(ui: &mut Ui, window: &mut Window) {
@@ -47,8 +49,8 @@ pub fn details(ui: &mut Ui, window: &mut Window) {
     area.show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 6.0;
         meeting(ui, desk, &layer);
+        ui.horizontal(|ui| system(ui, desk, &layer));
         Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
-            system(ui, desk, &layer);
             let kind = desk.kind(desk.layer);
             for choice in Choice::ALL {
                 if choice.is_of(&layer, kind) {
@@ -117,7 +119,7 @@ fn system(ui: &mut Ui, desk: &mut Desk, layer: &Layer) {
     let help = "The reaction-diffusion system that grows it";
     ui.label("System").on_hover_text(help);
     let mut chosen = layer.system;
-    let combo = ComboBox::from_id_salt("system").selected_text(read(chosen)).width(CONTROL).truncate();
+    let combo = ComboBox::from_id_salt("system").selected_text(read(chosen)).width(SYSTEM).truncate();
     let combo = combo.show_ui(ui, |ui| {
         for (_, system) in SystemChoice::NAMES {
             let refused = system_refusal(desk, desk.layer, system);
@@ -132,7 +134,6 @@ fn system(ui: &mut Ui, desk: &mut Desk, layer: &Layer) {
     if reset(ui, "System", layer.system == SystemChoice::Auto) {
         chosen = SystemChoice::Auto;
     }
-    ui.end_row();
     if chosen != layer.system {
         change(desk, |layer| layer.system = chosen);
     }
