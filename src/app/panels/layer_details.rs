@@ -58,6 +58,9 @@ pub fn details(ui: &mut Ui, window: &mut Window) {
                 }
             }
         });
+        if desk.kind(desk.layer).is_none() {
+            ui.weak("Its options come with the first mark.");
+        }
     });
 }
 
