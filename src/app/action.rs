@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::canvas::tool::Tool;
+use super::layering::LayerAction;
 use super::panels::Tab;
 
 /// Something to be done.
@@ -78,6 +79,8 @@ pub enum Action {
     Grow,
     /// Another seed.
     AnotherSeed,
+    /// Do something to a layer.
+    Layer(LayerAction),
     /// Show this in the column.
     Tab(Tab),
     /// Show or hide a page.

@@ -18,6 +18,8 @@ mod files;
 mod growth;
 mod history;
 mod icons;
+mod layer_choices;
+mod layering;
 mod notice;
 mod pages;
 mod panels;
@@ -30,6 +32,7 @@ mod shortcuts;
 mod texture;
 mod theme;
 mod trace;
+mod underlay;
 mod window;
 
 pub use action::{Action, Page};

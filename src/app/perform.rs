@@ -35,6 +35,7 @@ impl Window {
             Action::Copy => self.copy(ui),
             Action::Paste(text) => self.paste(&text),
             Action::Page(page) => self.turn_to(page),
+            Action::Layer(action) => self.layer(action),
             Action::Tab(tab) => self.tab = tab,
             Action::Pause => self.growth.pause(!self.growth.is_paused()),
             Action::Stop => self.growth.stop(),
@@ -49,7 +50,7 @@ impl Window {
             Action::Duplicate => self.duplicate(),
             Action::Delete => self.delete(),
             Action::SelectAll => {
-                self.desk.selection = Selection::of(self.desk.marks().map(|(place, _)| place));
+                self.desk.selection = Selection::of(self.desk.reachable().map(|(place, _)| place));
                 self.canvas.tool = Tool::Select;
             }
             Action::Escape => self.escape(),
@@ -115,7 +116,7 @@ impl Window {
     }
 
     fn next(&mut self, step: isize) {
-        let places: Vec<Place> = self.desk.marks().map(|(place, _)| place).collect();
+        let places: Vec<Place> = self.desk.reachable().map(|(place, _)| place).collect();
         if places.is_empty() {
             return;
         }

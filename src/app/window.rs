@@ -14,6 +14,7 @@ use super::examples::Gallery;
 use super::exporting::Exporting;
 use super::files::Files;
 use super::growth::{Growth, Phase, Texture};
+use super::layering::Layering;
 use super::notice::{Notice, Notices};
 use super::settings::Settings;
 use super::texture::{self, TextureView};
@@ -46,6 +47,7 @@ pub struct Window {
     pub(super) exporting: Option<Exporting>,
     pub(super) page: Option<Page>,
     pub(super) tab: panels::Tab,
+    pub(super) layering: Layering,
     /// One over the other, instead of side by side.
     pub(super) over: bool,
     /// Where the curtain hangs, 0..1.
@@ -85,6 +87,7 @@ impl Window {
             exporting: None,
             page: first.then_some(Page::Hint),
             tab: panels::Tab::default(),
+            layering: Layering::default(),
             over: false,
             curtain: 0.5,
             linked: true,
@@ -148,6 +151,12 @@ impl Window {
         [self.canvas.view, self.texture.view].map(|view| (view.center, view.zoom))
     }
 
+    /// Does what has grown of frozen layers lie under the canvas?
+    #[must_use]
+    pub fn has_underlay(&self) -> bool {
+        self.canvas.underlay.is_there()
+    }
+
     /// Does a picture lie under the canvas?
     #[must_use]
     pub fn has_reference(&self) -> bool {
@@ -173,6 +182,7 @@ impl Window {
                 self.trace.event("settled", *took);
             }
         }
+        self.canvas.underlay.follow(ui, &self.desk, &self.growth);
         self.listen(ui);
         let mut actions = self.keys(ui);
         actions.extend(self.dropped(ui));
@@ -305,6 +315,7 @@ impl Window {
         self.texture.view.fitted = true;
         self.texture.tiled = false;
         self.canvas.analysis.forget();
+        self.layering.forget();
         self.growth.forget();
         self.grown = None;
     }

@@ -8,6 +8,7 @@ mod growing;
 mod hand;
 mod history;
 mod keyboard;
+mod layers;
 mod selecting;
 mod sights;
 mod views;

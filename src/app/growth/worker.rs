@@ -11,7 +11,7 @@ use super::preview::preview;
 use super::{Picture, Texture};
 use crate::synth::painting::Look;
 use crate::synth::recipe::Document;
-use crate::synth::{GrowError, Grown, Options, Stage, Training, Watch, regrow_seen};
+use crate::synth::{GrowError, Grown, GrownLayer, Options, Stage, Training, Watch, regrow_seen, unchanged};
 
 /// Pictures of a growth come no faster than this.
 const BETWEEN_PICTURES: Duration = Duration::from_millis(60);
@@ -25,8 +25,8 @@ pub(super) struct News {
 pub(super) enum What {
     /// How it looks by now.
     Picture(Picture),
-    /// It has settled.
-    Settled(Texture, Picture),
+    /// It has settled; so many of its lowest layers were taken over from what had grown before.
+    Settled(Texture, Picture, usize),
     /// It cannot be grown.
     Failed(String),
 }
@@ -198,11 +198,20 @@ impl Worker {
         };
         let watch = Watch { progress: &progress, cancelled: &|| orders.is_over(generation) };
         let before = self.before.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let kept = before.as_ref().map_or(0, |before| unchanged(&document, Options::default(), before));
+        let mut done = kept;
         let mut shown: Option<Instant> = None;
-        if let Some(picture) = preview(&document, &self.training).filter(|_| !orders.is_over(generation)) {
+        let beneath = before.as_ref().map_or(&[][..], |before| &before.layers[..kept]);
+        if let Some(picture) =
+            preview(&document, &self.training, beneath).filter(|_| !orders.is_over(generation))
+        {
             self.say(generation, What::Picture(picture));
         }
         let mut seen = |look: &Look| {
+            if look.beneath.len() > done {
+                done = look.beneath.len();
+                self.remember(&document, look.beneath);
+            }
             if shown.is_none_or(|shown| shown.elapsed() >= BETWEEN_PICTURES) && !orders.is_over(generation) {
                 self.say(generation, What::Picture(Picture::growing(&document, look)));
                 shown = Some(Instant::now());
@@ -233,10 +242,20 @@ impl Worker {
                 *self.before.lock().unwrap_or_else(PoisonError::into_inner) =
                     Some(Arc::clone(&texture.grown));
                 let picture = Picture::settled(&texture);
-                self.say(generation, What::Settled(texture, picture));
+                self.say(generation, What::Settled(texture, picture, kept));
             }
             Err(GrowError::Cancelled(_)) => {}
             Err(error) => self.say(generation, What::Failed(error.to_string())),
         }
+    }
+
+    /// Keeps the layers of `document` that have grown so far: should it be changed while the next one grows, they need
+    /// not grow again.
+    fn remember(&self, document: &Document, layers: &[GrownLayer]) {
+        let mut document = document.clone();
+        document.layers.truncate(layers.len());
+        let grown =
+            Grown { size: document.size, layers: layers.to_vec(), document, options: Options::default() };
+        *self.before.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::new(grown));
     }
 }

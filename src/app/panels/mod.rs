@@ -3,7 +3,9 @@
 mod colour;
 mod growth_bar;
 mod inspector;
+mod layer_details;
 mod layers;
+mod meets;
 mod menu;
 mod result;
 mod selected;
