@@ -80,6 +80,10 @@ pub enum Action {
     AnotherSeed,
     /// Show this in the column.
     Tab(Tab),
+    /// Draw what can be reached in this region (column, row) of a layer of the finished document.
+    Reach(usize, [usize; 2]),
+    /// Show the training cloud about a region of a layer, or hide it.
+    Cloud(Option<(usize, [usize; 2])>),
     /// Show or hide a page.
     Page(Page),
 }

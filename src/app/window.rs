@@ -9,12 +9,14 @@ use eframe::egui::{
 };
 
 use super::canvas::{Canvas, view::View};
+use super::cloud::Cloud;
 use super::desk::Desk;
 use super::examples::Gallery;
 use super::exporting::Exporting;
 use super::files::Files;
 use super::growth::{Growth, Phase, Texture};
 use super::notice::{Notice, Notices};
+use super::result::Results;
 use super::settings::Settings;
 use super::texture::{self, TextureView};
 use super::theme::{self, Palette};
@@ -46,6 +48,8 @@ pub struct Window {
     pub(super) exporting: Option<Exporting>,
     pub(super) page: Option<Page>,
     pub(super) tab: panels::Tab,
+    pub(super) results: Results,
+    pub(super) cloud: Cloud,
     /// One over the other, instead of side by side.
     pub(super) over: bool,
     /// Where the curtain hangs, 0..1.
@@ -85,6 +89,8 @@ impl Window {
             exporting: None,
             page: first.then_some(Page::Hint),
             tab: panels::Tab::default(),
+            results: Results::default(),
+            cloud: Cloud::default(),
             over: false,
             curtain: 0.5,
             linked: true,
@@ -142,6 +148,12 @@ impl Window {
         self.growth.texture.as_ref()
     }
 
+    /// What came of it, region by region: known while the column shows it.
+    #[must_use]
+    pub fn results(&self) -> &Results {
+        &self.results
+    }
+
     /// Where the sketch and the texture are looked at: the px in the middle, and points a px.
     #[must_use]
     pub fn views(&self) -> [([f64; 2], f32); 2] {
@@ -174,6 +186,9 @@ impl Window {
             }
         }
         self.listen(ui);
+        if self.tab == panels::Tab::Result {
+            self.results.follow(ui.ctx(), self.growth.texture.as_ref());
+        }
         let mut actions = self.keys(ui);
         actions.extend(self.dropped(ui));
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
@@ -186,6 +201,7 @@ impl Window {
         let column = Panel::right("inspector").frame(column).resizable(false).exact_size(264.0);
         column.show(ui, |ui| actions.extend(panels::inspector(ui, self)));
         CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
+        self.cloud.ui(ui.ctx());
         actions.extend(self.over_all(ui));
         for action in actions {
             self.perform(ui, action);
@@ -253,6 +269,10 @@ impl Window {
         let corner = self.canvas.view.to_screen(left, [0.0; 2]);
         self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
         self.texture.ui(ui, right, self.desk.document().size, &self.growth);
+        self.signs(ui, left, self.canvas.view);
+        if !self.texture.tiled {
+            self.signs(ui, right, self.texture.view);
+        }
         let line = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().vline(body.center().x, body.y_range(), line);
     }
@@ -265,8 +285,17 @@ impl Window {
         painter.rect_filled(seen, 0.0, Palette::of(ui.visuals()).desk);
         self.texture.view = self.canvas.view;
         self.texture.paint(ui, &painter, body, self.desk.document().size);
+        self.signs(ui, body, self.canvas.view);
         texture::curtain(ui, body, &mut self.curtain);
         texture::paint_curtain(ui, body, self.curtain);
+    }
+
+    /// What came of each region, in its corner.
+    fn signs(&self, ui: &Ui, room: Rect, view: View) {
+        if self.tab == panels::Tab::Result {
+            let palette = Palette::of(ui.visuals());
+            self.results.paint(&ui.painter_at(room), room, view, &self.desk, palette);
+        }
     }
 
     /// Views that move together: the one that was moved takes the other along.
@@ -306,6 +335,8 @@ impl Window {
         self.texture.tiled = false;
         self.canvas.analysis.forget();
         self.growth.forget();
+        self.results.forget();
+        self.cloud.forget();
         self.grown = None;
     }
 

@@ -14,6 +14,7 @@ mod strip;
 pub use growth_bar::growth_bar;
 pub use inspector::{Tab, inspector};
 pub use menu::menu;
+pub use result::digits;
 pub use sketch_bar::sketch_bar;
 pub use status::status;
 pub use strip::strip;
