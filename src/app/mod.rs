@@ -9,6 +9,7 @@
 //! Panels and keys give [`Action`]s, [`Window`] carries them out. The desk knows nothing of the screen.
 
 mod action;
+mod alternatives;
 mod canvas;
 mod chooser;
 mod cloud;
@@ -35,7 +36,9 @@ mod trace;
 mod window;
 
 pub use action::{Action, Page};
+pub use alternatives::{Alternative, Alternatives, small};
 pub use canvas::tool::Tool;
+pub use cloud::{Cloud, Points};
 pub use desk::Desk;
 pub use growth::{Growth, Phase};
 pub use notice::Notice;

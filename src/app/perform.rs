@@ -3,6 +3,7 @@
 use eframe::egui::{Ui, ViewportCommand};
 
 use super::action::{Action, Page};
+use super::alternatives;
 use super::canvas::tool::Tool;
 use super::desk::Desk;
 use super::pages;
@@ -38,6 +39,11 @@ impl Window {
             Action::Page(page) => self.turn_to(page),
             Action::Tab(tab) => self.tab = tab,
             Action::Reach(layer, place) => self.draw_what_can_be_reached(layer, place),
+            Action::Alternatives(shown) => self.alternatives.shown = shown,
+            Action::ToggleAlternatives => self.alternatives.shown = !self.alternatives.shown,
+            Action::TakeAlternative(id) => self.take_alternative(id),
+            Action::KeepAlternative(id, kept) => self.alternatives.keep(id, kept),
+            Action::StopAlternatives(stopped) => self.alternatives.stop(stopped),
             Action::Cloud(asked) => self.show_cloud(ui, asked),
             Action::Pause => self.growth.pause(!self.growth.is_paused()),
             Action::Stop => self.growth.stop(),
@@ -177,6 +183,20 @@ impl Window {
         let Some(of) = self.results.outcome().and_then(|outcome| outcome.layers.get(layer)) else { return };
         if let Some(region) = of.regions.iter().find(|region| region.report.place == place) {
             self.cloud.ask(ui.ctx(), (layer, place), of.system, region, &self.results.training);
+        }
+    }
+
+    /// Puts an alternative on the desk; it has grown already.
+    fn take_alternative(&mut self, id: u64) {
+        let Some(one) = self.alternatives.get(id) else { return };
+        if let Some(grown) = &one.grown {
+            self.growth.know(grown);
+        }
+        let size = self.desk.document().size;
+        alternatives::put(&mut self.desk, &one.document);
+        if self.desk.document().size != size {
+            self.canvas.view.fitted = true;
+            self.texture.view.fitted = true;
         }
     }
 

@@ -62,6 +62,7 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(Modifiers::NONE, Key::L, "Line", "Draw", || Action::Tool(Tool::Line)),
     with(Modifiers::NONE, Key::X, "Eraser", "Draw", || Action::Tool(Tool::Eraser)),
     with(Modifiers::NONE, Key::H, "Pan", "Draw", || Action::Tool(Tool::Hand)),
+    with(Modifiers::NONE, Key::A, "Alternatives", "View", || Action::ToggleAlternatives),
     with(CTRL, Key::Num0, "Show the whole canvas", "View", || Action::Fit),
     with(CTRL, Key::Num1, "Actual size", "View", || Action::ActualSize),
     with(CTRL, Key::Plus, "Zoom in", "View", || Action::Zoom(1.25)),

@@ -8,6 +8,7 @@ use eframe::egui::{
     vec2,
 };
 
+use super::alternatives::Alternatives;
 use super::canvas::{Canvas, view::View};
 use super::cloud::Cloud;
 use super::desk::Desk;
@@ -50,6 +51,7 @@ pub struct Window {
     pub(super) tab: panels::Tab,
     pub(super) results: Results,
     pub(super) cloud: Cloud,
+    pub(super) alternatives: Alternatives,
     /// One over the other, instead of side by side.
     pub(super) over: bool,
     /// Where the curtain hangs, 0..1.
@@ -77,6 +79,7 @@ impl Window {
         });
         let wake = ctx.clone();
         let first = !start.settings.hint_seen && start.file.is_none();
+        let results = Results::default();
         let mut window = Self {
             desk: Desk::open(super::pages::New::default().document(), None),
             canvas: Canvas::default(),
@@ -89,7 +92,8 @@ impl Window {
             exporting: None,
             page: first.then_some(Page::Hint),
             tab: panels::Tab::default(),
-            results: Results::default(),
+            alternatives: Alternatives::new(results.training.clone()),
+            results,
             cloud: Cloud::default(),
             over: false,
             curtain: 0.5,
@@ -154,6 +158,18 @@ impl Window {
         &self.results
     }
 
+    /// Other textures that fit the same sketch.
+    #[must_use]
+    pub fn alternatives(&self) -> &Alternatives {
+        &self.alternatives
+    }
+
+    /// The training cloud.
+    #[must_use]
+    pub fn cloud(&self) -> &Cloud {
+        &self.cloud
+    }
+
     /// Where the sketch and the texture are looked at: the px in the middle, and points a px.
     #[must_use]
     pub fn views(&self) -> [([f64; 2], f32); 2] {
@@ -200,6 +216,12 @@ impl Window {
         let column = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(14, 10));
         let column = Panel::right("inspector").frame(column).resizable(false).exact_size(264.0);
         column.show(ui, |ui| actions.extend(panels::inspector(ui, self)));
+        let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
+        self.alternatives.follow(ui.ctx(), &self.desk, &self.growth, busy);
+        if self.alternatives.shown {
+            let strip = Panel::bottom("alternatives").frame(bar).resizable(false).exact_size(panels::HEIGHT);
+            strip.show(ui, |ui| actions.extend(panels::alternatives(ui, self)));
+        }
         CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
         self.cloud.ui(ui.ctx());
         actions.extend(self.over_all(ui));
@@ -207,7 +229,7 @@ impl Window {
             self.perform(ui, action);
         }
         self.grow_what_changed(ui);
-        if self.growth.is_growing() && !self.growth.is_paused() {
+        if self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused() {
             // Between two pictures the bar moves on.
             ui.ctx().request_repaint_after(Duration::from_millis(100));
         }
@@ -337,6 +359,7 @@ impl Window {
         self.growth.forget();
         self.results.forget();
         self.cloud.forget();
+        self.alternatives.forget();
         self.grown = None;
     }
 

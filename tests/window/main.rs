@@ -2,12 +2,14 @@
 #![cfg(feature = "app")]
 
 mod access;
+mod alternatives;
 mod documents;
 mod drawing;
 mod growing;
 mod hand;
 mod history;
 mod keyboard;
+mod result;
 mod selecting;
 mod sights;
 mod views;

@@ -84,7 +84,9 @@ fn other_system(document: &Document, grown: &Grown, layer: usize) -> Option<Vari
 
 /// Spots that differ less from each other, and more.
 fn spreads(document: &Document, layer: usize) -> Vec<Variant> {
-    let Some(of) = document.layers.get(layer).filter(|_| is_spotted(document, layer)) else { return Vec::new() };
+    let Some(of) = document.layers.get(layer).filter(|_| is_spotted(document, layer)) else {
+        return Vec::new();
+    };
     let Some(drawn) = spread(document, layer) else { return Vec::new() };
     let given = |spread| {
         let mut other = document.clone();

@@ -91,7 +91,8 @@ impl Cloud {
             ui.weak(if self.failed { "There are no examples of this." } else { "Reading the examples …" });
             return;
         };
-        let first = [points.names[0].0, points.names.iter().map(|name| name.0).nth(points.second).unwrap_or("area")];
+        let first =
+            [points.names[0].0, points.names.iter().map(|name| name.0).nth(points.second).unwrap_or("area")];
         let known = |name: &'static str| points.names.iter().any(|(of, _)| *of == name);
         let mut axes = [0, 1].map(|axis| self.axes[axis].filter(|name| known(name)).unwrap_or(first[axis]));
         ui.horizontal(|ui| {

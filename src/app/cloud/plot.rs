@@ -1,7 +1,10 @@
 //! The cloud on a plane.
 
 use eframe::egui::{Id, Ui, vec2};
-use egui_plot::{GridInput, GridMark, HoverPosition, Legend, MarkerShape, Plot, PlotPoints, Points as Dots, log_grid_spacer};
+use egui_plot::{
+    GridInput, GridMark, HoverPosition, Legend, MarkerShape, Plot, PlotPoints, Points as Dots,
+    log_grid_spacer,
+};
 
 use super::points::{Points, is_logarithmic};
 use crate::app::panels::digits;
@@ -29,7 +32,8 @@ pub fn plot(ui: &mut Ui, points: &Points, axes: [&'static str; 2], question: u64
         let name = if size + 1 == SIZES { "Neighbours, by weight" } else { "" };
         shown.push(dots(name, rows.collect()).radius(radius).color(palette.edge));
     }
-    let one = |name, row: &[f64], shape, colour| dots(name, vec![at(row)]).shape(shape).radius(8.0).color(colour);
+    let one =
+        |name, row: &[f64], shape, colour| dots(name, vec![at(row)]).shape(shape).radius(8.0).color(colour);
     if points.nearest != points.asked {
         shown.push(one("Nearest in reach", &points.nearest, MarkerShape::Diamond, palette.accent));
     }
@@ -70,10 +74,8 @@ fn spacer(name: &str, input: GridInput) -> Vec<GridMark> {
     let (low, high) = input.bounds;
     let decades = (low.floor() as i32)..=(high.ceil() as i32);
     let marks = decades.flat_map(|decade| {
-        [(1.0f64, 1.0), (2.0, 0.4), (5.0, 0.4)].map(|(digit, step_size)| GridMark {
-            value: f64::from(decade) + digit.log10(),
-            step_size,
-        })
+        [(1.0f64, 1.0), (2.0, 0.4), (5.0, 0.4)]
+            .map(|(digit, step_size)| GridMark { value: f64::from(decade) + digit.log10(), step_size })
     });
     marks.filter(|mark| (low..=high).contains(&mark.value)).collect()
 }

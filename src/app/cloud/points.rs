@@ -74,7 +74,8 @@ impl Points {
         let row = |attributes: &Attributes, parameters: &Parameters| -> Vec<f64> {
             names.iter().map(|(name, _)| value(name, attributes, parameters)).collect()
         };
-        let scaled = |attributes: &Attributes, parameters: &Parameters| row(&attributes.scaled(cell), parameters);
+        let scaled =
+            |attributes: &Attributes, parameters: &Parameters| row(&attributes.scaled(cell), parameters);
         let near = set.neighbours(&answer.nearest);
         Some(Self {
             system: system.name(),

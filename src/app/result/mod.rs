@@ -122,7 +122,8 @@ impl Results {
                 }
             }
             (News::Reach { layer, region, reach }, Some(outcome)) => {
-                if let Some(region) = outcome.layers.get_mut(layer).and_then(|of| of.regions.get_mut(region)) {
+                if let Some(region) = outcome.layers.get_mut(layer).and_then(|of| of.regions.get_mut(region))
+                {
                     region.reach = Some(reach);
                 }
             }
@@ -148,13 +149,16 @@ impl Results {
     /// The same, where it is that of `texture`.
     #[must_use]
     pub fn of(&self, texture: Option<&Texture>) -> Option<&Outcome> {
-        self.outcome().filter(|outcome| texture.is_some_and(|texture| Arc::ptr_eq(&texture.grown, &outcome.grown)))
+        self.outcome()
+            .filter(|outcome| texture.is_some_and(|texture| Arc::ptr_eq(&texture.grown, &outcome.grown)))
     }
 
     /// Puts a mark into each region's corner, of the layer at hand.
     pub fn paint(&self, painter: &Painter, room: Rect, view: View, desk: &Desk, palette: &Palette) {
         let Some(outcome) = self.outcome().filter(|_| self.signs) else { return };
-        let Some(layer) = layer_of(desk, desk.layer).and_then(|layer| outcome.layers.get(layer)) else { return };
+        let Some(layer) = layer_of(desk, desk.layer).and_then(|layer| outcome.layers.get(layer)) else {
+            return;
+        };
         let [columns, rows] = outcome.grown.document.regions.map(|n| n as f32);
         let paper = view.paper(room, outcome.grown.size);
         let side = [paper.width() / columns, paper.height() / rows];

@@ -112,12 +112,21 @@ impl Sketch {
             (Attributes::Spots(asked), Attributes::Spots(to)) => {
                 Some(self.spots_toward(asked, to, farther, layout, place))
             }
-            (Attributes::Stripes(asked), Attributes::Stripes(to)) => Some(self.lines_toward(asked, to, farther)),
+            (Attributes::Stripes(asked), Attributes::Stripes(to)) => {
+                Some(self.lines_toward(asked, to, farther))
+            }
             _ => None,
         }
     }
 
-    fn spots_toward(self, asked: &Spots, to: &Spots, farther: f64, layout: &Layout, place: [usize; 2]) -> Self {
+    fn spots_toward(
+        self,
+        asked: &Spots,
+        to: &Spots,
+        farther: f64,
+        layout: &Layout,
+        place: [usize; 2],
+    ) -> Self {
         let by = |from: f64, to: f64| libm::pow(to / from, farther);
         let mut area = by(asked.area, to.area);
         // Not farther: some systems know only one spacing, and beyond it the way leads back.
@@ -139,7 +148,10 @@ impl Sketch {
         let changed = |((stroke, mark), center): ((usize, Mark), [f64; 2])| match mark {
             Mark::Ellipse(e) => {
                 let angle = e.major_angle() + by_angle;
-                (stroke, Mark::Ellipse(Ellipse::of(center, e.area() * area, aspect(e.aspect()).min(1.0), angle)))
+                (
+                    stroke,
+                    Mark::Ellipse(Ellipse::of(center, e.area() * area, aspect(e.aspect()).min(1.0), angle)),
+                )
             }
             Mark::Line(_) => (stroke, mark),
         };
@@ -182,9 +194,9 @@ fn spaced(centers: &[[f64; 2]], by: f64, layout: &Layout, place: [usize; 2]) -> 
     for axis in 0..2 {
         let side = layout.size[axis] / layout.grid[axis] as f64;
         let [low, high] = [-0.5, 0.5].map(|half| middle[axis] + half * side);
-        let ends = moved.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], at| {
-            [l.min(at[axis]), h.max(at[axis])]
-        });
+        let ends = moved
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], at| [l.min(at[axis]), h.max(at[axis])]);
         if ends[1] - ends[0] > side - 2.0 * RIM {
             return None;
         }

@@ -116,7 +116,10 @@ fn errors(measured: &Measured, index: usize) -> (Option<usize>, Vec<(&'static st
     let (marks, named) = match measured {
         Measured::Spots { errors, .. } => {
             let e = &errors[index];
-            (Some(e.marks), [("area", e.area), ("aspect", e.aspect), ("angle", e.angle), ("spacing", e.spacing)])
+            (
+                Some(e.marks),
+                [("area", e.area), ("aspect", e.aspect), ("angle", e.angle), ("spacing", e.spacing)],
+            )
         }
         Measured::Stripes(errors) => {
             let e = &errors[index];

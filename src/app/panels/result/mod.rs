@@ -52,7 +52,9 @@ pub fn result(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
 fn waiting(window: &Window) -> &'static str {
     match window.growth.phase {
         Phase::Idle => "Nothing has grown yet.",
-        Phase::Growing(..) if window.results.outcome().is_some() => "Growing: these are the numbers of before.",
+        Phase::Growing(..) if window.results.outcome().is_some() => {
+            "Growing: these are the numbers of before."
+        }
         Phase::Growing(..) => "Growing: the numbers come once it has settled.",
         Phase::Stopped => "Stopped: only what has settled is measured.",
         Phase::Settled(_) => "Measuring …",
@@ -63,9 +65,11 @@ fn waiting(window: &Window) -> &'static str {
 /// The region under the pointer, else the chosen one, else the first of the worst.
 fn shown(window: &Window, of: &LayerResult, grid: [usize; 2]) -> [usize; 2] {
     let size = window.desk.document().size.map(f64::from);
-    let under = window.canvas.pointer.or(window.texture.pointer).filter(|at| {
-        (0..2).all(|axis| (0.0..size[axis]).contains(&at[axis]))
-    });
+    let under = window
+        .canvas
+        .pointer
+        .or(window.texture.pointer)
+        .filter(|at| (0..2).all(|axis| (0.0..size[axis]).contains(&at[axis])));
     if let Some(at) = under {
         return [0, 1].map(|axis| ((at[axis] / size[axis] * grid[axis] as f64) as usize).min(grid[axis] - 1));
     }
@@ -78,9 +82,8 @@ fn shown(window: &Window, of: &LayerResult, grid: [usize; 2]) -> [usize; 2] {
 fn sign(ui: &mut Ui, verdict: Verdict) {
     let (rect, response) = ui.allocate_exact_size([SIGN, SIGN].into(), eframe::egui::Sense::hover());
     verdict.paint(ui.painter(), rect, Palette::of(ui.visuals()));
-    response.widget_info(|| {
-        eframe::egui::WidgetInfo::labeled(eframe::egui::Role::Image, true, verdict.name())
-    });
+    response
+        .widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::Role::Image, true, verdict.name()));
     response.on_hover_text(verdict.help());
 }
 
@@ -119,7 +122,8 @@ mod tests {
 
     #[test]
     fn errors_are_short_and_signed() {
-        let told = [("area", 0.034), ("area", -0.001), ("aspect", -0.051), ("angle", 7.4)].map(|(a, e)| error(a, e));
+        let told =
+            [("area", 0.034), ("area", -0.001), ("aspect", -0.051), ("angle", 7.4)].map(|(a, e)| error(a, e));
         assert_eq!(told, ["+3 %", "0 %", "-0.05", "+7°"]);
     }
 }

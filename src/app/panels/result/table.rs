@@ -17,9 +17,8 @@ const COLUMNS: [&str; 6] = ["area", "aspect", "angle", "spacing", "width", "wave
 
 /// The table. Whoever is clicked, or has the keys, is `chosen`.
 pub fn table(ui: &mut Ui, layer: &LayerResult, chosen: &mut Option<[usize; 2]>) {
-    let measured = |name: &&str| {
-        layer.regions.iter().any(|region| region.report.error.iter().any(|(of, _)| of == name))
-    };
+    let measured =
+        |name: &&str| layer.regions.iter().any(|region| region.report.error.iter().any(|(of, _)| of == name));
     let columns: Vec<&str> = COLUMNS.into_iter().filter(measured).collect();
     let width = ((ui.available_width() - FIRST - 8.0) / columns.len().max(1) as f32).min(COLUMN);
     ui.spacing_mut().item_spacing.x = 0.0;
@@ -43,13 +42,7 @@ pub fn table(ui: &mut Ui, layer: &LayerResult, chosen: &mut Option<[usize; 2]>) 
     ui.spacing_mut().item_spacing = vec2(8.0, 7.0);
 }
 
-fn row(
-    ui: &mut Ui,
-    region: &RegionResult,
-    columns: &[&str],
-    width: f32,
-    chosen: &mut Option<[usize; 2]>,
-) {
+fn row(ui: &mut Ui, region: &RegionResult, columns: &[&str], width: f32, chosen: &mut Option<[usize; 2]>) {
     let place = region.report.place;
     let selected = *chosen == Some(place);
     let size = vec2(FIRST + width * columns.len() as f32 + 4.0, ROW);
