@@ -22,7 +22,7 @@ fn spots(radius: f64, apart: f64) -> Document {
                 r#"{{"kind": "ellipse", "center": [{x}, {y}], "radii": [{radius}, {radius}], "angle": 0}}"#
             )
         })
-        .into();
+        .collect();
     let text = format!(
         r#"{{"format": "dapple", "version": 1, "size": [220, 160], "regions": [2, 1], "growth": {{"refine": true}},
         "layers": [{{"name": "spots", "system": "meinhardt-spots", "strokes": [{}]}}]}}"#,
