@@ -1,7 +1,7 @@
 //! The strip of alternatives at the bottom of the middle.
 
 use eframe::egui::{
-    Align, Button, Color32, FontId, Layout, Rect, RichText, ScrollArea, Sense, Shape, Stroke, StrokeKind, Ui,
+    Align, Color32, FontId, Layout, Rect, RichText, Role, ScrollArea, Sense, Shape, Stroke, StrokeKind, Ui,
     Vec2, WidgetInfo, epaint::Mesh, pos2, vec2,
 };
 
@@ -14,7 +14,7 @@ use crate::app::theme::Palette;
 /// Points: the side of a picture, the height of the strip, the side of a star.
 const SIDE: f32 = 92.0;
 /// The height of the strip, points.
-pub const HEIGHT: f32 = 166.0;
+pub const HEIGHT: f32 = 160.0;
 const STAR: f32 = 22.0;
 
 /// The strip. Gives what is chosen.
@@ -85,7 +85,7 @@ fn card(ui: &mut Ui, window: &mut Window, index: usize, actions: &mut Vec<Action
             if taken {
                 said.push_str(", on the desk");
             }
-            WidgetInfo::selected(eframe::egui::Role::Button, there, taken, &said)
+            WidgetInfo::selected(Role::Button, there, taken, &said)
         });
         picture(ui, one, rect, taken, progress);
         if response.has_focus() || response.hovered() {
@@ -135,7 +135,7 @@ fn picture(ui: &Ui, one: &mut Alternative, rect: Rect, taken: bool, progress: Op
 
 fn star(ui: &mut Ui, rect: Rect, name: &str, kept: bool, id: u64, actions: &mut Vec<Action>) {
     let palette = Palette::of(ui.visuals());
-    let button = ui.put(rect, Button::new("").frame(false).min_size(rect.size()));
+    let button = ui.interact(rect, ui.scope_id().with(("star", id)), Sense::click());
     let back = palette.paper.gamma_multiply(0.85);
     ui.painter().circle_filled(rect.center(), 0.5 * STAR, back);
     let icon = if kept { Icon::Starred } else { Icon::Star };
@@ -152,7 +152,8 @@ fn star(ui: &mut Ui, rect: Rect, name: &str, kept: bool, id: u64, actions: &mut 
             "Keep it in the strip, with all of its document, when the sketch changes",
         ),
     };
-    if button.accessible_name(said).on_hover_text(help).clicked() {
+    button.widget_info(|| WidgetInfo::selected(Role::Button, true, kept, &said));
+    if button.on_hover_text(help).clicked() {
         actions.push(Action::KeepAlternative(id, !kept));
     }
 }

@@ -7,6 +7,8 @@ use crate::app::action::Action;
 use crate::app::result::{RegionResult, Verdict};
 use crate::app::theme::Palette;
 use crate::attributes::Attributes;
+use crate::marks::axial;
+use crate::synth::report::RegionReport;
 
 /// Shows region `region` of layer number `layer`. What is not `current` cannot be changed from here.
 pub fn detail(ui: &mut Ui, region: &RegionResult, layer: usize, current: bool, actions: &mut Vec<Action>) {
@@ -47,7 +49,7 @@ fn numbers(ui: &mut Ui, region: &RegionResult) {
     Grid::new("numbers").num_columns(5).min_col_width(14.0).spacing(vec2(9.0, 5.0)).show(ui, |ui| {
         for (head, help) in [
             ("", ""),
-            ("asked", "What your marks ask for in the middle of this region"),
+            ("asked", "What your marks ask for, on the mean where the measured ones stand: it changes between regions"),
             ("got", "What was measured in the grown texture"),
             ("off", "By how much what has grown differs from what was asked where it stands"),
         ] {
@@ -57,7 +59,9 @@ fn numbers(ui: &mut Ui, region: &RegionResult) {
         for (attribute, value) in &asked {
             let (name, help) = named(attribute);
             ui.label(name).on_hover_text(help);
-            ui.label(number(attribute, *value));
+            let wanted = there(report, attribute).unwrap_or(*value);
+            let middle = format!("{} in the middle of the region", number(attribute, *value));
+            ui.label(number(attribute, wanted)).on_hover_text(middle);
             let found = got.iter().find(|(of, _)| of == attribute);
             ui.label(found.map_or("–".to_owned(), |(_, value)| number(attribute, *value)));
             let off = report.error.iter().find(|(of, _)| of == attribute);
@@ -75,6 +79,18 @@ fn numbers(ui: &mut Ui, region: &RegionResult) {
             ui.end_row();
         }
     });
+}
+
+/// What was asked on the mean where the measured marks stand; `None` where none was measured.
+fn there(report: &RegionReport, attribute: &str) -> Option<f64> {
+    let got = listed(&report.got?, report.directed);
+    let (_, got) = *got.iter().find(|(of, _)| *of == attribute)?;
+    let (_, off) = *report.error.iter().find(|(of, _)| *of == attribute)?;
+    Some(match attribute {
+        "aspect" => got - off,
+        "angle" => axial(got - off),
+        _ => got / (1.0 + off),
+    })
 }
 
 /// What cannot be reached, and what can.

@@ -8,8 +8,8 @@ use crate::app::theme::Palette;
 
 /// Points: the height of a row, that of the table at most, the widths of its first column and of the others.
 const ROW: f32 = 22.0;
-const MOST: f32 = 176.0;
-const FIRST: f32 = 62.0;
+const MOST: f32 = 9.0 * (ROW + 1.0);
+const FIRST: f32 = 54.0;
 const COLUMN: f32 = 54.0;
 
 /// Attributes that have a column, in their order.
@@ -26,6 +26,8 @@ pub fn table(ui: &mut Ui, layer: &LayerResult, chosen: &mut Option<[usize; 2]>) 
         ui.add_space(FIRST);
         for attribute in &columns {
             let (name, help) = named(attribute);
+            // The longest name in a narrow column.
+            let name = if *attribute == "angle" { "Angle" } else { name };
             ui.allocate_ui_with_layout(vec2(width, 16.0), Layout::right_to_left(Align::Center), |ui| {
                 ui.label(RichText::new(name).small().weak())
                     .on_hover_text(format!("{help}: by how much what has grown differs from what was asked"));
