@@ -76,6 +76,7 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(CTRL, Key::J, "Duplicate it", "Layers", || Action::Layer(LayerAction::Duplicate)),
     with(Modifiers::SHIFT, Key::H, "Hide it, show it", "Layers", || Action::Layer(LayerAction::Hide)),
     with(Modifiers::NONE, Key::F2, "Name it", "Layers", || Action::Layer(LayerAction::Rename)),
+    with(Modifiers::NONE, Key::A, "Alternatives", "View", || Action::ToggleAlternatives),
     with(CTRL, Key::Num0, "Show the whole canvas", "View", || Action::Fit),
     with(CTRL, Key::Num1, "Actual size", "View", || Action::ActualSize),
     with(CTRL, Key::Plus, "Zoom in", "View", || Action::Zoom(1.25)),

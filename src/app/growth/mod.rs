@@ -133,6 +133,11 @@ impl Growth {
         }
     }
 
+    /// Tells what has grown already of the document that comes next: what is the same need not be grown again.
+    pub fn know(&self, grown: &Arc<Grown>) {
+        self.orders.know(grown);
+    }
+
     /// Another document comes: what is there does not belong to it.
     pub fn forget(&mut self) {
         self.cancel();
@@ -233,7 +238,7 @@ impl Drop for Growth {
 }
 
 /// What the pattern depends on: the document without its names, colours and dots an inch.
-fn essence(document: &Document) -> Document {
+pub(super) fn essence(document: &Document) -> Document {
     let mut essence = Document { name: String::new(), dpi: 300.0, ..document.clone() };
     for layer in &mut essence.layers {
         layer.name.clear();

@@ -8,7 +8,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::preview::preview;
-use super::{Picture, Texture};
+use super::{Picture, Texture, essence};
 use crate::synth::painting::Look;
 use crate::synth::recipe::Document;
 use crate::synth::{GrowError, Grown, GrownLayer, Options, Stage, Training, Watch, regrow_seen, unchanged};
@@ -38,6 +38,8 @@ pub(super) struct Orders {
     /// The order that counts; others are given up.
     generation: AtomicU64,
     paused: AtomicBool,
+    /// What has grown elsewhere of the document that comes next.
+    known: Mutex<Option<Arc<Grown>>>,
     /// Generation (upper 32 bits), stage and share (per 65,535) of what is being done.
     progress: AtomicU64,
 }
@@ -80,6 +82,10 @@ impl Orders {
         // The lock makes sure that nobody falls asleep between its look and our call.
         drop(self.next.lock());
         self.called.notify_all();
+    }
+
+    pub(super) fn know(&self, grown: &Arc<Grown>) {
+        *self.known.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(grown));
     }
 
     pub(super) fn end(&self) {
@@ -136,6 +142,7 @@ pub(super) fn start(wake: impl Fn() + Send + Sync + 'static) -> (Arc<Orders>, Re
         called: Condvar::new(),
         generation: AtomicU64::new(0),
         paused: AtomicBool::new(false),
+        known: Mutex::default(),
         progress: AtomicU64::new(u64::MAX),
     });
     let (tell, news) = mpsc::channel();
@@ -197,14 +204,16 @@ impl Worker {
             orders.wait_while_paused(generation);
         };
         let watch = Watch { progress: &progress, cancelled: &|| orders.is_over(generation) };
-        let before = self.before.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let known = orders.known.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let known = known.filter(|known| essence(&known.document) == essence(&document));
+        let is_known = known.is_some();
+        let before = known.or_else(|| self.before.lock().unwrap_or_else(PoisonError::into_inner).clone());
         let kept = before.as_ref().map_or(0, |before| unchanged(&document, Options::default(), before));
         let mut done = kept;
         let mut shown: Option<Instant> = None;
         let beneath = before.as_ref().map_or(&[][..], |before| &before.layers[..kept]);
-        if let Some(picture) =
-            preview(&document, &self.training, beneath).filter(|_| !orders.is_over(generation))
-        {
+        let first = if is_known { None } else { preview(&document, &self.training, beneath) };
+        if let Some(picture) = first.filter(|_| !orders.is_over(generation)) {
             self.say(generation, What::Picture(picture));
         }
         let mut seen = |look: &Look| {

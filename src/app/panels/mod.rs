@@ -1,5 +1,6 @@
 //! What stands around the canvas and the texture.
 
+mod alternatives;
 mod colour;
 mod growth_bar;
 mod inspector;
@@ -13,9 +14,11 @@ mod sketch_bar;
 mod status;
 mod strip;
 
+pub use alternatives::{HEIGHT, alternatives};
 pub use growth_bar::growth_bar;
 pub use inspector::{Tab, inspector};
 pub use menu::menu;
+pub use result::digits;
 pub use sketch_bar::sketch_bar;
 pub use status::status;
 pub use strip::strip;
