@@ -20,6 +20,7 @@ mod history;
 mod icons;
 mod notice;
 mod pages;
+mod palettes;
 mod panels;
 mod perform;
 mod reference;

@@ -46,6 +46,7 @@ pub struct Window {
     pub(super) exporting: Option<Exporting>,
     pub(super) page: Option<Page>,
     pub(super) tab: panels::Tab,
+    pub(super) colour: panels::ColourPanel,
     /// One over the other, instead of side by side.
     pub(super) over: bool,
     /// Where the curtain hangs, 0..1.
@@ -85,6 +86,7 @@ impl Window {
             exporting: None,
             page: first.then_some(Page::Hint),
             tab: panels::Tab::default(),
+            colour: panels::ColourPanel::default(),
             over: false,
             curtain: 0.5,
             linked: true,

@@ -2,6 +2,7 @@
 #![cfg(feature = "app")]
 
 mod access;
+mod colour;
 mod documents;
 mod drawing;
 mod growing;

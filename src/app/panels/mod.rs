@@ -1,6 +1,6 @@
 //! What stands around the canvas and the texture.
 
-mod colour;
+pub mod colour;
 mod growth_bar;
 mod inspector;
 mod layers;
@@ -11,6 +11,7 @@ mod sketch_bar;
 mod status;
 mod strip;
 
+pub use colour::ColourPanel;
 pub use growth_bar::growth_bar;
 pub use inspector::{Tab, inspector};
 pub use menu::menu;
