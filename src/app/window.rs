@@ -212,7 +212,10 @@ impl Window {
         let canvas = focused.is_none_or(|id| self.canvas.id == Some(id)) && !self.menu_open;
         let keys = !ui.text_edit_focused() && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
         let mut actions = shortcuts::asked(ui.ctx(), keys, canvas);
-        if actions.contains(&super::Action::Escape) && self.canvas.cancel(&mut self.desk) {
+        let cancelled = actions.contains(&super::Action::Escape)
+            && (self.canvas.cancel(&mut self.desk) || self.colour.cancel(&mut self.desk));
+        if cancelled {
+            ui.ctx().stop_dragging();
             // Before the canvas sees that the toolkit lets go of the pointer.
             actions.retain(|action| *action != super::Action::Escape);
         }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use dapple::app::{Action, Phase, Tab};
+use dapple::app::Phase;
 use dapple::colour::{Bend, Gradient, PRESETS};
 use dapple::synth::recipe::palette::Palette;
 use dapple::synth::recipe::{Colours, Document};
@@ -33,6 +33,14 @@ impl Hand {
     fn place(&self, name: &str) -> Rect {
         let found = self.window.query_all_by_label_contains(name).next();
         found.unwrap_or_else(|| panic!("no {name}")).rect()
+    }
+
+    /// Presses a button that the column may have to be scrolled for.
+    #[track_caller]
+    fn reach(&mut self, name: &str) {
+        self.window.get_by_label(name).scroll_to_me();
+        self.window.run_steps(60);
+        self.press(name);
     }
 
     /// Gives the keys to the control whose name begins so.
@@ -178,6 +186,7 @@ fn all_goes_by_keys_alone() {
     hand.key(Modifiers::NONE, Key::Enter);
     assert_eq!(hand.places().len(), 4, "in the middle of the chosen way");
 
+    hand.press("Straight");
     hand.focus("First handle");
     hand.key(Modifiers::SHIFT, Key::ArrowRight);
     hand.key(Modifiers::NONE, Key::ArrowUp);
@@ -244,14 +253,14 @@ fn stops_are_swapped_and_all_is_reversed() {
 fn a_preset_is_taken_and_says_where_it_comes_from() {
     let (mut hand, _folder) = dyer(1);
     let zebra = PRESETS.iter().find(|preset| preset.set.name == "zebra").unwrap();
-    let button = hand.window.get_by_label("Colours: zebra");
-    button.scroll_to_me();
-    button.hover();
+    hand.window.get_by_label("Colours: zebra").scroll_to_me();
+    hand.window.run_steps(60);
+    hand.window.get_by_label("Colours: zebra").hover();
     hand.window.run_steps(60);
     assert!(hand.window.query_by_label(zebra.source).is_some(), "its source is told");
-    hand.press("Colours: zebra");
+    hand.reach("Colours: zebra");
     assert_eq!(hand.colours(0), Colours::from(&zebra.set.gradient()));
-    hand.press("Default");
+    hand.reach("Default");
     assert_eq!(hand.document().layers[0].colours, None);
 }
 
@@ -259,7 +268,7 @@ fn a_preset_is_taken_and_says_where_it_comes_from() {
 fn colours_are_copied_between_layers() {
     let (mut hand, _folder) = dyer(2);
     assert_eq!(hand.window.state().desk().layer, 1);
-    hand.press("Colours: tiger");
+    hand.reach("Colours: tiger");
     let tiger = hand.colours(1);
     assert_ne!(hand.colours(0), tiger);
     hand.press("Copy to");
@@ -275,16 +284,16 @@ fn colours_are_copied_between_layers() {
 #[test]
 fn palettes_go_out_and_come_in() {
     let (mut hand, folder) = dyer(1);
-    hand.press("Colours: zebra");
+    hand.reach("Colours: zebra");
     let zebra = hand.colours(0);
     for name in ["p.json", "p.gpl"] {
         let file = folder.path().join(name);
-        hand.press("Save palette…");
+        hand.reach("Save palette…");
         hand.type_into("File", file.to_str().unwrap());
         assert_eq!(Palette::read(&file).unwrap().name, "layer 1");
-        hand.press("Default");
+        hand.reach("Default");
         assert_ne!(hand.colours(0), zebra);
-        hand.press("Open palette…");
+        hand.reach("Open palette…");
         hand.type_into("File", file.to_str().unwrap());
         let read = hand.colours(0);
         assert_eq!(read.stops, zebra.stops, "{name}");
@@ -293,25 +302,24 @@ fn palettes_go_out_and_come_in() {
     let bad = folder.path().join("bad.gpl");
     fs::write(&bad, "GIMP Palette\n1 2 300 x\n").unwrap();
     let before = hand.colours(0);
-    hand.press("Open palette…");
+    hand.reach("Open palette…");
     hand.type_into("File", bad.to_str().unwrap());
     assert_eq!(hand.colours(0), before);
-    let said = &hand.window.state().notices()[0];
-    assert!(said.wrong && said.text.contains("line 2: found \"1 2 300 x\""), "{said:?}");
+    let said = hand.window.state().notices().iter().find(|notice| notice.wrong).expect("it is said");
+    assert!(said.text.contains("line 2: found \"1 2 300 x\""), "{said:?}");
 }
 
 #[test]
 fn colours_can_be_chosen_before_anything_is_drawn() {
     let mut hand = crate::hand::hand();
     hand.press("Colour");
-    hand.press("Colours: ladybird");
+    hand.reach("Colours: ladybird");
     hand.key(Modifiers::SHIFT, Key::E);
     assert_eq!(hand.document().layers.len(), 1);
     assert_eq!(hand.colours(0).stops[0].colour, [0xd8, 0x35, 0x2a]);
 }
 
-/// px of the texture on the screen that differ from what the library paints for the document as it is.
-#[track_caller]
+/// Is the texture on the screen what the library paints for the document as it is now?
 fn is_painted(hand: &Hand) -> bool {
     let window = hand.window.state();
     let (Some(texture), Some(picture)) = (window.settled(), window.growth().picture.as_ref()) else {
@@ -339,7 +347,7 @@ fn the_picture_follows_while_a_stop_moves_and_nothing_grows_again() {
         }
         assert!(is_painted(hand), "the picture follows before the hand lets go");
     });
-    hand.press("Colours: tiger");
+    hand.reach("Colours: tiger");
     let window = hand.window.state();
     assert_eq!(window.growth().generation(), growth, "nothing was grown again");
     assert!(std::sync::Arc::ptr_eq(&window.settled().unwrap().grown, &grown));
@@ -352,7 +360,7 @@ fn colours_that_change_while_it_grows_do_not_begin_it_again() {
     hand.key(Modifiers::COMMAND, Key::R);
     hand.until("first picture", |window| window.growth().first_picture.is_some());
     let growth = hand.window.state().growth().generation();
-    hand.press("Colours: zebra");
+    hand.reach("Colours: zebra");
     assert_eq!(hand.window.state().growth().generation(), growth);
     hand.until_settled();
     assert_eq!(hand.window.state().growth().generation(), growth);
@@ -369,10 +377,10 @@ fn colours_that_change_while_it_grows_do_not_begin_it_again() {
 #[test]
 fn the_bar_and_the_curve_show_what_the_library_says() {
     let (mut hand, _folder) = dyer(1);
-    hand.press("Colours: tiger");
+    hand.reach("Colours: tiger");
     hand.focus("Stop 2 of 4");
-    hand.press("Transition from stop 2 to 3");
-    let (bar, second) = (hand.place("Add a stop"), hand.place("Second handle").center());
+    let bar = hand.place("Add a stop");
+    let [first, second] = ["First handle", "Second handle"].map(|name| hand.place(name).center());
     hand.window.remove_cursor();
     hand.window.get_by_role(Role::Canvas).focus();
     hand.rest();
@@ -380,26 +388,32 @@ fn the_bar_and_the_curve_show_what_the_library_says() {
         eprintln!("nothing here can draw: not looked at");
         return;
     };
+    let px = |x: f32, y: f32| {
+        let [red, green, blue, _] = picture.get_pixel(x as u32, y as u32).0;
+        [red, green, blue]
+    };
+    let off = |a: [u8; 3], b: [u8; 3]| (0..3).map(|i| a[i].abs_diff(b[i])).max().unwrap_or(0);
     let table = hand.colours(0).gradient().table();
-    let mut worst = 0;
     for x in bar.left().ceil() as u32 + 1..bar.right() as u32 - 1 {
-        let value = (x as f32 + 0.5 - bar.left()) / bar.width();
-        let [px, expected] = [picture.get_pixel(x, bar.center().y as u32).0, [0; 4]];
-        let expected = {
-            let [r, g, b] = table.colour(value);
-            [r, g, b, expected[3]]
-        };
-        // The nearest of the columns on both sides: where one ends is up to the screen.
-        let near = [-1.0, 0.0, 1.0].map(|off| table.colour(value + off / bar.width()));
-        let of = |colour: [u8; 3]| (0..3).map(|i| colour[i].abs_diff(px[i])).max().unwrap();
-        worst = worst.max(near.into_iter().map(of).min().unwrap());
-        assert!(of([expected[0], expected[1], expected[2]]) < 60, "{x}");
+        let x = x as f32 + 0.5;
+        // Where one column ends and the next begins is up to the screen.
+        let near = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|by| table.colour((x + by - bar.left()) / bar.width()));
+        let worst = near.into_iter().map(|colour| off(colour, px(x, bar.center().y))).min();
+        assert!(worst <= Some(3), "the bar at {x} is off by {worst:?}");
     }
-    assert!(worst <= 3, "the bar is off by {worst}");
-    // The curve's dark line at a quarter of the way: where `Bend::ease` has it.
+    // The curve's line is the darkest of its column.
     let bend = hand.colours(0).bend(1);
     assert_eq!(bend, [0.42, 0.0, 0.58, 1.0]);
-    let _ = second;
+    let unit = (second.x - first.x) / 0.16;
+    for way in [0.2, 0.3, 0.7, 0.8] {
+        let x = first.x + (way - 0.42) * unit;
+        let dark = |y: &u32| px(x, *y as f32).into_iter().map(u32::from).sum::<u32>();
+        let (top, bottom) = (second.y as u32 + 4, first.y as u32 - 4);
+        let seen = (top..bottom).min_by_key(dark).unwrap() as f32 + 0.5;
+        let eased = Bend(bend).ease(f64::from(way)) as f32;
+        let expected = first.y + eased * (second.y - first.y);
+        assert!((seen - expected).abs() < 2.5, "at {way} the curve is at {seen}, not {expected}");
+    }
 }
 
 #[test]
@@ -413,5 +427,4 @@ fn every_control_of_the_colours_has_a_name() {
         }
     }
     assert!(hand.window.query_all_by_role(Role::Slider).count() >= 6, "stops and handles are among them");
-    let _ = (Action::Tab(Tab::Colour), Tab::ALL);
 }

@@ -129,14 +129,13 @@ impl Colours {
     /// The same ways from the last colour to the first.
     pub fn reverse(&mut self) {
         for stop in &mut self.stops {
-            // To 12 digits, so that 1 − (1 − 0.4) is 0.4 again.
-            stop.at = (1e12 * (1.0 - stop.at)).round() / 1e12;
+            stop.at = tidied(1.0 - stop.at);
         }
         self.stops.reverse();
         let bends = self.all_bends();
         bends.reverse();
         for bend in bends {
-            *bend = Bend(*bend).reversed().0;
+            *bend = Bend(*bend).reversed().0.map(tidied);
         }
         self.tidy();
     }
@@ -166,6 +165,11 @@ impl From<&Gradient> for Colours {
         colours.tidy();
         colours
     }
+}
+
+/// To 12 digits, so that 1 − (1 − 0.4) is 0.4 again.
+fn tidied(x: f64) -> f64 {
+    (1e12 * x).round() / 1e12
 }
 
 /// Handles as a document may hold them.

@@ -160,7 +160,7 @@ fn pins(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, bar
         let mut off = false;
         if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged()) {
             if response.drag_started() || moved != Some(index) {
-                let grip = [pointer.x - x, 0.0];
+                let grip = [ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer).x - x, 0.0];
                 panel.held = Some(Held { before: colours.clone(), stop: index, grip, rise: [0.0; 2] });
                 response.request_focus();
             }

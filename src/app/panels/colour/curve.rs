@@ -143,7 +143,8 @@ fn handle(
     let [mut x, mut y] = [x, y];
     if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged()) {
         if response.drag_started() || panel.held.is_none() {
-            let grip = [pointer.x - at.x, pointer.y - at.y];
+            let origin = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
+            let grip = [origin.x - at.x, origin.y - at.y];
             panel.held = Some(Held { before: colours.clone(), stop: usize::MAX, grip, rise });
         }
         if let Some(held) = &panel.held {

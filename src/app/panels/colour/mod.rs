@@ -46,6 +46,15 @@ struct Held {
 }
 
 impl ColourPanel {
+    /// Lets go of what is held: everything is as before. Gives whether something was.
+    pub fn cancel(&mut self, desk: &mut Desk) -> bool {
+        let held = self.held.take().is_some();
+        if held {
+            desk.revert();
+        }
+        held
+    }
+
     /// What is chosen is there.
     fn keep_within(&mut self, colours: &Colours) {
         let last = colours.stops.len() - 1;

@@ -10,7 +10,7 @@ use crate::colour::{Group, Marking, PRESETS, Preset};
 use crate::synth::recipe::Colours;
 
 /// px of a small picture.
-const SIZE: [usize; 2] = [38, 22];
+const SIZE: [usize; 2] = [34, 22];
 
 /// Shows them.
 pub fn presets(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
@@ -44,13 +44,16 @@ fn preset(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours, index: us
     Image::new(&panel.samples[index]).corner_radius(3).paint_at(ui, room);
     let colour =
         if chosen { ui.visuals().selection.stroke.color } else { ui.style().interact(&button).text_color() };
-    let at = pos2(room.right() + 7.0, left.y);
-    ui.painter().text(at, Align2::LEFT_CENTER, preset.set.name, FontId::proportional(12.5), colour);
+    let at = pos2(room.right() + 6.0, left.y);
+    ui.painter().text(at, Align2::LEFT_CENTER, preset.set.name, FontId::proportional(12.0), colour);
     let button = button.accessible_name(format!("Colours: {}", preset.set.name));
     let button = button.on_hover_ui(|ui| {
         ui.label(RichText::new(preset.set.name).strong());
         ui.label(preset.source);
     });
+    if button.gained_focus() {
+        button.scroll_to_me(None);
+    }
     if button.clicked() {
         *colours = own;
         panel.choose(0, colours);
@@ -63,7 +66,11 @@ fn picture(preset: &Preset) -> ColorImage {
     let pixel = |x: usize, y: usize| {
         let (x, y) = (x as f32, y as f32);
         let wave = match preset.marking {
-            Marking::Spots => (0.62 * x).sin() * (0.62 * y + 0.5).sin() + 0.55 * (0.31 * (x + y)).cos() - 0.1,
+            // Three waves that cross at 60°.
+            Marking::Spots => {
+                let waves = [0.7 * x, 0.35 * x + 0.606 * y, 0.35 * x - 0.606 * y];
+                waves.map(f32::cos).into_iter().sum::<f32>() / 2.0 - 0.35
+            }
             Marking::Stripes => (0.75 * x + 0.9 * (0.2 * y).sin()).sin() - 0.05,
         };
         // A grown pattern is steep at the marks' edges.

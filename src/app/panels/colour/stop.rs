@@ -1,7 +1,8 @@
 //! The chosen stop: its colour, its place, its neighbours.
 
 use eframe::egui::{
-    Button, DragValue, Popup, PopupCloseBehavior, Role, Sense, StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
+    Button, DragValue, Popup, PopupCloseBehavior, RichText, Role, Sense, StrokeKind, TextEdit, Ui,
+    WidgetInfo, vec2,
 };
 
 use super::grip::rounded;
@@ -31,30 +32,35 @@ pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
     });
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
+        ui.spacing_mut().button_padding.x = 6.0;
         let count = colours.stops.len();
         let index = panel.stop;
         let swaps =
             [("Swap back", index.checked_sub(1)), ("Swap on", Some(index + 1).filter(|next| *next < count))];
         for (text, other) in swaps {
             let way = if text == "Swap on" { "next" } else { "one before" };
-            let button = ui.add_enabled(other.is_some(), Button::new(text).small());
+            let button = ui.add_enabled(other.is_some(), small(text));
             let button = button.on_hover_text(format!("This stop and the {way} exchange their colours"));
             if let (true, Some(other)) = (button.clicked(), other) {
                 colours.swap(index, other);
                 panel.choose(other, colours);
             }
         }
-        let reverse = ui.add(Button::new("Reverse").small());
+        let reverse = ui.add(small("Reverse"));
         if reverse.on_hover_text("All colours and transitions the other way round").clicked() {
             colours.reverse();
             panel.choose(count - 1 - index, colours);
         }
-        let remove = ui.add_enabled(count > 1, Button::new("Remove").small());
+        let remove = ui.add_enabled(count > 1, small("Remove"));
         if remove.on_hover_text("Take this stop away; the last one stays").clicked() && colours.remove(index)
         {
             panel.choose(index.min(count - 2), colours);
         }
     });
+}
+
+fn small(text: &str) -> Button<'_> {
+    Button::new(RichText::new(text).small()).min_size(vec2(0.0, 22.0))
 }
 
 /// A button of the stop's colour that opens the picker.
