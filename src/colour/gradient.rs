@@ -119,6 +119,13 @@ impl Gradient {
         self.mix(&self.lab(), v)
     }
 
+    /// The colours of some pattern values: faster than one by one.
+    #[must_use]
+    pub fn colours(&self, values: impl IntoIterator<Item = f32>) -> Vec<[u8; 3]> {
+        let lab = self.lab();
+        values.into_iter().map(|v| self.mix(&lab, v)).collect()
+    }
+
     /// How far along the straight line from stop `from` to stop `to`, in OKLab, the colour of stop `stop` lies: 0..1.
     /// Between stops of one colour, as far as the stop itself lies between them.
     #[must_use]

@@ -379,6 +379,8 @@ fn the_bar_and_the_curve_show_what_the_library_says() {
     let (mut hand, _folder) = dyer(1);
     hand.reach("Colours: tiger");
     hand.focus("Stop 2 of 4");
+    hand.window.get_by_label("Add a stop").scroll_to_me();
+    hand.window.run_steps(60);
     let bar = hand.place("Add a stop");
     let [first, second] = ["First handle", "Second handle"].map(|name| hand.place(name).center());
     hand.window.remove_cursor();

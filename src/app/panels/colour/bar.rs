@@ -53,12 +53,14 @@ fn x_of(rect: Rect, at: f64) -> f32 {
 pub fn gradient(painter: &Painter, rect: Rect, gradient: &Gradient, [from, to]: [f64; 2]) {
     let columns = rect.width().round().max(1.0) as usize;
     let mut mesh = Mesh::default();
-    for column in 0..columns {
+    let value = |column: usize| (from + (to - from) * (column as f64 + 0.5) / columns as f64) as f32;
+    for (column, colour) in gradient.colours((0..columns).map(value)).into_iter().enumerate() {
         let [left, right] =
             [column, column + 1].map(|i| rect.left() + rect.width() * i as f32 / columns as f32);
-        let value = from + (to - from) * (column as f64 + 0.5) / columns as f64;
-        let colour = shown(gradient.colour(value as f32));
-        mesh.add_colored_rect(Rect::from_min_max(pos2(left, rect.top()), pos2(right, rect.bottom())), colour);
+        mesh.add_colored_rect(
+            Rect::from_min_max(pos2(left, rect.top()), pos2(right, rect.bottom())),
+            shown(colour),
+        );
     }
     painter.add(Shape::mesh(mesh));
 }
@@ -204,6 +206,7 @@ fn pins(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, bar
 fn worked(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, index: usize, response: &Response) {
     if response.clicked() || response.gained_focus() {
         panel.choose(index, colours);
+        response.scroll_to_me(None);
     }
     if response.clicked() {
         response.request_focus();

@@ -94,9 +94,9 @@ fn strips(ui: &Ui, colours: &Colours, gap: usize, room: Rect, rise: [f64; 2]) {
     let even = even.gradient();
     let [top, bottom] = [1.0, 0.0].map(|y| place(room, [0.0, y], rise).y);
     let rows = (bottom - top).round().max(1.0) as usize;
-    for row in 0..rows {
+    let values = (0..rows).map(|row| 1.0 - (row as f32 + 0.5) / rows as f32);
+    for (row, colour) in even.colours(values).into_iter().enumerate() {
         let [above, under] = [row, row + 1].map(|i| top + (bottom - top) * i as f32 / rows as f32);
-        let colour = even.colour(1.0 - (row as f32 + 0.5) / rows as f32);
         let left = room.left() - STRIP - 3.0;
         let rect = Rect::from_min_max(pos2(left, above), pos2(left + STRIP, under));
         painter.rect_filled(rect, 0.0, super::shown(colour));
@@ -156,6 +156,9 @@ fn handle(
     }
     if response.drag_stopped() {
         panel.held = None;
+    }
+    if response.gained_focus() {
+        response.scroll_to_me(None);
     }
     let [right, up] = arrows(ui, &response);
     (x, y) = (x + 0.01 * right, y + 0.01 * up);

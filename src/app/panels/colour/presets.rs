@@ -62,7 +62,8 @@ fn preset(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours, index: us
 
 /// A pattern like those that grow, only computed: it is to be recognised, not to be true.
 fn picture(preset: &Preset) -> ColorImage {
-    let gradient = preset.set.gradient();
+    const SHADES: usize = 64;
+    let shades = preset.set.gradient().colours((0..SHADES).map(|i| i as f32 / (SHADES - 1) as f32));
     let pixel = |x: usize, y: usize| {
         let (x, y) = (x as f32, y as f32);
         let wave = match preset.marking {
@@ -74,7 +75,8 @@ fn picture(preset: &Preset) -> ColorImage {
             Marking::Stripes => (0.75 * x + 0.9 * (0.2 * y).sin()).sin() - 0.05,
         };
         // A grown pattern is steep at the marks' edges.
-        shown(gradient.colour(0.5 + 0.9 * wave))
+        let value = (0.5 + 0.9 * wave).clamp(0.0, 1.0);
+        shown(shades[(value * (SHADES - 1) as f32).round() as usize])
     };
     let [width, height] = SIZE;
     let pixels = (0..width * height).map(|px| pixel(px % width, px / width)).collect();

@@ -31,8 +31,8 @@ pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
         }
     });
     ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        ui.spacing_mut().button_padding.x = 6.0;
+        ui.spacing_mut().item_spacing.x = 3.0;
+        ui.spacing_mut().button_padding.x = 5.0;
         let count = colours.stops.len();
         let index = panel.stop;
         let swaps =
@@ -91,7 +91,7 @@ fn swatch(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
 fn typed(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
     let mut text = panel.hex.clone().unwrap_or_else(|| hex(*colour));
     let known = read(&text);
-    let mut edit = TextEdit::singleline(&mut text).desired_width(66.0).char_limit(16);
+    let mut edit = TextEdit::singleline(&mut text).desired_width(76.0).char_limit(16);
     if known.is_none() {
         edit = edit.text_color(Palette::of(ui.visuals()).wrong);
     }
