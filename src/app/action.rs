@@ -23,6 +23,10 @@ pub enum Action {
     SaveAs,
     /// Ask where to export the texture.
     Export,
+    /// Ask for a palette whose colours the layer at hand takes.
+    OpenPalette,
+    /// Ask where to save the colours of the layer at hand.
+    SavePalette,
     /// Close the window.
     Quit,
     /// Undo the last step.

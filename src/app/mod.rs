@@ -24,6 +24,7 @@ mod layer_choices;
 mod layering;
 mod notice;
 mod pages;
+mod palettes;
 mod panels;
 mod perform;
 mod reference;

@@ -28,6 +28,8 @@ impl Window {
             Action::SaveAs => self.save_as(ui),
             Action::Export => self.files.ask_export_size(),
             Action::Reference => self.choose_reference(ui),
+            Action::OpenPalette => self.choose_palette(ui),
+            Action::SavePalette => self.save_palette_as(ui),
             Action::Undo => self.desk.undo(),
             Action::Redo => self.desk.redo(),
             Action::Cut => {

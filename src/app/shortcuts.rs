@@ -101,6 +101,8 @@ const ARROWS: [(Key, [f64; 2]); 4] = [
 /// has them.
 pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
     let mut actions = Vec::new();
+    // All of a text is selected, not all marks.
+    let typing = ctx.text_edit_focused();
     ctx.input_mut(|input| {
         if canvas {
             for event in &input.events {
@@ -117,6 +119,9 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
         let ordered = SHORTCUTS.iter().filter(shift).chain(SHORTCUTS.iter().filter(|one| !shift(one)));
         for shortcut in ordered {
             let plain = !shortcut.keys.modifiers.command;
+            if typing && shortcut.keys.logical_key == Key::A {
+                continue;
+            }
             let function = shortcut.keys.logical_key == Key::F1;
             if plain && !canvas && !function {
                 continue;

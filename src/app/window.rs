@@ -54,6 +54,7 @@ pub struct Window {
     pub(super) results: Results,
     pub(super) cloud: Cloud,
     pub(super) alternatives: Alternatives,
+    pub(super) colour: panels::ColourPanel,
     /// One over the other, instead of side by side.
     pub(super) over: bool,
     /// Where the curtain hangs, 0..1.
@@ -98,6 +99,7 @@ impl Window {
             alternatives: Alternatives::new(results.training.clone()),
             results,
             cloud: Cloud::default(),
+            colour: panels::ColourPanel::default(),
             over: false,
             curtain: 0.5,
             linked: true,
@@ -258,7 +260,10 @@ impl Window {
         let canvas = focused.is_none_or(|id| self.canvas.id == Some(id)) && !self.menu_open;
         let keys = !ui.text_edit_focused() && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
         let mut actions = shortcuts::asked(ui.ctx(), keys, canvas);
-        if actions.contains(&super::Action::Escape) && self.canvas.cancel(&mut self.desk) {
+        let cancelled = actions.contains(&super::Action::Escape)
+            && (self.canvas.cancel(&mut self.desk) || self.colour.cancel(&mut self.desk));
+        if cancelled {
+            ui.ctx().stop_dragging();
             // Before the canvas sees that the toolkit lets go of the pointer.
             actions.retain(|action| *action != super::Action::Escape);
         }

@@ -3,6 +3,7 @@
 
 mod access;
 mod alternatives;
+mod colour;
 mod documents;
 mod drawing;
 mod growing;

@@ -121,9 +121,15 @@ impl Growth {
         if let Some(texture) = &mut self.texture {
             texture.document = Arc::new(document.clone());
             self.orders.paint(self.generation, texture.clone());
-        } else if matches!(self.phase, Phase::Growing(..)) {
-            self.begin(document);
+        } else {
+            self.orders.colour(self.generation, document);
         }
+    }
+
+    /// Counts growths: one in other colours is the same one.
+    #[must_use]
+    pub fn generation(&self) -> u64 {
+        self.generation
     }
 
     /// Grows it again, whatever is there.

@@ -42,6 +42,8 @@ pub(super) struct Orders {
     known: Mutex<Option<Arc<Grown>>>,
     /// Generation (upper 32 bits), stage and share (per 65,535) of what is being done.
     progress: AtomicU64,
+    /// In whose colours the order that grows is seen, where they are others by now.
+    colours: Mutex<Option<(u64, Arc<Document>)>>,
 }
 
 #[derive(Default)]
@@ -70,6 +72,19 @@ impl Orders {
 
     pub(super) fn paint(&self, generation: u64, texture: Texture) {
         self.order(Some(Job::Paint(generation, texture)));
+    }
+
+    /// From now on the growth of order `generation` is seen in the colours of `document`; it goes on.
+    pub(super) fn colour(&self, generation: u64, document: &Document) {
+        let colours = Some((generation, Arc::new(document.clone())));
+        *self.colours.lock().unwrap_or_else(PoisonError::into_inner) = colours;
+    }
+
+    /// `document`, or the same in the colours that were asked for since.
+    fn coloured(&self, generation: u64, document: &Arc<Document>) -> Arc<Document> {
+        let colours = self.colours.lock().unwrap_or_else(PoisonError::into_inner);
+        let newer = colours.as_ref().filter(|(of, _)| *of == generation);
+        Arc::clone(newer.map_or(document, |(_, newer)| newer))
     }
 
     pub(super) fn cancel(&self, generation: u64) {
@@ -144,6 +159,7 @@ pub(super) fn start(wake: impl Fn() + Send + Sync + 'static) -> (Arc<Orders>, Re
         paused: AtomicBool::new(false),
         known: Mutex::default(),
         progress: AtomicU64::new(u64::MAX),
+        colours: Mutex::default(),
     });
     let (tell, news) = mpsc::channel();
     let worker = Worker {
@@ -199,6 +215,7 @@ impl Worker {
 
     fn grow(&self, generation: u64, document: Document) {
         let orders = &self.orders;
+        let document = Arc::new(document);
         let progress = |stage, share| {
             orders.tell(generation, stage, share);
             orders.wait_while_paused(generation);
@@ -222,7 +239,10 @@ impl Worker {
                 self.remember(&document, look.beneath);
             }
             if shown.is_none_or(|shown| shown.elapsed() >= BETWEEN_PICTURES) && !orders.is_over(generation) {
-                self.say(generation, What::Picture(Picture::growing(&document, look)));
+                self.say(
+                    generation,
+                    What::Picture(Picture::growing(&orders.coloured(generation, &document), look)),
+                );
                 shown = Some(Instant::now());
             }
         };
@@ -247,7 +267,8 @@ impl Worker {
         };
         match grown {
             Ok(grown) => {
-                let texture = Texture { document: Arc::new(document), grown: Arc::new(grown) };
+                let document = orders.coloured(generation, &document);
+                let texture = Texture { document, grown: Arc::new(grown) };
                 *self.before.lock().unwrap_or_else(PoisonError::into_inner) =
                     Some(Arc::clone(&texture.grown));
                 let picture = Picture::settled(&texture);

@@ -1,7 +1,7 @@
 //! What stands around the canvas and the texture.
 
 mod alternatives;
-mod colour;
+pub mod colour;
 mod growth_bar;
 mod inspector;
 mod layer_details;
@@ -15,6 +15,7 @@ mod status;
 mod strip;
 
 pub use alternatives::{HEIGHT, alternatives};
+pub use colour::ColourPanel;
 pub use growth_bar::growth_bar;
 pub use inspector::{Tab, inspector};
 pub use menu::menu;
