@@ -11,6 +11,7 @@ mod hand;
 mod history;
 mod keyboard;
 mod layers;
+mod leopard;
 mod result;
 mod selecting;
 mod sights;

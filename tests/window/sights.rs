@@ -17,7 +17,7 @@ fn example(name: &str) -> Start {
 
 /// Compares with the picture that is kept, where this machine can draw at all.
 #[track_caller]
-fn see(hand: &mut Hand, name: &str) {
+pub fn see(hand: &mut Hand, name: &str) {
     // Time that something took differs; the pointer is nowhere.
     hand.window.remove_cursor();
     hand.rest();

@@ -1,0 +1,63 @@
+//! The walk through `docs/leopard.md`: from an empty canvas to a leopard. Its pictures are those of that page.
+
+use dapple::synth::recipe::{After, Stroke};
+use eframe::egui::{Key, Modifiers};
+
+use crate::hand::hand;
+use crate::sights::see;
+
+#[test]
+fn from_an_empty_canvas_to_a_leopard() {
+    let mut hand = hand();
+    for (center, degrees) in [
+        ([170.0, 212.0], 25.0),
+        ([254.0, 177.0], 19.0),
+        ([243.0, 260.0], 21.0),
+        ([179.0, 290.0], 25.0),
+        ([241.0, 335.0], 18.0),
+    ] {
+        hand.draw_round(center, [21.0, 19.0], degrees);
+    }
+    hand.type_into("Region columns", "1");
+    hand.type_into("Region rows", "1");
+    hand.until_settled();
+    hand.window.state_mut().hide_times();
+    see(&mut hand, "leopard-1");
+
+    hand.press("Freeze it, sketch the next");
+    hand.press("How it grows");
+    hand.press("Meets: Around");
+    hand.type_into("Line width", "7.5");
+    hand.drag(&[[300.0, 300.0], [340.0, 310.0], [380.0, 320.0], [410.0, 330.0]]);
+    hand.type_into("Broken", "35");
+    hand.until_settled();
+    hand.window.state_mut().hide_times();
+    see(&mut hand, "leopard-2");
+
+    hand.press("Colour");
+    hand.press("Colours: leopard");
+    hand.press("Layer layer 1, 5 ellipses, frozen");
+    hand.press("Colours: jaguar");
+    hand.until_settled();
+    hand.window.state_mut().hide_times();
+    see(&mut hand, "leopard-3");
+
+    hand.press("Result");
+    hand.press("Layer layer 2, 1 line");
+    hand.until_settled();
+    hand.rest();
+    hand.window.state_mut().hide_times();
+    see(&mut hand, "leopard-4");
+
+    let document = hand.document();
+    let [middles, rings] = &document.layers[..] else { panic!("{} layers", document.layers.len()) };
+    assert!(middles.strokes.iter().all(|stroke| matches!(stroke, Stroke::Ellipse(_))));
+    assert_eq!((rings.after, rings.strokes.len()), (After::Around, 1));
+    assert!((rings.options.broken - 0.35).abs() < 1e-9);
+    assert!(middles.colours.is_some() && rings.colours.is_some());
+    // All of it can be taken back.
+    for _ in 0..40 {
+        hand.key(Modifiers::COMMAND, Key::Z);
+    }
+    assert!(hand.document().layers.is_empty());
+}
