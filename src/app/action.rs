@@ -23,6 +23,10 @@ pub enum Action {
     SaveAs,
     /// Ask where to export the texture.
     Export,
+    /// Ask for a palette whose colours the layer at hand takes.
+    OpenPalette,
+    /// Ask where to save the colours of the layer at hand.
+    SavePalette,
     /// Close the window.
     Quit,
     /// Undo the last step.
@@ -83,6 +87,20 @@ pub enum Action {
     Layer(LayerAction),
     /// Show this in the column.
     Tab(Tab),
+    /// Draw what can be reached in this region (column, row) of a layer of the finished document.
+    Reach(usize, [usize; 2]),
+    /// Show the training cloud about a region of a layer, or hide it.
+    Cloud(Option<(usize, [usize; 2])>),
+    /// Show the strip of alternatives, or hide it.
+    Alternatives(bool),
+    /// Whichever it is not.
+    ToggleAlternatives,
+    /// Put this alternative on the desk.
+    TakeAlternative(u64),
+    /// Keep this alternative (true), or let it go.
+    KeepAlternative(u64, bool),
+    /// Give up growing alternatives (true), or go on.
+    StopAlternatives(bool),
     /// Show or hide a page.
     Page(Page),
 }

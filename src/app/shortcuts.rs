@@ -76,6 +76,7 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(CTRL, Key::J, "Duplicate it", "Layers", || Action::Layer(LayerAction::Duplicate)),
     with(Modifiers::SHIFT, Key::H, "Hide it, show it", "Layers", || Action::Layer(LayerAction::Hide)),
     with(Modifiers::NONE, Key::F2, "Name it", "Layers", || Action::Layer(LayerAction::Rename)),
+    with(Modifiers::NONE, Key::A, "Alternatives", "View", || Action::ToggleAlternatives),
     with(CTRL, Key::Num0, "Show the whole canvas", "View", || Action::Fit),
     with(CTRL, Key::Num1, "Actual size", "View", || Action::ActualSize),
     with(CTRL, Key::Plus, "Zoom in", "View", || Action::Zoom(1.25)),
@@ -100,6 +101,8 @@ const ARROWS: [(Key, [f64; 2]); 4] = [
 /// has them.
 pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
     let mut actions = Vec::new();
+    // All of a text is selected, not all marks.
+    let typing = ctx.text_edit_focused();
     ctx.input_mut(|input| {
         if canvas {
             for event in &input.events {
@@ -116,6 +119,9 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
         let ordered = SHORTCUTS.iter().filter(shift).chain(SHORTCUTS.iter().filter(|one| !shift(one)));
         for shortcut in ordered {
             let plain = !shortcut.keys.modifiers.command;
+            if typing && shortcut.keys.logical_key == Key::A {
+                continue;
+            }
             let function = shortcut.keys.logical_key == Key::F1;
             if plain && !canvas && !function {
                 continue;

@@ -2,6 +2,8 @@
 #![cfg(feature = "app")]
 
 mod access;
+mod alternatives;
+mod colour;
 mod documents;
 mod drawing;
 mod growing;
@@ -9,6 +11,7 @@ mod hand;
 mod history;
 mod keyboard;
 mod layers;
+mod result;
 mod selecting;
 mod sights;
 mod views;

@@ -121,9 +121,15 @@ impl Growth {
         if let Some(texture) = &mut self.texture {
             texture.document = Arc::new(document.clone());
             self.orders.paint(self.generation, texture.clone());
-        } else if matches!(self.phase, Phase::Growing(..)) {
-            self.begin(document);
+        } else {
+            self.orders.colour(self.generation, document);
         }
+    }
+
+    /// Counts growths: one in other colours is the same one.
+    #[must_use]
+    pub fn generation(&self) -> u64 {
+        self.generation
     }
 
     /// Grows it again, whatever is there.
@@ -131,6 +137,11 @@ impl Growth {
         if !document.layers.is_empty() {
             self.begin(document);
         }
+    }
+
+    /// Tells what has grown already of the document that comes next: what is the same need not be grown again.
+    pub fn know(&self, grown: &Arc<Grown>) {
+        self.orders.know(grown);
     }
 
     /// Another document comes: what is there does not belong to it.
@@ -233,7 +244,7 @@ impl Drop for Growth {
 }
 
 /// What the pattern depends on: the document without its names, colours and dots an inch.
-fn essence(document: &Document) -> Document {
+pub(super) fn essence(document: &Document) -> Document {
     let mut essence = Document { name: String::new(), dpi: 300.0, ..document.clone() };
     for layer in &mut essence.layers {
         layer.name.clear();

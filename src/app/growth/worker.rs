@@ -8,7 +8,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::preview::preview;
-use super::{Picture, Texture};
+use super::{Picture, Texture, essence};
 use crate::synth::painting::Look;
 use crate::synth::recipe::Document;
 use crate::synth::{GrowError, Grown, GrownLayer, Options, Stage, Training, Watch, regrow_seen, unchanged};
@@ -38,8 +38,12 @@ pub(super) struct Orders {
     /// The order that counts; others are given up.
     generation: AtomicU64,
     paused: AtomicBool,
+    /// What has grown elsewhere of the document that comes next.
+    known: Mutex<Option<Arc<Grown>>>,
     /// Generation (upper 32 bits), stage and share (per 65,535) of what is being done.
     progress: AtomicU64,
+    /// In whose colours the order that grows is seen, where they are others by now.
+    colours: Mutex<Option<(u64, Arc<Document>)>>,
 }
 
 #[derive(Default)]
@@ -70,6 +74,19 @@ impl Orders {
         self.order(Some(Job::Paint(generation, texture)));
     }
 
+    /// From now on the growth of order `generation` is seen in the colours of `document`; it goes on.
+    pub(super) fn colour(&self, generation: u64, document: &Document) {
+        let colours = Some((generation, Arc::new(document.clone())));
+        *self.colours.lock().unwrap_or_else(PoisonError::into_inner) = colours;
+    }
+
+    /// `document`, or the same in the colours that were asked for since.
+    fn coloured(&self, generation: u64, document: &Arc<Document>) -> Arc<Document> {
+        let colours = self.colours.lock().unwrap_or_else(PoisonError::into_inner);
+        let newer = colours.as_ref().filter(|(of, _)| *of == generation);
+        Arc::clone(newer.map_or(document, |(_, newer)| newer))
+    }
+
     pub(super) fn cancel(&self, generation: u64) {
         self.generation.store(generation, Ordering::Release);
         self.order(None);
@@ -80,6 +97,10 @@ impl Orders {
         // The lock makes sure that nobody falls asleep between its look and our call.
         drop(self.next.lock());
         self.called.notify_all();
+    }
+
+    pub(super) fn know(&self, grown: &Arc<Grown>) {
+        *self.known.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(grown));
     }
 
     pub(super) fn end(&self) {
@@ -136,7 +157,9 @@ pub(super) fn start(wake: impl Fn() + Send + Sync + 'static) -> (Arc<Orders>, Re
         called: Condvar::new(),
         generation: AtomicU64::new(0),
         paused: AtomicBool::new(false),
+        known: Mutex::default(),
         progress: AtomicU64::new(u64::MAX),
+        colours: Mutex::default(),
     });
     let (tell, news) = mpsc::channel();
     let worker = Worker {
@@ -192,19 +215,22 @@ impl Worker {
 
     fn grow(&self, generation: u64, document: Document) {
         let orders = &self.orders;
+        let document = Arc::new(document);
         let progress = |stage, share| {
             orders.tell(generation, stage, share);
             orders.wait_while_paused(generation);
         };
         let watch = Watch { progress: &progress, cancelled: &|| orders.is_over(generation) };
-        let before = self.before.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let known = orders.known.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let known = known.filter(|known| essence(&known.document) == essence(&document));
+        let is_known = known.is_some();
+        let before = known.or_else(|| self.before.lock().unwrap_or_else(PoisonError::into_inner).clone());
         let kept = before.as_ref().map_or(0, |before| unchanged(&document, Options::default(), before));
         let mut done = kept;
         let mut shown: Option<Instant> = None;
         let beneath = before.as_ref().map_or(&[][..], |before| &before.layers[..kept]);
-        if let Some(picture) =
-            preview(&document, &self.training, beneath).filter(|_| !orders.is_over(generation))
-        {
+        let first = if is_known { None } else { preview(&document, &self.training, beneath) };
+        if let Some(picture) = first.filter(|_| !orders.is_over(generation)) {
             self.say(generation, What::Picture(picture));
         }
         let mut seen = |look: &Look| {
@@ -213,7 +239,10 @@ impl Worker {
                 self.remember(&document, look.beneath);
             }
             if shown.is_none_or(|shown| shown.elapsed() >= BETWEEN_PICTURES) && !orders.is_over(generation) {
-                self.say(generation, What::Picture(Picture::growing(&document, look)));
+                self.say(
+                    generation,
+                    What::Picture(Picture::growing(&orders.coloured(generation, &document), look)),
+                );
                 shown = Some(Instant::now());
             }
         };
@@ -238,7 +267,8 @@ impl Worker {
         };
         match grown {
             Ok(grown) => {
-                let texture = Texture { document: Arc::new(document), grown: Arc::new(grown) };
+                let document = orders.coloured(generation, &document);
+                let texture = Texture { document, grown: Arc::new(grown) };
                 *self.before.lock().unwrap_or_else(PoisonError::into_inner) =
                     Some(Arc::clone(&texture.grown));
                 let picture = Picture::settled(&texture);

@@ -116,6 +116,8 @@ fn view(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
     let overlays = window.canvas.overlays;
     check(ui, "Region grid", overlays.regions, &Action::Regions(!overlays.regions), actions);
     check(ui, "What dapple sees", overlays.analysis, &Action::Analysis(!overlays.analysis), actions);
+    let shown = window.alternatives.shown;
+    check(ui, "Alternatives", shown, &Action::Alternatives(!shown), actions);
     item(ui, "Reference picture…", &Action::Reference, true, actions);
     ui.separator();
     item(ui, "Show the whole canvas", &Action::Fit, true, actions);

@@ -1,6 +1,7 @@
 //! What stands around the canvas and the texture.
 
-mod colour;
+mod alternatives;
+pub mod colour;
 mod growth_bar;
 mod inspector;
 mod layer_details;
@@ -13,9 +14,12 @@ mod sketch_bar;
 mod status;
 mod strip;
 
+pub use alternatives::{HEIGHT, alternatives};
+pub use colour::ColourPanel;
 pub use growth_bar::growth_bar;
 pub use inspector::{Tab, inspector};
 pub use menu::menu;
+pub use result::digits;
 pub use sketch_bar::sketch_bar;
 pub use status::status;
 pub use strip::strip;
