@@ -168,9 +168,9 @@ fn spelled(ctx: &Context, keys: KeyboardShortcut) -> String {
 
 /// The page that lists them.
 pub fn page(ui: &mut Ui) {
-    let columns = [&["Document", "View", "Layers"][..], &["Draw", "Edit", "Growth", "Help"]];
+    let columns = [&["Document", "View", "Layers", "Help"][..], &["Draw", "Edit", "Growth"]];
     ScrollArea::vertical().max_height(600.0).show(ui, |ui| {
-        ui.spacing_mut().item_spacing = vec2(28.0, 3.0);
+        ui.spacing_mut().item_spacing = vec2(28.0, 0.5);
         ui.spacing_mut().interact_size.y = 18.0;
         ui.columns(2, |uis| {
             for (ui, groups) in uis.iter_mut().zip(columns) {
