@@ -80,6 +80,10 @@ pub enum Action {
     AnotherSeed,
     /// Show this in the column.
     Tab(Tab),
+    /// Put back on the desk what was lost; which.
+    Restore(String),
+    /// Forget what was lost for good; which.
+    Discard(String),
     /// Show or hide a page.
     Page(Page),
 }
@@ -95,4 +99,8 @@ pub enum Page {
     Shortcuts,
     /// What this is, and whence.
     About,
+    /// What was not saved when dapple was last closed.
+    Recovery,
+    /// How dapple shall be.
+    Preferences,
 }

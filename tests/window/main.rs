@@ -8,6 +8,8 @@ mod growing;
 mod hand;
 mod history;
 mod keyboard;
+mod preferences;
+mod recovery;
 mod selecting;
 mod sights;
 mod views;

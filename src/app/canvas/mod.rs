@@ -19,6 +19,7 @@ use eframe::egui::{
 use super::desk::Desk;
 use super::reference::Reference;
 use super::theme::Palette;
+use super::units::{Ruler, Units};
 use crate::field::Edges;
 use analysis::Analysis;
 use gesture::{Gesture, Hand};
@@ -52,6 +53,8 @@ pub struct Canvas {
     pub pointer: Option<[f64; 2]>,
     /// What is seen in the sketch.
     pub analysis: Analysis,
+    /// In what lengths are told.
+    pub units: Units,
     /// A picture beneath.
     pub reference: Reference,
     /// Its widget, once it was shown.
@@ -72,6 +75,7 @@ impl Default for Canvas {
             overlays: Overlays { regions: true, analysis: false },
             pointer: None,
             analysis: Analysis::default(),
+            units: Units::default(),
             reference: Reference::default(),
             id: None,
             by_pointer: false,
@@ -206,7 +210,7 @@ impl Canvas {
             self.analysis.paint(&ink, desk, desk.layer, colours);
         }
         self.selection(&ink, desk, colours);
-        self.in_hand(ui, &ink, colours);
+        self.in_hand(ui, &ink, Ruler { units: self.units, dpi: desk.document().dpi }, colours);
         fade(ui, &ink, &mut self.fading, colours);
         if response.has_focus() && !self.by_pointer {
             painter.rect_stroke(
@@ -264,7 +268,7 @@ impl Canvas {
     }
 
     /// What the hand is about to make.
-    fn in_hand(&self, ui: &Ui, ink: &Ink, colours: &Palette) {
+    fn in_hand(&self, ui: &Ui, ink: &Ink, ruler: Ruler, colours: &Palette) {
         match &self.gesture {
             Some(Gesture::Pen(points)) => {
                 let width = (self.nib.width as f32 * ink.view.zoom).clamp(1.5, 3.0);
@@ -277,7 +281,7 @@ impl Canvas {
                 if let Some(mark) = gesture.preview(&self.nib) {
                     ink.mark(&mark, colours.pen.gamma_multiply(0.25), Stroke::new(1.5, colours.pen));
                     if let Some(at) = ui.input(|input| input.pointer.latest_pos()) {
-                        label(ink, &mark, at, colours);
+                        label(ink, &mark, at, ruler, colours);
                     }
                 }
             }
@@ -309,9 +313,9 @@ fn moves(events: &[eframe::egui::Event]) -> Vec<eframe::egui::Pos2> {
 }
 
 /// How large it would be, beside the pointer.
-fn label(ink: &Ink, mark: &crate::marks::Mark, at: eframe::egui::Pos2, colours: &Palette) {
+fn label(ink: &Ink, mark: &crate::marks::Mark, at: eframe::egui::Pos2, ruler: Ruler, colours: &Palette) {
     let text = match mark {
-        crate::marks::Mark::Ellipse(ellipse) => format!("{:.0} px²", ellipse.area()),
+        crate::marks::Mark::Ellipse(ellipse) => ruler.area(ellipse.area()),
         crate::marks::Mark::Line(line) => format!("{:.0}°", line.angle()),
     };
     let galley = ink.painter.layout_no_wrap(text, FontId::proportional(11.5), colours.paper);
