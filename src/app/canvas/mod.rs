@@ -21,6 +21,8 @@ use super::reference::Reference;
 use super::theme::Palette;
 use super::units::{Ruler, Units};
 use crate::field::Edges;
+use crate::marks::Mark;
+use crate::sketch::recognise;
 use analysis::Analysis;
 use gesture::{Gesture, Hand};
 use ink::Ink;
@@ -90,6 +92,15 @@ impl Canvas {
     #[must_use]
     pub fn is_busy(&self) -> bool {
         self.gesture.as_ref().is_some_and(|gesture| !matches!(gesture, Gesture::Pan))
+    }
+
+    /// The mark that would be there if the pen went up now.
+    #[must_use]
+    pub fn in_the_making(&self) -> Option<Mark> {
+        match self.gesture.as_ref()? {
+            Gesture::Pen(points) => recognise(points, self.nib.width),
+            gesture => gesture.preview(&self.nib),
+        }
     }
 
     /// Lets go of what is being drawn.
@@ -303,20 +314,23 @@ fn fade(ui: &Ui, ink: &Ink, fading: &mut Vec<(Vec<[f64; 2]>, f64)>, colours: &Pa
     }
 }
 
-/// The places that the pointer went to.
+/// The places that the pointer went to before it was released: a slow frame may hold moves that came after.
 fn moves(events: &[eframe::egui::Event]) -> Vec<eframe::egui::Pos2> {
     let place = |event: &eframe::egui::Event| match event {
         eframe::egui::Event::PointerMoved(at) => Some(*at),
         _ => None,
     };
-    events.iter().filter_map(place).collect()
+    let released = |event: &eframe::egui::Event| {
+        matches!(event, eframe::egui::Event::PointerButton { pressed: false, .. })
+    };
+    events.iter().take_while(|event| !released(event)).filter_map(place).collect()
 }
 
 /// How large it would be, beside the pointer.
-fn label(ink: &Ink, mark: &crate::marks::Mark, at: eframe::egui::Pos2, ruler: Ruler, colours: &Palette) {
+fn label(ink: &Ink, mark: &Mark, at: eframe::egui::Pos2, ruler: Ruler, colours: &Palette) {
     let text = match mark {
-        crate::marks::Mark::Ellipse(ellipse) => ruler.area(ellipse.area()),
-        crate::marks::Mark::Line(line) => format!("{:.0}°", line.angle()),
+        Mark::Ellipse(ellipse) => ruler.area(ellipse.area()),
+        Mark::Line(line) => format!("{:.0}°", line.angle()),
     };
     let galley = ink.painter.layout_no_wrap(text, FontId::proportional(11.5), colours.paper);
     let rect = Align2::LEFT_TOP.anchor_size(at + vec2(14.0, 14.0), galley.size() + vec2(10.0, 4.0));
