@@ -192,6 +192,8 @@ impl Window {
         if close && !self.files.closing && self.desk.is_changed() && !self.desk.finished().layers.is_empty() {
             ui.send_viewport_cmd(ViewportCommand::CancelClose);
             self.files.unsaved = Some(Action::Quit);
+        } else if close {
+            self.recovery.end();
         }
     }
 

@@ -102,13 +102,11 @@ impl Ruler {
     }
 
     /// A field for a length, px.
-    #[must_use]
     pub fn field(self, value: &mut f64) -> DragValue<'_> {
         self.number(value, self.per_px(), self.decimals())
     }
 
     /// A field for an area, px².
-    #[must_use]
     pub fn field_of_area(self, value: &mut f64) -> DragValue<'_> {
         self.number(value, self.per_px() * self.per_px(), self.decimals_of_area())
     }
@@ -127,7 +125,6 @@ impl Ruler {
     }
 
     /// A field for a side of the canvas: whole px, however they are told.
-    #[must_use]
     pub fn side(self, value: &mut u32, range: std::ops::RangeInclusive<u32>) -> DragValue<'_> {
         let factor = self.per_px();
         let decimals = if self.units == Units::Px { 0 } else { digits(0.5 * factor) };

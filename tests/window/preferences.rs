@@ -116,8 +116,8 @@ fn any_number_of_threads_grows_the_same() {
     document.write(&file).unwrap();
     let mut pictures = Vec::new();
     for threads in [Some(1), Some(3), None] {
-        let settings = Settings { threads, ..Settings::default() };
-        let start = Start { file: Some(file.clone()), settings, ..Start::default() };
+        let mut start = Start { file: Some(file.clone()), ..Start::default() };
+        start.settings.threads = threads;
         let mut hand = with(start, vec2(1280.0, 800.0), Theme::Light);
         hand.until_settled();
         // With more px it is grown afresh, by the threads of the export.

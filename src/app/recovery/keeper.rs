@@ -10,7 +10,7 @@ use super::slot::{Kept, Lost, Slot};
 
 /// What changes without a pause is written no oftener than this. With what a slow disk takes it is well below the five
 /// seconds that are promised.
-const BETWEEN: Duration = Duration::from_secs(2);
+const BETWEEN: Duration = Duration::from_millis(1500);
 
 /// What the thread tells.
 #[derive(Debug)]

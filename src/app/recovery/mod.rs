@@ -8,16 +8,20 @@ mod slot;
 pub use page::page;
 
 use std::path::PathBuf;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use eframe::egui::{Context, Ui};
 
 use super::Window;
 use super::action::Page;
 use super::desk::Desk;
+use crate::marks::Mark;
 use crate::synth::recipe::Document;
 use keeper::{Keeper, News};
 use slot::{Kept, Lost};
+
+/// A stroke that takes longer is kept before it is finished, and again after as long.
+const LONG: Duration = Duration::from_millis(1500);
 
 /// What a window keeps, and what others had kept.
 pub struct Recovery {
@@ -33,6 +37,9 @@ pub struct Recovery {
     settling: Vec<Lost>,
     /// Revision that was last handed over, and whether there was something to keep.
     seen: Option<(u64, bool)>,
+    /// When it was; is a stroke in it that was not finished then?
+    since: Instant,
+    is_pending: bool,
     is_kept: bool,
     /// Whatever comes, nothing is kept any more.
     is_over: bool,
@@ -51,6 +58,8 @@ impl Recovery {
             doubt: None,
             settling: Vec::new(),
             seen: None,
+            since: Instant::now(),
+            is_pending: false,
             is_kept: false,
             is_over: false,
             has_failed: false,
@@ -87,12 +96,35 @@ impl Recovery {
         self.seen = None;
     }
 
-    /// Hands what has changed to the thread. Gives how long the last writing took, or why it failed.
-    pub fn watch(&mut self, ctx: &Context, desk: &Desk) -> Option<Result<Duration, String>> {
-        let changed = desk.is_changed() && !self.is_over;
-        if self.seen != Some((desk.revision(), changed)) {
+    /// Is it time to keep a stroke that is not finished?
+    #[must_use]
+    pub fn is_due(&self) -> bool {
+        self.folder.is_some() && self.since.elapsed() >= LONG
+    }
+
+    /// Hands what has changed to the thread: what is on the desk, and with it a mark that is `pending` in the hand.
+    /// Gives how long the last writing took, or why it failed.
+    pub fn watch(
+        &mut self,
+        ctx: &Context,
+        desk: &Desk,
+        pending: Option<Mark>,
+    ) -> Option<Result<Duration, String>> {
+        let changed = (desk.is_changed() || pending.is_some()) && !self.is_over;
+        // What was in the hand is on the desk by now, or was let go.
+        let let_go = self.is_pending && pending.is_none() && self.is_due();
+        if self.seen != Some((desk.revision(), changed)) || pending.is_some() || let_go {
             self.seen = Some((desk.revision(), changed));
-            let document = desk.finished();
+            self.since = Instant::now();
+            self.is_pending = pending.is_some();
+            let document = match pending {
+                Some(mark) => {
+                    let mut desk = desk.clone();
+                    desk.add(&[mark]);
+                    desk.finished()
+                }
+                None => desk.finished(),
+            };
             if changed && !document.layers.is_empty() {
                 let kept = Kept { document, path: desk.path.clone(), name: desk.title() };
                 self.start(ctx);
@@ -176,7 +208,9 @@ impl Window {
 
     /// Hands what changed to the thread that keeps it.
     pub(super) fn keep_unsaved(&mut self, ui: &Ui) {
-        match self.recovery.watch(ui.ctx(), &self.desk) {
+        self.trace.marks(self.desk.marks().count());
+        let pending = self.recovery.is_due().then(|| self.canvas.in_the_making()).flatten();
+        match self.recovery.watch(ui.ctx(), &self.desk, pending) {
             Some(Ok(took)) => self.trace.event("kept", took),
             Some(Err(why)) => self.notices.wrong(format!(
                 "Unsaved changes cannot be kept safe against a crash: {why}. Save them yourself now and then."

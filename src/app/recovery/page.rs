@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use eframe::egui::{
-    Button, Color32, Frame, Label, Layout, Rect, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
+    Button, Color32, Frame, Label, Layout, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
     WidgetInfo, vec2,
 };
 
@@ -63,7 +63,7 @@ fn one(ui: &mut Ui, lost: &Lost, first: bool, doubt: &mut Option<String>) -> Opt
             ui.with_layout(Layout::top_down(eframe::egui::Align::Max), |ui| {
                 let text = RichText::new("Restore").color(ui.visuals().selection.stroke.color);
                 let restore = Button::new(text).fill(ui.visuals().selection.bg_fill);
-                let restore = ui.add(restore.min_size(vec2(132.0, 28.0)));
+                let restore = ui.add_sized(vec2(132.0, 28.0), restore);
                 let restore = restore.on_hover_text("Puts it back on the desk, not saved yet");
                 if first && ui.memory(|memory| memory.focused().is_none()) {
                     restore.request_focus();
@@ -77,7 +77,7 @@ fn one(ui: &mut Ui, lost: &Lost, first: bool, doubt: &mut Option<String>) -> Opt
                 } else {
                     RichText::new("Discard")
                 };
-                let discard = ui.add(Button::new(text).min_size(vec2(132.0, 28.0)));
+                let discard = ui.add_sized(vec2(132.0, 28.0), Button::new(text));
                 if discard.on_hover_text("Forgets it; asked once more").clicked() {
                     if sure {
                         action = Some(Action::Discard(id.clone()));
@@ -118,7 +118,7 @@ fn sketch(ui: &mut Ui, lost: &Lost) {
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
     let mut view = View::default();
     view.fit(lost.kept.document.size, room);
-    let paper = view.paper(room, lost.kept.document.size).intersect(Rect::EVERYTHING);
+    let paper = view.paper(room, lost.kept.document.size);
     let painter = ui.painter_at(paper.expand(1.0));
     painter.rect(paper, 2.0, colours.paper, Stroke::new(1.0, colours.border), StrokeKind::Inside);
     let ink = Ink { painter: &painter, view: &view, room };
