@@ -8,14 +8,18 @@ use eframe::egui::{
     vec2,
 };
 
+use super::alternatives::Alternatives;
 use super::canvas::{Canvas, view::View};
+use super::cloud::Cloud;
 use super::desk::Desk;
 use super::examples::Gallery;
 use super::exporting::Exporting;
 use super::files::Files;
 use super::growth::{Growth, Phase, Texture};
+use super::layering::Layering;
 use super::notice::{Notice, Notices};
 use super::recovery::Recovery;
+use super::result::Results;
 use super::settings::Settings;
 use super::texture::{self, TextureView};
 use super::theme::{self, Palette};
@@ -50,6 +54,10 @@ pub struct Window {
     pub(super) exporting: Option<Exporting>,
     pub(super) page: Option<Page>,
     pub(super) tab: panels::Tab,
+    pub(super) layering: Layering,
+    pub(super) results: Results,
+    pub(super) cloud: Cloud,
+    pub(super) alternatives: Alternatives,
     /// One over the other, instead of side by side.
     pub(super) over: bool,
     /// Where the curtain hangs, 0..1.
@@ -79,6 +87,7 @@ impl Window {
         let first = !start.settings.hint_seen && start.file.is_none();
         let (recovery, troubles) = Recovery::new(start.recovery);
         let page = if recovery.left() > 0 { Some(Page::Recovery) } else { first.then_some(Page::Hint) };
+        let results = Results::default();
         let mut window = Self {
             desk: Desk::open(start.settings.new.document(), None),
             canvas: Canvas::default(),
@@ -92,6 +101,10 @@ impl Window {
             page,
             recovery,
             tab: panels::Tab::default(),
+            layering: Layering::default(),
+            alternatives: Alternatives::new(results.training.clone()),
+            results,
+            cloud: Cloud::default(),
             over: false,
             curtain: 0.5,
             linked: true,
@@ -153,10 +166,34 @@ impl Window {
         self.growth.texture.as_ref()
     }
 
+    /// What came of it, region by region: known while the column shows it.
+    #[must_use]
+    pub fn results(&self) -> &Results {
+        &self.results
+    }
+
+    /// Other textures that fit the same sketch.
+    #[must_use]
+    pub fn alternatives(&self) -> &Alternatives {
+        &self.alternatives
+    }
+
+    /// The training cloud.
+    #[must_use]
+    pub fn cloud(&self) -> &Cloud {
+        &self.cloud
+    }
+
     /// Where the sketch and the texture are looked at: the px in the middle, and points a px.
     #[must_use]
     pub fn views(&self) -> [([f64; 2], f32); 2] {
         [self.canvas.view, self.texture.view].map(|view| (view.center, view.zoom))
+    }
+
+    /// Does what has grown of frozen layers lie under the canvas?
+    #[must_use]
+    pub fn has_underlay(&self) -> bool {
+        self.canvas.underlay.is_there()
     }
 
     /// Does a picture lie under the canvas?
@@ -184,7 +221,11 @@ impl Window {
                 self.trace.event("settled", *took);
             }
         }
+        self.canvas.underlay.follow(ui, &self.desk, &self.growth);
         self.listen(ui);
+        if self.tab == panels::Tab::Result {
+            self.results.follow(ui.ctx(), self.growth.texture.as_ref());
+        }
         let mut actions = self.keys(ui);
         actions.extend(self.dropped(ui));
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
@@ -196,7 +237,14 @@ impl Window {
         let column = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(14, 10));
         let column = Panel::right("inspector").frame(column).resizable(false).exact_size(264.0);
         column.show(ui, |ui| actions.extend(panels::inspector(ui, self)));
+        let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
+        self.alternatives.follow(ui.ctx(), &self.desk, &self.growth, busy);
+        if self.alternatives.shown {
+            let strip = Panel::bottom("alternatives").frame(bar).resizable(false).exact_size(panels::HEIGHT);
+            strip.show(ui, |ui| actions.extend(panels::alternatives(ui, self)));
+        }
         CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
+        self.cloud.ui(ui.ctx());
         actions.extend(self.over_all(ui));
         for action in actions {
             self.perform(ui, action);
@@ -204,7 +252,7 @@ impl Window {
         self.grow_what_changed(ui);
         self.keep_unsaved(ui);
         self.note_layout(ui);
-        if self.growth.is_growing() && !self.growth.is_paused() {
+        if self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused() {
             // Between two pictures the bar moves on.
             ui.ctx().request_repaint_after(Duration::from_millis(100));
         }
@@ -267,6 +315,10 @@ impl Window {
         let corner = self.canvas.view.to_screen(left, [0.0; 2]);
         self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
         self.texture.ui(ui, right, self.desk.document().size, &self.growth);
+        self.signs(ui, left, self.canvas.view);
+        if !self.texture.tiled {
+            self.signs(ui, right, self.texture.view);
+        }
         let line = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().vline(body.center().x, body.y_range(), line);
     }
@@ -279,8 +331,17 @@ impl Window {
         painter.rect_filled(seen, 0.0, Palette::of(ui.visuals()).desk);
         self.texture.view = self.canvas.view;
         self.texture.paint(ui, &painter, body, self.desk.document().size);
+        self.signs(ui, body, self.canvas.view);
         texture::curtain(ui, body, &mut self.curtain);
         texture::paint_curtain(ui, body, self.curtain);
+    }
+
+    /// What came of each region, in its corner.
+    fn signs(&self, ui: &Ui, room: Rect, view: View) {
+        if self.tab == panels::Tab::Result {
+            let palette = Palette::of(ui.visuals());
+            self.results.paint(&ui.painter_at(room), room, view, &self.desk, palette);
+        }
     }
 
     /// Views that move together: the one that was moved takes the other along.
@@ -321,7 +382,11 @@ impl Window {
         self.texture.view.fitted = true;
         self.texture.tiled = false;
         self.canvas.analysis.forget();
+        self.layering.forget();
         self.growth.forget();
+        self.results.forget();
+        self.cloud.forget();
+        self.alternatives.forget();
         self.grown = None;
     }
 

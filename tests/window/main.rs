@@ -2,14 +2,17 @@
 #![cfg(feature = "app")]
 
 mod access;
+mod alternatives;
 mod documents;
 mod drawing;
 mod growing;
 mod hand;
 mod history;
 mod keyboard;
+mod layers;
 mod preferences;
 mod recovery;
+mod result;
 mod selecting;
 mod sights;
 mod views;
