@@ -87,6 +87,10 @@ pub enum Action {
     Layer(LayerAction),
     /// Show this in the column.
     Tab(Tab),
+    /// Put back on the desk what was lost; which.
+    Restore(String),
+    /// Forget what was lost for good; which.
+    Discard(String),
     /// Draw what can be reached in this region (column, row) of a layer of the finished document.
     Reach(usize, [usize; 2]),
     /// Show the training cloud about a region of a layer, or hide it.
@@ -116,4 +120,8 @@ pub enum Page {
     Shortcuts,
     /// What this is, and whence.
     About,
+    /// What was not saved when dapple was last closed.
+    Recovery,
+    /// How dapple shall be.
+    Preferences,
 }

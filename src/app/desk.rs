@@ -63,6 +63,12 @@ impl Desk {
         }
     }
 
+    /// A document that was not saved, and what its file holds.
+    #[must_use]
+    pub fn recovered(document: Document, saved: Document, path: Option<PathBuf>) -> Self {
+        Self { saved, ..Self::open(document, path) }
+    }
+
     /// The document as it is drawn; it may have empty layers.
     #[must_use]
     pub fn document(&self) -> &Document {

@@ -45,9 +45,16 @@ pub struct Exporting {
 }
 
 impl Exporting {
-    /// Begins. What has settled is taken as it is, where that is what is asked for; otherwise it is grown.
+    /// Begins. What has settled is taken as it is, where that is what is asked for; otherwise it is grown, by so many
+    /// `threads` (`None` = all cores), which does not change it.
     #[must_use]
-    pub fn new(path: &Path, document: &Document, size: Size, settled: Option<Texture>) -> Self {
+    pub fn new(
+        path: &Path,
+        document: &Document,
+        size: Size,
+        settled: Option<Texture>,
+        threads: Option<usize>,
+    ) -> Self {
         let (done, cancelled) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicBool::new(false)));
         let (tell, outcome) = mpsc::channel();
         let job = Job {
@@ -60,7 +67,10 @@ impl Exporting {
         };
         thread::spawn(move || {
             // The window may have gone.
-            let _ = tell.send(job.run());
+            let _ = tell.send(match pool(threads) {
+                Some(pool) => pool.install(|| job.run()),
+                None => job.run(),
+            });
         });
         Self { path: path.to_owned(), done, cancelled, outcome }
     }
@@ -93,6 +103,11 @@ impl Exporting {
             }
         }
     }
+}
+
+/// A pool of so many threads; `None` = the usual one does.
+fn pool(threads: Option<usize>) -> Option<rayon::ThreadPool> {
+    rayon::ThreadPoolBuilder::new().num_threads(threads?).build().ok()
 }
 
 struct Job {

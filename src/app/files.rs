@@ -10,8 +10,8 @@ use super::desk::Desk;
 use super::examples::{EXAMPLES, GALLERY};
 use super::exporting::{Exporting, Size};
 use super::pages::{self, Answer, New};
-use super::shortcuts;
 use super::window::Window;
+use super::{preferences, recovery, shortcuts};
 use crate::synth::recipe::Document;
 
 /// What is asked about files.
@@ -84,10 +84,11 @@ impl Window {
     /// Does what would lose unsaved changes.
     fn go_on(&mut self, ui: &Ui, action: Action) {
         match action {
-            Action::New => self.files.new = Some(New::default()),
+            Action::New => self.files.new = Some(self.settings.new.clone()),
             Action::Open => self.choose(ui, Purpose::Open, ""),
             Action::OpenFile(path) => self.open(&path),
             Action::Example(name) => self.open_example(name),
+            Action::Restore(id) => self.restore(&id),
             Action::Quit => self.close(ui),
             _ => {}
         }
@@ -157,7 +158,8 @@ impl Window {
     pub fn export(&mut self, path: &Path, canvas: Option<[u32; 2]>, scale: u32) {
         let settled = self.growth.texture.clone();
         let size = Size { canvas, scale };
-        self.exporting = Some(Exporting::new(path, &self.desk.finished(), size, settled));
+        let threads = self.settings.threads;
+        self.exporting = Some(Exporting::new(path, &self.desk.finished(), size, settled, threads));
     }
 
     fn chosen(&mut self, ui: &Ui, purpose: Purpose, path: PathBuf) {
@@ -192,6 +194,8 @@ impl Window {
         if close && !self.files.closing && self.desk.is_changed() && !self.desk.finished().layers.is_empty() {
             ui.send_viewport_cmd(ViewportCommand::CancelClose);
             self.files.unsaved = Some(Action::Quit);
+        } else if close {
+            self.recovery.end();
         }
     }
 
@@ -267,8 +271,10 @@ impl Window {
                     shortcuts::page(ui);
                 }
                 Page::About => pages::about(ui),
+                Page::Recovery => action = recovery::page(ui, &mut self.recovery),
+                Page::Preferences => preferences::page(ui, &mut self.settings),
             }
-            if page != Page::Hint {
+            if !matches!(page, Page::Hint | Page::Recovery) {
                 ui.add_space(6.0);
                 close = ui.button("Close").clicked();
             }
@@ -309,14 +315,15 @@ impl Window {
         // Enter that ends the typing of a number is no answer yet.
         let enter =
             ui.input(|input| input.key_pressed(Key::Enter)) && ui.memory(|memory| memory.focused().is_none());
+        let units = self.settings.units;
         let files = &mut self.files;
         let modal = Modal::new(Id::unique("asking")).frame(frame);
         let shown = if files.unsaved.is_some() {
             modal.show(ui.ctx(), |ui| pages::unsaved(ui, &title))
         } else if let Some(new) = &mut files.new {
-            modal.show(ui.ctx(), |ui| new.ui(ui))
+            modal.show(ui.ctx(), |ui| new.ui(ui, units))
         } else if let Some(size) = &mut files.export {
-            modal.show(ui.ctx(), |ui| pages::export(ui, size, &document))
+            modal.show(ui.ctx(), |ui| pages::export(ui, size, &document, units))
         } else {
             return;
         };

@@ -22,11 +22,16 @@ mod history;
 mod icons;
 mod layer_choices;
 mod layering;
+mod line;
+mod lock;
+mod lying;
 mod notice;
 mod pages;
 mod palettes;
 mod panels;
 mod perform;
+mod preferences;
+mod recovery;
 mod reference;
 mod result;
 mod selection;
@@ -37,6 +42,7 @@ mod texture;
 mod theme;
 mod trace;
 mod underlay;
+mod units;
 mod window;
 
 pub use action::{Action, Page};
@@ -46,15 +52,17 @@ pub use cloud::{Cloud, Points};
 pub use desk::Desk;
 pub use growth::{Growth, Phase};
 pub use notice::Notice;
+pub use pages::New;
 pub use panels::Tab;
 pub use result::{Outcome, Reach, RegionResult, Results, Verdict};
 pub use selection::{Place, Selection};
-pub use settings::Settings;
+pub use settings::{Layout, Settings};
+pub use units::{Ruler, Units};
 pub use window::{Start, Window};
 
 use std::path::PathBuf;
 
-use eframe::egui::{IconData, ViewportBuilder};
+use eframe::egui::IconData;
 
 /// Why no window was opened.
 #[derive(Debug, thiserror::Error)]
@@ -79,21 +87,25 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
         return Err(OpenError::NoDisplay);
     }
     let glow = std::env::var("DAPPLE_RENDERER").is_ok_and(|renderer| renderer == "glow");
+    let settings = Settings::of_user();
     let options = eframe::NativeOptions {
-        viewport: ViewportBuilder::default()
+        viewport: lying::placed(&settings.layout)
             .with_title("dapple")
             .with_app_id("dapple")
-            .with_inner_size([1280.0, 800.0])
             .with_min_inner_size([760.0, 480.0])
             .with_drag_and_drop(true)
             .with_icon(IconData::default()),
         renderer: if glow { eframe::Renderer::Glow } else { eframe::Renderer::Wgpu },
-        centered: true,
+        centered: settings.layout.position.is_none(),
         ..Default::default()
     };
-    let start = Start { file, settings: Settings::of_user(), native_dialogs: true };
-    eframe::run_native("dapple", options, Box::new(move |cc| Ok(Box::new(Window::new(&cc.egui_ctx, start)))))
-        .map_err(|error| OpenError::Refused(error.to_string()))
+    let recovery = settings::folder().map(|folder| folder.join("recovery"));
+    let start = Start { file, settings, recovery, native_dialogs: true };
+    let create: eframe::AppCreator<'_> = Box::new(move |cc| {
+        lying::bring_into_view(cc);
+        Ok(Box::new(Window::new(&cc.egui_ctx, start)))
+    });
+    eframe::run_native("dapple", options, create).map_err(|error| OpenError::Refused(error.to_string()))
 }
 
 fn has_display() -> bool {

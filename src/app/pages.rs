@@ -4,6 +4,8 @@ use eframe::egui::{Button, Checkbox, DragValue, Grid, RichText, Ui, vec2};
 
 use super::action::{Action, Page};
 use super::exporting::Size;
+use super::preferences::resolution;
+use super::units::{Ruler, Units};
 use crate::field::Edges;
 use crate::synth::recipe::{Document, limits};
 
@@ -16,13 +18,18 @@ pub struct New {
     pub regions: [u32; 2],
     /// A seamless tile?
     pub seamless: bool,
+    /// Dots an inch.
+    pub dpi: f64,
 }
 
 impl Default for New {
     fn default() -> Self {
-        Self { size: [512, 512], regions: [2, 2], seamless: false }
+        Self { size: [512, 512], regions: [2, 2], seamless: false, dpi: 300.0 }
     }
 }
+
+/// Sides that a canvas can have here, px.
+pub const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 
 /// What a page with an answer was answered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,27 +43,39 @@ pub enum Answer {
 }
 
 impl New {
+    /// Can it be asked for?
+    #[must_use]
+    pub fn is_allowed(&self) -> bool {
+        self.size.iter().all(|side| SIDES.contains(side))
+            && self.regions.iter().all(|regions| (1..=limits::MAX_REGIONS).contains(regions))
+            && (limits::DPI.low..=limits::DPI.high).contains(&self.dpi)
+    }
+
     /// The document.
     #[must_use]
     pub fn document(&self) -> Document {
         let edges = if self.seamless { Edges::Wrap } else { Edges::Closed };
-        Document { size: self.size, regions: self.regions, edges, ..Document::default() }
+        Document { size: self.size, regions: self.regions, edges, dpi: self.dpi, ..Document::default() }
     }
 
     /// The page.
-    pub fn ui(&mut self, ui: &mut Ui) -> Option<Answer> {
+    pub fn ui(&mut self, ui: &mut Ui, units: Units) -> Option<Answer> {
         ui.set_width(340.0);
         ui.heading("New document");
         ui.add_space(6.0);
         Grid::new("new").num_columns(2).spacing(vec2(16.0, 10.0)).show(ui, |ui| {
-            ui.label("Size").on_hover_text("Width and height of the canvas, px");
-            ui.horizontal(|ui| pair(ui, &mut self.size, 16..=8192, ["Width", "Height"], " px"));
+            ui.label("Size").on_hover_text("Width and height of the canvas");
+            let ruler = Ruler { units, dpi: self.dpi };
+            ui.horizontal(|ui| sides(ui, &mut self.size, ruler, SIDES, ["Width", "Height"]));
             ui.end_row();
             ui.label("Regions").on_hover_text(REGIONS);
             ui.horizontal(|ui| pair(ui, &mut self.regions, 1..=limits::MAX_REGIONS, ["Columns", "Rows"], ""));
             ui.end_row();
             ui.label("Seamless").on_hover_text(SEAMLESS);
             ui.add(Checkbox::new(&mut self.seamless, "tiles without a seam"));
+            ui.end_row();
+            ui.label("Resolution").on_hover_text(DPI);
+            resolution(ui, &mut self.dpi, "Resolution");
             ui.end_row();
         });
         ui.horizontal(|ui| {
@@ -79,6 +98,29 @@ pub const REGIONS: &str = "The canvas is cut into columns and rows. The marks in
 /// What seamless means.
 pub const SEAMLESS: &str = "What leaves on one side comes in on the other: the texture can be laid side by side \
                             without a seam.";
+
+/// What dots an inch are.
+pub const DPI: &str = "Dots an inch: how large a px is when it is printed, and a px in mm. What grows does not depend \
+                       on it.";
+
+/// Width and height of a canvas side by side, px told as `ruler` does.
+pub fn sides(
+    ui: &mut Ui,
+    values: &mut [u32; 2],
+    ruler: Ruler,
+    range: std::ops::RangeInclusive<u32>,
+    names: [&str; 2],
+) -> bool {
+    let mut changed = false;
+    for (index, (value, name)) in values.iter_mut().zip(names).enumerate() {
+        if index > 0 {
+            ui.weak("×");
+        }
+        let field = ruler.side(value, range.clone()).suffix(ruler.unit());
+        changed |= ui.add(field).accessible_name(name).changed();
+    }
+    changed
+}
 
 /// Two whole numbers side by side.
 pub fn pair(
@@ -130,7 +172,7 @@ pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
 }
 
 /// Asks how large the exported picture shall be.
-pub fn export(ui: &mut Ui, size: &mut Size, document: &Document) -> Option<Answer> {
+pub fn export(ui: &mut Ui, size: &mut Size, document: &Document, units: Units) -> Option<Answer> {
     ui.set_width(380.0);
     ui.heading("Export the texture");
     ui.add_space(6.0);
@@ -147,7 +189,8 @@ pub fn export(ui: &mut Ui, size: &mut Size, document: &Document) -> Option<Answe
         if let Some(canvas) = &mut size.canvas {
             ui.label("Canvas");
             ui.horizontal(|ui| {
-                pair(ui, canvas, 16..=16_384, ["Width of the export", "Height of the export"], " px")
+                let names = ["Width of the export", "Height of the export"];
+                sides(ui, canvas, Ruler { units, dpi: document.dpi }, 16..=16_384, names)
             });
             ui.end_row();
         }

@@ -21,9 +21,13 @@ impl Window {
     /// Does it.
     pub fn perform(&mut self, ui: &Ui, action: Action) {
         match action {
-            Action::New | Action::Open | Action::OpenFile(_) | Action::Example(_) | Action::Quit => {
-                self.unless_unsaved(ui, action);
-            }
+            Action::New
+            | Action::Open
+            | Action::OpenFile(_)
+            | Action::Example(_)
+            | Action::Restore(_)
+            | Action::Quit => self.unless_unsaved(ui, action),
+            Action::Discard(id) => self.discard(&id),
             Action::Save => self.save(ui, None),
             Action::SaveAs => self.save_as(ui),
             Action::Export => self.files.ask_export_size(),
@@ -100,6 +104,12 @@ impl Window {
         let open = self.page == Some(page);
         if self.page == Some(Page::Hint) && !self.settings.hint_seen {
             self.settings.hint_seen = true;
+            self.settings.write();
+        }
+        if page == Page::Recovery {
+            self.show_lost(!open);
+        }
+        if open && page == Page::Preferences {
             self.settings.write();
         }
         self.page = (!open).then_some(page);
@@ -249,6 +259,8 @@ impl Window {
     /// Closes for good.
     pub(super) fn close(&mut self, ui: &Ui) {
         self.files.closing = true;
+        // What is there is saved, or nobody wants it.
+        self.recovery.end();
         ui.send_viewport_cmd(ViewportCommand::Close);
     }
 }

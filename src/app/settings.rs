@@ -1,12 +1,20 @@
-//! What is remembered between two sessions: recent files, theme, whether the hint was seen. One line a thing.
+//! What is remembered between two sessions: recent files, preferences, how the window lies. One line a thing.
+
+mod file;
+mod layout;
+
+pub use file::folder;
+pub use layout::Layout;
 
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::ThemePreference;
 
-use crate::export;
+use super::line;
+use super::pages::New;
+use super::units::Units;
+use file::Entries;
 
 /// Recent files that are remembered.
 const RECENT: usize = 10;
@@ -20,12 +28,35 @@ pub struct Settings {
     pub theme: ThemePreference,
     /// Was the first hint read?
     pub hint_seen: bool,
+    /// In what lengths are told and typed.
+    pub units: Units,
+    /// Threads that grow; `None` = as many as there are cores, but for one that is left to the window.
+    pub threads: Option<usize>,
+    /// What a new document is, unless it is said.
+    pub new: New,
+    /// How the window lies.
+    pub layout: Layout,
+    /// What was wrong with the file, to be told once.
+    pub trouble: Option<String>,
     file: Option<PathBuf>,
+    /// As last read or written: what differs was changed here, not by another window.
+    base: Entries,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { recent: Vec::new(), theme: ThemePreference::System, hint_seen: false, file: None }
+        Self {
+            recent: Vec::new(),
+            theme: ThemePreference::System,
+            hint_seen: false,
+            units: Units::default(),
+            threads: None,
+            new: New::default(),
+            layout: Layout::default(),
+            trouble: None,
+            file: None,
+            base: Entries::default(),
+        }
     }
 }
 
@@ -33,84 +64,113 @@ impl Settings {
     /// Reads the user's; without a place for them, nothing is remembered.
     #[must_use]
     pub fn of_user() -> Self {
-        Self::at(&match folder() {
-            Some(folder) => folder.join("settings"),
-            None => return Self::default(),
-        })
+        folder().map_or_else(Self::default, |folder| Self::at(&folder.join("settings")))
     }
 
-    /// Reads a file.
+    /// Reads a file. One that is damaged is put aside.
     #[must_use]
     pub fn at(file: &Path) -> Self {
-        let mut settings = Self { file: Some(file.to_owned()), ..Self::default() };
-        settings.take_in(&fs::read_to_string(file).unwrap_or_default());
+        let (entries, trouble) = file::read(file);
+        let mut settings = Self { file: Some(file.to_owned()), trouble, ..Self::default() };
+        settings.take_in(&entries);
+        settings.base = settings.entries();
         settings
     }
 
-    fn take_in(&mut self, text: &str) {
-        for (key, value) in text.lines().filter_map(|line| line.split_once(' ')) {
-            match (key, value) {
-                ("recent", path) => self.recent.push(PathBuf::from(path)),
-                ("theme", "light") => self.theme = ThemePreference::Light,
-                ("theme", "dark") => self.theme = ThemePreference::Dark,
-                ("hint", "seen") => self.hint_seen = true,
-                // What a newer version remembers.
-                _ => {}
-            }
+    fn take_in(&mut self, entries: &Entries) {
+        self.recent = entries.all("recent").map(line::read).take(RECENT).collect();
+        let one = |key| entries.one(key);
+        self.theme = match one("theme") {
+            Some("light") => ThemePreference::Light,
+            Some("dark") => ThemePreference::Dark,
+            _ => ThemePreference::System,
+        };
+        self.hint_seen = one("hint") == Some("seen");
+        self.units = if one("units") == Some("mm") { Units::Mm } else { Units::Px };
+        self.threads = one("threads").and_then(|number| number.parse().ok()).filter(|threads| *threads > 0);
+        self.new = New::default();
+        if let Some([width, height, columns, rows, seamless, dpi]) = entries.numbers("new") {
+            let new = New {
+                size: [width, height].map(|side| side as u32),
+                regions: [columns, rows].map(|regions| regions as u32),
+                seamless: seamless != 0.0,
+                dpi,
+            };
+            self.new = if new.is_allowed() { new } else { New::default() };
         }
-        self.recent.truncate(RECENT);
+        self.layout.take_in(entries);
+    }
+
+    /// What differs from what a first start finds.
+    fn entries(&self) -> Entries {
+        let mut entries = Entries::default();
+        for path in &self.recent {
+            entries.add("recent", line::told(path));
+        }
+        match self.theme {
+            ThemePreference::Light => entries.add("theme", "light"),
+            ThemePreference::Dark => entries.add("theme", "dark"),
+            ThemePreference::System => {}
+        }
+        if self.hint_seen {
+            entries.add("hint", "seen");
+        }
+        if self.units == Units::Mm {
+            entries.add("units", "mm");
+        }
+        if let Some(threads) = self.threads {
+            entries.add("threads", threads.to_string());
+        }
+        if self.new != New::default() {
+            let New { size, regions, seamless, dpi } = &self.new;
+            let ([width, height], [columns, rows]) = (size, regions);
+            let seamless = u8::from(*seamless);
+            entries.add("new", format!("{width} {height} {columns} {rows} {seamless} {dpi}"));
+        }
+        self.layout.tell(&mut entries);
+        entries
     }
 
     /// Remembers a document.
     pub fn remember(&mut self, path: &Path) {
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        // Another window may have remembered others in the meantime.
-        if let Some(file) = &self.file {
-            self.recent = Self::at(file).recent;
-        }
-        self.recent.retain(|other| *other != path);
-        self.recent.insert(0, path);
-        self.recent.truncate(RECENT);
-        self.write();
+        self.update(|settings| {
+            settings.recent.retain(|other| *other != path);
+            settings.recent.insert(0, path);
+            settings.recent.truncate(RECENT);
+        });
     }
 
     /// Forgets the documents.
     pub fn forget(&mut self) {
-        self.recent.clear();
-        self.write();
+        self.update(|settings| settings.recent.clear());
     }
 
-    /// Writes them down. That this fails is no reason to disturb anybody.
-    pub fn write(&self) {
-        let Some(file) = &self.file else { return };
-        let mut text = String::new();
-        for path in &self.recent {
-            text.push_str(&format!("recent {}\n", path.display()));
+    /// Writes down what was changed here; what other windows changed stays. That this fails is no reason to disturb
+    /// anybody.
+    pub fn write(&mut self) {
+        self.update(|_| {});
+    }
+
+    fn update(&mut self, change: impl FnOnce(&mut Self)) {
+        let Some(file) = self.file.clone() else {
+            change(self);
+            return;
+        };
+        let _one_at_a_time = file::lock(&file);
+        let (theirs, _) = file::read(&file);
+        // Another window may have remembered others in the meantime.
+        self.recent = theirs.all("recent").map(line::read).take(RECENT).collect();
+        let known = self.base.clone().with("recent", &theirs);
+        change(self);
+        let mine = self.entries();
+        let merged = theirs.clone().changed(&known, &mine);
+        if merged != theirs {
+            file::write(&file, &merged);
         }
-        match self.theme {
-            ThemePreference::Light => text.push_str("theme light\n"),
-            ThemePreference::Dark => text.push_str("theme dark\n"),
-            ThemePreference::System => {}
-        }
-        if self.hint_seen {
-            text.push_str("hint seen\n");
-        }
-        if let Some(folder) = file.parent() {
-            let _ = fs::create_dir_all(folder);
-        }
-        let _ = export::save(file, |out| Ok(out.write_all(text.as_bytes())?));
+        self.base = mine;
     }
 }
 
-/// Where such things are kept on this system.
-fn folder() -> Option<PathBuf> {
-    let variable = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
-    let base = if cfg!(windows) {
-        variable("APPDATA")?
-    } else if cfg!(target_os = "macos") {
-        variable("HOME")?.join("Library/Application Support")
-    } else {
-        variable("XDG_DATA_HOME").or_else(|| Some(variable("HOME")?.join(".local/share")))?
-    };
-    Some(base.join("dapple"))
-}
+#[cfg(test)]
+mod tests;

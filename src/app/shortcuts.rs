@@ -39,6 +39,7 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(CTRL, Key::S, "Save", "Document", || Action::Save),
     with(CTRL, Key::E, "Export picture", "Document", || Action::Export),
     with(CTRL_SHIFT, Key::E, "Examples", "Document", || Action::Page(Page::Examples)),
+    with(CTRL, Key::Comma, "Preferences", "Document", || Action::Page(Page::Preferences)),
     with(CTRL, Key::Q, "Quit", "Document", || Action::Quit),
     with(CTRL_SHIFT, Key::Z, "Redo", "Edit", || Action::Redo),
     with(CTRL, Key::Z, "Undo", "Edit", || Action::Undo),

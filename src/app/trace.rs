@@ -9,6 +9,7 @@ pub struct Trace {
     out: Option<BufWriter<File>>,
     began: Instant,
     place: Option<([f32; 2], f32)>,
+    marks: usize,
 }
 
 impl Trace {
@@ -16,7 +17,7 @@ impl Trace {
     #[must_use]
     pub fn asked() -> Self {
         let file = std::env::var_os("DAPPLE_TRACE").and_then(|path| File::create(path).ok());
-        Self { out: file.map(BufWriter::new), began: Instant::now(), place: None }
+        Self { out: file.map(BufWriter::new), began: Instant::now(), place: None, marks: 0 }
     }
 
     /// A frame: our own work, all of it with drawing by the toolkit, whether something grew.
@@ -35,6 +36,14 @@ impl Trace {
         if self.out.is_some() && self.place != Some((corner, zoom)) {
             self.place = Some((corner, zoom));
             self.line(&format!("canvas,{:.2},{:.2},{zoom:.5}", corner[0], corner[1]));
+        }
+    }
+
+    /// How many marks there are now.
+    pub fn marks(&mut self, marks: usize) {
+        if self.out.is_some() && self.marks != marks {
+            self.marks = marks;
+            self.line(&format!("marks,{marks}"));
         }
     }
 

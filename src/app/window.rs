@@ -18,6 +18,7 @@ use super::files::Files;
 use super::growth::{Growth, Phase, Texture};
 use super::layering::Layering;
 use super::notice::{Notice, Notices};
+use super::recovery::Recovery;
 use super::result::Results;
 use super::settings::Settings;
 use super::texture::{self, TextureView};
@@ -33,6 +34,8 @@ pub struct Start {
     pub file: Option<PathBuf>,
     /// What is remembered.
     pub settings: Settings,
+    /// Where unsaved work is kept; `None` = nowhere.
+    pub recovery: Option<PathBuf>,
     /// Are files chosen with the system's own dialogs?
     pub native_dialogs: bool,
 }
@@ -46,6 +49,7 @@ pub struct Window {
     pub(super) settings: Settings,
     pub(super) notices: Notices,
     pub(super) files: Files,
+    pub(super) recovery: Recovery,
     pub(super) gallery: Gallery,
     pub(super) exporting: Option<Exporting>,
     pub(super) page: Option<Page>,
@@ -66,7 +70,7 @@ pub struct Window {
     /// Was a menu open in the last frame?
     menu_open: bool,
     title: String,
-    trace: Trace,
+    pub(super) trace: Trace,
 }
 
 impl Window {
@@ -82,9 +86,11 @@ impl Window {
         });
         let wake = ctx.clone();
         let first = !start.settings.hint_seen && start.file.is_none();
+        let (recovery, troubles) = Recovery::new(start.recovery);
+        let page = if recovery.left() > 0 { Some(Page::Recovery) } else { first.then_some(Page::Hint) };
         let results = Results::default();
         let mut window = Self {
-            desk: Desk::open(super::pages::New::default().document(), None),
+            desk: Desk::open(start.settings.new.document(), None),
             canvas: Canvas::default(),
             texture: TextureView::default(),
             growth: Growth::new(move || wake.request_repaint()),
@@ -93,7 +99,8 @@ impl Window {
             files: Files::new(start.native_dialogs),
             gallery: Gallery::default(),
             exporting: None,
-            page: first.then_some(Page::Hint),
+            page,
+            recovery,
             tab: panels::Tab::default(),
             layering: Layering::default(),
             alternatives: Alternatives::new(results.training.clone()),
@@ -108,6 +115,10 @@ impl Window {
             title: String::new(),
             trace: Trace::asked(),
         };
+        window.restore_layout();
+        for trouble in window.settings.trouble.take().into_iter().chain(troubles) {
+            window.notices.wrong(trouble);
+        }
         if let Some(file) = start.file {
             window.open(&file);
         }
@@ -241,6 +252,8 @@ impl Window {
             self.perform(ui, action);
         }
         self.grow_what_changed(ui);
+        self.keep_unsaved(ui);
+        self.note_layout(ui);
         if self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused() {
             // Between two pictures the bar moves on.
             ui.ctx().request_repaint_after(Duration::from_millis(100));
@@ -287,6 +300,7 @@ impl Window {
         ui.scope_builder(inside(left), |ui| actions.extend(panels::sketch_bar(ui, self)));
         ui.scope_builder(inside(right), |ui| actions.extend(panels::growth_bar(ui, self)));
         let before = [self.canvas.view, self.texture.view];
+        self.canvas.units = self.settings.units;
         if self.over {
             self.one_over_the_other(ui, body);
         } else {
@@ -357,6 +371,7 @@ impl Window {
         let in_time = !busy || !self.growth.is_growing() || self.growth.first_picture.is_some();
         if in_time && self.grown != Some(self.desk.revision()) {
             self.grown = Some(self.desk.revision());
+            self.growth.use_threads(self.settings.threads);
             self.growth.grow(&self.desk.finished());
             if self.growth.picture.is_none() {
                 self.texture.take(ui, None);
@@ -367,6 +382,7 @@ impl Window {
     /// Another document lies on the desk.
     pub(super) fn begin(&mut self, desk: Desk) {
         self.desk = desk;
+        self.recovery.begin();
         self.canvas.view.fitted = true;
         self.texture.view.fitted = true;
         self.texture.tiled = false;
@@ -408,5 +424,9 @@ impl eframe::App for Window {
         let began = Instant::now();
         Self::ui(self, ui);
         self.trace.frame(began.elapsed(), frame.info().cpu_usage, self.growth.is_growing());
+    }
+
+    fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
+        self.leave();
     }
 }

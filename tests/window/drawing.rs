@@ -1,6 +1,6 @@
 //! Drawing: strokes of the pointer become the marks that were meant.
 
-use eframe::egui::{Key, Modifiers};
+use eframe::egui::{Event, Key, Modifiers, PointerButton};
 
 use crate::hand::hand;
 
@@ -109,4 +109,35 @@ fn escape_lets_go_of_what_is_being_drawn() {
     hand.window.drop_at(to);
     hand.rest();
     assert!(hand.strokes().is_empty());
+}
+
+#[test]
+fn where_the_pointer_goes_after_the_pen_was_lifted_is_no_part_of_the_stroke() {
+    let mut hand = hand();
+    let mut path = Vec::new();
+    for i in 0..=40 {
+        let (y, x) = (std::f64::consts::TAU * f64::from(i) / 40.0).sin_cos();
+        path.push(hand.at([150.0 + 40.0 * x, 200.0 + 20.0 * y]));
+    }
+    let button = |pos, pressed| Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let (first, last, away) = (path[0], path[40], hand.at([400.0, 400.0]));
+    hand.window.hover_at(first);
+    hand.window.step();
+    hand.window.event(button(first, true));
+    hand.window.step();
+    for at in path {
+        hand.window.hover_at(at);
+        hand.window.step();
+    }
+    // All in one frame, as when the machine is busy.
+    hand.window.input_mut().events.extend([button(last, false), Event::PointerMoved(away)]);
+    hand.window.step();
+    hand.rest();
+    assert_eq!(hand.ellipses().len(), 1);
+    assert!((hand.ellipses()[0].center[0] - 150.0).abs() < 1.0, "{:?}", hand.ellipses());
 }

@@ -12,6 +12,8 @@ mod history;
 mod keyboard;
 mod layers;
 mod leopard;
+mod preferences;
+mod recovery;
 mod result;
 mod selecting;
 mod sights;

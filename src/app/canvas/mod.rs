@@ -20,7 +20,10 @@ use super::desk::Desk;
 use super::reference::Reference;
 use super::theme::Palette;
 use super::underlay::Underlay;
+use super::units::{Ruler, Units};
 use crate::field::Edges;
+use crate::marks::Mark;
+use crate::sketch::recognise;
 use analysis::Analysis;
 use gesture::{Gesture, Hand};
 use ink::Ink;
@@ -53,6 +56,8 @@ pub struct Canvas {
     pub pointer: Option<[f64; 2]>,
     /// What is seen in the sketch.
     pub analysis: Analysis,
+    /// In what lengths are told.
+    pub units: Units,
     /// A picture beneath.
     pub reference: Reference,
     /// What has grown beneath the layer at hand.
@@ -75,6 +80,7 @@ impl Default for Canvas {
             overlays: Overlays { regions: true, analysis: false },
             pointer: None,
             analysis: Analysis::default(),
+            units: Units::default(),
             reference: Reference::default(),
             underlay: Underlay::default(),
             id: None,
@@ -90,6 +96,15 @@ impl Canvas {
     #[must_use]
     pub fn is_busy(&self) -> bool {
         self.gesture.as_ref().is_some_and(|gesture| !matches!(gesture, Gesture::Pan))
+    }
+
+    /// The mark that would be there if the pen went up now.
+    #[must_use]
+    pub fn in_the_making(&self) -> Option<Mark> {
+        match self.gesture.as_ref()? {
+            Gesture::Pen(points) => recognise(points, self.nib.width),
+            gesture => gesture.preview(&self.nib),
+        }
     }
 
     /// Lets go of what is being drawn.
@@ -211,7 +226,7 @@ impl Canvas {
             self.analysis.paint(&ink, desk, desk.layer, colours);
         }
         self.selection(&ink, desk, colours);
-        self.in_hand(ui, &ink, colours);
+        self.in_hand(ui, &ink, Ruler { units: self.units, dpi: desk.document().dpi }, colours);
         fade(ui, &ink, &mut self.fading, colours);
         if response.has_focus() && !self.by_pointer {
             painter.rect_stroke(
@@ -279,7 +294,7 @@ impl Canvas {
     }
 
     /// What the hand is about to make.
-    fn in_hand(&self, ui: &Ui, ink: &Ink, colours: &Palette) {
+    fn in_hand(&self, ui: &Ui, ink: &Ink, ruler: Ruler, colours: &Palette) {
         match &self.gesture {
             Some(Gesture::Pen(points)) => {
                 let width = (self.nib.width as f32 * ink.view.zoom).clamp(1.5, 3.0);
@@ -292,7 +307,7 @@ impl Canvas {
                 if let Some(mark) = gesture.preview(&self.nib) {
                     ink.mark(&mark, colours.pen.gamma_multiply(0.25), Stroke::new(1.5, colours.pen));
                     if let Some(at) = ui.input(|input| input.pointer.latest_pos()) {
-                        label(ink, &mark, at, colours);
+                        label(ink, &mark, at, ruler, colours);
                     }
                 }
             }
@@ -314,20 +329,23 @@ fn fade(ui: &Ui, ink: &Ink, fading: &mut Vec<(Vec<[f64; 2]>, f64)>, colours: &Pa
     }
 }
 
-/// The places that the pointer went to.
+/// The places that the pointer went to before it was released: a slow frame may hold moves that came after.
 fn moves(events: &[eframe::egui::Event]) -> Vec<eframe::egui::Pos2> {
     let place = |event: &eframe::egui::Event| match event {
         eframe::egui::Event::PointerMoved(at) => Some(*at),
         _ => None,
     };
-    events.iter().filter_map(place).collect()
+    let released = |event: &eframe::egui::Event| {
+        matches!(event, eframe::egui::Event::PointerButton { pressed: false, .. })
+    };
+    events.iter().take_while(|event| !released(event)).filter_map(place).collect()
 }
 
 /// How large it would be, beside the pointer.
-fn label(ink: &Ink, mark: &crate::marks::Mark, at: eframe::egui::Pos2, colours: &Palette) {
+fn label(ink: &Ink, mark: &Mark, at: eframe::egui::Pos2, ruler: Ruler, colours: &Palette) {
     let text = match mark {
-        crate::marks::Mark::Ellipse(ellipse) => format!("{:.0} px²", ellipse.area()),
-        crate::marks::Mark::Line(line) => format!("{:.0}°", line.angle()),
+        Mark::Ellipse(ellipse) => ruler.area(ellipse.area()),
+        Mark::Line(line) => format!("{:.0}°", line.angle()),
     };
     let galley = ink.painter.layout_no_wrap(text, FontId::proportional(11.5), colours.paper);
     let rect = Align2::LEFT_TOP.anchor_size(at + vec2(14.0, 14.0), galley.size() + vec2(10.0, 4.0));

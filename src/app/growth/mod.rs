@@ -82,6 +82,12 @@ impl Growth {
         }
     }
 
+    /// By how many threads it grows from the next time on; `None` = as many as there are cores, but for one. What
+    /// grows is the same.
+    pub fn use_threads(&self, threads: Option<usize>) {
+        self.orders.use_threads(threads);
+    }
+
     /// Grows `document` instead of what is growing, unless that is the same; empty ones are not grown.
     pub fn grow(&mut self, document: &Document) {
         if document.layers.is_empty() {

@@ -1,7 +1,7 @@
 //! The thread that grows: the latest order wins.
 
 use std::panic::{self, AssertUnwindSafe};
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
@@ -38,6 +38,8 @@ pub(super) struct Orders {
     /// The order that counts; others are given up.
     generation: AtomicU64,
     paused: AtomicBool,
+    /// 0 = as many as there are cores, but for one.
+    threads: AtomicUsize,
     /// What has grown elsewhere of the document that comes next.
     known: Mutex<Option<Arc<Grown>>>,
     /// Generation (upper 32 bits), stage and share (per 65,535) of what is being done.
@@ -99,6 +101,10 @@ impl Orders {
         self.called.notify_all();
     }
 
+    pub(super) fn use_threads(&self, threads: Option<usize>) {
+        self.threads.store(threads.unwrap_or(0), Ordering::Relaxed);
+    }
+
     pub(super) fn know(&self, grown: &Arc<Grown>) {
         *self.known.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(grown));
     }
@@ -157,6 +163,7 @@ pub(super) fn start(wake: impl Fn() + Send + Sync + 'static) -> (Arc<Orders>, Re
         called: Condvar::new(),
         generation: AtomicU64::new(0),
         paused: AtomicBool::new(false),
+        threads: AtomicUsize::new(0),
         known: Mutex::default(),
         progress: AtomicU64::new(u64::MAX),
         colours: Mutex::default(),
@@ -186,13 +193,20 @@ struct Worker {
 
 impl Worker {
     fn run(&self) {
-        // A core is left to the window.
         let cores = thread::available_parallelism().map_or(1, usize::from);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(cores.saturating_sub(1).max(1)).build();
+        let mut pool = None;
         while let Some(job) = self.orders.next() {
+            // A core is left to the window, unless it is said how many.
+            let threads = match self.orders.threads.load(Ordering::Relaxed) {
+                0 => cores.saturating_sub(1).max(1),
+                threads => threads,
+            };
+            if pool.as_ref().is_none_or(|(size, _)| *size != threads) {
+                pool = Some((threads, rayon::ThreadPoolBuilder::new().num_threads(threads).build()));
+            }
             match &pool {
-                Ok(pool) => pool.install(|| self.work(job)),
-                Err(_) => self.work(job),
+                Some((_, Ok(pool))) => pool.install(|| self.work(job)),
+                _ => self.work(job),
             }
         }
     }

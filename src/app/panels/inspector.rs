@@ -1,7 +1,7 @@
 //! The column on the right: what is drawn, its colours, what came of it; below, the layers.
 
 use eframe::egui::{
-    Button, CentralPanel, DragValue, Frame, Grid, Margin, Panel, Rect, RichText, ScrollArea, Slider, Ui, vec2,
+    Button, CentralPanel, Frame, Grid, Margin, Panel, Rect, RichText, ScrollArea, Slider, Ui, vec2,
 };
 
 use super::{colour, layers, result, selected};
@@ -9,8 +9,10 @@ use crate::app::Window;
 use crate::app::action::Action;
 use crate::app::canvas::tool::Tool;
 use crate::app::desk::Desk;
-use crate::app::pages::{REGIONS, SEAMLESS, pair};
+use crate::app::pages::{DPI, REGIONS, SEAMLESS, SIDES, pair, sides};
+use crate::app::preferences::resolution;
 use crate::app::shape;
+use crate::app::units::Ruler;
 use crate::attributes::Attributes;
 use crate::field::Edges;
 use crate::synth::recipe::limits;
@@ -95,26 +97,29 @@ pub fn rows(ui: &mut Ui, id: &str, add: impl FnOnce(&mut Ui)) {
 
 fn tool(ui: &mut Ui, window: &mut Window) {
     let tool = window.canvas.tool;
+    let ruler = window.ruler();
     ui.label(RichText::new(tool.name()).strong());
     if matches!(tool, Tool::Pen | Tool::Line) {
         rows(ui, "nib", |ui| {
-            ui.label("Line width").on_hover_text("Width of the stripe that a line stands for, px");
-            let field =
-                DragValue::new(&mut window.canvas.nib.width).range(0.5..=400.0).speed(0.1).suffix(" px");
-            ui.add(field.max_decimals(1)).accessible_name("Line width");
+            ui.label("Line width").on_hover_text("Width of the stripe that a line stands for");
+            let field = ruler.field(&mut window.canvas.nib.width).suffix(ruler.unit());
+            ui.add(field).accessible_name("Line width");
             ui.end_row();
         });
-        presets(ui, &mut window.canvas.nib.width);
+        let width = &mut window.canvas.nib.width;
+        *width = width.clamp(0.5, 400.0);
+        presets(ui, width, ruler);
     } else if tool == Tool::Ellipse {
         rows(ui, "stamp", |ui| {
-            ui.label("A click makes").on_hover_text("The size of the ellipse that a click puts down, px");
+            ui.label("A click makes").on_hover_text("The size of the ellipse that a click puts down");
             ui.horizontal(|ui| {
                 for (radius, name) in
                     window.canvas.nib.radii.iter_mut().zip(["Radius along", "Radius across"])
                 {
-                    let field = DragValue::new(radius).range(0.5..=2000.0).speed(0.1).max_decimals(1);
-                    ui.add(field).accessible_name(name);
+                    ui.add(ruler.field(radius)).accessible_name(name);
+                    *radius = radius.clamp(0.5, 2000.0);
                 }
+                ui.weak(ruler.unit().trim_start());
             });
             ui.end_row();
         });
@@ -124,7 +129,7 @@ fn tool(ui: &mut Ui, window: &mut Window) {
 }
 
 /// The widths to choose from, each drawn as it is.
-pub fn presets(ui: &mut Ui, width: &mut f64) -> bool {
+pub fn presets(ui: &mut Ui, width: &mut f64, ruler: Ruler) -> bool {
     let mut changed = false;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -139,8 +144,9 @@ pub fn presets(ui: &mut Ui, width: &mut f64) -> bool {
             };
             let bar = Rect::from_center_size(button.rect.center(), vec2(26.0, preset as f32));
             ui.painter().rect_filled(bar, 2.0, colour);
-            let button = button.accessible_name(format!("{preset:.0} px wide"));
-            if button.on_hover_text(format!("{preset:.0} px wide")).clicked() {
+            let name = format!("{} wide", ruler.rough(preset));
+            let button = button.accessible_name(&name);
+            if button.on_hover_text(&name).clicked() {
                 *width = preset;
                 changed = true;
             }
@@ -151,14 +157,15 @@ pub fn presets(ui: &mut Ui, width: &mut f64) -> bool {
 
 fn canvas(ui: &mut Ui, window: &mut Window) {
     heading(ui, "Canvas");
+    let ruler = window.ruler();
     let desk = &mut window.desk;
     let document = desk.document();
     let (mut size, mut regions) = (document.size, document.regions);
-    let mut seamless = document.edges == Edges::Wrap;
+    let (mut seamless, mut dpi) = (document.edges == Edges::Wrap, document.dpi);
     rows(ui, "canvas", |ui| {
-        ui.label("Size").on_hover_text("Width and height of the canvas, px");
+        ui.label("Size").on_hover_text("Width and height of the canvas");
         ui.horizontal(|ui| {
-            if pair(ui, &mut size, 16..=8192, ["Canvas width", "Canvas height"], "") {
+            if sides(ui, &mut size, ruler, SIDES, ["Canvas width", "Canvas height"]) {
                 resize(desk, size);
                 window.canvas.view.fitted = true;
                 window.texture.view.fitted = true;
@@ -176,6 +183,11 @@ fn canvas(ui: &mut Ui, window: &mut Window) {
         if ui.checkbox(&mut seamless, "tiles").accessible_name("Seamless").on_hover_text(SEAMLESS).changed() {
             desk.edit(|document| document.edges = if seamless { Edges::Wrap } else { Edges::Closed });
             window.texture.tiled &= seamless;
+        }
+        ui.end_row();
+        ui.label("Resolution").on_hover_text(DPI);
+        if resolution(ui, &mut dpi, "Resolution") {
+            desk.edit(|document| document.dpi = dpi);
         }
         ui.end_row();
     });
@@ -197,6 +209,7 @@ fn region(ui: &mut Ui, window: &Window) {
     let Some(map) = window.canvas.analysis.map(window.desk.layer) else { return };
     heading(ui, &format!("Region {}, {}", place[0] + 1, place[1] + 1));
     let own = region.own.is_some();
+    let ruler = window.ruler();
     rows(ui, "region", |ui| {
         let mut row = |name: &str, value: String, help: &str| {
             ui.label(name).on_hover_text(help);
@@ -207,14 +220,14 @@ fn region(ui: &mut Ui, window: &Window) {
         row("Marks", marks, "Marks whose middle lies in this region");
         match map.at(map.layout().center(place)) {
             Attributes::Spots(spots) => {
-                row("Area", format!("{:.0} px²", spots.area), "Mean area of the ellipses");
+                row("Area", ruler.area(spots.area), "Mean area of the ellipses");
                 row("Aspect", format!("{:.2}", spots.aspect), "Minor ÷ major radius; 1 is round");
                 row("Direction", format!("{:.0}°", spots.angle), "Mean direction of the major axes");
-                let spacing = spots.spacing.map_or("free".to_owned(), |spacing| format!("{spacing:.0} px"));
+                let spacing = spots.spacing.map_or("free".to_owned(), |spacing| ruler.rough(spacing));
                 row("Spacing", spacing, "Mean distance between neighbours; free = what grows by itself");
             }
             Attributes::Stripes(stripes) => {
-                row("Width", format!("{:.1} px", stripes.width), "Mean width of the lines");
+                row("Width", ruler.length(stripes.width), "Mean width of the lines");
                 row("Direction", format!("{:.0}°", stripes.angle), "Mean direction of the lines");
             }
         }

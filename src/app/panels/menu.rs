@@ -69,6 +69,8 @@ fn file(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
         });
     });
     item(ui, "Examples…", &Action::Page(Page::Examples), true, actions);
+    let left = window.recovery.left();
+    item(ui, "Recover unsaved work…", &Action::Page(Page::Recovery), left > 0, actions);
     ui.separator();
     item(ui, "Save", &Action::Save, true, actions);
     item(ui, "Save as…", &Action::SaveAs, true, actions);
@@ -96,6 +98,8 @@ fn edit(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
     ui.separator();
     item(ui, "Put an ellipse in the middle", &Action::Insert(true), true, actions);
     item(ui, "Put a line in the middle", &Action::Insert(false), true, actions);
+    ui.separator();
+    item(ui, "Preferences…", &Action::Page(Page::Preferences), true, actions);
 }
 
 fn layer(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {

@@ -8,15 +8,17 @@ use crate::app::action::Action;
 use crate::app::desk::Desk;
 use crate::app::selection::Place;
 use crate::app::shape;
+use crate::app::units::Ruler;
 use crate::marks::{Ellipse, Line, Mark};
 
 /// The numbers, and what to do with what is selected.
 pub fn selected(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
     let marks: Vec<(Place, Mark)> = window.desk.selected().collect();
+    let ruler = window.ruler();
     match &marks[..] {
-        [(place, Mark::Ellipse(ellipse))] => self::ellipse(ui, &mut window.desk, *place, *ellipse),
-        [(place, Mark::Line(line))] => self::line(ui, &mut window.desk, *place, *line),
-        many => self::many(ui, &mut window.desk, many),
+        [(place, Mark::Ellipse(ellipse))] => self::ellipse(ui, &mut window.desk, ruler, *place, *ellipse),
+        [(place, Mark::Line(line))] => self::line(ui, &mut window.desk, ruler, *place, *line),
+        many => self::many(ui, &mut window.desk, ruler, many),
     }
     ui.horizontal(|ui| {
         for (text, action) in [("Duplicate", Action::Duplicate), ("Delete", Action::Delete)] {
@@ -33,27 +35,44 @@ fn number(ui: &mut Ui, name: &str, value: &mut f64, unit: &str) -> bool {
     ui.add(field).accessible_name(name).changed()
 }
 
-fn point(ui: &mut Ui, name: &str, value: &mut [f64; 2]) -> bool {
+/// A length that can be typed or dragged.
+fn length(ui: &mut Ui, name: &str, value: &mut f64, ruler: Ruler) -> bool {
+    ui.add(ruler.field(value)).accessible_name(name).changed()
+}
+
+fn width_field(ui: &mut Ui, name: &str, value: &mut f64, ruler: Ruler) -> bool {
+    ui.add(ruler.field(value).suffix(ruler.unit())).accessible_name(name).changed()
+}
+
+fn area_field(ui: &mut Ui, name: &str, value: &mut f64, ruler: Ruler) -> bool {
+    ui.add(ruler.field_of_area(value).suffix(ruler.unit_of_area())).accessible_name(name).changed()
+}
+
+fn point(ui: &mut Ui, name: &str, value: &mut [f64; 2], ruler: Ruler) -> bool {
     ui.label(name);
     let changed = ui
         .horizontal(|ui| {
             let [x, y] = value;
-            number(ui, &format!("{name} x"), x, "") | number(ui, &format!("{name} y"), y, "")
+            let changed =
+                length(ui, &format!("{name} x"), x, ruler) | length(ui, &format!("{name} y"), y, ruler);
+            ui.weak(ruler.unit().trim_start());
+            changed
         })
         .inner;
     ui.end_row();
     changed
 }
 
-fn ellipse(ui: &mut Ui, desk: &mut Desk, place: Place, mut ellipse: Ellipse) {
+fn ellipse(ui: &mut Ui, desk: &mut Desk, ruler: Ruler, place: Place, mut ellipse: Ellipse) {
     ui.label(RichText::new("Ellipse").strong());
     let before = ellipse;
     rows(ui, "ellipse", |ui| {
-        point(ui, "Middle", &mut ellipse.center);
-        ui.label("Radii").on_hover_text("Along its direction, and across, px");
+        point(ui, "Middle", &mut ellipse.center, ruler);
+        ui.label("Radii").on_hover_text("Along its direction, and across");
         ui.horizontal(|ui| {
-            number(ui, "Radius along", &mut ellipse.radii[0], "");
-            number(ui, "Radius across", &mut ellipse.radii[1], "");
+            length(ui, "Radius along", &mut ellipse.radii[0], ruler);
+            length(ui, "Radius across", &mut ellipse.radii[1], ruler);
+            ui.weak(ruler.unit().trim_start());
         });
         ui.end_row();
         ui.label("Direction").on_hover_text("Degrees, from right towards down");
@@ -61,7 +80,7 @@ fn ellipse(ui: &mut Ui, desk: &mut Desk, place: Place, mut ellipse: Ellipse) {
         ui.end_row();
         ui.label("Area").on_hover_text("Another area keeps the shape");
         let mut area = ellipse.area();
-        if number(ui, "Area", &mut area, " px²") && area > 0.0 {
+        if area_field(ui, "Area", &mut area, ruler) && area > 0.0 {
             let factor = (area / before.area()).sqrt();
             ellipse.radii = before.radii.map(|radius| factor * radius);
         }
@@ -72,12 +91,12 @@ fn ellipse(ui: &mut Ui, desk: &mut Desk, place: Place, mut ellipse: Ellipse) {
     }
 }
 
-fn line(ui: &mut Ui, desk: &mut Desk, place: Place, mut line: Line) {
+fn line(ui: &mut Ui, desk: &mut Desk, ruler: Ruler, place: Place, mut line: Line) {
     ui.label(RichText::new("Line").strong());
     let before = line;
     rows(ui, "line", |ui| {
-        point(ui, "From", &mut line.from);
-        point(ui, "To", &mut line.to);
+        point(ui, "From", &mut line.from, ruler);
+        point(ui, "To", &mut line.to, ruler);
         ui.label("Direction");
         let mut angle = line.angle();
         if number(ui, "Direction", &mut angle, "°") {
@@ -87,17 +106,17 @@ fn line(ui: &mut Ui, desk: &mut Desk, place: Place, mut line: Line) {
             }
         }
         ui.end_row();
-        ui.label("Width").on_hover_text("Width of the stripe that it stands for, px");
-        number(ui, "Width", &mut line.width, " px");
+        ui.label("Width").on_hover_text("Width of the stripe that it stands for");
+        width_field(ui, "Width", &mut line.width, ruler);
         ui.end_row();
     });
-    presets(ui, &mut line.width);
+    presets(ui, &mut line.width, ruler);
     if line != before {
         desk.replace(&[(place, Mark::Line(line))]);
     }
 }
 
-fn many(ui: &mut Ui, desk: &mut Desk, marks: &[(Place, Mark)]) {
+fn many(ui: &mut Ui, desk: &mut Desk, ruler: Ruler, marks: &[(Place, Mark)]) {
     ui.label(RichText::new(format!("{} marks", marks.len())).strong());
     let areas: Vec<f64> = marks.iter().filter_map(|(_, mark)| area(mark)).collect();
     let widths: Vec<f64> = marks.iter().filter_map(|(_, mark)| width(mark)).collect();
@@ -108,7 +127,7 @@ fn many(ui: &mut Ui, desk: &mut Desk, marks: &[(Place, Mark)]) {
                 .on_hover_text("Another mean area makes all of them larger or smaller where they are");
             let before = mean(&areas);
             let mut area = before;
-            if number(ui, "Mean area", &mut area, " px²") && area > 0.0 {
+            if area_field(ui, "Mean area", &mut area, ruler) && area > 0.0 {
                 let factor = (area / before).sqrt();
                 let grown = |(place, mark): &(Place, Mark)| {
                     (*place, shape::scaled(mark, factor, shape::middle(mark)))
@@ -118,9 +137,9 @@ fn many(ui: &mut Ui, desk: &mut Desk, marks: &[(Place, Mark)]) {
             ui.end_row();
         }
         if !widths.is_empty() {
-            ui.label("Width").on_hover_text("One width for all selected lines, px");
+            ui.label("Width").on_hover_text("One width for all selected lines");
             let mut width = mean(&widths);
-            if number(ui, "Width of all", &mut width, " px") {
+            if width_field(ui, "Width of all", &mut width, ruler) {
                 set_width(desk, marks, width);
             }
             ui.end_row();
@@ -128,7 +147,7 @@ fn many(ui: &mut Ui, desk: &mut Desk, marks: &[(Place, Mark)]) {
     });
     if let Some(first) = widths.first() {
         let mut width = *first;
-        if presets(ui, &mut width) {
+        if presets(ui, &mut width, ruler) {
             set_width(desk, marks, width);
         }
     }

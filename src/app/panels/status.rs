@@ -14,8 +14,8 @@ pub fn status(ui: &mut Ui, window: &Window) {
                 RichText::new(format!("{:.0} %", 100.0 * window.canvas.view.zoom * ui.pixels_per_point()))
                     .small(),
             );
-            if let Some([x, y]) = window.canvas.pointer {
-                ui.label(RichText::new(format!("{x:.0}, {y:.0} px")).small().weak());
+            if let Some(place) = window.canvas.pointer {
+                ui.label(RichText::new(window.ruler().place(place)).small().weak());
             }
             if let Some(exporting) = &window.exporting {
                 if ui.small_button("Cancel").on_hover_text("Give the export up").clicked() {

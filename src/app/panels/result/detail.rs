@@ -6,12 +6,20 @@ use super::{error, named, sign};
 use crate::app::action::Action;
 use crate::app::result::{RegionResult, Verdict};
 use crate::app::theme::Palette;
+use crate::app::units::Ruler;
 use crate::attributes::Attributes;
 use crate::marks::axial;
 use crate::synth::report::RegionReport;
 
 /// Shows region `region` of layer number `layer`. What is not `current` cannot be changed from here.
-pub fn detail(ui: &mut Ui, region: &RegionResult, layer: usize, current: bool, actions: &mut Vec<Action>) {
+pub fn detail(
+    ui: &mut Ui,
+    ruler: Ruler,
+    region: &RegionResult,
+    layer: usize,
+    current: bool,
+    actions: &mut Vec<Action>,
+) {
     let report = &region.report;
     let [column, row] = report.place;
     ui.horizontal(|ui| {
@@ -22,7 +30,7 @@ pub fn detail(ui: &mut Ui, region: &RegionResult, layer: usize, current: bool, a
             ui.weak(format!("· {marks} measured")).on_hover_text("Whole spots that were measured in it");
         }
     });
-    numbers(ui, region);
+    numbers(ui, ruler, region);
     if !report.beyond.is_empty() {
         beyond(ui, region, layer, current, actions);
     }
@@ -42,7 +50,7 @@ pub fn detail(ui: &mut Ui, region: &RegionResult, layer: usize, current: bool, a
 }
 
 /// Attribute by attribute.
-fn numbers(ui: &mut Ui, region: &RegionResult) {
+fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
     let report = &region.report;
     let asked = listed(&report.asked, report.directed);
     let got = report.got.map(|got| listed(&got, report.directed)).unwrap_or_default();
@@ -60,10 +68,10 @@ fn numbers(ui: &mut Ui, region: &RegionResult) {
             let (name, help) = named(attribute);
             ui.label(name).on_hover_text(help);
             let wanted = there(report, attribute).unwrap_or(*value);
-            let middle = format!("{} in the middle of the region", number(attribute, *value));
-            ui.label(number(attribute, wanted)).on_hover_text(middle);
+            let middle = format!("{} in the middle of the region", number(ruler, attribute, *value));
+            ui.label(number(ruler, attribute, wanted)).on_hover_text(middle);
             let found = got.iter().find(|(of, _)| of == attribute);
-            ui.label(found.map_or("–".to_owned(), |(_, value)| number(attribute, *value)));
+            ui.label(found.map_or("–".to_owned(), |(_, value)| number(ruler, attribute, *value)));
             let off = report.error.iter().find(|(of, _)| of == attribute);
             ui.label(off.map_or("–".to_owned(), |(_, off)| error(attribute, *off)));
             let verdict = off.and_then(|(_, off)| Verdict::of(attribute, *off));
@@ -167,12 +175,12 @@ fn listed(attributes: &Attributes, directed: bool) -> Vec<(&'static str, f64)> {
     }
 }
 
-fn number(attribute: &str, value: f64) -> String {
+fn number(ruler: Ruler, attribute: &str, value: f64) -> String {
     match attribute {
-        "area" => format!("{value:.0} px²"),
+        "area" => ruler.area(value),
         "aspect" => format!("{value:.2}"),
         "angle" => format!("{value:.0}°"),
-        _ => format!("{value:.1} px"),
+        _ => ruler.length(value),
     }
 }
 

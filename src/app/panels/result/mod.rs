@@ -27,6 +27,7 @@ pub fn result(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
         ui.weak(if layer.is_some() { waiting(window) } else { "Nothing is drawn on this layer." });
         return;
     };
+    let ruler = window.ruler();
     let current = window.results.of(window.growth.texture.as_ref()).is_some();
     ui.horizontal(|ui| {
         ui.strong(&of.name);
@@ -44,7 +45,7 @@ pub fn result(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
     );
     if let Some(region) = of.regions.iter().find(|region| region.report.place == place) {
         ui.separator();
-        detail::detail(ui, region, index, current, actions);
+        detail::detail(ui, ruler, region, index, current, actions);
     }
 }
 
@@ -90,12 +91,12 @@ fn sign(ui: &mut Ui, verdict: Verdict) {
 /// What people read for an attribute, and what it is.
 fn named(attribute: &str) -> (&'static str, &'static str) {
     match attribute {
-        "area" => ("Area", "Mean area of the spots at their edge, px²"),
+        "area" => ("Area", "Mean area of the spots at their edge"),
         "aspect" => ("Aspect", "Minor ÷ major radius; 1 is round"),
         "angle" => ("Direction", "Mean direction of the major axes, or of the stripes, degrees"),
-        "spacing" => ("Spacing", "Mean distance between neighbours, px"),
-        "width" => ("Width", "Mean width of the stripes, px"),
-        "wavelength" => ("Period", "From stripe to stripe, px"),
+        "spacing" => ("Spacing", "Mean distance between neighbours"),
+        "width" => ("Width", "Mean width of the stripes"),
+        "wavelength" => ("Period", "From stripe to stripe"),
         "angle_rms" => ("Scatter", "How much the stripes' directions scatter about what was asked, degrees"),
         _ => ("", ""),
     }

@@ -1,0 +1,106 @@
+//! How dapple shall be: for all documents, remembered.
+
+use std::thread;
+
+use eframe::egui::{Checkbox, DragValue, Grid, RichText, ThemePreference, Ui, vec2};
+
+use super::pages::{DPI, REGIONS, SEAMLESS, SIDES, pair, sides};
+use super::settings::Settings;
+use super::units::{Ruler, Units};
+use crate::synth::recipe::limits;
+
+/// The page. What is changed counts at once.
+pub fn page(ui: &mut Ui, settings: &mut Settings) {
+    ui.set_width(430.0);
+    ui.heading("Preferences");
+    ui.add_space(6.0);
+    let grid = |name| Grid::new(name).num_columns(2).min_col_width(96.0).spacing(vec2(16.0, 10.0));
+    grid("window").show(ui, |ui| {
+        look(ui, settings);
+        units(ui, &mut settings.units);
+        threads(ui, &mut settings.threads);
+    });
+    ui.add_space(10.0);
+    ui.label(RichText::new("New documents").strong());
+    let units = settings.units;
+    let new = &mut settings.new;
+    grid("new documents").show(ui, |ui| {
+        ui.label("Size").on_hover_text("Width and height of the canvas");
+        let ruler = Ruler { units, dpi: new.dpi };
+        ui.horizontal(|ui| {
+            let names = ["Width of new documents", "Height of new documents"];
+            sides(ui, &mut new.size, ruler, SIDES, names)
+        });
+        ui.end_row();
+        ui.label("Regions").on_hover_text(REGIONS);
+        let names = ["Columns of new documents", "Rows of new documents"];
+        ui.horizontal(|ui| pair(ui, &mut new.regions, 1..=limits::MAX_REGIONS, names, ""));
+        ui.end_row();
+        ui.label("Seamless").on_hover_text(SEAMLESS);
+        ui.add(Checkbox::new(&mut new.seamless, "tiles without a seam"));
+        ui.end_row();
+        ui.label("Resolution").on_hover_text(DPI);
+        resolution(ui, &mut new.dpi, "Resolution of new documents");
+        ui.end_row();
+    });
+}
+
+/// A field for dots an inch.
+pub fn resolution(ui: &mut Ui, dpi: &mut f64, name: &str) -> bool {
+    let range = limits::DPI.low..=limits::DPI.high;
+    let field = DragValue::new(dpi).range(range).max_decimals(1).suffix(" dpi").update_while_editing(false);
+    ui.add(field).accessible_name(name).changed()
+}
+
+fn look(ui: &mut Ui, settings: &mut Settings) {
+    ui.label("Theme");
+    let before = settings.theme;
+    ui.horizontal(|ui| {
+        for (text, theme) in [
+            ("As the system", ThemePreference::System),
+            ("Light", ThemePreference::Light),
+            ("Dark", ThemePreference::Dark),
+        ] {
+            ui.radio_value(&mut settings.theme, theme, text);
+        }
+    });
+    ui.end_row();
+    if settings.theme != before {
+        ui.ctx().set_theme(settings.theme);
+    }
+}
+
+fn units(ui: &mut Ui, units: &mut Units) {
+    ui.label("Lengths").on_hover_text("In what lengths and areas are told and typed; files hold px");
+    ui.horizontal(|ui| {
+        ui.radio_value(units, Units::Px, "px").on_hover_text("Px of the canvas");
+        ui.radio_value(units, Units::Mm, "mm").on_hover_text("Millimetres, by the document's resolution");
+    });
+    ui.end_row();
+}
+
+fn threads(ui: &mut Ui, threads: &mut Option<usize>) {
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    ui.label("Threads")
+        .on_hover_text("How many cores grow textures. What grows is the same, to the last bit");
+    ui.horizontal(|ui| {
+        if ui
+            .radio(threads.is_none(), "All")
+            .on_hover_text("All cores but one, which the window has")
+            .clicked()
+        {
+            *threads = None;
+        }
+        let mut number = threads.unwrap_or_else(|| cores.saturating_sub(1).max(1));
+        if ui.radio(threads.is_some(), "This many").clicked() {
+            *threads = Some(number);
+        }
+        let most = cores.max(number);
+        let field = DragValue::new(&mut number).range(1..=most).speed(0.05);
+        if ui.add(field.update_while_editing(false)).accessible_name("Number of threads").changed() {
+            *threads = Some(number);
+        }
+        ui.weak(format!("of {cores}"));
+    });
+    ui.end_row();
+}

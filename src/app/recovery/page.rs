@@ -1,0 +1,155 @@
+//! What was lost, to be decided on.
+
+use std::time::Duration;
+
+use eframe::egui::{
+    Button, Color32, Frame, Label, Layout, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
+    WidgetInfo, vec2,
+};
+
+use super::Recovery;
+use super::slot::Lost;
+use crate::app::action::{Action, Page};
+use crate::app::canvas::ink::Ink;
+use crate::app::canvas::view::View;
+use crate::app::theme::Palette;
+
+/// Width and height of the small sketches, points.
+const SKETCH: [f32; 2] = [92.0, 70.0];
+
+/// The page. Gives what is chosen.
+pub fn page(ui: &mut Ui, recovery: &mut Recovery) -> Option<Action> {
+    ui.set_width(560.0);
+    ui.heading("Unsaved work was found");
+    ui.label(match recovery.lost.len() {
+        0 => "There is none any more: what was left was restored, saved or discarded.",
+        1 => "dapple was closed before this was saved. At most the last few seconds of it are missing.",
+        _ => "dapple was closed before these were saved. At most the last few seconds of each are missing.",
+    });
+    ui.add_space(6.0);
+    let mut action = None;
+    let height = (ui.ctx().content_rect().height() - 260.0).clamp(120.0, 420.0);
+    ScrollArea::vertical().max_height(height).show(ui, |ui| {
+        ui.set_width(560.0);
+        for (index, lost) in recovery.lost.iter().enumerate() {
+            action = action.take().or(one(ui, lost, index == 0, &mut recovery.doubt));
+        }
+    });
+    ui.add_space(4.0);
+    ui.horizontal(|ui| {
+        let later = Button::new(if recovery.lost.is_empty() { "Close" } else { "Decide later" });
+        let help = "It is offered again at the next start, and under File, Recover unsaved work";
+        if ui.add(later.min_size(vec2(96.0, 28.0))).on_hover_text(help).clicked() {
+            action = Some(Action::Page(Page::Recovery));
+        }
+    });
+    action
+}
+
+fn one(ui: &mut Ui, lost: &Lost, first: bool, doubt: &mut Option<String>) -> Option<Action> {
+    let mut action = None;
+    let id = lost.id();
+    let fill = ui.visuals().faint_bg_color;
+    Frame::NONE.fill(fill).corner_radius(7).inner_margin(10).show(ui, |ui| {
+        ui.set_width(540.0);
+        ui.horizontal(|ui| {
+            sketch(ui, lost);
+            ui.add_space(4.0);
+            ui.vertical(|ui| {
+                ui.set_width(262.0);
+                ui.spacing_mut().item_spacing.y = 3.0;
+                told(ui, lost);
+            });
+            ui.with_layout(Layout::top_down(eframe::egui::Align::Max), |ui| {
+                let text = RichText::new("Restore").color(ui.visuals().selection.stroke.color);
+                let restore = Button::new(text).fill(ui.visuals().selection.bg_fill);
+                let restore = ui.add_sized(vec2(132.0, 28.0), restore);
+                let restore = restore.on_hover_text("Puts it back on the desk, not saved yet");
+                if first && ui.memory(|memory| memory.focused().is_none()) {
+                    restore.request_focus();
+                }
+                if restore.clicked() {
+                    action = Some(Action::Restore(id.clone()));
+                }
+                let sure = doubt.as_ref() == Some(&id);
+                let text = if sure {
+                    RichText::new("Discard for good").color(Palette::of(ui.visuals()).wrong)
+                } else {
+                    RichText::new("Discard")
+                };
+                let discard = ui.add_sized(vec2(132.0, 28.0), Button::new(text));
+                if discard.on_hover_text("Forgets it; asked once more").clicked() {
+                    if sure {
+                        action = Some(Action::Discard(id.clone()));
+                    }
+                    *doubt = Some(id.clone());
+                }
+            });
+        });
+    });
+    action
+}
+
+/// What, when, from which file.
+fn told(ui: &mut Ui, lost: &Lost) {
+    ui.add(Label::new(RichText::new(&lost.kept.name).strong()).truncate());
+    let marks = lost.marks.len();
+    let marks = if marks == 1 { "1 mark".to_owned() } else { format!("{marks} marks") };
+    let [width, height] = lost.kept.document.size;
+    let age = lost.when.elapsed().unwrap_or_default();
+    ui.label(RichText::new(format!("{}, {marks} on {width} × {height} px", ago(age))).small());
+    let from = match &lost.kept.path {
+        Some(path) if !path.exists() => format!("{} (the file is gone)", path.display()),
+        Some(path) => path.display().to_string(),
+        None => "Never saved to a file".to_owned(),
+    };
+    ui.add(Label::new(RichText::new(&from).small().weak()).truncate()).on_hover_text(&from);
+    if lost.file_is_newer {
+        let colour = Palette::of(ui.visuals()).wrong;
+        let text = "The file was written later than this";
+        ui.label(RichText::new(text).small().color(colour));
+    }
+}
+
+fn sketch(ui: &mut Ui, lost: &Lost) {
+    let colours = Palette::of(ui.visuals());
+    let (room, response) = ui.allocate_exact_size(SKETCH.into(), Sense::hover());
+    let name = format!("Sketch of {}", lost.kept.name);
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
+    let mut view = View::default();
+    view.fit(lost.kept.document.size, room);
+    let paper = view.paper(room, lost.kept.document.size);
+    let painter = ui.painter_at(paper.expand(1.0));
+    painter.rect(paper, 2.0, colours.paper, Stroke::new(1.0, colours.border), StrokeKind::Inside);
+    let ink = Ink { painter: &painter, view: &view, room };
+    for (layer, mark) in &lost.marks {
+        let colour: Color32 = colours.ink(*layer);
+        ink.mark(mark, colour.gamma_multiply(0.8), Stroke::NONE);
+    }
+}
+
+/// How long ago, as one says it.
+fn ago(age: Duration) -> String {
+    let minutes = age.as_secs() / 60;
+    let (number, unit) = match minutes {
+        0 => return "Less than a minute ago".to_owned(),
+        1..60 => (minutes, "minute"),
+        60..1440 => (minutes / 60, "hour"),
+        _ => (minutes / 1440, "day"),
+    };
+    format!("{number} {unit}{} ago", if number == 1 { "" } else { "s" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_told_as_one_says_them() {
+        let told = |seconds| ago(Duration::from_secs(seconds));
+        assert_eq!(told(59), "Less than a minute ago");
+        assert_eq!(told(60), "1 minute ago");
+        assert_eq!(told(7200), "2 hours ago");
+        assert_eq!(told(90_000), "1 day ago");
+    }
+}
