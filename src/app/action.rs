@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::canvas::tool::Tool;
+use super::layering::LayerAction;
 use super::panels::Tab;
 
 /// Something to be done.
@@ -22,6 +23,10 @@ pub enum Action {
     SaveAs,
     /// Ask where to export the texture.
     Export,
+    /// Ask for a palette whose colours the layer at hand takes.
+    OpenPalette,
+    /// Ask where to save the colours of the layer at hand.
+    SavePalette,
     /// Close the window.
     Quit,
     /// Undo the last step.
@@ -78,6 +83,8 @@ pub enum Action {
     Grow,
     /// Another seed.
     AnotherSeed,
+    /// Do something to a layer.
+    Layer(LayerAction),
     /// Show this in the column.
     Tab(Tab),
     /// Draw what can be reached in this region (column, row) of a layer of the finished document.

@@ -18,6 +18,10 @@ pub enum Purpose {
     Export,
     /// A picture to lie under the canvas.
     Reference,
+    /// Colours to take.
+    Palette,
+    /// Where to write colours.
+    PaletteTo,
 }
 
 impl Purpose {
@@ -29,13 +33,15 @@ impl Purpose {
             Self::Save => "Save the document",
             Self::Export => "Export the texture",
             Self::Reference => "A picture to draw over",
+            Self::Palette => "Open a palette",
+            Self::PaletteTo => "Save the palette",
         }
     }
 
     fn verb(self) -> &'static str {
         match self {
-            Self::Open | Self::Reference => "Open",
-            Self::Save => "Save",
+            Self::Open | Self::Reference | Self::Palette => "Open",
+            Self::Save | Self::PaletteTo => "Save",
             Self::Export => "Export",
         }
     }
@@ -44,12 +50,13 @@ impl Purpose {
         match self {
             Self::Open | Self::Save => &["dapple"],
             Self::Export => &["png"],
+            Self::Palette | Self::PaletteTo => &["json", "gpl"],
             Self::Reference => &["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp"],
         }
     }
 
     fn writes(self) -> bool {
-        matches!(self, Self::Save | Self::Export)
+        matches!(self, Self::Save | Self::Export | Self::PaletteTo)
     }
 }
 

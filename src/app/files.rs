@@ -106,7 +106,7 @@ impl Window {
         }
     }
 
-    fn choose(&mut self, ui: &Ui, purpose: Purpose, name: &str) {
+    pub(super) fn choose(&mut self, ui: &Ui, purpose: Purpose, name: &str) {
         let at = self.desk.path.clone();
         self.files.chooser = Some(Chooser::new(purpose, at.as_deref(), name, self.files.native, ui.ctx()));
     }
@@ -165,6 +165,8 @@ impl Window {
             Purpose::Open => self.open(&path),
             Purpose::Save => self.save(ui, Some(path)),
             Purpose::Export => self.export(&path, self.files.size.canvas, self.files.size.scale),
+            Purpose::Palette => self.open_palette(&path),
+            Purpose::PaletteTo => self.save_palette(&path),
             Purpose::Reference => self.canvas.reference.load(&path, ui.ctx()),
         }
     }
@@ -206,7 +208,7 @@ impl Window {
                 Id::unique("drop"),
             ));
             painter.rect_filled(rect, 0.0, Color32::from_black_alpha(120));
-            let text = "Drop a document to open it, a picture to draw over it";
+            let text = "Drop a document to open it, a picture to draw over it, a palette for its colours";
             painter.text(
                 rect.center(),
                 Align2::CENTER_CENTER,
@@ -221,6 +223,8 @@ impl Window {
                 path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
             if ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp"].contains(&ending.as_str()) {
                 self.canvas.reference.load(&path, ui.ctx());
+            } else if ["gpl", "json"].contains(&ending.as_str()) {
+                self.open_palette(&path);
             } else if let Err(error) = Document::read(&path) {
                 // Said before anything is asked about what lies on the desk.
                 self.notices.wrong(with_causes(&error));
@@ -348,7 +352,7 @@ impl Window {
 }
 
 /// A message and those of its causes, on one line.
-fn with_causes(error: &dyn std::error::Error) -> String {
+pub(super) fn with_causes(error: &dyn std::error::Error) -> String {
     let mut text = error.to_string();
     let mut cause = error.source();
     while let Some(error) = cause {

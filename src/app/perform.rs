@@ -28,6 +28,8 @@ impl Window {
             Action::SaveAs => self.save_as(ui),
             Action::Export => self.files.ask_export_size(),
             Action::Reference => self.choose_reference(ui),
+            Action::OpenPalette => self.choose_palette(ui),
+            Action::SavePalette => self.save_palette_as(ui),
             Action::Undo => self.desk.undo(),
             Action::Redo => self.desk.redo(),
             Action::Cut => {
@@ -37,6 +39,7 @@ impl Window {
             Action::Copy => self.copy(ui),
             Action::Paste(text) => self.paste(&text),
             Action::Page(page) => self.turn_to(page),
+            Action::Layer(action) => self.layer(action),
             Action::Tab(tab) => self.tab = tab,
             Action::Reach(layer, place) => self.draw_what_can_be_reached(layer, place),
             Action::Alternatives(shown) => self.alternatives.shown = shown,
@@ -58,7 +61,7 @@ impl Window {
             Action::Duplicate => self.duplicate(),
             Action::Delete => self.delete(),
             Action::SelectAll => {
-                self.desk.selection = Selection::of(self.desk.marks().map(|(place, _)| place));
+                self.desk.selection = Selection::of(self.desk.reachable().map(|(place, _)| place));
                 self.canvas.tool = Tool::Select;
             }
             Action::Escape => self.escape(),
@@ -124,7 +127,7 @@ impl Window {
     }
 
     fn next(&mut self, step: isize) {
-        let places: Vec<Place> = self.desk.marks().map(|(place, _)| place).collect();
+        let places: Vec<Place> = self.desk.reachable().map(|(place, _)| place).collect();
         if places.is_empty() {
             return;
         }

@@ -16,6 +16,7 @@ use super::examples::Gallery;
 use super::exporting::Exporting;
 use super::files::Files;
 use super::growth::{Growth, Phase, Texture};
+use super::layering::Layering;
 use super::notice::{Notice, Notices};
 use super::result::Results;
 use super::settings::Settings;
@@ -49,9 +50,11 @@ pub struct Window {
     pub(super) exporting: Option<Exporting>,
     pub(super) page: Option<Page>,
     pub(super) tab: panels::Tab,
+    pub(super) layering: Layering,
     pub(super) results: Results,
     pub(super) cloud: Cloud,
     pub(super) alternatives: Alternatives,
+    pub(super) colour: panels::ColourPanel,
     /// One over the other, instead of side by side.
     pub(super) over: bool,
     /// Where the curtain hangs, 0..1.
@@ -92,9 +95,11 @@ impl Window {
             exporting: None,
             page: first.then_some(Page::Hint),
             tab: panels::Tab::default(),
+            layering: Layering::default(),
             alternatives: Alternatives::new(results.training.clone()),
             results,
             cloud: Cloud::default(),
+            colour: panels::ColourPanel::default(),
             over: false,
             curtain: 0.5,
             linked: true,
@@ -176,6 +181,12 @@ impl Window {
         [self.canvas.view, self.texture.view].map(|view| (view.center, view.zoom))
     }
 
+    /// Does what has grown of frozen layers lie under the canvas?
+    #[must_use]
+    pub fn has_underlay(&self) -> bool {
+        self.canvas.underlay.is_there()
+    }
+
     /// Does a picture lie under the canvas?
     #[must_use]
     pub fn has_reference(&self) -> bool {
@@ -201,6 +212,7 @@ impl Window {
                 self.trace.event("settled", *took);
             }
         }
+        self.canvas.underlay.follow(ui, &self.desk, &self.growth);
         self.listen(ui);
         if self.tab == panels::Tab::Result {
             self.results.follow(ui.ctx(), self.growth.texture.as_ref());
@@ -248,7 +260,10 @@ impl Window {
         let canvas = focused.is_none_or(|id| self.canvas.id == Some(id)) && !self.menu_open;
         let keys = !ui.text_edit_focused() && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
         let mut actions = shortcuts::asked(ui.ctx(), keys, canvas);
-        if actions.contains(&super::Action::Escape) && self.canvas.cancel(&mut self.desk) {
+        let cancelled = actions.contains(&super::Action::Escape)
+            && (self.canvas.cancel(&mut self.desk) || self.colour.cancel(&mut self.desk));
+        if cancelled {
+            ui.ctx().stop_dragging();
             // Before the canvas sees that the toolkit lets go of the pointer.
             actions.retain(|action| *action != super::Action::Escape);
         }
@@ -356,6 +371,7 @@ impl Window {
         self.texture.view.fitted = true;
         self.texture.tiled = false;
         self.canvas.analysis.forget();
+        self.layering.forget();
         self.growth.forget();
         self.results.forget();
         self.cloud.forget();

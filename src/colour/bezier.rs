@@ -33,6 +33,68 @@ impl Bend {
         }
         Curve::through(y1, y2).at(Curve::through(x1.clamp(0.0, 1.0), x2.clamp(0.0, 1.0)).solve(x))
     }
+
+    /// Does it lead straight?
+    #[must_use]
+    pub fn is_straight(&self) -> bool {
+        let [x1, y1, x2, y2] = self.0;
+        x1 == y1 && x2 == y2
+    }
+
+    /// The same way the other way round.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        let [x1, y1, x2, y2] = self.0;
+        Self([1.0 - x2, 1.0 - y2, 1.0 - x1, 1.0 - y1])
+    }
+
+    /// The way cut in two where the share `x` of it is gone: two ways that lead through the same colours, if the
+    /// colour at the cut is the one that was there. De Casteljau's construction at the t of `x`, each part brought
+    /// to 0..1 by itself; a part that does not rise at all is straight. Ways that nearly turn back (x₁ far over x₂) have
+    /// parts whose own x₁ or x₂ is outside 0..1: [`Self::ease`] clips them, and the part is a little off.
+    #[must_use]
+    pub fn split(&self, x: f64) -> [Self; 2] {
+        let [x1, y1, x2, y2] = self.0;
+        if self.is_straight() {
+            return [Self::default(); 2];
+        }
+        let t = Curve::through(x1.clamp(0.0, 1.0), x2.clamp(0.0, 1.0)).solve(x.clamp(0.0, 1.0));
+        let cut = |p1: f64, p2: f64| {
+            let between = |a: f64, b: f64| a + (b - a) * t;
+            let (a, b, c) = (between(0.0, p1), between(p1, p2), between(p2, 1.0));
+            let (ab, bc) = (between(a, b), between(b, c));
+            let at = between(ab, bc);
+            let (before, after) = (|p: f64| p / at, |p: f64| (p - at) / (1.0 - at));
+            [[before(a), before(ab)], [after(bc), after(c)]]
+        };
+        let (xs, ys) = (cut(x1, x2), cut(y1, y2));
+        [0, 1].map(|part| {
+            let bend = [xs[part][0], ys[part][0], xs[part][1], ys[part][1]];
+            if bend.iter().all(|p| p.is_finite()) { Self(bend) } else { Self::default() }
+        })
+    }
+
+    /// One way in the place of two that meet at `[x, y]`, both in 0..1: what [`Self::split`] had cut there comes
+    /// back. Where the two do not go over into each other smoothly, it leaves and arrives as they do.
+    #[must_use]
+    pub fn joined(&self, next: &Self, [x, y]: [f64; 2]) -> Self {
+        if self.is_straight() && next.is_straight() {
+            return Self::default();
+        }
+        // The cut lies on the line between its two neighbours, at the share t.
+        let (before, after) = (x * (1.0 - self.0[2]), (1.0 - x) * next.0[0]);
+        let t = if before + after > 0.0 { before / (before + after) } else { x };
+        // Handles that lie on the cut itself say nothing: no handle grows by more than twenty times.
+        let t = t.clamp(0.05, 0.95);
+        let (first, last) =
+            (|p: f64, at: f64| p * at / t, |p: f64, at: f64| 1.0 - (1.0 - p) * (1.0 - at) / (1.0 - t));
+        Self([
+            first(self.0[0], x).clamp(0.0, 1.0),
+            first(self.0[1], y),
+            last(next.0[2], x).clamp(0.0, 1.0),
+            last(next.0[3], y),
+        ])
+    }
 }
 
 /// One coordinate of the curve in powers of t: c₃t³ + c₂t² + c₁t.
@@ -141,7 +203,60 @@ mod tests {
         }
     }
 
+    #[test]
+    fn a_straight_way_stays_straight_when_it_is_cut_and_joined() {
+        let straight = Bend::default();
+        assert_eq!(straight.split(0.3), [straight; 2]);
+        assert_eq!(straight.joined(&straight, [0.3, 0.8]), straight);
+        assert!(Bend([0.2, 0.2, 0.7, 0.7]).is_straight());
+    }
+
     proptest! {
+        #[test]
+        fn a_way_that_is_cut_leads_through_the_same_values(
+            x1 in 0.0..=1.0, y1 in 0.0..=1.0, x2 in 0.0..=1.0, y2 in 0.0..=1.0, cut in 0.1..0.9, x in 0.0..=1.0,
+        ) {
+            let bend = Bend([x1, y1, x2, y2]);
+            let y = bend.ease(cut);
+            let [before, after] = bend.split(cut);
+            let sound = |part: Bend| [0, 2].iter().all(|&i| (0.0..=1.0).contains(&part.0[i]));
+            prop_assume!((0.02..0.98).contains(&y) && sound(before) && sound(after));
+            let by_parts = if x < cut {
+                y * before.ease(x / cut)
+            } else {
+                y + (1.0 - y) * after.ease((x - cut) / (1.0 - cut))
+            };
+            prop_assert!((by_parts - bend.ease(x)).abs() < 1e-4, "{bend:?} cut at {cut}, at {x}: {by_parts}");
+        }
+
+        #[test]
+        fn what_was_cut_is_joined_again(
+            x1 in 0.0..=1.0, y1 in 0.0..=1.0, x2 in 0.0..=1.0, y2 in 0.0..=1.0, cut in 0.2..0.8,
+        ) {
+            let bend = Bend([x1, y1, x2, y2]);
+            let y = bend.ease(cut);
+            let [before, after] = bend.split(cut);
+            // Where the curve stands still at the cut, nothing says how it was cut.
+            let smooth = cut * (1.0 - before.0[2]) > 1e-3 && (1.0 - cut) * after.0[0] > 1e-3;
+            prop_assume!(smooth && (0.02..0.98).contains(&y));
+            let joined = before.joined(&after, [cut, y]);
+            let t = cut * (1.0 - before.0[2]) / (cut * (1.0 - before.0[2]) + (1.0 - cut) * after.0[0]);
+            prop_assume!((0.05..0.95).contains(&t));
+            for i in 0..=20 {
+                let x = f64::from(i) / 20.0;
+                prop_assert!((joined.ease(x) - bend.ease(x)).abs() < 1e-4, "{bend:?} cut at {cut}: {joined:?}");
+            }
+        }
+
+        #[test]
+        fn a_way_back_is_the_way_there_reversed(
+            x1 in 0.0..=1.0, y1 in -1.0..=2.0, x2 in 0.0..=1.0, y2 in -1.0..=2.0, x in 0.0..=1.0,
+        ) {
+            let bend = Bend([x1, y1, x2, y2]);
+            let back = 1.0 - bend.reversed().ease(1.0 - x);
+            prop_assert!((back - bend.ease(x)).abs() < 1e-4, "{bend:?} at {x}: {back}");
+        }
+
         #[test]
         fn easing_agrees_with_plain_halving(
             x1 in 0.0..=1.0, y1 in -2.0..=3.0, x2 in 0.0..=1.0, y2 in -2.0..=3.0, x in 0.0..=1.0,

@@ -119,6 +119,25 @@ impl Gradient {
         self.mix(&self.lab(), v)
     }
 
+    /// The colours of some pattern values: faster than one by one.
+    #[must_use]
+    pub fn colours(&self, values: impl IntoIterator<Item = f32>) -> Vec<[u8; 3]> {
+        let lab = self.lab();
+        values.into_iter().map(|v| self.mix(&lab, v)).collect()
+    }
+
+    /// How far along the straight line from stop `from` to stop `to`, in OKLab, the colour of stop `stop` lies: 0..1.
+    /// Between stops of one colour, as far as the stop itself lies between them.
+    #[must_use]
+    pub fn share(&self, from: usize, stop: usize, to: usize) -> f64 {
+        let lab = self.lab();
+        let [a, b, c] = [from, stop, to].map(|i| [lab[i].l, lab[i].a, lab[i].b]);
+        let dot = |p: [f64; 3]| (0..3).map(|i| (p[i] - a[i]) * (c[i] - a[i])).sum::<f64>();
+        let [p, q, r] = [from, stop, to].map(|i| f64::from(self.stops[i].at));
+        let share = if dot(c) > 0.0 { dot(b) / dot(c) } else { (q - p) / (r - p) };
+        if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) }
+    }
+
     /// The colours of all 65536 values that a 16-bit picture of a pattern can hold.
     #[must_use]
     pub fn table(&self) -> Table {

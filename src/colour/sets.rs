@@ -58,7 +58,7 @@ pub const COATS: [Set; 7] = [
 /// The cheetah's ground: cream, tawny towards the spots.
 const CREAM: [u32; 2] = [0xf4e3c1, 0xe8cd9a];
 
-const fn set(name: &'static str, ground: [u32; 2], mark: [u32; 2]) -> Set {
+pub(super) const fn set(name: &'static str, ground: [u32; 2], mark: [u32; 2]) -> Set {
     let stops = [stop(0.0, ground[0]), stop(0.4, ground[1]), stop(0.6, mark[0]), stop(1.0, mark[1])];
     Set { name, stops, bends: [Bend([0.0, 0.0, 1.0, 1.0]), Bend([0.42, 0.0, 0.58, 1.0])] }
 }

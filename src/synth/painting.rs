@@ -11,7 +11,7 @@ use super::pattern::Pattern;
 use super::plan::Plan;
 use super::recipe::{Colours, Document};
 use super::watch::{Stage, Watch};
-use crate::colour::{Bend, Gradient, Painted, Stop, Table, paint_rows, painter};
+use crate::colour::{Gradient, Painted, Table, paint_rows, painter};
 use crate::export::png::{self, Header, Samples};
 use crate::export::{self, ExportError, Prepared, Stopped};
 use crate::field::{Edges, Field, to_u16};
@@ -34,10 +34,11 @@ impl<'a> Painting<'a> {
         Self::sized(document, grown, grown.size.map(|side| side as usize * scale))
     }
 
-    /// What `document` has `grown`, at `size` px.
+    /// What `document`, or its lowest layers alone, has `grown`, at `size` px.
     #[must_use]
     pub fn sized(document: &Document, grown: &'a Grown, size: [usize; 2]) -> Self {
-        Self::with(document, size, grown.layers.iter().map(GrownLayer::pattern).collect())
+        let layers = grown.layers.iter().take(document.layers.len());
+        Self::with(document, size, layers.map(GrownLayer::pattern).collect())
     }
 
     /// A layer that still grows, on top of those that have `grown`, at `size` px.
@@ -54,7 +55,7 @@ impl<'a> Painting<'a> {
 
     fn with(document: &Document, size: [usize; 2], layers: Vec<Pattern<'a>>) -> Self {
         let tables = document.layers.iter().enumerate().map(|(index, layer)| {
-            let gradient = layer.colours.as_ref().map(gradient);
+            let gradient = layer.colours.as_ref().map(Colours::gradient);
             gradient.unwrap_or_else(|| Gradient::default_for_layer(index)).table()
         });
         Self {
@@ -159,13 +160,6 @@ pub struct Look<'a> {
     pub plan: &'a Plan,
     /// How far it is.
     pub engine: &'a Engine,
-}
-
-fn gradient(colours: &Colours) -> Gradient {
-    Gradient {
-        stops: colours.stops.iter().map(|stop| Stop { at: stop.at as f32, colour: stop.colour }).collect(),
-        bends: colours.bends.iter().map(|bend| Bend(*bend)).collect(),
-    }
 }
 
 /// Some rows of the pictures: the pattern of each layer there.

@@ -3,12 +3,14 @@
 
 mod access;
 mod alternatives;
+mod colour;
 mod documents;
 mod drawing;
 mod growing;
 mod hand;
 mod history;
 mod keyboard;
+mod layers;
 mod result;
 mod selecting;
 mod sights;

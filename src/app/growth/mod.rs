@@ -57,6 +57,8 @@ pub struct Growth {
     pub texture: Option<Texture>,
     /// Time from the change to the first picture of it.
     pub first_picture: Option<Duration>,
+    /// How many of the lowest layers of what has settled were not grown again.
+    pub kept: usize,
     paused: bool,
 }
 
@@ -75,6 +77,7 @@ impl Growth {
             picture: None,
             texture: None,
             first_picture: None,
+            kept: 0,
             paused: false,
         }
     }
@@ -118,9 +121,15 @@ impl Growth {
         if let Some(texture) = &mut self.texture {
             texture.document = Arc::new(document.clone());
             self.orders.paint(self.generation, texture.clone());
-        } else if matches!(self.phase, Phase::Growing(..)) {
-            self.begin(document);
+        } else {
+            self.orders.colour(self.generation, document);
         }
+    }
+
+    /// Counts growths: one in other colours is the same one.
+    #[must_use]
+    pub fn generation(&self) -> u64 {
+        self.generation
     }
 
     /// Grows it again, whatever is there.
@@ -195,7 +204,8 @@ impl Growth {
                     self.picture = Some(picture);
                     another = true;
                 }
-                worker::What::Settled(texture, picture) => {
+                worker::What::Settled(texture, picture, kept) => {
+                    self.kept = kept;
                     self.first_picture.get_or_insert_with(|| self.since.elapsed());
                     self.texture = Some(texture);
                     self.picture = Some(picture);

@@ -11,7 +11,7 @@ use super::preview::preview;
 use super::{Picture, Texture, essence};
 use crate::synth::painting::Look;
 use crate::synth::recipe::Document;
-use crate::synth::{GrowError, Grown, Options, Stage, Training, Watch, regrow_seen};
+use crate::synth::{GrowError, Grown, GrownLayer, Options, Stage, Training, Watch, regrow_seen, unchanged};
 
 /// Pictures of a growth come no faster than this.
 const BETWEEN_PICTURES: Duration = Duration::from_millis(60);
@@ -25,8 +25,8 @@ pub(super) struct News {
 pub(super) enum What {
     /// How it looks by now.
     Picture(Picture),
-    /// It has settled.
-    Settled(Texture, Picture),
+    /// It has settled; so many of its lowest layers were taken over from what had grown before.
+    Settled(Texture, Picture, usize),
     /// It cannot be grown.
     Failed(String),
 }
@@ -42,6 +42,8 @@ pub(super) struct Orders {
     known: Mutex<Option<Arc<Grown>>>,
     /// Generation (upper 32 bits), stage and share (per 65,535) of what is being done.
     progress: AtomicU64,
+    /// In whose colours the order that grows is seen, where they are others by now.
+    colours: Mutex<Option<(u64, Arc<Document>)>>,
 }
 
 #[derive(Default)]
@@ -70,6 +72,19 @@ impl Orders {
 
     pub(super) fn paint(&self, generation: u64, texture: Texture) {
         self.order(Some(Job::Paint(generation, texture)));
+    }
+
+    /// From now on the growth of order `generation` is seen in the colours of `document`; it goes on.
+    pub(super) fn colour(&self, generation: u64, document: &Document) {
+        let colours = Some((generation, Arc::new(document.clone())));
+        *self.colours.lock().unwrap_or_else(PoisonError::into_inner) = colours;
+    }
+
+    /// `document`, or the same in the colours that were asked for since.
+    fn coloured(&self, generation: u64, document: &Arc<Document>) -> Arc<Document> {
+        let colours = self.colours.lock().unwrap_or_else(PoisonError::into_inner);
+        let newer = colours.as_ref().filter(|(of, _)| *of == generation);
+        Arc::clone(newer.map_or(document, |(_, newer)| newer))
     }
 
     pub(super) fn cancel(&self, generation: u64) {
@@ -144,6 +159,7 @@ pub(super) fn start(wake: impl Fn() + Send + Sync + 'static) -> (Arc<Orders>, Re
         paused: AtomicBool::new(false),
         known: Mutex::default(),
         progress: AtomicU64::new(u64::MAX),
+        colours: Mutex::default(),
     });
     let (tell, news) = mpsc::channel();
     let worker = Worker {
@@ -199,6 +215,7 @@ impl Worker {
 
     fn grow(&self, generation: u64, document: Document) {
         let orders = &self.orders;
+        let document = Arc::new(document);
         let progress = |stage, share| {
             orders.tell(generation, stage, share);
             orders.wait_while_paused(generation);
@@ -208,14 +225,24 @@ impl Worker {
         let known = known.filter(|known| essence(&known.document) == essence(&document));
         let is_known = known.is_some();
         let before = known.or_else(|| self.before.lock().unwrap_or_else(PoisonError::into_inner).clone());
+        let kept = before.as_ref().map_or(0, |before| unchanged(&document, Options::default(), before));
+        let mut done = kept;
         let mut shown: Option<Instant> = None;
-        let first = if is_known { None } else { preview(&document, &self.training) };
+        let beneath = before.as_ref().map_or(&[][..], |before| &before.layers[..kept]);
+        let first = if is_known { None } else { preview(&document, &self.training, beneath) };
         if let Some(picture) = first.filter(|_| !orders.is_over(generation)) {
             self.say(generation, What::Picture(picture));
         }
         let mut seen = |look: &Look| {
+            if look.beneath.len() > done {
+                done = look.beneath.len();
+                self.remember(&document, look.beneath);
+            }
             if shown.is_none_or(|shown| shown.elapsed() >= BETWEEN_PICTURES) && !orders.is_over(generation) {
-                self.say(generation, What::Picture(Picture::growing(&document, look)));
+                self.say(
+                    generation,
+                    What::Picture(Picture::growing(&orders.coloured(generation, &document), look)),
+                );
                 shown = Some(Instant::now());
             }
         };
@@ -240,14 +267,25 @@ impl Worker {
         };
         match grown {
             Ok(grown) => {
-                let texture = Texture { document: Arc::new(document), grown: Arc::new(grown) };
+                let document = orders.coloured(generation, &document);
+                let texture = Texture { document, grown: Arc::new(grown) };
                 *self.before.lock().unwrap_or_else(PoisonError::into_inner) =
                     Some(Arc::clone(&texture.grown));
                 let picture = Picture::settled(&texture);
-                self.say(generation, What::Settled(texture, picture));
+                self.say(generation, What::Settled(texture, picture, kept));
             }
             Err(GrowError::Cancelled(_)) => {}
             Err(error) => self.say(generation, What::Failed(error.to_string())),
         }
+    }
+
+    /// Keeps the layers of `document` that have grown so far: should it be changed while the next one grows, they need
+    /// not grow again.
+    fn remember(&self, document: &Document, layers: &[GrownLayer]) {
+        let mut document = document.clone();
+        document.layers.truncate(layers.len());
+        let grown =
+            Grown { size: document.size, layers: layers.to_vec(), document, options: Options::default() };
+        *self.before.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::new(grown));
     }
 }

@@ -1,10 +1,12 @@
 //! What stands around the canvas and the texture.
 
 mod alternatives;
-mod colour;
+pub mod colour;
 mod growth_bar;
 mod inspector;
+mod layer_details;
 mod layers;
+mod meets;
 mod menu;
 mod result;
 mod selected;
@@ -13,6 +15,7 @@ mod status;
 mod strip;
 
 pub use alternatives::{HEIGHT, alternatives};
+pub use colour::ColourPanel;
 pub use growth_bar::growth_bar;
 pub use inspector::{Tab, inspector};
 pub use menu::menu;

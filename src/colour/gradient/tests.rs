@@ -188,6 +188,14 @@ fn what_is_wrong_with_a_gradient_is_named() {
 
 proptest! {
     #[test]
+    fn many_colours_at_once_are_the_same_as_one_by_one(values in prop::collection::vec(any::<f32>(), 0..9)) {
+        let stops = vec![stop(0.1, CREAM), stop(0.4, BROWN), stop(0.9, CREAM)];
+        let gradient = Gradient { stops, bends: vec![Bend([0.42, 0.0, 0.58, 1.0])] };
+        let single: Vec<_> = values.iter().map(|v| gradient.colour(*v)).collect();
+        prop_assert_eq!(gradient.colours(values), single);
+    }
+
+    #[test]
     fn any_colour_comes_back_from_oklab_unchanged(colour: [u8; 3]) {
         let gradient = Gradient { stops: vec![stop(0.0, colour), stop(1.0, colour)], bends: vec![] };
         prop_assert_eq!(gradient.colour(0.4), colour);

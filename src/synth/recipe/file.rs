@@ -21,7 +21,7 @@ impl Document {
         if bytes.len() as u64 > limits::MAX_FILE {
             return Err(DocumentError::TooLarge { file, limit: limits::MAX_FILE });
         }
-        let text = syntax::text(&bytes).map_err(|problem| in_file(&file, problem))?;
+        let text = syntax::text(&bytes).map_err(|problem| problem.in_file(&file))?;
         Self::parse(text, &file)
     }
 
@@ -30,7 +30,7 @@ impl Document {
     /// # Errors
     /// Where the text is not a valid document.
     pub fn parse(text: &str, source_name: &str) -> Result<Self, DocumentError> {
-        let value = syntax::json(text).map_err(|problem| in_file(source_name, problem))?;
+        let value = syntax::json(text).map_err(|problem| problem.in_file(source_name))?;
         let value = migrate::to_newest(value, source_name)?;
         reader::document(&Node::root(&value)).map_err(|problem| problem.in_file(source_name))
     }
@@ -59,13 +59,6 @@ impl Document {
         let value = writer::value(self);
         reader::document(&Node::root(&value)).map(drop).map_err(|problem| problem.in_file(source_name))
     }
-}
-
-fn in_file(
-    file: &str,
-    syntax::SyntaxProblem { line, column, problem }: syntax::SyntaxProblem,
-) -> DocumentError {
-    DocumentError::Syntax { file: file.to_owned(), line, column, problem }
 }
 
 /// The file's bytes, though no more than one over the limit.

@@ -64,11 +64,13 @@
 //! | `"initiators"` | the drawn lines alone, and no tensor: stripes radiate from them in regular order, as in Turk's "Regular Stripe Patterns" and Phan & Grimm, figure 11 |
 
 mod choices;
+mod colours;
 mod error;
 mod file;
 pub mod limits;
 mod migrate;
 mod node;
+pub mod palette;
 mod reader;
 mod strokes;
 mod syntax;
@@ -77,6 +79,7 @@ mod writer;
 use crate::attributes::Spread;
 pub use crate::rd::Seeding;
 pub use choices::{After, Kind, SystemChoice};
+pub use colours::{Colours, Stop};
 pub use error::{DocumentError, Problem};
 
 use crate::field::Edges;
@@ -278,25 +281,6 @@ impl Stroke {
             Self::Freehand { .. } => None,
         }
     }
-}
-
-/// The colours of a layer: pattern values are mapped to stops, and the way from stop to stop may be bent.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Colours {
-    /// Stops, ascending; at least one. Two at the same value make a hard step.
-    pub stops: Vec<Stop>,
-    /// `bends[i]` is the cubic Bezier (x1, y1, x2, y2, as in CSS easing) between stops i and i + 1; those
-    /// that are missing at the end are straight.
-    pub bends: Vec<[f64; 4]>,
-}
-
-/// A colour at a pattern value.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stop {
-    /// The pattern value, 0..1.
-    pub at: f64,
-    /// Red, green, blue (sRGB).
-    pub colour: [u8; 3],
 }
 
 #[cfg(test)]

@@ -135,7 +135,8 @@ fn spread(node: &Node) -> Result<SpreadChoice, Problem> {
     }
 }
 
-fn colours(node: &Node) -> Result<Colours, Problem> {
+/// The colours of a layer or a palette.
+pub(super) fn colours(node: &Node) -> Result<Colours, Problem> {
     node.keys(&["stops", "bends"])?;
     let stops = stops(&node.need("stops", "a list of colour stops")?)?;
     let bends = node.get("bends").map_or(Ok(Vec::new()), |node| bends(&node, stops.len() - 1))?;

@@ -1,5 +1,6 @@
 //! Bytes → JSON values: UTF-8, no key twice, and errors that name line and column.
 
+use super::DocumentError;
 use super::node::{quoted, visible};
 use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
@@ -14,6 +15,14 @@ pub(super) struct SyntaxProblem {
     pub column: usize,
     /// What was found and what is allowed.
     pub problem: String,
+}
+
+impl SyntaxProblem {
+    /// The same as an error of the document in `file`.
+    pub(super) fn in_file(self, file: &str) -> DocumentError {
+        let Self { line, column, problem } = self;
+        DocumentError::Syntax { file: file.to_owned(), line, column, problem }
+    }
 }
 
 /// The text in `bytes`, or where they stop being UTF-8.

@@ -80,7 +80,7 @@ fn stroke(stroke: &Stroke) -> Value {
     }
 }
 
-fn colours(colours: &Colours) -> Value {
+pub(super) fn colours(colours: &Colours) -> Value {
     let stops = colours.stops.iter().map(|stop| {
         let [r, g, b] = stop.colour;
         json!({"at": number(stop.at), "colour": format!("#{r:02x}{g:02x}{b:02x}")})

@@ -1,0 +1,47 @@
+//! Palettes in and out.
+
+use std::path::Path;
+
+use eframe::egui::Ui;
+
+use super::chooser::Purpose;
+use super::files::with_causes;
+use super::panels::{Tab, colour};
+use super::window::Window;
+use crate::synth::recipe::palette::Palette;
+
+impl Window {
+    pub(super) fn choose_palette(&mut self, ui: &Ui) {
+        self.choose(ui, Purpose::Palette, "");
+    }
+
+    pub(super) fn save_palette_as(&mut self, ui: &Ui) {
+        let name = colour::name_of(&self.desk, self.desk.layer);
+        // Names of layers may hold what a file's cannot.
+        let name = name.replace(['/', '\\', ':', '\0'], " ");
+        self.choose(ui, Purpose::PaletteTo, &format!("{name}.json"));
+    }
+
+    /// The layer at hand takes the colours of a file; where it cannot be read, says why and keeps its own.
+    pub(super) fn open_palette(&mut self, path: &Path) {
+        match Palette::read(path) {
+            Ok(palette) => {
+                let layer = self.desk.layer;
+                colour::give(&mut self.desk, &[layer], Some(&palette.colours));
+                self.tab = Tab::Colour;
+            }
+            Err(error) => self.notices.wrong(with_causes(&error)),
+        }
+    }
+
+    pub(super) fn save_palette(&mut self, path: &Path) {
+        let palette = Palette {
+            name: colour::name_of(&self.desk, self.desk.layer),
+            colours: colour::of(&self.desk, self.desk.layer),
+        };
+        match palette.write(path) {
+            Ok(()) => self.notices.done(format!("Saved as {}", path.display())),
+            Err(error) => self.notices.wrong(with_causes(&error)),
+        }
+    }
+}

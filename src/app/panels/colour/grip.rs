@@ -1,0 +1,35 @@
+//! What can be held: by the pointer, and by arrows.
+
+use eframe::egui::{EventFilter, Key, Modifiers, Response, Ui};
+
+/// Steps that the arrows ask of what has the keys: to the right and up, 1 each, 10 with Shift.
+pub fn arrows(ui: &Ui, response: &Response) -> [f64; 2] {
+    if !response.has_focus() {
+        return [0.0; 2];
+    }
+    let filter = EventFilter { tab: false, horizontal_arrows: true, vertical_arrows: true, escape: false };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    ui.input_mut(|input| {
+        let mut count = |key| {
+            let many = 10 * input.count_and_consume_key(Modifiers::SHIFT, key);
+            (many + input.count_and_consume_key(Modifiers::NONE, key)) as f64
+        };
+        let [left, right] = [Key::ArrowLeft, Key::ArrowRight].map(&mut count);
+        let [down, up] = [Key::ArrowDown, Key::ArrowUp].map(&mut count);
+        [right - left, up - down]
+    })
+}
+
+/// Is what has the keys to be taken away?
+pub fn deleted(ui: &Ui, response: &Response) -> bool {
+    response.has_focus()
+        && ui.input_mut(|input| {
+            let mut count = |key| input.count_and_consume_key(Modifiers::NONE, key);
+            count(Key::Delete) + count(Key::Backspace) > 0
+        })
+}
+
+/// `value` to three digits: finer than a point of the screen, and nobody wants to read more.
+pub fn rounded(value: f64) -> f64 {
+    (1e3 * value).round() / 1e3
+}

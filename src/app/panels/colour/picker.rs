@@ -1,0 +1,93 @@
+//! The picker: hue below, saturation and brightness above; by pointer and by arrows.
+
+use eframe::egui::ecolor::{Hsva, HsvaGamma};
+use eframe::egui::{
+    Color32, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, epaint::Mesh, pos2, vec2,
+};
+
+use super::grip::arrows;
+use super::hex;
+use crate::app::theme::Palette;
+
+/// Shows it; `fresh` = it has just been opened by a key and takes the keys.
+pub fn picker(ui: &mut Ui, held: &mut Option<([u8; 3], HsvaGamma)>, colour: &mut [u8; 3], fresh: bool) {
+    ui.set_width(200.0);
+    let known = held.filter(|(of, _)| of == colour).map(|(_, hsv)| hsv);
+    let mut hsv = known.unwrap_or_else(|| HsvaGamma::from(Hsva::from_srgb(*colour)));
+    hsv.a = 1.0;
+    let before = hsv;
+    let hue = hsv.h;
+    let at = |s, v| Color32::from(HsvaGamma { h: hue, s, v, a: 1.0 });
+    let [s, v] =
+        pad(ui, "Saturation and brightness", vec2(200.0, 124.0), [hsv.s, hsv.v], [20, 14], fresh, at);
+    (hsv.s, hsv.v) = (s, v);
+    let rainbow = |h, _| Color32::from(HsvaGamma { h, s: 1.0, v: 1.0, a: 1.0 });
+    let [h, _] = pad(ui, "Hue", vec2(200.0, 20.0), [hsv.h, 0.5], [48, 1], false, rainbow);
+    hsv.h = h;
+    if hsv != before {
+        let [red, green, blue, _] = Color32::from(hsv).to_array();
+        *colour = [red, green, blue];
+    }
+    *held = Some((*colour, hsv));
+    ui.weak(hex(*colour));
+}
+
+/// A field of colours with a place in it, both 0..1 to the right and up.
+fn pad(
+    ui: &mut Ui,
+    name: &str,
+    size: Vec2,
+    [mut x, mut y]: [f32; 2],
+    [columns, rows]: [usize; 2],
+    fresh: bool,
+    colour: impl Fn(f32, f32) -> Color32,
+) -> [f32; 2] {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+    let label = format!("{name}, {:.0} %", 100.0 * x);
+    response.widget_info(|| WidgetInfo::slider(true, f64::from(x), &label));
+    if fresh {
+        response.request_focus();
+    }
+    if let Some(at) = response.interact_pointer_pos() {
+        x = ((at.x - rect.left()) / rect.width()).clamp(0.0, 1.0);
+        y = ((rect.bottom() - at.y) / rect.height()).clamp(0.0, 1.0);
+    }
+    let [right, up] = arrows(ui, &response);
+    let flat = rows == 1;
+    x = (x + 0.01 * right as f32).clamp(0.0, 1.0);
+    y = if flat { 0.5 } else { (y + 0.01 * up as f32).clamp(0.0, 1.0) };
+    ui.painter().add(Shape::mesh(field(rect, [columns, rows], &colour)));
+    let palette = Palette::of(ui.visuals());
+    let border = if response.has_focus() {
+        Stroke::new(2.0, palette.accent)
+    } else {
+        Stroke::new(1.0, palette.border)
+    };
+    ui.painter().rect_stroke(rect, 0.0, border, StrokeKind::Outside);
+    let at = pos2(rect.left() + x * rect.width(), rect.bottom() - y * rect.height());
+    ui.painter().circle(at, 6.0, colour(x, y), Stroke::new(2.0, Color32::WHITE));
+    ui.painter().circle_stroke(at, 7.5, Stroke::new(1.0, Color32::BLACK));
+    response.on_hover_text(format!("{name}; by key: arrows, with Shift further"));
+    [x, y]
+}
+
+/// The colours at the corners of a grid; the card mixes between them.
+fn field(rect: Rect, [columns, rows]: [usize; 2], colour: &impl Fn(f32, f32) -> Color32) -> Mesh {
+    let mut mesh = Mesh::default();
+    for row in 0..=rows {
+        for column in 0..=columns {
+            let (x, y) = (column as f32 / columns as f32, row as f32 / rows as f32);
+            let at: Pos2 = pos2(rect.left() + x * rect.width(), rect.bottom() - y * rect.height());
+            mesh.colored_vertex(at, colour(x, y));
+        }
+    }
+    let wide = columns as u32 + 1;
+    for row in 0..rows as u32 {
+        for column in 0..columns as u32 {
+            let a = row * wide + column;
+            mesh.add_triangle(a, a + 1, a + wide);
+            mesh.add_triangle(a + wide, a + 1, a + wide + 1);
+        }
+    }
+    mesh
+}

@@ -1,0 +1,84 @@
+//! Colours to choose from, as small pictures.
+
+use eframe::egui::{
+    Align2, Button, ColorImage, FontId, Image, Rect, RichText, TextureOptions, Ui, pos2, vec2,
+};
+
+use super::{ColourPanel, shown};
+use crate::app::panels::inspector::heading;
+use crate::colour::{Group, Marking, PRESETS, Preset};
+use crate::synth::recipe::Colours;
+
+/// px of a small picture.
+const SIZE: [usize; 2] = [34, 22];
+
+/// Shows them.
+pub fn presets(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
+    if panel.samples.is_empty() {
+        let sample =
+            |preset: &Preset| ui.ctx().load_texture(preset.set.name, picture(preset), TextureOptions::LINEAR);
+        panel.samples = PRESETS.iter().map(sample).collect();
+    }
+    for (group, name) in [(Group::Animal, "Animals"), (Group::Material, "Materials")] {
+        heading(ui, name);
+        let all: Vec<usize> = (0..PRESETS.len()).filter(|index| PRESETS[*index].group == group).collect();
+        for row in all.chunks(2) {
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 4.0;
+                for &index in row {
+                    preset(ui, panel, colours, index);
+                }
+            });
+        }
+    }
+}
+
+fn preset(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours, index: usize) {
+    let preset = &PRESETS[index];
+    let own = Colours::from(&preset.set.gradient());
+    let chosen = *colours == own;
+    let button = ui.add_sized(vec2(114.0, 28.0), Button::new("").selected(chosen));
+    let left = button.rect.left_center() + vec2(4.0, 0.0);
+    let size = vec2(SIZE[0] as f32, SIZE[1] as f32);
+    let room = Rect::from_min_size(pos2(left.x, left.y - 0.5 * size.y), size);
+    Image::new(&panel.samples[index]).corner_radius(3).paint_at(ui, room);
+    let colour =
+        if chosen { ui.visuals().selection.stroke.color } else { ui.style().interact(&button).text_color() };
+    let at = pos2(room.right() + 6.0, left.y);
+    ui.painter().text(at, Align2::LEFT_CENTER, preset.set.name, FontId::proportional(12.0), colour);
+    let button = button.accessible_name(format!("Colours: {}", preset.set.name));
+    let button = button.on_hover_ui(|ui| {
+        ui.label(RichText::new(preset.set.name).strong());
+        ui.label(preset.source);
+    });
+    if button.gained_focus() {
+        button.scroll_to_me(None);
+    }
+    if button.clicked() {
+        *colours = own;
+        panel.choose(0, colours);
+    }
+}
+
+/// A pattern like those that grow, only computed: it is to be recognised, not to be true.
+fn picture(preset: &Preset) -> ColorImage {
+    const SHADES: usize = 64;
+    let shades = preset.set.gradient().colours((0..SHADES).map(|i| i as f32 / (SHADES - 1) as f32));
+    let pixel = |x: usize, y: usize| {
+        let (x, y) = (x as f32, y as f32);
+        let wave = match preset.marking {
+            // Three waves that cross at 60°.
+            Marking::Spots => {
+                let waves = [0.7 * x, 0.35 * x + 0.606 * y, 0.35 * x - 0.606 * y];
+                waves.map(f32::cos).into_iter().sum::<f32>() / 2.0 - 0.35
+            }
+            Marking::Stripes => (0.75 * x + 0.9 * (0.2 * y).sin()).sin() - 0.05,
+        };
+        // A grown pattern is steep at the marks' edges.
+        let value = (0.5 + 0.9 * wave).clamp(0.0, 1.0);
+        shown(shades[(value * (SHADES - 1) as f32).round() as usize])
+    };
+    let [width, height] = SIZE;
+    let pixels = (0..width * height).map(|px| pixel(px % width, px / width)).collect();
+    ColorImage::new(SIZE, pixels)
+}

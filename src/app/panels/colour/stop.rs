@@ -1,0 +1,143 @@
+//! The chosen stop: its colour, its place, its neighbours.
+
+use eframe::egui::{
+    Button, DragValue, Popup, PopupCloseBehavior, RichText, Role, Sense, StrokeKind, TextEdit, Ui,
+    WidgetInfo, vec2,
+};
+
+use super::grip::rounded;
+use super::{ColourPanel, hex, picker, shown};
+use crate::app::theme::Palette;
+use crate::synth::recipe::Colours;
+
+/// Shows it.
+pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
+    panel.keep_within(colours);
+    let index = panel.stop;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        swatch(ui, panel, &mut colours.stops[index].colour);
+        typed(ui, panel, &mut colours.stops[index].colour);
+        let before = colours.stops[index].at;
+        let mut at = before;
+        let field = DragValue::new(&mut at).range(0.0..=1.0).speed(0.002).max_decimals(3);
+        let field = ui.add(field.update_while_editing(false)).accessible_name("Place of the stop");
+        field.on_hover_text(
+            "The pattern value that has this colour: 0 is the ground, 0.5 a mark's edge, 1 its middle",
+        );
+        if at != before {
+            let moved = colours.shift(index, rounded(at));
+            panel.choose(moved, colours);
+        }
+    });
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        ui.spacing_mut().button_padding.x = 5.0;
+        let count = colours.stops.len();
+        let index = panel.stop;
+        let swaps =
+            [("Swap back", index.checked_sub(1)), ("Swap on", Some(index + 1).filter(|next| *next < count))];
+        for (text, other) in swaps {
+            let way = if text == "Swap on" { "next" } else { "one before" };
+            let button = ui.add_enabled(other.is_some(), small(text));
+            let button = button.on_hover_text(format!("This stop and the {way} exchange their colours"));
+            if let (true, Some(other)) = (button.clicked(), other) {
+                colours.swap(index, other);
+                panel.choose(other, colours);
+            }
+        }
+        let reverse = ui.add(small("Reverse"));
+        if reverse.on_hover_text("All colours and transitions the other way round").clicked() {
+            colours.reverse();
+            panel.choose(count - 1 - index, colours);
+        }
+        let remove = ui.add_enabled(count > 1, small("Remove"));
+        if remove.on_hover_text("Take this stop away; the last one stays").clicked() && colours.remove(index)
+        {
+            panel.choose(index.min(count - 2), colours);
+        }
+    });
+}
+
+fn small(text: &str) -> Button<'_> {
+    Button::new(RichText::new(text).small()).min_size(vec2(0.0, 22.0))
+}
+
+/// A button of the stop's colour that opens the picker.
+fn swatch(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
+    let (rect, response) = ui.allocate_exact_size(vec2(40.0, 24.0), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Pick a colour"));
+    let palette = Palette::of(ui.visuals());
+    ui.painter().rect_filled(rect, 4.0, shown(*colour));
+    let border = if response.has_focus() { palette.accent } else { palette.border };
+    ui.painter().rect_stroke(
+        rect,
+        4.0,
+        (if response.has_focus() { 2.0 } else { 1.0 }, border),
+        StrokeKind::Inside,
+    );
+    let id = Popup::default_response_id(&response);
+    let by_key = std::mem::take(&mut panel.open_picker);
+    if by_key {
+        Popup::open_id(ui.ctx(), id);
+    }
+    let popup = Popup::from_toggle_button_response(&response);
+    let popup = popup.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    popup.show(|ui| picker::picker(ui, &mut panel.hsv, colour, by_key));
+    response.on_hover_text("The colour of the chosen stop; click to pick another");
+}
+
+/// The colour in hexadecimal digits.
+fn typed(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
+    let mut text = panel.hex.clone().unwrap_or_else(|| hex(*colour));
+    let known = read(&text);
+    let mut edit = TextEdit::singleline(&mut text).desired_width(76.0).char_limit(16);
+    if known.is_none() {
+        edit = edit.text_color(Palette::of(ui.visuals()).wrong);
+    }
+    let response = ui.add(edit).accessible_name("Colour in hexadecimal digits");
+    if response.changed() {
+        panel.hex = Some(text);
+    }
+    if response.lost_focus()
+        && let Some(text) = panel.hex.take()
+        && let Some(typed) = read(&text)
+    {
+        *colour = typed;
+    }
+    let help = "Red, green, blue: #rrggbb or #rgb in hexadecimal digits";
+    response.on_hover_text(if known.is_none() {
+        format!("This is no colour. {help}")
+    } else {
+        help.to_owned()
+    });
+}
+
+/// `#rrggbb`, `#rgb`, with or without the sign.
+fn read(text: &str) -> Option<[u8; 3]> {
+    let text = text.trim();
+    let digits = text.strip_prefix('#').unwrap_or(text).chars();
+    let digits: Vec<u8> = digits.map(|c| c.to_digit(16).map(|digit| digit as u8)).collect::<Option<_>>()?;
+    match digits[..] {
+        [r, g, b] => Some([r * 17, g * 17, b * 17]),
+        [a, b, c, d, e, f] => Some([a * 16 + b, c * 16 + d, e * 16 + f]),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_are_read_as_people_write_them() {
+        for (text, colour) in
+            [("#f4e3c1", [244, 227, 193]), (" F4E3C1 ", [244, 227, 193]), ("#fc0", [255, 204, 0])]
+        {
+            assert_eq!(read(text), Some(colour), "{text}");
+        }
+        for text in ["", "#", "red", "#12345", "#1234567", "##123456"] {
+            assert_eq!(read(text), None, "{text}");
+        }
+    }
+}

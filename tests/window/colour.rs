@@ -1,0 +1,432 @@
+//! Colours: the bar, its stops, the curve between them, presets, palettes, copies.
+
+use std::fs;
+
+use dapple::app::Phase;
+use dapple::colour::{Bend, Gradient, PRESETS};
+use dapple::synth::recipe::palette::Palette;
+use dapple::synth::recipe::{Colours, Document};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, vec2};
+use egui_kittest::kittest::{NodeT, Queryable};
+
+use crate::hand::{Hand, hand_with};
+
+/// A small canvas with a spot or two layers of them, and the colours shown.
+fn dyer(layers: usize) -> (Hand, tempfile::TempDir) {
+    let layer = r#"{"strokes": [{"kind": "ellipse", "center": [60, 60], "radii": [14, 9], "angle": 20}]}"#;
+    let layers = vec![layer; layers].join(",");
+    let text = format!(r#"{{"format": "dapple", "version": 1, "size": [160, 160], "layers": [{layers}]}}"#);
+    let (mut hand, folder, _) = hand_with(&Document::parse(&text, "small").unwrap());
+    hand.press("Colour");
+    (hand, folder)
+}
+
+impl Hand {
+    /// The colours of a layer as the document has them.
+    fn colours(&self, layer: usize) -> Colours {
+        self.document().layers[layer].colours.clone().unwrap_or_else(|| Colours::default_for_layer(layer))
+    }
+
+    /// Where the control is whose name begins so.
+    #[track_caller]
+    fn place(&self, name: &str) -> Rect {
+        let found = self.window.query_all_by_label_contains(name).next();
+        found.unwrap_or_else(|| panic!("no {name}")).rect()
+    }
+
+    /// Presses a button that the column may have to be scrolled for.
+    #[track_caller]
+    fn reach(&mut self, name: &str) {
+        self.window.get_by_label(name).scroll_to_me();
+        self.window.run_steps(60);
+        self.press(name);
+    }
+
+    /// Gives the keys to the control whose name begins so.
+    #[track_caller]
+    fn focus(&mut self, name: &str) {
+        self.window.query_all_by_label_contains(name).next().unwrap_or_else(|| panic!("no {name}")).focus();
+        self.rest();
+    }
+
+    /// Drags on the screen in a few steps; `then` before it lets go.
+    fn pull(&mut self, from: Pos2, to: Pos2, then: impl FnOnce(&mut Self)) {
+        self.window.hover_at(from);
+        self.window.step();
+        let button = |pos, pressed| Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        };
+        self.window.event(button(from, true));
+        self.window.step();
+        for i in 1..=8 {
+            self.window.hover_at(from + (to - from) * (i as f32 / 8.0));
+            self.window.step();
+        }
+        then(self);
+        self.window.event(button(to, false));
+        self.rest();
+    }
+
+    fn tap(&mut self, at: Pos2) {
+        self.pull(at, at, |_| {});
+    }
+
+    fn places(&self) -> Vec<f64> {
+        self.colours(0).stops.iter().map(|stop| stop.at).collect()
+    }
+}
+
+#[test]
+fn a_stop_is_dragged_along_the_bar_in_one_step() {
+    let (mut hand, _folder) = dyer(1);
+    let width = hand.place("Add a stop").width();
+    let from = hand.place("Stop 2 of 4").center();
+    let before = hand.document();
+    hand.pull(from, from + vec2(0.1 * width, 0.0), |_| {});
+    let places = hand.places();
+    assert!((places[1] - 0.5).abs() < 0.006, "{places:?}");
+    assert_eq!([places[0], places[2], places[3]], [0.0, 0.6, 1.0]);
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.document(), before, "one drag is one step");
+    hand.key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    assert_eq!(hand.places(), places);
+}
+
+#[test]
+fn a_stop_is_dragged_past_another() {
+    let (mut hand, _folder) = dyer(1);
+    let before = hand.colours(0);
+    let width = hand.place("Add a stop").width();
+    let from = hand.place("Stop 2 of 4").center();
+    hand.pull(from, from + vec2(0.4 * width, 0.0), |_| {});
+    let after = hand.colours(0);
+    assert_eq!(after.stops[1], before.stops[2]);
+    assert_eq!(after.stops[2].colour, before.stops[1].colour);
+    assert!((after.stops[2].at - 0.8).abs() < 0.006);
+}
+
+#[test]
+fn a_stop_is_added_by_a_click_and_removed_by_dragging_it_off() {
+    let (mut hand, _folder) = dyer(1);
+    let before = hand.document();
+    let bar = hand.place("Add a stop");
+    hand.tap(bar.left_center() + vec2(0.2 * bar.width(), 0.0));
+    assert_eq!(hand.places().len(), 5);
+    assert!((hand.places()[1] - 0.2).abs() < 0.006, "{:?}", hand.places());
+    let was = Gradient::default_for_layer(0);
+    let is = hand.colours(0).gradient();
+    for v in [0.1, 0.2, 0.3, 0.5] {
+        let off = (0..3).map(|i| was.colour(v)[i].abs_diff(is.colour(v)[i])).max().unwrap();
+        assert!(off <= 1, "a stop more changes nothing at {v}");
+    }
+    let pin = hand.place("Stop 2 of 5").center();
+    hand.pull(pin, pin + vec2(10.0, 90.0), |hand| {
+        assert_eq!(hand.places().len(), 4, "the picture shows it before the hand lets go");
+    });
+    assert_eq!(hand.places(), [0.0, 0.4, 0.6, 1.0]);
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.places().len(), 5);
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.document(), before);
+}
+
+#[test]
+fn escape_lets_go_of_a_stop() {
+    let (mut hand, _folder) = dyer(1);
+    let before = hand.places();
+    let pin = hand.place("Stop 3 of 4").center();
+    hand.pull(pin, pin + vec2(40.0, 0.0), |hand| {
+        assert_ne!(hand.places(), before);
+        hand.key(Modifiers::NONE, Key::Escape);
+        assert_eq!(hand.places(), before);
+    });
+    assert_eq!(hand.places(), before);
+}
+
+#[test]
+fn handles_bend_the_transition() {
+    let (mut hand, _folder) = dyer(1);
+    hand.focus("Stop 1 of 4");
+    let first = hand.place("First handle").center();
+    let second = hand.place("Second handle").center();
+    // A straight way has its handles in the corners: they span the picture.
+    let room = second - first;
+    hand.pull(first, first + vec2(0.5 * room.x, 0.25 * room.y), |_| {});
+    let bend = hand.colours(0).bend(0);
+    assert!((bend[0] - 0.5).abs() < 0.02 && (bend[1] - 0.25).abs() < 0.03, "{bend:?}");
+    assert_eq!(bend[2..], [1.0, 1.0]);
+    let eased = Bend(bend).ease(0.5);
+    assert!(eased < 0.45, "it starts slowly: {eased}");
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.colours(0).bend(0), [0.0, 0.0, 1.0, 1.0]);
+    hand.press("Slow start and end");
+    assert_eq!(hand.colours(0).bend(0), [0.42, 0.0, 0.58, 1.0]);
+}
+
+#[test]
+fn all_goes_by_keys_alone() {
+    let (mut hand, _folder) = dyer(1);
+    hand.focus("Stop 2 of 4");
+    for key in [Key::ArrowRight, Key::ArrowRight, Key::ArrowUp] {
+        hand.key(Modifiers::NONE, key);
+    }
+    assert_eq!(hand.places(), [0.0, 0.43, 0.6, 1.0]);
+    hand.key(Modifiers::SHIFT, Key::ArrowRight);
+    hand.key(Modifiers::SHIFT, Key::ArrowRight);
+    assert_eq!(hand.places(), [0.0, 0.6, 0.63, 1.0], "past the next");
+    hand.key(Modifiers::NONE, Key::Delete);
+    assert_eq!(hand.places(), [0.0, 0.6, 1.0]);
+    assert_eq!(hand.strokes().len(), 1, "the marks stay");
+
+    hand.focus("Add a stop");
+    hand.key(Modifiers::NONE, Key::Enter);
+    assert_eq!(hand.places().len(), 4, "in the middle of the chosen way");
+
+    hand.press("Straight");
+    hand.focus("First handle");
+    hand.key(Modifiers::SHIFT, Key::ArrowRight);
+    hand.key(Modifiers::NONE, Key::ArrowUp);
+    let gap = (0..3).find(|gap| hand.colours(0).bend(*gap)[0] == 0.1);
+    let gap = gap.unwrap_or_else(|| panic!("{:?}", hand.colours(0)));
+    assert_eq!(hand.colours(0).bend(gap)[1], 0.01);
+    hand.key(Modifiers::NONE, Key::Delete);
+    assert_eq!(hand.colours(0).bend(gap), [0.0, 0.0, 1.0, 1.0]);
+
+    hand.focus("Stop 1 of 4");
+    hand.key(Modifiers::NONE, Key::Enter);
+    let before = hand.colours(0).stops[0].colour;
+    assert!(hand.window.query_by_label_contains("Saturation and brightness").unwrap().is_focused());
+    hand.key(Modifiers::SHIFT, Key::ArrowDown);
+    let darker = hand.colours(0).stops[0].colour;
+    assert!(darker[0] < before[0], "{darker:?}");
+    hand.focus("Hue");
+    hand.key(Modifiers::SHIFT, Key::ArrowRight);
+    assert_ne!(hand.colours(0).stops[0].colour, darker);
+    hand.key(Modifiers::NONE, Key::Escape);
+    assert!(hand.window.query_by_label_contains("Saturation and brightness").is_none());
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.colours(0).stops[0].colour, darker);
+}
+
+#[test]
+fn a_colour_is_typed() {
+    let (mut hand, _folder) = dyer(1);
+    let mut types = |text: &str| {
+        hand.window.get_by_role_and_label(Role::TextInput, "Colour in hexadecimal digits").click();
+        hand.rest();
+        hand.key(Modifiers::COMMAND, Key::A);
+        hand.window.event(Event::Text(text.to_owned()));
+        hand.window.step();
+        hand.key(Modifiers::NONE, Key::Enter);
+        hand.colours(0).stops[0].colour
+    };
+    assert_eq!(types("#0a80ff"), [0x0a, 0x80, 0xff]);
+    assert_eq!(types("fc0"), [0xff, 0xcc, 0x00]);
+    assert_eq!(types("reddish"), [0xff, 0xcc, 0x00], "what is no colour changes nothing");
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.colours(0).stops[0].colour, [0x0a, 0x80, 0xff]);
+}
+
+#[test]
+fn stops_are_swapped_and_all_is_reversed() {
+    let (mut hand, _folder) = dyer(1);
+    let before = hand.colours(0);
+    hand.focus("Stop 1 of 4");
+    hand.press("Swap on");
+    assert_eq!(hand.colours(0).stops[0].colour, before.stops[1].colour);
+    hand.press("Swap back");
+    assert_eq!(hand.colours(0), before);
+    hand.press("Reverse");
+    let reversed = hand.colours(0);
+    assert_eq!(reversed.stops[0].colour, before.stops[3].colour);
+    hand.press("Reverse");
+    assert_eq!(hand.colours(0), before);
+    hand.press("Remove");
+    assert_eq!(hand.places().len(), 3);
+}
+
+#[test]
+fn a_preset_is_taken_and_says_where_it_comes_from() {
+    let (mut hand, _folder) = dyer(1);
+    let zebra = PRESETS.iter().find(|preset| preset.set.name == "zebra").unwrap();
+    hand.window.get_by_label("Colours: zebra").scroll_to_me();
+    hand.window.run_steps(60);
+    hand.window.get_by_label("Colours: zebra").hover();
+    hand.window.run_steps(60);
+    assert!(hand.window.query_by_label(zebra.source).is_some(), "its source is told");
+    hand.reach("Colours: zebra");
+    assert_eq!(hand.colours(0), Colours::from(&zebra.set.gradient()));
+    hand.reach("Default");
+    assert_eq!(hand.document().layers[0].colours, None);
+}
+
+#[test]
+fn colours_are_copied_between_layers() {
+    let (mut hand, _folder) = dyer(2);
+    assert_eq!(hand.window.state().desk().layer, 1);
+    hand.reach("Colours: tiger");
+    let tiger = hand.colours(1);
+    assert_ne!(hand.colours(0), tiger);
+    hand.press("Copy to");
+    hand.press("layer 1");
+    assert_eq!(hand.colours(0), tiger);
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_ne!(hand.colours(0), tiger);
+    hand.press("Take from");
+    hand.press("layer 1");
+    assert_eq!(hand.colours(1), Colours::default_for_layer(0));
+}
+
+#[test]
+fn palettes_go_out_and_come_in() {
+    let (mut hand, folder) = dyer(1);
+    hand.reach("Colours: zebra");
+    let zebra = hand.colours(0);
+    for name in ["p.json", "p.gpl"] {
+        let file = folder.path().join(name);
+        hand.reach("Save palette…");
+        hand.type_into("File", file.to_str().unwrap());
+        assert_eq!(Palette::read(&file).unwrap().name, "layer 1");
+        hand.reach("Default");
+        assert_ne!(hand.colours(0), zebra);
+        hand.reach("Open palette…");
+        hand.type_into("File", file.to_str().unwrap());
+        let read = hand.colours(0);
+        assert_eq!(read.stops, zebra.stops, "{name}");
+        assert_eq!(read.bends == zebra.bends, name == "p.json", "{name}: only .json keeps transitions");
+    }
+    let bad = folder.path().join("bad.gpl");
+    fs::write(&bad, "GIMP Palette\n1 2 300 x\n").unwrap();
+    let before = hand.colours(0);
+    hand.reach("Open palette…");
+    hand.type_into("File", bad.to_str().unwrap());
+    assert_eq!(hand.colours(0), before);
+    let said = hand.window.state().notices().iter().find(|notice| notice.wrong).expect("it is said");
+    assert!(said.text.contains("line 2: found \"1 2 300 x\""), "{said:?}");
+}
+
+#[test]
+fn colours_can_be_chosen_before_anything_is_drawn() {
+    let mut hand = crate::hand::hand();
+    hand.press("Colour");
+    hand.reach("Colours: ladybird");
+    hand.key(Modifiers::SHIFT, Key::E);
+    assert_eq!(hand.document().layers.len(), 1);
+    assert_eq!(hand.colours(0).stops[0].colour, [0xd8, 0x35, 0x2a]);
+}
+
+/// Is the texture on the screen what the library paints for the document as it is now?
+fn is_painted(hand: &Hand) -> bool {
+    let window = hand.window.state();
+    let (Some(texture), Some(picture)) = (window.settled(), window.growth().picture.as_ref()) else {
+        return false;
+    };
+    let rgb = dapple::synth::painting::Painting::of(&window.document(), &texture.grown, 1).rgb();
+    picture.image.pixels.iter().zip(rgb.chunks_exact(3)).all(|(px, rgb)| px.to_array()[..3] == *rgb)
+}
+
+#[test]
+fn the_picture_follows_while_a_stop_moves_and_nothing_grows_again() {
+    let (mut hand, _folder) = dyer(1);
+    hand.until_settled();
+    let growth = hand.window.state().growth().generation();
+    let grown = hand.window.state().settled().unwrap().grown.clone();
+    let pin = hand.place("Stop 2 of 4").center();
+    hand.pull(pin, pin - vec2(60.0, 0.0), |hand| {
+        hand.until("repainted", |_| true);
+        for _ in 0..500 {
+            if is_painted(hand) {
+                break;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(4));
+            hand.window.step();
+        }
+        assert!(is_painted(hand), "the picture follows before the hand lets go");
+    });
+    hand.reach("Colours: tiger");
+    let window = hand.window.state();
+    assert_eq!(window.growth().generation(), growth, "nothing was grown again");
+    assert!(std::sync::Arc::ptr_eq(&window.settled().unwrap().grown, &grown));
+    assert!(matches!(window.phase(), Phase::Settled(_)));
+}
+
+#[test]
+fn colours_that_change_while_it_grows_do_not_begin_it_again() {
+    let (mut hand, _folder) = dyer(1);
+    hand.key(Modifiers::COMMAND, Key::R);
+    hand.until("first picture", |window| window.growth().first_picture.is_some());
+    let growth = hand.window.state().growth().generation();
+    hand.reach("Colours: zebra");
+    assert_eq!(hand.window.state().growth().generation(), growth);
+    hand.until_settled();
+    assert_eq!(hand.window.state().growth().generation(), growth);
+    for _ in 0..500 {
+        if is_painted(&hand) {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(4));
+        hand.window.step();
+    }
+    assert!(is_painted(&hand), "it settles in the colours that were chosen meanwhile");
+}
+
+#[test]
+fn the_bar_and_the_curve_show_what_the_library_says() {
+    let (mut hand, _folder) = dyer(1);
+    hand.reach("Colours: tiger");
+    hand.focus("Stop 2 of 4");
+    hand.window.get_by_label("Add a stop").scroll_to_me();
+    hand.window.run_steps(60);
+    let bar = hand.place("Add a stop");
+    let [first, second] = ["First handle", "Second handle"].map(|name| hand.place(name).center());
+    hand.window.remove_cursor();
+    hand.window.get_by_role(Role::Canvas).focus();
+    hand.rest();
+    let Ok(picture) = hand.window.render() else {
+        eprintln!("nothing here can draw: not looked at");
+        return;
+    };
+    let px = |x: f32, y: f32| {
+        let [red, green, blue, _] = picture.get_pixel(x as u32, y as u32).0;
+        [red, green, blue]
+    };
+    let off = |a: [u8; 3], b: [u8; 3]| (0..3).map(|i| a[i].abs_diff(b[i])).max().unwrap_or(0);
+    let table = hand.colours(0).gradient().table();
+    for x in bar.left().ceil() as u32 + 1..bar.right() as u32 - 1 {
+        let x = x as f32 + 0.5;
+        // Where one column ends and the next begins is up to the screen.
+        let near = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|by| table.colour((x + by - bar.left()) / bar.width()));
+        let worst = near.into_iter().map(|colour| off(colour, px(x, bar.center().y))).min();
+        assert!(worst <= Some(3), "the bar at {x} is off by {worst:?}");
+    }
+    // The curve's line is the darkest of its column.
+    let bend = hand.colours(0).bend(1);
+    assert_eq!(bend, [0.42, 0.0, 0.58, 1.0]);
+    let unit = (second.x - first.x) / 0.16;
+    for way in [0.2, 0.3, 0.7, 0.8] {
+        let x = first.x + (way - 0.42) * unit;
+        let dark = |y: &u32| px(x, *y as f32).into_iter().map(u32::from).sum::<u32>();
+        let (top, bottom) = (second.y as u32 + 4, first.y as u32 - 4);
+        let seen = (top..bottom).min_by_key(dark).unwrap() as f32 + 0.5;
+        let eased = Bend(bend).ease(f64::from(way)) as f32;
+        let expected = first.y + eased * (second.y - first.y);
+        assert!((seen - expected).abs() < 2.5, "at {way} the curve is at {seen}, not {expected}");
+    }
+}
+
+#[test]
+fn every_control_of_the_colours_has_a_name() {
+    let (hand, _folder) = dyer(2);
+    for role in [Role::Button, Role::Slider, Role::TextInput, Role::SpinButton] {
+        for node in hand.window.query_all_by_role(role) {
+            let name = node.accesskit_node().label().unwrap_or_default();
+            let labelled = node.accesskit_node().labelled_by().next().is_some();
+            assert!(!name.trim().is_empty() || labelled, "a {role:?} has no name");
+        }
+    }
+    assert!(hand.window.query_all_by_role(Role::Slider).count() >= 6, "stops and handles are among them");
+}
