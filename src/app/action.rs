@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::canvas::tool::Tool;
+use super::layering::LayerAction;
 use super::panels::Tab;
 
 /// Something to be done.
@@ -82,8 +83,24 @@ pub enum Action {
     Grow,
     /// Another seed.
     AnotherSeed,
+    /// Do something to a layer.
+    Layer(LayerAction),
     /// Show this in the column.
     Tab(Tab),
+    /// Draw what can be reached in this region (column, row) of a layer of the finished document.
+    Reach(usize, [usize; 2]),
+    /// Show the training cloud about a region of a layer, or hide it.
+    Cloud(Option<(usize, [usize; 2])>),
+    /// Show the strip of alternatives, or hide it.
+    Alternatives(bool),
+    /// Whichever it is not.
+    ToggleAlternatives,
+    /// Put this alternative on the desk.
+    TakeAlternative(u64),
+    /// Keep this alternative (true), or let it go.
+    KeepAlternative(u64, bool),
+    /// Give up growing alternatives (true), or go on.
+    StopAlternatives(bool),
     /// Show or hide a page.
     Page(Page),
 }

@@ -2,12 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
+mod layers;
+
 use super::history::{History, Moment};
+use super::layer_choices::tidy;
 use super::selection::{Place, Selection};
 use super::shape;
 use crate::marks::Mark;
 use crate::sketch::recognise;
-use crate::synth::recipe::{Document, Kind, Layer, Stroke};
+use crate::synth::recipe::{After, Document, Kind, Layer, Stroke};
 
 /// The open document.
 #[derive(Clone, Debug)]
@@ -17,6 +20,8 @@ pub struct Desk {
     pub selection: Selection,
     /// The layer that new marks go to, if they are of its kind.
     pub layer: usize,
+    /// How many of the lowest layers are frozen.
+    frozen: usize,
     /// Where it is saved.
     pub path: Option<PathBuf>,
     history: History,
@@ -40,14 +45,16 @@ impl Desk {
     /// A document, from a file or new.
     #[must_use]
     pub fn open(document: Document, path: Option<PathBuf>) -> Self {
-        let committed = Moment { document: document.clone(), selection: Selection::default() };
         let layer = document.layers.len().saturating_sub(1);
+        let committed =
+            Moment { document: document.clone(), selection: Selection::default(), layer, frozen: 0 };
         let marks = fitted(&document, &Document::default(), &[]);
         Self {
             saved: document.clone(),
             document,
             selection: Selection::default(),
             layer,
+            frozen: 0,
             path,
             history: History::default(),
             committed,
@@ -62,11 +69,19 @@ impl Desk {
         &self.document
     }
 
-    /// The document as it is saved and grown: without empty layers, those without a name named as a file's are.
+    /// The document as it is saved and grown: without empty layers, those without a name named as a file's are, and
+    /// the lowest, which has nothing beneath it, meets nothing.
     #[must_use]
     pub fn finished(&self) -> Document {
         let mut document = self.document.clone();
+        for (index, layer) in document.layers.iter_mut().enumerate() {
+            tidy(layer, self.kind(index));
+        }
         document.layers.retain(|layer| !layer.strokes.is_empty());
+        if let Some(lowest) = document.layers.first_mut() {
+            lowest.after = After::Between;
+            lowest.options.broken = 0.0;
+        }
         for (index, layer) in document.layers.iter_mut().enumerate() {
             if layer.name.is_empty() {
                 layer.name = format!("layer {}", index + 1);
@@ -97,6 +112,7 @@ impl Desk {
     pub fn commit(&mut self) -> bool {
         if self.document == self.committed.document {
             self.committed.selection.clone_from(&self.selection);
+            (self.committed.layer, self.committed.frozen) = (self.layer, self.frozen);
             return false;
         }
         let now = self.moment();
@@ -132,14 +148,19 @@ impl Desk {
     }
 
     fn moment(&self) -> Moment {
-        Moment { document: self.document.clone(), selection: self.selection.clone() }
+        Moment {
+            document: self.document.clone(),
+            selection: self.selection.clone(),
+            layer: self.layer,
+            frozen: self.frozen,
+        }
     }
 
     fn restore(&mut self, moment: Moment) {
         self.edit(|document| document.clone_from(&moment.document));
         self.selection.clone_from(&moment.selection);
+        (self.layer, self.frozen) = (moment.layer, moment.frozen);
         self.committed = moment;
-        self.layer = self.layer.min(self.document.layers.len().saturating_sub(1));
     }
 
     /// Is there something that the file does not have?
@@ -170,7 +191,7 @@ impl Desk {
         *self.marks.get(place.layer)?.get(place.stroke)?
     }
 
-    /// All marks of visible layers, the lowest first.
+    /// All marks, those of the lowest layer first.
     pub fn marks(&self) -> impl DoubleEndedIterator<Item = (Place, Mark)> + '_ {
         self.marks.iter().enumerate().flat_map(|(layer, marks)| {
             marks
@@ -220,11 +241,7 @@ impl Desk {
 
     /// The layer that a mark of `kind` goes to; one more than there are = a new one.
     fn layer_for(&self, kind: Kind) -> usize {
-        let takes = |layer: usize| {
-            let system = self.document.layers.get(layer).map(|layer| layer.system);
-            system.is_some_and(|system| system.grows().is_none_or(|grown| grown == kind))
-                && self.kind(layer).is_none_or(|held| held == kind)
-        };
+        let takes = |layer: usize| self.takes(layer, kind);
         if takes(self.layer) {
             return self.layer;
         }
@@ -285,12 +302,18 @@ impl Desk {
         by
     }
 
-    /// The topmost mark within `reach` px of a point.
+    /// The nearest mark within `reach` px of a point that the hand can work on; of several there, one of the layer at
+    /// hand, then the topmost.
     #[must_use]
     pub fn hit(&self, point: [f64; 2], reach: f64) -> Option<Place> {
-        let near = self.marks().rev().map(|(place, mark)| (place, shape::distance(&mark, point)));
+        let near = self.reachable().rev().map(|(place, mark)| (place, shape::distance(&mark, point)));
         let near = near.filter(|(_, distance)| *distance <= reach);
-        near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(place, _)| place)
+        let order = |(place, distance): &(Place, f64)| (*distance, place.layer != self.layer);
+        near.min_by(|a, b| {
+            let (a, b) = (order(a), order(b));
+            a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
+        })
+        .map(|(place, _)| place)
     }
 }
 

@@ -13,6 +13,10 @@ pub struct Moment {
     pub document: Document,
     /// What was selected.
     pub selection: Selection,
+    /// The layer at hand.
+    pub layer: usize,
+    /// How many of the lowest layers were frozen.
+    pub frozen: usize,
 }
 
 /// What came before, and what was undone.

@@ -9,8 +9,10 @@
 //! Panels and keys give [`Action`]s, [`Window`] carries them out. The desk knows nothing of the screen.
 
 mod action;
+mod alternatives;
 mod canvas;
 mod chooser;
+mod cloud;
 mod desk;
 mod examples;
 mod exporting;
@@ -18,12 +20,15 @@ mod files;
 mod growth;
 mod history;
 mod icons;
+mod layer_choices;
+mod layering;
 mod notice;
 mod pages;
 mod palettes;
 mod panels;
 mod perform;
 mod reference;
+mod result;
 mod selection;
 mod settings;
 mod shape;
@@ -31,14 +36,18 @@ mod shortcuts;
 mod texture;
 mod theme;
 mod trace;
+mod underlay;
 mod window;
 
 pub use action::{Action, Page};
+pub use alternatives::{Alternative, Alternatives, small};
 pub use canvas::tool::Tool;
+pub use cloud::{Cloud, Points};
 pub use desk::Desk;
 pub use growth::{Growth, Phase};
 pub use notice::Notice;
 pub use panels::Tab;
+pub use result::{Outcome, Reach, RegionResult, Results, Verdict};
 pub use selection::{Place, Selection};
 pub use settings::Settings;
 pub use window::{Start, Window};

@@ -3,9 +3,11 @@
 use eframe::egui::{Ui, ViewportCommand};
 
 use super::action::{Action, Page};
+use super::alternatives;
 use super::canvas::tool::Tool;
 use super::desk::Desk;
 use super::pages;
+use super::result;
 use super::selection::{Place, Selection};
 use super::shape;
 use super::window::Window;
@@ -37,7 +39,15 @@ impl Window {
             Action::Copy => self.copy(ui),
             Action::Paste(text) => self.paste(&text),
             Action::Page(page) => self.turn_to(page),
+            Action::Layer(action) => self.layer(action),
             Action::Tab(tab) => self.tab = tab,
+            Action::Reach(layer, place) => self.draw_what_can_be_reached(layer, place),
+            Action::Alternatives(shown) => self.alternatives.shown = shown,
+            Action::ToggleAlternatives => self.alternatives.shown = !self.alternatives.shown,
+            Action::TakeAlternative(id) => self.take_alternative(id),
+            Action::KeepAlternative(id, kept) => self.alternatives.keep(id, kept),
+            Action::StopAlternatives(stopped) => self.alternatives.stop(stopped),
+            Action::Cloud(asked) => self.show_cloud(ui, asked),
             Action::Pause => self.growth.pause(!self.growth.is_paused()),
             Action::Stop => self.growth.stop(),
             Action::Grow => self.growth.again(&self.desk.finished()),
@@ -51,7 +61,7 @@ impl Window {
             Action::Duplicate => self.duplicate(),
             Action::Delete => self.delete(),
             Action::SelectAll => {
-                self.desk.selection = Selection::of(self.desk.marks().map(|(place, _)| place));
+                self.desk.selection = Selection::of(self.desk.reachable().map(|(place, _)| place));
                 self.canvas.tool = Tool::Select;
             }
             Action::Escape => self.escape(),
@@ -117,7 +127,7 @@ impl Window {
     }
 
     fn next(&mut self, step: isize) {
-        let places: Vec<Place> = self.desk.marks().map(|(place, _)| place).collect();
+        let places: Vec<Place> = self.desk.reachable().map(|(place, _)| place).collect();
         if places.is_empty() {
             return;
         }
@@ -152,6 +162,45 @@ impl Window {
         };
         self.desk.add(&[mark]);
         self.canvas.tool = Tool::Select;
+    }
+
+    /// Changes a region's marks as far as needed to be grown as they are drawn.
+    fn draw_what_can_be_reached(&mut self, layer: usize, place: [usize; 2]) {
+        let outcome = self.results.of(self.growth.texture.as_ref());
+        let regions = outcome.and_then(|outcome| outcome.layers.get(layer)).map(|layer| &layer.regions);
+        let region = regions.and_then(|all| all.iter().find(|region| region.report.place == place));
+        let reach = region.and_then(|region| region.reach.clone());
+        let Some((reach, layer)) = reach.zip(result::on_desk(&self.desk, layer)) else { return };
+        self.desk.commit();
+        let at = |(stroke, mark): (usize, Mark)| (Place { layer, stroke }, mark);
+        self.desk.replace(&reach.marks.into_iter().map(at).collect::<Vec<_>>());
+        if let Some(duty) = reach.duty {
+            self.desk.edit(|document| document.layers[layer].options.duty = duty);
+        }
+        self.desk.commit();
+    }
+
+    fn show_cloud(&mut self, ui: &Ui, asked: Option<(usize, [usize; 2])>) {
+        self.cloud.asked = None;
+        let Some((layer, place)) = asked else { return };
+        let Some(of) = self.results.outcome().and_then(|outcome| outcome.layers.get(layer)) else { return };
+        if let Some(region) = of.regions.iter().find(|region| region.report.place == place) {
+            self.cloud.ask(ui.ctx(), (layer, place), of.system, region, &self.results.training);
+        }
+    }
+
+    /// Puts an alternative on the desk; it has grown already.
+    fn take_alternative(&mut self, id: u64) {
+        let Some(one) = self.alternatives.get(id) else { return };
+        if let Some(grown) = &one.grown {
+            self.growth.know(grown);
+        }
+        let size = self.desk.document().size;
+        alternatives::put(&mut self.desk, &one.document);
+        if self.desk.document().size != size {
+            self.canvas.view.fitted = true;
+            self.texture.view.fitted = true;
+        }
     }
 
     fn another_seed(&mut self) {

@@ -69,6 +69,12 @@ impl Selection {
         self.0.clear();
     }
 
+    /// The same strokes where layers went to other places; `None` = they are gone.
+    #[must_use]
+    pub fn moved(&self, layer: impl Fn(usize) -> Option<usize>) -> Self {
+        Self::of(self.places().filter_map(|place| Some(Place { layer: layer(place.layer)?, ..place })))
+    }
+
     /// Forgets what is not in the document.
     pub fn keep_within(&mut self, document: &Document) {
         self.0.retain(|place| {

@@ -4,6 +4,7 @@ use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, S
 
 use super::action::{Action, Page};
 use super::canvas::tool::Tool;
+use super::layering::LayerAction;
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = CTRL.plus(Modifiers::SHIFT);
@@ -62,6 +63,20 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(Modifiers::NONE, Key::L, "Line", "Draw", || Action::Tool(Tool::Line)),
     with(Modifiers::NONE, Key::X, "Eraser", "Draw", || Action::Tool(Tool::Eraser)),
     with(Modifiers::NONE, Key::H, "Pan", "Draw", || Action::Tool(Tool::Hand)),
+    with(CTRL_SHIFT, Key::N, "New layer", "Layers", || Action::Layer(LayerAction::Add)),
+    with(Modifiers::NONE, Key::F, "Freeze it, sketch the next", "Layers", || {
+        Action::Layer(LayerAction::SketchNext)
+    }),
+    with(Modifiers::NONE, Key::PageUp, "The layer above", "Layers", || Action::Layer(LayerAction::Step(1))),
+    with(Modifiers::NONE, Key::PageDown, "The layer beneath", "Layers", || {
+        Action::Layer(LayerAction::Step(-1))
+    }),
+    with(CTRL, Key::PageUp, "Raise it", "Layers", || Action::Layer(LayerAction::Shift(1))),
+    with(CTRL, Key::PageDown, "Lower it", "Layers", || Action::Layer(LayerAction::Shift(-1))),
+    with(CTRL, Key::J, "Duplicate it", "Layers", || Action::Layer(LayerAction::Duplicate)),
+    with(Modifiers::SHIFT, Key::H, "Hide it, show it", "Layers", || Action::Layer(LayerAction::Hide)),
+    with(Modifiers::NONE, Key::F2, "Name it", "Layers", || Action::Layer(LayerAction::Rename)),
+    with(Modifiers::NONE, Key::A, "Alternatives", "View", || Action::ToggleAlternatives),
     with(CTRL, Key::Num0, "Show the whole canvas", "View", || Action::Fit),
     with(CTRL, Key::Num1, "Actual size", "View", || Action::ActualSize),
     with(CTRL, Key::Plus, "Zoom in", "View", || Action::Zoom(1.25)),
@@ -153,14 +168,14 @@ fn spelled(ctx: &Context, keys: KeyboardShortcut) -> String {
 
 /// The page that lists them.
 pub fn page(ui: &mut Ui) {
-    let columns = [["Document", "View", "Growth"], ["Draw", "Edit", "Help"]];
+    let columns = [&["Document", "View", "Layers"][..], &["Draw", "Edit", "Growth", "Help"]];
     ScrollArea::vertical().max_height(600.0).show(ui, |ui| {
         ui.spacing_mut().item_spacing = vec2(28.0, 3.0);
         ui.spacing_mut().interact_size.y = 18.0;
         ui.columns(2, |uis| {
             for (ui, groups) in uis.iter_mut().zip(columns) {
                 for group in groups {
-                    ui.label(RichText::new(group).strong());
+                    ui.label(RichText::new(*group).strong());
                     for (text, keys) in rows(ui, group) {
                         row(ui, text, &keys);
                     }

@@ -18,6 +18,8 @@ pub struct TextureView {
     pub view: View,
     /// Is it shown two by two, so that seams would be seen?
     pub tiled: bool,
+    /// The place under the pointer, px.
+    pub pointer: Option<[f64; 2]>,
 }
 
 impl TextureView {
@@ -44,6 +46,7 @@ impl TextureView {
         if self.view.fitted {
             self.view.fit(shown, room);
         }
+        self.pointer = response.hover_pos().map(|at| self.view.to_canvas(room, at));
         navigate(ui, &response, room, &mut self.view, true);
         let painter = ui.painter_at(room);
         painter.rect_filled(room, 0.0, Palette::of(ui.visuals()).desk);

@@ -8,13 +8,17 @@ use eframe::egui::{
     vec2,
 };
 
+use super::alternatives::Alternatives;
 use super::canvas::{Canvas, view::View};
+use super::cloud::Cloud;
 use super::desk::Desk;
 use super::examples::Gallery;
 use super::exporting::Exporting;
 use super::files::Files;
 use super::growth::{Growth, Phase, Texture};
+use super::layering::Layering;
 use super::notice::{Notice, Notices};
+use super::result::Results;
 use super::settings::Settings;
 use super::texture::{self, TextureView};
 use super::theme::{self, Palette};
@@ -46,6 +50,10 @@ pub struct Window {
     pub(super) exporting: Option<Exporting>,
     pub(super) page: Option<Page>,
     pub(super) tab: panels::Tab,
+    pub(super) layering: Layering,
+    pub(super) results: Results,
+    pub(super) cloud: Cloud,
+    pub(super) alternatives: Alternatives,
     pub(super) colour: panels::ColourPanel,
     /// One over the other, instead of side by side.
     pub(super) over: bool,
@@ -74,6 +82,7 @@ impl Window {
         });
         let wake = ctx.clone();
         let first = !start.settings.hint_seen && start.file.is_none();
+        let results = Results::default();
         let mut window = Self {
             desk: Desk::open(super::pages::New::default().document(), None),
             canvas: Canvas::default(),
@@ -86,6 +95,10 @@ impl Window {
             exporting: None,
             page: first.then_some(Page::Hint),
             tab: panels::Tab::default(),
+            layering: Layering::default(),
+            alternatives: Alternatives::new(results.training.clone()),
+            results,
+            cloud: Cloud::default(),
             colour: panels::ColourPanel::default(),
             over: false,
             curtain: 0.5,
@@ -144,10 +157,34 @@ impl Window {
         self.growth.texture.as_ref()
     }
 
+    /// What came of it, region by region: known while the column shows it.
+    #[must_use]
+    pub fn results(&self) -> &Results {
+        &self.results
+    }
+
+    /// Other textures that fit the same sketch.
+    #[must_use]
+    pub fn alternatives(&self) -> &Alternatives {
+        &self.alternatives
+    }
+
+    /// The training cloud.
+    #[must_use]
+    pub fn cloud(&self) -> &Cloud {
+        &self.cloud
+    }
+
     /// Where the sketch and the texture are looked at: the px in the middle, and points a px.
     #[must_use]
     pub fn views(&self) -> [([f64; 2], f32); 2] {
         [self.canvas.view, self.texture.view].map(|view| (view.center, view.zoom))
+    }
+
+    /// Does what has grown of frozen layers lie under the canvas?
+    #[must_use]
+    pub fn has_underlay(&self) -> bool {
+        self.canvas.underlay.is_there()
     }
 
     /// Does a picture lie under the canvas?
@@ -175,7 +212,11 @@ impl Window {
                 self.trace.event("settled", *took);
             }
         }
+        self.canvas.underlay.follow(ui, &self.desk, &self.growth);
         self.listen(ui);
+        if self.tab == panels::Tab::Result {
+            self.results.follow(ui.ctx(), self.growth.texture.as_ref());
+        }
         let mut actions = self.keys(ui);
         actions.extend(self.dropped(ui));
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
@@ -187,13 +228,20 @@ impl Window {
         let column = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(14, 10));
         let column = Panel::right("inspector").frame(column).resizable(false).exact_size(264.0);
         column.show(ui, |ui| actions.extend(panels::inspector(ui, self)));
+        let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
+        self.alternatives.follow(ui.ctx(), &self.desk, &self.growth, busy);
+        if self.alternatives.shown {
+            let strip = Panel::bottom("alternatives").frame(bar).resizable(false).exact_size(panels::HEIGHT);
+            strip.show(ui, |ui| actions.extend(panels::alternatives(ui, self)));
+        }
         CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
+        self.cloud.ui(ui.ctx());
         actions.extend(self.over_all(ui));
         for action in actions {
             self.perform(ui, action);
         }
         self.grow_what_changed(ui);
-        if self.growth.is_growing() && !self.growth.is_paused() {
+        if self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused() {
             // Between two pictures the bar moves on.
             ui.ctx().request_repaint_after(Duration::from_millis(100));
         }
@@ -258,6 +306,10 @@ impl Window {
         let corner = self.canvas.view.to_screen(left, [0.0; 2]);
         self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
         self.texture.ui(ui, right, self.desk.document().size, &self.growth);
+        self.signs(ui, left, self.canvas.view);
+        if !self.texture.tiled {
+            self.signs(ui, right, self.texture.view);
+        }
         let line = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().vline(body.center().x, body.y_range(), line);
     }
@@ -270,8 +322,17 @@ impl Window {
         painter.rect_filled(seen, 0.0, Palette::of(ui.visuals()).desk);
         self.texture.view = self.canvas.view;
         self.texture.paint(ui, &painter, body, self.desk.document().size);
+        self.signs(ui, body, self.canvas.view);
         texture::curtain(ui, body, &mut self.curtain);
         texture::paint_curtain(ui, body, self.curtain);
+    }
+
+    /// What came of each region, in its corner.
+    fn signs(&self, ui: &Ui, room: Rect, view: View) {
+        if self.tab == panels::Tab::Result {
+            let palette = Palette::of(ui.visuals());
+            self.results.paint(&ui.painter_at(room), room, view, &self.desk, palette);
+        }
     }
 
     /// Views that move together: the one that was moved takes the other along.
@@ -310,7 +371,11 @@ impl Window {
         self.texture.view.fitted = true;
         self.texture.tiled = false;
         self.canvas.analysis.forget();
+        self.layering.forget();
         self.growth.forget();
+        self.results.forget();
+        self.cloud.forget();
+        self.alternatives.forget();
         self.grown = None;
     }
 

@@ -127,9 +127,13 @@ impl Local {
     }
 
     /// k of the bandwidth.
-    #[cfg(test)]
     pub fn neighbours(&self) -> usize {
         self.neighbours
+    }
+
+    /// By what mirror image number `image` is multiplied.
+    pub fn image(&self, image: usize) -> [f64; 2] {
+        self.images[image]
     }
 
     /// Standard deviation of each output over all samples; two that are a vector share one.

@@ -96,6 +96,12 @@ pub enum Note {
 }
 
 impl Note {
+    /// Does it tell that something cannot be reached?
+    #[must_use]
+    pub fn is_beyond(&self) -> bool {
+        matches!(self, Self::Beyond { .. } | Self::Together { .. })
+    }
+
     /// The same about a grid of `cell` px a cell: its lengths, which were cells, in px.
     #[must_use]
     pub fn in_px(self, cell: f64) -> Self {

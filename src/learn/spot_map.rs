@@ -200,6 +200,11 @@ impl SpotMap {
         self.dense().then(|| density(spots).unwrap_or(self.middle_density))
     }
 
+    /// Row, mirror image and weight of what the answer at `at` leans on.
+    pub fn near(&self, at: &Point) -> Vec<(usize, [f64; 2], f64)> {
+        self.asked.weights(at)
+    }
+
     /// The parameters for `spots` that `find` finds among the known points.
     pub fn known(&self, spots: &Spots, find: impl Fn(&Local, &Point) -> Option<Sample>) -> Parameters {
         let v = to::elongation(spots.aspect, spots.angle);

@@ -113,6 +113,12 @@ impl StripeMap {
         Reached { parameters, prediction, nearest: Attributes::Stripes(nearest), judgement }
     }
 
+    /// Row, mirror image and weight of what the answer to `stripes` leans on.
+    pub fn near(&self, stripes: &Stripes) -> Vec<(usize, [f64; 2], f64)> {
+        let duty = self.duty.as_ref().map(|_| libm::log(stripes.duty()));
+        self.asked.weights(&to::stripes_asked(libm::log(stripes.width), duty, stripes.angle))
+    }
+
     /// The parameters for `stripes` that `find` finds among the known points.
     pub fn known(&self, stripes: &Stripes, find: impl Fn(&Local, &Point) -> Option<Sample>) -> Parameters {
         let duty = self.duty.as_ref().map(|_| libm::log(stripes.duty()));

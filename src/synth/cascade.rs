@@ -62,7 +62,7 @@ pub fn regrow_seen(
     seen: &mut dyn FnMut(&Look),
 ) -> Result<Grown, GrowError> {
     let size = options.size.unwrap_or(document.size);
-    let frozen = before.map_or(0, |before| frozen(document, options, before));
+    let frozen = before.map_or(0, |before| unchanged(document, options, before));
     let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
     layers.extend(before.iter().flat_map(|before| &before.layers[..frozen]).cloned());
     let cascade = Cascade { document, source, training, options, watch };
@@ -73,8 +73,9 @@ pub fn regrow_seen(
     Ok(Grown { size, layers, document: document.clone(), options })
 }
 
-/// How many of the lowest layers of `document` are as they were when `before` was grown.
-fn frozen(document: &Document, options: Options, before: &Grown) -> usize {
+/// How many of the lowest layers of `document` would grow as they have in `before`, and so are taken from there.
+#[must_use]
+pub fn unchanged(document: &Document, options: Options, before: &Grown) -> usize {
     let canvas = |of: &Document, options: Options| {
         (of.size, of.regions, of.edges, options.size, options.refine.unwrap_or(of.growth.refine))
     };
@@ -82,6 +83,7 @@ fn frozen(document: &Document, options: Options, before: &Grown) -> usize {
         return 0;
     }
     let pairs = document.layers.iter().zip(&before.document.layers).enumerate();
+    let pairs = pairs.take(before.layers.len());
     let same = pairs.take_while(|(index, (new, old))| {
         let seed = document.layer_seed(*index) == before.document.layer_seed(*index);
         let marks = (new.system, new.after, &new.options, &new.strokes)
@@ -128,11 +130,7 @@ impl Cascade<'_> {
         {
             plan.place_inside(&beneath.measured);
         }
-        let shown = beneath.iter().enumerate().filter(|(below, _)| !is_replaced(document, *below));
-        let shown: Vec<Pattern> = shown.map(|(_, layer)| layer.pattern()).collect();
-        if !shown.is_empty() {
-            plan.taken = beneath::taken(&shown, plan.grid);
-        }
+        placed_over(&mut plan, document, beneath);
         let striped = matches!(plan.map.at([0.0, 0.0]), Attributes::Stripes(_));
         if striped && plan.way.is_none() && !plan.taken.is_empty() {
             if !beneath::has_room(&plan) {
@@ -164,6 +162,15 @@ impl Cascade<'_> {
             layer.plan.tell_places(&layer.measured, &document.layers[index - 1].name);
         }
         Ok(layer)
+    }
+}
+
+/// Takes from `plan` the cells that the marks of the layers `beneath` have, but for those that others replace.
+pub fn placed_over(plan: &mut Plan, document: &Document, beneath: &[GrownLayer]) {
+    let shown = beneath.iter().enumerate().filter(|(below, _)| !is_replaced(document, *below));
+    let shown: Vec<Pattern> = shown.map(|(_, layer)| layer.pattern()).collect();
+    if !shown.is_empty() {
+        plan.taken = beneath::taken(&shown, plan.grid);
     }
 }
 

@@ -27,7 +27,7 @@ mod spread;
 mod training;
 mod watch;
 
-pub use cascade::{grow, planned, regrow, regrow_seen};
+pub use cascade::{grow, placed_over, planned, regrow, regrow_seen, unchanged};
 pub use engine::Engine;
 pub use grow::{GrowError, Grown, GrownLayer, Options};
 pub use patch::{Patch, Sample};

@@ -34,10 +34,11 @@ impl<'a> Painting<'a> {
         Self::sized(document, grown, grown.size.map(|side| side as usize * scale))
     }
 
-    /// What `document` has `grown`, at `size` px.
+    /// What `document`, or its lowest layers alone, has `grown`, at `size` px.
     #[must_use]
     pub fn sized(document: &Document, grown: &'a Grown, size: [usize; 2]) -> Self {
-        Self::with(document, size, grown.layers.iter().map(GrownLayer::pattern).collect())
+        let layers = grown.layers.iter().take(document.layers.len());
+        Self::with(document, size, layers.map(GrownLayer::pattern).collect())
     }
 
     /// A layer that still grows, on top of those that have `grown`, at `size` px.

@@ -20,7 +20,7 @@ const DOORS: [&str; 2] = ["cli", "app"];
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-const ADDRESSES: [(&str, &[&str]); 18] = [
+const ADDRESSES: [(&str, &[&str]); 19] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     ("bytemuck", &["src/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
@@ -29,6 +29,7 @@ const ADDRESSES: [(&str, &[&str]); 18] = [
     ("dapple", &["src/main.rs", "data-gen/"]),
     ("eframe", &["src/app/", "src/cli/", "src/main.rs"]),
     (WINDOW, &["src/app/", "src/cli/"]),
+    ("egui_plot", &["src/app/cloud/"]),
     ("image", &["src/export/", "src/cli/measure.rs", "src/app/examples.rs", "src/app/reference.rs"]),
     ("indicatif", &["src/cli/", "data-gen/"]),
     ("nalgebra", &["src/marks/", "src/learn/", "src/rd/"]),

@@ -3,7 +3,7 @@
 use dapple::app::Desk;
 use dapple::app::{Place, Selection};
 use dapple::marks::{Ellipse, Line, Mark};
-use dapple::synth::recipe::Document;
+use dapple::synth::recipe::{After, Document};
 use eframe::egui::{Key, Modifiers};
 use proptest::prelude::*;
 
@@ -18,6 +18,15 @@ enum Deed {
     Regions([u32; 2]),
     Select(usize),
     Seed(u64),
+    AddLayer,
+    DuplicateLayer,
+    DeleteLayer(usize),
+    MoveLayer(usize, usize),
+    TakeLayer(usize),
+    SketchNext,
+    Hide(usize),
+    Meet(usize, After, f64),
+    Duty(usize, f64),
     Undo,
     Redo,
 }
@@ -42,8 +51,25 @@ fn deed() -> impl Strategy<Value = Deed> {
         1 => [1..5u32, 1..5u32].prop_map(Deed::Regions),
         1 => any::<usize>().prop_map(Deed::Select),
         1 => any::<u64>().prop_map(Deed::Seed),
+        2 => layer_deed(),
         2 => Just(Deed::Undo),
         1 => Just(Deed::Redo),
+    ]
+}
+
+fn layer_deed() -> impl Strategy<Value = Deed> {
+    let layer = || 0..6usize;
+    let after = prop::sample::select(After::NAMES.to_vec());
+    prop_oneof![
+        Just(Deed::AddLayer),
+        Just(Deed::DuplicateLayer),
+        Just(Deed::SketchNext),
+        layer().prop_map(Deed::DeleteLayer),
+        (layer(), layer()).prop_map(|(from, to)| Deed::MoveLayer(from, to)),
+        layer().prop_map(Deed::TakeLayer),
+        layer().prop_map(Deed::Hide),
+        (layer(), after, 0.0..0.6f64).prop_map(|(layer, after, broken)| Deed::Meet(layer, after.1, broken)),
+        (layer(), 0.2..0.5f64).prop_map(|(layer, duty)| Deed::Duty(layer, duty)),
     ]
 }
 
@@ -68,10 +94,23 @@ fn act(desk: &mut Desk, deed: &Deed) {
         Deed::Regions(regions) => desk.edit(|document| document.regions = *regions),
         Deed::Select(index) => desk.selection = Selection::of(some(desk, *index)),
         Deed::Seed(seed) => desk.edit(|document| document.seed = *seed),
+        Deed::AddLayer => desk.add_layer(),
+        Deed::DuplicateLayer => desk.duplicate_layer(),
+        Deed::DeleteLayer(layer) => desk.delete_layer(*layer),
+        Deed::MoveLayer(from, to) => desk.move_layer(*from, *to),
+        Deed::TakeLayer(layer) => desk.take_layer(*layer),
+        Deed::SketchNext => desk.sketch_next(),
+        Deed::Hide(layer) => desk.show_layer(*layer, false),
+        Deed::Meet(layer, after, broken) => desk.change_layer(*layer, |layer| {
+            (layer.after, layer.options.broken) = (*after, *broken);
+        }),
+        Deed::Duty(layer, duty) => desk.change_layer(*layer, |layer| layer.options.duty = *duty),
         Deed::Undo => desk.undo(),
         Deed::Redo => desk.redo(),
     }
     desk.commit();
+    assert!(desk.frozen() <= desk.layer, "{} frozen, {} at hand", desk.frozen(), desk.layer);
+    assert!(desk.layer < desk.document().layers.len().max(1));
 }
 
 proptest! {
@@ -148,6 +187,12 @@ fn moves() -> impl Strategy<Value = Move> {
         (Modifiers::NONE, Key::L),
         (Modifiers::NONE, Key::X),
         (Modifiers::NONE, Key::N),
+        (Modifiers::NONE, Key::F),
+        (Modifiers::NONE, Key::PageDown),
+        (Modifiers::SHIFT, Key::H),
+        (Modifiers::COMMAND | Modifiers::SHIFT, Key::N),
+        (Modifiers::COMMAND, Key::J),
+        (Modifiers::COMMAND, Key::PageDown),
         (Modifiers::NONE, Key::Delete),
         (Modifiers::NONE, Key::Period),
         (Modifiers::NONE, Key::Plus),

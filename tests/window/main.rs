@@ -2,6 +2,7 @@
 #![cfg(feature = "app")]
 
 mod access;
+mod alternatives;
 mod colour;
 mod documents;
 mod drawing;
@@ -9,6 +10,8 @@ mod growing;
 mod hand;
 mod history;
 mod keyboard;
+mod layers;
+mod result;
 mod selecting;
 mod sights;
 mod views;

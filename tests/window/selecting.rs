@@ -68,7 +68,7 @@ fn several_are_scaled_by_their_box() {
     let off = 4.0 / f64::from((hand.at([1.0, 0.0]) - hand.at([0.0, 0.0])).x);
     hand.drag(&[[220.0 + off, 210.0 + off], [300.0, 220.0], [360.0, 230.0 + off]]);
     let [a, b] = hand.ellipses()[..] else { panic!() };
-    assert!((a.radii[0] - 40.0).abs() < 1.5 && (a.radii[0] - b.radii[0]).abs() < 1e-9, "{a:?}");
+    assert!((a.radii[0] - 40.0).abs() < 1.5 && (a.radii[0] - b.radii[0]).abs() < 1e-3, "{a:?} {b:?}");
     assert!((b.center[0] - a.center[0] - 200.0).abs() < 8.0, "{a:?} {b:?}");
 }
 

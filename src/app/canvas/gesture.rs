@@ -171,6 +171,19 @@ impl Gesture {
                 desk.add(&[Mark::Ellipse(Ellipse { center: at, radii: nib.radii, angle: 0.0 })]);
             }
             Self::Line(ends) if far(ends) => desk.add(&[Mark::Line(line(ends, nib.width))]),
+            Self::Box(ends, _) if !far(ends) && !hand.shift => {
+                // A frozen mark that is clicked on is frozen no more.
+                if let Some(place) = desk.hit_frozen(hand.at, 6.0 / hand.zoom) {
+                    desk.take_layer(place.layer);
+                    desk.selection = Selection::of([place]);
+                }
+            }
+            Self::Box(..) => {
+                let mut layers = desk.selection.places().map(|place| place.layer);
+                if let Some(first) = layers.next().filter(|first| layers.all(|layer| layer == *first)) {
+                    desk.layer = first;
+                }
+            }
             Self::Move { on, moved: false, .. } if !hand.shift && !hand.alt => {
                 desk.selection = Selection::of([on]);
             }
@@ -214,7 +227,7 @@ fn within(desk: &Desk, [from, to]: [[f64; 2]; 2]) -> Vec<Place> {
     let inside = |point: [f64; 2]| {
         (0..2).all(|axis| from[axis].min(to[axis]) <= point[axis] && point[axis] <= from[axis].max(to[axis]))
     };
-    desk.marks().filter(|(_, mark)| inside(shape::middle(mark))).map(|(place, _)| place).collect()
+    desk.reachable().filter(|(_, mark)| inside(shape::middle(mark))).map(|(place, _)| place).collect()
 }
 
 /// Takes away what the eraser touches on its way.

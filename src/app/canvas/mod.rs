@@ -19,6 +19,7 @@ use eframe::egui::{
 use super::desk::Desk;
 use super::reference::Reference;
 use super::theme::Palette;
+use super::underlay::Underlay;
 use crate::field::Edges;
 use analysis::Analysis;
 use gesture::{Gesture, Hand};
@@ -54,6 +55,8 @@ pub struct Canvas {
     pub analysis: Analysis,
     /// A picture beneath.
     pub reference: Reference,
+    /// What has grown beneath the layer at hand.
+    pub underlay: Underlay,
     /// Its widget, once it was shown.
     pub id: Option<Id>,
     /// Has it the keys because the pointer was on it? Then nobody needs to be shown where they go.
@@ -73,6 +76,7 @@ impl Default for Canvas {
             pointer: None,
             analysis: Analysis::default(),
             reference: Reference::default(),
+            underlay: Underlay::default(),
             id: None,
             by_pointer: false,
             gesture: None,
@@ -195,6 +199,7 @@ impl Canvas {
         painter.rect_filled(room, 0.0, colours.desk);
         let paper = self.view.paper(room, desk.document().size);
         painter.rect_filled(paper, 2.0, colours.paper);
+        self.underlay.paint(&painter, paper);
         self.reference.paint(&painter, paper);
         let ink = Ink { painter: &painter, view: &self.view, room };
         if self.overlays.regions {
@@ -219,21 +224,31 @@ impl Canvas {
     }
 
     fn marks(&self, ink: &Ink, desk: &Desk, colours: &Palette) {
+        let fill = if self.overlays.analysis { 0.10 } else { 0.82 };
         for (place, mark) in desk.marks() {
-            let layer = &desk.document().layers[place.layer];
             let colour = colours.ink(place.layer);
-            let pale = if layer.visible { 1.0 } else { 0.3 };
-            let fill = if self.overlays.analysis { 0.10 } else { 0.82 };
+            let [body, outline] = self.presence(desk, place.layer);
             if desk.selection.holds(place) {
                 let outline = Stroke::new(2.0, colours.accent);
                 ink.mark(&mark, colour.gamma_multiply(0.6 * fill), outline);
             } else {
-                ink.mark(
-                    &mark,
-                    colour.gamma_multiply(pale * fill),
-                    Stroke::new(1.0, colour.gamma_multiply(pale)),
-                );
+                let line = Stroke::new(1.0, colour.gamma_multiply(outline));
+                ink.mark(&mark, colour.gamma_multiply(body * fill), line);
             }
+        }
+    }
+
+    /// How much of a layer's marks is seen: of their body, and of their outline. Those at hand are seen in full, the
+    /// others stand back; hidden ones still grow, unpainted, and so are outlines.
+    fn presence(&self, desk: &Desk, layer: usize) -> [f32; 2] {
+        if !desk.document().layers[layer].visible {
+            [0.0, 0.45]
+        } else if layer < desk.frozen() {
+            if self.underlay.is_there() { [0.0, 0.5] } else { [0.25, 0.5] }
+        } else if layer == desk.layer || desk.document().layers.len() == 1 {
+            [1.0, 1.0]
+        } else {
+            [0.5, 0.7]
         }
     }
 

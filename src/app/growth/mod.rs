@@ -57,6 +57,8 @@ pub struct Growth {
     pub texture: Option<Texture>,
     /// Time from the change to the first picture of it.
     pub first_picture: Option<Duration>,
+    /// How many of the lowest layers of what has settled were not grown again.
+    pub kept: usize,
     paused: bool,
 }
 
@@ -75,6 +77,7 @@ impl Growth {
             picture: None,
             texture: None,
             first_picture: None,
+            kept: 0,
             paused: false,
         }
     }
@@ -134,6 +137,11 @@ impl Growth {
         if !document.layers.is_empty() {
             self.begin(document);
         }
+    }
+
+    /// Tells what has grown already of the document that comes next: what is the same need not be grown again.
+    pub fn know(&self, grown: &Arc<Grown>) {
+        self.orders.know(grown);
     }
 
     /// Another document comes: what is there does not belong to it.
@@ -196,7 +204,8 @@ impl Growth {
                     self.picture = Some(picture);
                     another = true;
                 }
-                worker::What::Settled(texture, picture) => {
+                worker::What::Settled(texture, picture, kept) => {
+                    self.kept = kept;
                     self.first_picture.get_or_insert_with(|| self.since.elapsed());
                     self.texture = Some(texture);
                     self.picture = Some(picture);
@@ -235,7 +244,7 @@ impl Drop for Growth {
 }
 
 /// What the pattern depends on: the document without its names, colours and dots an inch.
-fn essence(document: &Document) -> Document {
+pub(super) fn essence(document: &Document) -> Document {
     let mut essence = Document { name: String::new(), dpi: 300.0, ..document.clone() };
     for layer in &mut essence.layers {
         layer.name.clear();

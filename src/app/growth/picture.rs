@@ -40,6 +40,14 @@ impl Picture {
         Self::of(&painting, &texture.document, true)
     }
 
+    /// Of the lowest `count` layers of what has settled, no longer than `longest` px a side.
+    pub fn lowest(texture: &Texture, count: usize, longest: usize) -> Self {
+        let mut document = Document::clone(&texture.document);
+        document.layers.truncate(count);
+        let size = fitting(document.size.map(|side| side as usize), [longest; 2]);
+        Self::of(&Painting::sized(&document, &texture.grown, size), &document, true)
+    }
+
     fn of(painting: &Painting, document: &Document, settled: bool) -> Self {
         let image = Arc::new(ColorImage::from_rgb(painting.size, &painting.rgb()));
         Self { image, canvas: document.size, settled }

@@ -4,25 +4,32 @@
 
 use super::Picture;
 use crate::synth::painting::Look;
-use crate::synth::plan::plan;
-use crate::synth::recipe::Document;
-use crate::synth::{Engine, Training, drawn};
+use crate::synth::recipe::{After, Document};
+use crate::synth::{Engine, GrownLayer, Training, drawn, memory, placed_over, planned};
 
 /// Cell updates before the picture is taken: ground and marks have parted.
 const UPDATES: u64 = 100_000;
 
-/// The picture; `None` where there are layers beneath, or where it cannot be grown (growing it will say why).
-pub(super) fn preview(document: &Document, training: &Training) -> Option<Picture> {
-    if document.layers.len() > 1 {
+/// The picture of the layer above those `beneath` that have grown; `None` where it takes their places or goes round them,
+/// which is laid out first, and where it cannot be grown (growing it will say why).
+pub(super) fn preview(document: &Document, training: &Training, beneath: &[GrownLayer]) -> Option<Picture> {
+    let index = beneath.len();
+    let layer = document.layers.get(index)?;
+    if index > 0 && layer.after != After::Between {
         return None;
     }
-    let map = drawn::region_map(document, 0, "").ok()?;
-    let plan = plan(training, document.layers[0].choice(), &map).ok()?;
-    crate::synth::memory::check(plan.system, document.size.map(f64::from), plan.grid).ok()?;
+    let map = drawn::region_map(document, index, "").ok()?;
+    let under = beneath.last().map(|layer| &layer.plan);
+    let mut plan = planned(document, index, "", training, &map, under).ok()?;
+    memory::check(plan.system, document.size.map(f64::from), plan.grid).ok()?;
+    placed_over(&mut plan, document, beneath);
     let layout = plan.map.layout();
     // As far apart as the system itself would have them: finding out better takes several times as long.
     let maps = plan.maps(&vec![1.0; layout.len()]);
-    let mut engine = Engine::of(plan.system, maps, layout.edges, document.layer_seed(0));
+    let mut engine = Engine::of(plan.system, maps, layout.edges, document.layer_seed(index));
+    if !engine.begins() {
+        return None;
+    }
     engine.advance(UPDATES);
-    Some(Picture::growing(document, &Look { beneath: &[], plan: &plan, engine: &engine }))
+    Some(Picture::growing(document, &Look { beneath, plan: &plan, engine: &engine }))
 }

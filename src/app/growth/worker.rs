@@ -8,10 +8,10 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::preview::preview;
-use super::{Picture, Texture};
+use super::{Picture, Texture, essence};
 use crate::synth::painting::Look;
 use crate::synth::recipe::Document;
-use crate::synth::{GrowError, Grown, Options, Stage, Training, Watch, regrow_seen};
+use crate::synth::{GrowError, Grown, GrownLayer, Options, Stage, Training, Watch, regrow_seen, unchanged};
 
 /// Pictures of a growth come no faster than this.
 const BETWEEN_PICTURES: Duration = Duration::from_millis(60);
@@ -25,8 +25,8 @@ pub(super) struct News {
 pub(super) enum What {
     /// How it looks by now.
     Picture(Picture),
-    /// It has settled.
-    Settled(Texture, Picture),
+    /// It has settled; so many of its lowest layers were taken over from what had grown before.
+    Settled(Texture, Picture, usize),
     /// It cannot be grown.
     Failed(String),
 }
@@ -38,6 +38,8 @@ pub(super) struct Orders {
     /// The order that counts; others are given up.
     generation: AtomicU64,
     paused: AtomicBool,
+    /// What has grown elsewhere of the document that comes next.
+    known: Mutex<Option<Arc<Grown>>>,
     /// Generation (upper 32 bits), stage and share (per 65,535) of what is being done.
     progress: AtomicU64,
     /// In whose colours the order that grows is seen, where they are others by now.
@@ -97,6 +99,10 @@ impl Orders {
         self.called.notify_all();
     }
 
+    pub(super) fn know(&self, grown: &Arc<Grown>) {
+        *self.known.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(grown));
+    }
+
     pub(super) fn end(&self) {
         self.next.lock().unwrap_or_else(PoisonError::into_inner).end = true;
         self.cancel(u64::MAX);
@@ -151,6 +157,7 @@ pub(super) fn start(wake: impl Fn() + Send + Sync + 'static) -> (Arc<Orders>, Re
         called: Condvar::new(),
         generation: AtomicU64::new(0),
         paused: AtomicBool::new(false),
+        known: Mutex::default(),
         progress: AtomicU64::new(u64::MAX),
         colours: Mutex::default(),
     });
@@ -214,12 +221,23 @@ impl Worker {
             orders.wait_while_paused(generation);
         };
         let watch = Watch { progress: &progress, cancelled: &|| orders.is_over(generation) };
-        let before = self.before.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let known = orders.known.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let known = known.filter(|known| essence(&known.document) == essence(&document));
+        let is_known = known.is_some();
+        let before = known.or_else(|| self.before.lock().unwrap_or_else(PoisonError::into_inner).clone());
+        let kept = before.as_ref().map_or(0, |before| unchanged(&document, Options::default(), before));
+        let mut done = kept;
         let mut shown: Option<Instant> = None;
-        if let Some(picture) = preview(&document, &self.training).filter(|_| !orders.is_over(generation)) {
+        let beneath = before.as_ref().map_or(&[][..], |before| &before.layers[..kept]);
+        let first = if is_known { None } else { preview(&document, &self.training, beneath) };
+        if let Some(picture) = first.filter(|_| !orders.is_over(generation)) {
             self.say(generation, What::Picture(picture));
         }
         let mut seen = |look: &Look| {
+            if look.beneath.len() > done {
+                done = look.beneath.len();
+                self.remember(&document, look.beneath);
+            }
             if shown.is_none_or(|shown| shown.elapsed() >= BETWEEN_PICTURES) && !orders.is_over(generation) {
                 self.say(
                     generation,
@@ -254,10 +272,20 @@ impl Worker {
                 *self.before.lock().unwrap_or_else(PoisonError::into_inner) =
                     Some(Arc::clone(&texture.grown));
                 let picture = Picture::settled(&texture);
-                self.say(generation, What::Settled(texture, picture));
+                self.say(generation, What::Settled(texture, picture, kept));
             }
             Err(GrowError::Cancelled(_)) => {}
             Err(error) => self.say(generation, What::Failed(error.to_string())),
         }
+    }
+
+    /// Keeps the layers of `document` that have grown so far: should it be changed while the next one grows, they need
+    /// not grow again.
+    fn remember(&self, document: &Document, layers: &[GrownLayer]) {
+        let mut document = document.clone();
+        document.layers.truncate(layers.len());
+        let grown =
+            Grown { size: document.size, layers: layers.to_vec(), document, options: Options::default() };
+        *self.before.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::new(grown));
     }
 }

@@ -31,6 +31,11 @@ pub fn growth_bar(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
             {
                 actions.push(Action::AnotherSeed);
             }
+            let shown = window.alternatives.shown;
+            let help = "Other textures that fit the same sketch (A)";
+            if Icon::Strip.button(ui, "Alternatives", shown).on_hover_text(help).clicked() {
+                actions.push(Action::Alternatives(!shown));
+            }
             if window.desk.document().edges == Edges::Wrap {
                 let tiled = window.texture.tiled;
                 let help = "Shows the tile two by two, so that a seam would be seen";

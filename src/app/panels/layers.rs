@@ -1,12 +1,326 @@
-//! The layers, and how each meets those beneath.
+//! The layers, the highest first; the details of the one at hand are folded beneath.
 
-use eframe::egui::Ui;
+use eframe::egui::text::CCursorRange;
+use eframe::egui::text_edit::TextEditState;
+use eframe::egui::{
+    Align, Align2, Button, Color32, EventFilter, Id, Key, Layout, Modifiers, Rect, Response, RichText, Role,
+    ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+};
 
+use super::layer_details;
 use crate::app::Window;
 use crate::app::action::Action;
+use crate::app::desk::Desk;
+use crate::app::icons::Icon;
+use crate::app::layering::LayerAction;
+use crate::app::shortcuts;
+use crate::app::theme::Palette;
+use crate::synth::recipe::Kind;
+
+/// Height of a row, points.
+const ROW: f32 = 28.0;
+/// Rows that are seen at once; more scroll.
+const ROWS: f32 = 6.0;
+/// Longest name that can be typed, characters.
+const NAME: usize = 60;
 
 /// Shows them.
 pub fn layers(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
-    let _ = (window, actions);
-    ui.strong("Layers");
+    ui.spacing_mut().item_spacing.y = 4.0;
+    ui.horizontal(|ui| {
+        ui.strong("Layers");
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| buttons(ui, &window.desk, actions));
+    });
+    if window.desk.document().layers.is_empty() {
+        ui.weak("The first mark opens a layer.");
+        return;
+    }
+    ScrollArea::vertical().id_salt("layers").max_height(ROWS * ROW).min_scrolled_height(ROWS * ROW).show(
+        ui,
+        |ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            list(ui, window, actions);
+        },
+    );
+    next(ui, &window.desk, actions);
+    layer_details::details(ui, window);
+}
+
+/// What is done to the layer at hand. From right to left.
+fn buttons(ui: &mut Ui, desk: &Desk, actions: &mut Vec<Action>) {
+    ui.spacing_mut().item_spacing.x = 0.0;
+    for (icon, name, help, action) in [
+        (Icon::Bin, "Delete layer", "Deletes the layer at hand with its marks", LayerAction::Delete),
+        (
+            Icon::Copies,
+            "Duplicate layer",
+            "Puts a copy of the layer at hand above it",
+            LayerAction::Duplicate,
+        ),
+        (Icon::Down, "Lower layer", "The layer at hand goes beneath the one below", LayerAction::Shift(-1)),
+        (Icon::Up, "Raise layer", "The layer at hand goes above the next", LayerAction::Shift(1)),
+        (Icon::Add, "New layer", "An empty layer above the one at hand", LayerAction::Add),
+    ] {
+        ui.add_enabled_ui(desk.allows(action), |ui| {
+            let action = Action::Layer(action);
+            let keys = shortcuts::told(ui.ctx(), &action).map_or(String::new(), |keys| format!(" ({keys})"));
+            let button = icon.button_of(ui, name, false, vec2(27.0, 26.0));
+            if button.on_hover_text(format!("{help}{keys}")).clicked() {
+                actions.push(action);
+            }
+        });
+    }
+}
+
+/// Freeze, and go on above.
+fn next(ui: &mut Ui, desk: &Desk, actions: &mut Vec<Action>) {
+    let action = LayerAction::SketchNext;
+    let last = desk.layer + 1 == desk.document().layers.len();
+    let text = if last { "Freeze it, sketch the next" } else { "Freeze it, go to the next" };
+    let help = "What is drawn so far stays as it is and is not grown again. You see its texture under the canvas, \
+                and draw the layer above. (F)";
+    let size = vec2(ui.available_width(), 26.0);
+    let button = ui.add_enabled_ui(desk.allows(action), |ui| ui.add_sized(size, Button::new(text))).inner;
+    let button = button.on_hover_text(help);
+    if button.on_disabled_hover_text("The layer at hand is empty: draw in it first").clicked() {
+        actions.push(Action::Layer(action));
+    }
+}
+
+fn list(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
+    let layers = window.desk.document().layers.len();
+    let top = ui.cursor().top();
+    let mut dragged = None;
+    for layer in (0..layers).rev() {
+        let response = row(ui, window, layer, actions);
+        if response.dragged() || response.drag_stopped() {
+            dragged = Some((layer, response));
+        }
+    }
+    let Some((from, response)) = dragged else { return };
+    let Some(at) = response.interact_pointer_pos().or(ui.input(|input| input.pointer.latest_pos())) else {
+        return;
+    };
+    // The gap nearest to the pointer, counted from above.
+    let gap = (((at.y - top) / ROW).round().max(0.0) as usize).min(layers);
+    let above = layers - 1 - from;
+    let place = if gap > above { gap - 1 } else { gap };
+    let to = layers - 1 - place;
+    if response.drag_stopped() {
+        if to != from {
+            actions.push(Action::Layer(LayerAction::Move(from, to)));
+        }
+    } else if to != from {
+        let accent = Palette::of(ui.visuals()).accent;
+        ui.painter().hline(ui.max_rect().x_range(), top + gap as f32 * ROW, Stroke::new(2.0, accent));
+    }
+}
+
+/// Its place among the widgets.
+fn id(ui: &Ui, layer: usize) -> Id {
+    ui.scope_id().with(("layer", layer))
+}
+
+/// What is said of a layer to those who do not see it.
+fn said(desk: &Desk, layer: usize) -> String {
+    let mut text = format!("Layer {}, {}", desk.layer_name(layer), counted(desk, layer));
+    if layer < desk.frozen() {
+        text.push_str(", frozen");
+    }
+    if !desk.document().layers[layer].visible {
+        text.push_str(", hidden");
+    }
+    text
+}
+
+fn counted(desk: &Desk, layer: usize) -> String {
+    let marks = desk.document().layers[layer].strokes.len();
+    let many = if marks == 1 { "" } else { "s" };
+    match desk.kind(layer) {
+        None => "empty".to_owned(),
+        Some(Kind::Ellipse) => format!("{marks} ellipse{many}"),
+        Some(Kind::Line) => format!("{marks} line{many}"),
+    }
+}
+
+fn row(ui: &mut Ui, window: &mut Window, layer: usize, actions: &mut Vec<Action>) -> Response {
+    let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
+    let id = id(ui, layer);
+    let response = ui.interact(rect, id, Sense::click_and_drag());
+    let desk = &window.desk;
+    let at_hand = desk.layer == layer;
+    let name = said(desk, layer);
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, at_hand, &name));
+    back(ui, &response, at_hand);
+    let [eye, rest] = [pos2(rect.left() + 26.0, rect.bottom()), pos2(rect.left() + 28.0, rect.top())];
+    let eye = Rect::from_min_max(pos2(rect.left() + 4.0, rect.top()), eye);
+    let rest = Rect::from_min_max(rest, pos2(rect.right() - 6.0, rect.bottom()));
+    ui.scope_builder(UiBuilder::new().max_rect(eye), |ui| shown(ui, desk, layer, actions));
+    let count = mark_count(ui, desk, layer, rest);
+    let icy = thaw(ui, desk, layer, rest.with_max_x(count), actions);
+    let named = rest.with_max_x(icy).with_min_x(rest.left() + 22.0);
+    if window.layering.naming.as_ref().is_some_and(|(of, _)| *of == layer) {
+        naming(ui, window, named);
+        return response;
+    }
+    let colour = if desk.document().layers[layer].visible {
+        ui.visuals().text_color()
+    } else {
+        ui.visuals().weak_text_color()
+    };
+    let mut text = RichText::new(desk.layer_name(layer)).color(colour);
+    if at_hand {
+        text = text.strong();
+    }
+    let label = eframe::egui::Label::new(text).truncate().selectable(false).sense(Sense::hover());
+    ui.scope_builder(
+        UiBuilder::new().max_rect(named).layout(Layout::left_to_right(Align::Center)).sense(Sense::hover()),
+        |ui| ui.add(label),
+    );
+    let response = response.on_hover_ui(|ui| {
+        ui.strong(desk.layer_name(layer));
+        ui.label(counted(desk, layer));
+        ui.weak("Click: what you draw goes here. Double-click or F2: its name. Drag, or Alt + arrows: another place.");
+    });
+    if response.double_clicked() {
+        actions.extend([LayerAction::Take(layer), LayerAction::Rename].map(Action::Layer));
+    } else if response.clicked() {
+        actions.push(Action::Layer(LayerAction::Take(layer)));
+    }
+    if response.has_focus() {
+        keys(ui, window, &response, layer, actions);
+    }
+    response
+}
+
+/// What lies behind a row: the one at hand is marked, and the one that has the keys.
+fn back(ui: &Ui, response: &Response, at_hand: bool) {
+    let colours = Palette::of(ui.visuals());
+    let widgets = &ui.visuals().widgets;
+    let fill = if at_hand {
+        widgets.inactive.weak_bg_fill
+    } else if response.hovered() {
+        ui.visuals().faint_bg_color
+    } else {
+        Color32::TRANSPARENT
+    };
+    ui.painter().rect_filled(response.rect, 5.0, fill);
+    if at_hand {
+        let bar = response.rect.shrink2(vec2(0.0, 5.0));
+        ui.painter().rect_filled(bar.with_max_x(bar.left() + 3.0), 1.5, colours.accent);
+    }
+    if response.has_focus() {
+        let stroke = Stroke::new(1.0, colours.accent);
+        ui.painter().rect_stroke(response.rect, 5.0, stroke, eframe::egui::StrokeKind::Inside);
+    }
+}
+
+/// The eye of a row.
+fn shown(ui: &mut Ui, desk: &Desk, layer: usize, actions: &mut Vec<Action>) {
+    let visible = desk.document().layers[layer].visible;
+    let (icon, verb) = if visible { (Icon::Eye, "Hide") } else { (Icon::Shut, "Show") };
+    let name = format!("{verb} {}", desk.layer_name(layer));
+    let help = if visible {
+        "Hides it: it still grows and the others keep out of it, but it is not painted"
+    } else {
+        "Hidden: it grows and the others keep out of it, but it is not painted. Click to show it"
+    };
+    if icon.button_of(ui, &name, false, vec2(22.0, ROW)).on_hover_text(help).clicked() {
+        actions.push(Action::Layer(LayerAction::HideThis(layer)));
+    }
+}
+
+/// How many marks it has, and of what kind; gives where this begins on the right.
+fn mark_count(ui: &Ui, desk: &Desk, layer: usize, rest: Rect) -> f32 {
+    let colours = Palette::of(ui.visuals());
+    let middle = pos2(rest.left() + 10.0, rest.center().y);
+    let icon = Rect::from_center_size(middle, vec2(16.0, 16.0));
+    match desk.kind(layer) {
+        Some(Kind::Ellipse) => Icon::Ellipse.paint(ui.painter(), icon, colours.ink(layer)),
+        Some(Kind::Line) => Icon::Line.paint(ui.painter(), icon, colours.ink(layer)),
+        None => {
+            ui.painter().circle_stroke(middle, 3.0, Stroke::new(1.0, ui.visuals().weak_text_color()));
+        }
+    }
+    let text = match desk.document().layers[layer].strokes.len() {
+        0 => "empty".to_owned(),
+        marks => marks.to_string(),
+    };
+    let font = eframe::egui::TextStyle::Small.resolve(ui.style());
+    let weak = ui.visuals().weak_text_color();
+    let right = pos2(rest.right(), rest.center().y);
+    ui.painter().text(right, Align2::RIGHT_CENTER, text, font, weak).left() - 6.0
+}
+
+/// The snowflake of a frozen row; gives where this begins.
+fn thaw(ui: &mut Ui, desk: &Desk, layer: usize, rest: Rect, actions: &mut Vec<Action>) -> f32 {
+    if layer >= desk.frozen() {
+        return rest.right();
+    }
+    let place = rest.with_min_x(rest.right() - 22.0);
+    ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
+        let name = format!("Thaw {}", desk.layer_name(layer));
+        let help = "Frozen: its marks are left alone. Click to work on it again; those above are frozen no more either";
+        let button = Icon::Frozen.button_of(ui, &name, false, vec2(22.0, ROW));
+        if button.on_hover_text(help).clicked() {
+            actions.push(Action::Layer(LayerAction::Take(layer)));
+        }
+    });
+    place.left()
+}
+
+/// The field in which a name is typed. Enter, Tab and a click elsewhere keep it, Escape does not.
+fn naming(ui: &mut Ui, window: &mut Window, place: Rect) {
+    let Some((layer, mut name)) = window.layering.naming.take() else { return };
+    let field = ui.scope_id().with("name of layer");
+    let edit = TextEdit::singleline(&mut name)
+        .id(field)
+        .char_limit(NAME)
+        .hint_text(window.desk.layer_name(layer))
+        .margin(vec2(4.0, 3.0));
+    let response = ui.put(place.shrink2(vec2(0.0, 2.0)), edit).accessible_name("Layer name");
+    let [enter, tab] = [Key::Enter, Key::Tab].map(|key| ui.input(|input| input.key_pressed(key)));
+    if response.lost_focus() {
+        if enter || tab || ui.input(|input| input.pointer.any_down()) {
+            let name = name.trim().to_owned();
+            window.desk.change_layer(layer, |of| of.name = name);
+        }
+        if std::mem::take(&mut window.layering.from_row) && !tab {
+            ui.memory_mut(|memory| memory.request_focus(id(ui, layer)));
+        }
+        return;
+    }
+    if !response.has_focus() {
+        response.request_focus();
+        let mut state = TextEditState::load(ui.ctx(), field).unwrap_or_default();
+        state.cursor.set_char_range(Some(CCursorRange::select_all_str(&name)));
+        state.store(ui.ctx(), field);
+    }
+    window.layering.naming = Some((layer, name));
+}
+
+/// The keys of a row that has them.
+fn keys(ui: &Ui, window: &mut Window, response: &Response, layer: usize, actions: &mut Vec<Action>) {
+    let filter = EventFilter { tab: false, horizontal_arrows: false, vertical_arrows: true, escape: false };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
+    let layers = window.desk.document().layers.len();
+    for (key, by) in [(Key::ArrowUp, 1), (Key::ArrowDown, -1)] {
+        let Some(to) = layer.checked_add_signed(by).filter(|to| *to < layers) else { continue };
+        if pressed(Modifiers::ALT, key) {
+            actions.push(Action::Layer(LayerAction::Move(layer, to)));
+        } else if pressed(Modifiers::NONE, key) {
+            actions.push(Action::Layer(LayerAction::Take(to)));
+        } else {
+            continue;
+        }
+        ui.memory_mut(|memory| memory.request_focus(id(ui, to)));
+        return;
+    }
+    for (key, action) in [(Key::F2, LayerAction::Rename), (Key::Delete, LayerAction::Delete)] {
+        if pressed(Modifiers::NONE, key) {
+            actions.extend([LayerAction::Take(layer), action].map(Action::Layer));
+            window.layering.from_row = true;
+        }
+    }
 }

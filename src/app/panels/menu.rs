@@ -4,6 +4,7 @@ use eframe::egui::{Button, MenuBar, RichText, ThemePreference, Ui};
 
 use crate::app::Window;
 use crate::app::action::{Action, Page};
+use crate::app::layering::LayerAction;
 use crate::app::shortcuts;
 use crate::field::Edges;
 
@@ -13,6 +14,7 @@ pub fn menu(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
     MenuBar::new().ui(ui, |ui| {
         ui.menu_button("File", |ui| file(ui, window, &mut actions));
         ui.menu_button("Edit", |ui| edit(ui, window, &mut actions));
+        ui.menu_button("Layer", |ui| layer(ui, window, &mut actions));
         ui.menu_button("View", |ui| view(ui, window, &mut actions));
         ui.menu_button("Growth", |ui| growth(ui, window, &mut actions));
         ui.menu_button("Help", |ui| {
@@ -96,6 +98,13 @@ fn edit(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
     item(ui, "Put a line in the middle", &Action::Insert(false), true, actions);
 }
 
+fn layer(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
+    ui.set_min_width(230.0);
+    for (text, action) in LayerAction::MENU {
+        item(ui, text, &Action::Layer(action), window.desk.allows(action), actions);
+    }
+}
+
 fn view(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
     ui.set_min_width(210.0);
     check(ui, "One over the other", window.over, &Action::Over(!window.over), actions);
@@ -107,6 +116,8 @@ fn view(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
     let overlays = window.canvas.overlays;
     check(ui, "Region grid", overlays.regions, &Action::Regions(!overlays.regions), actions);
     check(ui, "What dapple sees", overlays.analysis, &Action::Analysis(!overlays.analysis), actions);
+    let shown = window.alternatives.shown;
+    check(ui, "Alternatives", shown, &Action::Alternatives(!shown), actions);
     item(ui, "Reference picture…", &Action::Reference, true, actions);
     ui.separator();
     item(ui, "Show the whole canvas", &Action::Fit, true, actions);

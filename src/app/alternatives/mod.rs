@@ -1,0 +1,308 @@
+//! Other textures that fit the same sketch: small pictures to choose from. While they are not shown nothing is done.
+
+mod series;
+#[cfg(test)]
+mod tests;
+mod variants;
+
+pub use series::small;
+
+use std::sync::Arc;
+
+use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+
+use super::desk::Desk;
+use super::growth::{Growth, Texture, essence};
+use super::result::layer_of;
+use crate::synth::recipe::{Document, Layer};
+use crate::synth::{Grown, Training};
+use series::{Job, Series};
+use variants::{Variant, variants};
+
+/// One of them.
+pub struct Alternative {
+    /// Stays the same as long as it is there.
+    pub id: u64,
+    /// What is different about it, in a few words.
+    pub name: String,
+    /// And in a sentence.
+    pub help: String,
+    /// All of it.
+    pub document: Document,
+    /// Does it stay when the sketch changes?
+    pub kept: bool,
+    /// What has grown, once it has.
+    pub grown: Option<Arc<Grown>>,
+    /// Its small picture, once there is one.
+    pub picture: Option<Arc<ColorImage>>,
+    /// Why it cannot be grown.
+    pub failed: Option<String>,
+    /// Is the picture one of other colours?
+    stale: bool,
+    texture: Option<TextureHandle>,
+}
+
+impl Alternative {
+    fn is_wanted(&self) -> bool {
+        self.failed.is_none() && (self.picture.is_none() || self.stale)
+    }
+
+    /// The picture on the graphics card.
+    pub fn texture(&mut self, ctx: &Context) -> Option<&TextureHandle> {
+        if self.texture.is_none() {
+            let image = self.picture.clone()?;
+            self.texture = Some(ctx.load_texture("alternative", image, TextureOptions::LINEAR));
+        }
+        self.texture.as_ref()
+    }
+}
+
+/// All of them.
+pub struct Alternatives {
+    /// Are they shown?
+    pub shown: bool,
+    /// In the order in which they stand: what is kept, the sketch as it was when they began, the others.
+    pub all: Vec<Alternative>,
+    training: Arc<Training>,
+    series: Option<Series>,
+    /// Was growing them given up?
+    stopped: bool,
+    /// The document they were last compared with.
+    followed: Option<Arc<Document>>,
+    /// The one that is on the desk.
+    taken: Option<u64>,
+    ids: u64,
+}
+
+impl Alternatives {
+    /// None; they will be grown with `training`.
+    #[must_use]
+    pub fn new(training: Arc<Training>) -> Self {
+        Self {
+            shown: false,
+            all: Vec::new(),
+            training,
+            series: None,
+            stopped: false,
+            followed: None,
+            taken: None,
+            ids: 0,
+        }
+    }
+
+    /// Another document is on the desk.
+    pub fn forget(&mut self) {
+        *self = Self { shown: self.shown, ids: self.ids, ..Self::new(Arc::clone(&self.training)) };
+    }
+
+    /// Goes along with what is drawn and grown; never waits. While a hand is `busy` nothing is begun.
+    pub fn follow(&mut self, ctx: &Context, desk: &Desk, growth: &Growth, busy: bool) {
+        self.listen();
+        if !self.shown {
+            self.series = None;
+            return;
+        }
+        let Some(texture) = &growth.texture else {
+            // What is drawn comes first.
+            self.series = None;
+            return;
+        };
+        let same = self.followed.as_ref().is_some_and(|followed| Arc::ptr_eq(followed, &texture.document));
+        if !same && !busy {
+            self.followed = Some(Arc::clone(&texture.document));
+            self.compare(texture, layer_of(desk, desk.layer).unwrap_or(0));
+        }
+        if self.series.is_none() && !self.stopped && !busy {
+            self.begin(ctx);
+        }
+    }
+
+    fn listen(&mut self) {
+        let mut over = false;
+        if let Some(series) = &self.series {
+            loop {
+                match series.news.try_recv() {
+                    Ok(news) => {
+                        let found = self.all.iter_mut().find(|one| one.id == news.id);
+                        if let Some(one) = found {
+                            one.stale = false;
+                            one.texture = None;
+                            match news.outcome {
+                                Ok((grown, picture)) => {
+                                    (one.grown, one.picture) = (Some(grown), Some(picture));
+                                }
+                                Err(why) => one.failed = Some(why),
+                            }
+                        }
+                    }
+                    Err(error) => {
+                        over = error == std::sync::mpsc::TryRecvError::Disconnected;
+                        break;
+                    }
+                }
+            }
+        }
+        if over {
+            self.series = None;
+        }
+    }
+
+    /// Is `texture` one of these? Else others are found for it.
+    fn compare(&mut self, texture: &Texture, layer: usize) {
+        let needed = essence(&texture.document);
+        let one = self.all.iter().find(|one| essence(&one.document) == needed);
+        self.taken = one.map(|one| one.id);
+        // One that is kept belongs to these if the others have the same marks.
+        let belongs = one.is_some_and(|one| {
+            let fits = |other: &Alternative| !other.kept && fits(&other.document, &one.document);
+            !one.kept || self.all.iter().any(fits)
+        });
+        if belongs {
+            self.recolour(&texture.document);
+            return;
+        }
+        self.series = None;
+        self.stopped = false;
+        self.all.retain(|one| one.kept);
+        let base = Variant {
+            name: "Original".to_owned(),
+            help: "What was on the desk when these alternatives were looked for".to_owned(),
+            document: (*texture.document).clone(),
+        };
+        let others = variants(&texture.document, &texture.grown, layer);
+        for (index, variant) in std::iter::once(base).chain(others).enumerate() {
+            let needed = essence(&variant.document);
+            let there = self.all.iter().any(|one| essence(&one.document) == needed);
+            if !there {
+                let grown = (index == 0).then(|| Arc::clone(&texture.grown));
+                let id = self.add(variant, grown);
+                if index == 0 {
+                    self.taken = Some(id);
+                }
+            }
+        }
+    }
+
+    fn add(&mut self, variant: Variant, grown: Option<Arc<Grown>>) -> u64 {
+        self.ids += 1;
+        self.all.push(Alternative {
+            id: self.ids,
+            name: variant.name,
+            help: variant.help,
+            document: variant.document,
+            kept: false,
+            grown,
+            picture: None,
+            failed: None,
+            stale: false,
+            texture: None,
+        });
+        self.ids
+    }
+
+    /// Gives those that are not kept the names and colours of `document`.
+    fn recolour(&mut self, document: &Document) {
+        for one in self.all.iter_mut().filter(|one| !one.kept) {
+            let mut other =
+                Document { name: document.name.clone(), dpi: document.dpi, ..one.document.clone() };
+            for (layer, of) in other.layers.iter_mut().zip(&document.layers) {
+                layer.name.clone_from(&of.name);
+                layer.colours.clone_from(&of.colours);
+                layer.visible = of.visible;
+            }
+            one.stale |= other != one.document;
+            one.document = other;
+        }
+    }
+
+    /// Grows what is not there yet.
+    fn begin(&mut self, ctx: &Context) {
+        let beneath = self.all.iter().find(|one| !one.kept).and_then(|one| one.grown.clone());
+        let job = |one: &Alternative| Job {
+            id: one.id,
+            document: one.document.clone(),
+            known: one.grown.clone().or_else(|| beneath.clone()),
+            grown: one.grown.is_some(),
+        };
+        let jobs: Vec<Job> = self.all.iter().filter(|one| one.is_wanted()).map(job).collect();
+        if !jobs.is_empty() {
+            self.series = Some(Series::begin(jobs, &self.training, ctx));
+        }
+    }
+
+    /// Gives up growing them, or goes on.
+    pub fn stop(&mut self, stopped: bool) {
+        self.stopped = stopped;
+        self.series = None;
+    }
+
+    /// Are some being grown?
+    #[must_use]
+    pub fn is_growing(&self) -> bool {
+        self.series.is_some()
+    }
+
+    /// Are some still to come, whether or not they are being grown?
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        !self.all.iter().any(Alternative::is_wanted)
+    }
+
+    /// How much of this one has grown, while it grows, 0..1.
+    #[must_use]
+    pub fn progress(&self, id: u64) -> Option<f32> {
+        let (growing, share) = self.series.as_ref()?.progress();
+        (growing == id).then_some(share)
+    }
+
+    /// Is it the one on the desk?
+    #[must_use]
+    pub fn is_taken(&self, id: u64) -> bool {
+        self.taken == Some(id)
+    }
+
+    /// The one with this number.
+    #[must_use]
+    pub fn get(&self, id: u64) -> Option<&Alternative> {
+        self.all.iter().find(|one| one.id == id)
+    }
+
+    /// Keeps it, or lets it go: then it stays as long as the others of its sketch do.
+    pub fn keep(&mut self, id: u64, kept: bool) {
+        if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
+            one.kept = kept;
+        }
+    }
+}
+
+/// Have both the same marks on the same canvas?
+fn fits(a: &Document, b: &Document) -> bool {
+    let canvas = |of: &Document| (of.size, of.regions, of.edges);
+    canvas(a) == canvas(b)
+        && a.layers.len() == b.layers.len()
+        && a.layers.iter().zip(&b.layers).all(|(a, b)| a.strokes == b.strokes && a.after == b.after)
+}
+
+/// Puts `document` on the desk as one step that can be undone. Layers on which nothing is drawn yet stay where the marks
+/// are the same.
+pub fn put(desk: &mut Desk, document: &Document) {
+    desk.commit();
+    let same = fits(&desk.finished(), document);
+    desk.edit(|old| {
+        let mut layers: Vec<Layer> = document.layers.clone();
+        if same {
+            let mut new = layers.into_iter();
+            layers = old.layers.clone();
+            for layer in layers.iter_mut().filter(|layer| !layer.strokes.is_empty()) {
+                if let Some(new) = new.next() {
+                    let name = std::mem::take(&mut layer.name);
+                    // A name that was only made up for the file is not taken over.
+                    *layer = if name.is_empty() { Layer { name, ..new } } else { new };
+                }
+            }
+        }
+        *old = Document { layers, ..document.clone() };
+    });
+    desk.layer = desk.layer.min(desk.document().layers.len().saturating_sub(1));
+    desk.commit();
+}

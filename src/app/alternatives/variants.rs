@@ -1,0 +1,123 @@
+//! Other documents that fit the same sketch.
+
+use crate::attributes::Spread;
+use crate::rd::System;
+use crate::synth::recipe::{Document, Kind, SpreadChoice, Stroke, SystemChoice, limits};
+use crate::synth::{Grown, drawn};
+
+/// How many other seeds are offered.
+const SEEDS: u64 = 4;
+/// A looser spread is so many times the drawn one.
+const LOOSER: f64 = 1.6;
+/// And at least this.
+const LOOSE: Spread = Spread { area: 0.2, angle: 10.0, aspect: 0.06, spacing: 0.14 };
+
+/// A document and what is different about it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variant {
+    /// In a few words.
+    pub name: String,
+    /// In a sentence.
+    pub help: String,
+    /// It.
+    pub document: Document,
+}
+
+impl Variant {
+    fn new(name: impl Into<String>, help: impl Into<String>, document: Document) -> Self {
+        Self { name: name.into(), help: help.into(), document }
+    }
+}
+
+/// Documents with the strokes of `document`, which has `grown`, different on `layer` and those above it.
+#[must_use]
+pub fn variants(document: &Document, grown: &Grown, layer: usize) -> Vec<Variant> {
+    let mut all = Vec::new();
+    all.extend(other_system(document, grown, layer));
+    all.extend(spreads(document, layer));
+    all.extend((1..=SEEDS).map(|step| seeded(document, step)));
+    all
+}
+
+/// The same from another seed: where all chance comes from.
+fn seeded(document: &Document, step: u64) -> Variant {
+    let seed = document.seed.wrapping_add(step);
+    let mut other = Document { seed, ..document.clone() };
+    for layer in &mut other.layers {
+        // One that does not follow the document's.
+        layer.seed = layer.seed.map(|seed| seed.wrapping_add(step));
+    }
+    Variant::new(format!("Seed {seed}"), "Another seed: the same, but different", other)
+}
+
+fn is_spotted(document: &Document, layer: usize) -> bool {
+    match document.layers[layer].strokes.first() {
+        Some(Stroke::Ellipse(_)) => true,
+        Some(Stroke::Line(_)) | None => false,
+        Some(Stroke::Freehand { .. }) => drawn::marks(document, layer, "")
+            .is_ok_and(|marks| marks.iter().all(|mark| matches!(mark, crate::marks::Mark::Ellipse(_)))),
+    }
+}
+
+/// The other of the two systems that grow spots.
+fn other_system(document: &Document, grown: &Grown, layer: usize) -> Option<Variant> {
+    let of = document.layers.get(layer)?;
+    let (system, name, help) = match grown.layers.get(layer)?.plan.system {
+        System::TuringSpots => (
+            SystemChoice::MeinhardtSpots,
+            "Meinhardt's spots",
+            "Meinhardt's system: rounder spots, as far apart as they are drawn",
+        ),
+        System::MeinhardtSpots => (
+            SystemChoice::TuringSpots,
+            "Turing's spots",
+            "Turing's system: livelier spots that keep their own distance",
+        ),
+        System::MeinhardtStripes | System::MeinhardtLines => return None,
+    };
+    let place = "layers";
+    let fits = of.options.mismatch(place, system, Some(Kind::Ellipse)).is_none();
+    let mut other = document.clone();
+    other.layers[layer].system = system;
+    fits.then(|| Variant::new(name, help, other))
+}
+
+/// Spots that differ less from each other, and more.
+fn spreads(document: &Document, layer: usize) -> Vec<Variant> {
+    let Some(of) = document.layers.get(layer).filter(|_| is_spotted(document, layer)) else {
+        return Vec::new();
+    };
+    let Some(drawn) = spread(document, layer) else { return Vec::new() };
+    let given = |spread| {
+        let mut other = document.clone();
+        other.layers[layer].options.spread = SpreadChoice::Given(spread);
+        other
+    };
+    let mut all = Vec::new();
+    if !drawn.is_even() {
+        all.push(Variant::new("Even", "Stricter: all spots of a region alike", given(Spread::EVEN)));
+    }
+    let looser = limited(drawn.with(&LOOSE, |drawn, least| (LOOSER * drawn).max(least)));
+    if of.options.spread != SpreadChoice::Given(looser) {
+        let help = "Looser: spots that differ more in size, shape, direction and distance";
+        all.push(Variant::new("Looser", help, given(looser)));
+    }
+    all
+}
+
+/// What a document may say.
+fn limited(spread: Spread) -> Spread {
+    Spread {
+        area: spread.area.min(limits::SPREAD_AREA.high),
+        angle: spread.angle.min(limits::SPREAD_ANGLE.high),
+        aspect: spread.aspect.min(limits::SPREAD_ASPECT.high),
+        spacing: spread.spacing.min(limits::SPREAD_SPACING.high),
+    }
+}
+
+/// How much the spots of a layer differ by now, the most of all regions.
+fn spread(document: &Document, layer: usize) -> Option<Spread> {
+    let map = drawn::region_map(document, layer, "").ok()?;
+    let spreads = map.regions().map(|(_, region)| region.spread);
+    Some(spreads.fold(Spread::EVEN, |most, spread| most.with(&spread, f64::max)))
+}

@@ -1,0 +1,89 @@
+//! The cloud on a plane.
+
+use eframe::egui::{Id, Ui, vec2};
+use egui_plot::{
+    GridInput, GridMark, HoverPosition, Legend, MarkerShape, Plot, PlotPoints, Points as Dots,
+    log_grid_spacer,
+};
+
+use super::points::{Points, is_logarithmic};
+use crate::app::panels::digits;
+use crate::app::theme::Palette;
+
+/// Neighbours are drawn in so many sizes.
+const SIZES: usize = 6;
+
+/// Shows `points` over two of their names. Each `question` is framed anew.
+pub fn plot(ui: &mut Ui, points: &Points, axes: [&'static str; 2], question: u64) {
+    let palette = Palette::of(ui.visuals());
+    let at = |row: &[f64]| axes.map(|name| scaled(name, points.value(row, name)));
+    let dots = |name: &str, rows: Vec<[f64; 2]>| {
+        let there: Vec<_> = rows.into_iter().filter(|at| at.iter().all(|x| x.is_finite())).collect();
+        Dots::new(name, PlotPoints::from(there))
+    };
+    let all = dots("Examples", points.rows.iter().map(|row| at(row)).collect());
+    let mut shown = vec![all.radius(1.4).color(ui.visuals().weak_text_color().gamma_multiply(0.6))];
+    for size in 0..SIZES {
+        let [low, high] = [size, size + 1].map(|step| step as f64 / SIZES as f64);
+        let inside = |weight: f64| (low < weight || size == 0) && weight <= high;
+        let rows = points.neighbours.iter().filter(|(_, weight)| inside(*weight)).map(|(row, _)| at(row));
+        let radius = 2.0 + 3.6 * ((low + high) / 2.0).sqrt() as f32;
+        // Only the largest stand in the legend, for all.
+        let name = if size + 1 == SIZES { "Neighbours, by weight" } else { "" };
+        shown.push(dots(name, rows.collect()).radius(radius).color(palette.edge));
+    }
+    let one =
+        |name, row: &[f64], shape, colour| dots(name, vec![at(row)]).shape(shape).radius(8.0).color(colour);
+    if points.nearest != points.asked {
+        shown.push(one("Nearest in reach", &points.nearest, MarkerShape::Diamond, palette.accent));
+    }
+    if let Some(got) = &points.got {
+        shown.push(one("Grown", got, MarkerShape::Square, palette.axis).radius(5.0));
+    }
+    shown.push(one("Asked", &points.asked, MarkerShape::Cross, palette.wrong));
+    let label = |position: &HoverPosition| match position {
+        HoverPosition::NearDataPoint { plot_name, position, .. } => {
+            let [x, y] = [(0, position.x), (1, position.y)].map(|(axis, value)| {
+                format!("{}: {}", points.title(axes[axis]), digits(unscaled(axes[axis], value)))
+            });
+            let name = if plot_name.is_empty() { "Neighbour" } else { plot_name };
+            Some(format!("{name}\n{x}\n{y}"))
+        }
+        HoverPosition::Elsewhere { .. } => None,
+    };
+    let [x, y] = axes;
+    Plot::new((question, axes))
+        .id(Id::unique("cloud's plot").with((question, axes)))
+        .min_size(vec2(260.0, 240.0))
+        .x_axis_label(points.title(x))
+        .y_axis_label(points.title(y))
+        .x_axis_formatter(move |mark: GridMark, _: &_| digits(unscaled(x, mark.value)))
+        .y_axis_formatter(move |mark: GridMark, _: &_| digits(unscaled(y, mark.value)))
+        .x_grid_spacer(move |input| spacer(x, input))
+        .y_grid_spacer(move |input| spacer(y, input))
+        .label_formatter(label)
+        .legend(Legend::default())
+        .show(ui, |plot| shown.into_iter().for_each(|dots| plot.points(dots)));
+}
+
+fn spacer(name: &str, input: GridInput) -> Vec<GridMark> {
+    if !is_logarithmic(name) {
+        return log_grid_spacer(10)(input);
+    }
+    // 1, 2, 5 of each decade.
+    let (low, high) = input.bounds;
+    let decades = (low.floor() as i32)..=(high.ceil() as i32);
+    let marks = decades.flat_map(|decade| {
+        [(1.0f64, 1.0), (2.0, 0.4), (5.0, 0.4)]
+            .map(|(digit, step_size)| GridMark { value: f64::from(decade) + digit.log10(), step_size })
+    });
+    marks.filter(|mark| (low..=high).contains(&mark.value)).collect()
+}
+
+fn scaled(name: &str, value: f64) -> f64 {
+    if is_logarithmic(name) { value.log10() } else { value }
+}
+
+fn unscaled(name: &str, value: f64) -> f64 {
+    if is_logarithmic(name) { 10f64.powf(value) } else { value }
+}

@@ -1,0 +1,318 @@
+//! How the layer at hand grows: how it meets those beneath, its system, its options.
+
+use eframe::egui::{
+    Align, Button, ComboBox, DragValue, Grid, Label, Layout, Rect, RichText, ScrollArea, Ui, pos2, vec2,
+};
+
+use super::meets;
+use crate::app::Window;
+use crate::app::desk::Desk;
+use crate::app::icons::Icon;
+use crate::app::layer_choices::{Choice, after_refusal, system_refusal};
+use crate::attributes::Spread;
+use crate::synth::recipe::limits::{self, Range};
+use crate::synth::recipe::{After, Layer, Options, Seeding, SpreadChoice, SystemChoice};
+
+/// The share of the window's height that the details take before they scroll.
+const SHARE: f32 = 0.32;
+/// Width of the controls, points: right of them there is room for an arrow and a scroll bar.
+const CONTROL: f32 = 110.0;
+/// Width of the list of systems, points.
+const SYSTEM: f32 = 138.0;
+
+/// The details, folded up or not.
+pub fn details(ui: &mut Ui, window: &mut Window) {
+    let desk = &mut window.desk;
+    let Some(layer) = desk.document().layers.get(desk.layer).cloned() else { return };
+    let unfolded = &mut window.layering.unfolded;
+    ui.horizontal(|ui| {
+        let button = Button::new(RichText::new("How it grows").strong()).frame_when_inactive(false);
+        let button = button.left_text(RichText::new("     ")).min_size(vec2(112.0, 24.0));
+        let fold = ui.add(button).accessible_name("How it grows");
+        let icon = if *unfolded { Icon::Unfolded } else { Icon::Folded };
+        let place = pos2(fold.rect.left() + 10.0, fold.rect.center().y);
+        let colour = ui.style().interact(&fold).text_color();
+        icon.paint(ui.painter(), Rect::from_center_size(place, vec2(16.0, 16.0)), colour);
+        if fold.on_hover_text("How the layer at hand meets those beneath, its system, its options").clicked()
+        {
+            *unfolded = !*unfolded;
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.add(Label::new(RichText::new(summary(desk, &layer)).small().weak()).truncate());
+        });
+    });
+    if !*unfolded {
+        return;
+    }
+    let highest = (SHARE * ui.content_rect().height()).round();
+    let area = ScrollArea::vertical().id_salt("details").max_height(highest).min_scrolled_height(highest);
+    area.show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 6.0;
+        meeting(ui, desk, &layer);
+        ui.horizontal(|ui| system(ui, desk, &layer));
+        Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
+            let kind = desk.kind(desk.layer);
+            for choice in Choice::ALL {
+                if choice.is_of(&layer, kind) {
+                    option(ui, desk, &layer, choice);
+                }
+            }
+        });
+        if desk.kind(desk.layer).is_none() {
+            ui.weak("Its options come with the first mark.");
+        }
+    });
+}
+
+/// All of it in two or three words.
+fn summary(desk: &Desk, layer: &Layer) -> String {
+    let met = match desk.beneath(desk.layer) {
+        None => "lowest",
+        Some(_) => layer.after.name(),
+    };
+    let own = if layer.options == Options::default() { "" } else { ", own options" };
+    format!("{met}, {}{own}", layer.system.name())
+}
+
+fn change(desk: &mut Desk, change: impl FnOnce(&mut Layer)) {
+    desk.change_layer(desk.layer, change);
+}
+
+/// How it meets those beneath: a picture of each way.
+fn meeting(ui: &mut Ui, desk: &mut Desk, layer: &Layer) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let lowest = desk.beneath(desk.layer).is_none();
+        for (_, after) in After::NAMES {
+            let refused = after_refusal(desk, desk.layer, after);
+            let chosen = if lowest { after == After::Between } else { layer.after == after };
+            if meets::button(ui, after, chosen, refused).clicked() {
+                change(desk, |layer| layer.after = after);
+            }
+        }
+    });
+}
+
+/// What people read of a system.
+fn read(system: SystemChoice) -> &'static str {
+    match system {
+        SystemChoice::Auto => "Automatic",
+        SystemChoice::TuringSpots => "Turing's spots",
+        SystemChoice::MeinhardtSpots => "Meinhardt's spots",
+        SystemChoice::MeinhardtStripes => "Meinhardt's stripes",
+        SystemChoice::MeinhardtLines => "Meinhardt's lines",
+    }
+}
+
+fn told(system: SystemChoice) -> &'static str {
+    match system {
+        SystemChoice::Auto => {
+            "The system that comes nearest to what is drawn: lines grow stripes, ellipses spots"
+        }
+        SystemChoice::TuringSpots => {
+            "Spots that fill the plane evenly; their distance goes with their size. They can be irregular"
+        }
+        SystemChoice::MeinhardtSpots => "Spots as far apart as they are drawn, ellipses throughout",
+        SystemChoice::MeinhardtStripes => "Stripes as wide as the gaps between them",
+        SystemChoice::MeinhardtLines => "Thin stripes on wide ground",
+    }
+}
+
+fn system(ui: &mut Ui, desk: &mut Desk, layer: &Layer) {
+    let help = "The reaction-diffusion system that grows it";
+    ui.label("System").on_hover_text(help);
+    let mut chosen = layer.system;
+    let combo = ComboBox::from_id_salt("system").selected_text(read(chosen)).width(SYSTEM).truncate();
+    let combo = combo.show_ui(ui, |ui| {
+        for (_, system) in SystemChoice::NAMES {
+            let refused = system_refusal(desk, desk.layer, system);
+            ui.add_enabled_ui(refused.is_none(), |ui| {
+                ui.selectable_value(&mut chosen, system, read(system))
+                    .on_hover_text(told(system))
+                    .on_disabled_hover_text(refused.unwrap_or_default());
+            });
+        }
+    });
+    combo.response.accessible_name("System").on_hover_text(told(layer.system));
+    if reset(ui, "System", layer.system == SystemChoice::Auto) {
+        chosen = SystemChoice::Auto;
+    }
+    if chosen != layer.system {
+        change(desk, |layer| layer.system = chosen);
+    }
+}
+
+/// The button that puts back what would be if nobody had said anything; not there where it is so.
+fn reset(ui: &mut Ui, name: &str, default: bool) -> bool {
+    if default {
+        ui.allocate_space(vec2(20.0, 20.0));
+        return false;
+    }
+    let button = Icon::Undo.button_of(ui, &format!("{name}: default"), false, vec2(20.0, 22.0));
+    button.on_hover_text(format!("{name}: back to its default")).clicked()
+}
+
+fn option(ui: &mut Ui, desk: &mut Desk, layer: &Layer, choice: Choice) {
+    let (name, help) = described(choice);
+    let refused = choice.refusal(layer);
+    let enabled = refused.is_none();
+    let label = ui.add_enabled(enabled, Label::new(name)).on_hover_text(help);
+    label.on_disabled_hover_text(refused.unwrap_or_default());
+    let mut options = layer.options;
+    let shown = ui.add_enabled_ui(enabled, |ui| control(ui, desk, choice, &mut options)).inner;
+    shown.on_hover_text(help).on_disabled_hover_text(refused.unwrap_or_default());
+    if reset(ui, name, choice.is_default(&layer.options)) {
+        choice.reset(&mut options);
+    }
+    ui.end_row();
+    if choice == Choice::Spread {
+        own_spread(ui, &mut options);
+    }
+    if options != layer.options {
+        change(desk, |layer| layer.options = options);
+    }
+}
+
+/// What people read of an option, and what it means.
+fn described(choice: Choice) -> (&'static str, &'static str) {
+    match choice {
+        Choice::Spread => (
+            "Variation",
+            "How much the spots differ from each other: as the drawn ones do (where a region holds at least six), \
+             not at all, or by numbers of your own",
+        ),
+        Choice::Irregular => (
+            "Irregular",
+            "How irregular the shapes are: 0 % grows ellipses, 100 % beans, bars and drops. Turing's system alone does \
+             that",
+        ),
+        Choice::Keep => (
+            "Keep marks",
+            "Whether the drawn marks themselves are among those that grow. By default they are where there is one region",
+        ),
+        Choice::Duty => (
+            "Share",
+            "Which share of the way from one stripe to the next each covers, 20 to 50 %: at 50 % stripes are as wide as \
+             their gaps, below it they are lines on wide ground",
+        ),
+        Choice::Seeding => (
+            "Begins from",
+            "Noise: stripes follow the drawn directions closely. Segments: short lines of that direction, which grow \
+             into forked and wavy stripes. Drawn lines: stripes radiate from them",
+        ),
+        Choice::Broken => {
+            ("Broken", "The share of each ring that is open, 0 to 60 %, in two to five gaps, as on a leopard")
+        }
+    }
+}
+
+/// A share that is shown in per cent.
+fn share(ui: &mut Ui, name: &str, value: &mut f64, range: &Range) -> eframe::egui::Response {
+    let mut percent = 100.0 * *value;
+    let field = DragValue::new(&mut percent)
+        .range(100.0 * range.low..=100.0 * range.high)
+        .speed(0.25)
+        .max_decimals(0)
+        .suffix(" %")
+        .update_while_editing(false);
+    let field = ui.add(field).accessible_name(name);
+    if field.changed() {
+        // To a tenth of a per cent: documents are read by people, too.
+        *value = ((10.0 * percent).round() / 1000.0).clamp(range.low, range.high);
+    }
+    field
+}
+
+fn control(ui: &mut Ui, desk: &Desk, choice: Choice, options: &mut Options) -> eframe::egui::Response {
+    let (name, _) = described(choice);
+    match choice {
+        Choice::Irregular => share(ui, name, &mut options.irregular, &limits::IRREGULAR),
+        Choice::Duty => share(ui, name, &mut options.duty, &limits::DUTY),
+        Choice::Broken => share(ui, name, &mut options.broken, &limits::BROKEN),
+        Choice::Keep => {
+            let mut keep = desk.document().keeps(desk.layer);
+            let field = ui.checkbox(&mut keep, "as drawn").accessible_name(name);
+            if field.changed() {
+                options.keep = Some(keep);
+            }
+            field
+        }
+        Choice::Seeding => seeding(ui, &mut options.seeding),
+        Choice::Spread => spread(ui, &mut options.spread),
+    }
+}
+
+fn seeding(ui: &mut Ui, seeding: &mut Seeding) -> eframe::egui::Response {
+    const READ: [(&str, Seeding); 3] =
+        [("Noise", Seeding::Noise), ("Segments", Seeding::Segments), ("Drawn lines", Seeding::Initiators)];
+    let now = READ.iter().find(|(_, one)| one == seeding).map_or("", |(name, _)| *name);
+    let combo = ComboBox::from_id_salt("seeding").selected_text(now).width(CONTROL).truncate();
+    let combo = combo.show_ui(ui, |ui| {
+        for (name, one) in READ {
+            ui.selectable_value(seeding, one, name);
+        }
+    });
+    combo.response.accessible_name("Begins from")
+}
+
+fn spread(ui: &mut Ui, spread: &mut SpreadChoice) -> eframe::egui::Response {
+    let (drawn, even) = (SpreadChoice::Drawn, SpreadChoice::Given(Spread::EVEN));
+    let now = match *spread {
+        SpreadChoice::Drawn => "As drawn",
+        given if given == even => "None",
+        SpreadChoice::Given(_) => "By numbers",
+    };
+    let combo = ComboBox::from_id_salt("spread").selected_text(now).width(CONTROL).truncate();
+    let combo = combo.show_ui(ui, |ui| {
+        ui.selectable_value(spread, drawn, "As drawn");
+        ui.selectable_value(spread, even, "None");
+        let numbers = !matches!(now, "As drawn" | "None");
+        if ui.selectable_label(numbers, "By numbers").clicked() && !numbers {
+            // What one would see at once.
+            *spread = SpreadChoice::Given(Spread { area: 0.2, ..Spread::EVEN });
+        }
+    });
+    combo.response.accessible_name("Variation")
+}
+
+/// The numbers of a spread of one's own.
+fn own_spread(ui: &mut Ui, options: &mut Options) {
+    let SpreadChoice::Given(mut spread) = options.spread else { return };
+    let before = spread;
+    let rows: [(&str, &str, &mut f64, &Range); 4] = [
+        (
+            "of area",
+            "Standard deviation ÷ mean of the areas, 0 to 60 %",
+            &mut spread.area,
+            &limits::SPREAD_AREA,
+        ),
+        (
+            "of spacing",
+            "Standard deviation ÷ mean of the distances, 0 to 20 %",
+            &mut spread.spacing,
+            &limits::SPREAD_SPACING,
+        ),
+        (
+            "of aspect",
+            "Standard deviation of minor ÷ major radius, 0 to 20 %",
+            &mut spread.aspect,
+            &limits::SPREAD_ASPECT,
+        ),
+        ("of direction", "Scatter of the directions, 0 to 45°", &mut spread.angle, &limits::SPREAD_ANGLE),
+    ];
+    for (name, help, value, range) in rows {
+        ui.label(RichText::new(format!("  {}", name.trim_start_matches("of "))).weak()).on_hover_text(help);
+        let named = format!("Variation {name}");
+        if range.unit.is_empty() {
+            share(ui, &named, value, range).on_hover_text(help);
+        } else {
+            let field = DragValue::new(value).range(range.low..=range.high).speed(0.2).max_decimals(0);
+            let field = ui.add(field.suffix("°").update_while_editing(false));
+            field.accessible_name(named).on_hover_text(help);
+        }
+        ui.end_row();
+    }
+    if spread != before {
+        options.spread = SpreadChoice::Given(spread);
+    }
+}

@@ -1,0 +1,189 @@
+//! One region: what was asked, what has grown, what was looked up, and what there is to say.
+
+use eframe::egui::{Button, CollapsingHeader, Frame, Grid, Label, RichText, Ui, vec2};
+
+use super::{error, named, sign};
+use crate::app::action::Action;
+use crate::app::result::{RegionResult, Verdict};
+use crate::app::theme::Palette;
+use crate::attributes::Attributes;
+use crate::marks::axial;
+use crate::synth::report::RegionReport;
+
+/// Shows region `region` of layer number `layer`. What is not `current` cannot be changed from here.
+pub fn detail(ui: &mut Ui, region: &RegionResult, layer: usize, current: bool, actions: &mut Vec<Action>) {
+    let report = &region.report;
+    let [column, row] = report.place;
+    ui.horizontal(|ui| {
+        sign(ui, region.verdict);
+        ui.strong(format!("Region {}, {}", column + 1, row + 1));
+        ui.weak(region.verdict.name()).on_hover_text(region.verdict.help());
+        if let Some(marks) = report.marks {
+            ui.weak(format!("· {marks} measured")).on_hover_text("Whole spots that were measured in it");
+        }
+    });
+    numbers(ui, region);
+    if !report.beyond.is_empty() {
+        beyond(ui, region, layer, current, actions);
+    }
+    let beyond: Vec<String> = report.beyond.iter().map(ToString::to_string).collect();
+    for note in report.notes.iter().filter(|note| !beyond.contains(note)) {
+        ui.add(Label::new(RichText::new(capital(note)).small().weak()).wrap());
+    }
+    parameters(ui, region);
+    ui.add_space(2.0);
+    let why = ui.button("Training cloud…").on_hover_text(
+        "The grown examples from which these parameters were learnt, with this question and the neighbours that \
+         answered it",
+    );
+    if why.clicked() {
+        actions.push(Action::Cloud(Some((layer, report.place))));
+    }
+}
+
+/// Attribute by attribute.
+fn numbers(ui: &mut Ui, region: &RegionResult) {
+    let report = &region.report;
+    let asked = listed(&report.asked, report.directed);
+    let got = report.got.map(|got| listed(&got, report.directed)).unwrap_or_default();
+    Grid::new("numbers").num_columns(5).min_col_width(14.0).spacing(vec2(9.0, 5.0)).show(ui, |ui| {
+        for (head, help) in [
+            ("", ""),
+            ("asked", "What your marks ask for, on the mean where the measured ones stand: it changes between regions"),
+            ("got", "What was measured in the grown texture"),
+            ("off", "By how much what has grown differs from what was asked where it stands"),
+        ] {
+            ui.label(RichText::new(head).small().weak()).on_hover_text(help);
+        }
+        ui.end_row();
+        for (attribute, value) in &asked {
+            let (name, help) = named(attribute);
+            ui.label(name).on_hover_text(help);
+            let wanted = there(report, attribute).unwrap_or(*value);
+            let middle = format!("{} in the middle of the region", number(attribute, *value));
+            ui.label(number(attribute, wanted)).on_hover_text(middle);
+            let found = got.iter().find(|(of, _)| of == attribute);
+            ui.label(found.map_or("–".to_owned(), |(_, value)| number(attribute, *value)));
+            let off = report.error.iter().find(|(of, _)| of == attribute);
+            ui.label(off.map_or("–".to_owned(), |(_, off)| error(attribute, *off)));
+            let verdict = off.and_then(|(_, off)| Verdict::of(attribute, *off));
+            sign(ui, verdict.unwrap_or(Verdict::Unknown));
+            ui.end_row();
+        }
+        if let Some((_, rms)) = report.error.iter().find(|(of, _)| *of == "angle_rms") {
+            let (name, help) = named("angle_rms");
+            ui.label(name).on_hover_text(help);
+            ui.label("");
+            ui.label("");
+            ui.label(format!("{rms:.0}°"));
+            ui.end_row();
+        }
+    });
+}
+
+/// What was asked on the mean where the measured marks stand; `None` where none was measured.
+fn there(report: &RegionReport, attribute: &str) -> Option<f64> {
+    let got = listed(&report.got?, report.directed);
+    let (_, got) = *got.iter().find(|(of, _)| *of == attribute)?;
+    let (_, off) = *report.error.iter().find(|(of, _)| *of == attribute)?;
+    Some(match attribute {
+        "aspect" => got - off,
+        "angle" => axial(got - off),
+        _ => got / (1.0 + off),
+    })
+}
+
+/// What cannot be reached, and what can.
+fn beyond(ui: &mut Ui, region: &RegionResult, layer: usize, current: bool, actions: &mut Vec<Action>) {
+    let palette = Palette::of(ui.visuals());
+    let frame = Frame::NONE.inner_margin(8.0).corner_radius(6.0).stroke((1.0, palette.wrong));
+    frame.show(ui, |ui| {
+        ui.horizontal(|ui| {
+            sign(ui, Verdict::Missed);
+            ui.strong("Cannot be reached");
+        });
+        for note in &region.report.beyond {
+            ui.add(Label::new(RichText::new(format!("{}.", capital(&note.to_string()))).small()).wrap());
+        }
+        match &region.reach {
+            Some(reach) => {
+                let button = Button::new("Draw what can be reached").min_size(vec2(190.0, 26.0));
+                let help = format!("Changes the marks of this region: {}. Can be undone.", reach.says);
+                if ui.add_enabled(current, button).on_hover_text(help).clicked() {
+                    actions.push(Action::Reach(layer, region.report.place));
+                }
+                ui.label(RichText::new(capital(&reach.says)).small().weak());
+            }
+            None => {
+                ui.weak("The nearest that can be is growing.");
+            }
+        }
+    });
+}
+
+fn parameters(ui: &mut Ui, region: &RegionResult) {
+    let header = CollapsingHeader::new("Parameters found").id_salt("parameters");
+    header.show(ui, |ui| {
+        Grid::new("parameters").num_columns(2).min_col_width(72.0).spacing(vec2(10.0, 4.0)).show(ui, |ui| {
+            for (name, value) in &region.report.parameters {
+                let (shown, help) = parameter(name);
+                ui.label(shown).on_hover_text(help);
+                let text = if *name == "direction" { format!("{value:.0}°") } else { digits(*value) };
+                ui.label(text);
+                ui.end_row();
+            }
+        });
+    });
+}
+
+/// What people read for a parameter, and what it is.
+pub fn parameter(name: &str) -> (&str, &str) {
+    match name {
+        "rate" => ("Rate", "Reaction rate ÷ √(Da·Db), 1/cell²: the faster, the smaller the marks"),
+        "ratio" => ("Ratio", "Db ÷ Da: how much farther the inhibitor reaches than the activator"),
+        "stretch" => ("Stretch", "Minor ÷ major axis of the diffusion: below 1 marks grow long"),
+        "direction" => ("Direction", "Long axis of the diffusion, degrees"),
+        "level" => ("Level", "The share of the local peak that is a mark's edge"),
+        "pitch" => ("Pitch", "How many times as far apart as by themselves the spots are laid"),
+        "cell" => ("Cell", "px a cell of the simulation's grid"),
+        other => (other, ""),
+    }
+}
+
+/// The attributes that mean something, in their order.
+fn listed(attributes: &Attributes, directed: bool) -> Vec<(&'static str, f64)> {
+    match attributes {
+        Attributes::Spots(spots) => {
+            let mut listed = vec![("area", spots.area), ("aspect", spots.aspect), ("angle", spots.angle)];
+            listed.extend(spots.spacing.map(|spacing| ("spacing", spacing)));
+            listed
+        }
+        Attributes::Stripes(stripes) => {
+            let mut listed = vec![("width", stripes.width)];
+            listed.extend(directed.then_some(("angle", stripes.angle)));
+            listed.extend(stripes.wavelength.map(|wavelength| ("wavelength", wavelength)));
+            listed
+        }
+    }
+}
+
+fn number(attribute: &str, value: f64) -> String {
+    match attribute {
+        "area" => format!("{value:.0} px²"),
+        "aspect" => format!("{value:.2}"),
+        "angle" => format!("{value:.0}°"),
+        _ => format!("{value:.1} px"),
+    }
+}
+
+/// Three significant digits.
+pub fn digits(value: f64) -> String {
+    let before = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
+    let digits = (2.0 - before).clamp(0.0, 8.0) as usize;
+    format!("{value:.digits$}")
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}

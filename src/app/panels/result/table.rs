@@ -1,0 +1,82 @@
+//! All regions of a layer, a row each.
+
+use eframe::egui::{Align, Align2, Button, FontId, Layout, RichText, ScrollArea, TextStyle, Ui, pos2, vec2};
+
+use super::{SIGN, error, named};
+use crate::app::result::{LayerResult, RegionResult};
+use crate::app::theme::Palette;
+
+/// Points: the height of a row, that of the table at most, the widths of its first column and of the others.
+const ROW: f32 = 22.0;
+const MOST: f32 = 9.0 * (ROW + 1.0);
+const FIRST: f32 = 54.0;
+const COLUMN: f32 = 54.0;
+
+/// Attributes that have a column, in their order.
+const COLUMNS: [&str; 6] = ["area", "aspect", "angle", "spacing", "width", "wavelength"];
+
+/// The table. Whoever is clicked, or has the keys, is `chosen`.
+pub fn table(ui: &mut Ui, layer: &LayerResult, chosen: &mut Option<[usize; 2]>) {
+    let measured =
+        |name: &&str| layer.regions.iter().any(|region| region.report.error.iter().any(|(of, _)| of == name));
+    let columns: Vec<&str> = COLUMNS.into_iter().filter(measured).collect();
+    let width = ((ui.available_width() - FIRST - 8.0) / columns.len().max(1) as f32).min(COLUMN);
+    ui.spacing_mut().item_spacing.x = 0.0;
+    ui.horizontal(|ui| {
+        ui.add_space(FIRST);
+        for attribute in &columns {
+            let (name, help) = named(attribute);
+            // The longest name in a narrow column.
+            let name = if *attribute == "angle" { "Angle" } else { name };
+            ui.allocate_ui_with_layout(vec2(width, 16.0), Layout::right_to_left(Align::Center), |ui| {
+                ui.label(RichText::new(name).small().weak())
+                    .on_hover_text(format!("{help}: by how much what has grown differs from what was asked"));
+            });
+        }
+    });
+    ui.spacing_mut().item_spacing.y = 1.0;
+    let area = ScrollArea::vertical().id_salt("regions").max_height(MOST).auto_shrink([false, true]);
+    area.show_rows(ui, ROW, layer.regions.len(), |ui, rows| {
+        for region in &layer.regions[rows] {
+            row(ui, region, &columns, width, chosen);
+        }
+    });
+    ui.spacing_mut().item_spacing = vec2(8.0, 7.0);
+}
+
+fn row(ui: &mut Ui, region: &RegionResult, columns: &[&str], width: f32, chosen: &mut Option<[usize; 2]>) {
+    let place = region.report.place;
+    let selected = *chosen == Some(place);
+    let size = vec2(FIRST + width * columns.len() as f32 + 4.0, ROW);
+    let button = ui.add_sized(size, Button::new("").selected(selected).frame_when_inactive(selected));
+    let colour = if selected {
+        ui.visuals().selection.stroke.color
+    } else {
+        ui.style().interact(&button).text_color()
+    };
+    let rect = button.rect;
+    let sign = eframe::egui::Rect::from_center_size(
+        pos2(rect.left() + 4.0 + 0.5 * SIGN, rect.center().y),
+        vec2(SIGN, SIGN),
+    );
+    region.verdict.paint(ui.painter(), sign, Palette::of(ui.visuals()));
+    let font = FontId::new(TextStyle::Small.resolve(ui.style()).size, eframe::egui::FontFamily::Proportional);
+    let name = format!("{}, {}", place[0] + 1, place[1] + 1);
+    let text = |x: f32, align: Align2, text: String| {
+        ui.painter().text(pos2(rect.left() + x, rect.center().y), align, text, font.clone(), colour);
+    };
+    text(24.0, Align2::LEFT_CENTER, name.clone());
+    let mut said = format!("Region {name}: {}", region.verdict.name());
+    for (column, attribute) in columns.iter().enumerate() {
+        let found = region.report.error.iter().find(|(of, _)| of == attribute);
+        let value = found.map_or("–".to_owned(), |(_, off)| error(attribute, *off));
+        if found.is_some() {
+            said.push_str(&format!(", {} {value}", named(attribute).0));
+        }
+        text(FIRST + width * (column + 1) as f32, Align2::RIGHT_CENTER, value);
+    }
+    let button = button.accessible_name(said);
+    if button.clicked() || button.gained_focus() {
+        *chosen = Some(place);
+    }
+}

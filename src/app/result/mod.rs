@@ -1,0 +1,243 @@
+//! What was asked and what has grown, worked out beside the window: the numbers are those of `dapple grow --report`.
+
+mod reach;
+mod verdict;
+
+pub use reach::Reach;
+pub use verdict::Verdict;
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::thread;
+
+use eframe::egui::{Context, Painter, Rect, pos2};
+
+use super::canvas::view::View;
+use super::desk::Desk;
+use super::growth::Texture;
+use super::theme::Palette;
+use crate::rd::System;
+use crate::synth::report::{self, RegionReport};
+use crate::synth::{Grown, Training};
+
+/// Points a side of a mark on the canvas.
+const SIGN: f32 = 16.0;
+/// Regions that are shown smaller than this, points, get no mark.
+const SMALLEST: f32 = 26.0;
+
+/// What came of a region.
+#[derive(Clone, Debug)]
+pub struct RegionResult {
+    /// In numbers.
+    pub report: RegionReport,
+    /// In a mark.
+    pub verdict: Verdict,
+    /// How it can be reached, where it cannot as it is and a way was found.
+    pub reach: Option<Reach>,
+}
+
+/// What came of a layer.
+#[derive(Clone, Debug)]
+pub struct LayerResult {
+    /// What people call it.
+    pub name: String,
+    /// What it was grown with.
+    pub system: System,
+    /// Its regions, row by row.
+    pub regions: Vec<RegionResult>,
+}
+
+/// What came of a texture.
+#[derive(Clone)]
+pub struct Outcome {
+    /// Of which.
+    pub grown: Arc<Grown>,
+    /// Its layers, the lowest first.
+    pub layers: Vec<LayerResult>,
+    /// Has all been looked for that can be taken instead?
+    pub complete: bool,
+}
+
+enum News {
+    Layers(Vec<LayerResult>),
+    Reach { layer: usize, region: usize, reach: Reach },
+    Complete,
+}
+
+/// What is being worked out.
+struct Job {
+    grown: Arc<Grown>,
+    news: Receiver<News>,
+    cancelled: Arc<AtomicBool>,
+}
+
+impl Drop for Job {
+    fn drop(&mut self) {
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+}
+
+/// The window's side of it.
+pub struct Results {
+    /// The training sets, read when first needed.
+    pub training: Arc<Training>,
+    /// The region that was chosen.
+    pub chosen: Option<[usize; 2]>,
+    /// Are there marks in the regions' corners?
+    pub signs: bool,
+    outcome: Option<Outcome>,
+    job: Option<Job>,
+}
+
+impl Default for Results {
+    fn default() -> Self {
+        Self { training: Arc::default(), chosen: None, signs: true, outcome: None, job: None }
+    }
+}
+
+impl Results {
+    /// Takes in what was worked out and begins with what has grown since; never waits.
+    pub fn follow(&mut self, ctx: &Context, texture: Option<&Texture>) {
+        while let Some(news) = self.job.as_ref().and_then(|job| job.news.try_recv().ok()) {
+            self.take(news);
+        }
+        let Some(texture) = texture else {
+            self.job = None;
+            return;
+        };
+        let same = |grown: &Arc<Grown>| Arc::ptr_eq(grown, &texture.grown);
+        let known = self.job.as_ref().is_some_and(|job| same(&job.grown))
+            || self.outcome.as_ref().is_some_and(|outcome| outcome.complete && same(&outcome.grown));
+        if !known {
+            self.job = Some(begin(&texture.grown, &self.training, ctx.clone()));
+        }
+    }
+
+    fn take(&mut self, news: News) {
+        match (news, &mut self.outcome) {
+            (News::Layers(layers), outcome) => {
+                if let Some(job) = &self.job {
+                    *outcome = Some(Outcome { grown: Arc::clone(&job.grown), layers, complete: false });
+                }
+            }
+            (News::Reach { layer, region, reach }, Some(outcome)) => {
+                if let Some(region) = outcome.layers.get_mut(layer).and_then(|of| of.regions.get_mut(region))
+                {
+                    region.reach = Some(reach);
+                }
+            }
+            (News::Complete, Some(outcome)) => {
+                outcome.complete = true;
+                self.job = None;
+            }
+            (_, None) => {}
+        }
+    }
+
+    /// Another document is on the desk.
+    pub fn forget(&mut self) {
+        *self = Self { training: Arc::clone(&self.training), signs: self.signs, ..Self::default() };
+    }
+
+    /// What came of the latest texture.
+    #[must_use]
+    pub fn outcome(&self) -> Option<&Outcome> {
+        self.outcome.as_ref()
+    }
+
+    /// The same, where it is that of `texture`.
+    #[must_use]
+    pub fn of(&self, texture: Option<&Texture>) -> Option<&Outcome> {
+        self.outcome()
+            .filter(|outcome| texture.is_some_and(|texture| Arc::ptr_eq(&texture.grown, &outcome.grown)))
+    }
+
+    /// Puts a mark into each region's corner, of the layer at hand.
+    pub fn paint(&self, painter: &Painter, room: Rect, view: View, desk: &Desk, palette: &Palette) {
+        let Some(outcome) = self.outcome().filter(|_| self.signs) else { return };
+        let Some(layer) = layer_of(desk, desk.layer).and_then(|layer| outcome.layers.get(layer)) else {
+            return;
+        };
+        let [columns, rows] = outcome.grown.document.regions.map(|n| n as f32);
+        let paper = view.paper(room, outcome.grown.size);
+        let side = [paper.width() / columns, paper.height() / rows];
+        if side[0].min(side[1]) < SMALLEST {
+            return;
+        }
+        for region in &layer.regions {
+            let [column, row] = region.report.place.map(|at| at as f32);
+            let corner = paper.min + eframe::egui::vec2(column * side[0], row * side[1]);
+            let rect = Rect::from_min_max(corner, pos2(corner.x + side[0], corner.y + side[1]));
+            region.verdict.paint(painter, Verdict::corner(rect, SIGN, 5.0), palette);
+        }
+    }
+}
+
+/// Which layer of the finished document is number `layer` on the desk; `None` where that is empty.
+#[must_use]
+pub fn layer_of(desk: &Desk, layer: usize) -> Option<usize> {
+    let layers = &desk.document().layers;
+    let drawn = |layer: &crate::synth::recipe::Layer| !layer.strokes.is_empty();
+    layers.get(layer).is_some_and(drawn).then(|| layers[..layer].iter().filter(|layer| drawn(layer)).count())
+}
+
+/// The way back from [`layer_of`].
+#[must_use]
+pub fn on_desk(desk: &Desk, layer: usize) -> Option<usize> {
+    let drawn = desk.document().layers.iter().enumerate().filter(|(_, layer)| !layer.strokes.is_empty());
+    drawn.map(|(index, _)| index).nth(layer)
+}
+
+fn begin(grown: &Arc<Grown>, training: &Arc<Training>, ctx: Context) -> Job {
+    let (tell, news) = mpsc::channel();
+    let cancelled = Arc::new(AtomicBool::new(false));
+    let job = Job { grown: Arc::clone(grown), news, cancelled: Arc::clone(&cancelled) };
+    let (grown, training) = (Arc::clone(grown), Arc::clone(training));
+    let work = move || {
+        let say = |news| {
+            // The window may want something else by now.
+            let _ = tell.send(news);
+            ctx.request_repaint();
+        };
+        work(&grown, &training, &cancelled, &say);
+        drop::<Sender<News>>(tell);
+    };
+    // Without a thread there is no result to be seen; all else works.
+    drop(thread::Builder::new().name("result".to_owned()).spawn(work));
+    job
+}
+
+fn work(grown: &Grown, training: &Training, cancelled: &AtomicBool, say: &dyn Fn(News)) {
+    let layers: Vec<LayerResult> = grown
+        .layers
+        .iter()
+        .zip(&grown.document.layers)
+        .map(|(layer, drawn)| LayerResult {
+            name: drawn.name.clone(),
+            system: layer.plan.system,
+            regions: report::regions(layer)
+                .into_iter()
+                .map(|report| RegionResult { verdict: Verdict::of_region(&report), report, reach: None })
+                .collect(),
+        })
+        .collect();
+    let beyond = |layer: &LayerResult| {
+        let regions = layer.regions.iter().enumerate();
+        regions.filter(|(_, region)| !region.report.beyond.is_empty()).map(|(index, _)| index).collect()
+    };
+    let wanted: Vec<Vec<usize>> = layers.iter().map(beyond).collect();
+    say(News::Layers(layers));
+    let plans: Vec<_> = grown.layers.iter().map(|layer| &layer.plan).collect();
+    for (layer, regions) in wanted.into_iter().enumerate() {
+        for region in regions {
+            if cancelled.load(Ordering::Relaxed) {
+                return;
+            }
+            if let Some(reach) = reach::reach(training, &grown.document, &plans, layer, region) {
+                say(News::Reach { layer, region, reach });
+            }
+        }
+    }
+    say(News::Complete);
+}

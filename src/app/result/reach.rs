@@ -1,0 +1,346 @@
+//! What cannot be reached → the nearest that can, as a change of what was drawn.
+
+use crate::app::shape;
+use crate::attributes::regions::{Layout, RegionMap};
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::learn::Answer;
+use crate::marks::{Ellipse, Line, Mark, turn};
+use crate::synth::plan::Plan;
+use crate::synth::recipe::{Document, Stroke, limits};
+use crate::synth::{Training, drawn, planned};
+
+/// Changes are tried so often, each farther beyond the limit than the one before.
+const TRIES: i32 = 10;
+/// How much farther, as a share of the way.
+const FARTHER: f64 = 0.15;
+/// px that marks keep from the border of their region.
+const RIM: f64 = 0.5;
+
+/// A change of the sketch with which a region can be reached.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reach {
+    /// Strokes of the layer and the marks to stand in their place.
+    pub marks: Vec<(usize, Mark)>,
+    /// The duty that the layer then has.
+    pub duty: Option<f64>,
+    /// What it does, in words.
+    pub says: String,
+}
+
+/// The change with which region `index` of layer `layer` of `document`, planned in `plans`, can be reached; `None` where
+/// it can be already, or where none was found.
+#[must_use]
+pub fn reach(
+    training: &Training,
+    document: &Document,
+    plans: &[&Plan],
+    layer: usize,
+    index: usize,
+) -> Option<Reach> {
+    let mut document = document.clone();
+    let beneath = layer.checked_sub(1).map(|below| plans[below]);
+    let first = plans[layer];
+    let place = holder(&first.map, index)?;
+    let index = first.map.layout().index(place);
+    let mut asked = wanted(first, place);
+    let mut answer = first.answers[index].clone();
+    let from = Sketch::of(&document, layer, first.map.layout(), place)?;
+    for attempt in 0..TRIES {
+        if answer.notes.iter().all(|note| !note.is_beyond()) {
+            let to = Sketch::of(&document, layer, first.map.layout(), place)?;
+            return (attempt > 0).then(|| to.reach(&from));
+        }
+        let sketch = Sketch::of(&document, layer, first.map.layout(), place)?;
+        let farther = 1.0 + FARTHER * f64::from(attempt);
+        sketch.toward(&asked, &answer, farther, first.map.layout(), place)?.write(&mut document, layer);
+        let map = drawn::region_map(&document, layer, "").ok()?;
+        let plan = planned(&document, layer, "", training, &map, beneath).ok()?;
+        asked = wanted(&plan, place);
+        answer = plan.answers[index].clone();
+    }
+    None
+}
+
+fn wanted(plan: &Plan, place: [usize; 2]) -> Attributes {
+    plan.map.at(plan.map.layout().center(place))
+}
+
+/// Whose marks say what is wanted in region `index`: its own, else those of the nearest that has some.
+fn holder(map: &RegionMap, index: usize) -> Option<[usize; 2]> {
+    let layout = map.layout();
+    let holds = |index: usize| map.region(layout.place(index)).own.is_some();
+    let own = if holds(index) { Some(index) } else { layout.nearest(layout.place(index), holds) };
+    own.map(|index| layout.place(index))
+}
+
+/// The marks of one region and the duty of its layer.
+#[derive(Clone, Debug, PartialEq)]
+struct Sketch {
+    marks: Vec<(usize, Mark)>,
+    duty: f64,
+}
+
+impl Sketch {
+    fn of(document: &Document, layer: usize, layout: &Layout, place: [usize; 2]) -> Option<Self> {
+        let marks = drawn::marks(document, layer, "").ok()?;
+        let inside = |(_, mark): &(usize, Mark)| layout.region_of(mark.center()) == place;
+        let duty = document.layers[layer].options.duty;
+        Some(Self { marks: marks.into_iter().enumerate().filter(inside).collect(), duty })
+    }
+
+    fn write(self, document: &mut Document, layer: usize) {
+        let layer = &mut document.layers[layer];
+        layer.options.duty = self.duty;
+        for (stroke, mark) in self.marks {
+            layer.strokes[stroke] = match mark {
+                Mark::Ellipse(ellipse) => Stroke::Ellipse(ellipse),
+                Mark::Line(line) => Stroke::Line(line),
+            };
+        }
+    }
+
+    /// Changed from `asked` toward what `answer` calls nearest, `farther` times the way.
+    fn toward(
+        self,
+        asked: &Attributes,
+        answer: &Answer,
+        farther: f64,
+        layout: &Layout,
+        place: [usize; 2],
+    ) -> Option<Self> {
+        match (asked, &answer.nearest) {
+            (Attributes::Spots(asked), Attributes::Spots(to)) => {
+                Some(self.spots_toward(asked, to, farther, layout, place))
+            }
+            (Attributes::Stripes(asked), Attributes::Stripes(to)) => {
+                Some(self.lines_toward(asked, to, farther))
+            }
+            _ => None,
+        }
+    }
+
+    fn spots_toward(
+        self,
+        asked: &Spots,
+        to: &Spots,
+        farther: f64,
+        layout: &Layout,
+        place: [usize; 2],
+    ) -> Self {
+        let by = |from: f64, to: f64| libm::pow(to / from, farther);
+        let mut area = by(asked.area, to.area);
+        // Not farther: some systems know only one spacing, and beyond it the way leads back.
+        let apart = asked.spacing.zip(to.spacing).map_or(1.0, |(from, to)| to / from);
+        let centers: Vec<[f64; 2]> = self.marks.iter().map(|(_, mark)| mark.center()).collect();
+        let moved = spaced(&centers, apart, layout, place).unwrap_or_else(|| {
+            // There is no room to move apart: smaller marks are as sparse.
+            area /= apart * apart;
+            centers.clone()
+        });
+        let by_angle = farther * turn(to.angle, asked.angle);
+        let aspect = |own: f64| {
+            if to.aspect <= asked.aspect {
+                own * by(asked.aspect, to.aspect)
+            } else {
+                1.0 - (1.0 - own) * ((1.0 - to.aspect) / (1.0 - asked.aspect)).max(0.0)
+            }
+        };
+        let changed = |((stroke, mark), center): ((usize, Mark), [f64; 2])| match mark {
+            Mark::Ellipse(e) => {
+                let angle = e.major_angle() + by_angle;
+                (
+                    stroke,
+                    Mark::Ellipse(Ellipse::of(center, e.area() * area, aspect(e.aspect()).min(1.0), angle)),
+                )
+            }
+            Mark::Line(_) => (stroke, mark),
+        };
+        Self { marks: self.marks.into_iter().zip(moved).map(changed).collect(), ..self }
+    }
+
+    fn lines_toward(self, asked: &Stripes, to: &Stripes, farther: f64) -> Self {
+        let width = libm::pow(to.width / asked.width, farther);
+        let by_angle = farther * turn(to.angle, asked.angle);
+        let duty = match to.wavelength {
+            Some(_) if (to.duty() / asked.duty() - 1.0).abs() > 1e-6 => {
+                let [low, high] = [limits::DUTY.low, limits::DUTY.high];
+                (self.duty * libm::pow(to.duty() / asked.duty(), farther)).clamp(low, high)
+            }
+            _ => self.duty,
+        };
+        let changed = |(stroke, mark)| match mark {
+            Mark::Line(line) => {
+                let line = Line { width: line.width * width, ..line };
+                (stroke, shape::turned(&Mark::Line(line), by_angle, line.center()))
+            }
+            Mark::Ellipse(_) => (stroke, mark),
+        };
+        Self { marks: self.marks.into_iter().map(changed).collect(), duty }
+    }
+
+    /// What has changed since `from`.
+    fn reach(self, from: &Self) -> Reach {
+        let says = said(from, &self);
+        let duty = (self.duty != from.duty).then_some(self.duty);
+        Reach { marks: self.marks, duty, says }
+    }
+}
+
+/// These places `by` times as far apart about the middle of their region; `None` where they do not fit into it.
+fn spaced(centers: &[[f64; 2]], by: f64, layout: &Layout, place: [usize; 2]) -> Option<Vec<[f64; 2]>> {
+    let middle = layout.center(place);
+    let mut moved: Vec<[f64; 2]> =
+        centers.iter().map(|at| [0, 1].map(|axis| middle[axis] + by * (at[axis] - middle[axis]))).collect();
+    for axis in 0..2 {
+        let side = layout.size[axis] / layout.grid[axis] as f64;
+        let [low, high] = [-0.5, 0.5].map(|half| middle[axis] + half * side);
+        let ends = moved
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], at| [l.min(at[axis]), h.max(at[axis])]);
+        if ends[1] - ends[0] > side - 2.0 * RIM {
+            return None;
+        }
+        let by = (low + RIM - ends[0]).max(0.0) - (ends[1] - (high - RIM)).max(0.0);
+        moved.iter_mut().for_each(|at| at[axis] += by);
+    }
+    Some(moved)
+}
+
+/// What is changed, in words with numbers.
+fn said(from: &Sketch, to: &Sketch) -> String {
+    let mut said = Vec::new();
+    let mut more = |what: &str, [more, less]: [&str; 2], factor: f64| {
+        let per_cent = 100.0 * (factor - 1.0).abs();
+        if per_cent >= 0.05 {
+            let word = if factor > 1.0 { more } else { less };
+            let digits = usize::from(per_cent < 9.5);
+            said.push(format!("{what} {per_cent:.digits$} % {word}"));
+        }
+    };
+    let mean = |marks: &[(usize, Mark)], of: &dyn Fn(&Mark) -> f64| {
+        marks.iter().map(|(_, mark)| of(mark)).sum::<f64>() / marks.len().max(1) as f64
+    };
+    let factor = |of: &dyn Fn(&Mark) -> f64| mean(&to.marks, of) / mean(&from.marks, of);
+    let spots = matches!(from.marks.first(), Some((_, Mark::Ellipse(_))));
+    if spots {
+        let ellipse = |mark: &Mark| if let Mark::Ellipse(ellipse) = mark { Some(*ellipse) } else { None };
+        more("areas", ["larger", "smaller"], factor(&|mark| ellipse(mark).map_or(0.0, |e| e.area())));
+        more("shapes", ["rounder", "longer"], factor(&|mark| ellipse(mark).map_or(0.0, |e| e.aspect())));
+        more("places", ["farther apart", "nearer together"], extent(&to.marks) / extent(&from.marks));
+    } else {
+        let width = |mark: &Mark| if let Mark::Line(line) = mark { line.width } else { 0.0 };
+        more("lines", ["thicker", "thinner"], factor(&width));
+    }
+    if from.duty != to.duty {
+        said.push(format!("duty {:.2} on the whole layer", to.duty));
+    }
+    if said.is_empty() { "directions turned".to_owned() } else { said.join(", ") }
+}
+
+/// How far marks reach from their middle, as root mean square, px.
+fn extent(marks: &[(usize, Mark)]) -> f64 {
+    let n = marks.len().max(1) as f64;
+    let middle = [0, 1].map(|axis| marks.iter().map(|(_, mark)| mark.center()[axis]).sum::<f64>() / n);
+    let far = |(_, mark): &(usize, Mark)| {
+        let center = mark.center();
+        (0..2).map(|axis| (center[axis] - middle[axis]) * (center[axis] - middle[axis])).sum::<f64>()
+    };
+    (marks.iter().map(far).sum::<f64>() / n).sqrt().max(1e-9)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::synth::plan::plan;
+    use crate::synth::recipe::{Layer, SystemChoice};
+
+    fn planned_alone(training: &Training, document: &Document) -> Plan {
+        let map = drawn::region_map(document, 0, "").unwrap();
+        plan(training, document.layers[0].choice(), &map).unwrap()
+    }
+
+    fn document(strokes: Vec<Stroke>, system: SystemChoice) -> Document {
+        let layers = vec![Layer { strokes, system, ..Layer::default() }];
+        Document { size: [512, 512], regions: [2, 2], layers, ..Document::default() }
+    }
+
+    /// Takes what can be reached in region 0; gives how many notes there were before and after.
+    fn taken(training: &Training, document: &Document) -> (usize, Option<usize>) {
+        let first = planned_alone(training, document);
+        let notes = |plan: &Plan| plan.answers[0].notes.iter().filter(|note| note.is_beyond()).count();
+        let before = notes(&first);
+        let Some(reach) = reach(training, document, &[&first], 0, 0) else { return (before, None) };
+        let mut changed = document.clone();
+        if let Some(duty) = reach.duty {
+            changed.layers[0].options.duty = duty;
+        }
+        for (stroke, mark) in reach.marks {
+            changed.layers[0].strokes[stroke] = crate::app::desk::stroke_of(&mark);
+        }
+        (before, Some(notes(&planned_alone(training, &changed))))
+    }
+
+    fn spots(area: f64, aspect: f64, apart: f64) -> Vec<Stroke> {
+        let at = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.866], [1.5, 0.866], [0.0, 1.732]];
+        let place = |at: [f64; 2]| at.map(|x| 40.0 + x * apart);
+        at.map(|at| Stroke::Ellipse(Ellipse::of(place(at), area, aspect, 30.0))).into()
+    }
+
+    #[test]
+    fn spots_that_stand_too_near_are_drawn_apart_and_then_reached() {
+        let training = Training::default();
+        let document = document(spots(500.0, 0.9, 35.0), SystemChoice::MeinhardtSpots);
+        let (before, after) = taken(&training, &document);
+        assert!(before > 0);
+        assert_eq!(after, Some(0));
+        let first = planned_alone(&training, &document);
+        let reach = reach(&training, &document, &[&first], 0, 0).unwrap();
+        assert!(reach.says.contains("% farther apart"), "{}", reach.says);
+        assert!(!reach.says.contains("areas"), "{}", reach.says);
+    }
+
+    #[test]
+    fn where_there_is_no_room_they_are_drawn_smaller() {
+        let training = Training::default();
+        let document = document(spots(9000.0, 0.95, 120.0), SystemChoice::MeinhardtSpots);
+        let first = planned_alone(&training, &document);
+        let reach = reach(&training, &document, &[&first], 0, 0).unwrap();
+        assert!(reach.says.contains("smaller"), "{}", reach.says);
+        assert_eq!(taken(&training, &document).1, Some(0));
+    }
+
+    #[test]
+    fn a_duty_that_no_system_has_becomes_one_that_one_has() {
+        let training = Training::default();
+        let line = Line { from: [20.0, 100.0], to: [220.0, 120.0], width: 1.0 };
+        let document = document(vec![Stroke::Line(line)], SystemChoice::Auto);
+        let (before, after) = taken(&training, &document);
+        assert!(before == 0 || after == Some(0), "{before} {after:?}");
+    }
+
+    #[test]
+    fn what_can_be_reached_is_left_alone() {
+        let training = Training::default();
+        let document = document(spots(500.0, 0.8, 60.0), SystemChoice::MeinhardtSpots);
+        assert_eq!(taken(&training, &document), (0, None));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+        #[test]
+        fn whatever_spots_are_drawn_a_way_is_found(
+            area in 60.0f64..3000.0,
+            aspect in 0.2f64..1.0,
+            packing in 0.03f64..0.7,
+            turing in any::<bool>(),
+        ) {
+            let training = Training::default();
+            let system = if turing { SystemChoice::TuringSpots } else { SystemChoice::MeinhardtSpots };
+            let apart = (area / packing).sqrt().min(110.0);
+            let (before, after) = taken(&training, &document(spots(area, aspect, apart), system));
+            prop_assert!(before == 0 || after == Some(0), "{before} {after:?}");
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! What has grown of the frozen layers, dimmed under the strokes of the next.
+
+use std::sync::Arc;
+
+use eframe::egui::{Color32, Painter, Rect, TextureHandle, TextureOptions, Ui, pos2};
+
+use super::desk::Desk;
+use super::growth::{Growth, Picture, Texture};
+use crate::synth::recipe::{Document, Layer};
+
+/// The longest side of the picture, px: it is dim, and lies under strokes.
+const LONGEST: usize = 1024;
+/// How much of it is seen.
+const OPACITY: f32 = 0.42;
+
+/// The picture beneath the canvas.
+#[derive(Default)]
+pub struct Underlay {
+    texture: Option<TextureHandle>,
+    /// What is on it, and of which document.
+    painted: Option<(usize, Arc<Document>)>,
+    /// The desk's revision and frozen layers that it was last compared with.
+    seen: Option<(u64, usize)>,
+}
+
+impl Underlay {
+    /// Brings it up to date with what is frozen and what has settled.
+    pub fn follow(&mut self, ui: &Ui, desk: &Desk, growth: &Growth) {
+        if desk.frozen() == 0 {
+            *self = Self::default();
+            return;
+        }
+        // Empty layers are not grown.
+        let frozen = desk.document().layers.iter().take(desk.frozen());
+        let count = frozen.filter(|layer| !layer.strokes.is_empty()).count();
+        if self.seen != Some((desk.revision(), count)) {
+            self.seen = Some((desk.revision(), count));
+            let finished = desk.finished();
+            let same = |(painted, document): &(usize, Arc<Document>)| {
+                *painted == count && grows_alike(&finished, document, count)
+            };
+            if !self.painted.as_ref().is_some_and(same) {
+                (self.texture, self.painted) = (None, None);
+            }
+        }
+        if let (1.., Some(settled)) = (count, &growth.texture) {
+            let known = |(painted, of): &(usize, Arc<Document>)| {
+                *painted == count && Arc::ptr_eq(of, &settled.document)
+            };
+            if !self.painted.as_ref().is_some_and(known) && settled.document.layers.len() >= count {
+                self.take(ui, settled, count);
+            }
+        }
+    }
+
+    fn take(&mut self, ui: &Ui, settled: &Texture, count: usize) {
+        let picture = Picture::lowest(settled, count, LONGEST);
+        self.texture = Some(ui.ctx().load_texture("beneath", picture.image, TextureOptions::LINEAR));
+        self.painted = Some((count, Arc::clone(&settled.document)));
+    }
+
+    /// Is there something to be seen?
+    #[must_use]
+    pub fn is_there(&self) -> bool {
+        self.texture.is_some()
+    }
+
+    /// Paints it where the canvas is.
+    pub fn paint(&self, painter: &Painter, paper: Rect) {
+        if let Some(texture) = &self.texture {
+            let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+            painter.image(texture.id(), paper, uv, Color32::WHITE.gamma_multiply(OPACITY));
+        }
+    }
+}
+
+/// Do the lowest `count` layers of both documents grow alike on canvases that are alike?
+fn grows_alike(one: &Document, other: &Document, count: usize) -> bool {
+    let canvas = |document: &Document| (document.size, document.regions, document.edges, document.seed);
+    let growing =
+        |layer: &Layer| Layer { name: String::new(), colours: None, visible: true, ..layer.clone() };
+    canvas(one) == canvas(other)
+        && one.layers.len() >= count
+        && other.layers.len() >= count
+        && (0..count).all(|index| growing(&one.layers[index]) == growing(&other.layers[index]))
+}

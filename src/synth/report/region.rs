@@ -1,0 +1,136 @@
+//! What a region was asked, what was looked up for it, what has grown there.
+
+use crate::attributes::{Attributes, Spread};
+use crate::learn::Note;
+use crate::rd::Seeding;
+use crate::synth::grow::GrownLayer;
+use crate::synth::keep::{self, Stayed};
+use crate::synth::refine::Measured;
+
+/// What there is to say about a region of a grown layer. Lengths are px.
+#[derive(Clone, Debug)]
+pub struct RegionReport {
+    /// Column and row.
+    pub place: [usize; 2],
+    /// Whole spots that were measured; `None` for stripes.
+    pub marks: Option<usize>,
+    /// What was wanted at its centre.
+    pub asked: Attributes,
+    /// Does the direction of its stripes mean anything? Lines round marks, or between them, run as these let them.
+    pub directed: bool,
+    /// What the simulation was told, by name; in cells, with `cell`, px a cell.
+    pub parameters: Vec<(&'static str, f64)>,
+    /// What the rows say that grows.
+    pub predicted: Attributes,
+    /// What has grown.
+    pub got: Option<Attributes>,
+    /// By how much it differs, by attribute: shares of area, spacing, width and wavelength, differences of aspect and
+    /// angle.
+    pub error: Vec<(&'static str, f64)>,
+    /// How much its spots were to vary, and do; `None` where they were not to.
+    pub spread: Option<(Spread, Option<Spread>)>,
+    /// What became of drawn marks that are kept.
+    pub kept: Option<Stayed>,
+    /// What cannot be reached, and where the nearest lies.
+    pub beyond: Vec<Note>,
+    /// All that there is to say, as sentences; those of `beyond` among them.
+    pub notes: Vec<String>,
+}
+
+/// What there is to say about each region of a layer.
+#[must_use]
+pub fn regions(layer: &GrownLayer) -> Vec<RegionReport> {
+    let plan = &layer.plan;
+    let [nx, ny] = plan.grid;
+    let stayed = keep::stayed(plan, &layer.measured, &|| layer.pattern().field(nx, ny));
+    (0..plan.answers.len()).map(|index| region(layer, index, stayed.get(index))).collect()
+}
+
+fn region(layer: &GrownLayer, index: usize, stayed: Option<&Stayed>) -> RegionReport {
+    let plan = &layer.plan;
+    let layout = plan.map.layout();
+    let place = layout.place(index);
+    let answer = &plan.answers[index];
+    let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
+    notes.extend(plan.remarks[index].iter().cloned());
+    notes.extend(plan.probed[index].note());
+    notes.extend(stayed.and_then(|stayed| stayed.note(plan.system.is_striped())));
+    let (marks, mut error) = errors(&layer.measured, index);
+    if plan.seeding == Seeding::Initiators {
+        // Stripes run round the lines; no direction was asked.
+        error.retain(|(name, _)| *name == "width");
+    }
+    if marks == Some(0) {
+        notes.push("no whole mark grew in this region: nothing was measured".to_owned());
+    }
+    RegionReport {
+        place,
+        marks,
+        asked: plan.map.at(layout.center(place)),
+        directed: plan.way.is_none(),
+        parameters: parameters(layer, index),
+        predicted: answer.predicted,
+        got: layer.measured.got(index),
+        error,
+        spread: spread(layer, place, index),
+        kept: stayed.cloned(),
+        beyond: answer.notes.iter().filter(|note| note.is_beyond()).cloned().collect(),
+        notes,
+    }
+}
+
+fn parameters(layer: &GrownLayer, index: usize) -> Vec<(&'static str, f64)> {
+    let plan = &layer.plan;
+    let answer = &plan.answers[index];
+    let mut named = answer.parameters.named();
+    for (name, value) in &mut named {
+        if *name == "level" {
+            *value *= layer.correction[index];
+        }
+    }
+    if answer.pitch > 1.0 {
+        named.push(("pitch", answer.pitch));
+    }
+    if plan.way.is_some() {
+        named.retain(|(name, _)| *name != "direction");
+    }
+    named.push(("cell", plan.px_a_cell()));
+    named
+}
+
+/// How much the spots of a region were to vary and do; `None` where none was to.
+fn spread(layer: &GrownLayer, place: [usize; 2], index: usize) -> Option<(Spread, Option<Spread>)> {
+    let asked = layer.plan.map.region(place).spread;
+    if asked.is_even() {
+        return None;
+    }
+    let got = match &layer.measured {
+        Measured::Spots { errors, .. } => errors[index].spread,
+        Measured::Stripes(_) => None,
+    };
+    Some((asked, got))
+}
+
+/// How many whole marks were measured (of spots), and their errors by attribute.
+fn errors(measured: &Measured, index: usize) -> (Option<usize>, Vec<(&'static str, f64)>) {
+    let (marks, named) = match measured {
+        Measured::Spots { errors, .. } => {
+            let e = &errors[index];
+            (
+                Some(e.marks),
+                [("area", e.area), ("aspect", e.aspect), ("angle", e.angle), ("spacing", e.spacing)],
+            )
+        }
+        Measured::Stripes(errors) => {
+            let e = &errors[index];
+            let named = [
+                ("width", e.width),
+                ("wavelength", e.wavelength),
+                ("angle", e.angle),
+                ("angle_rms", e.angle_rms),
+            ];
+            (None, named)
+        }
+    };
+    (marks, named.into_iter().filter_map(|(name, value)| Some((name, value?))).collect())
+}

@@ -1,0 +1,186 @@
+//! Other textures that fit the same sketch.
+
+use std::sync::Arc;
+
+use dapple::app::{Alternative, Window, small};
+use dapple::synth::recipe::{Document, SpreadChoice, SystemChoice};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::kittest::{NodeT, Queryable};
+
+use crate::hand::{Hand, hand_with};
+
+fn spots() -> (Hand, tempfile::TempDir) {
+    let text = r#"{"format": "dapple", "version": 1, "size": [120, 120], "layers": [
+        {"name": "spots", "strokes": [{"kind": "ellipse", "center": [60, 60], "radii": [12, 9], "angle": 20}]}]}"#;
+    let (hand, folder, _) = hand_with(&Document::parse(text, "spots").unwrap());
+    (hand, folder)
+}
+
+#[track_caller]
+fn until_grown(hand: &mut Hand) {
+    hand.until("alternatives", |window| {
+        let all = &window.alternatives().all;
+        !all.is_empty() && window.alternatives().is_complete()
+    });
+    hand.rest();
+}
+
+fn named<'a>(window: &'a Window, name: &str) -> &'a Alternative {
+    window.alternatives().all.iter().find(|one| one.name == name).unwrap_or_else(|| panic!("no {name}"))
+}
+
+fn names(hand: &Hand) -> Vec<String> {
+    hand.window.state().alternatives().all.iter().map(|one| one.name.clone()).collect()
+}
+
+#[test]
+fn hidden_they_do_nothing() {
+    let (mut hand, _folder) = spots();
+    hand.until_settled();
+    hand.rest();
+    assert!(hand.window.state().alternatives().all.is_empty());
+    assert!(!hand.window.state().alternatives().is_growing());
+}
+
+#[test]
+fn there_are_other_seeds_another_system_and_another_spread() {
+    let (mut hand, _folder) = spots();
+    hand.key(Modifiers::NONE, Key::A);
+    until_grown(&mut hand);
+    let all = names(&hand);
+    assert_eq!(all, ["Original", "Turing's spots", "Looser", "Seed 2", "Seed 3", "Seed 4", "Seed 5"]);
+    let window = hand.window.state();
+    assert!(window.alternatives().all.iter().all(|one| one.failed.is_none() && one.picture.is_some()));
+    assert_eq!(named(window, "Turing's spots").document.layers[0].system, SystemChoice::TuringSpots);
+    assert!(matches!(named(window, "Looser").document.layers[0].options.spread, SpreadChoice::Given(_)));
+    assert!(window.alternatives().is_taken(named(window, "Original").id));
+    for (index, one) in window.alternatives().all.iter().enumerate() {
+        for other in &window.alternatives().all[..index] {
+            assert_ne!(one.picture.as_ref().unwrap().pixels, other.picture.as_ref().unwrap().pixels);
+        }
+    }
+}
+
+#[test]
+fn what_is_taken_is_what_its_picture_showed() {
+    for name in ["Seed 3", "Turing's spots", "Looser"] {
+        let (mut hand, _folder) = spots();
+        hand.key(Modifiers::NONE, Key::A);
+        until_grown(&mut hand);
+        let before = hand.document();
+        let one = named(hand.window.state(), name);
+        let (id, document, picture) = (one.id, one.document.clone(), one.picture.clone().unwrap());
+        hand.press(&format!("Take {name}"));
+        hand.until_settled();
+        assert_eq!(hand.document(), document);
+        let settled = hand.window.state().settled().unwrap().clone();
+        assert_eq!(small(&settled.document, &settled.grown).pixels, picture.pixels, "{name}");
+        assert!(hand.window.state().alternatives().is_taken(id));
+
+        // Grown from nothing it is the same.
+        let shown = hand.window.state().growth().picture.as_ref().unwrap().image.clone();
+        hand.press("Grow again");
+        hand.until_settled();
+        assert_eq!(shown.pixels, hand.window.state().growth().picture.as_ref().unwrap().image.pixels);
+
+        hand.key(Modifiers::COMMAND, Key::Z);
+        assert_eq!(hand.document(), before);
+    }
+}
+
+#[test]
+fn taking_one_leaves_the_others_there() {
+    let (mut hand, _folder) = spots();
+    hand.key(Modifiers::NONE, Key::A);
+    until_grown(&mut hand);
+    let before = names(&hand);
+    hand.press("Take Seed 4");
+    hand.until_settled();
+    hand.rest();
+    assert_eq!(names(&hand), before);
+    assert!(hand.window.query_by_label("Take Seed 4, on the desk").is_some());
+    hand.press("Take Original");
+    hand.until_settled();
+    assert_eq!(hand.document().seed, 1);
+}
+
+#[test]
+fn another_sketch_has_other_alternatives_and_keeps_what_is_starred() {
+    let (mut hand, _folder) = spots();
+    hand.key(Modifiers::NONE, Key::A);
+    until_grown(&mut hand);
+    hand.press("Keep Seed 3");
+    let kept = named(hand.window.state(), "Seed 3").document.clone();
+    let picture = named(hand.window.state(), "Seed 3").picture.clone().unwrap();
+    let before = hand.document();
+
+    hand.draw_round([30.0, 30.0], [10.0, 10.0], 0.0);
+    hand.until_settled();
+    hand.until("begun anew", |window| {
+        window.alternatives().all.iter().any(|one| !one.kept && one.document.layers[0].strokes.len() == 2)
+    });
+    until_grown(&mut hand);
+    assert_eq!(hand.window.state().alternatives().all.iter().filter(|one| one.kept).count(), 1);
+    assert_eq!(named(hand.window.state(), "Seed 3").document, kept);
+    assert!(Arc::ptr_eq(&picture, named(hand.window.state(), "Seed 3").picture.as_ref().unwrap()));
+    let drawn = hand.document();
+
+    let id = hand.window.state().alternatives().all[0].id;
+    let first = hand.window.query_all_by_label("Take Seed 3").next().unwrap();
+    first.click();
+    hand.rest();
+    hand.until_settled();
+    assert_eq!(hand.document(), kept);
+    assert_eq!(hand.document().layers[0].strokes, before.layers[0].strokes);
+    assert!(hand.window.state().alternatives().is_taken(id));
+    let settled = hand.window.state().settled().unwrap().clone();
+    assert_eq!(small(&settled.document, &settled.grown).pixels, picture.pixels);
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.document(), drawn);
+}
+
+#[test]
+fn they_can_be_stopped_and_go_on() {
+    let (mut hand, _folder) = spots();
+    hand.key(Modifiers::NONE, Key::A);
+    hand.until("some growing", |window| window.alternatives().is_growing());
+    hand.window.run_steps(2);
+    hand.press("Stop these");
+    assert!(!hand.window.state().alternatives().is_growing());
+    let there = |hand: &Hand| {
+        hand.window.state().alternatives().all.iter().filter(|one| one.picture.is_some()).count()
+    };
+    let before = there(&hand);
+    hand.rest();
+    assert_eq!(there(&hand), before);
+    hand.press("Grow these");
+    until_grown(&mut hand);
+}
+
+#[test]
+fn hiding_them_gives_up_growing() {
+    let (mut hand, _folder) = spots();
+    hand.key(Modifiers::NONE, Key::A);
+    hand.until("some growing", |window| window.alternatives().is_growing());
+    hand.key(Modifiers::NONE, Key::A);
+    assert!(!hand.window.state().alternatives().is_growing());
+}
+
+#[test]
+fn one_is_taken_and_kept_by_keys_alone() {
+    let (mut hand, _folder) = spots();
+    hand.key(Modifiers::NONE, Key::A);
+    until_grown(&mut hand);
+    hand.window.get_by_role_and_label(Role::Button, "Take Looser").focus();
+    hand.rest();
+    hand.key(Modifiers::NONE, Key::Tab);
+    let star = hand.window.get_by_role_and_label(Role::Button, "Keep Looser");
+    assert!(star.accesskit_node().is_focused());
+    hand.key(Modifiers::NONE, Key::Enter);
+    assert!(named(hand.window.state(), "Looser").kept);
+    hand.key(Modifiers::SHIFT, Key::Tab);
+    hand.key(Modifiers::NONE, Key::Space);
+    hand.until_settled();
+    assert!(matches!(hand.document().layers[0].options.spread, SpreadChoice::Given(_)));
+}

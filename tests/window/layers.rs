@@ -1,0 +1,359 @@
+//! The panel of layers: every control, by pointer and by keys.
+
+use dapple::synth::recipe::{After, Seeding, SpreadChoice, Stroke, SystemChoice};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::kittest::{NodeT, Queryable};
+
+use crate::hand::{Hand, hand};
+
+/// Two layers: two ellipses, and above them a line, which is at hand.
+fn two() -> Hand {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::E);
+    hand.drag(&[[80.0, 80.0], [120.0, 104.0]]);
+    hand.drag(&[[280.0, 280.0], [320.0, 304.0]]);
+    hand.key(Modifiers::NONE, Key::L);
+    hand.drag(&[[100.0, 400.0], [400.0, 400.0]]);
+    hand.key(Modifiers::NONE, Key::Escape);
+    hand
+}
+
+fn at_hand(hand: &Hand) -> usize {
+    hand.window.state().desk().layer
+}
+
+/// The rows as they are said, from the top.
+fn rows(hand: &Hand) -> Vec<String> {
+    let said = hand.window.query_all_by_role(Role::Button);
+    let mut rows: Vec<(f32, String)> = said
+        .filter_map(|node| Some((node.rect().top(), node.accesskit_node().label()?)))
+        .filter(|(_, name)| name.starts_with("Layer "))
+        .filter(|(_, name)| name.contains(','))
+        .collect();
+    rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+    rows.into_iter().map(|(_, name)| name).collect()
+}
+
+fn kinds(hand: &Hand) -> Vec<bool> {
+    let layers = hand.document().layers;
+    layers.iter().map(|layer| matches!(layer.strokes[0], Stroke::Ellipse(_))).collect()
+}
+
+fn undo(hand: &mut Hand) {
+    hand.key(Modifiers::COMMAND, Key::Z);
+}
+
+/// Chooses from a list that drops down.
+fn choose(hand: &mut Hand, list: &str, item: &str) {
+    hand.window.get_by_role_and_label(Role::ComboBox, list).click();
+    hand.rest();
+    hand.press(item);
+}
+
+/// Presses Tab until this button has the keys.
+fn tab_to(hand: &mut Hand, name: &str) {
+    for _ in 0..80 {
+        if hand.window.get_by_role_and_label(Role::Button, name).is_focused() {
+            return;
+        }
+        hand.key(Modifiers::NONE, Key::Tab);
+    }
+    panic!("Tab does not come to {name}");
+}
+
+#[test]
+fn the_rows_say_what_each_layer_holds_the_highest_first() {
+    let hand = two();
+    assert_eq!(rows(&hand), ["Layer layer 2, 1 line", "Layer layer 1, 2 ellipses"]);
+    assert_eq!(at_hand(&hand), 1);
+}
+
+#[test]
+fn a_row_takes_its_layer_to_hand_and_so_does_a_mark_on_the_canvas() {
+    let mut hand = two();
+    hand.press("Layer layer 1, 2 ellipses");
+    assert_eq!(at_hand(&hand), 0);
+    hand.key(Modifiers::NONE, Key::V);
+    hand.click([250.0, 400.0]);
+    assert_eq!(at_hand(&hand), 1);
+    hand.click([100.0, 92.0]);
+    assert_eq!(at_hand(&hand), 0);
+}
+
+#[test]
+fn layers_are_added_duplicated_and_deleted_and_all_of_it_is_undone() {
+    let mut hand = two();
+    hand.press("New layer");
+    assert_eq!(rows(&hand)[0], "Layer layer 3, empty");
+    undo(&mut hand);
+    assert_eq!(rows(&hand).len(), 2);
+    hand.press("Layer layer 1, 2 ellipses");
+    hand.press("Duplicate layer");
+    assert_eq!(kinds(&hand), [true, true, false]);
+    assert_eq!(at_hand(&hand), 1);
+    hand.press("Delete layer");
+    assert_eq!(kinds(&hand), [true, false]);
+    undo(&mut hand);
+    undo(&mut hand);
+    assert_eq!(kinds(&hand), [true, false]);
+    hand.key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    assert_eq!(kinds(&hand), [true, true, false]);
+}
+
+#[test]
+fn an_empty_layer_is_not_saved() {
+    let mut hand = two();
+    let before = hand.document();
+    hand.press("New layer");
+    assert_eq!(hand.document(), before);
+}
+
+#[test]
+fn layers_change_places_by_buttons_and_by_dragging_their_rows() {
+    let mut hand = two();
+    hand.press("Lower layer");
+    assert_eq!(kinds(&hand), [false, true]);
+    assert_eq!(at_hand(&hand), 0);
+    hand.press("Raise layer");
+    assert_eq!(kinds(&hand), [true, false]);
+    let [upper, lower] = ["Layer layer 2, 1 line", "Layer layer 1, 2 ellipses"]
+        .map(|name| hand.window.get_by_role_and_label(Role::Button, name).rect().center());
+    hand.window.drag_at(lower);
+    hand.window.step();
+    for share in [0.3, 0.6, 1.0, 1.3] {
+        hand.window.hover_at(lower + (upper - lower) * share);
+        hand.window.step();
+    }
+    hand.window.drop_at(lower + (upper - lower) * 1.3);
+    hand.rest();
+    assert_eq!(kinds(&hand), [false, true]);
+    undo(&mut hand);
+    assert_eq!(kinds(&hand), [true, false]);
+}
+
+#[test]
+fn a_name_is_typed_in_place() {
+    let mut hand = two();
+    hand.key(Modifiers::NONE, Key::F2);
+    hand.window.event(eframe::egui::Event::Text("stripes".to_owned()));
+    hand.window.step();
+    hand.key(Modifiers::NONE, Key::Enter);
+    assert_eq!(hand.document().layers[1].name, "stripes");
+    assert_eq!(rows(&hand)[0], "Layer stripes, 1 line");
+    // Escape leaves it as it was.
+    hand.key(Modifiers::NONE, Key::F2);
+    hand.window.event(eframe::egui::Event::Text("other".to_owned()));
+    hand.window.step();
+    hand.key(Modifiers::NONE, Key::Escape);
+    assert_eq!(hand.document().layers[1].name, "stripes");
+    undo(&mut hand);
+    assert_eq!(hand.document().layers[1].name, "layer 2");
+}
+
+#[test]
+fn a_double_click_on_a_row_names_it() {
+    let mut hand = two();
+    let row = hand.window.get_by_role_and_label(Role::Button, "Layer layer 1, 2 ellipses").rect().center();
+    for _ in 0..2 {
+        hand.window.drag_at(row);
+        hand.window.step();
+        hand.window.drop_at(row);
+        hand.window.step();
+    }
+    hand.rest();
+    hand.window.event(eframe::egui::Event::Text("spots".to_owned()));
+    hand.window.step();
+    hand.key(Modifiers::NONE, Key::Enter);
+    assert_eq!(hand.document().layers[0].name, "spots");
+}
+
+#[test]
+fn a_hidden_layer_still_grows_but_the_hand_does_not_touch_it() {
+    let mut hand = two();
+    hand.press("Hide layer 1");
+    assert!(!hand.document().layers[0].visible);
+    assert_eq!(rows(&hand)[1], "Layer layer 1, 2 ellipses, hidden");
+    hand.key(Modifiers::COMMAND, Key::A);
+    assert_eq!(hand.window.state().desk().selection.len(), 1);
+    hand.press("Show layer 1");
+    assert!(hand.document().layers[0].visible);
+    undo(&mut hand);
+    assert!(!hand.document().layers[0].visible);
+}
+
+#[test]
+fn a_frozen_layer_is_left_alone_until_it_is_thawed() {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::E);
+    hand.drag(&[[80.0, 80.0], [120.0, 104.0]]);
+    hand.press("Freeze it, sketch the next");
+    assert_eq!(rows(&hand), ["Layer layer 2, empty", "Layer layer 1, 1 ellipse, frozen"]);
+    hand.drag(&[[200.0, 200.0], [220.0, 214.0]]);
+    assert_eq!(hand.document().layers.iter().map(|layer| layer.strokes.len()).collect::<Vec<_>>(), [1, 1]);
+    // Neither the eraser nor select all takes what is frozen.
+    hand.key(Modifiers::NONE, Key::X);
+    hand.drag(&[[60.0, 92.0], [100.0, 92.0], [140.0, 92.0]]);
+    hand.key(Modifiers::COMMAND, Key::A);
+    hand.key(Modifiers::NONE, Key::Delete);
+    assert_eq!(hand.ellipses().len(), 1);
+    // A click on it does, and so does its snowflake.
+    hand.key(Modifiers::NONE, Key::V);
+    hand.click([100.0, 92.0]);
+    assert_eq!((at_hand(&hand), hand.window.state().desk().frozen()), (0, 0));
+    hand.key(Modifiers::NONE, Key::F);
+    assert_eq!(at_hand(&hand), 1);
+    hand.press("Thaw layer 1");
+    assert_eq!(at_hand(&hand), 0);
+}
+
+#[test]
+fn how_it_meets_those_beneath_is_chosen_by_a_picture() {
+    let mut hand = two();
+    hand.press("How it grows");
+    for (name, after) in [("Around", After::Around), ("Net", After::Net), ("Between", After::Between)] {
+        hand.press(&format!("Meets: {name}"));
+        assert_eq!(hand.document().layers[1].after, after);
+    }
+    // A layer of lines has no spots to stand inside others.
+    hand.press("Meets: Inside");
+    assert_eq!(hand.document().layers[1].after, After::Between);
+    // And the lowest meets nothing.
+    hand.press("Layer layer 1, 2 ellipses");
+    let net = hand.window.get_by_role_and_label(Role::Button, "Meets: Net");
+    assert!(net.accesskit_node().is_disabled());
+    undo(&mut hand);
+    assert_eq!(hand.document().layers[1].after, After::Net);
+}
+
+#[test]
+fn a_system_is_chosen_and_put_back() {
+    let mut hand = two();
+    hand.press("How it grows");
+    choose(&mut hand, "System", "Meinhardt's lines");
+    assert_eq!(hand.document().layers[1].system, SystemChoice::MeinhardtLines);
+    // What grows spots is greyed.
+    hand.window.get_by_role_and_label(Role::ComboBox, "System").click();
+    hand.rest();
+    let spots = hand.window.get_by_role_and_label(Role::Button, "Turing's spots");
+    assert!(spots.accesskit_node().is_disabled());
+    hand.key(Modifiers::NONE, Key::Escape);
+    assert!(hand.window.query_by_role_and_label(Role::Button, "Turing's spots").is_none());
+    hand.press("System: default");
+    assert_eq!(hand.document().layers[1].system, SystemChoice::Auto);
+    undo(&mut hand);
+    assert_eq!(hand.document().layers[1].system, SystemChoice::MeinhardtLines);
+}
+
+#[test]
+fn options_of_stripes() {
+    let mut hand = two();
+    hand.press("How it grows");
+    hand.type_into("Share", "30");
+    assert_eq!(hand.document().layers[1].options.duty, 0.3);
+    hand.type_into("Share", "90");
+    assert_eq!(hand.document().layers[1].options.duty, 0.5);
+    choose(&mut hand, "Begins from", "Drawn lines");
+    assert_eq!(hand.document().layers[1].options.seeding, Seeding::Initiators);
+    hand.press("Begins from: default");
+    assert_eq!(hand.document().layers[1].options.seeding, Seeding::Noise);
+    let kept = hand.document().keeps(1);
+    hand.press("Keep marks");
+    assert_eq!(hand.document().layers[1].options.keep, Some(!kept));
+    hand.press("Keep marks: default");
+    assert_eq!(hand.document().layers[1].options.keep, None);
+    hand.press("Meets: Around");
+    hand.type_into("Broken", "25");
+    assert_eq!(hand.document().layers[1].options.broken, 0.25);
+    undo(&mut hand);
+    assert_eq!(hand.document().layers[1].options.broken, 0.0);
+    hand.document().check("what was chosen").unwrap();
+}
+
+#[test]
+fn options_of_spots() {
+    let mut hand = two();
+    hand.press("Layer layer 1, 2 ellipses");
+    hand.press("How it grows");
+    hand.type_into("Irregular", "40");
+    assert_eq!(hand.document().layers[0].options.irregular, 0.4);
+    choose(&mut hand, "Variation", "By numbers");
+    for (name, value) in [("area", "30"), ("spacing", "10"), ("aspect", "5"), ("direction", "20")] {
+        hand.type_into(&format!("Variation of {name}"), value);
+    }
+    let SpreadChoice::Given(spread) = hand.document().layers[0].options.spread else { panic!() };
+    assert_eq!([spread.area, spread.spacing, spread.aspect, spread.angle], [0.3, 0.1, 0.05, 20.0]);
+    hand.press("Variation: default");
+    assert_eq!(hand.document().layers[0].options.spread, SpreadChoice::Drawn);
+    // A system that grows ellipses alone takes the irregular shapes along.
+    choose(&mut hand, "System", "Meinhardt's spots");
+    assert_eq!(hand.document().layers[0].options.irregular, 0.0);
+    undo(&mut hand);
+    assert_eq!(hand.document().layers[0].options.irregular, 0.4);
+}
+
+#[test]
+fn layers_are_worked_on_by_keys_alone() {
+    let mut hand = hand();
+    hand.key(Modifiers::SHIFT, Key::E);
+    hand.key(Modifiers::NONE, Key::F);
+    hand.key(Modifiers::SHIFT, Key::L);
+    assert_eq!(kinds(&hand), [true, false]);
+    hand.key(Modifiers::NONE, Key::F2);
+    hand.window.event(eframe::egui::Event::Text("rings".to_owned()));
+    hand.window.step();
+    hand.key(Modifiers::NONE, Key::Enter);
+    // The row is reached by Tab: down, up, another place, a name.
+    tab_to(&mut hand, "Layer rings, 1 line");
+    hand.key(Modifiers::NONE, Key::ArrowDown);
+    assert_eq!(at_hand(&hand), 0);
+    hand.key(Modifiers::ALT, Key::ArrowUp);
+    assert_eq!(kinds(&hand), [false, true]);
+    assert_eq!(at_hand(&hand), 1);
+    hand.key(Modifiers::ALT, Key::ArrowDown);
+    hand.key(Modifiers::NONE, Key::ArrowUp);
+    assert_eq!((kinds(&hand), at_hand(&hand)), (vec![true, false], 1));
+    hand.key(Modifiers::NONE, Key::F2);
+    hand.window.event(eframe::egui::Event::Text("rosettes".to_owned()));
+    hand.window.step();
+    hand.key(Modifiers::NONE, Key::Enter);
+    assert_eq!(hand.document().layers[1].name, "rosettes");
+    assert!(hand.window.get_by_role_and_label(Role::Button, "Layer rosettes, 1 line").is_focused());
+    // On to the details, which Space unfolds; then the picture of rings.
+    for name in ["How it grows", "Meets: Around"] {
+        tab_to(&mut hand, name);
+        hand.key(Modifiers::NONE, Key::Space);
+    }
+    assert_eq!(hand.document().layers[1].after, After::Around);
+    hand.key(Modifiers::COMMAND, Key::PageDown);
+    assert_eq!(kinds(&hand), [false, true]);
+    hand.key(Modifiers::COMMAND, Key::PageUp);
+    hand.key(Modifiers::SHIFT, Key::H);
+    assert!(!hand.document().layers[1].visible);
+    hand.key(Modifiers::COMMAND, Key::J);
+    assert_eq!(hand.document().layers[2].name, "rosettes copy");
+    hand.key(Modifiers::NONE, Key::PageDown);
+    assert_eq!(at_hand(&hand), 1);
+}
+
+#[test]
+fn what_lies_beneath_is_not_grown_again_and_is_seen_under_the_canvas() {
+    let mut hand = hand();
+    hand.draw_round([60.0, 60.0], [14.0, 9.0], 20.0);
+    hand.draw_round([100.0, 90.0], [13.0, 9.0], 25.0);
+    hand.until_settled();
+    let below = hand.window.state().settled().unwrap().grown.layers[0].marks.values.clone();
+    hand.key(Modifiers::NONE, Key::F);
+    assert!(hand.window.state().has_underlay());
+    // The lowest layer is taken over: the first that grows is the second.
+    hand.draw_round([300.0, 300.0], [9.0, 6.0], 100.0);
+    hand.until_settled();
+    let grown = &hand.window.state().settled().unwrap().grown;
+    assert_eq!(grown.layers.len(), 2);
+    assert_eq!(grown.layers[0].marks.values, below);
+    assert_eq!(hand.window.state().growth().kept, 1);
+    assert!(hand.window.state().has_underlay());
+    // Thawed, nothing lies under it any more.
+    hand.press("Thaw layer 1");
+    assert!(!hand.window.state().has_underlay());
+}
