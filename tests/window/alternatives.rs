@@ -49,7 +49,7 @@ fn there_are_other_seeds_another_system_and_another_spread() {
     hand.key(Modifiers::NONE, Key::A);
     until_grown(&mut hand);
     let all = names(&hand);
-    assert_eq!(all, ["Original", "Turing's spots", "Looser", "Seed 2", "Seed 3", "Seed 4", "Seed 5"]);
+    assert_eq!(all, ["Original", "Seed 2", "Seed 3", "Seed 4", "Seed 5", "Turing's spots", "Looser"]);
     let window = hand.window.state();
     assert!(window.alternatives().all.iter().all(|one| one.failed.is_none() && one.picture.is_some()));
     assert_eq!(named(window, "Turing's spots").document.layers[0].system, SystemChoice::TuringSpots);

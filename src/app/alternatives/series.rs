@@ -75,9 +75,9 @@ struct Worker {
 
 impl Worker {
     fn run(&self, jobs: Vec<Job>) {
-        // A quarter of the cores: whoever draws on has the others.
+        // Half of the cores: the window has the others.
         let cores = thread::available_parallelism().map_or(1, usize::from);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads((cores / 4).max(1)).build();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads((cores / 2).max(1)).build();
         for job in jobs {
             let work = || panic::catch_unwind(AssertUnwindSafe(|| self.work(&job)));
             let worked = match &pool {

@@ -33,9 +33,9 @@ impl Variant {
 #[must_use]
 pub fn variants(document: &Document, grown: &Grown, layer: usize) -> Vec<Variant> {
     let mut all = Vec::new();
+    all.extend((1..=SEEDS).map(|step| seeded(document, step)));
     all.extend(other_system(document, grown, layer));
     all.extend(spreads(document, layer));
-    all.extend((1..=SEEDS).map(|step| seeded(document, step)));
     all
 }
 

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Id, Ui, vec2};
 use egui_plot::{
-    GridInput, GridMark, HoverPosition, Legend, MarkerShape, Plot, PlotPoints, Points as Dots,
+    Corner, GridInput, GridMark, HoverPosition, Legend, MarkerShape, Plot, PlotPoints, Points as Dots,
     log_grid_spacer,
 };
 
@@ -28,8 +28,12 @@ pub fn plot(ui: &mut Ui, points: &Points, axes: [&'static str; 2], question: u64
         let inside = |weight: f64| (low < weight || size == 0) && weight <= high;
         let rows = points.neighbours.iter().filter(|(_, weight)| inside(*weight)).map(|(row, _)| at(row));
         let radius = 2.0 + 3.6 * ((low + high) / 2.0).sqrt() as f32;
-        // Only the largest stand in the legend, for all.
-        let name = if size + 1 == SIZES { "Neighbours, by weight" } else { "" };
+        // Only the largest that there are stand in the legend, for all.
+        let larger = points.neighbours.iter().any(|(_, weight)| *weight > high);
+        let name = if larger { "" } else { "Neighbours, by weight" };
+        if size > 0 && !points.neighbours.iter().any(|(_, weight)| inside(*weight)) {
+            continue;
+        }
         shown.push(dots(name, rows.collect()).radius(radius).color(palette.edge));
     }
     let one =
@@ -62,7 +66,7 @@ pub fn plot(ui: &mut Ui, points: &Points, axes: [&'static str; 2], question: u64
         .x_grid_spacer(move |input| spacer(x, input))
         .y_grid_spacer(move |input| spacer(y, input))
         .label_formatter(label)
-        .legend(Legend::default())
+        .legend(Legend::default().position(Corner::LeftBottom))
         .show(ui, |plot| shown.into_iter().for_each(|dots| plot.points(dots)));
 }
 
@@ -74,7 +78,7 @@ fn spacer(name: &str, input: GridInput) -> Vec<GridMark> {
     let (low, high) = input.bounds;
     let decades = (low.floor() as i32)..=(high.ceil() as i32);
     let marks = decades.flat_map(|decade| {
-        [(1.0f64, 1.0), (2.0, 0.4), (5.0, 0.4)]
+        [(1.0f64, 0.4), (2.0, 0.15), (5.0, 0.15)]
             .map(|(digit, step_size)| GridMark { value: f64::from(decade) + digit.log10(), step_size })
     });
     marks.filter(|mark| (low..=high).contains(&mark.value)).collect()

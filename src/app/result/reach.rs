@@ -211,7 +211,8 @@ fn said(from: &Sketch, to: &Sketch) -> String {
     let mut said = Vec::new();
     let mut more = |what: &str, [more, less]: [&str; 2], factor: f64| {
         let per_cent = 100.0 * (factor - 1.0).abs();
-        if per_cent >= 0.05 {
+        // Less is not seen.
+        if per_cent >= 0.5 {
             let word = if factor > 1.0 { more } else { less };
             let digits = usize::from(per_cent < 9.5);
             said.push(format!("{what} {per_cent:.digits$} % {word}"));

@@ -14,7 +14,7 @@ use crate::synth::recipe::Colours;
 /// Heights, points: the ways, the bar, the stops, what stands beneath.
 const HEIGHTS: [f32; 4] = [26.0, 26.0, 22.0, 13.0];
 /// Half a stop's width: so far the bar stays off the edge.
-const HALF: f32 = 7.0;
+const HALF: f32 = 8.0;
 /// So far from the bar a stop is let go of, points.
 const OFF: f32 = 44.0;
 

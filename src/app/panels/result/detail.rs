@@ -65,6 +65,10 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
         }
         ui.end_row();
         for (attribute, value) in &asked {
+            // Round spots have none.
+            if *attribute == "angle" && report.got.is_some() && report.error.iter().all(|(of, _)| *of != "angle") {
+                continue;
+            }
             let (name, help) = named(attribute);
             ui.label(name).on_hover_text(help);
             let wanted = there(report, attribute).unwrap_or(*value);
