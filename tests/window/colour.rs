@@ -35,14 +35,6 @@ impl Hand {
         found.unwrap_or_else(|| panic!("no {name}")).rect()
     }
 
-    /// Presses a button that the column may have to be scrolled for.
-    #[track_caller]
-    fn reach(&mut self, name: &str) {
-        self.window.get_by_label(name).scroll_to_me();
-        self.window.run_steps(60);
-        self.press(name);
-    }
-
     /// Gives the keys to the control whose name begins so.
     #[track_caller]
     fn focus(&mut self, name: &str) {

@@ -142,6 +142,14 @@ impl Hand {
         self.rest();
     }
 
+    /// Presses a button that the column may have to be scrolled for.
+    #[track_caller]
+    pub fn reach(&mut self, name: &str) {
+        self.window.get_by_label(name).scroll_to_me();
+        self.window.run_steps(60);
+        self.press(name);
+    }
+
     /// Types a number into the field with this name.
     pub fn type_into(&mut self, name: &str, text: &str) {
         let role = if name == "File" { Role::TextInput } else { Role::SpinButton };

@@ -1,10 +1,21 @@
 //! The walk through `docs/leopard.md`: from an empty canvas to a leopard. Its pictures are those of that page.
 
+use std::sync::Arc;
+
+use dapple::app::Window;
 use dapple::synth::recipe::{After, Stroke};
 use eframe::egui::{Key, Modifiers};
 
-use crate::hand::hand;
+use crate::hand::{Hand, hand};
 use crate::sights::see;
+
+/// Takes these colours and waits until the picture has them.
+fn recolour(hand: &mut Hand, preset: &str) {
+    let image = |window: &Window| window.growth().picture.as_ref().map(|picture| Arc::clone(&picture.image));
+    let before = image(hand.window.state());
+    hand.reach(preset);
+    hand.until("repainted", |window| image(window) != before);
+}
 
 #[test]
 fn from_an_empty_canvas_to_a_leopard() {
@@ -35,10 +46,9 @@ fn from_an_empty_canvas_to_a_leopard() {
     see(&mut hand, "leopard-2");
 
     hand.press("Colour");
-    hand.press("Colours: leopard");
+    recolour(&mut hand, "Colours: leopard");
     hand.press("Layer layer 1, 5 ellipses, frozen");
-    hand.press("Colours: jaguar");
-    hand.until_settled();
+    recolour(&mut hand, "Colours: jaguar");
     hand.window.state_mut().hide_times();
     see(&mut hand, "leopard-3");
 
@@ -56,7 +66,7 @@ fn from_an_empty_canvas_to_a_leopard() {
     assert!((rings.options.broken - 0.35).abs() < 1e-9);
     assert!(middles.colours.is_some() && rings.colours.is_some());
     // All of it can be taken back.
-    for _ in 0..40 {
+    for _ in 0..60 {
         hand.key(Modifiers::COMMAND, Key::Z);
     }
     assert!(hand.document().layers.is_empty());
