@@ -86,6 +86,12 @@ pub(super) fn grid_side(text: &str) -> Result<usize, String> {
     number.ok_or_else(|| "allowed: a whole number of cells from 16 to 4096".to_owned())
 }
 
+/// Dots an inch.
+pub(super) fn dpi(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| limits::DPI.holds(*number));
+    number.ok_or_else(|| format!("allowed: {}", limits::DPI))
+}
+
 /// A pattern value at which outlines are drawn.
 pub(super) fn level(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number < 1.0);
