@@ -174,7 +174,8 @@ pub fn run(args: &Args) -> Result<(), Error> {
 fn check_targets(args: &Args) -> Result<(), Error> {
     let endings: Vec<_> = export::FORMATS.into_iter().chain(export::outline::FORMATS).collect();
     let output = args.output.as_deref().map(|path| export::check_ending(path, &endings));
-    let pictures = [args.pattern.as_deref(), args.labels.as_deref()].map(|path| path.map(export::check_target));
+    let pictures =
+        [args.pattern.as_deref(), args.labels.as_deref()].map(|path| path.map(export::check_target));
     let report = args.report.as_deref().map(export::check_file);
     let checks = [output].into_iter().chain(pictures).chain([report]).flatten();
     checks.collect::<Result<(), _>>().map_err(Error::step)

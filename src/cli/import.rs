@@ -45,7 +45,9 @@ pub enum ImportError {
         found: String,
     },
     /// No marks in it.
-    #[error("{file}: holds no marks{unread}; allowed: ellipses, circles, lines, rectangles and paths on its canvas")]
+    #[error(
+        "{file}: holds no marks{unread}; allowed: ellipses, circles, lines, rectangles and paths on its canvas"
+    )]
     Nothing {
         /// The file.
         file: String,
@@ -69,7 +71,8 @@ pub enum ImportError {
 pub fn run(args: &Args) -> Result<(), Error> {
     export::check_ending(&args.output, &["dapple"]).map_err(Error::step)?;
     let file = args.file.display().to_string();
-    let bytes = bytes(&args.file).map_err(|source| Error::File { file: file.clone(), done: "read", source })?;
+    let bytes =
+        bytes(&args.file).map_err(|source| Error::File { file: file.clone(), done: "read", source })?;
     let drawing = svg::read(&bytes, args.dpi)
         .map_err(|source| Error::step(ImportError::Svg { file: file.clone(), source }))?;
     let (document, unread) = document(drawing, args, &file).map_err(Error::step)?;
@@ -123,7 +126,8 @@ fn document(mut drawing: Drawing, args: &Args, file: &str) -> Result<(Document, 
     if off > 0 {
         drawing.unread.insert("mark off the canvas", off);
     }
-    let unread: Vec<String> = drawing.unread.iter().map(|(kind, count)| format!("{count} × {kind}")).collect();
+    let unread: Vec<String> =
+        drawing.unread.iter().map(|(kind, count)| format!("{count} × {kind}")).collect();
     let unread = if unread.is_empty() { String::new() } else { format!("; not read: {}", unread.join(", ")) };
     if layers.is_empty() {
         return Err(ImportError::Nothing { file: file.to_owned(), unread });
@@ -131,7 +135,8 @@ fn document(mut drawing: Drawing, args: &Args, file: &str) -> Result<(Document, 
     if layers.len() > limits::MAX_LAYERS {
         return Err(ImportError::Layers { file: file.to_owned(), found: layers.len() });
     }
-    let name = args.file.file_stem().map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
+    let name =
+        args.file.file_stem().map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
     let document =
         Document { name: name.unwrap_or_default(), size, dpi: args.dpi, layers, ..Document::default() };
     Ok((document, unread))
@@ -156,10 +161,12 @@ fn stroke(mark: &Mark, size: [u32; 2]) -> Option<Stroke> {
     let fits = match &stroke {
         Stroke::Ellipse(ellipse) => inside(ellipse.center),
         Stroke::Line(line) => {
-            let around = |end: [f64; 2]| {
-                (0..2).all(|axis| limits::Range::around(size[axis]).holds(end[axis]))
-            };
-            inside(line.center()) && around(line.from) && around(line.to) && line.length() >= limits::MIN_LENGTH
+            let around =
+                |end: [f64; 2]| (0..2).all(|axis| limits::Range::around(size[axis]).holds(end[axis]));
+            inside(line.center())
+                && around(line.from)
+                && around(line.to)
+                && line.length() >= limits::MIN_LENGTH
         }
         Stroke::Freehand { .. } => false,
     };

@@ -145,7 +145,9 @@ pub(super) fn style(text: &str) -> Result<StylePart, String> {
                 .map_or(Ok(45.0), angle)
                 .map_err(|allowed| format!("angle {:?}: {allowed}", degrees.unwrap_or_default()))?,
         }),
-        _ => Err("allowed: fill, stroke, hatch:SPACING, hatch:SPACING:ANGLE, such as hatch:1.5:45".to_owned()),
+        _ => {
+            Err("allowed: fill, stroke, hatch:SPACING, hatch:SPACING:ANGLE, such as hatch:1.5:45".to_owned())
+        }
     }
 }
 
@@ -191,7 +193,9 @@ mod tests {
         assert_eq!(style("fill"), Ok(StylePart::Fill));
         assert_eq!(style("hatch:1.5"), Ok(StylePart::Hatch { spacing: 1.5, angle: 45.0 }));
         assert_eq!(style("hatch:2:-30"), Ok(StylePart::Hatch { spacing: 2.0, angle: -30.0 }));
-        for wrong in ["", "hatch", "hatch:", "hatch:0", "hatch:-1", "hatch:nan", "hatch:1:x", "hatch:1:2:3", "fill:1"] {
+        for wrong in
+            ["", "hatch", "hatch:", "hatch:0", "hatch:-1", "hatch:nan", "hatch:1:x", "hatch:1:2:3", "fill:1"]
+        {
             assert!(style(wrong).unwrap_err().contains("allowed"), "{wrong}");
         }
         for wrong in ["0", "1", "-1", "nan", "x"] {

@@ -9,7 +9,9 @@ pub mod png;
 mod save;
 mod shrink;
 
-pub use save::{ExportError, FORMATS, Prepared, check_ending, check_file, check_target, has_ending, prepare, save};
+pub use save::{
+    ExportError, FORMATS, Prepared, check_ending, check_file, check_target, has_ending, prepare, save,
+};
 pub use shrink::shrink;
 
 /// Why a writer stopped before its end.

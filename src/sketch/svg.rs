@@ -77,10 +77,8 @@ pub fn read(bytes: &[u8], dpi: f64) -> Result<Drawing, SvgError> {
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..roxmltree::ParsingOptions::default() };
     let xml = roxmltree::Document::parse_with_options(text, options).map_err(SvgError::NotXml)?;
     // No picture is fetched from anywhere.
-    let none = ImageHrefResolver {
-        resolve_data: Box::new(|_, _, _| None),
-        resolve_string: Box::new(|_, _| None),
-    };
+    let none =
+        ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = Options { image_href_resolver: none, dpi: DPI as f32, ..Options::default() };
     let tree = Tree::from_xmltree(&xml, &options).map_err(SvgError::NotSvg)?;
     let scale = dpi / DPI;
@@ -109,7 +107,8 @@ fn depth(text: &str) -> Result<(), SvgError> {
 
 /// What groups are called, by id.
 fn labels(xml: &roxmltree::Document) -> BTreeMap<String, String> {
-    let groups = xml.descendants().filter(|element| element.has_tag_name("g") || element.tag_name().name() == "g");
+    let groups =
+        xml.descendants().filter(|element| element.has_tag_name("g") || element.tag_name().name() == "g");
     groups
         .filter_map(|group| {
             Some((group.attribute("id")?.to_owned(), group.attribute((INKSCAPE, "label"))?.to_owned()))
@@ -131,7 +130,8 @@ impl Reader {
     /// Kinds that leave no path.
     fn count_unread(&mut self, xml: &roxmltree::Document) {
         let hidden = ["defs", "symbol", "clipPath", "mask", "pattern", "marker"];
-        let shown = |element: &Element| !element.ancestors().any(|above| hidden.contains(&above.tag_name().name()));
+        let shown =
+            |element: &Element| !element.ancestors().any(|above| hidden.contains(&above.tag_name().name()));
         for element in xml.descendants().filter(shown) {
             match element.tag_name().name() {
                 "text" => self.unread("text"),

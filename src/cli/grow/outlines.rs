@@ -205,9 +205,7 @@ pub fn prepare(
     };
     let stopped = |stopped| match stopped {
         Stopped::Cancelled => Error::Interrupted,
-        Stopped::Io(source) => {
-            Error::File { file: first.display().to_string(), done: "written", source }
-        }
+        Stopped::Io(source) => Error::File { file: first.display().to_string(), done: "written", source },
     };
     let (groups, travel) = outlines(document, grown, &wanted, watch).map_err(stopped)?;
     let size = size.map(|side| side as f64);

@@ -93,7 +93,9 @@ fn open(points: &[P], tolerance: f64, pieces: &mut Vec<Piece>) {
     let knot = |chunk: usize| chunk * last / chunks;
     let direction = |i: usize| match i {
         0 => end_tangent(points, [0, 1, 2]),
-        i if i == last => end_tangent(points, [last, last.saturating_sub(1), last.saturating_sub(2)]).map(|t| -t),
+        i if i == last => {
+            end_tangent(points, [last, last.saturating_sub(1), last.saturating_sub(2)]).map(|t| -t)
+        }
         i => tangent(points[i.saturating_sub(2)], points[i], points[(i + 2).min(last)]),
     };
     for chunk in 0..chunks {
@@ -255,7 +257,8 @@ mod tests {
         let path = ring(&points, [100.0, 100.0], 0.04);
         let steps: Vec<(P, Piece)> = path.steps().collect();
         for i in 0..steps.len() {
-            let (Piece::Cubic([_, b, end]), Piece::Cubic([a, ..])) = (steps[i].1, steps[(i + 1) % steps.len()].1)
+            let (Piece::Cubic([_, b, end]), Piece::Cubic([a, ..])) =
+                (steps[i].1, steps[(i + 1) % steps.len()].1)
             else {
                 panic!("a line in a smooth path");
             };

@@ -126,7 +126,8 @@ mod tests {
         let outer = ring(&[[0.5, 0.5], [5.5, 0.5], [5.5, 5.5], [3.0, 2.5], [0.5, 5.5]]);
         for angle in [0.0, 45.0, 90.0, 180.0, 270.0, -1e6] {
             let area: f64 = outer.area();
-            let strokes = hatch(&Shape { outer: outer.clone(), holes: vec![] }, Hatch { spacing: 0.01, angle });
+            let strokes =
+                hatch(&Shape { outer: outer.clone(), holes: vec![] }, Hatch { spacing: 0.01, angle });
             let covered: f64 = strokes.iter().map(|path| distance(path.start, path.end()) * 0.01).sum();
             assert!((covered / area - 1.0).abs() < 0.01, "{angle}: {covered} of {area}");
         }

@@ -91,9 +91,8 @@ pub fn outline(source: &mut Source, level: f64, smallest: Smallest) -> Result<Ve
 /// The same for a field in memory.
 #[must_use]
 pub fn of_field(field: &Field, level: f64, smallest: Smallest) -> Vec<Shape> {
-    let mut rows = |range: Range<usize>| {
-        Ok(field.values[range.start * field.width..range.end * field.width].to_vec())
-    };
+    let mut rows =
+        |range: Range<usize>| Ok(field.values[range.start * field.width..range.end * field.width].to_vec());
     let mut source = Source {
         size: [field.width, field.height],
         extent: field.extent(),

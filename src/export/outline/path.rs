@@ -75,7 +75,10 @@ impl Path {
             Piece::Line(end) => cross(start, end),
             // The integral over a Bezier, by pairs of its control points.
             Piece::Cubic([a, b, end]) => {
-                0.6 * cross(start, a) + 0.3 * cross(start, b) + 0.1 * cross(start, end) + 0.3 * cross(a, b)
+                0.6 * cross(start, a)
+                    + 0.3 * cross(start, b)
+                    + 0.1 * cross(start, end)
+                    + 0.3 * cross(a, b)
                     + 0.3 * cross(a, end)
                     + 0.6 * cross(b, end)
             }

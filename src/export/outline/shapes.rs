@@ -41,7 +41,13 @@ struct Part {
 }
 
 /// The shapes whose outlines were traced on a canvas of `size` px.
-pub fn shapes(traced: &Traced, size: [f64; 2], wraps: bool, smallest: Smallest, tolerance: f64) -> Vec<Shape> {
+pub fn shapes(
+    traced: &Traced,
+    size: [f64; 2],
+    wraps: bool,
+    smallest: Smallest,
+    tolerance: f64,
+) -> Vec<Shape> {
     let mut parts: BTreeMap<u32, Part> = BTreeMap::new();
     let paths: Vec<Path> =
         traced.rings.par_iter().map(|ring| fit::ring(&ring.points, size, tolerance)).collect();

@@ -173,8 +173,7 @@ impl Tracer {
     fn march(&mut self, above: &Row, below: &Row) {
         let mut left = NONE;
         for x in 0..self.xs.len() - 1 {
-            let corners =
-                [above.inside[x], above.inside[x + 1], below.inside[x + 1], below.inside[x]];
+            let corners = [above.inside[x], above.inside[x + 1], below.inside[x + 1], below.inside[x]];
             let top = self.upper[x];
             if corners == [corners[0]; 4] {
                 (self.upper[x], left) = (NONE, NONE);

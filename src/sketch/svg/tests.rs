@@ -64,10 +64,10 @@ fn paths_rectangles_and_polygons_are_fitted_as_a_pen_s_strokes_are() {
 
 #[test]
 fn groups_are_layers_by_label_or_id() {
-    let body = r#"<circle cx="9" cy="9" r="5"/>
+    let body = r##"<circle cx="9" cy="9" r="5"/>
         <g id="layer1" inkscape:label="big spots"><circle cx="50" cy="50" r="20"/><g><circle cx="90" cy="50" r="20"/></g></g>
         <g id="lines" transform="translate(100 0) scale(2)"><line x2="50" y2="50" stroke="#000" stroke-width="3"/></g>
-        <g id="empty"/>"#;
+        <g id="empty"/>"##;
     let drawing = read(svg(body).as_bytes(), DPI).unwrap();
     let names: Vec<_> = drawing.groups.iter().map(|group| (group.name.as_str(), group.marks.len())).collect();
     assert_eq!(names, [("", 1), ("big spots", 2), ("lines", 1)]);

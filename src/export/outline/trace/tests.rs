@@ -68,8 +68,7 @@ fn on_a_wrapped_canvas_lines_that_end_at_one_side_begin_at_the_other() {
     let points: Vec<[f64; 2]> = rings.iter().flat_map(|ring| ring.points.clone()).collect();
     for (axis, far) in [(0, 10.0), (1, 6.0)] {
         let on = |border: f64| {
-            let mut at: Vec<f64> =
-                points.iter().filter(|p| p[axis] == border).map(|p| p[1 - axis]).collect();
+            let mut at: Vec<f64> = points.iter().filter(|p| p[axis] == border).map(|p| p[1 - axis]).collect();
             at.sort_by(f64::total_cmp);
             at
         };
