@@ -107,8 +107,7 @@ fn depth(text: &str) -> Result<(), SvgError> {
 
 /// What groups are called, by id.
 fn labels(xml: &roxmltree::Document) -> BTreeMap<String, String> {
-    let groups =
-        xml.descendants().filter(|element| element.has_tag_name("g") || element.tag_name().name() == "g");
+    let groups = xml.descendants().filter(|element| element.tag_name().name() == "g");
     groups
         .filter_map(|group| {
             Some((group.attribute("id")?.to_owned(), group.attribute((INKSCAPE, "label"))?.to_owned()))

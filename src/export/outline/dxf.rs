@@ -1,6 +1,6 @@
 //! Outlines → DXF, release 12 (AC1009): the one that every cutter's program reads.
 //!
-//! Beziers become polylines. y runs up in a DXF, so the drawing stands on its head to stand upright.
+//! Release 12 has no place for a unit; a comment says it. Beziers become polylines. y runs up in a DXF, so the drawing stands on its head to stand upright.
 
 use super::Group;
 use super::path::Path;
@@ -57,13 +57,6 @@ fn header(out: &mut impl Write, extent: [f64; 2], unit: Unit) -> io::Result<()> 
     for (name, at) in [("$EXTMIN", [0.0, 0.0]), ("$EXTMAX", extent)] {
         pair(out, 9, name)?;
         point(out, at)?;
-    }
-    if matches!(unit, Unit::Mm { .. }) {
-        // Not of release 12, but readers of today look for it: 4 = millimetres, and 1 = metric.
-        for (name, value) in [("$MEASUREMENT", 1), ("$INSUNITS", 4)] {
-            pair(out, 9, name)?;
-            pair(out, 70, value)?;
-        }
     }
     pair(out, 0, "ENDSEC")
 }

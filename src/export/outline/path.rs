@@ -99,7 +99,7 @@ impl Path {
         let mut points = vec![self.start];
         for (start, piece) in self.steps() {
             if let Piece::Cubic([a, b, end]) = piece {
-                // A cubic whose second differences are at most d bends at most d·√3/… away; Wang's bound on the steps.
+                // Wang's bound: with second differences of at most d, n steps lie within ¾·d/n² of the curve.
                 let bend = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
                     distance([p[0] + r[0], p[1] + r[1]], [2.0 * q[0], 2.0 * q[1]])
                 };

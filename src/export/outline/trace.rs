@@ -274,5 +274,4 @@ impl Tracer {
 }
 
 #[cfg(test)]
-#[path = "trace/tests.rs"]
 mod tests;
