@@ -29,7 +29,7 @@ fn a_disc_keeps_its_area() {
         assert_eq!(shapes.len(), 1);
         let off = area(&shapes) / (PI * radius * radius) - 1.0;
         // Between the values, which stand a px apart, the lines are straight and the pattern is not.
-        assert!(off.abs() < 0.035 / (radius * radius), "{radius}: {off}");
+        assert!(off.abs() < 0.07 / (radius * radius), "{radius}: {off}");
     }
 }
 
