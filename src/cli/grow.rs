@@ -1,5 +1,6 @@
 //! `dapple grow`: a document → its texture.
 
+mod outlines;
 mod pictures;
 pub(super) mod progress;
 
@@ -23,9 +24,9 @@ pub struct Args {
     /// The document to grow
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Where to write the picture
-    #[arg(short, long, value_name = "OUT.png")]
-    pub output: PathBuf,
+    /// Where to write the picture, or its outlines: .png, .svg, .dxf
+    #[arg(short, long, value_name = "OUT.png", required_unless_present_any = ["svg", "dxf"])]
+    pub output: Option<PathBuf>,
     /// More texture: a canvas of W x H px with features of the same size
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     pub size: Option<[u32; 2]>,
@@ -38,11 +39,8 @@ pub struct Args {
     /// Also write the pattern: 16-bit gray, 0 = ground, half = a mark's edge
     #[arg(long, value_name = "P.png")]
     pub pattern: Option<PathBuf>,
-    /// Write the pattern of layer K alone (1 = the lowest)
-    #[arg(
-        long, value_name = "K", requires = "pattern",
-        value_parser = clap::value_parser!(u32).range(1..=255)
-    )]
+    /// Write the pattern or the outlines of layer K alone (1 = the lowest)
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=255))]
     pub layer: Option<u32>,
     /// Also write which layer's mark covers each px: 8-bit gray, 0 = none
     #[arg(long, value_name = "L.png")]
@@ -62,6 +60,9 @@ pub struct Args {
     /// Show no progress
     #[arg(short, long)]
     pub quiet: bool,
+    /// How outlines are drawn
+    #[command(flatten)]
+    pub outlines: outlines::OutlineArgs,
 }
 
 impl Args {
@@ -69,6 +70,9 @@ impl Args {
     fn check_layer(&self, document: &Document) -> Result<(), Error> {
         let layers = document.layers.len();
         match self.layer {
+            Some(layer) if self.pattern.is_none() && !outlines::asked(self) => Err(Error::Usage(format!(
+                "--layer: found {layer} without what it is for; allowed: with --pattern, --svg, --dxf or -o OUT.svg"
+            ))),
             Some(layer) if layer as usize > layers => {
                 let file = self.file.display();
                 Err(Error::Usage(format!(
@@ -86,10 +90,12 @@ impl Args {
     pub fn check_outputs(&self) -> Result<(), Error> {
         let named = [
             ("FILE", Some(&self.file)),
-            ("--output", Some(&self.output)),
+            ("--output", self.output.as_ref()),
             ("--pattern", self.pattern.as_ref()),
             ("--labels", self.labels.as_ref()),
             ("--report", self.report.as_ref()),
+            ("--svg", self.outlines.svg.as_ref()),
+            ("--dxf", self.outlines.dxf.as_ref()),
         ];
         let paths: Vec<_> = named.into_iter().filter_map(|(name, path)| Some((name, path?))).collect();
         for (i, (name, path)) in paths.iter().enumerate() {
@@ -117,13 +123,11 @@ pub(super) fn place(path: &Path) -> PathBuf {
 /// Where the document is not valid, cannot be grown, or a file cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     args.check_outputs()?;
-    for path in [Some(&args.output), args.pattern.as_ref(), args.labels.as_ref()].into_iter().flatten() {
-        export::check_target(path).map_err(Error::step)?;
-    }
-    args.report.as_deref().map(export::check_file).transpose().map_err(Error::step)?;
+    check_targets(args)?;
     let document = Document::read(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     args.check_layer(&document)?;
+    outlines::check(args, &document)?;
     if let Some(threads) = args.threads {
         // Fails only where the pool exists already, and nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
@@ -138,10 +142,18 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let training = Training::from(args.training.clone());
     let grown = grow(&document, &source, &training, options, &watch).map_err(Error::grown)?;
     let prepared = pictures::prepare(args, &document, &grown, &watch);
+    let outlined = outlines::prepare(args, &document, &grown, &watch);
     bar.clear();
-    let mut prepared = prepared?;
+    let (mut prepared, outlined) = (prepared?, outlined?);
     let seconds = started.elapsed().as_secs_f64();
-    let report = report(&document, &source, &grown, seconds);
+    let mut report = report(&document, &source, &grown, seconds);
+    let drawn = outlined.map(|(files, drawn)| {
+        prepared.extend(files);
+        drawn
+    });
+    if let Some(drawn) = &drawn {
+        report["outlines"] = drawn.json();
+    }
     if let Some(path) = &args.report {
         let text = format!("{report:#}\n");
         prepared.push(export::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
@@ -150,8 +162,23 @@ pub fn run(args: &Args) -> Result<(), Error> {
     prepared.into_iter().try_for_each(export::Prepared::keep).map_err(Error::step)?;
     if !args.quiet {
         tell_notes(&report);
+        if let Some(drawn) = drawn {
+            // As above.
+            let _ = writeln!(std::io::stderr(), "note: {}", drawn.told());
+        }
     }
     Ok(())
+}
+
+/// Looks whether all files can be written, before the work is done.
+fn check_targets(args: &Args) -> Result<(), Error> {
+    let endings: Vec<_> = export::FORMATS.into_iter().chain(export::outline::FORMATS).collect();
+    let output = args.output.as_deref().map(|path| export::check_ending(path, &endings));
+    let pictures =
+        [args.pattern.as_deref(), args.labels.as_deref()].map(|path| path.map(export::check_target));
+    let report = args.report.as_deref().map(export::check_file);
+    let checks = [output].into_iter().chain(pictures).chain([report]).flatten();
+    checks.collect::<Result<(), _>>().map_err(Error::step)
 }
 
 /// What the user should know beside the picture, on stderr.

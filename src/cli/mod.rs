@@ -7,6 +7,7 @@ pub mod bench;
 mod check;
 mod error;
 mod grow;
+mod import;
 mod interrupt;
 mod learn;
 mod lookup;
@@ -38,6 +39,8 @@ enum Command {
     Grow(grow::Args),
     /// Grow many documents and lay their pictures out on one sheet
     Sheet(sheet::Args),
+    /// Make a document of what is drawn in an SVG
+    Import(import::Args),
     /// Look up the parameters that give spots or stripes of certain attributes
     Lookup(lookup::Args),
     /// Measure the spots or stripes in a picture
@@ -72,6 +75,7 @@ fn run(command: Command) -> Result<(), Error> {
     match command {
         Command::Grow(args) => grow::run(&args),
         Command::Sheet(args) => sheet::run(&args),
+        Command::Import(args) => import::run(&args),
         Command::Lookup(args) => lookup::run(&args),
         Command::Measure(args) => measure::run(&args),
         Command::Check(args) => check::run(&args),

@@ -1,6 +1,7 @@
 //! Arguments → checked values; clap puts the argument's name and text before each message.
 
 use crate::attributes::Stripes;
+use crate::export::outline::Ends;
 use crate::marks::axial;
 use crate::synth::recipe::{Options, SystemChoice, limits};
 
@@ -85,6 +86,80 @@ pub(super) fn grid_side(text: &str) -> Result<usize, String> {
     number.ok_or_else(|| "allowed: a whole number of cells from 16 to 4096".to_owned())
 }
 
+/// Dots an inch.
+pub(super) fn dpi(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| limits::DPI.holds(*number));
+    number.ok_or_else(|| format!("allowed: {}", limits::DPI))
+}
+
+/// A pattern value at which outlines are drawn.
+pub(super) fn level(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number < 1.0);
+    number.ok_or_else(|| "allowed: a pattern value above 0 and below 1; 0.5 is the marks' edge".to_owned())
+}
+
+/// What outlines are measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Units {
+    /// Millimetres.
+    Mm,
+    /// Canvas px.
+    Px,
+}
+
+/// `mm` or `px`.
+pub(super) fn unit(text: &str) -> Result<Units, String> {
+    match text {
+        "mm" => Ok(Units::Mm),
+        "px" => Ok(Units::Px),
+        _ => Err("allowed: mm, px".to_owned()),
+    }
+}
+
+/// A way to draw outlines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StylePart {
+    /// Filled areas.
+    Fill,
+    /// Strokes along them.
+    Stroke,
+    /// Parallel strokes.
+    Hatch {
+        /// Their distance, in the unit of the outlines.
+        spacing: f64,
+        /// Their direction, degrees.
+        angle: f64,
+    },
+}
+
+/// `fill`, `stroke`, `hatch:SPACING` or `hatch:SPACING:ANGLE`.
+pub(super) fn style(text: &str) -> Result<StylePart, String> {
+    let mut parts = text.split(':');
+    let words = [parts.next(), parts.next(), parts.next(), parts.next()];
+    match words {
+        [Some("fill"), None, ..] => Ok(StylePart::Fill),
+        [Some("stroke"), None, ..] => Ok(StylePart::Stroke),
+        [Some("hatch"), Some(spacing), degrees, None] => Ok(StylePart::Hatch {
+            spacing: positive(spacing).map_err(|allowed| format!("spacing {spacing:?}: {allowed}"))?,
+            angle: degrees
+                .map_or(Ok(45.0), angle)
+                .map_err(|allowed| format!("angle {:?}: {allowed}", degrees.unwrap_or_default()))?,
+        }),
+        _ => {
+            Err("allowed: fill, stroke, hatch:SPACING, hatch:SPACING:ANGLE, such as hatch:1.5:45".to_owned())
+        }
+    }
+}
+
+/// `closed` or `cut`.
+pub(super) fn ends(text: &str) -> Result<Ends, String> {
+    match text {
+        "closed" => Ok(Ends::Closed),
+        "cut" => Ok(Ends::Cut),
+        _ => Err("allowed: closed, cut".to_owned()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -111,6 +186,21 @@ mod tests {
         assert!(aspect("1.01").is_err());
         assert!(angle("nan").is_err() && angle("inf").is_err());
         assert_eq!(angle("-30"), Ok(-30.0));
+    }
+
+    #[test]
+    fn a_style_is_a_word_or_a_hatch_with_numbers() {
+        assert_eq!(style("fill"), Ok(StylePart::Fill));
+        assert_eq!(style("hatch:1.5"), Ok(StylePart::Hatch { spacing: 1.5, angle: 45.0 }));
+        assert_eq!(style("hatch:2:-30"), Ok(StylePart::Hatch { spacing: 2.0, angle: -30.0 }));
+        for wrong in
+            ["", "hatch", "hatch:", "hatch:0", "hatch:-1", "hatch:nan", "hatch:1:x", "hatch:1:2:3", "fill:1"]
+        {
+            assert!(style(wrong).unwrap_err().contains("allowed"), "{wrong}");
+        }
+        for wrong in ["0", "1", "-1", "nan", "x"] {
+            assert!(level(wrong).is_err(), "{wrong}");
+        }
     }
 
     #[test]

@@ -4,11 +4,14 @@
 //! renames at the end, so that neither an error nor a cancelled run leaves half a picture, nor harms the one
 //! that was there before.
 
+pub mod outline;
 pub mod png;
 mod save;
 mod shrink;
 
-pub use save::{ExportError, FORMATS, Prepared, check_file, check_target, prepare, save};
+pub use save::{
+    ExportError, FORMATS, Prepared, check_ending, check_file, check_target, has_ending, prepare, save,
+};
 pub use shrink::shrink;
 
 /// Why a writer stopped before its end.

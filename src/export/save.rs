@@ -20,11 +20,13 @@ pub enum ExportError {
         "cannot write '{}': its name {}; allowed: .{}",
         path.display(),
         ending(path),
-        FORMATS.join(", .")
+        allowed.join(", .")
     )]
     UnknownFormat {
         /// What was asked for.
         path: PathBuf,
+        /// The endings that would do.
+        allowed: Vec<&'static str>,
     },
     /// A folder has the name already.
     #[error("cannot write '{}': it is a folder; name a file in it, such as '{}'", path.display(), path.join("picture.png").display())]
@@ -85,7 +87,7 @@ pub enum ExportError {
 fn ending(path: &Path) -> String {
     match path.extension() {
         Some(ending) => {
-            format!("ends in .{}, which is no picture format that dapple writes", ending.display())
+            format!("ends in .{}, which is no format that dapple writes here", ending.display())
         }
         None => "has no ending that says in which format".to_owned(),
     }
@@ -97,14 +99,27 @@ fn ending(path: &Path) -> String {
 /// # Errors
 /// What is wrong with the path, and the remedy.
 pub fn check_target(path: &Path) -> Result<(), ExportError> {
+    check_ending(path, &FORMATS)
+}
+
+/// The same for a file that may have one of the endings `allowed`.
+///
+/// # Errors
+/// What is wrong with the path, and the remedy.
+pub fn check_ending(path: &Path, allowed: &[&'static str]) -> Result<(), ExportError> {
     if path.is_dir() {
         return Err(ExportError::IsFolder { path: path.to_owned() });
     }
-    let known = |ending: &str| FORMATS.iter().any(|format| format.eq_ignore_ascii_case(ending));
-    if !path.extension().and_then(|ending| ending.to_str()).is_some_and(known) {
-        return Err(ExportError::UnknownFormat { path: path.to_owned() });
+    if !allowed.iter().any(|ending| has_ending(path, ending)) {
+        return Err(ExportError::UnknownFormat { path: path.to_owned(), allowed: allowed.to_vec() });
     }
     check_file(path)
+}
+
+/// Whether a name ends in `.ending`, in upper or lower case.
+#[must_use]
+pub fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
 }
 
 /// The same for a file that is no picture: the folder, and what has the name already.

@@ -6,6 +6,7 @@
 mod hull;
 mod outline;
 mod path;
+pub mod svg;
 
 use crate::marks::{Ellipse, Mark, fit};
 use hull::Hull;
@@ -36,6 +37,14 @@ pub fn recognise(points: &[[f64; 2]], width: f64) -> Option<Mark> {
         return hull.ellipse().map(Mark::Ellipse);
     }
     fit::line(&path.points, width).map(Mark::Line)
+}
+
+/// The ellipse that a closed outline (px) stands for, all of it and however it is drawn; a rectangle becomes the one with
+/// its second moments. `None` where it encloses nothing or a coordinate is not a finite number.
+#[must_use]
+pub fn enclosed(points: &[[f64; 2]]) -> Option<Ellipse> {
+    let hull = Hull::of(points)?;
+    ellipse(&Path::of(points, hull.diameter()).points)
 }
 
 /// The ellipse of an outline: the direct least squares one, or, where that has gone astray, the one with the

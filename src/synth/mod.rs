@@ -13,6 +13,7 @@ pub mod keep;
 mod ladder;
 mod lattice;
 pub mod memory;
+pub mod outlining;
 pub mod painting;
 mod patch;
 pub mod pattern;

@@ -9,7 +9,7 @@ use super::grow::{Grown, GrownLayer};
 use super::inside::is_replaced;
 use super::pattern::Pattern;
 use super::plan::Plan;
-use super::recipe::{Colours, Document};
+use super::recipe::{Colours, Document, Layer};
 use super::watch::{Stage, Watch};
 use crate::colour::{Gradient, Painted, Table, paint_rows, painter};
 use crate::export::png::{self, Header, Samples};
@@ -54,10 +54,8 @@ impl<'a> Painting<'a> {
     }
 
     fn with(document: &Document, size: [usize; 2], layers: Vec<Pattern<'a>>) -> Self {
-        let tables = document.layers.iter().enumerate().map(|(index, layer)| {
-            let gradient = layer.colours.as_ref().map(Colours::gradient);
-            gradient.unwrap_or_else(|| Gradient::default_for_layer(index)).table()
-        });
+        let tables =
+            document.layers.iter().enumerate().map(|(index, layer)| gradient_of(layer, index).table());
         Self {
             size,
             tables: tables.collect(),
@@ -160,6 +158,12 @@ pub struct Look<'a> {
     pub plan: &'a Plan,
     /// How far it is.
     pub engine: &'a Engine,
+}
+
+/// The colours of the layer with this index: its own, or the default set.
+pub(super) fn gradient_of(layer: &Layer, index: usize) -> Gradient {
+    let own = layer.colours.as_ref().map(Colours::gradient);
+    own.unwrap_or_else(|| Gradient::default_for_layer(index))
 }
 
 /// Some rows of the pictures: the pattern of each layer there.

@@ -40,6 +40,7 @@ const ADDRESSES: [(&str, &[&str]); 19] = [
     ("serde_path_to_error", &["data-gen/"]),
     ("spade", &["src/attributes/spacing.rs"]),
     ("tempfile", &["src/export/"]),
+    ("usvg", &["src/sketch/svg.rs"]),
 ];
 /// Packages that are as common as the language.
 const EVERYWHERE: [&str; 6] = ["libm", "rand", "rand_pcg", "rayon", "serde", "thiserror"];

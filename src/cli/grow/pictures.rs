@@ -1,6 +1,7 @@
 //! The pictures of a growth: the texture, the pattern, the labels.
 
 use super::Args;
+use super::outlines::holds_outlines;
 use crate::cli::Error;
 use crate::export::Prepared;
 use crate::synth::painting::{Channel, Painting};
@@ -18,7 +19,7 @@ pub fn prepare(
     let dpi = document.dpi * f64::from(args.scale);
     let only = args.layer.map(|layer| layer as usize - 1);
     let pictures = [
-        (Some(&args.output), Channel::Texture),
+        (args.output.as_ref().filter(|path| !holds_outlines(path)), Channel::Texture),
         (args.pattern.as_ref(), Channel::Pattern(only)),
         (args.labels.as_ref(), Channel::Labels),
     ];

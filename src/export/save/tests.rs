@@ -86,7 +86,7 @@ fn only_known_endings_are_taken() {
     let told = |path: &str| check_target(Path::new(path)).map_err(|error| error.to_string());
     assert_eq!(told("a.png"), Ok(()));
     assert_eq!(told("A.PNG"), Ok(()));
-    let jpg = "cannot write 'a.jpg': its name ends in .jpg, which is no picture format that dapple writes; allowed: .png";
+    let jpg = "cannot write 'a.jpg': its name ends in .jpg, which is no format that dapple writes here; allowed: .png";
     assert_eq!(told("a.jpg"), Err(jpg.to_owned()));
     let none = "cannot write 'png': its name has no ending that says in which format; allowed: .png";
     assert_eq!(told("png"), Err(none.to_owned()));

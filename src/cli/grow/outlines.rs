@@ -1,0 +1,230 @@
+//! The outlines of a growth: SVG and DXF.
+
+use super::Args;
+use crate::cli::{Error, values};
+use crate::export::outline::svg::{self, Sheet, Unit};
+use crate::export::outline::{Ends, FORMATS, Hatch, Smallest, Style, Travel, dxf};
+use crate::export::{self, Prepared, Stopped, has_ending};
+use crate::synth::outlining::{Outlining, outlines};
+use crate::synth::recipe::Document;
+use crate::synth::{Grown, Watch};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Hatching finer than this many px would be a filled area.
+const FINEST: f64 = 0.1;
+
+/// What is wanted of outlines.
+#[derive(clap::Args, Debug, Default)]
+#[command(next_help_heading = "Outlines (-o OUT.svg, -o OUT.dxf, --svg, --dxf)")]
+pub struct OutlineArgs {
+    /// Also write the outlines of the marks as SVG, a group a layer
+    #[arg(long, value_name = "OUT.svg")]
+    pub svg: Option<PathBuf>,
+    /// Also write the outlines of the marks as DXF (release 12), a layer a layer
+    #[arg(long, value_name = "OUT.dxf")]
+    pub dxf: Option<PathBuf>,
+    /// The pattern value that outlines follow, above 0, below 1 [default: 0.5, the marks' edges]
+    #[arg(long, value_name = "P", value_parser = values::level)]
+    pub level: Option<f64>,
+    /// What lengths are written in and given in here: mm (by the document's dpi) or px [default: mm]
+    #[arg(long, value_name = "mm|px", value_parser = values::unit)]
+    pub units: Option<values::Units>,
+    /// fill, stroke, hatch:SPACING or hatch:SPACING:ANGLE (degrees); several with commas [default: fill]
+    #[arg(long, value_name = "STYLE", value_delimiter = ',', value_parser = values::style)]
+    pub style: Vec<values::StylePart>,
+    /// Width of the strokes [default: 0.3 mm or 1 px]
+    #[arg(long, value_name = "WIDTH", value_parser = values::positive)]
+    pub pen: Option<f64>,
+    /// Leave out islands and holes that are narrower
+    #[arg(long, value_name = "WIDTH", value_parser = values::positive)]
+    pub min_feature: Option<f64>,
+    /// Leave out islands and holes of a smaller area (mm² or px²)
+    #[arg(long, value_name = "AREA", value_parser = values::positive)]
+    pub min_area: Option<f64>,
+    /// Strokes of marks at the canvas' edge: closed along it, or cut there [default: closed]
+    #[arg(long, value_name = "closed|cut", value_parser = values::ends)]
+    pub edges: Option<Ends>,
+    /// Draw paths as they are found instead of looking for a short way
+    #[arg(long)]
+    pub no_order: bool,
+}
+
+impl OutlineArgs {
+    /// The first option that says how outlines are drawn.
+    fn given(&self) -> Option<&'static str> {
+        let given = [
+            ("--level", self.level.is_some()),
+            ("--units", self.units.is_some()),
+            ("--style", !self.style.is_empty()),
+            ("--pen", self.pen.is_some()),
+            ("--min-feature", self.min_feature.is_some()),
+            ("--min-area", self.min_area.is_some()),
+            ("--edges", self.edges.is_some()),
+            ("--no-order", self.no_order),
+        ];
+        given.into_iter().find_map(|(name, given)| given.then_some(name))
+    }
+
+    fn style(&self, a_unit: f64) -> Style {
+        let mut style = Style {
+            fill: self.style.is_empty(),
+            ends: self.edges.unwrap_or_default(),
+            ordered: !self.no_order,
+            ..Style::default()
+        };
+        for part in &self.style {
+            match *part {
+                values::StylePart::Fill => style.fill = true,
+                values::StylePart::Stroke => style.stroke = true,
+                values::StylePart::Hatch { spacing, angle } => {
+                    style.hatch = Some(Hatch { spacing: spacing * a_unit, angle });
+                }
+            }
+        }
+        style
+    }
+
+    fn unit(&self, dpi: f64) -> Unit {
+        match self.units {
+            Some(values::Units::Px) => Unit::Px,
+            Some(values::Units::Mm) | None => Unit::Mm { dpi },
+        }
+    }
+}
+
+/// Whether a file is to hold outlines rather than a picture.
+pub fn holds_outlines(path: &Path) -> bool {
+    FORMATS.iter().any(|ending| has_ending(path, ending))
+}
+
+/// The files of outlines that are asked for.
+fn files(args: &Args) -> Vec<&Path> {
+    let output = args.output.as_ref().filter(|path| holds_outlines(path));
+    output.into_iter().chain(&args.outlines.svg).chain(&args.outlines.dxf).map(PathBuf::as_path).collect()
+}
+
+/// Whether there are any.
+pub fn asked(args: &Args) -> bool {
+    !files(args).is_empty()
+}
+
+/// Refuses what contradicts itself before anything grows.
+pub fn check(args: &Args, document: &Document) -> Result<(), Error> {
+    let OutlineArgs { svg, dxf, edges, .. } = &args.outlines;
+    for (path, ending) in [(svg, "svg"), (dxf, "dxf")] {
+        if let Some(path) = path {
+            export::check_ending(path, &[ending]).map_err(Error::step)?;
+        }
+    }
+    if !asked(args) {
+        return match args.outlines.given() {
+            Some(option) => Err(Error::Usage(format!(
+                "{option}: found without outlines; allowed: with --svg, --dxf or -o OUT.svg"
+            ))),
+            None => Ok(()),
+        };
+    }
+    let scale = f64::from(args.scale);
+    let unit = args.outlines.unit(document.dpi * scale);
+    let style = args.outlines.style(1.0 / unit.a_px());
+    if style.fill && *edges == Some(Ends::Cut) {
+        let allowed = "allowed: --edges cut with --style stroke or hatch:SPACING";
+        return Err(Error::Usage(format!("--edges: found cut with areas, which must be closed; {allowed}")));
+    }
+    match style.hatch {
+        Some(hatch) if hatch.spacing < FINEST => {
+            let (least, name) = (FINEST * unit.a_px(), unit.name());
+            Err(Error::Usage(format!(
+                "--style: found a hatch spacing of {:.3} {name}; allowed: at least {least:.3} {name}, {FINEST} px of {}",
+                hatch.spacing * unit.a_px(),
+                args.file.display()
+            )))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// What was drawn, for people and for machines.
+pub struct Drawn {
+    unit: Unit,
+    travel: Travel,
+}
+
+impl Drawn {
+    /// Such as `412 paths; the pen draws 3.1 m and travels 0.42 m in the air (2.9 m in the order found)`.
+    pub fn told(&self) -> String {
+        let length = |px: f64| match self.unit {
+            Unit::Px => format!("{:.0} px", px),
+            Unit::Mm { .. } => format!("{:.2} m", px * self.unit.a_px() / 1000.0),
+        };
+        let Travel { paths, down, up, up_unordered } = self.travel;
+        format!(
+            "{paths} paths; the pen draws {} and travels {} in the air ({} in the order found)",
+            length(down),
+            length(up),
+            length(up_unordered)
+        )
+    }
+
+    /// For the report.
+    pub fn json(&self) -> Value {
+        let length = |px: f64| json!(px * self.unit.a_px());
+        let Travel { paths, down, up, up_unordered } = self.travel;
+        json!({
+            "paths": paths,
+            "unit": self.unit.name(),
+            "pen_down": length(down),
+            "pen_up": length(up),
+            "pen_up_unordered": length(up_unordered),
+        })
+    }
+}
+
+/// Writes the outlines that were asked for, which do not have their names yet.
+pub fn prepare(
+    args: &Args,
+    document: &Document,
+    grown: &Grown,
+    watch: &Watch,
+) -> Result<Option<(Vec<Prepared>, Drawn)>, Error> {
+    let files = files(args);
+    let Some(first) = files.first() else { return Ok(None) };
+    let size = grown.size.map(|side| side as usize * args.scale as usize);
+    let unit = args.outlines.unit(document.dpi * f64::from(args.scale));
+    let a_unit = 1.0 / unit.a_px();
+    let wanted = Outlining {
+        size,
+        level: args.outlines.level.unwrap_or(0.5),
+        only: args.layer.map(|layer| layer as usize - 1),
+        smallest: Smallest {
+            width: args.outlines.min_feature.unwrap_or(0.0) * a_unit,
+            area: args.outlines.min_area.unwrap_or(0.0) * a_unit * a_unit,
+        },
+        style: args.outlines.style(a_unit),
+    };
+    let stopped = |stopped| match stopped {
+        Stopped::Cancelled => Error::Interrupted,
+        Stopped::Io(source) => Error::File { file: first.display().to_string(), done: "written", source },
+    };
+    let (groups, travel) = outlines(document, grown, &wanted, watch).map_err(stopped)?;
+    let size = size.map(|side| side as f64);
+    let sheet = Sheet {
+        title: document.name.clone(),
+        size,
+        unit,
+        stroke_width: args.outlines.pen.unwrap_or(unit.stroke()),
+    };
+    let write = |path: &&Path| {
+        export::prepare(path, |out| {
+            if has_ending(path, "dxf") {
+                dxf::write(out, size, unit, &groups)?;
+            } else {
+                svg::write(out, &sheet, &groups)?;
+            }
+            Ok(())
+        })
+    };
+    let prepared = files.iter().map(write).collect::<Result<_, _>>().map_err(Error::exported)?;
+    Ok(Some((prepared, Drawn { unit, travel })))
+}

@@ -1,0 +1,131 @@
+//! Outlines → DXF, release 12 (AC1009): the one that every cutter's program reads.
+//!
+//! Release 12 has no place for a unit; a comment says it. Beziers become polylines. y runs up in a DXF, so the drawing stands on its head to stand upright.
+
+use super::Group;
+use super::path::Path;
+use super::svg::Unit;
+use std::collections::BTreeSet;
+use std::io::{self, Write};
+
+/// Farthest that a polyline lies from its curve, in the file's unit: 0.01 mm, or a hundredth of a px.
+const TOLERANCE: f64 = 0.01;
+/// The colours by number that readers agree on: red, yellow, green, cyan, blue, magenta, and 7 for black or white.
+const COLOURS: [u8; 7] = [7, 1, 5, 3, 6, 4, 2];
+/// Longest name of a layer in release 12.
+const LONGEST: usize = 31;
+
+/// Writes the outlines of areas and the strokes of `groups`, on a canvas of `size` px.
+///
+/// # Errors
+/// Where `out` cannot be written.
+pub fn write(out: &mut impl Write, size: [f64; 2], unit: Unit, groups: &[Group]) -> io::Result<()> {
+    let scale = unit.a_px();
+    let [width, height] = size.map(|side| side * scale);
+    let names = names(groups);
+    header(out, [width, height], unit)?;
+    tables(out, &names)?;
+    pair(out, 0, "SECTION")?;
+    pair(out, 2, "ENTITIES")?;
+    for (group, name) in groups.iter().zip(&names) {
+        let rings = group.areas.iter().flat_map(super::Shape::paths);
+        for path in rings.chain(&group.strokes) {
+            polyline(out, name, path, scale, height)?;
+        }
+    }
+    pair(out, 0, "ENDSEC")?;
+    pair(out, 0, "EOF")
+}
+
+fn pair(out: &mut impl Write, code: u16, value: impl std::fmt::Display) -> io::Result<()> {
+    write!(out, "{code:>3}\r\n{value}\r\n")
+}
+
+fn point(out: &mut impl Write, [x, y]: [f64; 2]) -> io::Result<()> {
+    for (code, value) in [(10, x), (20, y), (30, 0.0)] {
+        pair(out, code, format_args!("{value:.4}"))?;
+    }
+    Ok(())
+}
+
+fn header(out: &mut impl Write, extent: [f64; 2], unit: Unit) -> io::Result<()> {
+    pair(out, 999, format_args!("dapple; lengths in {}", unit.name()))?;
+    pair(out, 0, "SECTION")?;
+    pair(out, 2, "HEADER")?;
+    pair(out, 9, "$ACADVER")?;
+    pair(out, 1, "AC1009")?;
+    for (name, at) in [("$EXTMIN", [0.0, 0.0]), ("$EXTMAX", extent)] {
+        pair(out, 9, name)?;
+        point(out, at)?;
+    }
+    pair(out, 0, "ENDSEC")
+}
+
+fn tables(out: &mut impl Write, names: &[String]) -> io::Result<()> {
+    pair(out, 0, "SECTION")?;
+    pair(out, 2, "TABLES")?;
+    pair(out, 0, "TABLE")?;
+    pair(out, 2, "LTYPE")?;
+    pair(out, 70, 1)?;
+    pair(out, 0, "LTYPE")?;
+    pair(out, 2, "CONTINUOUS")?;
+    pair(out, 70, 0)?;
+    pair(out, 3, "Solid line")?;
+    pair(out, 72, 65)?;
+    pair(out, 73, 0)?;
+    pair(out, 40, "0.0")?;
+    pair(out, 0, "ENDTAB")?;
+    pair(out, 0, "TABLE")?;
+    pair(out, 2, "LAYER")?;
+    pair(out, 70, names.len())?;
+    for (index, name) in names.iter().enumerate() {
+        pair(out, 0, "LAYER")?;
+        pair(out, 2, name)?;
+        pair(out, 70, 0)?;
+        pair(out, 62, COLOURS[index % COLOURS.len()])?;
+        pair(out, 6, "CONTINUOUS")?;
+    }
+    pair(out, 0, "ENDTAB")?;
+    pair(out, 0, "ENDSEC")
+}
+
+fn polyline(out: &mut impl Write, layer: &str, path: &Path, scale: f64, height: f64) -> io::Result<()> {
+    let mut points = path.flat(TOLERANCE / scale);
+    if path.closed {
+        points.pop();
+    }
+    pair(out, 0, "POLYLINE")?;
+    pair(out, 8, layer)?;
+    pair(out, 66, 1)?;
+    point(out, [0.0, 0.0])?;
+    pair(out, 70, u8::from(path.closed))?;
+    for [x, y] in points {
+        pair(out, 0, "VERTEX")?;
+        pair(out, 8, layer)?;
+        point(out, [x * scale, height - y * scale])?;
+    }
+    pair(out, 0, "SEQEND")?;
+    pair(out, 8, layer)
+}
+
+/// The layers' names as release 12 has them: letters, digits, `$`, `-`, `_`, at most 31, none twice.
+fn names(groups: &[Group]) -> Vec<String> {
+    let mut taken = BTreeSet::new();
+    let name = |(index, group): (usize, &Group)| {
+        let plain = |c: char| if c.is_ascii_alphanumeric() || c == '-' || c == '$' { c } else { '_' };
+        let mut name: String = group.name.trim().chars().map(plain).take(LONGEST).collect();
+        if name.chars().all(|c| c == '_') {
+            name = format!("layer_{}", index + 1);
+        }
+        let first = name.clone();
+        let mut next = 2;
+        // Upper and lower case are one in a DXF.
+        while !taken.insert(name.to_uppercase()) {
+            let end = format!("_{next}");
+            name = format!("{}{end}", first.chars().take(LONGEST - end.len()).collect::<String>());
+            next += 1;
+        }
+        name
+    };
+    groups.iter().enumerate().map(name).collect()
+}

@@ -1,0 +1,282 @@
+//! An SVG → marks: ellipses and lines as a hand would have drawn them.
+//!
+//! Shapes are taken as they are seen: transforms applied, in px of the canvas. What is closed becomes the ellipse that
+//! a pen's closed stroke would become, what is open the line (or, where it all but closes, the ellipse).
+
+use std::collections::BTreeMap;
+
+use usvg::roxmltree::{self, Node as Element};
+use usvg::tiny_skia_path::{PathSegment, Point, Transform};
+use usvg::{ImageHrefResolver, Node, Options, Tree};
+
+use super::{enclosed, recognise};
+use crate::marks::{Mark, fit};
+
+/// Namespace of the labels that Inkscape gives layers.
+const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
+/// px an inch of an SVG.
+pub const DPI: f64 = 96.0;
+/// Points along a curved segment.
+const FINENESS: u16 = 32;
+/// Marks that an SVG may hold, at most; a sketch has dozens.
+const MOST: usize = 100_000;
+
+/// What was read from an SVG.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Drawing {
+    /// Width and height, px.
+    pub size: [f64; 2],
+    /// Its top-level groups, and first, under an empty name, what is in none.
+    pub groups: Vec<Group>,
+    /// What could not be read: its kind, and how many.
+    pub unread: BTreeMap<&'static str, usize>,
+}
+
+/// Marks that belong together.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Group {
+    /// The group's label or id.
+    pub name: String,
+    /// What is in it.
+    pub marks: Vec<Mark>,
+}
+
+/// Why an SVG could not be read at all.
+#[derive(Debug, thiserror::Error)]
+pub enum SvgError {
+    /// Not XML, or cut short.
+    #[error("is no SVG: {0}; allowed: a plain SVG file, such as drawing programs save")]
+    NotXml(roxmltree::Error),
+    /// Something else than text.
+    #[error("is no SVG: it is not UTF-8 text; allowed: a plain (not compressed) SVG file in UTF-8")]
+    NotText,
+    /// Sound XML, no sound SVG.
+    #[error("cannot be read as SVG: {0}; open it in a drawing program and save it as plain SVG")]
+    NotSvg(usvg::Error),
+    /// Groups in groups in groups.
+    #[error("has groups nested {found} deep; allowed: {DEEPEST}; ungroup it in a drawing program")]
+    TooDeep {
+        /// How deep.
+        found: usize,
+    },
+    /// No sketch.
+    #[error("holds more than {MOST} shapes; allowed: a sketch of at most so many")]
+    TooMany,
+}
+
+/// Elements in elements, at most: reading them takes stack.
+const DEEPEST: usize = 200;
+
+/// Reads an SVG, with `dpi` px an inch.
+///
+/// # Errors
+/// Where it is none, or no sketch.
+pub fn read(bytes: &[u8], dpi: f64) -> Result<Drawing, SvgError> {
+    let text = std::str::from_utf8(bytes).map_err(|_| SvgError::NotText)?;
+    depth(text)?;
+    let options = roxmltree::ParsingOptions { allow_dtd: true, ..roxmltree::ParsingOptions::default() };
+    let xml = roxmltree::Document::parse_with_options(text, options).map_err(SvgError::NotXml)?;
+    // No picture is fetched from anywhere.
+    let none =
+        ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
+    let options = Options { image_href_resolver: none, dpi: DPI as f32, ..Options::default() };
+    let tree = Tree::from_xmltree(&xml, &options).map_err(SvgError::NotSvg)?;
+    let scale = dpi / DPI;
+    let size = [tree.size().width(), tree.size().height()].map(|side| f64::from(side) * scale);
+    let mut reader = Reader { scale, labels: labels(&xml), drawing: Drawing { size, ..Drawing::default() } };
+    reader.count_unread(&xml);
+    reader.top(tree.root())?;
+    reader.drawing.groups.retain(|group| !group.marks.is_empty());
+    Ok(reader.drawing)
+}
+
+/// Refuses what is nested too deep, before anything walks down into it.
+fn depth(text: &str) -> Result<(), SvgError> {
+    let (mut depth, mut deepest) = (0_usize, 0);
+    for tag in text.split('<').skip(1) {
+        let tag = tag.split('>').next().unwrap_or_default();
+        if tag.starts_with('/') {
+            depth = depth.saturating_sub(1);
+        } else if !tag.ends_with('/') && !tag.starts_with(['!', '?']) {
+            depth += 1;
+            deepest = deepest.max(depth);
+        }
+    }
+    if deepest > DEEPEST { Err(SvgError::TooDeep { found: deepest }) } else { Ok(()) }
+}
+
+/// What groups are called, by id.
+fn labels(xml: &roxmltree::Document) -> BTreeMap<String, String> {
+    let groups = xml.descendants().filter(|element| element.tag_name().name() == "g");
+    groups
+        .filter_map(|group| {
+            Some((group.attribute("id")?.to_owned(), group.attribute((INKSCAPE, "label"))?.to_owned()))
+        })
+        .collect()
+}
+
+struct Reader {
+    scale: f64,
+    labels: BTreeMap<String, String>,
+    drawing: Drawing,
+}
+
+impl Reader {
+    fn unread(&mut self, kind: &'static str) {
+        *self.drawing.unread.entry(kind).or_default() += 1;
+    }
+
+    /// Kinds that leave no path.
+    fn count_unread(&mut self, xml: &roxmltree::Document) {
+        let hidden = ["defs", "symbol", "clipPath", "mask", "pattern", "marker"];
+        let shown =
+            |element: &Element| !element.ancestors().any(|above| hidden.contains(&above.tag_name().name()));
+        for element in xml.descendants().filter(shown) {
+            match element.tag_name().name() {
+                "text" => self.unread("text"),
+                "image" => self.unread("image"),
+                "foreignObject" => self.unread("foreign object"),
+                _ => {}
+            }
+        }
+    }
+
+    /// Groups at the top; a lone nameless one around everything is passed through.
+    fn top(&mut self, mut root: &usvg::Group) -> Result<(), SvgError> {
+        while let [Node::Group(only)] = root.children()
+            && only.id().is_empty()
+        {
+            root = only;
+        }
+        self.drawing.groups.push(Group::default());
+        let mut nameless = 0;
+        for node in root.children() {
+            // A shape that is turned or shifted comes in a nameless group of its own.
+            let group = match node {
+                Node::Group(group) if !group.id().is_empty() || group.children().len() > 1 => group,
+                node => {
+                    self.node(node, 0)?;
+                    continue;
+                }
+            };
+            let label = self.labels.get(group.id()).filter(|label| !label.trim().is_empty());
+            let mut name = label.cloned().unwrap_or_else(|| group.id().to_owned());
+            if name.is_empty() {
+                nameless += 1;
+                name = format!("group {nameless}");
+            }
+            self.drawing.groups.push(Group { name, marks: Vec::new() });
+            let at = self.drawing.groups.len() - 1;
+            for node in group.children() {
+                self.node(node, at)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn node(&mut self, node: &Node, at: usize) -> Result<(), SvgError> {
+        match node {
+            Node::Group(group) => group.children().iter().try_for_each(|node| self.node(node, at))?,
+            Node::Path(path) if path.is_visible() => self.path(path, at),
+            Node::Path(_) => self.unread("hidden path"),
+            // Counted as elements.
+            Node::Image(_) | Node::Text(_) => {}
+        }
+        let marks: usize = self.drawing.groups.iter().map(|group| group.marks.len()).sum();
+        if marks > MOST { Err(SvgError::TooMany) } else { Ok(()) }
+    }
+
+    fn path(&mut self, path: &usvg::Path, at: usize) {
+        let transform = path.abs_transform();
+        let area = f64::from(transform.sx * transform.sy - transform.kx * transform.ky).abs();
+        let stroke = path.stroke().map(|stroke| f64::from(stroke.width().get()) * area.sqrt() * self.scale);
+        let strokes = strokes(path.data(), transform, self.scale);
+        for (index, drawn) in strokes.iter().enumerate() {
+            let closed = drawn.closed || (path.fill().is_some() && stroke.is_none());
+            let within = |other: &Drawn| other.closed && encloses(&other.points, drawn.points[0]);
+            let around = strokes.iter().enumerate().filter(|(i, other)| *i != index && within(other)).count();
+            if path.fill().is_some() && closed && around % 2 == 1 {
+                self.unread("hole");
+                continue;
+            }
+            let width = stroke.unwrap_or(0.0);
+            let mark = if closed {
+                let line = || fit::line(&drawn.points, width).filter(|_| stroke.is_some()).map(Mark::Line);
+                enclosed(&drawn.points).map(Mark::Ellipse).or_else(line)
+            } else {
+                recognise(&drawn.points, width)
+            };
+            match mark {
+                Some(mark) => self.drawing.groups[at].marks.push(mark),
+                None => self.unread("path without extent"),
+            }
+        }
+    }
+}
+
+/// A stroke of a path, px of the canvas.
+struct Drawn {
+    points: Vec<[f64; 2]>,
+    closed: bool,
+}
+
+fn strokes(path: &usvg::tiny_skia_path::Path, transform: Transform, scale: f64) -> Vec<Drawn> {
+    let place = |point: Point| {
+        let mut point = point;
+        transform.map_point(&mut point);
+        [f64::from(point.x) * scale, f64::from(point.y) * scale]
+    };
+    let mut strokes: Vec<Drawn> = Vec::new();
+    for segment in path.segments() {
+        if let PathSegment::MoveTo(point) = segment {
+            strokes.push(Drawn { points: vec![place(point)], closed: false });
+            continue;
+        }
+        let Some(stroke) = strokes.last_mut() else { continue };
+        let from = *stroke.points.last().unwrap_or(&[0.0; 2]);
+        match segment {
+            PathSegment::LineTo(point) => stroke.points.push(place(point)),
+            // A parabola is the cubic with handles two thirds of the way to its own.
+            PathSegment::QuadTo(a, end) => {
+                let (a, end) = (place(a), place(end));
+                let near = |p: [f64; 2]| [0, 1].map(|axis| p[axis] + 2.0 / 3.0 * (a[axis] - p[axis]));
+                curve([from, near(from), near(end), end], &mut stroke.points);
+            }
+            PathSegment::CubicTo(a, b, end) => {
+                curve([from, place(a), place(b), place(end)], &mut stroke.points);
+            }
+            PathSegment::Close => stroke.closed = true,
+            PathSegment::MoveTo(_) => {}
+        }
+    }
+    strokes.retain(|stroke| stroke.points.len() > 1 && stroke.points.iter().flatten().all(|c| c.is_finite()));
+    for stroke in &mut strokes {
+        let (first, last) = (stroke.points[0], stroke.points[stroke.points.len() - 1]);
+        if stroke.closed && first != last {
+            stroke.points.push(first);
+        }
+        stroke.closed |= stroke.points.len() > 3 && first == last;
+    }
+    strokes
+}
+
+fn curve([p0, p1, p2, p3]: [[f64; 2]; 4], points: &mut Vec<[f64; 2]>) {
+    for i in 1..=FINENESS {
+        let t = f64::from(i) / f64::from(FINENESS);
+        let s = 1.0 - t;
+        let [a, b, c, d] = [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t];
+        points.push([0, 1].map(|axis| a * p0[axis] + b * p1[axis] + c * p2[axis] + d * p3[axis]));
+    }
+}
+
+/// Whether a point lies in a polygon, by how often a line from it to the right crosses the sides.
+fn encloses(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let crosses = |pair: &&[[f64; 2]]| {
+        let [a, b] = [pair[0], pair[1]];
+        (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+    };
+    polygon.windows(2).filter(crosses).count() % 2 == 1
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,147 @@
+//! SVGs as texts.
+
+use super::*;
+use crate::marks::{Ellipse, Line};
+use proptest::prelude::*;
+
+fn read_marks(body: &str) -> Vec<Mark> {
+    let drawing = read(svg(body).as_bytes(), DPI).unwrap();
+    drawing.groups.into_iter().flat_map(|group| group.marks).collect()
+}
+
+fn svg(body: &str) -> String {
+    format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="{INKSCAPE}" width="400" height="300">{body}</svg>"#
+    )
+}
+
+#[track_caller]
+fn is_ellipse(mark: &Mark, center: [f64; 2], [major, minor]: [f64; 2], angle: f64) {
+    let Mark::Ellipse(found) = mark else { panic!("{mark:?}") };
+    let near = |a: f64, b: f64| (a - b).abs() < 0.02 * major;
+    let radii = [found.radii[0].max(found.radii[1]), found.radii[0].min(found.radii[1])];
+    assert!(near(found.center[0], center[0]) && near(found.center[1], center[1]), "{found:?}");
+    assert!(near(radii[0], major) && near(radii[1], minor), "{found:?}");
+    let round = minor / major > 0.9;
+    assert!(round || crate::marks::turn(found.major_angle(), angle).abs() < 1.0, "{found:?}");
+}
+
+#[track_caller]
+fn is_line(mark: &Mark, from: [f64; 2], to: [f64; 2], width: f64) {
+    let Mark::Line(Line { from: a, to: b, width: w }) = *mark else { panic!("{mark:?}") };
+    for (found, wanted) in [(a[0], from[0]), (a[1], from[1]), (b[0], to[0]), (b[1], to[1]), (w, width)] {
+        assert!((found - wanted).abs() < 0.1, "{mark:?}");
+    }
+}
+
+#[test]
+fn circles_ellipses_and_lines_are_what_they_say() {
+    let marks = read_marks(
+        r#"<circle cx="50" cy="60" r="20"/>
+           <ellipse cx="200" cy="100" rx="30" ry="12" transform="rotate(30 200 100)"/>
+           <line x1="10" y1="20" x2="110" y2="80" stroke="black" stroke-width="7"/>"#,
+    );
+    assert_eq!(marks.len(), 3);
+    is_ellipse(&marks[0], [50.0, 60.0], [20.0, 20.0], 0.0);
+    is_ellipse(&marks[1], [200.0, 100.0], [30.0, 12.0], 30.0);
+    is_line(&marks[2], [10.0, 20.0], [110.0, 80.0], 7.0);
+}
+
+#[test]
+fn paths_rectangles_and_polygons_are_fitted_as_a_pen_s_strokes_are() {
+    let marks = read_marks(
+        r#"<rect x="100" y="100" width="60" height="24"/>
+           <path d="M20 20 Q 60 0 100 20" fill="none" stroke="black" stroke-width="3"/>
+           <path d="M200 200 a 20 10 0 1 0 40 0 a 20 10 0 1 0 -40 0 z" fill="none" stroke="red"/>
+           <polygon points="300,50 330,60 320,90 290,85"/>"#,
+    );
+    assert_eq!(marks.len(), 4);
+    // Of the least squared distances to its sides.
+    is_ellipse(&marks[0], [130.0, 112.0], [36.4, 13.5], 0.0);
+    assert!(matches!(marks[1], Mark::Line(Line { width, .. }) if (width - 3.0).abs() < 1e-6));
+    is_ellipse(&marks[2], [220.0, 200.0], [20.0, 10.0], 0.0);
+    assert!(matches!(marks[3], Mark::Ellipse(Ellipse { center: [x, _], .. }) if (290.0..330.0).contains(&x)));
+}
+
+#[test]
+fn groups_are_layers_by_label_or_id() {
+    let body = r##"<circle cx="9" cy="9" r="5"/>
+        <g id="layer1" inkscape:label="big spots"><circle cx="50" cy="50" r="20"/><g><circle cx="90" cy="50" r="20"/></g></g>
+        <g id="lines" transform="translate(100 0) scale(2)"><line x2="50" y2="50" stroke="#000" stroke-width="3"/></g>
+        <g id="empty"/>"##;
+    let drawing = read(svg(body).as_bytes(), DPI).unwrap();
+    let names: Vec<_> = drawing.groups.iter().map(|group| (group.name.as_str(), group.marks.len())).collect();
+    assert_eq!(names, [("", 1), ("big spots", 2), ("lines", 1)]);
+    is_line(&drawing.groups[2].marks[0], [100.0, 0.0], [200.0, 100.0], 6.0);
+}
+
+#[test]
+fn the_view_box_and_the_size_make_the_canvas() {
+    let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="254mm" height="127mm" viewBox="0 0 100 50"><circle cx="50" cy="25" r="5"/></svg>"#;
+    let drawing = read(text.as_bytes(), 300.0).unwrap();
+    assert!((drawing.size[0] - 3000.0).abs() < 0.1 && (drawing.size[1] - 1500.0).abs() < 0.1);
+    is_ellipse(&drawing.groups[0].marks[0], [1500.0, 750.0], [150.0, 150.0], 0.0);
+    let text = r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="10 20 100 50"><circle cx="60" cy="45" r="5"/></svg>"#;
+    let drawing = read(text.as_bytes(), DPI).unwrap();
+    assert_eq!(drawing.size, [100.0, 50.0]);
+    is_ellipse(&drawing.groups[0].marks[0], [50.0, 25.0], [5.0, 5.0], 0.0);
+}
+
+#[test]
+fn what_cannot_be_read_is_counted_by_kind() {
+    let body = r##"<text x="5" y="50">no</text><text>no</text><image href="x.png" width="5" height="5"/>
+        <path d="M10 10 h80 v80 h-80 z M30 30 h40 v40 h-40 z" fill-rule="evenodd"/>
+        <path d="M5 5 L5 5" stroke="#000"/><defs><text>unused</text></defs>"##;
+    let drawing = read(svg(body).as_bytes(), DPI).unwrap();
+    assert_eq!(drawing.groups[0].marks.len(), 1);
+    assert_eq!((drawing.unread["text"], drawing.unread["image"], drawing.unread["hole"]), (2, 1, 1));
+}
+
+#[test]
+fn what_is_no_svg_is_refused_with_a_reason() {
+    for (text, reason) in [
+        ("", "is no SVG"),
+        ("hello", "is no SVG"),
+        ("<svg", "is no SVG"),
+        ("<html></html>", "cannot be read as SVG"),
+        (r#"<svg xmlns="http://www.w3.org/2000/svg" width="-5" height="0"/>"#, "cannot be read as SVG"),
+    ] {
+        let error = read(text.as_bytes(), DPI).unwrap_err().to_string();
+        assert!(error.contains(reason), "{text}: {error}");
+    }
+    assert!(matches!(read(&[0xff, 0xfe, 0], DPI), Err(SvgError::NotText)));
+    let deep = svg(&format!("{}{}", "<g>".repeat(100_000), "</g>".repeat(100_000)));
+    assert!(matches!(read(deep.as_bytes(), DPI), Err(SvgError::TooDeep { .. })));
+}
+
+proptest! {
+    #[test]
+    fn a_drawn_ellipse_is_read_back(
+        (x, y) in (50.0..350.0, 50.0..250.0),
+        (major, aspect) in (5.0..60.0, 0.3..1.0),
+        angle in 0.0..180.0,
+    ) {
+        let body = format!(
+            r#"<ellipse cx="{x}" cy="{y}" rx="{major}" ry="{}" transform="rotate({angle} {x} {y})"/>"#,
+            major * aspect
+        );
+        is_ellipse(&read_marks(&body)[0], [x, y], [major, major * aspect], angle);
+    }
+
+    #[test]
+    fn garbage_never_panics(
+        pieces in prop::collection::vec(prop::sample::select(vec![
+            "<g>", "</g>", "<circle r='1e39'/>", "<path d='M0 0L1e38 1e38z'/>", "<path d='M'/>", "<line/>",
+            "<rect width='1' height='nan'/>", "<g transform='scale(0)'>", "<use href='#a'/>", "<g id='a'>",
+            "<path stroke='red' d='M1 1h1e-30'/>", "<svg>", "</svg>", "&amp;", "<!--", "<ellipse rx='3' ry='1'/>",
+            "<path d='M0 0a1 1 0 0 1 1e9 0' stroke='red' transform='matrix(1e20 0 0 1e20 0 0)'/>",
+        ]), 0..12),
+        bytes in prop::collection::vec(any::<u8>(), 0..40),
+    ) {
+        let _ = read(&bytes, DPI);
+        if let Ok(drawing) = read(svg(&pieces.concat()).as_bytes(), DPI) {
+            let marks = drawing.groups.iter().flat_map(|group| &group.marks);
+            prop_assert!(marks.into_iter().all(|mark| mark.center().iter().all(|c| c.is_finite())));
+        }
+    }
+}
