@@ -20,7 +20,7 @@ const DOORS: [&str; 2] = ["cli", "app"];
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-const ADDRESSES: [(&str, &[&str]); 19] = [
+const ADDRESSES: [(&str, &[&str]); 20] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     ("bytemuck", &["src/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
