@@ -4,6 +4,7 @@
 //! renames at the end, so that neither an error nor a cancelled run leaves half a picture, nor harms the one
 //! that was there before.
 
+pub mod motion;
 pub mod outline;
 pub mod png;
 mod save;

@@ -61,16 +61,23 @@ pub fn regrow_seen(
     watch: &Watch,
     seen: &mut dyn FnMut(&Look),
 ) -> Result<Grown, GrowError> {
-    let size = options.size.unwrap_or(document.size);
-    let frozen = before.map_or(0, |before| unchanged(document, options, before));
-    let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
-    layers.extend(before.iter().flat_map(|before| &before.layers[..frozen]).cloned());
-    let cascade = Cascade { document, source, training, options, watch };
-    for index in frozen..document.layers.len() {
-        let layer = cascade.layer(index, &layers, seen)?;
-        layers.push(layer);
-    }
-    Ok(Grown { size, layers, document: document.clone(), options })
+    Cascade { document, source, training, options, watch, every: None }.grow(before, seen)
+}
+
+/// As [`grow()`], seen each `every` of normalised time: at the same moments on any machine.
+///
+/// # Errors
+/// See [`GrowError`].
+pub fn grow_seen(
+    document: &Document,
+    source: &str,
+    training: &Training,
+    options: Options,
+    watch: &Watch,
+    every: f64,
+    seen: &mut dyn FnMut(&Look),
+) -> Result<Grown, GrowError> {
+    Cascade { document, source, training, options, watch, every: Some(every) }.grow(None, seen)
 }
 
 /// How many of the lowest layers of `document` would grow as they have in `before`, and so are taken from there.
@@ -101,9 +108,25 @@ struct Cascade<'a> {
     training: &'a Training,
     options: Options,
     watch: &'a Watch<'a>,
+    /// Normalised time from look to look; `None` = as suits those who wait.
+    every: Option<f64>,
 }
 
 impl Cascade<'_> {
+    /// Grows the layers that do not stand in `before`.
+    fn grow(&self, before: Option<&Grown>, seen: &mut dyn FnMut(&Look)) -> Result<Grown, GrowError> {
+        let Self { document, options, .. } = *self;
+        let size = options.size.unwrap_or(document.size);
+        let frozen = before.map_or(0, |before| unchanged(document, options, before));
+        let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
+        layers.extend(before.iter().flat_map(|before| &before.layers[..frozen]).cloned());
+        for index in frozen..document.layers.len() {
+            let layer = self.layer(index, &layers, seen)?;
+            layers.push(layer);
+        }
+        Ok(Grown { size, layers, document: document.clone(), options })
+    }
+
     /// Grows layer `index` into what those `beneath` left free.
     fn layer(
         &self,
@@ -112,7 +135,7 @@ impl Cascade<'_> {
         seen: &mut dyn FnMut(&Look),
     ) -> Result<GrownLayer, GrowError> {
         let mut seen = |plan: &Plan, engine: &Engine| seen(&Look { beneath, plan, engine });
-        let Self { document, source, training, options, watch } = *self;
+        let Self { document, source, training, options, watch, every } = *self;
         let correct = options.refine.unwrap_or(document.growth.refine);
         let size = options.size.unwrap_or(document.size).map(f64::from);
         watch.step(Stage::Plan, 0.0)?;
@@ -145,7 +168,7 @@ impl Cascade<'_> {
         let seed = document.layer_seed(index);
         plan.lay_course(document.layers[index].options.broken, seed)
             .map_err(|reason| GrowError::Course { layer: index + 1, reason })?;
-        let mut layer = grow_layer(plan, seed, index + 1, correct, watch, &mut seen)?;
+        let mut layer = grow_layer(plan, seed, index + 1, correct, watch, every, &mut seen)?;
         if let Some(found) =
             beneath::shaped(&layer.plan, &layer.measured).filter(|_| correct && layer.plan.places.is_none())
         {
@@ -155,6 +178,7 @@ impl Cascade<'_> {
                 index + 1,
                 correct,
                 watch,
+                every,
                 &mut seen,
             )?;
         }

@@ -207,6 +207,32 @@ impl Engine {
         }
     }
 
+    /// Cell updates that make up `time` of normalised time on the grid it is on.
+    #[must_use]
+    pub fn updates_in(&self, time: f64) -> u64 {
+        let [nx, ny] = self.grids[self.stage.level];
+        self.stage.growth.steps_in(time) * (nx * ny) as u64
+    }
+
+    /// Cell updates still to be expected.
+    #[must_use]
+    pub fn updates_left(&self) -> f64 {
+        if self.done {
+            return 0.0;
+        }
+        let cells = |grid: &[usize; 2]| (grid[0] * grid[1]) as f64;
+        let here = cells(&self.grids[self.stage.level]);
+        let left = (self.stage.expected - self.stage.growth.steps() as f64 * here).max(0.0);
+        let finer: f64 = self.grids[self.stage.level + 1..].iter().map(cells).sum();
+        left + finer * self.stage.expected / here
+    }
+
+    /// What each chemical has grown to, on the grid it is on.
+    #[must_use]
+    pub fn concentrations(&self) -> Vec<Vec<f32>> {
+        self.stage.growth.concentrations()
+    }
+
     /// How far it is, 0..1; never falls.
     #[must_use]
     pub fn progress(&self) -> f64 {

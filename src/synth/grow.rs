@@ -8,7 +8,7 @@ use super::plan::{Plan, PlanError};
 use super::probe::ProbeError;
 use super::recipe::{Document, DocumentError};
 use super::refine::{Measured, refine};
-use super::settle::settle_seen;
+use super::settle::settle_every;
 use super::watch::{Cancelled, Stage, Watch};
 use crate::field::Field;
 
@@ -110,13 +110,14 @@ pub enum GrowError {
     },
 }
 
-/// Grows layer number `layer` of a document as planned.
+/// Grows layer number `layer` of a document as planned, seen each `every` of normalised time.
 pub(super) fn grow_layer(
     plan: Plan,
     seed: u64,
     layer: usize,
     correct: bool,
     watch: &Watch,
+    every: Option<f64>,
     seen: &mut dyn FnMut(&Plan, &Engine),
 ) -> Result<GrownLayer, GrowError> {
     watch.step(Stage::Plan, 0.5)?;
@@ -125,7 +126,7 @@ pub(super) fn grow_layer(
         return Err(GrowError::NoRoom { layer });
     }
     watch.step(Stage::Plan, 1.0)?;
-    let settled = settle_seen(&mut engine, watch, &mut |engine| seen(&plan, engine))?;
+    let settled = settle_every(&mut engine, every, watch, &mut |engine| seen(&plan, engine))?;
     let marks = plan.levelled(engine.marks());
     if !marks.values.iter().all(|value| value.is_finite()) {
         return Err(GrowError::NoPattern { layer });

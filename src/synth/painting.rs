@@ -53,6 +53,12 @@ impl<'a> Painting<'a> {
         painting
     }
 
+    /// One layer of which `marks` are as a growth gives them, in the colours of the lowest of `document`, at `size` px.
+    #[must_use]
+    pub fn of_marks(document: &Document, plan: &'a Plan, marks: Field, size: [usize; 2]) -> Self {
+        Self::with(document, size, vec![Pattern::new(plan, &plan.levelled(marks))])
+    }
+
     fn with(document: &Document, size: [usize; 2], layers: Vec<Pattern<'a>>) -> Self {
         let tables =
             document.layers.iter().enumerate().map(|(index, layer)| gradient_of(layer, index).table());

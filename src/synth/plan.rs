@@ -216,9 +216,33 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
 
 /// Plans a layer of `system` with these wanted attributes, no spacing free, whose parameters are `asked`.
 pub(super) fn planned(system: System, map: RegionMap, asked: Asked) -> Result<Plan, PlanError> {
+    let cell = finest_cell(&map);
+    planned_on(system, map, cell, asked)
+}
+
+/// px a cell that suits the finest marks of `map`, no spacing of which is free.
+#[must_use]
+pub fn finest_cell(map: &RegionMap) -> f64 {
+    let regions = map.regions().map(|(place, _)| map.at(map.layout().center(place)));
+    regions.map(|wanted| cell_for(&wanted)).fold(f64::INFINITY, f64::min)
+}
+
+/// As [`plan()`], on a grid of about `cell` px a cell whatever suits the marks; no spacing of `map` may be free.
+///
+/// # Errors
+/// As [`ask`].
+pub fn plan_on(
+    training: &Training,
+    system: System,
+    map: &RegionMap,
+    cell: f64,
+) -> Result<Plan, PlanError> {
+    planned_on(system, map.clone(), cell, &|wanted, cell| ask(training, system, wanted, cell))
+}
+
+fn planned_on(system: System, map: RegionMap, cell: f64, asked: Asked) -> Result<Plan, PlanError> {
     let regions: Vec<Attributes> =
         map.regions().map(|(place, _)| map.at(map.layout().center(place))).collect();
-    let cell = regions.iter().map(cell_for).fold(f64::INFINITY, f64::min);
     let size = map.layout().size;
     let grid = size.map(|side| ((side / cell).round() as usize).max(8));
     let exact = [size[0] / grid[0] as f64, size[1] / grid[1] as f64];

@@ -172,7 +172,21 @@ pub fn settle_seen(
     watch: &Watch,
     seen: &mut dyn FnMut(&Engine),
 ) -> Result<bool, Cancelled> {
-    while engine.advance(UPDATES) {
+    settle_every(engine, None, watch, seen)
+}
+
+/// The same, looked at each `every` of normalised time, at the same moments on any machine; `None` = as suits those who
+/// wait.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn settle_every(
+    engine: &mut Engine,
+    every: Option<f64>,
+    watch: &Watch,
+    seen: &mut dyn FnMut(&Engine),
+) -> Result<bool, Cancelled> {
+    while engine.advance(every.map_or(UPDATES, |time| engine.updates_in(time))) {
         watch.step(Stage::Grow, engine.progress())?;
         seen(engine);
     }

@@ -8,7 +8,7 @@ use crate::field::Edges;
 use crate::marks::{Ellipse, Line, Mark, axial};
 
 /// Above this mean aspect a region has no direction of its own (the contract's number).
-const ROUND: f64 = 0.9;
+pub(super) const ROUND: f64 = 0.9;
 
 /// A region needs as many marks for their differences to be meant.
 pub const MARKS_OF_A_SPREAD: usize = 6;
@@ -68,6 +68,16 @@ pub struct RegionMap {
 }
 
 impl RegionMap {
+    /// The map in which every region of `layout` has these attributes, all of one kind, and all marks are alike.
+    pub(super) fn even(layout: Layout, attributes: impl Iterator<Item = Attributes>) -> Self {
+        let region = |filled: Attributes| {
+            let double = (2.0 * filled.angle()).to_radians();
+            let direction = [libm::cos(double), libm::sin(double)];
+            Region { marks: 1, own: Some(filled), filled, spread: Spread::EVEN, direction }
+        };
+        Self { layout, regions: attributes.map(region).collect(), spread_is_given: false }
+    }
+
     /// The map of `marks` on a canvas of `size` px, cut into `grid` = [columns, rows] regions.
     ///
     /// A mark belongs to the region its centre is in. A region without marks takes the attributes of the

@@ -1,0 +1,75 @@
+//! A folder of PNG: `frame-0001.png`, …
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+use tempfile::TempDir;
+
+use super::{Film, PreparedFilm, Show};
+use crate::export::{ExportError, Stopped, check_file, png};
+
+/// Looks whether a folder can have this name: nothing has it yet, or an empty folder.
+///
+/// # Errors
+/// What is wrong with the path, and the remedy.
+pub fn check(path: &Path) -> Result<(), ExportError> {
+    if !path.is_dir() {
+        check_file(path)?;
+        return match path.exists() {
+            true => Err(io_error(path, io::Error::other("a file has this name; choose another"))),
+            false => Ok(()),
+        };
+    }
+    let mut inside = fs::read_dir(path).map_err(|source| io_error(path, source))?;
+    match inside.next() {
+        None => Ok(()),
+        Some(_) => {
+            let reason = "the folder is not empty, and frames of two films would mix; empty it, or name a new one";
+            Err(io_error(path, io::Error::other(reason)))
+        }
+    }
+}
+
+/// Writes the frames that `play` shows into a folder beside `path`.
+pub fn write(
+    path: &Path,
+    film: &Film,
+    play: impl FnOnce(Show) -> Result<(), Stopped>,
+) -> Result<PreparedFilm, ExportError> {
+    let parent = path.parent().filter(|parent| *parent != Path::new("")).unwrap_or(Path::new("."));
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".dapple-").suffix(".part");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777));
+    let beside = builder.tempdir_in(parent).map_err(|source| io_error(path, source))?;
+    let digits = film.frames.to_string().len().max(4);
+    let mut index = 0;
+    let played = play(&mut |rgb| {
+        index += 1;
+        let file = File::create(beside.path().join(format!("frame-{index:0digits$}.png")))?;
+        let mut out = BufWriter::new(&file);
+        png::rgb8(&mut out, film.size, None, rgb)?;
+        out.flush()?;
+        Ok(file.sync_all()?)
+    });
+    match played {
+        Ok(()) => Ok(PreparedFilm::Folder { beside, target: path.to_owned() }),
+        Err(Stopped::Cancelled) => Err(ExportError::Cancelled { path: path.to_owned() }),
+        Err(Stopped::Io(source)) => Err(io_error(path, source)),
+    }
+}
+
+/// Gives the folder its name.
+pub fn keep(beside: TempDir, target: &Path) -> Result<(), ExportError> {
+    // Takes the place of an empty folder, where it may.
+    let _ = fs::remove_dir(target);
+    fs::rename(beside.path(), target).map_err(|source| io_error(target, source))?;
+    // It lies elsewhere now.
+    let _ = beside.keep();
+    Ok(())
+}
+
+fn io_error(path: &Path, source: io::Error) -> ExportError {
+    ExportError::Io { path: path.to_owned(), source }
+}
