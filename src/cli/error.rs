@@ -44,6 +44,14 @@ pub enum Error {
         /// One line for each that is missing.
         why: Vec<String>,
     },
+    /// Some documents of a batch were not grown.
+    #[error("{} of {all} pictures were not grown:\n  {}", why.len(), why.join("\n  "))]
+    Batch {
+        /// Pictures that were asked for.
+        all: usize,
+        /// One line for each that is missing.
+        why: Vec<String>,
+    },
     /// Ctrl-C.
     #[error("interrupted")]
     Interrupted,

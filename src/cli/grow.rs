@@ -1,9 +1,12 @@
 //! `dapple grow`: a document → its texture.
 
+mod batch;
 mod outlines;
 mod pictures;
 pub(super) mod progress;
 
+use super::estimate::Estimate;
+use super::sheet::Thumb;
 use super::{Error, values};
 use crate::export;
 use crate::synth::recipe::Document;
@@ -19,12 +22,18 @@ use std::time::Instant;
 const MOST_NOTES: usize = 8;
 
 /// What to grow, how, and where to write it.
-#[derive(clap::Args, Debug)]
+#[derive(clap::Args, Clone, Debug)]
 pub struct Args {
     /// The document to grow
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Where to write the picture, or its outlines: .png, .svg, .dxf
+    /// More documents to grow: --output is then the folder for their pictures
+    #[arg(value_name = "FILE")]
+    pub more: Vec<PathBuf>,
+    /// Grow it from N seeds, its own and those after it, into the folder --output, with a sheet of them all
+    #[arg(long, value_name = "N", value_parser = values::count)]
+    pub variations: Option<usize>,
+    /// Where to write the picture, or its outlines: .png, .svg, .dxf; for many pictures a folder
     #[arg(short, long, value_name = "OUT.png", required_unless_present_any = ["svg", "dxf"])]
     pub output: Option<PathBuf>,
     /// More texture: a canvas of W x H px with features of the same size
@@ -45,7 +54,7 @@ pub struct Args {
     /// Also write which layer's mark covers each px: 8-bit gray, 0 = none
     #[arg(long, value_name = "L.png")]
     pub labels: Option<PathBuf>,
-    /// Also write what was asked and what has grown, as JSON
+    /// Also write what was asked and what has grown, as JSON; - prints it
     #[arg(long, value_name = "R.json")]
     pub report: Option<PathBuf>,
     /// Take the parameters as looked up; do not correct them by what has grown
@@ -117,11 +126,27 @@ pub(super) fn place(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| folder.join(path.file_name().unwrap_or_default()))
 }
 
-/// Grows a document.
+/// Grows one document or many.
 ///
 /// # Errors
-/// Where the document is not valid, cannot be grown, or a file cannot be written.
+/// Where a document is not valid, cannot be grown, or a file cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
+    if batch::asked(args) {
+        return batch::run(args);
+    }
+    let training = Training::from(args.training.clone());
+    grow_one(args, &Source { training: &training, thumb: None }).map(drop)
+}
+
+/// What documents are grown with.
+struct Source<'a> {
+    training: &'a Training,
+    /// px of the longer side of a small picture that is wanted, too.
+    thumb: Option<usize>,
+}
+
+/// Grows one document; gives its small picture where one is wanted.
+fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<Thumb>, Error> {
     args.check_outputs()?;
     check_targets(args)?;
     let document = Document::read(&args.file)?;
@@ -139,8 +164,11 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let source = args.file.display().to_string();
     let started = Instant::now();
     let options = Options { size: args.size, refine: args.no_refine.then_some(false) };
-    let training = Training::from(args.training.clone());
-    let grown = grow(&document, &source, &training, options, &watch).map_err(Error::grown)?;
+    if thumb.is_none() {
+        let sized = Document { size: args.size.unwrap_or(document.size), ..document.clone() };
+        Estimate { training, quiet: args.quiet }.tell(&[(&sized, &source)], 1.0);
+    }
+    let grown = grow(&document, &source, training, options, &watch).map_err(Error::grown)?;
     let prepared = pictures::prepare(args, &document, &grown, &watch);
     let outlined = outlines::prepare(args, &document, &grown, &watch);
     bar.clear();
@@ -154,12 +182,15 @@ pub fn run(args: &Args) -> Result<(), Error> {
     if let Some(drawn) = &drawn {
         report["outlines"] = drawn.json();
     }
-    if let Some(path) = &args.report {
+    if let Some(path) = args.report.as_ref().filter(|path| !is_stdout(path)) {
         let text = format!("{report:#}\n");
         prepared.push(export::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
     }
     // All or none: nothing has its name before the last is on the disk.
     prepared.into_iter().try_for_each(export::Prepared::keep).map_err(Error::step)?;
+    if args.report.as_deref().is_some_and(is_stdout) {
+        super::say(&format!("{report:#}\n"))?;
+    }
     if !args.quiet {
         tell_notes(&report);
         if let Some(drawn) = drawn {
@@ -167,7 +198,12 @@ pub fn run(args: &Args) -> Result<(), Error> {
             let _ = writeln!(std::io::stderr(), "note: {}", drawn.told());
         }
     }
-    Ok(())
+    Ok(thumb.map(|side| Thumb::of(&document, &grown, side)))
+}
+
+/// `-` stands for stdout.
+fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-")
 }
 
 /// Looks whether all files can be written, before the work is done.
@@ -176,7 +212,7 @@ fn check_targets(args: &Args) -> Result<(), Error> {
     let output = args.output.as_deref().map(|path| export::check_ending(path, &endings));
     let pictures =
         [args.pattern.as_deref(), args.labels.as_deref()].map(|path| path.map(export::check_target));
-    let report = args.report.as_deref().map(export::check_file);
+    let report = args.report.as_deref().filter(|path| !is_stdout(path)).map(export::check_file);
     let checks = [output].into_iter().chain(pictures).chain([report]).flatten();
     checks.collect::<Result<(), _>>().map_err(Error::step)
 }

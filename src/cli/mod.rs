@@ -6,11 +6,14 @@
 pub mod bench;
 mod check;
 mod error;
+mod estimate;
+mod film;
 mod grow;
 mod import;
 mod interrupt;
 mod learn;
 mod lookup;
+mod manual;
 mod measure;
 mod sheet;
 mod values;
@@ -35,8 +38,10 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Grow a document and write its picture
+    /// Grow documents and write their pictures
     Grow(grow::Args),
+    /// Film a document while it grows, or while it turns into another
+    Film(film::Args),
     /// Grow many documents and lay their pictures out on one sheet
     Sheet(sheet::Args),
     /// Make a document of what is drawn in an SVG
@@ -51,6 +56,10 @@ enum Command {
     Learn(learn::Args),
     /// Measure how fast this machine is
     Bench(bench::Args),
+    /// Print what a shell completes dapple's command line by
+    Completions(manual::CompletionsArgs),
+    /// Print dapple's manual page, or write those of all commands
+    Man(manual::ManArgs),
 }
 
 /// Runs the program with the process's arguments.
@@ -74,6 +83,7 @@ pub fn main() -> ExitCode {
 fn run(command: Command) -> Result<(), Error> {
     match command {
         Command::Grow(args) => grow::run(&args),
+        Command::Film(args) => film::run(&args),
         Command::Sheet(args) => sheet::run(&args),
         Command::Import(args) => import::run(&args),
         Command::Lookup(args) => lookup::run(&args),
@@ -81,6 +91,8 @@ fn run(command: Command) -> Result<(), Error> {
         Command::Check(args) => check::run(&args),
         Command::Learn(args) => learn::run(&args),
         Command::Bench(args) => bench::run(&args),
+        Command::Completions(args) => manual::completions(&args),
+        Command::Man(args) => manual::man(&args),
     }
 }
 

@@ -1,8 +1,11 @@
 //! `dapple sheet`: many documents → one picture with all of them, their names beneath.
 
+mod contact;
 mod layout;
 mod paper;
 mod text;
+
+pub(super) use contact::{Contact, Thumb, write};
 
 use super::grow::{place, progress};
 use super::{Error, values};
@@ -18,7 +21,7 @@ use std::sync::atomic::Ordering;
 use text::Pen;
 
 /// Pictures are painted with so many times the px of their thumbnails, then shrunk.
-const FINER: usize = 3;
+pub(super) const FINER: usize = 3;
 /// Px of the largest sheet: 400 MB while it is made.
 const MOST_PX: usize = 1 << 27;
 /// Lines that a name may take.

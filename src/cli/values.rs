@@ -74,6 +74,12 @@ pub(super) fn threads(text: &str) -> Result<usize, String> {
     number.ok_or_else(|| "allowed: a whole number from 1 to 1024".to_owned())
 }
 
+/// A time to wait.
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| (0.0..=600.0).contains(number));
+    number.ok_or_else(|| "allowed: 0 to 600 seconds".to_owned())
+}
+
 /// A number of rows, columns or pictures.
 pub(super) fn count(text: &str) -> Result<usize, String> {
     let number = text.parse::<usize>().ok().filter(|number| (1..=1000).contains(number));

@@ -214,6 +214,12 @@ impl Engine {
         self.stage.growth.steps_in(time) * (nx * ny) as u64
     }
 
+    /// Steps of the grid it is on that make up a unit of normalised time.
+    #[must_use]
+    pub fn steps_in_unit(&self) -> f64 {
+        unit(&self.stage.growth, 1.0)
+    }
+
     /// Cell updates still to be expected.
     #[must_use]
     pub fn updates_left(&self) -> f64 {

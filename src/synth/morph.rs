@@ -21,6 +21,7 @@ use super::settle::settle;
 use super::training::Training;
 use super::watch::{Stage, Watch};
 use super::{film::FilmError, memory};
+use std::time::Instant;
 use crate::attributes::regions::RegionMap;
 use crate::export::Stopped;
 use crate::field::Field;
@@ -50,6 +51,7 @@ pub enum MorphError {
 }
 
 /// A document on its way to another.
+#[derive(Clone)]
 pub struct Morph<'a> {
     documents: [&'a Document; 2],
     training: &'a Training,
@@ -57,6 +59,8 @@ pub struct Morph<'a> {
     maps: [RegionMap; 2],
     cell: f64,
     state: Vec<Vec<f32>>,
+    /// Seconds of a unit of normalised time, as the growth of the first took them.
+    pace: f64,
 }
 
 /// A document with its name in messages.
@@ -107,7 +111,7 @@ impl<'a> Morph<'a> {
             map.fill_free_spacing(|spots| free_spacing(training, system, spots));
         }
         let cell = maps.iter().map(finest_cell).fold(f64::INFINITY, f64::min);
-        let mut morph = Self { documents: [from.0, to.0], training, system, maps, cell, state: Vec::new() };
+        let mut morph = Self { documents: [from.0, to.0], training, system, maps, cell, state: Vec::new(), pace: 0.0 };
         morph.begin(watch)?;
         Ok(morph)
     }
@@ -123,9 +127,18 @@ impl<'a> Morph<'a> {
         let plan = self.plan(0.0)?;
         memory::check(plan.system, plan.map.layout().size, plan.grid)?;
         let mut engine = Engine::new(&plan, self.documents[0].layer_seed(0));
+        let started = Instant::now();
         settle(&mut engine, watch)?;
+        let time = engine.steps() as f64 / engine.steps_in_unit();
+        self.pace = started.elapsed().as_secs_f64() / time.max(1.0);
         self.state = engine.concentrations();
         Ok(())
+    }
+
+    /// Seconds that the way will take on this machine, as the growth of the first document did.
+    #[must_use]
+    pub fn seconds(&self) -> f64 {
+        TIME * self.pace
     }
 
     /// Shows `frames` frames of `size` px, from the first document to the other.

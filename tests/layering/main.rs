@@ -20,16 +20,19 @@ const DOORS: [&str; 2] = ["cli", "app"];
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-const ADDRESSES: [(&str, &[&str]); 20] = [
+const ADDRESSES: [(&str, &[&str]); 23] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     ("bytemuck", &["src/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
+    ("clap_complete", &["src/cli/"]),
+    ("clap_mangen", &["src/cli/"]),
     ("csv", &["src/learn/", "src/cli/"]),
     ("ctrlc", &["src/cli/", "data-gen/"]),
     ("dapple", &["src/main.rs", "data-gen/"]),
     ("eframe", &["src/app/", "src/cli/", "src/main.rs"]),
     (WINDOW, &["src/app/", "src/cli/"]),
     ("egui_plot", &["src/app/cloud/"]),
+    ("gif", &["src/export/"]),
     ("image", &["src/export/", "src/cli/measure.rs", "src/app/examples.rs", "src/app/reference.rs"]),
     ("indicatif", &["src/cli/", "data-gen/"]),
     ("nalgebra", &["src/marks/", "src/learn/", "src/rd/"]),

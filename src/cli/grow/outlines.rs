@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 const FINEST: f64 = 0.1;
 
 /// What is wanted of outlines.
-#[derive(clap::Args, Debug, Default)]
+#[derive(clap::Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Outlines (-o OUT.svg, -o OUT.dxf, --svg, --dxf)")]
 pub struct OutlineArgs {
     /// Also write the outlines of the marks as SVG, a group a layer

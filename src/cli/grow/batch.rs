@@ -1,0 +1,156 @@
+//! Many documents, or one from many seeds, into a folder: one that fails does not stop the others.
+
+use super::{Args, Error, Source, grow_one, place};
+use crate::cli::estimate::Estimate;
+use crate::cli::sheet::{self, Contact};
+use crate::synth::Training;
+use crate::synth::recipe::Document;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// px of the longer side of a picture on the contact sheet.
+const THUMB: usize = 256;
+
+/// Is more than one picture asked for?
+pub fn asked(args: &Args) -> bool {
+    !args.more.is_empty() || args.variations.is_some()
+}
+
+/// One picture of a batch.
+struct Task {
+    file: PathBuf,
+    output: PathBuf,
+    seed: Option<u64>,
+}
+
+/// Grows them all into the folder.
+///
+/// # Errors
+/// What is asked for wrongly, before anything is grown; [`Error::Batch`] where some were not grown.
+pub fn run(args: &Args) -> Result<(), Error> {
+    let folder = check(args)?;
+    let tasks = tasks(args, folder)?;
+    fs::create_dir_all(folder).map_err(|source| Error::File {
+        file: folder.display().to_string(),
+        done: "made",
+        source,
+    })?;
+    let training = Training::from(args.training.clone());
+    tell_time(args, &tasks, &training);
+    let mut contact = args.variations.map(|_| Contact::new(stem(&args.file), THUMB));
+    let mut why = Vec::new();
+    for (index, task) in tasks.iter().enumerate() {
+        if !args.quiet && tasks.len() > 1 {
+            // Nobody left to tell is no reason to fail.
+            let _ = writeln!(std::io::stderr(), "{} of {}: {}", index + 1, tasks.len(), task.output.display());
+        }
+        let one = Args {
+            file: task.file.clone(),
+            more: Vec::new(),
+            variations: None,
+            output: Some(task.output.clone()),
+            seed: task.seed,
+            ..args.clone()
+        };
+        let source = Source { training: &training, thumb: contact.as_ref().map(|_| THUMB) };
+        match grow_one(&one, &source) {
+            Ok(thumb) => {
+                if let (Some(contact), Some(thumb)) = (&mut contact, thumb) {
+                    contact.add(format!("seed {}", task.seed.unwrap_or_default()), thumb);
+                }
+            }
+            Err(Error::Interrupted) => return Err(Error::Interrupted),
+            Err(error) => why.push(told(task, &error)),
+        }
+    }
+    if let Some(contact) = contact.filter(|contact| !contact.is_empty()) {
+        sheet::write(&contact, &folder.join(format!("{}-sheet.png", stem(&args.file))))?;
+    }
+    let all = tasks.len();
+    if !args.quiet && why.is_empty() {
+        // As above.
+        let _ = writeln!(std::io::stderr(), "{all} of {all} pictures are in {}", folder.display());
+    }
+    if why.is_empty() { Ok(()) } else { Err(Error::Batch { all, why }) }
+}
+
+/// The folder that all goes into, where nothing is asked for that goes into one file.
+fn check(args: &Args) -> Result<&Path, Error> {
+    let single = [
+        ("--pattern", args.pattern.is_some()),
+        ("--labels", args.labels.is_some()),
+        ("--report", args.report.is_some()),
+        ("--svg", args.outlines.svg.is_some()),
+        ("--dxf", args.outlines.dxf.is_some()),
+        ("--layer", args.layer.is_some()),
+    ];
+    if let Some((name, _)) = single.iter().find(|(_, found)| *found) {
+        return Err(Error::Usage(format!("{name}: goes with one FILE and without --variations")));
+    }
+    if args.variations.is_some() && !args.more.is_empty() {
+        return Err(Error::Usage("--variations: goes with one FILE; dapple sheet --seeds lays many out".to_owned()));
+    }
+    let Some(folder) = args.output.as_deref() else {
+        return Err(Error::Usage("--output: names the folder that the pictures go into".to_owned()));
+    };
+    if folder.is_file() || folder.extension().is_some_and(|ending| ending != "d") && !folder.is_dir() {
+        let found = folder.display();
+        return Err(Error::Usage(format!(
+            "--output: found {found}; allowed: a folder, as there is more than one picture"
+        )));
+    }
+    Ok(folder)
+}
+
+fn tasks(args: &Args, folder: &Path) -> Result<Vec<Task>, Error> {
+    if let Some(variations) = args.variations {
+        let first = args.seed.map_or_else(|| Document::read(&args.file).map(|document| document.seed), Ok)?;
+        let task = |k: u64| {
+            let seed = first.wrapping_add(k);
+            let output = folder.join(format!("{}-{seed}.png", stem(&args.file)));
+            Task { file: args.file.clone(), output, seed: Some(seed) }
+        };
+        return Ok((0..variations as u64).map(task).collect());
+    }
+    let files: Vec<&PathBuf> = std::iter::once(&args.file).chain(&args.more).collect();
+    for (index, file) in files.iter().enumerate() {
+        if let Some(other) = files[..index].iter().find(|other| stem(other) == stem(file)) {
+            let same = if place(other) == place(file) { "one file twice" } else { "one name for two pictures" };
+            return Err(Error::Usage(format!(
+                "FILE: found {} and {}, {same}; allowed: documents of different names",
+                other.display(),
+                file.display()
+            )));
+        }
+    }
+    let output = |file: &PathBuf| folder.join(format!("{}.png", stem(file)));
+    let task = |file: &PathBuf| Task { file: file.clone(), output: output(file), seed: args.seed };
+    Ok(files.into_iter().map(task).collect())
+}
+
+/// The document's name without folder and ending.
+fn stem(file: &Path) -> String {
+    file.file_stem().map_or_else(|| "texture".to_owned(), |stem| stem.to_string_lossy().into_owned())
+}
+
+fn tell_time(args: &Args, tasks: &[Task], training: &Training) {
+    let mut documents = Vec::new();
+    for task in tasks {
+        // One that cannot be read says so when it is its turn.
+        if let Ok(document) = Document::read(&task.file) {
+            let size = args.size.unwrap_or(document.size);
+            documents.push((Document { size, ..document }, task.file.display().to_string()));
+        }
+    }
+    let named: Vec<_> = documents.iter().map(|(document, source)| (document, source.as_str())).collect();
+    Estimate { training, quiet: args.quiet }.tell(&named, 1.0);
+}
+
+/// Why one is missing, with its name once.
+fn told(task: &Task, error: &Error) -> String {
+    let (file, reason) = (task.file.display().to_string(), error.with_causes());
+    let file = if reason.contains(&file) { String::new() } else { format!("{file}: ") };
+    let seed = task.seed.map_or_else(String::new, |seed| format!("seed {seed}: "));
+    format!("{seed}{file}{reason}")
+}

@@ -1,0 +1,76 @@
+//! `dapple completions`, `dapple man`: what shells and readers of manuals want to know, from the one table of arguments.
+
+use super::{Cli, Error, say};
+use crate::export;
+use clap::{Command, CommandFactory};
+use clap_complete::Shell;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Whose completions.
+#[derive(clap::Args, Debug)]
+pub struct CompletionsArgs {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    pub shell: Shell,
+}
+
+/// Which pages.
+#[derive(clap::Args, Debug)]
+pub struct ManArgs {
+    /// The page of this command [default: that of dapple itself]
+    #[arg(value_name = "COMMAND")]
+    pub command: Option<String>,
+    /// Write all pages into this folder instead: dapple.1, dapple-grow.1, …
+    #[arg(short, long, value_name = "DIR", conflicts_with = "command")]
+    pub output: Option<PathBuf>,
+}
+
+/// Prints what a shell completes the command line by.
+///
+/// # Errors
+/// Where stdout is closed.
+pub fn completions(args: &CompletionsArgs) -> Result<(), Error> {
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut Cli::command(), "dapple", &mut script);
+    say(&String::from_utf8_lossy(&script))
+}
+
+/// Prints a page of the manual, or writes them all.
+///
+/// # Errors
+/// An unknown command; where the pages cannot be written.
+pub fn man(args: &ManArgs) -> Result<(), Error> {
+    let mut root = Cli::command();
+    root.build();
+    let pages = || std::iter::once(&root).chain(root.get_subcommands().filter(|c| c.get_name() != "help"));
+    if let Some(folder) = &args.output {
+        let pages: Vec<_> = pages()
+            .map(|command| {
+                let text = page(&root, command)?;
+                let path = folder.join(format!("{}.1", title(&root, command)));
+                export::prepare(&path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)
+            })
+            .collect::<Result<_, _>>()?;
+        return pages.into_iter().try_for_each(export::Prepared::keep).map_err(Error::step);
+    }
+    let name = args.command.as_deref().unwrap_or("dapple");
+    let Some(command) = pages().find(|command| command.get_name() == name) else {
+        let names: Vec<_> = pages().skip(1).map(Command::get_name).collect();
+        return Err(Error::Usage(format!("COMMAND: found {name}; allowed: {}", names.join(", "))));
+    };
+    say(&page(&root, command)?)
+}
+
+/// Such as `dapple-grow`.
+fn title(root: &Command, command: &Command) -> String {
+    let (name, of) = (command.get_name(), root.get_name());
+    if name == of { name.to_owned() } else { format!("{of}-{name}") }
+}
+
+fn page(root: &Command, command: &Command) -> Result<String, Error> {
+    let titled = command.clone().name(title(root, command)).version(env!("CARGO_PKG_VERSION"));
+    let mut page = Vec::new();
+    clap_mangen::Man::new(titled).render(&mut page).map_err(Error::Output)?;
+    Ok(String::from_utf8_lossy(&page).into_owned())
+}

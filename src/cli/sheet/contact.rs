@@ -1,0 +1,79 @@
+//! A contact sheet: one document from many seeds.
+
+use super::layout::{Layout, Shape};
+use super::paper::Paper;
+use super::text::{self, Pen};
+use super::{FINER, MOST_PX};
+use crate::cli::Error;
+use crate::export::{self, png};
+use crate::synth::Grown;
+use crate::synth::film::fitted;
+use crate::synth::painting::Painting;
+use crate::synth::recipe::Document;
+use std::path::Path;
+
+/// A small picture.
+pub struct Thumb {
+    size: [usize; 2],
+    rgb: Vec<u8>,
+}
+
+impl Thumb {
+    /// What has `grown`, `side` px along its longer side.
+    pub fn of(document: &Document, grown: &Grown, side: usize) -> Self {
+        let size = fitted(grown.size, side);
+        let fine = size.map(|side| FINER * side);
+        Self { size, rgb: export::shrink(&Painting::sized(document, grown, fine).rgb(), fine, size) }
+    }
+}
+
+/// Small pictures with a name for each.
+pub struct Contact {
+    title: String,
+    side: usize,
+    pictures: Vec<(String, Thumb)>,
+}
+
+impl Contact {
+    /// Without a picture yet, each to be `side` px along its longer side.
+    pub fn new(title: String, side: usize) -> Self {
+        Self { title, side, pictures: Vec::new() }
+    }
+
+    /// Puts another at the end.
+    pub fn add(&mut self, name: String, picture: Thumb) {
+        self.pictures.push((name, picture));
+    }
+
+    /// Has it no pictures?
+    pub fn is_empty(&self) -> bool {
+        self.pictures.is_empty()
+    }
+}
+
+/// Lays the pictures out, the title under the first, and writes the sheet.
+///
+/// # Errors
+/// Where it cannot be written; where it would be too large.
+pub fn write(contact: &Contact, output: &Path) -> Result<(), Error> {
+    let pen = Pen::for_pictures_of(contact.side);
+    let shape = |(_, thumb): &(String, Thumb)| Shape { picture: thumb.size, name: pen.line };
+    let shapes: Vec<Shape> = contact.pictures.iter().map(shape).collect();
+    let columns = super::layout::columns(shapes.len(), 1);
+    let layout = Layout::new(&shapes, columns, contact.side, 1, 0);
+    let [wide, high] = layout.size;
+    if wide.saturating_mul(high) > MOST_PX {
+        return Err(Error::Usage(format!(
+            "the sheet would be {wide} × {high} px; allowed: {MOST_PX} px in all; take fewer --variations"
+        )));
+    }
+    let mut paper = Paper::blank(layout.size);
+    for (spot, (name, thumb)) in layout.spots.iter().zip(&contact.pictures) {
+        paper.lay(&thumb.rgb, thumb.size, [spot.pictures[0], spot.top]);
+        let name = format!("{}, {name}", contact.title);
+        for line in pen.wrap(&name, contact.side, 1) {
+            pen.write(&mut paper, &line, spot.name, text::INK);
+        }
+    }
+    export::save(output, |out| png::rgb8(out, paper.size, None, &paper.rgb)).map_err(Error::exported)
+}
