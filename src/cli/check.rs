@@ -3,10 +3,12 @@
 use super::Error;
 use crate::attributes::{Attributes, Spread};
 use crate::field::Edges;
+use crate::learn::Answer;
 use crate::synth::drawn::region_map;
 use crate::synth::plan::Plan;
 use crate::synth::recipe::{Document, Kind, Layer};
 use crate::synth::{Training, memory, planned};
+use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -16,6 +18,9 @@ pub struct Args {
     /// The document
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
+    /// Print it as JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Reads a document and says what is in it, what would be grown, and what cannot be reached.
@@ -28,11 +33,13 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let mut text = format!("{source}: valid\n{}", summary(&document));
     let training = Training::default();
     let mut beneath: Option<Plan> = None;
+    let mut layers = Vec::new();
     for index in 0..document.layers.len() {
         let map = region_map(&document, index, &source)?;
         let plan = planned(&document, index, &source, &training, &map, beneath.as_ref());
         let plan = plan.map_err(Error::grown)?;
         text += &reach(&plan, index);
+        layers.push(layer_json(&document.layers[index], &plan));
         if let Err(error) = memory::check(plan.system, document.size.map(f64::from), plan.grid) {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  cannot be grown on this machine: {error}");
@@ -42,7 +49,31 @@ pub fn run(args: &Args) -> Result<(), Error> {
         }
         beneath = Some(plan);
     }
+    if args.json {
+        let edges = if document.edges == Edges::Wrap { "wrap" } else { "closed" };
+        let found = json!({"document": source, "valid": true, "name": document.name, "size": document.size,
+            "regions": document.regions, "edges": edges, "layers": layers});
+        text = format!("{found:#}\n");
+    }
     super::say(&text)
+}
+
+/// What would be grown on a layer, and for each region that has marks what was asked and what is expected.
+fn layer_json(layer: &Layer, plan: &Plan) -> Value {
+    let layout = plan.map.layout();
+    let region = |(index, answer): (usize, &Answer)| {
+        let place = layout.place(index);
+        let marks = plan.map.region(place).marks;
+        let notes = answer.notes.iter().map(ToString::to_string).chain(plan.remarks[index].iter().cloned());
+        (marks > 0).then(|| {
+            json!({"region": place, "marks": marks, "asked": plan.map.at(layout.center(place)),
+                "predicted": answer.predicted, "coverage": answer.coverage.to_string(),
+                "notes": notes.collect::<Vec<_>>()})
+        })
+    };
+    let regions: Vec<Value> = plan.answers.iter().enumerate().filter_map(region).collect();
+    json!({"name": layer.name, "system": plan.system.name(), "cell": plan.px_a_cell(), "grid": plan.grid,
+        "regions": regions})
 }
 
 /// What would be grown, and for each region what was asked and what cannot be met.

@@ -69,7 +69,9 @@ impl Args {
         for (name, file) in [("FILE", Some(&self.file)), ("--to", self.to.as_ref())] {
             if file.is_some_and(|file| place(file) == place(&self.output)) {
                 let file = self.output.display();
-                return Err(Error::Usage(format!("{name} and --output: found {file} twice; allowed: two files")));
+                return Err(Error::Usage(format!(
+                    "{name} and --output: found {file} twice; allowed: two files"
+                )));
             }
         }
         let kind = Kind::of(&self.output).map_err(Error::step)?;

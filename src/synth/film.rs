@@ -288,7 +288,8 @@ mod tests {
         seen.see(moment(1, 1), false, vec![90]);
         seen.see(moment(2, 0), true, vec![12]);
         seen.see(moment(2, 1), false, vec![30]);
-        let growths: Vec<_> = seen.moments.iter().map(|(moment, changed)| (moment.growth, *changed)).collect();
+        let growths: Vec<_> =
+            seen.moments.iter().map(|(moment, changed)| (moment.growth, *changed)).collect();
         assert_eq!(growths, [(0, 0), (0, 10), (2, 12), (2, 30)]);
     }
 

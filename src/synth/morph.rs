@@ -21,11 +21,11 @@ use super::settle::settle;
 use super::training::Training;
 use super::watch::{Stage, Watch};
 use super::{film::FilmError, memory};
-use std::time::Instant;
 use crate::attributes::regions::RegionMap;
 use crate::export::Stopped;
 use crate::field::Field;
 use crate::rd::{Growth, System, held};
+use std::time::Instant;
 
 /// Normalised time of the whole way: spots that are told to stand elsewhere drift for 100 to 300.
 const TIME: f64 = 400.0;
@@ -111,7 +111,8 @@ impl<'a> Morph<'a> {
             map.fill_free_spacing(|spots| free_spacing(training, system, spots));
         }
         let cell = maps.iter().map(finest_cell).fold(f64::INFINITY, f64::min);
-        let mut morph = Self { documents: [from.0, to.0], training, system, maps, cell, state: Vec::new(), pace: 0.0 };
+        let mut morph =
+            Self { documents: [from.0, to.0], training, system, maps, cell, state: Vec::new(), pace: 0.0 };
         morph.begin(watch)?;
         Ok(morph)
     }

@@ -231,12 +231,7 @@ pub fn finest_cell(map: &RegionMap) -> f64 {
 ///
 /// # Errors
 /// As [`ask`].
-pub fn plan_on(
-    training: &Training,
-    system: System,
-    map: &RegionMap,
-    cell: f64,
-) -> Result<Plan, PlanError> {
+pub fn plan_on(training: &Training, system: System, map: &RegionMap, cell: f64) -> Result<Plan, PlanError> {
     planned_on(system, map.clone(), cell, &|wanted, cell| ask(training, system, wanted, cell))
 }
 

@@ -1,7 +1,7 @@
 //! Between two region maps.
 
-use super::map::{ROUND, RegionMap};
 use super::Layout;
+use super::map::{ROUND, RegionMap};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
 

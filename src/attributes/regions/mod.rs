@@ -1,7 +1,7 @@
 //! Regions of the canvas, and attributes at any point between them.
 
-mod layout;
 mod blend;
+mod layout;
 mod map;
 
 pub use layout::Layout;

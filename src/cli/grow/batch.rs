@@ -43,7 +43,8 @@ pub fn run(args: &Args) -> Result<(), Error> {
     for (index, task) in tasks.iter().enumerate() {
         if !args.quiet && tasks.len() > 1 {
             // Nobody left to tell is no reason to fail.
-            let _ = writeln!(std::io::stderr(), "{} of {}: {}", index + 1, tasks.len(), task.output.display());
+            let _ =
+                writeln!(std::io::stderr(), "{} of {}: {}", index + 1, tasks.len(), task.output.display());
         }
         let one = Args {
             file: task.file.clone(),
@@ -89,7 +90,9 @@ fn check(args: &Args) -> Result<&Path, Error> {
         return Err(Error::Usage(format!("{name}: goes with one FILE and without --variations")));
     }
     if args.variations.is_some() && !args.more.is_empty() {
-        return Err(Error::Usage("--variations: goes with one FILE; dapple sheet --seeds lays many out".to_owned()));
+        return Err(Error::Usage(
+            "--variations: goes with one FILE; dapple sheet --seeds lays many out".to_owned(),
+        ));
     }
     let Some(folder) = args.output.as_deref() else {
         return Err(Error::Usage("--output: names the folder that the pictures go into".to_owned()));
@@ -116,7 +119,8 @@ fn tasks(args: &Args, folder: &Path) -> Result<Vec<Task>, Error> {
     let files: Vec<&PathBuf> = std::iter::once(&args.file).chain(&args.more).collect();
     for (index, file) in files.iter().enumerate() {
         if let Some(other) = files[..index].iter().find(|other| stem(other) == stem(file)) {
-            let same = if place(other) == place(file) { "one file twice" } else { "one name for two pictures" };
+            let same =
+                if place(other) == place(file) { "one file twice" } else { "one name for two pictures" };
             return Err(Error::Usage(format!(
                 "FILE: found {} and {}, {same}; allowed: documents of different names",
                 other.display(),

@@ -25,7 +25,8 @@ pub fn check(path: &Path) -> Result<(), ExportError> {
     match inside.next() {
         None => Ok(()),
         Some(_) => {
-            let reason = "the folder is not empty, and frames of two films would mix; empty it, or name a new one";
+            let reason =
+                "the folder is not empty, and frames of two films would mix; empty it, or name a new one";
             Err(io_error(path, io::Error::other(reason)))
         }
     }

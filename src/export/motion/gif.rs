@@ -21,7 +21,8 @@ pub fn write(
     play: impl FnOnce(Show) -> Result<(), Stopped>,
 ) -> Result<(), Stopped> {
     let side = |px: usize| {
-        u16::try_from(px).map_err(|_| io::Error::other(format!("{px} px a side are more than a GIF can hold")))
+        u16::try_from(px)
+            .map_err(|_| io::Error::other(format!("{px} px a side are more than a GIF can hold")))
     };
     let [width, height] = [side(film.size[0])?, side(film.size[1])?];
     let mut colours = Colours::new(&film.palette);

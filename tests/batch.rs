@@ -1,0 +1,115 @@
+//! Many documents at once, and what shells and readers of manuals ask for, through the real binary.
+
+use assert_cmd::Command;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+fn dapple() -> Command {
+    Command::new(assert_cmd::cargo::cargo_bin!("dapple"))
+}
+
+fn document(folder: &Path, name: &str) -> PathBuf {
+    let path = folder.join(format!("{name}.dapple"));
+    let text = r#"{"format": "dapple", "version": 1, "size": [64, 64], "layers": [
+        {"strokes": [{"kind": "ellipse", "center": [32, 32], "radii": [8, 5], "angle": 30}]}]}"#;
+    fs::write(&path, text).unwrap();
+    path
+}
+
+/// The names in a folder, sorted.
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn one_document_that_fails_does_not_stop_the_others() {
+    let folder = TempDir::new().unwrap();
+    let [a, c] = ["a", "c"].map(|name| document(folder.path(), name));
+    let broken = folder.path().join("b.dapple");
+    fs::write(&broken, "{").unwrap();
+    let out = folder.path().join("out");
+    let run = dapple().arg("grow").args([&a, &broken, &c]).arg("-o").arg(&out).assert().code(1);
+    let message = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    assert!(message.contains("1 of 3 pictures were not grown") && message.contains("b.dapple"), "{message}");
+    assert_eq!(names(&out), ["a.png", "c.png"]);
+}
+
+#[test]
+fn a_picture_of_a_batch_is_that_of_its_document_alone() {
+    let folder = TempDir::new().unwrap();
+    let [a, b] = ["a", "b"].map(|name| document(folder.path(), name));
+    let (out, alone) = (folder.path().join("out"), folder.path().join("alone.png"));
+    dapple().arg("grow").args([&a, &b]).arg("-o").arg(&out).assert().success();
+    dapple().arg("grow").arg(&b).arg("-o").arg(&alone).assert().success();
+    assert!(fs::read(out.join("b.png")).unwrap() == fs::read(alone).unwrap());
+}
+
+#[test]
+fn variations_are_seeds_and_a_sheet_of_them_all() {
+    let folder = TempDir::new().unwrap();
+    let (a, out) = (document(folder.path(), "a"), folder.path().join("out"));
+    let seeds = ["--variations", "3", "--seed", "5", "--quiet"];
+    dapple().arg("grow").arg(&a).arg("-o").arg(&out).args(seeds).assert().success();
+    assert_eq!(names(&out), ["a-5.png", "a-6.png", "a-7.png", "a-sheet.png"]);
+    let [first, second] = ["a-5.png", "a-6.png"].map(|name| fs::read(out.join(name)).unwrap());
+    assert!(first != second);
+    let sheet = image::open(out.join("a-sheet.png")).unwrap();
+    assert!(sheet.width() > 256 && sheet.height() > 256);
+}
+
+#[test]
+fn what_goes_into_one_file_is_refused_for_many() {
+    let folder = TempDir::new().unwrap();
+    let [a, b] = ["a", "b"].map(|name| document(folder.path(), name));
+    let there = folder.path().join("a.png");
+    let refused = |arguments: &[&str], word: &str| {
+        let run = dapple().arg("grow").args([&a, &b]).args(arguments).assert().code(2);
+        let message = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        assert!(message.contains(word), "{message}");
+    };
+    refused(&["-o", there.to_str().unwrap()], "a folder");
+    refused(&["-o", "out", "--pattern", "p.png"], "--pattern");
+    refused(&["-o", "out", "--variations", "2"], "--variations");
+    refused(&["-o", "out", a.to_str().unwrap()], "one file twice");
+    assert_eq!(names(folder.path()), ["a.dapple", "b.dapple"]);
+}
+
+#[test]
+fn a_report_and_a_check_are_printed_as_json() {
+    let folder = TempDir::new().unwrap();
+    let a = document(folder.path(), "a");
+    let json = |command: &mut Command| -> serde_json::Value {
+        serde_json::from_slice(&command.assert().success().get_output().stdout).unwrap()
+    };
+    let output = folder.path().join("a.png");
+    let report = json(dapple().arg("grow").arg(&a).args(["--report", "-", "-o"]).arg(&output));
+    assert_eq!(report["size"], serde_json::json!([64, 64]));
+    let check = json(dapple().arg("check").arg(&a).arg("--json"));
+    let region = &check["layers"][0]["regions"][0];
+    assert!((region["asked"]["area"].as_f64().unwrap() - 40.0 * std::f64::consts::PI).abs() < 1e-9);
+    assert_eq!(check["layers"][0]["system"], report["layers"][0]["system"]);
+}
+
+#[test]
+fn every_command_is_completed_and_has_its_page() {
+    let folder = TempDir::new().unwrap();
+    for shell in ["bash", "zsh", "fish", "powershell"] {
+        let run = dapple().args(["completions", shell]).assert().success();
+        let script = String::from_utf8(run.get_output().stdout.clone()).unwrap();
+        assert!(script.contains("film") && script.contains("variations"), "{shell}");
+    }
+    dapple().args(["man", "-o"]).arg(folder.path()).assert().success();
+    let pages = names(folder.path());
+    assert!(
+        pages.contains(&"dapple.1".to_owned()) && pages.contains(&"dapple-grow.1".to_owned()),
+        "{pages:?}"
+    );
+    let page = dapple().args(["man", "grow"]).assert().success().get_output().stdout.clone();
+    assert!(page == fs::read(folder.path().join("dapple-grow.1")).unwrap());
+    assert!(String::from_utf8(page).unwrap().contains("\\-\\-variations"));
+    dapple().args(["man", "gorw"]).assert().code(2);
+}

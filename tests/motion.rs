@@ -1,0 +1,188 @@
+//! `dapple film` through the real binary: what the frames show and how long, and what is refused.
+
+use assert_cmd::Command;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+const SPOT: &str = r#"{"kind": "ellipse", "center": [24, 24], "radii": [7, 4], "angle": 30}"#;
+const LINE: &str = r#"{"kind": "line", "from": [5, 20], "to": [40, 20], "width": 6}"#;
+
+fn document(folder: &TempDir, name: &str, strokes: &str) -> PathBuf {
+    let path = folder.path().join(format!("{name}.dapple"));
+    let text = format!(
+        r#"{{"format": "dapple", "version": 1, "size": [64, 48], "layers": [{{"strokes": [{strokes}]}}]}}"#
+    );
+    fs::write(&path, text).unwrap();
+    path
+}
+
+fn dapple() -> Command {
+    Command::new(assert_cmd::cargo::cargo_bin!("dapple"))
+}
+
+fn film(file: &Path, output: &Path, options: &[&str]) -> assert_cmd::assert::Assert {
+    dapple().arg("film").arg(file).arg("-o").arg(output).args(options).arg("--quiet").assert()
+}
+
+fn frames(folder: &Path) -> Vec<Vec<u8>> {
+    let mut names: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    names.sort();
+    names.iter().map(|path| image::open(path).unwrap().into_rgb8().into_raw()).collect()
+}
+
+/// Type and data of each chunk of a PNG, read by hand.
+fn chunks(png: &[u8]) -> Vec<(&[u8], &[u8])> {
+    let mut rest = &png[8..];
+    let mut chunks = Vec::new();
+    while rest.len() >= 12 {
+        let length = u32::from_be_bytes(rest[..4].try_into().unwrap()) as usize;
+        chunks.push((&rest[4..8], &rest[8..8 + length]));
+        rest = &rest[12 + length..];
+    }
+    chunks
+}
+
+/// Delays, hundredths of a second, of a GIF's frames, and whether it begins again; read by hand.
+fn gif(bytes: &[u8]) -> (Vec<u16>, bool) {
+    assert_eq!(&bytes[..6], b"GIF89a");
+    let table = |flags: u8| if flags & 0x80 != 0 { 3 << ((flags & 7) + 1) } else { 0 };
+    let mut at = 13 + table(bytes[10]);
+    let (mut delays, mut again) = (Vec::new(), false);
+    while bytes[at] != 0x3b {
+        at += match bytes[at] {
+            0x21 => {
+                match bytes[at + 1] {
+                    0xf9 => delays.push(u16::from_le_bytes([bytes[at + 4], bytes[at + 5]])),
+                    0xff => again |= &bytes[at + 3..at + 14] == b"NETSCAPE2.0",
+                    _ => {}
+                }
+                2
+            }
+            0x2c => 11 + table(bytes[at + 9]),
+            other => panic!("a block of kind {other}"),
+        };
+        while bytes[at] != 0 {
+            at += 1 + usize::from(bytes[at]);
+        }
+        at += 1;
+    }
+    (delays, again)
+}
+
+const SHORT: [&str; 4] = ["--seconds", "1", "--fps", "8"];
+
+#[test]
+fn the_last_frame_is_the_settled_texture_and_the_first_is_not() {
+    let folder = TempDir::new().unwrap();
+    let file = document(&folder, "spots", SPOT);
+    let (clip, picture) = (folder.path().join("clip"), folder.path().join("still.png"));
+    film(&file, &clip, &SHORT).success();
+    dapple().arg("grow").arg(&file).arg("-o").arg(&picture).assert().success();
+    let frames = frames(&clip);
+    assert_eq!(frames.len(), 8);
+    let settled = image::open(picture).unwrap().into_rgb8().into_raw();
+    assert!(frames[7] == settled && frames[0] != settled);
+}
+
+#[test]
+fn frames_are_about_as_far_apart_as_they_look() {
+    let folder = TempDir::new().unwrap();
+    let (file, clip) = (document(&folder, "stripes", LINE), folder.path().join("clip"));
+    film(&file, &clip, &SHORT).success();
+    let frames = frames(&clip);
+    let far = |pair: &[Vec<u8>]| -> f64 {
+        let parts = pair[0].iter().zip(&pair[1]).map(|(a, b)| f64::from(a.abs_diff(*b)));
+        parts.sum::<f64>() / pair[0].len() as f64
+    };
+    let ways: Vec<f64> = frames.windows(2).map(far).collect();
+    let mean = ways.iter().sum::<f64>() / ways.len() as f64;
+    assert!(mean > 1.0 && ways.iter().all(|way| *way < 3.0 * mean), "{ways:?}");
+}
+
+#[test]
+fn the_same_document_gives_the_same_bytes_by_any_number_of_threads() {
+    let folder = TempDir::new().unwrap();
+    let file = document(&folder, "spots", SPOT);
+    for ending in ["gif", "png"] {
+        let clips = ["1", "3"].map(|threads| {
+            let clip = folder.path().join(format!("{threads}.{ending}"));
+            film(&file, &clip, &[&SHORT[..], &["--threads", threads]].concat()).success();
+            fs::read(clip).unwrap()
+        });
+        assert!(clips[0] == clips[1], "{ending}");
+    }
+}
+
+#[test]
+fn a_gif_says_how_long_each_frame_is_seen_and_whether_it_begins_again() {
+    let folder = TempDir::new().unwrap();
+    let (file, clip) = (document(&folder, "spots", SPOT), folder.path().join("clip.gif"));
+    film(&file, &clip, &[&SHORT[..], &["--hold", "2"]].concat()).success();
+    let (delays, again) = gif(&fs::read(&clip).unwrap());
+    assert_eq!((delays, again), (vec![13, 12, 13, 12, 13, 12, 13, 212], true));
+    film(&file, &clip, &[&SHORT[..], &["--once", "--side", "32"]].concat()).success();
+    let bytes = fs::read(&clip).unwrap();
+    assert!(!gif(&bytes).1);
+    assert_eq!([bytes[6], bytes[8]], [32, 24]);
+}
+
+#[test]
+fn an_animated_png_says_the_same_and_shows_its_first_frame_anywhere() {
+    let folder = TempDir::new().unwrap();
+    let (file, clip, still) =
+        (document(&folder, "spots", SPOT), folder.path().join("clip.png"), folder.path().join("clip"));
+    film(&file, &clip, &[&SHORT[..], &["--hold", "1"]].concat()).success();
+    film(&file, &still, &SHORT).success();
+    let bytes = fs::read(&clip).unwrap();
+    let control = |kind: &[u8]| -> Vec<Vec<u8>> {
+        let chunks = chunks(&bytes).into_iter().filter(|(found, _)| *found == kind);
+        chunks.map(|(_, data)| data.to_vec()).collect()
+    };
+    assert_eq!(control(b"acTL"), [[0, 0, 0, 8, 0, 0, 0, 0]]);
+    let delays: Vec<[u16; 2]> = control(b"fcTL")
+        .iter()
+        .map(|data| [20, 22].map(|at| u16::from_be_bytes([data[at], data[at + 1]])))
+        .collect();
+    assert_eq!((delays.len(), delays[0], delays[7]), (8, [1, 8], [112, 100]));
+    assert!(image::open(&clip).unwrap().into_rgb8().into_raw() == frames(&still)[0]);
+}
+
+#[test]
+fn one_document_becomes_another_without_a_cut() {
+    let folder = TempDir::new().unwrap();
+    let a = document(&folder, "a", SPOT);
+    let b = document(&folder, "b", &SPOT.replace("[7, 4]", "[4, 4]"));
+    let clip = folder.path().join("clip");
+    film(&a, &clip, &["--to", b.to_str().unwrap(), "--seconds", "2", "--fps", "10"]).success();
+    let frames = frames(&clip);
+    assert_eq!(frames.len(), 20);
+    let far = |a: &[u8], b: &[u8]| -> u64 { a.iter().zip(b).map(|(a, b)| u64::from(a.abs_diff(*b))).sum() };
+    let all = far(&frames[0], &frames[19]);
+    assert!(all > 0 && frames.windows(2).all(|pair| far(&pair[0], &pair[1]) < all), "a cut");
+}
+
+#[test]
+fn what_cannot_be_filmed_is_refused_with_the_remedy_and_leaves_nothing() {
+    let folder = TempDir::new().unwrap();
+    let (spots, stripes) = (document(&folder, "spots", SPOT), document(&folder, "stripes", LINE));
+    let full = folder.path().join("full");
+    fs::create_dir(&full).unwrap();
+    fs::write(full.join("mine.txt"), "keep").unwrap();
+    let clip = folder.path().join("clip.gif");
+    let refused = |output: &Path, options: &[&str], code: i32, word: &str| {
+        let message = String::from_utf8(film(&spots, output, options).code(code).get_output().stderr.clone());
+        let message = message.unwrap();
+        assert!(message.contains(word), "{word} in {message}");
+    };
+    refused(&clip, &["--to", stripes.to_str().unwrap()], 1, "draw ellipses in both");
+    refused(&clip, &["--fps", "60"], 2, "1 to 50");
+    refused(&clip, &["--seconds", "0.05"], 2, "2 to 20000");
+    refused(&folder.path().join("clip.mp4"), &[], 1, ".gif, .png, .apng");
+    refused(&full, &[], 1, "not empty");
+    refused(&spots, &[], 2, "twice");
+    let mut left: Vec<_> =
+        fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    left.sort();
+    assert_eq!(left, ["full", "spots.dapple", "stripes.dapple"]);
+}
