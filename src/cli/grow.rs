@@ -1,11 +1,13 @@
 //! `dapple grow`: a document → its texture.
 
+mod look;
+mod material;
 mod pictures;
 pub(super) mod progress;
 
 use super::{Error, values};
 use crate::export;
-use crate::synth::recipe::Document;
+use crate::synth::recipe::{self, Document, Extent};
 use crate::synth::{Options, Training, Watch, grow, report::report};
 use progress::Bar;
 use serde_json::Value;
@@ -20,22 +22,27 @@ const MOST_NOTES: usize = 8;
 /// What to grow, how, and where to write it.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The document to grow
+    /// The document to grow, or a PNG that dapple wrote: the same picture grows again
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Where to write the picture
-    #[arg(short, long, value_name = "OUT.png")]
-    pub output: PathBuf,
+    /// Where to write the picture: .png, .tif, .exr, .jpg or .webp
+    #[arg(short, long, value_name = "OUT.png", required_unless_present = "material")]
+    pub output: Option<PathBuf>,
     /// More texture: a canvas of W x H px with features of the same size
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     pub size: Option<[u32; 2]>,
-    /// The same texture with K times the px along each side
-    #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=64))]
-    pub scale: u32,
+    /// The same texture with K times the px along each side [default: 1]
+    #[arg(
+        long, value_name = "K",
+        value_parser = clap::value_parser!(u32).range(1..=i64::from(recipe::embedded::MAX_SCALE))
+    )]
+    pub scale: Option<u32>,
     /// Use this seed instead of the document's
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Also write the pattern: 16-bit gray, 0 = ground, half = a mark's edge
+    #[command(flatten)]
+    pub look: look::Args,
+    /// Also write the pattern: 16-bit gray (.png, .tif) or floating point (.exr), 0 = ground, half = a mark's edge
     #[arg(long, value_name = "P.png")]
     pub pattern: Option<PathBuf>,
     /// Write the pattern of layer K alone (1 = the lowest)
@@ -47,6 +54,11 @@ pub struct Args {
     /// Also write which layer's mark covers each px: 8-bit gray, 0 = none
     #[arg(long, value_name = "L.png")]
     pub labels: Option<PathBuf>,
+    /// Also write the concentrations of all chemicals: floating point, one channel each
+    #[arg(long, value_name = "C.exr")]
+    pub concentrations: Option<PathBuf>,
+    #[command(flatten)]
+    pub material: material::Args,
     /// Also write what was asked and what has grown, as JSON
     #[arg(long, value_name = "R.json")]
     pub report: Option<PathBuf>,
@@ -86,9 +98,10 @@ impl Args {
     pub fn check_outputs(&self) -> Result<(), Error> {
         let named = [
             ("FILE", Some(&self.file)),
-            ("--output", Some(&self.output)),
+            ("--output", self.output.as_ref()),
             ("--pattern", self.pattern.as_ref()),
             ("--labels", self.labels.as_ref()),
+            ("--concentrations", self.concentrations.as_ref()),
             ("--report", self.report.as_ref()),
         ];
         let paths: Vec<_> = named.into_iter().filter_map(|(name, path)| Some((name, path?))).collect();
@@ -117,13 +130,15 @@ pub(super) fn place(path: &Path) -> PathBuf {
 /// Where the document is not valid, cannot be grown, or a file cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     args.check_outputs()?;
-    for path in [Some(&args.output), args.pattern.as_ref(), args.labels.as_ref()].into_iter().flatten() {
-        export::check_target(path).map_err(Error::step)?;
-    }
+    // What is wrong with a name is told even where the document is wrong too.
+    pictures::check(args, [1, 1])?;
     args.report.as_deref().map(export::check_file).transpose().map_err(Error::step)?;
-    let document = Document::read(&args.file)?;
+    let (document, was) = recipe::open(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     args.check_layer(&document)?;
+    let extent = Extent { size: args.size.or(was.size), scale: args.scale.unwrap_or(was.scale) };
+    let size = extent.size.unwrap_or(document.size).map(|side| side as usize * extent.scale as usize);
+    pictures::check(args, size)?;
     if let Some(threads) = args.threads {
         // Fails only where the pool exists already, and nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
@@ -134,10 +149,14 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
     let source = args.file.display().to_string();
     let started = Instant::now();
-    let options = Options { size: args.size, refine: args.no_refine.then_some(false) };
+    let options = Options {
+        size: extent.size,
+        refine: args.no_refine.then_some(false),
+        concentrations: args.concentrations.is_some(),
+    };
     let training = Training::from(args.training.clone());
     let grown = grow(&document, &source, &training, options, &watch).map_err(Error::grown)?;
-    let prepared = pictures::prepare(args, &document, &grown, &watch);
+    let prepared = pictures::prepare(args, &document, &grown, extent, &watch);
     bar.clear();
     let mut prepared = prepared?;
     let seconds = started.elapsed().as_secs_f64();

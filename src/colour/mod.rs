@@ -2,14 +2,16 @@
 //!
 //! A [`Gradient`] says which colour a pattern value has, exactly; its [`Table`] says the same fast, one
 //! entry for each of the 65536 steps that a 16-bit picture of the pattern knows. [`paint()`] looks every px
-//! of every layer up. [`Set`] holds the colours that a document gets when it names none.
+//! of every layer up; [`Fine`] does so with more than 8 bit, and with opacity. [`Set`] holds the colours that a document gets when it names none.
 
 mod bezier;
 mod gradient;
+mod opacity;
 mod paint;
 mod sets;
 
 pub use bezier::Bend;
 pub use gradient::{Gradient, GradientError, Stop, Table};
+pub use opacity::Fine;
 pub use paint::{Painted, paint, paint_rows, painter};
 pub use sets::{BY_LAYER, COATS, Set};

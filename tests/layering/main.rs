@@ -20,7 +20,7 @@ const DOORS: [&str; 2] = ["cli", "app"];
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-const ADDRESSES: [(&str, &[&str]); 18] = [
+const ADDRESSES: [(&str, &[&str]); 20] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     ("bytemuck", &["src/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
@@ -29,6 +29,7 @@ const ADDRESSES: [(&str, &[&str]); 18] = [
     ("dapple", &["src/main.rs", "data-gen/"]),
     ("eframe", &["src/app/", "src/cli/", "src/main.rs"]),
     (WINDOW, &["src/app/", "src/cli/"]),
+    ("exr", &["src/export/"]),
     ("image", &["src/export/", "src/cli/measure.rs", "src/app/examples.rs", "src/app/reference.rs"]),
     ("indicatif", &["src/cli/", "data-gen/"]),
     ("nalgebra", &["src/marks/", "src/learn/", "src/rd/"]),
@@ -39,6 +40,7 @@ const ADDRESSES: [(&str, &[&str]); 18] = [
     ("serde_path_to_error", &["data-gen/"]),
     ("spade", &["src/attributes/spacing.rs"]),
     ("tempfile", &["src/export/"]),
+    ("tiff", &["src/export/"]),
 ];
 /// Packages that are as common as the language.
 const EVERYWHERE: [&str; 6] = ["libm", "rand", "rand_pcg", "rayon", "serde", "thiserror"];

@@ -64,6 +64,7 @@
 //! | `"initiators"` | the drawn lines alone, and no tensor: stripes radiate from them in regular order, as in Turk's "Regular Stripe Patterns" and Phan & Grimm, figure 11 |
 
 mod choices;
+pub mod embedded;
 mod error;
 mod file;
 pub mod limits;
@@ -77,6 +78,7 @@ mod writer;
 use crate::attributes::Spread;
 pub use crate::rd::Seeding;
 pub use choices::{After, Kind, SystemChoice};
+pub use embedded::{Extent, in_picture, open};
 pub use error::{DocumentError, Problem};
 
 use crate::field::Edges;
