@@ -41,7 +41,7 @@ pub struct Args {
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
     #[command(flatten)]
-    pub look: look::Args,
+    pub look: look::Look,
     /// Also write the pattern: 16-bit gray (.png, .tif) or floating point (.exr), 0 = ground, half = a mark's edge
     #[arg(long, value_name = "P.png")]
     pub pattern: Option<PathBuf>,
@@ -58,7 +58,7 @@ pub struct Args {
     #[arg(long, value_name = "C.exr")]
     pub concentrations: Option<PathBuf>,
     #[command(flatten)]
-    pub material: material::Args,
+    pub material: material::Material,
     /// Also write what was asked and what has grown, as JSON
     #[arg(long, value_name = "R.json")]
     pub report: Option<PathBuf>,

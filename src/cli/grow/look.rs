@@ -7,7 +7,7 @@ use crate::synth::recipe::{Document, Extent};
 
 /// How to write the picture.
 #[derive(clap::Args, Debug)]
-pub struct Args {
+pub struct Look {
     /// Let one see through the ground; laid over the ground's colour again, it is the same picture
     #[arg(long)]
     pub transparent: bool,
@@ -22,7 +22,7 @@ pub struct Args {
     pub no_document: bool,
 }
 
-impl Args {
+impl Look {
     /// The same without what a picture holds beside its px.
     pub fn style(&self) -> Style {
         Style {

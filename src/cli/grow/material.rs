@@ -13,13 +13,13 @@ const MOST_RELIEF: f64 = 1e5;
 
 /// What the maps of a material are made of.
 #[derive(clap::Args, Debug)]
-pub struct Args {
+pub struct Material {
     /// Also write a material into this folder: base colour, height, normals, roughness, occlusion, a plane (docs/materials.md)
     #[arg(long, value_name = "DIR")]
     pub material: Option<PathBuf>,
     /// How far marks stand above the ground, px; below 0 they are hollows. One a layer, the last for all further ones
     #[arg(
-        long, value_name = "PX,…", requires = "material", value_delimiter = ',', default_value = "4",
+        long, value_name = "PX,…", requires = "material", value_delimiter = ',', default_value = "6",
         allow_hyphen_values = true, value_parser = relief
     )]
     pub relief: Vec<f64>,
@@ -33,7 +33,7 @@ pub struct Args {
 
 fn relief(text: &str) -> Result<f64, String> {
     let number = text.trim().parse::<f64>().ok().filter(|number| number.abs() <= MOST_RELIEF);
-    number.ok_or_else(|| format!("allowed: numbers from -{MOST_RELIEF} to {MOST_RELIEF}, such as 4 or -2,6"))
+    number.ok_or_else(|| format!("allowed: numbers from -{MOST_RELIEF} to {MOST_RELIEF}, such as 6 or 6,-2"))
 }
 
 fn roughness(text: &str) -> Result<f64, String> {
@@ -41,7 +41,7 @@ fn roughness(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "allowed: numbers from 0 (a mirror) to 1 (chalk), such as 0.8,0.5".to_owned())
 }
 
-impl Args {
+impl Material {
     /// Looks whether the set can be written, before the work is done.
     pub fn check(&self, size: [usize; 2]) -> Result<(), Error> {
         let Some(folder) = &self.material else { return Ok(()) };
@@ -63,7 +63,7 @@ impl Args {
         Ok(())
     }
 
-    /// Writes the set, named like the document or else its file; no map has its name yet.
+    /// Writes the set, named like the document's file; no map has its name yet.
     pub fn prepare(
         &self,
         painting: &Painting,
@@ -78,8 +78,7 @@ impl Args {
             let written = |source| Error::File { file: folder.display().to_string(), done: "made", source };
             std::fs::create_dir(folder).map_err(written)?;
         }
-        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-        let named = if document.name.trim().is_empty() { name(&stem) } else { name(&document.name) };
+        let named = name(&file.file_stem().unwrap_or_default().to_string_lossy());
         let set = Set {
             name: &named,
             size: painting.size,

@@ -14,7 +14,7 @@ pub struct Surface {
 impl Default for Surface {
     /// Marks as high as those of embossed leather, and smoother than the ground.
     fn default() -> Self {
-        Self { relief: vec![4.0], roughness: vec![0.8, 0.5] }
+        Self { relief: vec![6.0], roughness: vec![0.8, 0.5] }
     }
 }
 
