@@ -158,12 +158,12 @@ mod tests {
 
     #[test]
     fn what_cannot_be_written_is_an_error() {
-        let write = |size, names: &[&str], fill: fn() -> Result<(), Stopped>| {
+        let refused = |size, names: &[&str], fill: fn() -> Result<(), Stopped>| {
             let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-            super::write(std::io::Cursor::new(Vec::new()), size, &names, None, |_, _| fill())
+            write(std::io::Cursor::new(Vec::new()), size, &names, None, |_, _| fill())
         };
-        assert!(write([2, 2], &["a", "b", "a"], || Ok(())).unwrap_err().to_string().contains("'a'"));
-        assert!(write([2, 0], &["a"], || Ok(())).is_err());
-        assert!(matches!(write([2, 2], &["a"], || Err(Stopped::Cancelled)), Err(Stopped::Cancelled)));
+        assert!(refused([2, 2], &["a", "b", "a"], || Ok(())).unwrap_err().to_string().contains("'a'"));
+        assert!(refused([2, 0], &["a"], || Ok(())).is_err());
+        assert!(matches!(refused([2, 2], &["a"], || Err(Stopped::Cancelled)), Err(Stopped::Cancelled)));
     }
 }

@@ -11,28 +11,28 @@ use std::path::PathBuf;
 use tempfile::TempDir;
 
 /// A folder that goes when it is dropped, with `a.dapple` in it.
-pub struct Folder(TempDir);
+struct Folder(TempDir);
 
 impl Folder {
-    pub fn with(document: &Value) -> Self {
+    fn with(document: &Value) -> Self {
         let folder = Self(tempfile::tempdir().unwrap());
         std::fs::write(folder.path("a.dapple"), document.to_string()).unwrap();
         folder
     }
 
-    pub fn path(&self, name: &str) -> PathBuf {
+    fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
 
-    pub fn bytes(&self, name: &str) -> Vec<u8> {
+    fn bytes(&self, name: &str) -> Vec<u8> {
         std::fs::read(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
-    pub fn picture(&self, name: &str) -> image::DynamicImage {
+    fn picture(&self, name: &str) -> image::DynamicImage {
         image::open(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
-    pub fn names(&self) -> Vec<String> {
+    fn names(&self) -> Vec<String> {
         let entries = std::fs::read_dir(self.0.path()).unwrap();
         let mut names: Vec<String> =
             entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
@@ -47,13 +47,13 @@ impl Folder {
     }
 
     #[track_caller]
-    pub fn does(&self, arguments: &str) {
+    fn does(&self, arguments: &str) {
         self.dapple(arguments).assert().success();
     }
 
     /// Fails with a message of one line with these words, and leaves no file behind.
     #[track_caller]
-    pub fn refuses(&self, arguments: &str, code: i32, words: &[&str]) {
+    fn refuses(&self, arguments: &str, code: i32, words: &[&str]) {
         let before = self.names();
         let output = self.dapple(arguments).assert().code(code).get_output().clone();
         let message = String::from_utf8(output.stderr).unwrap();
@@ -65,7 +65,7 @@ impl Folder {
 }
 
 /// A tile of long spots, white to black.
-pub fn tile() -> Value {
+fn tile() -> Value {
     let spot =
         |x: f64, y: f64| json!({"kind": "ellipse", "center": [x, y], "radii": [8.0, 5.0], "angle": 30});
     json!({"format": "dapple", "version": 1, "name": "a tile", "size": [120, 96], "edges": "wrap", "layers": [

@@ -86,7 +86,7 @@ fn packed_maps_hold_what_the_single_ones_do() {
     }
     let ends =
         [rough.iter().min().unwrap(), rough.iter().max().unwrap()].map(|value| f64::from(*value) / 255.0);
-    assert!((ends[0] - 0.2).abs() < 0.02 && (ends[1] - 0.9).abs() < 0.02, "{ends:?}");
+    assert!((ends[0] - 0.2).abs() < 0.02 && (0.85..=0.91).contains(&ends[1]), "{ends:?}");
     assert!(open.iter().min().unwrap() < &240 && open.iter().max().unwrap() == &255);
 }
 

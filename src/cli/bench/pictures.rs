@@ -111,6 +111,6 @@ mod tests {
             Document::parse(example.text, example.name).expect("an example is valid");
         }
         let args = grow_args(Path::new("a b.dapple"), Path::new("a b.png")).expect("two names are enough");
-        assert_eq!((args.file, args.output), ("a b.dapple".into(), "a b.png".into()));
+        assert_eq!((args.file, args.output), ("a b.dapple".into(), Some("a b.png".into())));
     }
 }
