@@ -1,12 +1,14 @@
 //! `dapple grow`: a document → its texture.
 
+mod look;
+mod material;
 mod outlines;
 mod pictures;
 pub(super) mod progress;
 
 use super::{Error, values};
-use crate::export;
-use crate::synth::recipe::Document;
+use crate::export::{self, Format};
+use crate::synth::recipe::{self, Document, Extent};
 use crate::synth::{Options, Training, Watch, grow, report::report};
 use progress::Bar;
 use serde_json::Value;
@@ -21,22 +23,27 @@ const MOST_NOTES: usize = 8;
 /// What to grow, how, and where to write it.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The document to grow
+    /// The document to grow, or a PNG that dapple wrote: the same picture grows again
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Where to write the picture, or its outlines: .png, .svg, .dxf
-    #[arg(short, long, value_name = "OUT.png", required_unless_present_any = ["svg", "dxf"])]
+    /// Where to write the picture (.png, .tif, .exr, .jpg, .webp) or its outlines (.svg, .dxf)
+    #[arg(short, long, value_name = "OUT.png", required_unless_present_any = ["material", "svg", "dxf"])]
     pub output: Option<PathBuf>,
     /// More texture: a canvas of W x H px with features of the same size
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     pub size: Option<[u32; 2]>,
-    /// The same texture with K times the px along each side
-    #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=64))]
-    pub scale: u32,
+    /// The same texture with K times the px along each side [default: 1]
+    #[arg(
+        long, value_name = "K",
+        value_parser = clap::value_parser!(u32).range(1..=i64::from(recipe::embedded::MAX_SCALE))
+    )]
+    pub scale: Option<u32>,
     /// Use this seed instead of the document's
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Also write the pattern: 16-bit gray, 0 = ground, half = a mark's edge
+    #[command(flatten)]
+    pub look: look::Look,
+    /// Also write the pattern: 16-bit gray (.png, .tif) or floating point (.exr), 0 = ground, half = a mark's edge
     #[arg(long, value_name = "P.png")]
     pub pattern: Option<PathBuf>,
     /// Write the pattern or the outlines of layer K alone (1 = the lowest)
@@ -45,6 +52,11 @@ pub struct Args {
     /// Also write which layer's mark covers each px: 8-bit gray, 0 = none
     #[arg(long, value_name = "L.png")]
     pub labels: Option<PathBuf>,
+    /// Also write the concentrations of all chemicals: floating point, one channel each
+    #[arg(long, value_name = "C.exr")]
+    pub concentrations: Option<PathBuf>,
+    #[command(flatten)]
+    pub material: material::Material,
     /// Also write what was asked and what has grown, as JSON
     #[arg(long, value_name = "R.json")]
     pub report: Option<PathBuf>,
@@ -93,6 +105,7 @@ impl Args {
             ("--output", self.output.as_ref()),
             ("--pattern", self.pattern.as_ref()),
             ("--labels", self.labels.as_ref()),
+            ("--concentrations", self.concentrations.as_ref()),
             ("--report", self.report.as_ref()),
             ("--svg", self.outlines.svg.as_ref()),
             ("--dxf", self.outlines.dxf.as_ref()),
@@ -123,11 +136,15 @@ pub(super) fn place(path: &Path) -> PathBuf {
 /// Where the document is not valid, cannot be grown, or a file cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     args.check_outputs()?;
+    // What is wrong with a name is told even where the document is wrong too.
     check_targets(args)?;
-    let document = Document::read(&args.file)?;
+    let (document, was) = recipe::open(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     args.check_layer(&document)?;
-    outlines::check(args, &document)?;
+    let extent = Extent { size: args.size.or(was.size), scale: args.scale.unwrap_or(was.scale) };
+    outlines::check(args, &document, extent)?;
+    let size = extent.size.unwrap_or(document.size).map(|side| side as usize * extent.scale as usize);
+    pictures::check(args, size)?;
     if let Some(threads) = args.threads {
         // Fails only where the pool exists already, and nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
@@ -138,11 +155,15 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
     let source = args.file.display().to_string();
     let started = Instant::now();
-    let options = Options { size: args.size, refine: args.no_refine.then_some(false) };
+    let options = Options {
+        size: extent.size,
+        refine: args.no_refine.then_some(false),
+        concentrations: args.concentrations.is_some(),
+    };
     let training = Training::from(args.training.clone());
     let grown = grow(&document, &source, &training, options, &watch).map_err(Error::grown)?;
-    let prepared = pictures::prepare(args, &document, &grown, &watch);
-    let outlined = outlines::prepare(args, &document, &grown, &watch);
+    let prepared = pictures::prepare(args, &document, &grown, extent, &watch);
+    let outlined = outlines::prepare(args, &document, &grown, extent, &watch);
     bar.clear();
     let (mut prepared, outlined) = (prepared?, outlined?);
     let seconds = started.elapsed().as_secs_f64();
@@ -172,13 +193,12 @@ pub fn run(args: &Args) -> Result<(), Error> {
 
 /// Looks whether all files can be written, before the work is done.
 fn check_targets(args: &Args) -> Result<(), Error> {
-    let endings: Vec<_> = export::FORMATS.into_iter().chain(export::outline::FORMATS).collect();
+    let pictures = Format::ENDINGS.iter().map(|(ending, _)| *ending);
+    let endings: Vec<_> = pictures.chain(export::outline::FORMATS).collect();
     let output = args.output.as_deref().map(|path| export::check_ending(path, &endings));
-    let pictures =
-        [args.pattern.as_deref(), args.labels.as_deref()].map(|path| path.map(export::check_target));
     let report = args.report.as_deref().map(export::check_file);
-    let checks = [output].into_iter().chain(pictures).chain([report]).flatten();
-    checks.collect::<Result<(), _>>().map_err(Error::step)
+    [output, report].into_iter().flatten().collect::<Result<(), _>>().map_err(Error::step)?;
+    pictures::check(args, [1, 1])
 }
 
 /// What the user should know beside the picture, on stderr.

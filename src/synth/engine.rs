@@ -255,6 +255,12 @@ impl Engine {
         self.stage.growth.marks(self.stage.coarse.as_ref().unwrap_or(&self.maps))
     }
 
+    /// The concentrations of each chemical, on the grid it is on.
+    #[must_use]
+    pub fn concentrations(&self) -> Vec<Vec<f32>> {
+        self.stage.growth.concentrations()
+    }
+
     /// The pattern as far as it has grown, at `width` × `height` px. `plan` is that of the engine.
     #[must_use]
     pub fn look(&self, plan: &Plan, width: usize, height: usize) -> Field {

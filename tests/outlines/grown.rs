@@ -27,7 +27,7 @@ const SIDE: u32 = 200;
 fn grown(name: &str) -> (Document, Grown) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}.dapple"));
     let document = Document::read(file).unwrap();
-    let options = Options { size: Some([SIDE; 2]), refine: Some(false) };
+    let options = Options { size: Some([SIDE; 2]), refine: Some(false), ..Options::default() };
     let grown = grow(&document, name, &Training::default(), options, &Watch::NOBODY).unwrap();
     (document, grown)
 }
