@@ -36,7 +36,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     /// Grow a document and write its picture
-    Grow(grow::Args),
+    Grow(Box<grow::Args>),
     /// Grow many documents and lay their pictures out on one sheet
     Sheet(sheet::Args),
     /// Make a document of what is drawn in an SVG

@@ -61,7 +61,7 @@ pub fn write(
                         pixel_size: Vec2(width, rows.len()),
                         level: Vec2(0, 0),
                     };
-                    let block = UncompressedBlock { index, data: block(rows, width, &order, &planes).into() };
+                    let block = UncompressedBlock { index, data: block(rows, width, &order, &planes) };
                     Ok((first / BLOCK_ROWS, block.compress_to_chunk(&meta.headers)?))
                 })
                 .collect::<Result<_, Error>>()?;

@@ -17,9 +17,9 @@ fn steps(picture: &DynamicImage) -> [Vec<u16>; 2] {
         let right = to(rgba.get_pixel((x + 1) % width, y));
         let below = to(rgba.get_pixel(x, (y + 1) % height));
         if x + 1 == width {
-            across.push(right)
+            across.push(right);
         } else {
-            inside.push(right)
+            inside.push(right);
         }
         if y + 1 == height { across.push(below) } else { inside.push(below) }
     }

@@ -155,7 +155,7 @@ impl Drawn {
     /// Such as `412 paths; the pen draws 3.1 m and travels 0.42 m in the air (2.9 m in the order found)`.
     pub fn told(&self) -> String {
         let length = |px: f64| match self.unit {
-            Unit::Px => format!("{:.0} px", px),
+            Unit::Px => format!("{px:.0} px"),
             Unit::Mm { .. } => format!("{:.2} m", px * self.unit.a_px() / 1000.0),
         };
         let Travel { paths, down, up, up_unordered } = self.travel;
