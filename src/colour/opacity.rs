@@ -130,7 +130,8 @@ mod tests {
             let ground = gradient.colour(0.0).map(|channel| f64::from(channel) / 255.0);
             let fine = Fine::over(&gradient, ground);
             let opacity: Vec<f32> = (0..=1000).map(|step| fine.colour(step as f32 / 1000.0)[3]).collect();
-            assert_eq!([opacity[0], opacity[1000]], [0.0, 1.0]);
+            // What is left at the ground is rounding, far below one step of 16 bit.
+            assert!(opacity[0] < 1e-6 && opacity[1000] == 1.0, "{} {}", opacity[0], opacity[1000]);
             assert!(opacity.windows(2).all(|w| w[0] <= w[1]));
         }
         // White to black by way of any gray: all that is seen is black.

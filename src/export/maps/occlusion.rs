@@ -18,9 +18,11 @@ const DIRECTIONS: usize = 16;
 /// What each distance is multiplied by to give the next, from 1 px on.
 const FARTHER: f64 = 1.35;
 
-/// A place to look at: how many values on it lies, and its distance, px.
+/// A place to look at: how many values on it lies, its direction, and its distance, px. It stands on a px, so that its
+/// direction is only near that of its ray.
 struct Sample {
     on: isize,
+    way: [f32; 2],
     distance: f32,
     weight: f32,
 }
@@ -39,17 +41,18 @@ pub fn openness(height: &Height, radius: usize) -> Vec<f32> {
     open
 }
 
-fn at(h: &[f32], here: usize, rays: &[([f32; 2], Vec<Sample>)], stride: usize) -> f32 {
+fn at(h: &[f32], here: usize, rays: &[Vec<Sample>], stride: usize) -> f32 {
     let slope = [(h[here + 1] - h[here - 1]) / 2.0, (h[here + stride] - h[here - stride]) / 2.0];
     let mut covered = 0.0;
-    for (way, samples) in rays {
-        let tangent = way[0] * slope[0] + way[1] * slope[1];
-        let mut horizon = sine(tangent);
-        for Sample { on, distance, weight } in samples {
-            let sine = sine((h[here.wrapping_add_signed(*on)] - h[here]) / distance);
-            if sine > horizon {
-                covered += weight * (sine - horizon);
-                horizon = sine;
+    for samples in rays {
+        // Above the tangent.
+        let mut horizon = 0.0;
+        for Sample { on, way, distance, weight } in samples {
+            let tangent = sine(way[0] * slope[0] + way[1] * slope[1]);
+            let above = sine((h[here.wrapping_add_signed(*on)] - h[here]) / distance) - tangent;
+            if above > horizon {
+                covered += weight * (above - horizon);
+                horizon = above;
             }
         }
     }
@@ -62,7 +65,7 @@ fn sine(tangent: f32) -> f32 {
 }
 
 /// The directions, and where to look in each.
-fn rays(radius: usize, stride: isize) -> Vec<([f32; 2], Vec<Sample>)> {
+fn rays(radius: usize, stride: isize) -> Vec<Vec<Sample>> {
     let direction = |k: usize| {
         let angle = std::f64::consts::TAU * (k as f64 + 0.5) / DIRECTIONS as f64;
         let way = [libm::cos(angle), libm::sin(angle)];
@@ -75,11 +78,13 @@ fn rays(radius: usize, stride: isize) -> Vec<([f32; 2], Vec<Sample>)> {
             let nearer = samples.last().map_or(0.0, |sample| f64::from(sample.distance));
             if distance > nearer && distance <= radius as f64 {
                 let share = distance / (radius + 1) as f64;
-                samples.push(Sample { on, distance: distance as f32, weight: (1.0 - share * share) as f32 });
+                let (way, distance) =
+                    ([dx / distance, dy / distance].map(|part| part as f32), distance as f32);
+                samples.push(Sample { on, way, distance, weight: (1.0 - share * share) as f32 });
             }
             far = (far * FARTHER).max(far + 1.0);
         }
-        (way.map(|part| part as f32), samples)
+        samples
     };
     (0..DIRECTIONS).map(direction).collect()
 }
