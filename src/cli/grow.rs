@@ -82,9 +82,6 @@ impl Args {
     fn check_layer(&self, document: &Document) -> Result<(), Error> {
         let layers = document.layers.len();
         match self.layer {
-            Some(layer) if self.pattern.is_none() && !outlines::asked(self) => Err(Error::Usage(format!(
-                "--layer: found {layer} without what it is for; allowed: with --pattern, --svg, --dxf or -o OUT.svg"
-            ))),
             Some(layer) if layer as usize > layers => {
                 let file = self.file.display();
                 Err(Error::Usage(format!(
@@ -95,11 +92,19 @@ impl Args {
         }
     }
 
-    /// Refuses to write two things to one file, or to write over the document.
+    /// Refuses to write two things to one file, or to write over the document, and a layer of nothing.
     ///
     /// # Errors
     /// [`Error::Usage`] that names the file.
     pub fn check_outputs(&self) -> Result<(), Error> {
+        if let Some(layer) = self.layer
+            && self.pattern.is_none()
+            && !outlines::asked(self)
+        {
+            return Err(Error::Usage(format!(
+                "--layer: found {layer} without what it is for; allowed: with --pattern, --svg, --dxf or -o OUT.svg"
+            )));
+        }
         let named = [
             ("FILE", Some(&self.file)),
             ("--output", self.output.as_ref()),
