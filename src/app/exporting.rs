@@ -8,8 +8,8 @@ use std::thread;
 
 use super::growth::Texture;
 use crate::export;
-use crate::synth::painting::{Channel, Painting};
-use crate::synth::recipe::Document;
+use crate::synth::painting::{Channel, Painting, Style};
+use crate::synth::recipe::{Document, Extent, embedded};
 use crate::synth::{Grown, Options, Stage, Training, Watch, grow};
 
 /// How large the picture shall be.
@@ -136,14 +136,19 @@ impl Job {
         let grown: Arc<Grown> = match &self.settled {
             Some(texture) => Arc::clone(&texture.grown),
             None => {
-                let options = Options { size: self.size.canvas, refine: None };
+                let options = Options { size: self.size.canvas, ..Options::default() };
                 let grown = grow(&self.document, "the sketch", &Training::default(), options, &watch);
                 Arc::new(grown.map_err(|error| error.to_string())?)
             }
         };
         let painting = Painting::of(&self.document, &grown, self.size.scale as usize);
-        let dpi = self.document.dpi * f64::from(self.size.scale);
-        let prepared = painting.prepare(&self.path, Channel::Texture, dpi, &watch);
+        let extent = Extent { size: self.size.canvas, scale: self.size.scale };
+        let style = Style {
+            dpi: self.document.dpi * f64::from(self.size.scale),
+            texts: embedded::embedded(&self.document, extent),
+            ..Style::default()
+        };
+        let prepared = painting.prepare(&self.path, Channel::Texture, &style, &watch);
         prepared.and_then(export::Prepared::keep).map_err(|error| error.to_string())
     }
 }

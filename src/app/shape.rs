@@ -5,6 +5,8 @@ use crate::synth::recipe::limits::MIN_LENGTH;
 
 /// The smallest radius or width that the hand can make, px.
 pub const SMALLEST: f64 = 0.5;
+/// So far from the edge a middle is put that would lie beyond, px: more than rounding, less than anyone sees.
+const ROUNDING: f64 = 1e-9;
 
 /// The middle of a mark, px.
 #[must_use]
@@ -18,11 +20,18 @@ pub fn middle(mark: &Mark) -> [f64; 2] {
 /// The mark `by` px farther.
 #[must_use]
 pub fn moved(mark: &Mark, by: [f64; 2]) -> Mark {
-    let add = |p: [f64; 2]| [p[0] + by[0], p[1] + by[1]];
     match *mark {
-        Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse { center: add(ellipse.center), ..ellipse }),
-        Mark::Line(line) => Mark::Line(Line { from: add(line.from), to: add(line.to), ..line }),
+        Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse { center: added(ellipse.center, by), ..ellipse }),
+        Mark::Line(line) => Mark::Line(line_moved(&line, by)),
     }
+}
+
+fn line_moved(line: &Line, by: [f64; 2]) -> Line {
+    Line { from: added(line.from, by), to: added(line.to, by), ..*line }
+}
+
+fn added(p: [f64; 2], by: [f64; 2]) -> [f64; 2] {
+    [p[0] + by[0], p[1] + by[1]]
 }
 
 /// The mark turned by `degrees` around `pivot`.
@@ -114,9 +123,15 @@ pub fn bounded(mark: &Mark, size: [u32; 2]) -> Mark {
             if line.length() < MIN_LENGTH {
                 line.to[0] += SMALLEST;
             }
-            let middle = line.center();
-            let by = [0, 1].map(|axis| inside(middle)[axis] - middle[axis]);
-            moved(&Mark::Line(line), by)
+            let to_canvas = |line: Line, rim: f64| {
+                let by = [0, 1].map(|axis| {
+                    let (middle, side) = (line.center()[axis], f64::from(size[axis]));
+                    if (0.0..=side).contains(&middle) { 0.0 } else { middle.clamp(rim, side - rim) - middle }
+                });
+                line_moved(&line, by)
+            };
+            // The mean of two ends is rounded: on the very edge it may lie beyond.
+            Mark::Line(to_canvas(to_canvas(line, 0.0), ROUNDING))
         }
     }
 }
@@ -158,6 +173,20 @@ mod tests {
     use super::*;
 
     const ELLIPSE: Mark = Mark::Ellipse(Ellipse { center: [50.0, 40.0], radii: [20.0, 10.0], angle: 90.0 });
+
+    #[test]
+    fn a_line_that_is_moved_over_the_edge_has_its_middle_on_the_canvas() {
+        for i in 0..20_000_u32 {
+            // Ends with all their digits.
+            let digits = |k: u32| f64::from(i.wrapping_mul(2_654_435_761).rotate_left(k)) / 7e6;
+            let line = Line { from: [digits(0), digits(5)], to: [digits(11), digits(19)], width: 2.0 };
+            let middle = line.center();
+            for by in [[-middle[0], -middle[1]], [512.0 - middle[0], 384.0 - middle[1]], [-900.0, 900.0]] {
+                let at = self::middle(&bounded(&moved(&Mark::Line(line), by), [512, 384]));
+                assert!((0.0..=512.0).contains(&at[0]) && (0.0..=384.0).contains(&at[1]), "{line:?} {at:?}");
+            }
+        }
+    }
 
     #[test]
     fn a_point_is_in_an_ellipse_or_so_far_from_it() {

@@ -138,7 +138,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     } else {
         // It is grown twice: once to see how much each moment changes.
         estimate.tell(&[(&document, &source)], 2.0);
-        let options = Options { size: None, refine: args.no_refine.then_some(false) };
+        let options = Options { refine: args.no_refine.then_some(false), ..Options::default() };
         let scene = Scene { document: &document, source: &source, training: &training, options };
         let takes = Takes::of(&scene, frames, &watch).map_err(Error::grown)?;
         let film = args.film(&[&document], takes.frames());

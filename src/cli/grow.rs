@@ -1,6 +1,8 @@
 //! `dapple grow`: a document → its texture.
 
 mod batch;
+mod look;
+mod material;
 mod outlines;
 mod pictures;
 pub(super) mod progress;
@@ -8,8 +10,8 @@ pub(super) mod progress;
 use super::estimate::Estimate;
 use super::sheet::Thumb;
 use super::{Error, values};
-use crate::export;
-use crate::synth::recipe::Document;
+use crate::export::{self, Format};
+use crate::synth::recipe::{self, Document, Extent};
 use crate::synth::{Options, Training, Watch, grow, report::report};
 use progress::Bar;
 use serde_json::Value;
@@ -24,7 +26,7 @@ const MOST_NOTES: usize = 8;
 /// What to grow, how, and where to write it.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Args {
-    /// The document to grow
+    /// The document to grow, or a PNG that dapple wrote: the same picture grows again
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// More documents to grow: --output is then the folder for their pictures
@@ -33,19 +35,24 @@ pub struct Args {
     /// Grow it from N seeds, its own and those after it, into the folder --output, with a sheet of them all
     #[arg(long, value_name = "N", value_parser = values::count)]
     pub variations: Option<usize>,
-    /// Where to write the picture, or its outlines: .png, .svg, .dxf; for many pictures a folder
-    #[arg(short, long, value_name = "OUT.png", required_unless_present_any = ["svg", "dxf"])]
+    /// Where to write the picture (.png, .tif, .exr, .jpg, .webp) or its outlines (.svg, .dxf); for many pictures a folder
+    #[arg(short, long, value_name = "OUT.png", required_unless_present_any = ["material", "svg", "dxf"])]
     pub output: Option<PathBuf>,
     /// More texture: a canvas of W x H px with features of the same size
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     pub size: Option<[u32; 2]>,
-    /// The same texture with K times the px along each side
-    #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=64))]
-    pub scale: u32,
+    /// The same texture with K times the px along each side [default: 1]
+    #[arg(
+        long, value_name = "K",
+        value_parser = clap::value_parser!(u32).range(1..=i64::from(recipe::embedded::MAX_SCALE))
+    )]
+    pub scale: Option<u32>,
     /// Use this seed instead of the document's
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Also write the pattern: 16-bit gray, 0 = ground, half = a mark's edge
+    #[command(flatten)]
+    pub look: look::Look,
+    /// Also write the pattern: 16-bit gray (.png, .tif) or floating point (.exr), 0 = ground, half = a mark's edge
     #[arg(long, value_name = "P.png")]
     pub pattern: Option<PathBuf>,
     /// Write the pattern or the outlines of layer K alone (1 = the lowest)
@@ -54,6 +61,11 @@ pub struct Args {
     /// Also write which layer's mark covers each px: 8-bit gray, 0 = none
     #[arg(long, value_name = "L.png")]
     pub labels: Option<PathBuf>,
+    /// Also write the concentrations of all chemicals: floating point, one channel each
+    #[arg(long, value_name = "C.exr")]
+    pub concentrations: Option<PathBuf>,
+    #[command(flatten)]
+    pub material: material::Material,
     /// Also write what was asked and what has grown, as JSON; - prints it
     #[arg(long, value_name = "R.json")]
     pub report: Option<PathBuf>,
@@ -79,9 +91,6 @@ impl Args {
     fn check_layer(&self, document: &Document) -> Result<(), Error> {
         let layers = document.layers.len();
         match self.layer {
-            Some(layer) if self.pattern.is_none() && !outlines::asked(self) => Err(Error::Usage(format!(
-                "--layer: found {layer} without what it is for; allowed: with --pattern, --svg, --dxf or -o OUT.svg"
-            ))),
             Some(layer) if layer as usize > layers => {
                 let file = self.file.display();
                 Err(Error::Usage(format!(
@@ -92,16 +101,25 @@ impl Args {
         }
     }
 
-    /// Refuses to write two things to one file, or to write over the document.
+    /// Refuses to write two things to one file, or to write over the document, and a layer of nothing.
     ///
     /// # Errors
     /// [`Error::Usage`] that names the file.
     pub fn check_outputs(&self) -> Result<(), Error> {
+        if let Some(layer) = self.layer
+            && self.pattern.is_none()
+            && !outlines::asked(self)
+        {
+            return Err(Error::Usage(format!(
+                "--layer: found {layer} without what it is for; allowed: with --pattern, --svg, --dxf or -o OUT.svg"
+            )));
+        }
         let named = [
             ("FILE", Some(&self.file)),
             ("--output", self.output.as_ref()),
             ("--pattern", self.pattern.as_ref()),
             ("--labels", self.labels.as_ref()),
+            ("--concentrations", self.concentrations.as_ref()),
             ("--report", self.report.as_ref()),
             ("--svg", self.outlines.svg.as_ref()),
             ("--dxf", self.outlines.dxf.as_ref()),
@@ -148,11 +166,15 @@ struct Source<'a> {
 /// Grows one document; gives its small picture where one is wanted.
 fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<Thumb>, Error> {
     args.check_outputs()?;
+    // What is wrong with a name is told even where the document is wrong too.
     check_targets(args)?;
-    let document = Document::read(&args.file)?;
+    let (document, was) = recipe::open(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     args.check_layer(&document)?;
-    outlines::check(args, &document)?;
+    let extent = Extent { size: args.size.or(was.size), scale: args.scale.unwrap_or(was.scale) };
+    outlines::check(args, &document, extent)?;
+    let size = extent.size.unwrap_or(document.size).map(|side| side as usize * extent.scale as usize);
+    pictures::check(args, size)?;
     if let Some(threads) = args.threads {
         // Fails only where the pool exists already, and nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
@@ -163,14 +185,18 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
     let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
     let source = args.file.display().to_string();
     let started = Instant::now();
-    let options = Options { size: args.size, refine: args.no_refine.then_some(false) };
+    let options = Options {
+        size: extent.size,
+        refine: args.no_refine.then_some(false),
+        concentrations: args.concentrations.is_some(),
+    };
     if thumb.is_none() {
-        let sized = Document { size: args.size.unwrap_or(document.size), ..document.clone() };
+        let sized = Document { size: extent.size.unwrap_or(document.size), ..document.clone() };
         Estimate { training, quiet: args.quiet }.tell(&[(&sized, &source)], 1.0);
     }
     let grown = grow(&document, &source, training, options, &watch).map_err(Error::grown)?;
-    let prepared = pictures::prepare(args, &document, &grown, &watch);
-    let outlined = outlines::prepare(args, &document, &grown, &watch);
+    let prepared = pictures::prepare(args, &document, &grown, extent, &watch);
+    let outlined = outlines::prepare(args, &document, &grown, extent, &watch);
     bar.clear();
     let (mut prepared, outlined) = (prepared?, outlined?);
     let seconds = started.elapsed().as_secs_f64();
@@ -208,13 +234,12 @@ fn is_stdout(path: &Path) -> bool {
 
 /// Looks whether all files can be written, before the work is done.
 fn check_targets(args: &Args) -> Result<(), Error> {
-    let endings: Vec<_> = export::FORMATS.into_iter().chain(export::outline::FORMATS).collect();
+    let pictures = Format::ENDINGS.iter().map(|(ending, _)| *ending);
+    let endings: Vec<_> = pictures.chain(export::outline::FORMATS).collect();
     let output = args.output.as_deref().map(|path| export::check_ending(path, &endings));
-    let pictures =
-        [args.pattern.as_deref(), args.labels.as_deref()].map(|path| path.map(export::check_target));
     let report = args.report.as_deref().filter(|path| !is_stdout(path)).map(export::check_file);
-    let checks = [output].into_iter().chain(pictures).chain([report]).flatten();
-    checks.collect::<Result<(), _>>().map_err(Error::step)
+    [output, report].into_iter().flatten().collect::<Result<(), _>>().map_err(Error::step)?;
+    pictures::check(args, [1, 1])
 }
 
 /// What the user should know beside the picture, on stderr.

@@ -39,7 +39,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     /// Grow documents and write their pictures
-    Grow(grow::Args),
+    Grow(Box<grow::Args>),
     /// Film a document while it grows, or while it turns into another
     Film(film::Args),
     /// Grow many documents and lay their pictures out on one sheet

@@ -9,7 +9,7 @@ pub(super) use contact::{Contact, Thumb, write};
 
 use super::grow::{place, progress};
 use super::{Error, values};
-use crate::export::{self, png};
+use crate::export::{self, Content, picture};
 use crate::synth::painting::Painting;
 use crate::synth::recipe::Document;
 use crate::synth::{Options, Stage, Training, Watch, grow};
@@ -111,7 +111,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         let file = file.display();
         return Err(Error::Usage(format!("FILE and --output: found {file} twice; allowed: two files")));
     }
-    export::check_target(&args.output).map_err(Error::step)?;
+    let format = export::check_content(&args.output, Content::Colours).map_err(Error::step)?;
     if let Some(threads) = args.threads {
         // Fails only where the pool exists already, and nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
@@ -126,7 +126,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
             pen.write(&mut paper, text, [spot.name[0], spot.name[1] + line * pen.line], text::INK);
         }
     }
-    export::save(&args.output, |out| png::rgb8(out, paper.size, None, &paper.rgb))
+    export::save(&args.output, |out| picture::rgb8(out, format, paper.size, &paper.rgb))
         .map_err(Error::exported)?;
     if missing.is_empty() {
         return Ok(());

@@ -153,12 +153,23 @@ impl Gradient {
         self.stops.iter().map(lab).collect()
     }
 
+    /// The colour of each of the 65536 values that a 16-bit picture of a pattern can hold: red, green, blue, 0..1 each.
+    pub(super) fn exact(&self) -> Vec<[f64; 3]> {
+        let lab = self.lab();
+        (0..=u16::MAX).into_par_iter().map(|i| self.srgb(&lab, f32::from(i) / 65535.0)).collect()
+    }
+
     fn mix(&self, lab: &[Oklab<f64>], v: f32) -> [u8; 3] {
+        self.srgb(lab, v).map(|channel| (channel * 255.0).round() as u8)
+    }
+
+    fn srgb(&self, lab: &[Oklab<f64>], v: f32) -> [f64; 3] {
         let v = if v.is_nan() { 0.0 } else { v.clamp(0.0, 1.0) };
+        let own = |stop: &Stop| stop.colour.map(|channel| f64::from(channel) / 255.0);
         let behind = self.stops.iter().rposition(|stop| stop.at <= v);
         match behind {
-            None => self.stops.first().map_or([0; 3], |first| first.colour),
-            Some(last) if last + 1 == self.stops.len() => self.stops[last].colour,
+            None => self.stops.first().map_or([0.0; 3], own),
+            Some(last) if last + 1 == self.stops.len() => own(&self.stops[last]),
             Some(i) => {
                 let [from, to] = [f64::from(self.stops[i].at), f64::from(self.stops[i + 1].at)];
                 let way = (f64::from(v) - from) / (to - from);
@@ -169,10 +180,10 @@ impl Gradient {
     }
 }
 
-/// The nearest 8-bit colour, each channel clipped by itself.
-fn to_srgb(lab: Oklab<f64>) -> [u8; 3] {
+/// The nearest colour that sRGB can show, each channel clipped by itself.
+fn to_srgb(lab: Oklab<f64>) -> [f64; 3] {
     let (red, green, blue) = Srgb::from_linear(LinSrgb::from_color(lab)).into_components();
-    [red, green, blue].map(|channel: f64| (channel.clamp(0.0, 1.0) * 255.0).round() as u8)
+    [red, green, blue].map(|channel: f64| channel.clamp(0.0, 1.0))
 }
 
 /// A gradient by look-up: one colour for each 16-bit step of the pattern.

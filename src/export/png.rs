@@ -1,4 +1,4 @@
-//! PNG: 8-bit colour, 8- and 16-bit gray, with the px an inch.
+//! PNG: 8 and 16 bit, gray, colour and opacity, with the px an inch and texts.
 //!
 //! PNG Specification, third edition (W3C).
 
@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use png::{
     BitDepth, ColorType, Compression, Encoder, EncodingError, Filter, PixelDimensions, SrgbRenderingIntent,
-    Unit,
+    StreamWriter, Unit,
 };
 
 use super::Stopped;
@@ -22,9 +22,26 @@ pub enum Samples {
     Gray16,
     /// Red, green, blue, a byte each: 8-bit sRGB.
     Rgb8,
+    /// Red, green, blue, opacity, a byte each; the colours are not multiplied by the opacity.
+    Rgba8,
+    /// Red, green, blue, two bytes each, the higher first: 16-bit sRGB.
+    Rgb16,
+    /// Red, green, blue, opacity, two bytes each, the higher first.
+    Rgba16,
 }
 
 impl Samples {
+    /// Colours of 16 bit where they are `deep`, with an opacity where they are `transparent`.
+    #[must_use]
+    pub fn colours(deep: bool, transparent: bool) -> Self {
+        match (deep, transparent) {
+            (false, false) => Self::Rgb8,
+            (false, true) => Self::Rgba8,
+            (true, false) => Self::Rgb16,
+            (true, true) => Self::Rgba16,
+        }
+    }
+
     /// Bytes a px.
     #[must_use]
     pub fn bytes(self) -> usize {
@@ -32,19 +49,43 @@ impl Samples {
             Self::Gray8 => 1,
             Self::Gray16 => 2,
             Self::Rgb8 => 3,
+            Self::Rgba8 => 4,
+            Self::Rgb16 => 6,
+            Self::Rgba16 => 8,
         }
     }
 }
 
 /// What stands at the head of the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Header {
+pub struct Header<'a> {
     /// Width and height, px; each at least 1.
     pub size: [usize; 2],
     /// What a px consists of.
     pub samples: Samples,
     /// px an inch, both ways; `None` leaves it open.
     pub dpi: Option<f64>,
+    /// Texts beside the px, each with its key of 1 to 79 Latin letters (iTXt); only PNG holds them.
+    pub texts: &'a [(&'static str, String)],
+    /// Whether red, green and blue are a colour; otherwise they are numbers, and nothing is said of sRGB.
+    pub colours: bool,
+}
+
+impl Header<'_> {
+    /// A head without px an inch and texts.
+    #[must_use]
+    pub fn new(size: [usize; 2], samples: Samples) -> Self {
+        Self { size, samples, dpi: None, texts: &[], colours: true }
+    }
+
+    /// Width and height as formats count them.
+    pub(super) fn sides(&self) -> Result<[u32; 2], Stopped> {
+        let side = |px: usize| {
+            let whole = u32::try_from(px).ok().filter(|px| *px > 0);
+            whole.ok_or_else(|| io::Error::other(format!("{px} px are not a side that a picture can have")))
+        };
+        Ok([side(self.size[0])?, side(self.size[1])?])
+    }
 }
 
 /// Bytes that are asked for at once: enough rows to be filled by all threads, little beside the picture.
@@ -65,8 +106,8 @@ pub fn write(
     mut fill: impl FnMut(Range<usize>, &mut [u8]) -> Result<(), Stopped>,
 ) -> Result<(), Stopped> {
     let [width, height] = header.size;
-    let mut writer = encoder(out, header)?.write_header().map_err(into_io)?;
-    let mut stream = writer.stream_writer_with_size(CHUNK).map_err(into_io)?;
+    let mut opened = Opened::new(out, header)?;
+    let mut rows_out = opened.rows()?;
     let row = (width * header.samples.bytes()).max(1);
     let rows_a_band = (BAND / row).clamp(1, height.max(1));
     let mut band = vec![0; rows_a_band * row];
@@ -74,10 +115,60 @@ pub fn write(
         let rows = top..height.min(top + rows_a_band);
         let bytes = &mut band[..rows.len() * row];
         fill(rows, bytes)?;
-        stream.write_all(bytes)?;
+        rows_out.push(bytes)?;
     }
-    stream.finish().map_err(into_io)?;
-    Ok(writer.finish().map_err(into_io)?)
+    rows_out.finish()?;
+    opened.finish()
+}
+
+/// A PNG whose head is written, for whoever writes several at once.
+pub struct Opened<W: Write>(png::Writer<W>);
+
+impl<W: Write> Opened<W> {
+    /// Writes the head.
+    ///
+    /// # Errors
+    /// What `out` fails with; a size that PNG cannot hold.
+    pub fn new(out: W, header: Header) -> Result<Self, Stopped> {
+        Ok(Self(encoder(out, header)?.write_header().map_err(into_io)?))
+    }
+
+    /// Takes the rows, once, from the top.
+    ///
+    /// # Errors
+    /// What the file fails with.
+    pub fn rows(&mut self) -> Result<Rows<'_, W>, Stopped> {
+        Ok(Rows(self.0.stream_writer_with_size(CHUNK).map_err(into_io)?))
+    }
+
+    /// All rows are written.
+    ///
+    /// # Errors
+    /// What the file fails with.
+    pub fn finish(self) -> Result<(), Stopped> {
+        Ok(self.0.finish().map_err(into_io)?)
+    }
+}
+
+/// The rows of a PNG.
+pub struct Rows<'a, W: Write>(StreamWriter<'a, W>);
+
+impl<W: Write> Rows<'_, W> {
+    /// Writes the bytes of some more rows.
+    ///
+    /// # Errors
+    /// What the file fails with; more rows than the head said.
+    pub fn push(&mut self, bytes: &[u8]) -> Result<(), Stopped> {
+        Ok(self.0.write_all(bytes)?)
+    }
+
+    /// All rows are written.
+    ///
+    /// # Errors
+    /// What the file fails with; fewer rows than the head said.
+    pub fn finish(self) -> Result<(), Stopped> {
+        Ok(self.0.finish().map_err(into_io)?)
+    }
 }
 
 /// A painted picture: three bytes a px, as [`crate::colour`] makes it.
@@ -85,7 +176,7 @@ pub fn write(
 /// # Errors
 /// As [`write()`]; `rgb` too short for `size`.
 pub fn rgb8(out: impl Write, size: [usize; 2], dpi: Option<f64>, rgb: &[u8]) -> Result<(), Stopped> {
-    whole(out, Header { size, samples: Samples::Rgb8, dpi }, rgb)
+    whole(out, Header { dpi, ..Header::new(size, Samples::Rgb8) }, rgb)
 }
 
 /// A label picture: one byte a px.
@@ -93,7 +184,7 @@ pub fn rgb8(out: impl Write, size: [usize; 2], dpi: Option<f64>, rgb: &[u8]) -> 
 /// # Errors
 /// As [`write()`]; `labels` too short for `size`.
 pub fn gray8(out: impl Write, size: [usize; 2], dpi: Option<f64>, labels: &[u8]) -> Result<(), Stopped> {
-    whole(out, Header { size, samples: Samples::Gray8, dpi }, labels)
+    whole(out, Header { dpi, ..Header::new(size, Samples::Gray8) }, labels)
 }
 
 /// A pattern: 0..1 becomes 0..65535, rounded; values outside are clipped.
@@ -102,7 +193,7 @@ pub fn gray8(out: impl Write, size: [usize; 2], dpi: Option<f64>, labels: &[u8])
 /// As [`write()`].
 pub fn gray16(out: impl Write, pattern: &Field, dpi: Option<f64>) -> Result<(), Stopped> {
     let size = [pattern.width, pattern.height];
-    write(out, Header { size, samples: Samples::Gray16, dpi }, |rows, bytes| {
+    write(out, Header { dpi, ..Header::new(size, Samples::Gray16) }, |rows, bytes| {
         let values = &pattern.values[rows.start * pattern.width..rows.end * pattern.width];
         for (pair, &value) in bytes.chunks_exact_mut(2).zip(values) {
             pair.copy_from_slice(&to_u16(value).to_be_bytes());
@@ -122,14 +213,15 @@ fn whole(out: impl Write, header: Header, bytes: &[u8]) -> Result<(), Stopped> {
 }
 
 fn encoder<W: Write>(out: W, header: Header) -> Result<Encoder<'static, W>, Stopped> {
-    let side = |px: usize| {
-        u32::try_from(px).map_err(|_| io::Error::other(format!("{px} px a side are more than PNG can hold")))
-    };
-    let mut encoder = Encoder::new(out, side(header.size[0])?, side(header.size[1])?);
+    let [width, height] = header.sides()?;
+    let mut encoder = Encoder::new(out, width, height);
     let (colour, depth) = match header.samples {
         Samples::Gray8 => (ColorType::Grayscale, BitDepth::Eight),
         Samples::Gray16 => (ColorType::Grayscale, BitDepth::Sixteen),
         Samples::Rgb8 => (ColorType::Rgb, BitDepth::Eight),
+        Samples::Rgb16 => (ColorType::Rgb, BitDepth::Sixteen),
+        Samples::Rgba8 => (ColorType::Rgba, BitDepth::Eight),
+        Samples::Rgba16 => (ColorType::Rgba, BitDepth::Sixteen),
     };
     encoder.set_color(colour);
     encoder.set_depth(depth);
@@ -137,7 +229,7 @@ fn encoder<W: Write>(out: W, header: Header) -> Result<Encoder<'static, W>, Stop
     // filter row by row doubles the time of fast and saves nothing over Paeth's.
     encoder.set_compression(Compression::Fast);
     encoder.set_filter(Filter::Paeth);
-    if header.samples == Samples::Rgb8 {
+    if header.colours && !matches!(header.samples, Samples::Gray8 | Samples::Gray16) {
         // Patterns and labels are numbers: no viewer's colour management should touch them.
         encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     }
@@ -145,6 +237,9 @@ fn encoder<W: Write>(out: W, header: Header) -> Result<Encoder<'static, W>, Stop
         // pHYs counts px a metre; an inch is 0.0254 m.
         let a_metre = (dpi / 0.0254).round() as u32;
         encoder.set_pixel_dims(Some(PixelDimensions { xppu: a_metre, yppu: a_metre, unit: Unit::Meter }));
+    }
+    for (key, text) in header.texts {
+        encoder.add_itxt_chunk((*key).to_owned(), text.clone()).map_err(into_io)?;
     }
     Ok(encoder)
 }
@@ -212,7 +307,7 @@ mod tests {
         let shade = |x: usize, y: usize| ((x * x + 3 * y * y) / 977 % 256) as u8;
         let mut next = 0;
         let mut bytes = Vec::new();
-        write(&mut bytes, Header { size, samples: Samples::Gray8, dpi: None }, |rows, band| {
+        write(&mut bytes, Header::new(size, Samples::Gray8), |rows, band| {
             assert_eq!((rows.start, band.len()), (next, rows.len() * size[0]));
             next = rows.end;
             for (row, y) in band.chunks_mut(size[0]).zip(rows) {
@@ -230,7 +325,7 @@ mod tests {
     fn what_cannot_be_a_picture_is_an_error() {
         assert!(rgb8(io::sink(), [2, 2], None, &[0; 11]).is_err());
         assert!(rgb8(io::sink(), [0, 2], None, &[]).is_err());
-        let header = Header { size: [2, 2], samples: Samples::Rgb8, dpi: None };
+        let header = Header::new([2, 2], Samples::Rgb8);
         assert!(matches!(write(io::sink(), header, |_, _| Err(Stopped::Cancelled)), Err(Stopped::Cancelled)));
     }
 }

@@ -1,32 +1,50 @@
 //! Files: whole or not there.
 
-use std::fs::{self, File, Permissions};
-use std::io::{self, BufWriter, Write};
+use std::fs::{self, Permissions};
+use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 use thiserror::Error;
 
 use super::Stopped;
-
-/// The endings that a picture's name may have.
-pub const FORMATS: [&str; 1] = ["png"];
+use super::format::{Content, Format, endings, fitting};
 
 /// Why a file was not written. Nothing is left behind, and what was there before still is.
 #[derive(Debug, Error)]
 pub enum ExportError {
     /// An ending that stands for no format.
-    #[error(
-        "cannot write '{}': its name {}; allowed: .{}",
-        path.display(),
-        ending(path),
-        allowed.join(", .")
-    )]
+    #[error("cannot write '{}': its name {}; allowed: .{}", path.display(), ending(path), allowed.join(", ."))]
     UnknownFormat {
         /// What was asked for.
         path: PathBuf,
         /// The endings that would do.
         allowed: Vec<&'static str>,
+    },
+    /// More px than the format can hold.
+    #[error(
+        "cannot write '{}': {}×{} px are more than {} can hold; allowed: {} px a side, or another format ({})",
+        path.display(), size[0], size[1], format.name(), format.longest(), endings(Content::Colours)
+    )]
+    TooWide {
+        /// What was asked for.
+        path: PathBuf,
+        /// Width and height, px.
+        size: [usize; 2],
+        /// The format.
+        format: Format,
+    },
+    /// Something that the format cannot hold.
+    #[error("cannot write '{}': {} holds no {what}; allowed: {allowed}", path.display(), format.name())]
+    CannotHold {
+        /// What was asked for.
+        path: PathBuf,
+        /// The format.
+        format: Format,
+        /// What it cannot hold.
+        what: &'static str,
+        /// What can.
+        allowed: &'static str,
     },
     /// A folder has the name already.
     #[error("cannot write '{}': it is a folder; name a file in it, such as '{}'", path.display(), path.join("picture.png").display())]
@@ -85,21 +103,31 @@ pub enum ExportError {
 }
 
 fn ending(path: &Path) -> String {
-    match path.extension() {
-        Some(ending) => {
+    match (Format::of(path), path.extension()) {
+        (Some(format), _) => format!("asks for {}, which does not fit what is to be shown", format.name()),
+        (None, Some(ending)) => {
             format!("ends in .{}, which is no format that dapple writes here", ending.display())
         }
-        None => "has no ending that says in which format".to_owned(),
+        (None, None) => "has no ending that says in which format".to_owned(),
     }
 }
 
-/// Looks whether a picture can be written to `path`, before the work is done: the name's ending (upper or
+/// Looks whether a picture of colours can be written to `path`, before the work is done: the name's ending (upper or
 /// lower case), the folder, and what has the name already. Rights and room show only in [`save()`].
 ///
 /// # Errors
 /// What is wrong with the path, and the remedy.
 pub fn check_target(path: &Path) -> Result<(), ExportError> {
-    check_ending(path, &FORMATS)
+    check_content(path, Content::Colours).map(drop)
+}
+
+/// The same for a picture that shows `content`; its format.
+///
+/// # Errors
+/// What is wrong with the path, and the remedy.
+pub fn check_content(path: &Path, content: Content) -> Result<Format, ExportError> {
+    check_ending(path, &fitting(content))?;
+    Ok(Format::of(path).unwrap_or(Format::Png))
 }
 
 /// The same for a file that may have one of the endings `allowed`.
@@ -136,10 +164,7 @@ pub fn check_file(path: &Path) -> Result<(), ExportError> {
 ///
 /// # Errors
 /// What went wrong, with the file's name and the remedy.
-pub fn save(
-    path: &Path,
-    write: impl FnOnce(&mut BufWriter<&File>) -> Result<(), Stopped>,
-) -> Result<(), ExportError> {
+pub fn save(path: &Path, write: impl FnOnce(&mut Begun) -> Result<(), Stopped>) -> Result<(), ExportError> {
     prepare(path, write)?.keep()
 }
 
@@ -159,30 +184,82 @@ pub struct Prepared {
 /// What went wrong, with the file's name and the remedy.
 pub fn prepare(
     path: &Path,
-    write: impl FnOnce(&mut BufWriter<&File>) -> Result<(), Stopped>,
+    write: impl FnOnce(&mut Begun) -> Result<(), Stopped>,
 ) -> Result<Prepared, ExportError> {
+    let mut begun = begin(path)?;
+    match write(&mut begun) {
+        Ok(()) => begun.finish(),
+        Err(stopped) => Err(begun.stopped(stopped)),
+    }
+}
+
+/// A file that is being written, buffered. Dropped, it is gone.
+#[derive(Debug)]
+pub struct Begun {
+    path: PathBuf,
+    target: PathBuf,
+    folder: PathBuf,
+    stream: BufWriter<NamedTempFile>,
+}
+
+/// Begins the file `path`, for whoever writes several at once; [`prepare()`] is simpler for one.
+///
+/// # Errors
+/// What went wrong, with the file's name and the remedy.
+pub fn begin(path: &Path) -> Result<Begun, ExportError> {
     let target = target_of(path)?;
     let folder = folder_of(&target);
-    let io = |source| explain(path, &folder, source);
-    let beside = new_file().tempfile_in(&folder).map_err(io)?;
-    let mut stream = BufWriter::with_capacity(1 << 20, beside.as_file());
-    match write(&mut stream).and_then(|()| Ok(stream.flush()?)) {
-        Ok(()) => drop(stream),
+    let beside = new_file().tempfile_in(&folder).map_err(|source| explain(path, &folder, source))?;
+    Ok(Begun { path: path.to_owned(), target, folder, stream: BufWriter::with_capacity(BUFFER, beside) })
+}
+
+/// Bytes that are gathered before they go to the disk.
+const BUFFER: usize = 1 << 20;
+
+impl Begun {
+    /// All is written.
+    ///
+    /// # Errors
+    /// What went wrong, with the file's name and the remedy.
+    pub fn finish(self) -> Result<Prepared, ExportError> {
+        let Self { path, target, folder, stream } = self;
+        let io = |source| explain(&path, &folder, source);
+        let beside = stream.into_inner().map_err(|error| io(error.into_error()))?;
+        if let Ok(before) = fs::metadata(&target) {
+            beside.as_file().set_permissions(before.permissions()).map_err(io)?;
+        }
+        // Some file systems tell only now that there is no room.
+        beside.as_file().sync_all().map_err(io)?;
+        Ok(Prepared { path, target, beside })
+    }
+
+    /// Why it was not written, with the file's name and the remedy.
+    #[must_use]
+    pub fn stopped(self, why: Stopped) -> ExportError {
+        let Self { path, folder, stream, .. } = self;
         // What is still in the buffer need not go anywhere.
-        Err(stopped) => {
-            let _ = stream.into_parts();
-            return Err(match stopped {
-                Stopped::Cancelled => ExportError::Cancelled { path: path.to_owned() },
-                Stopped::Io(source) => io(source),
-            });
+        let _ = stream.into_parts();
+        match why {
+            Stopped::Cancelled => ExportError::Cancelled { path },
+            Stopped::Io(source) => explain(&path, &folder, source),
         }
     }
-    if let Ok(before) = fs::metadata(&target) {
-        beside.as_file().set_permissions(before.permissions()).map_err(io)?;
+}
+
+impl Write for Begun {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.stream.write(bytes)
     }
-    // Some file systems tell only now that there is no room.
-    beside.as_file().sync_all().map_err(io)?;
-    Ok(Prepared { path: path.to_owned(), target, beside })
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.stream.flush()
+    }
+}
+
+impl Seek for Begun {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.stream.seek(to)
+    }
 }
 
 impl Prepared {

@@ -24,7 +24,7 @@ pub fn shrink(rgb: &[u8], size: [usize; 2], smaller: [usize; 2]) -> Vec<u8> {
 }
 
 /// sRGB's number, 0..1 → light, 0..1 (IEC 61966-2-1).
-fn to_light(s: f64) -> f64 {
+pub(super) fn to_light(s: f64) -> f64 {
     if s <= 0.04045 { s / 12.92 } else { libm::pow((s + 0.055) / 1.055, 2.4) }
 }
 

@@ -77,6 +77,12 @@ impl System {
     pub const ALL: [Self; 4] =
         [Self::TuringSpots, Self::MeinhardtSpots, Self::MeinhardtStripes, Self::MeinhardtLines];
 
+    /// What its chemicals are called in its equations, in the order of [`Growth::concentrations`].
+    #[must_use]
+    pub fn chemicals(self) -> &'static [&'static str] {
+        if self == Self::MeinhardtStripes { &["a", "b", "c", "d", "e"] } else { &["a", "b"] }
+    }
+
     /// Does it grow stripes, and not spots?
     #[must_use]
     pub fn is_striped(self) -> bool {

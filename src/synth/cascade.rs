@@ -165,10 +165,11 @@ impl Cascade<'_> {
         if free && (document.keeps(index) || plan.seeding == Seeding::Initiators) {
             keep(&mut plan, &drawn::marks_on(document, index, source, size)?);
         }
+        let keeping = [correct, options.concentrations];
         let seed = document.layer_seed(index);
         plan.lay_course(document.layers[index].options.broken, seed)
             .map_err(|reason| GrowError::Course { layer: index + 1, reason })?;
-        let mut layer = grow_layer(plan, seed, index + 1, correct, watch, every, &mut seen)?;
+        let mut layer = grow_layer(plan, seed, index + 1, keeping, watch, every, &mut seen)?;
         if let Some(found) =
             beneath::shaped(&layer.plan, &layer.measured).filter(|_| correct && layer.plan.places.is_none())
         {
@@ -176,7 +177,7 @@ impl Cascade<'_> {
                 layer.plan.against(training, &found)?,
                 seed,
                 index + 1,
-                correct,
+                keeping,
                 watch,
                 every,
                 &mut seen,

@@ -233,12 +233,6 @@ impl Engine {
         left + finer * self.stage.expected / here
     }
 
-    /// What each chemical has grown to, on the grid it is on.
-    #[must_use]
-    pub fn concentrations(&self) -> Vec<Vec<f32>> {
-        self.stage.growth.concentrations()
-    }
-
     /// How far it is, 0..1; never falls.
     #[must_use]
     pub fn progress(&self) -> f64 {
@@ -285,6 +279,12 @@ impl Engine {
     #[must_use]
     pub fn marks(&self) -> Field {
         self.stage.growth.marks(self.stage.coarse.as_ref().unwrap_or(&self.maps))
+    }
+
+    /// The concentrations of each chemical, on the grid it is on.
+    #[must_use]
+    pub fn concentrations(&self) -> Vec<Vec<f32>> {
+        self.stage.growth.concentrations()
     }
 
     /// The pattern as far as it has grown, at `width` × `height` px. `plan` is that of the engine.

@@ -28,6 +28,8 @@ pub struct Options {
     pub size: Option<[u32; 2]>,
     /// Whether to correct what has grown; `None` = as the document says.
     pub refine: Option<bool>,
+    /// Whether to keep the concentrations of all chemicals, which takes 8 or 20 bytes a cell.
+    pub concentrations: bool,
 }
 
 /// A grown layer.
@@ -45,6 +47,8 @@ pub struct GrownLayer {
     pub measured: Measured,
     /// The concentration that shows the marks as a share of the local peak, on the grid.
     pub marks: Field,
+    /// The concentrations of each chemical on the grid, where [`Options::concentrations`] asked for them.
+    pub concentrations: Vec<Vec<f32>>,
 }
 
 impl GrownLayer {
@@ -110,12 +114,13 @@ pub enum GrowError {
     },
 }
 
-/// Grows layer number `layer` of a document as planned, seen each `every` of normalised time.
+/// Grows layer number `layer` of a document as planned, seen each `every` of normalised time; what has grown is corrected
+/// or not, concentrations kept or not.
 pub(super) fn grow_layer(
     plan: Plan,
     seed: u64,
     layer: usize,
-    correct: bool,
+    [correct, concentrations]: [bool; 2],
     watch: &Watch,
     every: Option<f64>,
     seen: &mut dyn FnMut(&Plan, &Engine),
@@ -132,10 +137,11 @@ pub(super) fn grow_layer(
         return Err(GrowError::NoPattern { layer });
     }
     let steps = engine.steps();
+    let concentrations = if concentrations { engine.concentrations() } else { Vec::new() };
     drop(engine);
     let canvas = plan.map.layout().size.map(|side| side as usize);
     let mut pattern = Pattern::new(&plan, &marks);
     let measured = refine(&plan, &mut pattern, canvas, correct, watch)?;
     let correction = pattern.correction;
-    Ok(GrownLayer { plan, steps, settled, correction, measured, marks })
+    Ok(GrownLayer { plan, steps, settled, correction, measured, marks, concentrations })
 }

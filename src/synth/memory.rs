@@ -41,6 +41,31 @@ pub fn check(system: System, size: [f64; 2], grid: [usize; 2]) -> Result<(), Too
     if needed > free { Err(TooLarge { size, grid, needed, free }) } else { Ok(()) }
 }
 
+/// Whether a picture of `size` px of which `held` bytes a px are held at once fits into the memory that is free now.
+///
+/// # Errors
+/// [`TooLargePicture`] with the numbers.
+pub fn check_picture(size: [usize; 2], held: f64) -> Result<(), TooLargePicture> {
+    let needed = held * size[0] as f64 * size[1] as f64;
+    let free = free();
+    if needed > free { Err(TooLargePicture { size, needed, free }) } else { Ok(()) }
+}
+
+/// A picture whose writer wants more memory than there is.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "a picture of {}×{} px in this format needs about {:.1} GB of memory, {:.1} GB are free; write a .png, or a smaller one",
+    size[0], size[1], needed / 1e9, free / 1e9
+)]
+pub struct TooLargePicture {
+    /// Width and height, px.
+    pub size: [usize; 2],
+    /// Bytes needed.
+    pub needed: f64,
+    /// Bytes free.
+    pub free: f64,
+}
+
 /// Bytes that a growth of `system` on `grid` cells for a canvas of `size` px needs.
 #[must_use]
 pub fn needed(system: System, size: [f64; 2], grid: [usize; 2]) -> f64 {

@@ -1,5 +1,12 @@
 //! Grown layers → the texture's px, its pattern, its labels: the same for a file and for a window.
 
+mod concentrations;
+mod fine;
+mod material;
+
+pub use concentrations::concentrations;
+pub use material::Making;
+
 use std::ops::Range;
 use std::path::Path;
 
@@ -12,8 +19,9 @@ use super::plan::Plan;
 use super::recipe::{Colours, Document, Layer};
 use super::watch::{Stage, Watch};
 use crate::colour::{Gradient, Painted, Table, paint_rows, painter};
-use crate::export::png::{self, Header, Samples};
-use crate::export::{self, ExportError, Prepared, Stopped};
+use crate::export::picture::{self, QUALITY};
+use crate::export::png::{Header, Samples};
+use crate::export::{self, Content, ExportError, Format, Prepared, Stopped, exr};
 use crate::field::{Edges, Field, to_u16};
 
 /// What is painted, at the size of the pictures.
@@ -22,6 +30,7 @@ pub struct Painting<'a> {
     pub size: [usize; 2],
     layers: Vec<Pattern<'a>>,
     tables: Vec<Table>,
+    gradients: Vec<Gradient>,
     visible: Vec<bool>,
     /// Which stand only for the places of the next, and cover nothing.
     replaced: Vec<bool>,
@@ -60,11 +69,12 @@ impl<'a> Painting<'a> {
     }
 
     fn with(document: &Document, size: [usize; 2], layers: Vec<Pattern<'a>>) -> Self {
-        let tables =
-            document.layers.iter().enumerate().map(|(index, layer)| gradient_of(layer, index).table());
+        let gradients = document.layers.iter().enumerate().map(|(index, layer)| gradient_of(layer, index));
+        let gradients: Vec<Gradient> = gradients.collect();
         Self {
             size,
-            tables: tables.collect(),
+            tables: gradients.iter().map(Gradient::table).collect(),
+            gradients,
             visible: document
                 .layers
                 .iter()
@@ -112,7 +122,7 @@ impl<'a> Painting<'a> {
         rgb
     }
 
-    /// Writes a picture of `channel` to `path`, which does not have its name yet; `dpi` stands in it.
+    /// Writes a picture of `channel` to `path`, in the format of its ending; it does not have its name yet.
     ///
     /// # Errors
     /// Where the file cannot be written, or `watch` does not want it any more.
@@ -120,28 +130,97 @@ impl<'a> Painting<'a> {
         &self,
         path: &Path,
         channel: Channel,
-        dpi: f64,
+        style: &Style,
         watch: &Watch,
     ) -> Result<Prepared, ExportError> {
-        let samples = match channel {
-            Channel::Texture => Samples::Rgb8,
-            Channel::Pattern(_) => Samples::Gray16,
-            Channel::Labels => Samples::Gray8,
+        let format = style.check(path, channel, self.size)?;
+        let told = |rows: &Range<usize>| {
+            let done = rows.start as f64 / self.size[1] as f64;
+            watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)
         };
-        let header = Header { size: self.size, samples, dpi: Some(dpi) };
+        if let (Format::Exr, Channel::Pattern(only)) = (format, channel) {
+            return export::prepare(path, |out| {
+                exr::write(out, self.size, &["Y".to_owned()], Some(style.dpi), |rows, planes| {
+                    told(&rows)?;
+                    self.band(rows).values(only, &mut planes[0]);
+                    Ok(())
+                })
+            });
+        }
+        let samples = style.samples(format, channel);
+        let texts = if format == Format::Png { &style.texts[..] } else { &[] };
+        let header = Header { dpi: Some(style.dpi), texts, ..Header::new(self.size, samples) };
+        // Plain 8-bit colours have a way of their own, which is faster.
+        let fine = channel == Channel::Texture && samples != Samples::Rgb8;
+        let colours = fine.then(|| fine::Colours::of(self, style.transparent));
         export::prepare(path, |out| {
-            png::write(out, header, |rows, bytes| {
-                let done = rows.start as f64 / self.size[1] as f64;
-                watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
+            picture::write(out, format, style.quality, header, |rows, bytes| {
+                told(&rows)?;
                 let band = self.band(rows);
-                match channel {
-                    Channel::Texture => band.paint(bytes),
-                    Channel::Pattern(only) => band.pattern(only, bytes),
-                    Channel::Labels => band.labels(bytes),
+                match (channel, &colours) {
+                    (Channel::Texture, None) => band.paint(bytes),
+                    (Channel::Texture, Some(colours)) => band.paint_fine(colours, samples, bytes),
+                    (Channel::Pattern(only), _) => band.pattern(only, bytes),
+                    (Channel::Labels, _) => band.labels(bytes),
                 }
                 Ok(())
             })
         })
+    }
+}
+
+/// How a picture is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Style {
+    /// px an inch.
+    pub dpi: f64,
+    /// Whether colours have 16 bit.
+    pub deep: bool,
+    /// Whether the ground can be seen through.
+    pub transparent: bool,
+    /// Quality of a JPEG, 1 to 100.
+    pub quality: u8,
+    /// Texts beside the px of a PNG: [`super::recipe::embedded::embedded`].
+    pub texts: Vec<(&'static str, String)>,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Self { dpi: 300.0, deep: false, transparent: false, quality: QUALITY, texts: Vec::new() }
+    }
+}
+
+impl Style {
+    /// Looks whether a picture of `channel` and `size` px can be written to `path` like this, before the work is done.
+    ///
+    /// # Errors
+    /// What is wrong with the path or its format, and the remedy.
+    pub fn check(&self, path: &Path, channel: Channel, size: [usize; 2]) -> Result<Format, ExportError> {
+        let content = match channel {
+            Channel::Texture => Content::Colours,
+            Channel::Pattern(_) => Content::Numbers,
+            Channel::Labels => Content::Labels,
+        };
+        let format = export::check_content(path, content)?;
+        let cannot = |what, allowed| ExportError::CannotHold { path: path.to_owned(), format, what, allowed };
+        if channel == Channel::Texture && self.transparent && !format.has_opacity() {
+            return Err(cannot("transparent ground", ".png, .tif, .exr, .webp"));
+        }
+        if channel == Channel::Texture && self.deep && !format.is_deep() && format != Format::Exr {
+            return Err(cannot("16-bit colours", ".png, .tif; .exr has 32"));
+        }
+        if size.iter().any(|side| *side > format.longest()) {
+            return Err(ExportError::TooWide { path: path.to_owned(), size, format });
+        }
+        Ok(format)
+    }
+
+    fn samples(&self, format: Format, channel: Channel) -> Samples {
+        match channel {
+            Channel::Texture => Samples::colours(self.deep || format == Format::Exr, self.transparent),
+            Channel::Pattern(_) => Samples::Gray16,
+            Channel::Labels => Samples::Gray8,
+        }
     }
 }
 
@@ -208,6 +287,15 @@ impl Band<'_> {
             let layer = only.or_else(|| painter(&painted, px));
             let value = layer.map_or(0.0, |layer| self.patterns[layer].values[px]);
             two.copy_from_slice(&to_u16(value).to_be_bytes());
+        }
+    }
+
+    /// The same, not rounded.
+    pub fn values(&self, only: Option<usize>, values: &mut [f32]) {
+        let painted = self.painted();
+        for (px, value) in values.iter_mut().enumerate() {
+            let layer = only.or_else(|| painter(&painted, px));
+            *value = layer.map_or(0.0, |layer| self.patterns[layer].values[px]);
         }
     }
 

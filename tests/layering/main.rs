@@ -20,7 +20,7 @@ const DOORS: [&str; 2] = ["cli", "app"];
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-const ADDRESSES: [(&str, &[&str]); 23] = [
+const ADDRESSES: [(&str, &[&str]); 25] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     ("bytemuck", &["src/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
@@ -33,6 +33,7 @@ const ADDRESSES: [(&str, &[&str]); 23] = [
     (WINDOW, &["src/app/", "src/cli/"]),
     ("egui_plot", &["src/app/cloud/"]),
     ("gif", &["src/export/"]),
+    ("exr", &["src/export/"]),
     ("image", &["src/export/", "src/cli/measure.rs", "src/app/examples.rs", "src/app/reference.rs"]),
     ("indicatif", &["src/cli/", "data-gen/"]),
     ("nalgebra", &["src/marks/", "src/learn/", "src/rd/"]),
@@ -43,6 +44,7 @@ const ADDRESSES: [(&str, &[&str]); 23] = [
     ("serde_path_to_error", &["data-gen/"]),
     ("spade", &["src/attributes/spacing.rs"]),
     ("tempfile", &["src/export/"]),
+    ("tiff", &["src/export/"]),
     ("usvg", &["src/sketch/svg.rs"]),
 ];
 /// Packages that are as common as the language.

@@ -1,8 +1,9 @@
 //! `between` keeps away from what is beneath, and each layer is as it was drawn.
 
 use super::{cascade, covered, grown, patterns, spots, stripes, try_grow};
+use dapple::attributes::Spread;
 use dapple::field::{Edges, Field};
-use dapple::synth::recipe::{Layer, SystemChoice};
+use dapple::synth::recipe::{Layer, SpreadChoice, SystemChoice};
 use dapple::synth::{Grown, Measured};
 
 /// Pairs of neighbouring points (of eight each) of which a lower layer covers one and a higher layer the other.
@@ -108,7 +109,9 @@ fn neighbouring_spots_stay_apart_where_marks_beneath_squeeze_them() {
 
 #[test]
 fn marks_too_large_for_what_is_left_are_refused_before_they_are_grown() {
-    for too_large in [spots(5000.0, 1.0, 0.0, 150.0), stripes(120.0, 20.0)] {
+    let mut varied = spots(5000.0, 1.0, 0.0, 150.0);
+    varied.options.spread = SpreadChoice::Given(Spread { area: 0.2, ..Spread::EVEN });
+    for too_large in [spots(5000.0, 1.0, 0.0, 150.0), varied, stripes(120.0, 20.0)] {
         let document = cascade(Edges::Closed, 1, vec![large(), too_large]);
         let error = try_grow(&document).err().expect("no room").to_string();
         assert!(error.starts_with("layer 2 finds no room"), "{error}");

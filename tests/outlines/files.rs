@@ -117,7 +117,7 @@ fn a_dxf_keeps_areas_and_stands_upright() {
 #[test]
 fn what_contradicts_itself_is_refused_before_anything_grows() {
     let bench = Bench::new();
-    bench.refuses("grow a.dapple -o a.gif", 1, &["a.gif", ".png, .svg, .dxf"]);
+    bench.refuses("grow a.dapple -o a.gif", 1, &["a.gif", ".webp, .svg, .dxf"]);
     bench.refuses("grow a.dapple", 2, &["--output"]);
     bench.refuses("grow a.dapple --svg a.png", 1, &["a.png", "allowed: .svg"]);
     bench.refuses("grow a.dapple -o a.svg --svg a.svg", 2, &["a.svg", "twice"]);

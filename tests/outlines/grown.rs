@@ -27,7 +27,7 @@ const SIDE: u32 = 200;
 fn grown(name: &str) -> (Document, Grown) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}.dapple"));
     let document = Document::read(file).unwrap();
-    let options = Options { size: Some([SIDE; 2]), refine: Some(false) };
+    let options = Options { size: Some([SIDE; 2]), refine: Some(false), ..Options::default() };
     let grown = grow(&document, name, &Training::default(), options, &Watch::NOBODY).unwrap();
     (document, grown)
 }
@@ -79,7 +79,7 @@ fn complaints(name: &str) -> Vec<String> {
         let found: f64 = groups
             .iter()
             .filter(|group| group.name == layer.name)
-            .map(|group| group.areas.iter().map(|shape| shape.area()).sum::<f64>())
+            .map(|group| group.areas.iter().map(dapple::export::outline::Shape::area).sum::<f64>())
             .sum();
         println!("{name}, {}: {found:.1} px² of {wanted:.1}: {:+.4}", layer.name, found / wanted - 1.0);
         if (found - wanted).abs() > 0.005 * wanted {
@@ -101,8 +101,9 @@ fn complaints(name: &str) -> Vec<String> {
 #[test]
 fn a_higher_level_lies_within_a_lower_one() {
     let (document, grown) = grown("tile-petals");
-    let area =
-        |level| -> f64 { outlined(&document, &grown, level)[0].areas.iter().map(|shape| shape.area()).sum() };
+    let area = |level| -> f64 {
+        outlined(&document, &grown, level)[0].areas.iter().map(dapple::export::outline::Shape::area).sum()
+    };
     let areas = [0.05, 0.3, 0.5, 0.8, 0.999].map(area);
     assert!(areas.windows(2).all(|pair| pair[0] > pair[1]), "{areas:?}");
 }

@@ -47,6 +47,8 @@ fn deed() -> impl Strategy<Value = Deed> {
         4 => mark().prop_map(Deed::Add),
         1 => any::<usize>().prop_map(Deed::Remove),
         1 => [-90.0..90.0f64, -90.0..90.0f64].prop_map(Deed::Nudge),
+        // To the very edge.
+        1 => [-900.0..900.0f64, -900.0..900.0f64].prop_map(Deed::Nudge),
         1 => (any::<usize>(), mark()).prop_map(|(i, mark)| Deed::Replace(i, mark)),
         1 => [1..5u32, 1..5u32].prop_map(Deed::Regions),
         1 => any::<usize>().prop_map(Deed::Select),

@@ -280,17 +280,18 @@ impl Worker {
             return;
         };
         match grown {
-            Ok(grown) => {
-                let document = orders.coloured(generation, &document);
-                let texture = Texture { document, grown: Arc::new(grown) };
-                *self.before.lock().unwrap_or_else(PoisonError::into_inner) =
-                    Some(Arc::clone(&texture.grown));
-                let picture = Picture::settled(&texture);
-                self.say(generation, What::Settled(texture, picture, kept));
-            }
+            Ok(grown) => self.settled(generation, &document, grown, kept),
             Err(GrowError::Cancelled(_)) => {}
             Err(error) => self.say(generation, What::Failed(error.to_string())),
         }
+    }
+
+    fn settled(&self, generation: u64, document: &Arc<Document>, grown: Grown, kept: usize) {
+        let document = self.orders.coloured(generation, document);
+        let texture = Texture { document, grown: Arc::new(grown) };
+        *self.before.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&texture.grown));
+        let picture = Picture::settled(&texture);
+        self.say(generation, What::Settled(texture, picture, kept));
     }
 
     /// Keeps the layers of `document` that have grown so far: should it be changed while the next one grows, they need

@@ -142,7 +142,7 @@ impl Sketch {
             if to.aspect <= asked.aspect {
                 own * by(asked.aspect, to.aspect)
             } else {
-                1.0 - (1.0 - own) * ((1.0 - to.aspect) / (1.0 - asked.aspect)).max(0.0)
+                1.0 - (1.0 - own) * by(1.0 - asked.aspect, (1.0 - to.aspect).max(0.0))
             }
         };
         let changed = |((stroke, mark), center): ((usize, Mark), [f64; 2])| match mark {
@@ -326,6 +326,15 @@ mod tests {
         let training = Training::default();
         let document = document(spots(500.0, 0.8, 60.0), SystemChoice::MeinhardtSpots);
         assert_eq!(taken(&training, &document), (0, None));
+    }
+
+    #[test]
+    fn a_way_that_only_just_misses_goes_a_little_farther() {
+        let training = Training::default();
+        let document = document(spots(2533.0, 0.2333, 110.0), SystemChoice::TuringSpots);
+        let (before, after) = taken(&training, &document);
+        assert!(before > 0);
+        assert_eq!(after, Some(0));
     }
 
     proptest! {

@@ -96,7 +96,7 @@ fn grow_args(document: &Path, picture: &Path) -> Result<grow::Args, Error> {
         "--quiet".into(),
     ];
     match Cli::try_parse_from(words).map_err(Error::step)?.command {
-        Command::Grow(args) => Ok(args),
+        Command::Grow(args) => Ok(*args),
         _ => Err(Error::Usage("grow: is another command".to_owned())),
     }
 }

@@ -6,7 +6,7 @@ use crate::export::outline::svg::{self, Sheet, Unit};
 use crate::export::outline::{Ends, FORMATS, Hatch, Smallest, Style, Travel, dxf};
 use crate::export::{self, Prepared, Stopped, has_ending};
 use crate::synth::outlining::{Outlining, outlines};
-use crate::synth::recipe::Document;
+use crate::synth::recipe::{Document, Extent};
 use crate::synth::{Grown, Watch};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -110,7 +110,7 @@ pub fn asked(args: &Args) -> bool {
 }
 
 /// Refuses what contradicts itself before anything grows.
-pub fn check(args: &Args, document: &Document) -> Result<(), Error> {
+pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Error> {
     let OutlineArgs { svg, dxf, edges, .. } = &args.outlines;
     for (path, ending) in [(svg, "svg"), (dxf, "dxf")] {
         if let Some(path) = path {
@@ -125,7 +125,7 @@ pub fn check(args: &Args, document: &Document) -> Result<(), Error> {
             None => Ok(()),
         };
     }
-    let scale = f64::from(args.scale);
+    let scale = f64::from(extent.scale);
     let unit = args.outlines.unit(document.dpi * scale);
     let style = args.outlines.style(1.0 / unit.a_px());
     if style.fill && *edges == Some(Ends::Cut) {
@@ -155,7 +155,7 @@ impl Drawn {
     /// Such as `412 paths; the pen draws 3.1 m and travels 0.42 m in the air (2.9 m in the order found)`.
     pub fn told(&self) -> String {
         let length = |px: f64| match self.unit {
-            Unit::Px => format!("{:.0} px", px),
+            Unit::Px => format!("{px:.0} px"),
             Unit::Mm { .. } => format!("{:.2} m", px * self.unit.a_px() / 1000.0),
         };
         let Travel { paths, down, up, up_unordered } = self.travel;
@@ -186,12 +186,13 @@ pub fn prepare(
     args: &Args,
     document: &Document,
     grown: &Grown,
+    extent: Extent,
     watch: &Watch,
 ) -> Result<Option<(Vec<Prepared>, Drawn)>, Error> {
     let files = files(args);
     let Some(first) = files.first() else { return Ok(None) };
-    let size = grown.size.map(|side| side as usize * args.scale as usize);
-    let unit = args.outlines.unit(document.dpi * f64::from(args.scale));
+    let size = grown.size.map(|side| side as usize * extent.scale as usize);
+    let unit = args.outlines.unit(document.dpi * f64::from(extent.scale));
     let a_unit = 1.0 / unit.a_px();
     let wanted = Outlining {
         size,

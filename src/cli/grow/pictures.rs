@@ -1,30 +1,56 @@
-//! The pictures of a growth: the texture, the pattern, the labels.
+//! The pictures of a growth: the texture, the pattern, the labels, the concentrations, a material.
 
 use super::Args;
 use super::outlines::holds_outlines;
 use crate::cli::Error;
-use crate::export::Prepared;
-use crate::synth::painting::{Channel, Painting};
-use crate::synth::recipe::Document;
-use crate::synth::{Grown, Watch};
+use crate::export::{self, Content, Prepared};
+use crate::synth::painting::{Channel, Painting, concentrations};
+use crate::synth::recipe::{Document, Extent};
+use crate::synth::{Grown, Watch, memory};
+use std::path::Path;
+
+/// The pictures of a px each that were asked for.
+fn asked(args: &Args) -> impl Iterator<Item = (&Path, Channel)> {
+    let only = args.layer.map(|layer| layer as usize - 1);
+    let pictures = [
+        (args.output.as_deref().filter(|path| !holds_outlines(path)), Channel::Texture),
+        (args.pattern.as_deref(), Channel::Pattern(only)),
+        (args.labels.as_deref(), Channel::Labels),
+    ];
+    pictures.into_iter().filter_map(|(path, channel)| Some((path?, channel)))
+}
+
+/// Looks whether all pictures that were asked for can be written at `size` px, before the work is done.
+pub fn check(args: &Args, size: [usize; 2]) -> Result<(), Error> {
+    let style = args.look.style();
+    for (path, channel) in asked(args) {
+        let format = style.check(path, channel, size).map_err(Error::step)?;
+        memory::check_picture(size, format.held()).map_err(Error::step)?;
+    }
+    if let Some(path) = &args.concentrations {
+        export::check_content(path, Content::Channels).map_err(Error::step)?;
+    }
+    args.material.check(size)
+}
 
 /// Writes all pictures that were asked for, none of which has its name yet.
 pub fn prepare(
     args: &Args,
     document: &Document,
     grown: &Grown,
+    extent: Extent,
     watch: &Watch,
 ) -> Result<Vec<Prepared>, Error> {
-    let painting = Painting::of(document, grown, args.scale as usize);
-    let dpi = document.dpi * f64::from(args.scale);
-    let only = args.layer.map(|layer| layer as usize - 1);
-    let pictures = [
-        (args.output.as_ref().filter(|path| !holds_outlines(path)), Channel::Texture),
-        (args.pattern.as_ref(), Channel::Pattern(only)),
-        (args.labels.as_ref(), Channel::Labels),
-    ];
-    let asked = pictures.into_iter().filter_map(|(path, channel)| Some((path?, channel)));
-    asked
-        .map(|(path, channel)| painting.prepare(path, channel, dpi, watch).map_err(Error::exported))
-        .collect()
+    let painting = Painting::of(document, grown, extent.scale as usize);
+    let refined = grown.options.refine.unwrap_or(document.growth.refine);
+    let style = args.look.style_of(document, refined, extent);
+    let mut prepared = asked(args)
+        .map(|(path, channel)| painting.prepare(path, channel, &style, watch).map_err(Error::exported))
+        .collect::<Result<Vec<_>, _>>()?;
+    if let Some(path) = &args.concentrations {
+        let file = concentrations(grown, path, painting.size, style.dpi, watch);
+        prepared.push(file.map_err(Error::exported)?);
+    }
+    prepared.extend(args.material.prepare(&painting, document, &args.file, extent, &style, watch)?);
+    Ok(prepared)
 }

@@ -28,8 +28,9 @@ fn a_disc_keeps_its_area() {
         let shapes = of_field(&spot([96, 80], Edges::Closed, [47.3, 40.8], radius), 0.5, Smallest::default());
         assert_eq!(shapes.len(), 1);
         let off = area(&shapes) / (PI * radius * radius) - 1.0;
-        // Between the values, which stand a px apart, the lines are straight and the pattern is not.
-        assert!(off.abs() < 0.07 / (radius * radius), "{radius}: {off}");
+        // Between the values, which stand a px apart, the lines are straight and the pattern is not; the curves that are
+        // fitted to them keep a tenth of the 0.5 % that is promised.
+        assert!(off.abs() < (0.07 / (radius * radius)).max(5e-4), "{radius}: {off}");
     }
 }
 

@@ -9,7 +9,7 @@ fn names_in(folder: &Path) -> Vec<String> {
     names
 }
 
-fn write_new(stream: &mut BufWriter<&File>) -> Result<(), Stopped> {
+fn write_new(stream: &mut Begun) -> Result<(), Stopped> {
     Ok(stream.write_all(b"new")?)
 }
 
@@ -86,9 +86,12 @@ fn only_known_endings_are_taken() {
     let told = |path: &str| check_target(Path::new(path)).map_err(|error| error.to_string());
     assert_eq!(told("a.png"), Ok(()));
     assert_eq!(told("A.PNG"), Ok(()));
-    let jpg = "cannot write 'a.jpg': its name ends in .jpg, which is no format that dapple writes here; allowed: .png";
-    assert_eq!(told("a.jpg"), Err(jpg.to_owned()));
-    let none = "cannot write 'png': its name has no ending that says in which format; allowed: .png";
+    assert_eq!(["a.tif", "a.TIFF", "a.exr", "a.jpg", "a.jpeg", "a.WebP"].map(told), [const { Ok(()) }; 6]);
+    let gif = "cannot write 'a.gif': its name ends in .gif, which is no format that dapple writes here; allowed: .png, .tif, .tiff, .exr, .jpg, .jpeg, .webp";
+    assert_eq!(told("a.gif"), Err(gif.to_owned()));
+    let lossy = check_content(Path::new("a.jpg"), Content::Labels).unwrap_err().to_string();
+    assert!(lossy.contains("JPEG") && lossy.ends_with("allowed: .png, .tif, .tiff"), "{lossy}");
+    let none = "cannot write 'png': its name has no ending that says in which format; allowed: .png, .tif, .tiff, .exr, .jpg, .jpeg, .webp";
     assert_eq!(told("png"), Err(none.to_owned()));
     assert!(told("").is_err());
 }

@@ -21,6 +21,10 @@ pub fn make_room(
     rounds: usize,
 ) -> Vec<[f64; 2]> {
     let at = &laid.inside;
+    if at.is_empty() {
+        // Nobody is there to be pushed, and no reach to sort those beyond by.
+        return Vec::new();
+    }
     let nucleus = |i: usize, at: [f64; 2]| Nucleus::of(&own[i], maps.cell, at, system.spacing(&own[i]));
     let largest = (0..at.len()).map(|i| nucleus(i, at[i]).reach).fold(0.0, f64::max);
     let frame = if edges == Edges::Closed { (FRAME * largest).ceil() } else { 0.0 };
@@ -75,4 +79,17 @@ pub struct Places {
     pub beyond: Vec<[f64; 2]>,
     /// How many of those on the grid, the first, stay where they are.
     pub kept: usize,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn where_nothing_stands_nothing_is_pushed() {
+        let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+        let maps = Maps::uniform(40, 40, p);
+        let laid = Places { beyond: vec![[20.0, 20.0]], ..Places::default() };
+        assert!(make_room(System::MeinhardtSpots, &maps, Edges::Closed, &laid, &[], 1.0, 2).is_empty());
+    }
 }

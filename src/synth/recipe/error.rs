@@ -1,6 +1,7 @@
 //! What can be wrong with a document: one message with file, place, what was found, what is allowed.
 
 use crate::export::ExportError;
+use crate::export::texts::Damaged;
 use std::{fmt, io};
 
 /// A wrong value in a document.
@@ -49,6 +50,23 @@ pub enum DocumentError {
     Folder {
         /// The folder.
         file: String,
+    },
+    /// The file is a picture, and nothing else.
+    #[error(
+        "{file}: found a picture without a document; allowed: a .dapple file, or a PNG that dapple wrote with its \
+         document in it"
+    )]
+    NoDocument {
+        /// The file.
+        file: String,
+    },
+    /// The file is a PNG that cannot be read to its end.
+    #[error("{file}: found a damaged picture; allowed: a .dapple file, or a whole PNG that dapple wrote")]
+    Damaged {
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        source: Damaged,
     },
     /// The file is larger than any document.
     #[error("{file}: found a file of more than {limit} bytes; allowed: at most {limit} bytes")]

@@ -65,6 +65,7 @@
 
 mod choices;
 mod colours;
+pub mod embedded;
 mod error;
 mod file;
 pub mod limits;
@@ -80,6 +81,7 @@ use crate::attributes::Spread;
 pub use crate::rd::Seeding;
 pub use choices::{After, Kind, SystemChoice};
 pub use colours::{Colours, Stop};
+pub use embedded::{Extent, in_picture, open};
 pub use error::{DocumentError, Problem};
 
 use crate::field::Edges;

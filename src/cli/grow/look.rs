@@ -1,0 +1,46 @@
+//! How the picture of a growth is written.
+
+use crate::export::picture::QUALITY;
+use crate::synth::painting::Style;
+use crate::synth::recipe::embedded::embedded;
+use crate::synth::recipe::{Document, Extent};
+
+/// How to write the picture.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Look {
+    /// Let one see through the ground; laid over the ground's colour again, it is the same picture
+    #[arg(long)]
+    pub transparent: bool,
+    /// Bits of each colour: 8 or, in .png and .tif, 16 (.exr has 32)
+    #[arg(long, value_name = "BITS", default_value = "8", value_parser = ["8", "16"])]
+    pub depth: String,
+    /// Quality of a .jpg, 1 to 100
+    #[arg(long, value_name = "Q", default_value_t = QUALITY, value_parser = clap::value_parser!(u8).range(1..=100))]
+    pub quality: u8,
+    /// Leave the document out of the PNG; with it, `dapple grow OUT.png` grows the same again
+    #[arg(long)]
+    pub no_document: bool,
+}
+
+impl Look {
+    /// The same without what a picture holds beside its px.
+    pub fn style(&self) -> Style {
+        Style {
+            deep: self.depth == "16",
+            transparent: self.transparent,
+            quality: self.quality,
+            ..Style::default()
+        }
+    }
+
+    /// How a picture of `document` is written; `refined` as it was grown.
+    pub fn style_of(&self, document: &Document, refined: bool, extent: Extent) -> Style {
+        let dpi = document.dpi * f64::from(extent.scale);
+        if self.no_document {
+            return Style { dpi, ..self.style() };
+        }
+        let mut document = document.clone();
+        document.growth.refine = refined;
+        Style { dpi, texts: embedded(&document, extent), ..self.style() }
+    }
+}

@@ -1,0 +1,110 @@
+//! `--material`: a set of maps for engines.
+
+use crate::cli::Error;
+use crate::export::material::{Set, name};
+use crate::export::{self, Format, Prepared, maps::Surface};
+use crate::synth::Watch;
+use crate::synth::painting::{Making, Painting, Style};
+use crate::synth::recipe::{Document, Extent};
+use std::path::{Path, PathBuf};
+
+/// px of relief at most: more than any canvas is wide.
+const MOST_RELIEF: f64 = 1e5;
+
+/// What the maps of a material are made of.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Material {
+    /// Also write a material into this folder: base colour, height, normals, roughness, occlusion, a plane (docs/materials.md)
+    #[arg(long, value_name = "DIR")]
+    pub material: Option<PathBuf>,
+    /// How far marks stand above the ground, px; below 0 they are hollows. One a layer, the last for all further ones
+    #[arg(
+        long, value_name = "PX,…", requires = "material", value_delimiter = ',', default_value = "6",
+        allow_hyphen_values = true, value_parser = relief
+    )]
+    pub relief: Vec<f64>,
+    /// Roughness of the ground and of the marks, 0 to 1. One a layer, the last for all further ones
+    #[arg(
+        long, value_name = "GROUND,MARKS,…", requires = "material", value_delimiter = ',',
+        default_value = "0.8,0.5", value_parser = roughness
+    )]
+    pub roughness: Vec<f64>,
+}
+
+fn relief(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>().ok().filter(|number| number.abs() <= MOST_RELIEF);
+    number.ok_or_else(|| format!("allowed: numbers from -{MOST_RELIEF} to {MOST_RELIEF}, such as 6 or 6,-2"))
+}
+
+fn roughness(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>().ok().filter(|number| (0.0..=1.0).contains(number));
+    number.ok_or_else(|| "allowed: numbers from 0 (a mirror) to 1 (chalk), such as 0.8,0.5".to_owned())
+}
+
+impl Material {
+    /// Looks whether the set can be written, before the work is done.
+    pub fn check(&self, size: [usize; 2]) -> Result<(), Error> {
+        let Some(folder) = &self.material else { return Ok(()) };
+        if folder.exists() && !folder.is_dir() {
+            let folder = folder.display();
+            return Err(Error::Usage(format!("--material: found a file {folder}; allowed: a folder")));
+        }
+        let above = folder.parent().filter(|above| *above != Path::new(""));
+        if above.is_some_and(|above| !above.is_dir()) && !folder.is_dir() {
+            return Err(Error::step(export::ExportError::NoFolder {
+                path: folder.clone(),
+                folder: above.unwrap_or(folder).to_owned(),
+            }));
+        }
+        if size.iter().any(|side| *side > Format::Png.longest()) {
+            let path = folder.clone();
+            return Err(Error::step(export::ExportError::TooWide { path, size, format: Format::Png }));
+        }
+        Ok(())
+    }
+
+    /// Writes the set, named like the document's file; no map has its name yet.
+    pub fn prepare(
+        &self,
+        painting: &Painting,
+        document: &Document,
+        file: &Path,
+        extent: Extent,
+        style: &Style,
+        watch: &Watch,
+    ) -> Result<Vec<Prepared>, Error> {
+        let Some(folder) = &self.material else { return Ok(Vec::new()) };
+        if !folder.is_dir() {
+            let written = |source| Error::File { file: folder.display().to_string(), done: "made", source };
+            std::fs::create_dir(folder).map_err(written)?;
+        }
+        let named = name(&file.file_stem().unwrap_or_default().to_string_lossy());
+        let set = Set {
+            name: &named,
+            size: painting.size,
+            deep: style.deep,
+            transparent: style.transparent,
+            dpi: Some(style.dpi),
+        };
+        let making = Making {
+            surface: Surface { relief: self.relief.clone(), roughness: self.roughness.clone() },
+            scale: extent.scale as usize,
+            edges: document.edges,
+        };
+        painting.material(folder, &set, &making, watch).map_err(Error::exported)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_that_are_no_surface_are_refused() {
+        assert_eq!((relief("-2.5"), roughness("0")), (Ok(-2.5), Ok(0.0)));
+        for wrong in ["", "nan", "inf", "1e9", "x"] {
+            assert!(relief(wrong).is_err() && roughness(wrong).is_err(), "{wrong}");
+        }
+        assert!(roughness("1.1").is_err() && roughness("-0.1").is_err());
+    }
+}

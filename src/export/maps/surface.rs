@@ -1,0 +1,107 @@
+//! What a material is made of: how high and how rough the ground and the marks of each layer are.
+
+/// Height and roughness of a material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// How far the middle of a mark stands above the ground, px, by layer; negative for hollows. The last holds for all
+    /// further layers.
+    pub relief: Vec<f64>,
+    /// Roughness of the ground, then of the marks of each layer, 0 = a mirror, 1 = chalk. The last holds for all further
+    /// layers.
+    pub roughness: Vec<f64>,
+}
+
+impl Default for Surface {
+    /// Marks as high as those of embossed leather, and smoother than the ground.
+    fn default() -> Self {
+        Self { relief: vec![6.0], roughness: vec![0.8, 0.5] }
+    }
+}
+
+/// Pattern → share of the px that belongs to the marks of each layer, 0..1, in place; all layers the same number of px.
+///
+/// A layer keeps what the layers beneath have left: with P the largest share beneath, pₖ becomes pₖ·w(P),
+/// w(P) = 1 up to P = ¼, 0 from ½ (a mark's edge) on, straight between. So no map has a step where a frozen mark ends.
+pub fn shares(patterns: &mut [Vec<f32>]) {
+    let px = patterns.first().map_or(0, Vec::len);
+    for i in 0..px {
+        let mut beneath = 0.0_f32;
+        for pattern in &mut *patterns {
+            let left = (2.0 - 4.0 * beneath).clamp(0.0, 1.0);
+            pattern[i] = pattern[i].clamp(0.0, 1.0) * left;
+            beneath = beneath.max(pattern[i]);
+        }
+    }
+}
+
+impl Surface {
+    /// px from the lowest to the highest that `layers` layers can reach, about the ground at 0.
+    #[must_use]
+    pub fn range(&self, layers: usize) -> [f64; 2] {
+        let reliefs = (0..layers).map(|layer| by_layer(&self.relief, layer));
+        reliefs.fold([0.0, 0.0], |[low, high], relief| [low.min(relief), high.max(relief)])
+    }
+
+    /// Height of each px above the ground, px: Σ shareₖ·reliefₖ.
+    #[must_use]
+    pub fn height(&self, shares: &[Vec<f32>]) -> Vec<f32> {
+        sum(shares, 0.0, &|layer| by_layer(&self.relief, layer) as f32)
+    }
+
+    /// Roughness of each px: r₀ + Σ shareₖ(rₖ − r₀).
+    #[must_use]
+    pub fn roughness(&self, shares: &[Vec<f32>]) -> Vec<f32> {
+        let (ground, marks) = self.roughness.split_first().map_or((0.8, &[][..]), |(g, m)| (*g, m));
+        let of = |layer| if marks.is_empty() { ground } else { by_layer(marks, layer) };
+        sum(shares, ground as f32, &|layer| (of(layer) - ground) as f32)
+    }
+
+    /// `height` as a picture holds it: 0 = the lowest that can be, 1 = the highest; ½ everywhere where all is flat.
+    #[must_use]
+    pub fn levelled(&self, height: f32, layers: usize) -> f32 {
+        let [low, high] = self.range(layers);
+        if high > low { ((f64::from(height) - low) / (high - low)) as f32 } else { 0.5 }
+    }
+}
+
+fn by_layer(values: &[f64], layer: usize) -> f64 {
+    values.get(layer).or(values.last()).copied().unwrap_or(0.0)
+}
+
+fn sum(shares: &[Vec<f32>], ground: f32, weight: &dyn Fn(usize) -> f32) -> Vec<f32> {
+    let mut values = vec![ground; shares.first().map_or(0, Vec::len)];
+    for (layer, share) in shares.iter().enumerate() {
+        let weight = weight(layer);
+        values.iter_mut().zip(share).for_each(|(value, share)| *value += weight * share);
+    }
+    values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_layer_keeps_what_those_beneath_have_left() {
+        let mut patterns = vec![vec![0.0, 0.2, 0.375, 0.5, 1.0], vec![0.8; 5]];
+        shares(&mut patterns);
+        assert_eq!(patterns[0], [0.0, 0.2, 0.375, 0.5, 1.0]);
+        assert_eq!(patterns[1], [0.8, 0.8, 0.4, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn heights_and_roughness_are_those_of_each_layer() {
+        let surface = Surface { relief: vec![4.0, -2.0], roughness: vec![0.9, 0.5, 0.1] };
+        let shares = [vec![0.0, 1.0, 0.0, 0.5], vec![0.0, 0.0, 1.0, 0.0]];
+        assert_eq!(surface.height(&shares), [0.0, 4.0, -2.0, 2.0]);
+        let rough = surface.roughness(&shares);
+        assert!(
+            rough.iter().zip([0.9, 0.5, 0.1, 0.7]).all(|(a, b): (&f32, f32)| (a - b).abs() < 1e-6),
+            "{rough:?}"
+        );
+        assert_eq!([-2.0, 0.0, 4.0].map(|height| surface.levelled(height, 2)), [0.0, 1.0 / 3.0, 1.0]);
+        assert_eq!(surface.range(5), [-2.0, 4.0]);
+        let flat = Surface { relief: vec![0.0], ..surface };
+        assert_eq!(flat.levelled(0.0, 1), 0.5);
+    }
+}

@@ -1,0 +1,208 @@
+//! The set of pictures that a material is: names that engines know, and all files of it at once.
+
+use std::ops::Range;
+use std::path::Path;
+
+use rayon::prelude::*;
+
+use super::png::{Header, Opened, Rows, Samples};
+use super::{ExportError, Prepared, Stopped, begin};
+
+/// A map of a material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Map {
+    /// Colours, with opacity where the ground is transparent.
+    BaseColour,
+    /// 0 = to be seen through; only where the ground is transparent.
+    Opacity,
+    /// 0 = the lowest, 1 = the highest; 16 bit.
+    Height,
+    /// Normals, green up the picture (OpenGL).
+    NormalGl,
+    /// Normals, green down the picture (Direct X).
+    NormalDx,
+    /// 0 = a mirror, 1 = chalk.
+    Roughness,
+    /// 0 = covered, 1 = open to all of the sky.
+    Occlusion,
+    /// Occlusion, roughness, metalness.
+    Orm,
+    /// Metalness, occlusion, 0, smoothness.
+    MaskMap,
+    /// A flat colour for the marks of each layer, black for the ground.
+    Id,
+}
+
+impl Map {
+    /// All of them.
+    pub const ALL: [Self; 10] = [
+        Self::BaseColour,
+        Self::Opacity,
+        Self::Height,
+        Self::NormalGl,
+        Self::NormalDx,
+        Self::Roughness,
+        Self::Occlusion,
+        Self::Orm,
+        Self::MaskMap,
+        Self::Id,
+    ];
+
+    /// What its file is called after the material's name; docs/materials.md says who knows it.
+    #[must_use]
+    pub fn suffix(self) -> &'static str {
+        match self {
+            Self::BaseColour => "BaseColor",
+            Self::Opacity => "Opacity",
+            Self::Height => "Height",
+            Self::NormalGl => "NormalGL",
+            Self::NormalDx => "NormalDX",
+            Self::Roughness => "Roughness",
+            Self::Occlusion => "AmbientOcclusion",
+            Self::Orm => "ORM",
+            Self::MaskMap => "MaskMap",
+            Self::Id => "ID",
+        }
+    }
+
+    /// The name of its file.
+    #[must_use]
+    pub fn file(self, name: &str) -> String {
+        format!("{name}_{}.png", self.suffix())
+    }
+
+    /// What its px consist of; colours and normals have 16 bit where they are `deep`.
+    #[must_use]
+    pub fn samples(self, deep: bool, transparent: bool) -> Samples {
+        match self {
+            Self::BaseColour => Samples::colours(deep, transparent),
+            Self::NormalGl | Self::NormalDx => Samples::colours(deep, false),
+            Self::Height => Samples::Gray16,
+            Self::Opacity | Self::Roughness | Self::Occlusion => Samples::Gray8,
+            Self::Orm => Samples::Rgb8,
+            Self::MaskMap => Samples::Rgba8,
+            Self::Id => Samples::Rgb8,
+        }
+    }
+
+    /// Whether it holds colours to be looked at; all others are numbers, which no colour management may touch.
+    #[must_use]
+    pub fn is_colour(self) -> bool {
+        matches!(self, Self::BaseColour | Self::Id)
+    }
+}
+
+/// A name that may stand in files, links and paths everywhere: letters, digits, `_` and `-` of ASCII stay, the rest
+/// becomes `-`; what has none left is called `dapple`.
+#[must_use]
+pub fn name(text: &str) -> String {
+    let plain = |c: char| if c.is_ascii_alphanumeric() || c == '_' || c == '-' { c } else { ' ' };
+    let spaced: String = text.chars().map(plain).collect();
+    let name = spaced.split_whitespace().collect::<Vec<_>>().join("-");
+    let name: String = name.trim_matches('-').chars().take(100).collect();
+    if name.is_empty() { "dapple".to_owned() } else { name }
+}
+
+/// The flat colour of the marks of layer `label` (1 = the lowest; 0 = the ground): hues a golden section of the circle apart.
+#[must_use]
+pub fn id_colour(label: u8) -> [u8; 3] {
+    if label == 0 {
+        return [0; 3];
+    }
+    let hue = 6.0 * (f64::from(label - 1) * 0.618_033_988_75).fract();
+    let channel = |at: f64| {
+        let off = (hue - at).rem_euclid(6.0);
+        let off = off.min(6.0 - off);
+        (255.0 * (2.0 - off).clamp(0.0, 1.0)).round() as u8
+    };
+    [channel(0.0), channel(2.0), channel(4.0)]
+}
+
+/// What all maps of a set have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Set<'a> {
+    /// What the files' names begin with: as [`name()`] makes it.
+    pub name: &'a str,
+    /// Width and height, px.
+    pub size: [usize; 2],
+    /// Whether colours and normals have 16 bit.
+    pub deep: bool,
+    /// Whether the ground is transparent.
+    pub transparent: bool,
+    /// px an inch.
+    pub dpi: Option<f64>,
+}
+
+impl Set<'_> {
+    /// Its maps.
+    #[must_use]
+    pub fn maps(&self) -> Vec<Map> {
+        Map::ALL.into_iter().filter(|map| *map != Map::Opacity || self.transparent).collect()
+    }
+}
+
+/// Writes all maps of `set` into `folder` without holding them; none has its name yet. `fill` is asked for bands of
+/// `rows_a_band` rows from the top and puts the bytes of each map into the slice of the same place as in [`Set::maps`].
+///
+/// # Errors
+/// What `fill` or a file fails with.
+pub fn write(
+    folder: &Path,
+    set: &Set,
+    rows_a_band: usize,
+    mut fill: impl FnMut(Range<usize>, &mut [Vec<u8>]) -> Result<(), Stopped>,
+) -> Result<Vec<Prepared>, ExportError> {
+    let maps = set.maps();
+    let [width, height] = set.size;
+    let paths: Vec<_> = maps.iter().map(|map| folder.join(map.file(set.name))).collect();
+    let mut begun = paths.iter().map(|path| begin(path)).collect::<Result<Vec<_>, _>>()?;
+    let written = (|| {
+        let mut opened = Vec::with_capacity(maps.len());
+        for (map, begun) in maps.iter().zip(&mut begun) {
+            let samples = map.samples(set.deep, set.transparent);
+            let header = Header { dpi: set.dpi, colours: map.is_colour(), ..Header::new(set.size, samples) };
+            opened.push(Opened::new(begun, header)?);
+        }
+        let mut files = opened.iter_mut().map(Opened::rows).collect::<Result<Vec<_>, _>>()?;
+        let mut bands: Vec<Vec<u8>> = vec![Vec::new(); maps.len()];
+        for top in (0..height).step_by(rows_a_band.max(1)) {
+            let rows = top..height.min(top + rows_a_band.max(1));
+            for (band, map) in bands.iter_mut().zip(&maps) {
+                band.resize(rows.len() * width * map.samples(set.deep, set.transparent).bytes(), 0);
+            }
+            fill(rows, &mut bands)?;
+            files.par_iter_mut().zip(&bands).try_for_each(|(file, band)| file.push(band))?;
+        }
+        files.into_iter().try_for_each(Rows::finish)?;
+        opened.into_iter().try_for_each(Opened::finish)
+    })();
+    match written {
+        Ok(()) => begun.into_iter().map(super::Begun::finish).collect(),
+        // Told of one; the others go as well.
+        Err(why) => Err(begun.swap_remove(0).stopped(why)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_fit_for_every_file_system() {
+        let named = ["cheetah, Turk 1991 fig. 2", " über/../x ", "…", "a_B-3"].map(name);
+        assert_eq!(named, ["cheetah-Turk-1991-fig-2", "ber-x", "dapple", "a_B-3"]);
+        assert!(name(&"x".repeat(1000)).len() <= 100);
+    }
+
+    #[test]
+    fn layers_have_colours_that_one_can_tell_apart() {
+        let colours: Vec<[u8; 3]> = (0..=12).map(id_colour).collect();
+        for (i, a) in colours.iter().enumerate() {
+            for b in &colours[..i] {
+                let apart: i32 = a.iter().zip(b).map(|(a, b)| (i32::from(*a) - i32::from(*b)).abs()).sum();
+                assert!(apart > 60, "{a:?} {b:?}");
+            }
+        }
+        assert_eq!(colours[..2], [[0, 0, 0], [255, 0, 0]]);
+    }
+}

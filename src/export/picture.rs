@@ -1,0 +1,127 @@
+//! Rows of colours → a file of any format.
+
+use std::io::{self, Seek, Write};
+use std::ops::Range;
+
+use super::png::{Header, Samples};
+use super::{Format, Stopped, exr, png, tiff, web};
+
+/// Quality of a JPEG unless told otherwise, 1 to 100: no block is seen in a smooth pattern at twice the size.
+pub const QUALITY: u8 = 92;
+
+/// Writes a picture of any height without holding it, but for WebP: `fill` is asked for band after band, from the top,
+/// and puts the bytes of the rows that it is given into the slice, `size[0] * samples.bytes()` a row.
+///
+/// OpenEXR gets gray as channel `Y` and colours as light, multiplied by the opacity, as its readers expect.
+///
+/// # Errors
+/// What `out` or `fill` fails with; a size or samples that the format cannot hold.
+pub fn write(
+    out: impl Write + Seek,
+    format: Format,
+    quality: u8,
+    header: Header,
+    fill: impl FnMut(Range<usize>, &mut [u8]) -> Result<(), Stopped>,
+) -> Result<(), Stopped> {
+    let eight_bit = matches!(header.samples, Samples::Rgb8 | Samples::Rgba8);
+    match format {
+        Format::Png => png::write(out, header, fill),
+        Format::Tiff => tiff::write(out, header, fill),
+        Format::Exr => light(out, header, fill),
+        Format::Jpeg if header.samples == Samples::Rgb8 => web::jpeg(out, header, quality, fill),
+        Format::Webp if eight_bit => web::webp(out, header, fill),
+        Format::Jpeg | Format::Webp => {
+            Err(io::Error::other(format!("{} does not hold {:?}", format.name(), header.samples)).into())
+        }
+    }
+}
+
+/// A painted picture: three bytes a px.
+///
+/// # Errors
+/// As [`write()`]; `rgb` too short for `size`.
+pub fn rgb8(out: impl Write + Seek, format: Format, size: [usize; 2], rgb: &[u8]) -> Result<(), Stopped> {
+    write(out, format, QUALITY, Header::new(size, Samples::Rgb8), |rows, band| {
+        let there = rgb.get(3 * rows.start * size[0]..3 * rows.end * size[0]);
+        let there = there.ok_or_else(|| io::Error::other("the picture holds fewer px than its size says"))?;
+        band.copy_from_slice(there);
+        Ok(())
+    })
+}
+
+/// sRGB as light.
+fn light(
+    out: impl Write + Seek,
+    header: Header,
+    mut fill: impl FnMut(Range<usize>, &mut [u8]) -> Result<(), Stopped>,
+) -> Result<(), Stopped> {
+    let (channels, deep) = match header.samples {
+        Samples::Gray8 => (1, false),
+        Samples::Gray16 => (1, true),
+        Samples::Rgb8 => (3, false),
+        Samples::Rgb16 => (3, true),
+        Samples::Rgba8 => (4, false),
+        Samples::Rgba16 => (4, true),
+    };
+    let names = if channels == 1 { &["Y"][..] } else { &["R", "G", "B", "A"][..channels] };
+    let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+    let mut bytes = Vec::new();
+    exr::write(out, header.size, &names, header.dpi, |rows, planes| {
+        bytes.resize(rows.len() * header.size[0] * header.samples.bytes(), 0);
+        fill(rows, &mut bytes)?;
+        for (px, samples) in bytes.chunks_exact(header.samples.bytes()).enumerate() {
+            let value = |channel: usize| match deep {
+                true => {
+                    f64::from(u16::from_be_bytes([samples[2 * channel], samples[2 * channel + 1]])) / 65535.0
+                }
+                false => f64::from(samples[channel]) / 255.0,
+            };
+            let opacity = if channels == 4 { value(3) } else { 1.0 };
+            for (channel, plane) in planes.iter_mut().enumerate() {
+                let colour = channels > 1 && channel < 3;
+                let value = value(channel);
+                plane[px] = if colour { opacity * super::shrink::to_light(value) } else { value } as f32;
+            }
+        }
+        Ok(())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ::exr::prelude::read_first_rgba_layer_from_file;
+
+    #[test]
+    fn open_exr_gets_light_multiplied_by_the_opacity() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.exr");
+        let header = Header::new([2, 1], Samples::Rgba8);
+        crate::export::save(&path, |out| {
+            write(out, Format::Exr, QUALITY, header, |_, bytes| {
+                bytes.copy_from_slice(&[255, 188, 0, 255, 255, 188, 0, 51]);
+                Ok(())
+            })
+        })
+        .unwrap();
+        let image = read_first_rgba_layer_from_file(
+            &path,
+            |size, _| vec![[0.0; 4]; size.area()],
+            |px: &mut Vec<[f32; 4]>, at, (r, g, b, a): (f32, f32, f32, f32)| px[at.0] = [r, g, b, a],
+        )
+        .unwrap();
+        // 188 of 255 is about half the light.
+        let expected = [[1.0, 0.5029, 0.0, 1.0], [0.2, 0.1006, 0.0, 0.2]];
+        for (found, expected) in image.layer_data.channel_data.pixels.iter().zip(expected) {
+            assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-3), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_jpeg_without_opacity_is_told_from_one_with() {
+        let header = Header::new([2, 1], Samples::Rgba8);
+        let out = io::Cursor::new(Vec::new());
+        let error = write(out, Format::Jpeg, QUALITY, header, |_, _| Ok(())).unwrap_err().to_string();
+        assert!(error.contains("JPEG") && error.contains("Rgba8"), "{error}");
+    }
+}
