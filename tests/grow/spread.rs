@@ -183,9 +183,9 @@ fn without_a_spread_nothing_changes() {
     assert!(folder.bytes("even.png") == folder.bytes("drawn.png"));
     even["layers"][0]["options"] = json!({"spread": 0.2});
     folder.write("a.dapple", &even.to_string());
-    folder.grow("--pattern varied.png");
+    folder.grow("--pattern varied.png --no-document");
     assert!(folder.bytes("varied.png") != folder.bytes("drawn.png"));
-    folder.grow("--pattern again.png --threads 1");
+    folder.grow("--pattern again.png --threads 1 --no-document");
     assert!(folder.bytes("again.png") == folder.bytes("varied.png"));
 }
 
