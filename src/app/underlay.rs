@@ -5,8 +5,8 @@ use std::sync::Arc;
 use eframe::egui::{Color32, Painter, Rect, TextureHandle, TextureOptions, Ui, pos2};
 
 use super::desk::Desk;
-use super::growth::{Growth, Picture, Texture};
-use crate::synth::recipe::{Document, Layer};
+use super::growth::{Growth, Picture, Texture, essence};
+use crate::synth::recipe::Document;
 
 /// The longest side of the picture, px: it is dim, and lies under strokes.
 const LONGEST: usize = 1024;
@@ -76,11 +76,9 @@ impl Underlay {
 
 /// Do the lowest `count` layers of both documents grow alike on canvases that are alike?
 fn grows_alike(one: &Document, other: &Document, count: usize) -> bool {
-    let canvas = |document: &Document| (document.size, document.regions, document.edges, document.seed);
-    let growing =
-        |layer: &Layer| Layer { name: String::new(), colours: None, visible: true, ..layer.clone() };
-    canvas(one) == canvas(other)
-        && one.layers.len() >= count
-        && other.layers.len() >= count
-        && (0..count).all(|index| growing(&one.layers[index]) == growing(&other.layers[index]))
+    let lowest = |document: &Document| {
+        let layers = document.layers.get(..count)?.to_vec();
+        Some(essence(&Document { layers, ..document.clone() }))
+    };
+    lowest(one).is_some_and(|one| lowest(other) == Some(one))
 }

@@ -186,8 +186,8 @@ fn a_report_of_stripes_leaves_out_what_only_spots_have() {
 fn without_refining_the_level_is_the_one_looked_up() {
     let mut document = spots();
     let folder = Folder::with(&document);
-    folder.grow("--report refined.json --pattern refined.png");
-    folder.grow("--report looked_up.json --pattern looked_up.png --no-refine");
+    folder.grow("--report refined.json --pattern refined.png --no-document");
+    folder.grow("--report looked_up.json --pattern looked_up.png --no-refine --no-document");
     let region = |name: &str| folder.json(name)["layers"][0]["regions"][0].clone();
     let [refined, looked_up] = ["refined.json", "looked_up.json"].map(region);
     let error = |region: &Value| region["error"]["area"].as_f64().unwrap().abs();
@@ -197,7 +197,7 @@ fn without_refining_the_level_is_the_one_looked_up() {
     // The document can say the same.
     document["growth"] = json!({"refine": false});
     folder.write("a.dapple", &document.to_string());
-    folder.grow("--pattern told.png");
+    folder.grow("--pattern told.png --no-document");
     assert!(folder.bytes("told.png") == folder.bytes("looked_up.png"));
 }
 

@@ -42,7 +42,7 @@ fn a_missing_folder_is_told_before_anything_is_written() {
     for option in ["--pattern no/p.png", "--labels no/l.png", "--report no/r.json"] {
         folder.refuses(&format!("grow a.dapple -o a.png {option}"), 1, &["no/", "no folder"]);
     }
-    folder.refuses("grow a.dapple -o a.jpg", 1, &["a.jpg", ".png"]);
+    folder.refuses("grow a.dapple -o a.gif", 1, &["a.gif", ".png"]);
     folder.refuses("grow a.dapple -o . --labels l.png", 1, &["folder"]);
     folder.refuses("grow b.dapple -o a.png", 1, &["b.dapple", "read"]);
 }
