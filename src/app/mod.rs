@@ -94,7 +94,7 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
             .with_app_id("dapple")
             .with_min_inner_size([760.0, 480.0])
             .with_drag_and_drop(true)
-            .with_icon(IconData::default()),
+            .with_icon(icon()),
         renderer: if glow { eframe::Renderer::Glow } else { eframe::Renderer::Wgpu },
         centered: settings.layout.position.is_none(),
         ..Default::default()
@@ -106,6 +106,11 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
         Ok(Box::new(Window::new(&cc.egui_ctx, start)))
     });
     eframe::run_native("dapple", options, create).map_err(|error| OpenError::Refused(error.to_string()))
+}
+
+/// What the window manager shows; the picture is whole, so that the empty one never stands.
+fn icon() -> IconData {
+    eframe::icon_data::from_png_bytes(include_bytes!("../../assets/icon/dapple.png")).unwrap_or_default()
 }
 
 fn has_display() -> bool {
