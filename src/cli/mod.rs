@@ -5,6 +5,8 @@
 
 pub mod bench;
 mod check;
+#[cfg(test)]
+mod documented;
 mod error;
 mod estimate;
 mod film;

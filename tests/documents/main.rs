@@ -16,6 +16,7 @@ mod no_json;
 mod options;
 mod properties;
 mod read;
+mod shown;
 mod values;
 
 /// A valid document as small as it gets.
