@@ -159,12 +159,21 @@ fn complaints(name: &str) -> Vec<String> {
     }
     let painted = painted(&groups);
     let off: Vec<f64> = covered.iter().zip(&painted).map(|(a, b)| (a - b).abs()).collect();
-    let [mean, most] = [off.iter().sum::<f64>() / off.len() as f64, off.iter().copied().fold(0.0, f64::max)];
-    println!("{name}: cover of px differs by {mean:.5} in the mean, {most:.3} at most");
-    if mean > 0.005 || most > 0.25 {
-        complaints.push(format!("{name}: cover of px differs by {mean:.5} in the mean, {most:.3} at most"));
+    let cut = covered.iter().filter(|cover| (0.001..0.999).contains(*cover)).count().max(1);
+    let [mean, most] = [off.iter().sum::<f64>() / cut as f64, off.iter().copied().fold(0.0, f64::max)];
+    let told =
+        format!("{name}: cover of a px at an edge differs by {mean:.5} in the mean, {most:.3} at most");
+    println!("{told}");
+    // Both are sampled: by 6 × 6 points here, by resvg on 4 lines a px.
+    if mean > 0.04 || most > 0.25 {
+        complaints.push(told);
     }
     complaints
+}
+
+/// Where points lie along the border at `place` of an axis.
+fn along(points: &[[f64; 2]], axis: usize, place: f64) -> Vec<f64> {
+    points.iter().filter(|point| (point[axis] - place).abs() < 1e-6).map(|point| point[1 - axis]).collect()
 }
 
 #[test]
@@ -172,7 +181,7 @@ fn the_hatch_of_a_tile_goes_on_across_its_seams() {
     let (document, grown) = grown("tile-petals");
     let side = f64::from(SIDE);
     for (spacing, angle) in [(1.3, 0.0), (2.1, 45.0), (1.7, -20.0), (2.0, 90.0)] {
-        let style = Style { fill: false, hatch: Some(Hatch { spacing, angle }), ..Style::default() };
+        let style = Style { fill: true, hatch: Some(Hatch { spacing, angle }), ..Style::default() };
         let wanted = Outlining {
             size: [SIDE as usize; 2],
             level: 0.5,
@@ -181,33 +190,30 @@ fn the_hatch_of_a_tile_goes_on_across_its_seams() {
             style,
         };
         let groups = outlines(&document, &grown, &wanted, &Watch::NOBODY).unwrap().0;
-        let strokes = &groups[0].strokes;
-        let ends: Vec<[f64; 2]> = strokes.iter().flat_map(|stroke| [stroke.start, stroke.end()]).collect();
+        let strokes = groups[0].strokes.iter();
+        let ends: Vec<[f64; 2]> = strokes.flat_map(|stroke| [stroke.start, stroke.end()]).collect();
+        let outlines = groups[0].areas.iter().flat_map(dapple::export::outline::Shape::paths);
+        let knots: Vec<[f64; 2]> =
+            outlines.flat_map(|path| path.pieces.iter().map(dapple::export::outline::Piece::end)).collect();
         let mut met = 0;
         for axis in [0, 1] {
-            // Where a stroke ends at one side, another begins at the other.
-            let at = |place: f64| -> Vec<f64> {
-                let there = ends.iter().filter(|end| (end[axis] - place).abs() < 1e-6);
-                let mut along: Vec<f64> = there.map(|end| end[1 - axis]).collect();
-                along.sort_by(f64::total_cmp);
-                along
-            };
-            let [low, high] = [at(0.0), at(side)];
-            let apart = |one: &[f64], other: &[f64]| {
-                let without = one.iter().filter(|a| !other.iter().any(|b| (*a - b).abs() < 0.01));
-                without.count()
-            };
-            let [here, there] = [apart(&low, &high), apart(&high, &low)];
-            println!(
-                "{angle}: {} and {} strokes meet the border; without another {here}, {there}",
-                low.len(),
-                high.len()
-            );
-            // A stroke may be too short to be drawn, or end within a hair of the corner of a mark.
-            assert!(here + there <= (low.len() + high.len()) / 50, "{angle}: {low:?} {high:?}");
-            met += low.len() + high.len();
+            // Where a stroke ends at one side, another begins at the other; but that where a mark's edge meets the border,
+            // a stroke may be too short to be drawn.
+            let [low, high] = [0.0, side].map(|place| along(&ends, axis, place));
+            let corners: Vec<f64> =
+                [0.0, side].iter().flat_map(|place| along(&knots, axis, *place)).collect();
+            let near =
+                |at: f64, others: &[f64], far: f64| others.iter().any(|other| (other - at).abs() < far);
+            for (here, there) in [(&low, &high), (&high, &low)] {
+                for at in here {
+                    let meets = near(*at, there, 0.01) || near(*at, &corners, 0.3);
+                    assert!(meets, "{angle}: {at} of {here:?}, {there:?}, {corners:?}");
+                }
+            }
+            met += low.iter().filter(|at| near(**at, &high, 0.01)).count();
         }
-        assert!(met > 40, "{met}");
+        println!("{angle}: {met} strokes go on");
+        assert!(met > 10, "{met}");
     }
 }
 
