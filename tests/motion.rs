@@ -1,6 +1,7 @@
 //! `dapple film` through the real binary: what the frames show and how long, and what is refused.
 
 use assert_cmd::Command;
+use image::AnimationDecoder;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -68,6 +69,89 @@ fn gif(bytes: &[u8]) -> (Vec<u16>, bool) {
         at += 1;
     }
     (delays, again)
+}
+
+/// The frames of a GIF or an animated PNG as another library shows them: red, green, blue a px.
+fn shown(frames: image::Frames) -> Vec<Vec<u8>> {
+    let frames = frames.collect_frames().unwrap();
+    frames
+        .into_iter()
+        .map(|frame| image::DynamicImage::ImageRgba8(frame.into_buffer()).into_rgb8().into_raw())
+        .collect()
+}
+
+/// What is painted of a GIF over what stands there, by hand: LZW of variable width, transparent px stay (CompuServe 1990,
+/// appendix F).
+fn painted(bytes: &[u8], over: Option<&[u8]>) -> Vec<Vec<u8>> {
+    let word = |at: usize| usize::from(u16::from_le_bytes([bytes[at], bytes[at + 1]]));
+    let (width, height) = (word(6), word(8));
+    let palette = &bytes[13..13 + (3 << ((bytes[10] & 7) + 1))];
+    let mut at = 13 + palette.len();
+    let mut canvas = over.map_or(vec![0; 3 * width * height], <[u8]>::to_vec);
+    let (mut clear, mut frames) = (None, Vec::new());
+    while bytes[at] != 0x3b {
+        let (mut block, is_frame) = match bytes[at] {
+            0x21 => (at + 2, None),
+            _ => (at + 11, Some(at)),
+        };
+        if bytes[at..at + 2] == [0x21, 0xf9] {
+            // Frames stay; the sixth byte is the colour that is none.
+            assert_eq!(bytes[at + 3] >> 2 & 7, 1);
+            clear = (bytes[at + 3] & 1 == 1).then_some(bytes[at + 6]);
+        }
+        let mut data = Vec::new();
+        while bytes[block] != 0 {
+            let length = usize::from(bytes[block]);
+            data.extend_from_slice(&bytes[block + 1..block + 1 + length]);
+            block += 1 + length;
+        }
+        if let Some(frame) = is_frame {
+            assert_eq!(bytes[frame + 9], 0, "no palette of its own, not interlaced");
+            let [left, top, across] = [1, 3, 5].map(|i| word(frame + i));
+            for (i, index) in unpacked(&data, u32::from(bytes[frame + 10])).into_iter().enumerate() {
+                if Some(index) != clear {
+                    let px = 3 * ((top + i / across) * width + left + i % across);
+                    canvas[px..px + 3].copy_from_slice(&palette[3 * usize::from(index)..][..3]);
+                }
+            }
+            frames.push(canvas.clone());
+        }
+        at = block + 1;
+    }
+    frames
+}
+
+fn unpacked(data: &[u8], least: u32) -> Vec<u8> {
+    let (clear, end) = (1_usize << least, (1_usize << least) + 1);
+    let (mut table, mut width): (Vec<Vec<u8>>, u32) = (Vec::new(), least + 1);
+    let (mut out, mut last): (Vec<u8>, Option<Vec<u8>>) = (Vec::new(), None);
+    let mut bit = 0;
+    loop {
+        let code = (0..width as usize)
+            .fold(0, |code, i| code | usize::from(data[(bit + i) / 8] >> ((bit + i) % 8) & 1) << i);
+        bit += width as usize;
+        if code == clear {
+            table = (0..clear + 2).map(|value| vec![value as u8]).collect();
+            (width, last) = (least + 1, None);
+            continue;
+        }
+        if code == end {
+            return out;
+        }
+        let entry = match (&last, table.get(code)) {
+            (_, Some(entry)) => entry.clone(),
+            (Some(last), None) => [&last[..], &last[..1]].concat(),
+            (None, None) => panic!("a code before its entry"),
+        };
+        out.extend_from_slice(&entry);
+        if let Some(last) = last.filter(|_| table.len() < 4096) {
+            table.push([&last[..], &entry[..1]].concat());
+        }
+        if table.len() == 1 << width && width < 12 {
+            width += 1;
+        }
+        last = Some(entry);
+    }
 }
 
 const SHORT: [&str; 4] = ["--seconds", "1", "--fps", "8"];
@@ -146,6 +230,85 @@ fn an_animated_png_says_the_same_and_shows_its_first_frame_anywhere() {
         .collect();
     assert_eq!((delays.len(), delays[0], delays[7]), (8, [1, 8], [112, 100]));
     assert!(image::open(&clip).unwrap().into_rgb8().into_raw() == frames(&still)[0]);
+}
+
+#[test]
+fn a_reader_sees_the_frames_of_an_animated_png_px_for_px() {
+    let folder = TempDir::new().unwrap();
+    let (file, clip, still) =
+        (document(&folder, "spots", SPOT), folder.path().join("clip.png"), folder.path().join("clip"));
+    film(&file, &clip, &SHORT).success();
+    film(&file, &still, &SHORT).success();
+    let decoder =
+        image::codecs::png::PngDecoder::new(std::io::Cursor::new(fs::read(&clip).unwrap())).unwrap();
+    let seen = shown(decoder.apng().unwrap().into_frames());
+    assert!(seen == frames(&still));
+}
+
+#[test]
+fn a_reader_sees_the_frames_of_a_gif_as_near_as_255_colours_come() {
+    let folder = TempDir::new().unwrap();
+    let (file, clip, still) =
+        (document(&folder, "spots", SPOT), folder.path().join("clip.gif"), folder.path().join("clip"));
+    film(&file, &clip, &SHORT).success();
+    film(&file, &still, &SHORT).success();
+    let bytes = fs::read(&clip).unwrap();
+    let (seen, frames) = (painted(&bytes, None), frames(&still));
+    assert_eq!(seen.len(), frames.len());
+    let palette = &bytes[13..13 + 3 * 255];
+    // Green is seen best and blue least.
+    let far = |a: &[u8], b: &[u8]| -> i32 {
+        let parts = a.iter().zip(b).map(|(a, b)| i32::from(*a) - i32::from(*b));
+        parts.zip([3, 6, 1]).map(|(part, weight)| weight * part * part).sum()
+    };
+    for (seen, frame) in seen.iter().zip(&frames) {
+        assert_eq!(seen.len(), frame.len());
+        for (seen, wanted) in seen.chunks_exact(3).zip(frame.chunks_exact(3)) {
+            let nearest = palette.chunks_exact(3).map(|colour| far(colour, wanted)).min().unwrap();
+            assert_eq!(far(seen, wanted), nearest, "{seen:?} for {wanted:?}");
+        }
+        let off: f64 = seen.iter().zip(frame).map(|(a, b)| f64::from(a.abs_diff(*b))).sum();
+        assert!(off < frame.len() as f64, "{} in the mean", off / frame.len() as f64);
+    }
+    // When it begins again, nothing of its last frame is left.
+    assert!(seen[0] != seen[7] && painted(&bytes, Some(&seen[7])) == seen);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_film_says_so_and_leaves_nothing_behind() {
+    for name in ["clip.gif", "clip.png", "clip"] {
+        let folder = TempDir::new().unwrap();
+        let file = document(&folder, "spots", SPOT);
+        let output = folder.path().join(name);
+        let mut child = std::process::Command::new(assert_cmd::cargo::cargo_bin!("dapple"))
+            .arg("film")
+            .arg(&file)
+            .arg("-o")
+            .arg(&output)
+            .args(["--seconds", "100", "--fps", "50", "--side", "2000", "--quiet"])
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .unwrap();
+        let names = || -> Vec<String> {
+            let entries = fs::read_dir(folder.path()).unwrap();
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+        };
+        // Frames are being written; it must not have ended by then.
+        while !names().iter().any(|name| name.ends_with(".part")) {
+            assert_eq!(child.try_wait().unwrap(), None, "it ended before it could be interrupted");
+            std::thread::yield_now();
+        }
+        let sent = std::process::Command::new("sh")
+            .args(["-c", &format!("kill -INT {}", child.id())])
+            .status()
+            .unwrap();
+        assert!(sent.success());
+        let output = child.wait_with_output().unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), message.as_str()), (Some(130), "error: interrupted\n"), "{name}");
+        assert_eq!(names(), ["spots.dapple"], "{name}");
+    }
 }
 
 #[test]

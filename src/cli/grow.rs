@@ -175,6 +175,7 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
     outlines::check(args, &document, extent)?;
     let size = extent.size.unwrap_or(document.size).map(|side| side as usize * extent.scale as usize);
     pictures::check(args, size)?;
+    args.material.check_memory(size[0], document.layers.len(), extent)?;
     if let Some(threads) = args.threads {
         // Fails only where the pool exists already, and nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();

@@ -1,11 +1,12 @@
 //! The set of pictures that a material is: names that engines know, and all files of it at once.
 
+use std::io::Write;
 use std::ops::Range;
 use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::png::{Header, Opened, Rows, Samples};
+use super::png::{Header, Opened, Samples};
 use super::{ExportError, Prepared, Stopped, begin};
 
 /// A map of a material.
@@ -152,35 +153,55 @@ pub fn write(
     rows_a_band: usize,
     mut fill: impl FnMut(Range<usize>, &mut [Vec<u8>]) -> Result<(), Stopped>,
 ) -> Result<Vec<Prepared>, ExportError> {
+    let paths: Vec<_> = set.maps().iter().map(|map| folder.join(map.file(set.name))).collect();
+    let mut begun = paths.iter().map(|path| begin(path)).collect::<Result<Vec<_>, _>>()?;
+    match write_all(&mut begun, set, rows_a_band.max(1), &mut fill) {
+        Ok(()) => begun.into_iter().map(super::Begun::finish).collect(),
+        // Told of the one that failed; the others go as well.
+        Err(Failed { at, why }) => Err(begun.swap_remove(at).stopped(why)),
+    }
+}
+
+/// Which of several files stopped, and why.
+struct Failed {
+    at: usize,
+    why: Stopped,
+}
+
+/// Says which file it was.
+fn of(at: usize) -> impl Fn(Stopped) -> Failed {
+    move |why| Failed { at, why }
+}
+
+fn write_all(
+    begun: &mut [impl Write + Send],
+    set: &Set,
+    rows_a_band: usize,
+    fill: &mut impl FnMut(Range<usize>, &mut [Vec<u8>]) -> Result<(), Stopped>,
+) -> Result<(), Failed> {
     let maps = set.maps();
     let [width, height] = set.size;
-    let paths: Vec<_> = maps.iter().map(|map| folder.join(map.file(set.name))).collect();
-    let mut begun = paths.iter().map(|path| begin(path)).collect::<Result<Vec<_>, _>>()?;
-    let written = (|| {
-        let mut opened = Vec::with_capacity(maps.len());
-        for (map, begun) in maps.iter().zip(&mut begun) {
-            let samples = map.samples(set.deep, set.transparent);
-            let header = Header { dpi: set.dpi, colours: map.is_colour(), ..Header::new(set.size, samples) };
-            opened.push(Opened::new(begun, header)?);
-        }
-        let mut files = opened.iter_mut().map(Opened::rows).collect::<Result<Vec<_>, _>>()?;
-        let mut bands: Vec<Vec<u8>> = vec![Vec::new(); maps.len()];
-        for top in (0..height).step_by(rows_a_band.max(1)) {
-            let rows = top..height.min(top + rows_a_band.max(1));
-            for (band, map) in bands.iter_mut().zip(&maps) {
-                band.resize(rows.len() * width * map.samples(set.deep, set.transparent).bytes(), 0);
-            }
-            fill(rows, &mut bands)?;
-            files.par_iter_mut().zip(&bands).try_for_each(|(file, band)| file.push(band))?;
-        }
-        files.into_iter().try_for_each(Rows::finish)?;
-        opened.into_iter().try_for_each(Opened::finish)
-    })();
-    match written {
-        Ok(()) => begun.into_iter().map(super::Begun::finish).collect(),
-        // Told of one; the others go as well.
-        Err(why) => Err(begun.swap_remove(0).stopped(why)),
+    let mut opened = Vec::with_capacity(maps.len());
+    for (at, (map, begun)) in maps.iter().zip(begun).enumerate() {
+        let samples = map.samples(set.deep, set.transparent);
+        let header = Header { dpi: set.dpi, colours: map.is_colour(), ..Header::new(set.size, samples) };
+        opened.push(Opened::new(begun, header).map_err(of(at))?);
     }
+    let rows = opened.iter_mut().enumerate().map(|(at, file)| file.rows().map_err(of(at)));
+    let mut files = rows.collect::<Result<Vec<_>, _>>()?;
+    let mut bands: Vec<Vec<u8>> = vec![Vec::new(); maps.len()];
+    for top in (0..height).step_by(rows_a_band) {
+        let rows = top..height.min(top + rows_a_band);
+        for (band, map) in bands.iter_mut().zip(&maps) {
+            band.resize(rows.len() * width * map.samples(set.deep, set.transparent).bytes(), 0);
+        }
+        // Whoever fills does not know the files: all have stopped, and the first is told of.
+        fill(rows, &mut bands).map_err(of(0))?;
+        let pushed = files.par_iter_mut().zip(&bands).enumerate();
+        pushed.try_for_each(|(at, (file, band))| file.push(band).map_err(of(at)))?;
+    }
+    files.into_iter().enumerate().try_for_each(|(at, file)| file.finish().map_err(of(at)))?;
+    opened.into_iter().enumerate().try_for_each(|(at, file)| file.finish().map_err(of(at)))
 }
 
 #[cfg(test)]
@@ -192,6 +213,44 @@ mod tests {
         let named = ["cheetah, Turk 1991 fig. 2", " über/../x ", "…", "a_B-3"].map(name);
         assert_eq!(named, ["cheetah-Turk-1991-fig-2", "ber-x", "dapple", "a_B-3"]);
         assert!(name(&"x".repeat(1000)).len() <= 100);
+    }
+
+    /// Takes so many bytes.
+    struct Disk(usize);
+
+    impl Write for Disk {
+        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+            self.0 = self.0.checked_sub(bytes.len()).ok_or(std::io::ErrorKind::StorageFull)?;
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn the_file_that_failed_is_told_of_and_not_the_first() {
+        let set = Set { name: "a", size: [300, 200], deep: false, transparent: false, dpi: None };
+        // At the head, among the rows, at the end.
+        for (full, room) in [(3, 10), (5, 4_000), (8, 120)] {
+            let mut disks: Vec<Disk> =
+                (0..9).map(|at| Disk(if at == full { room } else { 1 << 30 })).collect();
+            let mut noise = 1_u32;
+            let mut fill = |_: Range<usize>, bands: &mut [Vec<u8>]| {
+                bands.iter_mut().flatten().for_each(|byte| {
+                    noise = noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    *byte = (noise >> 24) as u8;
+                });
+                Ok(())
+            };
+            let Failed { at, why } = write_all(&mut disks, &set, 16, &mut fill).unwrap_err();
+            let Stopped::Io(why) = why else { panic!("cancelled") };
+            assert_eq!((at, why.kind()), (full, std::io::ErrorKind::StorageFull));
+        }
+        let mut disks: Vec<Disk> = (0..9).map(|_| Disk(1 << 30)).collect();
+        let stopped = write_all(&mut disks, &set, 16, &mut |_, _| Err(Stopped::Cancelled)).unwrap_err();
+        assert!(matches!(stopped.why, Stopped::Cancelled));
     }
 
     #[test]

@@ -66,6 +66,29 @@ pub struct TooLargePicture {
     pub free: f64,
 }
 
+/// Whether something else that is written of a growth, which holds `needed` bytes, fits into the memory that is free now.
+///
+/// # Errors
+/// [`TooLargeExport`] with the numbers.
+pub fn check_export(what: &'static str, needed: f64, remedy: &'static str) -> Result<(), TooLargeExport> {
+    let free = free();
+    if needed > free { Err(TooLargeExport { what, needed, free, remedy }) } else { Ok(()) }
+}
+
+/// An export that wants more memory than there is.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("{what} needs about {:.1} GB of memory, {:.1} GB are free; {remedy}", needed / 1e9, free / 1e9)]
+pub struct TooLargeExport {
+    /// What it is.
+    pub what: &'static str,
+    /// Bytes needed.
+    pub needed: f64,
+    /// Bytes free.
+    pub free: f64,
+    /// What helps.
+    pub remedy: &'static str,
+}
+
 /// Bytes that a growth of `system` on `grid` cells for a canvas of `size` px needs.
 #[must_use]
 pub fn needed(system: System, size: [f64; 2], grid: [usize; 2]) -> f64 {
@@ -97,5 +120,9 @@ mod tests {
     fn what_cannot_fit_is_refused_with_the_numbers() {
         let error = check(System::MeinhardtStripes, [1e6; 2], [900_000; 2]).unwrap_err().to_string();
         assert!(error.contains("900000×900000 cells needs about 110350.0 GB"), "{error}");
+        let error = check_export("the hatch", 1e18, "hatch wider").unwrap_err().to_string();
+        assert!(error.starts_with("the hatch needs about 1000000000.0 GB"), "{error}");
+        assert!(error.ends_with("GB are free; hatch wider"), "{error}");
+        assert_eq!(check_export("a dot", 1.0, ""), Ok(()));
     }
 }

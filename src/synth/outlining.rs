@@ -10,6 +10,7 @@ use super::recipe::Document;
 use super::watch::{Stage, Watch};
 use crate::export::Stopped;
 use crate::export::outline::{Group, Shape, Smallest, Source, Style, Travel, draw, outline};
+use crate::field::Edges;
 
 /// The pattern value at which a layer's colour is taken: well inside a mark, short of its middle.
 const COLOUR_AT: f32 = 0.75;
@@ -34,6 +35,8 @@ pub struct Outlining {
 }
 
 /// The outlines of what `document` has `grown`, a group for each layer that is shown.
+///
+/// The hatch of a seamless document is the nearest that is seamless, too.
 ///
 /// A layer's marks end where those of the layers beneath begin, as in its picture.
 ///
@@ -63,7 +66,12 @@ pub fn outlines(
         let name = if layer.name.is_empty() { format!("layer {}", index + 1) } else { layer.name.clone() };
         layers.push((name, gradient_of(layer, index).colour(COLOUR_AT), shapes));
     }
-    Ok(draw(layers, wanted.size.map(|side| side as f64), &wanted.style))
+    let size = wanted.size.map(|side| side as f64);
+    let mut style = wanted.style;
+    if document.edges == Edges::Wrap {
+        style.hatch = style.hatch.map(|hatch| hatch.seamless(size));
+    }
+    Ok(draw(layers, size, &style))
 }
 
 fn of_layer(

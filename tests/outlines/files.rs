@@ -127,4 +127,7 @@ fn what_contradicts_itself_is_refused_before_anything_grows() {
     bench.refuses("grow a.dapple -o a.svg --style dots", 2, &["--style", "hatch:SPACING"]);
     bench.refuses("grow a.dapple -o a.svg --level 1.5", 2, &["--level", "below 1"]);
     bench.refuses("grow a.dapple -o a.png --layer 1", 2, &["--layer", "--pattern"]);
+    // 2·10⁹ strokes.
+    let dense = "--size 60000x60000 --units px --style hatch:0.1";
+    bench.refuses(&format!("grow a.dapple -o a.svg {dense}"), 1, &["hatch", "GB are free", "larger spacing"]);
 }

@@ -50,7 +50,9 @@ fn marks_stand_up_or_are_hollows_and_normals_lean_away_from_what_is_high() {
         let (height, pattern) = (map("Height").into_luma16(), folder.picture("p.png").into_luma16());
         for (h, p) in height.iter().zip(pattern.iter()) {
             let up = if sign > 0.0 { f64::from(*h) } else { 65535.0 - f64::from(*h) };
-            assert!((up - f64::from(*p)).abs() <= 2.0);
+            // S(p) = p²(3 − 2p).
+            let share = f64::from(*p) / 65535.0;
+            assert!((up - 65535.0 * share * share * (3.0 - 2.0 * share)).abs() <= 2.0);
         }
         let (gl, dx) = (map("NormalGL").into_rgb8(), map("NormalDX").into_rgb8());
         for (x, y, normal) in

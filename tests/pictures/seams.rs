@@ -2,8 +2,10 @@
 
 use super::Folder;
 use image::DynamicImage;
+use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// Steps from px to px: across the border, and inside.
 fn steps(picture: &DynamicImage) -> [Vec<u16>; 2] {
@@ -39,8 +41,8 @@ fn ratios(picture: &DynamicImage) -> [f64; 2] {
     [ratio(0.98), ratio(1.0)]
 }
 
-/// Ratios of all maps of the material of a document, with their names.
-fn measured(folder: &Folder, document: &str, name: &str) -> Vec<(String, [f64; 2])> {
+/// All maps of the material of a document, with their names.
+fn maps(folder: &Folder, document: &str, name: &str) -> Vec<(String, DynamicImage)> {
     let set = format!("set-{name}");
     folder.does(&format!("grow {document} --material {set} -q"));
     let mut maps = Vec::new();
@@ -48,7 +50,7 @@ fn measured(folder: &Folder, document: &str, name: &str) -> Vec<(String, [f64; 2
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|ending| ending == "png") {
             let map = path.file_stem().unwrap().to_string_lossy().into_owned();
-            maps.push((map, ratios(&image::open(&path).unwrap())));
+            maps.push((map, image::open(&path).unwrap()));
         }
     }
     assert_eq!(maps.len(), 9);
@@ -79,7 +81,8 @@ fn seamless_examples_have_no_seam_in_any_map() {
             if document["edges"] == "wrap" {
                 let name = path.file_stem().unwrap().to_string_lossy();
                 std::fs::copy(path, folder.path(&format!("{name}.dapple"))).unwrap();
-                found.extend(measured(&folder, &format!("{name}.dapple"), &name));
+                let maps = maps(&folder, &format!("{name}.dapple"), &name);
+                found.extend(maps.into_iter().map(|(map, picture)| (map, ratios(&picture))));
             }
         }
     }
@@ -116,17 +119,90 @@ fn sketch(number: u64) -> Value {
         "regions": regions.map(|count| count as u32), "edges": "wrap", "seed": number, "layers": [{"strokes": strokes}]})
 }
 
+/// The maps of tiles 1 to 20, with the names of their kinds.
+fn random_tiles() -> &'static [(String, DynamicImage)] {
+    static TILES: LazyLock<Vec<(String, DynamicImage)>> = LazyLock::new(|| {
+        let folder = Folder::with(&json!(null));
+        let tiles = (1..=20_u64).into_par_iter().flat_map_iter(|number| {
+            let name = format!("{number}.dapple");
+            std::fs::write(folder.path(&name), sketch(number).to_string()).unwrap();
+            maps(&folder, &name, &number.to_string())
+        });
+        tiles.collect()
+    });
+    &TILES
+}
+
+/// Numbers 1 to 20 of a stated generator, none left out: tiles of 180–330 px a side, whose border crosses some 15 to 60
+/// marks. How far the border's figure strays from the whole tile's by chance is seen by cutting the tile elsewhere: by
+/// 0.02 to 0.13 (standard deviation, normals), so that the bound of 1.25 is two deviations away and farther.
 #[test]
-#[ignore = "two of twenty miss it in their normals: 1.03 of the largest step inside, 1.44 of the 98th percentile"]
 fn twenty_random_tiles_have_no_seam_in_any_map() {
-    let folder = Folder::with(&json!(null));
-    let mut found = Vec::new();
-    for number in 1..=20 {
-        let name = format!("{number}.dapple");
-        std::fs::write(folder.path(&name), sketch(number).to_string()).unwrap();
-        found.extend(measured(&folder, &name, &number.to_string()));
-    }
+    let found: Vec<_> = random_tiles().iter().map(|(map, picture)| (map.clone(), ratios(picture))).collect();
+    assert_eq!(found.len(), 180);
     has_no_seams(&found);
+}
+
+/// A tile can be cut anywhere: how the 98th percentile of the steps across its right and its lower border ranks among
+/// those of all its columns and rows, 0 = the least, 1 = the largest, ½ among equals.
+fn ranks(picture: &DynamicImage) -> [f64; 2] {
+    let rgba = picture.to_rgba16();
+    let size = [rgba.width(), rgba.height()];
+    let step = |a: [u32; 2], b: [u32; 2]| {
+        let [a, b] = [a, b].map(|[x, y]| rgba.get_pixel(x % size[0], y % size[1]).0);
+        (0..4).map(|channel| a[channel].abs_diff(b[channel])).max().unwrap()
+    };
+    [0, 1].map(|axis| {
+        let figure = |line: u32| {
+            let mut steps: Vec<u16> = (0..size[1 - axis])
+                .map(|along| match axis {
+                    0 => step([line, along], [line + 1, along]),
+                    _ => step([along, line], [along, line + 1]),
+                })
+                .collect();
+            steps.sort_unstable();
+            percentile(&steps, 0.98)
+        };
+        let border = figure(size[axis] - 1);
+        let rank = |line| match figure(line) {
+            inner if inner < border => 1.0,
+            inner if inner > border => 0.0,
+            _ => 0.5,
+        };
+        (0..size[axis] - 1).map(rank).sum::<f64>() / f64::from(size[axis] - 1)
+    })
+}
+
+/// Mean rank of the borders of the random tiles, map by map.
+fn mean_ranks(cut: impl Fn(&DynamicImage) -> DynamicImage + Sync) -> Vec<(&'static str, f64)> {
+    let tiles = random_tiles();
+    let ranked: Vec<_> = tiles.par_iter().map(|(map, picture)| (map, ranks(&cut(picture)))).collect();
+    let mean = |kind: &'static str| {
+        let of: Vec<f64> =
+            ranked.iter().filter(|(map, _)| map.ends_with(kind)).flat_map(|(_, r)| *r).collect();
+        assert_eq!(of.len(), 40);
+        (kind, of.iter().sum::<f64>() / 40.0)
+    };
+    ["Height", "NormalGL", "NormalDX", "AmbientOcclusion", "BaseColor", "Roughness", "ORM", "MaskMap"]
+        .map(mean)
+        .to_vec()
+}
+
+/// Three standard deviations above the mean of 40 ranks that are anywhere from 0 to 1.
+const HIGH: f64 = 0.5 + 3.0 * 0.288_7 / 6.325;
+
+#[test]
+fn the_border_of_a_tile_is_a_line_like_all_others() {
+    let means = mean_ranks(DynamicImage::clone);
+    println!("{means:?}");
+    assert!(means.iter().all(|(_, rank)| *rank < HIGH), "{means:?}");
+}
+
+#[test]
+fn one_px_that_is_missing_at_the_border_is_seen() {
+    let means = mean_ranks(|picture| picture.crop_imm(0, 0, picture.width() - 1, picture.height() - 1));
+    println!("{means:?}");
+    assert!(means.iter().all(|(_, rank)| *rank > HIGH), "{means:?}");
 }
 
 #[test]

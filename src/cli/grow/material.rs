@@ -3,9 +3,10 @@
 use crate::cli::Error;
 use crate::export::material::{Set, name};
 use crate::export::{self, Format, Prepared, maps::Surface};
-use crate::synth::Watch;
+use crate::field::Edges;
 use crate::synth::painting::{Making, Painting, Style};
 use crate::synth::recipe::{Document, Extent};
+use crate::synth::{Watch, memory};
 use std::path::{Path, PathBuf};
 
 /// px of relief at most: more than any canvas is wide.
@@ -63,6 +64,23 @@ impl Material {
         Ok(())
     }
 
+    /// Looks whether what is held of `layers` layers while the set is written fits into memory.
+    pub fn check_memory(&self, width: usize, layers: usize, extent: Extent) -> Result<(), Error> {
+        if self.material.is_none() {
+            return Ok(());
+        }
+        let held = self.making(Edges::Wrap, extent).held(width, layers);
+        memory::check_export("--material", held, "write a smaller one").map_err(Error::step)
+    }
+
+    fn making(&self, edges: Edges, extent: Extent) -> Making {
+        Making {
+            surface: Surface { relief: self.relief.clone(), roughness: self.roughness.clone() },
+            scale: extent.scale as usize,
+            edges,
+        }
+    }
+
     /// Writes the set, named like the document's file; no map has its name yet.
     pub fn prepare(
         &self,
@@ -86,11 +104,7 @@ impl Material {
             transparent: style.transparent,
             dpi: Some(style.dpi),
         };
-        let making = Making {
-            surface: Surface { relief: self.relief.clone(), roughness: self.roughness.clone() },
-            scale: extent.scale as usize,
-            edges: document.edges,
-        };
+        let making = self.making(document.edges, extent);
         painting.material(folder, &set, &making, watch).map_err(Error::exported)
     }
 }

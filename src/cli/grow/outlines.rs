@@ -6,8 +6,8 @@ use crate::export::outline::svg::{self, Sheet, Unit};
 use crate::export::outline::{Ends, FORMATS, Hatch, Smallest, Style, Travel, dxf};
 use crate::export::{self, Prepared, Stopped, has_ending};
 use crate::synth::outlining::{Outlining, outlines};
-use crate::synth::recipe::{Document, Extent};
-use crate::synth::{Grown, Watch};
+use crate::synth::recipe::{Document, Extent, Layer, Stroke};
+use crate::synth::{Grown, Watch, memory};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -141,8 +141,32 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
                 args.file.display()
             )))
         }
-        _ => Ok(()),
+        Some(hatch) => {
+            let size = extent.size.unwrap_or(document.size).map(f64::from);
+            // Px of the canvas.
+            let each = document.layers.iter().map(|layer| strokes(layer, size, hatch.spacing / scale));
+            let needed = A_STROKE * each.sum::<f64>();
+            memory::check_export("so dense a hatch", needed, "hatch with a larger spacing")
+                .map_err(Error::step)
+        }
+        None => Ok(()),
     }
+}
+
+/// Bytes that a stroke of a hatch takes while the way through them is looked for: three times the path, the places where
+/// it may begin, and its visit.
+const A_STROKE: f64 = 700.0;
+
+/// About how many strokes a hatch of a layer's marks has, all in px of the canvas: marks cover at most half of it, and
+/// strokes are on the average no shorter than the smallest drawn mark is wide.
+fn strokes(layer: &Layer, size: [f64; 2], spacing: f64) -> f64 {
+    let widths = layer.strokes.iter().map(|stroke| match stroke {
+        Stroke::Ellipse(ellipse) => 2.0 * ellipse.radii[0].min(ellipse.radii[1]),
+        Stroke::Line(line) => line.width,
+        Stroke::Freehand { width, .. } => *width,
+    });
+    let narrowest = widths.fold(f64::MAX, f64::min).max(1.0);
+    0.5 * size[0] * size[1] / (spacing * narrowest)
 }
 
 /// What was drawn, for people and for machines.

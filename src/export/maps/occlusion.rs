@@ -107,6 +107,19 @@ mod tests {
     }
 
     #[test]
+    fn a_tile_is_as_open_wherever_it_is_cut() {
+        use std::f64::consts::TAU;
+        let wave =
+            |x: f64, y: f64| 3.0 * (TAU * x / 16.0).sin() * (TAU * y / 20.0).cos() + (TAU * x / 48.0).cos();
+        let moved = |x: f64, y: f64| wave(x + 5.0, y + 7.0);
+        let (one, moved) = (open(wave, Edges::Wrap, 12), open(moved, Edges::Wrap, 12));
+        for (i, open) in moved.iter().enumerate() {
+            let there = one[(i / 48 + 7) % 40 * 48 + (i % 48 + 5) % 48];
+            assert!((open - there).abs() < 1e-4, "{open} {there}");
+        }
+    }
+
+    #[test]
     fn the_foot_of_a_wall_sees_what_the_integral_says() {
         // A wall of height 8 begins at x = 30; 4 px before it, radius 20.
         let open = open(|x, _| if x > 30.0 { 8.0 } else { 0.0 }, Edges::Closed, 20);

@@ -21,17 +21,27 @@ impl Default for Surface {
 /// Pattern → share of the px that belongs to the marks of each layer, 0..1, in place; all layers the same number of px.
 ///
 /// A layer keeps what the layers beneath have left: with P the largest share beneath, pₖ becomes pₖ·w(P),
-/// w(P) = 1 up to P = ¼, 0 from ½ (a mark's edge) on, straight between. So no map has a step where a frozen mark ends.
+/// w(P) = 1 − [`shoulder`]\(4P − 1): 1 up to P = ¼, 0 from ½ (a mark's edge) on, without a kink between. So no map has a
+/// step where a frozen mark ends.
 pub fn shares(patterns: &mut [Vec<f32>]) {
     let px = patterns.first().map_or(0, Vec::len);
     for i in 0..px {
         let mut beneath = 0.0_f32;
         for pattern in &mut *patterns {
-            let left = (2.0 - 4.0 * beneath).clamp(0.0, 1.0);
+            let left = 1.0 - shoulder(4.0 * beneath - 1.0);
             pattern[i] = pattern[i].clamp(0.0, 1.0) * left;
             beneath = beneath.max(pattern[i]);
         }
     }
+}
+
+/// S(s) = s²(3 − 2s): 0 and 1 stay, and it is level at both.
+///
+/// Patterns are cut off at 0 and at 1. A height in proportion to them has a crease there, which light shows as a ring
+/// about a mark's foot and its top; S has none.
+fn shoulder(share: f32) -> f32 {
+    let share = share.clamp(0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
 }
 
 impl Surface {
@@ -42,10 +52,11 @@ impl Surface {
         reliefs.fold([0.0, 0.0], |[low, high], relief| [low.min(relief), high.max(relief)])
     }
 
-    /// Height of each px above the ground, px: Σ shareₖ·reliefₖ.
+    /// Height of each px above the ground, px: Σ S(shareₖ)·reliefₖ, S(s) = s²(3 − 2s), so that a mark's foot and top
+    /// are round.
     #[must_use]
     pub fn height(&self, shares: &[Vec<f32>]) -> Vec<f32> {
-        sum(shares, 0.0, &|layer| by_layer(&self.relief, layer) as f32)
+        sum(shares, 0.0, &|layer| by_layer(&self.relief, layer) as f32, shoulder)
     }
 
     /// Roughness of each px: r₀ + Σ shareₖ(rₖ − r₀).
@@ -53,7 +64,7 @@ impl Surface {
     pub fn roughness(&self, shares: &[Vec<f32>]) -> Vec<f32> {
         let (ground, marks) = self.roughness.split_first().map_or((0.8, &[][..]), |(g, m)| (*g, m));
         let of = |layer| if marks.is_empty() { ground } else { by_layer(marks, layer) };
-        sum(shares, ground as f32, &|layer| (of(layer) - ground) as f32)
+        sum(shares, ground as f32, &|layer| (of(layer) - ground) as f32, |share| share)
     }
 
     /// `height` as a picture holds it: 0 = the lowest that can be, 1 = the highest; ½ everywhere where all is flat.
@@ -68,11 +79,16 @@ fn by_layer(values: &[f64], layer: usize) -> f64 {
     values.get(layer).or(values.last()).copied().unwrap_or(0.0)
 }
 
-fn sum(shares: &[Vec<f32>], ground: f32, weight: &dyn Fn(usize) -> f32) -> Vec<f32> {
+fn sum(
+    shares: &[Vec<f32>],
+    ground: f32,
+    weight: &dyn Fn(usize) -> f32,
+    profile: impl Fn(f32) -> f32,
+) -> Vec<f32> {
     let mut values = vec![ground; shares.first().map_or(0, Vec::len)];
     for (layer, share) in shares.iter().enumerate() {
         let weight = weight(layer);
-        values.iter_mut().zip(share).for_each(|(value, share)| *value += weight * share);
+        values.iter_mut().zip(share).for_each(|(value, share)| *value += weight * profile(*share));
     }
     values
 }
@@ -87,6 +103,23 @@ mod tests {
         shares(&mut patterns);
         assert_eq!(patterns[0], [0.0, 0.2, 0.375, 0.5, 1.0]);
         assert_eq!(patterns[1], [0.8, 0.8, 0.4, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn a_mark_has_no_crease_at_its_foot_or_its_top() {
+        // A pattern that is cut off at both ends, as patterns are, and rises by 1/100 a px between.
+        let pattern: Vec<f32> = (-50..150).map(|i| (i as f32 / 100.0).clamp(0.0, 1.0)).collect();
+        let height = Surface::default().height(&[pattern]);
+        let slopes: Vec<f32> = height.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        // 6 px · S″ ≤ 36 px ÷ 100²; in proportion to the pattern, the slope would jump by 0.06.
+        assert!(slopes.windows(2).all(|pair| (pair[1] - pair[0]).abs() < 0.0037), "{slopes:?}");
+        assert_eq!([height[0], height[100], height[199]], [0.0, 3.0, 6.0]);
+        // A layer that ends beneath a flank of another.
+        let flank: Vec<f32> = (0..400).map(|i| i as f32 / 400.0).collect();
+        let mut patterns = [flank, vec![0.5; 400]];
+        shares(&mut patterns);
+        let slopes: Vec<f32> = patterns[1].windows(2).map(|pair| pair[1] - pair[0]).collect();
+        assert!(slopes.windows(2).all(|pair| (pair[1] - pair[0]).abs() < 0.0004), "{slopes:?}");
     }
 
     #[test]

@@ -13,6 +13,25 @@ pub struct Hatch {
     pub angle: f64,
 }
 
+impl Hatch {
+    /// The nearest to it that goes on across the seams of a tile of `size` px: with s the spacing and α the angle, the
+    /// lines y cos α − x sin α = (k + ½)s come back to themselves where m = width·sin α/s and n = height·cos α/s are whole.
+    /// The spacing changes by about s/(2·side) at most, and the angle by as many radians.
+    #[must_use]
+    pub fn seamless(self, [width, height]: [f64; 2]) -> Self {
+        let radians = self.angle.to_radians();
+        let exact = [width * libm::sin(radians), height * libm::cos(radians)].map(|side| side / self.spacing);
+        let mut whole = exact.map(f64::round);
+        if whole == [0.0, 0.0] {
+            // One line a tile is the fewest.
+            let larger = usize::from(exact[1].abs() >= exact[0].abs());
+            whole[larger] = 1.0_f64.copysign(exact[larger]);
+        }
+        let [a, b] = [whole[0] / width, whole[1] / height];
+        Self { spacing: 1.0 / (a * a + b * b).sqrt(), angle: libm::atan2(a, b).to_degrees() }
+    }
+}
+
 /// Strokes shorter than this share of their distance would be dots.
 const SHORTEST: f64 = 0.05;
 /// Halvings with which a crossing is found: to 2⁻⁴⁰ of a piece.
@@ -118,6 +137,26 @@ mod tests {
         let ends = [[4.0, 4.5], [6.0, 4.5]];
         assert!(strokes.contains(&Path::stroke([0.0, 4.5], ends[0])));
         assert!(strokes.contains(&Path::stroke(ends[1], [10.0, 4.5])));
+    }
+
+    #[test]
+    fn a_seamless_hatch_is_near_the_one_asked_for_and_comes_back_to_itself() {
+        let size = [200.0, 130.0];
+        for asked in [(1.0, 0.0), (1.3, 45.0), (0.7, -100.0), (3.0, 90.0), (3.0, 359.0), (2.2, 178.0)] {
+            let asked = Hatch { spacing: asked.0, angle: asked.1 };
+            let found = asked.seamless(size);
+            let [sin, cos] = [found.angle.to_radians().sin(), found.angle.to_radians().cos()];
+            for lines in [size[0] * sin / found.spacing, size[1] * cos / found.spacing] {
+                assert!((lines - lines.round()).abs() < 1e-9, "{asked:?} {found:?}");
+            }
+            let turned = (found.angle - asked.angle + 180.0).rem_euclid(360.0) - 180.0;
+            let most = asked.spacing / size[1];
+            assert!((found.spacing / asked.spacing - 1.0).abs() < most, "{asked:?} {found:?}");
+            assert!(turned.abs().to_radians() < most, "{asked:?} {found:?}");
+        }
+        // Wider than the tile.
+        let one = Hatch { spacing: 900.0, angle: 90.0 }.seamless(size);
+        assert!((one.spacing - 200.0).abs() < 1e-9 && (one.angle - 90.0).abs() < 1e-9, "{one:?}");
     }
 
     #[test]

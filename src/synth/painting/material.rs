@@ -31,6 +31,36 @@ pub struct Making {
     pub edges: Edges,
 }
 
+/// Rows that are made at once of pictures so wide.
+fn rows_a_band(width: usize) -> usize {
+    (BAND_PX / width.max(1)).max(16)
+}
+
+impl Making {
+    /// px that shading reaches, of `layers` layers.
+    fn radius(&self, layers: usize) -> usize {
+        let [low, high] = self.scaled().range(layers);
+        ((REACH * (high - low)).ceil() as usize).clamp(1, FARTHEST)
+    }
+
+    /// Heights in px of the pictures.
+    fn scaled(&self) -> Surface {
+        let relief = self.surface.relief.iter().map(|relief| self.scale as f64 * relief).collect();
+        Surface { relief, ..self.surface.clone() }
+    }
+
+    /// Bytes that are held while pictures `width` px wide of `layers` layers are written: with the rim, two patterns a
+    /// layer and three values a px, without it what the maps are made of and their bytes, of 16 bit at most, and what the
+    /// nine writers hold. Measured 0.12 GB at 4096², 0.13 at 8192², of which 0.03 are the program.
+    #[must_use]
+    pub fn held(&self, width: usize, layers: usize) -> f64 {
+        let rows = rows_a_band(width);
+        let rimmed = (rows + 2 * self.radius(layers)) as f64 * (8.0 * layers as f64 + 12.0);
+        let inner = rows as f64 * (5.0 * layers as f64 + 60.0);
+        width as f64 * (rimmed + inner) + 20e6
+    }
+}
+
 impl Painting<'_> {
     /// Writes all maps of `set` and a glTF plane into `folder`, which is there; none has its name yet.
     ///
@@ -43,16 +73,15 @@ impl Painting<'_> {
         making: &Making,
         watch: &Watch,
     ) -> Result<Vec<Prepared>, ExportError> {
-        let scale = making.scale as f64;
-        let relief = making.surface.relief.iter().map(|relief| scale * relief).collect();
-        let surface = Surface { relief, ..making.surface.clone() };
+        let surface = making.scaled();
+        let radius = making.radius(self.layers.len());
         let maps = set.maps();
         let colours = Colours::of(self, set.transparent);
-        let mut prepared = write(folder, set, (BAND_PX / self.size[0].max(1)).max(16), |rows, bands| {
+        let mut prepared = write(folder, set, rows_a_band(self.size[0]), |rows, bands| {
             let done = rows.start as f64 / self.size[1] as f64;
             watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
-            let work =
-                Work { painting: self, set, surface: &surface, colours: &colours, edges: making.edges };
+            let edges = making.edges;
+            let work = Work { painting: self, set, surface: &surface, radius, colours: &colours, edges };
             work.band(rows, &maps, bands);
             Ok(())
         })?;
@@ -103,6 +132,7 @@ struct Work<'a> {
     painting: &'a Painting<'a>,
     set: &'a Set<'a>,
     surface: &'a Surface,
+    radius: usize,
     colours: &'a Colours,
     edges: Edges,
 }
@@ -111,8 +141,7 @@ impl Work<'_> {
     /// Makes `rows` of all `maps`.
     fn band(&self, rows: Range<usize>, maps: &[Map], bands: &mut [Vec<u8>]) {
         let width = self.painting.size[0];
-        let [low, high] = self.surface.range(self.painting.layers.len());
-        let radius = ((REACH * (high - low)).ceil() as usize).clamp(1, FARTHEST);
+        let radius = self.radius;
         let mut shared = self.painting.patterns(rows.clone(), radius, self.edges);
         shares(&mut shared);
         let heights = match shared.is_empty() {
@@ -173,5 +202,20 @@ impl Work<'_> {
         } else {
             bytes.iter_mut().zip(encoded).for_each(|(out, value)| *out = to_u8(value));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_material_of_any_height_is_held_in_bands() {
+        let making = Making { surface: Surface::default(), scale: 8, edges: Edges::Wrap };
+        // Measured 0.09 and 0.10 GB beside the program.
+        let held = [4096, 8192, 16_384].map(|width| making.held(width, 1));
+        assert!((0.09e9..0.18e9).contains(&held[0]) && (0.10e9..0.2e9).contains(&held[1]), "{held:?}");
+        // A byte a px of 16,384², as stated.
+        assert!(held[2] < 16_384.0 * 16_384.0, "{held:?}");
     }
 }
