@@ -1,5 +1,7 @@
 //! `dapple measure IMAGE`: the attributes of the spots or stripes in a picture.
 
+use std::fs::File;
+use std::io::{BufRead, BufReader, Seek};
 use std::path::{Path, PathBuf};
 
 use image::DynamicImage;
@@ -67,8 +69,22 @@ pub fn run(args: &Args) -> Result<(), Error> {
 
 fn measure(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
     let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
-    let reader = image::ImageReader::open(path).map_err(|error| unreadable(error.into()))?;
-    let reader = reader.with_guessed_format().map_err(|error| unreadable(error.into()))?;
+    let file = File::open(path).map_err(|error| unreadable(error.into()))?;
+    measure_in(BufReader::new(file), path, invert)
+}
+
+/// What the picture in `stream` has; `path` is its name in messages.
+///
+/// # Errors
+/// Where it cannot be read as a picture or has neither spots nor stripes.
+pub fn measure_in(
+    stream: impl BufRead + Seek,
+    path: &Path,
+    invert: bool,
+) -> Result<Picture, MeasureError> {
+    let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
+    let reader = image::ImageReader::new(stream).with_guessed_format();
+    let reader = reader.map_err(|error| unreadable(error.into()))?;
     let image = reader.decode().map_err(unreadable)?;
     // A 16-bit gray picture is one that `grow --pattern` writes: its 0.5 is the marks' edge.
     let pattern = matches!(image, DynamicImage::ImageLuma16(_));

@@ -8,7 +8,7 @@ use super::{Document, DocumentError, Problem, limits};
 use crate::export::{Format, texts};
 use serde_json::{Value, json};
 use std::fs::File;
-use std::io::{BufReader, Read, Seek};
+use std::io::{BufRead, BufReader, Read, Seek};
 use std::path::Path;
 
 /// The key of the document.
@@ -71,8 +71,19 @@ pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, 
     if path.is_dir() {
         return Ok(None);
     }
-    let unreadable = |source| DocumentError::Unreadable { file: file.clone(), source };
-    let mut stream = BufReader::new(File::open(path).map_err(unreadable)?);
+    let stream = File::open(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
+    in_stream(BufReader::new(stream), &file)
+}
+
+/// As [`in_picture`], of a picture that is read from a stream; `file` is its name in messages.
+///
+/// # Errors
+/// As [`in_picture`].
+pub fn in_stream(
+    mut stream: impl BufRead + Seek,
+    file: &str,
+) -> Result<Option<(Document, Extent)>, DocumentError> {
+    let unreadable = |source| DocumentError::Unreadable { file: file.to_owned(), source };
     let mut first = Vec::new();
     stream.by_ref().take(texts::SIGNATURE.len() as u64).read_to_end(&mut first).map_err(unreadable)?;
     if first != texts::SIGNATURE {
@@ -81,12 +92,12 @@ pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, 
     let mut text = |key| {
         stream.rewind().map_err(unreadable)?;
         let found = texts::read(&mut stream, key, limits::MAX_FILE);
-        found.map_err(|source| DocumentError::Damaged { file: file.clone(), source })
+        found.map_err(|source| DocumentError::Damaged { file: file.to_owned(), source })
     };
     let Some(document) = text(DOCUMENT)? else { return Ok(None) };
     let document = Document::parse(&document, &format!("{file} (its document)"))?;
     let extent = text(GROWN)?.map_or(Ok(Extent::default()), |text| extent(&text));
-    Ok(Some((document, extent.map_err(|problem| problem.in_file(&file))?)))
+    Ok(Some((document, extent.map_err(|problem| problem.in_file(file))?)))
 }
 
 fn extent(text: &str) -> Result<Extent, Problem> {
