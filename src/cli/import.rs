@@ -144,9 +144,9 @@ fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Str
         return Err(ImportError::Layers { file: file.to_owned(), found: layers.len() });
     }
     let name = Path::new(file)
-        .file_stem().map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
-    let document =
-        Document { name: name.unwrap_or_default(), size, dpi, layers, ..Document::default() };
+        .file_stem()
+        .map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
+    let document = Document { name: name.unwrap_or_default(), size, dpi, layers, ..Document::default() };
     Ok((document, unread))
 }
 

@@ -77,11 +77,7 @@ fn measure(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
 ///
 /// # Errors
 /// Where it cannot be read as a picture or has neither spots nor stripes.
-pub fn measure_in(
-    stream: impl BufRead + Seek,
-    path: &Path,
-    invert: bool,
-) -> Result<Picture, MeasureError> {
+pub fn measure_in(stream: impl BufRead + Seek, path: &Path, invert: bool) -> Result<Picture, MeasureError> {
     let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
     let reader = image::ImageReader::new(stream).with_guessed_format();
     let reader = reader.map_err(|error| unreadable(error.into()))?;

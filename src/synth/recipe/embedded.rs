@@ -71,7 +71,8 @@ pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, 
     if path.is_dir() {
         return Ok(None);
     }
-    let stream = File::open(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
+    let stream =
+        File::open(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
     in_stream(BufReader::new(stream), &file)
 }
 
