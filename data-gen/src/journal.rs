@@ -98,8 +98,13 @@ pub struct Part {
 impl Part {
     /// Reads a journal, and leaves it as it is.
     pub fn read(path: &Path) -> Result<Self, String> {
+        let bytes = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+        Self::parse(path, &bytes)
+    }
+
+    /// The journal in `bytes`; `path` is its name in messages.
+    pub fn parse(path: &Path, bytes: &[u8]) -> Result<Self, String> {
         let failed = |problem: String| format!("{}: {problem}", path.display());
-        let bytes = std::fs::read(path).map_err(|error| failed(error.to_string()))?;
         let whole = bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |last| last + 1);
         let text = text(path, bytes[..whole].to_vec())?;
         let (first, rest) = first_line(&text);

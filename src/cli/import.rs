@@ -73,9 +73,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let file = args.file.display().to_string();
     let bytes =
         bytes(&args.file).map_err(|source| Error::File { file: file.clone(), done: "read", source })?;
-    let drawing = svg::read(&bytes, args.dpi)
-        .map_err(|source| Error::step(ImportError::Svg { file: file.clone(), source }))?;
-    let (document, unread) = document(drawing, args, &file).map_err(Error::step)?;
+    let (document, unread) = document_of(&bytes, args.dpi, &file).map_err(Error::step)?;
     document.write(&args.output)?;
     if !args.quiet {
         let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
@@ -94,7 +92,17 @@ fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn document(mut drawing: Drawing, args: &Args, file: &str) -> Result<(Document, String), ImportError> {
+/// The document of the SVG in `bytes`, and what could not be read of it, in words; `file` gives it its name.
+///
+/// # Errors
+/// Where it is no SVG, or one that no document can be made of.
+pub fn document_of(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, String), ImportError> {
+    let drawing =
+        svg::read(bytes, dpi).map_err(|source| ImportError::Svg { file: file.to_owned(), source })?;
+    document(drawing, dpi, file)
+}
+
+fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, String), ImportError> {
     // What is a rounding error above whole px is whole.
     let sides = drawing.size.map(|side| (side - 1e-3).ceil().max(1.0));
     if sides.iter().any(|side| *side > limits::MAX_SIDE as f64) {
@@ -135,10 +143,10 @@ fn document(mut drawing: Drawing, args: &Args, file: &str) -> Result<(Document, 
     if layers.len() > limits::MAX_LAYERS {
         return Err(ImportError::Layers { file: file.to_owned(), found: layers.len() });
     }
-    let name =
-        args.file.file_stem().map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
-    let document =
-        Document { name: name.unwrap_or_default(), size, dpi: args.dpi, layers, ..Document::default() };
+    let name = Path::new(file)
+        .file_stem()
+        .map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
+    let document = Document { name: name.unwrap_or_default(), size, dpi, layers, ..Document::default() };
     Ok((document, unread))
 }
 

@@ -111,12 +111,20 @@ fn run_batch(training: &Training, table: &Path, output: &Path) -> Result<(), Err
     let file = table.display().to_string();
     let bytes =
         std::fs::read(table).map_err(|source| Error::File { file: file.clone(), done: "read", source })?;
-    let questions = batch::read(&file, &bytes).map_err(Error::step)?;
+    let answered = answer_table(training, &file, &bytes)?;
+    export::save(output, |stream| Ok(stream.write_all(&answered)?)).map_err(Error::step)
+}
+
+/// The table in `bytes`, each row with its answer; `file` is its name in messages.
+///
+/// # Errors
+/// The first row that is no question, with line and column; a training set that cannot be read.
+pub fn answer_table(training: &Training, file: &str, bytes: &[u8]) -> Result<Vec<u8>, Error> {
+    let questions = batch::read(file, bytes).map_err(Error::step)?;
     let looked = questions
         .rows
         .iter()
         .map(|row| Looked::up(training, row.system, &row.wanted))
         .collect::<Result<Vec<_>, _>>()?;
-    let answered = batch::answered(&questions, &looked);
-    export::save(output, |stream| Ok(stream.write_all(&answered)?)).map_err(Error::step)
+    Ok(batch::answered(&questions, &looked))
 }

@@ -11,12 +11,12 @@ mod error;
 mod estimate;
 mod film;
 mod grow;
-mod import;
+pub mod import;
 mod interrupt;
 mod learn;
-mod lookup;
+pub mod lookup;
 mod manual;
-mod measure;
+pub mod measure;
 mod sheet;
 mod values;
 

@@ -106,10 +106,10 @@ fn places(kind: Kind, file: &str, header: &StringRecord) -> Result<Vec<usize>, T
         |problem: String| TrainingError::Columns { file: file.to_owned(), problem, columns: names.join(",") };
     for (i, found) in header.iter().enumerate() {
         if !names.contains(&found) {
-            return Err(wrong(format!("the column '{found}' is unknown")));
+            return Err(wrong(format!("the column '{}' is unknown", shown(found))));
         }
         if header.iter().take(i).any(|before| before == found) {
-            return Err(wrong(format!("the column '{found}' stands there twice")));
+            return Err(wrong(format!("the column '{}' stands there twice", shown(found))));
         }
     }
     names
@@ -119,6 +119,15 @@ fn places(kind: Kind, file: &str, header: &StringRecord) -> Result<Vec<usize>, T
             place.ok_or_else(|| wrong(format!("the column '{name}' is missing")))
         })
         .collect()
+}
+
+/// Text from a file as it may stand in a message: cut where it is long, and nothing in it that would act on a terminal.
+#[must_use]
+pub fn shown(text: &str) -> String {
+    const LONGEST: usize = 40;
+    let cut = if text.chars().count() > LONGEST { "…" } else { "" };
+    let start: String = text.chars().take(LONGEST).collect();
+    format!("{}{cut}", start.escape_debug())
 }
 
 /// The line, from 1, of a record in the file `bytes`.
@@ -151,7 +160,7 @@ pub(super) fn read_rows(kind: Kind, file: &str, bytes: &[u8]) -> Result<Vec<Row>
             file: file.to_owned(),
             line,
             column: column.name,
-            value: value.to_owned(),
+            value: shown(value),
             allowed: column.allowed,
         };
         let seed = text(0).parse().map_err(|_| wrong(&SEED, text(0)))?;

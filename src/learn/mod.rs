@@ -50,7 +50,7 @@ mod tree;
 pub use answer::{Answer, AskError, Prediction};
 pub use columns::{Column, columns_of};
 pub use coverage::Coverage;
-pub use csv_rows::{line_of, six_digits, write_rows};
+pub use csv_rows::{line_of, shown, six_digits, write_rows};
 pub use error::TrainingError;
 pub use errors::{Error, Errors, summaries};
 pub use folds::{Fold, evenly, folds};

@@ -111,7 +111,10 @@ impl TrainingSet {
     }
 
     /// The rows of all `files` (names for messages, contents) as one set.
-    fn read<'a>(
+    ///
+    /// # Errors
+    /// [`TrainingError`]: no such system, a fault in a file with line, column and value, or too few rows.
+    pub fn read<'a>(
         system: &str,
         files: impl Iterator<Item = (&'a str, &'a [u8])>,
     ) -> Result<Self, TrainingError> {

@@ -45,13 +45,13 @@ pub struct Group {
 #[derive(Debug, thiserror::Error)]
 pub enum SvgError {
     /// Not XML, or cut short.
-    #[error("is no SVG: {0}; allowed: a plain SVG file, such as drawing programs save")]
+    #[error("is no SVG: {}; allowed: a plain SVG file, such as drawing programs save", shown(.0))]
     NotXml(roxmltree::Error),
     /// Something else than text.
     #[error("is no SVG: it is not UTF-8 text; allowed: a plain (not compressed) SVG file in UTF-8")]
     NotText,
     /// Sound XML, no sound SVG.
-    #[error("cannot be read as SVG: {0}; open it in a drawing program and save it as plain SVG")]
+    #[error("cannot be read as SVG: {}; open it in a drawing program and save it as plain SVG", shown(.0))]
     NotSvg(usvg::Error),
     /// Groups in groups in groups.
     #[error("has groups nested {found} deep; allowed: {DEEPEST}; ungroup it in a drawing program")]
@@ -62,6 +62,16 @@ pub enum SvgError {
     /// No sketch.
     #[error("holds more than {MOST} shapes; allowed: a sketch of at most so many")]
     TooMany,
+}
+
+/// What a reader says, as it may stand in a message: it quotes the file, names of any length and what acts on a terminal.
+fn shown(error: &dyn std::error::Error) -> String {
+    const LONGEST: usize = 200;
+    let said = error.to_string();
+    let cut = if said.chars().count() > LONGEST { "…" } else { "" };
+    let plain = |c: char| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c };
+    let start: String = said.chars().take(LONGEST).map(plain).collect();
+    format!("{start}{cut}")
 }
 
 /// Elements in elements, at most: reading them takes stack.

@@ -3,7 +3,7 @@
 use super::answer::Looked;
 use crate::attributes::{Attributes, Spots};
 use crate::cli::values;
-use crate::learn::line_of;
+use crate::learn::{line_of, shown};
 use crate::marks::axial;
 use crate::synth::recipe::{Kind, SystemChoice};
 use csv::{ReaderBuilder, StringRecord, Trim, Writer};
@@ -58,7 +58,7 @@ impl Row<'_> {
             file: self.file.to_owned(),
             line: self.line,
             column,
-            value: self.text(column).to_owned(),
+            value: shown(self.text(column)),
             allowed,
         }
     }
@@ -124,10 +124,10 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Questions, BatchError> {
     let wrong = |problem: String| BatchError::Columns { file: file.to_owned(), problem };
     for (place, name) in header.iter().enumerate() {
         if !COLUMNS.contains(&name) {
-            return Err(wrong(format!("found the column '{name}'")));
+            return Err(wrong(format!("found the column '{}'", shown(name))));
         }
         if header.iter().take(place).any(|before| before == name) {
-            return Err(wrong(format!("found the column '{name}' twice")));
+            return Err(wrong(format!("found the column '{}' twice", shown(name))));
         }
     }
     if !header.iter().any(|name| name == "system") {

@@ -114,6 +114,18 @@ fn what_is_no_svg_is_refused_with_a_reason() {
     assert!(matches!(read(deep.as_bytes(), DPI), Err(SvgError::TooDeep { .. })));
 }
 
+/// Found by fuzzing: XML's reader quotes what it finds, whatever that does to a terminal, and however long it is.
+#[test]
+fn what_is_quoted_of_a_broken_svg_does_nothing_to_a_terminal() {
+    let told = |text: &str| read(text.as_bytes(), DPI).unwrap_err().to_string();
+    for broken in ["<svg\u{0}", "<svg a\u{1b}[2J='1'/>", "<svg\u{7f}/>"] {
+        let told = told(broken);
+        assert!(told.starts_with("is no SVG: ") && !told.contains(char::is_control), "{told:?}");
+    }
+    let long = told(&format!("<svg><{}></svg>", "g".repeat(100_000)));
+    assert!(long.len() < 500 && long.contains("…; allowed: a plain SVG"), "{long}");
+}
+
 proptest! {
     #[test]
     fn a_drawn_ellipse_is_read_back(

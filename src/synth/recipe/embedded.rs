@@ -4,11 +4,12 @@
 //! under `dapple-grown`, where they are not the document's, the size of the canvas and the scale:
 //! `{"size": [1024, 512], "scale": 2}`.
 
+use super::node::visible;
 use super::{Document, DocumentError, Problem, limits};
 use crate::export::{Format, texts};
 use serde_json::{Value, json};
 use std::fs::File;
-use std::io::{BufReader, Read, Seek};
+use std::io::{BufRead, BufReader, Read, Seek};
 use std::path::Path;
 
 /// The key of the document.
@@ -71,8 +72,20 @@ pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, 
     if path.is_dir() {
         return Ok(None);
     }
-    let unreadable = |source| DocumentError::Unreadable { file: file.clone(), source };
-    let mut stream = BufReader::new(File::open(path).map_err(unreadable)?);
+    let stream =
+        File::open(path).map_err(|source| DocumentError::Unreadable { file: file.clone(), source })?;
+    in_stream(BufReader::new(stream), &file)
+}
+
+/// As [`in_picture`], of a picture that is read from a stream; `file` is its name in messages.
+///
+/// # Errors
+/// As [`in_picture`].
+pub fn in_stream(
+    mut stream: impl BufRead + Seek,
+    file: &str,
+) -> Result<Option<(Document, Extent)>, DocumentError> {
+    let unreadable = |source| DocumentError::Unreadable { file: file.to_owned(), source };
     let mut first = Vec::new();
     stream.by_ref().take(texts::SIGNATURE.len() as u64).read_to_end(&mut first).map_err(unreadable)?;
     if first != texts::SIGNATURE {
@@ -81,18 +94,18 @@ pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, 
     let mut text = |key| {
         stream.rewind().map_err(unreadable)?;
         let found = texts::read(&mut stream, key, limits::MAX_FILE);
-        found.map_err(|source| DocumentError::Damaged { file: file.clone(), source })
+        found.map_err(|source| DocumentError::Damaged { file: file.to_owned(), source })
     };
     let Some(document) = text(DOCUMENT)? else { return Ok(None) };
     let document = Document::parse(&document, &format!("{file} (its document)"))?;
     let extent = text(GROWN)?.map_or(Ok(Extent::default()), |text| extent(&text));
-    Ok(Some((document, extent.map_err(|problem| problem.in_file(&file))?)))
+    Ok(Some((document, extent.map_err(|problem| problem.in_file(file))?)))
 }
 
 fn extent(text: &str) -> Result<Extent, Problem> {
     let problem = || {
         let allowed = format!("sides of 1 to {} px, a scale of 1 to {MAX_SCALE}", limits::MAX_SIDE);
-        Problem::new(GROWN, text.chars().take(80).collect::<String>(), allowed)
+        Problem::new(GROWN, visible(text, 80), allowed)
     };
     let value: Value = serde_json::from_str(text).map_err(|_| problem())?;
     let number = |value: &Value, most: u32| {
@@ -101,4 +114,25 @@ fn extent(text: &str) -> Result<Extent, Problem> {
     };
     let side = |axis: usize| number(&value["size"][axis], limits::MAX_SIDE);
     Ok(Extent { size: Some([side(0)?, side(1)?]), scale: number(&value["scale"], MAX_SCALE)? })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::export::png::{Header, Samples, write};
+    use std::io::Cursor;
+
+    /// Found by fuzzing: what stands in the picture was quoted as it is.
+    #[test]
+    fn what_is_quoted_of_a_picture_s_size_does_nothing_to_a_terminal() {
+        let document = r#"{"format": "dapple", "version": 1, "size": [64, 64], "layers": [{"strokes": [
+            {"kind": "ellipse", "center": [32, 32], "radii": [6, 6]}]}]}"#;
+        let texts = [(DOCUMENT, document.to_owned()), (GROWN, "{\u{1b}[2J\r\n".to_owned())];
+        let mut png = Vec::new();
+        write(&mut png, Header { texts: &texts, ..Header::new([1, 1], Samples::Gray8) }, |_, _| Ok(()))
+            .unwrap();
+        let told = in_stream(Cursor::new(png), "a.png").unwrap_err().to_string();
+        assert!(told.starts_with("a.png: dapple-grown: found {"), "{told}");
+        assert!(!told.contains(char::is_control), "{told:?}");
+    }
 }

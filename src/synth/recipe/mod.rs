@@ -81,7 +81,7 @@ use crate::attributes::Spread;
 pub use crate::rd::Seeding;
 pub use choices::{After, Kind, SystemChoice};
 pub use colours::{Colours, Stop};
-pub use embedded::{Extent, in_picture, open};
+pub use embedded::{Extent, in_picture, in_stream, open};
 pub use error::{DocumentError, Problem};
 
 use crate::field::Edges;

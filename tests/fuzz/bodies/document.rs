@@ -1,0 +1,56 @@
+//! Documents: what is read is written and read back as it was, and what would be grown can be told.
+
+use dapple::synth::drawn::region_map;
+use dapple::synth::recipe::Document;
+use dapple::synth::{Training, memory, planned};
+use std::sync::LazyLock;
+
+use crate::kept::comes_back;
+use crate::told::told;
+
+const FILE: &str = "bad.dapple";
+
+static TRAINING: LazyLock<Training> = LazyLock::new(Training::default);
+
+/// Whatever `bytes` are, they are a document or no document.
+pub fn holds(bytes: &[u8]) {
+    // The file's bytes are UTF-8 or refused before anything else.
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    match Document::parse(text, FILE) {
+        Ok(document) => {
+            comes_back(&document);
+            is_planned(&document);
+        }
+        Err(error) => told(&error.to_string(), FILE),
+    }
+}
+
+/// Each layer can be planned, or it is said why not: as `dapple check` does it, without growing.
+fn is_planned(document: &Document) {
+    let strokes: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
+    let regions = document.regions[0] * document.regions[1] * document.layers.len() as u32;
+    if strokes > 64 || regions > 64 {
+        // Sound, and too slow to be tried thousands of times.
+        return;
+    }
+    let mut beneath = None;
+    for index in 0..document.layers.len() {
+        let map = match region_map(document, index, FILE) {
+            Ok(map) => map,
+            Err(error) => return told(&error.to_string(), FILE),
+        };
+        let plan = match planned(document, index, FILE, &TRAINING, &map, beneath.as_ref()) {
+            Ok(plan) => plan,
+            Err(error) => return assert!(!error.to_string().is_empty()),
+        };
+        assert!(plan.grid.iter().all(|cells| *cells > 0), "{:?}", plan.grid);
+        assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
+        for answer in &plan.answers {
+            assert!(answer.parameters.named().iter().all(|(_, value)| value.is_finite()), "{answer:?}");
+        }
+        if let Err(error) = memory::check(plan.system, document.size.map(f64::from), plan.grid) {
+            assert!(error.needed.is_finite());
+        }
+        beneath = Some(plan);
+    }
+}

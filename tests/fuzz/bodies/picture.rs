@@ -1,0 +1,53 @@
+//! Pictures to be measured: whatever they claim to be, they have spots, stripes or neither, in px of their size.
+
+use dapple::cli::measure::measure_in;
+use dapple::measure::Picture;
+use image::ImageReader;
+use std::io::Cursor;
+use std::path::Path;
+
+use crate::told::told;
+
+const FILE: &str = "bad.png";
+/// px that are measured: more are only read, as time goes by them.
+const MEASURED: u64 = 1 << 16;
+/// px that no reader may unpack.
+const BOMB: u64 = 1 << 29;
+
+/// Whatever `bytes` are, they are a picture or none.
+pub fn holds(bytes: &[u8]) {
+    let Ok(reader) = ImageReader::new(Cursor::new(bytes)).with_guessed_format() else { return };
+    let px = reader.into_dimensions().map_or(0, |(width, height)| u64::from(width) * u64::from(height));
+    if (MEASURED..BOMB).contains(&px) {
+        return;
+    }
+    for invert in [false, true] {
+        match measure_in(Cursor::new(bytes), Path::new(FILE), invert) {
+            Ok(found) => {
+                assert!(px < BOMB, "{px} px were unpacked from {} bytes", bytes.len());
+                fits(&found, px as f64);
+            }
+            Err(error) => told(&error.to_string(), FILE),
+        }
+    }
+}
+
+/// What was found fits on a picture of `px` px.
+fn fits(found: &Picture, px: f64) {
+    match found {
+        Picture::Spots { marks, got, .. } => {
+            assert!(*marks > 0 && *marks as f64 <= px, "{found:?}");
+            assert!(got.area > 0.0 && got.area <= px, "{found:?}");
+            assert!(got.aspect > 0.0 && got.aspect <= 1.0 + 1e-9, "{found:?}");
+            assert!((0.0..180.0).contains(&got.angle), "{found:?}");
+            assert!(got.spacing.is_none_or(|spacing| spacing > 0.0 && spacing < px + 2.0), "{found:?}");
+        }
+        Picture::Stripes { marks, got } => {
+            assert!(*marks > 0 && *marks as f64 <= px, "{found:?}");
+            assert!(got.width > 0.0 && got.width <= 2.0 * px, "{found:?}");
+            assert!(got.wavelength > 0.0 && got.wavelength.is_finite(), "{found:?}");
+            assert!((0.0..180.0).contains(&got.angle), "{found:?}");
+            assert!((0.0..=1.0 + 1e-9).contains(&got.coherence), "{found:?}");
+        }
+    }
+}

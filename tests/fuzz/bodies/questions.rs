@@ -1,0 +1,46 @@
+//! Tables of questions (`lookup --batch`): as many answers as questions, all of them numbers.
+
+use dapple::cli::lookup::answer_table;
+use dapple::synth::Training;
+use std::sync::LazyLock;
+
+use crate::told::told;
+
+const FILE: &str = "bad.csv";
+/// Questions that are answered; more are asked the same way.
+const MOST: usize = 24;
+
+static TRAINING: LazyLock<Training> = LazyLock::new(Training::default);
+
+/// Whatever `bytes` are, they are a table of questions or none.
+pub fn holds(bytes: &[u8]) {
+    if bytes.iter().filter(|byte| matches!(byte, b'\n' | b'\r')).count() > MOST {
+        return;
+    }
+    match answer_table(&TRAINING, FILE, bytes) {
+        Ok(table) => answered(&table),
+        Err(error) => told(&error.to_string(), FILE),
+    }
+}
+
+fn answered(table: &[u8]) {
+    let mut reader = csv::Reader::from_reader(table);
+    let header = reader.headers().expect("the answers have a header").clone();
+    let place = |name: &str| header.iter().position(|column| column == name).expect("a column of answers");
+    let [coverage, rate, cell] = ["coverage", "rate", "cell"].map(place);
+    for record in reader.records() {
+        let record = record.expect("the answers are a table");
+        assert!(["inside", "edge", "outside"].contains(&&record[coverage]), "{record:?}");
+        for number in [rate, cell] {
+            let number: f64 = record[number].parse().expect("a number");
+            assert!(number.is_finite() && number > 0.0, "{record:?}");
+        }
+        for name in ["ratio", "stretch", "direction", "level", "pitch"] {
+            let text = &record[place(name)];
+            assert!(
+                text.is_empty() || text.parse().is_ok_and(|n: f64| n.is_finite() && n >= 0.0),
+                "{record:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! SVG: whatever is in it, its marks are finite, and the document made of them is valid.
+
+use dapple::cli::import::document_of;
+use dapple::marks::Mark;
+use dapple::sketch::svg::{DPI, read};
+
+use crate::kept::comes_back;
+use crate::told::told;
+
+const FILE: &str = "bad.svg";
+
+/// Whatever `bytes` are, they are a drawing or none.
+pub fn holds(bytes: &[u8]) {
+    if let Ok(drawing) = read(bytes, DPI) {
+        assert!(drawing.size.iter().all(|side| side.is_finite() && *side > 0.0), "{:?}", drawing.size);
+        for mark in drawing.groups.iter().flat_map(|group| &group.marks) {
+            let numbers = match mark {
+                Mark::Ellipse(e) => [e.center[0], e.center[1], e.radii[0], e.radii[1], e.angle],
+                Mark::Line(l) => [l.from[0], l.from[1], l.to[0], l.to[1], l.width],
+            };
+            assert!(numbers.iter().all(|number| number.is_finite()), "{mark:?}");
+        }
+    }
+    match document_of(bytes, DPI, FILE) {
+        Ok((document, _)) => comes_back(&document),
+        Err(error) => told(&error.to_string(), FILE),
+    }
+}

@@ -1,0 +1,38 @@
+//! The sweep's files: the plan that a manifest holds, and the journal of one that was stopped.
+
+use data_gen::journal::Part;
+use data_gen::plan::Plan;
+use std::path::Path;
+
+use crate::told::told;
+
+const FILE: &str = "bad.json";
+
+/// Whatever `bytes` are, they are a plan or none, and a journal or none.
+pub fn holds(bytes: &[u8]) {
+    if let Ok(text) = std::str::from_utf8(bytes) {
+        match Plan::parse(text, FILE) {
+            Ok(plan) => {
+                let value = serde_json::to_value(&plan).expect("a plan is written");
+                assert_eq!(Plan::of(&value).expect("what is written is read"), plan);
+                for set in &plan.sets {
+                    for run in [0, set.runs - 1] {
+                        let drawn = set.parameters_of(run);
+                        assert!(drawn.named().iter().all(|(_, value)| value.is_finite()), "{drawn:?}");
+                        assert!(drawn.rate > 0.0 && drawn.stretch > 0.0, "{drawn:?}");
+                    }
+                }
+            }
+            Err(error) => told(&error, FILE),
+        }
+    }
+    match Part::parse(Path::new("bad.journal"), bytes) {
+        Ok(part) => {
+            for record in &part.records {
+                let set = &part.plan.sets[record.set];
+                assert!(record.index < set.runs && part.shard.holds(record.index), "{record:?}");
+            }
+        }
+        Err(error) => told(&error, "bad.journal"),
+    }
+}

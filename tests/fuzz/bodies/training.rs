@@ -1,0 +1,70 @@
+//! Training rows: what is read is written and read back, and whatever is asked gets numbers or a refusal.
+
+use dapple::attributes::{Attributes, Spots, Stripes};
+use dapple::learn::{SYSTEMS, TrainingSet, write_rows};
+
+use crate::told::told;
+
+const FILE: &str = "rows.csv";
+
+/// Whatever `bytes` are — the first says of which system — they are a training set or none.
+pub fn holds(bytes: &[u8]) {
+    let Some((first, rows)) = bytes.split_first() else { return };
+    let system = SYSTEMS[usize::from(*first) % SYSTEMS.len()];
+    match TrainingSet::read(system, [(FILE, rows)].into_iter()) {
+        Ok(set) => {
+            comes_back(&set);
+            answers(&set);
+        }
+        Err(error) => told(&error.to_string(), FILE),
+    }
+}
+
+/// Rows → CSV → rows: to six digits, and then exactly.
+fn comes_back(set: &TrainingSet) {
+    let written = |set: &TrainingSet| {
+        let mut text = Vec::new();
+        write_rows(set.system(), set.rows(), &mut text).expect("rows that were read are written");
+        text
+    };
+    let text = written(set);
+    let read = TrainingSet::read(set.system(), [("own.csv", text.as_slice())].into_iter())
+        .unwrap_or_else(|error| panic!("what is written is read: {error}"));
+    assert_eq!(read.rows().len(), set.rows().len());
+    assert_eq!(written(&read), text);
+}
+
+/// The first row's own attributes, and questions far from all rows.
+fn answers(set: &TrainingSet) {
+    for wanted in questions(set) {
+        let Ok(answer) = set.ask(&wanted) else { continue };
+        let p = &answer.parameters;
+        for (name, value) in p.named() {
+            assert!(value.is_finite() && value >= 0.0, "{name} {value} for {wanted:?}");
+        }
+        assert!(p.rate > 0.0 && p.stretch > 0.0 && p.stretch <= 1.0, "{p:?} for {wanted:?}");
+        assert!(p.ratio.is_none_or(|ratio| ratio > 0.0), "{p:?} for {wanted:?}");
+        assert!(p.level.is_none_or(|level| level > 0.0 && level < 1.0), "{p:?} for {wanted:?}");
+        for (name, [low, high]) in &answer.interval {
+            assert!(low <= high, "{name} from {low} to {high} for {wanted:?}");
+        }
+    }
+}
+
+fn questions(set: &TrainingSet) -> Vec<Attributes> {
+    let mut asked: Vec<Attributes> = set.rows().iter().take(2).map(|row| row.attributes).collect();
+    if set.system().ends_with("spots") {
+        for (area, aspect, angle, spacing) in
+            [(1e-3, 1.0, 0.0, None), (60.0, 0.5, 179.999, Some(14.0)), (1e7, 0.01, -720.0, Some(1e-3))]
+        {
+            asked.push(Attributes::Spots(Spots { area, aspect, angle, spacing }));
+        }
+    } else {
+        for (width, angle, wavelength) in
+            [(1e-3, 0.0, None), (6.0, 91.0, Some(14.0)), (1e6, -1e9, Some(1e-3))]
+        {
+            asked.push(Attributes::Stripes(Stripes { width, angle, wavelength }));
+        }
+    }
+    asked
+}

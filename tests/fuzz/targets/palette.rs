@@ -1,0 +1,10 @@
+#![no_main]
+
+#[path = "../bodies/memory.rs"]
+mod memory;
+#[path = "../bodies/palette.rs"]
+mod palette;
+#[path = "../bodies/told.rs"]
+mod told;
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| palette::holds(bytes));

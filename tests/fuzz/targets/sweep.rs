@@ -1,0 +1,10 @@
+#![no_main]
+
+#[path = "../bodies/memory.rs"]
+mod memory;
+#[path = "../bodies/sweep.rs"]
+mod sweep;
+#[path = "../bodies/told.rs"]
+mod told;
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| sweep::holds(bytes));

@@ -1,0 +1,10 @@
+#![no_main]
+
+#[path = "../bodies/memory.rs"]
+mod memory;
+#[path = "../bodies/told.rs"]
+mod told;
+#[path = "../bodies/training.rs"]
+mod training;
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| training::holds(bytes));

@@ -1,0 +1,112 @@
+//! Concentrations stay finite and non-negative for all that `learn` can answer; where other parameters make them run
+//! away, the verdict says so.
+
+use crate::cases;
+use dapple::attributes::{Attributes, Spots, Stripes};
+use dapple::field::Edges;
+use dapple::learn;
+use dapple::measure::{Reason, formed};
+use dapple::rd::{Growth, Maps, Parameters, System};
+use dapple::synth::Training;
+use proptest::prelude::*;
+use std::sync::LazyLock;
+
+static TRAINING: LazyLock<Training> = LazyLock::new(Training::default);
+
+/// What ground and the middle of a mark are.
+const USUAL: [f32; 2] = [0.0, 1.0];
+
+fn told(p: &learn::Parameters, pitch: f32) -> Parameters {
+    Parameters {
+        rate: p.rate as f32,
+        ratio: p.ratio.unwrap_or(1.0) as f32,
+        stretch: p.stretch as f32,
+        direction: p.direction as f32,
+        pitch,
+    }
+}
+
+fn edges() -> impl Strategy<Value = Edges> {
+    prop::sample::select(vec![Edges::Closed, Edges::Wrap])
+}
+
+/// Ten to a power.
+fn power(range: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
+    range.prop_map(|x| libm::pow(10.0, x))
+}
+
+/// What may be asked of a system, in cells: far beyond what it was taught.
+fn question(system: System) -> BoxedStrategy<Attributes> {
+    let spacing = prop::option::of(power(-1.0..3.0));
+    if system.is_striped() {
+        (power(-2.0..4.0), 0.0..180.0, spacing)
+            .prop_map(|(width, angle, wavelength)| Attributes::Stripes(Stripes { width, angle, wavelength }))
+            .boxed()
+    } else {
+        (power(-1.0..5.0), 0.01..=1.0, 0.0..180.0, spacing)
+            .prop_map(|(area, aspect, angle, spacing)| {
+                Attributes::Spots(Spots { area, aspect, angle, spacing })
+            })
+            .boxed()
+    }
+}
+
+fn asked() -> impl Strategy<Value = (System, Attributes)> {
+    prop::sample::select(System::ALL.to_vec())
+        .prop_flat_map(|system| question(system).prop_map(move |wanted| (system, wanted)))
+}
+
+/// Finite and no less than nothing?
+fn sound(growth: &Growth) -> bool {
+    growth.concentrations().iter().flatten().all(|value| value.is_finite() && *value >= 0.0)
+}
+
+proptest! {
+    #![proptest_config(cases(60))]
+
+    #[test]
+    fn concentrations_stay_finite_and_non_negative_for_whatever_is_answered(
+        (system, wanted) in asked(),
+        edges in edges(),
+        [nx, ny] in [8..48_usize, 8..48_usize],
+        seed in any::<u64>(),
+    ) {
+        let answer = TRAINING.of(system).unwrap().ask(&wanted).unwrap();
+        let maps = Maps::uniform(nx, ny, told(&answer.parameters, answer.pitch as f32));
+        let mut growth = Growth::new(system, &maps, edges, seed);
+        prop_assert!(sound(&growth), "at the beginning");
+        for _ in 0..8 {
+            growth.advance(100);
+            prop_assert!(sound(&growth), "after {} steps of {:?}", growth.steps(), answer.parameters);
+        }
+        let marks = growth.marks(&maps);
+        let left = matches!(formed(&marks, USUAL), Err(Reason::NotFinite | Reason::LeftRange { .. }));
+        // Marks that are finite may still be larger than is usual where the grid is smaller than one of them.
+        prop_assert!(!left || marks.values.iter().all(|value| value.is_finite()));
+    }
+
+    #[test]
+    fn where_any_parameters_make_concentrations_run_away_the_verdict_says_so(
+        system in prop::sample::select(System::ALL.to_vec()),
+        (rate, ratio, stretch, direction) in (power(-9.0..6.0), power(-6.0..6.0), power(-4.0..0.0), -1e3..1e3_f64),
+        pitch in power(-1.0..1.0),
+        edges in edges(),
+        [nx, ny] in [4..24_usize, 4..24_usize],
+        seed in any::<u64>(),
+    ) {
+        let p = learn::Parameters { rate, ratio: Some(ratio), stretch, direction, level: None };
+        let maps = Maps::uniform(nx, ny, told(&p, pitch as f32));
+        let mut growth = Growth::new(system, &maps, edges, seed);
+        for _ in 0..4 {
+            growth.advance(50);
+            if growth.concentrations().iter().flatten().all(|value| value.is_finite()) {
+                continue;
+            }
+            // What is no number in one chemical is none in all a step later.
+            growth.advance(1);
+            let verdict = formed(&growth.marks(&maps), USUAL);
+            prop_assert!(verdict == Err(Reason::NotFinite), "{:?} for {:?}", verdict, p);
+            break;
+        }
+    }
+}

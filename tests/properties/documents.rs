@@ -1,0 +1,146 @@
+//! Documents of every kind of layer, system and option, as a hand might draw them, and far stranger.
+
+use crate::cases;
+use dapple::attributes::Spread;
+use dapple::field::Edges;
+use dapple::marks::{Ellipse, Line};
+use dapple::rd::Seeding;
+use dapple::synth::recipe::{
+    After, Colours, Document, Growth, Kind, Layer, Options, SpreadChoice, Stop, Stroke, SystemChoice,
+};
+use proptest::prelude::*;
+
+fn point(size: [u32; 2]) -> impl Strategy<Value = [f64; 2]> {
+    let [width, height] = size.map(f64::from);
+    (0.0..=width, 0.0..=height).prop_map(<[f64; 2]>::from)
+}
+
+/// Marks at least so thick that the grid of a small canvas is small.
+fn thickness() -> impl Strategy<Value = f64> {
+    prop_oneof![2.0..9.0_f64, 1.5..30.0_f64]
+}
+
+fn ellipse(size: [u32; 2]) -> impl Strategy<Value = Stroke> {
+    (point(size), thickness(), thickness(), -400.0..400.0_f64)
+        .prop_map(|(center, r, q, angle)| Stroke::Ellipse(Ellipse { center, radii: [r, q], angle }))
+}
+
+fn line(size: [u32; 2]) -> impl Strategy<Value = Stroke> {
+    (point(size), point(size), thickness())
+        .prop_map(|(from, to, width)| Stroke::Line(Line { from, to, width }))
+}
+
+fn freehand(size: [u32; 2]) -> impl Strategy<Value = Stroke> {
+    (prop::collection::vec(point(size), 2..12), thickness())
+        .prop_map(|(points, width)| Stroke::Freehand { points, width })
+}
+
+fn strokes(size: [u32; 2], kind: Kind) -> BoxedStrategy<Vec<Stroke>> {
+    match kind {
+        Kind::Ellipse => {
+            prop::collection::vec(prop_oneof![6 => ellipse(size).boxed(), 1 => freehand(size).boxed()], 1..5)
+                .boxed()
+        }
+        Kind::Line => {
+            prop::collection::vec(prop_oneof![6 => line(size).boxed(), 1 => freehand(size).boxed()], 1..5)
+                .boxed()
+        }
+    }
+}
+
+fn spread() -> impl Strategy<Value = SpreadChoice> {
+    let given = (0.0..=0.6_f64, 0.0..=45.0_f64, 0.0..=0.2_f64, 0.0..=0.2_f64).prop_map(
+        |(area, angle, aspect, spacing)| SpreadChoice::Given(Spread { area, angle, aspect, spacing }),
+    );
+    prop_oneof![2 => Just(SpreadChoice::Drawn), 1 => given]
+}
+
+fn options() -> impl Strategy<Value = Options> {
+    let seeding = prop::sample::select(vec![Seeding::Noise, Seeding::Segments, Seeding::Initiators]);
+    let often = |usual: f64, range: std::ops::RangeInclusive<f64>| prop_oneof![2 => Just(usual), 1 => range];
+    (
+        spread(),
+        often(0.5, 0.2..=0.5),
+        often(0.0, 0.0..=0.6),
+        often(0.0, 0.0..=1.0),
+        any::<Option<bool>>(),
+        seeding,
+    )
+        .prop_map(|(spread, duty, broken, irregular, keep, seeding)| Options {
+            spread,
+            duty,
+            broken,
+            irregular,
+            keep,
+            seeding,
+        })
+}
+
+fn colours() -> impl Strategy<Value = Colours> {
+    let stops = prop::collection::btree_map(0..=100_u32, any::<[u8; 3]>(), 1..4).prop_map(|stops| {
+        stops.into_iter().map(|(at, colour)| Stop { at: f64::from(at) / 100.0, colour }).collect::<Vec<_>>()
+    });
+    let bend = (0.0..=1.0, -2.0..=3.0, 0.0..=1.0, -2.0..=3.0).prop_map(<[f64; 4]>::from);
+    (stops, prop::collection::vec(bend, 0..3)).prop_map(|(stops, mut bends)| {
+        bends.truncate(stops.len() - 1);
+        Colours { stops, bends }
+    })
+}
+
+fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
+    let kinds = prop::sample::select(vec![Kind::Ellipse, Kind::Line]);
+    kinds.prop_flat_map(move |kind| {
+        let systems = SystemChoice::NAMES.map(|(_, system)| system);
+        let fitting: Vec<SystemChoice> =
+            systems.into_iter().filter(|system| system.grows().is_none_or(|grown| grown == kind)).collect();
+        let after = prop::sample::select(After::NAMES.map(|(_, after)| after).to_vec());
+        let chosen = (prop::sample::select(fitting), after, any::<bool>(), any::<Option<u64>>());
+        // Most options go with one kind alone; what does not go together is refused when the document is checked.
+        let options = prop_oneof![2 => Just(Options::default()), 3 => options()];
+        ("\\PC{0,12}", chosen, strokes(size, kind), options, prop::option::of(colours())).prop_map(
+            |(name, (system, after, visible, seed), strokes, options, colours)| Layer {
+                name,
+                system,
+                after,
+                visible,
+                seed,
+                strokes,
+                options,
+                colours,
+            },
+        )
+    })
+}
+
+/// A valid document on a canvas of up to so many px a side, with up to so many layers.
+pub fn document(side: u32, layers: usize) -> impl Strategy<Value = Document> {
+    let size = (8..=side, 8..=side).prop_map(<[u32; 2]>::from);
+    let drawn = size.prop_flat_map(move |size| (Just(size), prop::collection::vec(layer(size), 1..=layers)));
+    let regions = (1..=3_u32, 1..=3_u32).prop_map(<[u32; 2]>::from);
+    let edges = prop::sample::select(vec![Edges::Closed, Edges::Wrap]);
+    let document = ("\\PC{0,12}", drawn, regions, edges, any::<u64>(), any::<bool>()).prop_map(
+        |(name, (size, layers), regions, edges, seed, refine)| Document {
+            name,
+            size,
+            regions,
+            edges,
+            seed,
+            dpi: 300.0,
+            growth: Growth { refine },
+            layers,
+        },
+    );
+    document.prop_filter("is valid", |document| document.check("x").is_ok())
+}
+
+proptest! {
+    #![proptest_config(cases(200))]
+
+    #[test]
+    fn a_document_of_any_layers_and_options_is_read_as_it_was_written(document in document(2_000, 3)) {
+        let text = document.to_json();
+        let read = Document::parse(&text, "x").unwrap();
+        prop_assert_eq!(&read, &document);
+        prop_assert_eq!(read.to_json(), text);
+    }
+}

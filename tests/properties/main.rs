@@ -1,0 +1,19 @@
+//! What holds for whatever is drawn, asked or set, tried on what chance comes up with.
+//!
+//! `PROPTEST_CASES=5000 cargo test --test properties` tries more.
+
+mod chemistry;
+mod documents;
+mod growing;
+#[path = "../fuzz/bodies/memory.rs"]
+mod memory;
+mod regions;
+mod tensors;
+
+use proptest::test_runner::Config;
+
+/// So many cases, or as many as the environment asks for.
+fn cases(usual: u32) -> Config {
+    let asked = std::env::var("PROPTEST_CASES").ok().and_then(|text| text.parse().ok());
+    Config { failure_persistence: None, ..Config::with_cases(asked.unwrap_or(usual)) }
+}

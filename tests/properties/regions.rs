@@ -1,0 +1,70 @@
+//! Between the centres of regions, the map stays within the four that are about a point.
+
+use crate::cases;
+use dapple::attributes::regions::{RegionMap, RegionsError};
+use dapple::attributes::{Attributes, Spots};
+use dapple::field::Edges;
+use dapple::marks::{Ellipse, Line, Mark};
+use proptest::prelude::*;
+
+const SIZE: [f64; 2] = [300.0, 200.0];
+
+fn point() -> impl Strategy<Value = [f64; 2]> {
+    (0.0..=SIZE[0], 0.0..=SIZE[1]).prop_map(<[f64; 2]>::from)
+}
+
+fn ellipse() -> impl Strategy<Value = Mark> {
+    (point(), 0.01..300.0, 0.01..300.0, -1e4..1e4_f64)
+        .prop_map(|(center, r, q, angle)| Mark::Ellipse(Ellipse { center, radii: [r, q], angle }))
+}
+
+fn line() -> impl Strategy<Value = Mark> {
+    let towards = (0.0..360.0_f64, 0.02..150.0_f64);
+    (point(), towards, 0.01..300.0).prop_map(|(from, (degrees, length), width)| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let to = [from[0] + length * cos, from[1] + length * sin];
+        Mark::Line(Line { from, to, width })
+    })
+}
+
+/// A map of marks, all ellipses or all lines; a line's middle may lie off the canvas, then there is none.
+fn map() -> impl Strategy<Value = Result<RegionMap, RegionsError>> {
+    let marks = prop_oneof![prop::collection::vec(ellipse(), 1..30), prop::collection::vec(line(), 1..30),];
+    let edges = prop::sample::select(vec![Edges::Closed, Edges::Wrap]);
+    (marks, 1..=9_usize, 1..=9_usize, edges)
+        .prop_map(|(marks, columns, rows, edges)| RegionMap::of(&marks, SIZE, [columns, rows], edges))
+}
+
+/// The attributes that are blended as they are.
+fn plain(attributes: &Attributes) -> Vec<Option<f64>> {
+    match attributes {
+        Attributes::Spots(Spots { area, aspect, spacing, .. }) => vec![Some(*area), Some(*aspect), *spacing],
+        Attributes::Stripes(stripes) => vec![Some(stripes.width), stripes.wavelength],
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(500))]
+
+    #[test]
+    fn the_map_stays_within_its_corners(map in map(), points in prop::collection::vec(point(), 8)) {
+        let Ok(map) = map else { return Ok(()) };
+        let layout = map.layout();
+        for point in points {
+            let corners = layout.corners(point);
+            let weights: f64 = corners.iter().map(|(_, weight)| weight).sum();
+            prop_assert!((weights - 1.0).abs() < 1e-12 && corners.iter().all(|(_, weight)| *weight >= 0.0));
+            let about: Vec<Vec<Option<f64>>> =
+                corners.iter().map(|(region, _)| plain(&map.at(layout.center(layout.place(*region))))).collect();
+            for (attribute, value) in plain(&map.at(point)).into_iter().enumerate() {
+                let Some(value) = value else { continue };
+                let held: Vec<f64> = about.iter().filter_map(|corner| corner[attribute]).collect();
+                let low = held.iter().copied().fold(f64::INFINITY, f64::min);
+                let high = held.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                prop_assert!(value >= low * (1.0 - 1e-9) && value <= high * (1.0 + 1e-9), "{value} of {low}–{high}");
+            }
+            let [x, y] = map.double_angle_at(point);
+            prop_assert!(x.is_finite() && y.is_finite() && x.hypot(y) <= 1.0 + 1e-9, "{x} {y}");
+        }
+    }
+}
