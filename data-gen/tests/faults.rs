@@ -106,12 +106,10 @@ fn a_sweep_that_is_killed_again_and_again_comes_to_the_same_bytes() {
     assert_eq!(code, Some(0), "{said}");
     assert!(files(&killed) == whole);
     // Past the test harness: it is what is reported.
-    writeln!(
-        std::io::stderr(),
+    say(&format!(
         "sweep: {done} kills, {writing} while writing the files; {} sweeps came to the same bytes",
         sweeps + 1
-    )
-    .unwrap();
+    ));
 }
 
 #[test]
@@ -144,7 +142,7 @@ fn mounted(folder: &Path) -> bool {
     let mounted = output.is_ok_and(|output| output.status.success());
     assert!(mounted || std::env::var_os("DAPPLE_MUST_MOUNT").is_none(), "mount is not permitted");
     if !mounted {
-        writeln!(std::io::stderr(), "SKIPPED: mount is not permitted; run it as root").unwrap();
+        say("SKIPPED: mount is not permitted; run it as root");
     }
     mounted
 }
@@ -182,4 +180,9 @@ fn a_sweep_on_a_full_disk_is_told_and_goes_on_when_there_is_room() {
     assert_eq!(code, Some(0), "{said}");
     assert_eq!(told(&mut data_gen(bench.path(), "sweep --plan my.json -o whole")).0, Some(0));
     assert!(found == files(&bench.path().join("whole")), "{:?}", found.keys());
+}
+
+/// Tells a line on stderr, past the test harness, which would hide it.
+fn say(line: &str) {
+    let _ = std::io::stderr().write_all(format!("{line}\n").as_bytes());
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -102,4 +103,9 @@ pub fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
 /// Is this the name of a file that is being written?
 pub fn is_part(name: &str) -> bool {
     name.split('/').any(|part| part.starts_with(".dapple-") && part.ends_with(".part"))
+}
+
+/// Tells a line on stderr, past the test harness, which would hide it.
+pub fn say(line: &str) {
+    let _ = std::io::stderr().write_all(format!("{line}\n").as_bytes());
 }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::bench::{Bench, files, told};
+use crate::bench::{Bench, files, say, told};
 use crate::mounts::Mounted;
 
 /// All commands that write, with `OUT` for the folder that they write into.
@@ -131,7 +131,7 @@ fn a_folder_of_somebody_else_is_told_and_loses_nothing() {
         let ran = nobody.output().ok().map(|output| told(&output));
         let Some((code, said)) = ran.filter(|(_, said)| !said.contains("setpriv:")) else {
             assert!(std::env::var_os("DAPPLE_MUST_MOUNT").is_none(), "setpriv is not permitted");
-            eprintln!("SKIPPED: setpriv is not permitted; run it as root");
+            say("SKIPPED a folder of somebody else: setpriv is not permitted; run it as root");
             return;
         };
         assert_eq!(code, Some(1), "{writer}: {said}");

@@ -5,7 +5,6 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::Write;
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::{Child, Stdio};
@@ -14,7 +13,7 @@ use std::time::{Duration, Instant};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use crate::bench::{Bench, files, is_part};
+use crate::bench::{Bench, files, is_part, say};
 
 type Files = BTreeMap<String, Vec<u8>>;
 
@@ -221,21 +220,12 @@ fn files_that_are_written_when_the_program_is_killed_are_old_or_new_and_whole() 
         let Count { killed, ended, writing, old, new } = count;
         let name: String = job.new.split_whitespace().take(4).collect::<Vec<_>>().join(" ");
         // Past the test harness: it is what is reported.
-        writeln!(
-            std::io::stderr(),
-            "{name:34} {killed:3} killed ({writing} while writing), {ended} ended before; then {old} old files, {new} new"
-        )
-        .unwrap();
+        let times = format!("{killed:3} killed ({writing} while writing), {ended} ended before");
+        say(&format!("{name:34} {times}; then {old} old files, {new} new"));
         all.killed += killed;
         all.writing += writing;
     }
-    writeln!(
-        std::io::stderr(),
-        "{} kills in all, {} while writing; no damaged file",
-        all.killed,
-        all.writing
-    )
-    .unwrap();
+    say(&format!("{} kills in all, {} while writing; no damaged file", all.killed, all.writing));
     assert!(all.killed > 0 && all.writing > 0);
 }
 

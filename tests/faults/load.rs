@@ -2,10 +2,10 @@
 //!
 //! `DAPPLE_LOAD` says how many documents (60).
 
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader};
 use std::process::Stdio;
 
-use crate::bench::Bench;
+use crate::bench::{Bench, say};
 
 /// MB that memory may vary by: allocators keep what they had.
 const SLACK: f64 = 12.0;
@@ -79,12 +79,7 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
     let parts: Vec<f64> = samples.chunks(many.div_ceil(10)).map(most).collect();
     let told: Vec<String> = parts.iter().map(|part| format!("{part:.0}")).collect();
     // Past the test harness: it is what is reported.
-    writeln!(
-        std::io::stderr(),
-        "{many} documents, {grown} grown: MB at most in each tenth: {}",
-        told.join(" ")
-    )
-    .unwrap();
+    say(&format!("{many} documents, {grown} grown: MB at most in each tenth: {}", told.join(" ")));
     let (first, last) = (most(&samples[..many / 3]), most(&samples[2 * many / 3..]));
     assert!(last <= first + SLACK, "it grew from {first:.1} to {last:.1} MB: {told:?}");
 }
@@ -107,7 +102,6 @@ fn growing_again_and_again_takes_no_more_memory() {
     }
     let most = |part: &[f64]| part.iter().copied().fold(0.0, f64::max);
     let (first, last) = (most(&samples[..100]), most(&samples[200..]));
-    writeln!(std::io::stderr(), "300 growths in one process: {first:.0} MB at first, {last:.0} MB at last")
-        .unwrap();
+    say(&format!("300 growths in one process: {first:.0} MB at first, {last:.0} MB at last"));
     assert!(last <= first + SLACK, "it grew from {first:.1} to {last:.1} MB");
 }

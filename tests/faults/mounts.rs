@@ -5,6 +5,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::bench::say;
+
 /// A file system in memory, of 1 MB; gone when it is dropped.
 pub struct Mounted(PathBuf);
 
@@ -18,7 +20,7 @@ impl Mounted {
         }
         let test = std::thread::current().name().unwrap_or_default().to_owned();
         assert!(std::env::var_os("DAPPLE_MUST_MOUNT").is_none(), "{test}: mount is not permitted");
-        writeln!(std::io::stderr(), "SKIPPED {test}: mount is not permitted; run it as root").unwrap();
+        say(&format!("SKIPPED {test}: mount is not permitted; run it as root"));
         None
     }
 

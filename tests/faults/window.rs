@@ -32,9 +32,9 @@ fn a_document_that_cannot_be_saved_stays_unsaved_and_its_file_whole() {
         fs::write(&path, DOCUMENT).unwrap();
         let mut hand = window(Start { file: Some(path.clone()), ..Start::default() });
         if full {
-            mounted.fill(0)
+            mounted.fill(0);
         } else {
-            mounted.protect()
+            mounted.protect();
         }
         let before = files(&folder.path().join("disk"));
         hand.draw_round([70.0, 70.0], [10.0, 6.0], 30.0);
