@@ -40,6 +40,5 @@ pub fn write(folder: &Path, plan: &Plan, mut records: Vec<Record>) -> Result<(),
 
 /// Makes a folder where there is none.
 pub fn make_folder(folder: &Path) -> Result<(), String> {
-    std::fs::create_dir_all(folder)
-        .map_err(|error| format!("cannot make the folder '{}': {error}", folder.display()))
+    dapple::export::make_folder(folder).map_err(|error| error.to_string())
 }

@@ -73,7 +73,18 @@ impl Journal {
         let line =
             format!("{},{},{},{}\n", plan.sets[record.set].name, record.index, record.verdict, record.line);
         let mut file = self.file.lock().map_err(|_| "another run failed".to_owned())?;
-        file.write_all(line.as_bytes()).map_err(|error| format!("{}: {error}", self.path.display()))
+        let failed = |error: std::io::Error| {
+            format!(
+                "{}: {error}; start it again when it can be written: it goes on where it was",
+                self.path.display()
+            )
+        };
+        let before = file.stream_position().map_err(failed)?;
+        file.write_all(line.as_bytes()).map_err(|error| {
+            // Other runs are still under way: theirs must not follow half a line.
+            let _ = file.set_len(before).and_then(|()| file.seek(SeekFrom::Start(before)));
+            failed(error)
+        })
     }
 
     /// Takes it away: what it holds stands elsewhere now.

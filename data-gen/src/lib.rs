@@ -55,11 +55,7 @@ pub fn main() -> ExitCode {
     let done = match Command::parse() {
         Command::Sweep(sweep) => sweep::command(&sweep).map(|()| true),
         Command::Merge(merge) => merge::command(&merge).map(|()| true),
-        // A reader who has seen enough is no failure.
-        Command::Plan => {
-            let _ = std::io::stdout().write_all(plan::BUILT_IN.as_bytes());
-            Ok(true)
-        }
+        Command::Plan => say(plan::BUILT_IN.trim_end()).map(|()| true),
         Command::Trial(trial) => trial::run(&trial),
         Command::Route(route) => route::run(&route),
         Command::Plot(plot) => plot::run(&plot),
@@ -68,8 +64,21 @@ pub fn main() -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
-            eprintln!("error: {error}");
+            // If stderr is closed there is nobody left to tell.
+            let _ = writeln!(std::io::stderr(), "error: {error}");
             ExitCode::FAILURE
         }
+    }
+}
+
+/// Writes a line to stdout; unlike `println!`, does not panic where nobody reads it. A reader who has seen enough is no
+/// failure.
+fn say(line: &str) -> Result<(), String> {
+    let mut stdout = std::io::stdout().lock();
+    match writeln!(stdout, "{line}").and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(format!("standard output: cannot be written: {error}"))
+        }
+        _ => Ok(()),
     }
 }

@@ -22,10 +22,7 @@ pub struct Args {
 
 /// Merges.
 pub fn command(args: &Args) -> Result<(), String> {
-    for told in merge(&args.parts, &args.output)? {
-        println!("{told}");
-    }
-    Ok(())
+    merge(&args.parts, &args.output)?.iter().try_for_each(|told| crate::say(told))
 }
 
 /// Joins all parts whose journals lie in these folders, and writes the files into `output`. The journals stay.

@@ -4,9 +4,11 @@ mod axis;
 mod table;
 
 use std::fmt::Write;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use axis::Axis;
+use dapple::export;
 use table::{Curve, Panel};
 
 /// What to draw.
@@ -49,8 +51,8 @@ pub fn run(args: &Args) -> Result<bool, String> {
     let text = std::fs::read_to_string(&args.table)
         .map_err(|error| format!("{}: cannot be read: {error}", shown(&args.table)))?;
     let panels = table::panels(&text).map_err(|error| format!("{}, {error}", shown(&args.table)))?;
-    std::fs::write(&args.output, svg(&panels))
-        .map_err(|error| format!("{}: cannot be written: {error}", shown(&args.output)))?;
+    export::save(&args.output, |out| Ok(out.write_all(svg(&panels).as_bytes())?))
+        .map_err(|error| error.to_string())?;
     Ok(true)
 }
 

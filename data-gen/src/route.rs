@@ -73,11 +73,11 @@ pub fn run(args: &Args) -> Result<bool, String> {
             .build_global()
             .map_err(|error| format!("cannot start {threads} threads: {error}"))?;
     }
-    println!("differences, fast − long: mean over seeds / largest of a seed");
-    println!(
+    crate::say("differences, fast − long: mean over seeds / largest of a seed")?;
+    crate::say(&format!(
         "{:18} {:>5} {:>7} {:>7} {:>6} {:>13} {:>13} {:>13} {:>13} {:>13}",
         "system", "ratio", "stretch", "long", "fast", "marks %", "area %", "spacing %", "aspect %", "angle °"
-    );
+    ))?;
     let mut good = true;
     for patch in patches() {
         let pairs: Vec<Pair> =
@@ -86,15 +86,15 @@ pub fn run(args: &Args) -> Result<bool, String> {
             for (seed, pair) in pairs.iter().enumerate() {
                 let told: Vec<String> =
                     pair.differences.iter().flatten().map(|d| format!("{d:+.2}")).collect();
-                println!(
+                crate::say(&format!(
                     "    seed {seed}: {} steps for {}: {}",
                     pair.steps[1],
                     pair.steps[0],
                     told.join(" ")
-                );
+                ))?;
             }
         }
-        good &= patch.tell(&pairs);
+        good &= patch.tell(&pairs)?;
     }
     Ok(good)
 }
@@ -129,7 +129,7 @@ impl Patch {
     }
 
     /// Prints a line, gives whether it is within bounds.
-    fn tell(&self, pairs: &[Pair]) -> bool {
+    fn tell(&self, pairs: &[Pair]) -> Result<bool, String> {
         let mut good = pairs.iter().all(|pair| pair.settled);
         let cells: Vec<String> = (0..BOUNDS.len())
             .map(|k| {
@@ -145,7 +145,7 @@ impl Patch {
             .collect();
         let mean =
             |which: usize| pairs.iter().map(|pair| pair.steps[which]).sum::<u64>() / pairs.len() as u64;
-        println!(
+        crate::say(&format!(
             "{:18} {:>5} {:>7} {:>7} {:>6} {:>13} {:>13} {:>13} {:>13} {:>13}{}",
             self.system.name(),
             self.ratio,
@@ -158,8 +158,8 @@ impl Patch {
             cells[3],
             cells[4],
             if good { "" } else { "  ← out of bounds" }
-        );
-        good
+        ))?;
+        Ok(good)
     }
 }
 

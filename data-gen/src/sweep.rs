@@ -51,11 +51,10 @@ pub fn command(args: &Args) -> Result<(), String> {
         None => whole(&plan, &folder).map(drop),
         Some(shard) => {
             part(&plan, &folder, shard)?;
-            println!(
+            crate::say(&format!(
                 "part {shard} is done: {}; when all parts are, `data-gen merge` makes the files of them",
                 folder.join(shard.journal()).display()
-            );
-            Ok(())
+            ))
         }
     }
 }
@@ -105,7 +104,7 @@ fn sweep(plan: &Plan, folder: &Path, shard: Shard) -> Result<Swept, String> {
         result?;
         records.append(&mut new.into_inner().map_err(|_| "a run failed".to_owned())?);
         let tally = Tally::of(records.iter().filter(|record| record.set == set));
-        println!("{}", summary(&planned.name, &tally, left.len() as u64, start.elapsed()));
+        crate::say(&summary(&planned.name, &tally, left.len() as u64, start.elapsed()))?;
         ran += left.len() as u64;
     }
     Ok(Swept { journal, records, ran })

@@ -105,7 +105,14 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
         lying::bring_into_view(cc);
         Ok(Box::new(Window::new(&cc.egui_ctx, start)))
     });
-    eframe::run_native("dapple", options, create).map_err(|error| OpenError::Refused(error.to_string()))
+    eframe::run_native("dapple", options, create)
+        .map_err(|error| OpenError::Refused(reason(&error.to_string())))
+}
+
+/// What the window system said, without the place in its source that it says first.
+fn reason(said: &str) -> String {
+    let after = said.rsplit_once(".rs:").and_then(|(_, place)| place.split_once(": "));
+    after.map_or(said, |(_, reason)| reason).to_owned()
 }
 
 /// What the window manager shows; the picture is whole, so that the empty one never stands.
@@ -116,4 +123,16 @@ fn icon() -> IconData {
 fn has_display() -> bool {
     let set = |name| std::env::var_os(name).is_some_and(|value: std::ffi::OsString| !value.is_empty());
     !cfg!(target_os = "linux") || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].into_iter().any(set)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::reason;
+
+    #[test]
+    fn what_the_window_system_says_is_told_without_its_source() {
+        let said = "winit EventLoopError: os error at /home/a/winit/linux/mod.rs:788: Failed to open connection to X server";
+        assert_eq!(reason(said), "Failed to open connection to X server");
+        assert_eq!(reason("no OpenGL: 3.2 is needed"), "no OpenGL: 3.2 is needed");
+    }
 }

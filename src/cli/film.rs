@@ -1,7 +1,7 @@
 //! `dapple film`: a growth, or the way from one document to another, as a clip.
 
 use super::estimate::Estimate;
-use super::grow::{place, progress::Bar};
+use super::grow::{check_apart, progress::Bar};
 use super::{Error, values};
 use crate::export::motion::{self, COLOURS, Film, Kind};
 use crate::export::{ExportError, Stopped};
@@ -67,12 +67,7 @@ impl Args {
     /// What kind of film it is, where all can be as it is asked for.
     fn check(&self) -> Result<(Kind, usize), Error> {
         for (name, file) in [("FILE", Some(&self.file)), ("--to", self.to.as_ref())] {
-            if file.is_some_and(|file| place(file) == place(&self.output)) {
-                let file = self.output.display();
-                return Err(Error::Usage(format!(
-                    "{name} and --output: found {file} twice; allowed: two files"
-                )));
-            }
+            file.map_or(Ok(()), |file| check_apart(name, file, &self.output))?;
         }
         let kind = Kind::of(&self.output).map_err(Error::step)?;
         if kind == Kind::Gif && self.fps > FASTEST_GIF {

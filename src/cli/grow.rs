@@ -124,7 +124,9 @@ impl Args {
             ("--svg", self.outlines.svg.as_ref()),
             ("--dxf", self.outlines.dxf.as_ref()),
         ];
-        let paths: Vec<_> = named.into_iter().filter_map(|(name, path)| Some((name, path?))).collect();
+        let material = self.material.files(&self.file);
+        let named = named.into_iter().filter_map(|(name, path)| Some((name, path?)));
+        let paths: Vec<_> = named.chain(material.iter().map(|path| ("--material", path))).collect();
         for (i, (name, path)) in paths.iter().enumerate() {
             if let Some((other, _)) = paths[..i].iter().find(|(_, other)| place(other) == place(path)) {
                 let file = path.display();
@@ -135,6 +137,33 @@ impl Args {
         }
         Ok(())
     }
+}
+
+/// Refuses to write over what is read.
+///
+/// # Errors
+/// [`Error::Usage`] that names the file.
+pub(super) fn check_apart(name: &str, input: &Path, output: &Path) -> Result<(), Error> {
+    if place(input) == place(output) {
+        let file = output.display();
+        return Err(Error::Usage(format!("{name} and --output: found {file} twice; allowed: two files")));
+    }
+    Ok(())
+}
+
+/// Refuses to write among the training sets, which would be learnt from.
+///
+/// # Errors
+/// [`Error::Usage`] that names the file.
+pub(super) fn check_not_among(training: Option<&Path>, output: &Path) -> Result<(), Error> {
+    let folder_of = |path: &Path| place(path).parent().map(Path::to_owned);
+    if training.is_some_and(|training| folder_of(output) == folder_of(&training.join("any"))) {
+        return Err(Error::Usage(format!(
+            "--output: found {}, a file among those of --training; allowed: another folder",
+            output.display()
+        )));
+    }
+    Ok(())
 }
 
 /// Where a path leads, so that `a.png` and `./a.png` are one; a file need not be there yet.

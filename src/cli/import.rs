@@ -69,6 +69,7 @@ pub enum ImportError {
 /// # Errors
 /// Where the SVG cannot be read, holds no marks, or the document cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
+    super::grow::check_apart("IN.svg", &args.file, &args.output)?;
     export::check_ending(&args.output, &["dapple"]).map_err(Error::step)?;
     let file = args.file.display().to_string();
     let bytes =

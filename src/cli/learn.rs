@@ -66,7 +66,10 @@ struct Setting<'a> {
 /// # Errors
 /// A training set cannot be read, or the table not be written.
 pub fn run(args: &Args) -> Result<(), Error> {
-    args.output.as_deref().map(export::check_file).transpose().map_err(Error::step)?;
+    if let Some(output) = &args.output {
+        super::grow::check_not_among(args.training.as_deref(), output)?;
+        export::check_file(output).map_err(Error::step)?;
+    }
     if let Some(threads) = args.threads {
         // Fails only where the pool exists already, and nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();

@@ -74,9 +74,12 @@ pub fn main() -> ExitCode {
         _ => match Cli::try_parse_from(arguments) {
             Ok(cli) => finish(run(cli.command)),
             Err(error) => {
-                // A reader that went away has seen enough of the help.
-                let _ = error.print();
-                ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+                let code = u8::try_from(error.exit_code()).unwrap_or(2);
+                match error.print() {
+                    Err(why) if code == 0 => finish(Err(Error::Output(why))),
+                    // If stderr is closed there is nobody left to tell.
+                    _ => ExitCode::from(code),
+                }
             }
         },
     }

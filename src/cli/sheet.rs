@@ -7,7 +7,7 @@ mod text;
 
 pub(super) use contact::{Contact, Thumb, write};
 
-use super::grow::{place, progress};
+use super::grow::{check_apart, progress};
 use super::{Error, values};
 use crate::export::{self, Content, picture};
 use crate::synth::painting::Painting;
@@ -107,10 +107,7 @@ impl Entry {
 /// # Errors
 /// Where the sheet cannot be written; where pictures are missing in it.
 pub fn run(args: &Args) -> Result<(), Error> {
-    if let Some(file) = args.files.iter().find(|file| place(file) == place(&args.output)) {
-        let file = file.display();
-        return Err(Error::Usage(format!("FILE and --output: found {file} twice; allowed: two files")));
-    }
+    args.files.iter().try_for_each(|file| check_apart("FILE", file, &args.output))?;
     let format = export::check_content(&args.output, Content::Colours).map_err(Error::step)?;
     if let Some(threads) = args.threads {
         // Fails only where the pool exists already, and nothing has used it yet.

@@ -9,6 +9,7 @@
 pub mod exr;
 mod format;
 pub mod gltf;
+mod leftovers;
 pub mod maps;
 pub mod material;
 pub mod motion;
@@ -24,7 +25,7 @@ pub mod web;
 pub use format::{Content, Format};
 pub use save::{
     Begun, ExportError, Prepared, begin, check_content, check_ending, check_file, check_target, has_ending,
-    prepare, save,
+    make_folder, prepare, save,
 };
 pub use shrink::shrink;
 

@@ -1,6 +1,6 @@
 //! Files: whole or not there.
 
-use std::fs::{self, Permissions};
+use std::fs;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -9,6 +9,7 @@ use thiserror::Error;
 
 use super::Stopped;
 use super::format::{Content, Format, endings, fitting};
+use super::leftovers;
 
 /// Why a file was not written. Nothing is left behind, and what was there before still is.
 #[derive(Debug, Error)]
@@ -158,8 +159,16 @@ pub fn check_file(path: &Path) -> Result<(), ExportError> {
     target_of(path).map(drop)
 }
 
+/// Makes a folder, and those above it, where they are missing.
+///
+/// # Errors
+/// What went wrong, with the folder's name and the remedy.
+pub fn make_folder(path: &Path) -> Result<(), ExportError> {
+    fs::create_dir_all(path).map_err(|source| explain(path, &folder_of(path), source))
+}
+
 /// Writes the file `path` by `write`, which gets a buffered stream: into a file beside it that takes its name
-/// when all is on the disk. A file that was there is replaced and keeps its permissions; a new one gets
+/// when all is on the disk; what a killed process left of such is taken away. A file that was there is replaced and keeps its permissions; a new one gets
 /// the usual ones (0666 less the umask). A symbolic link stays and what it leads to is replaced.
 ///
 /// # Errors
@@ -209,7 +218,7 @@ pub struct Begun {
 pub fn begin(path: &Path) -> Result<Begun, ExportError> {
     let target = target_of(path)?;
     let folder = folder_of(&target);
-    let beside = new_file().tempfile_in(&folder).map_err(|source| explain(path, &folder, source))?;
+    let beside = leftovers::new_file(&folder).map_err(|source| explain(path, &folder, source))?;
     Ok(Begun { path: path.to_owned(), target, folder, stream: BufWriter::with_capacity(BUFFER, beside) })
 }
 
@@ -290,35 +299,22 @@ fn target_of(path: &Path) -> Result<PathBuf, ExportError> {
     }
 }
 
-fn folder_of(path: &Path) -> PathBuf {
+pub(super) fn folder_of(path: &Path) -> PathBuf {
     match path.parent() {
         Some(folder) if folder != Path::new("") => folder.to_owned(),
         _ => PathBuf::from("."),
     }
 }
 
-fn new_file() -> tempfile::Builder<'static, 'static> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".dapple-").suffix(".part");
-    if let Some(usual) = usual_permissions() {
-        builder.permissions(usual);
-    }
-    builder
-}
-
-/// What any program's new file gets, before the umask; a temporary file would be the owner's alone.
-fn usual_permissions() -> Option<Permissions> {
-    #[cfg(unix)]
-    return Some(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    #[cfg(not(unix))]
-    None
-}
-
-fn explain(path: &Path, folder: &Path, source: io::Error) -> ExportError {
+/// What went wrong with a file in `folder`, and the remedy.
+pub(super) fn explain(path: &Path, folder: &Path, source: io::Error) -> ExportError {
     let path = path.to_owned();
     match source.kind() {
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
             ExportError::NotPermitted { path, folder: folder.to_owned() }
+        }
+        io::ErrorKind::NotADirectory | io::ErrorKind::NotFound if !folder.is_dir() => {
+            ExportError::NoFolder { path, folder: folder.to_owned() }
         }
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => ExportError::DiskFull { path },
         _ => ExportError::Io { path, source },

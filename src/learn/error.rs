@@ -22,12 +22,27 @@ pub enum TrainingError {
         source: std::io::Error,
     },
     /// A folder has no file of this system.
-    #[error("{}: holds no rows of {system}: neither {system}.csv nor {system}-*.csv, as data-gen writes them", dir.display())]
+    #[error(
+        "{}: holds no rows of {system}: neither {system}.csv nor {system}-*.csv, as data-gen writes them; it has rows of \
+         {}: let the document name one of these as its system, or add the missing ones", dir.display(), listed(others)
+    )]
     NoFiles {
         /// The folder.
         dir: PathBuf,
         /// The system.
         system: String,
+        /// The systems whose rows it has.
+        others: Vec<&'static str>,
+    },
+    /// The manifest beside a file says that this is not what was written.
+    #[error(
+        "{file}: {problem}; sweep again with data-gen, or take this file away to learn from the rows as they are"
+    )]
+    Manifest {
+        /// The manifest.
+        file: String,
+        /// What it says, or what is wrong with it.
+        problem: String,
     },
     /// The file is no table.
     #[error("{file}, line {line}: {problem}")]
@@ -88,4 +103,8 @@ pub enum TrainingError {
     /// The rows could not be written.
     #[error("the rows cannot be written: {0}")]
     Write(#[from] std::io::Error),
+}
+
+fn listed(systems: &[&'static str]) -> String {
+    if systems.is_empty() { "no system".to_owned() } else { systems.join(", ") }
 }

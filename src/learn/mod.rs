@@ -34,6 +34,7 @@ mod interpolation;
 mod laws;
 mod line;
 mod local;
+mod manifest;
 mod method;
 mod neighbours;
 mod note;

@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 
 use super::coverage::Limit;
 use super::csv_rows::read_rows;
+use super::manifest::Manifest;
 use super::scale_law::Law;
 use super::spot_map::SpotMap;
 use super::stripe_map::StripeMap;
@@ -61,19 +62,25 @@ macro_rules! embedded {
 /// The files of `system` in the folder `dir`, by name.
 fn files_of(dir: &Path, system: &str) -> Result<Vec<PathBuf>, TrainingError> {
     let unread = |source| TrainingError::Open { path: dir.to_owned(), source };
-    let mut names = Vec::new();
+    let is_of = |stem: &str, system: &str| {
+        let set = stem.strip_prefix(system);
+        set.is_some_and(|set| set.is_empty() || set.starts_with('-')) && !stem.ends_with(".rejected")
+    };
+    let (mut names, mut others) = (Vec::new(), Vec::new());
     for entry in std::fs::read_dir(dir).map_err(unread)? {
         let name = entry.map_err(unread)?.file_name();
         // What has a name that is no text is not of ours.
         let Some(stem) = name.to_str().and_then(|name| name.strip_suffix(".csv")) else { continue };
-        let set = stem.strip_prefix(system);
-        if set.is_some_and(|set| set.is_empty() || set.starts_with('-')) && !stem.ends_with(".rejected") {
+        others.extend(SYSTEMS.into_iter().filter(|other| is_of(stem, other)));
+        if is_of(stem, system) {
             names.push(name);
         }
     }
+    others.sort_unstable();
+    others.dedup();
     names.sort();
     if names.is_empty() {
-        return Err(TrainingError::NoFiles { dir: dir.to_owned(), system: system.to_owned() });
+        return Err(TrainingError::NoFiles { dir: dir.to_owned(), system: system.to_owned(), others });
     }
     Ok(names.iter().map(|name| dir.join(name)).collect())
 }
@@ -101,13 +108,19 @@ impl TrainingSet {
     /// # Errors
     /// [`TrainingError`]: no such system, no such file, or a fault in one with file, line, column and value.
     pub fn load(dir: &Path, system: &str) -> Result<Self, TrainingError> {
-        let system = find(system)?.0;
-        let mut files = Vec::new();
+        let (system, kind) = find(system)?;
+        let (mut rows, mut names) = (Vec::new(), Vec::new());
         for path in files_of(dir, system)? {
+            let manifest = Manifest::of(&path)?;
             let name = path.display().to_string();
-            files.push((name, std::fs::read(&path).map_err(|source| TrainingError::Open { path, source })?));
+            let bytes =
+                std::fs::read(&path).map_err(|source| TrainingError::Open { path: path.clone(), source })?;
+            let of_file = read_rows(kind, &name, &bytes)?;
+            manifest.map_or(Ok(()), |manifest| manifest.check(&path, of_file.len()))?;
+            rows.extend(of_file);
+            names.push(name);
         }
-        Self::read(system, files.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())))
+        Self::of_files(system, rows, &names)
     }
 
     /// The rows of all `files` (names for messages, contents) as one set.
@@ -122,8 +135,13 @@ impl TrainingSet {
         let (mut rows, mut names) = (Vec::new(), Vec::new());
         for (file, bytes) in files {
             rows.extend(read_rows(kind, file, bytes)?);
-            names.push(file);
+            names.push(file.to_owned());
         }
+        Self::of_files(system, rows, &names)
+    }
+
+    /// All rows of files with these names as one set.
+    fn of_files(system: &str, rows: Vec<Row>, names: &[String]) -> Result<Self, TrainingError> {
         Self::new(system, rows).map_err(|error| match error {
             TrainingError::TooFew { rows, needed, .. } => {
                 TrainingError::TooFew { file: names.join(", "), rows, needed }
@@ -216,7 +234,7 @@ mod tests {
         write("turing-spots-a.rejected.csv", &rows);
         write("turing-spotted.csv", &rows);
         write("old-turing-spots.csv", &rows);
-        std::fs::write(dir.path().join("turing-spots-a.json"), "{}").unwrap();
+        std::fs::write(dir.path().join("notes.json"), "{}").unwrap();
         let set = TrainingSet::load(dir.path(), "turing-spots").unwrap();
         // '-' stands before '.'.
         let seeds: Vec<u64> = set.rows().iter().map(|row| row.seed).collect();

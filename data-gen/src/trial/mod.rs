@@ -72,13 +72,13 @@ pub fn run(args: &Args) -> Result<bool, String> {
     let training = Training::from(args.training.clone());
     let outcomes = all(&tasks, &training, threads, args.out.as_deref())?;
     let (text, good) = table::table(&outcomes);
-    println!("{text}");
-    println!(
+    crate::say(&text)?;
+    crate::say(&format!(
         "{} documents in {:.0} s on {threads} threads, sketches from seed {}",
         outcomes.len(),
         started.elapsed().as_secs_f64(),
         args.seed
-    );
+    ))?;
     if let Some(path) = &args.json {
         output::numbers(path, args.seed, &outcomes)?;
     }

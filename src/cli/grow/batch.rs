@@ -3,9 +3,9 @@
 use super::{Args, Error, Source, grow_one, place};
 use crate::cli::estimate::Estimate;
 use crate::cli::sheet::{self, Contact};
+use crate::export::{self, material};
 use crate::synth::Training;
 use crate::synth::recipe::Document;
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -31,11 +31,7 @@ struct Task {
 pub fn run(args: &Args) -> Result<(), Error> {
     let folder = check(args)?;
     let tasks = tasks(args, folder)?;
-    fs::create_dir_all(folder).map_err(|source| Error::File {
-        file: folder.display().to_string(),
-        done: "made",
-        source,
-    })?;
+    export::make_folder(folder).map_err(Error::step)?;
     let training = Training::from(args.training.clone());
     tell_time(args, &tasks, &training);
     let mut contact = args.variations.map(|_| Contact::new(stem(&args.file), THUMB));
@@ -81,6 +77,7 @@ fn check(args: &Args) -> Result<&Path, Error> {
     let single = [
         ("--pattern", args.pattern.is_some()),
         ("--labels", args.labels.is_some()),
+        ("--concentrations", args.concentrations.is_some()),
         ("--report", args.report.is_some()),
         ("--svg", args.outlines.svg.is_some()),
         ("--dxf", args.outlines.dxf.is_some()),
@@ -92,6 +89,11 @@ fn check(args: &Args) -> Result<&Path, Error> {
     if args.variations.is_some() && !args.more.is_empty() {
         return Err(Error::Usage(
             "--variations: goes with one FILE; dapple sheet --seeds lays many out".to_owned(),
+        ));
+    }
+    if args.variations.is_some() && args.material.material.is_some() {
+        return Err(Error::Usage(
+            "--material: goes without --variations, which would all have its name".to_owned(),
         ));
     }
     let Some(folder) = args.output.as_deref() else {
@@ -118,7 +120,11 @@ fn tasks(args: &Args, folder: &Path) -> Result<Vec<Task>, Error> {
     }
     let files: Vec<&PathBuf> = std::iter::once(&args.file).chain(&args.more).collect();
     for (index, file) in files.iter().enumerate() {
-        if let Some(other) = files[..index].iter().find(|other| stem(other) == stem(file)) {
+        let named = |file: &Path| match args.material.material {
+            Some(_) => material::name(&stem(file)),
+            None => stem(file),
+        };
+        if let Some(other) = files[..index].iter().find(|other| named(other) == named(file)) {
             let same =
                 if place(other) == place(file) { "one file twice" } else { "one name for two pictures" };
             return Err(Error::Usage(format!(

@@ -1,7 +1,7 @@
 //! `--material`: a set of maps for engines.
 
 use crate::cli::Error;
-use crate::export::material::{Set, name};
+use crate::export::material::{Map, Set, name};
 use crate::export::{self, Format, Prepared, maps::Surface};
 use crate::field::Edges;
 use crate::synth::painting::{Making, Painting, Style};
@@ -81,6 +81,15 @@ impl Material {
         }
     }
 
+    /// The files of the set of the document `file`.
+    pub fn files(&self, file: &Path) -> Vec<PathBuf> {
+        let Some(folder) = &self.material else { return Vec::new() };
+        let named = set_name(file);
+        let maps = Map::ALL.iter().map(|map| map.file(&named));
+        let plane = ["bin", "gltf"].map(|ending| format!("{named}.{ending}"));
+        maps.chain(plane).map(|file| folder.join(file)).collect()
+    }
+
     /// Writes the set, named like the document's file; no map has its name yet.
     pub fn prepare(
         &self,
@@ -93,10 +102,9 @@ impl Material {
     ) -> Result<Vec<Prepared>, Error> {
         let Some(folder) = &self.material else { return Ok(Vec::new()) };
         if !folder.is_dir() {
-            let written = |source| Error::File { file: folder.display().to_string(), done: "made", source };
-            std::fs::create_dir(folder).map_err(written)?;
+            export::make_folder(folder).map_err(Error::step)?;
         }
-        let named = name(&file.file_stem().unwrap_or_default().to_string_lossy());
+        let named = set_name(file);
         let set = Set {
             name: &named,
             size: painting.size,
@@ -107,6 +115,11 @@ impl Material {
         let making = self.making(document.edges, extent);
         painting.material(folder, &set, &making, watch).map_err(Error::exported)
     }
+}
+
+/// What a document's material is called.
+fn set_name(file: &Path) -> String {
+    name(&file.file_stem().unwrap_or_default().to_string_lossy())
 }
 
 #[cfg(test)]

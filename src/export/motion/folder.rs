@@ -7,7 +7,8 @@ use std::path::Path;
 use tempfile::TempDir;
 
 use super::{Film, PreparedFilm, Show};
-use crate::export::{ExportError, Stopped, check_file, png};
+use crate::export::save::{explain, folder_of};
+use crate::export::{ExportError, Stopped, check_file, leftovers, png};
 
 /// Looks whether a folder can have this name: nothing has it yet, or an empty folder.
 ///
@@ -38,12 +39,8 @@ pub fn write(
     film: &Film,
     play: impl FnOnce(Show) -> Result<(), Stopped>,
 ) -> Result<PreparedFilm, ExportError> {
-    let parent = path.parent().filter(|parent| *parent != Path::new("")).unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".dapple-").suffix(".part");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777));
-    let beside = builder.tempdir_in(parent).map_err(|source| io_error(path, source))?;
+    let parent = folder_of(path);
+    let (beside, lock) = leftovers::new_folder(&parent).map_err(|source| explain(path, &parent, source))?;
     let digits = film.frames.to_string().len().max(4);
     let mut index = 0;
     let played = play(&mut |rgb| {
@@ -55,9 +52,9 @@ pub fn write(
         Ok(file.sync_all()?)
     });
     match played {
-        Ok(()) => Ok(PreparedFilm::Folder { beside, target: path.to_owned() }),
+        Ok(()) => Ok(PreparedFilm::Folder { beside, target: path.to_owned(), _lock: lock }),
         Err(Stopped::Cancelled) => Err(ExportError::Cancelled { path: path.to_owned() }),
-        Err(Stopped::Io(source)) => Err(io_error(path, source)),
+        Err(Stopped::Io(source)) => Err(explain(path, &parent, source)),
     }
 }
 
@@ -65,7 +62,7 @@ pub fn write(
 pub fn keep(beside: TempDir, target: &Path) -> Result<(), ExportError> {
     // Takes the place of an empty folder, where it may.
     let _ = fs::remove_dir(target);
-    fs::rename(beside.path(), target).map_err(|source| io_error(target, source))?;
+    fs::rename(beside.path(), target).map_err(|source| explain(target, &folder_of(target), source))?;
     // It lies elsewhere now.
     let _ = beside.keep();
     Ok(())

@@ -4,6 +4,7 @@ mod apng;
 mod folder;
 mod gif;
 
+use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
@@ -84,6 +85,8 @@ pub enum PreparedFilm {
         beside: TempDir,
         /// Where it is to lie.
         target: PathBuf,
+        /// Nobody takes it away while this is held.
+        _lock: Option<File>,
     },
 }
 
@@ -95,7 +98,7 @@ impl PreparedFilm {
     pub fn keep(self) -> Result<(), ExportError> {
         match self {
             Self::File(file) => file.keep(),
-            Self::Folder { beside, target } => folder::keep(beside, &target),
+            Self::Folder { beside, target, _lock } => folder::keep(beside, &target),
         }
     }
 }

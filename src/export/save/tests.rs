@@ -99,6 +99,7 @@ fn only_known_endings_are_taken() {
 #[cfg(unix)]
 mod unix {
     use super::*;
+    use std::fs::Permissions;
     use std::os::unix::fs::{PermissionsExt, symlink};
 
     fn mode(path: &Path) -> u32 {

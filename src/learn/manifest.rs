@@ -1,0 +1,65 @@
+//! The manifest `SET.json` that data-gen writes beside the rows `SET.csv`: were all of them written, in a version that is
+//! known here? Rows without one are taken as they are.
+
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::TrainingError;
+
+const FORMAT: &str = "dapple training set";
+/// The newest version of rows that is known here.
+const VERSION: u64 = 1;
+
+/// What a manifest says.
+pub(super) struct Manifest {
+    file: PathBuf,
+    /// Rows that were written.
+    rows: u64,
+}
+
+impl Manifest {
+    /// The manifest of the rows `csv`; `None` where there is none.
+    ///
+    /// # Errors
+    /// It is damaged, of another kind, or of a version that is not known here.
+    pub fn of(csv: &Path) -> Result<Option<Self>, TrainingError> {
+        let file = csv.with_extension("json");
+        let wrong = |problem: String| TrainingError::Manifest { file: file.display().to_string(), problem };
+        let bytes = match std::fs::read(&file) {
+            Ok(bytes) => bytes,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+            Err(error) => return Err(wrong(format!("cannot be read: {error}"))),
+        };
+        let value: Value = serde_json::from_slice(&bytes)
+            .map_err(|error| wrong(format!("it is damaged, line {}: {error}", error.line())))?;
+        if value["format"] != FORMAT {
+            return Err(wrong(format!("format: found {}; allowed: \"{FORMAT}\"", value["format"])));
+        }
+        match value["version"].as_u64() {
+            Some(1..=VERSION) => {}
+            Some(newer) if newer > VERSION => {
+                return Err(wrong(format!(
+                    "version: found {newer}, written by a newer data-gen; allowed: up to {VERSION}"
+                )));
+            }
+            _ => return Err(wrong(format!("version: found {}; allowed: 1 to {VERSION}", value["version"]))),
+        }
+        let rows = value["counts"]["accepted"].as_u64();
+        let rows = rows.ok_or_else(|| wrong("counts.accepted: no number of rows stands there".to_owned()))?;
+        Ok(Some(Self { file, rows }))
+    }
+
+    /// Are these as many rows as were written?
+    ///
+    /// # Errors
+    /// How many there are, and should be.
+    pub fn check(&self, csv: &Path, rows: usize) -> Result<(), TrainingError> {
+        if rows as u64 == self.rows {
+            return Ok(());
+        }
+        let problem = format!("{} holds {rows} rows, and {} were written", csv.display(), self.rows);
+        Err(TrainingError::Manifest { file: self.file.display().to_string(), problem })
+    }
+}

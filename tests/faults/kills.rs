@@ -1,0 +1,269 @@
+//! kill -9 at random moments while files are written over older ones: each is the old one or the new one, whole, and
+//! what was left behind goes with the next run.
+//!
+//! `DAPPLE_KILLS` says how many (8), `DAPPLE_SEED` which (1).
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::os::unix::process::ExitStatusExt;
+use std::path::Path;
+use std::process::{Child, Stdio};
+use std::time::{Duration, Instant};
+
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use crate::bench::{Bench, files, is_part, say};
+
+type Files = BTreeMap<String, Vec<u8>>;
+
+/// A command that writes into `out`, and what it shall be written over.
+struct Job {
+    old: &'static str,
+    new: &'static str,
+}
+
+/// The first, which writes much, is killed half of the times.
+const JOBS: [Job; 9] = [
+    Job {
+        old: "grow b.dapple -o out/a.png --pattern out/p.tif --labels out/l.png --concentrations out/c.exr --svg out/a.svg \
+              --dxf out/a.dxf --report out/r.json --size 192x192",
+        new: "grow a.dapple -o out/a.png --pattern out/p.tif --labels out/l.png --concentrations out/c.exr --svg out/a.svg \
+              --dxf out/a.dxf --report out/r.json --size 192x192 --material out/m",
+    },
+    Job {
+        old: "film b.dapple -o out/f.gif --seconds 0.5 --fps 10",
+        new: "film a.dapple -o out/f.gif --seconds 0.5 --fps 10",
+    },
+    Job {
+        old: "film b.dapple -o out/f.png --seconds 0.5 --fps 10",
+        new: "film a.dapple -o out/f.png --seconds 0.5 --fps 10",
+    },
+    Job { old: "import in.svg -o out/i.dapple", new: "film a.dapple -o out/frames --seconds 0.5 --fps 10" },
+    Job { old: "grow a.dapple b.dapple -o out --seed 7", new: "grow a.dapple b.dapple -o out" },
+    Job {
+        old: "sheet b.dapple a.dapple -o out/s.png --thumb 64",
+        new: "sheet a.dapple b.dapple -o out/s.png --thumb 64",
+    },
+    Job { old: "import in.svg -o out/i.dapple --dpi 48", new: "import in.svg -o out/i.dapple" },
+    Job { old: "lookup --batch other.csv -o out/t.csv", new: "lookup --batch in.csv -o out/t.csv" },
+    Job {
+        old: "learn --no-simulation --targets 1 --system meinhardt-lines -o out/e.csv",
+        new: "learn --no-simulation --targets 2 --system meinhardt-lines -o out/e.csv",
+    },
+];
+
+fn number(name: &str, usual: u64) -> u64 {
+    std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
+}
+
+/// The same files, with the report as if it had taken no time.
+fn without_time(mut files: Files) -> Files {
+    if let Some(bytes) = files.get_mut("r.json")
+        && let Ok(mut report) = serde_json::from_slice::<serde_json::Value>(bytes)
+    {
+        report["seconds"] = 0.into();
+        *bytes = report.to_string().into_bytes();
+    }
+    files
+}
+
+/// How long a run takes, and how long until it begins to write.
+struct Course {
+    whole: Duration,
+    writes: Duration,
+}
+
+struct Killing {
+    bench: Bench,
+    old: Files,
+    new: Files,
+    course: Course,
+    random: Pcg64Mcg,
+}
+
+/// What became of the killed.
+#[derive(Default)]
+struct Count {
+    killed: u64,
+    ended: u64,
+    /// Killed while a file was being written.
+    writing: u64,
+    /// Files afterwards that were old, new.
+    old: u64,
+    new: u64,
+}
+
+impl Killing {
+    fn new(job: &Job, random: Pcg64Mcg) -> Self {
+        let bench = Bench::new();
+        bench.write("other.csv", "system,width,angle\nmeinhardt-stripes,11,80\n");
+        fs::create_dir(bench.path("out")).unwrap();
+        bench.does(job.old);
+        let old = files(&bench.path("out"));
+        let began = Instant::now();
+        let mut child = start(&bench, job.new);
+        let mut writes = None;
+        while child.try_wait().unwrap().is_none() {
+            if writes.is_none() && is_writing(&bench.path("out")) {
+                writes = Some(began.elapsed());
+            }
+            std::thread::sleep(Duration::from_micros(200));
+        }
+        let whole = began.elapsed();
+        assert!(child.wait().unwrap().success(), "{}", job.new);
+        let new = without_time(files(&bench.path("out")));
+        assert!(new.len() >= old.len() && new != old);
+        Self { bench, old, new, course: Course { whole, writes: writes.unwrap_or(whole) }, random }
+    }
+
+    /// Puts the old files back; what a killed run left stays.
+    fn renew(&self) {
+        for name in self.new.keys().filter(|name| !self.old.contains_key(*name)) {
+            let _ = fs::remove_file(self.bench.path("out").join(name));
+        }
+        // An empty folder may be where a film of frames shall be.
+        let _ = fs::remove_dir(self.bench.path("out/frames"));
+        for (name, bytes) in &self.old {
+            fs::write(self.bench.path("out").join(name), bytes).unwrap();
+        }
+    }
+
+    /// Waits for a random moment, every other time while it writes, and kills.
+    fn kill(&mut self, job: &Job, while_writing: bool, count: &mut Count) {
+        let out = self.bench.path("out");
+        let mut child = start(&self.bench, job.new);
+        let Course { whole, writes } = self.course;
+        if while_writing {
+            while child.try_wait().unwrap().is_none() && !is_writing(&out) {
+                std::thread::sleep(Duration::from_micros(100));
+            }
+        }
+        let began = Instant::now();
+        let most = if while_writing { whole.saturating_sub(writes) } else { whole };
+        let wait = most.mul_f64(self.random.random_range(0.0..1.0));
+        while began.elapsed() < wait && child.try_wait().unwrap().is_none() {
+            std::thread::sleep(Duration::from_micros(50));
+        }
+        child.kill().unwrap();
+        match child.wait().unwrap().signal() {
+            Some(9) => count.killed += 1,
+            _ => count.ended += 1,
+        }
+        if files(&out).keys().any(|name| is_part(name)) {
+            count.writing += 1;
+        }
+    }
+
+    /// Each file is the old or the new one.
+    fn check(&self, job: &Job, count: &mut Count) {
+        let there = without_time(files(&self.bench.path("out")));
+        let old = without_time(self.old.clone());
+        for (name, bytes) in there.iter().filter(|(name, _)| !is_part(name)) {
+            if self.new.get(name) == Some(bytes) {
+                count.new += 1;
+            } else {
+                assert!(old.get(name) == Some(bytes), "{}: {name} is damaged", job.new);
+                count.old += 1;
+            }
+        }
+        for name in old.keys() {
+            assert!(there.contains_key(name), "{}: {name} is lost", job.new);
+        }
+    }
+}
+
+fn start(bench: &Bench, arguments: &str) -> Child {
+    bench.command(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
+}
+
+/// Files and folders that are being written, or were.
+fn parts(folder: &Path) -> usize {
+    let names = |folder: &Path| -> Vec<String> {
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect()
+    };
+    [folder, &folder.join("m")].into_iter().flat_map(names).filter(|name| is_part(name)).count()
+}
+
+fn is_writing(folder: &Path) -> bool {
+    parts(folder) > 0
+}
+
+#[test]
+fn files_that_are_written_when_the_program_is_killed_are_old_or_new_and_whole() {
+    let (kills, seed) = (number("DAPPLE_KILLS", 8), number("DAPPLE_SEED", 1));
+    let mut all = Count::default();
+    for (index, job) in JOBS.iter().enumerate() {
+        let others = JOBS.len() as u64 - 1;
+        let times = if index == 0 { kills.div_ceil(2) } else { (kills / 2).div_ceil(others) };
+        let random = Pcg64Mcg::seed_from_u64(seed + 1000 * index as u64);
+        let mut killing = Killing::new(job, random);
+        let mut count = Count::default();
+        // One that was over before it could be killed is tried again, though not for ever.
+        let mut turn = 0;
+        while count.killed < times && turn < 4 * times {
+            // What the last one left would be taken for this one's.
+            clear_parts(&killing.bench.path("out"));
+            killing.renew();
+            killing.kill(job, turn % 2 == 0, &mut count);
+            killing.check(job, &mut count);
+            turn += 1;
+        }
+        killing.renew();
+        killing.bench.does(job.new);
+        assert!(
+            without_time(files(&killing.bench.path("out"))) == killing.new,
+            "{}: not the same again",
+            job.new
+        );
+        let Count { killed, ended, writing, old, new } = count;
+        let name: String = job.new.split_whitespace().take(4).collect::<Vec<_>>().join(" ");
+        // Past the test harness: it is what is reported.
+        let times = format!("{killed:3} killed ({writing} while writing), {ended} ended before");
+        say(&format!("{name:34} {times}; then {old} old files, {new} new"));
+        all.killed += killed;
+        all.writing += writing;
+    }
+    say(&format!("{} kills in all, {} while writing; no damaged file", all.killed, all.writing));
+    assert!(all.killed > 0 && all.writing > 0);
+}
+
+/// Takes away what was left by the run before.
+fn clear_parts(out: &Path) {
+    for name in files(out).keys().filter(|name| is_part(name)) {
+        let _ = fs::remove_file(out.join(name));
+        let _ =
+            out.join(name).parent().filter(|parent| is_part(&parent.to_string_lossy())).map(fs::remove_dir);
+    }
+}
+
+#[test]
+fn what_a_killed_run_left_goes_with_the_next_into_the_same_folder() {
+    let bench = Bench::new();
+    fs::create_dir(bench.path("out")).unwrap();
+    let job = "grow a.dapple -o out/a.png --size 256x256 --scale 8";
+    // It may be over before it could be killed.
+    for _ in 0..20 {
+        let mut child = start(&bench, job);
+        while child.try_wait().unwrap().is_none() && !is_writing(&bench.path("out")) {
+            std::thread::yield_now();
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+        if is_writing(&bench.path("out")) {
+            break;
+        }
+    }
+    assert!(is_writing(&bench.path("out")), "it was never caught");
+    bench.does("import in.svg -o out/i.dapple");
+    assert_eq!(parts(&bench.path("out")), 0);
+    // But not while it is being written: both come to their ends.
+    fs::remove_file(bench.path("out/a.png")).unwrap_or_default();
+    let mut child = start(&bench, job);
+    while child.try_wait().unwrap().is_none() {
+        bench.does("import in.svg -o out/i.dapple");
+    }
+    assert!(child.wait().unwrap().success() && bench.path("out/a.png").exists());
+    assert_eq!(parts(&bench.path("out")), 0);
+}

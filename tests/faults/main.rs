@@ -1,0 +1,19 @@
+//! What must not happen whatever happens: killed, no room, no right to write, the same file twice, broken training
+//! sets, a thousand documents. `.ci/faults` runs the long versions; docs/faults.md tells what was tried.
+#![cfg(unix)]
+
+mod bench;
+mod disk;
+mod kills;
+mod load;
+mod mounts;
+mod printing;
+mod same_file;
+mod training;
+
+#[cfg(feature = "app")]
+#[expect(dead_code, reason = "it can do more than is asked of it here")]
+#[path = "../window/hand.rs"]
+mod hand;
+#[cfg(feature = "app")]
+mod window;

@@ -1,0 +1,56 @@
+//! File systems that are small or must not be written. Only root may mount them; without, a test says so and is left out.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::bench::say;
+
+/// A file system in memory, of 1 MB; gone when it is dropped.
+pub struct Mounted(PathBuf);
+
+impl Mounted {
+    /// Mounts it on `folder`, which is made. `None` where that is not permitted: said on stderr, past the test
+    /// harness, or with `DAPPLE_MUST_MOUNT` set a failure.
+    pub fn on(folder: &Path) -> Option<Self> {
+        fs::create_dir_all(folder).unwrap();
+        if mount(&["-t", "tmpfs", "-o", "size=1m", "tmpfs"], folder) {
+            return Some(Self(folder.to_owned()));
+        }
+        let test = std::thread::current().name().unwrap_or_default().to_owned();
+        assert!(std::env::var_os("DAPPLE_MUST_MOUNT").is_none(), "{test}: mount is not permitted");
+        say(&format!("SKIPPED {test}: mount is not permitted; run it as root"));
+        None
+    }
+
+    /// Fills it up, but for so many blocks of 4096 bytes.
+    pub fn fill(&self, blocks: usize) {
+        let mut filler = fs::File::create(self.0.join("filler")).unwrap();
+        while filler.write_all(&[7; 4096]).is_ok() {}
+        let length = filler.metadata().unwrap().len() / 4096 * 4096;
+        filler.set_len(length - 4096 * blocks as u64).unwrap();
+    }
+
+    /// Makes room again.
+    #[cfg(feature = "app")]
+    pub fn make_room(&self) {
+        fs::remove_file(self.0.join("filler")).unwrap();
+    }
+
+    /// Nothing can be written from now on.
+    pub fn protect(&self) {
+        assert!(mount(&["-o", "remount,ro"], &self.0), "it was mounted");
+    }
+}
+
+impl Drop for Mounted {
+    fn drop(&mut self) {
+        let _ = Command::new("umount").arg("-l").arg(&self.0).status();
+    }
+}
+
+fn mount(options: &[&str], folder: &Path) -> bool {
+    let mounted = Command::new("mount").args(options).arg(folder).output();
+    mounted.is_ok_and(|output| output.status.success())
+}
