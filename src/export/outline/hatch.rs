@@ -13,6 +13,11 @@ pub struct Hatch {
     pub angle: f64,
 }
 
+impl Hatch {
+    /// Finer than this, px, it would be a filled area.
+    pub const FINEST: f64 = 0.1;
+}
+
 /// Strokes shorter than this share of their distance would be dots.
 const SHORTEST: f64 = 0.05;
 /// Halvings with which a crossing is found: to 2⁻⁴⁰ of a piece.
