@@ -1,154 +1,163 @@
-//! The texture → a PNG, in the background.
+//! What has grown → files, in the background: pictures, materials, outlines, films.
+//!
+//! ```text
+//!  choices ─▶ order ─▶ (grown) ─▶ files in a passing folder ─▶ read back: the preview
+//!               │                         │ copied, where all of it was made
+//!               └─────────▶ files ◀───────┘
+//! ```
 
+mod choices;
+mod dialog;
+mod job;
+mod order;
+mod pages;
+mod preview;
+mod raster;
+mod sight;
+mod view;
+mod window;
+
+pub use choices::{Choices, Film, Outlines, Shows, Size, What};
+pub use dialog::Dialog;
+pub use order::Order;
+pub use preview::Made;
+pub use sight::Sight;
+
+use std::fs::{self, File};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::mpsc::{self, Receiver};
-use std::thread;
 
-use super::growth::Texture;
-use crate::export;
-use crate::synth::painting::{Channel, Painting, Style};
-use crate::synth::recipe::{Document, Extent, embedded};
-use crate::synth::{Grown, Options, Stage, Training, Watch, grow};
+use crate::export::{self, Stopped, motion};
+use crate::synth::{Grown, Watch};
+use job::Job;
+use order::Pending;
 
-/// How large the picture shall be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
-    /// More texture with features of the same size, px; `None` = the canvas.
-    pub canvas: Option<[u32; 2]>,
-    /// The same texture with so many times the px along each side.
-    pub scale: u32,
-}
-
-impl Default for Size {
-    fn default() -> Self {
-        Self { canvas: None, scale: 1 }
-    }
-}
-
-impl Size {
-    /// Width and height of the picture of `document`, px.
-    #[must_use]
-    pub fn of(&self, document: &Document) -> [u64; 2] {
-        self.canvas.unwrap_or(document.size).map(|side| u64::from(side) * u64::from(self.scale))
-    }
-}
-
-/// A picture that is being written.
+/// An export that is being written.
 pub struct Exporting {
-    /// Where to.
+    /// Where to: a file or a folder.
     pub path: PathBuf,
-    done: Arc<AtomicU64>,
-    cancelled: Arc<AtomicBool>,
-    outcome: Receiver<Result<(), String>>,
+    job: Job<Option<String>>,
 }
 
 impl Exporting {
-    /// Begins. What has settled is taken as it is, where that is what is asked for; otherwise it is grown, by so many
-    /// `threads` (`None` = all cores), which does not change it.
+    /// Begins. What has been `made` of it, or has `grown`, is taken as it is; the rest is grown by so many `threads` (`None`
+    /// = all cores), which does not change it.
     #[must_use]
     pub fn new(
         path: &Path,
-        document: &Document,
-        size: Size,
-        settled: Option<Texture>,
+        order: Order,
+        made: Option<Arc<Made>>,
+        grown: Option<Arc<Grown>>,
         threads: Option<usize>,
     ) -> Self {
-        let (done, cancelled) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicBool::new(false)));
-        let (tell, outcome) = mpsc::channel();
-        let job = Job {
-            path: path.to_owned(),
-            document: document.clone(),
-            size,
-            settled: settled.filter(|texture| size.canvas.is_none() && *texture.document == *document),
-            done: Arc::clone(&done),
-            cancelled: Arc::clone(&cancelled),
+        let made = made.filter(|made| made.order == order && made.whole);
+        let writing = match (order.is_film() && made.is_none(), made.is_some() || grown.is_some()) {
+            (true, _) => 0.5,
+            (false, true) => 1.0,
+            (false, false) => 0.1,
         };
-        thread::spawn(move || {
-            // The window may have gone.
-            let _ = tell.send(match pool(threads) {
-                Some(pool) => pool.install(|| job.run()),
-                None => job.run(),
-            });
-        });
-        Self { path: path.to_owned(), done, cancelled, outcome }
+        let to = path.to_owned();
+        let work = move |watch: &Watch| write(&to, &order, made.as_deref(), grown.as_ref(), watch);
+        Self { path: path.to_owned(), job: Job::start(threads, writing, || {}, work) }
     }
 
     /// The share of it that is done, 0..1.
     #[must_use]
     pub fn progress(&self) -> f32 {
-        self.done.load(Ordering::Relaxed) as f32 / 1000.0
+        self.job.progress()
     }
 
     /// Gives it up; nothing is left behind.
     pub fn cancel(&self) {
-        self.cancelled.store(true, Ordering::Relaxed);
+        self.job.cancel();
     }
 
     /// Was it given up?
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
-        self.cancelled.load(Ordering::Relaxed)
+        self.job.is_cancelled()
     }
 
-    /// What came of it, once it is over.
+    /// What came of it, once it is over; what is to be told of it.
     #[must_use]
-    pub fn outcome(&self) -> Option<Result<(), String>> {
-        match self.outcome.try_recv() {
-            Ok(outcome) => Some(outcome),
-            Err(mpsc::TryRecvError::Empty) => None,
-            Err(mpsc::TryRecvError::Disconnected) => {
-                Some(Err(format!("'{}' was not written", self.path.display())))
-            }
-        }
+    pub fn outcome(&self) -> Option<Result<Option<String>, String>> {
+        self.job.outcome()
     }
 }
 
-/// A pool of so many threads; `None` = the usual one does.
-fn pool(threads: Option<usize>) -> Option<rayon::ThreadPool> {
-    rayon::ThreadPoolBuilder::new().num_threads(threads?).build().ok()
+fn write(
+    path: &Path,
+    order: &Order,
+    made: Option<&Made>,
+    grown: Option<&Arc<Grown>>,
+    watch: &Watch,
+) -> Result<Option<String>, String> {
+    check(path, order)?;
+    if let Some(made) = made {
+        copied(path, order, made)?.keep()?;
+        return Ok(made.told.clone());
+    }
+    let began = path.is_dir();
+    let written = (|| {
+        let grown = if order.is_film() { None } else { Some(order.grow(grown, watch)?) };
+        let written = order.write(grown.as_deref(), path, order.size(), watch)?;
+        written.pending.keep()?;
+        Ok(written.told)
+    })();
+    if written.is_err() && !began && order.choices.what == What::Material {
+        // Only where it is empty.
+        let _ = fs::remove_dir(path);
+    }
+    written
 }
 
-struct Job {
-    path: PathBuf,
-    document: Document,
-    size: Size,
-    settled: Option<Texture>,
-    done: Arc<AtomicU64>,
-    cancelled: Arc<AtomicBool>,
-}
-
-impl Job {
-    fn run(self) -> Result<(), String> {
-        export::check_target(&self.path).map_err(|error| error.to_string())?;
-        let (from, done) = (if self.settled.is_some() { 0.0 } else { 0.9 }, &self.done);
-        let progress = |stage, share: f64| {
-            let all = match stage {
-                Stage::Plan => 0.05 * share,
-                Stage::Grow => 0.05 + 0.8 * share,
-                Stage::Refine => 0.85 + 0.05 * share,
-                Stage::Write => from + (1.0 - from) * share,
+/// Looks whether it can be written there, before the work is done.
+fn check(path: &Path, order: &Order) -> Result<(), String> {
+    let checked = match (order.choices.what, order.choices.ending()) {
+        (What::Film, _) => motion::Kind::of(path).map(drop),
+        (_, Some(ending)) => {
+            let fits: &[&str] = match ending {
+                "tif" => &["tif", "tiff"],
+                "jpg" => &["jpg", "jpeg"],
+                "png" => &["png"],
+                "exr" => &["exr"],
+                "webp" => &["webp"],
+                "svg" => &["svg"],
+                _ => &["dxf"],
             };
-            done.store((1000.0 * all) as u64, Ordering::Relaxed);
-        };
-        let watch = Watch { progress: &progress, cancelled: &|| self.cancelled.load(Ordering::Relaxed) };
-        let grown: Arc<Grown> = match &self.settled {
-            Some(texture) => Arc::clone(&texture.grown),
-            None => {
-                let options = Options { size: self.size.canvas, ..Options::default() };
-                let grown = grow(&self.document, "the sketch", &Training::default(), options, &watch);
-                Arc::new(grown.map_err(|error| error.to_string())?)
-            }
-        };
-        let painting = Painting::of(&self.document, &grown, self.size.scale as usize);
-        let extent = Extent { size: self.size.canvas, scale: self.size.scale };
-        let style = Style {
-            dpi: self.document.dpi * f64::from(self.size.scale),
-            texts: embedded::embedded(&self.document, extent),
-            ..Style::default()
-        };
-        let prepared = painting.prepare(&self.path, Channel::Texture, &style, &watch);
-        prepared.and_then(export::Prepared::keep).map_err(|error| error.to_string())
+            export::check_ending(path, fits).and_then(|()| export::check_file(path))
+        }
+        (_, None) if path.exists() && !path.is_dir() => {
+            return Err(format!("{}: a file has this name; choose a folder", path.display()));
+        }
+        (_, None) => Ok(()),
+    };
+    checked.map_err(|error| error.to_string())
+}
+
+/// The files of the preview, once more.
+fn copied(path: &Path, order: &Order, made: &Made) -> Result<Pending, String> {
+    if let Some(film) = made.film.as_ref().filter(|_| order.choices.ending().is_none()) {
+        // Frames that were written are what is written.
+        let written = motion::write(path, motion::Kind::Folder, film, |show| {
+            let frame = |file: &PathBuf| image::open(file).map_err(io::Error::other);
+            made.files.iter().try_for_each(|file| show(frame(file)?.into_rgb8().as_raw()))
+        });
+        let written = written.map_err(|error| error.to_string())?;
+        return Ok(Pending::Film(written, film.clone()));
     }
+    if order.choices.ending().is_none() && !path.is_dir() {
+        fs::create_dir(path)
+            .map_err(|error| format!("{}: the folder cannot be made: {error}", path.display()))?;
+    }
+    let copy = |(from, to): (&PathBuf, PathBuf)| {
+        export::prepare(&to, |out| {
+            io::copy(&mut File::open(from)?, out)?;
+            Ok::<(), Stopped>(())
+        })
+    };
+    let places = order.places(path, &made.files);
+    let files = made.files.iter().zip(places).map(copy).collect::<Result<_, _>>();
+    files.map(Pending::Files).map_err(|error| error.to_string())
 }
