@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use eframe::egui::ThemePreference;
 
-use super::exporting::Choices;
+use super::exporting::{Choices, kept};
 use super::line;
 use super::pages::New;
 use super::units::Units;
@@ -101,7 +101,7 @@ impl Settings {
             };
             self.new = if new.is_allowed() { new } else { New::default() };
         }
-        self.export = Choices::read(entries);
+        self.export = kept::read(entries);
         self.layout.take_in(entries);
     }
 
@@ -131,7 +131,7 @@ impl Settings {
             let seamless = u8::from(*seamless);
             entries.add("new", format!("{width} {height} {columns} {rows} {seamless} {dpi}"));
         }
-        self.export.tell(&mut entries);
+        kept::tell(&self.export, &mut entries);
         self.layout.tell(&mut entries);
         entries
     }

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use crate::app::settings::Entries;
 use crate::app::units::Units;
 use crate::export::Format;
 use crate::export::motion::Kind;
@@ -243,102 +242,6 @@ impl Choices {
         let fastest = if self.film.kind == Kind::Gif { FASTEST_GIF } else { *RATES.end() };
         self.film.clip.fps = self.film.clip.fps.clamp(1, fastest);
     }
-
-    /// What the next dialog begins with, as numbers and words of one line.
-    pub(in crate::app) fn tell(&self, entries: &mut Entries) {
-        let first = Self::default();
-        let flag = |on: bool| u8::from(on);
-        let Self { what, picture: p, material: m, outlines: o, film: f, .. } = self;
-        if (what, p) != (&first.what, &first.picture) {
-            let [what, shows] = [*what as u8, p.shows as u8];
-            let format = format_number(p.format);
-            let [deep, clear, document] = [p.deep, p.transparent, p.document].map(flag);
-            let quality = p.quality;
-            entries.add("export", format!("{what} {shows} {format} {deep} {clear} {quality} {document}"));
-        }
-        if *m != first.material {
-            let [deep, clear] = [m.deep, m.transparent].map(flag);
-            let list = |values: &[f64]| values.iter().map(f64::to_string).collect::<Vec<_>>().join(" ");
-            entries.add("export-material", format!("{deep} {clear} {}", list(&m.roughness)));
-            entries.add("export-relief", list(&m.relief));
-        }
-        if *o != first.outlines {
-            let [dxf, mm, fill, stroke, hatch, cut, ordered] =
-                [o.dxf, o.units == Units::Mm, o.fill, o.stroke, o.hatch, o.cut, o.ordered].map(flag);
-            let flags = format!("{dxf} {mm} {fill} {stroke} {hatch} {cut} {ordered}");
-            let [level, spacing, angle, pen] = [o.level, o.spacing, o.angle, o.pen];
-            let numbers = format!("{level} {spacing} {angle} {pen} {} {}", o.width, o.area);
-            entries.add("export-outlines", format!("{flags} {numbers}"));
-        }
-        if (f.kind, f.change, f.clip) != (first.film.kind, first.film.change, first.film.clip) {
-            let Clip { side, seconds, fps, once, hold } = f.clip;
-            let (kind, once) = (f.kind as u8, flag(once));
-            let side = side.unwrap_or(0);
-            entries.add("export-film", format!("{kind} {side} {seconds} {fps} {once} {hold}"));
-        }
-    }
-
-    /// The same, read again; what makes no sense is as at first.
-    pub(in crate::app) fn read(entries: &Entries) -> Self {
-        let mut read = Self::default();
-        if let Some([what, shows, format, deep, clear, quality, document]) = entries.numbers("export") {
-            read.what = [What::Picture, What::Material, What::Outlines, What::Film][what as usize & 3];
-            let shows =
-                [Shows::Texture, Shows::Pattern, Shows::Labels, Shows::Concentrations][shows as usize & 3];
-            let format = FORMATS.get(format as usize).copied().unwrap_or(Format::Png);
-            let quality = quality.clamp(1.0, 100.0) as u8;
-            let [deep, transparent, document] = [deep, clear, document].map(|flag| flag != 0.0);
-            read.picture = Picture { shows, format, deep, transparent, quality, document };
-        }
-        let list = |key| {
-            let words = entries.one(key).unwrap_or_default().split(' ');
-            words.filter_map(|word| word.parse().ok().filter(|n: &f64| n.is_finite())).collect::<Vec<f64>>()
-        };
-        let (relief, rest) = (list("export-relief"), list("export-material"));
-        if let (false, [deep, clear, roughness @ ..]) = (relief.is_empty(), &rest[..])
-            && roughness.len() >= 2
-        {
-            read.material = Material {
-                relief: relief.iter().map(|px| px.clamp(-RELIEF, RELIEF)).collect(),
-                roughness: roughness.iter().map(|value| value.clamp(0.0, 1.0)).collect(),
-                deep: *deep != 0.0,
-                transparent: *clear != 0.0,
-            };
-        }
-        if let Some([dxf, mm, fill, stroke, hatch, cut, ordered, level, spacing, angle, pen, width, area]) =
-            entries.numbers("export-outlines")
-        {
-            let [dxf, mm, fill, stroke, hatch, cut, ordered] =
-                [dxf, mm, fill, stroke, hatch, cut, ordered].map(|flag| flag != 0.0);
-            let units = if mm { Units::Mm } else { Units::Px };
-            let level = level.clamp(0.01, 0.99);
-            let [spacing, pen] = [spacing, pen].map(|length| length.max(1e-3));
-            let [width, area] = [width, area].map(|least| least.max(0.0));
-            read.outlines = Outlines {
-                dxf,
-                level,
-                units,
-                fill,
-                stroke,
-                hatch,
-                spacing,
-                angle,
-                pen,
-                width,
-                area,
-                cut,
-                ordered,
-            };
-        }
-        if let Some([kind, side, seconds, fps, once, hold]) = entries.numbers("export-film") {
-            read.film.kind = KINDS.get(kind as usize).copied().unwrap_or(Kind::Gif);
-            let side = (side >= 16.0).then_some(side.min(8192.0) as u32);
-            let (seconds, hold) = (seconds.clamp(0.1, 600.0), hold.clamp(0.0, 60.0));
-            read.film.clip = Clip { side, seconds, fps: fps as u16, once: once != 0.0, hold };
-        }
-        read.settle();
-        read
-    }
 }
 
 /// px of relief at most.
@@ -348,10 +251,6 @@ pub const RELIEF: f64 = 1e4;
 pub const FORMATS: [Format; 5] = [Format::Png, Format::Tiff, Format::Exr, Format::Jpeg, Format::Webp];
 /// The kinds of films.
 pub const KINDS: [Kind; 3] = [Kind::Gif, Kind::Apng, Kind::Folder];
-
-fn format_number(format: Format) -> usize {
-    FORMATS.iter().position(|other| *other == format).unwrap_or(0)
-}
 
 impl Picture {
     /// What its format must be fit for.

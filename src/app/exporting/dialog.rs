@@ -68,18 +68,7 @@ impl Dialog {
         // Enter that ends the typing of a number is no answer yet.
         let enter = ui.input(|input| input.key_pressed(eframe::egui::Key::Enter))
             && ui.memory(|memory| memory.focused().is_none());
-        ui.horizontal(|ui| {
-            ui.heading("Export");
-            ui.add_space(14.0);
-            for (what, text, explained) in KINDS {
-                let chosen = self.choices.what == what;
-                let tab =
-                    ui.selectable_label(chosen, RichText::new(text).size(14.5)).on_hover_text(explained);
-                if tab.clicked() {
-                    self.choices.what = what;
-                }
-            }
-        });
+        self.head(ui);
         ui.add_space(6.0);
         let top = ui.cursor().min;
         let height = (size.y - 118.0).max(200.0);
@@ -112,6 +101,22 @@ impl Dialog {
             said = Some(Said::Export);
         }
         said.map(|said| self.checked(said))
+    }
+
+    /// The kinds of exports.
+    fn head(&mut self, ui: &mut Ui) {
+        ui.horizontal(|ui| {
+            ui.heading("Export");
+            ui.add_space(14.0);
+            for (what, text, explained) in KINDS {
+                let chosen = self.choices.what == what;
+                let tab =
+                    ui.selectable_label(chosen, RichText::new(text).size(14.5)).on_hover_text(explained);
+                if tab.clicked() {
+                    self.choices.what = what;
+                }
+            }
+        });
     }
 
     /// A film that becomes nothing is asked what.

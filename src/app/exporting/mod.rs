@@ -9,6 +9,7 @@
 mod choices;
 mod dialog;
 mod job;
+pub mod kept;
 mod order;
 mod pages;
 mod preview;
