@@ -21,8 +21,10 @@ pub enum Action {
     Save,
     /// Ask where to save.
     SaveAs,
-    /// Ask where to export the texture.
+    /// Ask what to export, and how.
     Export,
+    /// Ask for an SVG that becomes a document.
+    Import,
     /// Ask for a palette whose colours the layer at hand takes.
     OpenPalette,
     /// Ask where to save the colours of the layer at hand.

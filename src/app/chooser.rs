@@ -14,8 +14,14 @@ pub enum Purpose {
     Open,
     /// Where to save the document.
     Save,
-    /// Where to write the picture.
-    Export,
+    /// Where to write an export: the endings that it may have, the usual one first.
+    Export(&'static [&'static str]),
+    /// The folder to write an export into.
+    ExportInto,
+    /// The document that a film ends with.
+    Become,
+    /// A drawing that becomes a document.
+    Import,
     /// A picture to lie under the canvas.
     Reference,
     /// Colours to take.
@@ -31,7 +37,10 @@ impl Purpose {
         match self {
             Self::Open => "Open a document",
             Self::Save => "Save the document",
-            Self::Export => "Export the texture",
+            Self::Export(_) => "Export",
+            Self::ExportInto => "Export into a folder",
+            Self::Become => "The document that this one becomes",
+            Self::Import => "Import an SVG",
             Self::Reference => "A picture to draw over",
             Self::Palette => "Open a palette",
             Self::PaletteTo => "Save the palette",
@@ -41,22 +50,27 @@ impl Purpose {
     fn verb(self) -> &'static str {
         match self {
             Self::Open | Self::Reference | Self::Palette => "Open",
+            Self::Become => "Choose",
+            Self::Import => "Import",
             Self::Save | Self::PaletteTo => "Save",
-            Self::Export => "Export",
+            Self::Export(_) | Self::ExportInto => "Export",
         }
     }
 
     fn endings(self) -> &'static [&'static str] {
         match self {
-            Self::Open | Self::Save => &["dapple"],
-            Self::Export => &["png"],
+            Self::Open => &["dapple", "png", "json"],
+            Self::Save | Self::Become => &["dapple"],
+            Self::Import => &["svg"],
+            Self::Export(endings) => endings,
+            Self::ExportInto => &[],
             Self::Palette | Self::PaletteTo => &["json", "gpl"],
             Self::Reference => &["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp"],
         }
     }
 
     fn writes(self) -> bool {
-        matches!(self, Self::Save | Self::Export | Self::PaletteTo)
+        matches!(self, Self::Save | Self::Export(_) | Self::ExportInto | Self::PaletteTo)
     }
 }
 
@@ -156,7 +170,7 @@ impl Chooser {
         });
         let mut chosen = self.entries_ui(ui);
         ui.horizontal(|ui| {
-            let label = ui.label("File");
+            let label = ui.label(if self.purpose == Purpose::ExportInto { "Folder" } else { "File" });
             let edit = TextEdit::singleline(&mut self.name).desired_width(ui.available_width());
             let edit = ui.add(edit).labelled_by(label.id);
             if std::mem::take(&mut self.fresh) {
@@ -170,7 +184,13 @@ impl Chooser {
         let path = self.path();
         if let Some(there) = &self.replaces {
             let name = there.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            ui.colored_label(ui.visuals().warn_fg_color, format!("{name} is there already. Replace it?"));
+            let text = match self.purpose {
+                Purpose::ExportInto => {
+                    format!("{name} is not empty. Write into it? Files of the same name go.")
+                }
+                _ => format!("{name} is there already. Replace it?"),
+            };
+            ui.colored_label(ui.visuals().warn_fg_color, text);
         }
         let mut choice = Choice::Waiting;
         ui.add_space(4.0);
@@ -228,13 +248,21 @@ impl Chooser {
 
     fn with_ending(&self, path: PathBuf) -> PathBuf {
         if self.purpose.writes() && path.extension().is_none() {
-            path.with_extension(self.purpose.endings()[0])
+            self.purpose.endings().first().map_or(path.clone(), |ending| path.with_extension(ending))
         } else {
             path
         }
     }
 
     fn choose(&mut self, path: PathBuf) -> Choice {
+        let full = || fs::read_dir(&path).is_ok_and(|mut inside| inside.next().is_some());
+        if self.purpose == Purpose::ExportInto {
+            if path.is_dir() && full() && self.replaces.as_ref() != Some(&path) {
+                self.replaces = Some(path);
+                return Choice::Waiting;
+            }
+            return Choice::Chosen(path);
+        }
         if path.is_dir() {
             self.name.clear();
             self.enter(path);
@@ -258,14 +286,23 @@ fn has_system_dialog() -> bool {
 }
 
 fn system_dialog(purpose: Purpose, folder: &Path, name: &str, ctx: Context) -> Receiver<Option<PathBuf>> {
-    let dialog = rfd::FileDialog::new()
-        .set_title(purpose.title())
-        .set_directory(folder)
-        .set_file_name(name)
-        .add_filter(purpose.endings()[0], purpose.endings());
+    let dialog = rfd::FileDialog::new().set_title(purpose.title()).set_directory(folder).set_file_name(name);
+    let dialog = match purpose.endings() {
+        [] => dialog,
+        endings => dialog.add_filter(endings[0], endings),
+    };
+    let name = name.to_owned();
     let (tell, chosen) = mpsc::channel();
     thread::spawn(move || {
-        let path = if purpose.writes() { dialog.save_file() } else { dialog.pick_file() };
+        let path = match purpose {
+            // A folder of its own in the one that was picked, where that is not empty.
+            Purpose::ExportInto => dialog.pick_folder().map(|folder| {
+                let empty = fs::read_dir(&folder).is_ok_and(|mut inside| inside.next().is_none());
+                if empty { folder } else { folder.join(&name) }
+            }),
+            _ if purpose.writes() => dialog.save_file(),
+            _ => dialog.pick_file(),
+        };
         // The window may have gone.
         let _ = tell.send(path);
         ctx.request_repaint();

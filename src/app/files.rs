@@ -8,11 +8,14 @@ use super::action::{Action, Page};
 use super::chooser::{Choice, Chooser, Purpose};
 use super::desk::Desk;
 use super::examples::{EXAMPLES, GALLERY};
-use super::exporting::{Exporting, Size};
+use super::exporting::{Dialog, Size};
 use super::pages::{self, Answer, New};
 use super::window::Window;
 use super::{preferences, recovery, shortcuts};
-use crate::synth::recipe::Document;
+use crate::export::has_ending;
+use crate::synth::import::{DPI, import};
+use crate::synth::recipe::palette::Palette;
+use crate::synth::recipe::{Document, in_picture, open};
 
 /// What is asked about files.
 pub struct Files {
@@ -23,8 +26,10 @@ pub struct Files {
     unsaved: Option<Action>,
     /// What is to be done once it is saved.
     after_saving: Option<Action>,
-    export: Option<Size>,
-    size: Size,
+    /// What is being asked about an export.
+    pub(super) export: Option<Dialog>,
+    /// How large the picture was from which the document was restored.
+    pub(super) restored: Option<Size>,
     /// The window may go.
     pub closing: bool,
 }
@@ -40,7 +45,7 @@ impl Files {
             unsaved: None,
             after_saving: None,
             export: None,
-            size: Size::default(),
+            restored: None,
             closing: false,
         }
     }
@@ -53,20 +58,41 @@ impl Files {
             || self.unsaved.is_some()
             || self.export.is_some()
     }
-
-    /// Asks how large the export shall be.
-    pub fn ask_export_size(&mut self) {
-        self.export = Some(Size::default());
-    }
 }
 
 impl Window {
-    /// Opens a document; where it cannot be read, says why and keeps what there is.
+    /// Opens a document, the document in a picture, or a drawing; where it cannot be read, says why and keeps what there
+    /// is. What does not come from a document's file has no file yet.
     pub(super) fn open(&mut self, path: &Path) {
-        match Document::read(path) {
-            Ok(document) => {
+        if has_ending(path, "svg") {
+            self.import(path);
+            return;
+        }
+        let pictured = !has_ending(path, "dapple") && in_picture(path).is_ok_and(|found| found.is_some());
+        match open(path) {
+            Ok((document, extent)) if pictured => {
+                self.begin(Desk::open(document, None));
+                self.files.restored = Some(Size { canvas: extent.size, scale: extent.scale });
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                self.notices.done(format!("{name} held its document. Saving it asks for a new name."));
+            }
+            Ok((document, _)) => {
                 self.settings.remember(path);
                 self.begin(Desk::open(document, Some(path.to_owned())));
+            }
+            Err(error) => self.notices.wrong(with_causes(&error)),
+        }
+    }
+
+    /// A drawing becomes a document, which has no file yet.
+    fn import(&mut self, path: &Path) {
+        match import(path, DPI) {
+            Ok(imported) => {
+                self.begin(Desk::recovered(imported.document, Document::default(), None));
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                let told = format!("{name}: {}", imported.told);
+                // What was left out stays until it is read.
+                if imported.partly { self.notices.wrong(told) } else { self.notices.done(told) }
             }
             Err(error) => self.notices.wrong(with_causes(&error)),
         }
@@ -87,6 +113,7 @@ impl Window {
             Action::New => self.files.new = Some(self.settings.new.clone()),
             Action::Open => self.choose(ui, Purpose::Open, ""),
             Action::OpenFile(path) => self.open(&path),
+            Action::Import => self.choose(ui, Purpose::Import, ""),
             Action::Example(name) => self.open_example(name),
             Action::Restore(id) => self.restore(&id),
             Action::Quit => self.close(ui),
@@ -154,19 +181,12 @@ impl Window {
         }
     }
 
-    /// Writes the texture to `path`, of a canvas of `canvas` px or the document's, with `scale` times the px.
-    pub fn export(&mut self, path: &Path, canvas: Option<[u32; 2]>, scale: u32) {
-        let settled = self.growth.texture.clone();
-        let size = Size { canvas, scale };
-        let threads = self.settings.threads;
-        self.exporting = Some(Exporting::new(path, &self.desk.finished(), size, settled, threads));
-    }
-
     fn chosen(&mut self, ui: &Ui, purpose: Purpose, path: PathBuf) {
         match purpose {
-            Purpose::Open => self.open(&path),
+            Purpose::Open | Purpose::Import => self.open(&path),
             Purpose::Save => self.save(ui, Some(path)),
-            Purpose::Export => self.export(&path, self.files.size.canvas, self.files.size.scale),
+            Purpose::Export(_) | Purpose::ExportInto => self.export_chosen(&path),
+            Purpose::Become => self.become_chosen(path),
             Purpose::Palette => self.open_palette(&path),
             Purpose::PaletteTo => self.save_palette(&path),
             Purpose::Reference => self.canvas.reference.load(&path, ui.ctx()),
@@ -178,18 +198,7 @@ impl Window {
         if let Err(why) = self.canvas.reference.listen(ui.ctx()) {
             self.notices.wrong(why);
         }
-        if let Some((outcome, job)) = self.exporting.as_ref().and_then(|job| Some((job.outcome()?, job))) {
-            match outcome {
-                Ok(()) => self.notices.done(format!("Written: {}", job.path.display())),
-                Err(_) if job.is_cancelled() => {
-                    self.notices.done("The export was given up; nothing was written.");
-                }
-                Err(why) => self.notices.wrong(why),
-            }
-            self.exporting = None;
-        } else if self.exporting.is_some() {
-            ui.ctx().request_repaint_after(std::time::Duration::from_millis(100));
-        }
+        self.listen_to_export(ui);
         let close = ui.input(|input| input.viewport().close_requested());
         if close && !self.files.closing && self.desk.is_changed() && !self.desk.finished().layers.is_empty() {
             ui.send_viewport_cmd(ViewportCommand::CancelClose);
@@ -212,7 +221,7 @@ impl Window {
                 Id::unique("drop"),
             ));
             painter.rect_filled(rect, 0.0, Color32::from_black_alpha(120));
-            let text = "Drop a document to open it, a picture to draw over it, a palette for its colours";
+            let text = "Drop a document, a PNG that holds one or an SVG to open it, a picture to draw over, a palette";
             painter.text(
                 rect.center(),
                 Align2::CENTER_CENTER,
@@ -225,10 +234,12 @@ impl Window {
         for path in files {
             let ending =
                 path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
-            if ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp"].contains(&ending.as_str()) {
-                self.canvas.reference.load(&path, ui.ctx());
-            } else if ["gpl", "json"].contains(&ending.as_str()) {
+            if ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp", "gif"].contains(&ending.as_str()) {
+                actions.extend(self.picture_dropped(ui, path));
+            } else if ending == "gpl" || ending == "json" && is_palette(&path) {
                 self.open_palette(&path);
+            } else if ending == "svg" {
+                actions.push(Action::OpenFile(path));
             } else if let Err(error) = Document::read(&path) {
                 // Said before anything is asked about what lies on the desk.
                 self.notices.wrong(with_causes(&error));
@@ -239,11 +250,29 @@ impl Window {
         actions
     }
 
+    /// A picture that holds its document restores it; another lies under the canvas.
+    fn picture_dropped(&mut self, ui: &Ui, path: PathBuf) -> Option<Action> {
+        match in_picture(&path) {
+            Ok(Some(_)) => return Some(Action::OpenFile(path)),
+            Ok(None) => {
+                self.canvas.reference.load(&path, ui.ctx());
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                let text = "holds no document: it lies under the canvas, to draw over";
+                self.notices.done(format!("{name} {text}"));
+            }
+            Err(error) => self.notices.wrong(with_causes(&error)),
+        }
+        None
+    }
+
     /// Pages over the window.
     pub(super) fn over_all(&mut self, ui: &mut Ui) -> Vec<Action> {
         let mut actions = Vec::new();
         self.choosing(ui);
         self.asking(ui);
+        if self.files.chooser.is_none() {
+            self.export_ui(ui);
+        }
         if let Some(page) = self.page
             && !self.files.is_asking()
         {
@@ -311,7 +340,6 @@ impl Window {
     fn asking(&mut self, ui: &Ui) {
         let frame = eframe::egui::Frame::window(&ui.global_style()).inner_margin(20);
         let title = self.desk.title();
-        let document = self.desk.finished();
         // Enter that ends the typing of a number is no answer yet.
         let enter =
             ui.input(|input| input.key_pressed(Key::Enter)) && ui.memory(|memory| memory.focused().is_none());
@@ -322,8 +350,6 @@ impl Window {
             modal.show(ui.ctx(), |ui| pages::unsaved(ui, &title))
         } else if let Some(new) = &mut files.new {
             modal.show(ui.ctx(), |ui| new.ui(ui, units))
-        } else if let Some(size) = &mut files.export {
-            modal.show(ui.ctx(), |ui| pages::export(ui, size, &document, units))
         } else {
             return;
         };
@@ -348,14 +374,18 @@ impl Window {
             if answer == Answer::Yes {
                 self.create(&new);
             }
-        } else if let Some(size) = self.files.export.take()
-            && answer == Answer::Yes
-        {
-            self.files.size = size;
-            let name = Path::new(&self.desk.title()).with_extension("png");
-            self.choose(ui, Purpose::Export, &name.to_string_lossy());
         }
     }
+}
+
+/// Does a .json hold a palette, rather than a document?
+fn is_palette(path: &Path) -> bool {
+    Palette::read(path).is_ok() || Document::read(path).is_err_and(|_| mentions_palette(path))
+}
+
+/// What calls itself a palette is told about as one, also where it is wrong.
+fn mentions_palette(path: &Path) -> bool {
+    std::fs::read_to_string(path).is_ok_and(|text| text.contains("dapple palette"))
 }
 
 /// A message and those of its causes, on one line.

@@ -50,6 +50,7 @@ pub use alternatives::{Alternative, Alternatives, small};
 pub use canvas::tool::Tool;
 pub use cloud::{Cloud, Points};
 pub use desk::Desk;
+pub use exporting::{Choices, Made, Shows, Sight, Size, What};
 pub use growth::{Growth, Phase};
 pub use notice::Notice;
 pub use pages::New;

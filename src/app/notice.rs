@@ -1,5 +1,9 @@
 //! What has to be said: read, copied, put away.
 
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::thread;
+
 use eframe::egui::{Align2, Area, Context, Frame, Id, Label, Order, RichText, vec2};
 
 use super::theme::Palette;
@@ -19,17 +23,21 @@ pub struct Notice {
     pub text: String,
     /// Did something go wrong?
     pub wrong: bool,
+    /// The file or folder that it is about.
+    pub place: Option<PathBuf>,
 }
 
 /// Notices that are shown at most; the oldest go.
 const MOST: usize = 4;
 /// Seconds after which nobody needs to be told any more what was done.
 const DONE: f64 = 4.0;
+/// The same where there is something to be looked at.
+const WRITTEN: f64 = 15.0;
 
 impl Notices {
     /// Something went wrong.
     pub fn wrong(&mut self, text: impl Into<String>) {
-        self.push(Notice { text: text.into(), wrong: true });
+        self.push(Notice { text: text.into(), wrong: true, place: None });
     }
 
     /// Something was done.
@@ -37,7 +45,15 @@ impl Notices {
         // What was done is known by the next thing that is.
         self.all.retain(|notice| notice.wrong);
         self.seen = None;
-        self.push(Notice { text: text.into(), wrong: false });
+        self.push(Notice { text: text.into(), wrong: false, place: None });
+    }
+
+    /// A file or a folder was written.
+    pub fn written(&mut self, place: &Path, text: impl Into<String>) {
+        self.done(text);
+        if let Some(notice) = self.all.last_mut() {
+            notice.place = Some(place.to_owned());
+        }
     }
 
     fn push(&mut self, notice: Notice) {
@@ -59,8 +75,9 @@ impl Notices {
         if self.all.iter().any(|notice| !notice.wrong) {
             let now = ctx.time();
             let since = *self.seen.get_or_insert(now);
-            self.all.retain(|notice| notice.wrong || now - since < DONE);
-            ctx.request_repaint_after_secs((since + DONE - now) as f32);
+            let stays = |notice: &Notice| if notice.place.is_some() { WRITTEN } else { DONE };
+            self.all.retain(|notice| notice.wrong || now - since < stays(notice));
+            ctx.request_repaint_after_secs(1.0);
         }
         if self.all.is_empty() {
             return;
@@ -84,6 +101,14 @@ impl Notices {
                             if notice.wrong && ui.button("Copy").on_hover_text("Copy the text").clicked() {
                                 ctx.copy_text(notice.text.clone());
                             }
+                            if let Some(place) = &notice.place
+                                && ui
+                                    .button("Show")
+                                    .on_hover_text("Show the folder in which it lies")
+                                    .clicked()
+                            {
+                                show_folder(place);
+                            }
                             if ui.button("OK").on_hover_text("Put this notice away").clicked() {
                                 away = Some(index);
                             }
@@ -95,4 +120,20 @@ impl Notices {
             self.all.remove(index);
         }
     }
+}
+
+/// Has the system show where `place` lies.
+fn show_folder(place: &Path) {
+    let folder = if place.is_dir() { place } else { place.parent().unwrap_or(place) };
+    let program = if cfg!(windows) {
+        "explorer"
+    } else if cfg!(target_os = "macos") {
+        "open"
+    } else {
+        "xdg-open"
+    };
+    let mut command = Command::new(program);
+    command.arg(folder);
+    // Where there is no such program, the notice still says where it is.
+    thread::spawn(move || command.status());
 }

@@ -3,7 +3,6 @@
 use eframe::egui::{Button, Checkbox, DragValue, Grid, RichText, Ui, vec2};
 
 use super::action::{Action, Page};
-use super::exporting::Size;
 use super::preferences::resolution;
 use super::units::{Ruler, Units};
 use crate::field::Edges;
@@ -169,42 +168,6 @@ pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
     ui.label("They are lost if you don't.");
     ui.add_space(8.0);
     choice(ui, "Save", Some("Don't save"))
-}
-
-/// Asks how large the exported picture shall be.
-pub fn export(ui: &mut Ui, size: &mut Size, document: &Document, units: Units) -> Option<Answer> {
-    ui.set_width(380.0);
-    ui.heading("Export the texture");
-    ui.add_space(6.0);
-    let more = size.canvas.is_some();
-    if ui.radio(!more, "This texture").on_hover_text("The picture that you see").clicked() {
-        size.canvas = None;
-    }
-    let explained =
-        "A larger or smaller canvas with marks of the same size; the regions stretch. It is grown afresh.";
-    if ui.radio(more, "More texture, marks of the same size").on_hover_text(explained).clicked() {
-        size.canvas = Some(document.size.map(|side| 2 * side));
-    }
-    Grid::new("export").num_columns(2).spacing(vec2(16.0, 10.0)).show(ui, |ui| {
-        if let Some(canvas) = &mut size.canvas {
-            ui.label("Canvas");
-            ui.horizontal(|ui| {
-                let names = ["Width of the export", "Height of the export"];
-                sides(ui, canvas, Ruler { units, dpi: document.dpi }, 16..=16_384, names)
-            });
-            ui.end_row();
-        }
-        ui.label("Scale").on_hover_text("So many times the px along each side, sharp at any size");
-        let field = DragValue::new(&mut size.scale).range(1..=64).suffix("×").update_while_editing(false);
-        ui.add(field).accessible_name("Scale");
-        ui.end_row();
-        let [width, height] = size.of(document);
-        ui.label("Picture");
-        ui.weak(format!("{width} × {height} px"));
-        ui.end_row();
-    });
-    ui.add_space(6.0);
-    choice(ui, "Choose a file…", None)
 }
 
 /// What this is, and whence.

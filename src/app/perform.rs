@@ -24,13 +24,14 @@ impl Window {
             Action::New
             | Action::Open
             | Action::OpenFile(_)
+            | Action::Import
             | Action::Example(_)
             | Action::Restore(_)
             | Action::Quit => self.unless_unsaved(ui, action),
             Action::Discard(id) => self.discard(&id),
             Action::Save => self.save(ui, None),
             Action::SaveAs => self.save_as(ui),
-            Action::Export => self.files.ask_export_size(),
+            Action::Export => self.ask_export(),
             Action::Reference => self.choose_reference(ui),
             Action::OpenPalette => self.choose_palette(ui),
             Action::SavePalette => self.save_palette_as(ui),

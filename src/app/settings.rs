@@ -3,7 +3,7 @@
 mod file;
 mod layout;
 
-pub use file::folder;
+pub use file::{Entries, folder};
 pub use layout::Layout;
 
 use std::fs;
@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 
 use eframe::egui::ThemePreference;
 
+use super::exporting::{Choices, kept};
 use super::line;
 use super::pages::New;
 use super::units::Units;
-use file::Entries;
 
 /// Recent files that are remembered.
 const RECENT: usize = 10;
@@ -34,6 +34,8 @@ pub struct Settings {
     pub threads: Option<usize>,
     /// What a new document is, unless it is said.
     pub new: New,
+    /// With what the next export dialog begins.
+    pub export: Choices,
     /// How the window lies.
     pub layout: Layout,
     /// What was wrong with the file, to be told once.
@@ -52,6 +54,7 @@ impl Default for Settings {
             units: Units::default(),
             threads: None,
             new: New::default(),
+            export: Choices::default(),
             layout: Layout::default(),
             trouble: None,
             file: None,
@@ -98,6 +101,7 @@ impl Settings {
             };
             self.new = if new.is_allowed() { new } else { New::default() };
         }
+        self.export = kept::read(entries);
         self.layout.take_in(entries);
     }
 
@@ -127,6 +131,7 @@ impl Settings {
             let seamless = u8::from(*seamless);
             entries.add("new", format!("{width} {height} {columns} {rows} {seamless} {dpi}"));
         }
+        kept::tell(&self.export, &mut entries);
         self.layout.tell(&mut entries);
         entries
     }

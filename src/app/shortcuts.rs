@@ -37,7 +37,7 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(CTRL, Key::O, "Open", "Document", || Action::Open),
     with(CTRL_SHIFT, Key::S, "Save as", "Document", || Action::SaveAs),
     with(CTRL, Key::S, "Save", "Document", || Action::Save),
-    with(CTRL, Key::E, "Export picture", "Document", || Action::Export),
+    with(CTRL, Key::E, "Export", "Document", || Action::Export),
     with(CTRL_SHIFT, Key::E, "Examples", "Document", || Action::Page(Page::Examples)),
     with(CTRL, Key::Comma, "Preferences", "Document", || Action::Page(Page::Preferences)),
     with(CTRL, Key::Q, "Quit", "Document", || Action::Quit),

@@ -382,6 +382,7 @@ impl Window {
     /// Another document lies on the desk.
     pub(super) fn begin(&mut self, desk: Desk) {
         self.desk = desk;
+        self.files.restored = None;
         self.recovery.begin();
         self.canvas.view.fitted = true;
         self.texture.view.fitted = true;

@@ -3,21 +3,14 @@
 use super::estimate::Estimate;
 use super::grow::{check_apart, progress::Bar};
 use super::{Error, values};
-use crate::export::motion::{self, COLOURS, Film, Kind};
-use crate::export::{ExportError, Stopped};
-use crate::synth::film::{FilmError, Scene, Takes, fitted, palette};
+use crate::export::motion::Kind;
+use crate::synth::clip::{Clip, ClipError};
+use crate::synth::film::Scene;
 use crate::synth::morph::{Morph, MorphError};
 use crate::synth::recipe::Document;
-use crate::synth::{GrowError, Options, Training, Watch};
+use crate::synth::{Options, Training, Watch};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
-
-/// px of the longer side of a frame, unless it is said: clips are looked at small.
-const SIDE: u32 = 480;
-/// Hundredths of a second are what a GIF counts in, and browsers take one for ten.
-const FASTEST_GIF: u16 = 50;
-/// Frames of the longest film.
-const MOST: f64 = 20_000.0;
 
 /// What to film, and how.
 #[derive(clap::Args, Debug)]
@@ -65,38 +58,18 @@ pub struct Args {
 
 impl Args {
     /// What kind of film it is, where all can be as it is asked for.
-    fn check(&self) -> Result<(Kind, usize), Error> {
+    fn check(&self) -> Result<Kind, Error> {
         for (name, file) in [("FILE", Some(&self.file)), ("--to", self.to.as_ref())] {
             file.map_or(Ok(()), |file| check_apart(name, file, &self.output))?;
         }
         let kind = Kind::of(&self.output).map_err(Error::step)?;
-        if kind == Kind::Gif && self.fps > FASTEST_GIF {
-            let fps = self.fps;
-            return Err(Error::Usage(format!(
-                "--fps: found {fps}; allowed: 1 to {FASTEST_GIF} in a .gif, which browsers show no faster; .png takes 120"
-            )));
-        }
-        let frames = (self.seconds * f64::from(self.fps)).round();
-        if !(2.0..=MOST).contains(&frames) {
-            return Err(Error::Usage(format!(
-                "--seconds {} at --fps {}: make {frames} frames; allowed: 2 to {MOST}",
-                self.seconds, self.fps
-            )));
-        }
-        Ok((kind, frames as usize))
+        self.clip().frames(kind).map_err(told)?;
+        Ok(kind)
     }
 
-    fn film(&self, documents: &[&Document], frames: usize) -> Film {
-        let canvas = documents[0].size;
-        let side = self.side.unwrap_or(SIDE.min(canvas[0].max(canvas[1])));
-        Film {
-            size: fitted(canvas, side as usize),
-            frames,
-            fps: self.fps,
-            hold: self.hold,
-            once: self.once,
-            palette: palette(documents, COLOURS),
-        }
+    fn clip(&self) -> Clip {
+        let Self { side, seconds, fps, once, hold, .. } = *self;
+        Clip { side, seconds, fps, once, hold }
     }
 }
 
@@ -105,7 +78,7 @@ impl Args {
 /// # Errors
 /// Where a document is not valid or cannot be grown, the two do not fit, or the film cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
-    let (kind, frames) = args.check()?;
+    let kind = args.check()?;
     let document = Document::read(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     let other = args.to.as_deref().map(Document::read).transpose()?;
@@ -120,7 +93,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let bar = Bar::new(args.quiet);
     let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
     let source = args.file.display().to_string();
-    let prepared = if let (Some(other), Some(path)) = (&other, &args.to) {
+    let written = if let (Some(other), Some(path)) = (&other, &args.to) {
         let there = path.display().to_string();
         let morph = Morph::new((&document, &source), (other, &there), &training, &watch);
         let morph = morph.map_err(|error| match error {
@@ -128,38 +101,24 @@ pub fn run(args: &Args) -> Result<(), Error> {
             unlike @ MorphError::Unlike { .. } => Error::step(unlike),
         })?;
         estimate.tell_seconds(morph.seconds());
-        let film = args.film(&[&document, other], frames);
-        written(args, kind, &film, &|show| morph.clone().play(frames, film.size, &watch, show))
+        args.clip().of_change([&document, other], &morph, &args.output, kind, &watch)
     } else {
-        // It is grown twice: once to see how much each moment changes.
+        // It is grown twice.
         estimate.tell(&[(&document, &source)], 2.0);
         let options = Options { refine: args.no_refine.then_some(false), ..Options::default() };
         let scene = Scene { document: &document, source: &source, training: &training, options };
-        let takes = Takes::of(&scene, frames, &watch).map_err(Error::grown)?;
-        let film = args.film(&[&document], takes.frames());
-        written(args, kind, &film, &|show| takes.play(&scene, film.size, &watch, show))
+        args.clip().of_growth(&scene, &args.output, kind, &watch)
     };
     bar.clear();
-    prepared?.keep().map_err(Error::step)
+    let (prepared, _) = written.map_err(told)?;
+    prepared.keep().map_err(Error::step)
 }
 
-/// What shows all frames, one after the other.
-type Play<'a> = &'a dyn Fn(motion::Show) -> Result<(), FilmError>;
-
-/// Writes the film, which does not have its name yet.
-fn written(args: &Args, kind: Kind, film: &Film, play: Play) -> Result<motion::PreparedFilm, Error> {
-    let mut failed: Option<GrowError> = None;
-    let written = motion::write(&args.output, kind, film, |show| match play(show) {
-        Ok(()) => Ok(()),
-        Err(FilmError::Stopped(stopped)) => Err(stopped),
-        Err(FilmError::Grow(error)) => {
-            failed = Some(error);
-            Err(Stopped::Cancelled)
-        }
-    });
-    match (written, failed) {
-        (_, Some(error)) => Err(Error::grown(error)),
-        (Err(ExportError::Cancelled { .. }), None) => Err(Error::Interrupted),
-        (written, None) => written.map_err(Error::step),
+/// What went wrong, as this command tells it.
+fn told(error: ClipError) -> Error {
+    match error {
+        wrong @ (ClipError::TooFast(_) | ClipError::Frames { .. }) => Error::Usage(wrong.to_string()),
+        ClipError::Grow(error) => Error::grown(error),
+        ClipError::Export(error) => Error::exported(error),
     }
 }

@@ -2,11 +2,9 @@
 
 use super::{Error, values};
 use crate::export;
-use crate::marks::{Ellipse, Line, Mark};
-use crate::sketch::svg::{self, Drawing, SvgError};
-use crate::synth::recipe::{Document, Kind, Layer, Stroke, limits};
-use std::io::{Read, Write};
-use std::path::{Path, PathBuf};
+use crate::synth::import::{DPI, ImportError, import};
+use std::io::Write;
+use std::path::PathBuf;
 
 /// What to read, and where to write it.
 #[derive(clap::Args, Debug)]
@@ -18,50 +16,11 @@ pub struct Args {
     #[arg(short, long, value_name = "OUT.dapple")]
     pub output: PathBuf,
     /// px an inch of the canvas; the SVG says its size in mm or in px of 1/96 inch
-    #[arg(long, value_name = "N", default_value_t = svg::DPI, value_parser = values::dpi)]
+    #[arg(long, value_name = "N", default_value_t = DPI, value_parser = values::dpi)]
     pub dpi: f64,
     /// Do not tell what was read
     #[arg(short, long)]
     pub quiet: bool,
-}
-
-/// Why an SVG did not become a document.
-#[derive(Debug, thiserror::Error)]
-pub enum ImportError {
-    /// It is none.
-    #[error("{file}: {source}")]
-    Svg {
-        /// The file.
-        file: String,
-        /// What is wrong with it.
-        source: SvgError,
-    },
-    /// Its canvas.
-    #[error("{file}: its canvas has {found} px; allowed: sides of 1 to {most} px; choose another --dpi", most = limits::MAX_SIDE)]
-    Size {
-        /// The file.
-        file: String,
-        /// Width × height.
-        found: String,
-    },
-    /// No marks in it.
-    #[error(
-        "{file}: holds no marks{unread}; allowed: ellipses, circles, lines, rectangles and paths on its canvas"
-    )]
-    Nothing {
-        /// The file.
-        file: String,
-        /// What it holds instead.
-        unread: String,
-    },
-    /// More groups than a document has layers.
-    #[error("{file}: its groups make {found} layers; allowed: {most}", most = limits::MAX_LAYERS)]
-    Layers {
-        /// The file.
-        file: String,
-        /// How many.
-        found: usize,
-    },
 }
 
 /// Reads the SVG and writes the document.
@@ -71,118 +30,14 @@ pub enum ImportError {
 pub fn run(args: &Args) -> Result<(), Error> {
     super::grow::check_apart("IN.svg", &args.file, &args.output)?;
     export::check_ending(&args.output, &["dapple"]).map_err(Error::step)?;
-    let file = args.file.display().to_string();
-    let bytes =
-        bytes(&args.file).map_err(|source| Error::File { file: file.clone(), done: "read", source })?;
-    let (document, unread) = document_of(&bytes, args.dpi, &file).map_err(Error::step)?;
-    document.write(&args.output)?;
+    let imported = import(&args.file, args.dpi).map_err(|error| match error {
+        ImportError::Unreadable { file, source } => Error::File { file, done: "read", source },
+        other => Error::step(other),
+    })?;
+    imported.document.write(&args.output)?;
     if !args.quiet {
-        let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
-        let layers = document.layers.len();
-        let [width, height] = document.size;
-        let told = format!("{marks} marks in {layers} layers on {width} × {height} px{unread}");
         // Nobody left to tell is no reason to fail.
-        let _ = writeln!(std::io::stderr(), "note: {file}: {told}");
+        let _ = writeln!(std::io::stderr(), "note: {}: {}", args.file.display(), imported.told);
     }
     Ok(())
-}
-
-fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    std::fs::File::open(path)?.take(limits::MAX_FILE).read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
-
-/// The document of the SVG in `bytes`, and what could not be read of it, in words; `file` gives it its name.
-///
-/// # Errors
-/// Where it is no SVG, or one that no document can be made of.
-pub fn document_of(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, String), ImportError> {
-    let drawing =
-        svg::read(bytes, dpi).map_err(|source| ImportError::Svg { file: file.to_owned(), source })?;
-    document(drawing, dpi, file)
-}
-
-fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, String), ImportError> {
-    // What is a rounding error above whole px is whole.
-    let sides = drawing.size.map(|side| (side - 1e-3).ceil().max(1.0));
-    if sides.iter().any(|side| *side > limits::MAX_SIDE as f64) {
-        let found = format!("{:.0} × {:.0}", sides[0], sides[1]);
-        return Err(ImportError::Size { file: file.to_owned(), found });
-    }
-    let size = sides.map(|side| side as u32);
-    let mut layers: Vec<Layer> = Vec::new();
-    let mut off = 0;
-    for group in std::mem::take(&mut drawing.groups) {
-        let marks: Vec<Stroke> = group.marks.iter().filter_map(|mark| stroke(mark, size)).collect();
-        off += group.marks.len() - marks.len();
-        let (lines, ellipses): (Vec<Stroke>, Vec<Stroke>) =
-            marks.into_iter().partition(|stroke| stroke.kind() == Some(Kind::Line));
-        // A layer holds one kind.
-        let both = !lines.is_empty() && !ellipses.is_empty();
-        for (strokes, kind) in [(ellipses, "spots"), (lines, "lines")] {
-            if !strokes.is_empty() {
-                let name = match group.name.as_str() {
-                    "" => kind.to_owned(),
-                    name if both => format!("{name} {kind}"),
-                    name => name.to_owned(),
-                };
-                let name = name.chars().take(limits::MAX_NAME).collect();
-                layers.push(Layer { name, strokes, ..Layer::default() });
-            }
-        }
-    }
-    if off > 0 {
-        drawing.unread.insert("mark off the canvas", off);
-    }
-    let unread: Vec<String> =
-        drawing.unread.iter().map(|(kind, count)| format!("{count} × {kind}")).collect();
-    let unread = if unread.is_empty() { String::new() } else { format!("; not read: {}", unread.join(", ")) };
-    if layers.is_empty() {
-        return Err(ImportError::Nothing { file: file.to_owned(), unread });
-    }
-    if layers.len() > limits::MAX_LAYERS {
-        return Err(ImportError::Layers { file: file.to_owned(), found: layers.len() });
-    }
-    let name = Path::new(file)
-        .file_stem()
-        .map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
-    let document = Document { name: name.unwrap_or_default(), size, dpi, layers, ..Document::default() };
-    Ok((document, unread))
-}
-
-/// A mark as a document may hold it; `None` where it lies off the canvas.
-fn stroke(mark: &Mark, size: [u32; 2]) -> Option<Stroke> {
-    let thickness = limits::Range::thickness(size);
-    let thick = |length: f64| rounded(length).clamp(thickness.low, thickness.high);
-    let inside = |point: [f64; 2]| (0..2).all(|axis| limits::Range::inside(size[axis]).holds(point[axis]));
-    let stroke = match *mark {
-        Mark::Ellipse(Ellipse { center, radii, angle }) => Stroke::Ellipse(Ellipse {
-            center: center.map(rounded),
-            radii: radii.map(thick),
-            angle: rounded(angle),
-        }),
-        Mark::Line(Line { from, to, width }) => {
-            let [from, to] = [from, to].map(|end| end.map(rounded));
-            Stroke::Line(Line { from, to, width: if width > 0.0 { thick(width) } else { Stroke::WIDTH } })
-        }
-    };
-    let fits = match &stroke {
-        Stroke::Ellipse(ellipse) => inside(ellipse.center),
-        Stroke::Line(line) => {
-            let around =
-                |end: [f64; 2]| (0..2).all(|axis| limits::Range::around(size[axis]).holds(end[axis]));
-            inside(line.center())
-                && around(line.from)
-                && around(line.to)
-                && line.length() >= limits::MIN_LENGTH
-        }
-        Stroke::Freehand { .. } => false,
-    };
-    fits.then_some(stroke)
-}
-
-/// To a thousandth of a px: an SVG's numbers are no finer.
-fn rounded(number: f64) -> f64 {
-    (number * 1000.0).round() / 1000.0
 }

@@ -11,7 +11,7 @@ mod error;
 mod estimate;
 mod film;
 mod grow;
-pub mod import;
+mod import;
 mod interrupt;
 mod learn;
 pub mod lookup;

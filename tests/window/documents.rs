@@ -173,3 +173,106 @@ fn a_document_named_on_the_command_line_is_open() {
     let (hand, ..) = hand_with(&Document::read(example("zebra")).unwrap());
     assert_eq!(hand.document(), Document::read(example("zebra")).unwrap());
 }
+
+/// A PNG that dapple wrote, with or without what it was grown from.
+fn pictured(folder: &Path, options: &[&str]) -> PathBuf {
+    let document = folder.join("small.dapple");
+    let text = r#"{"format": "dapple", "version": 1, "size": [96, 80], "layers": [
+        {"strokes": [{"kind": "ellipse", "center": [40, 40], "radii": [10, 7], "angle": 20}]}]}"#;
+    Document::parse(text, "small").unwrap().write(&document).unwrap();
+    let picture = folder.join("small.png");
+    let dapple = assert_cmd::cargo::cargo_bin!("dapple");
+    let mut grow = assert_cmd::Command::new(dapple);
+    grow.arg("grow").arg(&document).arg("-o").arg(&picture).arg("-q").args(options).assert().success();
+    picture
+}
+
+#[test]
+fn a_picture_that_holds_its_document_restores_it_without_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = pictured(folder.path(), &["--size", "120x96", "--scale", "2"]);
+    let before = fs::read(&picture).unwrap();
+    let mut hand = hand();
+    drop_file(&mut hand, &picture);
+    assert_eq!(hand.document().layers, Document::read(folder.path().join("small.dapple")).unwrap().layers);
+    assert!(!hand.window.state().has_reference());
+    assert_eq!(hand.window.state().desk().path, None);
+
+    // Saving asks for a name, and the picture stays a picture.
+    hand.key(Modifiers::COMMAND, Key::S);
+    let saved = folder.path().join("again.dapple");
+    hand.type_into("File", saved.to_str().unwrap());
+    assert!(Document::read(&saved).is_ok());
+    assert_eq!(fs::read(&picture).unwrap(), before);
+
+    // The export begins as large as the picture was.
+    hand.key(Modifiers::COMMAND, Key::E);
+    let size = hand.window.state().choices().unwrap().size;
+    assert_eq!((size.canvas, size.scale), (Some([120, 96]), 2));
+}
+
+#[test]
+fn unsaved_work_is_asked_about_before_a_picture_or_a_drawing_takes_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = pictured(folder.path(), &[]);
+    let mut hand = hand();
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    let mine = hand.document();
+    drop_file(&mut hand, &picture);
+    hand.press("Cancel");
+    assert_eq!(hand.document(), mine);
+    drop_file(&mut hand, &picture);
+    hand.press("Don't save");
+    assert_ne!(hand.document(), mine);
+}
+
+#[test]
+fn a_picture_without_a_document_says_so_and_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = pictured(folder.path(), &["--no-document"]);
+    let mut hand = hand();
+    hand.key(Modifiers::COMMAND, Key::O);
+    hand.type_into("File", picture.to_str().unwrap());
+    let notices = hand.window.state().notices().to_vec();
+    assert!(notices[0].wrong && notices[0].text.contains("document"), "{notices:?}");
+    hand.press("OK");
+    drop_file(&mut hand, &picture);
+    hand.until("the picture", Window::has_reference);
+    assert!(hand.window.state().notices()[0].text.contains("lies under the canvas"));
+}
+
+#[test]
+fn an_svg_becomes_a_sketch_without_a_file_and_says_what_was_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawing = folder.path().join("drawing.svg");
+    fs::write(
+        &drawing,
+        r##"<svg xmlns="http://www.w3.org/2000/svg" width="200" height="160" viewBox="0 0 200 160">
+        <ellipse cx="60" cy="50" rx="20" ry="10" fill="#333"/><text x="5" y="150">note</text></svg>"##,
+    )
+    .unwrap();
+    let mut hand = hand();
+    drop_file(&mut hand, &drawing);
+    assert_eq!(hand.ellipses().len(), 1);
+    assert_eq!(hand.document().size, [200, 160]);
+    let desk = hand.window.state().desk();
+    assert!(desk.path.is_none() && desk.is_changed());
+    let notices = hand.window.state().notices().to_vec();
+    assert!(notices[0].text.contains("not read: 1 × text"), "{notices:?}");
+
+    // The same as `dapple import` makes of it.
+    let other = folder.path().join("cli.dapple");
+    let mut import = assert_cmd::Command::new(assert_cmd::cargo::cargo_bin!("dapple"));
+    import.arg("import").arg(&drawing).arg("-o").arg(&other).arg("-q").assert().success();
+    assert_eq!(hand.document().layers, Document::read(&other).unwrap().layers);
+}
+
+#[test]
+fn a_document_in_a_json_file_is_opened_and_a_palette_in_one_is_taken() {
+    let folder = tempfile::tempdir().unwrap();
+    let json = folder.path().join("zebra.json");
+    fs::copy(example("zebra"), &json).unwrap();
+    let mut hand = hand();
+    drop_file(&mut hand, &json);
+    assert_eq!(hand.document(), Document::read(example("zebra")).unwrap());
+}

@@ -161,6 +161,16 @@ impl Hand {
         self.key(Modifiers::NONE, Key::Enter);
     }
 
+    /// Types a path into the dialog for files, and takes it.
+    pub fn type_path(&mut self, name: &str, path: &std::path::Path) {
+        self.window.get_by_role_and_label(Role::TextInput, name).click();
+        self.rest();
+        self.key(Modifiers::COMMAND, Key::A);
+        self.window.event(eframe::egui::Event::Text(path.to_str().unwrap().to_owned()));
+        self.window.step();
+        self.key(Modifiers::NONE, Key::Enter);
+    }
+
     /// Presses keys.
     pub fn key(&mut self, modifiers: Modifiers, key: Key) {
         self.window.key_press_modifiers(modifiers, key);

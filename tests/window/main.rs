@@ -6,6 +6,7 @@ mod alternatives;
 mod colour;
 mod documents;
 mod drawing;
+mod exporting;
 mod growing;
 mod hand;
 mod history;

@@ -250,7 +250,7 @@ impl Drop for Growth {
 }
 
 /// What the pattern depends on: the document without its names, colours and dots an inch.
-pub(super) fn essence(document: &Document) -> Document {
+pub(in crate::app) fn essence(document: &Document) -> Document {
     let mut essence = Document { name: String::new(), dpi: 300.0, ..document.clone() };
     for layer in &mut essence.layers {
         layer.name.clear();

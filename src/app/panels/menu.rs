@@ -74,7 +74,8 @@ fn file(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
     ui.separator();
     item(ui, "Save", &Action::Save, true, actions);
     item(ui, "Save as…", &Action::SaveAs, true, actions);
-    item(ui, "Export picture…", &Action::Export, !window.growth.is_empty(), actions);
+    item(ui, "Import SVG…", &Action::Import, true, actions);
+    item(ui, "Export…", &Action::Export, !window.growth.is_empty(), actions);
     ui.separator();
     item(ui, "Quit", &Action::Quit, true, actions);
 }

@@ -11,9 +11,6 @@ use crate::synth::{Grown, Watch, memory};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
-/// Hatching finer than this many px would be a filled area.
-const FINEST: f64 = 0.1;
-
 /// What is wanted of outlines.
 #[derive(clap::Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Outlines (-o OUT.svg, -o OUT.dxf, --svg, --dxf)")]
@@ -133,11 +130,12 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
         return Err(Error::Usage(format!("--edges: found cut with areas, which must be closed; {allowed}")));
     }
     match style.hatch {
-        Some(hatch) if hatch.spacing < FINEST => {
-            let (least, name) = (FINEST * unit.a_px(), unit.name());
+        Some(hatch) if hatch.spacing < Hatch::FINEST => {
+            let (least, name) = (Hatch::FINEST * unit.a_px(), unit.name());
             Err(Error::Usage(format!(
-                "--style: found a hatch spacing of {:.3} {name}; allowed: at least {least:.3} {name}, {FINEST} px of {}",
+                "--style: found a hatch spacing of {:.3} {name}; allowed: at least {least:.3} {name}, {} px of {}",
                 hatch.spacing * unit.a_px(),
+                Hatch::FINEST,
                 args.file.display()
             )))
         }
@@ -176,19 +174,9 @@ pub struct Drawn {
 }
 
 impl Drawn {
-    /// Such as `412 paths; the pen draws 3.1 m and travels 0.42 m in the air (2.9 m in the order found)`.
+    /// For people.
     pub fn told(&self) -> String {
-        let length = |px: f64| match self.unit {
-            Unit::Px => format!("{px:.0} px"),
-            Unit::Mm { .. } => format!("{:.2} m", px * self.unit.a_px() / 1000.0),
-        };
-        let Travel { paths, down, up, up_unordered } = self.travel;
-        format!(
-            "{paths} paths; the pen draws {} and travels {} in the air ({} in the order found)",
-            length(down),
-            length(up),
-            length(up_unordered)
-        )
+        self.travel.told(self.unit)
     }
 
     /// For the report.

@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::path::{Path, distance};
 use super::route::{Route, route, travel};
+use super::svg::Unit;
 use super::{Hatch, Shape, hatch};
 
 /// What happens to marks at the border of the canvas.
@@ -95,6 +96,22 @@ pub fn draw(
 }
 
 impl Travel {
+    /// Such as `412 paths; the pen draws 3.10 m and travels 0.42 m in the air (2.90 m in the order found)`.
+    #[must_use]
+    pub fn told(&self, unit: Unit) -> String {
+        let length = |px: f64| match unit {
+            Unit::Px => format!("{px:.0} px"),
+            Unit::Mm { .. } => format!("{:.2} m", px * unit.a_px() / 1000.0),
+        };
+        let Self { paths, down, up, up_unordered } = *self;
+        format!(
+            "{paths} paths; the pen draws {} and travels {} in the air ({} in the order found)",
+            length(down),
+            length(up),
+            length(up_unordered)
+        )
+    }
+
     /// Adds what was drawn, and what it would be as found; `pens` is where both stand.
     fn add(&mut self, drawn: &[Path], found: &[Path], pens: &mut [[f64; 2]; 2]) {
         self.paths += drawn.len();

@@ -14,6 +14,9 @@ pub struct Hatch {
 }
 
 impl Hatch {
+    /// Finer than this, px, it would be a filled area.
+    pub const FINEST: f64 = 0.1;
+
     /// The nearest to it that goes on across the seams of a tile of `size` px: with s the spacing and α the angle, the
     /// lines y cos α − x sin α = (k + ½)s come back to themselves where m = width·sin α/s and n = height·cos α/s are whole.
     /// The spacing changes by about s/(2·side) at most, and the angle by as many radians.

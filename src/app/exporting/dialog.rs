@@ -1,0 +1,283 @@
+//! The dialog: what and how on the left, what it will be on the right.
+
+use std::sync::Arc;
+
+use eframe::egui::{
+    Align, Button, ComboBox, Layout, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, vec2,
+};
+
+use super::preview::{Made, Preview};
+use super::view::View;
+use super::{Choices, Order, What, pages};
+use crate::app::pages::{Answer, choice};
+use crate::app::units::Units;
+use crate::export::material::Map;
+use crate::synth::Grown;
+use crate::synth::estimate::told;
+
+/// Points of the column of choices.
+const COLUMN: f32 = 336.0;
+
+/// The dialog.
+pub struct Dialog {
+    /// What is chosen.
+    pub choices: Choices,
+    /// What it will be.
+    pub preview: Preview,
+    view: View,
+}
+
+/// What the dialog is about.
+pub struct About<'a> {
+    /// What would be exported now.
+    pub order: &'a Order,
+    /// What has settled.
+    pub grown: Option<&'a Arc<Grown>>,
+    /// Does it still grow?
+    pub growing: bool,
+    /// Threads that it may take.
+    pub threads: Option<usize>,
+    /// In what lengths of the canvas are told.
+    pub units: Units,
+}
+
+/// What was said to it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Said {
+    /// Choose where, and write.
+    Export,
+    /// Choose the document that this one shall become.
+    Other,
+    /// Never mind.
+    Cancel,
+}
+
+impl Dialog {
+    /// Begins with these choices.
+    #[must_use]
+    pub fn new(choices: Choices) -> Self {
+        Self { choices, preview: Preview::default(), view: View::new() }
+    }
+
+    /// Shows it.
+    pub fn ui(&mut self, ui: &mut Ui, about: &About) -> Option<Said> {
+        self.preview.follow(ui.ctx(), about.order, about.grown, about.threads);
+        let screen = ui.ctx().content_rect().size();
+        let size = (screen - vec2(92.0, 92.0)).min(vec2(920.0, 620.0));
+        ui.set_width(size.x);
+        // Enter that ends the typing of a number is no answer yet.
+        let enter = ui.input(|input| input.key_pressed(eframe::egui::Key::Enter))
+            && ui.memory(|memory| memory.focused().is_none());
+        self.head(ui);
+        ui.add_space(6.0);
+        let top = ui.cursor().min;
+        let height = (size.y - 118.0).max(200.0);
+        let (all, _) = ui.allocate_exact_size(vec2(size.x, height), eframe::egui::Sense::hover());
+        let left = Rect::from_min_size(top, vec2(COLUMN, height));
+        let right = Rect::from_min_max(top + vec2(COLUMN + 18.0, 0.0), all.max);
+        let mut said = None;
+        ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
+            let area = ScrollArea::vertical().auto_shrink([false; 2]).max_height(height);
+            area.show(ui, |ui| {
+                ui.set_max_width(COLUMN - 14.0);
+                said = pages::page(ui, &mut self.choices, about);
+            });
+        });
+        ui.scope_builder(UiBuilder::new().max_rect(right), |ui| self.right(ui, about));
+        ui.add_space(4.0);
+        ui.separator();
+        ui.horizontal(|ui| {
+            ui.vertical(|ui| {
+                ui.set_width((size.x - 260.0).max(200.0));
+                ui.label(RichText::new(self.takes(about)).small().weak());
+            });
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| match choice(ui, "Export…", None) {
+                Some(Answer::Yes) => said = Some(Said::Export),
+                Some(_) => said = Some(Said::Cancel),
+                None => {}
+            });
+        });
+        if enter && said.is_none() {
+            said = Some(Said::Export);
+        }
+        said.map(|said| self.checked(said))
+    }
+
+    /// The kinds of exports.
+    fn head(&mut self, ui: &mut Ui) {
+        ui.horizontal(|ui| {
+            ui.heading("Export");
+            ui.add_space(14.0);
+            for (what, text, explained) in KINDS {
+                let chosen = self.choices.what == what;
+                let tab =
+                    ui.selectable_label(chosen, RichText::new(text).size(14.5)).on_hover_text(explained);
+                if tab.clicked() {
+                    self.choices.what = what;
+                }
+            }
+        });
+    }
+
+    /// A film that becomes nothing is asked what.
+    fn checked(&self, said: Said) -> Said {
+        let film = &self.choices.film;
+        let lacks = self.choices.what == What::Film && film.change && film.to.is_none();
+        if said == Said::Export && lacks { Said::Other } else { said }
+    }
+
+    /// What it will be.
+    fn right(&mut self, ui: &mut Ui, about: &About) {
+        let room = ui.max_rect();
+        let fresh = self.preview.of(about.order).is_some();
+        let made =
+            self.preview.latest().filter(|made| made.order.choices.what == about.order.choices.what).cloned();
+        let foot = 30.0;
+        let picture = Rect::from_min_max(room.min, room.max - vec2(0.0, foot + 4.0));
+        let under = Rect::from_min_max(room.min + vec2(0.0, room.height() - foot), room.max);
+        match (&made, self.preview.failure(about.order)) {
+            (_, Some(why)) => {
+                ui.scope_builder(UiBuilder::new().max_rect(picture.shrink(12.0)), |ui| {
+                    ui.colored_label(ui.visuals().error_fg_color, why);
+                });
+            }
+            (Some(made), None) => {
+                self.view.ui(ui, picture, made, fresh);
+            }
+            (None, None) => self.nothing(ui, picture),
+        }
+        ui.scope_builder(UiBuilder::new().max_rect(under), |ui| {
+            ui.horizontal_centered(|ui| self.foot(ui, about, made.as_ref(), fresh));
+        });
+    }
+
+    fn nothing(&self, ui: &Ui, room: Rect) {
+        let fill = ui.visuals().faint_bg_color;
+        ui.painter().rect_filled(room, 4.0, fill);
+        let text =
+            if self.preview.progress().is_some() { "It is being made …" } else { "Nothing to be seen yet" };
+        let font = eframe::egui::FontId::proportional(14.0);
+        let colour = ui.visuals().weak_text_color();
+        ui.painter().text(room.center(), eframe::egui::Align2::CENTER_CENTER, text, font, colour);
+    }
+
+    fn foot(&mut self, ui: &mut Ui, about: &About, made: Option<&Arc<Made>>, fresh: bool) {
+        if let Some(progress) = self.preview.progress() {
+            let width = (ui.available_width() - 90.0).max(60.0);
+            ui.add(ProgressBar::new(progress).desired_width(width).desired_height(8.0));
+            if ui.small_button("Stop").on_hover_text("Give the preview up").clicked() {
+                self.preview.stop();
+            }
+            ui.ctx().request_repaint_after(std::time::Duration::from_millis(100));
+            return;
+        }
+        match made.filter(|_| fresh) {
+            None => {
+                let waits = about.growing && !about.order.is_film() && about.order.options().size.is_none();
+                let lacks = about.order.choices.film.change && about.order.choices.film.to.is_none();
+                let can = !(about.order.is_film() && lacks);
+                let text = if about.order.is_film() { "Make the film" } else { "Show it" };
+                let explained = "Makes all of it, to be looked at before it is written";
+                let button = ui.add_enabled(can && !waits, Button::new(text)).on_hover_text(explained);
+                if button.clicked() {
+                    self.preview.make(ui.ctx(), about.order, about.grown, about.threads);
+                }
+                if waits {
+                    ui.weak("The texture still grows.");
+                }
+            }
+            Some(made) if !made.frames().is_empty() => self.view.player(ui, made),
+            Some(made) => {
+                let pictures = made.pictures();
+                if pictures.len() > 1 {
+                    self.which(ui, pictures.iter().map(|(name, _)| name.as_str()).collect());
+                }
+                let [width, height] = pictures.first().map_or([0; 2], |(_, image)| image.size);
+                if !made.whole {
+                    ui.label(RichText::new(format!("seen smaller: {width} × {height} px")).small().weak());
+                }
+            }
+        }
+    }
+
+    fn which(&mut self, ui: &mut Ui, names: Vec<&str>) {
+        if !names.contains(&self.view.chosen.as_str()) {
+            let first = names.iter().find(|name| **name == Map::BaseColour.suffix()).unwrap_or(&names[0]);
+            self.view.chosen = (*first).to_owned();
+        }
+        let combo =
+            ComboBox::from_id_salt("which").selected_text(&self.view.chosen).width(190.0).show_ui(ui, |ui| {
+                for name in names {
+                    ui.selectable_value(&mut self.view.chosen, name.to_owned(), name);
+                }
+            });
+        let what = self.view.chosen.clone();
+        combo.response.widget_info(|| {
+            let role = eframe::egui::accesskit::Role::ComboBox;
+            eframe::egui::WidgetInfo::labeled(role, true, format!("Seen: {what}"))
+        });
+    }
+
+    /// What it takes, or took.
+    fn takes(&self, about: &About) -> String {
+        let order = about.order;
+        let mut said = Vec::new();
+        let [width, height] = order.choices.size.of(&order.document);
+        if !order.is_film() {
+            let mm = |px: u64| px as f64 * 25.4 / (order.document.dpi * f64::from(order.choices.size.scale));
+            said.push(format!("{width} × {height} px, {:.1} × {:.1} mm", mm(width), mm(height)));
+        }
+        match self.preview.of(order) {
+            Some(made) => {
+                said.extend(made.told.clone());
+                if made.whole {
+                    let files = if made.files.len() > 1 {
+                        format!(" in {} files", made.files.len())
+                    } else {
+                        String::new()
+                    };
+                    said.push(format!("{}{files}", size_of(made.bytes)));
+                }
+            }
+            None if !self.preview.is_ready(order, about.grown) => match self.preview.needs(order) {
+                Some(needs) => {
+                    let times = if order.is_film() { 2.0 } else { 1.0 };
+                    let memory = size_of(needs.bytes as u64);
+                    said.push(format!(
+                        "growing it takes {} and {memory} of memory",
+                        told(times * needs.seconds)
+                    ));
+                }
+                None => said.push("it is grown in the background".to_owned()),
+            },
+            None => {}
+        }
+        said.join("  ·  ")
+    }
+}
+
+/// The kinds of exports.
+const KINDS: [(What, &str, &str); 4] = [
+    (What::Picture, "Picture", "PNG, TIFF, OpenEXR, JPEG or WebP"),
+    (
+        What::Material,
+        "Material",
+        "Height, normals, roughness, occlusion, colours and a glTF plane, in a folder",
+    ),
+    (What::Outlines, "Outlines", "SVG or DXF, for drawing programs, plotters and cutters"),
+    (
+        What::Film,
+        "Film",
+        "The growth, or the way to another document, as GIF, animated PNG or single pictures",
+    ),
+];
+
+/// Bytes in a word or two.
+fn size_of(bytes: u64) -> String {
+    match bytes as f64 {
+        b if b < 1e4 => format!("{b:.0} bytes"),
+        b if b < 1e6 => format!("{:.0} kB", b / 1e3),
+        b if b < 1e9 => format!("{:.1} MB", b / 1e6),
+        b => format!("{:.1} GB", b / 1e9),
+    }
+}

@@ -1,0 +1,268 @@
+//! A document and choices → what has grown → files, by the very functions of the command line.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::choices::{Choices, Shows, What};
+use super::raster::Drawing;
+use crate::app::growth::essence;
+use crate::export::maps::Surface;
+use crate::export::material::{Set, name};
+use crate::export::motion::{self, PreparedFilm};
+use crate::export::outline::dxf;
+use crate::export::outline::svg::{self, Sheet};
+use crate::export::{self, ExportError, Prepared, Stopped};
+use crate::synth::film::Scene;
+use crate::synth::morph::Morph;
+use crate::synth::outlining::{Outlining, outlines};
+use crate::synth::painting::{Channel, Making, Painting, Style, concentrations};
+use crate::synth::recipe::{Document, Extent, embedded};
+use crate::synth::{Grown, Options, Training, Watch, grow};
+
+/// What shall be exported.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Order {
+    /// The document.
+    pub document: Document,
+    /// How.
+    pub choices: Choices,
+    /// What its files are called.
+    pub title: String,
+}
+
+/// Files that do not have their names yet.
+pub enum Pending {
+    /// Some, all or none.
+    Files(Vec<Prepared>),
+    /// A film.
+    Film(PreparedFilm, motion::Film),
+}
+
+impl Pending {
+    /// Gives them their names.
+    ///
+    /// # Errors
+    /// What went wrong, with the file's name and the remedy.
+    pub fn keep(self) -> Result<(), String> {
+        let kept = match self {
+            Self::Files(files) => files.into_iter().try_for_each(Prepared::keep),
+            Self::Film(film, _) => film.keep(),
+        };
+        kept.map_err(|error| error.to_string())
+    }
+}
+
+/// What was written.
+pub struct Written {
+    /// The files.
+    pub pending: Pending,
+    /// What is to be told of it.
+    pub told: Option<String>,
+    /// Outlines as they were written.
+    pub drawing: Option<Drawing>,
+}
+
+/// A message of a step.
+fn told(error: impl std::error::Error) -> String {
+    error.to_string()
+}
+
+impl Order {
+    /// How it is grown.
+    #[must_use]
+    pub fn options(&self) -> Options {
+        let pictured = self.choices.what == What::Picture;
+        Options {
+            size: self.choices.size.other(&self.document),
+            refine: None,
+            concentrations: pictured && self.choices.picture.shows == Shows::Concentrations,
+        }
+    }
+
+    /// Is it a film? These grow by themselves.
+    #[must_use]
+    pub fn is_film(&self) -> bool {
+        self.choices.what == What::Film
+    }
+
+    /// Width and height, px, of its pictures.
+    #[must_use]
+    pub fn size(&self) -> [usize; 2] {
+        self.choices.size.of(&self.document).map(|side| side as usize)
+    }
+
+    /// Can what has `grown` be taken as it is?
+    #[must_use]
+    pub fn takes(&self, grown: &Grown) -> bool {
+        let wanted = self.options();
+        let size = grown.options.size.filter(|size| *size != grown.document.size);
+        size == wanted.size
+            && grown.options.refine.is_none()
+            && (grown.options.concentrations || !wanted.concentrations)
+            && essence(&grown.document) == essence(&self.document)
+    }
+
+    /// Grows it, where it has not `grown` already.
+    ///
+    /// # Errors
+    /// Why it cannot be grown.
+    pub fn grow(&self, grown: Option<&Arc<Grown>>, watch: &Watch) -> Result<Arc<Grown>, String> {
+        if let Some(grown) = grown.filter(|grown| self.takes(grown)) {
+            return Ok(Arc::clone(grown));
+        }
+        let grown = grow(&self.document, "the sketch", &Training::default(), self.options(), watch);
+        grown.map(Arc::new).map_err(told)
+    }
+
+    fn extent(&self) -> Extent {
+        Extent { size: self.choices.size.other(&self.document), scale: self.choices.size.scale }
+    }
+
+    /// Writes it to `path`, pictures with `size` px: as large as they are to be, or smaller.
+    ///
+    /// # Errors
+    /// What went wrong, with the file's name and the remedy.
+    pub fn write(
+        &self,
+        grown: Option<&Grown>,
+        path: &Path,
+        size: [usize; 2],
+        watch: &Watch,
+    ) -> Result<Written, String> {
+        let Some(grown) = grown else { return self.film(path, watch) };
+        let files = match self.choices.what {
+            What::Picture => self.picture(grown, path, size, watch).map(|file| vec![file]).map_err(told)?,
+            What::Material => self.material(grown, path, size, watch)?,
+            What::Outlines => return self.outlines(grown, path, watch).map_err(told),
+            What::Film => return self.film(path, watch),
+        };
+        Ok(Written { pending: Pending::Files(files), told: None, drawing: None })
+    }
+
+    fn picture(
+        &self,
+        grown: &Grown,
+        path: &Path,
+        size: [usize; 2],
+        watch: &Watch,
+    ) -> Result<Prepared, ExportError> {
+        let choices = self.choices.picture;
+        let dpi = self.document.dpi * f64::from(self.choices.size.scale);
+        let channel = match choices.shows {
+            Shows::Texture => Channel::Texture,
+            Shows::Pattern => Channel::Pattern(self.choices.layer),
+            Shows::Labels => Channel::Labels,
+            Shows::Concentrations => return concentrations(grown, path, size, dpi, watch),
+        };
+        let texts =
+            if choices.document { embedded::embedded(&self.document, self.extent()) } else { Vec::new() };
+        let style = Style {
+            dpi,
+            deep: choices.deep,
+            transparent: choices.transparent,
+            quality: choices.quality,
+            texts,
+        };
+        Painting::sized(&self.document, grown, size).prepare(path, channel, &style, watch)
+    }
+
+    fn material(
+        &self,
+        grown: &Grown,
+        folder: &Path,
+        size: [usize; 2],
+        watch: &Watch,
+    ) -> Result<Vec<Prepared>, String> {
+        if !folder.is_dir() {
+            fs::create_dir(folder)
+                .map_err(|error| format!("{}: the folder cannot be made: {error}", folder.display()))?;
+        }
+        let choices = &self.choices.material;
+        let named = name(&self.title);
+        let set = Set {
+            name: &named,
+            size,
+            deep: choices.deep,
+            transparent: choices.transparent,
+            dpi: Some(self.document.dpi * f64::from(self.choices.size.scale)),
+        };
+        let (scale, relief) = match size == self.size() {
+            true => (self.choices.size.scale as usize, choices.relief.clone()),
+            false => {
+                let smaller = size[0] as f64 / f64::from(grown.size[0]);
+                (1, choices.relief.iter().map(|relief| smaller * relief).collect())
+            }
+        };
+        let surface = Surface { relief, roughness: choices.roughness.clone() };
+        let making = Making { surface, scale, edges: self.document.edges };
+        let painting = Painting::sized(&self.document, grown, size);
+        painting.material(folder, &set, &making, watch).map_err(told)
+    }
+
+    fn outlines(&self, grown: &Grown, path: &Path, watch: &Watch) -> Result<Written, ExportError> {
+        let choices = self.choices.outlines;
+        let dpi = self.document.dpi * f64::from(self.choices.size.scale);
+        let size = self.size();
+        let wanted = Outlining {
+            size,
+            level: choices.level,
+            only: self.choices.layer,
+            smallest: choices.smallest(dpi),
+            style: choices.style(dpi),
+        };
+        let stopped = |stopped| match stopped {
+            Stopped::Cancelled => ExportError::Cancelled { path: path.to_owned() },
+            Stopped::Io(source) => ExportError::Io { path: path.to_owned(), source },
+        };
+        let (groups, travel) = outlines(&self.document, grown, &wanted, watch).map_err(stopped)?;
+        let (size, unit) = (size.map(|side| side as f64), choices.unit(dpi));
+        let title = self.document.name.clone();
+        let sheet = Sheet { title, size, unit, stroke_width: choices.pen };
+        let file = export::prepare(path, |out| {
+            if choices.dxf {
+                dxf::write(out, size, unit, &groups)?;
+            } else {
+                svg::write(out, &sheet, &groups)?;
+            }
+            Ok(())
+        })?;
+        let pen = if choices.dxf { None } else { Some(choices.pen / unit.a_px()) };
+        Ok(Written {
+            pending: Pending::Files(vec![file]),
+            told: Some(travel.told(unit)),
+            drawing: Some(Drawing { size, groups, pen }),
+        })
+    }
+
+    fn film(&self, path: &Path, watch: &Watch) -> Result<Written, String> {
+        let choices = &self.choices.film;
+        let training = Training::default();
+        let made = if choices.change {
+            let to = choices.to.as_ref().ok_or("Choose the document that this one shall become.")?;
+            let other = Document::read(to).map_err(|error| crate::app::files::with_causes(&error))?;
+            let there = to.display().to_string();
+            let from = (&self.document, self.title.as_str());
+            let morph = Morph::new(from, (&other, &there), &training, watch).map_err(told)?;
+            choices.clip.of_change([&self.document, &other], &morph, path, choices.kind, watch)
+        } else {
+            let options = Options::default();
+            let scene =
+                Scene { document: &self.document, source: "the sketch", training: &training, options };
+            choices.clip.of_growth(&scene, path, choices.kind, watch)
+        };
+        let (film, told_of) = made.map_err(told)?;
+        let [width, height] = told_of.size;
+        let told = format!("{} frames of {width} × {height} px", told_of.frames);
+        Ok(Written { pending: Pending::Film(film, told_of), told: Some(told), drawing: None })
+    }
+
+    /// Where its files lie, written to `path`: those of `files` that a preview made.
+    #[must_use]
+    pub fn places(&self, path: &Path, files: &[PathBuf]) -> Vec<PathBuf> {
+        match self.choices.what {
+            What::Material => files.iter().filter_map(|file| Some(path.join(file.file_name()?))).collect(),
+            _ => vec![path.to_owned()],
+        }
+    }
+}

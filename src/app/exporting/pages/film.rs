@@ -1,0 +1,93 @@
+//! Films.
+
+use eframe::egui::{Button, DragValue, Ui};
+
+use super::{named, number, one_of, rows, yes};
+use crate::app::exporting::choices::KINDS;
+use crate::app::exporting::dialog::{About, Said};
+use crate::app::exporting::{Choices, Film};
+use crate::export::motion::Kind;
+use crate::synth::clip::{Clip, FASTEST_GIF, RATES, SIDE, SIDES};
+
+/// The choices.
+pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) -> Option<Said> {
+    let film = &mut choices.film;
+    let mut said = None;
+    rows(ui, "film", |ui| {
+        named(ui, "Shows", "What happens in it");
+        ui.vertical(|ui| {
+            ui.radio_value(&mut film.change, false, "The growth")
+                .on_hover_text("From the first traces to what has settled");
+            let explained = "This document becomes another one: its marks grow, turn, move, split and vanish";
+            ui.radio_value(&mut film.change, true, "The way to another document").on_hover_text(explained);
+        });
+        ui.end_row();
+        if film.change {
+            named(ui, "To", "A document of the same size, with one layer of the same kind");
+            let name = film.to.as_deref().and_then(std::path::Path::file_name);
+            let text = name
+                .map_or_else(|| "Choose a document…".to_owned(), |name| name.to_string_lossy().into_owned());
+            if ui.add(Button::new(text)).clicked() {
+                said = Some(Said::Other);
+            }
+            ui.end_row();
+        }
+        named(
+            ui,
+            "Format",
+            "GIF is understood everywhere; animated PNG has all colours; single pictures are for cutting",
+        );
+        let texts = KINDS.map(|kind| {
+            let text = match kind {
+                Kind::Gif => "GIF",
+                Kind::Apng => "Animated PNG",
+                Kind::Folder => "Single PNG, in a folder",
+            };
+            (kind, text.to_owned())
+        });
+        one_of(ui, "Format of the film", &mut film.kind, &texts, |_| true);
+        ui.end_row();
+        times(ui, film, about);
+        if film.kind != Kind::Folder {
+            end(ui, &mut film.clip);
+        }
+    });
+    said
+}
+
+/// How large and how fast.
+fn times(ui: &mut Ui, film: &mut Film, about: &About) {
+    let clip = &mut film.clip;
+    let canvas = about.order.document.size;
+    let usual = SIDE.min(canvas[0].max(canvas[1]));
+    named(ui, "Longer side", "Of a frame");
+    let mut side = clip.side.unwrap_or(usual);
+    let field = DragValue::new(&mut side).range(SIDES).suffix(" px");
+    if number(ui, "Longer side", field) {
+        clip.side = (side != usual).then_some(side);
+    }
+    ui.end_row();
+    named(ui, "Length", "Without the hold at the end");
+    let field = DragValue::new(&mut clip.seconds).range(0.1..=600.0).speed(0.05).max_decimals(2).suffix(" s");
+    number(ui, "Length", field);
+    ui.end_row();
+    named(ui, "Frames a second", "Browsers show a GIF no faster than 50");
+    let fastest = if film.kind == Kind::Gif { FASTEST_GIF } else { *RATES.end() };
+    number(ui, "Frames a second", DragValue::new(&mut clip.fps).range(1..=fastest).speed(0.1));
+    ui.end_row();
+}
+
+/// What it does at its end.
+fn end(ui: &mut Ui, clip: &mut Clip) {
+    named(ui, "At the end", "What the film does then");
+    let mut again = !clip.once;
+    yes(ui, "begins again", &mut again, true, "Otherwise it stays at the last frame");
+    clip.once = !again;
+    ui.end_row();
+    if again {
+        named(ui, "Hold", "So much longer the last frame is seen");
+        let field = DragValue::new(&mut clip.hold).range(0.0..=60.0).speed(0.05).max_decimals(2);
+        number(ui, "Hold", field.suffix(" s"));
+        ui.end_row();
+    }
+}

@@ -1,0 +1,161 @@
+//! What the preview looks like on the screen: the picture over a checkerboard, whole or px by px; a film that plays.
+
+use std::sync::Arc;
+
+use eframe::egui::{
+    Color32, ColorImage, Id, Mesh, Rect, Response, Sense, Shape, Slider, Stroke, StrokeKind, TextureHandle,
+    TextureOptions, Ui, Vec2, WidgetInfo, accesskit::Role, pos2, vec2,
+};
+
+use super::preview::Made;
+use crate::app::theme::Palette;
+
+/// Points of a square of the checkerboard.
+const SQUARE: f32 = 8.0;
+
+/// What is looked at, and how.
+#[derive(Default)]
+pub struct View {
+    /// Which of several pictures.
+    pub chosen: String,
+    /// A px of the picture is one of the screen.
+    pub close: bool,
+    /// The middle of what is seen then, 0..1.
+    middle: Vec2,
+    /// What the texture shows: of what, which picture, which frame.
+    held: Option<(usize, usize)>,
+    texture: Option<TextureHandle>,
+    /// Seconds since the film began.
+    pub time: f64,
+    /// Does it play?
+    pub plays: bool,
+    checker: Option<TextureHandle>,
+}
+
+impl View {
+    /// Begins anew, with a film that plays.
+    #[must_use]
+    pub fn new() -> Self {
+        Self { plays: true, middle: vec2(0.5, 0.5), ..Self::default() }
+    }
+
+    fn show(&mut self, ui: &Ui, made: &Arc<Made>, index: usize, image: &ColorImage) {
+        let what = (Arc::as_ptr(made) as usize, index);
+        if self.held == Some(what) {
+            return;
+        }
+        self.held = Some(what);
+        let options =
+            TextureOptions { magnification: eframe::egui::TextureFilter::Nearest, ..TextureOptions::LINEAR };
+        match &mut self.texture {
+            Some(texture) => texture.set(image.clone(), options),
+            None => self.texture = Some(ui.ctx().load_texture("export", image.clone(), options)),
+        }
+    }
+
+    /// Shows it in `room`, pale where it is not what is asked for by now.
+    pub fn ui(&mut self, ui: &mut Ui, room: Rect, made: &Arc<Made>, fresh: bool) -> Response {
+        let frames = made.frames();
+        let (index, image) = if frames.is_empty() {
+            let pictures = made.pictures();
+            let index = pictures.iter().position(|(name, _)| *name == self.chosen).unwrap_or(0);
+            (index, pictures.get(index).map(|(_, image)| image))
+        } else {
+            let index = self.frame(ui, frames);
+            (index, frames.get(index).map(|(image, _)| image))
+        };
+        let response = ui.interact(room, Id::unique("export preview"), Sense::click_and_drag());
+        let Some(image) = image else { return response };
+        self.show(ui, made, index, image);
+        let size = vec2(image.size[0] as f32, image.size[1] as f32);
+        let fit = (room.width() / size.x).min(room.height() / size.y);
+        let close = 1.0 / ui.pixels_per_point();
+        let scale = if self.close { close } else { fit.min(4.0 * close) };
+        let seen = size * scale;
+        if response.clicked() {
+            self.close = !self.close;
+            if let Some(at) = response.interact_pointer_pos() {
+                let place = (at - (room.center() - seen / 2.0)) / seen;
+                self.middle = place.clamp(Vec2::ZERO, Vec2::splat(1.0));
+            }
+        } else if response.dragged() && self.close {
+            self.middle = (self.middle - response.drag_delta() / seen).clamp(Vec2::ZERO, Vec2::splat(1.0));
+        }
+        let middle = if self.close { self.within(room, seen) } else { vec2(0.5, 0.5) };
+        let rect = Rect::from_min_size(room.center() - middle * seen, seen);
+        self.paint(ui, room, rect, fresh);
+        let what = if frames.is_empty() { "Preview" } else { "Preview of the film" };
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, what));
+        response.on_hover_text(if self.close {
+            "Click to see all of it; drag to move"
+        } else {
+            "Click to see it px by px"
+        })
+    }
+
+    /// The middle of what is seen, so that no more of the room stays empty than must.
+    fn within(&self, room: Rect, seen: Vec2) -> Vec2 {
+        let side = |middle: f32, room: f32, seen: f32| {
+            let half = (room / seen / 2.0).min(0.5);
+            middle.clamp(half, 1.0 - half)
+        };
+        vec2(side(self.middle.x, room.width(), seen.x), side(self.middle.y, room.height(), seen.y))
+    }
+
+    fn paint(&mut self, ui: &Ui, room: Rect, rect: Rect, fresh: bool) {
+        let painter = ui.painter_at(room.expand(1.0));
+        let whole = Rect::from_min_size(pos2(0.0, 0.0), vec2(1.0, 1.0));
+        let shown = rect.intersect(room);
+        let checker = self.checker.get_or_insert_with(|| {
+            let [a, b] = [Color32::from_gray(250), Color32::from_gray(218)];
+            let options = TextureOptions::NEAREST_REPEAT;
+            ui.ctx().load_texture("checker", ColorImage::new([2, 2], vec![a, b, b, a]), options)
+        });
+        let mut mesh = Mesh::with_texture(checker.id());
+        let squares = Rect::from_min_size(pos2(0.0, 0.0), shown.size() / (2.0 * SQUARE));
+        mesh.add_rect_with_uv(shown, squares, Color32::WHITE);
+        painter.add(Shape::mesh(mesh));
+        if let Some(texture) = &self.texture {
+            let tint = if fresh { Color32::WHITE } else { Color32::WHITE.gamma_multiply(0.5) };
+            painter.with_clip_rect(room).image(texture.id(), rect, whole, tint);
+        }
+        let border = Palette::of(ui.visuals()).border;
+        painter.rect_stroke(shown, 0.0, Stroke::new(1.0, border), StrokeKind::Outside);
+    }
+
+    /// The frame that is seen now.
+    fn frame(&mut self, ui: &Ui, frames: &[(ColorImage, f64)]) -> usize {
+        let length: f64 = frames.iter().map(|(_, seconds)| seconds).sum();
+        if self.plays {
+            self.time =
+                (self.time + f64::from(ui.input(|input| input.stable_dt.min(0.2)))) % length.max(1e-3);
+        }
+        let mut ends = 0.0;
+        let mut left = 0.0;
+        let shown = frames.iter().position(|(_, seconds)| {
+            ends += seconds;
+            left = ends - self.time;
+            left > 0.0
+        });
+        if self.plays {
+            ui.ctx().request_repaint_after_secs(left.clamp(0.01, 1.0) as f32);
+        }
+        shown.unwrap_or(frames.len().saturating_sub(1))
+    }
+
+    /// What stands under a film: play, and where it is.
+    pub fn player(&mut self, ui: &mut Ui, made: &Made) {
+        let length: f64 = made.frames().iter().map(|(_, seconds)| seconds).sum();
+        let text = if self.plays { "Pause film" } else { "Play film" };
+        if ui.small_button(text).clicked() {
+            self.plays = !self.plays;
+        }
+        ui.spacing_mut().slider_width = (ui.available_width() - 70.0).max(60.0);
+        let slider = Slider::new(&mut self.time, 0.0..=length).fixed_decimals(1).suffix(" s");
+        let slider = ui.add(slider);
+        slider.widget_info(|| WidgetInfo::slider(true, self.time, "Moment of the film"));
+        if slider.dragged() || slider.changed() {
+            self.plays = false;
+        }
+    }
+}

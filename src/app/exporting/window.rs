@@ -1,0 +1,154 @@
+//! The export from the window's side: asked, chosen, written, told.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use eframe::egui::{Id, Modal, Ui};
+
+use super::dialog::{About, Said};
+use super::{Choices, Dialog, Exporting, Made, Order, Size, What};
+use crate::app::chooser::Purpose;
+use crate::app::window::Window;
+use crate::synth::Grown;
+
+impl Window {
+    /// Asks what shall be exported.
+    pub(in crate::app) fn ask_export(&mut self) {
+        let size = self.files.restored.unwrap_or_default();
+        let choices = Choices { size, layer: None, ..self.settings.export.clone() };
+        self.files.export = Some(Dialog::new(choices));
+    }
+
+    /// What the export dialog shows, once it is made.
+    #[must_use]
+    pub fn previewed(&self) -> Option<Arc<Made>> {
+        let dialog = self.files.export.as_ref()?;
+        dialog.preview.of(&self.order(&dialog.choices)).cloned()
+    }
+
+    /// What the export dialog is set to.
+    #[must_use]
+    pub fn choices(&self) -> Option<&Choices> {
+        self.files.export.as_ref().map(|dialog| &dialog.choices)
+    }
+
+    fn order(&self, choices: &Choices) -> Order {
+        Order { document: self.desk.finished(), choices: choices.clone(), title: self.stem() }
+    }
+
+    /// What files of this document are called.
+    fn stem(&self) -> String {
+        let title = self.desk.title();
+        match self.desk.path.as_deref().and_then(Path::file_stem) {
+            Some(stem) => stem.to_string_lossy().into_owned(),
+            // Names of documents may hold what a file's cannot.
+            None => title.replace(['/', '\\', ':', '\0'], " "),
+        }
+    }
+
+    fn grown(&self) -> Option<Arc<Grown>> {
+        self.growth.texture.as_ref().map(|texture| Arc::clone(&texture.grown))
+    }
+
+    /// Shows the dialog.
+    pub(in crate::app) fn export_ui(&mut self, ui: &Ui) {
+        let Some(mut dialog) = self.files.export.take() else { return };
+        dialog.choices.settle();
+        let order = self.order(&dialog.choices);
+        let grown = self.grown();
+        let about = About {
+            order: &order,
+            grown: grown.as_ref(),
+            growing: self.growth.is_growing(),
+            threads: self.settings.threads,
+            units: self.settings.units,
+        };
+        let frame = eframe::egui::Frame::window(&ui.global_style()).inner_margin(20);
+        let shown = Modal::new(Id::unique("export")).frame(frame).show(ui.ctx(), |ui| dialog.ui(ui, &about));
+        let said = if shown.should_close() { Some(Said::Cancel) } else { shown.inner };
+        match said {
+            Some(Said::Cancel) => return,
+            Some(Said::Export) => self.choose_export(ui, &dialog.choices),
+            Some(Said::Other) => self.choose(ui, Purpose::Become, ""),
+            None => {}
+        }
+        self.files.export = Some(dialog);
+    }
+
+    fn choose_export(&mut self, ui: &Ui, choices: &Choices) {
+        let stem = self.stem();
+        match choices.ending() {
+            Some(ending) => {
+                let endings = match ending {
+                    "tif" => &["tif", "tiff"][..],
+                    "jpg" => &["jpg", "jpeg"],
+                    "apng" => &["png", "apng"],
+                    "png" => &["png"],
+                    "exr" => &["exr"],
+                    "webp" => &["webp"],
+                    "svg" => &["svg"],
+                    "dxf" => &["dxf"],
+                    _ => &["gif"],
+                };
+                let name = format!("{stem}.{}", endings[0]);
+                self.choose(ui, Purpose::Export(endings), &name);
+            }
+            None => {
+                let kind = if choices.what == What::Material { "material" } else { "frames" };
+                self.choose(ui, Purpose::ExportInto, &format!("{stem}-{kind}"));
+            }
+        }
+    }
+
+    /// Exports what the dialog says to `path`; the choices are remembered.
+    pub(in crate::app) fn export_chosen(&mut self, path: &Path) {
+        let Some(dialog) = self.files.export.take() else { return };
+        let order = self.order(&dialog.choices);
+        self.settings.export = Choices {
+            size: Size::default(),
+            layer: None,
+            film: super::Film { to: None, change: false, ..dialog.choices.film.clone() },
+            ..dialog.choices.clone()
+        };
+        self.settings.write();
+        let grown = self.grown();
+        let made = dialog.preview.of(&order).cloned();
+        let grown = dialog.preview.grown(&order, grown.as_ref());
+        self.exporting = Some(Exporting::new(path, order, made, grown, self.settings.threads));
+    }
+
+    /// The other document that a film ends with.
+    pub(in crate::app) fn become_chosen(&mut self, path: PathBuf) {
+        if let Some(dialog) = &mut self.files.export {
+            dialog.choices.film.to = Some(path);
+            dialog.choices.film.change = true;
+        }
+    }
+
+    /// Writes the texture to `path`, of a canvas of `canvas` px or the document's, with `scale` times the px.
+    pub fn export(&mut self, path: &Path, canvas: Option<[u32; 2]>, scale: u32) {
+        let order = self.order(&Choices::plain(Size { canvas, scale }));
+        let grown = self.grown().filter(|grown| order.takes(grown));
+        self.exporting = Some(Exporting::new(path, order, None, grown, self.settings.threads));
+    }
+
+    /// Takes in what became of the export.
+    pub(in crate::app) fn listen_to_export(&mut self, ui: &Ui) {
+        let Some(job) = &self.exporting else { return };
+        let Some(outcome) = job.outcome() else {
+            ui.ctx().request_repaint_after(std::time::Duration::from_millis(100));
+            return;
+        };
+        match outcome {
+            Ok(told) => {
+                let told = told.map(|told| format!("\n{told}")).unwrap_or_default();
+                self.notices.written(&job.path, format!("Written: {}{told}", job.path.display()));
+            }
+            Err(_) if job.is_cancelled() => {
+                self.notices.done("The export was given up; nothing was written.");
+            }
+            Err(why) => self.notices.wrong(why),
+        }
+        self.exporting = None;
+    }
+}

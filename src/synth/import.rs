@@ -1,0 +1,182 @@
+//! An SVG → a document with what is drawn in it.
+
+use crate::marks::{Ellipse, Line, Mark};
+use crate::sketch::svg::{self, Drawing, SvgError};
+use crate::synth::recipe::{Document, Kind, Layer, Stroke, limits};
+use std::io::Read;
+use std::path::Path;
+
+pub use crate::sketch::svg::DPI;
+
+/// Why an SVG did not become a document.
+#[derive(Debug, thiserror::Error)]
+pub enum ImportError {
+    /// It could not be read.
+    #[error("{file}: cannot be read: {source}")]
+    Unreadable {
+        /// The file.
+        file: String,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// It is none.
+    #[error("{file}: {source}")]
+    Svg {
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        source: SvgError,
+    },
+    /// Its canvas.
+    #[error("{file}: its canvas has {found} px; allowed: sides of 1 to {most} px; choose another --dpi", most = limits::MAX_SIDE)]
+    Size {
+        /// The file.
+        file: String,
+        /// Width × height.
+        found: String,
+    },
+    /// No marks in it.
+    #[error(
+        "{file}: holds no marks{unread}; allowed: ellipses, circles, lines, rectangles and paths on its canvas"
+    )]
+    Nothing {
+        /// The file.
+        file: String,
+        /// What it holds instead.
+        unread: String,
+    },
+    /// More groups than a document has layers.
+    #[error("{file}: its groups make {found} layers; allowed: {most}", most = limits::MAX_LAYERS)]
+    Layers {
+        /// The file.
+        file: String,
+        /// How many.
+        found: usize,
+    },
+}
+
+/// A document, and what is to be told of it.
+#[derive(Clone, Debug)]
+pub struct Imported {
+    /// The document.
+    pub document: Document,
+    /// Such as `3 marks in 1 layers on 200 × 100 px; not read: 1 × text`.
+    pub told: String,
+    /// Whether something was left out.
+    pub partly: bool,
+}
+
+/// The document of the SVG in `bytes`, and what could not be read of it, in words; `file` gives it its name.
+///
+/// # Errors
+/// Where it is no SVG, or one that no document can be made of.
+pub fn document_of(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, String), ImportError> {
+    let drawing =
+        svg::read(bytes, dpi).map_err(|source| ImportError::Svg { file: file.to_owned(), source })?;
+    document(drawing, dpi, file)
+}
+
+/// Reads the SVG `path` as a document with `dpi` px an inch, named like the file.
+///
+/// # Errors
+/// [`ImportError`].
+pub fn import(path: &Path, dpi: f64) -> Result<Imported, ImportError> {
+    let file = path.display().to_string();
+    let bytes = bytes(path).map_err(|source| ImportError::Unreadable { file: file.clone(), source })?;
+    let (document, unread) = document_of(&bytes, dpi, &file)?;
+    let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
+    let layers = document.layers.len();
+    let [width, height] = document.size;
+    let told = format!("{marks} marks in {layers} layers on {width} × {height} px{unread}");
+    Ok(Imported { document, told, partly: !unread.is_empty() })
+}
+
+fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    std::fs::File::open(path)?.take(limits::MAX_FILE).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, String), ImportError> {
+    // What is a rounding error above whole px is whole.
+    let sides = drawing.size.map(|side| (side - 1e-3).ceil().max(1.0));
+    if sides.iter().any(|side| *side > limits::MAX_SIDE as f64) {
+        let found = format!("{:.0} × {:.0}", sides[0], sides[1]);
+        return Err(ImportError::Size { file: file.to_owned(), found });
+    }
+    let size = sides.map(|side| side as u32);
+    let mut layers: Vec<Layer> = Vec::new();
+    let mut off = 0;
+    for group in std::mem::take(&mut drawing.groups) {
+        let marks: Vec<Stroke> = group.marks.iter().filter_map(|mark| stroke(mark, size)).collect();
+        off += group.marks.len() - marks.len();
+        let (lines, ellipses): (Vec<Stroke>, Vec<Stroke>) =
+            marks.into_iter().partition(|stroke| stroke.kind() == Some(Kind::Line));
+        // A layer holds one kind.
+        let both = !lines.is_empty() && !ellipses.is_empty();
+        for (strokes, kind) in [(ellipses, "spots"), (lines, "lines")] {
+            if !strokes.is_empty() {
+                let name = match group.name.as_str() {
+                    "" => kind.to_owned(),
+                    name if both => format!("{name} {kind}"),
+                    name => name.to_owned(),
+                };
+                let name = name.chars().take(limits::MAX_NAME).collect();
+                layers.push(Layer { name, strokes, ..Layer::default() });
+            }
+        }
+    }
+    if off > 0 {
+        drawing.unread.insert("mark off the canvas", off);
+    }
+    let unread: Vec<String> =
+        drawing.unread.iter().map(|(kind, count)| format!("{count} × {kind}")).collect();
+    let unread = if unread.is_empty() { String::new() } else { format!("; not read: {}", unread.join(", ")) };
+    if layers.is_empty() {
+        return Err(ImportError::Nothing { file: file.to_owned(), unread });
+    }
+    if layers.len() > limits::MAX_LAYERS {
+        return Err(ImportError::Layers { file: file.to_owned(), found: layers.len() });
+    }
+    let name = Path::new(file)
+        .file_stem()
+        .map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
+    let document = Document { name: name.unwrap_or_default(), size, dpi, layers, ..Document::default() };
+    Ok((document, unread))
+}
+
+/// A mark as a document may hold it; `None` where it lies off the canvas.
+fn stroke(mark: &Mark, size: [u32; 2]) -> Option<Stroke> {
+    let thickness = limits::Range::thickness(size);
+    let thick = |length: f64| rounded(length).clamp(thickness.low, thickness.high);
+    let inside = |point: [f64; 2]| (0..2).all(|axis| limits::Range::inside(size[axis]).holds(point[axis]));
+    let stroke = match *mark {
+        Mark::Ellipse(Ellipse { center, radii, angle }) => Stroke::Ellipse(Ellipse {
+            center: center.map(rounded),
+            radii: radii.map(thick),
+            angle: rounded(angle),
+        }),
+        Mark::Line(Line { from, to, width }) => {
+            let [from, to] = [from, to].map(|end| end.map(rounded));
+            Stroke::Line(Line { from, to, width: if width > 0.0 { thick(width) } else { Stroke::WIDTH } })
+        }
+    };
+    let fits = match &stroke {
+        Stroke::Ellipse(ellipse) => inside(ellipse.center),
+        Stroke::Line(line) => {
+            let around =
+                |end: [f64; 2]| (0..2).all(|axis| limits::Range::around(size[axis]).holds(end[axis]));
+            inside(line.center())
+                && around(line.from)
+                && around(line.to)
+                && line.length() >= limits::MIN_LENGTH
+        }
+        Stroke::Freehand { .. } => false,
+    };
+    fits.then_some(stroke)
+}
+
+/// To a thousandth of a px: an SVG's numbers are no finer.
+fn rounded(number: f64) -> f64 {
+    (number * 1000.0).round() / 1000.0
+}
