@@ -268,9 +268,11 @@ impl Window {
     /// Pages over the window.
     pub(super) fn over_all(&mut self, ui: &mut Ui) -> Vec<Action> {
         let mut actions = Vec::new();
+        // The key that ends the choosing of a file is no answer to the dialog behind it.
+        let choosing = self.files.chooser.is_some();
         self.choosing(ui);
         self.asking(ui);
-        if self.files.chooser.is_none() {
+        if !choosing && self.files.chooser.is_none() {
             self.export_ui(ui);
         }
         if let Some(page) = self.page
@@ -370,10 +372,10 @@ impl Window {
                 Answer::No => self.go_on(ui, action),
                 Answer::Cancel => {}
             }
-        } else if let Some(new) = self.files.new.take() {
-            if answer == Answer::Yes {
-                self.create(&new);
-            }
+        } else if let Some(new) = self.files.new.take()
+            && answer == Answer::Yes
+        {
+            self.create(&new);
         }
     }
 }

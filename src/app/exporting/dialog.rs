@@ -76,14 +76,14 @@ impl Dialog {
         let left = Rect::from_min_size(top, vec2(COLUMN, height));
         let right = Rect::from_min_max(top + vec2(COLUMN + 18.0, 0.0), all.max);
         let mut said = None;
-        ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
-            let area = ScrollArea::vertical().auto_shrink([false; 2]).max_height(height);
-            area.show(ui, |ui| {
-                ui.set_max_width(COLUMN - 14.0);
-                said = pages::page(ui, &mut self.choices, about);
-            });
+        // Placed by hand, so that the dialog is as large whatever is in it.
+        let mut column = ui.new_child(UiBuilder::new().max_rect(left));
+        let area = ScrollArea::vertical().auto_shrink([false; 2]).max_height(height);
+        area.show(&mut column, |ui| {
+            ui.set_max_width(COLUMN - 14.0);
+            said = pages::page(ui, &mut self.choices, about);
         });
-        ui.scope_builder(UiBuilder::new().max_rect(right), |ui| self.right(ui, about));
+        self.right(&mut ui.new_child(UiBuilder::new().max_rect(right)), about);
         ui.add_space(4.0);
         ui.separator();
         ui.horizontal(|ui| {

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Color32, ColorImage};
 
-use crate::export::outline::{Group, Path};
+use crate::export::outline::{Group, Path, Shape};
 
 /// Outlines as they are written.
 pub struct Drawing {
@@ -25,7 +25,7 @@ impl Drawing {
         let size = self.size.map(|side| ((side * scale).round() as usize).max(1));
         let mut paper = Paper { size, cover: Vec::new(), image: vec![[255.0; 3]; size[0] * size[1]] };
         for group in &self.groups {
-            let areas = group.areas.iter().flat_map(|shape| shape.paths());
+            let areas = group.areas.iter().flat_map(Shape::paths);
             paper.cover = vec![0.0; size[0] * size[1]];
             paper.fill(&areas.map(|path| flat(path, scale)).collect::<Vec<_>>());
             paper.ink(group.colour);

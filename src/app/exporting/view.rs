@@ -86,7 +86,7 @@ impl View {
         self.paint(ui, room, rect, fresh);
         let what = if frames.is_empty() { "Preview" } else { "Preview of the film" };
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, what));
-        response.on_hover_text(if self.close {
+        response.on_hover_text_at_pointer(if self.close {
             "Click to see all of it; drag to move"
         } else {
             "Click to see it px by px"

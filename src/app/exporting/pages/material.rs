@@ -34,6 +34,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) {
                 if number(ui, &format!("Relief of {}", layer.name), field.suffix(" px")) {
                     put(&mut material.relief, index, relief);
                 }
+                ui.weak("high");
                 let mut rough = of(&material.roughness, index + 1);
                 let field = DragValue::new(&mut rough).range(0.0..=1.0).speed(0.01).max_decimals(2);
                 if number(ui, &format!("Roughness of {}", layer.name), field) {
