@@ -71,7 +71,10 @@ pub fn outlines(
     if document.edges == Edges::Wrap {
         style.hatch = style.hatch.map(|hatch| hatch.seamless(size));
     }
-    Ok(draw(layers, size, &style))
+    let drawn = draw(layers, size, &style);
+    // The way through a million strokes takes a while; whoever has stopped meanwhile gets no file.
+    watch.step(Stage::Write, 1.0).map_err(|_| Stopped::Cancelled)?;
+    Ok(drawn)
 }
 
 fn of_layer(

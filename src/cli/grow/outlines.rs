@@ -152,7 +152,7 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
 }
 
 /// Bytes that a stroke of a hatch takes while the way through them is looked for: three times the path, the places where
-/// it may begin, and its visit.
+/// it may begin, and its visit. Measured 490, of 1.4 million strokes on 4096².
 const A_STROKE: f64 = 700.0;
 
 /// About how many strokes a hatch of a layer's marks has, all in px of the canvas: marks cover at most half of it, and
