@@ -3,7 +3,7 @@
 use crate::synth::drawn::region_map;
 use crate::synth::plan::Plan;
 use crate::synth::recipe::Document;
-use crate::synth::{Engine, Training, planned};
+use crate::synth::{Engine, Training, memory, planned};
 use std::io::Write;
 use std::time::Instant;
 
@@ -58,6 +58,7 @@ impl Estimate<'_> {
         for index in 0..document.layers.len() {
             let map = region_map(document, index, source).ok()?;
             let plan = planned(document, index, source, self.training, &map, beneath.as_ref()).ok()?;
+            memory::check(plan.system, document.size.map(f64::from), plan.grid).ok()?;
             let mut engine = Engine::new(&plan, document.layer_seed(index));
             updates += engine.updates_left();
             if speed.is_none() {

@@ -65,7 +65,7 @@ fn an_interrupted_growth_leaves_nothing_behind() {
     let folder = Folder::with(&spots());
     let mut child = start(
         &folder,
-        "grow a.dapple -o a.png --size 2048x2048 --threads 2 --pattern p.png --labels l.png --report r.json",
+        "grow a.dapple -o a.png --quiet --size 2048x2048 --threads 2 --pattern p.png --labels l.png --report r.json",
     );
     wait_until(&mut child, is_growing);
     assert_eq!(interrupt(child), (Some(130), "error: interrupted\n".to_owned()));
