@@ -4,6 +4,7 @@ use crate::export::ExportError;
 use crate::synth::GrowError;
 use crate::synth::recipe::DocumentError;
 use std::io;
+use std::path::PathBuf;
 
 /// Why a command could not do what was asked.
 #[derive(Debug, thiserror::Error)]
@@ -27,6 +28,16 @@ pub enum Error {
     /// Arguments that contradict each other.
     #[error("{0}")]
     Usage(String),
+    /// What is read would be written over.
+    #[error("{name} and {output}: found {file} twice; allowed: two files", file = file.display())]
+    WriteOver {
+        /// What the file that is read is called in the usage.
+        name: String,
+        /// The option that names what is written.
+        output: &'static str,
+        /// The file.
+        file: PathBuf,
+    },
     /// It was built without the window.
     #[cfg(not(feature = "app"))]
     #[error("{file}: this dapple was built without its window; allowed: dapple grow {file} -o OUT.png")]

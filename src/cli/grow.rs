@@ -104,7 +104,7 @@ impl Args {
     /// Refuses to write two things to one file, or to write over the document, and a layer of nothing.
     ///
     /// # Errors
-    /// [`Error::Usage`] that names the file.
+    /// [`Error::Usage`] or [`Error::WriteOver`] that names the file.
     pub fn check_outputs(&self) -> Result<(), Error> {
         if let Some(layer) = self.layer
             && self.pattern.is_none()
@@ -129,6 +129,10 @@ impl Args {
         let paths: Vec<_> = named.chain(material.iter().map(|path| ("--material", path))).collect();
         for (i, (name, path)) in paths.iter().enumerate() {
             if let Some((other, _)) = paths[..i].iter().find(|(_, other)| place(other) == place(path)) {
+                if *other == "FILE" {
+                    let (name, file) = (other.to_string(), path.to_path_buf());
+                    return Err(Error::WriteOver { name, output: paths[i].0, file });
+                }
                 let file = path.display();
                 return Err(Error::Usage(format!(
                     "{name} and {other}: found {file} twice; allowed: two files"
@@ -142,11 +146,11 @@ impl Args {
 /// Refuses to write over what is read.
 ///
 /// # Errors
-/// [`Error::Usage`] that names the file.
+/// [`Error::WriteOver`].
 pub(super) fn check_apart(name: &str, input: &Path, output: &Path) -> Result<(), Error> {
     if place(input) == place(output) {
-        let file = output.display();
-        return Err(Error::Usage(format!("{name} and --output: found {file} twice; allowed: two files")));
+        let (name, file) = (name.to_owned(), output.to_owned());
+        return Err(Error::WriteOver { name, output: "--output", file });
     }
     Ok(())
 }

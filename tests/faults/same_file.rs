@@ -29,13 +29,15 @@ fn what_is_read_is_not_written_over() {
             "film b.dapple --to a.png -o OTHER",
             "sheet b.dapple a.png -o OTHER",
         ] {
-            bench.refuses(&command.replace("OTHER", other), 2, &["twice", "two files"]);
+            // Written over what is read it could not be; two outputs of one name are asked for wrongly.
+            let code = if command.starts_with("grow b") { 2 } else { 1 };
+            bench.refuses(&command.replace("OTHER", other), code, &["twice", "two files"]);
         }
     }
     for command in
         ["lookup --batch in.csv -o ./in.csv", "import in.svg -o link.dapple", "import in.svg -o in.svg"]
     {
-        bench.refuses(command, 2, &["twice", "two files"]);
+        bench.refuses(command, 1, &["twice", "two files"]);
     }
     assert!(crate::bench::files(bench.folder()) == before);
 }
