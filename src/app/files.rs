@@ -9,12 +9,11 @@ use super::chooser::{Choice, Chooser, Purpose};
 use super::desk::Desk;
 use super::examples::{EXAMPLES, GALLERY};
 use super::exporting::{Dialog, Size};
+use super::opening::is_palette;
 use super::pages::{self, Answer, New};
 use super::window::Window;
 use super::{preferences, recovery, shortcuts};
 use crate::export::has_ending;
-use crate::synth::import::{DPI, import};
-use crate::synth::recipe::palette::Palette;
 use crate::synth::recipe::{Document, in_picture, open};
 
 /// What is asked about files.
@@ -79,20 +78,6 @@ impl Window {
             Ok((document, _)) => {
                 self.settings.remember(path);
                 self.begin(Desk::open(document, Some(path.to_owned())));
-            }
-            Err(error) => self.notices.wrong(with_causes(&error)),
-        }
-    }
-
-    /// A drawing becomes a document, which has no file yet.
-    fn import(&mut self, path: &Path) {
-        match import(path, DPI) {
-            Ok(imported) => {
-                self.begin(Desk::recovered(imported.document, Document::default(), None));
-                let name = path.file_name().unwrap_or_default().to_string_lossy();
-                let told = format!("{name}: {}", imported.told);
-                // What was left out stays until it is read.
-                if imported.partly { self.notices.wrong(told) } else { self.notices.done(told) }
             }
             Err(error) => self.notices.wrong(with_causes(&error)),
         }
@@ -378,16 +363,6 @@ impl Window {
             self.create(&new);
         }
     }
-}
-
-/// Does a .json hold a palette, rather than a document?
-fn is_palette(path: &Path) -> bool {
-    Palette::read(path).is_ok() || Document::read(path).is_err_and(|_| mentions_palette(path))
-}
-
-/// What calls itself a palette is told about as one, also where it is wrong.
-fn mentions_palette(path: &Path) -> bool {
-    std::fs::read_to_string(path).is_ok_and(|text| text.contains("dapple palette"))
 }
 
 /// A message and those of its causes, on one line.

@@ -26,6 +26,7 @@ mod line;
 mod lock;
 mod lying;
 mod notice;
+mod opening;
 mod pages;
 mod palettes;
 mod panels;

@@ -14,6 +14,7 @@ pub mod maps;
 pub mod material;
 pub mod motion;
 pub mod outline;
+mod passing;
 pub mod picture;
 pub mod png;
 mod save;
@@ -23,6 +24,7 @@ pub mod tiff;
 pub mod web;
 
 pub use format::{Content, Format};
+pub use passing::Passing;
 pub use save::{
     Begun, ExportError, Prepared, begin, check_content, check_ending, check_file, check_target, has_ending,
     make_folder, prepare, save,

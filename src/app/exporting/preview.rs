@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use eframe::egui::{ColorImage, Context};
-use tempfile::TempDir;
 
 use super::What;
 use super::job::Job;
 use super::order::{Order, Pending};
 use super::sight::Sight;
+use crate::export::Passing;
 use crate::export::material::name;
 use crate::export::motion::Film;
 use crate::synth::estimate::Needs;
@@ -44,7 +44,7 @@ pub struct Made {
     /// What its film is like.
     pub film: Option<Film>,
     /// Where the files lie; they go with it.
-    _folder: TempDir,
+    _folder: Passing,
 }
 
 /// What is made, and what was.
@@ -196,8 +196,7 @@ impl Preview {
 
 /// Writes it for the eye.
 fn made(order: Order, grown: Option<&Arc<Grown>>, watch: &Watch) -> Result<Made, String> {
-    let folder =
-        tempfile::Builder::new().prefix("dapple-preview-").tempdir().map_err(|error| error.to_string())?;
+    let folder = Passing::new().map_err(|error| format!("no preview can be kept: {error}"))?;
     let grown = if order.is_film() { None } else { Some(order.grow(grown, watch)?) };
     let size = seen(&order);
     let file = match order.choices.ending() {

@@ -22,8 +22,8 @@ pub struct View {
     pub close: bool,
     /// The middle of what is seen then, 0..1.
     middle: Vec2,
-    /// What the texture shows: of what, which picture, which frame.
-    held: Option<(usize, usize)>,
+    /// What the texture shows: of what, which picture or frame, and whether px by px.
+    held: Option<(usize, usize, bool)>,
     texture: Option<TextureHandle>,
     /// Seconds since the film began.
     pub time: f64,
@@ -39,14 +39,15 @@ impl View {
         Self { plays: true, middle: vec2(0.5, 0.5), ..Self::default() }
     }
 
-    fn show(&mut self, ui: &Ui, made: &Arc<Made>, index: usize, image: &ColorImage) {
-        let what = (Arc::as_ptr(made) as usize, index);
+    fn show(&mut self, ui: &Ui, made: &Arc<Made>, (index, image): (usize, &ColorImage), scale: f32) {
+        // Px are seen as they are, unless several of them share one of the screen.
+        let sharp = scale * ui.pixels_per_point() >= 1.0;
+        let what = (Arc::as_ptr(made) as usize, index, sharp);
         if self.held == Some(what) {
             return;
         }
         self.held = Some(what);
-        let options =
-            TextureOptions { magnification: eframe::egui::TextureFilter::Nearest, ..TextureOptions::LINEAR };
+        let options = if sharp { TextureOptions::NEAREST } else { TextureOptions::LINEAR };
         match &mut self.texture {
             Some(texture) => texture.set(image.clone(), options),
             None => self.texture = Some(ui.ctx().load_texture("export", image.clone(), options)),
@@ -66,11 +67,11 @@ impl View {
         };
         let response = ui.interact(room, Id::unique("export preview"), Sense::click_and_drag());
         let Some(image) = image else { return response };
-        self.show(ui, made, index, image);
         let size = vec2(image.size[0] as f32, image.size[1] as f32);
         let fit = (room.width() / size.x).min(room.height() / size.y);
         let close = 1.0 / ui.pixels_per_point();
         let scale = if self.close { close } else { fit.min(4.0 * close) };
+        self.show(ui, made, (index, image), scale);
         let seen = size * scale;
         if response.clicked() {
             self.close = !self.close;
