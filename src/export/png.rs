@@ -121,8 +121,40 @@ pub fn write(
     opened.finish()
 }
 
+/// A file that, once it has failed, fails at whatever follows: where the last rows do not find room, `png` (0.18) says
+/// nothing of it, and the end of the file might.
+struct Lasting<W> {
+    out: W,
+    failed: Option<io::ErrorKind>,
+}
+
+impl<W> Lasting<W> {
+    fn lasts<T>(&mut self, act: impl FnOnce(&mut W) -> io::Result<T>) -> io::Result<T> {
+        if let Some(kind) = self.failed {
+            return Err(kind.into());
+        }
+        let done = act(&mut self.out);
+        if let Err(error) = &done
+            && error.kind() != io::ErrorKind::Interrupted
+        {
+            self.failed = Some(error.kind());
+        }
+        done
+    }
+}
+
+impl<W: Write> Write for Lasting<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.lasts(|out| out.write(bytes))
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.lasts(W::flush)
+    }
+}
+
 /// A PNG whose head is written, for whoever writes several at once.
-pub struct Opened<W: Write>(png::Writer<W>);
+pub struct Opened<W: Write>(png::Writer<Lasting<W>>);
 
 impl<W: Write> Opened<W> {
     /// Writes the head.
@@ -130,6 +162,7 @@ impl<W: Write> Opened<W> {
     /// # Errors
     /// What `out` fails with; a size that PNG cannot hold.
     pub fn new(out: W, header: Header) -> Result<Self, Stopped> {
+        let out = Lasting { out, failed: None };
         Ok(Self(encoder(out, header)?.write_header().map_err(into_io)?))
     }
 
@@ -151,7 +184,7 @@ impl<W: Write> Opened<W> {
 }
 
 /// The rows of a PNG.
-pub struct Rows<'a, W: Write>(StreamWriter<'a, W>);
+pub struct Rows<'a, W: Write>(StreamWriter<'a, Lasting<W>>);
 
 impl<W: Write> Rows<'_, W> {
     /// Writes the bytes of some more rows.
