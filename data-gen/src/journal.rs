@@ -17,7 +17,7 @@ use std::sync::Mutex;
 use dapple::measure::Reason;
 use serde_json::{Value, json};
 
-use crate::plan::Plan;
+use crate::plan::{Plan, shown};
 use crate::run::{ACCEPTED, Record};
 use crate::shard::Shard;
 
@@ -115,7 +115,7 @@ impl Part {
 
     /// The journal in `bytes`; `path` is its name in messages.
     pub fn parse(path: &Path, bytes: &[u8]) -> Result<Self, String> {
-        let failed = |problem: String| format!("{}: {problem}", path.display());
+        let failed = |problem: String| format!("{}: {}", path.display(), shown(&problem));
         let whole = bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |last| last + 1);
         let text = text(path, bytes[..whole].to_vec())?;
         let (first, rest) = first_line(&text);

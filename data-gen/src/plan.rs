@@ -135,6 +135,19 @@ mod system {
     }
 }
 
+/// A problem as it may stand in a message: it quotes what a file holds, of any length and whatever it does to a terminal.
+pub fn shown(problem: &str) -> String {
+    const LONGEST: usize = 600;
+    let mut shown = String::new();
+    for c in problem.chars().take(LONGEST) {
+        if c.is_control() { shown.extend(c.escape_unicode()) } else { shown.push(c) }
+    }
+    if problem.chars().count() > LONGEST {
+        shown.push('…');
+    }
+    shown
+}
+
 impl Plan {
     /// The plan of `training/`.
     pub fn built_in() -> Result<Self, String> {
@@ -153,7 +166,7 @@ impl Plan {
     /// The plan that stands in `text`; `file` is its name in messages.
     pub fn parse(text: &str, file: &str) -> Result<Self, String> {
         let value: Value = serde_json::from_str(text).map_err(|error| format!("{file}: {error}"))?;
-        Self::of(&value).map_err(|problem| format!("{file}: {problem}"))
+        Self::of(&value).map_err(|problem| format!("{file}: {}", shown(&problem)))
     }
 
     /// The plan that this is.

@@ -29,7 +29,7 @@ pub struct Args {
 #[derive(Debug, thiserror::Error)]
 pub enum MeasureError {
     /// It cannot be read.
-    #[error("{path}: cannot be read as a picture: {source}")]
+    #[error("{path}: cannot be read as a picture: {}", said(source))]
     Unreadable {
         /// The file.
         path: PathBuf,
@@ -76,6 +76,12 @@ pub enum MeasureError {
 const HELD: f64 = 16.0;
 /// Less contrast than this is compression noise.
 const LEAST_SPAN: f32 = 0.05;
+
+/// What a reader of pictures says, on one line: some end it, and what stands in the file they quote as it is.
+fn said(error: &image::ImageError) -> String {
+    let shown = |c: char| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c };
+    error.to_string().trim_end().chars().map(shown).collect()
+}
 
 /// Measures the picture and prints what it has.
 ///
@@ -324,6 +330,20 @@ mod tests {
         let error = measure_in(std::io::Cursor::new(bytes), Path::new("bomb.tiff"), false).unwrap_err();
         let told = error.to_string();
         assert!(told.starts_with("bomb.tiff: 1000000×1000000 px need about 16000.0 GB of memory"), "{told}");
+    }
+
+    /// Found by fuzzing: the reader of JPEGs ends its message with a new line.
+    #[test]
+    fn what_is_wrong_with_a_picture_is_said_on_one_line() {
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        let picture = DynamicImage::new_luma8(16, 16);
+        picture.write_to(&mut bytes, image::ImageFormat::Jpeg).unwrap();
+        let whole = bytes.into_inner();
+        for length in 3..whole.len() {
+            let cut = std::io::Cursor::new(&whole[..length]);
+            let told = measure_in(cut, Path::new("a.jpg"), false).unwrap_err().to_string();
+            assert!(!told.contains(char::is_control), "{told:?}");
+        }
     }
 
     #[test]
