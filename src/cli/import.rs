@@ -5,6 +5,8 @@ use crate::export;
 use crate::marks::{Ellipse, Line, Mark};
 use crate::sketch::svg::{self, Drawing, SvgError};
 use crate::synth::recipe::{Document, Kind, Layer, Stroke, limits};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
@@ -20,6 +22,9 @@ pub struct Args {
     /// px an inch of the canvas; the SVG says its size in mm or in px of 1/96 inch
     #[arg(long, value_name = "N", default_value_t = svg::DPI, value_parser = values::dpi)]
     pub dpi: f64,
+    /// Print what was read as one JSON object
+    #[arg(long)]
+    pub json: bool,
     /// Do not tell what was read
     #[arg(short, long)]
     pub quiet: bool,
@@ -77,8 +82,15 @@ pub fn run(args: &Args) -> Result<(), Error> {
         .map_err(|source| Error::step(ImportError::Svg { file: file.clone(), source }))?;
     let (document, unread) = document(drawing, args, &file).map_err(Error::step)?;
     document.write(&args.output)?;
-    if !args.quiet {
-        let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
+    let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
+    if args.json {
+        let layer = |layer: &Layer| json!({"name": layer.name, "marks": layer.strokes.len()});
+        let layers: Vec<Value> = document.layers.iter().map(layer).collect();
+        let told = json!({"file": file, "document": args.output.display().to_string(), "size": document.size,
+            "dpi": document.dpi, "marks": marks, "layers": layers, "unread": unread});
+        super::say(&format!("{told:#}\n"))?;
+    } else if !args.quiet {
+        let unread = told_unread(&unread);
         let layers = document.layers.len();
         let [width, height] = document.size;
         let told = format!("{marks} marks in {layers} layers on {width} × {height} px{unread}");
@@ -94,7 +106,16 @@ fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn document(mut drawing: Drawing, args: &Args, file: &str) -> Result<(Document, String), ImportError> {
+/// What an SVG holds that is no mark, and how often.
+type Unread = BTreeMap<&'static str, usize>;
+
+/// Such as `; not read: 2 × text`.
+fn told_unread(unread: &Unread) -> String {
+    let unread: Vec<String> = unread.iter().map(|(kind, count)| format!("{count} × {kind}")).collect();
+    if unread.is_empty() { String::new() } else { format!("; not read: {}", unread.join(", ")) }
+}
+
+fn document(mut drawing: Drawing, args: &Args, file: &str) -> Result<(Document, Unread), ImportError> {
     // What is a rounding error above whole px is whole.
     let sides = drawing.size.map(|side| (side - 1e-3).ceil().max(1.0));
     if sides.iter().any(|side| *side > limits::MAX_SIDE as f64) {
@@ -126,11 +147,9 @@ fn document(mut drawing: Drawing, args: &Args, file: &str) -> Result<(Document, 
     if off > 0 {
         drawing.unread.insert("mark off the canvas", off);
     }
-    let unread: Vec<String> =
-        drawing.unread.iter().map(|(kind, count)| format!("{count} × {kind}")).collect();
-    let unread = if unread.is_empty() { String::new() } else { format!("; not read: {}", unread.join(", ")) };
+    let unread = drawing.unread;
     if layers.is_empty() {
-        return Err(ImportError::Nothing { file: file.to_owned(), unread });
+        return Err(ImportError::Nothing { file: file.to_owned(), unread: told_unread(&unread) });
     }
     if layers.len() > limits::MAX_LAYERS {
         return Err(ImportError::Layers { file: file.to_owned(), found: layers.len() });
