@@ -242,3 +242,27 @@ fn differences(long: &Sample, fast: &Sample) -> [Option<f64>; 5] {
         _ => [None; 5],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_numbers_for_machines_are_those_of_the_table() {
+        let pair = |area: f64, turn: Option<f64>| Pair {
+            differences: [Some(0.0), Some(area), None, Some(0.5), turn],
+            steps: [1_000, 120],
+            settled: true,
+        };
+        let pairs = [pair(1.5, None), pair(-0.5, Some(0.4))];
+        let summary = Summary::of(&pairs);
+        assert_eq!(summary.differences[1], Some([0.5, 1.5]));
+        // The mean turn, of the one seed that has a direction, is over its bound.
+        assert!(!summary.good && Summary::of(&pairs[..1]).good);
+        let told = patches()[0].json(&pairs, &summary);
+        assert_eq!(told["differences"]["area_or_width"], json!({"mean": 0.5, "largest": 1.5, "bound": 1.0}));
+        assert_eq!(told["seeds"][1]["differences"]["angle"], json!(0.4));
+        assert_eq!((&told["long_steps"], &told["good"]), (&json!(1_000), &json!(false)));
+        assert!(told["differences"].get("spacing_or_wavelength").is_none());
+    }
+}

@@ -1,21 +1,39 @@
 //! How long it will take, told before it begins.
+//!
+//! ```text
+//! seconds = Σ updates ÷ speed  +  px of the canvas · layers · RULER · painting  +  px of the picture · painting
+//! ```
+//!
+//! Cell updates to be expected are the engine's own figure; their speed and that of painting a px are tried on this
+//! machine as it is now, on a canvas of the same texture that is no larger than [`TRIAL`]: features keep their size, so
+//! that both are as they will be.
 
+use crate::export::png;
+use crate::rd::Growth;
 use crate::synth::drawn::region_map;
+use crate::synth::painting::{Look, Painting};
 use crate::synth::plan::Plan;
 use crate::synth::recipe::Document;
 use crate::synth::{Engine, Training, memory, planned};
 use std::io::Write;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// What takes longer than this is told, seconds.
 const LONG: f64 = 5.0;
-/// Cell updates of the stint that tells this machine's speed now: 5 to 50 ms.
-const STINT: u64 = 4_000_000;
-/// A whole growth takes so many times the simulation of its layers: planning and probes before, measuring and painting
-/// after. On the examples 1.1 to 1.6.
-const BESIDE: f64 = 1.3;
-/// px of all canvases below which a growth is over before its time is worked out.
+/// px of the canvas that is tried; what is not larger is tried as it is.
+const TRIAL: f64 = 600.0 * 600.0;
+/// How long the speed of the steps is tried: long enough for all threads to wake.
+const STINT: Duration = Duration::from_millis(40);
+/// Steps between two looks at the clock.
+const STEPS: u64 = 8;
+/// Sides of the picture that is painted to see how long a px takes.
+const PAINTED: [usize; 2] = [256, 256];
+/// Measuring what has grown takes so many times as long as painting it; less where nothing is corrected.
+const RULER: f64 = 1.0;
+/// px of all canvases and pictures below which a growth is over before its time is worked out.
 const SMALL: f64 = 700.0 * 700.0;
+/// Documents of a batch that are tried at most; the others take as long for their px as these.
+const TRIED: usize = 4;
 
 /// Tells how long work will take.
 pub struct Estimate<'a> {
@@ -25,21 +43,43 @@ pub struct Estimate<'a> {
     pub quiet: bool,
 }
 
+/// A document to be grown, and the px along each side of its picture for one of its canvas.
+pub struct Task<'a> {
+    /// The document, of the size that is asked for.
+    pub document: &'a Document,
+    /// What messages call it.
+    pub source: &'a str,
+    /// px a px.
+    pub scale: u32,
+}
+
+impl Task<'_> {
+    /// px of the canvas, and of the picture.
+    fn px(&self) -> [f64; 2] {
+        let canvas = f64::from(self.document.size[0]) * f64::from(self.document.size[1]);
+        [canvas, canvas * f64::from(self.scale) * f64::from(self.scale)]
+    }
+}
+
 impl Estimate<'_> {
-    /// Tells on stderr how long these documents will take, each grown `times`, where that is long.
-    pub fn tell(&self, documents: &[(&Document, &str)], times: f64) {
-        let area = |size: [u32; 2]| f64::from(size[0]) * f64::from(size[1]);
-        let px: f64 = documents.iter().map(|(document, _)| area(document.size)).sum();
+    /// Tells on stderr how long these will take, each grown `times`, where that is long.
+    pub fn tell(&self, tasks: &[Task], times: f64) {
+        let px: f64 = tasks.iter().map(|task| task.px()[1]).sum();
         if self.quiet || times * px < SMALL {
             return;
         }
-        let Some(first) = documents.first().and_then(|(document, source)| self.seconds(document, source))
-        else {
-            return;
-        };
-        // The first stands for the others, by its px.
-        let seconds = times * first * px / area(documents[0].0.size);
-        self.tell_seconds(seconds);
+        let every = tasks.len().div_ceil(TRIED).max(1);
+        let (mut seconds, mut tried) = (0.0, 0.0);
+        for task in tasks.iter().step_by(every) {
+            // What cannot be grown says why when it is its turn.
+            if let Some(found) = self.seconds(task) {
+                seconds += found;
+                tried += task.px()[1];
+            }
+        }
+        if tried > 0.0 {
+            self.tell_seconds(times * seconds * px / tried);
+        }
     }
 
     /// Tells on stderr that it will take so many seconds, where these are many.
@@ -50,28 +90,51 @@ impl Estimate<'_> {
         }
     }
 
-    /// Seconds of one growth: cell updates to be expected, at the speed of a short stint of the engine. `None` where it
-    /// cannot be planned: the growth itself says why.
-    fn seconds(&self, document: &Document, source: &str) -> Option<f64> {
+    /// Seconds of one growth. `None` where it cannot be planned, or does not fit into memory.
+    fn seconds(&self, task: &Task) -> Option<f64> {
+        let Task { document, source, .. } = *task;
+        let [canvas, picture] = task.px();
+        let times = (canvas / TRIAL).max(1.0);
+        let side = |side: u32| (f64::from(side) / times.sqrt()).max(1.0);
         let mut beneath: Option<Plan> = None;
-        let (mut updates, mut speed) = (0.0, None);
+        let (mut growth, mut painting) = (0.0, 0.0);
         for index in 0..document.layers.len() {
-            let map = region_map(document, index, source).ok()?;
+            let map = region_map(document, index, source).ok()?.resized(document.size.map(side));
             let plan = planned(document, index, source, self.training, &map, beneath.as_ref()).ok()?;
-            memory::check(plan.system, document.size.map(f64::from), plan.grid).ok()?;
-            let mut engine = Engine::new(&plan, document.layer_seed(index));
-            updates += engine.updates_left();
-            if speed.is_none() {
-                let started = Instant::now();
-                let before = engine.updates_left();
-                engine.advance(STINT);
-                let done = before - engine.updates_left();
-                speed = Some(done.max(1.0) / started.elapsed().as_secs_f64().max(1e-6));
-            }
+            let whole = plan.grid.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
+            memory::check(plan.system, document.size.map(f64::from), whole).ok()?;
+            let engine = Engine::new(&plan, document.layer_seed(index));
+            growth += times * engine.updates_left() / speed(&plan)?;
+            painting += painted(document, &plan, &engine) * (canvas * RULER + picture);
             beneath = Some(plan);
         }
-        Some(BESIDE * updates / speed?)
+        Some(growth + painting)
     }
+}
+
+/// Cell updates a second on the grid of `plan`.
+fn speed(plan: &Plan) -> Option<f64> {
+    let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+    let cells = maps.nx * maps.ny;
+    let concentrations = vec![vec![1.0; cells]; plan.system.chemicals().len()];
+    let mut growth = Growth::resumed(plan.system, &maps, plan.map.layout().edges, &concentrations)?;
+    growth.advance(STEPS);
+    let started = Instant::now();
+    let mut steps = 0;
+    while started.elapsed() < STINT {
+        growth.advance(STEPS);
+        steps += STEPS;
+    }
+    Some((steps * cells as u64) as f64 / started.elapsed().as_secs_f64().max(1e-6))
+}
+
+/// Seconds that a px takes to be painted and written.
+fn painted(document: &Document, plan: &Plan, engine: &Engine) -> f64 {
+    let started = Instant::now();
+    let rgb = Painting::growing(document, &Look { beneath: &[], plan, engine }, PAINTED).rgb();
+    // Into nothing; if that fails it takes no time either.
+    let _ = png::rgb8(std::io::sink(), PAINTED, None, &rgb);
+    started.elapsed().as_secs_f64() / (PAINTED[0] * PAINTED[1]) as f64
 }
 
 /// Such as `about 40 s`: two digits at most.

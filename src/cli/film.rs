@@ -1,6 +1,6 @@
 //! `dapple film`: a growth, or the way from one document to another, as a clip.
 
-use super::estimate::Estimate;
+use super::estimate::{Estimate, Task};
 use super::grow::{place, progress::Bar};
 use super::{Error, values};
 use crate::export::motion::{self, COLOURS, Film, Kind};
@@ -137,7 +137,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         written(args, kind, &film, &|show| morph.clone().play(frames, film.size, &watch, show))
     } else {
         // It is grown twice: once to see how much each moment changes.
-        estimate.tell(&[(&document, &source)], 2.0);
+        estimate.tell(&[Task { document: &document, source: &source, scale: 1 }], 2.0);
         let options = Options { refine: args.no_refine.then_some(false), ..Options::default() };
         let scene = Scene { document: &document, source: &source, training: &training, options };
         let takes = Takes::of(&scene, frames, &watch).map_err(Error::grown)?;

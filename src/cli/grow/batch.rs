@@ -1,7 +1,7 @@
 //! Many documents, or one from many seeds, into a folder: one that fails does not stop the others.
 
 use super::{Args, Error, Source, grow_one, place};
-use crate::cli::estimate::Estimate;
+use crate::cli::estimate::{self, Estimate};
 use crate::cli::sheet::{self, Contact};
 use crate::synth::Training;
 use crate::synth::recipe::Document;
@@ -147,8 +147,10 @@ fn tell_time(args: &Args, tasks: &[Task], training: &Training) {
             documents.push((Document { size, ..document }, task.file.display().to_string()));
         }
     }
-    let named: Vec<_> = documents.iter().map(|(document, source)| (document, source.as_str())).collect();
-    Estimate { training, quiet: args.quiet }.tell(&named, 1.0);
+    let scale = args.scale.unwrap_or(1);
+    let tasks: Vec<_> =
+        documents.iter().map(|(document, source)| estimate::Task { document, source, scale }).collect();
+    Estimate { training, quiet: args.quiet }.tell(&tasks, 1.0);
 }
 
 /// Why one is missing, with its name once.
