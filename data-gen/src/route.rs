@@ -258,7 +258,7 @@ mod tests {
         let summary = Summary::of(&pairs);
         assert_eq!(summary.differences[1], Some([0.5, 1.5]));
         // The mean turn, of the one seed that has a direction, is over its bound.
-        assert!(!summary.good && Summary::of(&pairs[..1]).good);
+        assert!(!summary.good && Summary::of(&[pair(0.9, None)]).good);
         let told = patches()[0].json(&pairs, &summary);
         assert_eq!(told["differences"]["area_or_width"], json!({"mean": 0.5, "largest": 1.5, "bound": 1.0}));
         assert_eq!(told["seeds"][1]["differences"]["angle"], json!(0.4));

@@ -63,7 +63,7 @@ fn outputs(document: &str, threads: usize, solver: &str) -> BTreeMap<String, Vec
 fn same(as_usual: &BTreeMap<String, Vec<u8>>, others: &BTreeMap<String, Vec<u8>>, who: &str) {
     let differ: Vec<&String> = as_usual
         .iter()
-        .filter(|(name, bytes)| others.get(*name) != Some(bytes))
+        .filter(|(name, bytes)| others.get(*name) != Some(*bytes))
         .map(|(name, _)| name)
         .collect();
     assert!(differ.is_empty() && as_usual.len() == others.len(), "{who}: other bytes in {differ:?}");
