@@ -17,17 +17,17 @@ fn closed() -> String {
         ellipse(182.0, 90.0, [10.0, 9.0], 70.0),
     ];
     let line = |from: [f64; 2], to: [f64; 2], width: f64| json!({"kind": "line", "from": from, "to": to, "width": width});
-    json!({"format": "dapple", "version": 1, "size": [240, 160], "regions": [2, 1], "layers": [
+    json!({"format": "dapple", "version": 1, "size": [240, 110], "regions": [2, 1], "layers": [
         {"strokes": spots},
         {"after": "around", "options": {"broken": 0.3}, "strokes": [line([20.0, 20.0], [60.0, 20.0], 3.0)]},
-        {"after": "between", "strokes": [line([20.0, 130.0], [90.0, 140.0], 4.0), line([150.0, 150.0], [200.0, 120.0], 4.0)]},
+        {"after": "between", "strokes": [line([20.0, 90.0], [90.0, 100.0], 4.0), line([150.0, 105.0], [200.0, 90.0], 4.0)]},
     ]})
     .to_string()
 }
 
 /// Irregular spots of Turing's three fields, small ones inside, on a seamless tile.
 fn wrap() -> String {
-    json!({"format": "dapple", "version": 1, "size": [200, 200], "edges": "wrap", "seed": 9, "layers": [
+    json!({"format": "dapple", "version": 1, "size": [150, 150], "edges": "wrap", "seed": 9, "layers": [
         {"options": {"irregular": 0.6}, "strokes": [{"kind": "ellipse", "center": [60, 60], "radii": [11, 9]}]},
         {"after": "inside", "strokes": [{"kind": "ellipse", "center": [60, 60], "radii": [4, 3], "angle": 30}]},
     ]})
@@ -41,10 +41,10 @@ fn outputs(document: &str, threads: usize, solver: &str) -> BTreeMap<String, Vec
         "grow a.dapple -o a.png --pattern p.png --labels l.png --concentrations c.exr --svg o.svg --dxf o.dxf \
          --material m --report r.json",
         "grow a.dapple -o a.exr --pattern p.exr --no-refine",
-        "grow a.dapple -o a.webp --transparent --scale 2 --no-refine --svg h.svg --style hatch:2 --report n.json",
+        "grow a.dapple -o a.webp --transparent --no-refine --svg h.svg --style hatch:2 --report n.json",
         "grow a.dapple -o a.tif --depth 16 --pattern p.tif --layer 1 --size 150x170 --no-refine",
-        "film a.dapple -o f.gif --seconds 0.5 --fps 10 --side 96 --no-refine",
-        "film a.dapple -o f.png --seconds 0.5 --fps 10 --side 96 --no-refine",
+        "film a.dapple -o f.gif --seconds 0.3 --fps 10 --side 64 --no-refine",
+        "film a.dapple -o f.png --seconds 0.3 --fps 10 --side 64 --no-refine",
     ] {
         let printed = folder.dapple(&format!("{command} --threads {threads} --quiet"), solver);
         assert!(printed.is_empty());

@@ -20,7 +20,7 @@ enum Allowed {
     Degrees(f64),
 }
 
-const ALLOWED: [(&str, Allowed); 7] = [
+const ALLOWED: [(&str, Allowed); 8] = [
     ("area", Allowed::Share(0.03)),
     ("spacing", Allowed::Share(0.06)),
     ("width", Allowed::Share(0.04)),
@@ -28,6 +28,8 @@ const ALLOWED: [(&str, Allowed); 7] = [
     ("aspect", Allowed::Difference(0.03)),
     ("angle", Allowed::Degrees(4.0)),
     ("marks", Allowed::Share(0.25)),
+    // Of the radius, that a kept mark is off its place; a quarter is promised.
+    ("farthest", Allowed::Difference(0.1)),
 ];
 /// Marks more or less that are no difference where there are few.
 const FEW: f64 = 3.0;

@@ -29,9 +29,10 @@ fn took(document: &Document, name: &str) -> Vec<f64> {
         .collect()
 }
 
+/// `cargo test --test golden -- --ignored --nocapture work`: the ground of the shares in `src/cli/estimate.rs`.
 #[test]
-#[ignore]
-fn tell() {
+#[ignore = "tells how shares were found; takes minutes"]
+fn updates_that_were_expected_and_taken_are_told() {
     let mut all: Vec<(String, Document)> =
         names().into_iter().map(|name| (name.clone(), document(&name))).collect();
     for name in
