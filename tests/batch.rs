@@ -92,6 +92,23 @@ fn a_report_and_a_check_are_printed_as_json() {
     let region = &check["layers"][0]["regions"][0];
     assert!((region["asked"]["area"].as_f64().unwrap() - 40.0 * std::f64::consts::PI).abs() < 1e-9);
     assert_eq!(check["layers"][0]["system"], report["layers"][0]["system"]);
+    assert_eq!(check["layers"][0]["grid"], report["layers"][0]["grid"]);
+    // What is printed for people has the same numbers.
+    let printed = dapple().arg("check").arg(&a).assert().success().get_output().stdout.clone();
+    let printed = String::from_utf8(printed).unwrap();
+    let (number, grid) = (|value: &serde_json::Value| value.as_f64().unwrap(), &check["layers"][0]["grid"]);
+    for told in [
+        format!("spots of {:.0} px²", number(&region["asked"]["area"])),
+        format!("{} × {} cells of {:.2} px", grid[0], grid[1], number(&check["layers"][0]["cell"])),
+        format!(
+            "1. {}: {} ellipse",
+            check["layers"][0]["name"].as_str().unwrap(),
+            check["layers"][0]["drawn"]["ellipse"]
+        ),
+        region["coverage"].as_str().unwrap().to_owned(),
+    ] {
+        assert!(printed.contains(&told), "{told} in {printed}");
+    }
 }
 
 #[test]
@@ -112,4 +129,73 @@ fn every_command_is_completed_and_has_its_page() {
     assert!(page == fs::read(folder.path().join("dapple-grow.1")).unwrap());
     assert!(String::from_utf8(page).unwrap().contains("\\-\\-variations"));
     dapple().args(["man", "gorw"]).assert().code(2);
+    for page in pages {
+        assert!(fs::read(folder.path().join(&page)).unwrap().is_ascii(), "{page}");
+    }
+}
+
+/// What a program of this name says, where the machine has one.
+fn told_by(program: &str, arguments: &[&str]) -> Option<(bool, String)> {
+    let output = std::process::Command::new(program).args(arguments).output().ok()?;
+    let told = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    Some((output.status.success(), told.concat()))
+}
+
+#[test]
+fn pages_have_nothing_that_troff_or_mandoc_warns_of() {
+    let folder = TempDir::new().unwrap();
+    dapple().args(["man", "-o"]).arg(folder.path()).assert().success();
+    for name in names(folder.path()) {
+        let page = folder.path().join(&name);
+        let page = page.to_str().unwrap();
+        // Warnings alone: without -T they would come with the page.
+        if let Some((_, told)) = told_by("groff", &["-man", "-ww", "-z", page]) {
+            assert_eq!(told, "", "{name}");
+        }
+        if let Some((fine, told)) = told_by("mandoc", &["-Tlint", "-Werror", page]) {
+            assert!(fine, "{name}: {told}");
+        }
+    }
+}
+
+#[test]
+fn bash_completes_commands_options_and_values() {
+    let folder = TempDir::new().unwrap();
+    let script = folder.path().join("dapple.bash");
+    let run = dapple().args(["completions", "bash"]).assert().success();
+    fs::write(&script, &run.get_output().stdout).unwrap();
+    let completed = |line: &[&str], last: &str| {
+        let words = line.join(" ");
+        let asked = format!(
+            "source '{}'; COMP_WORDS=({words} '{last}'); COMP_CWORD={}; _dapple dapple '{last}' {}; echo \"${{COMPREPLY[@]}}\"",
+            script.display(),
+            line.len(),
+            line[line.len() - 1]
+        );
+        told_by("bash", &["-c", &asked])
+    };
+    // Where there is no bash nobody completes by it.
+    let Some((fine, told)) = completed(&["dapple"], "gr") else { return };
+    assert!(fine && told.trim() == "grow", "{told}");
+    for (line, last, found) in [
+        (&["dapple", "grow"][..], "--vari", "--variations"),
+        (&["dapple", "film"], "--fp", "--fps"),
+        (&["dapple", "completions"], "fi", "fish"),
+    ] {
+        let (fine, told) = completed(line, last).unwrap();
+        assert!(fine && told.split_whitespace().any(|word| word == found), "{line:?} {last}: {told}");
+    }
+}
+
+#[test]
+fn zsh_and_fish_read_their_completions() {
+    let folder = TempDir::new().unwrap();
+    for shell in ["zsh", "fish"] {
+        let script = folder.path().join(shell);
+        let run = dapple().args(["completions", shell]).assert().success();
+        fs::write(&script, &run.get_output().stdout).unwrap();
+        if let Some((fine, told)) = told_by(shell, &["-n", script.to_str().unwrap()]) {
+            assert!(fine && told.is_empty(), "{shell}: {told}");
+        }
+    }
 }

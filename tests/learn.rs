@@ -93,6 +93,33 @@ fn what_grows_anew_is_held_to_the_bounds() {
 }
 
 #[test]
+fn json_has_the_numbers_of_the_table() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = learn(
+        &["--no-simulation", "--targets", "20", "--system", "meinhardt-stripes", "--json", "-o", "table.csv"],
+        folder.path(),
+    );
+    assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let told = json["outcomes"].as_array().unwrap().iter().flat_map(|outcome| {
+        let quantities = outcome["quantities"].as_object().unwrap().iter();
+        quantities.map(move |(quantity, errors)| {
+            let word = |key: &str| outcome[key].as_str().unwrap().to_owned();
+            let number = |key: &str| format!("{:.5}", errors[key].as_f64().unwrap());
+            let rows = outcome["rows"].to_string();
+            let names = [word("system"), word("errors"), word("method"), rows, outcome["all"].to_string()];
+            let numbers = [errors["count"].to_string(), number("median"), number("p95")];
+            let unit = errors["unit"].as_str().unwrap().to_owned();
+            [&names[..], &[quantity.clone(), unit], &numbers[..]].concat()
+        })
+    });
+    let table: Vec<Vec<String>> =
+        table(&folder.path().join("table.csv"))[1..].iter().map(|line| line[..10].to_vec()).collect();
+    assert_eq!(told.collect::<Vec<_>>(), table);
+    assert!(table.len() > 12);
+}
+
+#[test]
 fn a_folder_without_sets_is_told() {
     let folder = tempfile::tempdir().unwrap();
     let output = learn(&["--no-simulation", "--training", "."], folder.path());

@@ -6,6 +6,7 @@ use dapple::field::{Edges, Field};
 use dapple::rd::{Growth, Maps, Parameters, System};
 use dapple::synth::{Engine, Patch as Grown, Sample, Watch, settle};
 use rayon::prelude::*;
+use serde_json::{Map, Value, json};
 
 /// What to compare.
 #[derive(clap::Args)]
@@ -16,6 +17,9 @@ pub struct Args {
     /// Print each seed, not only means
     #[arg(long)]
     each: bool,
+    /// Print one JSON object instead, once all is compared
+    #[arg(long)]
+    json: bool,
     /// Threads to use [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -35,6 +39,8 @@ struct Patch {
 const MARKS: f64 = 92.0;
 /// Mean differences allowed over the seeds: %, %, %, %, degrees.
 const BOUNDS: [f64; 5] = [1.0, 1.0, 1.0, 1.0, 0.3];
+/// What they are differences of, as JSON names them: in %, the angle in degrees.
+const NAMES: [&str; 5] = ["marks", "area_or_width", "spacing_or_wavelength", "aspect", "angle"];
 /// Above this aspect a direction means nothing.
 const ROUND: f64 = 0.85;
 
@@ -73,6 +79,9 @@ pub fn run(args: &Args) -> Result<bool, String> {
             .build_global()
             .map_err(|error| format!("cannot start {threads} threads: {error}"))?;
     }
+    if args.json {
+        return told_as_json(args.seeds);
+    }
     crate::say("differences, fast − long: mean over seeds / largest of a seed")?;
     crate::say(&format!(
         "{:18} {:>5} {:>7} {:>7} {:>6} {:>13} {:>13} {:>13} {:>13} {:>13}",
@@ -80,8 +89,7 @@ pub fn run(args: &Args) -> Result<bool, String> {
     ))?;
     let mut good = true;
     for patch in patches() {
-        let pairs: Vec<Pair> =
-            (0..args.seeds).into_par_iter().map(|seed| patch.pair(seed)).collect::<Result<_, _>>()?;
+        let pairs = patch.pairs(args.seeds)?;
         if args.each {
             for (seed, pair) in pairs.iter().enumerate() {
                 let told: Vec<String> =
@@ -99,7 +107,71 @@ pub fn run(args: &Args) -> Result<bool, String> {
     Ok(good)
 }
 
+/// Compares all, prints the numbers of the table and those of each seed.
+fn told_as_json(seeds: u64) -> Result<bool, String> {
+    let mut good = true;
+    let mut told = Vec::new();
+    for patch in patches() {
+        let pairs = patch.pairs(seeds)?;
+        let summary = Summary::of(&pairs);
+        good &= summary.good;
+        told.push(patch.json(&pairs, &summary));
+    }
+    crate::say(&format!("{:#}", json!({"patches": told, "good": good})))?;
+    Ok(good)
+}
+
+/// What the seeds of a patch come to.
+struct Summary {
+    /// Mean and largest difference, where one means anything.
+    differences: [Option<[f64; 2]>; 5],
+    steps: [u64; 2],
+    good: bool,
+}
+
+impl Summary {
+    fn of(pairs: &[Pair]) -> Self {
+        let differences = [0, 1, 2, 3, 4].map(|k: usize| {
+            let of_seeds: Vec<f64> = pairs.iter().filter_map(|pair| pair.differences[k]).collect();
+            let mean = of_seeds.iter().sum::<f64>() / of_seeds.len() as f64;
+            let largest = of_seeds.iter().map(|d| d.abs()).fold(0.0, f64::max);
+            (!of_seeds.is_empty()).then_some([mean, largest])
+        });
+        let mut within = differences.iter().zip(BOUNDS);
+        let within = within.all(|(found, bound)| found.is_none_or(|[mean, _]| mean.abs() <= bound));
+        let good = within && pairs.iter().all(|pair| pair.settled);
+        let steps = [0, 1].map(|k: usize| pairs.iter().map(|pair| pair.steps[k]).sum::<u64>());
+        Self { differences, steps: steps.map(|steps| steps / pairs.len() as u64), good }
+    }
+}
+
 impl Patch {
+    fn pairs(&self, seeds: u64) -> Result<Vec<Pair>, String> {
+        (0..seeds).into_par_iter().map(|seed| self.pair(seed)).collect()
+    }
+
+    fn json(&self, pairs: &[Pair], summary: &Summary) -> Value {
+        let named = |values: &dyn Fn(usize) -> Value| -> Map<String, Value> {
+            let named = NAMES.iter().enumerate().map(|(k, name)| ((*name).to_owned(), values(k)));
+            named.filter(|(_, value)| !value.is_null()).collect()
+        };
+        let of_all = named(&|k| {
+            summary.differences[k].map_or(
+                Value::Null,
+                |[mean, largest]| json!({"mean": mean, "largest": largest, "bound": BOUNDS[k]}),
+            )
+        });
+        let seed = |pair: &Pair| {
+            let [long, fast] = pair.steps;
+            json!({"long_steps": long, "fast_steps": fast, "settled": pair.settled,
+                "differences": named(&|k| json!(pair.differences[k]))})
+        };
+        let [long, fast] = summary.steps;
+        json!({"system": self.system.name(), "ratio": self.ratio, "stretch": self.stretch, "long_steps": long,
+            "fast_steps": fast, "differences": of_all, "good": summary.good,
+            "seeds": pairs.iter().map(seed).collect::<Vec<_>>()})
+    }
+
     fn pair(&self, seed: u64) -> Result<Pair, String> {
         let direction = (10.0 + 37.0 * seed as f32) % 180.0;
         let p =
@@ -130,28 +202,17 @@ impl Patch {
 
     /// Prints a line, gives whether it is within bounds.
     fn tell(&self, pairs: &[Pair]) -> Result<bool, String> {
-        let mut good = pairs.iter().all(|pair| pair.settled);
-        let cells: Vec<String> = (0..BOUNDS.len())
-            .map(|k| {
-                let of_seeds: Vec<f64> = pairs.iter().filter_map(|pair| pair.differences[k]).collect();
-                if of_seeds.is_empty() {
-                    return "–".to_owned();
-                }
-                let mean = of_seeds.iter().sum::<f64>() / of_seeds.len() as f64;
-                let largest = of_seeds.iter().map(|d| d.abs()).fold(0.0, f64::max);
-                good &= mean.abs() <= BOUNDS[k];
-                format!("{mean:+.2} / {largest:.2}")
-            })
-            .collect();
-        let mean =
-            |which: usize| pairs.iter().map(|pair| pair.steps[which]).sum::<u64>() / pairs.len() as u64;
+        let Summary { differences, steps, good } = Summary::of(pairs);
+        let cells = differences.map(|found| {
+            found.map_or("–".to_owned(), |[mean, largest]| format!("{mean:+.2} / {largest:.2}"))
+        });
         crate::say(&format!(
             "{:18} {:>5} {:>7} {:>7} {:>6} {:>13} {:>13} {:>13} {:>13} {:>13}{}",
             self.system.name(),
             self.ratio,
             self.stretch,
-            mean(0),
-            mean(1),
+            steps[0],
+            steps[1],
             cells[0],
             cells[1],
             cells[2],
@@ -179,5 +240,29 @@ fn differences(long: &Sample, fast: &Sample) -> [Option<f64>; 5] {
             [None, percent(a.width, b.width), percent(m, n), None, turn(a.angle, b.angle)]
         }
         _ => [None; 5],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_numbers_for_machines_are_those_of_the_table() {
+        let pair = |area: f64, turn: Option<f64>| Pair {
+            differences: [Some(0.0), Some(area), None, Some(0.5), turn],
+            steps: [1_000, 120],
+            settled: true,
+        };
+        let pairs = [pair(1.5, None), pair(-0.5, Some(0.4))];
+        let summary = Summary::of(&pairs);
+        assert_eq!(summary.differences[1], Some([0.5, 1.5]));
+        // The mean turn, of the one seed that has a direction, is over its bound.
+        assert!(!summary.good && Summary::of(&[pair(0.9, None)]).good);
+        let told = patches()[0].json(&pairs, &summary);
+        assert_eq!(told["differences"]["area_or_width"], json!({"mean": 0.5, "largest": 1.5, "bound": 1.0}));
+        assert_eq!(told["seeds"][1]["differences"]["angle"], json!(0.4));
+        assert_eq!((&told["long_steps"], &told["good"]), (&json!(1_000), &json!(false)));
+        assert!(told["differences"].get("spacing_or_wavelength").is_none());
     }
 }

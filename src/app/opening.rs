@@ -18,7 +18,7 @@ impl Window {
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
                 let told = format!("{name}: {}", imported.told);
                 // What was left out stays until it is read.
-                if imported.partly { self.notices.wrong(told) } else { self.notices.done(told) }
+                if imported.unread.is_empty() { self.notices.done(told) } else { self.notices.wrong(told) }
             }
             Err(error) => self.notices.wrong(with_causes(&error)),
         }

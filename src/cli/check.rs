@@ -8,7 +8,7 @@ use crate::synth::drawn::region_map;
 use crate::synth::plan::Plan;
 use crate::synth::recipe::{Document, Kind, Layer};
 use crate::synth::{Training, memory, planned};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -39,41 +39,46 @@ pub fn run(args: &Args) -> Result<(), Error> {
         let plan = planned(&document, index, &source, &training, &map, beneath.as_ref());
         let plan = plan.map_err(Error::grown)?;
         text += &reach(&plan, index);
-        layers.push(layer_json(&document.layers[index], &plan));
-        if let Err(error) = memory::check(plan.system, document.size.map(f64::from), plan.grid) {
+        let too_large = memory::check(plan.system, document.size.map(f64::from), plan.grid).err();
+        let mut notes: Vec<String> =
+            too_large.iter().map(|error| format!("cannot be grown on this machine: {error}")).collect();
+        notes.extend(beneath.as_ref().and_then(|beneath| plan.expected_room(beneath)));
+        for note in &notes {
             // Writing to a String cannot fail.
-            let _ = writeln!(text, "  cannot be grown on this machine: {error}");
+            let _ = writeln!(text, "  {note}");
         }
-        if let Some(told) = beneath.as_ref().and_then(|beneath| plan.expected_room(beneath)) {
-            text += &format!("  {told}\n");
-        }
+        layers.push(layer_json(&document.layers[index], &plan, &notes));
         beneath = Some(plan);
     }
     if args.json {
         let edges = if document.edges == Edges::Wrap { "wrap" } else { "closed" };
         let found = json!({"document": source, "valid": true, "name": document.name, "size": document.size,
-            "regions": document.regions, "edges": edges, "layers": layers});
+            "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers});
         text = format!("{found:#}\n");
     }
     super::say(&text)
 }
 
 /// What would be grown on a layer, and for each region that has marks what was asked and what is expected.
-fn layer_json(layer: &Layer, plan: &Plan) -> Value {
+fn layer_json(layer: &Layer, plan: &Plan, notes: &[String]) -> Value {
     let layout = plan.map.layout();
     let region = |(index, answer): (usize, &Answer)| {
         let place = layout.place(index);
-        let marks = plan.map.region(place).marks;
+        let of_region = plan.map.region(place);
+        let (marks, spread) = (of_region.marks, &of_region.spread);
         let notes = answer.notes.iter().map(ToString::to_string).chain(plan.remarks[index].iter().cloned());
         (marks > 0).then(|| {
             json!({"region": place, "marks": marks, "asked": plan.map.at(layout.center(place)),
-                "predicted": answer.predicted, "coverage": answer.coverage.to_string(),
+                "spread": spread, "predicted": answer.predicted, "coverage": answer.coverage.to_string(),
                 "notes": notes.collect::<Vec<_>>()})
         })
     };
     let regions: Vec<Value> = plan.answers.iter().enumerate().filter_map(region).collect();
-    json!({"name": layer.name, "system": plan.system.name(), "cell": plan.px_a_cell(), "grid": plan.grid,
-        "regions": regions})
+    let drawn: Map<String, Value> =
+        counts(layer).into_iter().map(|(name, n)| (name.replace(' ', "_"), json!(n))).collect();
+    json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible, "drawn": drawn,
+        "system": plan.system.name(), "cell": plan.px_a_cell(), "grid": plan.grid, "regions": regions,
+        "notes": notes})
 }
 
 /// What would be grown, and for each region what was asked and what cannot be met.
@@ -163,12 +168,16 @@ fn summary(document: &Document) -> String {
 
 /// Such as `12 ellipses, 1 freehand stroke`.
 fn marks(layer: &Layer) -> String {
-    let kinds = [(Some(Kind::Ellipse), "ellipse"), (Some(Kind::Line), "line"), (None, "freehand stroke")];
-    let counted = kinds.iter().filter_map(|(kind, name)| {
-        let n = layer.strokes.iter().filter(|stroke| stroke.kind() == *kind).count();
-        (n > 0).then(|| format!("{n} {name}{}", if n == 1 { "" } else { "s" }))
-    });
+    let counted =
+        counts(layer).into_iter().map(|(name, n)| format!("{n} {name}{}", if n == 1 { "" } else { "s" }));
     counted.collect::<Vec<_>>().join(", ")
+}
+
+/// How many of each kind were drawn, where there are any.
+fn counts(layer: &Layer) -> Vec<(&'static str, usize)> {
+    let kinds = [(Some(Kind::Ellipse), "ellipse"), (Some(Kind::Line), "line"), (None, "freehand stroke")];
+    let count = |kind| layer.strokes.iter().filter(|stroke| stroke.kind() == kind).count();
+    kinds.into_iter().map(|(kind, name)| (name, count(kind))).filter(|(_, n)| *n > 0).collect()
 }
 
 /// A name without the characters that would act on a terminal.

@@ -1,14 +1,15 @@
 //! How long it will take, told before it begins.
 
 use crate::synth::Training;
-use crate::synth::estimate::{Needs, told};
-use crate::synth::recipe::Document;
+use crate::synth::estimate::{Needs, Task, told};
 use std::io::Write;
 
 /// What takes longer than this is told, seconds.
 const LONG: f64 = 5.0;
-/// px of all canvases below which a growth is over before its time is worked out.
+/// px of all canvases and pictures below which a growth is over before its time is worked out.
 const SMALL: f64 = 700.0 * 700.0;
+/// Documents of a batch that are tried at most; the others take as long for their px as these.
+const TRIED: usize = 4;
 
 /// Tells how long work will take.
 pub struct Estimate<'a> {
@@ -19,21 +20,24 @@ pub struct Estimate<'a> {
 }
 
 impl Estimate<'_> {
-    /// Tells on stderr how long these documents will take, each grown `times`, where that is long.
-    pub fn tell(&self, documents: &[(&Document, &str)], times: f64) {
-        let area = |size: [u32; 2]| f64::from(size[0]) * f64::from(size[1]);
-        let px: f64 = documents.iter().map(|(document, _)| area(document.size)).sum();
+    /// Tells on stderr how long these will take, each grown `times`, where that is long.
+    pub fn tell(&self, tasks: &[Task], times: f64) {
+        let px: f64 = tasks.iter().map(|task| task.px()[1]).sum();
         if self.quiet || times * px < SMALL {
             return;
         }
-        let Some(first) =
-            documents.first().and_then(|(document, source)| Needs::of(document, source, self.training))
-        else {
-            return;
-        };
-        // The first stands for the others, by its px.
-        let seconds = times * first.seconds * px / area(documents[0].0.size);
-        self.tell_seconds(seconds);
+        let every = tasks.len().div_ceil(TRIED).max(1);
+        let (mut seconds, mut tried) = (0.0, 0.0);
+        for task in tasks.iter().step_by(every) {
+            // What cannot be grown says why when it is its turn.
+            if let Some(found) = Needs::of(task, self.training) {
+                seconds += found.seconds;
+                tried += task.px()[1];
+            }
+        }
+        if tried > 0.0 {
+            self.tell_seconds(times * seconds * px / tried);
+        }
     }
 
     /// Tells on stderr that it will take so many seconds, where these are many.

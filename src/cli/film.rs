@@ -5,6 +5,7 @@ use super::grow::{check_apart, progress::Bar};
 use super::{Error, values};
 use crate::export::motion::Kind;
 use crate::synth::clip::{Clip, ClipError};
+use crate::synth::estimate::Task;
 use crate::synth::film::Scene;
 use crate::synth::morph::{Morph, MorphError};
 use crate::synth::recipe::Document;
@@ -103,8 +104,8 @@ pub fn run(args: &Args) -> Result<(), Error> {
         estimate.tell_seconds(morph.seconds());
         args.clip().of_change([&document, other], &morph, &args.output, kind, &watch)
     } else {
-        // It is grown twice.
-        estimate.tell(&[(&document, &source)], 2.0);
+        // It is grown twice: once to see how much each moment changes.
+        estimate.tell(&[Task { document: &document, source: &source, scale: 1 }], 2.0);
         let options = Options { refine: args.no_refine.then_some(false), ..Options::default() };
         let scene = Scene { document: &document, source: &source, training: &training, options };
         args.clip().of_growth(&scene, &args.output, kind, &watch)

@@ -11,6 +11,7 @@ use super::estimate::Estimate;
 use super::sheet::Thumb;
 use super::{Error, values};
 use crate::export::{self, Format};
+use crate::synth::estimate::Task;
 use crate::synth::recipe::{self, Document, Extent};
 use crate::synth::{Options, Training, Watch, grow, report::report};
 use progress::Bar;
@@ -226,7 +227,8 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
     };
     if thumb.is_none() {
         let sized = Document { size: extent.size.unwrap_or(document.size), ..document.clone() };
-        Estimate { training, quiet: args.quiet }.tell(&[(&sized, &source)], 1.0);
+        let task = Task { document: &sized, source: &source, scale: extent.scale };
+        Estimate { training, quiet: args.quiet }.tell(&[task], 1.0);
     }
     let grown = grow(&document, &source, training, options, &watch).map_err(Error::grown)?;
     let prepared = pictures::prepare(args, &document, &grown, extent, &watch);

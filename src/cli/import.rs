@@ -2,7 +2,8 @@
 
 use super::{Error, values};
 use crate::export;
-use crate::synth::import::{DPI, ImportError, import};
+use crate::synth::import::{DPI, ImportError, Imported, import};
+use serde_json::{Value, json};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -18,6 +19,9 @@ pub struct Args {
     /// px an inch of the canvas; the SVG says its size in mm or in px of 1/96 inch
     #[arg(long, value_name = "N", default_value_t = DPI, value_parser = values::dpi)]
     pub dpi: f64,
+    /// Print what was read as one JSON object
+    #[arg(long)]
+    pub json: bool,
     /// Do not tell what was read
     #[arg(short, long)]
     pub quiet: bool,
@@ -35,9 +39,23 @@ pub fn run(args: &Args) -> Result<(), Error> {
         other => Error::step(other),
     })?;
     imported.document.write(&args.output)?;
-    if !args.quiet {
+    if args.json {
+        super::say(&format!("{:#}\n", read(args, &imported)))?;
+    } else if !args.quiet {
         // Nobody left to tell is no reason to fail.
         let _ = writeln!(std::io::stderr(), "note: {}: {}", args.file.display(), imported.told);
     }
     Ok(())
+}
+
+/// What was read, as JSON.
+fn read(args: &Args, Imported { document, unread, .. }: &Imported) -> Value {
+    let layers =
+        document.layers.iter().map(|layer| json!({"name": layer.name, "marks": layer.strokes.len()}));
+    let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
+    json!({
+        "file": args.file.display().to_string(), "document": args.output.display().to_string(),
+        "size": document.size, "dpi": document.dpi, "marks": marks, "layers": layers.collect::<Vec<_>>(),
+        "unread": unread,
+    })
 }

@@ -2,6 +2,7 @@
 
 mod bounds;
 mod held_out;
+mod json;
 mod outcome;
 mod regrown;
 mod table;
@@ -23,7 +24,7 @@ use std::sync::atomic::Ordering;
 /// What to compare.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Only this system: turing-spots, meinhardt-spots, meinhardt-stripes
+    /// Only this system: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines
     #[arg(long, value_name = "S", value_parser = values::system)]
     pub system: Option<SystemChoice>,
     /// Random targets a system that are grown, and rows that are held out, at most
@@ -44,6 +45,9 @@ pub struct Args {
     /// Threads to use [default: all cores]
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
+    /// Print one JSON object instead, once all is compared
+    #[arg(long)]
+    pub json: bool,
     /// Also write the table
     #[arg(short, long, value_name = "TABLE.csv")]
     pub output: Option<PathBuf>,
@@ -95,9 +99,14 @@ pub fn run(args: &Args) -> Result<(), Error> {
     for (system, choice) in systems {
         if args.system.is_none_or(|only| only == choice) {
             let of_system = compared(&setting, system)?;
-            say(&table::text(system, &of_system))?;
+            if !args.json {
+                say(&table::text(system, &of_system))?;
+            }
             outcomes.extend(of_system);
         }
+    }
+    if args.json {
+        say(&format!("{:#}\n", json::outcomes(&outcomes)))?;
     }
     let Some(path) = &args.output else { return Ok(()) };
     let csv = table::csv(&outcomes);

@@ -23,6 +23,7 @@ mod values;
 pub use error::Error;
 pub use interrupt::{install, interrupted};
 
+use crate::rd::Solver;
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -67,6 +68,9 @@ enum Command {
 /// Runs the program with the process's arguments.
 #[must_use]
 pub fn main() -> ExitCode {
+    if let Err(error) = choose_solver() {
+        return finish(Err(error));
+    }
     let arguments: Vec<OsString> = std::env::args_os().collect();
     match &arguments[..] {
         [] | [_] => finish(window(None)),
@@ -99,6 +103,19 @@ fn run(command: Command) -> Result<(), Error> {
         Command::Completions(args) => manual::completions(&args),
         Command::Man(args) => manual::man(&args),
     }
+}
+
+/// What takes the steps, where `DAPPLE_SOLVER` names it: the bits are the same, and so it is no option of a command but
+/// something to test with, or to go round a processor's fault.
+fn choose_solver() -> Result<(), Error> {
+    let Some(name) = std::env::var_os("DAPPLE_SOLVER").filter(|name| !name.is_empty()) else { return Ok(()) };
+    let name = name.to_string_lossy();
+    if Solver::choose(&name) {
+        return Ok(());
+    }
+    let names: Vec<_> = Solver::available().into_iter().map(Solver::name).collect();
+    let allowed = names.join(", ");
+    Err(Error::Usage(format!("DAPPLE_SOLVER: found {name}; allowed: {allowed}, which this machine has")))
 }
 
 /// Whether a lone argument is a document to open rather than a command.

@@ -23,6 +23,7 @@ mod runs;
 mod seeding;
 pub mod selling;
 mod slide;
+mod solver;
 mod turing_spots;
 mod uneven;
 mod vector;
@@ -37,6 +38,7 @@ pub use nuclei::{Hindrance, Kept, Places, make_room, off_walls, standing};
 pub use prolong::prolonged;
 pub use seeding::Seeding;
 pub use slide::Slide;
+pub use solver::Solver;
 pub use wavefront::{Instructions, Tiling};
 
 /// The reaction-diffusion systems.

@@ -1,16 +1,50 @@
 //! How long a growth will take and what it needs, told before it begins.
+//!
+//! ```text
+//! seconds = Σ updates ÷ speed  +  px of the canvas · layers · RULER · painting  +  px of the picture · painting
+//! ```
+//!
+//! Cell updates to be expected are the engine's own figure; their speed and that of painting a px are tried on this
+//! machine as it is now, on a canvas of the same texture that is no larger than [`TRIAL`]: features keep their size, so
+//! that both are as they will be.
 
 use super::drawn::region_map;
+use super::painting::{Look, Painting};
 use super::plan::Plan;
 use super::recipe::Document;
 use super::{Engine, Training, memory, planned};
-use std::time::Instant;
+use crate::export::png;
+use crate::rd::{Growth, System};
+use std::time::{Duration, Instant};
 
-/// Cell updates of the stint that tells this machine's speed now: 5 to 50 ms.
-const STINT: u64 = 4_000_000;
-/// A whole growth takes so many times the simulation of its layers: planning and probes before, measuring and painting
-/// after. On the examples 1.1 to 1.6.
-const BESIDE: f64 = 1.3;
+/// px of the canvas that is tried; what is not larger is tried as it is.
+const TRIAL: f64 = 600.0 * 600.0;
+/// How long the speed of the steps is tried: long enough for all threads to wake.
+const STINT: Duration = Duration::from_millis(40);
+/// Steps between two looks at the clock.
+const STEPS: u64 = 8;
+/// Sides of the picture that is painted to see how long a px takes.
+const PAINTED: [usize; 2] = [256, 256];
+/// Measuring what has grown takes so many times as long as painting it; less where nothing is corrected.
+const RULER: f64 = 1.0;
+/// A document to be grown, and the px along each side of its picture for one of its canvas.
+pub struct Task<'a> {
+    /// The document, of the size that is asked for.
+    pub document: &'a Document,
+    /// What messages call it.
+    pub source: &'a str,
+    /// px a px.
+    pub scale: u32,
+}
+
+impl Task<'_> {
+    /// px of the canvas, and of the picture.
+    #[must_use]
+    pub fn px(&self) -> [f64; 2] {
+        let canvas = f64::from(self.document.size[0]) * f64::from(self.document.size[1]);
+        [canvas, canvas * f64::from(self.scale) * f64::from(self.scale)]
+    }
+}
 
 /// What a growth takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,30 +56,66 @@ pub struct Needs {
 }
 
 impl Needs {
-    /// Of one growth: cell updates to be expected, at the speed of a short stint of the engine. `None` where it cannot be
-    /// planned: the growth itself says why.
+    /// Of one growth. `None` where it cannot be planned, or does not fit into memory: the growth itself says why.
     #[must_use]
-    pub fn of(document: &Document, source: &str, training: &Training) -> Option<Self> {
+    pub fn of(task: &Task, training: &Training) -> Option<Self> {
+        let Task { document, source, .. } = *task;
+        let [canvas, picture] = task.px();
+        let times = (canvas / TRIAL).max(1.0);
+        let side = |side: u32| (f64::from(side) / times.sqrt()).max(1.0);
         let mut beneath: Option<Plan> = None;
-        let (mut updates, mut speed, mut bytes) = (0.0, None, 0.0_f64);
+        let mut needs = Self { seconds: 0.0, bytes: 0.0 };
         for index in 0..document.layers.len() {
-            let map = region_map(document, index, source).ok()?;
+            let map = region_map(document, index, source).ok()?.resized(document.size.map(side));
             let plan = planned(document, index, source, training, &map, beneath.as_ref()).ok()?;
-            bytes = bytes.max(memory::needed(plan.system, document.size.map(f64::from), plan.grid));
-            memory::check(plan.system, document.size.map(f64::from), plan.grid).ok()?;
-            let mut engine = Engine::new(&plan, document.layer_seed(index));
-            updates += engine.updates_left();
-            if speed.is_none() {
-                let started = Instant::now();
-                let before = engine.updates_left();
-                engine.advance(STINT);
-                let done = before - engine.updates_left();
-                speed = Some(done.max(1.0) / started.elapsed().as_secs_f64().max(1e-6));
-            }
+            let whole = plan.grid.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
+            memory::check(plan.system, document.size.map(f64::from), whole).ok()?;
+            needs.bytes = needs.bytes.max(memory::needed(plan.system, document.size.map(f64::from), whole));
+            let engine = Engine::new(&plan, document.layer_seed(index));
+            needs.seconds += times * taken(&engine, plan.system) * engine.updates_left() / speed(&plan)?;
+            needs.seconds += painted(document, &plan, &engine) * (canvas * RULER + picture);
             beneath = Some(plan);
         }
-        Some(Self { seconds: BESIDE * updates / speed?, bytes })
+        Some(needs)
     }
+}
+
+/// The share of the cell updates to be expected that was taken: on the golden textures and on eight examples
+/// (`tests/golden/work.rs` tells), within a factor of 1.35 of these. A finer grid mostly needs fewer steps than the engine
+/// expects, and stripes settle on it at once; lines round marks are grown on one grid.
+fn taken(engine: &Engine, system: System) -> f64 {
+    match system {
+        System::MeinhardtLines if engine.level()[1] == 1 => 1.15,
+        System::TuringSpots => 0.62,
+        System::MeinhardtSpots => 0.8,
+        System::MeinhardtStripes => 0.29,
+        System::MeinhardtLines => 0.53,
+    }
+}
+
+/// Cell updates a second on the grid of `plan`.
+fn speed(plan: &Plan) -> Option<f64> {
+    let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+    let cells = maps.nx * maps.ny;
+    let concentrations = vec![vec![1.0; cells]; plan.system.chemicals().len()];
+    let mut growth = Growth::resumed(plan.system, &maps, plan.map.layout().edges, &concentrations)?;
+    growth.advance(STEPS);
+    let started = Instant::now();
+    let mut steps = 0;
+    while started.elapsed() < STINT {
+        growth.advance(STEPS);
+        steps += STEPS;
+    }
+    Some((steps * cells as u64) as f64 / started.elapsed().as_secs_f64().max(1e-6))
+}
+
+/// Seconds that a px takes to be painted and written.
+fn painted(document: &Document, plan: &Plan, engine: &Engine) -> f64 {
+    let started = Instant::now();
+    let rgb = Painting::growing(document, &Look { beneath: &[], plan, engine }, PAINTED).rgb();
+    // Into nothing; if that fails it takes no time either.
+    let _ = png::rgb8(std::io::sink(), PAINTED, None, &rgb);
+    started.elapsed().as_secs_f64() / (PAINTED[0] * PAINTED[1]) as f64
 }
 
 /// Such as `about 40 s`: two digits at most.

@@ -3,6 +3,7 @@
 use crate::marks::{Ellipse, Line, Mark};
 use crate::sketch::svg::{self, Drawing, SvgError};
 use crate::synth::recipe::{Document, Kind, Layer, Stroke, limits};
+use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
 
@@ -62,15 +63,24 @@ pub struct Imported {
     pub document: Document,
     /// Such as `3 marks in 1 layers on 200 × 100 px; not read: 1 × text`.
     pub told: String,
-    /// Whether something was left out.
-    pub partly: bool,
+    /// What was left out.
+    pub unread: Unread,
 }
 
-/// The document of the SVG in `bytes`, and what could not be read of it, in words; `file` gives it its name.
+/// What an SVG holds that is no mark, and how often.
+pub type Unread = BTreeMap<&'static str, usize>;
+
+/// Such as `; not read: 2 × text`.
+fn told_unread(unread: &Unread) -> String {
+    let unread: Vec<String> = unread.iter().map(|(kind, count)| format!("{count} × {kind}")).collect();
+    if unread.is_empty() { String::new() } else { format!("; not read: {}", unread.join(", ")) }
+}
+
+/// The document of the SVG in `bytes`, and what could not be read of it; `file` gives it its name.
 ///
 /// # Errors
 /// Where it is no SVG, or one that no document can be made of.
-pub fn document_of(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, String), ImportError> {
+pub fn document_of(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, Unread), ImportError> {
     let drawing =
         svg::read(bytes, dpi).map_err(|source| ImportError::Svg { file: file.to_owned(), source })?;
     document(drawing, dpi, file)
@@ -87,8 +97,8 @@ pub fn import(path: &Path, dpi: f64) -> Result<Imported, ImportError> {
     let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
     let layers = document.layers.len();
     let [width, height] = document.size;
-    let told = format!("{marks} marks in {layers} layers on {width} × {height} px{unread}");
-    Ok(Imported { document, told, partly: !unread.is_empty() })
+    let told = format!("{marks} marks in {layers} layers on {width} × {height} px{}", told_unread(&unread));
+    Ok(Imported { document, told, unread })
 }
 
 fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
@@ -97,7 +107,7 @@ fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, String), ImportError> {
+fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unread), ImportError> {
     // What is a rounding error above whole px is whole.
     let sides = drawing.size.map(|side| (side - 1e-3).ceil().max(1.0));
     if sides.iter().any(|side| *side > limits::MAX_SIDE as f64) {
@@ -129,11 +139,9 @@ fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Str
     if off > 0 {
         drawing.unread.insert("mark off the canvas", off);
     }
-    let unread: Vec<String> =
-        drawing.unread.iter().map(|(kind, count)| format!("{count} × {kind}")).collect();
-    let unread = if unread.is_empty() { String::new() } else { format!("; not read: {}", unread.join(", ")) };
+    let unread = drawing.unread;
     if layers.is_empty() {
-        return Err(ImportError::Nothing { file: file.to_owned(), unread });
+        return Err(ImportError::Nothing { file: file.to_owned(), unread: told_unread(&unread) });
     }
     if layers.len() > limits::MAX_LAYERS {
         return Err(ImportError::Layers { file: file.to_owned(), found: layers.len() });

@@ -5,7 +5,6 @@ mod attributes;
 mod bytes;
 mod extremes;
 mod folder;
-mod golden;
 mod inside;
 #[cfg(unix)]
 mod interrupt;

@@ -46,6 +46,14 @@ impl Bench {
         String::from_utf8(output.stderr).unwrap()
     }
 
+    /// Runs `dapple` with these arguments; what it printed on stdout, where it said nothing else.
+    #[track_caller]
+    pub fn prints(&self, arguments: &str) -> String {
+        let output = self.dapple(arguments).assert().success().get_output().clone();
+        assert!(output.stderr.is_empty());
+        String::from_utf8(output.stdout).unwrap()
+    }
+
     /// Asserts that it fails with this code and these words, and writes nothing.
     #[track_caller]
     pub fn refuses(&self, arguments: &str, code: i32, words: &[&str]) {

@@ -16,6 +16,10 @@ fn an_svg_becomes_a_document_that_grows() {
     for word in ["3 marks in 2 layers", "300 × 200 px", "1 × text", "1 × mark off the canvas"] {
         assert!(told.contains(word), "{word} in {told}");
     }
+    let json: serde_json::Value =
+        serde_json::from_str(&bench.prints("import in.svg -o in.dapple --json")).unwrap();
+    assert_eq!((&json["marks"], &json["size"]), (&3.into(), &serde_json::json!([300, 200])));
+    assert_eq!(json["unread"], serde_json::json!({"mark off the canvas": 1, "text": 1}));
     let document = Document::read(bench.path("in.dapple")).unwrap();
     assert_eq!((document.name.as_str(), document.size), ("in", [300, 200]));
     let names: Vec<_> = document.layers.iter().map(|layer| layer.name.as_str()).collect();

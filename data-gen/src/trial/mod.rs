@@ -52,7 +52,7 @@ pub struct Args {
     /// Also write each document, its texture and its pattern into this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Also write the numbers of each region, as JSON
+    /// Also write the numbers of each region, as JSON; - prints them instead of the table
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
@@ -72,6 +72,10 @@ pub fn run(args: &Args) -> Result<bool, String> {
     let training = Training::from(args.training.clone());
     let outcomes = all(&tasks, &training, threads, args.out.as_deref())?;
     let (text, good) = table::table(&outcomes);
+    if args.json.as_deref() == Some(Path::new("-")) {
+        crate::say(&format!("{:#}", output::json(args.seed, &outcomes)))?;
+        return Ok(good);
+    }
     crate::say(&text)?;
     crate::say(&format!(
         "{} documents in {:.0} s on {threads} threads, sketches from seed {}",

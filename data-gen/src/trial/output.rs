@@ -50,6 +50,12 @@ fn gradient(colours: &Colours) -> Gradient {
 
 /// Writes the numbers of each region, and what failed.
 pub fn numbers(path: &Path, seed: u64, outcomes: &[Outcome]) -> Result<(), String> {
+    let text = format!("{:#}\n", json(seed, outcomes));
+    export::save(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(|error| error.to_string())
+}
+
+/// The same as a value.
+pub fn json(seed: u64, outcomes: &[Outcome]) -> Value {
     let documents: Vec<Value> = outcomes
         .iter()
         .map(|outcome| {
@@ -64,8 +70,7 @@ pub fn numbers(path: &Path, seed: u64, outcomes: &[Outcome]) -> Result<(), Strin
             })
         })
         .collect();
-    let text = format!("{:#}\n", json!({"seed": seed, "documents": documents}));
-    export::save(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(|error| error.to_string())
+    json!({"seed": seed, "documents": documents})
 }
 
 fn region(region: &Region) -> Value {

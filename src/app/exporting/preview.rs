@@ -14,7 +14,7 @@ use super::sight::Sight;
 use crate::export::Passing;
 use crate::export::material::name;
 use crate::export::motion::Film;
-use crate::synth::estimate::Needs;
+use crate::synth::estimate::{Needs, Task};
 use crate::synth::recipe::Document;
 use crate::synth::{Grown, Training, Watch};
 
@@ -79,7 +79,11 @@ impl Preview {
             || self.asking.as_ref().is_some_and(|(of, _)| *of == grown);
         if !known && !self.is_ready(order, settled) {
             let (wake, document) = (ctx.clone(), grown.clone());
-            let work = move |_: &Watch| Ok(Needs::of(&document, "the sketch", &Training::default()));
+            let scale = order.choices.size.scale;
+            let work = move |_: &Watch| {
+                let task = Task { document: &document, source: "the sketch", scale };
+                Ok(Needs::of(&task, &Training::default()))
+            };
             self.asking = Some((grown, Job::start(threads, 0.0, move || wake.request_repaint(), work)));
         }
     }

@@ -1,6 +1,6 @@
 //! What this machine is, and how busy.
 
-use crate::rd::Instructions;
+use crate::rd::Solver;
 use std::fs::read_to_string;
 
 /// The machine that was measured.
@@ -10,7 +10,8 @@ pub struct Machine {
     pub processor: String,
     /// Cores that this program may use.
     pub cores: usize,
-    /// The widest vectors that the fast solver uses here: `avx512`, `avx2`, `neon` or `baseline`.
+    /// The widest vectors that the fast solver uses here: `avx512`, `avx2`, `neon` or `baseline`; `plain` where it was told
+    /// to use the plain solver.
     pub instructions: &'static str,
 }
 
@@ -18,7 +19,7 @@ impl Machine {
     /// This one.
     pub fn here() -> Self {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        Self { processor: processor(), cores, instructions: instructions() }
+        Self { processor: processor(), cores, instructions: Solver::chosen().name() }
     }
 }
 
@@ -26,18 +27,6 @@ fn processor() -> String {
     let listed = read_to_string("/proc/cpuinfo").unwrap_or_default();
     let named = listed.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
     named.map_or_else(|| std::env::consts::ARCH.to_owned(), |(_, name)| name.trim().to_owned())
-}
-
-fn instructions() -> &'static str {
-    match Instructions::best() {
-        #[cfg(target_arch = "x86_64")]
-        Instructions::Avx512 => "avx512",
-        #[cfg(target_arch = "x86_64")]
-        Instructions::Avx2 => "avx2",
-        // Every 64-bit ARM has it.
-        Instructions::Baseline if cfg!(target_arch = "aarch64") => "neon",
-        Instructions::Baseline => "baseline",
-    }
 }
 
 /// Processes that ran or waited to run, averaged over the last minute; this program's threads are among them.

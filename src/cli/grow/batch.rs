@@ -5,6 +5,7 @@ use crate::cli::estimate::Estimate;
 use crate::cli::sheet::{self, Contact};
 use crate::export::{self, material};
 use crate::synth::Training;
+use crate::synth::estimate;
 use crate::synth::recipe::Document;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -153,8 +154,10 @@ fn tell_time(args: &Args, tasks: &[Task], training: &Training) {
             documents.push((Document { size, ..document }, task.file.display().to_string()));
         }
     }
-    let named: Vec<_> = documents.iter().map(|(document, source)| (document, source.as_str())).collect();
-    Estimate { training, quiet: args.quiet }.tell(&named, 1.0);
+    let scale = args.scale.unwrap_or(1);
+    let tasks: Vec<_> =
+        documents.iter().map(|(document, source)| estimate::Task { document, source, scale }).collect();
+    Estimate { training, quiet: args.quiet }.tell(&tasks, 1.0);
 }
 
 /// Why one is missing, with its name once.

@@ -1,0 +1,42 @@
+//! Outcomes, as JSON.
+
+use super::outcome::{Of, Outcome, verdict};
+use crate::learn::Errors;
+use serde_json::{Map, Value, json};
+
+/// `{"outcomes": [...]}`, one a line of the printed table, with the numbers as they are and the bounds that hold for them.
+pub fn outcomes(outcomes: &[Outcome]) -> Value {
+    json!({"outcomes": outcomes.iter().map(outcome).collect::<Vec<_>>()})
+}
+
+fn outcome(outcome: &Outcome) -> Value {
+    let errors = |errors: &Errors| {
+        let Errors { quantity, unit, count, median, p95 } = errors;
+        let mut told = Map::new();
+        for (key, value) in [("unit", json!(unit)), ("count", json!(count)), ("median", json!(median))] {
+            told.insert(key.to_owned(), value);
+        }
+        told.insert("p95".to_owned(), json!(p95));
+        if let Some([median, p95]) = outcome.bound(quantity) {
+            told.insert("allowed".to_owned(), json!({"median": median, "p95": p95}));
+            told.insert("verdict".to_owned(), json!(verdict(outcome.holds(errors))));
+        }
+        ((*quantity).to_owned(), Value::Object(told))
+    };
+    let mut told = json!({
+        "system": outcome.system.name(),
+        "errors": outcome.of.name(),
+        "method": outcome.way.name(),
+        "rows": outcome.rows,
+        "all": outcome.all,
+        "asked": outcome.asked,
+        "quantities": outcome.errors.iter().map(errors).collect::<Map<_, _>>(),
+    });
+    if outcome.of == Of::Grown {
+        told["failed"] = json!(outcome.failed);
+        if let holds @ Some(_) = outcome.none_failed() {
+            told["verdict"] = json!(verdict(holds));
+        }
+    }
+    told
+}

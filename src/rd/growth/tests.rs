@@ -1,0 +1,116 @@
+//! Growth of every system: what comes out, and that nothing but seed and parameters changes it.
+
+use super::*;
+
+/// About 30 spots or 8 stripes on a small torus.
+fn small(system: System) -> (Maps, Growth) {
+    let rate = match system {
+        System::TuringSpots => 0.15,
+        System::MeinhardtSpots => 2.0,
+        System::MeinhardtLines => 6.0,
+        System::MeinhardtStripes => 40.0,
+    };
+    let maps =
+        Maps::uniform(90, 84, Parameters { rate, ratio: 20.0, stretch: 0.6, direction: 30.0, pitch: 1.0 });
+    let growth = Growth::new(system, &maps, Edges::Wrap, 3);
+    (maps, growth)
+}
+
+#[test]
+fn every_system_grows_its_pattern_from_a_seed() {
+    for (system, cover) in [
+        (System::TuringSpots, 0.10..0.45),
+        (System::MeinhardtSpots, 0.05..0.12),
+        (System::MeinhardtStripes, 0.45..0.55),
+        (System::MeinhardtLines, 0.25..0.45),
+    ] {
+        let (maps, mut growth) = small(system);
+        growth.advance(growth.steps_in(30.0));
+        let marks = growth.marks(&maps).values;
+        let share = marks.iter().filter(|v| **v > 0.5).count() as f64 / marks.len() as f64;
+        let lowest = marks.iter().copied().fold(f32::INFINITY, f32::min);
+        let highest = marks.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+        assert!(cover.contains(&share), "{system:?} covers {share}");
+        // Where a line ends it is higher than along it.
+        let ends = if system == System::MeinhardtLines { 1.3 } else { 1.15 };
+        assert!((-0.1..0.15).contains(&lowest) && (0.85..ends).contains(&highest), "{lowest}..{highest}");
+    }
+}
+
+#[test]
+fn a_grown_pattern_is_stationary() {
+    for system in System::ALL {
+        let (maps, mut growth) = small(system);
+        growth.advance(growth.steps_in(60.0));
+        let before = growth.marks(&maps).values;
+        let mut again = Growth::resumed(system, &maps, Edges::Wrap, &growth.concentrations()).expect("fits");
+        again.advance(again.steps_in(5.0));
+        let after = again.marks(&maps).values;
+        let moved: f32 = before.iter().zip(&after).map(|(b, a)| (b - a).abs()).sum();
+        let total: f32 = before.iter().sum();
+        assert!(moved < 0.02 * total, "{system:?} moved by {}", moved / total);
+    }
+}
+
+#[test]
+fn resuming_goes_on_bit_for_bit() {
+    for system in System::ALL {
+        let (maps, mut growth) = small(system);
+        growth.advance(40);
+        let mut again = Growth::resumed(system, &maps, Edges::Wrap, &growth.concentrations()).expect("fits");
+        growth.advance(25);
+        again.advance(25);
+        assert!(growth.concentrations() == again.concentrations(), "{system:?}");
+    }
+}
+
+#[test]
+fn frozen_cells_stay_as_they_are_and_are_felt() {
+    for system in System::ALL {
+        let (_, mut growth) = small(system);
+        growth.advance(50);
+        let (before, mut free, mut plain) = (growth.concentrations(), growth.clone(), growth.clone());
+        let frozen = |cell: usize| cell % 90 < 40 && cell / 90 > 20;
+        growth.freeze(frozen);
+        plain.freeze(frozen);
+        growth.advance(30);
+        plain.advance_plain(30);
+        free.advance(30);
+        assert!(growth.concentrations() == plain.concentrations(), "{system:?}");
+        let beside = 90 * 50 + 40;
+        for ((before, after), free) in before.iter().zip(growth.concentrations()).zip(free.concentrations()) {
+            for (cell, value) in before.iter().enumerate().filter(|(cell, _)| frozen(*cell)) {
+                assert_eq!(value.to_bits(), after[cell].to_bits(), "{system:?} {cell}");
+            }
+            assert!(before[beside] != after[beside] && free[beside] != after[beside], "{system:?}");
+        }
+    }
+}
+
+#[test]
+fn concentrations_of_another_grid_are_refused() {
+    let (maps, growth) = small(System::TuringSpots);
+    let mut concentrations = growth.concentrations();
+    concentrations[0].pop();
+    assert!(Growth::resumed(System::TuringSpots, &maps, Edges::Wrap, &concentrations).is_none());
+    assert!(
+        Growth::resumed(System::MeinhardtStripes, &maps, Edges::Wrap, &growth.concentrations()).is_none()
+    );
+}
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    let grown = |system: System, threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| {
+            let p = Parameters { rate: 2.0, ratio: 15.0, stretch: 0.5, direction: 70.0, pitch: 1.0 };
+            let maps = Maps::uniform(300, 260, p);
+            let mut growth = Growth::new(system, &maps, Edges::Closed, 9);
+            growth.advance(50);
+            growth.concentrations()
+        })
+    };
+    for system in [System::MeinhardtSpots, System::MeinhardtLines] {
+        assert!(grown(system, 1) == grown(system, 4), "{system:?}");
+    }
+}

@@ -1,0 +1,70 @@
+//! What takes the steps: the widest instructions that the machine has, unless it was told otherwise. The bits are the
+//! same whatever does; `tests/golden` holds that through the whole thread.
+
+use std::sync::OnceLock;
+
+use super::wavefront::Instructions;
+
+/// What takes the steps of a growth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Solver {
+    /// The plain twin, step by step and cell by cell; on one grid of a million cells some four times slower.
+    Plain,
+    /// Several steps a sweep, with these instructions.
+    Fast(Instructions),
+}
+
+/// Set once, before or by the first growth.
+static CHOSEN: OnceLock<Solver> = OnceLock::new();
+
+impl Solver {
+    /// Those this machine has, the fastest last.
+    #[must_use]
+    pub fn available() -> Vec<Self> {
+        std::iter::once(Self::Plain).chain(Instructions::available().into_iter().map(Self::Fast)).collect()
+    }
+
+    /// `plain`, `baseline` (or `neon`, which every 64-bit ARM has), `avx2` or `avx512`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plain => "plain",
+            #[cfg(target_arch = "x86_64")]
+            Self::Fast(Instructions::Avx512) => "avx512",
+            #[cfg(target_arch = "x86_64")]
+            Self::Fast(Instructions::Avx2) => "avx2",
+            Self::Fast(Instructions::Baseline) if cfg!(target_arch = "aarch64") => "neon",
+            Self::Fast(Instructions::Baseline) => "baseline",
+        }
+    }
+
+    /// What every growth of this program takes its steps with: what was chosen, else the fastest.
+    #[must_use]
+    pub fn chosen() -> Self {
+        *CHOSEN.get_or_init(|| Self::Fast(Instructions::best()))
+    }
+
+    /// Has every growth of this program take its steps with the solver of this name; gives whether that is so: not where
+    /// the machine has none of this name, and not where another has taken steps already.
+    #[must_use]
+    pub fn choose(name: &str) -> bool {
+        let Some(solver) = Self::available().into_iter().find(|solver| solver.name() == name) else {
+            return false;
+        };
+        *CHOSEN.get_or_init(|| solver) == solver
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_solver_has_a_name_of_its_own_and_an_unknown_one_is_none() {
+        let names: Vec<&str> = Solver::available().into_iter().map(Solver::name).collect();
+        assert!(names.len() >= 2 && names[0] == "plain", "{names:?}");
+        assert!((1..names.len()).all(|i| !names[..i].contains(&names[i])), "{names:?}");
+        assert!(!Solver::choose("abacus"));
+        assert_eq!(Solver::chosen(), Solver::Fast(Instructions::best()));
+    }
+}

@@ -1,0 +1,13 @@
+//! The same texture tomorrow: what was grown once grows again, whatever takes the steps, from documents of any age.
+//!
+//! `REGENERATE=1 cargo test --test golden -- --nocapture` writes anew what has changed, and tells what; docs/golden.md
+//! says when that is right.
+
+mod bytes;
+mod folder;
+mod renew;
+mod sheets;
+mod steps;
+mod textures;
+mod versions;
+mod work;

@@ -1,0 +1,198 @@
+//! A document and the picture of its youth for every system, kind of edge and way to meet a layer beneath.
+//!
+//! `textures/NAME.dapple` is grown for a short time and painted; every px is that of `textures/NAME.png`. Short, since
+//! where marks end is decided by the last bit of the first step: after long runs `sheets` compares attributes.
+
+use crate::renew::{golden, kept, renew, renews};
+use dapple::field::Edges;
+use dapple::rd::System;
+use dapple::synth::painting::Painting;
+use dapple::synth::recipe::{After, Document};
+use dapple::synth::{Options, Training, Watch, grow_seen};
+use std::collections::BTreeSet;
+use std::io::Cursor;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Normalised time that the top layer grows; spots are settled after 15 to 20 of it, stripes after 30.
+const TIME: f64 = 2.0;
+
+/// Documents beside those that must be: several regions, marks that differ.
+const MORE: [&str; 2] = ["regions-spots", "regions-stripes"];
+
+/// Does such a layer exist? `None` = with nothing beneath. A new system or way to meet others must be told here.
+fn exists(after: Option<After>, system: System) -> bool {
+    match (after, system) {
+        (
+            None | Some(After::Between),
+            System::TuringSpots | System::MeinhardtSpots | System::MeinhardtStripes | System::MeinhardtLines,
+        ) => true,
+        (Some(After::Around | After::Net), System::MeinhardtLines) => true,
+        (
+            Some(After::Around | After::Net),
+            System::TuringSpots | System::MeinhardtSpots | System::MeinhardtStripes,
+        ) => false,
+        (Some(After::Inside), System::MeinhardtSpots) => true,
+        (Some(After::Inside), System::TuringSpots | System::MeinhardtStripes | System::MeinhardtLines) => {
+            false
+        }
+    }
+}
+
+/// As documents call it. A new kind must be told here, and in [`ALL_EDGES`].
+fn word(edges: Edges) -> &'static str {
+    match edges {
+        Edges::Closed => "closed",
+        Edges::Wrap => "wrap",
+    }
+}
+
+const ALL_EDGES: [Edges; 2] = [Edges::Closed, Edges::Wrap];
+
+/// What a top layer can be.
+struct Case {
+    after: Option<After>,
+    system: System,
+    edges: Edges,
+}
+
+impl Case {
+    fn all() -> Vec<Self> {
+        let ways = std::iter::once(None).chain(After::NAMES.into_iter().map(|(_, after)| Some(after)));
+        let of_way = |after| System::ALL.into_iter().map(move |system| (after, system));
+        let of_both = |(after, system)| ALL_EDGES.into_iter().map(move |edges| Self { after, system, edges });
+        ways.flat_map(of_way).flat_map(of_both).collect()
+    }
+
+    fn name(&self) -> String {
+        let after = self.after.map_or("alone", After::name);
+        format!("{after}-{}-{}", self.system.name(), word(self.edges))
+    }
+}
+
+/// The golden documents.
+pub fn names() -> Vec<String> {
+    let there = Case::all().into_iter().filter(|case| exists(case.after, case.system));
+    there.map(|case| case.name()).chain(MORE.map(str::to_owned)).collect()
+}
+
+/// The golden document of this name.
+pub fn document(name: &str) -> Document {
+    Document::read(golden(&format!("textures/{name}.dapple"))).unwrap()
+}
+
+#[test]
+fn every_system_edge_and_kind_of_layer_has_its_document_picture_and_sheet() {
+    let files = |name: String| ["dapple", "json", "png"].map(|ending| format!("{name}.{ending}"));
+    let wanted: BTreeSet<String> = names().into_iter().flat_map(files).collect();
+    let entries = std::fs::read_dir(golden("textures")).unwrap();
+    let there = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    assert!(
+        renews() || wanted == there,
+        "without: {:?}; left over: {:?}",
+        &wanted - &there,
+        &there - &wanted
+    );
+}
+
+#[test]
+fn each_document_is_what_its_name_says() {
+    for case in Case::all().into_iter().filter(|case| exists(case.after, case.system)) {
+        let (name, document) = (case.name(), document(&case.name()));
+        let top = document.layers.last().unwrap();
+        assert_eq!(top.system.name(), case.system.name(), "{name}");
+        assert_eq!(document.edges, case.edges, "{name}");
+        assert_eq!(document.layers.len(), if case.after.is_some() { 2 } else { 1 }, "{name}");
+        assert!(case.after.is_none_or(|after| top.after == after), "{name}");
+    }
+}
+
+#[test]
+fn what_has_no_document_is_refused() {
+    for case in Case::all().into_iter().filter(|case| !exists(case.after, case.system)) {
+        let (name, after) = (case.name(), case.after.unwrap());
+        let like =
+            Case::all().into_iter().find(|like| like.after == case.after && exists(like.after, like.system));
+        let mut like = document(&like.unwrap().name());
+        let top = like.layers.last_mut().unwrap();
+        top.system = dapple::synth::recipe::SystemChoice::NAMES
+            .into_iter()
+            .find_map(|(name, choice)| (name == case.system.name()).then_some(choice))
+            .unwrap();
+        let text = like.to_json();
+        let error = match Document::parse(&text, &name) {
+            Err(error) => error.to_string(),
+            Ok(document) => {
+                let grown = dapple::synth::grow(
+                    &document,
+                    &name,
+                    &Training::default(),
+                    Options::default(),
+                    &Watch::NOBODY,
+                );
+                grown.err().unwrap_or_else(|| panic!("{name} grew")).to_string()
+            }
+        };
+        assert!(error.contains("system") && error.contains("auto"), "{name} with {}: {error}", after.name());
+    }
+}
+
+/// Red, green, blue of each px when the top layer has grown for [`TIME`].
+fn young(name: &str) -> ([usize; 2], Vec<u8>) {
+    let document = document(name);
+    let size = document.size.map(|side| side as usize);
+    let (seen, mut rgb) = (AtomicBool::new(false), None);
+    let watch = Watch { progress: &|_, _| {}, cancelled: &|| seen.load(Ordering::Relaxed) };
+    let options = Options { refine: Some(false), ..Options::default() };
+    // What is cancelled gives no texture.
+    let _ = grow_seen(&document, name, &Training::default(), options, &watch, TIME, &mut |look| {
+        if look.beneath.len() + 1 == document.layers.len() && rgb.is_none() {
+            rgb = Some(Painting::growing(&document, look, size).rgb());
+            seen.store(true, Ordering::Relaxed);
+        }
+    });
+    (size, rgb.unwrap_or_else(|| panic!("{name} was not seen")))
+}
+
+fn png([width, height]: [usize; 2], rgb: &[u8]) -> Vec<u8> {
+    let picture = image::RgbImage::from_raw(width as u32, height as u32, rgb.to_vec()).unwrap();
+    let mut bytes = Cursor::new(Vec::new());
+    picture.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+    bytes.into_inner()
+}
+
+/// How many px differ and by how much at most; `None` where none does.
+fn differ(stored: Option<&image::RgbImage>, [width, height]: [usize; 2], rgb: &[u8]) -> Option<String> {
+    let Some(stored) = stored else { return Some("is new".to_owned()) };
+    if stored.dimensions() != (width as u32, height as u32) {
+        return Some(format!("{:?} px have become {width} × {height}", stored.dimensions()));
+    }
+    let pairs = stored.as_raw().chunks_exact(3).zip(rgb.chunks_exact(3));
+    let off = pairs.map(|(a, b)| a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0));
+    let off: Vec<u8> = off.filter(|off| *off > 0).collect();
+    let most = off.iter().max()?;
+    Some(format!("{} of {} px differ, by {most} of 255 at most", off.len(), width * height))
+}
+
+/// Grows each for a short time; gives what differs.
+fn compare(names: &[String]) -> Vec<String> {
+    let mut wrong = Vec::new();
+    for name in names {
+        let file = format!("textures/{name}.png");
+        let stored = image::open(golden(&file)).ok().map(|picture| picture.to_rgb8());
+        let (size, rgb) = young(name);
+        let Some(what) = differ(stored.as_ref(), size, &rgb) else { continue };
+        if renews() {
+            renew(&file, &png(size, &rgb), &what);
+        } else {
+            let grown = kept(&format!("{name}.png"), &png(size, &rgb));
+            wrong.push(format!("tests/golden/{file}: {what}; {grown} has what grew"));
+        }
+    }
+    wrong
+}
+
+#[test]
+fn young_textures_have_the_stored_px() {
+    let wrong = compare(&names());
+    assert!(wrong.is_empty(), "{}\nIf that is meant: REGENERATE=1", wrong.join("\n"));
+}
