@@ -4,8 +4,7 @@ use palette::{FromColor, LinSrgb, Oklab, Srgb};
 use rayon::prelude::*;
 use thiserror::Error;
 
-use super::Bend;
-use crate::field::to_u16;
+use super::{Bend, Table};
 
 /// A colour at a place on the way from ground to mark.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,10 +140,13 @@ impl Gradient {
     /// The colours of all 65536 values that a 16-bit picture of a pattern can hold.
     #[must_use]
     pub fn table(&self) -> Table {
+        Table::of(self)
+    }
+
+    /// The same, worked out anew.
+    pub(super) fn worked_out(&self) -> Vec<[u8; 3]> {
         let lab = self.lab();
-        let colours =
-            (0..=u16::MAX).into_par_iter().map(|i| self.mix(&lab, f32::from(i) / 65535.0)).collect();
-        Table { colours }
+        (0..=u16::MAX).into_par_iter().map(|i| self.mix(&lab, f32::from(i) / 65535.0)).collect()
     }
 
     /// The stops' colours in OKLab.
@@ -184,23 +186,6 @@ impl Gradient {
 fn to_srgb(lab: Oklab<f64>) -> [f64; 3] {
     let (red, green, blue) = Srgb::from_linear(LinSrgb::from_color(lab)).into_components();
     [red, green, blue].map(|channel: f64| channel.clamp(0.0, 1.0))
-}
-
-/// A gradient by look-up: one colour for each 16-bit step of the pattern.
-///
-/// A value is first brought to the nearest step, as `--pattern` writes it, so that the picture is a
-/// function of the written pattern; at the steps the colours are the gradient's own.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Table {
-    colours: Vec<[u8; 3]>,
-}
-
-impl Table {
-    /// The colour of the step nearest to the pattern value `v`.
-    #[must_use]
-    pub fn colour(&self, v: f32) -> [u8; 3] {
-        self.colours[usize::from(to_u16(v))]
-    }
 }
 
 #[cfg(test)]

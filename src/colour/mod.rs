@@ -12,10 +12,12 @@ mod opacity;
 mod paint;
 mod presets;
 mod sets;
+mod table;
 
 pub use bezier::Bend;
-pub use gradient::{Gradient, GradientError, Stop, Table};
+pub use gradient::{Gradient, GradientError, Stop};
 pub use opacity::Fine;
 pub use paint::{Painted, paint, paint_rows, painter};
 pub use presets::{Group, Marking, PRESETS, Preset};
 pub use sets::{BY_LAYER, COATS, Set};
+pub use table::Table;

@@ -111,8 +111,10 @@ fn speed(plan: &Plan) -> Option<f64> {
 
 /// Seconds that a px takes to be painted and written.
 fn painted(document: &Document, plan: &Plan, engine: &Engine) -> f64 {
+    // Once for the whole texture: pattern and colours of the layer.
+    let painting = Painting::growing(document, &Look { beneath: &[], plan, engine }, PAINTED);
     let started = Instant::now();
-    let rgb = Painting::growing(document, &Look { beneath: &[], plan, engine }, PAINTED).rgb();
+    let rgb = painting.rgb();
     // Into nothing; if that fails it takes no time either.
     let _ = png::rgb8(std::io::sink(), PAINTED, None, &rgb);
     started.elapsed().as_secs_f64() / (PAINTED[0] * PAINTED[1]) as f64

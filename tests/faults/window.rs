@@ -67,6 +67,8 @@ fn where_there_is_no_room_to_keep_unsaved_work_it_is_said_once_and_kept_when_the
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
     hand.until("a notice", |window| !window.notices().is_empty());
     assert!(notice(&hand).contains("the disk is full"), "{}", notice(&hand));
+    // It is seen from the next frame on.
+    hand.rest();
     hand.press("OK");
     mounted.make_room();
     hand.draw_round([250.0, 200.0], [40.0, 20.0], 30.0);
