@@ -137,13 +137,15 @@ mod system {
 
 /// A problem as it may stand in a message: it quotes what a file holds, of any length and whatever it does to a terminal.
 pub fn shown(problem: &str) -> String {
-    const LONGEST: usize = 600;
+    // Bytes as they are shown: what is escaped becomes six times as long.
+    const LONGEST: usize = 800;
     let mut shown = String::new();
-    for c in problem.chars().take(LONGEST) {
+    for c in problem.chars() {
+        if shown.len() > LONGEST {
+            shown.push('…');
+            break;
+        }
         if c.is_control() { shown.extend(c.escape_unicode()) } else { shown.push(c) }
-    }
-    if problem.chars().count() > LONGEST {
-        shown.push('…');
     }
     shown
 }

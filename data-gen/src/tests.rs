@@ -353,7 +353,8 @@ fn the_sets_the_columns_and_the_reasons_stand_in_the_readme_beside_the_files() {
 #[test]
 fn what_is_quoted_of_a_plan_does_nothing_to_a_terminal_and_is_cut() {
     let long = "x".repeat(100_000);
-    for name in ["\u{1b}[2J", "turing-spots-\u{7f}", long.as_str()] {
+    let escaped = "\u{7f}".repeat(100_000);
+    for name in ["\u{1b}[2J", "turing-spots-\u{7f}", long.as_str(), escaped.as_str()] {
         let mut plan = tiny();
         plan["sets"][0]["name"] = json!(name);
         let error = Plan::parse(&plan.to_string(), "my.json").unwrap_err();

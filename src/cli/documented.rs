@@ -32,7 +32,8 @@ fn commands(text: &str) -> Vec<String> {
         }
     }
     let ours = |line: &str| {
-        let line = line.split(['#', '|', ';', '>', '&']).next().unwrap_or(line).trim();
+        let line = line.replace("\\|", "|");
+        let line = line.split(['#', '|', ';', '>', '&']).next().unwrap_or_default().trim();
         let rest = line.strip_prefix("cargo run --release -- ").or_else(|| line.strip_prefix("dapple "))?;
         let whole = !rest.contains(['[', '…', '(', '"', '$']);
         whole.then(|| rest.to_owned())

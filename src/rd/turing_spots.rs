@@ -6,7 +6,8 @@
 //! Turing, "The chemical basis of morphogenesis" (1952); in this form Turk, "Generating textures on arbitrary
 //! surfaces using reaction-diffusion" (1991), and Phan & Grimm, "Sketching reaction-diffusion texture"
 //! (2006), appendix A. A spot is where b runs out. Its size and the spacing go together: area ≈ 0.22
-//! spacing².
+//! spacing². a stays above 2 in patterns; it is held at 0 as well, for at rates of 0.38 and more the first spots of a canvas
+//! with room for one or two can hold so much b that a step of a overshoots.
 
 use super::kinetics::{Kinetics, Spread};
 use super::vector::Number;
@@ -35,7 +36,7 @@ impl Kinetics<2> for TuringSpots {
 
     #[inline(always)]
     fn bounded<V: Number>([a, b]: [V; 2]) -> [V; 2] {
-        [a, b.at_least(0.0)]
+        [a.at_least(0.0), b.at_least(0.0)]
     }
 }
 
@@ -53,7 +54,7 @@ impl Kinetics<3> for UnevenTuringSpots {
 
     #[inline(always)]
     fn bounded<V: Number>([a, b, beta]: [V; 3]) -> [V; 3] {
-        [a, b.at_least(0.0), beta]
+        [a.at_least(0.0), b.at_least(0.0), beta]
     }
 }
 

@@ -80,7 +80,7 @@ fn is_writing(folder: &Folder, files: usize) -> bool {
 #[test]
 fn a_growth_interrupted_while_it_writes_leaves_nothing_behind() {
     let folder = Folder::with(&spots());
-    let mut child = start(&folder, "grow a.dapple -o a.png --scale 64");
+    let mut child = start(&folder, "grow a.dapple -o a.png --quiet --scale 64");
     wait_until(&mut child, |_| is_writing(&folder, 1));
     assert_eq!(interrupt(child), (Some(130), "error: interrupted\n".to_owned()));
     assert_eq!(folder.names(), ["a.dapple"]);
@@ -89,7 +89,7 @@ fn a_growth_interrupted_while_it_writes_leaves_nothing_behind() {
 #[test]
 fn a_growth_interrupted_between_two_pictures_leaves_neither() {
     let folder = Folder::with(&spots());
-    let mut child = start(&folder, "grow a.dapple -o a.png --scale 48 --pattern p.png");
+    let mut child = start(&folder, "grow a.dapple -o a.png --quiet --scale 48 --pattern p.png");
     wait_until(&mut child, |_| is_writing(&folder, 2));
     assert_eq!(interrupt(child), (Some(130), "error: interrupted\n".to_owned()));
     assert_eq!(folder.names(), ["a.dapple"]);
@@ -99,7 +99,7 @@ fn a_growth_interrupted_between_two_pictures_leaves_neither() {
 fn a_picture_that_was_there_outlives_an_interrupted_growth() {
     let folder = Folder::with(&spots());
     folder.write("a.png", "not a picture, but mine");
-    let mut child = start(&folder, "grow a.dapple -o a.png --scale 64");
+    let mut child = start(&folder, "grow a.dapple -o a.png --quiet --scale 64");
     wait_until(&mut child, |_| is_writing(&folder, 1));
     assert_eq!(interrupt(child).0, Some(130));
     assert_eq!(folder.bytes("a.png"), b"not a picture, but mine");

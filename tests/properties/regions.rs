@@ -55,7 +55,7 @@ proptest! {
             let weights: f64 = corners.iter().map(|(_, weight)| weight).sum();
             prop_assert!((weights - 1.0).abs() < 1e-12 && corners.iter().all(|(_, weight)| *weight >= 0.0));
             let about: Vec<Vec<Option<f64>>> =
-                corners.iter().map(|(region, _)| plain(&map.at(layout.center(layout.place(*region))))).collect();
+                corners.iter().map(|(region, _)| plain(&map.region(layout.place(*region)).filled)).collect();
             for (attribute, value) in plain(&map.at(point)).into_iter().enumerate() {
                 let Some(value) = value else { continue };
                 let held: Vec<f64> = about.iter().filter_map(|corner| corner[attribute]).collect();

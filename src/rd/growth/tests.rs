@@ -88,6 +88,19 @@ fn frozen_cells_stay_as_they_are_and_are_felt() {
 }
 
 #[test]
+fn no_concentration_of_turing_s_system_is_negative_where_a_step_overshoots() {
+    // Found by tests/properties: room for one spot, at the largest rate that is looked up.
+    let p = Parameters { rate: 0.38, ratio: 3.8, stretch: 0.3, direction: 0.7, pitch: 1.0 };
+    let maps = Maps::uniform(8, 8, p);
+    let mut growth = Growth::new(System::TuringSpots, &maps, Edges::Wrap, 0);
+    for _ in 0..12 {
+        growth.advance(25);
+        let concentrations = growth.concentrations();
+        assert!(concentrations.iter().flatten().all(|value| value.is_finite() && *value >= 0.0));
+    }
+}
+
+#[test]
 fn concentrations_of_another_grid_are_refused() {
     let (maps, growth) = small(System::TuringSpots);
     let mut concentrations = growth.concentrations();
