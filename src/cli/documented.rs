@@ -18,8 +18,8 @@ fn guides() -> Vec<(String, String)> {
     paths.iter().map(|path| (path.display().to_string(), read(path))).collect()
 }
 
-/// The commands of dapple in a guide's fenced blocks and between its backquotes, without what a shell makes of them.
-/// Those that stand for many (`[--json]`, `FILE…`) are none.
+/// The commands of dapple in a guide's fenced blocks and in the first column of its tables, without what a shell makes of
+/// them. Those that stand for many (`[--json]`, `FILE…`) are none.
 fn commands(text: &str) -> Vec<String> {
     let (mut found, mut fenced) = (Vec::new(), false);
     for line in text.lines() {
@@ -27,12 +27,11 @@ fn commands(text: &str) -> Vec<String> {
             fenced = !fenced;
         } else if fenced {
             found.push(line.trim());
-        } else {
-            found.extend(line.split('`').skip(1).step_by(2));
+        } else if let Some(cell) = line.strip_prefix("| ").and_then(|row| row.split(" | ").next()) {
+            found.extend(cell.split('`').skip(1).step_by(2));
         }
     }
     let ours = |line: &str| {
-        let line = line.replace("\\|", "|");
         let line = line.split(['#', '|', ';', '>', '&']).next().unwrap_or_default().trim();
         let rest = line.strip_prefix("cargo run --release -- ").or_else(|| line.strip_prefix("dapple "))?;
         let whole = !rest.contains(['[', '…', '(', '"', '$']);
