@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Cell updates to be expected are the engine's own figure; their speed and that of painting a px are tried on this
-//! machine as it is now, on a canvas of the same texture that is no larger than [`TRIAL`]: features keep their size, so
+//! machine as it is now, on a canvas of the same texture that is no larger than `TRIAL`: features keep their size, so
 //! that both are as they will be.
 
 use super::drawn::region_map;

@@ -79,7 +79,7 @@ type Asked<'a> = &'a (dyn Fn(&Attributes, f64) -> Result<Answer, PlanError> + Sy
 /// Plans a layer with these wanted attributes. The canvas is that of `map`.
 ///
 /// # Errors
-/// As [`ask`].
+/// As [`ask()`].
 pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Result<Plan, PlanError> {
     let mut map = map.clone();
     let system = match choice {
@@ -115,7 +115,7 @@ pub fn finest_cell(map: &RegionMap) -> f64 {
 /// As [`plan()`], on a grid of about `cell` px a cell whatever suits the marks; no spacing of `map` may be free.
 ///
 /// # Errors
-/// As [`ask`].
+/// As [`ask()`].
 pub fn plan_on(training: &Training, system: System, map: &RegionMap, cell: f64) -> Result<Plan, PlanError> {
     planned_on(system, map.clone(), cell, &|wanted, cell| ask(training, system, wanted, cell))
 }

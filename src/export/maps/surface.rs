@@ -21,7 +21,7 @@ impl Default for Surface {
 /// Pattern → share of the px that belongs to the marks of each layer, 0..1, in place; all layers the same number of px.
 ///
 /// A layer keeps what the layers beneath have left: with P the largest share beneath, pₖ becomes pₖ·w(P),
-/// w(P) = 1 − [`shoulder`]\(4P − 1): 1 up to P = ¼, 0 from ½ (a mark's edge) on, without a kink between. So no map has a
+/// w(P) = 1 − `shoulder`(4P − 1): 1 up to P = ¼, 0 from ½ (a mark's edge) on, without a kink between. So no map has a
 /// step where a frozen mark ends.
 pub fn shares(patterns: &mut [Vec<f32>]) {
     let px = patterns.first().map_or(0, Vec::len);
