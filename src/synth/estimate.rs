@@ -80,9 +80,10 @@ impl Needs {
     }
 }
 
-/// The share of the cell updates to be expected that was taken: on the golden textures and on eight examples
-/// (`tests/golden/work.rs` tells), within a factor of 1.35 of these. A finer grid mostly needs fewer steps than the engine
-/// expects, and stripes settle on it at once; lines round marks are grown on one grid.
+/// The share of the cell updates to be expected that was taken: the middle of what the golden textures and seven examples
+/// took (`tests/golden/work.rs` tells). A finer grid mostly needs fewer steps than the engine expects, and stripes settle
+/// on it at once (a third to a quarter of the updates); lines round marks are grown on one grid; spots lie between half and
+/// one and a third of this.
 fn taken(engine: &Engine, system: System) -> f64 {
     match system {
         System::MeinhardtLines if engine.level()[1] == 1 => 1.15,
