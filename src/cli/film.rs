@@ -105,7 +105,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         args.clip().of_change([&document, other], &morph, &args.output, kind, &watch)
     } else {
         // It is grown twice: once to see how much each moment changes.
-        estimate.tell(&[Task { document: &document, source: &source, scale: 1 }], 2.0);
+        estimate.tell(&[Task { document: &document, size: document.size, source: &source, scale: 1 }], 2.0);
         let options = Options { refine: args.no_refine.then_some(false), ..Options::default() };
         let scene = Scene { document: &document, source: &source, training: &training, options };
         args.clip().of_growth(&scene, &args.output, kind, &watch)

@@ -226,8 +226,8 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
         concentrations: args.concentrations.is_some(),
     };
     if thumb.is_none() {
-        let sized = Document { size: extent.size.unwrap_or(document.size), ..document.clone() };
-        let task = Task { document: &sized, source: &source, scale: extent.scale };
+        let size = extent.size.unwrap_or(document.size);
+        let task = Task { document: &document, size, source: &source, scale: extent.scale };
         Estimate { training, quiet: args.quiet }.tell(&[task], 1.0);
     }
     let grown = grow(&document, &source, training, options, &watch).map_err(Error::grown)?;

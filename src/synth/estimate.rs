@@ -29,8 +29,10 @@ const PAINTED: [usize; 2] = [256, 256];
 const RULER: f64 = 1.0;
 /// A document to be grown, and the px along each side of its picture for one of its canvas.
 pub struct Task<'a> {
-    /// The document, of the size that is asked for.
+    /// The document.
     pub document: &'a Document,
+    /// The canvas that is asked for, px.
+    pub size: [u32; 2],
     /// What messages call it.
     pub source: &'a str,
     /// px a px.
@@ -41,7 +43,7 @@ impl Task<'_> {
     /// px of the canvas, and of the picture.
     #[must_use]
     pub fn px(&self) -> [f64; 2] {
-        let canvas = f64::from(self.document.size[0]) * f64::from(self.document.size[1]);
+        let canvas = f64::from(self.size[0]) * f64::from(self.size[1]);
         [canvas, canvas * f64::from(self.scale) * f64::from(self.scale)]
     }
 }
@@ -59,18 +61,18 @@ impl Needs {
     /// Of one growth. `None` where it cannot be planned, or does not fit into memory: the growth itself says why.
     #[must_use]
     pub fn of(task: &Task, training: &Training) -> Option<Self> {
-        let Task { document, source, .. } = *task;
+        let Task { document, source, size, .. } = *task;
         let [canvas, picture] = task.px();
         let times = (canvas / TRIAL).max(1.0);
         let side = |side: u32| (f64::from(side) / times.sqrt()).max(1.0);
         let mut beneath: Option<Plan> = None;
         let mut needs = Self { seconds: 0.0, bytes: 0.0 };
         for index in 0..document.layers.len() {
-            let map = region_map(document, index, source).ok()?.resized(document.size.map(side));
+            let map = region_map(document, index, source).ok()?.resized(size.map(side));
             let plan = planned(document, index, source, training, &map, beneath.as_ref()).ok()?;
             let whole = plan.grid.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
-            memory::check(plan.system, document.size.map(f64::from), whole).ok()?;
-            needs.bytes = needs.bytes.max(memory::needed(plan.system, document.size.map(f64::from), whole));
+            memory::check(plan.system, size.map(f64::from), whole).ok()?;
+            needs.bytes = needs.bytes.max(memory::needed(plan.system, size.map(f64::from), whole));
             let engine = Engine::new(&plan, document.layer_seed(index));
             needs.seconds += times * taken(&engine, plan.system) * engine.updates_left() / speed(&plan)?;
             needs.seconds += painted(document, &plan, &engine) * (canvas * RULER + picture);

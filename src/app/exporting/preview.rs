@@ -78,10 +78,10 @@ impl Preview {
         let known = self.needs.as_ref().is_some_and(|(of, _)| *of == grown)
             || self.asking.as_ref().is_some_and(|(of, _)| *of == grown);
         if !known && !self.is_ready(order, settled) {
-            let (wake, document) = (ctx.clone(), grown.clone());
+            let (wake, document, size) = (ctx.clone(), order.document.clone(), grown.size);
             let scale = order.choices.size.scale;
             let work = move |_: &Watch| {
-                let task = Task { document: &document, source: "the sketch", scale };
+                let task = Task { document: &document, size, source: "the sketch", scale };
                 Ok(Needs::of(&task, &Training::default()))
             };
             self.asking = Some((grown, Job::start(threads, 0.0, move || wake.request_repaint(), work)));

@@ -150,13 +150,17 @@ fn tell_time(args: &Args, tasks: &[Task], training: &Training) {
     for task in tasks {
         // One that cannot be read says so when it is its turn.
         if let Ok(document) = Document::read(&task.file) {
-            let size = args.size.unwrap_or(document.size);
-            documents.push((Document { size, ..document }, task.file.display().to_string()));
+            documents.push((document, task.file.display().to_string()));
         }
     }
     let scale = args.scale.unwrap_or(1);
-    let tasks: Vec<_> =
-        documents.iter().map(|(document, source)| estimate::Task { document, source, scale }).collect();
+    let tasks: Vec<_> = documents
+        .iter()
+        .map(|(document, source)| {
+            let size = args.size.unwrap_or(document.size);
+            estimate::Task { document, size, source, scale }
+        })
+        .collect();
     Estimate { training, quiet: args.quiet }.tell(&tasks, 1.0);
 }
 
