@@ -15,7 +15,7 @@ pub struct Table {
     colours: Arc<Vec<[u8; 3]>>,
 }
 
-/// The tables that were asked for last, the newest at the end. Who paints a growth moment by moment asks for the same ones
+/// The tables that were worked out last, the newest at the end. Who paints a growth moment by moment asks for the same ones
 /// hundreds of times, and to work one out takes longer than to paint a small picture: a film of 150² px took 24 s without
 /// this and takes 1 s.
 static LAST: Mutex<VecDeque<(Gradient, Table)>> = Mutex::new(VecDeque::new());

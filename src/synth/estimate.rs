@@ -25,9 +25,11 @@ const STINT: Duration = Duration::from_millis(40);
 const STEPS: u64 = 8;
 /// Sides of the picture that is painted to see how long a px takes.
 const PAINTED: [usize; 2] = [256, 256];
-/// Measuring what has grown takes so many times as long as painting it; less where nothing is corrected.
+/// Measuring what has grown takes so many times as long as painting it. Not tuned by itself: with it, what is said is 0.5
+/// to 1 of what four examples of 2000² to 6000² px took, the least where spots are sparse.
 const RULER: f64 = 1.0;
-/// A document to be grown, and the px along each side of its picture for one of its canvas.
+
+/// A document to be grown, and how large.
 pub struct Task<'a> {
     /// The document.
     pub document: &'a Document,
@@ -35,7 +37,7 @@ pub struct Task<'a> {
     pub size: [u32; 2],
     /// What messages call it.
     pub source: &'a str,
-    /// px a px.
+    /// px along a side of the picture for one of the canvas.
     pub scale: u32,
 }
 

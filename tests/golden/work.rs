@@ -29,7 +29,7 @@ fn took(document: &Document, name: &str) -> Vec<f64> {
         .collect()
 }
 
-/// `cargo test --test golden -- --ignored --nocapture work`: the ground of the shares in `src/cli/estimate.rs`.
+/// `cargo test --test golden -- --ignored --nocapture work`: the ground of the shares in `src/synth/estimate.rs`.
 #[test]
 #[ignore = "tells how shares were found; takes minutes"]
 fn updates_that_were_expected_and_taken_are_told() {
