@@ -6,8 +6,8 @@ use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterio
 use dapple::cli::bench::cases::Case;
 use dapple::colour::{Gradient, Painted, paint};
 use dapple::export::png;
-use dapple::field::resample::Spline;
-use dapple::field::{Edges, Field};
+use dapple::grid::resample::Spline;
+use dapple::grid::{Edges, Field};
 use dapple::measure;
 use dapple::rd::{Growth, nuclei};
 use std::hint::black_box;

@@ -13,7 +13,7 @@
 //! through a file: `data-gen` writes `training/`, [`learn`] reads it.
 //!
 //! ```
-//! use dapple::synth::{Options, Training, Watch, grow, recipe::Document};
+//! use dapple::document::Document, synth::{Options, Training, Watch, grow};
 //!
 //! let text = r#"{"format": "dapple", "version": 1, "size": [96, 96], "layers": [{"strokes": [
 //!     {"kind": "ellipse", "center": [30, 30], "radii": [8, 5], "angle": 30}]}]}"#;
@@ -28,7 +28,7 @@
 //! from +x towards +y and axial (read mod 180).
 
 // Ground: words.
-pub mod field;
+pub mod grid;
 pub mod marks;
 // (marks before attributes: attributes are numbers about marks)
 pub mod attributes;
@@ -42,9 +42,14 @@ pub mod rd;
 pub mod sketch;
 
 // Thread.
+pub mod document;
 pub mod synth;
+
+// Beside the thread.
+pub mod editor;
 
 // Doors.
 #[cfg(feature = "app")]
 pub mod app;
+#[cfg(feature = "cli")]
 pub mod cli;

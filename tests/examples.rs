@@ -3,11 +3,12 @@
 use std::fs;
 use std::path::PathBuf;
 
-use dapple::field::Edges;
+use dapple::document::Document;
+use dapple::grid::Edges;
 use dapple::marks::Mark;
-use dapple::synth::drawn::{marks, region_map};
-use dapple::synth::recipe::Document;
-use dapple::synth::{Options, Training, Watch, grow};
+use dapple::synth::grow;
+use dapple::synth::plan::sketch_targets::{marks, region_map};
+use dapple::synth::{Options, Training, Watch};
 
 fn examples() -> Vec<(PathBuf, Document)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples");

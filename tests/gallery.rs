@@ -3,9 +3,10 @@
 use std::fs;
 use std::path::PathBuf;
 
-use dapple::synth::drawn::region_map;
-use dapple::synth::recipe::{After, Document};
-use dapple::synth::{Options, Training, Watch, grow};
+use dapple::document::{After, Document};
+use dapple::synth::grow;
+use dapple::synth::plan::sketch_targets::region_map;
+use dapple::synth::{Options, Training, Watch};
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991).
 const FIGURES: [&str; 26] = [

@@ -1,7 +1,7 @@
 //! The ruler: what is drawn with known numbers is measured back.
 
 use dapple::attributes::{Attributes, Spots, Stripes};
-use dapple::field::{Edges, Field};
+use dapple::grid::{Edges, Field};
 use dapple::marks::{Ellipse, turn};
 use dapple::measure::{self, Canvas, Directions, Picture, Reason};
 use proptest::prelude::*;

@@ -1,10 +1,11 @@
 //! The verdict on patterns that were really grown: what is no texture is told for what it is.
 
-use dapple::field::{Edges, Field};
+use dapple::grid::{Edges, Field};
 use dapple::learn::Parameters;
 use dapple::measure::{self, Reason};
 use dapple::rd::{self, Maps, System};
-use dapple::synth::{Engine, Patch, Sample, Watch, settle};
+use dapple::synth::settle;
+use dapple::synth::{Engine, Patch, Sample, Watch};
 
 /// Spots (or wavelengths along a side) ordered, and the least of them to learn from.
 const ORDERED: f64 = 24.0;

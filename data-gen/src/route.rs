@@ -2,9 +2,10 @@
 //! Euler steps on the planned grid alone to the end.
 
 use dapple::attributes::Attributes;
-use dapple::field::{Edges, Field};
+use dapple::grid::{Edges, Field};
 use dapple::rd::{Growth, Maps, Parameters, System};
-use dapple::synth::{Engine, Patch as Grown, Sample, Watch, settle};
+use dapple::synth::settle;
+use dapple::synth::{Engine, Patch as Grown, Sample, Watch};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use super::canvas::tool::Tool;
-use super::layering::LayerAction;
 use super::panels::Tab;
+use crate::app::layering::LayerAction;
 
 /// Something to be done.
 #[derive(Clone, Debug, PartialEq)]

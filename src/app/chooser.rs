@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, TryRecvError};
 use std::thread;
 
-use eframe::egui::{Button, Context, Key, ScrollArea, TextEdit, Ui, vec2};
+use egui::{Button, Context, Key, ScrollArea, TextEdit, Ui, vec2};
 
 /// What the file is wanted for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -194,7 +194,7 @@ impl Chooser {
         }
         let mut choice = Choice::Waiting;
         ui.add_space(4.0);
-        ui.with_layout(eframe::egui::Layout::right_to_left(eframe::egui::Align::Center), |ui| {
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let verb = if self.replaces.is_some() { "Replace" } else { self.purpose.verb() };
             let button =
                 ui.add_enabled(!self.name.trim().is_empty(), Button::new(verb).min_size(vec2(90.0, 28.0)));

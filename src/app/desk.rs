@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 
 mod layers;
 
-use super::history::{History, Moment};
-use super::layer_choices::tidy;
-use super::selection::{Place, Selection};
 use super::shape;
+use crate::app::layer_choices::tidy;
+use crate::document::{After, Document, Kind, Layer, Stroke};
+use crate::editor::history::{History, Moment};
+use crate::editor::selection::{Place, Selection};
 use crate::marks::Mark;
 use crate::sketch::recognise;
-use crate::synth::recipe::{After, Document, Kind, Layer, Stroke};
 
 /// The open document.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Examples, as a menu of pictures.
 
-use eframe::egui::{
+use egui::{
     Button, ColorImage, Grid, Image, Label, RichText, ScrollArea, TextureHandle, TextureOptions, Ui, vec2,
 };
 

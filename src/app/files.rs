@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use eframe::egui::{Align2, Color32, FontId, Id, Key, Modal, Ui, ViewportCommand};
+use egui::{Align2, Color32, FontId, Id, Key, Modal, Ui, ViewportCommand};
 
 use super::action::{Action, Page};
 use super::chooser::{Choice, Chooser, Purpose};
@@ -13,8 +13,8 @@ use super::opening::is_palette;
 use super::pages::{self, Answer, New};
 use super::window::Window;
 use super::{preferences, recovery, shortcuts};
+use crate::document::{Document, in_picture, open};
 use crate::export::has_ending;
-use crate::synth::recipe::{Document, in_picture, open};
 
 /// What is asked about files.
 pub struct Files {
@@ -201,10 +201,8 @@ impl Window {
         });
         if hovering {
             let rect = ui.ctx().content_rect();
-            let painter = ui.ctx().layer_painter(eframe::egui::LayerId::new(
-                eframe::egui::Order::Foreground,
-                Id::unique("drop"),
-            ));
+            let painter =
+                ui.ctx().layer_painter(egui::LayerId::new(egui::Order::Foreground, Id::unique("drop")));
             painter.rect_filled(rect, 0.0, Color32::from_black_alpha(120));
             let text = "Drop a document, a PNG that holds one or an SVG to open it, a picture to draw over, a palette";
             painter.text(
@@ -270,8 +268,8 @@ impl Window {
     }
 
     fn page_ui(&mut self, ui: &Ui, page: Page) -> Option<Action> {
-        let modal = Modal::new(Id::unique("page"))
-            .frame(eframe::egui::Frame::window(&ui.global_style()).inner_margin(22));
+        let modal =
+            Modal::new(Id::unique("page")).frame(egui::Frame::window(&ui.global_style()).inner_margin(22));
         let mut action = None;
         let mut close = false;
         let shown = modal.show(ui.ctx(), |ui| {
@@ -306,7 +304,7 @@ impl Window {
         let mut choice = chooser.listen();
         if chooser.is_ours() {
             let shown = Modal::new(Id::unique("chooser"))
-                .frame(eframe::egui::Frame::window(&ui.global_style()).inner_margin(20))
+                .frame(egui::Frame::window(&ui.global_style()).inner_margin(20))
                 .show(ui.ctx(), |ui| chooser.ui(ui));
             choice = if shown.should_close() { Choice::Nothing } else { shown.inner };
         }
@@ -325,7 +323,7 @@ impl Window {
     }
 
     fn asking(&mut self, ui: &Ui) {
-        let frame = eframe::egui::Frame::window(&ui.global_style()).inner_margin(20);
+        let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
         let title = self.desk.title();
         // Enter that ends the typing of a number is no answer yet.
         let enter =

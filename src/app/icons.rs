@@ -1,9 +1,7 @@
 //! Small pictures on buttons, drawn as lines so that they are sharp at any size.
 
-use eframe::egui::epaint::EllipseShape;
-use eframe::egui::{
-    Button, Color32, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2,
-};
+use egui::epaint::EllipseShape;
+use egui::{Button, Color32, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
 /// A picture on a button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! What can be chosen for a layer, and in plain words why not.
 
-use super::desk::Desk;
-use crate::synth::recipe::{After, Kind, Layer, Options, Seeding, SpreadChoice, SystemChoice};
+use crate::app::desk::Desk;
+use crate::document::{After, Kind, Layer, Options, Seeding, SpreadChoice, SystemChoice};
 
 /// Why layer `layer` cannot meet those beneath like this; `None` where it can.
 #[must_use]
@@ -203,8 +203,8 @@ pub fn tidy(layer: &mut Layer, kind: Option<Kind>) {
 mod tests {
     use super::*;
     use crate::attributes::Spread;
+    use crate::document::{Document, Stroke};
     use crate::marks::{Ellipse, Line};
-    use crate::synth::recipe::{Document, Stroke};
     use proptest::prelude::*;
 
     fn stroke(ellipse: bool) -> Stroke {

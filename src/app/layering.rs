@@ -1,8 +1,8 @@
 //! What one can do with layers, by whatever button, menu or key.
 
-use super::desk::Desk;
-use super::window::Window;
-use crate::synth::recipe::limits;
+use crate::app::desk::Desk;
+use crate::app::window::Window;
+use crate::document::limits;
 
 /// Something to be done to the layer at hand, or to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,28 +14,24 @@ mod canvas;
 mod chooser;
 mod cloud;
 mod desk;
+mod dispatch;
 mod examples;
 mod exporting;
 mod files;
 mod growth;
-mod history;
 mod icons;
 mod layer_choices;
 mod layering;
-mod line;
-mod lock;
-mod lying;
 mod notice;
 mod opening;
 mod pages;
 mod palettes;
 mod panels;
-mod perform;
+mod path_encoding;
 mod preferences;
 mod recovery;
 mod reference;
 mod result;
-mod selection;
 mod settings;
 mod shape;
 mod shortcuts;
@@ -45,7 +41,9 @@ mod trace;
 mod underlay;
 mod units;
 mod window;
+mod window_placement;
 
+pub use crate::editor::selection::{Place, Selection};
 pub use action::{Action, Page};
 pub use alternatives::{Alternative, Alternatives, small};
 pub use canvas::tool::Tool;
@@ -57,14 +55,13 @@ pub use notice::Notice;
 pub use pages::New;
 pub use panels::Tab;
 pub use result::{Outcome, Reach, RegionResult, Results, Verdict};
-pub use selection::{Place, Selection};
 pub use settings::{Layout, Settings};
 pub use units::{Ruler, Units};
 pub use window::{Start, Window};
 
 use std::path::PathBuf;
 
-use eframe::egui::IconData;
+use egui::IconData;
 
 /// Why no window was opened.
 #[derive(Debug, thiserror::Error)]
@@ -79,8 +76,7 @@ pub enum OpenError {
 
 /// Opens the window, with a document if there is one, and stays until it is closed.
 ///
-/// `DAPPLE_RENDERER=glow` takes OpenGL instead of the system's newest graphics; `DAPPLE_TRACE=FILE` writes down how
-/// long each frame took.
+/// `DAPPLE_TRACE=FILE` writes down how long each frame took.
 ///
 /// # Errors
 /// Where there is no display.
@@ -88,23 +84,21 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
     if !has_display() {
         return Err(OpenError::NoDisplay);
     }
-    let glow = std::env::var("DAPPLE_RENDERER").is_ok_and(|renderer| renderer == "glow");
     let settings = Settings::of_user();
     let options = eframe::NativeOptions {
-        viewport: lying::placed(&settings.layout)
+        viewport: window_placement::placed(&settings.layout)
             .with_title("dapple")
             .with_app_id("dapple")
             .with_min_inner_size([760.0, 480.0])
             .with_drag_and_drop(true)
             .with_icon(icon()),
-        renderer: if glow { eframe::Renderer::Glow } else { eframe::Renderer::Wgpu },
         centered: settings.layout.position.is_none(),
         ..Default::default()
     };
     let recovery = settings::folder().map(|folder| folder.join("recovery"));
     let start = Start { file, settings, recovery, native_dialogs: true };
     let create: eframe::AppCreator<'_> = Box::new(move |cc| {
-        lying::bring_into_view(cc);
+        window_placement::bring_into_view(cc);
         Ok(Box::new(Window::new(&cc.egui_ctx, start)))
     });
     eframe::run_native("dapple", options, create)

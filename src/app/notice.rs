@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
 
-use eframe::egui::{Align2, Area, Context, Frame, Id, Label, Order, RichText, vec2};
+use egui::{Align2, Area, Context, Frame, Id, Label, Order, RichText, vec2};
 
 use super::theme::Palette;
 

@@ -5,9 +5,9 @@ use std::path::Path;
 use super::desk::Desk;
 use super::files::with_causes;
 use super::window::Window;
+use crate::document::Document;
+use crate::document::palette::Palette;
 use crate::synth::import::{DPI, import};
-use crate::synth::recipe::Document;
-use crate::synth::recipe::palette::Palette;
 
 impl Window {
     /// A drawing becomes a document, which has no file yet.

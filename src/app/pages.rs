@@ -1,12 +1,12 @@
 //! Pages over the window: the new document, the question about unsaved work, about, the first hint.
 
-use eframe::egui::{Button, Checkbox, DragValue, Grid, RichText, Ui, vec2};
+use egui::{Button, Checkbox, DragValue, Grid, RichText, Ui, vec2};
 
 use super::action::{Action, Page};
 use super::preferences::resolution;
 use super::units::{Ruler, Units};
-use crate::field::Edges;
-use crate::synth::recipe::{Document, limits};
+use crate::document::{Document, limits};
+use crate::grid::Edges;
 
 /// What a new document shall be.
 #[derive(Clone, Debug, PartialEq)]
@@ -143,7 +143,7 @@ pub fn pair(
 /// The buttons of a page, the first choice on the right.
 pub fn choice(ui: &mut Ui, yes: &str, no: Option<&str>) -> Option<Answer> {
     let mut answer = None;
-    ui.with_layout(eframe::egui::Layout::right_to_left(eframe::egui::Align::Center), |ui| {
+    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         let fill = ui.visuals().selection.bg_fill;
         let text = RichText::new(yes).color(ui.visuals().selection.stroke.color);
         if ui.add(Button::new(text).fill(fill).min_size(vec2(96.0, 28.0))).clicked() {

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use eframe::egui::Ui;
+use egui::Ui;
 
 use super::chooser::Purpose;
 use super::files::with_causes;
 use super::panels::{Tab, colour};
 use super::window::Window;
-use crate::synth::recipe::palette::Palette;
+use crate::document::palette::Palette;
 
 impl Window {
     pub(super) fn choose_palette(&mut self, ui: &Ui) {

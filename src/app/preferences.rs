@@ -2,12 +2,12 @@
 
 use std::thread;
 
-use eframe::egui::{Checkbox, DragValue, Grid, RichText, ThemePreference, Ui, vec2};
+use egui::{Checkbox, DragValue, Grid, RichText, ThemePreference, Ui, vec2};
 
 use super::pages::{DPI, REGIONS, SEAMLESS, SIDES, pair, sides};
 use super::settings::Settings;
 use super::units::{Ruler, Units};
-use crate::synth::recipe::limits;
+use crate::document::limits;
 
 /// The page. What is changed counts at once.
 pub fn page(ui: &mut Ui, settings: &mut Settings) {

@@ -1,7 +1,7 @@
 //! What one does with a mark on the canvas: move, turn, stretch, hit, keep within bounds.
 
+use crate::document::limits::MIN_LENGTH;
 use crate::marks::{Ellipse, Line, Mark};
-use crate::synth::recipe::limits::MIN_LENGTH;
 
 /// The smallest radius or width that the hand can make, px.
 pub const SMALLEST: f64 = 0.5;

@@ -1,10 +1,10 @@
 //! Keys, and the page that lists them.
 
-use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, ScrollArea, Ui, vec2};
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, ScrollArea, Ui, vec2};
 
 use super::action::{Action, Page};
 use super::canvas::tool::Tool;
-use super::layering::LayerAction;
+use crate::app::layering::LayerAction;
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = CTRL.plus(Modifiers::SHIFT);
@@ -213,7 +213,7 @@ const OTHERS: &[(&str, &str, &str)] = &[
 fn row(ui: &mut Ui, text: &str, keys: &str) {
     ui.horizontal(|ui| {
         ui.label(text);
-        ui.with_layout(eframe::egui::Layout::right_to_left(eframe::egui::Align::Center), |ui| {
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.label(RichText::new(keys).small().weak());
         });
     });

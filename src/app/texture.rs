@@ -1,6 +1,6 @@
 //! The texture beside the canvas.
 
-use eframe::egui::{
+use egui::{
     Align2, Color32, FontId, Id, Painter, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind,
     TextureHandle, TextureOptions, TextureWrapMode, Ui, WidgetInfo, epaint::Mesh, pos2, vec2,
 };
@@ -109,11 +109,11 @@ pub fn curtain(ui: &mut Ui, room: Rect, share: &mut f32) -> Response {
     if response.has_focus() {
         let step = ui.input(|input| {
             let pressed = |key| input.num_presses(key) as f32;
-            0.05 * (pressed(eframe::egui::Key::ArrowRight) - pressed(eframe::egui::Key::ArrowLeft))
+            0.05 * (pressed(egui::Key::ArrowRight) - pressed(egui::Key::ArrowLeft))
         });
         *share = (*share + step).clamp(0.0, 1.0);
     }
-    response.on_hover_and_drag_cursor(eframe::egui::CursorIcon::ResizeHorizontal)
+    response.on_hover_and_drag_cursor(egui::CursorIcon::ResizeHorizontal)
 }
 
 /// Paints the bar.

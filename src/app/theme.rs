@@ -1,6 +1,6 @@
 //! Colours, sizes and type of the window, light and dark.
 
-use eframe::egui::{
+use egui::{
     Color32, Context, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle, Theme,
     Visuals, vec2,
 };

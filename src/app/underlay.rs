@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{Color32, Painter, Rect, TextureHandle, TextureOptions, Ui, pos2};
+use egui::{Color32, Painter, Rect, TextureHandle, TextureOptions, Ui, pos2};
 
 use super::desk::Desk;
 use super::growth::{Growth, Picture, Texture, essence};
-use crate::synth::recipe::Document;
+use crate::document::Document;
 
 /// The longest side of the picture, px: it is dim, and lies under strokes.
 const LONGEST: usize = 1024;

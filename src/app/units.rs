@@ -1,6 +1,6 @@
 //! In what lengths are told and typed: px, or mm by the document's dots an inch. Documents hold px.
 
-use eframe::egui::DragValue;
+use egui::DragValue;
 
 use super::window::Window;
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use eframe::egui::{
+use egui::{
     CentralPanel, Context, Frame, Margin, Panel, Pos2, Rect, Theme, Ui, UiBuilder, ViewportCommand, pos2,
     vec2,
 };
@@ -16,7 +16,6 @@ use super::examples::Gallery;
 use super::exporting::Exporting;
 use super::files::Files;
 use super::growth::{Growth, Phase, Texture};
-use super::layering::Layering;
 use super::notice::{Notice, Notices};
 use super::recovery::Recovery;
 use super::result::Results;
@@ -25,7 +24,8 @@ use super::texture::{self, TextureView};
 use super::theme::{self, Palette};
 use super::trace::Trace;
 use super::{action::Page, panels, shortcuts};
-use crate::synth::recipe::Document;
+use crate::app::layering::Layering;
+use crate::document::Document;
 
 /// With what the window begins.
 #[derive(Default)]
@@ -268,7 +268,7 @@ impl Window {
         if self.files.is_asking() || self.page.is_some() {
             return Vec::new();
         }
-        let focused = ui.memory(eframe::egui::Memory::focused);
+        let focused = ui.memory(egui::Memory::focused);
         // An open menu takes Escape and the arrows itself.
         let canvas = focused.is_none_or(|id| self.canvas.id == Some(id)) && !self.menu_open;
         let keys = !ui.text_edit_focused() && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
@@ -284,7 +284,7 @@ impl Window {
     }
 
     /// A focused button takes Space, Enter and the arrows; letters are free.
-    fn is_button(&self, ui: &Ui, id: eframe::egui::Id) -> bool {
+    fn is_button(&self, ui: &Ui, id: egui::Id) -> bool {
         ui.ctx()
             .read_response(id)
             .is_some_and(|response| response.sense.senses_click() && !response.sense.senses_drag())
@@ -412,7 +412,7 @@ fn failed(ui: &mut Ui, room: Rect, why: &str) {
     ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
         Frame::window(ui.style()).inner_margin(16).show(ui, |ui| {
             ui.strong("This cannot be grown");
-            ui.add(eframe::egui::Label::new(why).wrap().selectable(true));
+            ui.add(egui::Label::new(why).wrap().selectable(true));
             if ui.button("Copy").on_hover_text("Copy the text").clicked() {
                 ui.ctx().copy_text(why.to_owned());
             }

@@ -2,11 +2,11 @@
 
 use super::Error;
 use crate::attributes::{Attributes, Spread};
-use crate::field::Edges;
+use crate::document::{Document, Kind, Layer};
+use crate::grid::Edges;
 use crate::learn::Answer;
-use crate::synth::drawn::region_map;
 use crate::synth::plan::Plan;
-use crate::synth::recipe::{Document, Kind, Layer};
+use crate::synth::plan::sketch_targets::region_map;
 use crate::synth::{Training, memory, planned};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;

@@ -1,8 +1,8 @@
 //! Why a command could not do what was asked.
 
+use crate::document::DocumentError;
 use crate::export::ExportError;
 use crate::synth::GrowError;
-use crate::synth::recipe::DocumentError;
 use std::io;
 use std::path::PathBuf;
 

@@ -3,12 +3,12 @@
 use super::estimate::Estimate;
 use super::grow::{check_apart, progress::Bar};
 use super::{Error, values};
+use crate::document::Document;
 use crate::export::motion::Kind;
-use crate::synth::clip::{Clip, ClipError};
 use crate::synth::estimate::Task;
-use crate::synth::film::Scene;
-use crate::synth::morph::{Morph, MorphError};
-use crate::synth::recipe::Document;
+use crate::synth::render::clip::{Clip, ClipError};
+use crate::synth::render::film::Scene;
+use crate::synth::render::morph::{Morph, MorphError};
 use crate::synth::{Options, Training, Watch};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;

@@ -10,10 +10,13 @@ pub(super) mod progress;
 use super::estimate::Estimate;
 use super::sheet::Thumb;
 use super::{Error, values};
+use crate::document;
+use crate::document::{Document, Extent};
 use crate::export::{self, Format};
 use crate::synth::estimate::Task;
-use crate::synth::recipe::{self, Document, Extent};
-use crate::synth::{Options, Training, Watch, grow, report::report};
+use crate::synth::grow;
+use crate::synth::report::report;
+use crate::synth::{Options, Training, Watch};
 use progress::Bar;
 use serde_json::Value;
 use std::io::Write;
@@ -45,7 +48,7 @@ pub struct Args {
     /// The same texture with K times the px along each side [default: 1]
     #[arg(
         long, value_name = "K",
-        value_parser = clap::value_parser!(u32).range(1..=i64::from(recipe::embedded::MAX_SCALE))
+        value_parser = clap::value_parser!(u32).range(1..=i64::from(document::embedded::MAX_SCALE))
     )]
     pub scale: Option<u32>,
     /// Use this seed instead of the document's
@@ -202,7 +205,7 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
     args.check_outputs()?;
     // What is wrong with a name is told even where the document is wrong too.
     check_targets(args)?;
-    let (document, was) = recipe::open(&args.file)?;
+    let (document, was) = document::open(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     args.check_layer(&document)?;
     let extent = Extent { size: args.size.or(was.size), scale: args.scale.unwrap_or(was.scale) };

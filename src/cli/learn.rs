@@ -10,10 +10,10 @@ mod targets;
 mod way;
 
 use super::{Error, say, values};
+use crate::document::SystemChoice;
 use crate::export;
 use crate::rd::System;
-use crate::synth::probe::When;
-use crate::synth::recipe::SystemChoice;
+use crate::synth::grow::probe::When;
 use crate::synth::{Training, Watch};
 use indicatif::{ProgressBar, ProgressStyle};
 use outcome::Outcome;

@@ -5,9 +5,9 @@ mod batch;
 
 use super::{Error, say, values};
 use crate::attributes::{Attributes, Spots};
+use crate::document::{Kind, SystemChoice};
 use crate::export;
 use crate::synth::Training;
-use crate::synth::recipe::{Kind, SystemChoice};
 use answer::Looked;
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -8,7 +8,7 @@ use image::DynamicImage;
 use serde_json::{Map, Value, json};
 
 use super::{Error, say};
-use crate::field::{Edges, Field};
+use crate::grid::{Edges, Field};
 use crate::measure::{Picture, picture};
 use crate::synth::memory;
 

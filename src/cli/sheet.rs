@@ -9,10 +9,11 @@ pub(super) use contact::{Contact, Thumb, write};
 
 use super::grow::{check_apart, progress};
 use super::{Error, values};
+use crate::document::Document;
 use crate::export::{self, Content, picture};
-use crate::synth::painting::Painting;
-use crate::synth::recipe::Document;
-use crate::synth::{Options, Stage, Training, Watch, grow};
+use crate::synth::grow;
+use crate::synth::render::painting::Painting;
+use crate::synth::{Options, Stage, Training, Watch};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use layout::{Layout, Shape, Spot};
 use paper::Paper;

@@ -1,9 +1,9 @@
 //! Arguments → checked values; clap puts the argument's name and text before each message.
 
 use crate::attributes::Stripes;
+use crate::document::{Options, SystemChoice, limits};
 use crate::export::outline::Ends;
 use crate::marks::axial;
-use crate::synth::recipe::{Options, SystemChoice, limits};
 
 /// `WxH`, such as `4096x4096`, px.
 pub(super) fn size(text: &str) -> Result<[u32; 2], String> {

@@ -15,7 +15,7 @@
 //! T. Porter, T. Duff, "Compositing Digital Images", SIGGRAPH 1984, for "over"; F is not multiplied by α.
 
 use super::Gradient;
-use crate::field::to_u16;
+use crate::grid::to_u16;
 
 /// A gradient by look-up, finer than 8 bit: red, green, blue and opacity, 0..1 each, sRGB.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::Table;
-use crate::field::Field;
+use crate::grid::Field;
 
 /// One layer as the painter sees it.
 #[derive(Clone, Copy, Debug)]
@@ -69,7 +69,7 @@ pub fn paint_rows(layers: &[Painted], width: usize, rows: Range<usize>, rgb: &mu
 mod tests {
     use super::super::{Gradient, Stop};
     use super::*;
-    use crate::field::Edges;
+    use crate::grid::Edges;
 
     const T: bool = true;
     const F: bool = false;

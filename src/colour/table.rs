@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::Gradient;
-use crate::field::to_u16;
+use crate::grid::to_u16;
 
 /// A gradient by look-up: one colour for each 16-bit step of the pattern.
 ///

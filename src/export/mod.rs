@@ -9,27 +9,27 @@
 pub mod exr;
 mod format;
 pub mod gltf;
-mod leftovers;
 pub mod maps;
 pub mod material;
 pub mod motion;
 pub mod outline;
-mod passing;
 pub mod picture;
 pub mod png;
 mod save;
 mod shrink;
+mod stale_files;
+mod temporary_folder;
 pub mod texts;
 pub mod tiff;
 pub mod web;
 
 pub use format::{Content, Format};
-pub use passing::Passing;
 pub use save::{
     Begun, ExportError, Prepared, begin, check_content, check_ending, check_file, check_target, has_ending,
     make_folder, prepare, save,
 };
 pub use shrink::shrink;
+pub use temporary_folder::Passing;
 
 /// Why a writer stopped before its end.
 #[derive(Debug, thiserror::Error)]

@@ -11,7 +11,7 @@ use png::{
 };
 
 use super::Stopped;
-use crate::field::{Field, to_u16};
+use crate::grid::{Field, to_u16};
 
 /// What a px consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -287,7 +287,7 @@ fn into_io(error: EncodingError) -> io::Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::Edges;
+    use crate::grid::Edges;
 
     /// Decoded bytes and the head's px a metre.
     fn read(bytes: &[u8]) -> (Vec<u8>, png::OutputInfo, Option<u32>) {

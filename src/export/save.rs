@@ -9,7 +9,7 @@ use thiserror::Error;
 
 use super::Stopped;
 use super::format::{Content, Format, endings, fitting};
-use super::leftovers;
+use crate::export::stale_files;
 
 /// Why a file was not written. Nothing is left behind, and what was there before still is.
 #[derive(Debug, Error)]
@@ -218,7 +218,7 @@ pub struct Begun {
 pub fn begin(path: &Path) -> Result<Begun, ExportError> {
     let target = target_of(path)?;
     let folder = folder_of(&target);
-    let beside = leftovers::new_file(&folder).map_err(|source| explain(path, &folder, source))?;
+    let beside = stale_files::new_file(&folder).map_err(|source| explain(path, &folder, source))?;
     Ok(Begun { path: path.to_owned(), target, folder, stream: BufWriter::with_capacity(BUFFER, beside) })
 }
 

@@ -6,8 +6,8 @@
 
 use rayon::prelude::*;
 
-use super::line::Line;
 use super::local::Local;
+use crate::learn::weighted_line::Line;
 
 /// Neighbours a feature that may be chosen. Fewer than 8 may be two rows and their mirror images: good on average,
 /// but no line.
@@ -64,8 +64,8 @@ mod tests {
     use rand_pcg::Pcg64;
 
     use super::super::local::{AS_IT_IS, Sample};
-    use super::super::point::Point;
     use super::*;
+    use crate::learn::small_vector::Point;
 
     /// 400 rows all over a box, and `f` there with noise up to ±`noise`.
     fn rows(f: impl Fn(&[f64; 3]) -> f64, noise: f64) -> Vec<Sample> {

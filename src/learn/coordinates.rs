@@ -4,8 +4,8 @@
 //! learn is small and leaving the rows' range is benign.
 
 use super::Parameters;
-use super::point::Point;
 use crate::attributes::{Spots, Stripes};
+use crate::learn::small_vector::Point;
 use crate::marks::axial;
 
 /// −ln(minor/major) along the double angle: an axis as a vector that vanishes for a circle.

@@ -2,7 +2,7 @@
 
 use super::local::Local;
 use super::note::{Note, Quantity, Unit};
-use super::point::Point;
+use crate::learn::small_vector::Point;
 
 /// How far a question lies from what was learnt.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -30,7 +30,7 @@ impl std::fmt::Display for Coverage {
 const SLACK: f64 = 0.015;
 /// Beyond a limit by this much is its edge: ln units, 5 %, the error still called good.
 const MARGIN: f64 = 0.05;
-/// Runs may lie this one-sided ([`Line::one_sided`](super::line::Line::one_sided)) about a question inside. Of rows left out and asked of
+/// Runs may lie this one-sided ([`Line::one_sided`](crate::learn::weighted_line::Line::one_sided)) about a question inside. Of rows left out and asked of
 /// the others 97 % are below, those above stand in the corners; a tenth of the set's width beyond a face
 /// reads 15 to 40.
 const INSIDE: f64 = 10.0;

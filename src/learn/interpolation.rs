@@ -11,8 +11,8 @@
 //! programme (the simplex method in a tableau, Bland's rule) asks it one question.
 
 use super::local::{Local, Sample};
-use super::point::{MOST, Point};
 use super::tree::Place;
+use crate::learn::small_vector::{MOST, Point};
 
 /// Rows around a question among which its simplex is looked for, first and then.
 const AROUND: [usize; 2] = [60, 240];

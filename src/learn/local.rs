@@ -13,9 +13,9 @@
 //! of the question's image to the row.
 
 use super::bandwidth;
-use super::line::{Fit, Line};
-use super::point::{MOST, Point};
 use super::tree::{Near, Nearest, Place, Tree};
+use crate::learn::small_vector::{MOST, Point};
+use crate::learn::weighted_line::{Fit, Line};
 
 /// A known point of the map: features → outputs. The last two of each are a double-angle vector.
 #[derive(Clone, Copy, Debug)]

@@ -20,7 +20,6 @@
 //! rows are, and the answer says so ([`Coverage`]).
 
 mod answer;
-mod apart;
 mod bandwidth;
 mod columns;
 mod coordinates;
@@ -28,25 +27,26 @@ mod coverage;
 mod csv_rows;
 mod error;
 mod errors;
-mod folds;
+mod hold_out;
 mod interpolation;
+mod isolated_spots;
 #[cfg(test)]
 mod laws;
-mod line;
 mod local;
 mod manifest;
 mod method;
 mod neighbours;
 mod note;
-mod point;
 mod row;
 mod scale_law;
+mod small_vector;
 mod spot_map;
 mod stripe_map;
 #[cfg(test)]
 mod tests;
 mod training_set;
 mod tree;
+mod weighted_line;
 
 pub use answer::{Answer, AskError, Prediction};
 pub use columns::{Column, columns_of};
@@ -54,7 +54,7 @@ pub use coverage::Coverage;
 pub use csv_rows::{line_of, shown, six_digits, write_rows};
 pub use error::TrainingError;
 pub use errors::{Error, Errors, summaries};
-pub use folds::{Fold, evenly, folds};
+pub use hold_out::{Fold, evenly, folds};
 pub use method::Method;
 pub use neighbours::Neighbour;
 pub use note::{Note, Quantity, Unit};

@@ -2,10 +2,10 @@
 
 use super::coordinates as to;
 use super::local::Local;
-use super::point::Point;
 use super::training_set::Map;
 use super::{Parameters, TrainingSet};
 use crate::attributes::Attributes;
+use crate::learn::small_vector::Point;
 use crate::marks::axial;
 
 /// A row that an answer leans on, as it is or as one of its mirror images.

@@ -5,9 +5,9 @@ use super::coordinates as to;
 use super::coverage::{Judgement, Limit};
 use super::local::{AS_IT_IS, Images, Local, Sample, varies};
 use super::note::{Note, Quantity, Unit};
-use super::point::Point;
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Spots};
+use crate::learn::small_vector::Point;
 
 /// The mirror images of a row: (cos, sin) of a double angle under θ, −θ, 90° − θ and 90° + θ.
 ///

@@ -5,9 +5,9 @@ use super::coordinates as to;
 use super::coverage::{Judgement, Limit};
 use super::local::{Images, Local, Sample, varies};
 use super::note::{Quantity, Unit};
-use super::point::Point;
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Stripes};
+use crate::learn::small_vector::Point;
 use crate::marks::axial;
 
 /// The mirror images of a row. The grid looks the same under x ↔ y and under mirrors, so each row stands

@@ -10,7 +10,7 @@
 
 use rayon::prelude::*;
 
-use crate::field::{Edges, Field};
+use crate::grid::{Edges, Field};
 use crate::marks::axial;
 
 /// ρ ÷ wavelength: a window of about one wavelength, wide enough to hold both sides of a stripe.

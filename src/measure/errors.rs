@@ -6,7 +6,7 @@ use super::stripes::{tallies, wavelength};
 use crate::attributes::spacing::{Edge, LONGEST, edges, trimmed, trimmed_mean};
 use crate::attributes::spread::{deviation, scatter, variation};
 use crate::attributes::{Attributes, Spots, Spread, Stripes, axial_mean};
-use crate::field::{Edges, Field};
+use crate::grid::{Edges, Field};
 use crate::marks::{axial, turn};
 
 /// The canvas that a layer covers and its regions. Places are px.

@@ -12,12 +12,12 @@
 
 mod directions;
 mod errors;
-mod nodes;
+mod marching_squares;
 mod picture;
-mod pieces;
 mod spots;
-mod square;
 mod stripes;
+mod supersampled_grid;
+mod union_find;
 mod verdict;
 
 pub use directions::{Deviation, Directions};

@@ -5,7 +5,7 @@ use super::stripes::{StripeStatistics, stripes};
 use crate::attributes::spacing::{edges, neighbour_lengths, trimmed};
 use crate::attributes::spread::variation;
 use crate::attributes::{Spots, Spread};
-use crate::field::{Edges, Field};
+use crate::grid::{Edges, Field};
 use crate::marks::Ellipse;
 
 /// What a picture shows.

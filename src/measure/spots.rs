@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use super::nodes::Nodes;
-use super::pieces::Pieces;
-use super::square::{Moments, parts};
-use crate::field::{Edges, Field};
+use crate::grid::{Edges, Field};
 use crate::marks::{Ellipse, axial};
+use crate::measure::marching_squares::{Moments, parts};
+use crate::measure::supersampled_grid::Nodes;
+use crate::measure::union_find::Pieces;
 
 /// A connected region above the level.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,7 +52,7 @@ pub fn spots(field: &Field, level: f32) -> Vec<Spot> {
 /// The regions above `level`.
 ///
 /// The field is read on a grid so fine that the numbers are those of the smooth surface through it
-/// ([`crate::field::resample::Spline`]): area to 0.1 % for spots over 5 cells. Neighbours belong together where
+/// ([`crate::grid::resample::Spline`]): area to 0.1 % for spots over 5 cells. Neighbours belong together where
 /// they share a side, or the mean of the four around a corner is above the level. On closed edges the field
 /// ends half a cell beyond its outermost centres; on wrapped ones regions are joined across the border and
 /// measured in one piece.

@@ -1,9 +1,9 @@
 //! Stripes: width and wavelength from areas and contour lengths, direction from the structure tensor.
 
 use super::directions::Directions;
-use super::nodes::Nodes;
-use super::square::parts;
-use crate::field::Field;
+use crate::grid::Field;
+use crate::measure::marching_squares::parts;
+use crate::measure::supersampled_grid::Nodes;
 
 /// What the stripes of a field look like.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::spots::{Census, Spot};
 use super::stripes::StripeStatistics;
-use crate::field::Field;
+use crate::grid::Field;
 
 /// Why a grown field is no texture.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

@@ -4,7 +4,7 @@ use super::kinetics::{Kinetics, Spread, euler};
 use super::plane::{LANES, MARGIN, Plane};
 use super::problem::Problem;
 use super::selling::{OFFSETS, REACH};
-use crate::field::Edges;
+use crate::grid::Edges;
 
 /// Steps the chemicals once, from `old` into `new` (whose contents do not matter).
 pub fn step<const N: usize, K: Kinetics<N>>(problem: &Problem, old: &[Plane; N], new: &mut [Plane; N]) {

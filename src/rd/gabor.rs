@@ -11,9 +11,9 @@ use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
 use super::System;
-use super::crests::{Crest, Led, led};
 use super::maps::{Maps, Parameters};
-use crate::field::Edges;
+use crate::grid::Edges;
+use crate::rd::line_noise::{Crest, Led, led};
 
 /// The kernels.
 #[derive(Clone, Copy)]

@@ -10,18 +10,22 @@ use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;
 use super::kinetics::Kinetics;
 use super::maps::{Maps, Parameters};
-use super::meinhardt_lines::{self, MeinhardtLines};
-use super::meinhardt_spots::{self, MeinhardtSpots};
-use super::meinhardt_stripes::{self, MeinhardtStripes};
 use super::plane::{Grid, Plane};
 use super::problem::Problem;
 use super::selling::{MIN_STRETCH, Tensor};
-use super::slide::{Slide, slid};
 use super::solver::Solver;
-use super::turing_spots::{self, TuringSpots, UnevenTuringSpots};
 use super::wavefront::{self, Instructions, Scratch, Tiling};
-use super::{System, begin, explicit};
-use crate::field::{Edges, Field};
+use crate::grid::{Edges, Field};
+use crate::rd::local_warp::{Slide, slid};
+use crate::rd::systems::meinhardt_lines;
+use crate::rd::systems::meinhardt_lines::MeinhardtLines;
+use crate::rd::systems::meinhardt_spots;
+use crate::rd::systems::meinhardt_spots::MeinhardtSpots;
+use crate::rd::systems::meinhardt_stripes;
+use crate::rd::systems::meinhardt_stripes::MeinhardtStripes;
+use crate::rd::systems::turing_spots;
+use crate::rd::systems::turing_spots::{TuringSpots, UnevenTuringSpots};
+use crate::rd::{System, explicit, initial_conditions};
 use chemicals::Chemicals;
 
 /// dt·D·Σw that a step may not exceed. ½ is where it stops being monotone; 0.45 is what `facts.md` A found
@@ -56,9 +60,9 @@ impl Growth {
     pub fn new(system: System, maps: &Maps, edges: Edges, seed: u64) -> Self {
         let mut rng = Pcg64Mcg::seed_from_u64(seed);
         let chemicals = match system {
-            System::MeinhardtStripes => Chemicals::five(begin::stripes(maps, edges, &mut rng)),
-            System::MeinhardtLines => Chemicals::two(begin::lines(maps, edges, &mut rng)),
-            _ => Chemicals::two(begin::spots(system, maps, edges, &mut rng)),
+            System::MeinhardtStripes => Chemicals::five(initial_conditions::stripes(maps, edges, &mut rng)),
+            System::MeinhardtLines => Chemicals::two(initial_conditions::lines(maps, edges, &mut rng)),
+            _ => Chemicals::two(initial_conditions::spots(system, maps, edges, &mut rng)),
         };
         Self::of(system, maps, edges, chemicals)
     }

@@ -1,45 +1,44 @@
 //! Parameters → field: reaction and diffusion.
 
-mod begin;
 mod coefficients;
 mod compensate;
-mod crests;
+mod decay_noise;
 mod diffusion;
 mod explicit;
 mod gabor;
 mod growth;
+mod initial_conditions;
 mod kinetics;
-mod lanes;
+mod line_noise;
+mod local_warp;
 mod maps;
-mod meinhardt_lines;
-mod meinhardt_spots;
-mod meinhardt_stripes;
-mod mosaic;
 mod nuclei;
 mod plane;
 mod problem;
-mod prolong;
+mod prolongation;
 mod runs;
 mod seeding;
 pub mod selling;
-mod slide;
+mod shepard;
+mod simd_step;
 mod solver;
-mod turing_spots;
-mod uneven;
+mod systems;
 mod vector;
 mod wavefront;
 
-pub use begin::{Beginning, begun, held, nuclei};
-pub use crests::Crest;
 pub use growth::Growth;
+pub use initial_conditions::{Beginning, begun, held, nuclei};
+pub use line_noise::Crest;
+pub use local_warp::Slide;
 pub use maps::{Crests, Maps, Parameters};
-pub use mosaic::mosaic;
 pub use nuclei::{Hindrance, Kept, Places, make_room, off_walls, standing};
-pub use prolong::prolonged;
+pub use prolongation::prolonged;
 pub use seeding::Seeding;
-pub use slide::Slide;
+pub use shepard::mosaic;
 pub use solver::Solver;
 pub use wavefront::{Instructions, Tiling};
+
+use systems::{meinhardt_lines, meinhardt_spots, meinhardt_stripes, turing_spots};
 
 /// The reaction-diffusion systems.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,23 +7,23 @@
 //! Dart throwing, then relaxation by mutual repulsion. Distances are measured by the local metric
 //! ds² = (ρ·along² + across²/ρ)/pitch².
 
-mod crowd;
-mod kept;
-mod near;
-mod room;
-mod taken;
-mod walls;
+mod boundary;
+mod cell_list;
+mod density;
+mod obstacles;
+mod pinned;
+mod relaxation;
 
-pub use kept::{Hindrance, Kept, standing};
-pub use room::{Places, make_room, off_walls};
+pub use pinned::{Hindrance, Kept, standing};
+pub use relaxation::{Places, make_room, off_walls};
 
 use rand::{Rng, RngExt};
 
 use super::maps::{Maps, Parameters};
-use crate::field::Edges;
-use crowd::Crowd;
-use near::{Buckets, Space, distance2, relax};
-use walls::Grid;
+use crate::grid::Edges;
+use boundary::Grid;
+use cell_list::{Buckets, Space, distance2, relax};
+use density::Crowd;
 
 /// One point, in cells, with its local metric.
 #[derive(Clone, Copy, Debug)]
@@ -112,22 +112,22 @@ pub fn lay(
     let nucleus = |at: [f64; 2]| Nucleus { at, ..Nucleus::at(maps, on_maps(at), pitch) };
     let largest = kept.iter().map(|kept| kept.reach).fold(crowd.largest, f64::max);
     let mut placed = Buckets::new(space, PUSH * largest);
-    let posts = taken::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
+    let posts = obstacles::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
     kept.iter().for_each(|kept| placed.insert(Nucleus { at: kept.at.map(|v| v + frame), ..*kept }));
     let fixed = placed.all.clone();
     let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
-    let clear = if posts.is_empty() { Vec::new() } else { taken::clear(maps, edges, pitch) };
+    let clear = if posts.is_empty() { Vec::new() } else { obstacles::clear(maps, edges, pitch) };
     let is_clear = |at: [f64; 2]| clear.is_empty() || clear[maps.cell_at(on_maps(at))];
     let spread =
-        |placed: &mut Buckets| taken::within(placed, &is_clear, |placed| relax(placed, PUSH, &moved));
+        |placed: &mut Buckets| obstacles::within(placed, &is_clear, |placed| relax(placed, PUSH, &moved));
     if posts.is_empty() {
         let wanted = crowd.wanted(frame).saturating_sub(crowd.in_the_room_of(kept, maps));
         let likely = |at: [f64; 2]| crowd.densities[maps.cell_at(on_maps(at))] / crowd.densest;
         throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
         (0..ROUNDS).for_each(|_| relax(&mut placed, PUSH, &moved));
     } else {
-        for closest in taken::FILLS {
-            taken::fill(&mut placed, posts.len(), space.size, closest, &is_clear, &nucleus, rng);
+        for closest in obstacles::FILLS {
+            obstacles::fill(&mut placed, posts.len(), space.size, closest, &is_clear, &nucleus, rng);
             (0..ROUNDS).for_each(|_| spread(&mut placed));
         }
     }
@@ -139,7 +139,7 @@ pub fn lay(
     if !fixed.is_empty() {
         all.retain(|point| is_clear(point.at));
         // Where they were laid: those beyond closed edges are no images of those inside.
-        all = taken::with_room(&fixed[posts.len()..], all, Buckets::new(space, PUSH * largest));
+        all = obstacles::with_room(&fixed[posts.len()..], all, Buckets::new(space, PUSH * largest));
     }
     all.iter_mut().for_each(|point| point.at = on_maps(point.at));
     let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
@@ -212,8 +212,8 @@ pub fn thinned(
 
 #[cfg(test)]
 mod tests {
-    use super::walls::HOLD;
     use super::*;
+    use crate::rd::nuclei::boundary::HOLD;
     use rand::SeedableRng;
     use rand_pcg::Pcg64Mcg;
 

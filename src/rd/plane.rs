@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable, cast_slice, cast_slice_mut};
 
-use crate::field::Edges;
+use crate::grid::Edges;
 
 /// Cells stepped at once: one vector of AVX-512, two of AVX2, four of SSE or NEON.
 pub const LANES: usize = 16;

@@ -3,7 +3,7 @@
 use super::coefficients::Coefficients;
 use super::plane::{Grid, LANES, MARGIN};
 use super::selling::{OFFSETS, REACH};
-use crate::field::Edges;
+use crate::grid::Edges;
 
 /// Groups of one row that are stepped alike.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,9 +6,9 @@ use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
 use super::System;
-use super::crests::Crest;
 use super::maps::{Maps, Parameters};
-use crate::field::Edges;
+use crate::grid::Edges;
+use crate::rd::line_noise::Crest;
 
 /// What stripes begin from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

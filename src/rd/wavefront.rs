@@ -13,14 +13,14 @@ use bytemuck::{cast_slice, cast_slice_mut};
 use rayon::prelude::*;
 
 use super::kinetics::Kinetics;
-use super::lanes::{Window, step_row};
 use super::plane::{LANES, Lanes, Plane};
 use super::problem::Problem;
 use super::selling::REACH;
 #[cfg(target_arch = "x86_64")]
 use super::vector::{Eight, Sixteen};
 use super::vector::{Four, Vector};
-use crate::field::Edges;
+use crate::grid::Edges;
+use crate::rd::simd_step::{Window, step_row};
 
 /// How a sweep is cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -253,13 +253,13 @@ mod tests {
     use super::super::coefficients::Coefficients;
     use super::super::diffusion::Diffusion;
     use super::super::explicit;
-    use super::super::meinhardt_lines::MeinhardtLines;
-    use super::super::meinhardt_spots::MeinhardtSpots;
-    use super::super::meinhardt_stripes::MeinhardtStripes;
     use super::super::plane::Grid;
     use super::super::selling::Tensor;
-    use super::super::turing_spots::{TuringSpots, UnevenTuringSpots};
     use super::*;
+    use crate::rd::systems::meinhardt_lines::MeinhardtLines;
+    use crate::rd::systems::meinhardt_spots::MeinhardtSpots;
+    use crate::rd::systems::meinhardt_stripes::MeinhardtStripes;
+    use crate::rd::systems::turing_spots::{TuringSpots, UnevenTuringSpots};
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 

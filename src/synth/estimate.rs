@@ -8,13 +8,13 @@
 //! machine as it is now, on a canvas of the same texture that is no larger than `TRIAL`: features keep their size, so
 //! that both are as they will be.
 
-use super::drawn::region_map;
-use super::painting::{Look, Painting};
 use super::plan::Plan;
-use super::recipe::Document;
 use super::{Engine, Training, memory, planned};
+use crate::document::Document;
 use crate::export::png;
 use crate::rd::{Growth, System};
+use crate::synth::plan::sketch_targets::region_map;
+use crate::synth::render::painting::{Look, Painting};
 use std::time::{Duration, Instant};
 
 /// px of the canvas that is tried; what is not larger is tried as it is.

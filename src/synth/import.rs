@@ -1,8 +1,8 @@
 //! An SVG → a document with what is drawn in it.
 
+use crate::document::{Document, Kind, Layer, Stroke, limits};
 use crate::marks::{Ellipse, Line, Mark};
 use crate::sketch::svg::{self, Drawing, SvgError};
-use crate::synth::recipe::{Document, Kind, Layer, Stroke, limits};
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;

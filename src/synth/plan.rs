@@ -1,26 +1,36 @@
 //! What will be grown: the system, the size of a cell, and the parameters at every place.
 
-mod ask;
+pub mod around;
 mod auto;
+pub mod inside;
+mod lattice;
+mod lookup;
+pub mod obstacle_mask;
+pub mod offset_curves;
+pub mod pinned_marks;
+pub mod sketch_targets;
+pub mod spacing_correction;
+pub mod spread;
 
-pub use ask::{ask, ask_placed, cell_for, exact_cell, free_spacing};
+pub use lookup::{ask, ask_placed, cell_for, exact_cell, free_spacing};
 
-use super::course::{Course, Way};
-use super::keep::Kept;
-use super::lattice::{Lattice, Node};
-use super::probe::{self, Offset, ProbeError, Probed, When};
-use super::recipe::SystemChoice;
-use super::spread::limited;
 use super::training::Training;
 use super::watch::Watch;
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spread};
+use crate::document::SystemChoice;
 use crate::learn::{Answer, AskError, TrainingError};
 use crate::marks::Line;
 use crate::measure::Canvas;
 use crate::rd::{Maps, Parameters, Seeding, System};
-use ask::ask_among_sparse;
+use crate::synth::grow::probe;
+use crate::synth::grow::probe::{Offset, ProbeError, Probed, When};
+use crate::synth::plan::lattice::{Lattice, Node};
+use crate::synth::plan::offset_curves::{Course, Way};
+use crate::synth::plan::pinned_marks::Kept;
+use crate::synth::plan::spread::limited;
 use auto::auto;
+use lookup::ask_among_sparse;
 use rayon::prelude::*;
 
 /// Why there is no plan.
@@ -100,7 +110,7 @@ pub fn plan(training: &Training, choice: SystemChoice, map: &RegionMap) -> Resul
 }
 
 /// Plans a layer of `system` with these wanted attributes, no spacing free, whose parameters are `asked`.
-pub(super) fn planned(system: System, map: RegionMap, asked: Asked) -> Result<Plan, PlanError> {
+pub(crate) fn planned(system: System, map: RegionMap, asked: Asked) -> Result<Plan, PlanError> {
     let cell = finest_cell(&map);
     planned_on(system, map, cell, asked)
 }

@@ -7,10 +7,10 @@ pub use region::{RegionReport, regions};
 
 use serde_json::{Map, Value, json};
 
-use super::grow::{Grown, GrownLayer};
-use super::inside::is_replaced;
-use super::recipe::Document;
 use crate::attributes::Attributes;
+use crate::document::Document;
+use crate::synth::grow::layer::{Grown, GrownLayer};
+use crate::synth::plan::inside::is_replaced;
 
 /// The report of `grown`, in the form that the contract gives. `document` is named `source`.
 #[must_use]

@@ -1,7 +1,7 @@
 //! What a layer's `options` may hold of marks that stay, and of what stripes begin from.
 
 use super::*;
-use dapple::synth::recipe::Seeding;
+use dapple::document::Seeding;
 
 /// The least document with a line instead, and these options.
 fn lined(options: Value) -> Value {
@@ -56,8 +56,9 @@ fn seeds_that_do_nothing_are_refused() {
     let mut document = spots;
     document["layers"][0]["strokes"] =
         json!([{"kind": "freehand", "points": [[10, 10], [30, 8], [40, 25], [25, 40], [8, 30], [10, 11]]}]);
-    let error =
-        dapple::synth::drawn::region_map(&accepted(&document), 0, "a.dapple").unwrap_err().to_string();
+    let error = dapple::synth::plan::sketch_targets::region_map(&accepted(&document), 0, "a.dapple")
+        .unwrap_err()
+        .to_string();
     assert!(error.contains("options.seeding: found a seeding of spots"), "{error}");
 }
 

@@ -89,8 +89,9 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
 #[ignore = "other tests of this process would be measured too: .ci/faults runs it alone"]
 #[test]
 fn growing_again_and_again_takes_no_more_memory() {
-    use dapple::synth::recipe::Document;
-    use dapple::synth::{Options, Training, Watch, grow};
+    use dapple::document::Document;
+    use dapple::synth::grow;
+    use dapple::synth::{Options, Training, Watch};
     let training = Training::default();
     let watch = Watch { progress: &|_, _| {}, cancelled: &|| false };
     let mut samples = Vec::new();

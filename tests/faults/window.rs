@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use dapple::app::{Settings, Start};
-use dapple::synth::recipe::Document;
-use eframe::egui::{Key, Modifiers, Theme, vec2};
+use dapple::document::Document;
+use egui::{Key, Modifiers, Theme, vec2};
 
 use crate::bench::{DOCUMENT, files};
 use crate::hand::{Hand, with};

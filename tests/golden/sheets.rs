@@ -5,10 +5,11 @@
 
 use crate::renew::{golden, renew, renews, text};
 use crate::textures::{document, names};
+use dapple::document::Document;
 use dapple::marks::turn;
-use dapple::synth::recipe::Document;
+use dapple::synth::grow;
 use dapple::synth::report::report;
-use dapple::synth::{Options, Training, Watch, grow};
+use dapple::synth::{Options, Training, Watch};
 use serde_json::{Map, Value, json};
 
 /// What another value than the stored one may be off by: a share of it, or a difference. docs/golden.md says what six

@@ -1,7 +1,7 @@
 //! The first steps of every system, to the bit.
 
 use crate::renew::{golden, renew, renews, text};
-use dapple::field::Edges;
+use dapple::grid::Edges;
 use dapple::rd::{Growth, Maps, Parameters, System};
 use std::fmt::Write;
 

@@ -4,10 +4,10 @@
 //! where marks end is decided by the last bit of the first step: after long runs `sheets` compares attributes.
 
 use crate::renew::{golden, kept, renew, renews};
-use dapple::field::Edges;
+use dapple::document::{After, Document};
+use dapple::grid::Edges;
 use dapple::rd::System;
-use dapple::synth::painting::Painting;
-use dapple::synth::recipe::{After, Document};
+use dapple::synth::render::painting::Painting;
 use dapple::synth::{Options, Training, Watch, grow_seen};
 use std::collections::BTreeSet;
 use std::io::Cursor;
@@ -114,7 +114,7 @@ fn what_has_no_document_is_refused() {
             Case::all().into_iter().find(|like| like.after == case.after && exists(like.after, like.system));
         let mut like = document(&like.unwrap().name());
         let top = like.layers.last_mut().unwrap();
-        top.system = dapple::synth::recipe::SystemChoice::NAMES
+        top.system = dapple::document::SystemChoice::NAMES
             .into_iter()
             .find_map(|(name, choice)| (name == case.system.name()).then_some(choice))
             .unwrap();

@@ -5,8 +5,9 @@
 
 use crate::folder::Folder;
 use crate::renew::golden;
-use dapple::synth::recipe::{Document, DocumentError};
-use dapple::synth::{Options, Training, Watch, grow};
+use dapple::document::{Document, DocumentError};
+use dapple::synth::grow;
+use dapple::synth::{Options, Training, Watch};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 

@@ -2,9 +2,10 @@
 
 use crate::renew::golden;
 use crate::textures::{document, names};
-use dapple::synth::drawn::region_map;
-use dapple::synth::recipe::Document;
-use dapple::synth::{Engine, Options, Training, Watch, grow, planned};
+use dapple::document::Document;
+use dapple::synth::grow;
+use dapple::synth::plan::sketch_targets::region_map;
+use dapple::synth::{Engine, Options, Training, Watch, planned};
 
 fn expected(document: &Document, name: &str) -> Vec<f64> {
     let mut beneath = None;

@@ -1,7 +1,7 @@
 //! Lines round the marks beneath, and as a web between them.
 
 use crate::folder::{AREA, Folder, SPACING, hexagon};
-use dapple::field::Edges;
+use dapple::grid::Edges;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 

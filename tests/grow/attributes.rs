@@ -2,7 +2,7 @@
 
 use crate::folder::{AREA, ASPECT, Folder, SPACING, document, hexagon, spots, stripes};
 use dapple::attributes::{Attributes, Spots, Stripes};
-use dapple::field::{Edges, Field};
+use dapple::grid::{Edges, Field};
 use dapple::marks::turn;
 use dapple::measure::{self, Canvas, SpotErrors, StripeErrors};
 use serde_json::{Value, json};

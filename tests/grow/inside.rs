@@ -1,7 +1,7 @@
 //! A layer inside another: the other is neither painted nor labelled; sparse spots are told by all commands.
 
 use crate::folder::{Folder, document};
-use dapple::field::Edges;
+use dapple::grid::Edges;
 use serde_json::{Value, json};
 
 fn ellipse(center: [f64; 2], radii: [f64; 2]) -> Value {

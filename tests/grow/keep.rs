@@ -2,12 +2,13 @@
 
 use crate::folder::{Folder, document};
 use dapple::attributes::regions::RegionMap;
-use dapple::field::Edges;
+use dapple::document::{Document, Layer, Options as Choices, Stroke, SystemChoice};
+use dapple::grid::Edges;
 use dapple::marks::{Ellipse, Line, Mark, turn};
 use dapple::measure::{self, Spot};
-use dapple::synth::keep::{covered, keep, off};
+
+use dapple::synth::plan::pinned_marks::{covered, keep, off};
 use dapple::synth::plan::plan;
-use dapple::synth::recipe::{Document, Layer, Options as Choices, Stroke, SystemChoice};
 use dapple::synth::{Engine, GrownLayer, Measured, Options, Training, Watch, grow, settle};
 use serde_json::{Value, json};
 
@@ -170,7 +171,7 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
 
 /// The share of each line of `document` that lies in a stripe of `layer`.
 fn in_stripes(document: &Document, layer: &GrownLayer) -> Vec<f64> {
-    let marks = dapple::synth::drawn::marks(document, 0, "test").unwrap();
+    let marks = dapple::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
     let mut plan = layer.plan.clone();
     keep(&mut plan, &marks);
     let [width, height] = document.size.map(|side| side as usize);

@@ -1,11 +1,12 @@
 //! Other seeds of stripes than noise.
 
 use dapple::attributes::{Attributes, Stripes};
-use dapple::field::{Edges, Field};
+use dapple::document::{Document, Layer, Options as Choices, Seeding, Stroke};
+use dapple::grid::{Edges, Field};
 use dapple::marks::Line;
 use dapple::measure::{self, Canvas, StripeErrors};
-use dapple::synth::recipe::{Document, Layer, Options as Choices, Seeding, Stroke};
-use dapple::synth::{Measured, Options, Training, Watch, grow};
+use dapple::synth::grow;
+use dapple::synth::{Measured, Options, Training, Watch};
 
 /// What grows from lines 8 px wide.
 fn grown(

@@ -1,7 +1,7 @@
 //! Strokes drawn by hand.
 
 use crate::folder::{Folder, document};
-use dapple::field::Edges;
+use dapple::grid::Edges;
 use dapple::marks::turn;
 use dapple::measure;
 use serde_json::{Value, json};

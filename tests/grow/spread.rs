@@ -2,11 +2,12 @@
 
 use crate::folder::{Folder, document, hexagon, spots};
 use dapple::attributes::Spread;
-use dapple::field::Edges;
+use dapple::document::{Document, Layer, Options as Choices, SpreadChoice, Stroke, SystemChoice};
+use dapple::grid::Edges;
 use dapple::marks::{Ellipse, turn};
 use dapple::measure::SpotErrors;
-use dapple::synth::recipe::{Document, Layer, Options as Choices, SpreadChoice, Stroke, SystemChoice};
-use dapple::synth::{Measured, Options, Training, Watch, grow};
+use dapple::synth::grow;
+use dapple::synth::{Measured, Options, Training, Watch};
 use serde_json::{Value, json};
 
 const EVEN: Spread = Spread::EVEN;

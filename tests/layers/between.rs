@@ -2,8 +2,8 @@
 
 use super::{cascade, covered, grown, patterns, spots, stripes, try_grow};
 use dapple::attributes::Spread;
-use dapple::field::{Edges, Field};
-use dapple::synth::recipe::{Layer, SpreadChoice, SystemChoice};
+use dapple::document::{Layer, SpreadChoice, SystemChoice};
+use dapple::grid::{Edges, Field};
 use dapple::synth::{Grown, Measured};
 
 /// Pairs of neighbouring points (of eight each) of which a lower layer covers one and a higher layer the other.

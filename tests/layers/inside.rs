@@ -2,10 +2,10 @@
 
 use super::{after, cascade, covered, grown, patterns, spots, stripes, try_grow};
 use dapple::attributes::Spread;
-use dapple::field::Edges;
+use dapple::document::{After, Document, Layer, SpreadChoice, SystemChoice};
+use dapple::grid::Edges;
 use dapple::measure::Spot;
-use dapple::synth::inside::is_replaced;
-use dapple::synth::recipe::{After, Document, Layer, SpreadChoice, SystemChoice};
+use dapple::synth::plan::inside::is_replaced;
 use dapple::synth::{Grown, Measured};
 
 fn inside(layer: Layer) -> Layer {

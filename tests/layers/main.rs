@@ -5,10 +5,11 @@ mod inside;
 mod regrown;
 mod sparse;
 
-use dapple::field::{Edges, Field};
+use dapple::document::{After, Document, Layer, Options as Choices, Stroke};
+use dapple::grid::{Edges, Field};
 use dapple::marks::{Ellipse, Line};
-use dapple::synth::recipe::{After, Document, Layer, Options as Choices, Stroke};
-use dapple::synth::{GrowError, Grown, Options, Training, Watch, grow};
+use dapple::synth::grow;
+use dapple::synth::{GrowError, Grown, Options, Training, Watch};
 
 /// Four spots with this area, aspect, angle and spacing, somewhere on a canvas of 360 px.
 fn spots(area: f64, aspect: f64, angle: f64, spacing: f64) -> Layer {

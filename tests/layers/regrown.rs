@@ -1,8 +1,8 @@
 //! A layer grows again without those beneath.
 
 use super::{cascade, grown, spots, stripes};
-use dapple::field::Edges;
-use dapple::synth::recipe::Document;
+use dapple::document::Document;
+use dapple::grid::Edges;
 use dapple::synth::{Grown, Options, Stage, Training, Watch, regrow};
 use std::sync::atomic::{AtomicUsize, Ordering};
 

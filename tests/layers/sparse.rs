@@ -1,9 +1,9 @@
 //! Spots farther apart than one run puts them, in one layer: sown at their places, and told so.
 
 use super::{cascade, grown, spots};
-use dapple::field::Edges;
+use dapple::document::{Document, Layer, Stroke};
+use dapple::grid::Edges;
 use dapple::marks::{Ellipse, turn};
-use dapple::synth::recipe::{Document, Layer, Stroke};
 use dapple::synth::report::report;
 use dapple::synth::{Grown, Measured};
 

@@ -3,7 +3,7 @@
 use crate::bench::Bench;
 use dapple::export::outline::svg::Unit;
 use dapple::export::outline::{Smallest, Style, draw, dxf as writer, of_field};
-use dapple::field::{Edges, Field};
+use dapple::grid::{Edges, Field};
 use dxf::entities::EntityType;
 use resvg::usvg::{self, Node};
 

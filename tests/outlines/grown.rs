@@ -1,11 +1,12 @@
 //! Examples, grown small: what their outlines enclose, and how an SVG library paints them.
 
+use dapple::document::Document;
 use dapple::export::outline::svg::{self, Sheet, Unit};
 use dapple::export::outline::{Group, Hatch, Smallest, Style};
-use dapple::synth::outlining::{Outlining, outlines};
-use dapple::synth::painting::Painting;
-use dapple::synth::recipe::Document;
-use dapple::synth::{Grown, Options, Training, Watch, grow};
+use dapple::synth::grow;
+use dapple::synth::render::outlining::{Outlining, outlines};
+use dapple::synth::render::painting::Painting;
+use dapple::synth::{Grown, Options, Training, Watch};
 use rayon::prelude::*;
 use resvg::tiny_skia::{PathSegment, Pixmap, Transform};
 use resvg::usvg::{self, Node, tiny_skia_path};

@@ -1,7 +1,7 @@
 //! `dapple import`.
 
 use crate::bench::Bench;
-use dapple::synth::recipe::{Document, Stroke};
+use dapple::document::{Document, Stroke};
 
 const SKETCH: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200">
     <g id="spots"><circle cx="50" cy="50" r="12"/><ellipse cx="90" cy="55" rx="14" ry="8"/>

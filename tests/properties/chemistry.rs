@@ -3,7 +3,7 @@
 
 use crate::cases;
 use dapple::attributes::{Attributes, Spots, Stripes};
-use dapple::field::Edges;
+use dapple::grid::Edges;
 use dapple::learn;
 use dapple::measure::{Reason, formed};
 use dapple::rd::{Growth, Maps, Parameters, System};

@@ -2,12 +2,12 @@
 
 use crate::cases;
 use dapple::attributes::Spread;
-use dapple::field::Edges;
-use dapple::marks::{Ellipse, Line};
-use dapple::rd::Seeding;
-use dapple::synth::recipe::{
+use dapple::document::{
     After, Colours, Document, Growth, Kind, Layer, Options, SpreadChoice, Stop, Stroke, SystemChoice,
 };
+use dapple::grid::Edges;
+use dapple::marks::{Ellipse, Line};
+use dapple::rd::Seeding;
 use proptest::prelude::*;
 
 fn point(size: [u32; 2]) -> impl Strategy<Value = [f64; 2]> {

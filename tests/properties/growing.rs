@@ -4,7 +4,8 @@
 
 use crate::cases;
 use crate::documents::document;
-use dapple::synth::{GrowError, Options, Training, Watch, grow};
+use dapple::synth::grow;
+use dapple::synth::{GrowError, Options, Training, Watch};
 use proptest::prelude::*;
 use std::sync::LazyLock;
 

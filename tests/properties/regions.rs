@@ -3,7 +3,7 @@
 use crate::cases;
 use dapple::attributes::regions::{RegionMap, RegionsError};
 use dapple::attributes::{Attributes, Spots};
-use dapple::field::Edges;
+use dapple::grid::Edges;
 use dapple::marks::{Ellipse, Line, Mark};
 use proptest::prelude::*;
 

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use dapple::app::{Alternative, Window, small};
-use dapple::synth::recipe::{Document, SpreadChoice, SystemChoice};
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers};
+use dapple::document::{Document, SpreadChoice, SystemChoice};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand_with};

@@ -4,10 +4,10 @@ use std::fs;
 
 use dapple::app::Phase;
 use dapple::colour::{Bend, Gradient, PRESETS};
-use dapple::synth::recipe::palette::Palette;
-use dapple::synth::recipe::{Colours, Document};
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, vec2};
+use dapple::document::palette::Palette;
+use dapple::document::{Colours, Document};
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand_with};
@@ -317,7 +317,7 @@ fn is_painted(hand: &Hand) -> bool {
     let (Some(texture), Some(picture)) = (window.settled(), window.growth().picture.as_ref()) else {
         return false;
     };
-    let rgb = dapple::synth::painting::Painting::of(&window.document(), &texture.grown, 1).rgb();
+    let rgb = dapple::synth::render::painting::Painting::of(&window.document(), &texture.grown, 1).rgb();
     picture.image.pixels.iter().zip(rgb.chunks_exact(3)).all(|(px, rgb)| px.to_array()[..3] == *rgb)
 }
 

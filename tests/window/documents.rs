@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use dapple::app::{Settings, Start, Window};
-use dapple::synth::recipe::Document;
-use eframe::egui::{DroppedFile, Key, Modifiers, Theme, vec2};
+use dapple::document::Document;
+use egui::{DroppedFile, Key, Modifiers, Theme, vec2};
 
 use crate::hand::{Hand, hand, hand_with, with};
 
@@ -125,7 +125,7 @@ fn a_new_document_has_the_size_and_the_regions_that_were_asked_for() {
     hand.press("Create");
     let document = hand.window.state().desk().document().clone();
     assert_eq!((document.size, document.regions), ([300, 512], [2, 3]));
-    assert_eq!(document.edges, dapple::field::Edges::Wrap);
+    assert_eq!(document.edges, dapple::grid::Edges::Wrap);
 }
 
 #[test]

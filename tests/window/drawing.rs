@@ -1,6 +1,6 @@
 //! Drawing: strokes of the pointer become the marks that were meant.
 
-use eframe::egui::{Event, Key, Modifiers, PointerButton};
+use egui::{Event, Key, Modifiers, PointerButton};
 
 use crate::hand::hand;
 

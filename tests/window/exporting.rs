@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use assert_cmd::Command;
 use dapple::app::{Made, Settings, Start, What};
-use dapple::synth::recipe::Document;
-use eframe::egui::accesskit::Role;
-use eframe::egui::{ColorImage, Key, Modifiers, Theme, vec2};
+use dapple::document::Document;
+use egui::accesskit::Role;
+use egui::{ColorImage, Key, Modifiers, Theme, vec2};
 use egui_kittest::kittest::Queryable;
 
 use crate::hand::{Hand, hand_with, with};
@@ -133,7 +133,7 @@ fn a_transparent_picture_of_16_bit_is_what_was_seen_and_an_exr_looks_like_it() {
     hand.key(Modifiers::COMMAND, Key::E);
     take(&mut hand, "Format", "OpenEXR");
     let light = seen(&mut hand).pictures()[0].1.clone();
-    let near = |(a, b): (&eframe::egui::Color32, &eframe::egui::Color32)| {
+    let near = |(a, b): (&egui::Color32, &egui::Color32)| {
         a.to_array().into_iter().zip(b.to_array()).all(|(a, b)| a.abs_diff(b) <= 2)
     };
     assert!(light.pixels.iter().zip(&image.pixels).all(near));

@@ -4,8 +4,8 @@ use std::fs;
 
 use assert_cmd::Command;
 use dapple::app::Phase;
-use dapple::synth::recipe::Document;
-use eframe::egui::{Key, Modifiers};
+use dapple::document::Document;
+use egui::{Key, Modifiers};
 
 use crate::hand::{Hand, hand, hand_with};
 

@@ -6,10 +6,10 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use dapple::app::{Phase, Start, Window};
+use dapple::document::{Document, Stroke};
 use dapple::marks::{Ellipse, Line};
-use dapple::synth::recipe::{Document, Stroke};
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, Pos2, Rect, Theme, Vec2, vec2};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, Pos2, Rect, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
@@ -97,7 +97,7 @@ impl Hand {
     /// The same with a key held.
     pub fn drag_with(&mut self, path: &[[f64; 2]], modifiers: Modifiers) {
         let path: Vec<Pos2> = path.iter().map(|point| self.at(*point)).collect();
-        self.window.event(eframe::egui::Event::ModifiersChanged(modifiers));
+        self.window.event(egui::Event::ModifiersChanged(modifiers));
         self.window.hover_at(path[0]);
         self.window.step();
         self.button(path[0], true, modifiers);
@@ -106,13 +106,13 @@ impl Hand {
             self.window.step();
         }
         self.button(path[path.len() - 1], false, modifiers);
-        self.window.event(eframe::egui::Event::ModifiersChanged(Modifiers::NONE));
+        self.window.event(egui::Event::ModifiersChanged(Modifiers::NONE));
         self.rest();
     }
 
     fn button(&mut self, pos: Pos2, pressed: bool, modifiers: Modifiers) {
-        let button = eframe::egui::PointerButton::Primary;
-        self.window.event(eframe::egui::Event::PointerButton { pos, button, pressed, modifiers });
+        let button = egui::PointerButton::Primary;
+        self.window.event(egui::Event::PointerButton { pos, button, pressed, modifiers });
         self.window.step();
     }
 
@@ -156,7 +156,7 @@ impl Hand {
         self.window.get_by_role_and_label(role, name).click();
         self.rest();
         self.key(Modifiers::COMMAND, Key::A);
-        self.window.event(eframe::egui::Event::Text(text.to_owned()));
+        self.window.event(egui::Event::Text(text.to_owned()));
         self.window.step();
         self.key(Modifiers::NONE, Key::Enter);
     }
@@ -166,7 +166,7 @@ impl Hand {
         self.window.get_by_role_and_label(Role::TextInput, name).click();
         self.rest();
         self.key(Modifiers::COMMAND, Key::A);
-        self.window.event(eframe::egui::Event::Text(path.to_str().unwrap().to_owned()));
+        self.window.event(egui::Event::Text(path.to_str().unwrap().to_owned()));
         self.window.step();
         self.key(Modifiers::NONE, Key::Enter);
     }

@@ -2,9 +2,9 @@
 
 use dapple::app::Desk;
 use dapple::app::{Place, Selection};
+use dapple::document::{After, Document};
 use dapple::marks::{Ellipse, Line, Mark};
-use dapple::synth::recipe::{After, Document};
-use eframe::egui::{Key, Modifiers};
+use egui::{Key, Modifiers};
 use proptest::prelude::*;
 
 use crate::hand::hand;

@@ -1,6 +1,6 @@
 //! All of it without a pointer.
 
-use eframe::egui::{Key, Modifiers};
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 
 use crate::hand::hand;

@@ -1,8 +1,8 @@
 //! The panel of layers: every control, by pointer and by keys.
 
-use dapple::synth::recipe::{After, Seeding, SpreadChoice, Stroke, SystemChoice};
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers};
+use dapple::document::{After, Seeding, SpreadChoice, Stroke, SystemChoice};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand};
@@ -136,14 +136,14 @@ fn layers_change_places_by_buttons_and_by_dragging_their_rows() {
 fn a_name_is_typed_in_place() {
     let mut hand = two();
     hand.key(Modifiers::NONE, Key::F2);
-    hand.window.event(eframe::egui::Event::Text("stripes".to_owned()));
+    hand.window.event(egui::Event::Text("stripes".to_owned()));
     hand.window.step();
     hand.key(Modifiers::NONE, Key::Enter);
     assert_eq!(hand.document().layers[1].name, "stripes");
     assert_eq!(rows(&hand)[0], "Layer stripes, 1 line");
     // Escape leaves it as it was.
     hand.key(Modifiers::NONE, Key::F2);
-    hand.window.event(eframe::egui::Event::Text("other".to_owned()));
+    hand.window.event(egui::Event::Text("other".to_owned()));
     hand.window.step();
     hand.key(Modifiers::NONE, Key::Escape);
     assert_eq!(hand.document().layers[1].name, "stripes");
@@ -162,7 +162,7 @@ fn a_double_click_on_a_row_names_it() {
         hand.window.step();
     }
     hand.rest();
-    hand.window.event(eframe::egui::Event::Text("spots".to_owned()));
+    hand.window.event(egui::Event::Text("spots".to_owned()));
     hand.window.step();
     hand.key(Modifiers::NONE, Key::Enter);
     assert_eq!(hand.document().layers[0].name, "spots");
@@ -300,7 +300,7 @@ fn layers_are_worked_on_by_keys_alone() {
     hand.key(Modifiers::SHIFT, Key::L);
     assert_eq!(kinds(&hand), [true, false]);
     hand.key(Modifiers::NONE, Key::F2);
-    hand.window.event(eframe::egui::Event::Text("rings".to_owned()));
+    hand.window.event(egui::Event::Text("rings".to_owned()));
     hand.window.step();
     hand.key(Modifiers::NONE, Key::Enter);
     // The row is reached by Tab: down, up, another place, a name.
@@ -314,7 +314,7 @@ fn layers_are_worked_on_by_keys_alone() {
     hand.key(Modifiers::NONE, Key::ArrowUp);
     assert_eq!((kinds(&hand), at_hand(&hand)), (vec![true, false], 1));
     hand.key(Modifiers::NONE, Key::F2);
-    hand.window.event(eframe::egui::Event::Text("rosettes".to_owned()));
+    hand.window.event(egui::Event::Text("rosettes".to_owned()));
     hand.window.step();
     hand.key(Modifiers::NONE, Key::Enter);
     assert_eq!(hand.document().layers[1].name, "rosettes");

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use dapple::app::Window;
-use dapple::synth::recipe::{After, Stroke};
-use eframe::egui::{Key, Modifiers};
+use dapple::document::{After, Stroke};
+use egui::{Key, Modifiers};
 
 use crate::hand::{Hand, hand};
 use crate::sights::see;

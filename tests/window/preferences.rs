@@ -1,10 +1,10 @@
 //! What is preferred counts at once, and is remembered.
 
 use dapple::app::{New, Settings, Start, Units};
+use dapple::document::{Document, Stroke};
 use dapple::marks::Ellipse;
-use dapple::synth::recipe::{Document, Stroke};
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, Theme, ThemePreference, vec2};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, Theme, ThemePreference, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand, with};
@@ -57,7 +57,7 @@ fn a_new_document_is_as_preferred() {
     let is = |hand: &Hand| {
         let document = hand.window.state().desk().document();
         assert_eq!((document.size, document.regions), ([640, 320], [4, 1]));
-        assert_eq!((document.edges, document.dpi), (dapple::field::Edges::Wrap, 72.0));
+        assert_eq!((document.edges, document.dpi), (dapple::grid::Edges::Wrap, 72.0));
     };
     is(&hand);
     hand.key(Modifiers::COMMAND, Key::N);
@@ -110,7 +110,7 @@ fn any_number_of_threads_grows_the_same() {
     let mut document = Document { size: [128, 128], ..Document::default() };
     let ellipses = [[40.0, 40.0], [80.0, 50.0], [60.0, 90.0]];
     let strokes = ellipses.map(|center| Stroke::Ellipse(Ellipse { center, radii: [9.0, 6.0], angle: 20.0 }));
-    document.layers.push(dapple::synth::recipe::Layer { strokes: strokes.to_vec(), ..Default::default() });
+    document.layers.push(dapple::document::Layer { strokes: strokes.to_vec(), ..Default::default() });
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.dapple");
     document.write(&file).unwrap();

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use dapple::app::{Layout, Settings, Start, Tab, Window};
-use dapple::synth::recipe::Document;
-use eframe::egui::{Key, Modifiers, Theme, vec2};
+use dapple::document::Document;
+use egui::{Key, Modifiers, Theme, vec2};
 use egui_kittest::kittest::Queryable;
 
 use crate::hand::{Hand, with};

@@ -4,9 +4,9 @@ use std::fs;
 
 use assert_cmd::Command;
 use dapple::app::{Tab, Verdict, Window};
-use dapple::synth::recipe::Document;
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers};
+use dapple::document::Document;
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand, hand_with};
@@ -115,7 +115,7 @@ fn what_cannot_be_reached_is_drawn_as_it_can_be_in_one_step() {
             .strokes
             .iter()
             .map(|stroke| match stroke {
-                dapple::synth::recipe::Stroke::Ellipse(ellipse) => ellipse.area(),
+                dapple::document::Stroke::Ellipse(ellipse) => ellipse.area(),
                 other => panic!("{other:?}"),
             })
             .collect()

@@ -1,6 +1,6 @@
 //! Selecting, moving, resizing, turning, copying.
 
-use eframe::egui::{Event, Key, Modifiers};
+use egui::{Event, Key, Modifiers};
 
 use crate::hand::{Hand, hand};
 
@@ -99,7 +99,7 @@ fn copies_are_made_by_alt_by_key_and_over_the_clipboard() {
     hand.window.event(Event::Copy);
     hand.window.step();
     let copied = hand.window.output().platform_output.commands.iter().find_map(|command| match command {
-        eframe::egui::OutputCommand::CopyText(text) => Some(text.clone()),
+        egui::OutputCommand::CopyText(text) => Some(text.clone()),
         _ => None,
     });
     hand.window.event(Event::Paste(copied.expect("something was copied")));

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use dapple::app::Start;
-use eframe::egui::{Key, Modifiers, Theme, vec2};
+use egui::{Key, Modifiers, Theme, vec2};
 use egui_kittest::SnapshotOptions;
 
 use crate::hand::{Hand, begun, with};

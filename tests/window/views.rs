@@ -1,7 +1,7 @@
 //! Looking: zoom, pan, together or apart, fingers.
 
-use dapple::synth::recipe::Document;
-use eframe::egui::{
+use dapple::document::Document;
+use egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchDeviceId, TouchId, TouchPhase,
     ViewportCommand, ViewportEvent, ViewportId, vec2,
 };

@@ -4,10 +4,12 @@ use std::path::Path;
 use std::time::Instant;
 
 use dapple::attributes::Attributes;
-use dapple::field::{Field, to_u16};
+use dapple::document::Document;
+use dapple::grid::{Field, to_u16};
 use dapple::measure::{self, Canvas, Spot};
-use dapple::synth::recipe::Document;
-use dapple::synth::{GrownLayer, Options, Training, Watch, drawn, grow};
+use dapple::synth::grow;
+use dapple::synth::plan::sketch_targets;
+use dapple::synth::{GrownLayer, Options, Training, Watch};
 
 use super::attribute::{ATTRIBUTES, Errors};
 use super::output;
@@ -112,7 +114,7 @@ impl Outcome {
     fn measure(&mut self, document: &Document, index: usize, layer: &GrownLayer, pattern: &Field) {
         self.systems.push(layer.plan.system.name());
         self.settled &= layer.settled;
-        let map = match drawn::region_map(document, index, &self.name) {
+        let map = match sketch_targets::region_map(document, index, &self.name) {
             Ok(map) => map,
             Err(error) => {
                 self.failures.push(Failure::NotGrown(error.to_string()));

@@ -22,8 +22,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
+use dapple::document::Document;
 use dapple::synth::Training;
-use dapple::synth::recipe::Document;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use grown::{Outcome, Task};

@@ -5,10 +5,10 @@ use std::path::Path;
 
 use dapple::attributes::Attributes;
 use dapple::colour::{Bend, Gradient, Painted, Stop, Table, paint};
+use dapple::document::{Colours, Document};
 use dapple::export;
 use dapple::export::png::{gray16, rgb8};
-use dapple::field::Field;
-use dapple::synth::recipe::{Colours, Document};
+use dapple::grid::Field;
 use serde_json::{Map, Value, json};
 
 use super::attribute::ATTRIBUTES;

@@ -8,8 +8,8 @@ mod ranges;
 mod spots;
 
 use dapple::attributes::regions::Layout;
-use dapple::field::Edges;
-use dapple::synth::recipe::{Document, Layer, Stroke};
+use dapple::document::{Document, Layer, Stroke};
+use dapple::grid::Edges;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use dapple::attributes::Attributes;
 use dapple::attributes::regions::{Layout, RegionMap};
-use dapple::field::Field;
+use dapple::grid::Field;
 use dapple::measure::Spot;
 
 /// Why a grown document is no texture of what was asked.
@@ -183,7 +183,7 @@ pub fn of_stripes(pattern: &Field, layout: &Layout, duty: f64) -> Vec<Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dapple::field::Edges;
+    use dapple::grid::Edges;
     use dapple::marks::{Ellipse, Mark};
     use dapple::measure::spots;
 

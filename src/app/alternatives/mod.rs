@@ -9,12 +9,12 @@ pub use series::small;
 
 use std::sync::Arc;
 
-use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use super::desk::Desk;
 use super::growth::{Growth, Texture, essence};
 use super::result::layer_of;
-use crate::synth::recipe::{Document, Layer};
+use crate::document::{Document, Layer};
 use crate::synth::{Grown, Training};
 use series::{Job, Series};
 use variants::{Variant, variants};

@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread;
 
-use eframe::egui::{ColorImage, Context};
+use egui::{ColorImage, Context};
 
-use crate::synth::painting::Painting;
-use crate::synth::recipe::Document;
+use crate::document::Document;
+use crate::synth::render::painting::Painting;
 use crate::synth::{GrowError, Grown, Options, Stage, Training, Watch, regrow};
 
 /// The longest side of a small picture, px: twice the points it has on the screen.

@@ -1,8 +1,9 @@
 use super::*;
 use crate::attributes::Spread;
+use crate::document::{Colours, SpreadChoice, Stop, Stroke, SystemChoice};
 use crate::marks::{Ellipse, Line};
-use crate::synth::recipe::{Colours, SpreadChoice, Stop, Stroke, SystemChoice};
-use crate::synth::{Options, Watch, grow};
+use crate::synth::grow;
+use crate::synth::{Options, Watch};
 
 fn spot(center: [f64; 2]) -> Stroke {
     Stroke::Ellipse(Ellipse { center, radii: [12.0, 9.0], angle: 20.0 })

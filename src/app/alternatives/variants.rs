@@ -1,9 +1,10 @@
 //! Other documents that fit the same sketch.
 
 use crate::attributes::Spread;
+use crate::document::{Document, Kind, SpreadChoice, Stroke, SystemChoice, limits};
 use crate::rd::System;
-use crate::synth::recipe::{Document, Kind, SpreadChoice, Stroke, SystemChoice, limits};
-use crate::synth::{Grown, drawn};
+use crate::synth::Grown;
+use crate::synth::plan::sketch_targets;
 
 /// How many other seeds are offered.
 const SEEDS: u64 = 4;
@@ -54,7 +55,7 @@ fn is_spotted(document: &Document, layer: usize) -> bool {
     match document.layers[layer].strokes.first() {
         Some(Stroke::Ellipse(_)) => true,
         Some(Stroke::Line(_)) | None => false,
-        Some(Stroke::Freehand { .. }) => drawn::marks(document, layer, "")
+        Some(Stroke::Freehand { .. }) => sketch_targets::marks(document, layer, "")
             .is_ok_and(|marks| marks.iter().all(|mark| matches!(mark, crate::marks::Mark::Ellipse(_)))),
     }
 }
@@ -117,7 +118,7 @@ fn limited(spread: Spread) -> Spread {
 
 /// How much the spots of a layer differ by now, the most of all regions.
 fn spread(document: &Document, layer: usize) -> Option<Spread> {
-    let map = drawn::region_map(document, layer, "").ok()?;
+    let map = sketch_targets::region_map(document, layer, "").ok()?;
     let spreads = map.regions().map(|(_, region)| region.spread);
     Some(spreads.fold(Spread::EVEN, |most, spread| most.with(&spread, f64::max)))
 }

@@ -1,6 +1,6 @@
 //! What the program sees in the sketch, as in the paper's figures: regions, neighbours, directions.
 
-use eframe::egui::{Align2, Color32, FontId, Stroke, vec2};
+use egui::{Align2, Color32, FontId, Stroke, vec2};
 
 use super::ink::Ink;
 use crate::app::desk::Desk;

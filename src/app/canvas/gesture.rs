@@ -3,8 +3,8 @@
 use super::handles::{self, Handle};
 use super::tool::Tool;
 use crate::app::desk::Desk;
-use crate::app::selection::{Place, Selection};
 use crate::app::shape;
+use crate::editor::selection::{Place, Selection};
 use crate::marks::{Ellipse, Line, Mark};
 use crate::sketch::recognise;
 

@@ -1,11 +1,11 @@
 //! The handles around what is selected: resize, turn, move an end.
 
-use eframe::egui::{CursorIcon, Pos2, Rect, Vec2, vec2};
+use egui::{CursorIcon, Pos2, Rect, Vec2, vec2};
 
 use super::view::{View, corners};
 use crate::app::desk::Desk;
-use crate::app::selection::Place;
 use crate::app::shape;
+use crate::editor::selection::Place;
 use crate::marks::{Ellipse, Line, Mark};
 
 /// How near the pointer must come to a handle, points. A fingertip's half width.

@@ -1,7 +1,7 @@
 //! How marks and strokes look on the canvas.
 
-use eframe::egui::epaint::{EllipseShape, PathShape};
-use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
+use egui::epaint::{EllipseShape, PathShape};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 
 use super::view::View;
 use crate::marks::{Line, Mark};

@@ -11,7 +11,7 @@ pub mod view;
 pub use gesture::Nib;
 pub use navigate::navigate;
 
-use eframe::egui::{
+use egui::{
     Align2, Color32, CursorIcon, EventFilter, FontId, Id, Key, PointerButton, Rect, Response, Role, Sense,
     Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
@@ -21,7 +21,7 @@ use super::reference::Reference;
 use super::theme::Palette;
 use super::underlay::Underlay;
 use super::units::{Ruler, Units};
-use crate::field::Edges;
+use crate::grid::Edges;
 use crate::marks::Mark;
 use crate::sketch::recognise;
 use analysis::Analysis;
@@ -133,7 +133,7 @@ impl Canvas {
             ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
         }
         self.pointer = response.hover_pos().map(|at| self.view.to_canvas(room, at));
-        if ui.input(eframe::egui::InputState::multi_touch).is_some() {
+        if ui.input(egui::InputState::multi_touch).is_some() {
             // Two fingers move the view; what the first one began was not meant.
             self.cancel(desk);
         } else {
@@ -182,13 +182,7 @@ impl Canvas {
         self.cursor(ui, response, &handles, space);
     }
 
-    fn cursor(
-        &self,
-        ui: &Ui,
-        response: &Response,
-        handles: &[(handles::Handle, eframe::egui::Pos2)],
-        space: bool,
-    ) {
+    fn cursor(&self, ui: &Ui, response: &Response, handles: &[(handles::Handle, egui::Pos2)], space: bool) {
         let Some(at) = response.hover_pos() else { return };
         let over = if self.tool == Tool::Select { handles::at(handles, at) } else { None };
         let held = self.gesture.is_some();
@@ -330,19 +324,17 @@ fn fade(ui: &Ui, ink: &Ink, fading: &mut Vec<(Vec<[f64; 2]>, f64)>, colours: &Pa
 }
 
 /// The places that the pointer went to before it was released: a slow frame may hold moves that came after.
-fn moves(events: &[eframe::egui::Event]) -> Vec<eframe::egui::Pos2> {
-    let place = |event: &eframe::egui::Event| match event {
-        eframe::egui::Event::PointerMoved(at) => Some(*at),
+fn moves(events: &[egui::Event]) -> Vec<egui::Pos2> {
+    let place = |event: &egui::Event| match event {
+        egui::Event::PointerMoved(at) => Some(*at),
         _ => None,
     };
-    let released = |event: &eframe::egui::Event| {
-        matches!(event, eframe::egui::Event::PointerButton { pressed: false, .. })
-    };
+    let released = |event: &egui::Event| matches!(event, egui::Event::PointerButton { pressed: false, .. });
     events.iter().take_while(|event| !released(event)).filter_map(place).collect()
 }
 
 /// How large it would be, beside the pointer.
-fn label(ink: &Ink, mark: &Mark, at: eframe::egui::Pos2, ruler: Ruler, colours: &Palette) {
+fn label(ink: &Ink, mark: &Mark, at: egui::Pos2, ruler: Ruler, colours: &Palette) {
     let text = match mark {
         Mark::Ellipse(ellipse) => ruler.area(ellipse.area()),
         Mark::Line(line) => format!("{:.0}°", line.angle()),

@@ -1,6 +1,6 @@
 //! Moving the view: wheel, touchpad, two fingers, dragging.
 
-use eframe::egui::{Rect, Response, Ui, Vec2};
+use egui::{Rect, Response, Ui, Vec2};
 
 use super::view::View;
 

@@ -1,6 +1,6 @@
 //! Where the canvas lies on the screen.
 
-use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
+use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
 /// Points a px, at least and at most.
 const ZOOM: [f32; 2] = [0.02, 64.0];

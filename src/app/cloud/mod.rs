@@ -10,7 +10,7 @@ use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver};
 use std::thread;
 
-use eframe::egui::{ComboBox, Context, Id, Ui, Window as Floating, vec2};
+use egui::{ComboBox, Context, Id, Ui, Window as Floating, vec2};
 
 use super::result::RegionResult;
 use crate::rd::System;

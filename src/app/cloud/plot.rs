@@ -1,6 +1,6 @@
 //! The cloud on a plane.
 
-use eframe::egui::{Id, Ui, vec2};
+use egui::{Id, Ui, vec2};
 use egui_plot::{
     Corner, GridInput, GridMark, HoverPosition, Legend, MarkerShape, Plot, PlotPoints, Points as Dots,
     log_grid_spacer,

@@ -2,10 +2,10 @@
 
 use super::Desk;
 use crate::app::layer_choices::tidy;
-use crate::app::selection::{Place, Selection};
 use crate::app::shape;
+use crate::document::{After, Kind, Layer, limits};
+use crate::editor::selection::{Place, Selection};
 use crate::marks::Mark;
-use crate::synth::recipe::{After, Kind, Layer, limits};
 
 impl Desk {
     /// How many of the lowest layers are frozen: their marks are seen, and left alone.
@@ -172,8 +172,8 @@ impl Desk {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::{Document, SystemChoice};
     use crate::marks::{Ellipse, Line};
-    use crate::synth::recipe::{Document, SystemChoice};
 
     fn spot(x: f64) -> Mark {
         Mark::Ellipse(Ellipse { center: [x, 50.0], radii: [12.0, 8.0], angle: 0.0 })

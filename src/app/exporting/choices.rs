@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 
 use crate::app::units::Units;
+use crate::document::Document;
 use crate::export::Format;
 use crate::export::motion::Kind;
 use crate::export::outline::svg::Unit;
 use crate::export::outline::{Ends, Hatch, Smallest, Style};
 use crate::export::picture::QUALITY;
-use crate::synth::clip::{Clip, FASTEST_GIF, RATES};
-use crate::synth::recipe::Document;
+use crate::synth::render::clip::{Clip, FASTEST_GIF, RATES};
 
 /// What is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

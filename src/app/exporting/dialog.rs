@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{
-    Align, Button, ComboBox, Layout, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, vec2,
-};
+use egui::{Align, Button, ComboBox, Layout, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, vec2};
 
 use super::preview::{Made, Preview};
 use super::view::View;
@@ -66,13 +64,13 @@ impl Dialog {
         let size = (screen - vec2(92.0, 92.0)).min(vec2(920.0, 620.0));
         ui.set_width(size.x);
         // Enter that ends the typing of a number is no answer yet.
-        let enter = ui.input(|input| input.key_pressed(eframe::egui::Key::Enter))
+        let enter = ui.input(|input| input.key_pressed(egui::Key::Enter))
             && ui.memory(|memory| memory.focused().is_none());
         self.head(ui);
         ui.add_space(6.0);
         let top = ui.cursor().min;
         let height = (size.y - 118.0).max(200.0);
-        let (all, _) = ui.allocate_exact_size(vec2(size.x, height), eframe::egui::Sense::hover());
+        let (all, _) = ui.allocate_exact_size(vec2(size.x, height), egui::Sense::hover());
         let left = Rect::from_min_size(top, vec2(COLUMN, height));
         let right = Rect::from_min_max(top + vec2(COLUMN + 18.0, 0.0), all.max);
         let mut said = None;
@@ -156,9 +154,9 @@ impl Dialog {
         ui.painter().rect_filled(room, 4.0, fill);
         let text =
             if self.preview.progress().is_some() { "It is being made …" } else { "Nothing to be seen yet" };
-        let font = eframe::egui::FontId::proportional(14.0);
+        let font = egui::FontId::proportional(14.0);
         let colour = ui.visuals().weak_text_color();
-        ui.painter().text(room.center(), eframe::egui::Align2::CENTER_CENTER, text, font, colour);
+        ui.painter().text(room.center(), egui::Align2::CENTER_CENTER, text, font, colour);
     }
 
     fn foot(&mut self, ui: &mut Ui, about: &About, made: Option<&Arc<Made>>, fresh: bool) {
@@ -213,8 +211,8 @@ impl Dialog {
             });
         let what = self.view.chosen.clone();
         combo.response.widget_info(|| {
-            let role = eframe::egui::accesskit::Role::ComboBox;
-            eframe::egui::WidgetInfo::labeled(role, true, format!("Seen: {what}"))
+            let role = egui::accesskit::Role::ComboBox;
+            egui::WidgetInfo::labeled(role, true, format!("Seen: {what}"))
         });
     }
 

@@ -5,7 +5,7 @@ use crate::app::settings::Entries;
 use crate::app::units::Units;
 use crate::export::Format;
 use crate::export::motion::Kind;
-use crate::synth::clip::Clip;
+use crate::synth::render::clip::Clip;
 
 /// Writes down what the next dialog begins with.
 pub fn tell(choices: &Choices, entries: &mut Entries) {

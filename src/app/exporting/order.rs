@@ -7,18 +7,19 @@ use std::sync::Arc;
 use super::choices::{Choices, Shows, What};
 use super::raster::Drawing;
 use crate::app::growth::essence;
+use crate::document::{Document, Extent, embedded};
 use crate::export::maps::Surface;
 use crate::export::material::{Set, name};
 use crate::export::motion::{self, PreparedFilm};
 use crate::export::outline::dxf;
 use crate::export::outline::svg::{self, Sheet};
 use crate::export::{self, ExportError, Prepared, Stopped};
-use crate::synth::film::Scene;
-use crate::synth::morph::Morph;
-use crate::synth::outlining::{Outlining, outlines};
-use crate::synth::painting::{Channel, Making, Painting, Style, concentrations};
-use crate::synth::recipe::{Document, Extent, embedded};
-use crate::synth::{Grown, Options, Training, Watch, grow};
+use crate::synth::grow;
+use crate::synth::render::film::Scene;
+use crate::synth::render::morph::Morph;
+use crate::synth::render::outlining::{Outlining, outlines};
+use crate::synth::render::painting::{Channel, Making, Painting, Style, concentrations};
+use crate::synth::{Grown, Options, Training, Watch};
 
 /// What shall be exported.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ mod material;
 mod outlines;
 mod picture;
 
-use eframe::egui::{Checkbox, ComboBox, DragValue, Grid, Role, Ui, WidgetInfo, WidgetText, vec2};
+use egui::{Checkbox, ComboBox, DragValue, Grid, Role, Ui, WidgetInfo, WidgetText, vec2};
 
 use super::dialog::{About, Said};
 use super::{Choices, What};

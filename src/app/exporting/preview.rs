@@ -5,17 +5,17 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use eframe::egui::{ColorImage, Context};
+use egui::{ColorImage, Context};
 
 use super::What;
 use super::job::Job;
 use super::order::{Order, Pending};
 use super::sight::Sight;
+use crate::document::Document;
 use crate::export::Passing;
 use crate::export::material::name;
 use crate::export::motion::Film;
 use crate::synth::estimate::{Needs, Task};
-use crate::synth::recipe::Document;
 use crate::synth::{Grown, Training, Watch};
 
 /// Px that a preview has at most; a larger picture is seen smaller.

@@ -1,6 +1,6 @@
 //! Outlines → a picture of them, for the eye: the very paths that are written.
 
-use eframe::egui::{Color32, ColorImage};
+use egui::{Color32, ColorImage};
 
 use crate::export::outline::{Group, Path, Shape};
 

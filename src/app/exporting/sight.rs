@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-use eframe::egui::{Color32, ColorImage};
+use egui::{Color32, ColorImage};
 use image::codecs::{gif::GifDecoder, png::PngDecoder};
 use image::{AnimationDecoder, DynamicImage, RgbaImage, imageops};
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{
+use egui::{
     Color32, ColorImage, Id, Mesh, Rect, Response, Sense, Shape, Slider, Stroke, StrokeKind, TextureHandle,
     TextureOptions, Ui, Vec2, WidgetInfo, accesskit::Role, pos2, vec2,
 };

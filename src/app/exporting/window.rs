@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use eframe::egui::{Id, Modal, Ui};
+use egui::{Id, Modal, Ui};
 
 use super::dialog::{About, Said};
 use super::{Choices, Dialog, Exporting, Made, Order, Size, What};
@@ -63,7 +63,7 @@ impl Window {
             threads: self.settings.threads,
             units: self.settings.units,
         };
-        let frame = eframe::egui::Frame::window(&ui.global_style()).inner_margin(20);
+        let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
         let shown = Modal::new(Id::unique("export")).frame(frame).show(ui.ctx(), |ui| dialog.ui(ui, &about));
         let said = if shown.should_close() { Some(Said::Cancel) } else { shown.inner };
         match said {

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 use std::time::{Duration, Instant};
 
-use crate::synth::recipe::Document;
+use crate::document::Document;
 use crate::synth::{Grown, Stage};
 use worker::{News, Orders};
 

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use eframe::egui::ColorImage;
+use egui::ColorImage;
 
 use super::Texture;
-use crate::synth::painting::{Look, Painting};
-use crate::synth::recipe::Document;
+use crate::document::Document;
+use crate::synth::render::painting::{Look, Painting};
 
 /// The longest side of a picture on the screen, px: graphics cards take at least as much.
 const LONGEST: usize = 4096;

@@ -3,9 +3,10 @@
 //! Laying out a growth takes as long as some hundred frames; a hand that has just lifted the pen shall not wait for it.
 
 use super::Picture;
-use crate::synth::painting::Look;
-use crate::synth::recipe::{After, Document};
-use crate::synth::{Engine, GrownLayer, Training, drawn, memory, placed_over, planned};
+use crate::document::{After, Document};
+use crate::synth::plan::sketch_targets;
+use crate::synth::render::painting::Look;
+use crate::synth::{Engine, GrownLayer, Training, memory, placed_over, planned};
 
 /// Cell updates before the picture is taken: ground and marks have parted.
 const UPDATES: u64 = 100_000;
@@ -18,7 +19,7 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
     if index > 0 && layer.after != After::Between {
         return None;
     }
-    let map = drawn::region_map(document, index, "").ok()?;
+    let map = sketch_targets::region_map(document, index, "").ok()?;
     let under = beneath.last().map(|layer| &layer.plan);
     let mut plan = planned(document, index, "", training, &map, under).ok()?;
     memory::check(plan.system, document.size.map(f64::from), plan.grid).ok()?;

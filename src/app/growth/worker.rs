@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 
 use super::preview::preview;
 use super::{Picture, Texture, essence};
-use crate::synth::painting::Look;
-use crate::synth::recipe::Document;
+use crate::document::Document;
+use crate::synth::render::painting::Look;
 use crate::synth::{GrowError, Grown, GrownLayer, Options, Stage, Training, Watch, regrow_seen, unchanged};
 
 /// Pictures of a growth come no faster than this.

@@ -1,6 +1,6 @@
 //! The strip of alternatives at the bottom of the middle.
 
-use eframe::egui::{
+use egui::{
     Align, Color32, FontId, Layout, Rect, RichText, Role, ScrollArea, Sense, Shape, Stroke, StrokeKind, Ui,
     Vec2, WidgetInfo, epaint::Mesh, pos2, vec2,
 };
@@ -103,7 +103,7 @@ fn card(ui: &mut Ui, window: &mut Window, index: usize, actions: &mut Vec<Action
         star(ui, corner, &name, kept, id, actions);
         let font = RichText::new(&name).small();
         let font = if taken { font.strong() } else { font };
-        ui.add(eframe::egui::Label::new(font).truncate().selectable(false));
+        ui.add(egui::Label::new(font).truncate().selectable(false));
     });
 }
 
@@ -122,7 +122,7 @@ fn picture(ui: &Ui, one: &mut Alternative, rect: Rect, taken: bool, progress: Op
     } else {
         let text = if failed { "cannot grow" } else { "…" };
         let weak = ui.visuals().weak_text_color();
-        let center = eframe::egui::Align2::CENTER_CENTER;
+        let center = egui::Align2::CENTER_CENTER;
         painter.text(rect.center(), center, text, FontId::proportional(11.5), weak);
     }
     if let Some(share) = progress {

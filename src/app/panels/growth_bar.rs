@@ -1,12 +1,12 @@
 //! Above the texture: how far it is; pause, stop, another seed.
 
-use eframe::egui::{DragValue, ProgressBar, Ui, vec2};
+use egui::{DragValue, ProgressBar, Ui, vec2};
 
 use crate::app::Window;
 use crate::app::action::Action;
 use crate::app::growth::Phase;
 use crate::app::icons::Icon;
-use crate::field::Edges;
+use crate::grid::Edges;
 use crate::synth::Stage;
 
 /// The bar. Gives what is chosen.
@@ -16,7 +16,7 @@ pub fn growth_bar(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
         ui.strong("Texture");
         ui.add_space(4.0);
         phase(ui, window);
-        ui.with_layout(eframe::egui::Layout::right_to_left(eframe::egui::Align::Center), |ui| {
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             let mut seed = window.desk.document().seed;
             let field = DragValue::new(&mut seed).speed(0.05).update_while_editing(false);

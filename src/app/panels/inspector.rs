@@ -1,8 +1,6 @@
 //! The column on the right: what is drawn, its colours, what came of it; below, the layers.
 
-use eframe::egui::{
-    Button, CentralPanel, Frame, Grid, Margin, Panel, Rect, RichText, ScrollArea, Slider, Ui, vec2,
-};
+use egui::{Button, CentralPanel, Frame, Grid, Margin, Panel, Rect, RichText, ScrollArea, Slider, Ui, vec2};
 
 use super::{colour, layers, result, selected};
 use crate::app::Window;
@@ -14,8 +12,8 @@ use crate::app::preferences::resolution;
 use crate::app::shape;
 use crate::app::units::Ruler;
 use crate::attributes::Attributes;
-use crate::field::Edges;
-use crate::synth::recipe::limits;
+use crate::document::limits;
+use crate::grid::Edges;
 
 /// Widths of lines to choose from, px: evenly over those that grow in moments.
 const WIDTHS: [f64; 4] = [4.0, 8.0, 12.0, 16.0];

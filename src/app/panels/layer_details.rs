@@ -1,6 +1,6 @@
 //! How the layer at hand grows: how it meets those beneath, its system, its options.
 
-use eframe::egui::{
+use egui::{
     Align, Button, ComboBox, DragValue, Grid, Label, Layout, Rect, RichText, ScrollArea, Ui, pos2, vec2,
 };
 
@@ -10,8 +10,9 @@ use crate::app::desk::Desk;
 use crate::app::icons::Icon;
 use crate::app::layer_choices::{Choice, after_refusal, system_refusal};
 use crate::attributes::Spread;
-use crate::synth::recipe::limits::{self, Range};
-use crate::synth::recipe::{After, Layer, Options, Seeding, SpreadChoice, SystemChoice};
+use crate::document::limits;
+use crate::document::limits::Range;
+use crate::document::{After, Layer, Options, Seeding, SpreadChoice, SystemChoice};
 
 /// The share of the window's height that the details take before they scroll.
 const SHARE: f32 = 0.32;
@@ -207,7 +208,7 @@ fn described(choice: Choice) -> (&'static str, &'static str) {
 }
 
 /// A share that is shown in per cent.
-fn share(ui: &mut Ui, name: &str, value: &mut f64, range: &Range) -> eframe::egui::Response {
+fn share(ui: &mut Ui, name: &str, value: &mut f64, range: &Range) -> egui::Response {
     let mut percent = 100.0 * *value;
     let field = DragValue::new(&mut percent)
         .range(100.0 * range.low..=100.0 * range.high)
@@ -223,7 +224,7 @@ fn share(ui: &mut Ui, name: &str, value: &mut f64, range: &Range) -> eframe::egu
     field
 }
 
-fn control(ui: &mut Ui, desk: &Desk, choice: Choice, options: &mut Options) -> eframe::egui::Response {
+fn control(ui: &mut Ui, desk: &Desk, choice: Choice, options: &mut Options) -> egui::Response {
     let (name, _) = described(choice);
     match choice {
         Choice::Irregular => share(ui, name, &mut options.irregular, &limits::IRREGULAR),
@@ -242,7 +243,7 @@ fn control(ui: &mut Ui, desk: &Desk, choice: Choice, options: &mut Options) -> e
     }
 }
 
-fn seeding(ui: &mut Ui, seeding: &mut Seeding) -> eframe::egui::Response {
+fn seeding(ui: &mut Ui, seeding: &mut Seeding) -> egui::Response {
     const READ: [(&str, Seeding); 3] =
         [("Noise", Seeding::Noise), ("Segments", Seeding::Segments), ("Drawn lines", Seeding::Initiators)];
     let now = READ.iter().find(|(_, one)| one == seeding).map_or("", |(name, _)| *name);
@@ -255,7 +256,7 @@ fn seeding(ui: &mut Ui, seeding: &mut Seeding) -> eframe::egui::Response {
     combo.response.accessible_name("Begins from")
 }
 
-fn spread(ui: &mut Ui, spread: &mut SpreadChoice) -> eframe::egui::Response {
+fn spread(ui: &mut Ui, spread: &mut SpreadChoice) -> egui::Response {
     let (drawn, even) = (SpreadChoice::Drawn, SpreadChoice::Given(Spread::EVEN));
     let now = match *spread {
         SpreadChoice::Drawn => "As drawn",

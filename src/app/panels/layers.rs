@@ -1,8 +1,8 @@
 //! The layers, the highest first; the details of the one at hand are folded beneath.
 
-use eframe::egui::text::CCursorRange;
-use eframe::egui::text_edit::TextEditState;
-use eframe::egui::{
+use egui::text::CCursorRange;
+use egui::text_edit::TextEditState;
+use egui::{
     Align, Align2, Button, Color32, EventFilter, Id, Key, Layout, Modifiers, Rect, Response, RichText, Role,
     ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
@@ -15,7 +15,7 @@ use crate::app::icons::Icon;
 use crate::app::layering::LayerAction;
 use crate::app::shortcuts;
 use crate::app::theme::Palette;
-use crate::synth::recipe::Kind;
+use crate::document::Kind;
 
 /// Height of a row, points.
 const ROW: f32 = 28.0;
@@ -172,7 +172,7 @@ fn row(ui: &mut Ui, window: &mut Window, layer: usize, actions: &mut Vec<Action>
     if at_hand {
         text = text.strong();
     }
-    let label = eframe::egui::Label::new(text).truncate().selectable(false).sense(Sense::hover());
+    let label = egui::Label::new(text).truncate().selectable(false).sense(Sense::hover());
     ui.scope_builder(
         UiBuilder::new().max_rect(named).layout(Layout::left_to_right(Align::Center)).sense(Sense::hover()),
         |ui| ui.add(label),
@@ -211,7 +211,7 @@ fn back(ui: &Ui, response: &Response, at_hand: bool) {
     }
     if response.has_focus() {
         let stroke = Stroke::new(1.0, colours.accent);
-        ui.painter().rect_stroke(response.rect, 5.0, stroke, eframe::egui::StrokeKind::Inside);
+        ui.painter().rect_stroke(response.rect, 5.0, stroke, egui::StrokeKind::Inside);
     }
 }
 
@@ -246,7 +246,7 @@ fn mark_count(ui: &Ui, desk: &Desk, layer: usize, rest: Rect) -> f32 {
         0 => "empty".to_owned(),
         marks => marks.to_string(),
     };
-    let font = eframe::egui::TextStyle::Small.resolve(ui.style());
+    let font = egui::TextStyle::Small.resolve(ui.style());
     let weak = ui.visuals().weak_text_color();
     let right = pos2(rest.right(), rest.center().y);
     ui.painter().text(right, Align2::RIGHT_CENTER, text, font, weak).left() - 6.0

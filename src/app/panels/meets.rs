@@ -1,9 +1,9 @@
 //! A small picture of each way to meet the layers beneath.
 
-use eframe::egui::{Button, Color32, Painter, Pos2, Rect, Response, Shape, Stroke, Ui, Vec2, pos2, vec2};
+use egui::{Button, Color32, Painter, Pos2, Rect, Response, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
 use crate::app::theme::Palette;
-use crate::synth::recipe::After;
+use crate::document::After;
 
 /// Size of a button, points.
 pub const SIZE: Vec2 = vec2(52.0, 38.0);

@@ -1,12 +1,12 @@
 //! The menu bar.
 
-use eframe::egui::{Button, MenuBar, RichText, ThemePreference, Ui};
+use egui::{Button, MenuBar, RichText, ThemePreference, Ui};
 
 use crate::app::Window;
 use crate::app::action::{Action, Page};
 use crate::app::layering::LayerAction;
 use crate::app::shortcuts;
-use crate::field::Edges;
+use crate::grid::Edges;
 
 /// The menus, and the document's name in the middle. Gives what is chosen.
 pub fn menu(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
@@ -22,7 +22,7 @@ pub fn menu(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
             item(ui, "Keys", &Action::Page(Page::Shortcuts), true, &mut actions);
             item(ui, "About dapple", &Action::Page(Page::About), true, &mut actions);
         });
-        ui.with_layout(eframe::egui::Layout::right_to_left(eframe::egui::Align::Center), |ui| {
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let changed = if window.desk.is_changed() { "  (changed)" } else { "" };
             ui.label(RichText::new(format!("{}{changed}", window.desk.title())).weak());
         });

@@ -1,14 +1,14 @@
 //! Numbers of what is selected.
 
-use eframe::egui::{Button, DragValue, RichText, Ui};
+use egui::{Button, DragValue, RichText, Ui};
 
 use super::inspector::{presets, rows};
 use crate::app::Window;
 use crate::app::action::Action;
 use crate::app::desk::Desk;
-use crate::app::selection::Place;
 use crate::app::shape;
 use crate::app::units::Ruler;
+use crate::editor::selection::Place;
 use crate::marks::{Ellipse, Line, Mark};
 
 /// The numbers, and what to do with what is selected.

@@ -1,6 +1,6 @@
 //! Above the canvas: what is seen of it.
 
-use eframe::egui::{Align, Layout, Ui};
+use egui::{Align, Layout, Ui};
 
 use crate::app::Window;
 use crate::app::action::Action;

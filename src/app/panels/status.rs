@@ -1,6 +1,6 @@
 //! The line at the bottom: the tool, the place, the export.
 
-use eframe::egui::{Align, Layout, ProgressBar, RichText, Ui};
+use egui::{Align, Layout, ProgressBar, RichText, Ui};
 
 use crate::app::Window;
 

@@ -1,6 +1,6 @@
 //! The strip of tools.
 
-use eframe::egui::{Ui, vec2};
+use egui::{Ui, vec2};
 
 use crate::app::Window;
 use crate::app::action::Action;

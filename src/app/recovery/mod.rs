@@ -10,13 +10,13 @@ pub use page::page;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use eframe::egui::{Context, Ui};
+use egui::{Context, Ui};
 
 use super::Window;
 use super::action::Page;
 use super::desk::Desk;
+use crate::document::Document;
 use crate::marks::Mark;
-use crate::synth::recipe::Document;
 use keeper::{Keeper, News};
 use slot::{Kept, Lost};
 

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use eframe::egui::{
+use egui::{
     Button, Color32, Frame, Label, Layout, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
     WidgetInfo, vec2,
 };
@@ -60,7 +60,7 @@ fn one(ui: &mut Ui, lost: &Lost, first: bool, doubt: &mut Option<String>) -> Opt
                 ui.spacing_mut().item_spacing.y = 3.0;
                 told(ui, lost);
             });
-            ui.with_layout(Layout::top_down(eframe::egui::Align::Max), |ui| {
+            ui.with_layout(Layout::top_down(egui::Align::Max), |ui| {
                 let text = RichText::new("Restore").color(ui.visuals().selection.stroke.color);
                 let restore = Button::new(text).fill(ui.visuals().selection.bg_fill);
                 let restore = ui.add_sized(vec2(132.0, 28.0), restore);

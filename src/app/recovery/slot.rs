@@ -16,10 +16,11 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-use crate::app::{Desk, line, lock};
+use crate::app::{Desk, path_encoding};
+use crate::document::{Document, limits};
+use crate::editor::lock;
 use crate::export;
 use crate::marks::Mark;
-use crate::synth::recipe::{Document, limits};
 
 const HEAD: &str = "dapple recovery 1";
 /// After that, half a file that somebody began to write is rubbish, seconds.
@@ -100,9 +101,9 @@ impl Slot {
         let mut text = format!("{HEAD}\nwhen {}\n", millis());
         if let Some(path) = &kept.path {
             let path = std::path::absolute(path).unwrap_or_else(|_| path.clone());
-            text.push_str(&format!("file {}\n", line::told(&path)));
+            text.push_str(&format!("file {}\n", path_encoding::told(&path)));
         }
-        text.push_str(&format!("name {}\n\n", line::told(Path::new(&kept.name))));
+        text.push_str(&format!("name {}\n\n", path_encoding::told(Path::new(&kept.name))));
         text.push_str(&kept.document.to_json());
         export::save(&self.file, |out| Ok(out.write_all(text.as_bytes())?))?;
         if let Some(folder) = self.file.parent().and_then(|folder| File::open(folder).ok()) {
@@ -241,8 +242,8 @@ fn read(file: &Path) -> Result<(Kept, SystemTime), String> {
                 // A time that the clock does not know is no reason to lose a sketch.
                 when = UNIX_EPOCH.checked_add(Duration::from_millis(millis)).unwrap_or(UNIX_EPOCH);
             }
-            "file" => path = Some(line::read(value)),
-            "name" => name = line::read(value).to_string_lossy().into_owned(),
+            "file" => path = Some(path_encoding::read(value)),
+            "name" => name = path_encoding::read(value).to_string_lossy().into_owned(),
             _ => {}
         }
     }

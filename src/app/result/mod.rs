@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread;
 
-use eframe::egui::{Context, Painter, Rect, pos2};
+use egui::{Context, Painter, Rect, pos2};
 
 use super::canvas::view::View;
 use super::desk::Desk;
@@ -167,7 +167,7 @@ impl Results {
         }
         for region in &layer.regions {
             let [column, row] = region.report.place.map(|at| at as f32);
-            let corner = paper.min + eframe::egui::vec2(column * side[0], row * side[1]);
+            let corner = paper.min + egui::vec2(column * side[0], row * side[1]);
             let rect = Rect::from_min_max(corner, pos2(corner.x + side[0], corner.y + side[1]));
             region.verdict.paint(painter, Verdict::corner(rect, SIGN, 5.0), palette);
         }
@@ -178,7 +178,7 @@ impl Results {
 #[must_use]
 pub fn layer_of(desk: &Desk, layer: usize) -> Option<usize> {
     let layers = &desk.document().layers;
-    let drawn = |layer: &crate::synth::recipe::Layer| !layer.strokes.is_empty();
+    let drawn = |layer: &crate::document::Layer| !layer.strokes.is_empty();
     layers.get(layer).is_some_and(drawn).then(|| layers[..layer].iter().filter(|layer| drawn(layer)).count())
 }
 

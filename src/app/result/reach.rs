@@ -3,11 +3,12 @@
 use crate::app::shape;
 use crate::attributes::regions::{Layout, RegionMap};
 use crate::attributes::{Attributes, Spots, Stripes};
+use crate::document::{Document, Stroke, limits};
 use crate::learn::Answer;
 use crate::marks::{Ellipse, Line, Mark, turn};
 use crate::synth::plan::Plan;
-use crate::synth::recipe::{Document, Stroke, limits};
-use crate::synth::{Training, drawn, planned};
+use crate::synth::plan::sketch_targets;
+use crate::synth::{Training, planned};
 
 /// Changes are tried so often, each farther beyond the limit than the one before.
 const TRIES: i32 = 10;
@@ -53,7 +54,7 @@ pub fn reach(
         let sketch = Sketch::of(&document, layer, first.map.layout(), place)?;
         let farther = 1.0 + FARTHER * f64::from(attempt);
         sketch.toward(&asked, &answer, farther, first.map.layout(), place)?.write(&mut document, layer);
-        let map = drawn::region_map(&document, layer, "").ok()?;
+        let map = sketch_targets::region_map(&document, layer, "").ok()?;
         let plan = planned(&document, layer, "", training, &map, beneath).ok()?;
         asked = wanted(&plan, place);
         answer = plan.answers[index].clone();
@@ -82,7 +83,7 @@ struct Sketch {
 
 impl Sketch {
     fn of(document: &Document, layer: usize, layout: &Layout, place: [usize; 2]) -> Option<Self> {
-        let marks = drawn::marks(document, layer, "").ok()?;
+        let marks = sketch_targets::marks(document, layer, "").ok()?;
         let inside = |(_, mark): &(usize, Mark)| layout.region_of(mark.center()) == place;
         let duty = document.layers[layer].options.duty;
         Some(Self { marks: marks.into_iter().enumerate().filter(inside).collect(), duty })
@@ -254,11 +255,11 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::document::{Layer, SystemChoice};
     use crate::synth::plan::plan;
-    use crate::synth::recipe::{Layer, SystemChoice};
 
     fn planned_alone(training: &Training, document: &Document) -> Plan {
-        let map = drawn::region_map(document, 0, "").unwrap();
+        let map = sketch_targets::region_map(document, 0, "").unwrap();
         plan(training, document.layers[0].choice(), &map).unwrap()
     }
 

@@ -1,6 +1,6 @@
 //! How well what has grown meets what was asked: three kinds of marks that differ in shape, word and colour.
 
-use eframe::egui::{Color32, Painter, Rect, Shape, Stroke, pos2, vec2};
+use egui::{Color32, Painter, Rect, Shape, Stroke, pos2, vec2};
 
 use crate::app::theme::Palette;
 use crate::synth::report::RegionReport;

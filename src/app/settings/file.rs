@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use crate::app::lock;
+use crate::editor::lock;
 use crate::export;
 
 /// What stands in the file, by its first word; words that a newer version knows are kept.

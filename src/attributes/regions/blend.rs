@@ -59,7 +59,7 @@ fn turned(from: f64, to: f64, share: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::Edges;
+    use crate::grid::Edges;
     use crate::marks::{Ellipse, Line, Mark};
 
     fn spots(radii: [f64; 2], angle: f64, regions: [usize; 2]) -> RegionMap {

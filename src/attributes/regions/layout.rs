@@ -1,6 +1,6 @@
 //! Where the regions lie: columns × rows equal rectangles of the canvas.
 
-use crate::field::Edges;
+use crate::grid::Edges;
 
 /// A canvas cut into columns × rows equal rectangles.
 ///

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::Layout;
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
-use crate::field::Edges;
+use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, Mark, axial};
 
 /// Above this mean aspect a region has no direction of its own (the contract's number).

@@ -1,6 +1,6 @@
 //! What is stepped: each system with round, long and longer tensors.
 
-use crate::field::Edges;
+use crate::grid::Edges;
 use crate::rd::{Growth, Maps, Parameters, System};
 use std::f64::consts::TAU;
 

@@ -3,7 +3,7 @@
 use super::go_on;
 use super::kernels::{Crews, Effort, median, seconds};
 use crate::cli::{Cli, Command, Error, grow};
-use crate::synth::recipe::Document;
+use crate::document::Document;
 use clap::Parser;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};

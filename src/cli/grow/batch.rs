@@ -3,10 +3,10 @@
 use super::{Args, Error, Source, grow_one, place};
 use crate::cli::estimate::Estimate;
 use crate::cli::sheet::{self, Contact};
+use crate::document::Document;
 use crate::export::{self, material};
 use crate::synth::Training;
 use crate::synth::estimate;
-use crate::synth::recipe::Document;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 

@@ -1,9 +1,9 @@
 //! How the picture of a growth is written.
 
+use crate::document::embedded::embedded;
+use crate::document::{Document, Extent};
 use crate::export::picture::QUALITY;
-use crate::synth::painting::Style;
-use crate::synth::recipe::embedded::embedded;
-use crate::synth::recipe::{Document, Extent};
+use crate::synth::render::painting::Style;
 
 /// How to write the picture.
 #[derive(clap::Args, Clone, Debug)]

@@ -1,11 +1,11 @@
 //! `--material`: a set of maps for engines.
 
 use crate::cli::Error;
+use crate::document::{Document, Extent};
 use crate::export::material::{Map, Set, name};
 use crate::export::{self, Format, Prepared, maps::Surface};
-use crate::field::Edges;
-use crate::synth::painting::{Making, Painting, Style};
-use crate::synth::recipe::{Document, Extent};
+use crate::grid::Edges;
+use crate::synth::render::painting::{Making, Painting, Style};
 use crate::synth::{Watch, memory};
 use std::path::{Path, PathBuf};
 

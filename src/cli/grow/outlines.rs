@@ -2,11 +2,11 @@
 
 use super::Args;
 use crate::cli::{Error, values};
+use crate::document::{Document, Extent, Layer, Stroke};
 use crate::export::outline::svg::{self, Sheet, Unit};
 use crate::export::outline::{Ends, FORMATS, Hatch, Smallest, Style, Travel, dxf};
 use crate::export::{self, Prepared, Stopped, has_ending};
-use crate::synth::outlining::{Outlining, outlines};
-use crate::synth::recipe::{Document, Extent, Layer, Stroke};
+use crate::synth::render::outlining::{Outlining, outlines};
 use crate::synth::{Grown, Watch, memory};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};

@@ -3,9 +3,9 @@
 use super::Args;
 use super::outlines::holds_outlines;
 use crate::cli::Error;
+use crate::document::{Document, Extent};
 use crate::export::{self, Content, Prepared};
-use crate::synth::painting::{Channel, Painting, concentrations};
-use crate::synth::recipe::{Document, Extent};
+use crate::synth::render::painting::{Channel, Painting, concentrations};
 use crate::synth::{Grown, Watch, memory};
 use std::path::Path;
 

@@ -6,7 +6,7 @@ use super::way::Way;
 use super::{Setting, bar};
 use crate::attributes::{Attributes, Stripes};
 use crate::cli::Error;
-use crate::field::Field;
+use crate::grid::Field;
 use crate::learn::{self, Method, evenly, summaries};
 use crate::measure;
 use crate::rd::System;

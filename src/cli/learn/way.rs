@@ -4,7 +4,7 @@ use crate::attributes::Attributes;
 use crate::cli::Error;
 use crate::learn::{Answer, Coverage, Method, Note, Parameters};
 use crate::rd::System;
-use crate::synth::probe::{ProbeError, When, probed};
+use crate::synth::grow::probe::{ProbeError, When, probed};
 use crate::synth::{Training, Watch, plan};
 
 /// A way from attributes to parameters.

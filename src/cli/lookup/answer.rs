@@ -2,9 +2,9 @@
 
 use crate::attributes::{Attributes, Spots};
 use crate::cli::Error;
+use crate::document::SystemChoice;
 use crate::learn::{Answer, Coverage};
 use crate::rd::System;
-use crate::synth::recipe::SystemChoice;
 use crate::synth::{Training, plan};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;

@@ -3,9 +3,9 @@
 use super::answer::Looked;
 use crate::attributes::{Attributes, Spots};
 use crate::cli::values;
+use crate::document::{Kind, SystemChoice};
 use crate::learn::{line_of, shown};
 use crate::marks::axial;
-use crate::synth::recipe::{Kind, SystemChoice};
 use csv::{ReaderBuilder, StringRecord, Trim, Writer};
 
 /// The columns of a table of questions.

@@ -5,11 +5,11 @@ use super::paper::Paper;
 use super::text::{self, Pen};
 use super::{FINER, MOST_PX};
 use crate::cli::Error;
+use crate::document::Document;
 use crate::export::{self, png};
 use crate::synth::Grown;
-use crate::synth::film::fitted;
-use crate::synth::painting::Painting;
-use crate::synth::recipe::Document;
+use crate::synth::render::film::fitted;
+use crate::synth::render::painting::Painting;
 use std::path::Path;
 
 /// A small picture.

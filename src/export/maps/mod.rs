@@ -11,7 +11,7 @@ pub use normal::{Green, encoded, normals};
 pub use occlusion::openness;
 pub use surface::{Surface, shares};
 
-use crate::field::{Edges, Field};
+use crate::grid::{Edges, Field};
 
 /// Rows of a height, px, with a rim on all four sides of what lies beyond them.
 #[derive(Clone, Debug, PartialEq)]

@@ -45,7 +45,7 @@ pub fn encoded([x, y, z]: [f32; 3], green: Green) -> [f32; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::{Edges, Field};
+    use crate::grid::{Edges, Field};
 
     fn of(f: impl Fn(f64, f64) -> f64, edges: Edges) -> Vec<[f32; 3]> {
         let field = Field::from_fn([16, 12], [1.0; 2], edges, |[x, y]| f(x, y) as f32);

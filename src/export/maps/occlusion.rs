@@ -92,7 +92,7 @@ fn rays(radius: usize, stride: isize) -> Vec<Vec<Sample>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::{Edges, Field};
+    use crate::grid::{Edges, Field};
 
     fn open(f: impl Fn(f64, f64) -> f64, edges: Edges, radius: usize) -> Vec<f32> {
         let field = Field::from_fn([48, 40], [1.0; 2], edges, |[x, y]| f(x, y) as f32);

@@ -8,7 +8,7 @@ use tempfile::TempDir;
 
 use super::{Film, PreparedFilm, Show};
 use crate::export::save::{explain, folder_of};
-use crate::export::{ExportError, Stopped, check_file, leftovers, png};
+use crate::export::{ExportError, Stopped, check_file, png, stale_files};
 
 /// Looks whether a folder can have this name: nothing has it yet, or an empty folder.
 ///
@@ -40,7 +40,7 @@ pub fn write(
     play: impl FnOnce(Show) -> Result<(), Stopped>,
 ) -> Result<PreparedFilm, ExportError> {
     let parent = folder_of(path);
-    let (beside, lock) = leftovers::new_folder(&parent).map_err(|source| explain(path, &parent, source))?;
+    let (beside, lock) = stale_files::new_folder(&parent).map_err(|source| explain(path, &parent, source))?;
     let digits = film.frames.to_string().len().max(4);
     let mut index = 0;
     let played = play(&mut |rgb| {

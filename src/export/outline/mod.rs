@@ -24,7 +24,7 @@ pub use path::{Path, Piece};
 pub use route::{Route, route};
 
 use super::Stopped;
-use crate::field::{Edges, Field};
+use crate::grid::{Edges, Field};
 use std::ops::Range;
 
 /// The endings that a file of outlines may have.

@@ -1,7 +1,7 @@
 //! From fields to shapes: areas, holes, sizes, seams.
 
 use super::*;
-use crate::field::Field;
+use crate::grid::Field;
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 

@@ -7,7 +7,7 @@
 
 use super::labels::Labels;
 use crate::export::Stopped;
-use crate::field::Edges;
+use crate::grid::Edges;
 use std::ops::Range;
 
 /// No point, no line.

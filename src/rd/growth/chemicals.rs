@@ -2,7 +2,7 @@
 
 use crate::rd::maps::Maps;
 use crate::rd::plane::{Grid, Plane};
-use crate::rd::turing_spots;
+use crate::rd::systems::turing_spots;
 
 /// Each chemical twice: as it is, and room for the next step.
 #[derive(Clone, Debug)]

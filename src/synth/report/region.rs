@@ -3,9 +3,10 @@
 use crate::attributes::{Attributes, Spread};
 use crate::learn::Note;
 use crate::rd::Seeding;
-use crate::synth::grow::GrownLayer;
-use crate::synth::keep::{self, Stayed};
-use crate::synth::refine::Measured;
+use crate::synth::grow::layer::GrownLayer;
+use crate::synth::grow::refine::Measured;
+use crate::synth::plan::pinned_marks;
+use crate::synth::plan::pinned_marks::Stayed;
 
 /// What there is to say about a region of a grown layer. Lengths are px.
 #[derive(Clone, Debug)]
@@ -42,7 +43,7 @@ pub struct RegionReport {
 pub fn regions(layer: &GrownLayer) -> Vec<RegionReport> {
     let plan = &layer.plan;
     let [nx, ny] = plan.grid;
-    let stayed = keep::stayed(plan, &layer.measured, &|| layer.pattern().field(nx, ny));
+    let stayed = pinned_marks::stayed(plan, &layer.measured, &|| layer.pattern().field(nx, ny));
     (0..plan.answers.len()).map(|index| region(layer, index, stayed.get(index))).collect()
 }
 

@@ -1,7 +1,7 @@
 //! Documents: what is read is written and read back as it was, and what would be grown can be told.
 
-use dapple::synth::drawn::region_map;
-use dapple::synth::recipe::Document;
+use dapple::document::Document;
+use dapple::synth::plan::sketch_targets::region_map;
 use dapple::synth::{Training, memory, planned};
 use std::sync::LazyLock;
 

@@ -1,6 +1,6 @@
 //! What is kept of a document from file to file: all of it.
 
-use dapple::synth::recipe::Document;
+use dapple::document::Document;
 
 /// Document → JSON → document.
 pub fn comes_back(document: &Document) {

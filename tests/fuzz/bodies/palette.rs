@@ -1,6 +1,6 @@
 //! Palettes: both kinds of file, read, written and read back.
 
-use dapple::synth::recipe::palette::Palette;
+use dapple::document::palette::Palette;
 
 use crate::told::told;
 

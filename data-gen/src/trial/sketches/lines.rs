@@ -1,8 +1,8 @@
 //! Pieces of stripes, drawn by hand.
 
 use dapple::attributes::regions::Layout;
+use dapple::document::Stroke;
 use dapple::marks::Line;
-use dapple::synth::recipe::Stroke;
 
 use super::ranges::{FACTOR, TURN, WIDTH};
 use super::{Dice, rectangle};

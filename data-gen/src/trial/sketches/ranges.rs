@@ -2,10 +2,10 @@
 
 use dapple::attributes::regions::RegionMap;
 use dapple::attributes::{Attributes, Spots, Stripes};
-use dapple::field::Edges;
+use dapple::document::Document;
+use dapple::grid::Edges;
 use dapple::marks::turn;
-use dapple::synth::drawn;
-use dapple::synth::recipe::Document;
+use dapple::synth::plan::sketch_targets;
 
 /// Area of a spot, px².
 pub const AREA: [f64; 2] = [40.0, 1_500.0];
@@ -26,7 +26,7 @@ const ROUND: f64 = 0.9;
 
 /// Whether what the ruler reads off all regions of `document` lies within the ranges.
 pub fn within(document: &Document) -> bool {
-    let Ok(map) = drawn::region_map(document, 0, &document.name) else { return false };
+    let Ok(map) = sketch_targets::region_map(document, 0, &document.name) else { return false };
     let own = |index: usize| map.region(map.layout().place(index)).own;
     let sound = (0..map.layout().len()).all(|index| own(index).is_some_and(|own| reachable(&own)));
     sound && neighbours(&map).all(|[a, b]| own(a).zip(own(b)).is_some_and(|(a, b)| alike(&a, &b)))

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use dapple::attributes::regions::Layout;
 use dapple::attributes::spacing::mean_spacing;
+use dapple::document::Stroke;
 use dapple::marks::Ellipse;
-use dapple::synth::recipe::Stroke;
 
 use super::ranges::{AREA, ASPECT, FACTOR, LOOSER, PACKING, TURN};
 use super::{Dice, rectangle};

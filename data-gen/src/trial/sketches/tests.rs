@@ -1,5 +1,5 @@
 use super::*;
-use dapple::synth::drawn;
+use dapple::synth::plan::sketch_targets;
 
 #[test]
 fn a_sketch_is_the_same_whatever_others_there_are() {
@@ -16,7 +16,7 @@ fn a_hundred_sketches_are_valid_documents_within_the_ranges() {
         let sketch = sketch(SEED, index).unwrap();
         sketch.check(&sketch.name).unwrap();
         assert!(within(&sketch), "{index}");
-        let map = drawn::region_map(&sketch, 0, &sketch.name).unwrap();
+        let map = sketch_targets::region_map(&sketch, 0, &sketch.name).unwrap();
         let stripes = matches!(sketch.layers[0].strokes[0], Stroke::Line(_));
         for (place, region) in map.regions() {
             let allowed = if stripes { 3..=6 } else { 5..=12 };

@@ -1,13 +1,13 @@
 //! Films.
 
-use eframe::egui::{Button, DragValue, Ui};
+use egui::{Button, DragValue, Ui};
 
 use super::{named, number, one_of, rows, yes};
 use crate::app::exporting::choices::KINDS;
 use crate::app::exporting::dialog::{About, Said};
 use crate::app::exporting::{Choices, Film};
 use crate::export::motion::Kind;
-use crate::synth::clip::{Clip, FASTEST_GIF, RATES, SIDE, SIDES};
+use crate::synth::render::clip::{Clip, FASTEST_GIF, RATES, SIDE, SIDES};
 
 /// The choices.
 pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) -> Option<Said> {

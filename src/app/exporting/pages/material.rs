@@ -1,6 +1,6 @@
 //! Materials.
 
-use eframe::egui::{DragValue, RichText, Ui};
+use egui::{DragValue, RichText, Ui};
 
 use super::{named, number, rows, size, yes};
 use crate::app::exporting::Choices;

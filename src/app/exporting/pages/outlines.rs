@@ -1,6 +1,6 @@
 //! Outlines.
 
-use eframe::egui::{DragValue, Ui};
+use egui::{DragValue, Ui};
 
 use super::{layer, named, number, rows, size, yes};
 use crate::app::exporting::dialog::About;

@@ -1,6 +1,6 @@
 //! Pictures.
 
-use eframe::egui::{Slider, Ui, WidgetInfo};
+use egui::{Slider, Ui, WidgetInfo};
 
 use super::{layer, named, one_of, rows, size, yes};
 use crate::app::exporting::choices::FORMATS;

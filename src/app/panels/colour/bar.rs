@@ -1,6 +1,6 @@
 //! The bar: all colours from ground to mark, the ways between them above it, the stops beneath.
 
-use eframe::egui::{
+use egui::{
     Align2, Color32, CursorIcon, FontId, Id, Key, Painter, Rect, Response, Role, Sense, Shape, Stroke,
     StrokeKind, Ui, WidgetInfo, epaint::Mesh, pos2, vec2,
 };
@@ -9,7 +9,7 @@ use super::grip::{arrows, deleted, rounded};
 use super::{ColourPanel, Held, hex, shown};
 use crate::app::theme::Palette;
 use crate::colour::{Bend, Gradient};
-use crate::synth::recipe::Colours;
+use crate::document::Colours;
 
 /// Heights, points: the ways, the bar, the stops, what stands beneath.
 const HEIGHTS: [f32; 4] = [26.0, 26.0, 22.0, 13.0];
@@ -100,7 +100,7 @@ pub fn way(gap: usize) -> String {
 }
 
 /// A bend as a line across `rect`, where y runs from `low` at the bottom to `high` at the top.
-pub fn line(rect: Rect, bend: Bend, [low, high]: [f64; 2]) -> Vec<eframe::egui::Pos2> {
+pub fn line(rect: Rect, bend: Bend, [low, high]: [f64; 2]) -> Vec<egui::Pos2> {
     let steps = (rect.width() / 2.0).clamp(2.0, 120.0) as usize;
     (0..=steps)
         .map(|i| {
@@ -228,7 +228,7 @@ fn worked(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, index: usize,
 }
 
 /// A stop: its colour in a little house that points at its place.
-fn paint(ui: &Ui, tip: eframe::egui::Pos2, colour: Color32, chosen: bool, focused: bool) {
+fn paint(ui: &Ui, tip: egui::Pos2, colour: Color32, chosen: bool, focused: bool) {
     let palette = Palette::of(ui.visuals());
     let house = |half: f32, top: f32, height: f32| {
         vec![

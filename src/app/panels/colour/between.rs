@@ -1,6 +1,6 @@
 //! Colours from layer to layer, and from document to document.
 
-use eframe::egui::{Button, RichText, Ui};
+use egui::{Button, RichText, Ui};
 
 use super::{give, name_of, of};
 use crate::app::action::Action;

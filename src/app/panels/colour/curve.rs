@@ -1,6 +1,6 @@
 //! The chosen way, large: a Bezier curve whose two handles bend it.
 
-use eframe::egui::{
+use egui::{
     Button, CursorIcon, Pos2, Rect, RichText, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
@@ -10,7 +10,7 @@ use super::{ColourPanel, Held};
 use crate::app::panels::inspector::heading;
 use crate::app::theme::Palette;
 use crate::colour::Bend;
-use crate::synth::recipe::{Colours, limits};
+use crate::document::{Colours, limits};
 
 /// Bends to choose.
 const KINDS: [(&str, [f64; 4]); 5] = [

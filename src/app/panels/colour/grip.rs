@@ -1,6 +1,6 @@
 //! What can be held: by the pointer, and by arrows.
 
-use eframe::egui::{EventFilter, Key, Modifiers, Response, Ui};
+use egui::{EventFilter, Key, Modifiers, Response, Ui};
 
 /// Steps that the arrows ask of what has the keys: to the right and up, 1 each, 10 with Shift.
 pub fn arrows(ui: &Ui, response: &Response) -> [f64; 2] {

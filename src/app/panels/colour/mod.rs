@@ -8,12 +8,12 @@ mod picker;
 mod presets;
 mod stop;
 
-use eframe::egui::{Color32, Key, RichText, TextureHandle, Ui, ecolor::HsvaGamma};
+use egui::{Color32, Key, RichText, TextureHandle, Ui, ecolor::HsvaGamma};
 
 use crate::app::Window;
 use crate::app::action::Action;
 use crate::app::desk::Desk;
-use crate::synth::recipe::{Colours, Layer};
+use crate::document::{Colours, Layer};
 
 /// What is chosen and held in the panel; nothing of it is saved.
 #[derive(Default)]

@@ -1,7 +1,7 @@
 //! The picker: hue below, saturation and brightness above; by pointer and by arrows.
 
-use eframe::egui::ecolor::{Hsva, HsvaGamma};
-use eframe::egui::{
+use egui::ecolor::{Hsva, HsvaGamma};
+use egui::{
     Color32, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, epaint::Mesh, pos2, vec2,
 };
 

@@ -1,13 +1,11 @@
 //! Colours to choose from, as small pictures.
 
-use eframe::egui::{
-    Align2, Button, ColorImage, FontId, Image, Rect, RichText, TextureOptions, Ui, pos2, vec2,
-};
+use egui::{Align2, Button, ColorImage, FontId, Image, Rect, RichText, TextureOptions, Ui, pos2, vec2};
 
 use super::{ColourPanel, shown};
 use crate::app::panels::inspector::heading;
 use crate::colour::{Group, Marking, PRESETS, Preset};
-use crate::synth::recipe::Colours;
+use crate::document::Colours;
 
 /// px of a small picture.
 const SIZE: [usize; 2] = [34, 22];

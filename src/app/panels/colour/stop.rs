@@ -1,6 +1,6 @@
 //! The chosen stop: its colour, its place, its neighbours.
 
-use eframe::egui::{
+use egui::{
     Button, DragValue, Popup, PopupCloseBehavior, RichText, Role, Sense, StrokeKind, TextEdit, Ui,
     WidgetInfo, vec2,
 };
@@ -8,7 +8,7 @@ use eframe::egui::{
 use super::grip::rounded;
 use super::{ColourPanel, hex, picker, shown};
 use crate::app::theme::Palette;
-use crate::synth::recipe::Colours;
+use crate::document::Colours;
 
 /// Shows it.
 pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {

@@ -1,6 +1,6 @@
 //! One region: what was asked, what has grown, what was looked up, and what there is to say.
 
-use eframe::egui::{Button, CollapsingHeader, Frame, Grid, Label, RichText, Ui, vec2};
+use egui::{Button, CollapsingHeader, Frame, Grid, Label, RichText, Ui, vec2};
 
 use super::{error, named, sign};
 use crate::app::action::Action;

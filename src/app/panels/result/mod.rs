@@ -5,7 +5,7 @@ mod table;
 
 pub use detail::digits;
 
-use eframe::egui::{RichText, Ui};
+use egui::{RichText, Ui};
 
 use crate::app::Window;
 use crate::app::action::Action;
@@ -81,10 +81,9 @@ fn shown(window: &Window, of: &LayerResult, grid: [usize; 2]) -> [usize; 2] {
 
 /// A mark between words; `name` is what it says to who does not see it.
 fn sign(ui: &mut Ui, verdict: Verdict) {
-    let (rect, response) = ui.allocate_exact_size([SIGN, SIGN].into(), eframe::egui::Sense::hover());
+    let (rect, response) = ui.allocate_exact_size([SIGN, SIGN].into(), egui::Sense::hover());
     verdict.paint(ui.painter(), rect, Palette::of(ui.visuals()));
-    response
-        .widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::Role::Image, true, verdict.name()));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, verdict.name()));
     response.on_hover_text(verdict.help());
 }
 

@@ -1,6 +1,6 @@
 //! All regions of a layer, a row each.
 
-use eframe::egui::{Align, Align2, Button, FontId, Layout, RichText, ScrollArea, TextStyle, Ui, pos2, vec2};
+use egui::{Align, Align2, Button, FontId, Layout, RichText, ScrollArea, TextStyle, Ui, pos2, vec2};
 
 use super::{SIGN, error, named};
 use crate::app::result::{LayerResult, RegionResult};
@@ -55,12 +55,10 @@ fn row(ui: &mut Ui, region: &RegionResult, columns: &[&str], width: f32, chosen:
         ui.style().interact(&button).text_color()
     };
     let rect = button.rect;
-    let sign = eframe::egui::Rect::from_center_size(
-        pos2(rect.left() + 4.0 + 0.5 * SIGN, rect.center().y),
-        vec2(SIGN, SIGN),
-    );
+    let sign =
+        egui::Rect::from_center_size(pos2(rect.left() + 4.0 + 0.5 * SIGN, rect.center().y), vec2(SIGN, SIGN));
     region.verdict.paint(ui.painter(), sign, Palette::of(ui.visuals()));
-    let font = FontId::new(TextStyle::Small.resolve(ui.style()).size, eframe::egui::FontFamily::Proportional);
+    let font = FontId::new(TextStyle::Small.resolve(ui.style()).size, egui::FontFamily::Proportional);
     let name = format!("{}, {}", place[0] + 1, place[1] + 1);
     let text = |x: f32, align: Align2, text: String| {
         ui.painter().text(pos2(rect.left() + x, rect.center().y), align, text, font.clone(), colour);

@@ -1,6 +1,6 @@
 use super::*;
+use crate::document::{Layer, Stroke};
 use crate::marks::Ellipse;
-use crate::synth::recipe::{Layer, Stroke};
 
 fn kept(x: f64, path: Option<&Path>) -> Kept {
     let ellipse = Ellipse { center: [x, 40.0], radii: [12.0, 6.0], angle: 30.0 };

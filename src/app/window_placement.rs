@@ -1,0 +1,86 @@
+//! Where the window lies on the screen and what it shows, from one session to the next.
+
+use egui::{Ui, ViewportBuilder};
+
+use crate::app::settings::Layout;
+use crate::app::window::Window;
+
+/// Width and height of the first window, points.
+const SIZE: [f32; 2] = [1280.0, 800.0];
+/// So much of the window's upper edge must be on a screen, px of the screen.
+const SEEN: i32 = 60;
+
+/// The window as it lay, as far as the platform lets.
+#[must_use]
+pub fn placed(layout: &Layout) -> ViewportBuilder {
+    let builder = ViewportBuilder::default()
+        .with_inner_size(layout.size.unwrap_or(SIZE))
+        .with_maximized(layout.maximised);
+    match layout.position {
+        Some(position) => builder.with_position(position),
+        None => builder,
+    }
+}
+
+/// A window that would lie where there is no screen any more is brought to one.
+pub fn bring_into_view(cc: &eframe::CreationContext<'_>) {
+    let Some(window) = cc.winit_window() else { return };
+    // Where the platform does not tell, it has placed the window itself.
+    let Ok(corner) = window.outer_position() else { return };
+    let width = i32::try_from(window.outer_size().width).unwrap_or(i32::MAX);
+    let seen = window.available_monitors().any(|monitor| {
+        let (at, size) = (monitor.position(), monitor.size());
+        let [right, bottom] = [(at.x, size.width), (at.y, size.height)]
+            .map(|(from, side)| from.saturating_add(i32::try_from(side).unwrap_or(i32::MAX)));
+        let across = corner.x.saturating_add(width).min(right) - corner.x.max(at.x);
+        across >= SEEN && (at.y - SEEN / 2..bottom - SEEN).contains(&corner.y)
+    });
+    let Some(monitor) = window.available_monitors().next().filter(|_| !seen) else { return };
+    window.set_outer_position(monitor.position());
+}
+
+impl Window {
+    /// Shows what was shown last.
+    pub(super) fn restore_layout(&mut self) {
+        let layout = &self.settings.layout;
+        self.tab = layout.tab;
+        self.over = layout.over;
+        self.curtain = layout.curtain;
+        self.linked = layout.linked;
+        self.canvas.overlays.regions = layout.regions;
+        self.canvas.overlays.analysis = layout.analysis;
+    }
+
+    /// Notes how the window lies; it is written down when it is left.
+    pub(super) fn note_layout(&mut self, ui: &Ui) {
+        let layout = &mut self.settings.layout;
+        layout.tab = self.tab;
+        layout.over = self.over;
+        layout.curtain = self.curtain;
+        layout.linked = self.linked;
+        layout.regions = self.canvas.overlays.regions;
+        layout.analysis = self.canvas.overlays.analysis;
+        ui.input(|input| {
+            let viewport = input.viewport();
+            if viewport.minimized == Some(true) || viewport.fullscreen == Some(true) {
+                return;
+            }
+            layout.maximised = viewport.maximized == Some(true);
+            if layout.maximised {
+                // What it goes back to is what it was before.
+                return;
+            }
+            if let Some(inner) = viewport.inner_rect {
+                layout.size = Some(inner.size().into());
+            }
+            if let Some(outer) = viewport.outer_rect {
+                layout.position = Some(outer.min.into());
+            }
+        });
+    }
+
+    /// The window goes: what is remembered is written down.
+    pub fn leave(&mut self) {
+        self.settings.write();
+    }
+}

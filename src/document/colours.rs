@@ -1,0 +1,184 @@
+//! The colours of a layer, and what a hand does with them.
+
+use crate::colour::{self, Bend, Gradient};
+use crate::document::limits;
+
+/// The colours of a layer: pattern values are mapped to stops, and the way from stop to stop may be bent.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Colours {
+    /// Stops, ascending; at least one. Two at the same value make a hard step.
+    pub stops: Vec<Stop>,
+    /// `bends[i]` is the cubic Bezier (x1, y1, x2, y2, as in CSS easing) between stops i and i + 1; those
+    /// that are missing at the end are straight.
+    pub bends: Vec<[f64; 4]>,
+}
+
+/// A colour at a pattern value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    /// The pattern value, 0..1.
+    pub at: f64,
+    /// Red, green, blue (sRGB).
+    pub colour: [u8; 3],
+}
+
+const STRAIGHT: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
+
+impl Colours {
+    /// Those of the layer with this index (0 = the first) where the document gives none.
+    #[must_use]
+    pub fn default_for_layer(layer: usize) -> Self {
+        Self::from(&Gradient::default_for_layer(layer))
+    }
+
+    /// As the painter takes them.
+    #[must_use]
+    pub fn gradient(&self) -> Gradient {
+        Gradient {
+            stops: self
+                .stops
+                .iter()
+                .map(|stop| colour::Stop { at: stop.at as f32, colour: stop.colour })
+                .collect(),
+            bends: self.bends.iter().map(|bend| Bend(*bend)).collect(),
+        }
+    }
+
+    /// The way from stop `gap` to the next.
+    #[must_use]
+    pub fn bend(&self, gap: usize) -> [f64; 4] {
+        self.bends.get(gap).copied().unwrap_or(STRAIGHT)
+    }
+
+    /// Bends the way from stop `gap` to the next: handles are kept within [`limits::BEND_X`] and [`limits::BEND_Y`].
+    pub fn set_bend(&mut self, gap: usize, bend: [f64; 4]) {
+        if gap + 1 < self.stops.len() {
+            self.all_bends()[gap] = within(bend);
+            self.tidy();
+        }
+    }
+
+    /// Puts a stop at pattern value `at`, of the colour that is there: nothing looks otherwise. Gives its index.
+    pub fn insert(&mut self, at: f64) -> usize {
+        let at = at.clamp(limits::STOP.low, limits::STOP.high);
+        let colour = self.gradient().colour(at as f32);
+        let index = self.stops.iter().take_while(|stop| stop.at <= at).count();
+        let (stops, gaps) = (self.stops.len(), self.stops.len().saturating_sub(1));
+        let bends = self.all_bends();
+        if index > 0 && index < stops {
+            let bend = bends[index - 1];
+            let [before, after] = [self.stops[index - 1].at, self.stops[index].at];
+            let parts = Bend(bend).split((at - before) / (after - before)).map(|part| within(part.0));
+            self.bends.splice(index - 1..index, parts);
+        } else if stops > 0 {
+            bends.insert(index.min(gaps), STRAIGHT);
+        }
+        self.stops.insert(index, Stop { at, colour });
+        self.tidy();
+        index
+    }
+
+    /// Takes stop `index` away, unless it is the only one; the way leads on from the stop before to the one after.
+    /// Gives whether it is gone.
+    pub fn remove(&mut self, index: usize) -> bool {
+        if self.stops.len() < 2 || index >= self.stops.len() {
+            return false;
+        }
+        let gradient = self.gradient();
+        let bends = self.all_bends();
+        if index == 0 {
+            bends.remove(0);
+        } else if index == bends.len() {
+            bends.pop();
+        } else {
+            let parts = [index - 1, index].map(|gap| Bend(bends[gap]));
+            let [from, at, to] = [index - 1, index, index + 1].map(|stop| self.stops[stop].at);
+            let x = if to > from { (at - from) / (to - from) } else { 0.5 };
+            let y = gradient.share(index - 1, index, index + 1);
+            let joined = within(parts[0].joined(&parts[1], [x, y]).0);
+            self.bends.splice(index - 1..=index, [joined]);
+        }
+        self.stops.remove(index);
+        self.tidy();
+        true
+    }
+
+    /// Moves stop `index` to pattern value `at`, past others if they are on the way; the ways between the stops stay
+    /// in their order. Gives its new index.
+    pub fn shift(&mut self, index: usize, at: f64) -> usize {
+        let at = at.clamp(limits::STOP.low, limits::STOP.high);
+        let stop = Stop { at, ..self.stops.remove(index) };
+        // Where it meets another it stays on the side it comes from.
+        let to = self
+            .stops
+            .iter()
+            .enumerate()
+            .take_while(|(i, other)| other.at < at || (other.at == at && *i < index))
+            .count();
+        self.stops.insert(to, stop);
+        to
+    }
+
+    /// Lets two stops exchange their colours; their places stay.
+    pub fn swap(&mut self, one: usize, other: usize) {
+        let colours = [one, other].map(|index| self.stops[index].colour);
+        self.stops[one].colour = colours[1];
+        self.stops[other].colour = colours[0];
+    }
+
+    /// The same ways from the last colour to the first.
+    pub fn reverse(&mut self) {
+        for stop in &mut self.stops {
+            stop.at = tidied(1.0 - stop.at);
+        }
+        self.stops.reverse();
+        let bends = self.all_bends();
+        bends.reverse();
+        for bend in bends {
+            *bend = Bend(*bend).reversed().0.map(tidied);
+        }
+        self.tidy();
+    }
+
+    /// The bends, one for each gap.
+    fn all_bends(&mut self) -> &mut Vec<[f64; 4]> {
+        self.bends.resize(self.stops.len().saturating_sub(1), STRAIGHT);
+        &mut self.bends
+    }
+
+    /// Leaves the straight ones at the end out, as a person would.
+    fn tidy(&mut self) {
+        while self.bends.last() == Some(&STRAIGHT) {
+            self.bends.pop();
+        }
+    }
+}
+
+impl From<&Gradient> for Colours {
+    fn from(gradient: &Gradient) -> Self {
+        // The f64 that reads as the f32 does: 0.4, not 0.4000000059604645.
+        let at = |at: f32| at.to_string().parse().unwrap_or_else(|_| f64::from(at));
+        let mut colours = Self {
+            stops: gradient.stops.iter().map(|stop| Stop { at: at(stop.at), colour: stop.colour }).collect(),
+            bends: gradient.bends.iter().map(|bend| bend.0).collect(),
+        };
+        colours.tidy();
+        colours
+    }
+}
+
+/// To 12 digits, so that 1 − (1 − 0.4) is 0.4 again.
+fn tidied(x: f64) -> f64 {
+    (1e12 * x).round() / 1e12
+}
+
+/// Handles as a document may hold them.
+fn within(bend: [f64; 4]) -> [f64; 4] {
+    let ranges = [limits::BEND_X, limits::BEND_Y, limits::BEND_X, limits::BEND_Y];
+    std::array::from_fn(|i| bend[i].clamp(ranges[i].low, ranges[i].high))
+}
+
+#[cfg(test)]
+mod tests;
+#[cfg(test)]
+pub(super) use tests::any_colours;

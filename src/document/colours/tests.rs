@@ -1,0 +1,132 @@
+use crate::colour::PRESETS;
+use crate::document::colours::*;
+use proptest::prelude::*;
+
+fn cheetah() -> Colours {
+    Colours::default_for_layer(0)
+}
+
+/// Colours that are worth being handled: up to six stops, some bent.
+pub(in crate::document) fn any_colours() -> impl Strategy<Value = Colours> {
+    let stops = prop::collection::vec((0..=1000_u32, any::<[u8; 3]>()), 1..6);
+    let bends = prop::collection::vec([0.0..=1.0, -2.0..=3.0, 0.0..=1.0, -2.0..=3.0], 0..5);
+    (stops, bends).prop_map(|(mut stops, bends)| {
+        stops.sort_by_key(|(at, _)| *at);
+        let bends = bends.into_iter().take(stops.len() - 1).collect();
+        let stops =
+            stops.into_iter().map(|(at, colour)| Stop { at: f64::from(at) / 1000.0, colour }).collect();
+        let mut colours = Colours { stops, bends };
+        colours.tidy();
+        colours
+    })
+}
+
+/// Largest difference of a channel over all pattern values.
+fn difference(one: &Colours, other: &Colours) -> u8 {
+    let [one, other] = [one, other].map(Colours::gradient);
+    let of = |v: f32| {
+        let [a, b] = [&one, &other].map(|gradient| gradient.colour(v));
+        (0..3).map(|channel| a[channel].abs_diff(b[channel])).max().unwrap_or(0)
+    };
+    (0..=200).map(|i| of(i as f32 / 200.0)).max().unwrap_or(0)
+}
+
+#[test]
+fn default_colours_are_those_of_the_painter() {
+    for layer in 0..6 {
+        let colours = Colours::default_for_layer(layer);
+        assert_eq!(colours.gradient().table(), Gradient::default_for_layer(layer).table());
+    }
+    assert_eq!(cheetah().stops.iter().map(|stop| stop.at).collect::<Vec<_>>(), [0.0, 0.4, 0.6, 1.0]);
+}
+
+#[test]
+fn a_stop_that_is_put_in_changes_nothing_and_can_be_taken_out_again() {
+    for preset in PRESETS {
+        let before = Colours::from(&preset.set.gradient());
+        for at in [0.1, 0.45, 0.5, 0.57, 0.8] {
+            let mut colours = before.clone();
+            let index = colours.insert(at);
+            assert_eq!(colours.stops[index].at, at);
+            assert!(difference(&colours, &before) <= 1, "{} at {at}: {colours:?}", preset.set.name);
+            assert!(colours.remove(index));
+            assert!(difference(&colours, &before) <= 2, "{} at {at}: {colours:?}", preset.set.name);
+        }
+    }
+}
+
+#[test]
+fn a_stop_moves_past_others_and_back() {
+    let mut colours = cheetah();
+    let before = colours.clone();
+    assert_eq!(colours.shift(1, 0.8), 2);
+    assert_eq!(colours.stops.iter().map(|stop| stop.at).collect::<Vec<_>>(), [0.0, 0.6, 0.8, 1.0]);
+    assert_eq!(colours.stops[2].colour, before.stops[1].colour);
+    assert_eq!(colours.shift(2, 0.4), 1);
+    assert_eq!(colours, before);
+    assert_eq!(colours.shift(1, 7.0), 2, "it comes to lie on the last, on the side it comes from");
+}
+
+#[test]
+fn the_last_stop_stays() {
+    let mut colours = Colours { stops: vec![Stop { at: 0.3, colour: [1, 2, 3] }], bends: vec![] };
+    assert!(!colours.remove(0));
+    assert_eq!(colours.insert(0.9), 1);
+    assert_eq!(colours.stops[1].colour, [1, 2, 3]);
+    assert!(colours.remove(0) && !colours.remove(0));
+}
+
+#[test]
+fn colours_are_swapped_in_their_places() {
+    let mut colours = cheetah();
+    let before = colours.clone();
+    colours.swap(0, 3);
+    assert_eq!(colours.stops[0], Stop { at: 0.0, ..before.stops[3] });
+    assert_eq!(colours.stops[3], Stop { at: 1.0, ..before.stops[0] });
+    colours.swap(3, 0);
+    assert_eq!(colours, before);
+}
+
+proptest! {
+    #[test]
+    fn reversed_twice_is_as_before(colours in any_colours()) {
+        let mut reversed = colours.clone();
+        reversed.reverse();
+        let back = [0.0_f32, 0.25, 0.5, 0.8].map(|v| reversed.gradient().colour(1.0 - v));
+        let hard = colours.stops.windows(2).any(|pair| pair[1].at - pair[0].at < 0.01);
+        if !hard {
+            for (v, back) in [0.0_f32, 0.25, 0.5, 0.8].into_iter().zip(back) {
+                let there = colours.gradient().colour(v);
+                let off = (0..3).map(|i| there[i].abs_diff(back[i])).max().unwrap_or(0);
+                // 1 − v is not exact, and the steepest ways turn that into more.
+                prop_assert!(off <= 8, "{v}: {there:?} {back:?}");
+            }
+        }
+        reversed.reverse();
+        prop_assert_eq!(&reversed.stops, &colours.stops);
+        for gap in 0..colours.stops.len() - 1 {
+            for (a, b) in reversed.bend(gap).into_iter().zip(colours.bend(gap)) {
+                prop_assert!((a - b).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn whatever_a_hand_does_the_colours_stay_sound(
+        mut colours in any_colours(),
+        deeds in prop::collection::vec((0..5_u8, any::<prop::sample::Index>(), -0.2..1.2_f64), 1..20),
+    ) {
+        for (deed, which, at) in deeds {
+            let index = which.index(colours.stops.len());
+            match deed {
+                0 => drop(colours.insert(at)),
+                1 => drop(colours.remove(index)),
+                2 => drop(colours.shift(index, at)),
+                3 => colours.reverse(),
+                _ => colours.set_bend(index, [at, 9.0 * at, at, -at]),
+            }
+            prop_assert_eq!(colours.gradient().check(), Ok(()));
+            prop_assert!(colours.bends.iter().all(|bend| *bend == within(*bend)));
+        }
+    }
+}

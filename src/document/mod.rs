@@ -1,0 +1,307 @@
+//! The document: all of a texture, and its `.dapple` file (JSON, UTF-8).
+//!
+//! A document that was read is valid: every number is finite and within [`limits`], every mark's centre lies on
+//! the canvas, and no layer mixes ellipses with lines (what a freehand stroke is, is found when it is fitted).
+//!
+//! | key | default |
+//! |---|---|
+//! | `format`, `version`, `size`, `layers`, a layer's `strokes`, a stroke's shape | required |
+//! | `name` | empty |
+//! | `regions` | `[1, 1]` |
+//! | `edges` | `"closed"` |
+//! | `seed` | 1 |
+//! | `dpi` | 300 |
+//! | `growth.refine` | true |
+//! | a layer's `name` | `layer 1`, `layer 2`, … |
+//! | a layer's `system` | `"auto"` |
+//! | a layer's `after` | `"between"` |
+//! | a layer's `visible` | true |
+//! | a layer's `seed` | derived from the document's: [`Document::layer_seed`] |
+//! | a layer's `options` | `{}` |
+//! | `options.spread`, of spots | `"drawn"` |
+//! | `options.duty`, of stripes | 0.5 |
+//! | `options.broken`, of `"after": "around"` | 0: closed rings |
+//! | `options.irregular`, of spots | 0 |
+//! | `options.keep` | true where there is one region and `irregular` is 0 |
+//! | `options.seeding`, of stripes | `"noise"` |
+//! | a layer's `colours` | the default set of that layer |
+//! | `colours.bends` | none: straight between all stops |
+//! | an ellipse's `angle` | 0 |
+//! | the `width` of a line or a freehand stroke | 6 px |
+//!
+//! `options.spread` of a layer of spots says how much they differ from each other, as [`Spread`] defines it:
+//!
+//! | value | meaning |
+//! |---|---|
+//! | `"drawn"` | as much as the marks of each region; those of fewer than six marks are even |
+//! | a number, 0–0.6 | the coefficient of variation of the area; shapes, directions and distances are even |
+//! | `{"area": 0–0.6, "angle": 0–45, "aspect": 0–0.2, "spacing": 0–0.2}` | each by itself; what is left out is even |
+
+//! `options.duty` of a layer of stripes, 0.2–0.5, says which share of the way from one stripe to the next each covers:
+//! they are as wide as drawn, and width ÷ duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as
+//! their gaps; below it `meinhardt-lines`, thin stripes on wide ground. `meinhardt-stripes` takes no other duty.
+//!
+//! `options.broken` of a layer `around` the one beneath, 0–0.6: the share of each ring that is open, in two to five gaps a
+//! ring, as on a leopard.
+//!
+//! `options.irregular` of a layer of spots, 0–1, says how irregular their shapes are: 0 grows ellipses, 1 beans, bars and
+//! drops that differ by 0.4 in area (β ± 3 of Phan & Grimm). Only `turing-spots` does that, which `auto` takes then; their
+//! spacing goes with their area. The mean area is as drawn; aspect and angle are those of the spots before they were bent.
+//!
+//! `options.keep`: whether the drawn marks are among those that grow. Each drawn ellipse then has a grown spot within a
+//! quarter of its radius √(r₁r₂), of its own size and shape as far as the spots of its region can differ; each drawn line
+//! lies in a stripe over nine tenths of its length. Where two are nearer to each other than such marks can stand, as many
+//! stay as can, and the report says how many do not. In many regions a mark says what is wanted around it, and may lie
+//! where the map between regions wants something else; there it is off unless asked for. On a canvas of another size than
+//! the document's the marks stand at the stretched places and keep their size. Not with `"after"` around, net, inside.
+//!
+//! `options.seeding` of a layer of stripes with a duty of 0.5 says what they begin from:
+//!
+//! | value | meaning |
+//! |---|---|
+//! | `"noise"` | noise of their wavelength and direction; they grow along a tensor and follow the direction to 4° (rms) |
+//! | `"segments"` | short lines of their direction at random places, and no tensor, as in Phan & Grimm, V.1: forked and wavy, 18° off (rms) |
+//! | `"initiators"` | the drawn lines alone, and no tensor: stripes radiate from them in regular order, as in Turk's "Regular Stripe Patterns" and Phan & Grimm, figure 11 |
+
+mod choices;
+mod colours;
+pub mod embedded;
+mod error;
+mod file;
+pub mod limits;
+mod migrate;
+mod node;
+pub mod palette;
+mod reader;
+mod strokes;
+mod syntax;
+mod writer;
+
+use crate::attributes::Spread;
+pub use crate::rd::Seeding;
+pub use choices::{After, Kind, SystemChoice};
+pub use colours::{Colours, Stop};
+pub use embedded::{Extent, in_picture, in_stream, open};
+pub use error::{DocumentError, Problem};
+
+use crate::grid::Edges;
+use crate::marks::{Ellipse, Line};
+
+/// All of a texture: what was drawn and how it is to be grown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// What people call it.
+    pub name: String,
+    /// Width and height of the canvas, px, 1 to [`limits::MAX_SIDE`] each.
+    pub size: [u32; 2],
+    /// Columns and rows of regions, 1 to [`limits::MAX_REGIONS`] each.
+    pub regions: [u32; 2],
+    /// What lies beyond the border.
+    pub edges: Edges,
+    /// Where all chance comes from.
+    pub seed: u64,
+    /// Dots an inch, for print.
+    pub dpi: f64,
+    /// How it is grown.
+    pub growth: Growth,
+    /// The layers, the lowest first; at least one.
+    pub layers: Vec<Layer>,
+}
+
+impl Default for Document {
+    /// An empty canvas of 512 × 512 px; it has no layers yet and so is not valid yet.
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            size: [512, 512],
+            regions: [1, 1],
+            edges: Edges::Closed,
+            seed: 1,
+            dpi: 300.0,
+            growth: Growth::default(),
+            layers: Vec::new(),
+        }
+    }
+}
+
+impl Document {
+    /// The seed of the layer at `index` (0 = the lowest): its own or, where it has none, one derived from the
+    /// document's.
+    ///
+    /// The derived one is the output at position `index` + 1 of SplitMix64 started from the document's seed
+    /// (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014, fig. 17), so that
+    /// neighbouring document seeds share no layer's.
+    #[must_use]
+    pub fn layer_seed(&self, index: usize) -> u64 {
+        const GOLDEN_GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
+        if let Some(seed) = self.layers.get(index).and_then(|layer| layer.seed) {
+            return seed;
+        }
+        let mut z = self.seed.wrapping_add(GOLDEN_GAMMA.wrapping_mul(index as u64 + 1));
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+}
+
+impl Document {
+    /// Do the drawn marks of the layer at `index` stay where they were drawn? Unless it says so itself, where there is one
+    /// region. In many, marks say what is wanted around them and may lie where the map between regions wants something
+    /// else; and irregular spots are none that a drawn ellipse would tell of.
+    #[must_use]
+    pub fn keeps(&self, index: usize) -> bool {
+        let Some(Layer { options, after, .. }) = self.layers.get(index) else { return false };
+        let usual = self.regions == [1, 1] && options.irregular == 0.0;
+        // The lowest layer has nothing beneath it to come after.
+        (index == 0 || *after == After::Between) && options.keep.unwrap_or(usual)
+    }
+}
+
+/// How a document is grown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Growth {
+    /// Whether a grown texture is measured and its parameters are corrected by what was found.
+    pub refine: bool,
+}
+
+impl Default for Growth {
+    fn default() -> Self {
+        Self { refine: true }
+    }
+}
+
+/// One set of marks and the system that grows it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    /// What people call it.
+    pub name: String,
+    /// Which system grows it.
+    pub system: SystemChoice,
+    /// How it meets the frozen marks beneath it.
+    pub after: After,
+    /// Whether it is painted.
+    pub visible: bool,
+    /// Its own seed; `None` = derived, see [`Document::layer_seed`].
+    pub seed: Option<u64>,
+    /// What was drawn; at least one.
+    pub strokes: Vec<Stroke>,
+    /// What its system can be told beyond the marks.
+    pub options: Options,
+    /// Its colours; `None` = the default set of that layer.
+    pub colours: Option<Colours>,
+}
+
+impl Layer {
+    /// The system that is asked for: only one grows irregular spots.
+    #[must_use]
+    pub fn choice(&self) -> SystemChoice {
+        if self.options.irregular > 0.0 { SystemChoice::TuringSpots } else { self.system }
+    }
+}
+
+impl Default for Layer {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            system: SystemChoice::Auto,
+            after: After::Between,
+            visible: true,
+            seed: None,
+            strokes: Vec::new(),
+            options: Options::default(),
+            colours: None,
+        }
+    }
+}
+
+/// What a layer's system can be told beyond the marks; which keys each takes stands in [`SystemChoice::option_keys`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// How much its spots differ from each other.
+    pub spread: SpreadChoice,
+    /// Stripe ÷ period, 0.2–0.5.
+    pub duty: f64,
+    /// The share of each ring of an `around` layer that is open, 0..[`limits::BROKEN`].
+    pub broken: f64,
+    /// How irregular its spots are, 0–1.
+    pub irregular: f64,
+    /// Whether the drawn marks are among those that grow; `None` = see [`Document::keeps`].
+    pub keep: Option<bool>,
+    /// What its stripes begin from.
+    pub seeding: Seeding,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            spread: SpreadChoice::default(),
+            duty: Self::DUTY,
+            broken: 0.0,
+            irregular: 0.0,
+            keep: None,
+            seeding: Seeding::Noise,
+        }
+    }
+}
+
+/// How much the spots of a layer differ from each other.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum SpreadChoice {
+    /// As much as the marks of their region, where these are at least six; elsewhere not at all.
+    #[default]
+    Drawn,
+    /// So much everywhere, whatever was drawn.
+    Given(Spread),
+}
+
+/// What a hand drew.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stroke {
+    /// A spot.
+    Ellipse(Ellipse),
+    /// A piece of a stripe.
+    Line(Line),
+    /// A path of the pen: closed, it is an ellipse; open, a line. It is fitted when the document is grown.
+    Freehand {
+        /// Points in the order in which they were drawn, px; at least two.
+        points: Vec<[f64; 2]>,
+        /// Width of the pen, px: the line's, if it is one.
+        width: f64,
+    },
+}
+
+impl Stroke {
+    /// Width of a line or a freehand stroke that states none, px.
+    pub const WIDTH: f64 = 6.0;
+
+    /// What it is; `None` for a freehand stroke, which must be fitted first.
+    #[must_use]
+    pub fn kind(&self) -> Option<Kind> {
+        match self {
+            Self::Ellipse(_) => Some(Kind::Ellipse),
+            Self::Line(_) => Some(Kind::Line),
+            Self::Freehand { .. } => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_layer_without_a_seed_gets_splitmix64_of_the_documents() {
+        let document = Document { seed: 0, layers: vec![Layer::default(); 3], ..Document::default() };
+        // The first outputs of SplitMix64 from 0, as published with the generator.
+        assert_eq!(document.layer_seed(0), 0xe220_a839_7b1d_cdaf);
+        assert_eq!(document.layer_seed(1), 0x6e78_9e6a_a1b9_65f4);
+        assert_eq!(document.layer_seed(2), 0x06c4_5d18_8009_454f);
+    }
+
+    #[test]
+    fn a_layer_keeps_its_own_seed() {
+        let layer = Layer { seed: Some(7), ..Layer::default() };
+        let document = Document { layers: vec![layer], ..Document::default() };
+        assert_eq!(document.layer_seed(0), 7);
+    }
+}

@@ -1,0 +1,246 @@
+//! A JSON value that knows its place, and the checked ways to read it.
+
+use crate::document::error::Problem;
+use crate::document::limits::Range;
+use serde_json::{Map, Value};
+
+/// A value and the path that leads to it.
+///
+/// The path is a chain of borrowed nodes and becomes text only in a message.
+pub(super) struct Node<'a> {
+    value: &'a Value,
+    parent: Option<&'a Node<'a>>,
+    step: Step<'a>,
+}
+
+#[derive(Clone, Copy)]
+enum Step<'a> {
+    Root,
+    Key(&'a str),
+    Item(usize),
+}
+
+impl<'a> Node<'a> {
+    /// The whole document.
+    pub(super) fn root(value: &'a Value) -> Self {
+        Self { value, parent: None, step: Step::Root }
+    }
+
+    /// Its JSON path.
+    pub(super) fn place(&self) -> String {
+        let before = self.parent.filter(|parent| parent.parent.is_some()).map(Node::place);
+        match (self.step, before) {
+            (Step::Root, _) => "the document".to_owned(),
+            (Step::Key(key), Some(before)) => format!("{before}.{key}"),
+            (Step::Key(key), None) => key.to_owned(),
+            (Step::Item(i), before) => format!("{}[{i}]", before.unwrap_or_default()),
+        }
+    }
+
+    /// The problem that something else than `allowed` stands here.
+    pub(super) fn wrong(&self, allowed: impl Into<String>) -> Problem {
+        Problem::new(self.place(), quoted(self.value), allowed)
+    }
+
+    /// The problem that `found`, in words, stands here.
+    pub(super) fn found(&self, found: impl Into<String>, allowed: impl Into<String>) -> Problem {
+        Problem::new(self.place(), found, allowed)
+    }
+
+    /// Checks that it is an object with no other keys than `known`.
+    pub(super) fn keys(&self, known: &[&str]) -> Result<(), Problem> {
+        for key in self.object()?.keys() {
+            if !known.contains(&key.as_str()) {
+                let shown = quoted(&Value::from(key.as_str()));
+                let near =
+                    nearest(key, known).map_or(String::new(), |near| format!(" (did you mean {near}?)"));
+                let list = if known.is_empty() { "no keys here yet".to_owned() } else { known.join(", ") };
+                return Err(self.found(format!("the unknown key {shown}"), list + &near));
+            }
+        }
+        Ok(())
+    }
+
+    /// Is it an object?
+    pub(super) fn is_object(&self) -> bool {
+        self.value.is_object()
+    }
+
+    fn object(&self) -> Result<&'a Map<String, Value>, Problem> {
+        self.value.as_object().ok_or_else(|| self.wrong("an object {…}"))
+    }
+
+    /// The value of `key`, if there is one.
+    pub(super) fn get<'b>(&'b self, key: &'b str) -> Option<Node<'b>> {
+        let value = self.value.as_object()?.get(key)?;
+        Some(Node { value, parent: Some(self), step: Step::Key(key) })
+    }
+
+    /// The value of `key`, which must be there and be `allowed`.
+    pub(super) fn need<'b>(&'b self, key: &'b str, allowed: &str) -> Result<Node<'b>, Problem> {
+        self.object()?;
+        self.get(key).ok_or_else(|| self.found(format!("no key \"{key}\""), format!("\"{key}\": {allowed}")))
+    }
+
+    /// Its items, if it is a list.
+    pub(super) fn items<'b>(
+        &'b self,
+        allowed: &str,
+    ) -> Result<impl Iterator<Item = Node<'b>> + use<'a, 'b>, Problem> {
+        let list = self.value.as_array().ok_or_else(|| self.wrong(allowed))?;
+        Ok(list.iter().enumerate().map(move |(i, value)| Node {
+            value,
+            parent: Some(self),
+            step: Step::Item(i),
+        }))
+    }
+
+    /// Its two numbers, the first in `ranges[0]`, the second in `ranges[1]`.
+    pub(super) fn numbers<const N: usize>(&self, ranges: [Range; N]) -> Result<[f64; N], Problem> {
+        let mut numbers = [0.0; N];
+        let mut items = self.items_of(N, "numbers")?;
+        for (number, range) in numbers.iter_mut().zip(&ranges) {
+            if let Some(item) = items.next() {
+                *number = item.number(range)?;
+            }
+        }
+        Ok(numbers)
+    }
+
+    /// Its two whole numbers, each from 1 to its `most`.
+    pub(super) fn counts(&self, most: [u32; 2]) -> Result<[u32; 2], Problem> {
+        let mut counts = [0; 2];
+        let mut items = self.items_of(2, "whole numbers")?;
+        for (count, most) in counts.iter_mut().zip(most) {
+            if let Some(item) = items.next() {
+                // Cannot be cut: it is at most `most`.
+                *count = item.whole(1, u64::from(most))? as u32;
+            }
+        }
+        Ok(counts)
+    }
+
+    fn items_of(&self, n: usize, what: &str) -> Result<impl Iterator<Item = Node<'_>>, Problem> {
+        let allowed = format!("a list of {n} {what}");
+        match self.value.as_array() {
+            Some(list) if list.len() == n => self.items(&allowed),
+            _ => Err(self.wrong(allowed)),
+        }
+    }
+
+    /// A number within `range`.
+    pub(super) fn number(&self, range: &Range) -> Result<f64, Problem> {
+        let number = self.value.as_f64().filter(|number| range.holds(*number));
+        number.ok_or_else(|| self.wrong(range.to_string()))
+    }
+
+    /// A whole number from `low` to `high`; `512.0` is one too, as long as an f64 is exact.
+    pub(super) fn whole(&self, low: u64, high: u64) -> Result<u64, Problem> {
+        const EXACT: f64 = 9_007_199_254_740_992.0;
+        let float = || self.value.as_f64().filter(|x| x.fract() == 0.0 && (0.0..=EXACT).contains(x));
+        let number = self.value.as_u64().or_else(|| float().map(|x| x as u64));
+        let number = number.filter(|number| (low..=high).contains(number));
+        number.ok_or_else(|| self.wrong(format!("a whole number from {low} to {high}")))
+    }
+
+    /// True or false.
+    pub(super) fn flag(&self) -> Result<bool, Problem> {
+        self.value.as_bool().ok_or_else(|| self.wrong("true or false"))
+    }
+
+    /// A text.
+    pub(super) fn text(&self, allowed: &str) -> Result<&'a str, Problem> {
+        self.value.as_str().ok_or_else(|| self.wrong(allowed))
+    }
+
+    /// The one of `choices` that is named here.
+    pub(super) fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, Problem> {
+        let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
+        let named = |text| choices.iter().find(|(name, _)| *name == text);
+        if let Some((_, choice)) = self.value.as_str().and_then(named) {
+            return Ok(*choice);
+        }
+        let near = self.value.as_str().and_then(|text| nearest(text, &names));
+        let near = near.map_or(String::new(), |near| format!(" (did you mean {near}?)"));
+        Err(self.wrong(format!("{}{near}", names.join(", "))))
+    }
+}
+
+/// A value as it may stand in a message: JSON on one line, shortened, nothing that would act on a terminal.
+pub(super) fn quoted(value: &Value) -> String {
+    const LONGEST: usize = 60;
+    let json = match value {
+        // A long list is not written out only to be cut.
+        Value::Array(list) if list.len() > LONGEST => format!("a list of {} values", list.len()),
+        Value::Null => "null".to_owned(),
+        value => value.to_string(),
+    };
+    visible(&json, LONGEST)
+}
+
+/// The first characters of `text`, with nothing that would act on a terminal.
+pub(super) fn visible(text: &str, longest: usize) -> String {
+    let mut shown = String::new();
+    for (i, c) in text.chars().enumerate() {
+        if i == longest {
+            shown.push('…');
+            break;
+        }
+        if c.is_control() || invisible(c) { shown.extend(c.escape_unicode()) } else { shown.push(c) }
+    }
+    shown
+}
+
+/// Marks that change the direction of text, or take no room.
+fn invisible(c: char) -> bool {
+    matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}')
+}
+
+/// The name that a mistyped `word` probably meant.
+fn nearest<'n>(word: &str, names: &[&'n str]) -> Option<&'n str> {
+    let word: Vec<char> = word.chars().take(40).flat_map(char::to_lowercase).collect();
+    let near = names.iter().map(|name| (edits(&word, &name.chars().collect::<Vec<_>>()), *name)).min()?;
+    // A third of the letters wrong, as a mistyped or a British word has; more is another word.
+    (near.0 <= (word.len() / 3).max(1)).then_some(near.1)
+}
+
+/// Levenshtein distance: insertions, deletions and exchanges that make `a` of `b`.
+fn edits(a: &[char], b: &[char]) -> usize {
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.iter().enumerate() {
+        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
+        for (j, y) in b.iter().enumerate() {
+            let exchanged = diagonal + usize::from(x != y);
+            diagonal = row[j + 1];
+            row[j + 1] = exchanged.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edits_are_counted() {
+        let count = |a: &str, b: &str| edits(&a.chars().collect::<Vec<_>>(), &b.chars().collect::<Vec<_>>());
+        assert_eq!(count("kitten", "sitting"), 3);
+        assert_eq!(count("", "abc"), 3);
+        assert_eq!(count("radii", "radii"), 0);
+    }
+
+    #[test]
+    fn a_slip_is_recognised_and_another_word_is_not() {
+        assert_eq!(nearest("Centre", &["kind", "center", "radii"]), Some("center"));
+        assert_eq!(nearest("wobble", &["kind", "center", "radii"]), None);
+        assert_eq!(nearest("x", &[]), None);
+    }
+
+    #[test]
+    fn what_is_quoted_cannot_act_on_a_terminal() {
+        let shown = quoted(&Value::from("a\u{1b}[31m\u{9b}\u{202e}b"));
+        assert_eq!(shown, "\"a\\u001b[31m\\u{9b}\\u{202e}b\"");
+        assert!(quoted(&Value::from("x".repeat(10_000))).chars().count() <= 61);
+    }
+}

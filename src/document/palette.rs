@@ -1,0 +1,277 @@
+//! The colours of a layer as a file of their own: `.json`, which keeps everything, and `.gpl`, which other programs know.
+//!
+//! `{"format": "dapple palette", "version": 1, "name": "zebra", "colours": {"stops": […], "bends": […]}}`, with `colours`
+//! as a layer's in a document. A GIMP palette knows neither places nor bends: the places are written as the colours'
+//! names (`at 0.4`) and read back from there; where a colour has another name all are spread evenly. Bends are lost.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+
+use serde_json::json;
+
+use crate::colour::gpl::{self, GplError, Swatch};
+use crate::document::node::Node;
+use crate::document::{Colours, DocumentError, Problem, Stop, limits, reader, syntax, writer};
+use crate::export::{ExportError, save};
+
+/// Colours with a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Palette {
+    /// Its name; may be empty.
+    pub name: String,
+    /// Its colours.
+    pub colours: Colours,
+}
+
+/// Most colours of a palette that become stops: more cannot be told apart on a bar.
+pub const MOST_STOPS: usize = 64;
+/// Largest palette that is read, bytes: 64 stops take 4 kB.
+const MAX_FILE: u64 = 1 << 20;
+const FORMAT: &str = "dapple palette";
+const VERSION: u64 = 1;
+
+/// Why a palette could not be read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum PaletteError {
+    /// The file cannot be opened or read.
+    #[error("{file}: cannot be read")]
+    Unreadable {
+        /// The file.
+        file: String,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The file is larger than any palette.
+    #[error(
+        "{file}: found a file of more than {MAX_FILE} bytes; allowed: a palette of at most {MAX_FILE} bytes"
+    )]
+    TooLarge {
+        /// The file.
+        file: String,
+    },
+    /// The name does not say what it is.
+    #[error(
+        "{file}: found the ending \"{ending}\"; allowed: .json (keeps everything) or .gpl (a GIMP palette)"
+    )]
+    Ending {
+        /// The file.
+        file: String,
+        /// Its ending.
+        ending: String,
+    },
+    /// It is no GIMP palette.
+    #[error("{file}: {problem}")]
+    Gpl {
+        /// The file.
+        file: String,
+        /// Where and why.
+        problem: GplError,
+    },
+    /// It has no colours, or more than a bar can hold.
+    #[error(
+        "{file}: found {found} colours; allowed: 1 to {MOST_STOPS}; leave some out, or take them from it by hand"
+    )]
+    Count {
+        /// The file.
+        file: String,
+        /// How many.
+        found: usize,
+    },
+    /// It is no palette of ours.
+    #[error(transparent)]
+    Json(#[from] DocumentError),
+    /// The file cannot be written.
+    #[error(transparent)]
+    Unwritable(#[from] ExportError),
+}
+
+enum Form {
+    Json,
+    Gpl,
+}
+
+impl Palette {
+    /// Reads a `.json` or `.gpl` file.
+    ///
+    /// # Errors
+    /// Where it cannot be read or is no palette.
+    pub fn read(path: &Path) -> Result<Self, PaletteError> {
+        let file = path.display().to_string();
+        let form = form(path)?;
+        let unreadable = |source| PaletteError::Unreadable { file: file.clone(), source };
+        if fs::metadata(path).map_err(unreadable)?.len() > MAX_FILE {
+            return Err(PaletteError::TooLarge { file });
+        }
+        let bytes =
+            fs::read(path).map_err(|source| PaletteError::Unreadable { file: file.clone(), source })?;
+        match form {
+            Form::Json => {
+                let text = syntax::text(&bytes).map_err(|problem| problem.in_file(&file))?;
+                Ok(Self::parse_json(text, &file)?)
+            }
+            Form::Gpl => Self::parse_gpl(&String::from_utf8_lossy(&bytes), &file),
+        }
+    }
+
+    /// Writes a `.json` or `.gpl` file, or leaves what was there.
+    ///
+    /// # Errors
+    /// Where the ending is another one, or it cannot be written.
+    pub fn write(&self, path: &Path) -> Result<(), PaletteError> {
+        let text = match form(path)? {
+            Form::Json => self.to_json(),
+            Form::Gpl => self.to_gpl(),
+        };
+        Ok(save(path, |out| Ok(out.write_all(text.as_bytes())?))?)
+    }
+
+    /// Reads the text of a `.json` file; `source_name`, mostly the file's, stands in errors.
+    ///
+    /// # Errors
+    /// Where it is not JSON, or no palette: the place, what was found, what is allowed.
+    pub fn parse_json(text: &str, source_name: &str) -> Result<Self, DocumentError> {
+        let value = syntax::json(text).map_err(|problem| problem.in_file(source_name))?;
+        palette(&Node::root(&value)).map_err(|problem| problem.in_file(source_name))
+    }
+
+    /// The text of its `.json` file.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        let colours = writer::colours(&self.colours);
+        writer::text(&json!({"format": FORMAT, "version": VERSION, "name": self.name, "colours": colours}))
+    }
+
+    /// Reads the text of a `.gpl` file.
+    ///
+    /// # Errors
+    /// Where a line is none of such a file, or there are too many colours.
+    pub fn parse_gpl(text: &str, source_name: &str) -> Result<Self, PaletteError> {
+        let file = || source_name.to_owned();
+        let gpl::Palette { name, swatches } =
+            gpl::Palette::parse(text).map_err(|problem| PaletteError::Gpl { file: file(), problem })?;
+        if swatches.is_empty() || swatches.len() > MOST_STOPS {
+            return Err(PaletteError::Count { file: file(), found: swatches.len() });
+        }
+        let places = named(&swatches).unwrap_or_else(|| even(swatches.len()));
+        let stops = places.into_iter().zip(&swatches).map(|(at, swatch)| Stop { at, colour: swatch.colour });
+        Ok(Self { name, colours: Colours { stops: stops.collect(), bends: Vec::new() } })
+    }
+
+    /// The text of its `.gpl` file: colours and places, no bends.
+    #[must_use]
+    pub fn to_gpl(&self) -> String {
+        let stops = self.colours.stops.iter();
+        let swatches = stops.map(|stop| Swatch { colour: stop.colour, name: format!("at {}", stop.at) });
+        gpl::Palette { name: self.name.clone(), swatches: swatches.collect() }.text()
+    }
+}
+
+fn form(path: &Path) -> Result<Form, PaletteError> {
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    match ending.as_str() {
+        "json" => Ok(Form::Json),
+        "gpl" => Ok(Form::Gpl),
+        _ => Err(PaletteError::Ending { file: path.display().to_string(), ending }),
+    }
+}
+
+fn palette(root: &Node) -> Result<Palette, Problem> {
+    root.keys(&["format", "version", "name", "colours"])?;
+    let format = root.need("format", "\"dapple palette\"")?;
+    if format.text("\"dapple palette\"")? != FORMAT {
+        return Err(format.wrong("\"dapple palette\" (a document is opened as such)"));
+    }
+    let version = root.need("version", "1")?;
+    version.whole(VERSION, VERSION)?;
+    let name = root.get("name").map_or(Ok(""), |node| node.text("a text"))?;
+    let colours = root.need("colours", "an object with stops and bends")?;
+    let colours = reader::colours(&colours)?;
+    Ok(Palette { name: name.chars().take(limits::MAX_NAME).collect(), colours })
+}
+
+/// The places that stand in the names, if all do and ascend.
+fn named(swatches: &[Swatch]) -> Option<Vec<f64>> {
+    let place =
+        |swatch: &Swatch| swatch.name.strip_prefix("at ")?.parse().ok().filter(|at| limits::STOP.holds(*at));
+    let places: Vec<f64> = swatches.iter().map(place).collect::<Option<_>>()?;
+    places.is_sorted().then_some(places)
+}
+
+/// From 0 to 1; one alone at 0.
+fn even(count: usize) -> Vec<f64> {
+    let last = count.saturating_sub(1).max(1) as f64;
+    // To four digits: nobody wants to read 0.3333333333333333.
+    (0..count).map(|index| (1e4 * index as f64 / last).round() / 1e4).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::colours::any_colours;
+    use proptest::prelude::*;
+
+    fn said(text: &str) -> String {
+        Palette::parse_json(text, "a.json").unwrap_err().to_string()
+    }
+
+    #[test]
+    fn what_is_wrong_in_a_palette_is_named() {
+        let with = |rest: &str| format!("{{\"format\": \"dapple palette\", \"version\": 1, {rest}}}");
+        assert!(said("{").starts_with("a.json: line 1"), "{}", said("{"));
+        assert!(said("{\"format\": \"dapple\"}").contains("a document is opened as such"));
+        let newer = said("{\"format\": \"dapple palette\", \"version\": 2, \"colours\": {}}");
+        assert!(newer.contains("version: found 2; allowed"), "{newer}");
+        let missing = said(&with("\"name\": \"x\""));
+        assert!(missing.contains("found no key \"colours\""), "{missing}");
+        let colour = said(&with("\"colours\": {\"stops\": [{\"at\": 0, \"colour\": \"red\"}]}"));
+        assert!(colour.contains("colours.stops[0].colour: found \"red\"; allowed: #rrggbb"), "{colour}");
+        let gpl = Palette::parse_gpl("GIMP Palette\n1 2 x", "a.gpl").unwrap_err().to_string();
+        assert!(gpl.starts_with("a.gpl: line 2: found \"1 2 x\""), "{gpl}");
+        let none = Palette::parse_gpl("GIMP Palette\n", "a.gpl").unwrap_err().to_string();
+        assert!(none.contains("found 0 colours; allowed: 1 to 64"), "{none}");
+    }
+
+    #[test]
+    fn colours_of_other_programs_are_spread_evenly() {
+        let palette =
+            Palette::parse_gpl("GIMP Palette\nName: x\n1 1 1 ink\n2 2 2\n3 3 3\tat 0.9\n", "").unwrap();
+        assert_eq!(palette.colours.stops.iter().map(|stop| stop.at).collect::<Vec<_>>(), [0.0, 0.5, 1.0]);
+    }
+
+    #[test]
+    fn files_are_told_apart_by_their_ending() {
+        let folder = tempfile::tempdir().unwrap();
+        let palette = Palette { name: "coat".to_owned(), colours: Colours::default_for_layer(0) };
+        for name in ["a.json", "a.gpl", "A.GPL"] {
+            let path = folder.path().join(name);
+            palette.write(&path).unwrap();
+            let read = Palette::read(&path).unwrap();
+            assert_eq!((&read.name, &read.colours.stops), (&palette.name, &palette.colours.stops), "{name}");
+        }
+        let wrong = palette.write(&folder.path().join("a.png")).unwrap_err().to_string();
+        assert!(wrong.contains("found the ending \"png\"; allowed: .json"), "{wrong}");
+        assert!(matches!(Palette::read(&folder.path().join("no.gpl")), Err(PaletteError::Unreadable { .. })));
+    }
+
+    proptest! {
+        #[test]
+        fn json_keeps_everything(colours in any_colours(), name in "\\PC{0,20}") {
+            let palette = Palette { name, colours };
+            prop_assert_eq!(Palette::parse_json(&palette.to_json(), "a.json").unwrap(), palette);
+        }
+
+        #[test]
+        fn gpl_keeps_colours_and_places(colours in any_colours()) {
+            let palette = Palette { name: "x y".to_owned(), colours };
+            let read = Palette::parse_gpl(&palette.to_gpl(), "a.gpl").unwrap();
+            prop_assert_eq!(read.name, palette.name);
+            prop_assert_eq!(read.colours.stops, palette.colours.stops);
+        }
+
+        #[test]
+        fn no_text_makes_it_stumble(text in "\\PC{0,60}") {
+            let _ = (Palette::parse_json(&text, ""), Palette::parse_gpl(&text, ""));
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! A JSON value → a checked document, key by key.
+
+use crate::attributes::Spread;
+use crate::document::choices::SEEDINGS;
+use crate::document::limits;
+use crate::document::limits::Range;
+use crate::document::node::Node;
+use crate::document::strokes;
+use crate::document::{
+    After, Colours, Document, Growth, Kind, Layer, Options, Problem, SpreadChoice, Stop, SystemChoice,
+};
+use crate::grid::Edges;
+
+pub(super) const EDGES: [(&str, Edges); 2] = [("closed", Edges::Closed), ("wrap", Edges::Wrap)];
+
+/// The document that `root`, of the newest version, holds.
+pub(super) fn document(root: &Node) -> Result<Document, Problem> {
+    root.keys(&["format", "version", "name", "size", "regions", "edges", "seed", "dpi", "growth", "layers"])?;
+    let default = Document::default();
+    let size = root.need("size", "[width, height] in px")?.counts([limits::MAX_SIDE; 2])?;
+    let most = size.map(|side| side.min(limits::MAX_REGIONS));
+    Ok(Document {
+        name: name(root)?.unwrap_or(default.name),
+        size,
+        regions: root.get("regions").map_or(Ok(default.regions), |node| node.counts(most))?,
+        edges: root.get("edges").map_or(Ok(default.edges), |node| node.choice(&EDGES))?,
+        seed: seed(root)?.unwrap_or(default.seed),
+        dpi: root.get("dpi").map_or(Ok(default.dpi), |node| node.number(&limits::DPI))?,
+        growth: root.get("growth").map_or(Ok(default.growth), |node| growth(&node))?,
+        layers: layers(&root.need("layers", "a list of layers")?, size)?,
+    })
+}
+
+fn name(node: &Node) -> Result<Option<String>, Problem> {
+    let Some(node) = node.get("name") else { return Ok(None) };
+    let allowed = format!("a text of at most {} characters", limits::MAX_NAME);
+    let name = node.text(&allowed)?;
+    if name.chars().count() > limits::MAX_NAME { Err(node.wrong(allowed)) } else { Ok(Some(name.to_owned())) }
+}
+
+fn seed(node: &Node) -> Result<Option<u64>, Problem> {
+    node.get("seed").map(|node| node.whole(0, u64::MAX)).transpose()
+}
+
+fn growth(node: &Node) -> Result<Growth, Problem> {
+    node.keys(&["refine"])?;
+    let refine = node.get("refine").map_or(Ok(Growth::default().refine), |node| node.flag())?;
+    Ok(Growth { refine })
+}
+
+fn layers(node: &Node, size: [u32; 2]) -> Result<Vec<Layer>, Problem> {
+    let allowed = format!("a list of 1 to {} layers", limits::MAX_LAYERS);
+    let layers = node.items(&allowed)?.enumerate();
+    let layers: Vec<Layer> = layers.map(|(i, node)| layer(&node, i, size)).collect::<Result<_, _>>()?;
+    match layers.len() {
+        0 => Err(node.found("no layers", allowed)),
+        n if n > limits::MAX_LAYERS => Err(node.found(format!("{n} layers"), allowed)),
+        _ => Ok(layers),
+    }
+}
+
+fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
+    node.keys(&["name", "system", "after", "visible", "seed", "strokes", "options", "colours"])?;
+    let default = Layer::default();
+    let system = node.get("system").map_or(Ok(default.system), |node| node.choice(&SystemChoice::NAMES))?;
+    let strokes = strokes::strokes(&node.need("strokes", "a list of strokes")?, size)?;
+    let kind = strokes.iter().find_map(crate::document::Stroke::kind);
+    if let Some(kind) = kind {
+        let place = format!("{}.system", node.place());
+        system.mismatch(&place, kind).map_or(Ok(()), Err)?;
+    }
+    let after = node.get("after").map_or(Ok(default.after), |node| node.choice(&After::NAMES))?;
+    Ok(Layer {
+        name: name(node)?.unwrap_or_else(|| format!("layer {}", index + 1)),
+        system,
+        after,
+        visible: node.get("visible").map_or(Ok(default.visible), |node| node.flag())?,
+        seed: seed(node)?,
+        strokes,
+        options: node
+            .get("options")
+            .map_or(Ok(default.options), |node| options(&node, system, kind, after))?,
+        colours: node.get("colours").map(|node| colours(&node)).transpose()?,
+    })
+}
+
+fn options(node: &Node, system: SystemChoice, kind: Option<Kind>, after: After) -> Result<Options, Problem> {
+    if let Some(problem) =
+        node.get("spread").and_then(|node| SpreadChoice::mismatch(&node.place(), system.grows().or(kind)))
+    {
+        return Err(problem);
+    }
+    let keys = [system.option_keys(), after.option_keys()].concat();
+    node.keys(&keys)?;
+    let default = Options::default();
+    let options = Options {
+        spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))?,
+        broken: node.get("broken").map_or(Ok(default.broken), |node| node.number(&limits::BROKEN))?,
+        duty: node.get("duty").map_or(Ok(default.duty), |node| node.number(&limits::DUTY))?,
+        irregular: node
+            .get("irregular")
+            .map_or(Ok(default.irregular), |node| node.number(&limits::IRREGULAR))?,
+        seeding: node.get("seeding").map_or(Ok(default.seeding), |node| node.choice(&SEEDINGS))?,
+        keep: node.get("keep").map(|node| node.flag()).transpose()?,
+    };
+    if options.irregular > 0.0 && after == After::Inside {
+        let place = format!("{}.irregular", node.place());
+        let allowed = "0: a spot inside another begins and stays as an ellipse";
+        return Err(Problem::new(place, format!("{} of a layer \"inside\"", options.irregular), allowed));
+    }
+    let problem = options.mismatch(&node.place(), system, kind);
+    problem.or_else(|| options.placed(&node.place(), after)).map_or(Ok(options), Err)
+}
+
+/// `"drawn"`, the variation of the area, or an object.
+fn spread(node: &Node) -> Result<SpreadChoice, Problem> {
+    if node.is_object() {
+        node.keys(&Spread::EVEN.named().map(|(name, _)| name))?;
+        let number = |key: &str, range| node.get(key).map_or(Ok(0.0), |node| node.number(range));
+        return Ok(SpreadChoice::Given(Spread {
+            area: number("area", &limits::SPREAD_AREA)?,
+            angle: number("angle", &limits::SPREAD_ANGLE)?,
+            aspect: number("aspect", &limits::SPREAD_ASPECT)?,
+            spacing: number("spacing", &limits::SPREAD_SPACING)?,
+        }));
+    }
+    let allowed = format!(
+        "\"drawn\", {} (the areas' coefficient of variation), or an object with area, angle, aspect, spacing",
+        limits::SPREAD_AREA
+    );
+    if node.text(&allowed) == Ok("drawn") {
+        return Ok(SpreadChoice::Drawn);
+    }
+    match node.number(&limits::SPREAD_AREA) {
+        Ok(area) => Ok(SpreadChoice::Given(Spread { area, ..Spread::EVEN })),
+        Err(_) => Err(node.wrong(allowed)),
+    }
+}
+
+/// The colours of a layer or a palette.
+pub(super) fn colours(node: &Node) -> Result<Colours, Problem> {
+    node.keys(&["stops", "bends"])?;
+    let stops = stops(&node.need("stops", "a list of colour stops")?)?;
+    let bends = node.get("bends").map_or(Ok(Vec::new()), |node| bends(&node, stops.len() - 1))?;
+    Ok(Colours { stops, bends })
+}
+
+/// At least one stop; their places ascend.
+fn stops(node: &Node) -> Result<Vec<Stop>, Problem> {
+    let mut stops: Vec<Stop> = Vec::new();
+    for item in node.items("a list of colour stops")? {
+        item.keys(&["at", "colour"])?;
+        let place = item.need("at", "a pattern value from 0 to 1")?;
+        let at = place.number(&limits::STOP)?;
+        if let Some(before) = stops.last().filter(|before| at < before.at) {
+            let allowed = format!("no less than the stop before it, {}: stops ascend", before.at);
+            return Err(place.wrong(allowed));
+        }
+        stops.push(Stop { at, colour: colour(&item.need("colour", "a colour such as \"#3b2314\"")?)? });
+    }
+    if stops.is_empty() { Err(node.found("no stops", "at least one colour stop")) } else { Ok(stops) }
+}
+
+/// `#rrggbb` or `#rgb`.
+fn colour(node: &Node) -> Result<[u8; 3], Problem> {
+    const ALLOWED: &str = "#rrggbb or #rgb in hexadecimal digits, opaque";
+    let text = node.text(ALLOWED)?;
+    let digits: Option<Vec<u8>> = text
+        .strip_prefix('#')
+        .and_then(|hex| hex.chars().map(|c| c.to_digit(16).map(|digit| digit as u8)).collect());
+    match digits.as_deref() {
+        Some([r, g, b]) => Ok([r * 17, g * 17, b * 17]),
+        Some([a, b, c, d, e, f]) => Ok([a * 16 + b, c * 16 + d, e * 16 + f]),
+        _ => Err(node.wrong(ALLOWED)),
+    }
+}
+
+/// No more bends than `gaps` between stops.
+fn bends(node: &Node, gaps: usize) -> Result<Vec<[f64; 4]>, Problem> {
+    const HANDLES: [Range; 4] = [limits::BEND_X, limits::BEND_Y, limits::BEND_X, limits::BEND_Y];
+    let bends = node.items("a list of bends [x1, y1, x2, y2]")?;
+    let bends: Vec<_> = bends.map(|bend| bend.numbers(HANDLES)).collect::<Result<_, _>>()?;
+    if bends.len() > gaps {
+        let found = format!("{} bends for {} stops", bends.len(), gaps + 1);
+        return Err(node.found(found, format!("at most {gaps}: one between each stop and the next")));
+    }
+    Ok(bends)
+}

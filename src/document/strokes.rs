@@ -1,0 +1,96 @@
+//! What may be drawn: strokes with a shape, and with their middle on the canvas.
+
+use crate::document::limits::{MIN_LENGTH, Range};
+use crate::document::node::Node;
+use crate::document::{Problem, Stroke};
+use crate::marks::{Ellipse, Line};
+
+/// A layer's strokes: at least one, ellipses or lines but not both.
+pub(super) fn strokes(node: &Node, size: [u32; 2]) -> Result<Vec<Stroke>, Problem> {
+    let mut strokes = Vec::new();
+    let mut first = None;
+    for item in node.items("a list of strokes")? {
+        let stroke = stroke(&item, size)?;
+        if let Some(kind) = stroke.kind() {
+            let first = *first.get_or_insert(kind);
+            if kind != first {
+                return Err(kind.mixed(&item.place(), first));
+            }
+        }
+        strokes.push(stroke);
+    }
+    if strokes.is_empty() { Err(node.found("no strokes", "at least one stroke")) } else { Ok(strokes) }
+}
+
+fn stroke(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
+    let kinds: [(&str, Reader); 3] = [("ellipse", ellipse), ("line", line), ("freehand", freehand)];
+    let read = node.need("kind", "ellipse, line or freehand")?.choice(&kinds)?;
+    read(node, size)
+}
+
+type Reader = fn(&Node, [u32; 2]) -> Result<Stroke, Problem>;
+
+/// It may reach over the edge as long as its centre is inside.
+fn ellipse(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
+    node.keys(&["kind", "center", "radii", "angle"])?;
+    Ok(Stroke::Ellipse(Ellipse {
+        center: node.need("center", "[x, y] in px")?.numbers(size.map(Range::inside))?,
+        radii: node
+            .need("radii", "[along the angle, across it] in px")?
+            .numbers([Range::thickness(size); 2])?,
+        angle: node.get("angle").map_or(Ok(0.0), |node| node.number(&Range::ANGLE))?,
+    }))
+}
+
+/// Its middle is inside; its ends may leave the canvas.
+fn line(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
+    node.keys(&["kind", "from", "to", "width"])?;
+    let from = node.need("from", "[x, y] in px")?.numbers(size.map(Range::around))?;
+    let to = node.need("to", "[x, y] in px")?.numbers(size.map(Range::around))?;
+    let line = Line { from, to, width: width(node, size)? };
+    if line.length() < MIN_LENGTH {
+        let found = format!("a line of length {} px", line.length());
+        return Err(node.found(found, format!("\"from\" and \"to\" at least {MIN_LENGTH} px apart")));
+    }
+    inside(node, "a line whose middle is", line.center(), size)?;
+    Ok(Stroke::Line(line))
+}
+
+/// The mean of its points is inside; single points may leave the canvas.
+fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
+    node.keys(&["kind", "points", "width"])?;
+    let list = node.need("points", "a list of points [x, y] in px")?;
+    let points: Vec<[f64; 2]> = list
+        .items("a list of points [x, y] in px")?
+        .map(|point| point.numbers(size.map(Range::around)))
+        .collect::<Result<_, _>>()?;
+    if points.len() < 2 {
+        return Err(list.found(format!("{} points", points.len()), "at least 2 points"));
+    }
+    let extent = [0, 1].map(|axis| {
+        let along = || points.iter().map(|point| point[axis]);
+        along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
+    });
+    if extent[0].max(extent[1]) < MIN_LENGTH {
+        let found = format!("points within {} × {} px", extent[0], extent[1]);
+        return Err(list.found(found, format!("a stroke that extends over at least {MIN_LENGTH} px")));
+    }
+    let n = points.len() as f64;
+    let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / n);
+    inside(&list, "a stroke whose middle is", mean, size)?;
+    Ok(Stroke::Freehand { points, width: width(node, size)? })
+}
+
+fn width(node: &Node, size: [u32; 2]) -> Result<f64, Problem> {
+    let range = Range::thickness(size);
+    // On a canvas narrower than the default pen, the pen is as wide as the canvas.
+    node.get("width").map_or(Ok(Stroke::WIDTH.min(range.high)), |node| node.number(&range))
+}
+
+fn inside(node: &Node, what: &str, [x, y]: [f64; 2], size: [u32; 2]) -> Result<(), Problem> {
+    if Range::inside(size[0]).holds(x) && Range::inside(size[1]).holds(y) {
+        return Ok(());
+    }
+    let allowed = format!("a middle on the canvas, from [0, 0] to [{}, {}]", size[0], size[1]);
+    Err(node.found(format!("{what} [{x}, {y}]"), allowed))
+}

@@ -1,0 +1,192 @@
+//! A document → JSON that people can read: short things on one line, keys in the order of the contract.
+
+use crate::document::{
+    Colours, Document, Layer, Options, Seeding, SpreadChoice, Stroke, choices, migrate, reader,
+};
+use serde_json::{Map, Value, json};
+use std::fmt::Write;
+
+/// Longest line of a list or an object that is not broken.
+const LINE: usize = 100;
+
+/// All of the document; only what is derived anyway (a layer's seed, its colours) is left out.
+pub(super) fn value(document: &Document) -> Value {
+    json!({
+        "format": "dapple",
+        "version": migrate::NEWEST,
+        "name": document.name,
+        "size": document.size,
+        "regions": document.regions,
+        "edges": reader::EDGES.iter().find(|(_, edges)| *edges == document.edges).map(|(name, _)| name),
+        "seed": document.seed,
+        "dpi": number(document.dpi),
+        "growth": {"refine": document.growth.refine},
+        "layers": document.layers.iter().map(layer).collect::<Vec<_>>(),
+    })
+}
+
+fn layer(layer: &Layer) -> Value {
+    let mut map = Map::new();
+    map.insert("name".into(), json!(layer.name));
+    map.insert("system".into(), json!(layer.system.name()));
+    map.insert("after".into(), json!(layer.after.name()));
+    map.insert("visible".into(), json!(layer.visible));
+    if let Some(seed) = layer.seed {
+        map.insert("seed".into(), json!(seed));
+    }
+    map.insert("strokes".into(), layer.strokes.iter().map(stroke).collect());
+    map.insert("options".into(), options(&layer.options));
+    if let Some(set) = &layer.colours {
+        map.insert("colours".into(), colours(set));
+    }
+    Value::Object(map)
+}
+
+fn options(options: &Options) -> Value {
+    let mut map = Map::new();
+    if let SpreadChoice::Given(spread) = &options.spread {
+        let named = spread.named().map(|(name, value)| (name.to_owned(), number(value)));
+        map.insert("spread".into(), Value::Object(Map::from_iter(named)));
+    }
+    if options.duty != Options::DUTY {
+        map.insert("duty".into(), number(options.duty));
+    }
+    if options.broken > 0.0 {
+        map.insert("broken".into(), number(options.broken));
+    }
+    if options.irregular != 0.0 {
+        map.insert("irregular".into(), number(options.irregular));
+    }
+    if let Some(keep) = options.keep {
+        map.insert("keep".into(), json!(keep));
+    }
+    if options.seeding != Seeding::Noise {
+        map.insert("seeding".into(), json!(choices::name_in(&choices::SEEDINGS, options.seeding)));
+    }
+    Value::Object(map)
+}
+
+fn stroke(stroke: &Stroke) -> Value {
+    match stroke {
+        Stroke::Ellipse(e) => json!({
+            "kind": "ellipse", "center": numbers(&e.center), "radii": numbers(&e.radii), "angle": number(e.angle)
+        }),
+        Stroke::Line(l) => json!({
+            "kind": "line", "from": numbers(&l.from), "to": numbers(&l.to), "width": number(l.width)
+        }),
+        Stroke::Freehand { points, width } => json!({
+            "kind": "freehand",
+            "points": points.iter().map(|point| numbers(point)).collect::<Vec<_>>(),
+            "width": number(*width)
+        }),
+    }
+}
+
+pub(super) fn colours(colours: &Colours) -> Value {
+    let stops = colours.stops.iter().map(|stop| {
+        let [r, g, b] = stop.colour;
+        json!({"at": number(stop.at), "colour": format!("#{r:02x}{g:02x}{b:02x}")})
+    });
+    let bends = colours.bends.iter().map(|bend| numbers(bend));
+    json!({"stops": stops.collect::<Vec<_>>(), "bends": bends.collect::<Vec<_>>()})
+}
+
+fn numbers(numbers: &[f64]) -> Value {
+    numbers.iter().map(|x| number(*x)).collect()
+}
+
+/// Whole numbers are written without a fraction, as a person would.
+fn number(x: f64) -> Value {
+    const EXACT: f64 = 9_007_199_254_740_992.0;
+    if x.fract() == 0.0 && x.abs() <= EXACT { json!(x as i64) } else { json!(x) }
+}
+
+/// The JSON text of `value`, ending with a newline.
+pub(super) fn text(value: &Value) -> String {
+    let mut out = String::new();
+    broken(&mut out, value, 0);
+    out.push('\n');
+    out
+}
+
+/// Writes `value` over several lines; those of its parts that fit one line stay on one.
+fn broken(out: &mut String, value: &Value, indent: usize) {
+    match value {
+        Value::Object(map) if !map.is_empty() => {
+            out.push('{');
+            for (i, (key, value)) in map.iter().enumerate() {
+                new_line(out, i, indent + 2);
+                let _ = write!(out, "{}: ", json!(key));
+                part(out, value, indent + 2, key.chars().count() + 4);
+            }
+            close(out, indent, '}');
+        }
+        Value::Array(items) if !items.is_empty() => {
+            out.push('[');
+            for (i, item) in items.iter().enumerate() {
+                new_line(out, i, indent + 2);
+                part(out, item, indent + 2, 0);
+            }
+            close(out, indent, ']');
+        }
+        value => line(out, value),
+    }
+}
+
+/// Writes a part of an object or list; a layer is always broken, so that all layers look alike.
+fn part(out: &mut String, value: &Value, indent: usize, used: usize) {
+    let mut short = String::new();
+    if value.get("strokes").is_none() && !long(value) {
+        line(&mut short, value);
+    }
+    if short.is_empty() || indent + used + short.chars().count() > LINE {
+        broken(out, value, indent);
+    } else {
+        out.push_str(&short);
+    }
+}
+
+/// Whether a list is so long that it cannot fit a line, so that it is not tried.
+fn long(value: &Value) -> bool {
+    match value {
+        Value::Array(items) => items.len() > LINE || items.iter().any(Value::is_object),
+        Value::Object(map) => map.values().any(long),
+        _ => false,
+    }
+}
+
+fn new_line(out: &mut String, i: usize, indent: usize) {
+    out.push_str(if i == 0 { "\n" } else { ",\n" });
+    out.extend(std::iter::repeat_n(' ', indent));
+}
+
+fn close(out: &mut String, indent: usize, bracket: char) {
+    out.push('\n');
+    out.extend(std::iter::repeat_n(' ', indent));
+    out.push(bracket);
+}
+
+/// Writes `value` on one line, with a space after each comma and colon.
+fn line(out: &mut String, value: &Value) {
+    match value {
+        Value::Object(map) => {
+            out.push('{');
+            for (i, (key, value)) in map.iter().enumerate() {
+                let _ = write!(out, "{}{}: ", if i == 0 { "" } else { ", " }, json!(key));
+                line(out, value);
+            }
+            out.push('}');
+        }
+        Value::Array(items) => {
+            out.push('[');
+            for (i, item) in items.iter().enumerate() {
+                out.push_str(if i == 0 { "" } else { ", " });
+                line(out, item);
+            }
+            out.push(']');
+        }
+        value => {
+            let _ = write!(out, "{value}");
+        }
+    }
+}

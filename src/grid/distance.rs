@@ -1,0 +1,158 @@
+//! How far it is to the nearest of some cells, and which one that is.
+//!
+//! d²(x, y) = min over (x′, y′) covered of ((x − x′)·w)² + ((y − y′)·h)², of cells w × h px: first along the columns,
+//! then the lower envelope of one parabola a column along each row.
+//!
+//! Felzenszwalb & Huttenlocher, "Distance transforms of sampled functions", Theory of Computing 8 (2012); exact.
+
+use rayon::prelude::*;
+
+use crate::grid::Edges;
+
+/// Columns and rows from each of `nx` × `ny` cells of `cell` px to the nearest that is `covered`, row by row. On a
+/// wrapped canvas the way may lead across the border. `None` where none is covered.
+#[must_use]
+pub fn nearest(
+    covered: &[bool],
+    [nx, ny]: [usize; 2],
+    cell: [f64; 2],
+    edges: Edges,
+) -> Option<Vec<[i32; 2]>> {
+    if !covered.contains(&true) {
+        return None;
+    }
+    let down = along_columns(covered, [nx, ny], edges);
+    let mut offsets = vec![[0; 2]; nx * ny];
+    let rows = offsets.par_chunks_mut(nx).zip(down.par_chunks(nx));
+    rows.for_each_init(Vec::new, |envelope, (row, down)| along_row(row, down, cell, edges, envelope));
+    Some(offsets)
+}
+
+/// Length of such a way, px.
+#[must_use]
+pub fn length([columns, rows]: [i32; 2], cell: [f64; 2]) -> f64 {
+    let [x, y] = [f64::from(columns) * cell[0], f64::from(rows) * cell[1]];
+    (x * x + y * y).sqrt()
+}
+
+/// No covered cell in this column.
+const NONE: i32 = i32::MAX;
+
+/// Rows to the nearest covered cell of the same column.
+fn along_columns(covered: &[bool], [nx, ny]: [usize; 2], edges: Edges) -> Vec<i32> {
+    let mut down = vec![NONE; nx * ny];
+    // Twice round where the far end is next to the near one.
+    let rounds = if edges == Edges::Wrap { 2 * ny as i32 } else { ny as i32 };
+    for x in 0..nx {
+        for upward in [false, true] {
+            let mut last: Option<i32> = None;
+            for step in 0..rounds {
+                let at = if upward { rounds - 1 - step } else { step };
+                let cell = at as usize % ny * nx + x;
+                if covered[cell] {
+                    last = Some(at);
+                }
+                if let Some(last) = last.filter(|last| (last - at).abs() < down[cell].saturating_abs()) {
+                    down[cell] = last - at;
+                }
+            }
+        }
+    }
+    down
+}
+
+/// A parabola of the lower envelope: its column, how far down its cell is, and from where on it is the lowest.
+struct Parabola {
+    column: i32,
+    down: i32,
+    height: f64,
+    from: f64,
+}
+
+fn along_row(row: &mut [[i32; 2]], down: &[i32], cell: [f64; 2], edges: Edges, envelope: &mut Vec<Parabola>) {
+    let nx = down.len() as i32;
+    let columns = if edges == Edges::Wrap { -nx..2 * nx } else { 0..nx };
+    envelope.clear();
+    for column in columns {
+        let down = down[column.rem_euclid(nx) as usize];
+        if down == NONE {
+            continue;
+        }
+        // In units of columns.
+        let high = f64::from(down) * cell[1] / cell[0];
+        let height = high * high + f64::from(column) * f64::from(column);
+        let mut from = f64::NEG_INFINITY;
+        while let Some(before) = envelope.last() {
+            from = (height - before.height) / (2.0 * f64::from(column - before.column));
+            if from > before.from {
+                break;
+            }
+            envelope.pop();
+            from = f64::NEG_INFINITY;
+        }
+        envelope.push(Parabola { column, down, height, from });
+    }
+    let mut at = 0;
+    for (x, offset) in row.iter_mut().enumerate() {
+        while envelope.get(at + 1).is_some_and(|next| next.from <= x as f64) {
+            at += 1;
+        }
+        *offset = [envelope[at].column - x as i32, envelope[at].down];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The same, of all covered cells.
+    fn slow(covered: &[bool], [nx, ny]: [usize; 2], cell: [f64; 2], edges: Edges) -> Vec<f64> {
+        let (nx, ny) = (nx as i32, ny as i32);
+        let around: &[i32] = if edges == Edges::Wrap { &[-1, 0, 1] } else { &[0] };
+        let to = |x: i32, y: i32| {
+            let all = (0..nx * ny).filter(|i| covered[*i as usize]).flat_map(|i| {
+                let shifts = around.iter().flat_map(|j| around.iter().map(move |i| [*i, *j]));
+                shifts.map(move |[sx, sy]| [i % nx + sx * nx - x, i / nx + sy * ny - y])
+            });
+            all.map(|offset| length(offset, cell)).fold(f64::INFINITY, f64::min)
+        };
+        (0..nx * ny).map(|i| to(i % nx, i / nx)).collect()
+    }
+
+    #[test]
+    fn nothing_covered_is_nowhere_near() {
+        assert_eq!(nearest(&[false; 6], [3, 2], [1.0; 2], Edges::Wrap), None);
+    }
+
+    #[test]
+    fn across_the_border_of_a_tile_it_is_nearer() {
+        let covered = [true, false, false, false, false];
+        let closed = nearest(&covered, [5, 1], [1.0; 2], Edges::Closed).unwrap();
+        assert_eq!(closed.iter().map(|offset| offset[0]).collect::<Vec<_>>(), [0, -1, -2, -3, -4]);
+        let wrap = nearest(&covered, [5, 1], [1.0; 2], Edges::Wrap).unwrap();
+        assert_eq!(wrap.iter().map(|offset| offset[0]).collect::<Vec<_>>(), [0, -1, -2, 2, 1]);
+    }
+
+    proptest! {
+        #[test]
+        fn it_is_the_nearest_of_all(seed: u32, wrap: bool, nx in 1..14_usize, ny in 1..11_usize, long in 0.9..1.1) {
+            let edges = if wrap { Edges::Wrap } else { Edges::Closed };
+            let mut state = seed;
+            let covered: Vec<bool> = (0..nx * ny).map(|_| {
+                state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+                state >> 28 == 0
+            }).collect();
+            prop_assume!(covered.contains(&true));
+            let cell = [long, 1.0];
+            let found = nearest(&covered, [nx, ny], cell, edges).unwrap();
+            let slow = slow(&covered, [nx, ny], cell, edges);
+            for (i, (offset, slow)) in found.iter().zip(slow).enumerate() {
+                prop_assert!((length(*offset, cell) - slow).abs() < 1e-9, "{} {:?} {}", i, offset, slow);
+                let to = [(i % nx) as i32 + offset[0], (i / nx) as i32 + offset[1]];
+                let to = to[1].rem_euclid(ny as i32) as usize * nx + to[0].rem_euclid(nx as i32) as usize;
+                prop_assert!(covered[to]);
+            }
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Numbers on a grid: a concentration, a pattern, a picture's lightness.
+
+use serde::{Deserialize, Serialize};
+
+/// What lies beyond the border of the canvas.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Edges {
+    /// Nothing flows across the border (Neumann); a mirror for whoever must look beyond it.
+    #[default]
+    Closed,
+    /// The right border meets the left one and the lower one the upper: a seamless tile.
+    Wrap,
+}
+
+impl Edges {
+    /// The index in `0..n` that stands for index `i`, which may lie outside, on a row of `n` values.
+    ///
+    /// `Closed` mirrors about the border itself (−1 → 0, −2 → 1), `Wrap` goes round.
+    #[must_use]
+    pub fn index(self, i: isize, n: usize) -> usize {
+        let n = n as isize;
+        let i = match self {
+            Self::Wrap => i.rem_euclid(n),
+            Self::Closed => {
+                let folded = i.rem_euclid(2 * n);
+                folded.min(2 * n - 1 - folded)
+            }
+        };
+        i as usize
+    }
+}
+
+/// Values on a `width` × `height` grid of cells that covers the canvas exactly.
+///
+/// The value `values[y * width + x]` belongs to the cell's centre, ((x + ½)·`cell[0]`, (y + ½)·`cell[1]`) px.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// Cells in a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// px a cell, along x and along y; nearly but not always equal, so that whole cells cover the canvas.
+    pub cell: [f64; 2],
+    /// What lies beyond the border.
+    pub edges: Edges,
+    /// `width * height` numbers, row by row from the top.
+    pub values: Vec<f32>,
+}
+
+impl Field {
+    /// A field of one value everywhere, one px a cell.
+    #[must_use]
+    pub fn flat(width: usize, height: usize, edges: Edges, value: f32) -> Self {
+        Self { width, height, cell: [1.0, 1.0], edges, values: vec![value; width * height] }
+    }
+
+    /// A field made by asking `f` at each cell's centre, in px.
+    pub fn from_fn(
+        [width, height]: [usize; 2],
+        cell: [f64; 2],
+        edges: Edges,
+        mut f: impl FnMut([f64; 2]) -> f32,
+    ) -> Self {
+        let mut values = Vec::with_capacity(width * height);
+        for y in 0..height {
+            for x in 0..width {
+                values.push(f([(x as f64 + 0.5) * cell[0], (y as f64 + 0.5) * cell[1]]));
+            }
+        }
+        Self { width, height, cell, edges, values }
+    }
+
+    /// Width and height of the canvas it covers, px.
+    #[must_use]
+    pub fn extent(&self) -> [f64; 2] {
+        [self.width as f64 * self.cell[0], self.height as f64 * self.cell[1]]
+    }
+
+    /// The value of the cell at column `x`, row `y`, which may lie beyond the border.
+    #[must_use]
+    pub fn get(&self, x: isize, y: isize) -> f32 {
+        self.values[self.edges.index(y, self.height) * self.width + self.edges.index(x, self.width)]
+    }
+}
+
+/// The 16-bit step nearest to a pattern value: 0..1 becomes 0..65535; values outside are taken as the end,
+/// no number as 0. Written patterns and colours both go by it.
+#[must_use]
+pub fn to_u16(value: f32) -> u16 {
+    // In f64 the half is added exactly; the cast rounds down and turns NaN into 0.
+    (f64::from(value.clamp(0.0, 1.0)) * 65535.0 + 0.5) as u16
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::grid::*;
+
+    #[test]
+    fn pattern_values_go_to_the_nearest_of_65536_steps() {
+        for step in 0..=u16::MAX {
+            assert_eq!(to_u16(f32::from(step) / 65535.0), step);
+        }
+        assert_eq!([-0.1, f32::NAN, 0.5, 1.1].map(to_u16), [0, 0, 32768, 65535]);
+        assert_eq!([0.49, 0.51].map(|part| to_u16((7.0 + part) / 65535.0)), [7, 8]);
+    }
+
+    #[test]
+    fn closed_edges_mirror_and_wrapped_edges_go_round() {
+        let seen = |edges: Edges| (-3..6).map(|i| edges.index(i, 3)).collect::<Vec<_>>();
+        assert_eq!(seen(Edges::Closed), [2, 1, 0, 0, 1, 2, 2, 1, 0]);
+        assert_eq!(seen(Edges::Wrap), [0, 1, 2, 0, 1, 2, 0, 1, 2]);
+    }
+}

@@ -1,0 +1,188 @@
+//! Spots farther apart than their system puts them by itself: each stands alone.
+//!
+//! The ground of Meinhardt's system is inert: no spot comes where none was laid, and one that has no neighbours stays as
+//! it is. So it is the same spot at any distance, and no rows are needed. Alone on a plane, a tensor of determinant 1
+//! only stretches it: aspect = stretch, angle = direction. At the ratio stated here
+//!
+//! ```text
+//! A·rate = K · (ln l ÷ ln ½)^k · (1 − c·exp(−a·q − b·q²))     q = p − 1     p = L·√rate ÷ (S · (d₁ + d₂ · ln² stretch))
+//!
+//! A area, l level, L spacing; p pitch, how many times as far apart as by itself; S the system's own distance of places
+//! × √rate; d the mean Delaunay edge ÷ the distance of places
+//! ```
+
+use crate::attributes::{Attributes, Spots};
+use crate::learn::answer::{Answer, checked};
+use crate::learn::coverage::{Coverage, Judgement};
+use crate::learn::note::{Note, Quantity, Unit};
+use crate::learn::spot_map::SpotMap;
+use crate::learn::training_set::{Map, TrainingSet};
+use crate::learn::{AskError, Parameters};
+
+/// R. Alone, spots of 12 split in two, for ever; those of 13, 14, 15, 20, 30 do not, and take 510, 600, 740, 1,450 and
+/// 2,450 steps to settle.
+const RATIO: f64 = 15.0;
+/// The share of the peak that is the edge: the first, if the spots have room; down to the second, at which as large a
+/// spot is the foot of a smaller peak that needs less.
+const LEVELS: [f64; 2] = [0.5, 0.25];
+/// K. Measured 205–209 at 27–136 cells, stretch 0.3–1.
+const AREA: f64 = 208.4;
+/// k. At levels ½, 0.35, ¼ K was 208.4, 320.5, 425.
+const FOOT: f64 = 1.03;
+/// c, a, b: patches of pitch 1, 1.5, 2.5, 4 had 127.4, 179.4, 208.0, 208.9.
+const CROWDED: [f64; 3] = [0.389, 1.33, 1.45];
+/// S.
+const OWN: f64 = 36.0;
+/// d.
+const EDGES: [f64; 2] = [1.02, 0.06];
+/// From the first pitch on a spot is alone enough for neighbours that stand a third nearer than the mean; below the
+/// second those merge.
+const ROOMY: [f64; 2] = [1.6, 1.0];
+
+/// Relative half widths of the 90 % intervals, and that of the angle in degrees: grids of 27–136 cells a spot, stretch
+/// 0.3–1, five directions.
+const SURE: Sure = Sure { area: 0.012, aspect: 0.012, angle: 0.8, spacing: 0.03 };
+
+struct Sure {
+    area: f64,
+    aspect: f64,
+    angle: f64,
+    spacing: f64,
+}
+
+/// Rate and pitch of such spots at `level`. Lengths are cells.
+fn laid(spots: &Spots, spacing: f64, level: f64) -> [f64; 2] {
+    let area = AREA * libm::pow(libm::log(level) / libm::log(0.5), FOOT);
+    let stretched = libm::log(spots.aspect);
+    let own = OWN * (EDGES[0] + EDGES[1] * stretched * stretched);
+    let pitch = |rate: f64| spacing * rate.sqrt() / own;
+    let rate = |pitch: f64| {
+        let [c, a, b] = CROWDED;
+        let q = (pitch - 1.0).max(0.0);
+        area * (1.0 - c * libm::exp(-a * q - b * q * q)) / spots.area
+    };
+    // From spots alone on: neighbours take from the area, and that brings them nearer.
+    let mut found = rate(f64::INFINITY);
+    for _ in 0..16 {
+        found = rate(pitch(found));
+    }
+    [found, pitch(found)]
+}
+
+/// The highest level at which spots are roomy enough where only the share `room` of the spacing is left to them.
+fn level(spots: &Spots, spacing: f64, room: f64) -> Option<f64> {
+    let pitch = |level: f64| room * laid(spots, spacing, level)[1];
+    let [mut low, mut high] = [LEVELS[1], LEVELS[0]];
+    if pitch(high) >= ROOMY[0] {
+        return Some(high);
+    }
+    if pitch(low) < ROOMY[0] {
+        return (pitch(low) >= ROOMY[1]).then_some(low);
+    }
+    for _ in 0..20 {
+        let middle = 0.5 * (low + high);
+        *if pitch(middle) >= ROOMY[0] { &mut low } else { &mut high } = middle;
+    }
+    Some(low)
+}
+
+impl TrainingSet {
+    /// The parameters for spots `wanted` (lengths in cells) that are laid at their places farther apart than their system
+    /// would put them; `None` where they would stand too near for that, or the system's spots do not stand alone. In some
+    /// direction only the share `room` of the spacing, 0..1, is left to them: where the places suit their shape, 1.
+    ///
+    /// # Errors
+    /// As [`Self::ask`].
+    pub fn ask_apart(&self, wanted: &Attributes, room: f64) -> Result<Option<Answer>, AskError> {
+        let (Map::Spots(map), Attributes::Spots(spots)) = (&self.map, checked(wanted)?) else {
+            return Ok(None);
+        };
+        // Only the ground of a system whose ratio is free is inert.
+        Ok(spots.spacing.filter(|_| map.dense()).and_then(|spacing| apart(map, &spots, spacing, room)))
+    }
+}
+
+fn apart(map: &SpotMap, spots: &Spots, spacing: f64, room: f64) -> Option<Answer> {
+    let mut judgement = Judgement::new();
+    let area = libm::exp(judgement.clamp(&map.area, libm::log(spots.area)));
+    let aspect = libm::exp(-judgement.clamp(&map.elongation, -libm::log(spots.aspect)));
+    // Rounder than any row is no farther than the rows.
+    let aspect = aspect.max(spots.aspect);
+    let grown = Spots { area, aspect, spacing: Some(spacing), ..*spots };
+    let level = level(&grown, spacing, room)?;
+    let [rate, pitch] = laid(&grown, spacing, level);
+    let Judgement { coverage, mut notes } = judgement;
+    let share = |density: f64| Quantity::new("area/spacing²", density, Unit::Share);
+    notes.push(Note::Apart {
+        asked: share(area / (spacing * spacing)),
+        sparsest: share(libm::exp(map.density.span[0])),
+        pitch,
+    });
+    let within = |value: f64, sure: f64| [value * (1.0 - sure), value * (1.0 + sure)];
+    let [low, high] = within(aspect, SURE.aspect);
+    let interval = vec![
+        ("area", within(area, SURE.area)),
+        ("aspect", [low, high.min(1.0)]),
+        ("angle", [grown.angle - SURE.angle, grown.angle + SURE.angle]),
+        ("spacing", within(spacing, SURE.spacing)),
+    ];
+    Some(Answer {
+        parameters: Parameters {
+            rate,
+            ratio: Some(RATIO),
+            stretch: aspect,
+            direction: grown.angle,
+            level: Some(level),
+        },
+        pitch,
+        predicted: Attributes::Spots(grown),
+        interval,
+        coverage: coverage.max(Coverage::Edge),
+        nearest: Attributes::Spots(grown),
+        notes,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn asked(area: f64, aspect: f64, spacing: f64) -> Option<Answer> {
+        let set = TrainingSet::embedded("meinhardt-spots").unwrap();
+        let spots = Spots { area, aspect, angle: 160.0, spacing: Some(spacing) };
+        set.ask_apart(&Attributes::Spots(spots), 1.0).unwrap()
+    }
+
+    #[test]
+    fn spots_twenty_diameters_apart_have_their_area_and_no_neighbours() {
+        let answer = asked(48.0, 0.5, 156.0).unwrap();
+        assert!((answer.parameters.rate * 48.0 / AREA - 1.0).abs() < 1e-6, "{answer:?}");
+        assert_eq!((answer.parameters.stretch, answer.parameters.direction), (0.5, 160.0));
+        assert!(answer.pitch > 8.0 && answer.coverage == Coverage::Edge, "{answer:?}");
+        assert_eq!(answer.predicted, answer.nearest);
+    }
+
+    #[test]
+    fn the_nearer_they_stand_the_smaller_their_peaks_until_they_are_too_near() {
+        let found = [120.0, 28.0, 26.0, 20.0].map(|spacing| asked(48.0, 1.0, spacing).unwrap());
+        let levels = found.each_ref().map(|answer| answer.parameters.level.unwrap());
+        assert!(levels[0] == LEVELS[0] && levels[3] == LEVELS[1], "{levels:?}");
+        assert!(levels.windows(2).all(|pair| pair[1] < pair[0]), "{levels:?}");
+        // Those between have just the pitch that they need.
+        let enough = |answer: &Answer| (answer.pitch - ROOMY[0]).abs() < 0.01;
+        assert!(found[1..3].iter().all(enough) && found[3].pitch >= ROOMY[1], "{found:?}");
+        assert!(asked(48.0, 1.0, 12.0).is_none());
+    }
+
+    #[test]
+    fn only_spots_with_a_spacing_and_an_inert_ground_stand_alone() {
+        let turing = TrainingSet::embedded("turing-spots").unwrap();
+        let spots = Spots { area: 48.0, aspect: 0.7, angle: 0.0, spacing: Some(200.0) };
+        assert!(turing.ask_apart(&Attributes::Spots(spots), 1.0).unwrap().is_none());
+        let set = TrainingSet::embedded("meinhardt-spots").unwrap();
+        let free = Attributes::Spots(Spots { spacing: None, ..spots });
+        assert!(set.ask_apart(&free, 1.0).unwrap().is_none());
+        let wrong = Attributes::Spots(Spots { area: -1.0, ..spots });
+        assert!(set.ask_apart(&wrong, 1.0).is_err());
+    }
+}

@@ -1,0 +1,155 @@
+//! Stripes that are to run along given lines: the noise that they begin from has its crests there.
+//!
+//! n′ = (1 − W) n + Σᵢ wᵢ A cos(2π dᵢ/λ) ÷ max(1, Σᵢ wᵢ), W = min(1, Σᵢ wᵢ), dᵢ the distance across line i and wᵢ 1 beside
+//! it, falling to 0 across and beyond its ends.
+
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+
+use crate::grid::Edges;
+use crate::rd::System;
+use crate::rd::maps::Maps;
+
+/// A straight line along which a stripe is to run, in shares of the canvas' sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crest {
+    /// One end.
+    pub from: [f64; 2],
+    /// The other.
+    pub to: [f64; 2],
+}
+
+/// Height of the wave ÷ the noise's deviation.
+const HEIGHT: f64 = 2.0;
+/// Wavelengths beyond the ends and across to which a wave is whole, and at which it ends: of stripes, which mend what
+/// does not fit, and of lines, which do not.
+const STRIPES: ([f64; 2], [f64; 2]) = ([0.0, 1.5], [0.4, 1.3]);
+const LINES: ([f64; 2], [f64; 2]) = ([0.0, 4.0], [0.4, 3.0]);
+
+/// Gives `noise` over the grid of `maps`, of unit variance, crests along these lines.
+pub fn lead(system: System, noise: &mut [f32], maps: &Maps, edges: Edges, crests: &[Crest]) {
+    if crests.is_empty() {
+        return;
+    }
+    noise.par_iter_mut().enumerate().for_each(|(cell, noise)| {
+        let Led { share, wave: [cos, _] } = led(system, maps, edges, crests, cell, [0.0; 2]);
+        *noise = ((1.0 - share) * f64::from(*noise) + HEIGHT * cos) as f32;
+    });
+}
+
+/// What the noise at a cell becomes: so much of it is replaced, by this wave and the one a quarter of a period behind.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Led {
+    /// W.
+    pub share: f64,
+    /// Σᵢ wᵢ cos(2π dᵢ/λ) ÷ max(1, Σᵢ wᵢ), and the same of sines, d counted along `across`.
+    pub wave: [f64; 2],
+}
+
+/// How the lines lead the noise at a cell, where `across` is a way across the stripes.
+pub fn led(
+    system: System,
+    maps: &Maps,
+    edges: Edges,
+    crests: &[Crest],
+    cell: usize,
+    across: [f64; 2],
+) -> Led {
+    let at = maps.middle(cell);
+    let length = system.spacing(&maps.parameters[cell]);
+    let reach = if system == System::MeinhardtLines { LINES } else { STRIPES };
+    let (mut sum, mut wave) = (0.0, [0.0; 2]);
+    for crest in crests {
+        let Seen { beyond, off, normal } = crest.seen(at, [maps.nx, maps.ny], edges);
+        let weight = fall(beyond / length, reach.0) * fall(off.abs() / length, reach.1);
+        if weight > 0.0 {
+            let same = normal[0] * across[0] + normal[1] * across[1] >= 0.0;
+            let phase = TAU * if same { off } else { -off } / length;
+            sum += weight;
+            wave[0] += weight * libm::cos(phase);
+            wave[1] += weight * libm::sin(phase);
+        }
+    }
+    Led { share: sum.min(1.0), wave: wave.map(|part| part / f64::max(sum, 1.0)) }
+}
+
+/// A point as seen from a line, cells.
+struct Seen {
+    /// How far it lies beyond the ends.
+    beyond: f64,
+    /// How far off the line, to the side of `normal`.
+    off: f64,
+    normal: [f64; 2],
+}
+
+impl Crest {
+    /// The corners of the box around it, cells.
+    pub fn box_of(&self, n: [usize; 2]) -> [[f64; 2]; 2] {
+        [f64::min as fn(f64, f64) -> f64, f64::max]
+            .map(|pick| [0, 1].map(|axis| pick(self.from[axis], self.to[axis]) * n[axis] as f64))
+    }
+
+    /// How far a point (cells) is from it, cells.
+    pub fn distance(&self, at: [f64; 2], n: [usize; 2], edges: Edges) -> f64 {
+        let Seen { beyond, off, .. } = self.seen(at, n, edges);
+        (beyond * beyond + off * off).sqrt()
+    }
+
+    fn seen(&self, at: [f64; 2], n: [usize; 2], edges: Edges) -> Seen {
+        let [from, to] = [self.from, self.to].map(|end| [end[0] * n[0] as f64, end[1] * n[1] as f64]);
+        let half = [0, 1].map(|axis| 0.5 * (to[axis] - from[axis]));
+        let length = (half[0] * half[0] + half[1] * half[1]).sqrt();
+        let along = [0, 1].map(|axis| half[axis] / length);
+        let off = [0, 1].map(|axis| {
+            let (off, side) = (at[axis] - from[axis] - half[axis], n[axis] as f64);
+            if edges == Edges::Wrap { off - side * (off / side).round() } else { off }
+        });
+        let beyond = (off[0] * along[0] + off[1] * along[1]).abs() - length;
+        let normal = [-along[1], along[0]];
+        Seen { beyond: beyond.max(0.0), off: off[0] * normal[0] + off[1] * normal[1], normal }
+    }
+}
+
+/// 1 up to `from`, 0 from `to` on, smooth between.
+fn fall(v: f64, [from, to]: [f64; 2]) -> f64 {
+    let t = ((to - v) / (to - from)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rd::maps::Parameters;
+
+    #[test]
+    fn noise_is_led_along_a_line_and_left_alone_farther_off() {
+        let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
+        let maps = Maps::uniform(160, 120, p);
+        let mut noise = vec![0.5f32; 160 * 120];
+        let line = Crest { from: [0.3, 0.5], to: [0.7, 0.5] };
+        lead(System::MeinhardtStripes, &mut noise, &maps, Edges::Closed, &[line]);
+        let at = |x: usize, y: usize| noise[y * 160 + x];
+        // Rows 59 and 60 lie on either side of the line; half a wavelength, 8 cells, off it there is a trough.
+        assert!((50..110).all(|x| at(x, 59) > 1.9 && at(x, 60) > 1.9));
+        assert!(at(80, 67) < -1.0 && at(80, 52) < -1.0);
+        assert!(at(80, 60 + 22) == 0.5 && at(10, 60) == 0.5);
+        let before = noise.clone();
+        lead(System::MeinhardtStripes, &mut noise, &maps, Edges::Closed, &[]);
+        assert!(noise == before);
+    }
+
+    #[test]
+    fn lines_side_by_side_share_the_noise() {
+        let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
+        let maps = Maps::uniform(160, 120, p);
+        let line = |y: f64| Crest { from: [0.3, y / 120.0], to: [0.7, y / 120.0] };
+        // A period apart, both waves agree.
+        let pair = [line(52.0), line(68.0)];
+        let cell = 60 * 160 + 80;
+        let one = led(System::MeinhardtStripes, &maps, Edges::Closed, &pair[..1], cell, [0.0, 1.0]);
+        let both = led(System::MeinhardtStripes, &maps, Edges::Closed, &pair, cell, [0.0, 1.0]);
+        assert!(one.share <= 1.0 && both.share == 1.0, "{one:?} {both:?}");
+        assert!(both.wave[0] < -0.9 && one.wave[0] < 0.0, "{one:?} {both:?}");
+    }
+}

@@ -1,0 +1,120 @@
+//! Moving single spots of a pattern while it grows.
+//!
+//! c′(x) = c(x − w(d) Δ), w = 1 for d ≤ inner, 0 for d ≥ outer, smooth between; d the distance from the spot in its own
+//! metric, in pitches
+//!
+//! All chemicals move alike, so that the spot takes its surroundings along and only the ground between it and its
+//! neighbours is drawn out.
+
+use crate::grid::resample::Spline;
+use crate::grid::{Edges, Field};
+use crate::rd::System;
+use crate::rd::maps::{Maps, Parameters};
+use crate::rd::nuclei::Nucleus;
+
+/// A spot that is to be moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slide {
+    /// Where it stands, cells.
+    pub at: [f64; 2],
+    /// The parameters that it grows in.
+    pub own: Parameters,
+    /// How far it is to be moved, cells.
+    pub by: [f64; 2],
+}
+
+/// What moves as one: a spot reaches to 0.2–0.28 pitches.
+const INNER: f64 = 0.3;
+/// Beyond this nothing moves: half way to the nearest neighbours, and some.
+const OUTER: f64 = 0.6;
+
+/// The cells of a chemical with these spots moved.
+#[must_use]
+pub fn slid(system: System, maps: &Maps, edges: Edges, chemical: &[f32], slides: &[Slide]) -> Vec<f32> {
+    let shifts = shifts(system, maps, edges, slides);
+    let field = Field { width: maps.nx, height: maps.ny, cell: [1.0, 1.0], edges, values: chemical.to_vec() };
+    let surface = Spline::new(&field);
+    let mut cells = field.values;
+    for (cell, [x, y]) in shifts {
+        let from = maps.middle(cell);
+        // Between a steep spot and the ground the surface dips below it.
+        cells[cell] = surface.at([from[0] - x, from[1] - y]).max(0.0);
+    }
+    cells
+}
+
+/// By how much the content of which cells moves.
+fn shifts(system: System, maps: &Maps, edges: Edges, slides: &[Slide]) -> Vec<(usize, [f64; 2])> {
+    let mut found: Vec<Option<[f64; 2]>> = vec![None; maps.nx * maps.ny];
+    for Slide { at, own, by } in slides {
+        let spot = Nucleus::of(own, maps.cell, *at, system.spacing(own));
+        let far = OUTER * spot.reach;
+        let range = |v: f64| (v - 0.5 - far).ceil() as isize..=(v - 0.5 + far).floor() as isize;
+        let beyond = |i: isize, n: usize| edges == Edges::Closed && !(0..n as isize).contains(&i);
+        for y in range(at[1]).filter(|y| !beyond(*y, maps.ny)) {
+            for x in range(at[0]).filter(|x| !beyond(*x, maps.nx)) {
+                let distance = spot.distance2([x as f64 + 0.5 - at[0], y as f64 + 0.5 - at[1]]).sqrt();
+                let weight = weight(distance);
+                let cell = edges.index(y, maps.ny) * maps.nx + edges.index(x, maps.nx);
+                if weight > 0.0 && !maps.is_taken(cell) {
+                    let shift = found[cell].get_or_insert([0.0; 2]);
+                    shift[0] += weight * by[0];
+                    shift[1] += weight * by[1];
+                }
+            }
+        }
+    }
+    found.into_iter().enumerate().filter_map(|(cell, shift)| Some((cell, shift?))).collect()
+}
+
+/// w(d).
+fn weight(distance: f64) -> f64 {
+    let t = ((OUTER - distance) / (OUTER - INNER)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const P: Parameters = Parameters { rate: 3.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+
+    /// A bell at a place on a ground of 1, on 60 × 50 cells.
+    fn bell(at: [f64; 2]) -> Vec<f32> {
+        let maps = Maps::uniform(60, 50, P);
+        let cell = |cell| {
+            let [x, y] = maps.middle(cell);
+            let away2 = (x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1]);
+            1.0 + 5.0 * libm::exp(-0.5 * away2 / 6.0) as f32
+        };
+        (0..60 * 50).map(cell).collect()
+    }
+
+    #[test]
+    fn a_spot_stands_where_it_was_moved_to_and_the_rest_as_it_was() {
+        let maps = Maps::uniform(60, 50, P);
+        for (edges, at) in [(Edges::Closed, [30.0, 25.0]), (Edges::Wrap, [1.0, 25.0])] {
+            let slide = Slide { at, own: P, by: [1.3, -0.8] };
+            let moved = slid(System::MeinhardtSpots, &maps, edges, &bell(at), &[slide]);
+            if edges == Edges::Closed {
+                let wanted = bell([31.3, 24.2]);
+                let worst = moved.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+                assert!(worst < 0.06, "{worst}");
+            }
+            let still = moved.iter().zip(&bell(at)).filter(|(a, b)| a.to_bits() == b.to_bits()).count();
+            assert!(still > 60 * 50 / 2, "{still}");
+        }
+    }
+
+    #[test]
+    fn cells_that_are_taken_stay_as_they_are() {
+        let mut maps = Maps::uniform(60, 50, P);
+        maps.taken = (0..60 * 50).map(|cell| cell % 60 > 31).collect();
+        let slide = Slide { at: [30.0, 25.0], own: P, by: [1.0, 0.0] };
+        let before = bell([30.0, 25.0]);
+        let moved = slid(System::MeinhardtSpots, &maps, Edges::Closed, &before, &[slide]);
+        let same = |cell: &usize| moved[*cell].to_bits() == before[*cell].to_bits();
+        assert!((0..60 * 50).filter(|cell| maps.taken[*cell]).all(|cell| same(&cell)));
+        assert!((0..60 * 50).any(|cell| !same(&cell)));
+    }
+}

@@ -1,0 +1,61 @@
+//! Spots at closed edges: on them or well off.
+
+use crate::rd::nuclei::Nucleus;
+use crate::rd::nuclei::cell_list::Buckets;
+
+/// Spots nearer to a closed edge than this share of the pitch are put on it. Seen: farther off they grow a tail to it.
+const SNAP: f64 = 0.22;
+/// Others are held this far from it; nearer they grow a tail too.
+pub const HOLD: f64 = 0.42;
+
+/// Rounds of relaxation around those that stand so.
+const WALLED: usize = 10;
+
+/// A grid with closed edges amid the frame over which points are laid, cells.
+pub struct Grid {
+    /// Width of the frame.
+    pub frame: f64,
+    /// Sides of the grid.
+    pub size: [f64; 2],
+}
+
+impl Grid {
+    /// Near a wall a spot cannot keep its shape. One on the wall is half a spot, cut by the edge; nearer than [`HOLD`] it
+    /// would be drawn out to the wall. So those that are near are moved, once and for all, and the others `relax` around
+    /// them. The first `fixed` stay.
+    pub fn keep_off_walls(&self, placed: &mut Buckets, fixed: usize, mut relax: impl FnMut(&mut Buckets)) {
+        let on_walls: Vec<[Option<f64>; 2]> =
+            placed.all.iter().map(|point| [0, 1].map(|axis| self.wall_under(point, axis))).collect();
+        for _ in 0..WALLED {
+            relax(placed);
+            placed.moved(|index, point| {
+                if index < fixed {
+                    return point.at;
+                }
+                [0, 1].map(|axis| on_walls[index][axis].unwrap_or_else(|| self.held(point, axis)))
+            });
+        }
+    }
+
+    /// The walls along one axis with the way inward.
+    fn walls(&self, axis: usize) -> [(f64, f64); 2] {
+        [(self.frame, 1.0), (self.frame + self.size[axis] * (1.0 - 1e-12), -1.0)]
+    }
+
+    /// The wall that a point is so near to that it is put on it.
+    fn wall_under(&self, point: &Nucleus, axis: usize) -> Option<f64> {
+        let near =
+            |(wall, _): &(f64, f64)| (point.at[axis] - wall).abs() * point.pitches_to_wall(axis) < SNAP;
+        self.walls(axis).into_iter().find(near).map(|(wall, _)| wall)
+    }
+
+    /// Where a point that is on no wall may stand: on the side that it is on, as far off as it must.
+    fn held(&self, point: &Nucleus, axis: usize) -> f64 {
+        let far = HOLD / point.pitches_to_wall(axis);
+        let hold = |at: f64, (wall, inward): (f64, f64)| match (at - wall) * inward {
+            away if away <= 0.0 => at,
+            away => wall + inward * away.max(far),
+        };
+        self.walls(axis).into_iter().fold(point.at[axis], hold)
+    }
+}

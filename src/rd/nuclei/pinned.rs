@@ -1,0 +1,151 @@
+//! Spots whose places are given: the others are laid around them.
+
+use crate::grid::Edges;
+use crate::rd::System;
+use crate::rd::maps::{Maps, Parameters};
+use crate::rd::nuclei::Nucleus;
+use crate::rd::nuclei::cell_list::{Buckets, Space, distance2};
+use crate::rd::nuclei::{PUSH, obstacles};
+
+/// A spot that is to stand at a given place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kept {
+    /// Its place, cells.
+    pub at: [f64; 2],
+    /// The parameters of the room that it takes.
+    pub own: Parameters,
+    /// Nearer than this to another both would merge, in pitches.
+    pub near: f64,
+}
+
+impl Kept {
+    pub(in crate::rd) fn nucleus(&self, system: System, maps: &Maps) -> Nucleus {
+        Nucleus::of(&self.own, maps.cell, self.at, system.spacing(&self.own))
+    }
+}
+
+/// Why a spot cannot stand where it is to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hindrance {
+    /// The mark of another layer is there, or too near.
+    Taken,
+    /// Another is too near that stays.
+    Neighbour,
+}
+
+/// Which of `spots` can stand where they are to: as many as can be of which none hinders another, nearly. A closed edge
+/// hinders none, but draws those to itself that are near.
+#[must_use]
+pub fn standing(system: System, maps: &Maps, edges: Edges, spots: &[Kept]) -> Vec<Result<(), Hindrance>> {
+    let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, maps)).collect();
+    let clear: Vec<bool> = nuclei.iter().map(|nucleus| obstacles::is_clear(maps, edges, nucleus)).collect();
+    let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
+    let largest = nuclei.iter().map(|nucleus| nucleus.reach).fold(1.0, f64::max);
+    let mut placed = Buckets::new(space, PUSH * largest);
+    nuclei.iter().zip(&clear).filter(|(_, clear)| **clear).for_each(|(nucleus, _)| placed.insert(*nucleus));
+    let near: Vec<f64> =
+        spots.iter().zip(&clear).filter(|(_, clear)| **clear).map(|(spot, _)| spot.near).collect();
+    let mut stays = independent(&crowded(&placed, edges, &near)).into_iter();
+    let stands = |clear: bool| match clear.then(|| stays.next()) {
+        None => Err(Hindrance::Taken),
+        Some(stays) => stays.unwrap_or(false).then_some(()).ok_or(Hindrance::Neighbour),
+    };
+    clear.into_iter().map(stands).collect()
+}
+
+/// Which of those placed are too near to which: nearer than the mean of what is `near` to each.
+fn crowded(placed: &Buckets, edges: Edges, near: &[f64]) -> Vec<Vec<usize>> {
+    let mut crowded = vec![Vec::new(); placed.all.len()];
+    for (i, point) in placed.all.iter().enumerate() {
+        placed.near_by_index(point, PUSH, |other, delta| {
+            let least = 0.5 * (near[i] + near[other]);
+            // Images beyond a closed edge are none's neighbours.
+            let there = &placed.all[other];
+            let image = edges == Edges::Closed
+                && (0..2).any(|axis| (there.at[axis] - point.at[axis] - delta[axis]).abs() > 1e-6);
+            if other != i && !image && distance2(point, there, delta) < least * least {
+                crowded[i].push(other);
+            }
+        });
+    }
+    crowded
+}
+
+/// As many as can be of which none is `near` another, nearly: those with the fewest left beside them first, the earlier
+/// of equals.
+fn independent(near: &[Vec<usize>]) -> Vec<bool> {
+    let mut stays = vec![None; near.len()];
+    loop {
+        let open = |i: &usize| stays[*i].is_none();
+        let degree = |i: &usize| near[*i].iter().filter(|other| open(other)).count();
+        let Some(next) = (0..near.len()).filter(open).min_by_key(degree) else { break };
+        near[next].iter().for_each(|other| {
+            stays[*other].get_or_insert(false);
+        });
+        stays[next] = Some(true);
+    }
+    stays.into_iter().map(|stays| stays == Some(true)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rd::nuclei::lay;
+    use rand::SeedableRng;
+    use rand_pcg::Pcg64Mcg;
+
+    const P: Parameters = Parameters { rate: 6.0, ratio: 20.0, stretch: 0.7, direction: 20.0, pitch: 1.0 };
+
+    fn kept(places: &[[f64; 2]]) -> Vec<Kept> {
+        places.iter().map(|at| Kept { at: *at, own: P, near: 0.6 }).collect()
+    }
+
+    #[test]
+    fn of_a_row_too_near_to_each_other_every_other_one_stays() {
+        let maps = Maps::uniform(200, 60, P);
+        let pitch = System::MeinhardtSpots.spacing(&P);
+        let row: Vec<[f64; 2]> = (0..7).map(|k| [20.0 + 0.55 * pitch * f64::from(k), 30.0]).collect();
+        let stays = standing(System::MeinhardtSpots, &maps, Edges::Closed, &kept(&row));
+        let stays: Vec<bool> = stays.iter().map(Result::is_ok).collect();
+        assert_eq!(stays, [true, false, true, false, true, false, true]);
+    }
+
+    #[test]
+    fn a_spot_on_taken_cells_hinders_no_other() {
+        let mut maps = Maps::uniform(80, 60, P);
+        maps.taken = (0..80 * 60).map(|cell| cell % 80 < 20).collect();
+        let spots = kept(&[[10.0, 30.0], [21.0, 30.0], [50.0, 30.0]]);
+        let found = standing(System::MeinhardtSpots, &maps, Edges::Closed, &spots);
+        assert_eq!(found, [Err(Hindrance::Taken), Err(Hindrance::Taken), Ok(())]);
+    }
+
+    #[test]
+    fn neighbours_are_seen_across_the_border_of_a_tile_alone() {
+        let maps = Maps::uniform(80, 60, P);
+        let spots = kept(&[[2.0, 30.0], [78.0, 30.0]]);
+        let stand = |edges| standing(System::MeinhardtSpots, &maps, edges, &spots);
+        assert_eq!(stand(Edges::Closed), [Ok(()), Ok(())]);
+        assert_eq!(stand(Edges::Wrap), [Ok(()), Err(Hindrance::Neighbour)]);
+    }
+
+    #[test]
+    fn others_are_laid_around_those_that_are_kept() {
+        let maps = Maps::uniform(160, 130, P);
+        let system = System::MeinhardtSpots;
+        let spots = kept(&[[1.0, 50.0], [60.3, 61.7], [73.1, 70.2], [100.0, 100.0]]);
+        let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, &maps)).collect();
+        let pitch = |p: &Parameters| system.spacing(p);
+        for edges in [Edges::Closed, Edges::Wrap] {
+            let free = lay(&maps, edges, &pitch, &[], &mut Pcg64Mcg::seed_from_u64(3)).inside.len();
+            let laid = lay(&maps, edges, &pitch, &nuclei, &mut Pcg64Mcg::seed_from_u64(3)).inside;
+            assert!(laid.iter().zip(&spots).all(|(laid, spot)| laid.at == spot.at));
+            assert!(laid.len().abs_diff(free) * 12 <= free, "{} with, {free} without", laid.len());
+            let near = laid[4..].iter().flat_map(|other| {
+                nuclei.iter().map(|kept| {
+                    distance2(kept, other, [other.at[0] - kept.at[0], other.at[1] - kept.at[1]]).sqrt()
+                })
+            });
+            assert!(near.fold(f64::INFINITY, f64::min) > 0.75);
+        }
+    }
+}

@@ -1,0 +1,318 @@
+//! One step of a row, a [`Vector`] of cells at a time: bit for bit what [`crate::rd::explicit`] computes.
+//!
+//! All that is computed stays in registers. Cells whose stencils use the same offsets pay for no others: an offset
+//! of weight 0 would add exactly 0.
+
+use std::ops::Range;
+
+use crate::rd::coefficients::Numbers;
+use crate::rd::kinetics::{Kinetics, Spread, euler};
+use crate::rd::plane::{Grid, LANES, Lanes, MARGIN};
+use crate::rd::problem::Problem;
+use crate::rd::selling::{OFFSETS, REACH};
+use crate::rd::vector::Vector;
+
+/// Rows y − REACH ..= y + REACH of each chemical, margins included. Those beyond a closed edge are never read for
+/// what they hold.
+pub type Window<'a, const N: usize> = [[&'a [f32]; 2 * REACH + 1]; N];
+
+/// The sets of [`OFFSETS`] that Selling's reduction ends with: the axes (isotropic diffusion and tensors along the
+/// axes), with a diagonal, or with a knight's move between; then what groups use where one becomes the other. The
+/// last offset of a shorter set is repeated.
+const SETS: [[usize; 4]; 12] = [
+    [0, 1, 1, 1],
+    [0, 1, 2, 2],
+    [0, 1, 3, 3],
+    [0, 2, 4, 4],
+    [1, 2, 5, 5],
+    [0, 3, 6, 6],
+    [1, 3, 7, 7],
+    [0, 1, 2, 3],
+    [0, 1, 2, 4],
+    [0, 1, 2, 5],
+    [0, 1, 3, 6],
+    [0, 1, 3, 7],
+];
+/// Any other set: looked up while stepping.
+const MIXED: usize = SETS.len();
+/// The axes, with weights that are all 1: nothing is multiplied by them, which changes no bit.
+const UNIT: usize = MIXED + 1;
+/// The sets as bits.
+const BITS: [u8; SETS.len()] = {
+    let mut bits = [0; SETS.len()];
+    let mut set = 0;
+    while set < SETS.len() {
+        let [a, b, c, d] = SETS[set];
+        bits[set] = 1 << a | 1 << b | 1 << c | 1 << d;
+        set += 1;
+    }
+    bits
+};
+/// The offsets of a set, and how many.
+const fn taps(set: usize) -> ([[isize; 2]; 4], u32) {
+    let [a, b, c, d] = SETS[set];
+    ([OFFSETS[a], OFFSETS[b], OFFSETS[c], OFFSETS[d]], BITS[set].count_ones())
+}
+
+/// The coefficients of one row.
+#[derive(Clone, Copy)]
+struct Row<'a> {
+    y: usize,
+    grid: Grid,
+    /// Weights of the isotropic stencil along x, along y, and of the cell itself.
+    isotropic: [f32; 3],
+    weights: Numbers<'a>,
+    mobility: Numbers<'a>,
+    rate: Numbers<'a>,
+}
+
+/// The coefficients of one group.
+#[derive(Clone, Copy)]
+struct Group {
+    /// The offsets in use, as bits; a weight for each.
+    used: u8,
+    weights: *const Lanes,
+    /// Two.
+    mobility: *const Lanes,
+    /// One.
+    rate: *const Lanes,
+}
+
+impl Row<'_> {
+    /// # Safety
+    /// The row must have that group.
+    #[inline(always)]
+    unsafe fn group(&self, group: usize) -> Group {
+        // SAFETY: there is such a group, says the caller.
+        unsafe {
+            let (used, weights) = self.weights.first(group);
+            Group { used, weights, mobility: self.mobility.first(group).1, rate: self.rate.first(group).1 }
+        }
+    }
+}
+
+/// Steps the cells of row `y`, from the rows about it into `to`.
+#[inline(always)]
+pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
+    problem: &Problem,
+    y: usize,
+    from: &Window<N>,
+    to: &mut [&mut [f32]; N],
+) {
+    let (grid, groups) = (problem.grid, problem.grid.inner());
+    let row = Row {
+        y,
+        grid,
+        isotropic: problem.isotropic_weights(),
+        weights: problem.diffusion.weights.in_row(y),
+        mobility: problem.mobility.in_row(y),
+        rate: problem.rate.in_row(y),
+    };
+    // What the unchecked loads and stores below rely on.
+    let rows = from.iter().flatten().map(|row| row.len()).chain(to.iter().map(|row| row.len()));
+    assert!(groups.start * LANES >= REACH && rows.min() >= Some(groups.end * LANES + REACH));
+    assert!(
+        [row.weights.groups(), row.mobility.groups(), row.rate.groups()].iter().all(|n| *n >= groups.end)
+    );
+    let mut first = groups.start;
+    for run in problem.runs.of(y) {
+        let part = first..groups.end.min(run.end as usize);
+        if part.is_empty() {
+            continue;
+        }
+        first = part.end;
+        let known = BITS.iter().position(|bits| *bits == run.used).unwrap_or(MIXED);
+        let set = if run.unit { UNIT } else { known };
+        macro_rules! step {
+            ($($known:literal)*) => {
+                match set {
+                    UNIT if run.edge => step_groups::<N, K, V, UNIT, true>(row, from, to, part, run.same),
+                    UNIT => step_groups::<N, K, V, UNIT, false>(row, from, to, part, run.same),
+                    0 if run.edge => step_groups::<N, K, V, 0, true>(row, from, to, part, run.same),
+                    _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, from, to, part, run.same),
+                    $($known => step_groups::<N, K, V, $known, false>(row, from, to, part, run.same),)*
+                    _ => step_groups::<N, K, V, MIXED, false>(row, from, to, part, run.same),
+                }
+            };
+        }
+        step!(0 1 2 3 4 5 6 7 8 9 10 11);
+        if first == groups.end {
+            break;
+        }
+    }
+}
+
+/// Steps groups that use the same offsets. `SET`: these, by place in [`SETS`], or [`MIXED`] or [`UNIT`]. Where `EDGE`
+/// is false, nothing beyond a closed edge is within reach. `same`: all have the coefficients of the first.
+#[inline(always)]
+fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
+    row: Row,
+    from: &Window<N>,
+    to: &mut [&mut [f32]; N],
+    groups: Range<usize>,
+    same: bool,
+) {
+    // Pointers, since whoever writes through slices has to look up again where the others lie.
+    let mut rows = [[std::ptr::null(); 2 * REACH + 1]; N];
+    let mut out = [std::ptr::null_mut(); N];
+    for i in 0..N {
+        for d in 0..2 * REACH + 1 {
+            rows[i][d] = from[i][d].as_ptr();
+        }
+        out[i] = to[i].as_mut_ptr();
+    }
+    // SAFETY: `step_row` made sure that the row has these groups.
+    let mut coefficients = unsafe { row.group(groups.start) };
+    for group in groups {
+        if !same {
+            // SAFETY: as above.
+            coefficients = unsafe { row.group(group) };
+        }
+        for lane in (0..LANES).step_by(V::WIDTH) {
+            let place = group * LANES + lane;
+            // SAFETY: `step_row` made sure that the rows reach beyond the groups by the stencil's reach on both
+            // sides; `Lanes` hold LANES numbers.
+            unsafe {
+                let mut u = [V::of(0.0); N];
+                for i in 0..N {
+                    u[i] = V::load(rows[i][REACH].add(place));
+                }
+                let spread = spread::<N, K, V, SET, EDGE>(&row, &rows, place, &coefficients, &u);
+                let mobility =
+                    [number(coefficients.mobility, 0, lane), number(coefficients.mobility, 1, lane)];
+                let next = euler::<N, K, V>(u, spread, mobility, number(coefficients.rate, 0, lane));
+                for i in 0..N {
+                    next[i].store(out[i].add(place));
+                }
+            }
+        }
+    }
+}
+
+/// Number `k` of a group for the cells from `lane` on.
+///
+/// # Safety
+/// The group must keep that many numbers, and `lane` + `V::WIDTH` must not go beyond [`LANES`].
+#[inline(always)]
+unsafe fn number<V: Vector>(packs: *const Lanes, k: usize, lane: usize) -> V {
+    // SAFETY: within the pack, says the caller.
+    unsafe { V::load(packs.add(k).cast::<f32>().add(lane)) }
+}
+
+/// What diffusion alone would do to the cells at `place` and after, mobility left out.
+#[inline(always)]
+unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
+    row: &Row,
+    rows: &[[*const f32; 2 * REACH + 1]; N],
+    place: usize,
+    coefficients: &Group,
+    u: &[V; N],
+) -> [V; N] {
+    let mut spread = [V::of(0.0); N];
+    let lane = place % LANES;
+    // SAFETY: asked for no more than the group uses.
+    let weight = |k: usize| unsafe { number::<V>(coefficients.weights, k, lane) };
+    // 2 Σ wₖ, in the order of the offsets.
+    let center = if SET < MIXED {
+        let mut sum = weight(0) + weight(1);
+        if taps(SET).1 > 2 {
+            sum = sum + weight(2);
+        }
+        if taps(SET).1 > 3 {
+            sum = sum + weight(3);
+        }
+        V::of(2.0) * sum
+    } else {
+        V::of(4.0)
+    };
+    for i in 0..N {
+        let pair = |offset: [isize; 2]| {
+            // SAFETY: as for `step_groups`, whose this is a part.
+            unsafe { neighbours::<V, EDGE>(row, place, &rows[i], offset, u[i]) }
+        };
+        let (around, center) = match K::SPREAD[i] {
+            Spread::Still => continue,
+            Spread::Tensor(_) if SET == UNIT => (pair([1, 0]) + pair([0, 1]), V::of(4.0)),
+            Spread::Tensor(_) if SET == MIXED => {
+                let (mut sum, mut weights, mut kept) = (V::of(0.0), V::of(0.0), 0);
+                for (k, offset) in OFFSETS.into_iter().enumerate() {
+                    if coefficients.used & (1 << k) != 0 {
+                        sum = sum + weight(kept) * pair(offset);
+                        weights = weights + weight(kept);
+                        kept += 1;
+                    }
+                }
+                (sum, V::of(2.0) * weights)
+            }
+            Spread::Tensor(_) => {
+                // By hand: a loop is not always unrolled, and then its offsets are no constants.
+                let (offset, taps) = const { taps(if SET < MIXED { SET } else { 0 }) };
+                let mut sum = weight(0) * pair(offset[0]) + weight(1) * pair(offset[1]);
+                if taps > 2 {
+                    sum = sum + weight(2) * pair(offset[2]);
+                }
+                if taps > 3 {
+                    sum = sum + weight(3) * pair(offset[3]);
+                }
+                (sum, center)
+            }
+            _ if row.isotropic == [1.0, 1.0, 4.0] => (pair([1, 0]) + pair([0, 1]), V::of(4.0)),
+            _ => {
+                let [wx, wy, center] = row.isotropic.map(V::of);
+                (wx * pair([1, 0]) + wy * pair([0, 1]), center)
+            }
+        };
+        spread[i] = around - center * u[i];
+    }
+    spread
+}
+
+/// u(x + e) + u(x − e). What lies beyond a closed edge counts as the cell's `own`.
+#[inline(always)]
+unsafe fn neighbours<V: Vector, const EDGE: bool>(
+    row: &Row,
+    place: usize,
+    rows: &[*const f32; 2 * REACH + 1],
+    [dx, dy]: [isize; 2],
+    own: V,
+) -> V {
+    // SAFETY: as for `step_groups`, whose this is a part.
+    let [mut there, mut back] = unsafe {
+        [
+            V::load(rows[REACH.wrapping_add_signed(dy)].add(place).offset(dx)),
+            V::load(rows[REACH.wrapping_sub_signed(dy)].add(place).offset(-dx)),
+        ]
+    };
+    if EDGE {
+        there = keep_inside(row, place, [dx, dy], own, there);
+        back = keep_inside(row, place, [-dx, -dy], own, back);
+    }
+    there + back
+}
+
+/// Of the concentrations `there`, at an offset (dx, dy) from the cells `own`, puts the cells' own in the place of
+/// those beyond the border, so that nothing flows across it.
+#[inline(always)]
+fn keep_inside<V: Vector>(row: &Row, place: usize, [dx, dy]: [isize; 2], own: V, there: V) -> V {
+    if !(0..row.grid.ny as isize).contains(&(row.y as isize + dy)) {
+        return own;
+    }
+    // Columns that far from 0 are exact in f32.
+    // SAFETY: there are LANES columns, and `place % LANES + V::WIDTH` of them at most are asked for.
+    let lane = unsafe { V::load(COLUMNS[place % LANES..].as_ptr()) };
+    let first = (place - place % LANES) as isize - MARGIN as isize;
+    let x = lane + V::of((first + dx) as f32);
+    let there = own.where_less(x, V::of(0.0), there);
+    own.where_less(V::of(row.grid.nx as f32 - 1.0), x, there)
+}
+
+/// Columns of a group, from its first.
+const COLUMNS: [f32; LANES] = {
+    let mut columns = [0.0; LANES];
+    let mut j = 0;
+    while j < LANES {
+        columns[j] = j as f32;
+        j += 1;
+    }
+    columns
+};

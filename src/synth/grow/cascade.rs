@@ -1,0 +1,233 @@
+//! Layer by layer: what earlier ones grew is frozen, and what comes next grows into what they left.
+
+use crate::attributes::Attributes;
+use crate::attributes::regions::RegionMap;
+use crate::document::{After, Document};
+use crate::rd::Seeding;
+use crate::synth::grow::engine::Engine;
+use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, Options, grow_layer};
+use crate::synth::grow::probe::When;
+use crate::synth::memory;
+use crate::synth::plan::around;
+use crate::synth::plan::around::{plan_lines, way};
+use crate::synth::plan::inside::{is_replaced, plan_inside, refusal};
+use crate::synth::plan::pinned_marks::keep;
+use crate::synth::plan::{Plan, plan};
+use crate::synth::plan::{obstacle_mask, sketch_targets};
+use crate::synth::render::painting::Look;
+use crate::synth::render::pattern::Pattern;
+use crate::synth::training::Training;
+use crate::synth::watch::{Stage, Watch};
+
+/// Grows `document` (named `source` in messages).
+///
+/// # Errors
+/// See [`GrowError`].
+pub fn grow(
+    document: &Document,
+    source: &str,
+    training: &Training,
+    options: Options,
+    watch: &Watch,
+) -> Result<Grown, GrowError> {
+    regrow(document, source, training, options, None, watch)
+}
+
+/// The same where some of it stands in `before`, grown from the same training sets: its lowest layers, as far as they
+/// would grow as they have, are taken from there. What comes out is what [`grow`] gives.
+///
+/// # Errors
+/// See [`GrowError`].
+pub fn regrow(
+    document: &Document,
+    source: &str,
+    training: &Training,
+    options: Options,
+    before: Option<&Grown>,
+    watch: &Watch,
+) -> Result<Grown, GrowError> {
+    regrow_seen(document, source, training, options, before, watch, &mut |_| {})
+}
+
+/// The same for somebody who wants to have a look now and then, every few milliseconds; what comes out does not
+/// depend on it.
+///
+/// # Errors
+/// See [`GrowError`].
+pub fn regrow_seen(
+    document: &Document,
+    source: &str,
+    training: &Training,
+    options: Options,
+    before: Option<&Grown>,
+    watch: &Watch,
+    seen: &mut dyn FnMut(&Look),
+) -> Result<Grown, GrowError> {
+    Cascade { document, source, training, options, watch, every: None }.grow(before, seen)
+}
+
+/// As [`grow()`], seen each `every` of normalised time: at the same moments on any machine.
+///
+/// # Errors
+/// See [`GrowError`].
+pub fn grow_seen(
+    document: &Document,
+    source: &str,
+    training: &Training,
+    options: Options,
+    watch: &Watch,
+    every: f64,
+    seen: &mut dyn FnMut(&Look),
+) -> Result<Grown, GrowError> {
+    Cascade { document, source, training, options, watch, every: Some(every) }.grow(None, seen)
+}
+
+/// How many of the lowest layers of `document` would grow as they have in `before`, and so are taken from there.
+#[must_use]
+pub fn unchanged(document: &Document, options: Options, before: &Grown) -> usize {
+    let canvas = |of: &Document, options: Options| {
+        (of.size, of.regions, of.edges, options.size, options.refine.unwrap_or(of.growth.refine))
+    };
+    if canvas(document, options) != canvas(&before.document, before.options) {
+        return 0;
+    }
+    let pairs = document.layers.iter().zip(&before.document.layers).enumerate();
+    let pairs = pairs.take(before.layers.len());
+    let same = pairs.take_while(|(index, (new, old))| {
+        let seed = document.layer_seed(*index) == before.document.layer_seed(*index);
+        let marks = (new.system, new.after, &new.options, &new.strokes)
+            == (old.system, old.after, &old.options, &old.strokes);
+        // What is written of a layer names the one beneath.
+        seed && marks && new.name == old.name
+    });
+    same.count()
+}
+
+/// What every layer of a document is grown with.
+struct Cascade<'a> {
+    document: &'a Document,
+    source: &'a str,
+    training: &'a Training,
+    options: Options,
+    watch: &'a Watch<'a>,
+    /// Normalised time from look to look; `None` = as suits those who wait.
+    every: Option<f64>,
+}
+
+impl Cascade<'_> {
+    /// Grows the layers that do not stand in `before`.
+    fn grow(&self, before: Option<&Grown>, seen: &mut dyn FnMut(&Look)) -> Result<Grown, GrowError> {
+        let Self { document, options, .. } = *self;
+        let size = options.size.unwrap_or(document.size);
+        let frozen = before.map_or(0, |before| unchanged(document, options, before));
+        let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
+        layers.extend(before.iter().flat_map(|before| &before.layers[..frozen]).cloned());
+        for index in frozen..document.layers.len() {
+            let layer = self.layer(index, &layers, seen)?;
+            layers.push(layer);
+        }
+        Ok(Grown { size, layers, document: document.clone(), options })
+    }
+
+    /// Grows layer `index` into what those `beneath` left free.
+    fn layer(
+        &self,
+        index: usize,
+        beneath: &[GrownLayer],
+        seen: &mut dyn FnMut(&Look),
+    ) -> Result<GrownLayer, GrowError> {
+        let mut seen = |plan: &Plan, engine: &Engine| seen(&Look { beneath, plan, engine });
+        let Self { document, source, training, options, watch, every } = *self;
+        let correct = options.refine.unwrap_or(document.growth.refine);
+        let size = options.size.unwrap_or(document.size).map(f64::from);
+        watch.step(Stage::Plan, 0.0)?;
+        let map = sketch_targets::region_map(document, index, source)?.resized(size);
+        let mut plan =
+            planned(document, index, source, training, &map, beneath.last().map(|layer| &layer.plan))?;
+        memory::check(plan.system, size, plan.grid)?;
+        plan.seeding = document.layers[index].options.seeding;
+        if correct && plan.seeding == Seeding::Noise {
+            watch.step(Stage::Plan, 0.1)?;
+            plan = plan.probed(training, When::Unsure, watch)?;
+        }
+        if plan.places.is_some()
+            && let Some(beneath) = beneath.last()
+        {
+            plan.place_inside(&beneath.measured);
+        }
+        placed_over(&mut plan, document, beneath);
+        let striped = matches!(plan.map.at([0.0, 0.0]), Attributes::Stripes(_));
+        if striped && plan.way.is_none() && !plan.taken.is_empty() {
+            if !obstacle_mask::has_room(&plan) {
+                return Err(GrowError::NoRoom { layer: index + 1 });
+            }
+            plan.taken = obstacle_mask::with_rim(&plan.taken, plan.grid, document.edges);
+        }
+        let free = plan.way.is_none() && plan.places.is_none();
+        if free && (document.keeps(index) || plan.seeding == Seeding::Initiators) {
+            keep(&mut plan, &sketch_targets::marks_on(document, index, source, size)?);
+        }
+        let keeping = [correct, options.concentrations];
+        let seed = document.layer_seed(index);
+        plan.lay_course(document.layers[index].options.broken, seed)
+            .map_err(|reason| GrowError::Course { layer: index + 1, reason })?;
+        let mut layer = grow_layer(plan, seed, index + 1, keeping, watch, every, &mut seen)?;
+        if let Some(found) = obstacle_mask::shaped(&layer.plan, &layer.measured)
+            .filter(|_| correct && layer.plan.places.is_none())
+        {
+            layer = grow_layer(
+                layer.plan.against(training, &found)?,
+                seed,
+                index + 1,
+                keeping,
+                watch,
+                every,
+                &mut seen,
+            )?;
+        }
+        if document.layers[index].after == After::Inside {
+            layer.plan.tell_places(&layer.measured, &document.layers[index - 1].name);
+        }
+        Ok(layer)
+    }
+}
+
+/// Takes from `plan` the cells that the marks of the layers `beneath` have, but for those that others replace.
+pub fn placed_over(plan: &mut Plan, document: &Document, beneath: &[GrownLayer]) {
+    let shown = beneath.iter().enumerate().filter(|(below, _)| !is_replaced(document, *below));
+    let shown: Vec<Pattern> = shown.map(|(_, layer)| layer.pattern()).collect();
+    if !shown.is_empty() {
+        plan.taken = obstacle_mask::taken(&shown, plan.grid);
+    }
+}
+
+/// Plans layer `index`, whose marks make `map`, above the layer with the plan `beneath`.
+///
+/// # Errors
+/// What was drawn cannot be grown there, or its parameters cannot be looked up.
+pub fn planned(
+    document: &Document,
+    index: usize,
+    source: &str,
+    training: &Training,
+    map: &RegionMap,
+    beneath: Option<&Plan>,
+) -> Result<Plan, GrowError> {
+    let layer = &document.layers[index];
+    if let Some(problem) = around::refusal(document, index, map) {
+        return Err(problem.in_file(source).into());
+    }
+    if let Some(way) = way(layer.after) {
+        return Ok(plan_lines(way, map.clone())?);
+    }
+    if layer.after != After::Inside {
+        let mut plan = plan(training, layer.choice(), map)?;
+        plan.irregular = layer.options.irregular;
+        return Ok(plan);
+    }
+    if let Some(problem) = refusal(document, index, map, beneath) {
+        return Err(problem.in_file(source).into());
+    }
+    let beneath = beneath.expect("refused without one");
+    Ok(plan_inside(training, map, beneath)?)
+}

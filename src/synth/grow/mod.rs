@@ -1,0 +1,11 @@
+//! Plans → grown layers.
+
+pub mod cascade;
+pub mod convergence;
+pub mod engine;
+pub mod layer;
+pub mod multigrid_levels;
+pub mod patch;
+pub mod position_control;
+pub mod probe;
+pub mod refine;

@@ -1,0 +1,182 @@
+//! Measuring what has grown, and moving the level until the areas (widths) are those asked for.
+//!
+//! Size, shape and spacing are in the concentrations; the last per cents of area come from where the edge is
+//! drawn: one level a region, interpolated between regions (`facts.md` K).
+
+use crate::attributes::Attributes;
+use crate::grid::Field;
+use crate::measure::{self, Spot, SpotErrors, StripeErrors};
+use crate::rd::System;
+use crate::synth::plan::Plan;
+use crate::synth::render::pattern::Pattern;
+use crate::synth::watch::{Cancelled, Stage, Watch};
+
+/// What was measured, by region.
+#[derive(Clone, Debug)]
+pub enum Measured {
+    /// A layer of spots.
+    Spots {
+        /// Errors by region.
+        errors: Vec<SpotErrors>,
+        /// All marks, cut ones too.
+        marks: Vec<Spot>,
+    },
+    /// A layer of stripes.
+    Stripes(Vec<StripeErrors>),
+}
+
+/// Measurements and corrections at most.
+const ROUNDS: usize = 4;
+/// Areas and widths nearer than this to what was asked are left alone: half of what the ruler can tell.
+const NEAR: f64 = 0.001;
+/// What the level may be multiplied by. Farther off, the parameters are wrong, and a level would hide it.
+const CORRECTIONS: [f64; 2] = [0.6, 1.5];
+
+/// Points that the ruler is given for a cell of the grid along each side, where the canvas has more px than that: a
+/// spot of 48 cells then has 108, of which it reads the area to 0.1 %.
+const FINER: f64 = 1.5;
+
+/// Measures `pattern`, a field of the canvas of `plan`, against what was asked.
+#[must_use]
+pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
+    if plan.system.is_striped() {
+        let mut errors = plan.on_canvas(|canvas| measure::stripe_errors(pattern, 0.5, canvas));
+        if let Some(course) = &plan.course {
+            errors.iter_mut().enumerate().for_each(|(index, errors)| course.corrected(index, errors));
+        }
+        return Measured::Stripes(errors);
+    }
+    let marks = measure::spots(pattern, 0.5);
+    Measured::Spots { errors: plan.on_canvas(|canvas| measure::spot_errors(&marks, canvas)), marks }
+}
+
+impl Measured {
+    /// got ÷ wanted − 1 of area or width in region `index`.
+    fn size_error(&self, index: usize) -> Option<f64> {
+        match self {
+            Self::Spots { errors, .. } => errors[index].area,
+            Self::Stripes(errors) => errors[index].width,
+        }
+    }
+
+    /// What has grown in region `index`.
+    #[must_use]
+    pub fn got(&self, index: usize) -> Option<Attributes> {
+        match self {
+            Self::Spots { errors, .. } => errors[index].got.map(Attributes::Spots),
+            Self::Stripes(errors) => errors[index].got.map(Attributes::Stripes),
+        }
+    }
+}
+
+/// Corrects the levels of `pattern`, whose canvas is `size` px; gives what was measured at the end.
+///
+/// Without `correct` it only measures.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn refine(
+    plan: &Plan,
+    pattern: &mut Pattern,
+    size: [usize; 2],
+    correct: bool,
+    watch: &Watch,
+) -> Result<Measured, Cancelled> {
+    let size = [0, 1].map(|axis| size[axis].min((FINER * plan.grid[axis] as f64).ceil() as usize));
+    watch.step(Stage::Refine, 0.0)?;
+    let concentration = pattern.concentration(size);
+    let ruler = Ruler::of(plan);
+    let (mut errors, mut found) = ruler.errors(plan, &pattern.levelled(&concentration, size));
+    // d ln size / d ln level, by region; better known after the first correction.
+    let mut slope = vec![first_slope(plan); errors.len()];
+    for round in 0..ROUNDS {
+        watch.step(Stage::Refine, round as f64 / ROUNDS as f64)?;
+        if !correct || errors.iter().flatten().all(|error| error.abs() < NEAR) {
+            break;
+        }
+        let before = pattern.correction.clone();
+        for (i, error) in errors.iter().enumerate() {
+            let Some(error) = error else { continue };
+            let step = -libm::log1p(*error) / slope[i];
+            pattern.correction[i] =
+                (pattern.correction[i] * libm::exp(step)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
+        }
+        let (new, measured) = ruler.errors(plan, &pattern.levelled(&concentration, size));
+        for i in 0..slope.len() {
+            let (Some(old), Some(new)) = (errors[i], new[i]) else { continue };
+            let moved = libm::log(pattern.correction[i] / before[i]);
+            if moved.abs() > 1e-4 {
+                let seen = (libm::log1p(new) - libm::log1p(old)) / moved;
+                // A region's neighbours move it too; a slope of the wrong sign would run away.
+                slope[i] = seen.clamp(2.0 * slope[i], 0.5 * slope[i]);
+            }
+        }
+        (errors, found) = (new, measured);
+    }
+    Ok(found.unwrap_or_else(|| measured(plan, &pattern.levelled(&concentration, size))))
+}
+
+/// What is looked at while levels move.
+enum Ruler {
+    /// All that is told of spots.
+    Spots,
+    /// Only widths, against these by region: directions take longer, and hardly change.
+    Stripes(Vec<f64>),
+}
+
+impl Ruler {
+    fn of(plan: &Plan) -> Self {
+        if !plan.system.is_striped() {
+            return Self::Spots;
+        }
+        let layout = plan.map.layout();
+        let width = |index: usize| {
+            let [column, row] = layout.place(index);
+            let share = |i: usize, k: usize, axis: usize| {
+                (k as f64 + (i as f64 + 0.5) / POINTS as f64) / layout.grid[axis] as f64 * layout.size[axis]
+            };
+            let points = (0..POINTS * POINTS)
+                .map(|i| [share(i % POINTS, column, 0), share(i / POINTS, row, 1)])
+                .map(|point| match plan.map.at(point) {
+                    Attributes::Stripes(stripes) => stripes.width,
+                    Attributes::Spots(_) => 0.0,
+                });
+            points.sum::<f64>() / (POINTS * POINTS) as f64
+        };
+        Self::Stripes((0..layout.len()).map(width).collect())
+    }
+
+    /// got ÷ wanted − 1 of area or width by region, and all that was measured where it was.
+    fn errors(&self, plan: &Plan, pattern: &Field) -> (Vec<Option<f64>>, Option<Measured>) {
+        match self {
+            Self::Spots => {
+                let found = measured(plan, pattern);
+                ((0..plan.map.layout().len()).map(|i| found.size_error(i)).collect(), Some(found))
+            }
+            Self::Stripes(wanted) => {
+                let widths =
+                    plan.on_canvas(|canvas| measure::widths(pattern, 0.5, canvas.regions, canvas.region_of));
+                let got = |(index, got): (usize, Option<f64>)| match &plan.course {
+                    Some(course) => Some(course.width(index, got?)),
+                    None => got,
+                };
+                let error = |(got, wanted): (Option<f64>, &f64)| Some(got? / wanted - 1.0);
+                (widths.into_iter().enumerate().map(got).zip(wanted).map(error).collect(), None)
+            }
+        }
+    }
+}
+
+/// Points a region along each side at which its width is asked: even, so that the mean of what is bilinear about the
+/// centre is exact.
+const POINTS: usize = 16;
+
+/// d ln size / d ln level: of a Gaussian bell ln area = ln ln(1/l) + c, at a level of ½; of a stripe with a
+/// sinusoidal profile width = (λ/π) arccos(2l − 1); of a line, a Gaussian across, ln width = ½ ln ln(1/l) + c.
+fn first_slope(plan: &Plan) -> f64 {
+    match plan.system {
+        System::MeinhardtStripes => -2.0 / std::f64::consts::PI,
+        System::MeinhardtLines => -0.72,
+        System::TuringSpots | System::MeinhardtSpots => -1.44,
+    }
+}

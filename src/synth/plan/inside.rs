@@ -1,0 +1,137 @@
+//! `after: "inside"`: a smaller mark at each place of the layer beneath, which itself is not shown.
+//!
+//! The ground of Meinhardt's system is inert: spots stand where they were laid and nowhere else (`facts.md` G). So the
+//! centroids of the marks beneath are where the new ones begin, with parameters for their own area, aspect and angle at
+//! the spacing of the layer beneath. Nothing of that layer is frozen for them.
+
+use crate::attributes::regions::RegionMap;
+use crate::attributes::{Attributes, Spots};
+use crate::document::{After, Document, Problem, SystemChoice};
+use crate::measure::Spot;
+use crate::rd::{System, off_walls};
+use crate::synth::grow::refine::Measured;
+use crate::synth::plan::{Plan, PlanError, ask_placed, planned};
+use crate::synth::training::Training;
+
+/// Is layer `index` not shown because the next one stands inside it?
+#[must_use]
+pub fn is_replaced(document: &Document, index: usize) -> bool {
+    document.layers.get(index + 1).is_some_and(|above| above.after == After::Inside)
+}
+
+/// Why layer `index`, whose marks make `map`, cannot stand inside the layer beneath with its `plan`; `None` where it can.
+#[must_use]
+pub fn refusal(
+    document: &Document,
+    index: usize,
+    map: &RegionMap,
+    beneath: Option<&Plan>,
+) -> Option<Problem> {
+    let at = |key: &str| format!("layers[{index}].{key}");
+    let after = |allowed: &str| Some(Problem::new(at("after"), "\"inside\"", allowed));
+    let Some(beneath) = beneath else {
+        return after("in a layer that has another beneath it, whose places it takes");
+    };
+    let met = index.checked_sub(1).map(|below| document.layers[below].after);
+    if index > 1 && matches!(met, Some(After::Around | After::Net)) {
+        return after("above a layer of single spots: rings and webs have no places");
+    }
+    if matches!(beneath.system, System::MeinhardtStripes | System::MeinhardtLines) {
+        return after("above a layer of ellipses: stripes have no places");
+    }
+    let layout = map.layout();
+    for (place, _) in map.regions() {
+        let center = layout.center(place);
+        let (Attributes::Spots(own), Attributes::Spots(there)) = (map.at(center), beneath.map.at(center))
+        else {
+            let allowed = "ellipses, as \"after\" is \"inside\": a spot inside each spot beneath";
+            return Some(Problem::new(at("strokes"), "lines", allowed));
+        };
+        if own.area >= there.area {
+            let found = format!("a mean area of {:.0} px² in region {place:?}", own.area);
+            let allowed = format!(
+                "smaller marks than those beneath, of {:.0} px² there, as \"after\" is \"inside\"",
+                there.area
+            );
+            return Some(Problem::new(at("strokes"), found, allowed));
+        }
+    }
+    if document.layers[index].system == SystemChoice::TuringSpots {
+        let allowed = "auto, meinhardt-spots (\"after\" is \"inside\"; Turing's spots fill all the space between the \
+                       places, too)";
+        return Some(Problem::new(at("system"), "\"turing-spots\"", allowed));
+    }
+    None
+}
+
+/// Plans a layer with the attributes of `map` inside that of `beneath`, whose spacing it takes.
+///
+/// # Errors
+/// As [`crate::synth::plan::lookup`].
+pub fn plan_inside(training: &Training, map: &RegionMap, beneath: &Plan) -> Result<Plan, PlanError> {
+    let spacings = beneath.answers.iter().map(|answer| match answer.predicted {
+        Attributes::Spots(Spots { spacing, .. }) => spacing,
+        Attributes::Stripes(_) => None,
+    });
+    let map = map.spaced_by(&spacings.collect::<Vec<_>>());
+    let layout = map.layout();
+    let room = |place| room(&map.at(layout.center(place)), &beneath.map.at(layout.center(place)));
+    let room = map.regions().map(|(place, _)| room(place)).fold(1.0, f64::min);
+    let system = System::MeinhardtSpots;
+    let mut plan = planned(system, map, &|wanted, cell| ask_placed(training, system, wanted, room, cell))?;
+    plan.places = Some(Vec::new());
+    Ok(plan)
+}
+
+/// The share of the mean distance that is left to spots in the direction in which their own shape suits the places of
+/// those `beneath` least: spots stand the nearer across their direction, the longer they are.
+///
+/// Its square is the least eigenvalue of O B⁻¹, where O and B are the shapes' metrics of determinant 1.
+fn room(own: &Attributes, beneath: &Attributes) -> f64 {
+    let (Attributes::Spots(own), Attributes::Spots(beneath)) = (own, beneath) else { return 1.0 };
+    // Metrics of eigenvalues e^±l and e^±m, turned by Δ against each other: half the trace of O B⁻¹ is
+    // cosh l cosh m − sinh l sinh m cos 2Δ.
+    let [l, m] = [own, beneath].map(|spots| libm::log(spots.aspect));
+    let turned = libm::cos((2.0 * (own.angle - beneath.angle)).to_radians());
+    let half = libm::cosh(l) * libm::cosh(m) - libm::sinh(l) * libm::sinh(m) * turned;
+    (half - (half * half - 1.0).max(0.0).sqrt()).max(0.0).sqrt()
+}
+
+impl Plan {
+    /// Places where its marks begin: inside each of `beneath`. At closed edges no spot stands near the wall but on it;
+    /// those that would are moved.
+    pub fn place_inside(&mut self, beneath: &Measured) {
+        let Measured::Spots { marks, .. } = beneath else { return };
+        let cells = |spot: &Spot| [0, 1].map(|axis| spot.ellipse.center[axis] / self.cell[axis]);
+        let places = marks.iter().filter(|spot| !spot.endless).map(cells).collect();
+        let edges = self.map.layout().edges;
+        let maps = self.maps(&vec![1.0; self.map.layout().len()]);
+        self.places = Some(self.px(&off_walls(self.system, &maps, edges, places)));
+    }
+
+    /// Says of its regions whose places these are, and how many stayed without a mark of their own.
+    pub fn tell_places(&mut self, measured: &Measured, beneath: &str) {
+        let (Some(places), Measured::Spots { marks, .. }) = (&self.places, measured) else { return };
+        let layout = self.map.layout();
+        let mut counts = vec![[0usize; 2]; layout.len()];
+        for (kind, point) in
+            places.iter().map(|at| (0, *at)).chain(marks.iter().map(|mark| (1, mark.ellipse.center)))
+        {
+            counts[layout.index(layout.region_of(point))][kind] += 1;
+        }
+        // Where none is missing on the whole, one may still have moved over the border of its region.
+        let missing = marks.len() < places.len();
+        for ([given, grown], remarks) in counts.into_iter().zip(&mut self.remarks) {
+            remarks.push(format!(
+                "one mark at each place of \"{beneath}\", which is not shown; the spacing is its"
+            ));
+            if missing && grown < given {
+                remarks.push(format!(
+                    "{} of {given} places have no mark of their own: they are too near each other for such marks; \
+                     draw smaller ones",
+                    given - grown
+                ));
+            }
+        }
+    }
+}

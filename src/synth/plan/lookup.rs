@@ -1,0 +1,141 @@
+//! Attributes in px → parameters in cells: how large a cell is, and what the training sets say.
+
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::learn::{Answer, Note};
+use crate::rd::System;
+use crate::synth::plan::PlanError;
+use crate::synth::training::Training;
+
+/// Cells that the smallest spot of a texture covers at half its peak. `facts.md` rule 1: below 25 the grid
+/// distorts, above only time is lost (it grows with the square).
+const CELLS: f64 = 48.0;
+/// Cells across the thinnest stripe (`facts.md` C: wavelength 12–20).
+const CELLS_ACROSS: f64 = 8.0;
+/// Cells across the thinnest line: the grid takes 1.5 % of its width, of 4 cells 3 %.
+const CELLS_ACROSS_A_LINE: f64 = 5.0;
+/// From this size on a spot's size in cells no longer matters: parameters scale exactly (`facts.md` A, B), so
+/// that a larger one is looked up at this size. The sets reach to 160.
+const EXACT_CELLS: f64 = 120.0;
+/// The same for the width of a stripe, cells. The set reaches to 16.
+const EXACT_ACROSS: f64 = 14.0;
+/// The same of a line. The set reaches to 9.
+const EXACT_ACROSS_A_LINE: f64 = 8.0;
+/// px a cell below which a pattern could not be seen on the canvas anyway.
+const FINEST: f64 = 0.35;
+/// area ÷ spacing² of a spot whose spacing is free: what Meinhardt's system packs at its smallest ratio, where
+/// its spots are evenest.
+const FREE_MEINHARDT: f64 = 0.12;
+
+/// Spots sparser than what is reached by less than this are as good as met.
+const NOTICED: f64 = 0.02;
+/// From this pitch on spots among sparse ones are laid apart: they stand alone at their usual level.
+const ALONE: f64 = 1.7;
+/// px a cell that suits these attributes.
+#[must_use]
+pub fn cell_for(wanted: &Attributes) -> f64 {
+    let cell = match wanted {
+        Attributes::Stripes(Stripes { width, wavelength: None, .. }) => width / CELLS_ACROSS,
+        Attributes::Stripes(line) => line.width / CELLS_ACROSS_A_LINE,
+        Attributes::Spots(spots) => {
+            // Denser spots are read at a lower level, and so are larger than the peak that must be resolved.
+            let dense =
+                spots.spacing.map_or(1.0, |s| (spots.area / (s * s) / FREE_MEINHARDT).clamp(1.0, 2.0));
+            (spots.area / dense / CELLS).sqrt()
+        }
+    };
+    cell.max(FINEST)
+}
+
+/// px a cell of the coarsest grid, no finer than `cell`, on which such marks are no larger than their size in cells
+/// matters.
+#[must_use]
+pub fn exact_cell(wanted: &Attributes, cell: f64) -> f64 {
+    cell.max(match wanted {
+        Attributes::Spots(spots) => (spots.area / EXACT_CELLS).sqrt(),
+        Attributes::Stripes(Stripes { width, wavelength: None, .. }) => width / EXACT_ACROSS,
+        Attributes::Stripes(line) => line.width / EXACT_ACROSS_A_LINE,
+    })
+}
+
+/// Looks up attributes (px) for a grid of `cell` px a cell. The answer's attributes are px, its parameters
+/// those of the grid. Spots sparser than any that their system packs by itself are laid farther apart, if they can.
+///
+/// # Errors
+/// The training set cannot be read, or does not take such attributes.
+pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) -> Result<Answer, PlanError> {
+    let exact = exact_cell(wanted, cell);
+    let (set, asked) = (training.of(system)?, wanted.scaled(1.0 / exact));
+    let answer = set.ask(&asked)?;
+    let apart = if is_sparser(&asked, &answer.nearest) { set.ask_apart(&asked, 1.0)? } else { None };
+    Ok(on_grid(apart.unwrap_or(answer), cell, exact))
+}
+
+/// As [`ask`], on a canvas where some spots are laid apart: others are, too, where they have the room. On the way from
+/// dense regions to sparse ones parameters else went through those of the sparsest that one run packs, which take twenty
+/// times the steps.
+pub(crate) fn ask_among_sparse(
+    training: &Training,
+    system: System,
+    wanted: &Attributes,
+    cell: f64,
+) -> Result<Answer, PlanError> {
+    let exact = exact_cell(wanted, cell);
+    let apart = training.of(system)?.ask_apart(&wanted.scaled(1.0 / exact), 1.0)?;
+    match apart.filter(|answer| answer.pitch >= ALONE) {
+        Some(answer) => Ok(on_grid(answer, cell, exact)),
+        None => ask(training, system, wanted, cell),
+    }
+}
+
+/// As [`ask`], for spots that are laid at given places: as spots that stand alone where these are far enough apart for
+/// it. `room` is the share of the spacing, 0..1, that is left to them where the places suit their shape least.
+///
+/// # Errors
+/// As [`ask`].
+pub fn ask_placed(
+    training: &Training,
+    system: System,
+    wanted: &Attributes,
+    room: f64,
+    cell: f64,
+) -> Result<Answer, PlanError> {
+    let exact = exact_cell(wanted, cell);
+    let (set, asked) = (training.of(system)?, wanted.scaled(1.0 / exact));
+    let mut answer = match set.ask_apart(&asked, room)? {
+        Some(answer) => answer,
+        None => set.ask(&asked)?,
+    };
+    answer.notes.retain(|note| !matches!(note, Note::Apart { .. }));
+    Ok(on_grid(answer, cell, exact))
+}
+
+/// An answer about cells of `exact` px for a grid of `cell` px a cell.
+fn on_grid(mut answer: Answer, cell: f64, exact: f64) -> Answer {
+    let shrink = cell / exact;
+    answer.parameters.rate *= shrink * shrink;
+    answer.in_px(exact)
+}
+
+/// Is what is asked sparser than what is reached?
+fn is_sparser(asked: &Attributes, reached: &Attributes) -> bool {
+    let packing = |attributes: &Attributes| match attributes {
+        Attributes::Spots(Spots { area, spacing: Some(spacing), .. }) => Some(area / (spacing * spacing)),
+        _ => None,
+    };
+    packing(asked).zip(packing(reached)).is_some_and(|(asked, reached)| asked < (1.0 - NOTICED) * reached)
+}
+
+/// Spacing, px, that the system gives such spots by itself.
+#[must_use]
+pub fn free_spacing(training: &Training, system: System, spots: &Spots) -> f64 {
+    let free = Attributes::Spots(Spots { spacing: None, ..*spots });
+    let given = match system {
+        System::TuringSpots => ask(training, system, &free, cell_for(&free)).ok(),
+        // Any spacing would do; evenest are the spots of its smallest ratio.
+        _ => None,
+    };
+    match given.map(|answer| answer.predicted) {
+        Some(Attributes::Spots(Spots { spacing: Some(spacing), .. })) => spacing,
+        _ => (spots.area / FREE_MEINHARDT).sqrt(),
+    }
+}

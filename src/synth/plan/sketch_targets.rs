@@ -1,0 +1,90 @@
+//! A layer's strokes → its marks → the region map.
+
+use crate::attributes::regions::RegionMap;
+use crate::document::{Document, DocumentError, Kind, Options, Problem, SpreadChoice, Stroke, SystemChoice};
+use crate::marks::Mark;
+use crate::sketch::recognise;
+
+/// The marks of layer `index`, freehand strokes fitted.
+///
+/// # Errors
+/// A stroke that is neither ellipse nor line, or ellipses and lines in one layer: file (`source`), place, value.
+pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark>, DocumentError> {
+    let layer = &document.layers[index];
+    let mut marks = Vec::with_capacity(layer.strokes.len());
+    let mut first: Option<Kind> = None;
+    for (i, stroke) in layer.strokes.iter().enumerate() {
+        let place = format!("layers[{index}].strokes[{i}]");
+        let mark = match stroke {
+            Stroke::Ellipse(ellipse) => Mark::Ellipse(*ellipse),
+            Stroke::Line(line) => Mark::Line(*line),
+            Stroke::Freehand { points, width } => recognise(points, *width).ok_or_else(|| {
+                let found = format!("{} points that make neither an ellipse nor a line", points.len());
+                Problem::new(&place, found, "a closed stroke round a spot, or an open one along a stripe")
+                    .in_file(source)
+            })?,
+        };
+        let kind = match mark {
+            Mark::Ellipse(_) => Kind::Ellipse,
+            Mark::Line(_) => Kind::Line,
+        };
+        if *first.get_or_insert(kind) != kind {
+            return Err(kind.mixed(&place, first.unwrap_or(kind)).in_file(source));
+        }
+        marks.push(mark);
+    }
+    if let Some(problem) =
+        first.and_then(|kind| layer.system.mismatch(&format!("layers[{index}].system"), kind))
+    {
+        return Err(problem.in_file(source));
+    }
+    if layer.options.spread != SpreadChoice::Drawn
+        && let Some(problem) = SpreadChoice::mismatch(&format!("layers[{index}].options.spread"), first)
+    {
+        return Err(problem.in_file(source));
+    }
+    match layer.options.mismatch(&format!("layers[{index}].options"), layer.system, first) {
+        Some(problem) => Err(problem.in_file(source)),
+        None => Ok(marks),
+    }
+}
+
+/// The region map of layer `index` on the document's own canvas, with the spread and the duty that its options say.
+///
+/// # Errors
+/// As [`marks`].
+pub fn region_map(document: &Document, index: usize, source: &str) -> Result<RegionMap, DocumentError> {
+    let marks = marks(document, index, source)?;
+    let size = document.size.map(f64::from);
+    let map = RegionMap::of(&marks, size, document.regions.map(|n| n as usize), document.edges);
+    let map = map.map_err(|error| {
+        let place = format!("layers[{index}].strokes");
+        Problem::new(place, error.to_string(), "at least one ellipse, or at least one line").in_file(source)
+    })?;
+    let layer = &document.layers[index];
+    let map = match layer.options.spread {
+        SpreadChoice::Drawn => map,
+        SpreadChoice::Given(spread) => map.varied_by(spread),
+    };
+    let apart = layer.system == SystemChoice::MeinhardtLines || layer.options.duty < Options::DUTY;
+    Ok(if apart { map.covering(layer.options.duty) } else { map })
+}
+
+/// The marks of layer `index` on a canvas of `size` px: at their places on the document's own, and where that is stretched,
+/// at the stretched places; no larger or smaller for it.
+///
+/// # Errors
+/// As [`marks`].
+pub fn marks_on(
+    document: &Document,
+    index: usize,
+    source: &str,
+    size: [f64; 2],
+) -> Result<Vec<Mark>, DocumentError> {
+    let [x, y] = [0, 1].map(|axis| size[axis] / f64::from(document.size[axis]));
+    let moved = |mark: Mark| {
+        let [from_x, from_y] = mark.center();
+        mark.shifted([(x - 1.0) * from_x, (y - 1.0) * from_y])
+    };
+    Ok(marks(document, index, source)?.into_iter().map(moved).collect())
+}

@@ -1,0 +1,82 @@
+//! How far apart spots and lines begin, so that they end as far apart as asked.
+//!
+//! Spots keep the places they begin at but for a per cent of the spacing, so the spacing can be measured before
+//! anything has grown: the nuclei are laid, measured by the contract's rule, and laid again. So do lines: their crests are
+//! measured. What a system makes of its own distance is in the training rows, so that these are what is compared to.
+
+use crate::attributes::{Attributes, Stripes};
+use crate::marks::Ellipse;
+use crate::measure::{Canvas, Spot, spot_errors, stripe_errors};
+use crate::rd::{Maps, System, begun, nuclei};
+use crate::synth::plan::Plan;
+
+/// Rounds of laying nuclei before they are laid to stay; a third changes nothing that the noise of a dozen spots would
+/// not hide.
+pub const ROUNDS: usize = 2;
+/// How far the pitch may leave the system's own: beyond it spots die or split (`pitch` 0.8 and 1.3 were tried).
+const PITCHES: [f64; 2] = [0.88, 1.2];
+/// Nuclei above which regions are so full that the law alone meets the spacing to a per cent.
+pub const MANY: usize = 20_000;
+
+/// What the system's own pitch is multiplied by, by region.
+#[must_use]
+pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
+    let layout = plan.map.layout();
+    let mut pitch = vec![1.0; layout.len()];
+    match plan.system {
+        System::TuringSpots | System::MeinhardtSpots => {}
+        System::MeinhardtStripes => return pitch,
+        System::MeinhardtLines => {
+            for _ in 0..ROUNDS {
+                let errors = crowding(plan, &pitch, seed);
+                for (pitch, error) in pitch.iter_mut().zip(errors) {
+                    *pitch = corrected(*pitch, error);
+                }
+            }
+            return pitch;
+        }
+    }
+    for _ in 0..ROUNDS {
+        let points = nuclei(plan.system, &plan.maps(&pitch), layout.edges, seed, &[]).inside;
+        if points.len() > MANY {
+            break;
+        }
+        let spots = spots_at(plan, &points);
+        for (pitch, found) in pitch.iter_mut().zip(plan.on_canvas(|canvas| spot_errors(&spots, canvas))) {
+            *pitch = corrected(*pitch, found.spacing);
+        }
+    }
+    pitch
+}
+
+/// By region, by how much farther apart the lines begin than the system's own distance (got ÷ own − 1).
+fn crowding(plan: &Plan, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
+    let layout = plan.map.layout();
+    // What covers them counts later.
+    let maps = Maps { taken: Vec::new(), ..plan.maps(pitch) };
+    let crests = begun(plan.system, &maps, layout.edges, seed);
+    plan.on_canvas(|canvas| {
+        let own = |point: [f64; 2]| {
+            let wavelength = plan.system.spacing(&plan.lattice.at(point).parameters(1.0)) * plan.px_a_cell();
+            Attributes::Stripes(Stripes { width: 1.0, angle: 0.0, wavelength: Some(wavelength) })
+        };
+        let canvas = Canvas { wanted: &own, covered: &|_| false, ..*canvas };
+        stripe_errors(&crests, 0.5, &canvas).iter().map(|error| error.wavelength).collect()
+    })
+}
+
+/// The pitch that makes up for this error of the spacing (got ÷ wanted − 1).
+#[must_use]
+pub fn corrected(pitch: f64, error: Option<f64>) -> f64 {
+    error.map_or(pitch, |error| (pitch / (1.0 + error)).clamp(PITCHES[0], PITCHES[1]))
+}
+
+/// Spots of which only the places, cells, count.
+#[must_use]
+pub fn spots_at(plan: &Plan, places: &[[f64; 2]]) -> Vec<Spot> {
+    let spot = |center: [f64; 2]| {
+        let ellipse = Ellipse::of(center, 1.0, 1.0, 0.0);
+        Spot { ellipse, whole: true, endless: false, contour: 0.0, fill: 1.0, peak: 1.0 }
+    };
+    plan.px(places).into_iter().map(spot).collect()
+}

@@ -1,0 +1,157 @@
+//! A clip in a file: of a growth, or of one document that becomes another.
+
+use std::path::Path;
+
+use crate::document::Document;
+use crate::export::motion::{self, COLOURS, Film, Kind, PreparedFilm};
+use crate::export::{ExportError, Stopped};
+use crate::synth::render::film::{FilmError, Scene, Takes, fitted, palette};
+use crate::synth::render::morph::Morph;
+use crate::synth::{GrowError, Watch};
+
+/// px of the longer side of a frame, unless it is said: clips are looked at small.
+pub const SIDE: u32 = 480;
+/// Sides that a frame can have, px.
+pub const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
+/// Frames a second that a film can have.
+pub const RATES: std::ops::RangeInclusive<u16> = 1..=120;
+/// Hundredths of a second are what a GIF counts in, and browsers take one for ten.
+pub const FASTEST_GIF: u16 = 50;
+/// Frames of the longest film.
+const MOST: f64 = 20_000.0;
+
+/// How a clip shall be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clip {
+    /// px of the longer side of a frame; `None` = the canvas's, at most [`SIDE`].
+    pub side: Option<u32>,
+    /// Seconds, without the hold at the end.
+    pub seconds: f64,
+    /// Frames a second.
+    pub fps: u16,
+    /// Whether it stays at the last frame instead of beginning again.
+    pub once: bool,
+    /// Seconds that the last frame is shown longer before it begins again.
+    pub hold: f64,
+}
+
+impl Default for Clip {
+    fn default() -> Self {
+        Self { side: None, seconds: 4.0, fps: 20, once: false, hold: 1.5 }
+    }
+}
+
+/// Why there is no clip.
+#[derive(Debug, thiserror::Error)]
+pub enum ClipError {
+    /// More frames a second than a GIF shows.
+    #[error(
+        "--fps: found {0}; allowed: 1 to {FASTEST_GIF} in a .gif, which browsers show no faster; .png takes 120"
+    )]
+    TooFast(u16),
+    /// Too few frames, or too many.
+    #[error("--seconds {seconds} at --fps {fps}: make {frames} frames; allowed: 2 to {MOST}")]
+    Frames {
+        /// Seconds.
+        seconds: f64,
+        /// Frames a second.
+        fps: u16,
+        /// Frames.
+        frames: f64,
+    },
+    /// The growth.
+    #[error(transparent)]
+    Grow(#[from] GrowError),
+    /// The file.
+    #[error(transparent)]
+    Export(#[from] ExportError),
+}
+
+impl Clip {
+    /// How many frames a film of this `kind` has.
+    ///
+    /// # Errors
+    /// [`ClipError::TooFast`], [`ClipError::Frames`].
+    pub fn frames(&self, kind: Kind) -> Result<usize, ClipError> {
+        let Self { seconds, fps, .. } = *self;
+        if kind == Kind::Gif && fps > FASTEST_GIF {
+            return Err(ClipError::TooFast(fps));
+        }
+        let frames = (seconds * f64::from(fps)).round();
+        if !(2.0..=MOST).contains(&frames) {
+            return Err(ClipError::Frames { seconds, fps, frames });
+        }
+        Ok(frames as usize)
+    }
+
+    /// What is told of a film of these documents before its first frame.
+    #[must_use]
+    pub fn film(&self, documents: &[&Document], frames: usize) -> Film {
+        let canvas = documents[0].size;
+        let side = self.side.unwrap_or(SIDE.min(canvas[0].max(canvas[1])));
+        Film {
+            size: fitted(canvas, side as usize),
+            frames,
+            fps: self.fps,
+            hold: self.hold,
+            once: self.once,
+            palette: palette(documents, COLOURS),
+        }
+    }
+
+    /// Films a growth, which is grown twice: once to see how much each moment changes. The film does not have its name
+    /// yet.
+    ///
+    /// # Errors
+    /// [`ClipError`].
+    pub fn of_growth(
+        &self,
+        scene: &Scene,
+        path: &Path,
+        kind: Kind,
+        watch: &Watch,
+    ) -> Result<(PreparedFilm, Film), ClipError> {
+        let takes = Takes::of(scene, self.frames(kind)?, watch)?;
+        let film = self.film(&[scene.document], takes.frames());
+        let prepared = written(path, kind, &film, &|show| takes.play(scene, film.size, watch, show))?;
+        Ok((prepared, film))
+    }
+
+    /// Films the way from the first of these documents to the other. The film does not have its name yet.
+    ///
+    /// # Errors
+    /// [`ClipError`].
+    pub fn of_change(
+        &self,
+        documents: [&Document; 2],
+        morph: &Morph,
+        path: &Path,
+        kind: Kind,
+        watch: &Watch,
+    ) -> Result<(PreparedFilm, Film), ClipError> {
+        let frames = self.frames(kind)?;
+        let film = self.film(&documents, frames);
+        let play = |show: motion::Show| morph.clone().play(frames, film.size, watch, show);
+        Ok((written(path, kind, &film, &play)?, film))
+    }
+}
+
+/// What shows all frames, one after the other.
+type Play<'a> = &'a dyn Fn(motion::Show) -> Result<(), FilmError>;
+
+/// Writes the film, which does not have its name yet.
+fn written(path: &Path, kind: Kind, film: &Film, play: Play) -> Result<PreparedFilm, ClipError> {
+    let mut failed: Option<GrowError> = None;
+    let written = motion::write(path, kind, film, |show| match play(show) {
+        Ok(()) => Ok(()),
+        Err(FilmError::Stopped(stopped)) => Err(stopped),
+        Err(FilmError::Grow(error)) => {
+            failed = Some(error);
+            Err(Stopped::Cancelled)
+        }
+    });
+    match failed {
+        Some(error) => Err(error.into()),
+        None => Ok(written?),
+    }
+}

@@ -1,0 +1,8 @@
+//! Grown layers → pictures, outlines and films.
+
+pub mod clip;
+pub mod film;
+pub mod morph;
+pub mod outlining;
+pub mod painting;
+pub mod pattern;

@@ -1,0 +1,221 @@
+//! From one document to another, without a cut.
+//!
+//! A(p) is what the marks of a document say, as a region map p ↦ attributes. The grown state of the first is carried on
+//! while what it is told goes from A₀ to A₁ (`RegionMap::blended`) along the smooth step s = t²(3 − 2t), one frame at a
+//! time:
+//!
+//! ```text
+//!  state ──▶ parameters of A₀ + s·(A₁ − A₀) ──▶ some steps ──▶ a frame, and the next state
+//! ```
+//!
+//! Nothing is laid anew: marks grow, turn, move, split and vanish as their system lets them.
+
+use crate::attributes::regions::RegionMap;
+use crate::document::{After, Document};
+use crate::export::Stopped;
+use crate::grid::Field;
+use crate::rd::{Growth, System, held};
+use crate::synth::grow::convergence::settle;
+use crate::synth::grow::engine::Engine;
+use crate::synth::grow::layer::GrowError;
+use crate::synth::memory;
+use crate::synth::plan::sketch_targets::region_map;
+use crate::synth::plan::{Plan, PlanError, finest_cell, free_spacing, plan, plan_on};
+use crate::synth::render::film::FilmError;
+use crate::synth::render::film::{Show, mixed, painted};
+use crate::synth::render::painting::Painting;
+use crate::synth::training::Training;
+use crate::synth::watch::{Stage, Watch};
+use std::time::Instant;
+
+/// Normalised time of the whole way: spots that are told to stand elsewhere drift for 100 to 300.
+const TIME: f64 = 400.0;
+/// The share of the frames that are on the way; the rest settles.
+const ON_THE_WAY: f64 = 0.8;
+
+/// Why one document cannot become another.
+#[derive(Debug, thiserror::Error)]
+pub enum MorphError {
+    /// The two do not fit.
+    #[error("{from} cannot become {to}: {what}")]
+    Unlike {
+        /// The first document.
+        from: String,
+        /// The other.
+        to: String,
+        /// What differs, and the remedy.
+        what: String,
+    },
+    /// The first does not grow, or the other cannot be planned.
+    #[error(transparent)]
+    Grow(#[from] GrowError),
+}
+
+/// A document on its way to another.
+#[derive(Clone)]
+pub struct Morph<'a> {
+    documents: [&'a Document; 2],
+    training: &'a Training,
+    system: System,
+    maps: [RegionMap; 2],
+    cell: f64,
+    state: Vec<Vec<f32>>,
+    /// Seconds of a unit of normalised time, as the growth of the first took them.
+    pace: f64,
+}
+
+/// A document with its name in messages.
+pub type Named<'a> = (&'a Document, &'a str);
+
+impl<'a> Morph<'a> {
+    /// Grows the first document, the state from which the way to `to` begins.
+    ///
+    /// # Errors
+    /// [`MorphError`]; documents of several layers, of other sizes or edges, of ellipses and lines are refused.
+    pub fn new(
+        from: Named<'a>,
+        to: Named<'a>,
+        training: &'a Training,
+        watch: &Watch,
+    ) -> Result<Self, MorphError> {
+        watch.step(Stage::Plan, 0.0).map_err(GrowError::from)?;
+        let unlike = |what: String| MorphError::Unlike { from: from.1.into(), to: to.1.into(), what };
+        if let Some(what) = difference(from.0, to.0) {
+            return Err(unlike(what));
+        }
+        let map = |(document, source): Named| region_map(document, 0, source).map_err(GrowError::from);
+        let mut maps = [map(from)?, map(to)?];
+        if maps[0].blended(&maps[1], 0.5).is_none() {
+            return Err(unlike(
+                "one has spots and the other stripes, and nothing is half a spot; draw ellipses in both, or lines in both"
+                    .to_owned(),
+            ));
+        }
+        let choices = [from, to].map(|(document, _)| document.layers[0].choice());
+        let system = |choice, map: &RegionMap| Ok(plan(training, choice, map)?.system);
+        let of = |choice, map| system(choice, map).map_err(|error: PlanError| GrowError::from(error));
+        let systems = [of(choices[0], &maps[0])?, of(choices[1], &maps[1])?];
+        // What grows the first by choice grows the other too where that leaves it open.
+        let auto = choices.map(|choice| choice == crate::document::SystemChoice::Auto);
+        let system = match (systems[0] == systems[1], auto) {
+            (true, _) | (false, [false, true]) => systems[0],
+            (false, [true, false]) => systems[1],
+            (false, [true, true]) if !systems[0].is_striped() => System::TuringSpots,
+            _ => {
+                let [a, b] = systems.map(System::name);
+                return Err(unlike(format!(
+                    "one is grown by {a}, the other by {b}, with other chemicals; name the same system in both"
+                )));
+            }
+        };
+        for map in &mut maps {
+            map.fill_free_spacing(|spots| free_spacing(training, system, spots));
+        }
+        let cell = maps.iter().map(finest_cell).fold(f64::INFINITY, f64::min);
+        let mut morph =
+            Self { documents: [from.0, to.0], training, system, maps, cell, state: Vec::new(), pace: 0.0 };
+        morph.begin(watch)?;
+        Ok(morph)
+    }
+
+    /// The plan at `share` of the way, 0..1.
+    fn plan(&self, share: f64) -> Result<Plan, GrowError> {
+        let [from, to] = &self.maps;
+        let map = from.blended(to, share).expect("of one kind, as was checked");
+        Ok(plan_on(self.training, self.system, &map, self.cell)?)
+    }
+
+    fn begin(&mut self, watch: &Watch) -> Result<(), GrowError> {
+        let plan = self.plan(0.0)?;
+        memory::check(plan.system, plan.map.layout().size, plan.grid)?;
+        let mut engine = Engine::new(&plan, self.documents[0].layer_seed(0));
+        let started = Instant::now();
+        settle(&mut engine, watch)?;
+        let time = engine.steps() as f64 / engine.steps_in_unit();
+        self.pace = started.elapsed().as_secs_f64() / time.max(1.0);
+        self.state = engine.concentrations();
+        Ok(())
+    }
+
+    /// Seconds that the way will take on this machine, as the growth of the first document did.
+    #[must_use]
+    pub fn seconds(&self) -> f64 {
+        TIME * self.pace
+    }
+
+    /// Shows `frames` frames of `size` px, from the first document to the other.
+    ///
+    /// # Errors
+    /// [`FilmError`].
+    pub fn play(
+        mut self,
+        frames: usize,
+        size: [usize; 2],
+        watch: &Watch,
+        show: Show,
+    ) -> Result<(), FilmError> {
+        let moving = ((frames as f64 * ON_THE_WAY).ceil() - 1.0).max(1.0);
+        for frame in 0..frames {
+            if (watch.cancelled)() {
+                return Err(Stopped::Cancelled.into());
+            }
+            let way = (frame as f64 / moving).min(1.0);
+            let share = way * way * (3.0 - 2.0 * way);
+            let plan = self.plan(share)?;
+            let time = if frame == 0 { 0.0 } else { TIME / frames as f64 };
+            let marks = self.advance(&plan, time)?;
+            show(&self.paint(&plan, &marks, share, size))?;
+            (watch.progress)(Stage::Write, (frame + 1) as f64 / frames as f64);
+        }
+        Ok(())
+    }
+
+    /// Lets the state follow `plan` for some time.
+    fn advance(&mut self, plan: &Plan, time: f64) -> Result<Field, GrowError> {
+        let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+        let edges = plan.map.layout().edges;
+        let state = held(self.system, &maps, std::mem::take(&mut self.state));
+        let mut growth = Growth::resumed(self.system, &maps, edges, &state).expect("one grid for all frames");
+        if time > 0.0 {
+            growth.advance(growth.steps_in(time));
+        }
+        self.state = growth.concentrations();
+        let marks = growth.marks(&maps);
+        if marks.values.iter().all(|value| value.is_finite()) {
+            Ok(marks)
+        } else {
+            Err(GrowError::NoPattern { layer: 1 })
+        }
+    }
+
+    fn paint(&self, plan: &Plan, marks: &Field, share: f64, size: [usize; 2]) -> Vec<u8> {
+        let canvas = self.documents[0].size;
+        let [mut from, to] = self.documents.map(|document| {
+            painted(&|size| Painting::of_marks(document, plan, marks.clone(), size), canvas, size)
+        });
+        for (a, b) in from.chunks_exact_mut(3).zip(to.chunks_exact(3)) {
+            a.copy_from_slice(&mixed([a[0], a[1], a[2]], [b[0], b[1], b[2]], share));
+        }
+        from
+    }
+}
+
+/// What keeps one document from becoming another, whatever its marks.
+fn difference(from: &Document, to: &Document) -> Option<String> {
+    for document in [from, to] {
+        let [layer] = &document.layers[..] else {
+            let n = document.layers.len();
+            return Some(format!(
+                "found {n} layers; allowed: one in each, as frozen marks cannot move under those that grew between them"
+            ));
+        };
+        if layer.after != After::Between {
+            return Some(format!("its layer is laid {:?}; allowed: between", layer.after.name()));
+        }
+    }
+    if from.size != to.size {
+        let [a, b] = [from.size, to.size].map(|[w, h]| format!("{w}x{h}"));
+        return Some(format!("sizes {a} and {b}; allowed: one size, px"));
+    }
+    (from.edges != to.edges).then(|| "one wraps and the other is closed; allowed: the same edges".to_owned())
+}

@@ -1,0 +1,110 @@
+//! Grown layers → the outlines of their marks.
+
+use std::ops::Range;
+
+use crate::document::Document;
+use crate::export::Stopped;
+use crate::export::outline::{Group, Shape, Smallest, Source, Style, Travel, draw, outline};
+use crate::grid::Edges;
+use crate::synth::grow::layer::{Grown, GrownLayer};
+use crate::synth::plan::inside::is_replaced;
+use crate::synth::render::painting::gradient_of;
+use crate::synth::render::pattern::Pattern;
+use crate::synth::watch::{Stage, Watch};
+
+/// The pattern value at which a layer's colour is taken: well inside a mark, short of its middle.
+const COLOUR_AT: f32 = 0.75;
+
+/// Traced values a cell of the grid that was grown on, along each side, at least: with fewer, the smallest spots lose
+/// half a per cent of their area.
+const A_CELL: f64 = 2.0;
+
+/// What is outlined, and how.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outlining {
+    /// The canvas, px.
+    pub size: [usize; 2],
+    /// The pattern value that the outlines follow: ½ = the marks' edges.
+    pub level: f64,
+    /// The layer that is outlined alone; `None` = all that are shown.
+    pub only: Option<usize>,
+    /// What is left out.
+    pub smallest: Smallest,
+    /// How it is drawn.
+    pub style: Style,
+}
+
+/// The outlines of what `document` has `grown`, a group for each layer that is shown.
+///
+/// The hatch of a seamless document is the nearest that is seamless, too.
+///
+/// A layer's marks end where those of the layers beneath begin, as in its picture.
+///
+/// # Errors
+/// [`Stopped::Cancelled`] where `watch` does not want them any more.
+pub fn outlines(
+    document: &Document,
+    grown: &Grown,
+    wanted: &Outlining,
+    watch: &Watch,
+) -> Result<(Vec<Group>, Travel), Stopped> {
+    let patterns: Vec<Pattern> = grown.layers.iter().map(GrownLayer::pattern).collect();
+    let shown = |index: usize| match wanted.only {
+        Some(only) => index == only,
+        None => document.layers[index].visible && !is_replaced(document, index),
+    };
+    let mut layers = Vec::new();
+    for index in (0..patterns.len()).filter(|index| shown(*index)) {
+        let beneath: Vec<&Pattern> = (0..index)
+            .filter(|beneath| wanted.only.is_none() && !is_replaced(document, *beneath))
+            .map(|beneath| &patterns[beneath])
+            .collect();
+        let done = |share: f64| (index as f64 + share) / patterns.len() as f64;
+        let step = |share: f64| watch.step(Stage::Write, done(share)).map_err(|_| Stopped::Cancelled);
+        let shapes = of_layer(document, &patterns[index], &beneath, wanted, &step)?;
+        let layer = &document.layers[index];
+        let name = if layer.name.is_empty() { format!("layer {}", index + 1) } else { layer.name.clone() };
+        layers.push((name, gradient_of(layer, index).colour(COLOUR_AT), shapes));
+    }
+    let size = wanted.size.map(|side| side as f64);
+    let mut style = wanted.style;
+    if document.edges == Edges::Wrap {
+        style.hatch = style.hatch.map(|hatch| hatch.seamless(size));
+    }
+    let drawn = draw(layers, size, &style);
+    // The way through a million strokes takes a while; whoever has stopped meanwhile gets no file.
+    watch.step(Stage::Write, 1.0).map_err(|_| Stopped::Cancelled)?;
+    Ok(drawn)
+}
+
+fn of_layer(
+    document: &Document,
+    pattern: &Pattern,
+    beneath: &[&Pattern],
+    wanted: &Outlining,
+    step: &dyn Fn(f64) -> Result<(), Stopped>,
+) -> Result<Vec<Shape>, Stopped> {
+    let finest = |axis: usize| {
+        let grid = beneath.iter().chain([&pattern]).map(|layer| layer.grid()[axis]).max().unwrap_or(1);
+        wanted.size[axis].max((A_CELL * grid as f64) as usize)
+    };
+    let [width, height] = [finest(0), finest(1)];
+    let level = wanted.level as f32;
+    let mut rows = |rows: Range<usize>| {
+        step(rows.start as f64 / height as f64)?;
+        let mut values = pattern.rows(rows.clone(), width, height);
+        for value in &mut values {
+            *value -= level;
+        }
+        for layer in beneath {
+            // Outside where either says so.
+            for (value, taken) in values.iter_mut().zip(layer.rows(rows.clone(), width, height)) {
+                *value = value.min(level - taken);
+            }
+        }
+        Ok(values)
+    };
+    let extent = wanted.size.map(|side| side as f64);
+    let mut source = Source { size: [width, height], extent, edges: document.edges, rows: &mut rows };
+    outline(&mut source, 0.0, wanted.smallest)
+}

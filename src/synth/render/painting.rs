@@ -1,0 +1,311 @@
+//! Grown layers → the texture's px, its pattern, its labels: the same for a file and for a window.
+
+mod concentrations;
+mod fine;
+mod material;
+
+pub use concentrations::concentrations;
+pub use material::Making;
+
+use std::ops::Range;
+use std::path::Path;
+
+use crate::colour::{Gradient, Painted, Table, paint_rows, painter};
+use crate::document::{Colours, Document, Layer};
+use crate::export::picture::{self, QUALITY};
+use crate::export::png::{Header, Samples};
+use crate::export::{self, Content, ExportError, Format, Prepared, Stopped, exr};
+use crate::grid::{Edges, Field, to_u16};
+use crate::synth::grow::engine::Engine;
+use crate::synth::grow::layer::{Grown, GrownLayer};
+use crate::synth::plan::Plan;
+use crate::synth::plan::inside::is_replaced;
+use crate::synth::plan::obstacle_mask::COVERED;
+use crate::synth::render::pattern::Pattern;
+use crate::synth::watch::{Stage, Watch};
+
+/// What is painted, at the size of the pictures.
+pub struct Painting<'a> {
+    /// Width and height, px.
+    pub size: [usize; 2],
+    layers: Vec<Pattern<'a>>,
+    tables: Vec<Table>,
+    gradients: Vec<Gradient>,
+    visible: Vec<bool>,
+    /// Which stand only for the places of the next, and cover nothing.
+    replaced: Vec<bool>,
+}
+
+impl<'a> Painting<'a> {
+    /// What `document` has `grown`, with `scale` times the px along each side.
+    #[must_use]
+    pub fn of(document: &Document, grown: &'a Grown, scale: usize) -> Self {
+        Self::sized(document, grown, grown.size.map(|side| side as usize * scale))
+    }
+
+    /// What `document`, or its lowest layers alone, has `grown`, at `size` px.
+    #[must_use]
+    pub fn sized(document: &Document, grown: &'a Grown, size: [usize; 2]) -> Self {
+        let layers = grown.layers.iter().take(document.layers.len());
+        Self::with(document, size, layers.map(GrownLayer::pattern).collect())
+    }
+
+    /// A layer that still grows, on top of those that have `grown`, at `size` px.
+    #[must_use]
+    pub fn growing(document: &Document, look: &Look<'a>, size: [usize; 2]) -> Self {
+        let mut layers: Vec<_> = look.beneath.iter().map(GrownLayer::pattern).collect();
+        layers.push(Pattern::new(look.plan, &look.plan.levelled(look.engine.marks())));
+        let mut painting = Self::with(document, size, layers);
+        // What grows is seen although the next layer will stand in its place.
+        let top = painting.layers.len() - 1;
+        painting.visible[top] = document.layers[top].visible;
+        painting
+    }
+
+    /// One layer of which `marks` are as a growth gives them, in the colours of the lowest of `document`, at `size` px.
+    #[must_use]
+    pub fn of_marks(document: &Document, plan: &'a Plan, marks: Field, size: [usize; 2]) -> Self {
+        Self::with(document, size, vec![Pattern::new(plan, &plan.levelled(marks))])
+    }
+
+    fn with(document: &Document, size: [usize; 2], layers: Vec<Pattern<'a>>) -> Self {
+        let gradients = document.layers.iter().enumerate().map(|(index, layer)| gradient_of(layer, index));
+        let gradients: Vec<Gradient> = gradients.collect();
+        Self {
+            size,
+            tables: gradients.iter().map(Gradient::table).collect(),
+            gradients,
+            visible: document
+                .layers
+                .iter()
+                .enumerate()
+                .map(|(index, layer)| layer.visible && !is_replaced(document, index))
+                .collect(),
+            replaced: (0..document.layers.len()).map(|index| is_replaced(document, index)).collect(),
+            layers,
+        }
+    }
+
+    /// Some of its rows.
+    #[must_use]
+    pub fn band(&self, rows: Range<usize>) -> Band<'_> {
+        let [width, height] = self.size;
+        let field = |values: Vec<f32>| Field {
+            width,
+            height: rows.len(),
+            cell: [1.0, 1.0],
+            edges: Edges::Closed,
+            values,
+        };
+        let layers = self.layers.iter();
+        let patterns: Vec<Field> =
+            layers.map(|layer| field(layer.rows(rows.clone(), width, height))).collect();
+        let mut free = Vec::with_capacity(patterns.len());
+        let mut left = vec![true; width * rows.len()];
+        for (pattern, replaced) in patterns.iter().zip(&self.replaced) {
+            free.push(left.clone());
+            if *replaced {
+                continue;
+            }
+            for (left, value) in left.iter_mut().zip(&pattern.values) {
+                *left &= *value < COVERED;
+            }
+        }
+        Band { painting: self, patterns, free }
+    }
+
+    /// The whole texture: red, green, blue a px, row by row from the top.
+    #[must_use]
+    pub fn rgb(&self) -> Vec<u8> {
+        let mut rgb = vec![0; 3 * self.size[0] * self.size[1]];
+        self.band(0..self.size[1]).paint(&mut rgb);
+        rgb
+    }
+
+    /// Writes a picture of `channel` to `path`, in the format of its ending; it does not have its name yet.
+    ///
+    /// # Errors
+    /// Where the file cannot be written, or `watch` does not want it any more.
+    pub fn prepare(
+        &self,
+        path: &Path,
+        channel: Channel,
+        style: &Style,
+        watch: &Watch,
+    ) -> Result<Prepared, ExportError> {
+        let format = style.check(path, channel, self.size)?;
+        let told = |rows: &Range<usize>| {
+            let done = rows.start as f64 / self.size[1] as f64;
+            watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)
+        };
+        if let (Format::Exr, Channel::Pattern(only)) = (format, channel) {
+            return export::prepare(path, |out| {
+                exr::write(out, self.size, &["Y".to_owned()], Some(style.dpi), |rows, planes| {
+                    told(&rows)?;
+                    self.band(rows).values(only, &mut planes[0]);
+                    Ok(())
+                })
+            });
+        }
+        let samples = style.samples(format, channel);
+        let texts = if format == Format::Png { &style.texts[..] } else { &[] };
+        let header = Header { dpi: Some(style.dpi), texts, ..Header::new(self.size, samples) };
+        // Plain 8-bit colours have a way of their own, which is faster.
+        let fine = channel == Channel::Texture && samples != Samples::Rgb8;
+        let colours = fine.then(|| fine::Colours::of(self, style.transparent));
+        export::prepare(path, |out| {
+            picture::write(out, format, style.quality, header, |rows, bytes| {
+                told(&rows)?;
+                let band = self.band(rows);
+                match (channel, &colours) {
+                    (Channel::Texture, None) => band.paint(bytes),
+                    (Channel::Texture, Some(colours)) => band.paint_fine(colours, samples, bytes),
+                    (Channel::Pattern(only), _) => band.pattern(only, bytes),
+                    (Channel::Labels, _) => band.labels(bytes),
+                }
+                Ok(())
+            })
+        })
+    }
+}
+
+/// How a picture is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Style {
+    /// px an inch.
+    pub dpi: f64,
+    /// Whether colours have 16 bit.
+    pub deep: bool,
+    /// Whether the ground can be seen through.
+    pub transparent: bool,
+    /// Quality of a JPEG, 1 to 100.
+    pub quality: u8,
+    /// Texts beside the px of a PNG: [`crate::document::embedded::embedded`].
+    pub texts: Vec<(&'static str, String)>,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Self { dpi: 300.0, deep: false, transparent: false, quality: QUALITY, texts: Vec::new() }
+    }
+}
+
+impl Style {
+    /// Looks whether a picture of `channel` and `size` px can be written to `path` like this, before the work is done.
+    ///
+    /// # Errors
+    /// What is wrong with the path or its format, and the remedy.
+    pub fn check(&self, path: &Path, channel: Channel, size: [usize; 2]) -> Result<Format, ExportError> {
+        let content = match channel {
+            Channel::Texture => Content::Colours,
+            Channel::Pattern(_) => Content::Numbers,
+            Channel::Labels => Content::Labels,
+        };
+        let format = export::check_content(path, content)?;
+        let cannot = |what, allowed| ExportError::CannotHold { path: path.to_owned(), format, what, allowed };
+        if channel == Channel::Texture && self.transparent && !format.has_opacity() {
+            return Err(cannot("transparent ground", ".png, .tif, .exr, .webp"));
+        }
+        if channel == Channel::Texture && self.deep && !format.is_deep() && format != Format::Exr {
+            return Err(cannot("16-bit colours", ".png, .tif; .exr has 32"));
+        }
+        if size.iter().any(|side| *side > format.longest()) {
+            return Err(ExportError::TooWide { path: path.to_owned(), size, format });
+        }
+        Ok(format)
+    }
+
+    fn samples(&self, format: Format, channel: Channel) -> Samples {
+        match channel {
+            Channel::Texture => Samples::colours(self.deep || format == Format::Exr, self.transparent),
+            Channel::Pattern(_) => Samples::Gray16,
+            Channel::Labels => Samples::Gray8,
+        }
+    }
+}
+
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Channel {
+    /// The texture: red, green, blue, 8 bit each.
+    Texture,
+    /// The pattern of one layer, or of the layer that painted each px: 16-bit gray.
+    Pattern(Option<usize>),
+    /// Which layer's mark covers each px: 8 bit.
+    Labels,
+}
+
+/// A look at a document that grows.
+pub struct Look<'a> {
+    /// The layers that have grown.
+    pub beneath: &'a [GrownLayer],
+    /// What grows on top of them.
+    pub plan: &'a Plan,
+    /// How far it is.
+    pub engine: &'a Engine,
+}
+
+/// The colours of the layer with this index: its own, or the default set.
+pub(crate) fn gradient_of(layer: &Layer, index: usize) -> Gradient {
+    let own = layer.colours.as_ref().map(Colours::gradient);
+    own.unwrap_or_else(|| Gradient::default_for_layer(index))
+}
+
+/// Some rows of the pictures: the pattern of each layer there.
+pub struct Band<'a> {
+    painting: &'a Painting<'a>,
+    patterns: Vec<Field>,
+    /// Where each was free to grow: the marks of those beneath are frozen.
+    free: Vec<Vec<bool>>,
+}
+
+impl Band<'_> {
+    fn painted(&self) -> Vec<Painted<'_>> {
+        let Painting { tables, visible, .. } = self.painting;
+        let layers = self.patterns.iter().zip(&self.free).zip(tables).zip(visible);
+        layers
+            .map(|(((pattern, free), table), visible)| Painted {
+                pattern,
+                free: Some(free),
+                table,
+                visible: *visible,
+            })
+            .collect()
+    }
+
+    /// Its colours: red, green, blue a px.
+    pub fn paint(&self, rgb: &mut [u8]) {
+        let rows = self.patterns.first().map_or(0, |pattern| pattern.height);
+        paint_rows(&self.painted(), self.painting.size[0], 0..rows, rgb);
+    }
+
+    /// The pattern of layer `only`, or of the layer that painted each px; ground where none did. 16 bit, big end
+    /// first.
+    pub fn pattern(&self, only: Option<usize>, gray: &mut [u8]) {
+        let painted = self.painted();
+        for (px, two) in gray.chunks_exact_mut(2).enumerate() {
+            let layer = only.or_else(|| painter(&painted, px));
+            let value = layer.map_or(0.0, |layer| self.patterns[layer].values[px]);
+            two.copy_from_slice(&to_u16(value).to_be_bytes());
+        }
+    }
+
+    /// The same, not rounded.
+    pub fn values(&self, only: Option<usize>, values: &mut [f32]) {
+        let painted = self.painted();
+        for (px, value) in values.iter_mut().enumerate() {
+            let layer = only.or_else(|| painter(&painted, px));
+            *value = layer.map_or(0.0, |layer| self.patterns[layer].values[px]);
+        }
+    }
+
+    /// Which layer's mark covers each px: 1 = the lowest, 0 = none.
+    pub fn labels(&self, labels: &mut [u8]) {
+        let painted = self.painted();
+        for (px, label) in labels.iter_mut().enumerate() {
+            let layer = painter(&painted, px).filter(|layer| self.patterns[*layer].values[px] >= COVERED);
+            // A document has at most 255 layers.
+            *label = layer.map_or(0, |layer| (layer + 1) as u8);
+        }
+    }
+}

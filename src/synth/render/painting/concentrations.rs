@@ -1,0 +1,47 @@
+//! The concentrations of all chemicals → OpenEXR.
+
+use std::path::Path;
+
+use crate::export::{self, ExportError, Prepared, Stopped, exr};
+use crate::grid::Field;
+use crate::grid::resample::Spline;
+use crate::synth::grow::layer::Grown;
+use crate::synth::watch::{Stage, Watch};
+
+/// Writes the concentrations of `grown` (grown with [`crate::synth::Options::concentrations`]) at `size` px: a channel a
+/// chemical, called `LAYER.CHEMICAL` by the layer's name and its letter in the equations. Values are the solver's own,
+/// read between its cells by cubic splines. The file does not have its name yet.
+///
+/// # Errors
+/// Where the file cannot be written, or `watch` does not want it any more.
+pub fn concentrations(
+    grown: &Grown,
+    path: &Path,
+    size: [usize; 2],
+    dpi: f64,
+    watch: &Watch,
+) -> Result<Prepared, ExportError> {
+    let mut names: Vec<String> = Vec::new();
+    let mut splines = Vec::new();
+    for (index, layer) in grown.layers.iter().enumerate() {
+        let named = grown.document.layers.get(index).map_or("", |layer| &layer.name);
+        let plain = export::material::name(named);
+        let taken = |name: &str| names.iter().any(|other| other.starts_with(&format!("{name}.")));
+        let name = if named.is_empty() || taken(&plain) { format!("layer-{}", index + 1) } else { plain };
+        let cells = &layer.marks;
+        for (letter, values) in layer.plan.system.chemicals().iter().zip(&layer.concentrations) {
+            names.push(format!("{name}.{letter}"));
+            splines.push(Spline::new(&Field { values: values.clone(), ..cells.clone() }));
+        }
+    }
+    export::prepare(path, |out| {
+        exr::write(out, size, &names, Some(dpi), |rows, planes| {
+            let done = rows.start as f64 / size[1] as f64;
+            watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
+            for (plane, spline) in planes.iter_mut().zip(&splines) {
+                *plane = spline.rows(rows.clone(), size[0], size[1]);
+            }
+            Ok(())
+        })
+    })
+}

@@ -1,0 +1,143 @@
+//! What has grown, brought to the canvas: 0 = ground, ½ = a mark's edge, 1 = the middle of a mark.
+
+use rayon::prelude::*;
+use std::ops::Range;
+
+use crate::attributes::regions::Layout;
+use crate::grid::Field;
+use crate::grid::resample::Spline;
+use crate::synth::plan::Plan;
+
+/// A layer's grown concentration and the level that makes an edge of it.
+pub struct Pattern<'a> {
+    plan: &'a Plan,
+    spline: Spline,
+    /// What the level is multiplied by, by region.
+    pub correction: Vec<f64>,
+}
+
+/// Levels beyond these cut a spot at its foot or its tip, where noise and not the spot decides.
+const LEVELS: [f64; 2] = [0.15, 0.8];
+
+impl<'a> Pattern<'a> {
+    /// `marks` is the concentration as a share of the local peak, on the plan's grid.
+    #[must_use]
+    pub fn new(plan: &'a Plan, marks: &Field) -> Self {
+        let regions = plan.map.layout().len();
+        Self { plan, spline: Spline::new(marks), correction: vec![1.0; regions] }
+    }
+
+    /// Cells along x and y of the grid that it has grown on.
+    #[must_use]
+    pub fn grid(&self) -> [usize; 2] {
+        self.plan.grid
+    }
+
+    /// The concentration as a share of the local peak, at `width` × `height` px: what [`Self::levelled`] makes the
+    /// pattern of, whatever the levels.
+    #[must_use]
+    pub fn concentration(&self, [width, height]: [usize; 2]) -> Vec<f32> {
+        self.spline.rows(0..height, width, height)
+    }
+
+    /// The pattern that such a `concentration` becomes.
+    #[must_use]
+    pub fn levelled(&self, concentration: &[f32], [width, height]: [usize; 2]) -> Field {
+        let mut values = concentration.to_vec();
+        self.level_off(&mut values, 0..height, width, height);
+        self.of(values, width, height)
+    }
+
+    fn of(&self, values: Vec<f32>, width: usize, height: usize) -> Field {
+        let layout = self.plan.map.layout();
+        let cell = [layout.size[0] / width as f64, layout.size[1] / height as f64];
+        Field { width, height, cell, edges: layout.edges, values }
+    }
+
+    /// Rows `rows` of the pattern at `width` × `height` px over the whole canvas.
+    #[must_use]
+    pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
+        let mut values = self.spline.rows(rows.clone(), width, height);
+        self.level_off(&mut values, rows, width, height);
+        values
+    }
+
+    /// Takes the concentrations of rows `rows` at `width` × `height` px to the pattern.
+    fn level_off(&self, values: &mut [f32], rows: Range<usize>, width: usize, height: usize) {
+        let size = self.plan.map.layout().size;
+        let px = [size[0] / width as f64, size[1] / height as f64];
+        let level = Table::new(&self.plan.lattice.layout, px[0], width);
+        let correction = Table::new(self.plan.map.layout(), px[0], width);
+        let levels: Vec<f64> = self.plan.lattice.nodes.iter().map(|node| node.level).collect();
+        values.par_chunks_mut(width).zip(rows.into_par_iter()).for_each(|(row, y)| {
+            let y = (y as f64 + 0.5) * px[1];
+            let (level, correction) = (level.row(&levels, y), correction.row(&self.correction, y));
+            for (x, value) in row.iter_mut().enumerate() {
+                *value = share(*value, (level(x) * correction(x)).clamp(LEVELS[0], LEVELS[1]) as f32);
+            }
+        });
+    }
+
+    /// The whole pattern at `width` × `height` px.
+    #[must_use]
+    pub fn field(&self, width: usize, height: usize) -> Field {
+        self.of(self.rows(0..height, width, height), width, height)
+    }
+}
+
+/// Where `width` px of a row lie between the columns of a layout, for interpolating what is known there.
+struct Table<'a> {
+    layout: &'a Layout,
+    across: Vec<(usize, usize, f64)>,
+}
+
+impl<'a> Table<'a> {
+    fn new(layout: &'a Layout, px: f64, width: usize) -> Self {
+        let across = (0..width).map(|x| layout.between(0, (x as f64 + 0.5) * px)).collect();
+        Self { layout, across }
+    }
+
+    /// What `known` (by index of the layout) is at each px of the row at height `y`, px.
+    fn row(&self, known: &[f64], y: f64) -> impl Fn(usize) -> f64 + use<'_> {
+        let columns = self.layout.grid[0];
+        let (upper, lower, share) = self.layout.between(1, y);
+        let at = |column: usize| {
+            (1.0 - share) * known[upper * columns + column] + share * known[lower * columns + column]
+        };
+        let row: Vec<f64> = (0..columns).map(at).collect();
+        move |x| {
+            let (left, right, share) = self.across[x];
+            (1.0 - share) * row[left] + share * row[right]
+        }
+    }
+}
+
+/// u → the pattern: the smooth monotone map of 0..1 onto itself that takes `level` to ½,
+/// p = u(1 − l)/(u(1 − l) + l(1 − u)).
+fn share(u: f32, level: f32) -> f32 {
+    let u = u.clamp(0.0, 1.0);
+    let up = u * (1.0 - level);
+    up / (up + level * (1.0 - u))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_level_becomes_one_half_and_the_ends_stay() {
+        for level in [0.2, 0.5, 0.75] {
+            assert!((share(level, level) - 0.5).abs() < 1e-6);
+            assert_eq!([share(0.0, level), share(1.0, level)], [0.0, 1.0]);
+            assert_eq!([share(-0.1, level), share(1.3, level)], [0.0, 1.0]);
+        }
+    }
+
+    #[test]
+    fn the_pattern_rises_with_the_concentration() {
+        for level in [0.2, 0.5, 0.75] {
+            let p: Vec<f32> = (0..=100).map(|i| share(i as f32 / 100.0, level)).collect();
+            assert!(p.windows(2).all(|w| w[0] < w[1]));
+        }
+    }
+}
