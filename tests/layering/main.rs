@@ -10,7 +10,7 @@ use std::process::Command;
 use scan::{Named, paths};
 
 /// Words; each knows only the ones before it.
-const GROUND: [&str; 3] = ["field", "marks", "attributes"];
+const GROUND: [&str; 3] = ["grid", "marks", "attributes"];
 /// Know the ground, never each other.
 const STEPS: [&str; 6] = ["sketch", "measure", "learn", "rd", "colour", "export"];
 /// Knows ground and steps.
@@ -20,7 +20,7 @@ const DOORS: [&str; 2] = ["cli", "app"];
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-const ADDRESSES: [(&str, &[&str]); 25] = [
+const ADDRESSES: [(&str, &[&str]); 30] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     ("bytemuck", &["src/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
@@ -29,6 +29,7 @@ const ADDRESSES: [(&str, &[&str]); 25] = [
     ("csv", &["src/learn/", "src/cli/"]),
     ("ctrlc", &["src/cli/", "data-gen/"]),
     ("dapple", &["src/main.rs", "data-gen/"]),
+    ("directories", &["src/app/", "src/editor/"]),
     ("eframe", &["src/app/", "src/cli/", "src/main.rs"]),
     (WINDOW, &["src/app/", "src/cli/"]),
     ("egui_plot", &["src/app/cloud/"]),
@@ -45,13 +46,17 @@ const ADDRESSES: [(&str, &[&str]); 25] = [
         ],
     ),
     ("indicatif", &["src/cli/", "data-gen/"]),
+    ("kurbo", &["src/export/", "src/marks/", "src/sketch/"]),
     ("nalgebra", &["src/marks/", "src/learn/", "src/rd/"]),
+    ("open", &["src/app/"]),
     ("palette", &["src/colour/"]),
     ("png", &["src/export/", "src/cli/measure.rs"]),
     ("rfd", &["src/app/chooser.rs"]),
     ("serde_json", &["src/synth/", "src/cli/", "src/learn/", "data-gen/"]),
     ("serde_path_to_error", &["data-gen/"]),
     ("spade", &["src/attributes/spacing.rs"]),
+    ("strsim", &["src/document/", "src/cli/"]),
+    ("sysinfo", &["src/synth/", "src/cli/"]),
     ("tempfile", &["src/export/"]),
     ("tiff", &["src/export/"]),
     ("usvg", &["src/sketch/svg.rs"]),
