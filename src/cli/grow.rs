@@ -15,16 +15,16 @@ use crate::document::{Document, Extent};
 use crate::export::{self, Format};
 use crate::synth::estimate::Task;
 use crate::synth::grow;
-use crate::synth::report::report;
+use crate::synth::report::{LayerReport, Report, report};
 use crate::synth::{Options, Training, Watch};
 use progress::Bar;
-use serde_json::Value;
+use serde::Serialize;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-/// Different notes a layer that are told on a terminal.
+/// Most different notes of a layer that are listed on a terminal.
 const MOST_NOTES: usize = 8;
 
 /// What to grow, how, and where to write it.
@@ -239,28 +239,25 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
     bar.clear();
     let (mut prepared, outlined) = (prepared?, outlined?);
     let seconds = started.elapsed().as_secs_f64();
-    let mut report = report(&document, &source, &grown, seconds);
     let drawn = outlined.map(|(files, drawn)| {
         prepared.extend(files);
         drawn
     });
-    if let Some(drawn) = &drawn {
-        report["outlines"] = drawn.json();
-    }
+    let outlines = drawn.as_ref().map(outlines::Drawn::report);
+    let report = WrittenReport { report: report(&document, &source, &grown, seconds), outlines };
     if let Some(path) = args.report.as_ref().filter(|path| !is_stdout(path)) {
-        let text = format!("{report:#}\n");
+        let text = report.text()?;
         prepared.push(export::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
     }
-    // All or none: nothing has its name before the last is on the disk.
+    // Either all files get their names or none does: every file is complete on disk before the first is renamed.
     prepared.into_iter().try_for_each(export::Prepared::keep).map_err(Error::step)?;
     if args.report.as_deref().is_some_and(is_stdout) {
-        super::say(&format!("{report:#}\n"))?;
+        super::say(&report.text()?)?;
     }
     if !args.quiet {
-        tell_notes(&report);
+        notes(&report.report.layers).iter().for_each(|line| super::note(line));
         if let Some(drawn) = drawn {
-            // As above.
-            let _ = writeln!(std::io::stderr(), "note: {}", drawn.told());
+            super::note(&drawn.text());
         }
     }
     Ok(thumb.map(|side| Thumb::of(&document, &grown, side)))
@@ -281,46 +278,49 @@ fn check_targets(args: &Args) -> Result<(), Error> {
     pictures::check(args, [1, 1])
 }
 
-/// What the user should know beside the picture, on stderr.
-fn tell_notes(report: &Value) {
-    for line in notes(report) {
-        // Nobody left to tell is no reason to fail.
-        let _ = writeln!(std::io::stderr(), "note: {line}");
+/// The report as `--report` writes it: with the outlines, where they were drawn.
+#[derive(Serialize)]
+struct WrittenReport {
+    #[serde(flatten)]
+    report: Report,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    outlines: Option<outlines::OutlineReport>,
+}
+
+impl WrittenReport {
+    fn text(&self) -> Result<String, Error> {
+        Ok(serde_json::to_string_pretty(self).map_err(Error::step)? + "\n")
     }
 }
 
-/// The notes of a report, one that many regions share told once.
-fn notes(report: &Value) -> Vec<String> {
-    let list = |value: &Value, key: &str| value[key].as_array().cloned().unwrap_or_default();
+/// The notes of a report as lines for a terminal. A note that several regions share is one line; of each layer at most
+/// [`MOST_NOTES`] are listed.
+fn notes(layers: &[LayerReport]) -> Vec<String> {
     let mut lines = Vec::new();
-    for layer in list(report, "layers") {
-        let name = layer["name"].as_str().unwrap_or_default();
-        let mut said: Vec<(String, Vec<String>)> = Vec::new();
-        for region in list(&layer, "regions") {
-            for note in list(&region, "notes").iter().filter_map(Value::as_str) {
-                let place = region["region"].to_string();
-                match said.iter_mut().find(|(text, _)| text == note) {
-                    Some((_, places)) => places.push(place),
-                    None => said.push((note.to_owned(), vec![place])),
+    for LayerReport { name, regions, settled, .. } in layers {
+        let mut found: Vec<(&str, Vec<[usize; 2]>)> = Vec::new();
+        for region in regions {
+            for note in &region.notes {
+                match found.iter_mut().find(|(text, _)| text == note) {
+                    Some((_, places)) => places.push(region.place),
+                    None => found.push((note, vec![region.place])),
                 }
             }
         }
-        let many = said.len().saturating_sub(MOST_NOTES);
-        for (text, places) in said.into_iter().take(MOST_NOTES) {
-            let places = match &places[..] {
-                [place] => format!("region {place}"),
-                [first, ..] => format!("{} regions such as {first}", places.len()),
-                [] => String::new(),
+        let more = found.len().saturating_sub(MOST_NOTES);
+        for (text, places) in found.into_iter().take(MOST_NOTES) {
+            let [column, row] = places[0];
+            let places = match places.len() {
+                1 => format!("region [{column},{row}]"),
+                count => format!("{count} regions such as [{column},{row}]"),
             };
             lines.push(format!("{name}, {places}: {text}"));
         }
-        if many > 0 {
-            lines.push(format!("{name}: {many} more notes; --report writes them all"));
+        if more > 0 {
+            lines.push(format!("{name}: {more} more notes; --report writes them all"));
         }
-        if layer["settled"] == Value::Bool(false) {
-            lines.push(format!(
-                "{name}: did not come to rest in the time it was given; what stands there is used"
-            ));
+        if !settled {
+            lines.push(format!("{name}: did not settle within the step limit; its last state is used"));
         }
     }
     lines
@@ -329,23 +329,53 @@ fn notes(report: &Value) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
+    use crate::attributes::{Attributes, Spots};
+    use crate::synth::report::RegionReport;
 
-    #[test]
-    fn a_note_that_regions_share_is_told_once() {
-        let region = |place: [u32; 2], notes: &[&str]| json!({"region": place, "notes": notes});
-        let regions = [region([0, 0], &["dense"]), region([1, 0], &["dense", "round"]), region([2, 0], &[])];
-        let report = json!({"layers": [{"name": "spots", "settled": true, "regions": regions}]});
-        assert_eq!(notes(&report), ["spots, 2 regions such as [0,0]: dense", "spots, region [1,0]: round"]);
+    fn region(place: [usize; 2], notes: &[&str]) -> RegionReport {
+        let spots = Attributes::Spots(Spots { area: 100.0, aspect: 1.0, angle: 0.0, spacing: None });
+        RegionReport {
+            place,
+            marks: Some(9),
+            asked: spots,
+            directed: true,
+            parameters: Vec::new(),
+            predicted: spots,
+            got: None,
+            error: Vec::new(),
+            spread: None,
+            kept: None,
+            beyond: Vec::new(),
+            notes: notes.iter().map(|note| (*note).to_owned()).collect(),
+        }
+    }
+
+    fn layer(settled: bool, regions: Vec<RegionReport>) -> LayerReport {
+        let (name, system) = ("spots".to_owned(), "turing-spots");
+        LayerReport { name, system, cell: 1.0, grid: [9, 9], steps: 1, settled, regions, shown: None }
     }
 
     #[test]
-    fn many_notes_are_counted_instead_of_told() {
-        let regions: Vec<Value> =
-            (0..20).map(|i| json!({"region": [i, 0], "notes": [format!("note {i}")]})).collect();
-        let report = json!({"layers": [{"name": "spots", "settled": true, "regions": regions}]});
-        let told = notes(&report);
-        assert_eq!(told.len(), MOST_NOTES + 1);
-        assert!(told[MOST_NOTES].contains("12 more notes"), "{told:?}");
+    fn a_note_that_regions_share_is_one_line() {
+        let regions =
+            vec![region([0, 0], &["dense"]), region([1, 0], &["dense", "round"]), region([2, 0], &[])];
+        assert_eq!(
+            notes(&[layer(true, regions)]),
+            ["spots, 2 regions such as [0,0]: dense", "spots, region [1,0]: round"]
+        );
+    }
+
+    #[test]
+    fn of_many_notes_the_first_are_listed_and_the_rest_counted() {
+        let regions = (0..20).map(|i| region([i, 0], &[&format!("note {i}")])).collect();
+        let lines = notes(&[layer(true, regions)]);
+        assert_eq!(lines.len(), MOST_NOTES + 1);
+        assert!(lines[MOST_NOTES].contains("12 more notes"), "{lines:?}");
+    }
+
+    #[test]
+    fn a_layer_that_did_not_settle_is_noted() {
+        let lines = notes(&[layer(false, Vec::new())]);
+        assert!(lines.len() == 1 && lines[0].contains("did not settle within the step limit"), "{lines:?}");
     }
 }

@@ -164,6 +164,11 @@ pub fn say(text: &str) -> Result<(), Error> {
     stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(Error::Output)
 }
 
+/// Writes one note to stderr. Where stderr is closed the note is lost: that is no reason to fail.
+fn note(text: &str) {
+    let _ = writeln!(io::stderr(), "note: {text}");
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -41,7 +41,7 @@ const ROUND: f64 = 0.75;
 fn sheet(document: &Document, name: &str) -> Value {
     let training = Training::default();
     let grown = grow(document, name, &training, Options::default(), &Watch::NOBODY).unwrap();
-    let report = report(document, name, &grown, 0.0);
+    let report = json!(report(document, name, &grown, 0.0));
     let layers = report["layers"].as_array().unwrap().iter().map(|layer| {
         let regions = layer["regions"].as_array().unwrap().iter().map(|region| {
             let mut told = Map::from_iter([("region".to_owned(), region["region"].clone())]);

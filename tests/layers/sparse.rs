@@ -56,8 +56,8 @@ fn only_some_regions_may_be_sparse() {
 
 #[test]
 fn the_report_says_so() {
-    let told = |document: &Document| report(document, "test", &grown(document), 0.0);
-    let region = |document: &Document| told(document)["layers"][0]["regions"][0].clone();
+    let report = |document: &Document| serde_json::json!(report(document, "test", &grown(document), 0.0));
+    let region = |document: &Document| report(document)["layers"][0]["regions"][0].clone();
     let sparse = region(&apart(9.0, 1.0, Edges::Wrap));
     let note = sparse["notes"][0].as_str().expect("a note");
     assert!(

@@ -279,7 +279,7 @@ impl Outlines {
     /// How they are drawn, lengths in px.
     #[must_use]
     pub fn style(&self, dpi: f64) -> Style {
-        let px = 1.0 / self.unit(dpi).a_px();
+        let px = 1.0 / self.unit(dpi).per_px();
         let spacing = (self.spacing * px).max(Hatch::FINEST);
         Style {
             fill: self.fill,
@@ -293,7 +293,7 @@ impl Outlines {
     /// What is left out, px.
     #[must_use]
     pub fn smallest(&self, dpi: f64) -> Smallest {
-        let px = 1.0 / self.unit(dpi).a_px();
+        let px = 1.0 / self.unit(dpi).per_px();
         Smallest { width: self.width * px, area: self.area * px * px }
     }
 }

@@ -228,10 +228,10 @@ impl Order {
             }
             Ok(())
         })?;
-        let pen = if choices.dxf { None } else { Some(choices.pen / unit.a_px()) };
+        let pen = if choices.dxf { None } else { Some(choices.pen / unit.per_px()) };
         Ok(Written {
             pending: Pending::Files(vec![file]),
-            told: Some(travel.told(unit)),
+            told: Some(travel.text(unit)),
             drawing: Some(Drawing { size, groups, pen }),
         })
     }

@@ -8,7 +8,7 @@ use crate::export::outline::{Ends, FORMATS, Hatch, Smallest, Style, Travel, dxf}
 use crate::export::{self, Prepared, Stopped, has_ending};
 use crate::synth::render::outlining::{Outlining, outlines};
 use crate::synth::{Grown, Watch, memory};
-use serde_json::{Value, json};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// What is wanted of outlines.
@@ -124,17 +124,17 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
     }
     let scale = f64::from(extent.scale);
     let unit = args.outlines.unit(document.dpi * scale);
-    let style = args.outlines.style(1.0 / unit.a_px());
+    let style = args.outlines.style(1.0 / unit.per_px());
     if style.fill && *edges == Some(Ends::Cut) {
         let allowed = "allowed: --edges cut with --style stroke or hatch:SPACING";
         return Err(Error::Usage(format!("--edges: found cut with areas, which must be closed; {allowed}")));
     }
     match style.hatch {
         Some(hatch) if hatch.spacing < Hatch::FINEST => {
-            let (least, name) = (Hatch::FINEST * unit.a_px(), unit.name());
+            let (least, name) = (Hatch::FINEST * unit.per_px(), unit.name());
             Err(Error::Usage(format!(
                 "--style: found a hatch spacing of {:.3} {name}; allowed: at least {least:.3} {name}, {} px of {}",
-                hatch.spacing * unit.a_px(),
+                hatch.spacing * unit.per_px(),
                 Hatch::FINEST,
                 args.file.display()
             )))
@@ -167,29 +167,39 @@ fn strokes(layer: &Layer, size: [f64; 2], spacing: f64) -> f64 {
     0.5 * size[0] * size[1] / (spacing * narrowest)
 }
 
-/// What was drawn, for people and for machines.
+/// How far the pen moves to draw the outlines.
 pub struct Drawn {
     unit: Unit,
     travel: Travel,
 }
 
+/// The outlines' entry in the report: lengths in `unit`.
+#[derive(Serialize)]
+pub struct OutlineReport {
+    paths: usize,
+    unit: &'static str,
+    pen_down: f64,
+    pen_up: f64,
+    pen_up_unordered: f64,
+}
+
 impl Drawn {
-    /// For people.
-    pub fn told(&self) -> String {
-        self.travel.told(self.unit)
+    /// One line for a terminal.
+    pub fn text(&self) -> String {
+        self.travel.text(self.unit)
     }
 
-    /// For the report.
-    pub fn json(&self) -> Value {
-        let length = |px: f64| json!(px * self.unit.a_px());
+    /// The entry of the report.
+    pub fn report(&self) -> OutlineReport {
+        let length = |px: f64| px * self.unit.per_px();
         let Travel { paths, down, up, up_unordered } = self.travel;
-        json!({
-            "paths": paths,
-            "unit": self.unit.name(),
-            "pen_down": length(down),
-            "pen_up": length(up),
-            "pen_up_unordered": length(up_unordered),
-        })
+        OutlineReport {
+            paths,
+            unit: self.unit.name(),
+            pen_down: length(down),
+            pen_up: length(up),
+            pen_up_unordered: length(up_unordered),
+        }
     }
 }
 
@@ -205,7 +215,7 @@ pub fn prepare(
     let Some(first) = files.first() else { return Ok(None) };
     let size = grown.size.map(|side| side as usize * extent.scale as usize);
     let unit = args.outlines.unit(document.dpi * f64::from(extent.scale));
-    let a_unit = 1.0 / unit.a_px();
+    let a_unit = 1.0 / unit.per_px();
     let wanted = Outlining {
         size,
         level: args.outlines.level.unwrap_or(0.5),

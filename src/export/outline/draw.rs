@@ -98,10 +98,10 @@ pub fn draw(
 impl Travel {
     /// Such as `412 paths; the pen draws 3.10 m and travels 0.42 m in the air (2.90 m in the order found)`.
     #[must_use]
-    pub fn told(&self, unit: Unit) -> String {
+    pub fn text(&self, unit: Unit) -> String {
         let length = |px: f64| match unit {
             Unit::Px => format!("{px:.0} px"),
-            Unit::Mm { .. } => format!("{:.2} m", px * unit.a_px() / 1000.0),
+            Unit::Mm { .. } => format!("{:.2} m", px * unit.per_px() / 1000.0),
         };
         let Self { paths, down, up, up_unordered } = *self;
         format!(

@@ -20,7 +20,7 @@ const LONGEST: usize = 31;
 /// # Errors
 /// Where `out` cannot be written.
 pub fn write(out: &mut impl Write, size: [f64; 2], unit: Unit, groups: &[Group]) -> io::Result<()> {
-    let scale = unit.a_px();
+    let scale = unit.per_px();
     let [width, height] = size.map(|side| side * scale);
     let names = names(groups);
     header(out, [width, height], unit)?;

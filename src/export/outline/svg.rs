@@ -19,9 +19,9 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// How many of it a px is.
+    /// Units per px.
     #[must_use]
-    pub fn a_px(self) -> f64 {
+    pub fn per_px(self) -> f64 {
         match self {
             Self::Px => 1.0,
             Self::Mm { dpi } => 25.4 / dpi,
@@ -65,7 +65,7 @@ pub struct Sheet {
 /// # Errors
 /// Where `out` cannot be written.
 pub fn write(out: &mut impl Write, sheet: &Sheet, groups: &[Group]) -> io::Result<()> {
-    let scale = sheet.unit.a_px();
+    let scale = sheet.unit.per_px();
     let [width, height] = sheet.size.map(|side| Number(side * scale));
     let unit = sheet.unit.name();
     writeln!(out, r#"<?xml version="1.0" encoding="UTF-8"?>"#)?;

@@ -1,5 +1,7 @@
 //! What a region was asked, what was looked up for it, what has grown there.
 
+use serde::ser::{Serialize, SerializeMap, Serializer};
+
 use crate::attributes::{Attributes, Spread};
 use crate::learn::Note;
 use crate::rd::Seeding;
@@ -38,7 +40,67 @@ pub struct RegionReport {
     pub notes: Vec<String>,
 }
 
-/// What there is to say about each region of a layer.
+/// The JSON of `grow --report`; entries that do not apply are left out.
+impl Serialize for RegionReport {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("region", &self.place)?;
+        if let Some(marks) = self.marks {
+            map.serialize_entry("marks", &marks)?;
+        }
+        let attributes = |attributes| AttributesEntry { attributes, directed: self.directed };
+        map.serialize_entry("asked", &attributes(&self.asked))?;
+        map.serialize_entry("parameters", &Named(&self.parameters))?;
+        map.serialize_entry("predicted", &attributes(&self.predicted))?;
+        if let Some(got) = &self.got {
+            map.serialize_entry("got", &attributes(got))?;
+        }
+        map.serialize_entry("error", &Named(&self.error))?;
+        if let Some((asked, got)) = self.spread {
+            map.serialize_entry("spread", &SpreadEntry { asked, got })?;
+        }
+        if let Some(kept) = &self.kept {
+            map.serialize_entry("kept", kept)?;
+        }
+        map.serialize_entry("notes", &self.notes)?;
+        map.end()
+    }
+}
+
+/// Attributes as the report writes them. The direction of stripes that follow marks (`directed` = false) was not asked for,
+/// so only their width is written.
+struct AttributesEntry<'a> {
+    attributes: &'a Attributes,
+    directed: bool,
+}
+
+impl Serialize for AttributesEntry<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.attributes {
+            Attributes::Spots(spots) => spots.serialize(serializer),
+            Attributes::Stripes(stripes) if self.directed => stripes.serialize(serializer),
+            Attributes::Stripes(stripes) => Named(&[("width", stripes.width)]).serialize(serializer),
+        }
+    }
+}
+
+/// Numbers by name.
+struct Named<'a>(&'a [(&'static str, f64)]);
+
+impl Serialize for Named<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().copied())
+    }
+}
+
+#[derive(serde::Serialize)]
+struct SpreadEntry {
+    asked: Spread,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    got: Option<Spread>,
+}
+
+/// The report of each region of a layer, row by row.
 #[must_use]
 pub fn regions(layer: &GrownLayer) -> Vec<RegionReport> {
     let plan = &layer.plan;

@@ -77,7 +77,7 @@ fn style(ui: &mut Ui, outlines: &mut Outlines, dpi: f64) {
     ui.end_row();
     if outlines.hatch {
         named(ui, "Hatch", "How far its strokes stand apart, and their direction, from right towards down");
-        let finest = Hatch::FINEST * outlines.unit(dpi).a_px();
+        let finest = Hatch::FINEST * outlines.unit(dpi).per_px();
         ui.horizontal(|ui| {
             let field = DragValue::new(&mut outlines.spacing).range(finest..=1e4).speed(0.02).max_decimals(3);
             number(ui, "Spacing of the hatch", field.suffix(unit));
