@@ -37,10 +37,10 @@ struct Bump {
 impl Maps {
     /// The same for spots that are `irregular`, 0 (not at all) to 1, with no more mean area for that. Turing's are.
     #[must_use]
-    pub fn uneven(mut self, irregular: f64, edges: Edges, seed: u64) -> Self {
+    pub fn with_decay_noise(mut self, irregular: f64, edges: Edges, seed: u64) -> Self {
         if irregular > 0.0 {
-            self.uneven = noise(System::TuringSpots, &self, edges, seed);
-            self.uneven.iter_mut().for_each(|value| *value *= (DEVIATION * irregular) as f32);
+            self.decay_noise = noise(System::TuringSpots, &self, edges, seed);
+            self.decay_noise.iter_mut().for_each(|value| *value *= (DEVIATION * irregular) as f32);
             let more = 1.0 + MERGED * irregular * irregular;
             self.parameters.iter_mut().for_each(|p| p.rate *= more as f32);
         }
@@ -129,14 +129,14 @@ mod tests {
 
     #[test]
     fn a_coarser_grid_has_the_means_of_the_cells_under_its_own() {
-        let fine = maps(0.1).uneven(1.0, Edges::Closed, 5);
+        let fine = maps(0.1).with_decay_noise(1.0, Edges::Closed, 5);
         let coarse = fine.on_grid(60, 50);
-        for (cell, value) in coarse.uneven.iter().enumerate() {
+        for (cell, value) in coarse.decay_noise.iter().enumerate() {
             let first = 2 * (cell / 60) * 120 + 2 * (cell % 60);
-            let mean = [0, 1, 120, 121].map(|more| fine.uneven[first + more]).iter().sum::<f32>() / 4.0;
+            let mean = [0, 1, 120, 121].map(|more| fine.decay_noise[first + more]).iter().sum::<f32>() / 4.0;
             assert!((value - mean).abs() < 1e-5, "{cell}: {value}, {mean}");
         }
-        assert!(maps(0.1).uneven(0.0, Edges::Closed, 5).on_grid(60, 50).uneven.is_empty());
+        assert!(maps(0.1).with_decay_noise(0.0, Edges::Closed, 5).on_grid(60, 50).decay_noise.is_empty());
     }
 
     #[test]

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use super::System;
 use super::maps::{Maps, Parameters};
 use crate::grid::Edges;
-use crate::rd::line_noise::{Crest, Led, led};
+use crate::rd::line_noise::{GuideLine, Led, led};
 
 /// The kernels.
 #[derive(Clone, Copy)]
@@ -71,7 +71,7 @@ pub fn phases(
     maps: &Maps,
     edges: Edges,
     wavelength: &dyn Fn(&Parameters) -> f64,
-    crests: &[Crest],
+    crests: &[GuideLine],
     rng: &mut impl Rng,
 ) -> Vec<f32> {
     let waves = waves(maps, edges, wavelength, LINES, rng);
@@ -214,7 +214,7 @@ mod tests {
 
     use super::*;
 
-    /// Crests that each column of a grid crosses ÷ those that waves of 10 cells along x have, where directions go from
+    /// GuideCurves that each column of a grid crosses ÷ those that waves of 10 cells along x have, where directions go from
     /// `left` to `right` degrees.
     fn crossed(left: f32, right: f32) -> f64 {
         const N: usize = 160;

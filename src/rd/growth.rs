@@ -16,7 +16,7 @@ use super::selling::{MIN_STRETCH, Tensor};
 use super::solver::Solver;
 use super::wavefront::{self, Instructions, Scratch, Tiling};
 use crate::grid::{Edges, Field};
-use crate::rd::local_warp::{Slide, slid};
+use crate::rd::local_warp::{LocalWarp, warped};
 use crate::rd::systems::meinhardt_lines;
 use crate::rd::systems::meinhardt_lines::MeinhardtLines;
 use crate::rd::systems::meinhardt_spots;
@@ -85,15 +85,15 @@ impl Growth {
 
     fn of(system: System, maps: &Maps, edges: Edges, chemicals: Chemicals) -> Self {
         let chemicals = match chemicals {
-            Chemicals::Two(two) if system == System::TuringSpots && !maps.uneven.is_empty() => {
+            Chemicals::Two(two) if system == System::TuringSpots && !maps.decay_noise.is_empty() => {
                 let [planes, _] = *two;
                 Chemicals::with_decay(planes, maps, Grid { nx: maps.nx, ny: maps.ny, edges })
             }
             others => others,
         };
         let mut problem = problem(system, maps, edges);
-        if !maps.taken.is_empty() {
-            problem.freeze(&|cell: usize| maps.taken[cell]);
+        if !maps.obstacles.is_empty() {
+            problem.freeze(&|cell: usize| maps.obstacles[cell]);
         }
         let time_a_step = f64::from(problem.slowest) * f64::from(system.decay());
         let scratch = Scratch::default();
@@ -108,10 +108,10 @@ impl Growth {
     }
 
     /// Moves spots of the pattern that grows in `maps`.
-    pub fn slide(&mut self, maps: &Maps, slides: &[Slide]) {
+    pub fn warp(&mut self, maps: &Maps, warps: &[LocalWarp]) {
         let grid = self.problem.grid;
         let moved = |plane: &mut Plane| {
-            let cells = slid(self.system, maps, grid.edges, &plane.cells(), slides);
+            let cells = warped(self.system, maps, grid.edges, &plane.cells(), warps);
             cells.chunks_exact(grid.nx).enumerate().for_each(|(y, row)| plane.set_row(y, row));
         };
         match &mut self.chemicals {
@@ -262,10 +262,10 @@ const RIM: f64 = 0.25;
 /// Where the concentrations are those of the marks of other layers: on taken cells, and where Turing's a leaks out.
 fn masked(system: System, maps: &Maps, edges: Edges) -> Vec<bool> {
     if system != System::TuringSpots {
-        return maps.taken.clone();
+        return maps.obstacles.clone();
     }
-    let mut masked = maps.taken.clone();
-    for cell in (0..maps.taken.len()).filter(|cell| maps.taken[*cell]) {
+    let mut masked = maps.obstacles.clone();
+    for cell in (0..maps.obstacles.len()).filter(|cell| maps.obstacles[*cell]) {
         let reach = (RIM * system.spacing(&maps.parameters[cell])).ceil() as isize;
         let (x, y) = ((cell % maps.nx) as isize, (cell / maps.nx) as isize);
         for (dy, dx) in (-reach..=reach).flat_map(|dy| (-reach..=reach).map(move |dx| (dy, dx))) {

@@ -5,9 +5,9 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use crate::grid::{Edges, Field};
-use crate::rd::line_noise::{Crest, lead};
-use crate::rd::maps::{Crests, Maps, Parameters};
-use crate::rd::nuclei::{Kept, Laid, Nucleus, Places, lay, thinned};
+use crate::rd::line_noise::{GuideLine, lead};
+use crate::rd::maps::{GuideCurves, Maps, Parameters};
+use crate::rd::nuclei::{Laid, Nucleus, PinnedSpot, Places, lay, thinned};
 use crate::rd::plane::{Grid, Plane};
 use crate::rd::seeding::{Seeding, seeded, segments, waves};
 use crate::rd::systems::{meinhardt_lines, meinhardt_spots, meinhardt_stripes, turing_spots};
@@ -16,7 +16,7 @@ use crate::rd::{System, gabor};
 /// Where the spots of this growth begin, in cells, the `kept` ones first; without any, the same places that
 /// [`crate::rd::Growth::new`] takes. Empty for stripes and lines.
 #[must_use]
-pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64, kept: &[Kept]) -> Places {
+pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64, kept: &[PinnedSpot]) -> Places {
     if system.is_striped() {
         return Places::default();
     }
@@ -29,27 +29,27 @@ pub fn nuclei(system: System, maps: &Maps, edges: Edges, seed: u64, kept: &[Kept
 
 /// What a growth begins from, for any grid over its canvas: spots at the same places, stripes from the same waves.
 #[derive(Clone, Debug)]
-pub struct Beginning {
+pub struct InitialConditions {
     system: System,
     edges: Edges,
     seed: u64,
     /// Where spots begin, as shares of the canvas' sides.
     places: Vec<[f64; 2]>,
     /// Lines along which stripes run.
-    crests: Vec<Crest>,
+    crests: Vec<GuideLine>,
     seeding: Seeding,
 }
 
-impl Beginning {
+impl InitialConditions {
     /// What [`crate::rd::Growth::new`] begins from.
     #[must_use]
     pub fn new(system: System, maps: &Maps, edges: Edges, seed: u64) -> Self {
-        Self::at(system, maps, edges, seed, &nuclei(system, maps, edges, seed, &[]).inside)
+        Self::at_places(system, maps, edges, seed, &nuclei(system, maps, edges, seed, &[]).inside)
     }
 
     /// The same from spots at these `places`, cells of `maps`.
     #[must_use]
-    pub fn at(system: System, maps: &Maps, edges: Edges, seed: u64, places: &[[f64; 2]]) -> Self {
+    pub fn at_places(system: System, maps: &Maps, edges: Edges, seed: u64, places: &[[f64; 2]]) -> Self {
         let share = |[x, y]: &[f64; 2]| [x / maps.nx as f64, y / maps.ny as f64];
         Self {
             system,
@@ -64,7 +64,7 @@ impl Beginning {
     /// The same of stripes with other seeds: `crests` are the lines that they are to run along. Segments are thrown for
     /// `maps`.
     #[must_use]
-    pub fn seeded(self, maps: &Maps, seeding: Seeding, crests: Vec<Crest>) -> Self {
+    pub fn with_seeding(self, maps: &Maps, seeding: Seeding, crests: Vec<GuideLine>) -> Self {
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
         let crests =
             if seeding == Seeding::Segments { segments(maps, self.edges, &crests, &mut rng) } else { crests };
@@ -73,13 +73,13 @@ impl Beginning {
 
     /// Does anything begin? Spots need a place.
     #[must_use]
-    pub fn is_any(&self) -> bool {
+    pub fn has_marks(&self) -> bool {
         self.system.is_striped() || !self.places.is_empty()
     }
 
     /// Do stripes begin in pieces that must find together?
     #[must_use]
-    pub fn is_scattered(&self) -> bool {
+    pub fn starts_scattered(&self) -> bool {
         self.seeding == Seeding::Segments
     }
 
@@ -109,14 +109,14 @@ impl Beginning {
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
         match self.system {
             System::MeinhardtStripes => {
-                return held(self.system, maps, self.stripes(maps).into());
+                return with_obstacle_state(self.system, maps, self.stripes(maps).into());
             }
             System::MeinhardtLines => {
-                let begun = match &maps.crests {
-                    Some(crests) => along(crests, maps),
+                let begun = match &maps.curves {
+                    Some(curves) => along(curves, maps),
                     None => crests(maps, self.edges, &self.crests, &mut Pcg64Mcg::seed_from_u64(self.seed)),
                 };
-                return held(self.system, maps, begun.into());
+                return with_obstacle_state(self.system, maps, begun.into());
             }
             System::TuringSpots | System::MeinhardtSpots => {}
         }
@@ -128,29 +128,29 @@ impl Beginning {
         let laid = self.places.iter().map(nucleus).collect();
         let crowded = |nucleus: &Nucleus| lost(maps.cell_at(nucleus.at));
         let cells = bells_on(self.system, maps, self.edges, &thinned(laid, maps, self.edges, &crowded));
-        held(self.system, maps, cells.into())
+        with_obstacle_state(self.system, maps, cells.into())
     }
 }
 
 /// What shows of the marks that this growth begins from.
 #[must_use]
-pub fn begun(system: System, maps: &Maps, edges: Edges, seed: u64) -> Field {
+pub fn initial_marks(system: System, maps: &Maps, edges: Edges, seed: u64) -> Field {
     crate::rd::Growth::new(system, maps, edges, seed).marks(maps)
 }
 
 /// The same concentrations with those of taken cells as marks of other layers have them.
 #[must_use]
-pub fn held(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Vec<f32>> {
-    let values = system.held();
+pub fn with_obstacle_state(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Vec<f32>> {
+    let values = system.obstacle_state();
     for (cells, value) in chemicals.iter_mut().zip(values) {
-        for (cell, taken) in cells.iter_mut().zip(&maps.taken) {
+        for (cell, taken) in cells.iter_mut().zip(&maps.obstacles) {
             if *taken {
                 *cell = *value;
             }
         }
     }
-    if let (Some(crests), [_, inhibitor, ..]) = (&maps.crests, &mut chemicals[..]) {
-        for ((cell, taken), held) in inhibitor.iter_mut().zip(&maps.taken).zip(&crests.held) {
+    if let (Some(curves), [_, inhibitor, ..]) = (&maps.curves, &mut chemicals[..]) {
+        for ((cell, taken), held) in inhibitor.iter_mut().zip(&maps.obstacles).zip(&curves.inhibitor) {
             if *taken {
                 *cell = *held;
             }
@@ -237,7 +237,7 @@ pub fn stripes(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 5] {
     planes(maps, edges, oriented_noise(maps, edges, &[], rng))
 }
 
-fn oriented_noise(maps: &Maps, edges: Edges, crests: &[Crest], rng: &mut Pcg64Mcg) -> [Vec<f32>; 5] {
+fn oriented_noise(maps: &Maps, edges: Edges, crests: &[GuideLine], rng: &mut Pcg64Mcg) -> [Vec<f32>; 5] {
     let wavelength = |p: &Parameters| System::MeinhardtStripes.spacing(p);
     let mut noise = gabor::noise(maps, edges, &wavelength, rng);
     lead(System::MeinhardtStripes, &mut noise, maps, edges, crests);
@@ -265,7 +265,7 @@ pub fn lines(maps: &Maps, edges: Edges, rng: &mut Pcg64Mcg) -> [Plane; 2] {
 /// wide.
 const CREST: f64 = 0.42;
 
-fn crests(maps: &Maps, edges: Edges, leading: &[Crest], rng: &mut Pcg64Mcg) -> [Vec<f32>; 2] {
+fn crests(maps: &Maps, edges: Edges, leading: &[GuideLine], rng: &mut Pcg64Mcg) -> [Vec<f32>; 2] {
     let wavelength = |p: &Parameters| System::MeinhardtLines.spacing(p);
     let phases = gabor::phases(maps, edges, &wavelength, leading, rng);
     let mut cells = [vec![0.0; phases.len()], vec![0.0; phases.len()]];
@@ -283,10 +283,10 @@ fn crests(maps: &Maps, edges: Edges, leading: &[Crest], rng: &mut Pcg64Mcg) -> [
 }
 
 /// Lines begin along the curves of `maps`.
-fn along(crests: &Crests, maps: &Maps) -> [Vec<f32>; 2] {
-    let mut cells = [vec![0.0; crests.off.len()], vec![0.0; crests.off.len()]];
+fn along(curves: &GuideCurves, maps: &Maps) -> [Vec<f32>; 2] {
+    let mut cells = [vec![0.0; curves.distance.len()], vec![0.0; curves.distance.len()]];
     let [a, b] = cells.each_mut().map(|cells| cells.par_chunks_mut(maps.nx));
-    let rows = crests.off.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
+    let rows = curves.distance.par_chunks(maps.nx).zip(maps.parameters.par_chunks(maps.nx));
     a.zip(b).zip(rows).for_each(|((a, b), (off, parameters))| {
         for (i, (off, p)) in off.iter().zip(parameters).enumerate() {
             let width = CREST * meinhardt_lines::width(p.ratio) / f64::from(p.rate).sqrt();

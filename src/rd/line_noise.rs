@@ -13,7 +13,7 @@ use crate::rd::maps::Maps;
 
 /// A straight line along which a stripe is to run, in shares of the canvas' sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crest {
+pub struct GuideLine {
     /// One end.
     pub from: [f64; 2],
     /// The other.
@@ -28,7 +28,7 @@ const STRIPES: ([f64; 2], [f64; 2]) = ([0.0, 1.5], [0.4, 1.3]);
 const LINES: ([f64; 2], [f64; 2]) = ([0.0, 4.0], [0.4, 3.0]);
 
 /// Gives `noise` over the grid of `maps`, of unit variance, crests along these lines.
-pub fn lead(system: System, noise: &mut [f32], maps: &Maps, edges: Edges, crests: &[Crest]) {
+pub fn lead(system: System, noise: &mut [f32], maps: &Maps, edges: Edges, crests: &[GuideLine]) {
     if crests.is_empty() {
         return;
     }
@@ -52,7 +52,7 @@ pub fn led(
     system: System,
     maps: &Maps,
     edges: Edges,
-    crests: &[Crest],
+    crests: &[GuideLine],
     cell: usize,
     across: [f64; 2],
 ) -> Led {
@@ -83,7 +83,7 @@ struct Seen {
     normal: [f64; 2],
 }
 
-impl Crest {
+impl GuideLine {
     /// The corners of the box around it, cells.
     pub fn box_of(&self, n: [usize; 2]) -> [[f64; 2]; 2] {
         [f64::min as fn(f64, f64) -> f64, f64::max]
@@ -127,7 +127,7 @@ mod tests {
         let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
         let maps = Maps::uniform(160, 120, p);
         let mut noise = vec![0.5f32; 160 * 120];
-        let line = Crest { from: [0.3, 0.5], to: [0.7, 0.5] };
+        let line = GuideLine { from: [0.3, 0.5], to: [0.7, 0.5] };
         lead(System::MeinhardtStripes, &mut noise, &maps, Edges::Closed, &[line]);
         let at = |x: usize, y: usize| noise[y * 160 + x];
         // Rows 59 and 60 lie on either side of the line; half a wavelength, 8 cells, off it there is a trough.
@@ -143,7 +143,7 @@ mod tests {
     fn lines_side_by_side_share_the_noise() {
         let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
         let maps = Maps::uniform(160, 120, p);
-        let line = |y: f64| Crest { from: [0.3, y / 120.0], to: [0.7, y / 120.0] };
+        let line = |y: f64| GuideLine { from: [0.3, y / 120.0], to: [0.7, y / 120.0] };
         // A period apart, both waves agree.
         let pair = [line(52.0), line(68.0)];
         let cell = 60 * 160 + 80;

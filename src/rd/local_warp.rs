@@ -14,7 +14,7 @@ use crate::rd::nuclei::Nucleus;
 
 /// A spot that is to be moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slide {
+pub struct LocalWarp {
     /// Where it stands, cells.
     pub at: [f64; 2],
     /// The parameters that it grows in.
@@ -30,8 +30,8 @@ const OUTER: f64 = 0.6;
 
 /// The cells of a chemical with these spots moved.
 #[must_use]
-pub fn slid(system: System, maps: &Maps, edges: Edges, chemical: &[f32], slides: &[Slide]) -> Vec<f32> {
-    let shifts = shifts(system, maps, edges, slides);
+pub fn warped(system: System, maps: &Maps, edges: Edges, chemical: &[f32], warps: &[LocalWarp]) -> Vec<f32> {
+    let shifts = shifts(system, maps, edges, warps);
     let field = Field { width: maps.nx, height: maps.ny, cell: [1.0, 1.0], edges, values: chemical.to_vec() };
     let surface = Spline::new(&field);
     let mut cells = field.values;
@@ -44,9 +44,9 @@ pub fn slid(system: System, maps: &Maps, edges: Edges, chemical: &[f32], slides:
 }
 
 /// By how much the content of which cells moves.
-fn shifts(system: System, maps: &Maps, edges: Edges, slides: &[Slide]) -> Vec<(usize, [f64; 2])> {
+fn shifts(system: System, maps: &Maps, edges: Edges, warps: &[LocalWarp]) -> Vec<(usize, [f64; 2])> {
     let mut found: Vec<Option<[f64; 2]>> = vec![None; maps.nx * maps.ny];
-    for Slide { at, own, by } in slides {
+    for LocalWarp { at, own, by } in warps {
         let spot = Nucleus::of(own, maps.cell, *at, system.spacing(own));
         let far = OUTER * spot.reach;
         let range = |v: f64| (v - 0.5 - far).ceil() as isize..=(v - 0.5 + far).floor() as isize;
@@ -56,7 +56,7 @@ fn shifts(system: System, maps: &Maps, edges: Edges, slides: &[Slide]) -> Vec<(u
                 let distance = spot.distance2([x as f64 + 0.5 - at[0], y as f64 + 0.5 - at[1]]).sqrt();
                 let weight = weight(distance);
                 let cell = edges.index(y, maps.ny) * maps.nx + edges.index(x, maps.nx);
-                if weight > 0.0 && !maps.is_taken(cell) {
+                if weight > 0.0 && !maps.is_obstacle(cell) {
                     let shift = found[cell].get_or_insert([0.0; 2]);
                     shift[0] += weight * by[0];
                     shift[1] += weight * by[1];
@@ -94,8 +94,8 @@ mod tests {
     fn a_spot_stands_where_it_was_moved_to_and_the_rest_as_it_was() {
         let maps = Maps::uniform(60, 50, P);
         for (edges, at) in [(Edges::Closed, [30.0, 25.0]), (Edges::Wrap, [1.0, 25.0])] {
-            let slide = Slide { at, own: P, by: [1.3, -0.8] };
-            let moved = slid(System::MeinhardtSpots, &maps, edges, &bell(at), &[slide]);
+            let warp = LocalWarp { at, own: P, by: [1.3, -0.8] };
+            let moved = warped(System::MeinhardtSpots, &maps, edges, &bell(at), &[warp]);
             if edges == Edges::Closed {
                 let wanted = bell([31.3, 24.2]);
                 let worst = moved.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
@@ -109,12 +109,12 @@ mod tests {
     #[test]
     fn cells_that_are_taken_stay_as_they_are() {
         let mut maps = Maps::uniform(60, 50, P);
-        maps.taken = (0..60 * 50).map(|cell| cell % 60 > 31).collect();
-        let slide = Slide { at: [30.0, 25.0], own: P, by: [1.0, 0.0] };
+        maps.obstacles = (0..60 * 50).map(|cell| cell % 60 > 31).collect();
+        let warp = LocalWarp { at: [30.0, 25.0], own: P, by: [1.0, 0.0] };
         let before = bell([30.0, 25.0]);
-        let moved = slid(System::MeinhardtSpots, &maps, Edges::Closed, &before, &[slide]);
+        let moved = warped(System::MeinhardtSpots, &maps, Edges::Closed, &before, &[warp]);
         let same = |cell: &usize| moved[*cell].to_bits() == before[*cell].to_bits();
-        assert!((0..60 * 50).filter(|cell| maps.taken[*cell]).all(|cell| same(&cell)));
+        assert!((0..60 * 50).filter(|cell| maps.obstacles[*cell]).all(|cell| same(&cell)));
         assert!((0..60 * 50).any(|cell| !same(&cell)));
     }
 }

@@ -41,28 +41,28 @@ pub struct Maps {
     pub cell: [f64; 2],
     /// `nx · ny` of them, row by row.
     pub parameters: Vec<Parameters>,
-    /// Which cells other marks have taken, row by row; empty = none. Nothing grows there, and what does keeps away.
-    pub taken: Vec<bool>,
+    /// Cells covered by the marks of other layers, row by row; empty = none. Nothing grows there.
+    pub obstacles: Vec<bool>,
     /// By how much the decay β of Turing's spots differs from its 12, row by row; empty = nowhere.
-    pub uneven: Vec<f32>,
+    pub decay_noise: Vec<f32>,
     /// Where lines begin; `None` = everywhere.
-    pub crests: Option<Crests>,
+    pub curves: Option<GuideCurves>,
 }
 
 /// Curves that lines begin along, and what keeps them there; by cell, row by row.
 #[derive(Clone, Debug)]
-pub struct Crests {
+pub struct GuideCurves {
     /// Cells to the nearest of them.
-    pub off: Vec<f32>,
-    /// Inhibitor of taken cells: lines lean towards little of it.
-    pub held: Vec<f32>,
+    pub distance: Vec<f32>,
+    /// Inhibitor of obstacle cells: lines lean towards little of it.
+    pub inhibitor: Vec<f32>,
 }
 
 impl Maps {
     /// These parameters of `nx` × `ny` cells, row by row, on a free canvas.
     #[must_use]
     pub fn new([nx, ny]: [usize; 2], cell: [f64; 2], parameters: Vec<Parameters>) -> Self {
-        Self { nx, ny, cell, parameters, taken: Vec::new(), uneven: Vec::new(), crests: None }
+        Self { nx, ny, cell, parameters, obstacles: Vec::new(), decay_noise: Vec::new(), curves: None }
     }
 
     /// The same parameters everywhere, on square cells.
@@ -90,16 +90,16 @@ impl Maps {
         [(cell % self.nx) as f64 + 0.5, (cell / self.nx) as f64 + 0.5]
     }
 
-    /// Have other marks taken this cell?
+    /// Is this cell covered by the marks of other layers?
     #[must_use]
-    pub fn is_taken(&self, cell: usize) -> bool {
-        self.taken.get(cell).copied().unwrap_or(false)
+    pub fn is_obstacle(&self, cell: usize) -> bool {
+        self.obstacles.get(cell).copied().unwrap_or(false)
     }
 
-    /// [`Self::uneven`] about a point, over a rectangle of these sides.
-    fn uneven_at(&self, [x, y]: [f64; 2], [wide, high]: [f64; 2]) -> f32 {
+    /// [`Self::decay_noise`] about a point, over a rectangle of these sides.
+    fn decay_noise_at(&self, [x, y]: [f64; 2], [wide, high]: [f64; 2]) -> f32 {
         const SHIFTS: [f64; 4] = [-0.375, -0.125, 0.125, 0.375];
-        let at = |dx: f64, dy: f64| self.uneven[self.cell_at([x + dx * wide, y + dy * high])];
+        let at = |dx: f64, dy: f64| self.decay_noise[self.cell_at([x + dx * wide, y + dy * high])];
         SHIFTS.iter().flat_map(|dy| SHIFTS.map(|dx| at(dx, *dy))).sum::<f32>() / 16.0
     }
 
@@ -110,16 +110,19 @@ impl Maps {
         let [wide, high] = [self.nx as f64 / nx as f64, self.ny as f64 / ny as f64];
         let finer = (wide * high) as f32;
         let at = |i: usize| [((i % nx) as f64 + 0.5) * wide, ((i / nx) as f64 + 0.5) * high];
-        let taken = if self.taken.is_empty() { 0 } else { nx * ny };
-        let taken = (0..taken).map(|i| self.is_taken(self.cell_at(at(i)))).collect();
-        let crests = self.crests.as_ref().map(|crests| {
+        let obstacles = if self.obstacles.is_empty() { 0 } else { nx * ny };
+        let obstacles = (0..obstacles).map(|i| self.is_obstacle(self.cell_at(at(i)))).collect();
+        let curves = self.curves.as_ref().map(|curves| {
             let there = |values: &[f32], factor: f32| -> Vec<f32> {
                 (0..nx * ny).map(|i| factor * values[self.cell_at(at(i))]).collect()
             };
-            Crests { off: there(&crests.off, 1.0 / finer.sqrt()), held: there(&crests.held, 1.0) }
+            GuideCurves {
+                distance: there(&curves.distance, 1.0 / finer.sqrt()),
+                inhibitor: there(&curves.inhibitor, 1.0),
+            }
         });
-        let uneven = if self.uneven.is_empty() { 0 } else { nx * ny };
-        let uneven = (0..uneven).map(|i| self.uneven_at(at(i), [wide, high])).collect();
+        let decay_noise = if self.decay_noise.is_empty() { 0 } else { nx * ny };
+        let decay_noise = (0..decay_noise).map(|i| self.decay_noise_at(at(i), [wide, high])).collect();
         let parameters = (0..nx * ny)
             .into_par_iter()
             .map(|i| {
@@ -127,6 +130,14 @@ impl Maps {
                 Parameters { rate: p.rate * finer, ..p }
             })
             .collect();
-        Self { nx, ny, cell: [self.cell[0] * wide, self.cell[1] * high], parameters, taken, uneven, crests }
+        Self {
+            nx,
+            ny,
+            cell: [self.cell[0] * wide, self.cell[1] * high],
+            parameters,
+            obstacles,
+            decay_noise,
+            curves,
+        }
     }
 }

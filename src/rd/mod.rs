@@ -27,14 +27,14 @@ mod vector;
 mod wavefront;
 
 pub use growth::Growth;
-pub use initial_conditions::{Beginning, begun, held, nuclei};
-pub use line_noise::Crest;
-pub use local_warp::Slide;
-pub use maps::{Crests, Maps, Parameters};
-pub use nuclei::{Hindrance, Kept, Places, make_room, off_walls, standing};
-pub use prolongation::prolonged;
+pub use initial_conditions::{InitialConditions, initial_marks, nuclei, with_obstacle_state};
+pub use line_noise::GuideLine;
+pub use local_warp::LocalWarp;
+pub use maps::{GuideCurves, Maps, Parameters};
+pub use nuclei::{Hindrance, PinnedSpot, Places, adjust_to_walls, placeable, relax_places};
+pub use prolongation::prolongate;
 pub use seeding::Seeding;
-pub use shepard::mosaic;
+pub use shepard::interpolate_parameters;
 pub use solver::Solver;
 pub use wavefront::{Instructions, Tiling};
 
@@ -90,13 +90,13 @@ impl System {
         matches!(self, Self::MeinhardtStripes | Self::MeinhardtLines)
     }
 
-    /// Concentrations that keep marks away: of cells that other marks have taken.
-    fn held(self) -> &'static [f32] {
+    /// Concentrations of obstacle cells: they keep marks away.
+    fn obstacle_state(self) -> &'static [f32] {
         match self {
-            Self::TuringSpots => &turing_spots::HELD,
-            Self::MeinhardtSpots => &meinhardt_spots::HELD,
-            Self::MeinhardtStripes => &meinhardt_stripes::HELD,
-            Self::MeinhardtLines => &meinhardt_lines::HELD,
+            Self::TuringSpots => &turing_spots::OBSTACLE,
+            Self::MeinhardtSpots => &meinhardt_spots::OBSTACLE,
+            Self::MeinhardtStripes => &meinhardt_stripes::OBSTACLE,
+            Self::MeinhardtLines => &meinhardt_lines::OBSTACLE,
         }
     }
 

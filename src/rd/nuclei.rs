@@ -14,8 +14,8 @@ mod obstacles;
 mod pinned;
 mod relaxation;
 
-pub use pinned::{Hindrance, Kept, standing};
-pub use relaxation::{Places, make_room, off_walls};
+pub use pinned::{Hindrance, PinnedSpot, placeable};
+pub use relaxation::{Places, adjust_to_walls, relax_places};
 
 use rand::{Rng, RngExt};
 

@@ -9,7 +9,7 @@ use crate::grid::{Edges, Field};
 /// concentration there is: what is positive stays positive, and Turing's b stays at 0 in its spots. Constants stay
 /// what they are, and linear fields away from the border, to rounding.
 #[must_use]
-pub fn prolonged(cells: &[f32], from: [usize; 2], to: [usize; 2], edges: Edges) -> Vec<f32> {
+pub fn prolongate(cells: &[f32], from: [usize; 2], to: [usize; 2], edges: Edges) -> Vec<f32> {
     let lowest = cells.iter().copied().fold(f32::INFINITY, f32::min);
     let field = Field { width: from[0], height: from[1], cell: [1.0, 1.0], edges, values: cells.to_vec() };
     let mut fine = resample(&field, to[0], to[1]).values;
@@ -25,7 +25,7 @@ mod tests {
     #[test]
     fn a_constant_stays_what_it_is() {
         for edges in [Edges::Closed, Edges::Wrap] {
-            let fine = prolonged(&[0.3; 35], [7, 5], [20, 11], edges);
+            let fine = prolongate(&[0.3; 35], [7, 5], [20, 11], edges);
             assert!(fine.len() == 220 && fine.iter().all(|value| (value - 0.3).abs() < 2e-7), "{edges:?}");
         }
     }
@@ -35,7 +35,7 @@ mod tests {
         let slope = |x: f64, y: f64| (2.0 + 0.5 * x - 0.25 * y) as f32;
         let at = |i: usize, n: usize| (i as f64 + 0.5) * 40.0 / n as f64;
         let coarse: Vec<f32> = (0..1600).map(|i| slope(at(i % 40, 40), at(i / 40, 40))).collect();
-        let fine = prolonged(&coarse, [40, 40], [80, 100], Edges::Closed);
+        let fine = prolongate(&coarse, [40, 40], [80, 100], Edges::Closed);
         for y in 40..60 {
             for x in 30..50 {
                 assert!((fine[y * 80 + x] - slope(at(x, 80), at(y, 100))).abs() < 1e-5, "{x} {y}");
@@ -53,7 +53,7 @@ mod tests {
                 // Steep: from a millionth to one.
                 libm::expf(-14.0 * (state >> 8) as f32 / (1 << 24) as f32)
             }).collect();
-            let fine = prolonged(&cells, [nx, ny], [2 * nx + 1, 3 * ny], edges);
+            let fine = prolongate(&cells, [nx, ny], [2 * nx + 1, 3 * ny], edges);
             prop_assert!(fine.iter().all(|value| *value > 0.0 && value.is_finite()));
         }
     }

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::System;
 use super::maps::{Maps, Parameters};
 use crate::grid::Edges;
-use crate::rd::line_noise::Crest;
+use crate::rd::line_noise::GuideLine;
 
 /// What stripes begin from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -35,7 +35,7 @@ const CLEAR: f64 = 1.25;
 const THICKNESS: f64 = 0.0625;
 
 /// The segments for the grid of `maps`: `drawn` ones, and elsewhere as many thrown at random as there are to be.
-pub fn segments(maps: &Maps, edges: Edges, drawn: &[Crest], rng: &mut impl Rng) -> Vec<Crest> {
+pub fn segments(maps: &Maps, edges: Edges, drawn: &[GuideLine], rng: &mut impl Rng) -> Vec<GuideLine> {
     let clear = |at: [f64; 2], length: f64| {
         drawn.iter().all(|line| line.distance(at, [maps.nx, maps.ny], edges) >= CLEAR * length)
     };
@@ -57,13 +57,13 @@ pub fn segments(maps: &Maps, edges: Edges, drawn: &[Crest], rng: &mut impl Rng) 
         let way = (f64::from(p.direction) + JITTER * 6.0f64.sqrt() * (one - other)).to_radians();
         let half = [libm::cos(way), libm::sin(way)].map(|part| 0.5 * LENGTH * wavelength(&p) * part);
         let end = |sign: f64| [(at[0] + sign * half[0]) / w, (at[1] + sign * half[1]) / h];
-        all.push(Crest { from: end(-1.0), to: end(1.0) });
+        all.push(GuideLine { from: end(-1.0), to: end(1.0) });
     }
     all
 }
 
 /// How far each cell of the grid of `maps` is seeded by these segments, 0..1.
-pub fn seeded(maps: &Maps, edges: Edges, segments: &[Crest]) -> Vec<f32> {
+pub fn seeded(maps: &Maps, edges: Edges, segments: &[GuideLine]) -> Vec<f32> {
     let n = [maps.nx, maps.ny];
     let mut seeded = vec![0.0f32; maps.nx * maps.ny];
     for segment in segments {
@@ -88,12 +88,12 @@ pub fn seeded(maps: &Maps, edges: Edges, segments: &[Crest]) -> Vec<f32> {
 /// Waves that run from the `lines` outwards, −1..1: cos 2πφ with |∇φ| = 1/λ and φ = 0 on the lines.
 ///
 /// Fast sweeping: Zhao, "A fast sweeping method for eikonal equations", Mathematics of Computation 74 (2005), eq. 2.4.
-pub fn waves(maps: &Maps, edges: Edges, lines: &[Crest]) -> Vec<f32> {
+pub fn waves(maps: &Maps, edges: Edges, lines: &[GuideLine]) -> Vec<f32> {
     let n = [maps.nx, maps.ny];
     let steps: Vec<f32> = maps.parameters.par_iter().map(|p| (1.0 / wavelength(p)) as f32).collect();
     let mut phase = vec![f32::INFINITY; maps.nx * maps.ny];
     phase.par_iter_mut().enumerate().for_each(|(cell, phase)| {
-        let nearest = |line: &Crest| line.distance(maps.middle(cell), n, edges);
+        let nearest = |line: &GuideLine| line.distance(maps.middle(cell), n, edges);
         let away = lines.iter().map(nearest).fold(f64::INFINITY, f64::min);
         let reached = away as f32 * steps[cell];
         if reached < EXACT {
@@ -159,7 +159,7 @@ mod tests {
     #[test]
     fn waves_run_from_a_line_at_one_wavelength_a_period() {
         let maps = maps(160, 140);
-        let line = Crest { from: [0.4, 0.5], to: [0.6, 0.5] };
+        let line = GuideLine { from: [0.4, 0.5], to: [0.6, 0.5] };
         let waves = waves(&maps, Edges::Closed, &[line]);
         let off = |cell: usize| {
             let away = line.distance(maps.middle(cell), [160, 140], Edges::Closed);
@@ -173,7 +173,7 @@ mod tests {
     #[test]
     fn on_a_tile_waves_come_round_the_border() {
         let maps = maps(128, 96);
-        let line = [Crest { from: [0.0, 0.0], to: [0.0, 1.0] }];
+        let line = [GuideLine { from: [0.0, 0.0], to: [0.0, 1.0] }];
         let [wrap, closed] = [Edges::Wrap, Edges::Closed].map(|edges| waves(&maps, edges, &line));
         let mirrored = |x: usize| (wrap[40 * 128 + x] - wrap[40 * 128 + 127 - x]).abs();
         assert!((0..64).all(|x| mirrored(x) < 1e-3));
@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn segments_are_as_many_and_as_long_as_is_told_and_clear_of_drawn_ones() {
         let maps = maps(320, 320);
-        let drawn = [Crest { from: [0.4, 0.4], to: [0.6, 0.5] }];
+        let drawn = [GuideLine { from: [0.4, 0.4], to: [0.6, 0.5] }];
         let n = [320, 320];
         let all = segments(&maps, Edges::Closed, &drawn, &mut Pcg64Mcg::seed_from_u64(1));
         assert!(all[0] == drawn[0] && (185..=200).contains(&all.len()), "{}", all.len());
@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn a_seeded_line_is_as_thick_as_is_told() {
         let maps = maps(100, 100);
-        let seeded = seeded(&maps, Edges::Closed, &[Crest { from: [0.2, 0.5], to: [0.8, 0.5] }]);
+        let seeded = seeded(&maps, Edges::Closed, &[GuideLine { from: [0.2, 0.5], to: [0.8, 0.5] }]);
         let across: f32 = (0..100).map(|y| seeded[y * 100 + 50]).sum();
         assert!((f64::from(across) - 2.0 * THICKNESS * 16.0).abs() < 0.5, "{across}");
         assert_eq!((seeded[50 * 100 + 5], seeded[30 * 100 + 50]), (0.0, 0.0));

@@ -26,7 +26,7 @@ const ROWS: usize = 16;
 ///
 /// The spots stand at `places`, cells, in their `own` parameters; of each `known` is known.
 #[must_use]
-pub fn mosaic<const N: usize>(
+pub fn interpolate_parameters<const N: usize>(
     system: System,
     maps: &Maps,
     edges: Edges,
@@ -95,7 +95,8 @@ mod tests {
         let maps = Maps::uniform(72, 40, P);
         let vary = |_, [rate]: [f64; 1]| Parameters { rate: rate as f32, ..P };
         let system = System::MeinhardtSpots;
-        let parameters = mosaic(system, &maps, edges, &places, &[P; 2], &known.map(|one| [one]), &vary);
+        let parameters =
+            interpolate_parameters(system, &maps, edges, &places, &[P; 2], &known.map(|one| [one]), &vary);
         Maps { parameters, ..maps }
     }
 

@@ -319,7 +319,7 @@ impl Plan {
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };
-        let maps = Maps { taken: self.taken.clone(), ..Maps::new([nx, ny], self.cell, parameters) };
+        let maps = Maps { obstacles: self.taken.clone(), ..Maps::new([nx, ny], self.cell, parameters) };
         match &self.course {
             None => maps,
             Some(course) => course.told(maps),

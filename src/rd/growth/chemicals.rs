@@ -33,7 +33,7 @@ impl Chemicals {
     /// These two of Turing's with the decay that `maps` gives each cell.
     pub(super) fn with_decay([a, b]: [Plane; 2], maps: &Maps, grid: Grid) -> Self {
         let mut decay = Plane::flat(grid, turing_spots::BETA);
-        for (y, row) in maps.uneven.chunks_exact(maps.nx).enumerate() {
+        for (y, row) in maps.decay_noise.chunks_exact(maps.nx).enumerate() {
             let row: Vec<f32> = row.iter().map(|off| turing_spots::BETA + off).collect();
             decay.set_row(y, &row);
         }

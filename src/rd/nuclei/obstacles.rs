@@ -17,7 +17,7 @@ const CLEAR: f64 = 0.45;
 /// Puts posts on the taken cells, as many as keep others off, and gives them. However far spots stand apart from each
 /// other, posts push no farther than a spot's own room.
 pub fn posts(maps: &Maps, placed: &mut Buckets, nucleus: &dyn Fn([f64; 2]) -> Nucleus) -> Vec<Nucleus> {
-    for cell in (0..maps.taken.len()).filter(|cell| maps.taken[*cell]) {
+    for cell in (0..maps.obstacles.len()).filter(|cell| maps.obstacles[*cell]) {
         let post = nucleus(maps.middle(cell)).alone();
         let mut near = false;
         placed.near(&post, APART, |other, delta| near |= distance2(&post, other, delta) < APART * APART);
@@ -36,7 +36,7 @@ pub const FILLS: [f64; 2] = [0.777, 0.85];
 /// Which cells stand clear of the taken ones: by the system's own distances, however far spots are to stand apart.
 pub fn clear(maps: &Maps, edges: Edges, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
     let own = |p: &Parameters| pitch(p) / f64::from(p.pitch);
-    let cells = (0..maps.taken.len()).into_par_iter();
+    let cells = (0..maps.obstacles.len()).into_par_iter();
     cells.map(|cell| is_clear(maps, edges, &Nucleus::at(maps, maps.middle(cell), &own))).collect()
 }
 
@@ -100,7 +100,7 @@ pub fn with_room(kept: &[Nucleus], others: Vec<Nucleus>, mut placed: Buckets) ->
 
 /// Is `place` (cells of `maps`) clear of the taken cells?
 pub fn is_clear(maps: &Maps, edges: Edges, place: &Nucleus) -> bool {
-    if maps.taken.is_empty() {
+    if maps.obstacles.is_empty() {
         return true;
     }
     let reach = CLEAR * place.reach;
@@ -110,7 +110,7 @@ pub fn is_clear(maps: &Maps, edges: Edges, place: &Nucleus) -> bool {
         let row = edges.index(y, maps.ny) * maps.nx;
         range(place.at[0]).filter(|x| within(*x, maps.nx)).any(|x| {
             let delta = [x as f64 + 0.5 - place.at[0], y as f64 + 0.5 - place.at[1]];
-            maps.is_taken(row + edges.index(x, maps.nx)) && place.distance2(delta) < CLEAR * CLEAR
+            maps.is_obstacle(row + edges.index(x, maps.nx)) && place.distance2(delta) < CLEAR * CLEAR
         })
     })
 }

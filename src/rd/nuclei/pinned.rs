@@ -9,7 +9,7 @@ use crate::rd::nuclei::{PUSH, obstacles};
 
 /// A spot that is to stand at a given place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kept {
+pub struct PinnedSpot {
     /// Its place, cells.
     pub at: [f64; 2],
     /// The parameters of the room that it takes.
@@ -18,7 +18,7 @@ pub struct Kept {
     pub near: f64,
 }
 
-impl Kept {
+impl PinnedSpot {
     pub(in crate::rd) fn nucleus(&self, system: System, maps: &Maps) -> Nucleus {
         Nucleus::of(&self.own, maps.cell, self.at, system.spacing(&self.own))
     }
@@ -28,7 +28,7 @@ impl Kept {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hindrance {
     /// The mark of another layer is there, or too near.
-    Taken,
+    Obstacle,
     /// Another is too near that stays.
     Neighbour,
 }
@@ -36,7 +36,12 @@ pub enum Hindrance {
 /// Which of `spots` can stand where they are to: as many as can be of which none hinders another, nearly. A closed edge
 /// hinders none, but draws those to itself that are near.
 #[must_use]
-pub fn standing(system: System, maps: &Maps, edges: Edges, spots: &[Kept]) -> Vec<Result<(), Hindrance>> {
+pub fn placeable(
+    system: System,
+    maps: &Maps,
+    edges: Edges,
+    spots: &[PinnedSpot],
+) -> Vec<Result<(), Hindrance>> {
     let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, maps)).collect();
     let clear: Vec<bool> = nuclei.iter().map(|nucleus| obstacles::is_clear(maps, edges, nucleus)).collect();
     let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
@@ -47,7 +52,7 @@ pub fn standing(system: System, maps: &Maps, edges: Edges, spots: &[Kept]) -> Ve
         spots.iter().zip(&clear).filter(|(_, clear)| **clear).map(|(spot, _)| spot.near).collect();
     let mut stays = independent(&crowded(&placed, edges, &near)).into_iter();
     let stands = |clear: bool| match clear.then(|| stays.next()) {
-        None => Err(Hindrance::Taken),
+        None => Err(Hindrance::Obstacle),
         Some(stays) => stays.unwrap_or(false).then_some(()).ok_or(Hindrance::Neighbour),
     };
     clear.into_iter().map(stands).collect()
@@ -96,8 +101,8 @@ mod tests {
 
     const P: Parameters = Parameters { rate: 6.0, ratio: 20.0, stretch: 0.7, direction: 20.0, pitch: 1.0 };
 
-    fn kept(places: &[[f64; 2]]) -> Vec<Kept> {
-        places.iter().map(|at| Kept { at: *at, own: P, near: 0.6 }).collect()
+    fn kept(places: &[[f64; 2]]) -> Vec<PinnedSpot> {
+        places.iter().map(|at| PinnedSpot { at: *at, own: P, near: 0.6 }).collect()
     }
 
     #[test]
@@ -105,7 +110,7 @@ mod tests {
         let maps = Maps::uniform(200, 60, P);
         let pitch = System::MeinhardtSpots.spacing(&P);
         let row: Vec<[f64; 2]> = (0..7).map(|k| [20.0 + 0.55 * pitch * f64::from(k), 30.0]).collect();
-        let stays = standing(System::MeinhardtSpots, &maps, Edges::Closed, &kept(&row));
+        let stays = placeable(System::MeinhardtSpots, &maps, Edges::Closed, &kept(&row));
         let stays: Vec<bool> = stays.iter().map(Result::is_ok).collect();
         assert_eq!(stays, [true, false, true, false, true, false, true]);
     }
@@ -113,17 +118,17 @@ mod tests {
     #[test]
     fn a_spot_on_taken_cells_hinders_no_other() {
         let mut maps = Maps::uniform(80, 60, P);
-        maps.taken = (0..80 * 60).map(|cell| cell % 80 < 20).collect();
+        maps.obstacles = (0..80 * 60).map(|cell| cell % 80 < 20).collect();
         let spots = kept(&[[10.0, 30.0], [21.0, 30.0], [50.0, 30.0]]);
-        let found = standing(System::MeinhardtSpots, &maps, Edges::Closed, &spots);
-        assert_eq!(found, [Err(Hindrance::Taken), Err(Hindrance::Taken), Ok(())]);
+        let found = placeable(System::MeinhardtSpots, &maps, Edges::Closed, &spots);
+        assert_eq!(found, [Err(Hindrance::Obstacle), Err(Hindrance::Obstacle), Ok(())]);
     }
 
     #[test]
     fn neighbours_are_seen_across_the_border_of_a_tile_alone() {
         let maps = Maps::uniform(80, 60, P);
         let spots = kept(&[[2.0, 30.0], [78.0, 30.0]]);
-        let stand = |edges| standing(System::MeinhardtSpots, &maps, edges, &spots);
+        let stand = |edges| placeable(System::MeinhardtSpots, &maps, edges, &spots);
         assert_eq!(stand(Edges::Closed), [Ok(()), Ok(())]);
         assert_eq!(stand(Edges::Wrap), [Ok(()), Err(Hindrance::Neighbour)]);
     }

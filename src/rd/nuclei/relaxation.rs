@@ -11,7 +11,7 @@ use crate::rd::nuclei::{FRAME, Nucleus, PUSH};
 /// its `own` parameters; those farther than `reach` pitches do not push each other. Those beyond the edges stay, and those
 /// that are kept.
 #[must_use]
-pub fn make_room(
+pub fn relax_places(
     system: System,
     maps: &Maps,
     edges: Edges,
@@ -56,7 +56,7 @@ pub fn make_room(
 /// Where points at `places`, cells, come to stand when those are moved that are too near a closed edge for a spot: on it,
 /// or well off.
 #[must_use]
-pub fn off_walls(system: System, maps: &Maps, edges: Edges, places: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+pub fn adjust_to_walls(system: System, maps: &Maps, edges: Edges, places: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     if edges == Edges::Wrap || places.is_empty() {
         return places;
     }
@@ -90,6 +90,6 @@ mod tests {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
         let maps = Maps::uniform(40, 40, p);
         let laid = Places { beyond: vec![[20.0, 20.0]], ..Places::default() };
-        assert!(make_room(System::MeinhardtSpots, &maps, Edges::Closed, &laid, &[], 1.0, 2).is_empty());
+        assert!(relax_places(System::MeinhardtSpots, &maps, Edges::Closed, &laid, &[], 1.0, 2).is_empty());
     }
 }

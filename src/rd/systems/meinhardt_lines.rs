@@ -56,4 +56,4 @@ pub fn begin(crest: f32, peak: f32) -> [f32; 2] {
 }
 
 /// No activator, and as much inhibitor as between lines.
-pub const HELD: [f32; 2] = [0.0, 0.4];
+pub const OBSTACLE: [f32; 2] = [0.0, 0.4];

@@ -68,4 +68,4 @@ pub fn begin(bell: f32, peak: f32, apart: bool) -> [f32; 2] {
 }
 
 /// No activator, and as much inhibitor as between spots.
-pub const HELD: [f32; 2] = [0.0, 0.4];
+pub const OBSTACLE: [f32; 2] = [0.0, 0.4];

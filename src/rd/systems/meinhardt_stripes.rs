@@ -59,4 +59,4 @@ pub const WAVELENGTH: f64 = 81.0;
 
 /// The ground between stripes: the mirror image, a for b and d for e, of the state that `facts.md` G holds a net's cells
 /// at.
-pub const HELD: [f32; 5] = [0.05, 1.95, 0.33, 0.69, 1.31];
+pub const OBSTACLE: [f32; 5] = [0.05, 1.95, 0.33, 0.69, 1.31];

@@ -76,4 +76,4 @@ pub fn share(a: f32) -> f32 {
 pub const AREA: f64 = 5.7;
 
 /// The middle of a spot, which keeps others away (`facts.md` G, cheetah).
-pub const HELD: [f32; 2] = [7.3, 0.0];
+pub const OBSTACLE: [f32; 2] = [7.3, 0.0];

@@ -9,7 +9,7 @@
 //! cancel, drop it. It has no threads of its own.
 
 use crate::grid::{Edges, Field};
-use crate::rd::{Beginning, Growth, Maps, System, held, prolonged};
+use crate::rd::{Growth, InitialConditions, Maps, System, prolongate, with_obstacle_state};
 use crate::synth::grow::convergence::{Rest, Verdict};
 use crate::synth::grow::multigrid_levels;
 use crate::synth::grow::multigrid_levels::Work;
@@ -27,7 +27,7 @@ pub struct Engine {
     edges: Edges,
     /// Parameters on the planned grid.
     maps: Maps,
-    beginning: Beginning,
+    beginning: InitialConditions,
     /// Where the kept marks are to end.
     aim: Option<Aim>,
     /// From the coarsest to the planned one.
@@ -65,21 +65,21 @@ impl Engine {
         match vary(plan, seed) {
             None if let Some(places) = plan.places_in_cells() => {
                 let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
-                let maps = maps.uneven(plan.irregular, edges, seed);
-                let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
+                let maps = maps.with_decay_noise(plan.irregular, edges, seed);
+                let beginning = InitialConditions::at_places(plan.system, &maps, edges, seed, &places);
                 let largest = multigrid_levels::largest(plan.system, &maps);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }
             None => {
-                let maps = plan.maps(&pitches(plan, seed)).uneven(plan.irregular, edges, seed);
-                let beginning = Beginning::new(plan.system, &maps, edges, seed);
-                let beginning = beginning.seeded(&maps, plan.seeding, crests(plan));
+                let maps = plan.maps(&pitches(plan, seed)).with_decay_noise(plan.irregular, edges, seed);
+                let beginning = InitialConditions::new(plan.system, &maps, edges, seed);
+                let beginning = beginning.with_seeding(&maps, plan.seeding, crests(plan));
                 let largest = multigrid_levels::largest(plan.system, &maps);
                 Self::begun(plan.system, maps, edges, beginning, largest)
             }
             Some(Varied { maps, places, largest }) => {
-                let maps = maps.uneven(plan.irregular, edges, seed);
-                let beginning = Beginning::at(plan.system, &maps, edges, seed, &places);
+                let maps = maps.with_decay_noise(plan.irregular, edges, seed);
+                let beginning = InitialConditions::at_places(plan.system, &maps, edges, seed, &places);
                 let engine = Self::begun(plan.system, maps, edges, beginning, largest);
                 Self { aim: Aim::of(plan), ..engine }
             }
@@ -89,13 +89,13 @@ impl Engine {
     /// Growth of `maps` from `seed`.
     #[must_use]
     pub fn of(system: System, maps: Maps, edges: Edges, seed: u64) -> Self {
-        let beginning = Beginning::new(system, &maps, edges, seed);
+        let beginning = InitialConditions::new(system, &maps, edges, seed);
         let largest = multigrid_levels::largest(system, &maps);
         Self::begun(system, maps, edges, beginning, largest)
     }
 
     /// Marks of up to `largest` cells may be formed on grids that smaller ones are too small for.
-    fn begun(system: System, maps: Maps, edges: Edges, beginning: Beginning, largest: f64) -> Self {
+    fn begun(system: System, maps: Maps, edges: Edges, beginning: InitialConditions, largest: f64) -> Self {
         let grids = multigrid_levels::grids(system, &maps, largest);
         let stage = stage(system, edges, &maps, &beginning, &grids, 0, None);
         Self {
@@ -144,7 +144,8 @@ impl Engine {
     /// Is there a place for anything to begin?
     #[must_use]
     pub fn begins(&self) -> bool {
-        self.beginning.is_any() && (self.maps.taken.is_empty() || self.maps.taken.iter().any(|taken| !taken))
+        self.beginning.has_marks()
+            && (self.maps.obstacles.is_empty() || self.maps.obstacles.iter().any(|taken| !taken))
     }
 
     /// Goes on for about `updates` cell updates, at least a step; gives whether it is still growing.
@@ -204,7 +205,7 @@ impl Engine {
         let maps = self.stage.coarse.as_ref().unwrap_or(&self.maps);
         let slides = aim.slides(&self.stage.growth.marks(maps), maps);
         if !slides.is_empty() {
-            self.stage.growth.slide(maps, &slides);
+            self.stage.growth.warp(maps, &slides);
         }
     }
 
@@ -305,7 +306,7 @@ fn stage(
     system: System,
     edges: Edges,
     maps: &Maps,
-    beginning: &Beginning,
+    beginning: &InitialConditions,
     grids: &[[usize; 2]],
     level: usize,
     formed: Option<([usize; 2], Vec<Vec<f32>>)>,
@@ -339,16 +340,17 @@ fn stage(
     let concentrations = match formed {
         None => fresh(None),
         Some((from, formed)) => {
-            let fine = formed.iter().map(|chemical| prolonged(chemical, from, grid, edges)).collect();
+            let fine = formed.iter().map(|chemical| prolongate(chemical, from, grid, edges)).collect();
             if kept.iter().all(|kept| *kept == 1.0) { fine } else { fresh(Some(fine)) }
         }
     };
-    let concentrations = held(system, here, concentrations);
+    let concentrations = with_obstacle_state(system, here, concentrations);
     let growth =
         Growth::resumed(system, here, edges, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
-    let rest = Rest::new(system, unit, begins, growth.marks(here).values).healing(beginning.is_scattered());
-    let rest = if here.taken.contains(&true) { rest.among_frozen() } else { rest };
+    let rest =
+        Rest::new(system, unit, begins, growth.marks(here).values).healing(beginning.starts_scattered());
+    let rest = if here.obstacles.contains(&true) { rest.among_frozen() } else { rest };
     let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
     Stage { level, coarse, growth, counts, rest, expected }
 }

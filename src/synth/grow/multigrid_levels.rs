@@ -55,7 +55,7 @@ pub fn largest(system: System, maps: &Maps) -> f64 {
 /// Grids from the coarsest to that of `maps`: none that would hold only marks of more than `most` cells.
 #[must_use]
 pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
-    if maps.crests.is_some() {
+    if maps.curves.is_some() {
         // What is told by cell, on which side of a curve it lies, no coarser grid can tell.
         return vec![[maps.nx, maps.ny]];
     }

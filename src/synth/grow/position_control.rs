@@ -7,7 +7,7 @@
 use crate::attributes::regions::Layout;
 use crate::grid::Field;
 use crate::measure::{Spot, spots};
-use crate::rd::{Maps, Slide};
+use crate::rd::{LocalWarp, Maps};
 use crate::synth::plan::Plan;
 use crate::synth::plan::pinned_marks::{Kept, apart, seen};
 
@@ -44,14 +44,14 @@ impl Aim {
 
     /// How the spots in `field`, grown in `maps`, are to be moved.
     #[must_use]
-    pub fn slides(&self, field: &Field, maps: &Maps) -> Vec<Slide> {
+    pub fn slides(&self, field: &Field, maps: &Maps) -> Vec<LocalWarp> {
         let found = spots(field, 0.5);
         self.marks.iter().filter_map(|mark| mark.slide(&found, &self.layout, maps)).collect()
     }
 }
 
 impl Aimed {
-    fn slide(&self, found: &[Spot], layout: &Layout, maps: &Maps) -> Option<Slide> {
+    fn slide(&self, found: &[Spot], layout: &Layout, maps: &Maps) -> Option<LocalWarp> {
         let length = |[x, y]: [f64; 2]| (x * x + y * y).sqrt() / self.radius;
         let ways =
             found.iter().map(|spot| (spot.ellipse.center, apart(self.target, spot.ellipse.center, layout)));
@@ -63,6 +63,6 @@ impl Aimed {
         let cells = [layout.size[0] / maps.nx as f64, layout.size[1] / maps.ny as f64];
         let at = [0, 1].map(|axis| at[axis] / cells[axis]);
         let by = [0, 1].map(|axis| (STEP / missed).min(1.0) * way[axis] / cells[axis]);
-        Some(Slide { at, own: maps.at(at), by })
+        Some(LocalWarp { at, own: maps.at(at), by })
     }
 }

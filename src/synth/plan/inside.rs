@@ -8,7 +8,7 @@ use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots};
 use crate::document::{After, Document, Problem, SystemChoice};
 use crate::measure::Spot;
-use crate::rd::{System, off_walls};
+use crate::rd::{System, adjust_to_walls};
 use crate::synth::grow::refine::Measured;
 use crate::synth::plan::{Plan, PlanError, ask_placed, planned};
 use crate::synth::training::Training;
@@ -106,7 +106,7 @@ impl Plan {
         let places = marks.iter().filter(|spot| !spot.endless).map(cells).collect();
         let edges = self.map.layout().edges;
         let maps = self.maps(&vec![1.0; self.map.layout().len()]);
-        self.places = Some(self.px(&off_walls(self.system, &maps, edges, places)));
+        self.places = Some(self.px(&adjust_to_walls(self.system, &maps, edges, places)));
     }
 
     /// Says of its regions whose places these are, and how many stayed without a mark of their own.

@@ -1,7 +1,7 @@
 //! What was drawn stays where it was drawn: drawn marks are among those that grow, and the others grow around them.
 //!
 //! ```text
-//!  ellipses ─▶ those that can stand (rd: standing) ─▶ Kept: place, and how it differs from its region
+//!  ellipses ─▶ those that can stand (rd: placeable) ─▶ Kept: place, and how it differs from its region
 //!                                                       │  laid first, in parameters of its own (spread),
 //!                                                       │  brought back while it forms (aim)
 //!  lines ────▶ crests of the noise that stripes begin from ─▶ grown ─▶ how well they stayed (stayed)
@@ -11,7 +11,7 @@ mod stayed;
 
 use crate::attributes::Attributes;
 use crate::marks::{Ellipse, Line, Mark, turn};
-use crate::rd::{self, Crest, Hindrance, System, standing};
+use crate::rd::{self, GuideLine, Hindrance, System, placeable};
 use crate::synth::plan::Plan;
 use crate::synth::plan::spread::{ASPECTS, Draw, most, own, wanted};
 pub use stayed::{Stayed, apart, covered, off, seen, stayed};
@@ -71,13 +71,13 @@ impl Kept {
 
     /// As it is laid among the others.
     #[must_use]
-    pub fn laid(&self, plan: &Plan, pitch: &[f64]) -> rd::Kept {
+    pub fn laid(&self, plan: &Plan, pitch: &[f64]) -> rd::PinnedSpot {
         let (_, own) = own(plan, self.drawn.center, pitch, &self.draw);
         let at = [0, 1].map(|axis| {
             let end = plan.grid[axis] as f64 * (1.0 - 1e-12);
             (self.drawn.center[axis] / plan.cell[axis]).clamp(0.0, end)
         });
-        rd::Kept { at, own, near: nearest(plan, self.drawn.center) }
+        rd::PinnedSpot { at, own, near: nearest(plan, self.drawn.center) }
     }
 }
 
@@ -113,15 +113,15 @@ fn keep_spots(plan: &mut Plan, ellipses: &[Ellipse]) {
     let layout = *plan.map.layout();
     let drawn: Vec<Kept> = ellipses.iter().map(|ellipse| Kept::of(plan, *ellipse)).collect();
     let pitch = vec![1.0; layout.len()];
-    let laid: Vec<rd::Kept> = drawn.iter().map(|kept| kept.laid(plan, &pitch)).collect();
-    let standing = standing(plan.system, &plan.maps(&pitch), layout.edges, &laid);
+    let laid: Vec<rd::PinnedSpot> = drawn.iter().map(|kept| kept.laid(plan, &pitch)).collect();
+    let standing = placeable(plan.system, &plan.maps(&pitch), layout.edges, &laid);
     let mut counts = vec![Counts::default(); layout.len()];
     for (kept, stands) in drawn.into_iter().zip(standing) {
         let count = &mut counts[layout.index(layout.region_of(kept.drawn.center))];
         count.drawn += 1;
         match stands {
             Ok(()) => plan.kept.push(kept),
-            Err(Hindrance::Taken) => count.taken += 1,
+            Err(Hindrance::Obstacle) => count.taken += 1,
             Err(Hindrance::Neighbour) => count.neighbour += 1,
         }
     }
@@ -132,10 +132,10 @@ fn keep_spots(plan: &mut Plan, ellipses: &[Ellipse]) {
 
 /// The kept lines of `plan`.
 #[must_use]
-pub fn crests(plan: &Plan) -> Vec<Crest> {
+pub fn crests(plan: &Plan) -> Vec<GuideLine> {
     let size = plan.map.layout().size;
     let share = |end: [f64; 2]| [0, 1].map(|axis| end[axis] / size[axis]);
-    plan.crests.iter().map(|line| Crest { from: share(line.from), to: share(line.to) }).collect()
+    plan.crests.iter().map(|line| GuideLine { from: share(line.from), to: share(line.to) }).collect()
 }
 
 /// Marks of a region: how many were drawn, and how many cannot be kept, by reason.

@@ -7,7 +7,7 @@
 use crate::attributes::{Attributes, Stripes};
 use crate::marks::Ellipse;
 use crate::measure::{Canvas, Spot, spot_errors, stripe_errors};
-use crate::rd::{Maps, System, begun, nuclei};
+use crate::rd::{Maps, System, initial_marks, nuclei};
 use crate::synth::plan::Plan;
 
 /// Rounds of laying nuclei before they are laid to stay; a third changes nothing that the noise of a dozen spots would
@@ -53,8 +53,8 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
 fn crowding(plan: &Plan, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
     let layout = plan.map.layout();
     // What covers them counts later.
-    let maps = Maps { taken: Vec::new(), ..plan.maps(pitch) };
-    let crests = begun(plan.system, &maps, layout.edges, seed);
+    let maps = Maps { obstacles: Vec::new(), ..plan.maps(pitch) };
+    let crests = initial_marks(plan.system, &maps, layout.edges, seed);
     plan.on_canvas(|canvas| {
         let own = |point: [f64; 2]| {
             let wavelength = plan.system.spacing(&plan.lattice.at(point).parameters(1.0)) * plan.px_a_cell();

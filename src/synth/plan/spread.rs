@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!  asked spread ─▶ what can be had ─▶ a draw for each spot ─▶ places with the room that each needs ─▶ parameters
-//!  (region map)    (limits)           (draws)                 (rd: make_room)             of each cell (rd: mosaic)
+//!  (region map)    (limits)           (draws)                 (rd: relax_places)             of each cell (rd: Shepard interpolation)
 //! ```
 //!
 //! Each spot grows in parameters of its own, those of a texture whose mean it would be: a system answers to where a
@@ -133,7 +133,7 @@ impl Laid {
         let scores = Scores::new(plan, &plan.px(&first.inside), &mut rng);
         let (_, own) = drawn(plan, &first.inside, pitch, &scores);
         let room = |laid: &Places, own: &[Parameters], reach: f64, rounds: usize| {
-            rd::make_room(plan.system, &maps, edges, laid, own, reach, rounds)
+            rd::relax_places(plan.system, &maps, edges, laid, own, reach, rounds)
         };
         let mut places = room(&first, &own, ROOM_REACH, ROOM_ROUNDS);
         if shaking.iter().any(|shaking| shaking.by > 0.0) {
@@ -155,13 +155,14 @@ impl Laid {
             plan.lattice.at(point).plus(offset).parameters(plan.between_regions(pitch, point))
         };
         let edges = plan.map.layout().edges;
-        let parameters = rd::mosaic(plan.system, &maps, edges, &places, &own, &offsets, &vary);
+        let parameters =
+            rd::interpolate_parameters(plan.system, &maps, edges, &places, &own, &offsets, &vary);
         Varied { maps: Maps { parameters, ..maps }, places, largest }
     }
 }
 
 /// The spots that are kept, with the parameters of the room that they take.
-fn kept(plan: &Plan, pitch: &[f64]) -> Vec<rd::Kept> {
+fn kept(plan: &Plan, pitch: &[f64]) -> Vec<rd::PinnedSpot> {
     plan.kept.iter().map(|kept| kept.laid(plan, pitch)).collect()
 }
 

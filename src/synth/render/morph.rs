@@ -14,7 +14,7 @@ use crate::attributes::regions::RegionMap;
 use crate::document::{After, Document};
 use crate::export::Stopped;
 use crate::grid::Field;
-use crate::rd::{Growth, System, held};
+use crate::rd::{Growth, System, with_obstacle_state};
 use crate::synth::grow::convergence::settle;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::GrowError;
@@ -174,7 +174,7 @@ impl<'a> Morph<'a> {
     fn advance(&mut self, plan: &Plan, time: f64) -> Result<Field, GrowError> {
         let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
         let edges = plan.map.layout().edges;
-        let state = held(self.system, &maps, std::mem::take(&mut self.state));
+        let state = with_obstacle_state(self.system, &maps, std::mem::take(&mut self.state));
         let mut growth = Growth::resumed(self.system, &maps, edges, &state).expect("one grid for all frames");
         if time > 0.0 {
             growth.advance(growth.steps_in(time));

@@ -22,7 +22,7 @@ pub use copies::Grid;
 pub use room::CourseError;
 
 use crate::measure::StripeErrors;
-use crate::rd::{Crests, Maps, Parameters};
+use crate::rd::{GuideCurves, Maps, Parameters};
 use blur::blurred;
 use rayon::prelude::*;
 
@@ -144,10 +144,13 @@ impl Course {
             let Along { direction, stretch, ratio } = *along;
             *p = Parameters { direction, stretch, ratio, ..*p };
         }
-        for (taken, kept_off) in maps.taken.iter_mut().zip(&self.kept_off) {
+        for (taken, kept_off) in maps.obstacles.iter_mut().zip(&self.kept_off) {
             *taken |= kept_off;
         }
-        Maps { crests: Some(Crests { off: self.off.clone(), held: self.held.clone() }), ..maps }
+        Maps {
+            curves: Some(GuideCurves { distance: self.off.clone(), inhibitor: self.held.clone() }),
+            ..maps
+        }
     }
 
     /// What 2 × area ÷ contour length in region `index` says about the width there: the ends of open rings have a
