@@ -1,5 +1,7 @@
-//! Reads Rust source far enough to say which paths it names: comments and literals away, `use` trees spread
-//! out, `self` and `super` followed.
+//! Reads Rust source far enough to list the paths that it names: comments and literals are skipped, `use` trees
+//! are expanded, `self`, `super` and names that the file imports are followed.
+
+use std::collections::BTreeMap;
 
 /// A path that a source file names.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,22 +27,45 @@ impl Token {
     }
 }
 
-/// Every path of two or more names, and every `use`, of a file that is the module `module` (`[]` = the root).
-pub fn paths(source: &str, module: &[&str]) -> Vec<Named> {
+/// What a source file names.
+#[derive(Debug)]
+pub struct Scan {
+    /// Every path of two or more names, and every `use`.
+    pub paths: Vec<Named>,
+    /// Names that a `mod` or a `use` outside tests binds, with the full path of what each stands for.
+    pub bound: BTreeMap<String, Vec<String>>,
+}
+
+/// Scans a file that is the module `module` (`[]` = the root).
+pub fn scan(source: &str, module: &[&str]) -> Scan {
     let mut reader = Reader {
         tokens: tokens(source),
         at: 0,
         module: module.iter().map(|&name| name.to_owned()).collect(),
         inline: Vec::new(),
         depth: 0,
-        bound: Vec::new(),
+        bound: BTreeMap::new(),
         found: Vec::new(),
     };
     reader.read();
-    // A name that the file gives to something of the house is no package, even where one is called the same.
-    let Reader { bound, mut found, .. } = reader;
-    found.retain(|named| named.path[0] == "crate" || !bound.contains(&named.path[0]));
-    found
+    let Reader { bound: all, mut found, .. } = reader;
+    let expanded = |path: &[String]| -> Option<Vec<String>> {
+        let stands_for = all.get(&path[0]).filter(|stands_for| stands_for[0] == "crate")?;
+        Some(stands_for.iter().chain(&path[1..]).cloned().collect())
+    };
+    // A name that the file binds to something of the crate is no package, even where a package has the same name.
+    for named in &mut found {
+        if let Some(full) = expanded(&named.path) {
+            named.path = full;
+        }
+    }
+    let bound = all.iter().map(|(name, path)| (name.clone(), expanded(path).unwrap_or_else(|| path.clone())));
+    Scan { bound: bound.filter(|(_, path)| path[0] == "crate").collect(), paths: found }
+}
+
+/// The words of a file with their lines, without comments and literals.
+pub fn words(source: &str) -> impl Iterator<Item = (usize, String)> {
+    tokens(source).into_iter().filter(Token::is_word).map(|token| (token.line, token.text))
 }
 
 struct Reader {
@@ -50,8 +75,8 @@ struct Reader {
     /// Depth of braces at which each inline module began.
     inline: Vec<usize>,
     depth: usize,
-    /// Names that a `mod` or a `use` of the house's own paths brought in.
-    bound: Vec<String>,
+    /// Names that a `mod` or a `use` brought in, each with its path.
+    bound: BTreeMap<String, Vec<String>>,
     found: Vec<Named>,
 }
 
@@ -77,7 +102,7 @@ impl Reader {
                 }
                 "mod" if self.word(1) => {
                     let name = self.text(1).to_owned();
-                    self.bound.push(name.clone());
+                    self.bind(&["self".to_owned(), name.clone()], name.clone());
                     if self.text(2) == "{" {
                         self.module.push(name);
                         self.inline.push(self.depth);
@@ -120,6 +145,7 @@ impl Reader {
     /// What follows `use`, or a `{` or `,` within: `prefix` is what stands before the braces.
     fn use_tree(&mut self, prefix: &[String]) {
         let mut path = prefix.to_vec();
+        let mut alias = None;
         let line = self.tokens.get(self.at).map_or(0, |token| token.line);
         while self.at < self.tokens.len() {
             match self.text(0) {
@@ -138,7 +164,7 @@ impl Reader {
                 "*" => path.push("*".to_owned()),
                 "as" => {
                     self.at += 1;
-                    self.bind(&path, self.text(0).to_owned());
+                    alias = Some(self.text(0).to_owned());
                 }
                 _ if self.word(0) => path.push(self.text(0).to_owned()),
                 _ => break,
@@ -149,26 +175,33 @@ impl Reader {
             path.pop();
         }
         if let Some(last) = path.last().cloned() {
-            self.bind(&path, last);
+            self.bind(&path, alias.unwrap_or(last));
             self.name(line, &path);
         }
     }
 
+    /// Outside tests a name is bound to its last path; tests never rebind a name.
     fn bind(&mut self, path: &[String], name: String) {
-        if path.len() > 1 && ["crate", "self", "super"].contains(&path[0].as_str()) {
-            self.bound.push(name);
+        let full = self.full(path);
+        if self.in_tests() {
+            self.bound.entry(name).or_insert(full);
+        } else {
+            self.bound.insert(name, full);
         }
     }
 
     fn name(&mut self, line: usize, path: &[String]) {
+        if path[0] != "Self" {
+            self.found.push(Named { line, path: self.full(path), in_tests: self.in_tests() });
+        }
+    }
+
+    /// The path from the root where it begins with `crate`, `self` or `super`; any other path as it is.
+    fn full(&self, path: &[String]) -> Vec<String> {
         let mut full = match path[0].as_str() {
             "crate" => Vec::new(),
             "self" | "super" => self.module.clone(),
-            "Self" => return,
-            _ => {
-                self.found.push(Named { line, path: path.to_vec(), in_tests: self.in_tests() });
-                return;
-            }
+            _ => return path.to_vec(),
         };
         for name in path {
             match name.as_str() {
@@ -178,7 +211,7 @@ impl Reader {
             }
         }
         full.insert(0, "crate".to_owned());
-        self.found.push(Named { line, path: full, in_tests: self.in_tests() });
+        full
     }
 
     fn in_tests(&self) -> bool {

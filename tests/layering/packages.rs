@@ -1,0 +1,132 @@
+//! Where each outside package may be named, and what a build brings along.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use crate::sources::root;
+
+/// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
+/// name any.
+pub const ADDRESSES: [(&str, &[&str]); 30] = [
+    ("ab_glyph", &["src/cli/sheet/"]),
+    ("bytemuck", &["src/rd/"]),
+    ("clap", &["src/cli/", "data-gen/"]),
+    ("clap_complete", &["src/cli/"]),
+    ("clap_mangen", &["src/cli/"]),
+    ("csv", &["src/learn/", "src/cli/"]),
+    ("ctrlc", &["src/cli/", "data-gen/"]),
+    ("dapple", &["src/main.rs", "data-gen/"]),
+    ("directories", &["src/app/", "src/editor/"]),
+    ("eframe", &["src/app/", "src/cli/", "src/main.rs"]),
+    ("egui", &["src/app/", "src/cli/"]),
+    ("egui_plot", &["src/app/cloud/"]),
+    ("gif", &["src/export/"]),
+    ("exr", &["src/export/", "src/app/exporting/sight.rs"]),
+    (
+        "image",
+        &[
+            "src/export/",
+            "src/cli/measure.rs",
+            "src/app/examples.rs",
+            "src/app/exporting/",
+            "src/app/reference.rs",
+        ],
+    ),
+    ("indicatif", &["src/cli/", "data-gen/"]),
+    ("kurbo", &["src/export/", "src/marks/", "src/sketch/"]),
+    ("nalgebra", &["src/marks/", "src/learn/", "src/rd/"]),
+    ("open", &["src/app/"]),
+    ("palette", &["src/colour/"]),
+    ("png", &["src/export/", "src/cli/measure.rs"]),
+    ("rfd", &["src/app/chooser.rs"]),
+    (
+        "serde_json",
+        &["src/document/", "src/synth/", "src/editor/", "src/app/", "src/cli/", "src/learn/", "data-gen/"],
+    ),
+    ("serde_path_to_error", &["data-gen/"]),
+    ("spade", &["src/attributes/spacing.rs"]),
+    ("strsim", &["src/document/", "src/cli/"]),
+    ("sysinfo", &["src/synth/", "src/cli/"]),
+    ("tempfile", &["src/export/"]),
+    ("tiff", &["src/export/"]),
+    ("usvg", &["src/sketch/svg.rs"]),
+];
+/// Packages that are as common as the language.
+const EVERYWHERE: [&str; 6] = ["libm", "rand", "rand_pcg", "rayon", "serde", "thiserror"];
+
+#[test]
+fn every_package_has_an_address() {
+    for manifest in ["Cargo.toml", "data-gen/Cargo.toml"] {
+        let text = fs::read_to_string(root().join(manifest)).expect("the manifest can be read");
+        let mut section = "";
+        for line in text.lines() {
+            if line.starts_with('[') {
+                section = line.trim();
+            }
+            let table = section.ends_with("dependencies]") && !section.contains("dev-");
+            let Some((name, _)) =
+                line.split_once(['=', '.']).filter(|_| table && !line.starts_with(['#', '[']))
+            else {
+                continue;
+            };
+            let name = name.trim().replace('-', "_");
+            let known =
+                EVERYWHERE.contains(&name.as_str()) || ADDRESSES.iter().any(|(package, _)| *package == name);
+            assert!(known, "{manifest}: give {name} an address in tests/layering");
+        }
+    }
+}
+
+/// The names of all packages that a build compiles in; `None` where cargo cannot be run.
+fn packages(build: &[&str]) -> Option<Vec<String>> {
+    let cargo = std::env::var_os("CARGO").map_or_else(|| PathBuf::from(env!("CARGO")), PathBuf::from);
+    let tree = ["tree", "-e", "normal,build", "--prefix", "none", "--offline", "--locked"];
+    let output = Command::new(cargo).args(tree).args(build).current_dir(root()).output();
+    let Ok(output) = output else {
+        eprintln!("NOT CHECKED: cargo cannot be run");
+        return None;
+    };
+    assert!(output.status.success(), "cargo tree: {}", String::from_utf8_lossy(&output.stderr));
+    let tree = String::from_utf8_lossy(&output.stdout);
+    let names = tree.lines().filter_map(|line| line.split(' ').next());
+    Some(names.map(str::to_owned).collect())
+}
+
+/// What belongs to the window.
+const OF_THE_WINDOW: [&str; 8] = ["egui", "eframe", "epaint", "winit", "wgpu", "glow", "rfd", "open"];
+/// What belongs to the command line.
+const OF_THE_COMMAND_LINE: [&str; 4] = ["clap", "ctrlc", "indicatif", "ab_glyph"];
+
+#[track_caller]
+fn assert_without(build: &[&str], needed: &[&str], forbidden: &[&str]) {
+    let Some(packages) = packages(build) else { return };
+    for name in needed {
+        assert!(packages.iter().any(|package| package == name), "{build:?} lacks {name}: {packages:?}");
+    }
+    for name in forbidden {
+        let part = format!("{name}_");
+        let minus = format!("{name}-");
+        let brought = packages
+            .iter()
+            .find(|package| *package == name || package.starts_with(&part) || package.starts_with(&minus));
+        assert_eq!(brought, None, "{build:?} brings {name} along");
+    }
+}
+
+#[test]
+fn data_gen_builds_without_the_window() {
+    assert_without(&["-p", "data-gen"], &["data-gen", "dapple", "clap"], &OF_THE_WINDOW);
+}
+
+#[test]
+fn the_command_line_builds_without_the_window() {
+    let build = ["-p", "dapple", "--no-default-features", "--features", "cli"];
+    assert_without(&build, &["dapple", "clap"], &OF_THE_WINDOW);
+}
+
+#[test]
+fn the_library_alone_brings_no_command_line_and_no_window() {
+    let build = ["-p", "dapple", "--no-default-features"];
+    assert_without(&build, &["dapple", "rayon"], &[&OF_THE_WINDOW[..], &OF_THE_COMMAND_LINE].concat());
+}

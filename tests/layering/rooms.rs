@@ -1,0 +1,198 @@
+//! Which room may know which, and words that only one place may hold.
+
+use crate::packages::ADDRESSES;
+use crate::scan::{Named, scan, words};
+use crate::sources::{module, sources};
+
+/// Words; each knows only the ones before it.
+const GROUND: [&str; 3] = ["grid", "marks", "attributes"];
+/// Know the ground, never each other.
+const STEPS: [&str; 6] = ["sketch", "measure", "learn", "rd", "colour", "export"];
+/// Know ground and steps; each knows only the ones before it.
+const THREAD: [&str; 2] = ["document", "synth"];
+/// Knows ground, steps and thread.
+const BESIDE: &str = "editor";
+/// Know everything; nothing knows them, but the command line opens the window.
+const DOORS: [&str; 2] = ["cli", "app"];
+
+/// The window's package.
+const WINDOW: &str = "egui";
+/// Files in which that word may occur at all.
+const WINDOW_FILES: [&str; 4] = ["src/app/", "src/cli/", "src/lib.rs", "src/main.rs"];
+
+fn may_know(room: &str, other: &str) -> bool {
+    let place = |rooms: &[&str], name| rooms.iter().position(|&room| room == name);
+    let ground = GROUND.contains(&other);
+    let below_thread = ground || STEPS.contains(&other);
+    let below_doors = below_thread || THREAD.contains(&other) || other == BESIDE;
+    match room {
+        _ if room == other => true,
+        _ if GROUND.contains(&room) => ground && place(&GROUND, other) < place(&GROUND, room),
+        _ if STEPS.contains(&room) => ground,
+        _ if THREAD.contains(&room) => {
+            below_thread || THREAD.contains(&other) && place(&THREAD, other) < place(&THREAD, room)
+        }
+        BESIDE => below_thread || THREAD.contains(&other),
+        "cli" => below_doors || other == "app",
+        "app" => below_doors,
+        _ => false,
+    }
+}
+
+/// What is wrong with the paths that `file` names.
+fn complaints(file: &str, source: &str) -> Vec<String> {
+    let module = module(file);
+    let wrong = |named: &Named| -> Option<String> {
+        let first = named.path[0].as_str();
+        let second = named.path.get(1).map_or("", String::as_str);
+        let in_data_gen = file.starts_with("data-gen/");
+        if first == "crate" {
+            let room = module.first()?;
+            return (!in_data_gen && !may_know(room, second))
+                .then(|| format!("{room} must not know {second}"));
+        }
+        if first == "dapple" && DOORS.contains(&second) == in_data_gen {
+            return Some(format!("{second} is not for {file}"));
+        }
+        let (_, places) = ADDRESSES.iter().find(|(package, _)| *package == first)?;
+        let at_home = named.in_tests || places.iter().any(|place| file.starts_with(place));
+        (!at_home).then(|| format!("{first} lives only in {}", places.join(", ")))
+    };
+    let told = |named: &Named| {
+        Some(format!("{file}:{}: `{}`: {}", named.line, named.path.join("::"), wrong(named)?))
+    };
+    scan(source, &module).paths.iter().filter_map(told).collect()
+}
+
+#[test]
+fn rooms_know_only_what_the_map_allows() {
+    let sources = sources();
+    let complaints: Vec<_> = sources.iter().flat_map(|(file, source)| complaints(file, source)).collect();
+    assert!(complaints.is_empty(), "\n{}\n", complaints.join("\n"));
+}
+
+#[test]
+fn every_source_file_is_in_a_room_of_the_map() {
+    for (file, _) in sources().iter().filter(|(file, _)| file.starts_with("src/")) {
+        let known = |room: &&str| {
+            [&GROUND[..], &STEPS, &THREAD, &[BESIDE], &DOORS].iter().any(|rooms| rooms.contains(room))
+        };
+        let module = module(file);
+        assert!(
+            module.first().is_none_or(known),
+            "{file} is in no room of the map at the head of src/lib.rs"
+        );
+    }
+}
+
+#[test]
+fn the_window_is_named_only_where_it_opens() {
+    for (file, source) in sources() {
+        let may = WINDOW_FILES.iter().any(|place| file.starts_with(place));
+        let line = source.lines().position(|line| line.to_lowercase().contains(WINDOW));
+        if let (false, Some(line)) = (may, line) {
+            panic!("{file}:{}: the word {WINDOW} belongs to {}", line + 1, WINDOW_FILES.join(", "));
+        }
+    }
+}
+
+#[test]
+fn unsafe_code_stands_only_in_the_solvers() {
+    for (file, source) in sources().iter().filter(|(file, _)| !file.starts_with("src/rd/")) {
+        let line = words(source).find(|(_, word)| word == "unsafe").map(|(line, _)| line);
+        assert_eq!(line, None, "{file}: `unsafe` stands in src/rd only");
+    }
+}
+
+mod the_scan_itself {
+    use super::*;
+
+    /// The paths, each as one word; `dapple` paths are made up.
+    fn named(file: &str, source: &str) -> Vec<String> {
+        scan(source, &module(file)).paths.iter().map(|named| named.path.join("::")).collect()
+    }
+
+    #[test]
+    fn spreads_groups_and_follows_self_and_super() {
+        let source = "use crate::{a, b::{self, c as d}, e::*};\nuse super::{super::f, g};\nuse self::h;";
+        let expected = [
+            "crate::a",
+            "crate::b",
+            "crate::b::c",
+            "crate::e::*",
+            "crate::f",
+            "crate::rd::g",
+            "crate::rd::x::h",
+        ];
+        assert_eq!(named("src/rd/x.rs", source), expected);
+        let inline = "mod tests { use super::*; mod deep { fn f() { super::super::super::up::g() } } } fn k() { super::y::z() }";
+        assert_eq!(named("src/rd/x.rs", inline), ["crate::rd::x::*", "crate::rd::up::g", "crate::rd::y::z"]);
+    }
+
+    #[test]
+    fn sees_paths_in_running_code() {
+        let source = "fn f(x: &crate::learn::Row) -> Vec<crate::rd::P> { $crate::synth::g::<::spade::Q>(x.crate_learn) }";
+        assert_eq!(
+            named("src/grid/field.rs", source),
+            ["crate::learn::Row", "crate::rd::P", "crate::synth::g", "spade::Q"]
+        );
+    }
+
+    #[test]
+    fn passes_over_comments_strings_and_characters() {
+        let source = r####"
+            //! crate::app::A
+            /* crate::app::B /* crate::app::C */ crate::app::D */
+            const S: &str = "crate::app::E \" crate::app::F";
+            const R: &str = r#"crate::app::G " crate::app::H"#;
+            const Q: [char; 3] = ['"', '\'', '\u{22}'];
+            fn f<'a>(x: &'a str) -> &'a str { crate::grid::g(x, b"crate::app::I", br"crate::app::J\") }
+        "####;
+        assert_eq!(named("src/rd/mod.rs", source), ["crate::grid::g"]);
+    }
+
+    #[test]
+    fn catches_each_kind_of_trespass() {
+        let trespasses = [
+            ("src/colour/mod.rs", "use crate::export::png;"),
+            ("src/colour/deep/x.rs", "fn f() { super::super::super::export::g() }"),
+            ("src/learn/mod.rs", "use super::{grid, synth::cascade};"),
+            ("src/marks/fit.rs", "use crate::{grid::Field, attributes::Attributes};"),
+            ("src/grid/field.rs", "fn f() -> crate::marks::Marks { todo!() }"),
+            ("src/synth/mod.rs", "mod tests { use crate::cli; }"),
+            ("src/synth/mod.rs", "use crate::editor::History;"),
+            ("src/document/mod.rs", "use crate::synth::Grown;"),
+            ("src/editor/mod.rs", "use crate::app::Window;"),
+            ("src/app/mod.rs", "use crate::cli::grow;"),
+            ("src/rd/mod.rs", "use super::*;"),
+            ("src/rd/mod.rs", "use crate as root;"),
+            ("src/measure/mod.rs", "use image::DynamicImage;"),
+            ("src/measure/mod.rs", "fn f() { ::png::Decoder::new(x) }"),
+            ("src/attributes/mod.rs", "pub use spade;"),
+            ("src/main.rs", "fn main() { dapple::rd::run() }"),
+            ("data-gen/src/main.rs", "use dapple::{rd, cli};"),
+        ];
+        for (file, source) in trespasses {
+            assert_eq!(complaints(file, source).len(), 1, "{file}: {source}: {:?}", complaints(file, source));
+        }
+    }
+
+    #[test]
+    fn lets_what_is_allowed_pass() {
+        let allowed = [
+            ("src/attributes/spacing.rs", "use crate::marks::Ellipse; use spade::Triangulation;"),
+            ("src/rd/turing/fast.rs", "use super::super::diffusion; use crate::{grid::Field, rd::explicit};"),
+            ("src/synth/mod.rs", "use crate::{learn, rd, colour, export, sketch, measure, attributes};"),
+            ("src/document/mod.rs", "use crate::{marks::Mark, rd::System};"),
+            ("src/editor/history.rs", "use crate::{attributes, document::Document, synth::Grown};"),
+            ("src/cli/grow.rs", "use crate::{app, export::png, synth}; fn f() { png::write() }"),
+            ("src/export/mod.rs", "pub mod png; pub use save::save; mod save;"),
+            ("src/learn/x.rs", "#[cfg(test)] mod tests { use super::*; fn f() { tempfile::tempdir() } }"),
+            ("src/main.rs", "fn main() { dapple::cli::main() }"),
+            ("data-gen/src/sweep.rs", "use crate::anything; use dapple::{rd, measure};"),
+        ];
+        for (file, source) in allowed {
+            assert_eq!(complaints(file, source), [""; 0], "{file}");
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! The source files of the program and of data-gen.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The repository.
+pub fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Path (from the root, with `/`) and text of each source file of the program and of data-gen.
+pub fn sources() -> Vec<(String, String)> {
+    let mut files = Vec::new();
+    let mut folders: Vec<PathBuf> = vec![root().join("src"), root().join("data-gen/src")];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("the source tree can be read") {
+            let path = entry.expect("the source tree can be read").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "rs") {
+                files.push((name_of(&path), fs::read_to_string(&path).expect("sources are UTF-8")));
+            }
+        }
+    }
+    assert!(files.len() > 15, "only {} source files were found", files.len());
+    files.sort();
+    files
+}
+
+fn name_of(path: &Path) -> String {
+    let parts = path.strip_prefix(root()).expect("below the root").iter();
+    parts.map(|part| part.to_str().expect("names are UTF-8")).collect::<Vec<_>>().join("/")
+}
+
+/// `src/rd/turing.rs` → `["rd", "turing"]`; the roots → `[]`.
+pub fn module(file: &str) -> Vec<&str> {
+    let inside = file.trim_start_matches("data-gen/").trim_start_matches("src/").trim_end_matches(".rs");
+    let mut module: Vec<_> = inside.split('/').collect();
+    if module.last() == Some(&"mod") || module == ["lib"] || module == ["main"] {
+        module.pop();
+    }
+    module
+}
+
+/// Whether a module holds tests only: one called `tests` or `…_tests`, or one inside such a module.
+pub fn is_test(module: &[&str]) -> bool {
+    module.iter().any(|name| *name == "tests" || name.ends_with("_tests"))
+}
