@@ -13,12 +13,12 @@
 //! through a file: `data-gen` writes `training/`, [`learn`] reads it.
 //!
 //! ```
-//! use dapple::document::Document, synth::{Options, Training, Watch, grow};
+//! use dapple::document::Document, synth::{Options, grow};
 //!
 //! let text = r#"{"format": "dapple", "version": 1, "size": [96, 96], "layers": [{"strokes": [
 //!     {"kind": "ellipse", "center": [30, 30], "radii": [8, 5], "angle": 30}]}]}"#;
 //! let document = Document::parse(text, "three lines")?;
-//! let grown = grow(&document, "three lines", &Training::default(), Options::default(), &Watch::NOBODY)?;
+//! let grown = grow(&document, &Options::default())?;
 //! let pattern = grown.layers[0].pattern().field(96, 96);
 //! assert!(pattern.values.iter().any(|value| *value > 0.9));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use dapple::document::Document;
 use dapple::grid::Edges;
 use dapple::marks::Mark;
+use dapple::synth::Options;
 use dapple::synth::grow;
 use dapple::synth::plan::sketch_targets::{marks, region_map};
-use dapple::synth::{Options, Training, Watch};
 
 fn examples() -> Vec<(PathBuf, Document)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples");
@@ -84,7 +84,7 @@ fn between_them_they_show_every_kind_of_document() {
 fn the_ladybird_grows_a_few_huge_spots() {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples/ladybird.dapple");
     let document = Document::read(&path).expect("valid");
-    let grown = grow(&document, "ladybird", &Training::default(), Options::default(), &Watch::NOBODY);
+    let grown = grow(&document, &Options::default());
     let layer = &grown.expect("it grows").layers[0];
     assert!(layer.settled);
     let pattern = layer.pattern().field(512, 512);

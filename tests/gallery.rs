@@ -4,9 +4,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use dapple::document::{After, Document};
+use dapple::synth::Options;
 use dapple::synth::grow;
 use dapple::synth::plan::sketch_targets::region_map;
-use dapple::synth::{Options, Training, Watch};
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991).
 const FIGURES: [&str; 26] = [
@@ -112,9 +112,8 @@ fn the_ways_to_meet_the_marks_beneath_are_shown() {
 fn a_small_cheetah_grows_both_its_layers() {
     let (file, _, document) =
         gallery().into_iter().find(|(file, ..)| file.ends_with("cheetah")).expect("a cheetah");
-    let options = Options { size: Some([200, 200]), ..Options::default() };
-    let grown = grow(&document, &file, &Training::default(), options, &Watch::NOBODY)
-        .unwrap_or_else(|error| panic!("{error}"));
+    let options = Options { size: Some([200, 200]), source: &file, ..Options::default() };
+    let grown = grow(&document, &options).unwrap_or_else(|error| panic!("{error}"));
     let spots =
         grown.layers.iter().map(|layer| dapple::measure::spots(&layer.pattern().field(200, 200), 0.5).len());
     let spots: Vec<usize> = spots.collect();

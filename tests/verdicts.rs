@@ -22,7 +22,7 @@ fn patch(system: System, parameters: Parameters) -> Patch {
 
 /// Grows it to the end and judges it.
 fn judged(patch: Patch) -> Result<Sample, Reason> {
-    let (marks, settled) = patch.grow(&Watch::NOBODY).unwrap();
+    let (marks, settled) = patch.grow(&Watch::NONE).unwrap();
     patch.judge(&marks, settled, LEAST)
 }
 
@@ -59,10 +59,10 @@ fn spots_read_at_too_low_a_level_touch() {
 #[test]
 fn stripes_are_no_spots_and_spots_no_stripes() {
     let stripes = patch(System::MeinhardtStripes, STRIPES);
-    let (marks, settled) = stripes.grow(&Watch::NOBODY).unwrap();
+    let (marks, settled) = stripes.grow(&Watch::NONE).unwrap();
     let spots = patch(System::MeinhardtSpots, SPOTS);
     assert_eq!(spots.judge(&marks, settled, LEAST).unwrap_err().kind(), "touching");
-    let (marks, settled) = spots.grow(&Watch::NOBODY).unwrap();
+    let (marks, settled) = spots.grow(&Watch::NONE).unwrap();
     assert!(stripes.judge(&marks, settled, LEAST).is_err());
 }
 
@@ -104,7 +104,7 @@ fn spots_under_rates_that_vary_are_too_irregular() {
     });
     let maps = Maps::new([nx, ny], [1.0, 1.0], parameters.collect());
     let mut engine = Engine::of(System::MeinhardtSpots, maps, Edges::Wrap, 5);
-    assert!(settle(&mut engine, &Watch::NOBODY).unwrap());
+    assert!(settle(&mut engine, &Watch::NONE).unwrap());
     let verdict = patch(System::MeinhardtSpots, SPOTS).judge(&engine.marks(), true, LEAST);
     assert_eq!(verdict.unwrap_err().kind(), "irregular");
 }
@@ -116,7 +116,7 @@ fn what_runs_away_has_left_its_range() {
     rejected(patch(System::TuringSpots, turing), "left-range");
     // And whatever is no number.
     let spots = patch(System::MeinhardtSpots, SPOTS);
-    let (mut marks, settled) = spots.grow(&Watch::NOBODY).unwrap();
+    let (mut marks, settled) = spots.grow(&Watch::NONE).unwrap();
     marks.values[100] = f32::NAN;
     assert_eq!(spots.judge(&marks, settled, LEAST), Err(Reason::NotFinite));
     assert_eq!(Reason::NotFinite.kind(), "left-range");

@@ -183,7 +183,7 @@ impl Patch {
         let mut long = Growth::new(self.system, &maps, Edges::Wrap, seed);
         long.advance(long.steps_in(self.end));
         let mut engine = Engine::of(self.system, maps.clone(), Edges::Wrap, seed);
-        let settled = settle(&mut engine, &Watch::NOBODY).map_err(|cancelled| cancelled.to_string())?;
+        let settled = settle(&mut engine, &Watch::NONE).map_err(|cancelled| cancelled.to_string())?;
         let [a, b] = [self.measured(&long.marks(&maps))?, self.measured(&engine.marks())?];
         Ok(Pair { differences: differences(&a, &b), steps: [long.steps(), engine.steps()], settled })
     }

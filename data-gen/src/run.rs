@@ -26,7 +26,7 @@ pub struct Record {
 pub fn run(set: &Set, index: u64) -> Result<(&'static str, String), String> {
     let (seed, parameters) = (set.seed_of(index), set.parameters_of(index));
     let patch = Patch { system: set.system, parameters, extent: set.patch.grown, seed };
-    let (marks, settled) = patch.grow(&Watch::NOBODY).map_err(|cancelled| cancelled.to_string())?;
+    let (marks, settled) = patch.grow(&Watch::NONE).map_err(|cancelled| cancelled.to_string())?;
     match patch.judge(&marks, settled, set.patch.least) {
         Ok(sample) => Ok((ACCEPTED, accepted(set, seed, parameters, sample)?)),
         Err(reason) => Ok((reason.kind(), rejected(seed, &parameters, &reason))),

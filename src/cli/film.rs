@@ -89,7 +89,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     let cancelled = super::install();
     let cancelled = || cancelled.load(Ordering::Relaxed);
-    let training = Training::from(args.training.clone());
+    let training = Training::from_folder(args.training.clone());
     let estimate = Estimate { training: &training, quiet: args.quiet };
     let bar = Bar::new(args.quiet);
     let watch = Watch { progress: &|stage, share| bar.show(stage, share), cancelled: &cancelled };
@@ -106,9 +106,10 @@ pub fn run(args: &Args) -> Result<(), Error> {
     } else {
         // It is grown twice: once to see how much each moment changes.
         estimate.tell(&[Task { document: &document, size: document.size, source: &source, scale: 1 }], 2.0);
-        let options = Options { refine: args.no_refine.then_some(false), ..Options::default() };
-        let scene = Scene { document: &document, source: &source, training: &training, options };
-        args.clip().of_growth(&scene, &args.output, kind, &watch)
+        let refine = args.no_refine.then_some(false);
+        let options = Options { refine, source: &source, training: &training, watch, ..Options::default() };
+        let scene = Scene { document: &document, options };
+        args.clip().of_growth(&scene, &args.output, kind)
     };
     bar.clear();
     let (prepared, _) = written.map_err(told)?;

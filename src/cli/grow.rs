@@ -189,7 +189,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     if batch::asked(args) {
         return batch::run(args);
     }
-    let training = Training::from(args.training.clone());
+    let training = Training::from_folder(args.training.clone());
     grow_one(args, &Source { training: &training, thumb: None }).map(drop)
 }
 
@@ -227,13 +227,16 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
         size: extent.size,
         refine: args.no_refine.then_some(false),
         concentrations: args.concentrations.is_some(),
+        source: &source,
+        training,
+        watch,
     };
     if thumb.is_none() {
         let size = extent.size.unwrap_or(document.size);
         let task = Task { document: &document, size, source: &source, scale: extent.scale };
         Estimate { training, quiet: args.quiet }.tell(&[task], 1.0);
     }
-    let grown = grow(&document, &source, training, options, &watch).map_err(Error::grown)?;
+    let grown = grow(&document, &options).map_err(Error::grown)?;
     let prepared = pictures::prepare(args, &document, &grown, extent, &watch);
     let outlined = outlines::prepare(args, &document, &grown, extent, &watch);
     bar.clear();

@@ -80,7 +80,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     let cancelled = super::install();
     let watch = Watch { progress: &|_, _| {}, cancelled: &|| cancelled.load(Ordering::Relaxed) };
-    let training = Training::from(args.training.clone());
+    let training = Training::from_folder(args.training.clone());
     let setting = Setting {
         training: &training,
         targets: args.targets as usize,

@@ -94,7 +94,7 @@ impl Args {
 /// # Errors
 /// Where the question is incomplete or a file cannot be read or written.
 pub fn run(args: &Args) -> Result<(), Error> {
-    let training = Training::from(args.training.clone());
+    let training = Training::from_folder(args.training.clone());
     if let (Some(table), Some(output)) = (&args.batch, &args.output) {
         super::grow::check_apart("--batch", table, output)?;
         super::grow::check_not_among(args.training.as_deref(), output)?;

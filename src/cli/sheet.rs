@@ -97,7 +97,8 @@ impl Entry {
     ) -> Result<Vec<u8>, Error> {
         let document = self.document.as_ref().map_err(|reason| Error::step(reason.clone()))?;
         let document = Document { seed: self.seed(picture), ..document.clone() };
-        let grown = grow(&document, &self.file, training, Options::default(), watch).map_err(Error::grown)?;
+        let options = Options { source: &self.file, training, watch: *watch, ..Options::default() };
+        let grown = grow(&document, &options).map_err(Error::grown)?;
         let fine = size.map(|side| FINER * side);
         Ok(export::shrink(&Painting::sized(&document, &grown, fine).rgb(), fine, size))
     }
@@ -166,7 +167,7 @@ fn fill(
 ) -> Result<Vec<String>, Error> {
     let cancelled = super::install();
     let cancelled = || cancelled.load(Ordering::Relaxed);
-    let training = Training::from(args.training.clone());
+    let training = Training::from_folder(args.training.clone());
     let all = entries.len() * args.seeds;
     let bar = bar(args.quiet, all);
     let mut missing = Vec::new();

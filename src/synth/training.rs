@@ -6,25 +6,37 @@ use std::sync::OnceLock;
 use crate::learn::{Row, TrainingError, TrainingSet};
 use crate::rd::System;
 
-/// The training sets that a growth asks, each read when first asked.
-#[derive(Default)]
+/// The training sets of all systems. Each is read when it is first needed.
 pub struct Training {
     folder: Option<PathBuf>,
     sets: [OnceLock<TrainingSet>; System::ALL.len()],
 }
 
+/// The built-in sets, read once in a process.
+static BUILT_IN: Training = Training::new(None);
+
 impl Training {
-    /// The sets in `folder`, or the built-in ones.
+    const fn new(folder: Option<PathBuf>) -> Self {
+        Self { folder, sets: [const { OnceLock::new() }; System::ALL.len()] }
+    }
+
+    /// The built-in sets, shared by all who ask for them.
     #[must_use]
-    pub fn from(folder: Option<PathBuf>) -> Self {
-        Self { folder, sets: Default::default() }
+    pub fn built_in() -> &'static Self {
+        &BUILT_IN
+    }
+
+    /// The sets in `folder`; without one, the built-in ones.
+    #[must_use]
+    pub const fn from_folder(folder: Option<PathBuf>) -> Self {
+        Self::new(folder)
     }
 
     /// Only these rows of `system`; the built-in sets of the others.
     ///
     /// # Errors
-    /// Too few rows, or not of this system.
-    pub fn of_rows(system: System, rows: Vec<Row>) -> Result<Self, TrainingError> {
+    /// Too few rows, or rows of another system.
+    pub fn from_rows(system: System, rows: Vec<Row>) -> Result<Self, TrainingError> {
         let training = Self::default();
         let set = TrainingSet::from_rows(system.name(), rows)?;
         training.sets[system as usize].get_or_init(|| set);
@@ -35,7 +47,7 @@ impl Training {
     ///
     /// # Errors
     /// The file is missing or wrong: which one, where, what is allowed.
-    pub fn of(&self, system: System) -> Result<&TrainingSet, TrainingError> {
+    pub fn set(&self, system: System) -> Result<&TrainingSet, TrainingError> {
         let slot = &self.sets[system as usize];
         if let Some(set) = slot.get() {
             return Ok(set);
@@ -45,5 +57,11 @@ impl Training {
             None => TrainingSet::embedded(system.name())?,
         };
         Ok(slot.get_or_init(|| set))
+    }
+}
+
+impl Default for Training {
+    fn default() -> Self {
+        Self::new(None)
     }
 }

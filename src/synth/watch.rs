@@ -1,41 +1,48 @@
-//! Looking on while something grows, and stopping it.
+//! Progress of a growth, and cancelling it.
 
 /// What is being done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// Looking up parameters, laying out the grid and where spots begin.
+    /// Looking up parameters, laying out the grid and where marks begin.
     Plan,
     /// Reaction and diffusion.
     Grow,
-    /// Measuring what has grown and correcting it.
+    /// Measuring the pattern and correcting its levels.
     Refine,
     /// Writing pictures.
     Write,
 }
 
-/// Told how far the work is, and asked whether to go on.
+/// Callbacks of a long computation: one is called with its progress, the other says whether to stop.
+#[derive(Clone, Copy)]
 pub struct Watch<'a> {
-    /// Is told the stage and the share of it that is done, 0..1.
+    /// Called with the stage and the share of it that is done, 0..1.
     pub progress: &'a (dyn Fn(Stage, f64) + Sync),
-    /// Says whether to stop.
+    /// Called every few milliseconds; the computation stops where it returns true.
     pub cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
-/// Was asked to stop.
+/// The computation was cancelled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("cancelled")]
 pub struct Cancelled;
 
 impl Watch<'_> {
-    /// Nobody looks on.
-    pub const NOBODY: Watch<'static> = Watch { progress: &|_, _| {}, cancelled: &|| false };
+    /// Ignores progress and never cancels.
+    pub const NONE: Watch<'static> = Watch { progress: &|_, _| {}, cancelled: &|| false };
 
-    /// Tells how far the work is.
+    /// Reports progress.
     ///
     /// # Errors
-    /// [`Cancelled`] where it should stop.
+    /// [`Cancelled`] where the computation should stop.
     pub fn step(&self, stage: Stage, share: f64) -> Result<(), Cancelled> {
         (self.progress)(stage, share.clamp(0.0, 1.0));
         if (self.cancelled)() { Err(Cancelled) } else { Ok(()) }
+    }
+}
+
+impl Default for Watch<'_> {
+    fn default() -> Self {
+        Self::NONE
     }
 }

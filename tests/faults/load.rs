@@ -90,15 +90,13 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
 #[test]
 fn growing_again_and_again_takes_no_more_memory() {
     use dapple::document::Document;
+    use dapple::synth::Options;
     use dapple::synth::grow;
-    use dapple::synth::{Options, Training, Watch};
-    let training = Training::default();
-    let watch = Watch { progress: &|_, _| {}, cancelled: &|| false };
     let mut samples = Vec::new();
     for index in 0..300 {
         let document = Document::parse(&document(index), "document").unwrap();
         // Some find no room for their second layer.
-        drop(grow(&document, "document", &training, Options::default(), &watch));
+        drop(grow(&document, &Options::default()));
         samples.extend(memory(std::process::id()));
     }
     let most = |part: &[f64]| part.iter().copied().fold(0.0, f64::max);

@@ -7,9 +7,9 @@ use crate::renew::{golden, renew, renews, text};
 use crate::textures::{document, names};
 use dapple::document::Document;
 use dapple::marks::turn;
+use dapple::synth::Options;
 use dapple::synth::grow;
 use dapple::synth::report::report;
-use dapple::synth::{Options, Training, Watch};
 use serde_json::{Map, Value, json};
 
 /// What another value than the stored one may be off by: a share of it, or a difference. docs/golden.md says what six
@@ -39,8 +39,7 @@ const ROUND: f64 = 0.75;
 
 /// What has grown on each layer, by region; numbers to four digits.
 fn sheet(document: &Document, name: &str) -> Value {
-    let training = Training::default();
-    let grown = grow(document, name, &training, Options::default(), &Watch::NOBODY).unwrap();
+    let grown = grow(document, &Options { source: name, ..Options::default() }).unwrap();
     let report = json!(report(document, name, &grown, 0.0));
     let layers = report["layers"].as_array().unwrap().iter().map(|layer| {
         let regions = layer["regions"].as_array().unwrap().iter().map(|region| {

@@ -8,7 +8,7 @@ use dapple::document::{After, Document};
 use dapple::grid::Edges;
 use dapple::rd::System;
 use dapple::synth::render::painting::Painting;
-use dapple::synth::{Options, Training, Watch, grow_seen};
+use dapple::synth::{Options, Watch, grow_seen};
 use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -122,13 +122,7 @@ fn what_has_no_document_is_refused() {
         let error = match Document::parse(&text, &name) {
             Err(error) => error.to_string(),
             Ok(document) => {
-                let grown = dapple::synth::grow(
-                    &document,
-                    &name,
-                    &Training::default(),
-                    Options::default(),
-                    &Watch::NOBODY,
-                );
+                let grown = dapple::synth::grow(&document, &Options { source: &name, ..Options::default() });
                 grown.err().unwrap_or_else(|| panic!("{name} grew")).to_string()
             }
         };
@@ -142,9 +136,9 @@ fn young(name: &str) -> ([usize; 2], Vec<u8>) {
     let size = document.size.map(|side| side as usize);
     let (seen, mut rgb) = (AtomicBool::new(false), None);
     let watch = Watch { progress: &|_, _| {}, cancelled: &|| seen.load(Ordering::Relaxed) };
-    let options = Options { refine: Some(false), ..Options::default() };
+    let options = Options { refine: Some(false), source: name, watch, ..Options::default() };
     // What is cancelled gives no texture.
-    let _ = grow_seen(&document, name, &Training::default(), options, &watch, TIME, &mut |look| {
+    let _ = grow_seen(&document, &options, TIME, &mut |look| {
         if look.beneath.len() + 1 == document.layers.len() && rgb.is_none() {
             rgb = Some(Painting::growing(&document, look, size).rgb());
             seen.store(true, Ordering::Relaxed);

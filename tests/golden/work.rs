@@ -5,7 +5,7 @@ use crate::textures::{document, names};
 use dapple::document::Document;
 use dapple::synth::grow;
 use dapple::synth::plan::sketch_targets::region_map;
-use dapple::synth::{Engine, Options, Training, Watch, planned};
+use dapple::synth::{Engine, Options, Training, planned};
 
 fn expected(document: &Document, name: &str) -> Vec<f64> {
     let mut beneath = None;
@@ -21,8 +21,8 @@ fn expected(document: &Document, name: &str) -> Vec<f64> {
 }
 
 fn took(document: &Document, name: &str) -> Vec<f64> {
-    let options = Options { refine: Some(false), ..Options::default() };
-    let grown = grow(document, name, &Training::default(), options, &Watch::NOBODY).unwrap();
+    let options = Options { refine: Some(false), source: name, ..Options::default() };
+    let grown = grow(document, &options).unwrap();
     grown
         .layers
         .iter()

@@ -13,7 +13,7 @@ use dapple::synth::{Engine, GrownLayer, Measured, Options, Training, Watch, grow
 use serde_json::{Value, json};
 
 fn grown(document: &Document) -> GrownLayer {
-    grow(document, "test", &Training::default(), Options::default(), &Watch::NOBODY).unwrap().layers.remove(0)
+    grow(document, &Options::default()).unwrap().layers.remove(0)
 }
 
 /// Ten spots as a hand draws them: unevenly, of all sizes, two of them cut by the edge.
@@ -108,7 +108,7 @@ fn marks_too_near_to_each_other_are_counted_and_as_many_stay_as_can() {
 fn on_a_larger_canvas_they_stand_at_the_stretched_places_and_keep_their_size() {
     let document = one_layer(&drawn(), Edges::Closed);
     let options = Options { size: Some([450, 480]), ..Options::default() };
-    let grown = grow(&document, "test", &Training::default(), options, &Watch::NOBODY).unwrap();
+    let grown = grow(&document, &options).unwrap();
     let mark = drawn()[5];
     let found = nearest(spots(&grown.layers[0]), [mark.center[0] * 1.5, mark.center[1] * 2.0]).ellipse;
     let off = [found.center[0] - mark.center[0] * 1.5, found.center[1] - mark.center[1] * 2.0];
@@ -229,7 +229,7 @@ fn among(
     let mut plan = plan(&Training::default(), system, &map).unwrap();
     keep(&mut plan, &marks(spacing));
     let mut engine = Engine::new(&plan, 1);
-    settle(&mut engine, &Watch::NOBODY).unwrap();
+    settle(&mut engine, &Watch::NONE).unwrap();
     let size = (12.0 * spacing) as usize;
     off(&plan, &measure::spots(&engine.look(&plan, size, size), 0.5))
 }

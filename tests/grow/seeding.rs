@@ -6,7 +6,7 @@ use dapple::grid::{Edges, Field};
 use dapple::marks::Line;
 use dapple::measure::{self, Canvas, StripeErrors};
 use dapple::synth::grow;
-use dapple::synth::{Measured, Options, Training, Watch};
+use dapple::synth::{Measured, Options};
 
 /// What grows from lines 8 px wide.
 fn grown(
@@ -19,7 +19,7 @@ fn grown(
     let strokes = lines.iter().map(|line| Stroke::Line(*line)).collect();
     let layers = vec![Layer { strokes, options, ..Layer::default() }];
     let document = Document { size: [size; 2], regions, seed, layers, ..Document::default() };
-    let grown = grow(&document, "test", &Training::default(), Options::default(), &Watch::NOBODY).unwrap();
+    let grown = grow(&document, &Options::default()).unwrap();
     let layer = &grown.layers[0];
     let Measured::Stripes(errors) = &layer.measured else { panic!("lines were drawn") };
     (layer.pattern().field(size as usize, size as usize), errors.clone())

@@ -7,7 +7,7 @@ use dapple::grid::Edges;
 use dapple::marks::{Ellipse, turn};
 use dapple::measure::SpotErrors;
 use dapple::synth::grow;
-use dapple::synth::{Measured, Options, Training, Watch};
+use dapple::synth::{Measured, Options};
 use serde_json::{Value, json};
 
 const EVEN: Spread = Spread::EVEN;
@@ -38,7 +38,7 @@ fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
     let side = ((150.0 * 0.75f64.sqrt()).sqrt() * spacing) as u32;
     let document =
         Document { size: [side, side], edges: Edges::Wrap, seed, layers: vec![layer], ..Document::default() };
-    let grown = grow(&document, "test", &Training::default(), Options::default(), &Watch::NOBODY).unwrap();
+    let grown = grow(&document, &Options::default()).unwrap();
     let Measured::Spots { errors, marks } = &grown.layers[0].measured else { panic!("spots were drawn") };
     let merged = marks.iter().filter(|mark| mark.endless || mark.fill < 0.93).count();
     (errors[0], merged)

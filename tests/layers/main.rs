@@ -9,7 +9,7 @@ use dapple::document::{After, Document, Layer, Options as Choices, Stroke};
 use dapple::grid::{Edges, Field};
 use dapple::marks::{Ellipse, Line};
 use dapple::synth::grow;
-use dapple::synth::{GrowError, Grown, Options, Training, Watch};
+use dapple::synth::{GrowError, Grown, Options};
 
 /// Four spots with this area, aspect, angle and spacing, somewhere on a canvas of 360 px.
 fn spots(area: f64, aspect: f64, angle: f64, spacing: f64) -> Layer {
@@ -39,7 +39,7 @@ fn after(after: After, layer: Layer) -> Layer {
 }
 
 fn try_grow(document: &Document) -> Result<Grown, GrowError> {
-    grow(document, "test", &Training::default(), Options::default(), &Watch::NOBODY)
+    grow(document, &Options { source: "test", ..Options::default() })
 }
 
 fn grown(document: &Document) -> Grown {

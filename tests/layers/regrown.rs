@@ -3,7 +3,7 @@
 use super::{cascade, grown, spots, stripes};
 use dapple::document::Document;
 use dapple::grid::Edges;
-use dapple::synth::{Grown, Options, Stage, Training, Watch, regrow};
+use dapple::synth::{Grown, Options, Stage, Watch, regrow};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 type Change = fn(&mut Document);
@@ -21,8 +21,7 @@ fn after(document: &Document, before: &Grown) -> (Grown, usize) {
         planned.fetch_add(usize::from(stage == Stage::Plan && share == 0.0), Ordering::Relaxed);
     };
     let watch = Watch { progress: &count, cancelled: &|| false };
-    let options = Options::default();
-    let grown = regrow(document, "test", &Training::default(), options, Some(before), &watch).unwrap();
+    let grown = regrow(document, &Options { watch, ..Options::default() }, Some(before)).unwrap();
     (grown, planned.into_inner())
 }
 

@@ -6,7 +6,7 @@ use dapple::export::outline::{Group, Hatch, Smallest, Style};
 use dapple::synth::grow;
 use dapple::synth::render::outlining::{Outlining, outlines};
 use dapple::synth::render::painting::Painting;
-use dapple::synth::{Grown, Options, Training, Watch};
+use dapple::synth::{Grown, Options, Watch};
 use rayon::prelude::*;
 use resvg::tiny_skia::{PathSegment, Pixmap, Transform};
 use resvg::usvg::{self, Node, tiny_skia_path};
@@ -36,8 +36,8 @@ fn examples() -> Vec<String> {
 fn grown(name: &str) -> (Document, Grown) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}.dapple"));
     let document = Document::read(file).unwrap();
-    let options = Options { size: Some([SIDE; 2]), refine: Some(false), ..Options::default() };
-    let grown = grow(&document, name, &Training::default(), options, &Watch::NOBODY).unwrap();
+    let options = Options { size: Some([SIDE; 2]), refine: Some(false), source: name, ..Options::default() };
+    let grown = grow(&document, &options).unwrap();
     (document, grown)
 }
 
@@ -49,7 +49,7 @@ fn outlined(document: &Document, grown: &Grown, level: f64) -> Vec<Group> {
         smallest: Smallest::default(),
         style: Style::default(),
     };
-    outlines(document, grown, &wanted, &Watch::NOBODY).unwrap().0
+    outlines(document, grown, &wanted, &Watch::NONE).unwrap().0
 }
 
 /// Which layer's mark covers each px, at `scale` times the px.
@@ -192,7 +192,7 @@ fn the_hatch_of_a_tile_goes_on_across_its_seams() {
             smallest: Smallest::default(),
             style,
         };
-        let groups = outlines(&document, &grown, &wanted, &Watch::NOBODY).unwrap().0;
+        let groups = outlines(&document, &grown, &wanted, &Watch::NONE).unwrap().0;
         let strokes = groups[0].strokes.iter();
         let ends: Vec<[f64; 2]> = strokes.flat_map(|stroke| [stroke.start, stroke.end()]).collect();
         let outlines = groups[0].areas.iter().flat_map(dapple::export::outline::Shape::paths);

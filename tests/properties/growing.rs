@@ -5,11 +5,9 @@
 use crate::cases;
 use crate::documents::document;
 use dapple::synth::grow;
-use dapple::synth::{GrowError, Options, Training, Watch};
+use dapple::synth::{GrowError, Options};
 use proptest::prelude::*;
-use std::sync::LazyLock;
 
-static TRAINING: LazyLock<Training> = LazyLock::new(Training::default);
 /// Steps on the finest grid that a layer may take (`synth::settle`), and a few on the way there.
 const STEPS: u64 = 400_000;
 
@@ -18,7 +16,7 @@ proptest! {
 
     #[test]
     fn any_valid_document_grows_or_says_why_not(document in document(48, 2)) {
-        match grow(&document, "x", &TRAINING, Options::default(), &Watch::NOBODY) {
+        match grow(&document, &Options::default()) {
             Ok(grown) => {
                 prop_assert_eq!(grown.layers.len(), document.layers.len());
                 for layer in &grown.layers {

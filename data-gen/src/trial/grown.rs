@@ -9,7 +9,7 @@ use dapple::grid::{Field, to_u16};
 use dapple::measure::{self, Canvas, Spot};
 use dapple::synth::grow;
 use dapple::synth::plan::sketch_targets;
-use dapple::synth::{GrownLayer, Options, Training, Watch};
+use dapple::synth::{GrownLayer, Options, Training};
 
 use super::attribute::{ATTRIBUTES, Errors};
 use super::output;
@@ -78,7 +78,8 @@ impl Task {
             failures: Vec::new(),
         };
         let started = Instant::now();
-        let grown = grow(&self.document, &self.name, training, Options::default(), &Watch::NOBODY);
+        let options = Options { source: &self.name, training, ..Options::default() };
+        let grown = grow(&self.document, &options);
         outcome.seconds = started.elapsed().as_secs_f64();
         match grown {
             Err(error) => outcome.failures.push(Failure::NotGrown(error.to_string())),

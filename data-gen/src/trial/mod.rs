@@ -69,7 +69,7 @@ pub fn run(args: &Args) -> Result<bool, String> {
         Some(threads) => usize::from(threads),
         None => std::thread::available_parallelism().map_or(1, usize::from),
     };
-    let training = Training::from(args.training.clone());
+    let training = Training::from_folder(args.training.clone());
     let outcomes = all(&tasks, &training, threads, args.out.as_deref())?;
     let (text, good) = table::table(&outcomes);
     if args.json.as_deref() == Some(Path::new("-")) {

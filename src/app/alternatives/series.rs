@@ -111,8 +111,9 @@ impl Worker {
         let grown = match &job.known {
             Some(known) if job.grown => Arc::clone(known),
             known => {
-                let (options, known) = (Options::default(), known.as_deref());
-                Arc::new(regrow(&job.document, "the sketch", &self.training, options, known, &watch)?)
+                let options =
+                    Options { source: "the sketch", training: &self.training, watch, ..Options::default() };
+                Arc::new(regrow(&job.document, &options, known.as_deref())?)
             }
         };
         let image = Arc::new(small(&job.document, &grown));

@@ -2,8 +2,8 @@ use super::*;
 use crate::attributes::Spread;
 use crate::document::{Colours, SpreadChoice, Stop, Stroke, SystemChoice};
 use crate::marks::{Ellipse, Line};
+use crate::synth::Options;
 use crate::synth::grow;
-use crate::synth::{Options, Watch};
 
 fn spot(center: [f64; 2]) -> Stroke {
     Stroke::Ellipse(Ellipse { center, radii: [12.0, 9.0], angle: 20.0 })
@@ -15,8 +15,7 @@ fn document(strokes: Vec<Stroke>) -> Document {
 }
 
 fn texture(document: &Document) -> Texture {
-    let training = Training::default();
-    let grown = grow(document, "", &training, Options::default(), &Watch::NOBODY).unwrap();
+    let grown = grow(document, &Options::default()).unwrap();
     Texture { document: Arc::new(document.clone()), grown: Arc::new(grown) }
 }
 

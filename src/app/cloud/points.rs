@@ -62,7 +62,7 @@ impl Points {
     /// The cloud about a region that was grown with `system`; `None` where there are no examples of it.
     #[must_use]
     pub fn about(training: &Training, system: System, region: &RegionReport) -> Option<Self> {
-        let set = training.of(system).ok()?;
+        let set = training.set(system).ok()?;
         let grid = region.parameters.iter().find(|(name, _)| *name == "cell")?.1;
         let cell = exact_cell(&region.asked, grid);
         let answer = set.ask(&region.asked.scaled(1.0 / cell)).ok()?;

@@ -72,12 +72,13 @@ fn told(error: impl std::error::Error) -> String {
 impl Order {
     /// How it is grown.
     #[must_use]
-    pub fn options(&self) -> Options {
+    pub fn options(&self) -> Options<'static> {
         let pictured = self.choices.what == What::Picture;
         Options {
             size: self.choices.size.other(&self.document),
-            refine: None,
             concentrations: pictured && self.choices.picture.shows == Shows::Concentrations,
+            source: "the sketch",
+            ..Options::default()
         }
     }
 
@@ -97,10 +98,10 @@ impl Order {
     #[must_use]
     pub fn takes(&self, grown: &Grown) -> bool {
         let wanted = self.options();
-        let size = grown.options.size.filter(|size| *size != grown.document.size);
+        let size = grown.settings.size.filter(|size| *size != grown.document.size);
         size == wanted.size
-            && grown.options.refine.is_none()
-            && (grown.options.concentrations || !wanted.concentrations)
+            && grown.settings.refine.is_none()
+            && (grown.settings.concentrations || !wanted.concentrations)
             && essence(&grown.document) == essence(&self.document)
     }
 
@@ -112,7 +113,7 @@ impl Order {
         if let Some(grown) = grown.filter(|grown| self.takes(grown)) {
             return Ok(Arc::clone(grown));
         }
-        let grown = grow(&self.document, "the sketch", &Training::default(), self.options(), watch);
+        let grown = grow(&self.document, &Options { watch: *watch, ..self.options() });
         grown.map(Arc::new).map_err(told)
     }
 
@@ -238,19 +239,17 @@ impl Order {
 
     fn film(&self, path: &Path, watch: &Watch) -> Result<Written, String> {
         let choices = &self.choices.film;
-        let training = Training::default();
         let made = if choices.change {
             let to = choices.to.as_ref().ok_or("Choose the document that this one shall become.")?;
             let other = Document::read(to).map_err(|error| crate::app::files::with_causes(&error))?;
             let there = to.display().to_string();
             let from = (&self.document, self.title.as_str());
-            let morph = Morph::new(from, (&other, &there), &training, watch).map_err(told)?;
+            let morph = Morph::new(from, (&other, &there), Training::built_in(), watch).map_err(told)?;
             choices.clip.of_change([&self.document, &other], &morph, path, choices.kind, watch)
         } else {
-            let options = Options::default();
-            let scene =
-                Scene { document: &self.document, source: "the sketch", training: &training, options };
-            choices.clip.of_growth(&scene, path, choices.kind, watch)
+            let options = Options { source: "the sketch", watch: *watch, ..Options::default() };
+            let scene = Scene { document: &self.document, options };
+            choices.clip.of_growth(&scene, path, choices.kind)
         };
         let (film, told_of) = made.map_err(told)?;
         let [width, height] = told_of.size;

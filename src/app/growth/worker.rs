@@ -11,7 +11,9 @@ use super::preview::preview;
 use super::{Picture, Texture, essence};
 use crate::document::Document;
 use crate::synth::render::painting::Look;
-use crate::synth::{GrowError, Grown, GrownLayer, Options, Stage, Training, Watch, regrow_seen, unchanged};
+use crate::synth::{
+    GrowError, Grown, GrownLayer, Options, Settings, Stage, Training, Watch, regrow_seen, unchanged,
+};
 
 /// Pictures of a growth come no faster than this.
 const BETWEEN_PICTURES: Duration = Duration::from_millis(60);
@@ -239,7 +241,7 @@ impl Worker {
         let known = known.filter(|known| essence(&known.document) == essence(&document));
         let is_known = known.is_some();
         let before = known.or_else(|| self.before.lock().unwrap_or_else(PoisonError::into_inner).clone());
-        let kept = before.as_ref().map_or(0, |before| unchanged(&document, Options::default(), before));
+        let kept = before.as_ref().map_or(0, |before| unchanged(&document, Settings::default(), before));
         let mut done = kept;
         let mut shown: Option<Instant> = None;
         let beneath = before.as_ref().map_or(&[][..], |before| &before.layers[..kept]);
@@ -261,16 +263,9 @@ impl Worker {
             }
         };
         let mut grown = || {
-            let before = before.as_deref();
-            regrow_seen(
-                &document,
-                "the sketch",
-                &self.training,
-                Options::default(),
-                before,
-                &watch,
-                &mut seen,
-            )
+            let options =
+                Options { source: "the sketch", training: &self.training, watch, ..Options::default() };
+            regrow_seen(&document, &options, before.as_deref(), &mut seen)
         };
         // A fault in growing must not take the sketch along.
         let Ok(grown) = panic::catch_unwind(AssertUnwindSafe(&mut grown)) else {
@@ -300,7 +295,7 @@ impl Worker {
         let mut document = document.clone();
         document.layers.truncate(layers.len());
         let grown =
-            Grown { size: document.size, layers: layers.to_vec(), document, options: Options::default() };
+            Grown { size: document.size, layers: layers.to_vec(), document, settings: Settings::default() };
         *self.before.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::new(grown));
     }
 }

@@ -33,7 +33,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let folder = check(args)?;
     let tasks = tasks(args, folder)?;
     export::make_folder(folder).map_err(Error::step)?;
-    let training = Training::from(args.training.clone());
+    let training = Training::from_folder(args.training.clone());
     tell_time(args, &tasks, &training);
     let mut contact = args.variations.map(|_| Contact::new(stem(&args.file), THUMB));
     let mut why = Vec::new();

@@ -42,7 +42,7 @@ pub fn prepare(
     watch: &Watch,
 ) -> Result<Vec<Prepared>, Error> {
     let painting = Painting::of(document, grown, extent.scale as usize);
-    let refined = grown.options.refine.unwrap_or(document.growth.refine);
+    let refined = grown.settings.refine.unwrap_or(document.growth.refine);
     let style = args.look.style_of(document, refined, extent);
     let mut prepared = asked(args)
         .map(|(path, channel)| painting.prepare(path, channel, &style, watch).map_err(Error::exported))

@@ -15,7 +15,7 @@ const SIZES: [usize; 4] = [30, 100, 300, 1_000];
 
 /// Each way with each number of rows.
 pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error> {
-    let set = setting.training.of(system).map_err(Error::step)?;
+    let set = setting.training.set(system).map_err(Error::step)?;
     let folds = folds(set.rows(), &SIZES, setting.targets);
     let mut ways: Vec<Way> = Method::ALL.into_iter().map(Way::Learnt).collect();
     ways.extend(setting.grow.then_some(Way::Refined));
@@ -24,7 +24,7 @@ pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error
     let mut outcomes = Vec::new();
     for way in ways {
         for fold in &folds {
-            let training = Training::of_rows(system, fold.rows.clone()).map_err(Error::step)?;
+            let training = Training::from_rows(system, fold.rows.clone()).map_err(Error::step)?;
             outcomes.push(outcome(setting, system, &training, way, fold, &|| bar.inc(1))?);
         }
     }

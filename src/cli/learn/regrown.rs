@@ -38,8 +38,8 @@ pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error
             }
         }
     }
-    let all = setting.training.of(system).map_err(Error::step)?.rows();
-    let few = Training::of_rows(system, evenly(all, FEW)).map_err(Error::step)?;
+    let all = setting.training.set(system).map_err(Error::step)?.rows();
+    let few = Training::from_rows(system, evenly(all, FEW)).map_err(Error::step)?;
     let sets = [(&few, FEW.min(all.len()), false), (setting.training, all.len(), true)];
     let bar = bar(format!("{}, grown anew", system.name()), sets.len() * targets.len());
     let mut outcomes: Vec<Vec<Outcome>> = vec![Vec::new(); WAYS.len()];
@@ -170,7 +170,7 @@ mod tests {
         let parameters =
             Parameters { rate: 3.0, ratio: Some(15.0), stretch: 0.6, direction: 30.0, level: Some(0.5) };
         let patch = Patch { system: System::MeinhardtSpots, parameters, extent: 16.0, seed: 3 };
-        let (marks, _) = patch.grow(&Watch::NOBODY).unwrap();
+        let (marks, _) = patch.grow(&Watch::NONE).unwrap();
         let open = measured(&patch, &marks, 1.0).unwrap();
         let Attributes::Spots(spots) = open else { panic!() };
         let wanted = Attributes::Spots(crate::attributes::Spots { area: 1.1 * spots.area, ..spots });
@@ -183,7 +183,7 @@ mod tests {
     fn a_level_is_found_at_which_stripes_are_as_wide_as_asked() {
         let parameters = Parameters { rate: 25.0, ratio: None, stretch: 0.5, direction: 30.0, level: None };
         let patch = Patch { system: System::MeinhardtStripes, parameters, extent: 5.0, seed: 3 };
-        let (marks, _) = patch.grow(&Watch::NOBODY).unwrap();
+        let (marks, _) = patch.grow(&Watch::NONE).unwrap();
         let Attributes::Stripes(open) = measured(&patch, &marks, 1.0).unwrap() else { panic!() };
         let wanted = Attributes::Stripes(Stripes { width: 0.95 * open.width, ..open });
         let Attributes::Stripes(got) = levelled(&patch, &marks, &wanted).unwrap() else { panic!() };

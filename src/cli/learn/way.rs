@@ -42,7 +42,7 @@ impl Way {
         match self {
             Self::REGRESSION => Ok(asked(wanted)?.parameters),
             Self::Learnt(method) => {
-                let set = training.of(system).map_err(Error::step)?;
+                let set = training.set(system).map_err(Error::step)?;
                 set.by(method, &wanted.scaled(1.0 / cell)).map_err(Error::step)
             }
             Self::Refined => {

@@ -5,9 +5,10 @@ use crate::attributes::regions::RegionMap;
 use crate::document::{After, Document};
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
-use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, Options, grow_layer};
+use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, grow_layer};
 use crate::synth::grow::probe::When;
 use crate::synth::memory;
+use crate::synth::options::{Options, Settings};
 use crate::synth::plan::around;
 use crate::synth::plan::around::{plan_lines, way};
 use crate::synth::plan::inside::{is_replaced, plan_inside, refusal};
@@ -17,78 +18,58 @@ use crate::synth::plan::{obstacle_mask, sketch_targets};
 use crate::synth::render::painting::Look;
 use crate::synth::render::pattern::Pattern;
 use crate::synth::training::Training;
-use crate::synth::watch::{Stage, Watch};
+use crate::synth::watch::Stage;
 
-/// Grows `document` (named `source` in messages).
+/// Grows `document`.
 ///
 /// # Errors
 /// See [`GrowError`].
-pub fn grow(
-    document: &Document,
-    source: &str,
-    training: &Training,
-    options: Options,
-    watch: &Watch,
-) -> Result<Grown, GrowError> {
-    regrow(document, source, training, options, None, watch)
+pub fn grow(document: &Document, options: &Options) -> Result<Grown, GrowError> {
+    regrow(document, options, None)
 }
 
-/// The same where some of it stands in `before`, grown from the same training sets: its lowest layers, as far as they
-/// would grow as they have, are taken from there. What comes out is what [`grow`] gives.
+/// Grows `document`, and takes from `before` the lowest layers that have not changed since. The result is that of
+/// [`grow()`]. `before` must have been grown from the same training sets.
 ///
 /// # Errors
 /// See [`GrowError`].
-pub fn regrow(
-    document: &Document,
-    source: &str,
-    training: &Training,
-    options: Options,
-    before: Option<&Grown>,
-    watch: &Watch,
-) -> Result<Grown, GrowError> {
-    regrow_seen(document, source, training, options, before, watch, &mut |_| {})
+pub fn regrow(document: &Document, options: &Options, before: Option<&Grown>) -> Result<Grown, GrowError> {
+    regrow_seen(document, options, before, &mut |_| {})
 }
 
-/// The same for somebody who wants to have a look now and then, every few milliseconds; what comes out does not
-/// depend on it.
+/// As [`regrow`], and calls `seen` every few milliseconds with the layer that grows. The result does not depend on it.
 ///
 /// # Errors
 /// See [`GrowError`].
 pub fn regrow_seen(
     document: &Document,
-    source: &str,
-    training: &Training,
-    options: Options,
+    options: &Options,
     before: Option<&Grown>,
-    watch: &Watch,
     seen: &mut dyn FnMut(&Look),
 ) -> Result<Grown, GrowError> {
-    Cascade { document, source, training, options, watch, every: None }.grow(before, seen)
+    Cascade { document, options: *options, every: None }.grow(before, seen)
 }
 
-/// As [`grow()`], seen each `every` of normalised time: at the same moments on any machine.
+/// As [`grow()`], and calls `seen` each `every` of normalised time: at the same moments on any machine.
 ///
 /// # Errors
 /// See [`GrowError`].
 pub fn grow_seen(
     document: &Document,
-    source: &str,
-    training: &Training,
-    options: Options,
-    watch: &Watch,
+    options: &Options,
     every: f64,
     seen: &mut dyn FnMut(&Look),
 ) -> Result<Grown, GrowError> {
-    Cascade { document, source, training, options, watch, every: Some(every) }.grow(None, seen)
+    Cascade { document, options: *options, every: Some(every) }.grow(None, seen)
 }
 
 /// How many of the lowest layers of `document` would grow as they have in `before`, and so are taken from there.
 #[must_use]
-pub fn unchanged(document: &Document, options: Options, before: &Grown) -> usize {
-    let canvas = |of: &Document, options: Options| {
-        (of.size, of.regions, of.edges, options.size, options.refine.unwrap_or(of.growth.refine))
+pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usize {
+    let canvas = |of: &Document, settings: Settings| {
+        (of.size, of.regions, of.edges, settings.size, settings.refine.unwrap_or(of.growth.refine))
     };
-    if canvas(document, options) != canvas(&before.document, before.options) {
+    if canvas(document, settings) != canvas(&before.document, before.settings) {
         return 0;
     }
     let pairs = document.layers.iter().zip(&before.document.layers).enumerate();
@@ -106,10 +87,7 @@ pub fn unchanged(document: &Document, options: Options, before: &Grown) -> usize
 /// What every layer of a document is grown with.
 struct Cascade<'a> {
     document: &'a Document,
-    source: &'a str,
-    training: &'a Training,
-    options: Options,
-    watch: &'a Watch<'a>,
+    options: Options<'a>,
     /// Normalised time from look to look; `None` = as suits those who wait.
     every: Option<f64>,
 }
@@ -119,14 +97,14 @@ impl Cascade<'_> {
     fn grow(&self, before: Option<&Grown>, seen: &mut dyn FnMut(&Look)) -> Result<Grown, GrowError> {
         let Self { document, options, .. } = *self;
         let size = options.size.unwrap_or(document.size);
-        let frozen = before.map_or(0, |before| unchanged(document, options, before));
+        let frozen = before.map_or(0, |before| unchanged(document, options.settings(), before));
         let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
         layers.extend(before.iter().flat_map(|before| &before.layers[..frozen]).cloned());
         for index in frozen..document.layers.len() {
             let layer = self.layer(index, &layers, seen)?;
             layers.push(layer);
         }
-        Ok(Grown { size, layers, document: document.clone(), options })
+        Ok(Grown { size, layers, document: document.clone(), settings: options.settings() })
     }
 
     /// Grows layer `index` into what those `beneath` left free.
@@ -137,7 +115,8 @@ impl Cascade<'_> {
         seen: &mut dyn FnMut(&Look),
     ) -> Result<GrownLayer, GrowError> {
         let mut seen = |plan: &Plan, engine: &Engine| seen(&Look { beneath, plan, engine });
-        let Self { document, source, training, options, watch, every } = *self;
+        let Self { document, options, every } = *self;
+        let Options { source, training, watch, .. } = options;
         let correct = options.refine.unwrap_or(document.growth.refine);
         let size = options.size.unwrap_or(document.size).map(f64::from);
         watch.step(Stage::Plan, 0.0)?;
@@ -148,7 +127,7 @@ impl Cascade<'_> {
         plan.seeding = document.layers[index].options.seeding;
         if correct && plan.seeding == Seeding::Noise {
             watch.step(Stage::Plan, 0.1)?;
-            plan = plan.probed(training, When::Unsure, watch)?;
+            plan = plan.probed(training, When::Unsure, &watch)?;
         }
         if plan.places.is_some()
             && let Some(beneath) = beneath.last()
@@ -171,7 +150,7 @@ impl Cascade<'_> {
         let seed = document.layer_seed(index);
         plan.lay_course(document.layers[index].options.broken, seed)
             .map_err(|reason| GrowError::Course { layer: index + 1, reason })?;
-        let mut layer = grow_layer(plan, seed, index + 1, keeping, watch, every, &mut seen)?;
+        let mut layer = grow_layer(plan, seed, index + 1, keeping, &watch, every, &mut seen)?;
         if let Some(found) = obstacle_mask::shaped(&layer.plan, &layer.measured)
             .filter(|_| correct && layer.plan.places.is_none())
         {
@@ -180,7 +159,7 @@ impl Cascade<'_> {
                 seed,
                 index + 1,
                 keeping,
-                watch,
+                &watch,
                 every,
                 &mut seen,
             )?;

@@ -7,6 +7,7 @@ use crate::synth::grow::engine::Engine;
 use crate::synth::grow::probe::ProbeError;
 use crate::synth::grow::refine::{Measured, refine};
 use crate::synth::memory::TooLarge;
+use crate::synth::options::Settings;
 use crate::synth::plan::offset_curves::CourseError;
 use crate::synth::plan::{Plan, PlanError};
 use crate::synth::render::pattern::Pattern;
@@ -19,17 +20,6 @@ impl From<ProbeError> for GrowError {
             ProbeError::Cancelled(cancelled) => Self::Cancelled(cancelled),
         }
     }
-}
-
-/// How to grow a document, beyond what stands in it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Options {
-    /// Canvas, px; `None` = the document's. The region layout stretches, features keep their size.
-    pub size: Option<[u32; 2]>,
-    /// Whether to correct what has grown; `None` = as the document says.
-    pub refine: Option<bool>,
-    /// Whether to keep the concentrations of all chemicals, which takes 8 or 20 bytes a cell.
-    pub concentrations: bool,
 }
 
 /// A grown layer.
@@ -47,7 +37,7 @@ pub struct GrownLayer {
     pub measured: Measured,
     /// The concentration that shows the marks as a share of the local peak, on the grid.
     pub marks: Field,
-    /// The concentrations of each chemical on the grid, where [`Options::concentrations`] asked for them.
+    /// The concentrations of each chemical on the grid, where the [`Options`](crate::synth::Options) asked for them.
     pub concentrations: Vec<Vec<f32>>,
 }
 
@@ -70,7 +60,7 @@ pub struct Grown {
     /// What it was grown from.
     pub document: Document,
     /// And how.
-    pub options: Options,
+    pub settings: Settings,
 }
 
 /// Why a document was not grown.

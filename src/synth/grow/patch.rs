@@ -150,7 +150,7 @@ mod tests {
     #[test]
     fn a_patch_holds_as_many_spots_as_were_ordered() {
         let patch = Patch { system: System::MeinhardtSpots, parameters: SPOTS, extent: 24.0, seed: 3 };
-        let (marks, settled) = patch.grow(&Watch::NOBODY).unwrap();
+        let (marks, settled) = patch.grow(&Watch::NONE).unwrap();
         let sample = patch.measure(&marks).unwrap();
         assert!(settled && (sample.extent - 24.0).abs() <= 1.0, "{sample:?}");
     }

@@ -337,11 +337,11 @@ mod tests {
             Row { attributes, ..*row }
         };
         let rows = all.rows().iter().step_by(n).map(spoilt).collect();
-        Training::of_rows(System::MeinhardtSpots, rows).unwrap()
+        Training::from_rows(System::MeinhardtSpots, rows).unwrap()
     }
 
     fn probed_by(training: &Training, when: When) -> Probed {
-        probed(training, System::MeinhardtSpots, &[WANTED], 1.0, when, &Watch::NOBODY).unwrap()[0].clone()
+        probed(training, System::MeinhardtSpots, &[WANTED], 1.0, when, &Watch::NONE).unwrap()[0].clone()
     }
 
     #[test]
@@ -370,7 +370,7 @@ mod tests {
         let ask = |watch: &Watch| {
             probed(&training, System::MeinhardtSpots, &[WANTED, WANTED], 1.0, When::Always, watch)
         };
-        let both = ask(&Watch::NOBODY).unwrap();
+        let both = ask(&Watch::NONE).unwrap();
         assert_eq!(both[0].offset, both[1].offset);
         let stop = Watch { progress: &|_, _| {}, cancelled: &|| true };
         assert!(matches!(ask(&stop), Err(ProbeError::Cancelled(_))));

@@ -64,7 +64,7 @@ pub fn exact_cell(wanted: &Attributes, cell: f64) -> f64 {
 /// The training set cannot be read, or does not take such attributes.
 pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) -> Result<Answer, PlanError> {
     let exact = exact_cell(wanted, cell);
-    let (set, asked) = (training.of(system)?, wanted.scaled(1.0 / exact));
+    let (set, asked) = (training.set(system)?, wanted.scaled(1.0 / exact));
     let answer = set.ask(&asked)?;
     let apart = if is_sparser(&asked, &answer.nearest) { set.ask_apart(&asked, 1.0)? } else { None };
     Ok(on_grid(apart.unwrap_or(answer), cell, exact))
@@ -80,7 +80,7 @@ pub(crate) fn ask_among_sparse(
     cell: f64,
 ) -> Result<Answer, PlanError> {
     let exact = exact_cell(wanted, cell);
-    let apart = training.of(system)?.ask_apart(&wanted.scaled(1.0 / exact), 1.0)?;
+    let apart = training.set(system)?.ask_apart(&wanted.scaled(1.0 / exact), 1.0)?;
     match apart.filter(|answer| answer.pitch >= ALONE) {
         Some(answer) => Ok(on_grid(answer, cell, exact)),
         None => ask(training, system, wanted, cell),
@@ -100,7 +100,7 @@ pub fn ask_placed(
     cell: f64,
 ) -> Result<Answer, PlanError> {
     let exact = exact_cell(wanted, cell);
-    let (set, asked) = (training.of(system)?, wanted.scaled(1.0 / exact));
+    let (set, asked) = (training.set(system)?, wanted.scaled(1.0 / exact));
     let mut answer = match set.ask_apart(&asked, room)? {
         Some(answer) => answer,
         None => set.ask(&asked)?,

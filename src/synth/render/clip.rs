@@ -109,11 +109,10 @@ impl Clip {
         scene: &Scene,
         path: &Path,
         kind: Kind,
-        watch: &Watch,
     ) -> Result<(PreparedFilm, Film), ClipError> {
-        let takes = Takes::of(scene, self.frames(kind)?, watch)?;
+        let takes = Takes::of(scene, self.frames(kind)?)?;
         let film = self.film(&[scene.document], takes.frames());
-        let prepared = written(path, kind, &film, &|show| takes.play(scene, film.size, watch, show))?;
+        let prepared = written(path, kind, &film, &|show| takes.play(scene, film.size, show))?;
         Ok((prepared, film))
     }
 

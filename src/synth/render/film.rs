@@ -14,9 +14,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::document::Document;
 use crate::export::{Stopped, shrink};
 use crate::synth::grow::cascade::grow_seen;
-use crate::synth::grow::layer::{GrowError, Grown, Options};
+use crate::synth::grow::layer::{GrowError, Grown};
+use crate::synth::options::Options;
 use crate::synth::render::painting::{Look, Painting, gradient_of};
-use crate::synth::training::Training;
 use crate::synth::watch::{Stage, Watch};
 
 /// Normalised time from moment to moment: a growth takes 20–100 of it on its coarsest grid, where most of what is seen
@@ -30,12 +30,8 @@ const SMALL: usize = 96;
 pub struct Scene<'a> {
     /// The document.
     pub document: &'a Document,
-    /// Its name in messages.
-    pub source: &'a str,
-    /// What its parameters are looked up in.
-    pub training: &'a Training,
     /// How it is grown.
-    pub options: Options,
+    pub options: Options<'a>,
 }
 
 /// Why a film ended early.
@@ -141,11 +137,11 @@ impl Takes {
     ///
     /// # Errors
     /// See [`GrowError`].
-    pub fn of(scene: &Scene, frames: usize, watch: &Watch) -> Result<Self, GrowError> {
-        let Scene { document, source, training, options } = *scene;
+    pub fn of(scene: &Scene, frames: usize) -> Result<Self, GrowError> {
+        let Scene { document, options } = *scene;
         let small = fitted(options.size.unwrap_or(document.size), SMALL);
         let (mut clock, mut seen) = (Clock::default(), Seen::default());
-        let grown = grow_seen(document, source, training, options, watch, EVERY, &mut |look| {
+        let grown = grow_seen(document, &options, EVERY, &mut |look| {
             let (moment, again) = clock.tick(look);
             seen.see(moment, again, Painting::growing(document, look, small).rgb());
         })?;
@@ -164,15 +160,16 @@ impl Takes {
     ///
     /// # Errors
     /// [`FilmError`].
-    pub fn play(&self, scene: &Scene, size: [usize; 2], watch: &Watch, show: Show) -> Result<(), FilmError> {
-        let Scene { document, source, training, options } = *scene;
+    pub fn play(&self, scene: &Scene, size: [usize; 2], show: Show) -> Result<(), FilmError> {
+        let Scene { document, options } = *scene;
+        let watch = options.watch;
         let over = AtomicBool::new(self.frames.is_empty());
         let cancelled = || over.load(Ordering::Relaxed) || (watch.cancelled)();
-        let quiet = Watch { progress: &|_, _| {}, cancelled: &cancelled };
+        let quiet = Options { watch: Watch { progress: &|_, _| {}, cancelled: &cancelled }, ..options };
         let (mut clock, mut shown, mut stopped) = (Clock::default(), 0, None);
         let again = match over.load(Ordering::Relaxed) {
             true => Ok(()),
-            false => grow_seen(document, source, training, options, &quiet, EVERY, &mut |look| {
+            false => grow_seen(document, &quiet, EVERY, &mut |look| {
                 let (moment, _) = clock.tick(look);
                 if self.frames.get(shown) != Some(&moment) || stopped.is_some() {
                     return;

@@ -1,0 +1,54 @@
+//! How to grow a document, beyond what it says itself.
+
+use crate::synth::training::Training;
+use crate::synth::watch::Watch;
+
+/// How to grow a document, beyond what it says itself.
+#[derive(Clone, Copy)]
+pub struct Options<'a> {
+    /// Canvas, px; `None` = the document's. The regions stretch with it, marks keep their size.
+    pub size: Option<[u32; 2]>,
+    /// Whether to correct the pattern; `None` = as the document says.
+    pub refine: Option<bool>,
+    /// Whether to keep the concentrations of all chemicals, which takes 8 or 20 bytes a cell.
+    pub concentrations: bool,
+    /// What messages call the document, such as its path.
+    pub source: &'a str,
+    /// Where parameters are looked up.
+    pub training: &'a Training,
+    /// Progress and cancelling.
+    pub watch: Watch<'a>,
+}
+
+impl Default for Options<'_> {
+    /// As the document says, from the built-in training sets, without progress.
+    fn default() -> Self {
+        Self {
+            size: None,
+            refine: None,
+            concentrations: false,
+            source: "the document",
+            training: Training::built_in(),
+            watch: Watch::NONE,
+        }
+    }
+}
+
+impl Options<'_> {
+    /// Those of the options that decide what grows.
+    #[must_use]
+    pub fn settings(&self) -> Settings {
+        Settings { size: self.size, refine: self.refine, concentrations: self.concentrations }
+    }
+}
+
+/// The [`Options`] that a texture was grown with.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Settings {
+    /// Canvas, px; `None` = the document's.
+    pub size: Option<[u32; 2]>,
+    /// Whether the pattern was corrected; `None` = as the document says.
+    pub refine: Option<bool>,
+    /// Whether the concentrations of all chemicals were kept.
+    pub concentrations: bool,
+}
