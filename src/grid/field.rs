@@ -1,35 +1,7 @@
 //! Numbers on a grid: a concentration, a pattern, a picture's lightness.
 
-use serde::{Deserialize, Serialize};
-
-/// What lies beyond the border of the canvas.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Edges {
-    /// Nothing flows across the border (Neumann); a mirror for whoever must look beyond it.
-    #[default]
-    Closed,
-    /// The right border meets the left one and the lower one the upper: a seamless tile.
-    Wrap,
-}
-
-impl Edges {
-    /// The index in `0..n` that stands for index `i`, which may lie outside, on a row of `n` values.
-    ///
-    /// `Closed` mirrors about the border itself (−1 → 0, −2 → 1), `Wrap` goes round.
-    #[must_use]
-    pub fn index(self, i: isize, n: usize) -> usize {
-        let n = n as isize;
-        let i = match self {
-            Self::Wrap => i.rem_euclid(n),
-            Self::Closed => {
-                let folded = i.rem_euclid(2 * n);
-                folded.min(2 * n - 1 - folded)
-            }
-        };
-        i as usize
-    }
-}
+use super::cells::Grid;
+use super::edges::Edges;
 
 /// Values on a `width` × `height` grid of cells that covers the canvas exactly.
 ///
@@ -71,6 +43,19 @@ impl Field {
         Self { width, height, cell, edges, values }
     }
 
+    /// A field with these values, one a cell of `grid`.
+    #[must_use]
+    pub fn on(grid: &Grid, values: Vec<f32>) -> Self {
+        let [width, height] = grid.size;
+        Self { width, height, cell: grid.cell, edges: grid.edges, values }
+    }
+
+    /// The cells that it has values of.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        Grid { size: [self.width, self.height], cell: self.cell, edges: self.edges }
+    }
+
     /// Width and height of the canvas it covers, px.
     #[must_use]
     pub fn extent(&self) -> [f64; 2] {
@@ -103,12 +88,5 @@ mod tests {
         }
         assert_eq!([-0.1, f32::NAN, 0.5, 1.1].map(to_u16), [0, 0, 32768, 65535]);
         assert_eq!([0.49, 0.51].map(|part| to_u16((7.0 + part) / 65535.0)), [7, 8]);
-    }
-
-    #[test]
-    fn closed_edges_mirror_and_wrapped_edges_go_round() {
-        let seen = |edges: Edges| (-3..6).map(|i| edges.index(i, 3)).collect::<Vec<_>>();
-        assert_eq!(seen(Edges::Closed), [2, 1, 0, 0, 1, 2, 2, 1, 0]);
-        assert_eq!(seen(Edges::Wrap), [0, 1, 2, 0, 1, 2, 0, 1, 2]);
     }
 }

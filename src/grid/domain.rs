@@ -1,0 +1,60 @@
+//! What a pattern grows on: the questions that a flat grid answers, and that a triangle surface can answer as well.
+//!
+//! A flat [`Grid`](super::Grid) implements [`Domain`] for lengths in cells. A surface would implement it with points
+//! of its triangles as places, vertices as cells, the square root of the mean cell area as its unit of length, and
+//! tangent planes as frames. Callers are generic or use the grid itself: there are no virtual calls, and the solvers'
+//! inner loops do not go through this trait at all.
+
+use std::ops::Range;
+
+/// Cells with places, areas, neighbours and a frame for directions. Lengths are in units of a mean cell's side.
+///
+/// Every cell has a frame of two axes at right angles, in which directions (degrees from the first axis towards the
+/// second) and ways ([along the first, along the second]) are given.
+pub trait Domain: Sync {
+    /// A point of the domain.
+    type Place: Copy + Send + Sync;
+
+    /// Number of cells.
+    fn cells(&self) -> usize;
+
+    /// The centre of a cell, which is below [`Self::cells`].
+    fn center(&self, cell: usize) -> Self::Place;
+
+    /// The cell that a place lies in, or the nearest one.
+    fn cell_at(&self, place: Self::Place) -> usize;
+
+    /// Area of a cell, as a share of the mean cell's.
+    fn area(&self, cell: usize) -> f64;
+
+    /// The shortest way from one place to another, in the frame of the first.
+    fn way(&self, from: Self::Place, to: Self::Place) -> [f64; 2];
+
+    /// Degrees to add to a direction in the frame of cell `from` to give the same direction in the frame of cell `to`.
+    fn turn(&self, from: usize, to: usize) -> f64;
+
+    /// The cells that share a side or a corner with a cell.
+    fn neighbours(&self, cell: usize) -> impl Iterator<Item = usize>;
+
+    /// Cells of the range `among` whose centres lie within `reach` of a place, with the way to each centre in the frame
+    /// of the place. Some that lie farther away may be among them; a cell that is seen several times across the
+    /// border is given each time.
+    fn near(
+        &self,
+        place: Self::Place,
+        reach: f64,
+        among: Range<usize>,
+    ) -> impl Iterator<Item = (usize, [f64; 2])>;
+
+    /// The cells that are `set`, and those whose centres lie within `reach(cell)` of the centre of a set one.
+    fn dilated(&self, set: &[bool], reach: impl Fn(usize) -> f64) -> Vec<bool> {
+        let mut dilated = set.to_vec();
+        for cell in (0..set.len()).filter(|cell| set[*cell]) {
+            let reach = reach(cell);
+            for (other, [x, y]) in self.near(self.center(cell), reach, 0..self.cells()) {
+                dilated[other] |= x * x + y * y <= reach * reach;
+            }
+        }
+        dilated
+    }
+}
