@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 mod layers;
 
 use super::shape;
-use crate::app::layer_choices::tidy;
+use crate::document::layer_rules::tidy;
 use crate::document::{After, Document, Kind, Layer, Stroke};
 use crate::editor::history::{History, Moment};
 use crate::editor::selection::{Place, Selection};

@@ -1,7 +1,8 @@
 //! Arguments → checked values; clap puts the argument's name and text before each message.
 
 use crate::attributes::Stripes;
-use crate::document::{Options, SystemChoice, limits};
+use crate::document::layer_rules::{Beneath, Combination};
+use crate::document::{Layer, Options, SystemChoice, limits};
 use crate::export::outline::Ends;
 use crate::marks::axial;
 
@@ -49,10 +50,11 @@ pub(super) fn duty(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| format!("allowed: {}", limits::DUTY))
 }
 
-/// The problem that stripes of `system` are to have this duty; `None` where it can.
-pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<&'static str> {
-    let only = system == SystemChoice::MeinhardtStripes && duty != Options::DUTY;
-    only.then_some("0.5, the only duty of meinhardt-stripes; thinner ones are grown by meinhardt-lines")
+/// Why stripes of `system` cannot have this duty, and which they can; `None` where they can.
+pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<String> {
+    let layer = Layer { system, options: Options { duty, ..Options::default() }, ..Layer::default() };
+    let problem = Combination::new(&layer, None, Beneath::Unknown).problem_on_reading("");
+    problem.map(|problem| problem.allowed)
 }
 
 /// What is asked of stripes that `system` grows.

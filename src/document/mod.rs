@@ -36,7 +36,7 @@
 //! | `"drawn"` | as much as the marks of each region; those of fewer than six marks are even |
 //! | a number, 0–0.6 | the coefficient of variation of the area; shapes, directions and distances are even |
 //! | `{"area": 0–0.6, "angle": 0–45, "aspect": 0–0.2, "spacing": 0–0.2}` | each by itself; what is left out is even |
-
+//!
 //! `options.duty` of a layer of stripes, 0.2–0.5, says which share of the way from one stripe to the next each covers:
 //! they are as wide as drawn, and width ÷ duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as
 //! their gaps; below it `meinhardt-lines`, thin stripes on wide ground. `meinhardt-stripes` takes no other duty.
@@ -68,9 +68,11 @@ mod colours;
 pub mod embedded;
 mod error;
 mod file;
+pub mod layer_rules;
 pub mod limits;
 mod migrate;
 mod node;
+mod option_key;
 pub mod palette;
 mod reader;
 mod strokes;
@@ -83,6 +85,7 @@ pub use choices::{After, Kind, SystemChoice};
 pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_picture, in_stream, open};
 pub use error::{DocumentError, Problem};
+pub use option_key::OptionKey;
 
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line};
@@ -229,6 +232,11 @@ pub struct Options {
     pub keep: Option<bool>,
     /// What its stripes begin from.
     pub seeding: Seeding,
+}
+
+impl Options {
+    /// Width of the stripes ÷ their period where nothing else is said.
+    pub const DUTY: f64 = 0.5;
 }
 
 impl Default for Options {

@@ -2,12 +2,14 @@
 
 use crate::attributes::Spread;
 use crate::document::choices::SEEDINGS;
+use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::limits;
 use crate::document::limits::Range;
 use crate::document::node::Node;
 use crate::document::strokes;
 use crate::document::{
-    After, Colours, Document, Growth, Kind, Layer, Options, Problem, SpreadChoice, Stop, SystemChoice,
+    After, Colours, Document, Growth, Layer, OptionKey, Options, Problem, SpreadChoice, Stop, Stroke,
+    SystemChoice,
 };
 use crate::grid::Edges;
 
@@ -64,52 +66,33 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
     let default = Layer::default();
     let system = node.get("system").map_or(Ok(default.system), |node| node.choice(&SystemChoice::NAMES))?;
     let strokes = strokes::strokes(&node.need("strokes", "a list of strokes")?, size)?;
-    let kind = strokes.iter().find_map(crate::document::Stroke::kind);
-    if let Some(kind) = kind {
-        let place = format!("{}.system", node.place());
-        system.mismatch(&place, kind).map_or(Ok(()), Err)?;
-    }
-    let after = node.get("after").map_or(Ok(default.after), |node| node.choice(&After::NAMES))?;
-    Ok(Layer {
+    let marks = strokes.iter().find_map(Stroke::kind);
+    let layer = Layer {
         name: name(node)?.unwrap_or_else(|| format!("layer {}", index + 1)),
         system,
-        after,
+        after: node.get("after").map_or(Ok(default.after), |node| node.choice(&After::NAMES))?,
         visible: node.get("visible").map_or(Ok(default.visible), |node| node.flag())?,
         seed: seed(node)?,
         strokes,
-        options: node
-            .get("options")
-            .map_or(Ok(default.options), |node| options(&node, system, kind, after))?,
+        options: node.get("options").map_or(Ok(default.options), |node| options(&node))?,
         colours: node.get("colours").map(|node| colours(&node)).transpose()?,
-    })
+    };
+    let combination = Combination::new(&layer, marks, Beneath::Unknown);
+    combination.problem_on_reading(&node.place()).map_or(Ok(layer), Err)
 }
 
-fn options(node: &Node, system: SystemChoice, kind: Option<Kind>, after: After) -> Result<Options, Problem> {
-    if let Some(problem) =
-        node.get("spread").and_then(|node| SpreadChoice::mismatch(&node.place(), system.grows().or(kind)))
-    {
-        return Err(problem);
-    }
-    let keys = [system.option_keys(), after.option_keys()].concat();
-    node.keys(&keys)?;
+fn options(node: &Node) -> Result<Options, Problem> {
+    node.keys(&OptionKey::ALL.map(OptionKey::name))?;
     let default = Options::default();
-    let options = Options {
+    let number = |key, default, range| node.get(key).map_or(Ok(default), |node| node.number(range));
+    Ok(Options {
         spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))?,
-        broken: node.get("broken").map_or(Ok(default.broken), |node| node.number(&limits::BROKEN))?,
-        duty: node.get("duty").map_or(Ok(default.duty), |node| node.number(&limits::DUTY))?,
-        irregular: node
-            .get("irregular")
-            .map_or(Ok(default.irregular), |node| node.number(&limits::IRREGULAR))?,
+        broken: number("broken", default.broken, &limits::BROKEN)?,
+        duty: number("duty", default.duty, &limits::DUTY)?,
+        irregular: number("irregular", default.irregular, &limits::IRREGULAR)?,
         seeding: node.get("seeding").map_or(Ok(default.seeding), |node| node.choice(&SEEDINGS))?,
         keep: node.get("keep").map(|node| node.flag()).transpose()?,
-    };
-    if options.irregular > 0.0 && after == After::Inside {
-        let place = format!("{}.irregular", node.place());
-        let allowed = "0: a spot inside another begins and stays as an ellipse";
-        return Err(Problem::new(place, format!("{} of a layer \"inside\"", options.irregular), allowed));
-    }
-    let problem = options.mismatch(&node.place(), system, kind);
-    problem.or_else(|| options.placed(&node.place(), after)).map_or(Ok(options), Err)
+    })
 }
 
 /// `"drawn"`, the variation of the area, or an object.

@@ -1,5 +1,6 @@
 //! What may be drawn: strokes with a shape, and with their middle on the canvas.
 
+use crate::document::layer_rules::mixed_marks;
 use crate::document::limits::{MIN_LENGTH, Range};
 use crate::document::node::Node;
 use crate::document::{Problem, Stroke};
@@ -13,9 +14,7 @@ pub(super) fn strokes(node: &Node, size: [u32; 2]) -> Result<Vec<Stroke>, Proble
         let stroke = stroke(&item, size)?;
         if let Some(kind) = stroke.kind() {
             let first = *first.get_or_insert(kind);
-            if kind != first {
-                return Err(kind.mixed(&item.place(), first));
-            }
+            mixed_marks(kind, first, &item.place()).map_or(Ok(()), Err)?;
         }
         strokes.push(stroke);
     }

@@ -48,10 +48,10 @@ fn what_is_neither_is_refused() {
 fn seeds_that_do_nothing_are_refused() {
     let place = "layers[0].options.seeding";
     let spots = with("/layers/0/options", json!({"seeding": "segments"}));
-    refused(&spots, place, "a seeding of spots", "no such key: only stripes have a seeding");
+    refused(&spots, place, "\"segments\"", "\"noise\". Only stripes have a seeding");
     let thin = lined(json!({"seeding": "initiators", "duty": 0.3}));
-    let allowed = "\"noise\"; the others grow stripes of a duty of 0.5 alone";
-    refused(&thin, place, "\"initiators\" with a duty of 0.3", allowed);
+    let allowed = "\"noise\". Thin stripes begin from noise alone; a duty of 0.5 (50 %) lets you choose";
+    refused(&thin, place, "\"initiators\"", allowed);
     // What a freehand stroke is, is known once it is fitted.
     let mut document = spots;
     document["layers"][0]["strokes"] =
@@ -59,7 +59,10 @@ fn seeds_that_do_nothing_are_refused() {
     let error = dapple::synth::plan::sketch_targets::region_map(&accepted(&document), 0, "a.dapple")
         .unwrap_err()
         .to_string();
-    assert!(error.contains("options.seeding: found a seeding of spots"), "{error}");
+    assert!(
+        error.contains("options.seeding: found \"segments\"; allowed: \"noise\". Only stripes"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -72,13 +75,8 @@ fn where_the_layer_beneath_says_where_marks_grow_none_are_kept() {
         document["layers"][1]["options"] = options;
         document
     };
-    let allowed = "with \"between\" alone: here the marks of the layer beneath say where these grow";
-    refused(
-        &second("inside", json!({"keep": true})),
-        "layers[1].options.keep",
-        "drawn marks that are kept with \"after\": \"inside\"",
-        allowed,
-    );
+    let allowed = "false. The marks of the layer beneath say where these grow";
+    refused(&second("inside", json!({"keep": true})), "layers[1].options.keep", "true", allowed);
     assert!(accepted(&second("between", json!({"keep": true}))).keeps(1));
     assert!(!accepted(&second("inside", json!({}))).keeps(1));
     assert!(!accepted(&second("inside", json!({"keep": false}))).keeps(1));

@@ -67,23 +67,29 @@ fn other_options_are_refused() {
         &options(json!({"speed": 1})),
         "layers[0].options",
         "the unknown key \"speed\"",
-        "spread, keep, duty, irregular, seeding",
+        "spread, irregular, duty, seeding, broken, keep",
     );
-    let mut stripes = options(json!({"speed": 1}));
-    stripes["layers"][0]["system"] = json!("meinhardt-stripes");
-    stripes["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);
-    refused(&stripes, "layers[0].options", "the unknown key \"speed\"", "keep, duty, seeding");
+}
+
+#[test]
+fn an_option_at_its_default_goes_with_any_layer() {
+    let defaults = json!({"spread": "drawn", "irregular": 0, "duty": 0.5, "seeding": "noise", "broken": 0, "keep": false});
+    accepted(&with("/layers/0/options", defaults.clone()));
+    for system in ["auto", "meinhardt-stripes", "meinhardt-lines"] {
+        accepted(&lined(system, defaults.clone()));
+    }
 }
 
 #[test]
 fn stripes_have_no_spread() {
-    let allowed = "no such key: only spots have a spread";
+    let allowed = "\"drawn\". Only spots have a spread";
+    let found = "a spread of area 0.2, angle 0, aspect 0, spacing 0";
     let place = "layers[0].options.spread";
     for system in ["auto", "meinhardt-stripes"] {
         let mut document = with("/layers/0/options", json!({"spread": 0.2}));
         document["layers"][0]["system"] = json!(system);
         document["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);
-        refused(&document, place, "a spread of stripes", allowed);
+        refused(&document, place, found, allowed);
     }
     // What a freehand stroke is, is known once it is fitted.
     let mut document = with("/layers/0/options", json!({"spread": 0.2}));
@@ -91,7 +97,7 @@ fn stripes_have_no_spread() {
     let error = dapple::synth::plan::sketch_targets::region_map(&accepted(&document), 0, "a.dapple")
         .unwrap_err()
         .to_string();
-    assert_eq!(error, format!("a.dapple: {place}: found a spread of stripes; allowed: {allowed}"));
+    assert_eq!(error, format!("a.dapple: {place}: found {found}; allowed: {allowed}"));
 }
 
 /// A layer of a line with these options, grown by `system`.
@@ -120,17 +126,15 @@ fn what_no_duty_is_is_refused() {
     for (value, found) in [(json!(0.19), "0.19"), (json!(0.51), "0.51"), (json!("thin"), "\"thin\"")] {
         refused(&lined("auto", json!({"duty": value})), place, found, "a number from 0.2 to 0.5");
     }
-    let allowed =
-        "0.5, the only duty of this system; for thinner stripes the system \"meinhardt-lines\" or \"auto\"";
-    let found = "0.3 with the system \"meinhardt-stripes\"";
-    refused(&lined("meinhardt-stripes", json!({"duty": 0.3})), place, found, allowed);
+    let allowed = "0.5. Meinhardt's stripes are as wide as their gaps; Meinhardt's lines and automatic grow thinner ones";
+    refused(&lined("meinhardt-stripes", json!({"duty": 0.3})), place, "0.3", allowed);
 }
 
 #[test]
 fn spots_have_no_duty() {
-    let allowed = "no such key: only stripes have a duty; spots stand as far apart as they are drawn";
+    let allowed = "0.5. Only stripes have a duty; spots are as far apart as they are drawn";
     let place = "layers[0].options.duty";
-    refused(&with("/layers/0/options", json!({"duty": 0.3})), place, "a duty of spots", allowed);
+    refused(&with("/layers/0/options", json!({"duty": 0.3})), place, "0.3", allowed);
     // What a freehand stroke is, is known once it is fitted.
     let mut document = with("/layers/0/options", json!({"duty": 0.3}));
     document["layers"][0]["strokes"] =
@@ -138,7 +142,7 @@ fn spots_have_no_duty() {
     let error = dapple::synth::plan::sketch_targets::region_map(&accepted(&document), 0, "a.dapple")
         .unwrap_err()
         .to_string();
-    assert_eq!(error, format!("a.dapple: {place}: found a duty of spots; allowed: {allowed}"));
+    assert_eq!(error, format!("a.dapple: {place}: found 0.3; allowed: {allowed}"));
 }
 
 #[test]
@@ -169,12 +173,10 @@ fn what_cannot_be_irregular_is_refused() {
     }
     let mut round = with("/layers/0/options", json!({"irregular": 0.5}));
     round["layers"][0]["system"] = json!("meinhardt-spots");
-    let allowed = "0, its spots stay ellipses; for irregular ones the system \"turing-spots\" or \"auto\"";
-    refused(&round, place, "0.5 with the system \"meinhardt-spots\"", allowed);
+    let allowed = "0. The spots of Meinhardt's system stay ellipses; Turing's can be irregular";
+    refused(&round, place, "0.5", allowed);
     let mut inside = with("/layers/0/options", json!({"irregular": 0.5}));
     inside["layers"][0]["after"] = json!("inside");
-    let allowed = "0: a spot inside another begins and stays as an ellipse";
-    refused(&inside, place, "0.5 of a layer \"inside\"", allowed);
-    let allowed = "no such key: only spots can be irregular";
-    refused(&lined("auto", json!({"irregular": 0.5})), place, "irregular stripes", allowed);
+    refused(&inside, place, "0.5", "0. A spot inside another one begins and stays as an ellipse");
+    refused(&lined("auto", json!({"irregular": 0.5})), place, "0.5", "0. Only spots can be irregular");
 }

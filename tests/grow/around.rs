@@ -229,7 +229,7 @@ fn what_goes_round_nothing_is_refused() {
     for after in ["around", "net"] {
         let document = json!({"format": "dapple", "version": 1, "size": [90, 90],
             "layers": [{"strokes": line(4.0), "after": after}]});
-        let words = ["layers[0].after", after, "another beneath"];
+        let words = ["layers[0].after", after, "between", "no other beneath"];
         Folder::with(&document).refuses("grow a.dapple -o a.png", 1, &words);
         Folder::with(&document).refuses("check a.dapple", 1, &words);
     }
@@ -240,7 +240,7 @@ fn what_rings_and_webs_are_not_drawn_with_is_refused() {
     let spots = json!(hexagon([60.0, 60.0], 30.0));
     for after in ["around", "net"] {
         let document = layers("wrap", 31.0, &[json!({"strokes": spots, "after": after})]);
-        let words = ["layers[1].strokes", "ellipses", "lines", after];
+        let words = ["layers[1].after", "ellipses", "lines", after];
         Folder::with(&document).refuses("grow a.dapple -o a.png", 1, &words);
         let stripes = json!({"strokes": line(4.0), "after": after, "system": "meinhardt-stripes"});
         let words = ["layers[1].system", "meinhardt-stripes", "auto"];

@@ -4,6 +4,7 @@ use crate::cases;
 use dapple::attributes::Spread;
 use dapple::document::{
     After, Colours, Document, Growth, Kind, Layer, Options, SpreadChoice, Stop, Stroke, SystemChoice,
+    layer_rules,
 };
 use dapple::grid::Edges;
 use dapple::marks::{Ellipse, Line};
@@ -90,23 +91,16 @@ fn colours() -> impl Strategy<Value = Colours> {
 fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     let kinds = prop::sample::select(vec![Kind::Ellipse, Kind::Line]);
     kinds.prop_flat_map(move |kind| {
-        let systems = SystemChoice::NAMES.map(|(_, system)| system);
-        let fitting: Vec<SystemChoice> =
-            systems.into_iter().filter(|system| system.grows().is_none_or(|grown| grown == kind)).collect();
+        let system = prop::sample::select(SystemChoice::NAMES.map(|(_, system)| system).to_vec());
         let after = prop::sample::select(After::NAMES.map(|(_, after)| after).to_vec());
-        let chosen = (prop::sample::select(fitting), after, any::<bool>(), any::<Option<u64>>());
-        // Most options go with one kind alone; what does not go together is refused when the document is checked.
+        let chosen = (system, after, any::<bool>(), any::<Option<u64>>());
         let options = prop_oneof![2 => Just(Options::default()), 3 => options()];
         ("\\PC{0,12}", chosen, strokes(size, kind), options, prop::option::of(colours())).prop_map(
-            |(name, (system, after, visible, seed), strokes, options, colours)| Layer {
-                name,
-                system,
-                after,
-                visible,
-                seed,
-                strokes,
-                options,
-                colours,
+            move |(name, (system, after, visible, seed), strokes, options, colours)| {
+                let mut layer = Layer { name, system, after, visible, seed, strokes, options, colours };
+                // What still does not go together (`after` with the marks) is refused when the document is grown.
+                layer_rules::tidy(&mut layer, Some(kind));
+                layer
             },
         )
     })

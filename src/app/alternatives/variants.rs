@@ -1,6 +1,7 @@
 //! Other documents that fit the same sketch.
 
 use crate::attributes::Spread;
+use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{Document, Kind, SpreadChoice, Stroke, SystemChoice, limits};
 use crate::rd::System;
 use crate::synth::Grown;
@@ -62,7 +63,6 @@ fn is_spotted(document: &Document, layer: usize) -> bool {
 
 /// The other of the two systems that grow spots.
 fn other_system(document: &Document, grown: &Grown, layer: usize) -> Option<Variant> {
-    let of = document.layers.get(layer)?;
     let (system, name, help) = match grown.layers.get(layer)?.plan.system {
         System::TuringSpots => (
             SystemChoice::MeinhardtSpots,
@@ -76,10 +76,10 @@ fn other_system(document: &Document, grown: &Grown, layer: usize) -> Option<Vari
         ),
         System::MeinhardtStripes | System::MeinhardtLines => return None,
     };
-    let place = "layers";
-    let fits = of.options.mismatch(place, system, Some(Kind::Ellipse)).is_none();
     let mut other = document.clone();
-    other.layers[layer].system = system;
+    other.layers.get_mut(layer)?.system = system;
+    let combination = Combination::new(&other.layers[layer], Some(Kind::Ellipse), Beneath::Unknown);
+    let fits = combination.broken_rule().is_none();
     fits.then(|| Variant::new(name, help, other))
 }
 

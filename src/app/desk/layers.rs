@@ -1,9 +1,9 @@
 //! Layers on the desk: which is at hand, which are frozen, and all that is done to a whole one.
 
 use super::Desk;
-use crate::app::layer_choices::tidy;
 use crate::app::shape;
-use crate::document::{After, Kind, Layer, limits};
+use crate::document::layer_rules::{Beneath, Combination, tidy};
+use crate::document::{Kind, Layer, limits};
 use crate::editor::selection::{Place, Selection};
 use crate::marks::Mark;
 
@@ -160,19 +160,14 @@ impl Desk {
     /// Does a layer take marks of `kind`? What it holds, its system and how it meets those beneath say so.
     pub(super) fn takes(&self, layer: usize, kind: Kind) -> bool {
         let Some(of) = self.document.layers.get(layer).filter(|_| layer >= self.frozen) else { return false };
-        let met = match of.after {
-            After::Between => None,
-            After::Around | After::Net => Some(Kind::Line),
-            After::Inside => Some(Kind::Ellipse),
-        };
-        [of.system.grows(), met, self.kind(layer)].into_iter().flatten().all(|held| held == kind)
+        Combination::new(of, self.kind(layer), Beneath::Unknown).takes(kind)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Document, SystemChoice};
+    use crate::document::{After, Document, SystemChoice};
     use crate::marks::{Ellipse, Line};
 
     fn spot(x: f64) -> Mark {

@@ -8,11 +8,11 @@ use super::meets;
 use crate::app::Window;
 use crate::app::desk::Desk;
 use crate::app::icons::Icon;
-use crate::app::layer_choices::{Choice, after_refusal, system_refusal};
+use crate::app::layer_choices::{after_refusal, has_option, option_refusal, system_refusal};
 use crate::attributes::Spread;
 use crate::document::limits;
 use crate::document::limits::Range;
-use crate::document::{After, Layer, Options, Seeding, SpreadChoice, SystemChoice};
+use crate::document::{After, Layer, OptionKey, Options, Seeding, SpreadChoice, SystemChoice};
 
 /// The share of the window's height that the details take before they scroll.
 const SHARE: f32 = 0.32;
@@ -53,8 +53,8 @@ pub fn details(ui: &mut Ui, window: &mut Window) {
         ui.horizontal(|ui| system(ui, desk, &layer));
         Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
             let kind = desk.kind(desk.layer);
-            for choice in Choice::ALL {
-                if choice.is_of(&layer, kind) {
+            for choice in OptionKey::ALL {
+                if has_option(&layer, kind, choice) {
                     option(ui, desk, &layer, choice);
                 }
             }
@@ -153,9 +153,9 @@ fn reset(ui: &mut Ui, name: &str, default: bool) -> bool {
     button.on_hover_text(format!("{name}: back to its default")).clicked()
 }
 
-fn option(ui: &mut Ui, desk: &mut Desk, layer: &Layer, choice: Choice) {
+fn option(ui: &mut Ui, desk: &mut Desk, layer: &Layer, choice: OptionKey) {
     let (name, help) = described(choice);
-    let refused = choice.refusal(layer);
+    let refused = option_refusal(layer, desk.kind(desk.layer), choice);
     let enabled = refused.is_none();
     let label = ui.add_enabled(enabled, Label::new(name)).on_hover_text(help);
     label.on_disabled_hover_text(refused.unwrap_or_default());
@@ -166,7 +166,7 @@ fn option(ui: &mut Ui, desk: &mut Desk, layer: &Layer, choice: Choice) {
         choice.reset(&mut options);
     }
     ui.end_row();
-    if choice == Choice::Spread {
+    if choice == OptionKey::Spread {
         own_spread(ui, &mut options);
     }
     if options != layer.options {
@@ -175,33 +175,33 @@ fn option(ui: &mut Ui, desk: &mut Desk, layer: &Layer, choice: Choice) {
 }
 
 /// What people read of an option, and what it means.
-fn described(choice: Choice) -> (&'static str, &'static str) {
+fn described(choice: OptionKey) -> (&'static str, &'static str) {
     match choice {
-        Choice::Spread => (
+        OptionKey::Spread => (
             "Variation",
             "How much the spots differ from each other: as the drawn ones do (where a region holds at least six), \
              not at all, or by numbers of your own",
         ),
-        Choice::Irregular => (
+        OptionKey::Irregular => (
             "Irregular",
             "How irregular the shapes are: 0 % grows ellipses, 100 % beans, bars and drops. Turing's system alone does \
              that",
         ),
-        Choice::Keep => (
+        OptionKey::Keep => (
             "Keep marks",
             "Whether the drawn marks themselves are among those that grow. By default they are where there is one region",
         ),
-        Choice::Duty => (
+        OptionKey::Duty => (
             "Share",
             "Which share of the way from one stripe to the next each covers, 20 to 50 %: at 50 % stripes are as wide as \
              their gaps, below it they are lines on wide ground",
         ),
-        Choice::Seeding => (
+        OptionKey::Seeding => (
             "Begins from",
             "Noise: stripes follow the drawn directions closely. Segments: short lines of that direction, which grow \
              into forked and wavy stripes. Drawn lines: stripes radiate from them",
         ),
-        Choice::Broken => {
+        OptionKey::Broken => {
             ("Broken", "The share of each ring that is open, 0 to 60 %, in two to five gaps, as on a leopard")
         }
     }
@@ -224,13 +224,13 @@ fn share(ui: &mut Ui, name: &str, value: &mut f64, range: &Range) -> egui::Respo
     field
 }
 
-fn control(ui: &mut Ui, desk: &Desk, choice: Choice, options: &mut Options) -> egui::Response {
+fn control(ui: &mut Ui, desk: &Desk, choice: OptionKey, options: &mut Options) -> egui::Response {
     let (name, _) = described(choice);
     match choice {
-        Choice::Irregular => share(ui, name, &mut options.irregular, &limits::IRREGULAR),
-        Choice::Duty => share(ui, name, &mut options.duty, &limits::DUTY),
-        Choice::Broken => share(ui, name, &mut options.broken, &limits::BROKEN),
-        Choice::Keep => {
+        OptionKey::Irregular => share(ui, name, &mut options.irregular, &limits::IRREGULAR),
+        OptionKey::Duty => share(ui, name, &mut options.duty, &limits::DUTY),
+        OptionKey::Broken => share(ui, name, &mut options.broken, &limits::BROKEN),
+        OptionKey::Keep => {
             let mut keep = desk.document().keeps(desk.layer);
             let field = ui.checkbox(&mut keep, "as drawn").accessible_name(name);
             if field.changed() {
@@ -238,8 +238,8 @@ fn control(ui: &mut Ui, desk: &Desk, choice: Choice, options: &mut Options) -> e
             }
             field
         }
-        Choice::Seeding => seeding(ui, &mut options.seeding),
-        Choice::Spread => spread(ui, &mut options.spread),
+        OptionKey::Seeding => seeding(ui, &mut options.seeding),
+        OptionKey::Spread => spread(ui, &mut options.spread),
     }
 }
 

@@ -2,16 +2,16 @@
 
 use crate::attributes::Attributes;
 use crate::attributes::regions::RegionMap;
-use crate::document::{After, Document};
+use crate::document::layer_rules::{Beneath, Combination};
+use crate::document::{After, Document, Kind};
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, grow_layer};
 use crate::synth::grow::probe::When;
 use crate::synth::memory;
 use crate::synth::options::{Options, Settings};
-use crate::synth::plan::around;
 use crate::synth::plan::around::{plan_lines, way};
-use crate::synth::plan::inside::{is_replaced, plan_inside, refusal};
+use crate::synth::plan::inside::{is_replaced, plan_inside, too_large};
 use crate::synth::plan::pinned_marks::keep;
 use crate::synth::plan::{Plan, plan};
 use crate::synth::plan::{obstacle_mask, sketch_targets};
@@ -193,20 +193,33 @@ pub fn planned(
     beneath: Option<&Plan>,
 ) -> Result<Plan, GrowError> {
     let layer = &document.layers[index];
-    if let Some(problem) = around::refusal(document, index, map) {
+    let below = match beneath {
+        Some(plan) => Beneath::Grows(grown_kind(&plan.map)),
+        None if index == 0 || layer.after == After::Inside => Beneath::Nothing,
+        None => Beneath::Unknown,
+    };
+    let combination = Combination::new(layer, Some(grown_kind(map)), below);
+    if let Some(problem) = combination.problem(&format!("layers[{index}]")) {
         return Err(problem.in_file(source).into());
     }
     if let Some(way) = way(layer.after) {
         return Ok(plan_lines(way, map.clone())?);
     }
-    if layer.after != After::Inside {
-        let mut plan = plan(training, layer.choice(), map)?;
-        plan.irregular = layer.options.irregular;
-        return Ok(plan);
+    if let Some(beneath) = beneath.filter(|_| layer.after == After::Inside) {
+        return match too_large(index, map, beneath) {
+            Some(problem) => Err(problem.in_file(source).into()),
+            None => Ok(plan_inside(training, map, beneath)?),
+        };
     }
-    if let Some(problem) = refusal(document, index, map, beneath) {
-        return Err(problem.in_file(source).into());
+    let mut plan = plan(training, layer.choice(), map)?;
+    plan.irregular = layer.options.irregular;
+    Ok(plan)
+}
+
+/// The kind of marks that a layer with this map grows.
+fn grown_kind(map: &RegionMap) -> Kind {
+    match map.at([0.0, 0.0]) {
+        Attributes::Spots(_) => Kind::Ellipse,
+        Attributes::Stripes(_) => Kind::Line,
     }
-    let beneath = beneath.expect("refused without one");
-    Ok(plan_inside(training, map, beneath)?)
 }

@@ -5,7 +5,7 @@
 
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots, Stripes};
-use crate::document::{After, Document, Options, Problem, SystemChoice};
+use crate::document::After;
 use crate::grid::Field;
 use crate::learn::{self, Answer, Coverage};
 use crate::rd::System;
@@ -20,37 +20,6 @@ pub fn way(after: After) -> Option<Way> {
         After::Net => Some(Way::Web),
         After::Between | After::Inside => None,
     }
-}
-
-/// Why layer `index`, whose marks make `map`, cannot do what its `after` says; `None` where it can, or says otherwise.
-#[must_use]
-pub fn refusal(document: &Document, index: usize, map: &RegionMap) -> Option<Problem> {
-    let layer = &document.layers[index];
-    let way = way(layer.after)?;
-    let after = layer.after.name();
-    let at = |key: &str| format!("layers[{index}].{key}");
-    if index == 0 {
-        let allowed = "in a layer that has another beneath it, whose marks it goes round";
-        return Some(Problem::new(at("after"), format!("\"{after}\""), allowed));
-    }
-    let spots = map.regions().any(|(_, region)| matches!(region.filled, Attributes::Spots(_)));
-    if spots {
-        let allowed = match way {
-            Way::Rings => "lines, as \"after\" is \"around\": their width is that of the rings",
-            Way::Web => "lines, as \"after\" is \"net\": their width is that of the web",
-        };
-        return Some(Problem::new(at("strokes"), "ellipses", allowed));
-    }
-    if !matches!(layer.system, SystemChoice::Auto | SystemChoice::MeinhardtLines) {
-        let allowed = format!("auto, meinhardt-lines (\"after\" is \"{after}\")");
-        return Some(Problem::new(at("system"), format!("\"{}\"", layer.system.name()), allowed));
-    }
-    if layer.options.duty != Options::DUTY {
-        let allowed =
-            format!("no such key (\"after\" is \"{after}\"): the marks beneath say how far lines are apart");
-        return Some(Problem::new(at("options.duty"), layer.options.duty.to_string(), allowed));
-    }
-    None
 }
 
 /// Plans a layer of lines that are as wide as `map` says.

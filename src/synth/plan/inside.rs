@@ -6,7 +6,7 @@
 
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots};
-use crate::document::{After, Document, Problem, SystemChoice};
+use crate::document::{After, Document, Problem};
 use crate::measure::Spot;
 use crate::rd::{System, adjust_to_walls};
 use crate::synth::grow::refine::Measured;
@@ -19,49 +19,26 @@ pub fn is_replaced(document: &Document, index: usize) -> bool {
     document.layers.get(index + 1).is_some_and(|above| above.after == After::Inside)
 }
 
-/// Why layer `index`, whose marks make `map`, cannot stand inside the layer beneath with its `plan`; `None` where it can.
+/// The problem that the marks of layer `index`, which make `map`, are no smaller than those planned `beneath`; `None`
+/// where they are.
 #[must_use]
-pub fn refusal(
-    document: &Document,
-    index: usize,
-    map: &RegionMap,
-    beneath: Option<&Plan>,
-) -> Option<Problem> {
-    let at = |key: &str| format!("layers[{index}].{key}");
-    let after = |allowed: &str| Some(Problem::new(at("after"), "\"inside\"", allowed));
-    let Some(beneath) = beneath else {
-        return after("in a layer that has another beneath it, whose places it takes");
-    };
-    let met = index.checked_sub(1).map(|below| document.layers[below].after);
-    if index > 1 && matches!(met, Some(After::Around | After::Net)) {
-        return after("above a layer of single spots: rings and webs have no places");
-    }
-    if matches!(beneath.system, System::MeinhardtStripes | System::MeinhardtLines) {
-        return after("above a layer of ellipses: stripes have no places");
-    }
+pub fn too_large(index: usize, map: &RegionMap, beneath: &Plan) -> Option<Problem> {
     let layout = map.layout();
-    for (place, _) in map.regions() {
+    map.regions().find_map(|(place, _)| {
         let center = layout.center(place);
         let (Attributes::Spots(own), Attributes::Spots(there)) = (map.at(center), beneath.map.at(center))
         else {
-            let allowed = "ellipses, as \"after\" is \"inside\": a spot inside each spot beneath";
-            return Some(Problem::new(at("strokes"), "lines", allowed));
+            return None;
         };
-        if own.area >= there.area {
+        (own.area >= there.area).then(|| {
             let found = format!("a mean area of {:.0} px² in region {place:?}", own.area);
             let allowed = format!(
                 "smaller marks than those beneath, of {:.0} px² there, as \"after\" is \"inside\"",
                 there.area
             );
-            return Some(Problem::new(at("strokes"), found, allowed));
-        }
-    }
-    if document.layers[index].system == SystemChoice::TuringSpots {
-        let allowed = "auto, meinhardt-spots (\"after\" is \"inside\"; Turing's spots fill all the space between the \
-                       places, too)";
-        return Some(Problem::new(at("system"), "\"turing-spots\"", allowed));
-    }
-    None
+            Problem::new(format!("layers[{index}].strokes"), found, allowed)
+        })
+    })
 }
 
 /// Plans a layer with the attributes of `map` inside that of `beneath`, whose spacing it takes.

@@ -1,6 +1,7 @@
 //! A layer's strokes → its marks → the region map.
 
 use crate::attributes::regions::RegionMap;
+use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
 use crate::document::{Document, DocumentError, Kind, Options, Problem, SpreadChoice, Stroke, SystemChoice};
 use crate::marks::Mark;
 use crate::sketch::recognise;
@@ -28,22 +29,14 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
             Mark::Ellipse(_) => Kind::Ellipse,
             Mark::Line(_) => Kind::Line,
         };
-        if *first.get_or_insert(kind) != kind {
-            return Err(kind.mixed(&place, first.unwrap_or(kind)).in_file(source));
+        if let Some(problem) = mixed_marks(kind, *first.get_or_insert(kind), &place) {
+            return Err(problem.in_file(source));
         }
         marks.push(mark);
     }
-    if let Some(problem) =
-        first.and_then(|kind| layer.system.mismatch(&format!("layers[{index}].system"), kind))
-    {
-        return Err(problem.in_file(source));
-    }
-    if layer.options.spread != SpreadChoice::Drawn
-        && let Some(problem) = SpreadChoice::mismatch(&format!("layers[{index}].options.spread"), first)
-    {
-        return Err(problem.in_file(source));
-    }
-    match layer.options.mismatch(&format!("layers[{index}].options"), layer.system, first) {
+    // What a freehand stroke is, is known only now.
+    let combination = Combination::new(layer, first, Beneath::Unknown);
+    match combination.problem_on_reading(&format!("layers[{index}]")) {
         Some(problem) => Err(problem.in_file(source)),
         None => Ok(marks),
     }

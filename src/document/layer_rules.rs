@@ -1,0 +1,348 @@
+//! Which marks, `after`, system and options of a layer go together: one table.
+//!
+//! [`RULES`] lists every combination that cannot be grown, with the reason. The reader of documents, `check`, growing,
+//! the window's choices and the random documents of the tests all ask it, and `docs/format.md` shows it.
+//!
+//! Of two things that do not go together, one has to change: `after` follows the marks and the layer beneath, the system
+//! follows the marks and `after`, and the options follow all of these.
+
+mod shown;
+
+use Condition::{Above, Grows, Lowest, Marks, NotTaken};
+use Kind::{Ellipse, Line};
+
+use crate::document::{After, Kind, Layer, OptionKey, Options, Problem, SystemChoice};
+
+/// A combination that cannot be grown.
+#[derive(Debug)]
+pub struct Rule {
+    /// What has to change.
+    pub key: Key,
+    /// What it does not go with.
+    pub condition: Condition,
+    /// Why, as a sentence without its full stop.
+    pub reason: &'static str,
+    /// Whether a document that breaks the rule is refused when it is read. The other rules are left to `check` and
+    /// `grow`, so that the window can open such a document and its user can mend it.
+    pub on_reading: bool,
+}
+
+/// The key of a layer that a rule is about, with the values that it refuses.
+#[derive(Debug)]
+pub enum Key {
+    /// `after` with one of these values.
+    After(&'static [After]),
+    /// `system` with one that grows this kind of marks.
+    SystemGrowing(Kind),
+    /// `system` with any other value than these.
+    SystemBut(&'static [SystemChoice]),
+    /// An option with any other value than [`OptionKey::always_allowed`].
+    Option(OptionKey),
+}
+
+/// What a key does not go with.
+#[derive(Debug)]
+pub enum Condition {
+    /// The layer is the lowest.
+    Lowest,
+    /// The layer beneath grows this kind of marks.
+    Above(Kind),
+    /// The layer's own marks are of this kind.
+    Marks(Kind),
+    /// The layer grows this kind of marks.
+    Grows(Kind),
+    /// `after` has one of these values.
+    After(&'static [After]),
+    /// `system` has this value.
+    System(SystemChoice),
+    /// The system does not take this option.
+    NotTaken(OptionKey),
+    /// This option has another value than [`OptionKey::always_allowed`].
+    Option(OptionKey),
+}
+
+/// What lies beneath a layer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beneath {
+    /// Not known here: rules about it are passed over.
+    Unknown,
+    /// Nothing: the layer is the lowest.
+    Nothing,
+    /// A layer that grows this kind of marks; rings and webs are lines.
+    Grows(Kind),
+}
+
+/// What the rules have to know of one layer.
+#[derive(Clone, Copy, Debug)]
+pub struct Combination {
+    /// The kind of its marks; `None` = it has none, or only freehand strokes that have not been fitted yet.
+    pub marks: Option<Kind>,
+    /// What lies beneath it.
+    pub beneath: Beneath,
+    /// How it meets the marks beneath.
+    pub after: After,
+    /// The system that is asked for.
+    pub system: SystemChoice,
+    /// Its options.
+    pub options: Options,
+}
+
+/// A rule that is checked when a document is read.
+const fn read(key: Key, condition: Condition, reason: &'static str) -> Rule {
+    Rule { key, condition, reason, on_reading: true }
+}
+
+/// A rule that is checked when a document is checked or grown.
+const fn grown(key: Key, condition: Condition, reason: &'static str) -> Rule {
+    Rule { key, condition, reason, on_reading: false }
+}
+
+const AROUND: &[After] = &[After::Around, After::Net];
+const INSIDE: &[After] = &[After::Inside];
+const PLACED: &[After] = &[After::Around, After::Net, After::Inside];
+
+/// Of an option that a system does not list among those it takes.
+const NOT_TAKEN: &str = "This system does not take this option";
+
+/// All rules, in the order in which they are checked.
+pub static RULES: [Rule; 26] = [
+    grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
+    grown(
+        Key::After(AROUND),
+        Marks(Ellipse),
+        "Rings and webs are drawn as lines, whose width is that of the rings or the web; this layer holds ellipses",
+    ),
+    grown(
+        Key::After(INSIDE),
+        Marks(Line),
+        "A spot grows inside each spot beneath, so it is drawn as an ellipse; this layer holds lines",
+    ),
+    grown(
+        Key::After(INSIDE),
+        Above(Line),
+        "A spot grows inside each spot beneath; the layer beneath grows stripes, rings or a web",
+    ),
+    read(Key::SystemGrowing(Line), Marks(Ellipse), "This system grows stripes; this layer holds ellipses"),
+    read(Key::SystemGrowing(Ellipse), Marks(Line), "This system grows spots; this layer holds lines"),
+    grown(
+        Key::SystemBut(&[SystemChoice::Auto, SystemChoice::MeinhardtLines]),
+        Condition::After(AROUND),
+        "Rings and webs are grown by Meinhardt's lines",
+    ),
+    grown(
+        Key::SystemBut(&[SystemChoice::Auto, SystemChoice::MeinhardtSpots]),
+        Condition::After(INSIDE),
+        "Only Meinhardt's spots stay at given places; other systems fill the space between the places, too",
+    ),
+    read(Key::Option(OptionKey::Spread), Grows(Line), "Only spots have a spread"),
+    read(Key::Option(OptionKey::Spread), NotTaken(OptionKey::Spread), NOT_TAKEN),
+    read(Key::Option(OptionKey::Irregular), Grows(Line), "Only spots can be irregular"),
+    read(Key::Option(OptionKey::Irregular), NotTaken(OptionKey::Irregular), NOT_TAKEN),
+    read(
+        Key::Option(OptionKey::Irregular),
+        Condition::After(INSIDE),
+        "A spot inside another one begins and stays as an ellipse",
+    ),
+    read(
+        Key::Option(OptionKey::Irregular),
+        Condition::System(SystemChoice::MeinhardtSpots),
+        "The spots of Meinhardt's system stay ellipses; Turing's can be irregular",
+    ),
+    read(Key::Option(OptionKey::Seeding), Grows(Ellipse), "Only stripes have a seeding"),
+    read(
+        Key::Option(OptionKey::Seeding),
+        Condition::After(PLACED),
+        "The marks of the layer beneath say where these grow",
+    ),
+    read(
+        Key::Option(OptionKey::Seeding),
+        NotTaken(OptionKey::Seeding),
+        "This system begins from noise alone",
+    ),
+    read(
+        Key::Option(OptionKey::Seeding),
+        Condition::Option(OptionKey::Duty),
+        "Thin stripes begin from noise alone; a duty of 0.5 (50 %) lets you choose",
+    ),
+    read(
+        Key::Option(OptionKey::Duty),
+        Grows(Ellipse),
+        "Only stripes have a duty; spots are as far apart as they are drawn",
+    ),
+    read(Key::Option(OptionKey::Duty), NotTaken(OptionKey::Duty), NOT_TAKEN),
+    grown(
+        Key::Option(OptionKey::Duty),
+        Condition::After(AROUND),
+        "The marks of the layer beneath say how far apart rings and webs are",
+    ),
+    read(
+        Key::Option(OptionKey::Duty),
+        Condition::System(SystemChoice::MeinhardtStripes),
+        "Meinhardt's stripes are as wide as their gaps; Meinhardt's lines and automatic grow thinner ones",
+    ),
+    read(
+        Key::Option(OptionKey::Duty),
+        Condition::Option(OptionKey::Seeding),
+        "Stripes that do not begin from noise are as wide as their gaps",
+    ),
+    read(
+        Key::Option(OptionKey::Broken),
+        Condition::After(&[After::Between, After::Net, After::Inside]),
+        "Only rings can be broken",
+    ),
+    read(
+        Key::Option(OptionKey::Keep),
+        Condition::After(PLACED),
+        "The marks of the layer beneath say where these grow",
+    ),
+    read(Key::Option(OptionKey::Keep), NotTaken(OptionKey::Keep), NOT_TAKEN),
+];
+
+impl Combination {
+    /// What `layer` says, whose marks are of the kind `marks`.
+    #[must_use]
+    pub fn new(layer: &Layer, marks: Option<Kind>, beneath: Beneath) -> Self {
+        Self { marks, beneath, after: layer.after, system: layer.system, options: layer.options }
+    }
+
+    /// What the layer grows: its system says so, or `after`, or its marks.
+    #[must_use]
+    pub fn grows(&self) -> Option<Kind> {
+        self.system.grows().or(self.after.grows()).or(self.marks)
+    }
+
+    /// The first rule that the layer breaks.
+    #[must_use]
+    pub fn broken_rule(&self) -> Option<&'static Rule> {
+        RULES.iter().find(|rule| rule.refuses(self))
+    }
+
+    /// The rule that keeps the layer from this `after`.
+    #[must_use]
+    pub fn against_after(&self, after: After) -> Option<&'static Rule> {
+        let with = Self { after, ..*self };
+        RULES.iter().find(|rule| matches!(rule.key, Key::After(_)) && rule.refuses(&with))
+    }
+
+    /// The rule that keeps the layer from this system.
+    #[must_use]
+    pub fn against_system(&self, system: SystemChoice) -> Option<&'static Rule> {
+        let with = Self { system, ..*self };
+        let about_systems = |rule: &Rule| matches!(rule.key, Key::SystemGrowing(_) | Key::SystemBut(_));
+        RULES.iter().find(|rule| about_systems(rule) && rule.refuses(&with))
+    }
+
+    /// The rule that keeps the layer from setting this option.
+    #[must_use]
+    pub fn against_option(&self, option: OptionKey) -> Option<&'static Rule> {
+        let about = |rule: &Rule| matches!(rule.key, Key::Option(key) if key == option);
+        RULES.iter().find(|rule| about(rule) && rule.condition.holds(self))
+    }
+
+    /// Whether the layer could hold marks of `kind`, as far as its system and its `after` say.
+    #[must_use]
+    pub fn takes(&self, kind: Kind) -> bool {
+        let with = Self { marks: Some(kind), ..*self };
+        let about_marks = |rule: &&Rule| matches!(rule.condition, Marks(_));
+        self.marks.is_none_or(|held| held == kind)
+            && !RULES.iter().filter(about_marks).any(|rule| rule.refuses(&with))
+    }
+
+    /// The problem that a document has whose layer at `place` (such as `layers[0]`) breaks a rule that is checked on
+    /// reading.
+    #[must_use]
+    pub fn problem_on_reading(&self, place: &str) -> Option<Problem> {
+        let rule = RULES.iter().find(|rule| rule.on_reading && rule.refuses(self))?;
+        Some(rule.problem(self, place))
+    }
+
+    /// The problem that a document has whose layer at `place` (such as `layers[0]`) breaks any rule.
+    #[must_use]
+    pub fn problem(&self, place: &str) -> Option<Problem> {
+        Some(self.broken_rule()?.problem(self, place))
+    }
+}
+
+impl Rule {
+    /// Whether a layer breaks it.
+    fn refuses(&self, layer: &Combination) -> bool {
+        let has_value = match &self.key {
+            Key::After(refused) => refused.contains(&layer.after),
+            Key::SystemGrowing(kind) => layer.system.grows() == Some(*kind),
+            Key::SystemBut(allowed) => !allowed.contains(&layer.system),
+            Key::Option(option) => option.is_set(&layer.options),
+        };
+        has_value && self.condition.holds(layer)
+    }
+
+    /// What is wrong with a layer that breaks it.
+    fn problem(&self, layer: &Combination, place: &str) -> Problem {
+        let (key, found, allowed) = match &self.key {
+            Key::After(_) => {
+                let allowed = After::NAMES.iter().filter(|(_, after)| layer.against_after(*after).is_none());
+                ("after".to_owned(), format!("\"{}\"", layer.after.name()), listed(allowed))
+            }
+            Key::SystemGrowing(_) | Key::SystemBut(_) => {
+                let allowed =
+                    SystemChoice::NAMES.iter().filter(|(_, system)| layer.against_system(*system).is_none());
+                ("system".to_owned(), format!("\"{}\"", layer.system.name()), listed(allowed))
+            }
+            Key::Option(option) => (
+                format!("options.{}", option.name()),
+                option.value(&layer.options),
+                option.always_allowed().to_owned(),
+            ),
+        };
+        Problem::new(format!("{place}.{key}"), found, format!("{allowed}. {}", self.reason))
+    }
+}
+
+fn listed<'a, T: 'a>(names: impl Iterator<Item = &'a (&'static str, T)>) -> String {
+    names.map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
+}
+
+impl Condition {
+    fn holds(&self, layer: &Combination) -> bool {
+        match self {
+            Self::Lowest => layer.beneath == Beneath::Nothing,
+            Self::Above(kind) => layer.beneath == Beneath::Grows(*kind),
+            Self::Marks(kind) => layer.marks == Some(*kind),
+            Self::Grows(kind) => layer.grows() == Some(*kind),
+            Self::After(after) => after.contains(&layer.after),
+            Self::System(system) => layer.system == *system,
+            Self::NotTaken(option) => !layer.system.option_keys().contains(&option.name()),
+            Self::Option(other) => other.is_set(&layer.options),
+        }
+    }
+}
+
+/// The problem that the mark at `place` is of another kind than the `first` of its layer; `None` where it is of the same.
+///
+/// Explicit strokes are checked when a document is read, freehand ones when they are fitted.
+#[must_use]
+pub fn mixed_marks(kind: Kind, first: Kind, place: &str) -> Option<Problem> {
+    let one = |kind| if kind == Ellipse { "an ellipse" } else { "a line" };
+    (kind != first).then(|| {
+        let found = format!("{} in a layer of {}s", one(kind), first.name());
+        let allowed = "(a layer holds ellipses or lines: give the others a layer of their own)";
+        Problem::new(place, found, format!("{} {allowed}", one(first)))
+    })
+}
+
+/// Puts back to its default whatever the rules refuse in `layer`, whose marks are of the kind `marks`: its system, its
+/// options. `after` stays.
+pub fn tidy(layer: &mut Layer, marks: Option<Kind>) {
+    if Combination::new(layer, marks, Beneath::Unknown).against_system(layer.system).is_some() {
+        layer.system = SystemChoice::Auto;
+    }
+    for rule in &RULES {
+        if let Key::Option(option) = rule.key
+            && rule.refuses(&Combination::new(layer, marks, Beneath::Unknown))
+        {
+            option.reset(&mut layer.options);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

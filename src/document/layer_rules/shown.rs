@@ -1,0 +1,50 @@
+//! The rules in words, as `docs/format.md` shows them.
+
+use super::{Condition, Key};
+use crate::document::{After, Kind, SystemChoice};
+use std::fmt;
+
+impl fmt::Display for Key {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::After(refused) => write!(f, "`after` {}", any_of(refused.iter().map(|after| after.name()))),
+            Self::SystemGrowing(kind) => write!(f, "`system` that grows {}", grown(*kind)),
+            Self::SystemBut(allowed) => {
+                write!(f, "`system` other than {}", any_of(allowed.iter().map(|system| system.name())))
+            }
+            Self::Option(option) => {
+                write!(f, "`options.{}` other than `{}`", option.name(), option.always_allowed())
+            }
+        }
+    }
+}
+
+impl fmt::Display for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Lowest => write!(f, "the lowest layer"),
+            Self::Above(kind) => write!(f, "a layer above {}", grown(*kind)),
+            Self::Marks(kind) => write!(f, "a layer of {}s", kind.name()),
+            Self::Grows(kind) => write!(f, "a layer that grows {}", grown(*kind)),
+            Self::After(after) => {
+                write!(f, "`after` {}", any_of(after.iter().map(|after| After::name(*after))))
+            }
+            Self::System(system) => write!(f, "`system` `\"{}\"`", SystemChoice::name(*system)),
+            Self::NotTaken(option) => write!(f, "a `system` that does not take `{}`", option.name()),
+            Self::Option(option) => {
+                write!(f, "`options.{}` other than `{}`", option.name(), option.always_allowed())
+            }
+        }
+    }
+}
+
+fn grown(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Ellipse => "spots",
+        Kind::Line => "stripes",
+    }
+}
+
+fn any_of<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    names.map(|name| format!("`\"{name}\"`")).collect::<Vec<_>>().join(" or ")
+}

@@ -1,0 +1,133 @@
+use super::*;
+use crate::attributes::Spread;
+use crate::document::{Document, Seeding, SpreadChoice, Stroke};
+use proptest::prelude::*;
+
+fn alone(marks: Option<Kind>) -> Combination {
+    Combination::new(&Layer::default(), marks, Beneath::Nothing)
+}
+
+#[test]
+fn a_system_takes_only_the_marks_it_grows() {
+    assert!(alone(Some(Line)).against_system(SystemChoice::Auto).is_none());
+    assert!(alone(Some(Ellipse)).against_system(SystemChoice::TuringSpots).is_none());
+    let layer = Combination { system: SystemChoice::TuringSpots, ..alone(Some(Line)) };
+    let problem = layer.problem("layers[0]").unwrap();
+    assert_eq!(problem.place, "layers[0].system");
+    assert_eq!(
+        problem.allowed,
+        "auto, meinhardt-stripes, meinhardt-lines. This system grows spots; this layer holds lines"
+    );
+}
+
+#[test]
+fn a_layer_of_either_kind_at_its_defaults_goes_with_any_layer_beneath() {
+    for marks in [None, Some(Ellipse), Some(Line)] {
+        for beneath in [Beneath::Unknown, Beneath::Nothing, Beneath::Grows(Ellipse), Beneath::Grows(Line)] {
+            let layer = Combination { beneath, ..alone(marks) };
+            assert!(layer.broken_rule().is_none(), "{layer:?}");
+        }
+    }
+}
+
+#[test]
+fn every_rule_can_be_broken() {
+    let mut never: Vec<&Rule> = RULES.iter().collect();
+    let options = OptionKey::ALL.map(|option| {
+        let mut options = Options {
+            spread: SpreadChoice::Given(Spread::EVEN),
+            irregular: 0.5,
+            duty: 0.3,
+            seeding: Seeding::Segments,
+            broken: 0.3,
+            keep: Some(true),
+        };
+        for other in OptionKey::ALL.into_iter().filter(|other| *other != option) {
+            other.reset(&mut options);
+        }
+        options
+    });
+    let thin = Options { duty: 0.3, seeding: Seeding::Segments, ..Options::default() };
+    for marks in [None, Some(Ellipse), Some(Line)] {
+        for beneath in [Beneath::Nothing, Beneath::Grows(Line)] {
+            for (_, after) in After::NAMES {
+                for (_, system) in SystemChoice::NAMES {
+                    for options in options.into_iter().chain([thin]) {
+                        let layer = Combination { marks, beneath, after, system, options };
+                        never.retain(|rule| !rule.refuses(&layer));
+                    }
+                }
+            }
+        }
+    }
+    // Options that every system of today takes where it grows marks that can have them.
+    let taken = [OptionKey::Spread, OptionKey::Irregular, OptionKey::Duty, OptionKey::Keep];
+    never.retain(|rule| !matches!(rule.condition, NotTaken(option) if taken.contains(&option)));
+    assert!(never.is_empty(), "{never:?}");
+}
+
+#[test]
+fn a_problem_names_the_value_and_what_is_allowed() {
+    let with = |options| Combination { options, ..alone(Some(Ellipse)) }.problem("layers[2]").unwrap();
+    let problem = with(Options { duty: 0.3, ..Options::default() });
+    assert_eq!([problem.place.as_str(), problem.found.as_str()], ["layers[2].options.duty", "0.3"]);
+    assert!(problem.allowed.starts_with("0.5. Only stripes"), "{problem}");
+    let ring = Combination { after: After::Around, ..alone(Some(Line)) }.problem("layers[0]").unwrap();
+    assert_eq!([ring.place.as_str(), ring.found.as_str()], ["layers[0].after", "\"around\""]);
+    assert!(ring.allowed.starts_with("between. The lowest layer"), "{ring}");
+}
+
+fn any_options() -> impl Strategy<Value = Options> {
+    let given = (0.0..0.6f64, 0.0..45.0f64);
+    let given = given.prop_map(|(area, angle)| SpreadChoice::Given(Spread { area, angle, ..Spread::EVEN }));
+    let spread = prop_oneof![Just(SpreadChoice::Drawn), given];
+    let duty = prop_oneof![Just(0.5), 0.2..0.5f64];
+    let share = || prop_oneof![Just(0.0), 0.0..0.6f64];
+    let seeding = prop::sample::select(vec![Seeding::Noise, Seeding::Segments, Seeding::Initiators]);
+    let keep = prop::option::of(any::<bool>());
+    (spread, duty, share(), share(), keep, seeding).prop_map(
+        |(spread, duty, broken, irregular, keep, seeding)| Options {
+            spread,
+            duty,
+            broken,
+            irregular,
+            keep,
+            seeding,
+        },
+    )
+}
+
+fn stroke(kind: Kind) -> Stroke {
+    use crate::marks;
+    match kind {
+        Ellipse => Stroke::Ellipse(marks::Ellipse { center: [100.0, 100.0], radii: [10.0, 8.0], angle: 0.0 }),
+        Line => Stroke::Line(marks::Line { from: [50.0, 50.0], to: [150.0, 50.0], width: 6.0 }),
+    }
+}
+
+proptest! {
+    #[test]
+    fn a_tidied_layer_breaks_no_rule_and_is_read_as_it_was_written(
+        options in any_options(),
+        system in prop::sample::select(SystemChoice::NAMES.to_vec()),
+        after in prop::sample::select(After::NAMES.to_vec()),
+        ellipse: bool,
+    ) {
+        let kind = if ellipse { Ellipse } else { Line };
+        let (system, after) = (system.1, after.1);
+        // Marks of the other kind are refused, and tidying leaves `after` and the marks alone.
+        prop_assume!(after.grows().is_none_or(|grown| grown == kind));
+        let mut layer = Layer { system, after, options, strokes: vec![stroke(kind)], ..Layer::default() };
+        tidy(&mut layer, Some(kind));
+        let once = layer.clone();
+        tidy(&mut layer, Some(kind));
+        prop_assert_eq!(&layer, &once);
+        let combination = Combination::new(&layer, Some(kind), Beneath::Grows(Ellipse));
+        prop_assert!(combination.broken_rule().is_none(), "{:?}", combination.broken_rule());
+        let beneath = Layer { strokes: vec![stroke(Ellipse)], ..Layer::default() };
+        let named = |name: &str, layer: Layer| Layer { name: name.to_owned(), ..layer };
+        let document = Document { layers: vec![named("a", beneath), named("b", layer)], ..Document::default() };
+        let again = Document::parse(&document.to_json(), "itself");
+        prop_assert_eq!(again.map_err(|error| error.to_string()), Ok(document));
+    }
+}

@@ -1,0 +1,129 @@
+//! The keys of a layer's `options`.
+
+use crate::document::choices::{SEEDINGS, name_in};
+use crate::document::{Options, SpreadChoice};
+
+/// One key of a layer's `options`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OptionKey {
+    /// How much the spots differ from each other.
+    Spread,
+    /// How irregular the shapes of the spots are.
+    Irregular,
+    /// Width of the stripes ÷ their period.
+    Duty,
+    /// What stripes begin from.
+    Seeding,
+    /// The share of each ring that is open.
+    Broken,
+    /// Whether the drawn marks are among those that grow.
+    Keep,
+}
+
+impl OptionKey {
+    /// All keys, in the order in which they are shown and checked.
+    pub const ALL: [Self; 6] =
+        [Self::Spread, Self::Irregular, Self::Duty, Self::Seeding, Self::Broken, Self::Keep];
+
+    /// The key in a document.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Spread => "spread",
+            Self::Irregular => "irregular",
+            Self::Duty => "duty",
+            Self::Seeding => "seeding",
+            Self::Broken => "broken",
+            Self::Keep => "keep",
+        }
+    }
+
+    /// Whether `options` give this key a value that not every layer allows: any but the default, and `keep` of `true`.
+    #[must_use]
+    pub fn is_set(self, options: &Options) -> bool {
+        let default = Options::default();
+        match self {
+            Self::Spread => options.spread != default.spread,
+            Self::Irregular => options.irregular != default.irregular,
+            Self::Duty => options.duty != default.duty,
+            Self::Seeding => options.seeding != default.seeding,
+            Self::Broken => options.broken != default.broken,
+            Self::Keep => options.keep == Some(true),
+        }
+    }
+
+    /// Whether `options` hold exactly the default of this key.
+    #[must_use]
+    pub fn is_default(self, options: &Options) -> bool {
+        match self {
+            Self::Keep => options.keep.is_none(),
+            _ => !self.is_set(options),
+        }
+    }
+
+    /// Puts this key back to its default.
+    pub fn reset(self, options: &mut Options) {
+        let default = Options::default();
+        match self {
+            Self::Spread => options.spread = default.spread,
+            Self::Irregular => options.irregular = default.irregular,
+            Self::Duty => options.duty = default.duty,
+            Self::Seeding => options.seeding = default.seeding,
+            Self::Broken => options.broken = default.broken,
+            Self::Keep => options.keep = default.keep,
+        }
+    }
+
+    /// The value that every layer allows, as JSON.
+    #[must_use]
+    pub fn always_allowed(self) -> &'static str {
+        match self {
+            Self::Spread => "\"drawn\"",
+            Self::Irregular | Self::Broken => "0",
+            Self::Duty => "0.5",
+            Self::Seeding => "\"noise\"",
+            Self::Keep => "false",
+        }
+    }
+
+    /// The value in `options`, as it stands in a message.
+    #[must_use]
+    pub fn value(self, options: &Options) -> String {
+        match self {
+            Self::Spread => match options.spread {
+                SpreadChoice::Drawn => "\"drawn\"".to_owned(),
+                SpreadChoice::Given(spread) => {
+                    let parts = spread.named().map(|(name, value)| format!("{name} {value}"));
+                    format!("a spread of {}", parts.join(", "))
+                }
+            },
+            Self::Irregular => options.irregular.to_string(),
+            Self::Duty => options.duty.to_string(),
+            Self::Seeding => format!("\"{}\"", name_in(&SEEDINGS, options.seeding)),
+            Self::Broken => options.broken.to_string(),
+            Self::Keep => options.keep.map_or("nothing".to_owned(), |keep| keep.to_string()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn defaults_are_unset() {
+        let options = Options::default();
+        for key in OptionKey::ALL {
+            assert!(key.is_default(&options) && !key.is_set(&options), "{}", key.name());
+        }
+        assert_eq!(OptionKey::Duty.always_allowed(), Options::DUTY.to_string());
+    }
+
+    #[test]
+    fn a_reset_touches_one_key() {
+        let mut options = Options { duty: 0.3, irregular: 0.5, keep: Some(false), ..Options::default() };
+        OptionKey::Duty.reset(&mut options);
+        assert!(OptionKey::Duty.is_default(&options));
+        assert!(OptionKey::Irregular.is_set(&options) && !OptionKey::Keep.is_default(&options));
+    }
+}
