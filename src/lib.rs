@@ -1,39 +1,62 @@
 //! dapple: a sketch of a pattern in, a grown texture out.
 //!
+//! ```no_run
+//! use dapple::Document;
+//!
+//! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//!     Document::read("zebra.dapple")?.grow()?.save("zebra.png")?;
+//!     Ok(())
+//! }
+//! ```
+//!
+//! A [`Document`] holds what was drawn: ellipses stand for spots, lines for stripes of their size, shape, direction and
+//! spacing. It is read from a `.dapple` file or put together in code. Growing looks up the parameters of a
+//! reaction-diffusion system in a training set, simulates it, measures what has grown and corrects it.
+//!
+//! ```
+//! use dapple::document::{Document, Layer, Stroke};
+//!
+//! let spots = [[30.0, 30.0], [58.0, 34.0]].map(|center| Stroke::ellipse(center, [8.0, 5.0], 30.0));
+//! let grown = Document::new([96, 96]).with_layer(Layer::new(spots)).grow()?;
+//! assert_eq!(grown.rgb().len(), 3 * 96 * 96);
+//! # Ok::<(), dapple::GrowError>(())
+//! ```
+//!
+//! Programs in `examples/` show more: progress and cancelling, looking up parameters, measuring, outlines, films.
+//! `docs/format.md` defines the words used here and the file formats.
+//!
+//! # Rooms
+//!
 //! ```text
 //!  hand ──▶ sketch ──┐
 //!                    ├─▶ Marks ─▶ Attributes ─▶ learn ─▶ Parameters ─▶ rd ─▶ Field ─▶ colour ─▶ Image ─▶ export
 //!  image ─▶ measure ─┘   └─────────────── synth holds this thread, layer by layer ───────────────┘
 //! ```
 //!
-//! The rooms below stand in the order in which data meets them. *Ground* is the words that everyone
-//! uses; each knows only the ones above it. *Steps* know the ground and never each other. Only the
-//! *thread*, [`synth`], knows the steps; the *doors* know everything and nothing knows them.
-//! `tests/layering` holds these arrows. The only way back, from a grown field to parameters, goes
-//! through a file: `data-gen` writes `training/`, [`learn`] reads it.
+//! The modules below stand in the order in which data meets them.
 //!
-//! ```
-//! use dapple::document::Document, synth::{Options, grow};
+//! | | modules | know |
+//! |---|---|---|
+//! | ground | [`grid`], [`marks`], [`attributes`] | the ground above them |
+//! | steps | [`sketch`], [`measure`], [`learn`], [`rd`], [`colour`], [`export`] | the ground, never each other |
+//! | thread | [`document`], [`synth`] | ground and steps; `synth` knows `document` |
+//! | beside the thread | [`editor`] | ground, steps and thread |
+//! | doors | `cli`, `app` (features) | everything; nothing knows them |
 //!
-//! let text = r#"{"format": "dapple", "version": 1, "size": [96, 96], "layers": [{"strokes": [
-//!     {"kind": "ellipse", "center": [30, 30], "radii": [8, 5], "angle": 30}]}]}"#;
-//! let document = Document::parse(text, "three lines")?;
-//! let grown = grow(&document, &Options::default())?;
-//! let pattern = grown.layers[0].pattern().field(96, 96);
-//! assert!(pattern.values.iter().any(|value| *value > 0.9));
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
+//! `tests/layering` checks these rules. The only way back, from a grown field to parameters, goes through a file:
+//! `data-gen` writes `training/`, [`learn`] reads it.
 //!
-//! Lengths are px of the canvas unless a line says cells; x runs right, y down; angles are degrees
-//! from +x towards +y and axial (read mod 180).
+//! # Units
+//!
+//! Lengths are px of the canvas unless a line says cells; x runs right, y down; angles are degrees from +x towards +y and
+//! axial (read mod 180).
 
-// Ground: words.
+// Ground.
+pub mod attributes;
 pub mod grid;
 pub mod marks;
-// (marks before attributes: attributes are numbers about marks)
-pub mod attributes;
 
-// Steps: know the ground, never each other.
+// Steps.
 pub mod colour;
 pub mod export;
 pub mod learn;
@@ -53,3 +76,7 @@ pub mod editor;
 pub mod app;
 #[cfg(feature = "cli")]
 pub mod cli;
+
+pub use document::{Document, DocumentError, Layer, Stroke};
+pub use export::ExportError;
+pub use synth::{GrowError, Grown, Options, Stage, Watch};

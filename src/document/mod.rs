@@ -63,6 +63,7 @@
 //! | `"segments"` | short lines of their direction at random places, and no tensor, as in Phan & Grimm, V.1: forked and wavy, 18° off (rms) |
 //! | `"initiators"` | the drawn lines alone, and no tensor: stripes radiate from them in regular order, as in Turk's "Regular Stripe Patterns" and Phan & Grimm, figure 11 |
 
+mod builder;
 mod choices;
 mod colours;
 pub mod embedded;

@@ -8,6 +8,7 @@ mod options;
 pub mod plan;
 pub mod render;
 pub mod report;
+mod short_way;
 mod training;
 mod watch;
 
@@ -18,5 +19,6 @@ pub use grow::layer::{GrowError, Grown, GrownLayer};
 pub use grow::patch::{Patch, Sample};
 pub use grow::refine::Measured;
 pub use options::{Options, Settings};
+pub use plan::looked_up::LookedUp;
 pub use training::Training;
 pub use watch::{Cancelled, Stage, Watch};

@@ -4,6 +4,7 @@ pub mod around;
 mod auto;
 pub mod inside;
 mod lattice;
+pub mod looked_up;
 mod lookup;
 pub mod obstacle_mask;
 pub mod offset_curves;

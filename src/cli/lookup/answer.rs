@@ -1,11 +1,11 @@
 //! One answer, for people and for machines.
 
-use crate::attributes::{Attributes, Spots};
+use crate::attributes::Attributes;
 use crate::cli::Error;
 use crate::document::SystemChoice;
 use crate::learn::{Answer, Coverage};
 use crate::rd::System;
-use crate::synth::{Training, plan};
+use crate::synth::{LookedUp, Training};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
@@ -30,17 +30,9 @@ impl Looked {
             SystemChoice::MeinhardtLines => System::MeinhardtLines,
             SystemChoice::MeinhardtSpots | SystemChoice::Auto => System::MeinhardtSpots,
         };
-        let mut filled = *wanted;
-        let mut free = None;
-        if let (System::MeinhardtSpots, Attributes::Spots(spots @ Spots { spacing: None, .. })) =
-            (system, &mut filled)
-        {
-            let spacing = plan::free_spacing(training, system, spots);
-            spots.spacing = Some(spacing);
-            free = Some(format!("spacing is free: {} px taken", brief(spacing)));
-        }
-        let cell = plan::cell_for(&filled);
-        let answer = plan::ask(training, system, &filled, cell).map_err(Error::step)?;
+        let LookedUp { cell, free_spacing, answer, .. } =
+            LookedUp::new(training, system, wanted).map_err(Error::step)?;
+        let free = free_spacing.map(|spacing| format!("spacing is free: {} px taken", brief(spacing)));
         let notes = answer.notes.iter().map(ToString::to_string).chain(free).collect();
         Ok(Self { system, asked: *wanted, cell, answer, notes })
     }
@@ -134,7 +126,7 @@ pub(super) fn brief(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::attributes::Stripes;
+    use crate::attributes::{Spots, Stripes};
 
     fn spots(spacing: Option<f64>) -> Attributes {
         Attributes::Spots(Spots { area: 300.0, aspect: 0.5, angle: 150.0, spacing })

@@ -1,5 +1,7 @@
 //! The documents in `examples/`: valid, drawn by hand, and written as the program writes.
 
+mod programs;
+
 use std::fs;
 use std::path::PathBuf;
 

@@ -1,0 +1,53 @@
+//! The parameters that grow given attributes, without a document.
+
+use crate::attributes::{Attributes, Spots};
+use crate::learn::Answer;
+use crate::rd::System;
+use crate::synth::plan::{PlanError, ask, cell_for, free_spacing};
+use crate::synth::training::Training;
+
+/// The parameters with which a system grows given attributes, and what is expected of them.
+#[derive(Clone, Debug)]
+pub struct LookedUp {
+    /// The system.
+    pub system: System,
+    /// px a cell of the grid that suits the attributes.
+    pub cell: f64,
+    /// The spacing that was taken where none was asked for, px.
+    pub free_spacing: Option<f64>,
+    /// Parameters on that grid; attributes in px.
+    pub answer: Answer,
+}
+
+impl LookedUp {
+    /// Looks up the parameters with which `system` grows what is `wanted` (px, degrees). A spacing that
+    /// `meinhardt-spots` is left free to choose is the one that growing takes then.
+    ///
+    /// ```
+    /// use dapple::attributes::{Attributes, Spots};
+    /// use dapple::rd::System;
+    /// use dapple::synth::{LookedUp, Training};
+    ///
+    /// let spots = Spots { area: 300.0, aspect: 0.6, angle: 30.0, spacing: Some(40.0) };
+    /// let found = LookedUp::new(Training::built_in(), System::MeinhardtSpots, &Attributes::Spots(spots))?;
+    /// assert_eq!(found.answer.parameters.named()[0].0, "rate");
+    /// # Ok::<(), dapple::synth::plan::PlanError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The training set cannot be read, or does not take such attributes.
+    pub fn new(training: &Training, system: System, wanted: &Attributes) -> Result<Self, PlanError> {
+        let mut filled = *wanted;
+        let mut taken = None;
+        if let (System::MeinhardtSpots, Attributes::Spots(spots @ Spots { spacing: None, .. })) =
+            (system, &mut filled)
+        {
+            let spacing = free_spacing(training, system, spots);
+            spots.spacing = Some(spacing);
+            taken = Some(spacing);
+        }
+        let cell = cell_for(&filled);
+        let answer = ask(training, system, &filled, cell)?;
+        Ok(Self { system, cell, free_spacing: taken, answer })
+    }
+}
