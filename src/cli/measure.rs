@@ -186,7 +186,7 @@ fn between_phases(values: &[f32]) -> f32 {
     0.5 * (rank(lower / 2) + rank(lower + upper / 2))
 }
 
-/// The contract's object: only keys that apply.
+/// The object of `measure --json` (`docs/format.md`): only keys that apply.
 fn as_json(found: &Picture) -> Value {
     match found {
         Picture::Spots { marks, got, spread } => {

@@ -1,4 +1,4 @@
-//! A document → JSON that people can read: short things on one line, keys in the order of the contract.
+//! A document → JSON that people can read: short things on one line, keys in the order of `docs/format.md`.
 
 use crate::document::{
     Colours, Document, Layer, Options, Seeding, SpreadChoice, Stroke, choices, migrate, reader,

@@ -1,4 +1,4 @@
-//! What has grown against what was asked, region by region: the contract's word *error*.
+//! What has grown against what was asked, region by region: the *error* of `docs/format.md`.
 
 use super::directions::Directions;
 use super::spots::Spot;

@@ -1,4 +1,4 @@
-//! Field → marks and stripe statistics, with the words of the contract.
+//! Field → marks and stripe statistics, in the words of `docs/format.md`.
 //!
 //! ```text
 //!  Field ─▶ nodes (a finer grid, by splines) ─▶ square (what of each square is inside, exactly)

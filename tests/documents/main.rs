@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 mod content;
 mod files;
+mod format;
 mod keep;
 mod no_json;
 mod options;

@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn the_least_document_has_the_defaults_of_the_contract() {
+fn the_least_document_has_the_defaults_of_the_format() {
     let document = accepted(&least());
     let ellipse = Ellipse { center: [64.0, 64.0], radii: [12.0, 6.0], angle: 30.0 };
     let layer = Layer { name: "layer 1".into(), strokes: vec![Stroke::Ellipse(ellipse)], ..Layer::default() };

@@ -132,7 +132,7 @@ fn keys(value: &Value) -> Vec<&str> {
 }
 
 #[test]
-fn a_report_has_the_keys_of_the_contract() {
+fn a_report_has_the_keys_of_the_format() {
     let mut document = spots();
     document["layers"][0]["name"] = json!("fur");
     document["regions"] = json!([2, 1]);

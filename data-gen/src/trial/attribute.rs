@@ -2,7 +2,7 @@
 
 /// A number that is compared region by region.
 pub struct Attribute {
-    /// The contract's word for it.
+    /// Its name in `docs/format.md`.
     pub name: &'static str,
     /// What errors are printed in.
     pub unit: &'static str,
@@ -18,7 +18,7 @@ pub struct Attribute {
 pub const ATTRIBUTES: [Attribute; 8] = [
     spots("area", "%", 100.0, Some([1.0, 3.0])),
     spots("spacing", "%", 100.0, Some([2.0, 6.0])),
-    // The contract says "over the whole layer"; read by whoever takes that for the layer's whole marks.
+    // `docs/format.md` measures errors over the whole layer; this reads that as over the layer's whole marks.
     spots("spacing of whole marks", "%", 100.0, None),
     spots("aspect", "", 1.0, Some([0.006, 0.02])),
     spots("angle", "°", 1.0, Some([0.5, 2.0])),

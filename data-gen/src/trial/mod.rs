@@ -6,7 +6,7 @@
 //!  sketches (seed)  ──┘
 //! ```
 //!
-//! What is measured is the picture that `dapple grow --pattern` writes, in its 16 bits, by the contract's words;
+//! What is measured is the picture that `dapple grow --pattern` writes, in its 16 bits, in the words of `docs/format.md`;
 //! nothing is taken from the report of the growth.
 
 mod attribute;

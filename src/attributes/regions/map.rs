@@ -7,7 +7,7 @@ use crate::attributes::{Attributes, Spots, Spread, Stripes};
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, Mark, axial};
 
-/// Above this mean aspect a region has no direction of its own (the contract's number).
+/// Above this mean aspect a region has no direction of its own (`docs/format.md`, *region map*).
 pub(super) const ROUND: f64 = 0.9;
 
 /// A region needs as many marks for their differences to be meant.

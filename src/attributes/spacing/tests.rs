@@ -64,7 +64,7 @@ fn a_square_lattice_has_two_sides_and_one_diagonal_a_point() {
 }
 
 #[test]
-fn few_points_have_the_spacing_that_the_contract_says() {
+fn few_points_have_the_spacing_that_the_format_defines() {
     assert_eq!(mean_spacing(&[]), None);
     assert_eq!(mean_spacing(&[[3.0, 4.0]]), None);
     assert_eq!(mean_spacing(&[[3.0, 4.0], [0.0, 0.0]]), Some(5.0));

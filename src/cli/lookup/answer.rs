@@ -47,7 +47,7 @@ impl Looked {
         named
     }
 
-    /// The contract's JSON.
+    /// The JSON of `lookup --json`; `docs/format.md` lists its keys.
     pub fn json(&self) -> Value {
         let object = |named: Vec<(&'static str, f64)>| -> Map<String, Value> {
             named.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect()
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn json_has_the_contract_s_keys() {
+    fn json_has_the_keys_of_the_format() {
         let training = Training::default();
         let json = Looked::up(&training, SystemChoice::MeinhardtSpots, &spots(Some(60.0))).unwrap().json();
         assert_eq!(

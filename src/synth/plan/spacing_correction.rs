@@ -1,7 +1,8 @@
 //! How far apart spots and lines begin, so that they end as far apart as asked.
 //!
 //! Spots keep the places they begin at but for a per cent of the spacing, so the spacing can be measured before
-//! anything has grown: the nuclei are laid, measured by the contract's rule, and laid again. So do lines: their crests are
+//! anything has grown: the nuclei are laid, measured as `docs/format.md` defines *spacing*, and laid again. So do lines:
+//! their crests are
 //! measured. What a system makes of its own distance is in the training rows, so that these are what is compared to.
 
 use crate::attributes::{Attributes, Stripes};

@@ -1,0 +1,232 @@
+//! The tables of `docs/format.md` say what the program does.
+
+use super::*;
+use dapple::document::layer_rules::RULES;
+use dapple::synth::Grown;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+
+fn page() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/format.md");
+    fs::read_to_string(path).expect("docs/format.md can be read")
+}
+
+/// The rows of the first table with these columns after a heading; their cells without backticks around them.
+fn table(heading: &str, columns: &str) -> Vec<Vec<String>> {
+    let page = page();
+    let (_, after) =
+        page.split_once(&format!("# {heading}\n")).unwrap_or_else(|| panic!("no heading {heading}"));
+    let (_, rows) =
+        after.split_once(&format!("| {columns} |\n|")).unwrap_or_else(|| panic!("{heading}: no {columns}"));
+    let cells = |row: &str| {
+        let cells = row.trim_matches('|').split(" | ").map(str::trim);
+        cells
+            .map(|cell| cell.strip_prefix('`').and_then(|c| c.strip_suffix('`')).unwrap_or(cell).to_owned())
+            .collect()
+    };
+    rows.lines().skip(1).take_while(|row| row.starts_with('|')).map(cells).collect()
+}
+
+fn first_column(heading: &str) -> Vec<String> {
+    table(heading, "key | meaning").into_iter().map(|row| row[0].clone()).collect()
+}
+
+/// Each object of a document: its heading, where it stands, a document that holds it with no more than required.
+fn objects() -> [(&'static str, &'static str, Value); 10] {
+    let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
+    let freehand = json!({"kind": "freehand", "points": [[10, 10], [40, 12], [80, 14]]});
+    let ellipse = json!({"kind": "ellipse", "center": [64, 64], "radii": [12, 6]});
+    let colours = with("/layers/0/colours", json!({"stops": [{"at": 0, "colour": "#000"}]}));
+    [
+        ("Document", "", least()),
+        ("Growth", "/growth", with("/growth", json!({}))),
+        ("Layer", "/layers/0", least()),
+        ("Ellipse", "/layers/0/strokes/0", with_stroke(&ellipse)),
+        ("Line", "/layers/0/strokes/0", with_stroke(&line)),
+        ("Freehand", "/layers/0/strokes/0", with_stroke(&freehand)),
+        ("Options", "/layers/0/options", with("/layers/0/options", json!({}))),
+        ("Spread", "/layers/0/options/spread", with("/layers/0/options", json!({"spread": {}}))),
+        ("Colours", "/layers/0/colours", colours.clone()),
+        ("Stop", "/layers/0/colours/stops/0", colours),
+    ]
+}
+
+#[test]
+fn the_keys_on_the_page_are_those_that_are_read() {
+    for (heading, pointer, document) in objects() {
+        let mut wrong = document.clone();
+        wrong.pointer_mut(pointer).unwrap()["zzzzzzzzzzzz"] = json!(1);
+        let keys = table(heading, "key | meaning | allowed | default").into_iter().map(|row| row[0].clone());
+        let listed = keys.collect::<Vec<_>>().join(", ");
+        let message = error_of_text(&wrong.to_string());
+        assert!(message.ends_with(&format!("\"zzzzzzzzzzzz\"; allowed: {listed}")), "{heading}: {message}");
+    }
+}
+
+#[test]
+fn the_values_on_the_page_are_those_that_are_allowed() {
+    for (heading, pointer, document) in objects() {
+        for row in table(heading, "key | meaning | allowed | default") {
+            let mut wrong = document.clone();
+            wrong.pointer_mut(pointer).unwrap()[row[0].as_str()] = json!(null);
+            let message = error_of_text(&wrong.to_string());
+            assert!(
+                message.ends_with(&format!("found null; allowed: {}", row[2])),
+                "{heading}: {row:?}: {message}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_defaults_on_the_page_are_those_of_the_program() {
+    for (heading, pointer, document) in objects() {
+        for row in table(heading, "key | meaning | allowed | default") {
+            let (key, default) = (row[0].as_str(), row[3].as_str());
+            let mut without = document.clone();
+            without.pointer_mut(pointer).unwrap().as_object_mut().unwrap().remove(key);
+            if default == "required" {
+                let message = error_of_text(&without.to_string());
+                assert!(message.contains(&format!("no key \"{key}\"")), "{heading}: {message}");
+                continue;
+            }
+            let expected = accepted(&without);
+            if default == "none" {
+                continue;
+            }
+            let mut with = without;
+            let value: Value = serde_json::from_str(default).unwrap_or_else(|error| panic!("{key}: {error}"));
+            with.pointer_mut(pointer).unwrap()[key] = value;
+            assert_eq!(accepted(&with), expected, "{heading}: {key}");
+        }
+    }
+}
+
+#[test]
+fn the_rules_on_the_page_are_those_of_the_program() {
+    let row = |rule: &dapple::document::layer_rules::Rule| {
+        let checked = if rule.on_reading { "reading" } else { "growing" };
+        format!("| {} | {} | {checked} | {} |\n", rule.key, rule.condition, rule.reason)
+    };
+    let rows: String = RULES.iter().map(row).collect();
+    assert!(page().contains(&format!("|---|---|---|---|\n{rows}\n")), "docs/format.md should hold:\n{rows}");
+}
+
+fn dapple(arguments: &[&str], folder: &Path) -> Output {
+    let mut dapple = Command::new(assert_cmd::cargo::cargo_bin!("dapple"));
+    dapple.args(arguments).current_dir(folder).output().unwrap()
+}
+
+#[test]
+fn the_commands_and_exit_codes_on_the_page_are_those_of_the_program() {
+    let folder = tempfile::tempdir().unwrap();
+    let help = String::from_utf8(dapple(&["--help"], folder.path()).stdout).unwrap();
+    let (_, listed) = help.split_once("Commands:\n").unwrap();
+    let listed = listed.lines().take_while(|line| !line.is_empty());
+    let names =
+        listed.filter_map(|line| line.strip_prefix("  ")?.split(' ').next().filter(|name| !name.is_empty()));
+    let names: BTreeSet<String> = names.filter(|name| *name != "help").map(str::to_owned).collect();
+    let page: BTreeSet<String> =
+        table("Commands", "command | does").into_iter().map(|row| row[0].clone()).collect();
+    assert_eq!(page, names);
+
+    fs::write(folder.path().join("a.dapple"), least().to_string()).unwrap();
+    let code = |arguments: &[&str]| dapple(arguments, folder.path()).status.code().unwrap().to_string();
+    let codes = table("Commands", "exit code | meaning").into_iter().map(|row| row[0].clone());
+    assert_eq!(codes.collect::<Vec<_>>(), ["0", "1", "2", "130"]);
+    assert_eq!(
+        [code(&["check", "a.dapple"]), code(&["check", "b.dapple"]), code(&["check"])],
+        ["0", "1", "2"]
+    );
+}
+
+/// Spots that vary, and small ones inside them, on a small canvas.
+fn spots() -> Document {
+    let spots = (0..6).map(|i| {
+        let (column, row) = (f64::from(i % 3), f64::from(i / 3));
+        Stroke::ellipse([30.0 + 34.0 * column, 40.0 + 34.0 * row], [9.0 + 0.4 * f64::from(i), 8.0], 0.0)
+    });
+    let inside = Layer::new([Stroke::ellipse([30.0, 40.0], [4.0, 4.0], 0.0)]).with_after(After::Inside);
+    Document::new([140, 120]).with_layer(Layer::new(spots)).with_layer(inside)
+}
+
+fn stripes() -> Document {
+    let lines = [20.0, 40.0].map(|y| Stroke::line([20.0, y], [100.0, y + 10.0], 9.0));
+    Document::new([140, 120]).with_layer(Layer::new(lines))
+}
+
+/// The keys of a report: those of its layers and of their regions behind a dot.
+fn keys(value: &Value, before: &str, keys: &mut BTreeSet<String>) {
+    for (key, value) in value.as_object().into_iter().flatten() {
+        let path = format!("{before}{key}");
+        for item in value.as_array().into_iter().flatten() {
+            self::keys(item, &format!("{path}."), keys);
+        }
+        keys.insert(path);
+    }
+}
+
+#[test]
+fn the_keys_of_a_report_on_the_page_are_those_that_are_written() {
+    let mut written = BTreeSet::from(["outlines".to_owned()]);
+    for document in [spots(), stripes()] {
+        let grown: Grown = document.grow().unwrap();
+        keys(&serde_json::to_value(grown.report()).unwrap(), "", &mut written);
+    }
+    assert_eq!(first_column("Report").into_iter().collect::<BTreeSet<_>>(), written);
+}
+
+fn object_keys(value: &Value) -> Vec<String> {
+    value.as_object().unwrap().keys().cloned().collect()
+}
+
+fn printed(arguments: &[&str], folder: &Path) -> Value {
+    let output = dapple(arguments, folder);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn what_commands_print_as_json_has_the_keys_on_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    fs::write(at.join("a.dapple"), least().to_string()).unwrap();
+    let lookup = "lookup --system meinhardt-spots --area 300 --aspect 0.5 --angle 30 --spacing 60 --json";
+    let lookup = printed(&lookup.split(' ').collect::<Vec<_>>(), at);
+    assert_eq!(object_keys(&lookup), first_column("Lookup"));
+    assert_eq!(object_keys(&printed(&["check", "a.dapple", "--json"], at)), first_column("Check"));
+    let kinds = table("Measure", "kind | keys");
+    for (row, document) in kinds.iter().zip([spots(), stripes()]) {
+        let layer = document.layers[0].clone();
+        Document { layers: vec![layer], ..document }.grow().unwrap().save(at.join("a.png")).unwrap();
+        let measured = printed(&["measure", "a.png", "--json"], at);
+        assert_eq!(measured["kind"], row[0].as_str());
+        let listed: Vec<String> = row[1].split(", ").map(|key| key.trim_matches('`').to_owned()).collect();
+        assert_eq!(object_keys(&measured), listed);
+    }
+}
+
+#[test]
+fn the_columns_of_a_table_of_questions_and_answers_are_those_on_the_page() {
+    let columns =
+        |row: &[String]| row[1].split(", ").map(|name| name.trim_matches('`').to_owned()).collect::<Vec<_>>();
+    let tables = table("Lookup", "table | columns");
+    let [questions, answers] = [0, 1].map(|i| columns(&tables[i]));
+    let folder = tempfile::tempdir().unwrap();
+    let row = questions.iter().map(|column| match column.as_str() {
+        "system" => "turing-spots",
+        "area" => "200",
+        "aspect" => "0.6",
+        "angle" => "5",
+        _ => "",
+    });
+    let table = format!("{}\n{}\n", questions.join(","), row.collect::<Vec<_>>().join(","));
+    fs::write(folder.path().join("q.csv"), table).unwrap();
+    let output = dapple(&["lookup", "--batch", "q.csv", "-o", "a.csv"], folder.path());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let answered = fs::read_to_string(folder.path().join("a.csv")).unwrap();
+    let all = [questions, answers].concat().join(",");
+    assert_eq!(answered.lines().next(), Some(all.as_str()));
+}
