@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::canvas::tool::Tool;
 use super::panels::Tab;
-use crate::app::layering::LayerAction;
+use crate::editor::layer_action::LayerAction;
 
 /// Something to be done.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,7 +89,7 @@ pub enum Action {
     Layer(LayerAction),
     /// Show this in the column.
     Tab(Tab),
-    /// Put back on the desk what was lost; which.
+    /// Open this recovered document.
     Restore(String),
     /// Forget what was lost for good; which.
     Discard(String),
@@ -101,7 +101,7 @@ pub enum Action {
     Alternatives(bool),
     /// Whichever it is not.
     ToggleAlternatives,
-    /// Put this alternative on the desk.
+    /// Open this alternative.
     TakeAlternative(u64),
     /// Keep this alternative (true), or let it go.
     KeepAlternative(u64, bool),

@@ -5,13 +5,13 @@ use egui::{Ui, ViewportCommand};
 use crate::app::action::{Action, Page};
 use crate::app::alternatives;
 use crate::app::canvas::tool::Tool;
-use crate::app::desk::Desk;
 use crate::app::pages;
 use crate::app::result;
-use crate::app::shape;
 use crate::app::window::Window;
 use crate::document::{Document, Layer};
 use crate::editor::selection::{Place, Selection};
+use crate::editor::session::Session;
+use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
 
 /// How far a copy lies from what was copied, px of the screen.
@@ -35,8 +35,8 @@ impl Window {
             Action::Reference => self.choose_reference(ui),
             Action::OpenPalette => self.choose_palette(ui),
             Action::SavePalette => self.save_palette_as(ui),
-            Action::Undo => self.desk.undo(),
-            Action::Redo => self.desk.redo(),
+            Action::Undo => self.session.undo(),
+            Action::Redo => self.session.redo(),
             Action::Cut => {
                 self.copy(ui);
                 self.delete();
@@ -55,7 +55,7 @@ impl Window {
             Action::Cloud(asked) => self.show_cloud(ui, asked),
             Action::Pause => self.growth.pause(!self.growth.is_paused()),
             Action::Stop => self.growth.stop(),
-            Action::Grow => self.growth.again(&self.desk.finished()),
+            Action::Grow => self.growth.again(&self.session.finished()),
             Action::AnotherSeed => self.another_seed(),
             other => self.edit_or_look(ui, other),
         }
@@ -66,12 +66,13 @@ impl Window {
             Action::Duplicate => self.duplicate(),
             Action::Delete => self.delete(),
             Action::SelectAll => {
-                self.desk.selection = Selection::of(self.desk.reachable().map(|(place, _)| place));
+                self.session.selection =
+                    Selection::new(self.session.editable_marks().map(|(place, _)| place));
                 self.canvas.tool = Tool::Select;
             }
             Action::Escape => self.escape(),
             Action::Next(step) => self.next(step),
-            Action::Nudge(by) => self.desk.nudge(by),
+            Action::Nudge(by) => self.session.nudge(by),
             Action::Turn(by) => self.each(|mark, middle| shape::turned(mark, by, middle)),
             Action::Scale(by) => self.each(|mark, middle| shape::scaled(mark, by, middle)),
             Action::Insert(ellipse) => self.insert(ellipse),
@@ -117,52 +118,52 @@ impl Window {
     }
 
     fn escape(&mut self) {
-        if !self.canvas.cancel(&mut self.desk) {
-            self.desk.selection.clear();
+        if !self.canvas.cancel(&mut self.session) {
+            self.session.selection.clear();
         }
     }
 
     fn delete(&mut self) {
-        let places: Vec<Place> = self.desk.selection.places().collect();
-        self.desk.remove(&places);
+        let places: Vec<Place> = self.session.selection.places().collect();
+        self.session.remove(&places);
     }
 
     fn duplicate(&mut self) {
         let by = ASIDE / f64::from(self.canvas.view.zoom);
-        let marks: Vec<(Place, Mark)> = self.desk.selected().collect();
-        let by = self.desk.within(&marks, [by, by]);
+        let marks: Vec<(Place, Mark)> = self.session.selected().collect();
+        let by = self.session.limit_move(&marks, [by, by]);
         let copies: Vec<Mark> = marks.iter().map(|(_, mark)| shape::moved(mark, by)).collect();
         if !copies.is_empty() {
-            self.desk.add(&copies);
+            self.session.add(&copies);
         }
     }
 
     fn next(&mut self, step: isize) {
-        let places: Vec<Place> = self.desk.reachable().map(|(place, _)| place).collect();
+        let places: Vec<Place> = self.session.editable_marks().map(|(place, _)| place).collect();
         if places.is_empty() {
             return;
         }
-        let now = self.desk.selection.places().next();
+        let now = self.session.selection.places().next();
         let index = now.and_then(|now| places.iter().position(|place| *place == now));
         let n = places.len() as isize;
         let next =
             index.map_or(if step > 0 { 0 } else { n - 1 }, |index| (index as isize + step).rem_euclid(n));
-        self.desk.selection = Selection::of([places[next as usize]]);
-        self.desk.layer = places[next as usize].layer;
+        self.session.selection = Selection::new([places[next as usize]]);
+        self.session.active_layer = places[next as usize].layer;
         self.canvas.tool = Tool::Select;
     }
 
     /// Changes each selected mark around its own middle.
     fn each(&mut self, change: impl Fn(&Mark, [f64; 2]) -> Mark) {
-        let marks: Vec<_> = self.desk.selected().collect();
+        let marks: Vec<_> = self.session.selected().collect();
         let changed: Vec<_> =
-            marks.iter().map(|(place, mark)| (*place, change(mark, shape::middle(mark)))).collect();
-        self.desk.replace(&changed);
+            marks.iter().map(|(place, mark)| (*place, change(mark, shape::center(mark)))).collect();
+        self.session.replace(&changed);
     }
 
     fn insert(&mut self, ellipse: bool) {
         let nib = self.canvas.nib;
-        let size = self.desk.document().size;
+        let size = self.session.document().size;
         let center = [0, 1].map(|axis| self.canvas.view.center[axis].clamp(0.0, f64::from(size[axis])));
         let mark = if ellipse {
             Mark::Ellipse(Ellipse { center, radii: nib.radii, angle: 0.0 })
@@ -171,7 +172,7 @@ impl Window {
             let [from, to] = [-half, half].map(|by| [center[0] + by, center[1]]);
             Mark::Line(Line { from, to, width: nib.width })
         };
-        self.desk.add(&[mark]);
+        self.session.add(&[mark]);
         self.canvas.tool = Tool::Select;
     }
 
@@ -181,14 +182,14 @@ impl Window {
         let regions = outcome.and_then(|outcome| outcome.layers.get(layer)).map(|layer| &layer.regions);
         let region = regions.and_then(|all| all.iter().find(|region| region.report.place == place));
         let reach = region.and_then(|region| region.reach.clone());
-        let Some((reach, layer)) = reach.zip(result::on_desk(&self.desk, layer)) else { return };
-        self.desk.commit();
+        let Some((reach, layer)) = reach.zip(result::on_desk(&self.session, layer)) else { return };
+        self.session.commit();
         let at = |(stroke, mark): (usize, Mark)| (Place { layer, stroke }, mark);
-        self.desk.replace(&reach.marks.into_iter().map(at).collect::<Vec<_>>());
+        self.session.replace(&reach.marks.into_iter().map(at).collect::<Vec<_>>());
         if let Some(duty) = reach.duty {
-            self.desk.edit(|document| document.layers[layer].options.duty = duty);
+            self.session.edit(|document| document.layers[layer].options.duty = duty);
         }
-        self.desk.commit();
+        self.session.commit();
     }
 
     fn show_cloud(&mut self, ui: &Ui, asked: Option<(usize, [usize; 2])>) {
@@ -200,15 +201,15 @@ impl Window {
         }
     }
 
-    /// Puts an alternative on the desk; it has grown already.
+    /// Opens an alternative; it has grown already.
     fn take_alternative(&mut self, id: u64) {
         let Some(one) = self.alternatives.get(id) else { return };
         if let Some(grown) = &one.grown {
             self.growth.know(grown);
         }
-        let size = self.desk.document().size;
-        alternatives::put(&mut self.desk, &one.document);
-        if self.desk.document().size != size {
+        let size = self.session.document().size;
+        alternatives::put(&mut self.session, &one.document);
+        if self.session.document().size != size {
             self.canvas.view.fitted = true;
             self.texture.view.fitted = true;
         }
@@ -216,15 +217,16 @@ impl Window {
 
     fn another_seed(&mut self) {
         // Neighbouring seeds share nothing (see `Document::layer_seed`).
-        self.desk.edit(|document| document.seed = document.seed.wrapping_add(1));
+        self.session.edit(|document| document.seed = document.seed.wrapping_add(1));
     }
 
     /// Copies what is selected as a document of its own.
     fn copy(&mut self, ui: &Ui) {
-        let source = self.desk.document();
+        let source = self.session.document();
         let mut document = Document { layers: Vec::new(), ..source.clone() };
         for (index, layer) in source.layers.iter().enumerate() {
-            let held = |stroke: &usize| self.desk.selection.holds(Place { layer: index, stroke: *stroke });
+            let held =
+                |stroke: &usize| self.session.selection.contains(Place { layer: index, stroke: *stroke });
             let strokes: Vec<_> =
                 (0..layer.strokes.len()).filter(held).map(|stroke| layer.strokes[stroke].clone()).collect();
             if !strokes.is_empty() {
@@ -245,16 +247,16 @@ impl Window {
                 return;
             }
         };
-        let pasted = Desk::open(document, None);
+        let pasted = Session::open(document, None);
         let by = ASIDE / f64::from(self.canvas.view.zoom);
         let marks: Vec<Mark> = pasted.marks().map(|(_, mark)| shape::moved(&mark, [by, by])).collect();
-        self.desk.add(&marks);
+        self.session.add(&marks);
         self.canvas.tool = Tool::Select;
     }
 
     /// The new document that was described.
     pub(super) fn create(&mut self, new: &pages::New) {
-        self.begin(Desk::open(new.document(), None));
+        self.begin(Session::open(new.document(), None));
     }
 
     /// Closes for good.

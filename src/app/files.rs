@@ -6,7 +6,6 @@ use egui::{Align2, Color32, FontId, Id, Key, Modal, Ui, ViewportCommand};
 
 use super::action::{Action, Page};
 use super::chooser::{Choice, Chooser, Purpose};
-use super::desk::Desk;
 use super::examples::{EXAMPLES, GALLERY};
 use super::exporting::{Dialog, Size};
 use super::opening::is_palette;
@@ -14,6 +13,7 @@ use super::pages::{self, Answer, New};
 use super::window::Window;
 use super::{preferences, recovery, shortcuts};
 use crate::document::{Document, in_picture, open};
+use crate::editor::session::Session;
 use crate::export::has_ending;
 
 /// What is asked about files.
@@ -70,14 +70,14 @@ impl Window {
         let pictured = !has_ending(path, "dapple") && in_picture(path).is_ok_and(|found| found.is_some());
         match open(path) {
             Ok((document, extent)) if pictured => {
-                self.begin(Desk::open(document, None));
+                self.begin(Session::open(document, None));
                 self.files.restored = Some(Size { canvas: extent.size, scale: extent.scale });
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
                 self.notices.done(format!("{name} held its document. Saving it asks for a new name."));
             }
             Ok((document, _)) => {
                 self.settings.remember(path);
-                self.begin(Desk::open(document, Some(path.to_owned())));
+                self.begin(Session::open(document, Some(path.to_owned())));
             }
             Err(error) => self.notices.wrong(with_causes(&error)),
         }
@@ -85,7 +85,7 @@ impl Window {
 
     /// Does it at once, or asks first where unsaved changes would be lost.
     pub(super) fn unless_unsaved(&mut self, ui: &Ui, action: Action) {
-        if self.desk.is_changed() && !self.desk.finished().layers.is_empty() {
+        if self.session.is_changed() && !self.session.finished().layers.is_empty() {
             self.files.unsaved = Some(action);
         } else {
             self.go_on(ui, action);
@@ -113,14 +113,14 @@ impl Window {
         match Document::parse(example.text, name) {
             Ok(document) => {
                 self.page = None;
-                self.begin(Desk::open(document, None));
+                self.begin(Session::open(document, None));
             }
             Err(error) => self.notices.wrong(with_causes(&error)),
         }
     }
 
     pub(super) fn choose(&mut self, ui: &Ui, purpose: Purpose, name: &str) {
-        let at = self.desk.path.clone();
+        let at = self.session.path.clone();
         self.files.chooser = Some(Chooser::new(purpose, at.as_deref(), name, self.files.native, ui.ctx()));
     }
 
@@ -130,7 +130,7 @@ impl Window {
 
     pub(super) fn save_as(&mut self, ui: &Ui) {
         let name = self
-            .desk
+            .session
             .path
             .as_deref()
             .and_then(Path::file_name)
@@ -140,19 +140,19 @@ impl Window {
 
     /// Saves to `path`, or where it was saved before, or asks where.
     pub(super) fn save(&mut self, ui: &Ui, path: Option<PathBuf>) {
-        let document = self.desk.finished();
+        let document = self.session.finished();
         if document.layers.is_empty() {
             self.notices.wrong("There is nothing to save yet: draw at least one mark.");
             self.files.after_saving = None;
             return;
         }
-        let Some(path) = path.or_else(|| self.desk.path.clone()) else {
+        let Some(path) = path.or_else(|| self.session.path.clone()) else {
             self.save_as(ui);
             return;
         };
         match document.write(&path) {
             Ok(()) => {
-                self.desk.mark_saved(&path);
+                self.session.mark_saved(&path);
                 self.settings.remember(&path);
                 self.notices.done(format!("Saved as {}", path.display()));
                 if let Some(action) = self.files.after_saving.take() {
@@ -185,7 +185,11 @@ impl Window {
         }
         self.listen_to_export(ui);
         let close = ui.input(|input| input.viewport().close_requested());
-        if close && !self.files.closing && self.desk.is_changed() && !self.desk.finished().layers.is_empty() {
+        if close
+            && !self.files.closing
+            && self.session.is_changed()
+            && !self.session.finished().layers.is_empty()
+        {
             ui.send_viewport_cmd(ViewportCommand::CancelClose);
             self.files.unsaved = Some(Action::Quit);
         } else if close {
@@ -224,7 +228,7 @@ impl Window {
             } else if ending == "svg" {
                 actions.push(Action::OpenFile(path));
             } else if let Err(error) = Document::read(&path) {
-                // Said before anything is asked about what lies on the desk.
+                // Reported before any question about the open document.
                 self.notices.wrong(with_causes(&error));
             } else {
                 actions.push(Action::OpenFile(path));
@@ -324,7 +328,7 @@ impl Window {
 
     fn asking(&mut self, ui: &Ui) {
         let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
-        let title = self.desk.title();
+        let title = self.session.title();
         // Enter that ends the typing of a number is no answer yet.
         let enter =
             ui.input(|input| input.key_pressed(Key::Enter)) && ui.memory(|memory| memory.focused().is_none());

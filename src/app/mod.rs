@@ -1,39 +1,35 @@
 //! The window: draw, and it grows. All of the window toolkit lives in this room.
 //!
 //! ```text
-//!  pointer, keys ─▶ canvas ─▶ desk (document, selection, history) ─▶ growth (a thread) ─▶ texture
+//!  pointer, keys ─▶ canvas ─▶ session (document, selection, history) ─▶ growth (a thread) ─▶ texture
 //!                     ▲                 ▲                                │
 //!                     └── panels ── actions ◀── menus, keys, files       └─▶ exporting (a thread)
 //! ```
 //!
-//! Panels and keys give [`Action`]s, [`Window`] carries them out. The desk knows nothing of the screen.
+//! Panels and keys give [`Action`]s, [`Window`] carries them out. `editor` knows nothing of the screen.
 
 mod action;
 mod alternatives;
 mod canvas;
 mod chooser;
 mod cloud;
-mod desk;
 mod dispatch;
 mod examples;
 mod exporting;
 mod files;
 mod growth;
 mod icons;
-mod layer_choices;
 mod layering;
 mod notice;
 mod opening;
 mod pages;
 mod palettes;
 mod panels;
-mod path_encoding;
 mod preferences;
 mod recovery;
 mod reference;
 mod result;
 mod settings;
-mod shape;
 mod shortcuts;
 mod texture;
 mod theme;
@@ -44,11 +40,11 @@ mod window;
 mod window_placement;
 
 pub use crate::editor::selection::{Place, Selection};
+pub use crate::editor::session::Session;
 pub use action::{Action, Page};
 pub use alternatives::{Alternative, Alternatives, small};
 pub use canvas::tool::Tool;
 pub use cloud::{Cloud, Points};
-pub use desk::Desk;
 pub use exporting::{Choices, Made, Shows, Sight, Size, What};
 pub use growth::{Growth, Phase};
 pub use notice::Notice;

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use super::desk::Desk;
 use super::files::with_causes;
 use super::window::Window;
 use crate::document::Document;
 use crate::document::palette::Palette;
+use crate::editor::session::Session;
 use crate::synth::import::{DPI, import};
 
 impl Window {
@@ -14,7 +14,7 @@ impl Window {
     pub(super) fn import(&mut self, path: &Path) {
         match import(path, DPI) {
             Ok(imported) => {
-                self.begin(Desk::recovered(imported.document, Document::default(), None));
+                self.begin(Session::open_unsaved(imported.document, Document::default(), None));
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
                 let told = format!("{name}: {}", imported.told);
                 // What was left out stays until it is read.

@@ -16,7 +16,7 @@ impl Window {
     }
 
     pub(super) fn save_palette_as(&mut self, ui: &Ui) {
-        let name = colour::name_of(&self.desk, self.desk.layer);
+        let name = colour::name_of(&self.session, self.session.active_layer);
         // Names of layers may hold what a file's cannot.
         let name = name.replace(['/', '\\', ':', '\0'], " ");
         self.choose(ui, Purpose::PaletteTo, &format!("{name}.json"));
@@ -26,8 +26,8 @@ impl Window {
     pub(super) fn open_palette(&mut self, path: &Path) {
         match Palette::read(path) {
             Ok(palette) => {
-                let layer = self.desk.layer;
-                colour::give(&mut self.desk, &[layer], Some(&palette.colours));
+                let layer = self.session.active_layer;
+                colour::give(&mut self.session, &[layer], Some(&palette.colours));
                 self.tab = Tab::Colour;
             }
             Err(error) => self.notices.wrong(with_causes(&error)),
@@ -36,8 +36,8 @@ impl Window {
 
     pub(super) fn save_palette(&mut self, path: &Path) {
         let palette = Palette {
-            name: colour::name_of(&self.desk, self.desk.layer),
-            colours: colour::of(&self.desk, self.desk.layer),
+            name: colour::name_of(&self.session, self.session.active_layer),
+            colours: colour::of(&self.session, self.session.active_layer),
         };
         match palette.write(path) {
             Ok(()) => self.notices.done(format!("Saved as {}", path.display())),

@@ -14,7 +14,7 @@ use egui::ThemePreference;
 use super::exporting::{Choices, kept};
 use super::pages::New;
 use super::units::Units;
-use crate::app::path_encoding;
+use crate::editor::path_encoding;
 
 /// Recent files that are remembered.
 const RECENT: usize = 10;

@@ -4,7 +4,7 @@ use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, ScrollAre
 
 use super::action::{Action, Page};
 use super::canvas::tool::Tool;
-use crate::app::layering::LayerAction;
+use crate::editor::layer_action::LayerAction;
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = CTRL.plus(Modifiers::SHIFT);

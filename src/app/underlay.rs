@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use egui::{Color32, Painter, Rect, TextureHandle, TextureOptions, Ui, pos2};
 
-use super::desk::Desk;
 use super::growth::{Growth, Picture, Texture, essence};
 use crate::document::Document;
+use crate::editor::session::Session;
 
 /// The longest side of the picture, px: it is dim, and lies under strokes.
 const LONGEST: usize = 1024;
@@ -19,23 +19,23 @@ pub struct Underlay {
     texture: Option<TextureHandle>,
     /// What is on it, and of which document.
     painted: Option<(usize, Arc<Document>)>,
-    /// The desk's revision and frozen layers that it was last compared with.
+    /// The session's revision and number of frozen layers that it was last compared with.
     seen: Option<(u64, usize)>,
 }
 
 impl Underlay {
     /// Brings it up to date with what is frozen and what has settled.
-    pub fn follow(&mut self, ui: &Ui, desk: &Desk, growth: &Growth) {
-        if desk.frozen() == 0 {
+    pub fn follow(&mut self, ui: &Ui, session: &Session, growth: &Growth) {
+        if session.frozen() == 0 {
             *self = Self::default();
             return;
         }
         // Empty layers are not grown.
-        let frozen = desk.document().layers.iter().take(desk.frozen());
+        let frozen = session.document().layers.iter().take(session.frozen());
         let count = frozen.filter(|layer| !layer.strokes.is_empty()).count();
-        if self.seen != Some((desk.revision(), count)) {
-            self.seen = Some((desk.revision(), count));
-            let finished = desk.finished();
+        if self.seen != Some((session.revision(), count)) {
+            self.seen = Some((session.revision(), count));
+            let finished = session.finished();
             let same = |(painted, document): &(usize, Arc<Document>)| {
                 *painted == count && grows_alike(&finished, document, count)
             };

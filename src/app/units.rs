@@ -167,7 +167,7 @@ impl Window {
     /// How lengths of this document are told.
     #[must_use]
     pub fn ruler(&self) -> Ruler {
-        Ruler { units: self.settings.units, dpi: self.desk.document().dpi }
+        Ruler { units: self.settings.units, dpi: self.session.document().dpi }
     }
 }
 

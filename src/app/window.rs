@@ -11,7 +11,6 @@ use egui::{
 use super::alternatives::Alternatives;
 use super::canvas::{Canvas, view::View};
 use super::cloud::Cloud;
-use super::desk::Desk;
 use super::examples::Gallery;
 use super::exporting::Exporting;
 use super::files::Files;
@@ -26,6 +25,7 @@ use super::trace::Trace;
 use super::{action::Page, panels, shortcuts};
 use crate::app::layering::Layering;
 use crate::document::Document;
+use crate::editor::session::Session;
 
 /// With what the window begins.
 #[derive(Default)]
@@ -42,7 +42,7 @@ pub struct Start {
 
 /// The window.
 pub struct Window {
-    pub(super) desk: Desk,
+    pub(super) session: Session,
     pub(super) canvas: Canvas,
     pub(super) texture: TextureView,
     pub(super) growth: Growth,
@@ -90,7 +90,7 @@ impl Window {
         let page = if recovery.left() > 0 { Some(Page::Recovery) } else { first.then_some(Page::Hint) };
         let results = Results::default();
         let mut window = Self {
-            desk: Desk::open(start.settings.new.document(), None),
+            session: Session::open(start.settings.new.document(), None),
             canvas: Canvas::default(),
             texture: TextureView::default(),
             growth: Growth::new(move || wake.request_repaint()),
@@ -128,13 +128,13 @@ impl Window {
     /// The document as it is saved and grown.
     #[must_use]
     pub fn document(&self) -> Document {
-        self.desk.finished()
+        self.session.finished()
     }
 
-    /// What lies on the desk.
+    /// The open document with its selection and history.
     #[must_use]
-    pub fn desk(&self) -> &Desk {
-        &self.desk
+    pub fn session(&self) -> &Session {
+        &self.session
     }
 
     /// How far the growth is.
@@ -223,7 +223,7 @@ impl Window {
                 self.trace.event("settled", *took);
             }
         }
-        self.canvas.underlay.follow(ui, &self.desk, &self.growth);
+        self.canvas.underlay.follow(ui, &self.session, &self.growth);
         self.listen(ui);
         if self.tab == panels::Tab::Result {
             self.results.follow(ui.ctx(), self.growth.texture.as_ref());
@@ -240,7 +240,7 @@ impl Window {
         let column = Panel::right("inspector").frame(column).resizable(false).exact_size(264.0);
         column.show(ui, |ui| actions.extend(panels::inspector(ui, self)));
         let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
-        self.alternatives.follow(ui.ctx(), &self.desk, &self.growth, busy);
+        self.alternatives.follow(ui.ctx(), &self.session, &self.growth, busy);
         if self.alternatives.shown {
             let strip = Panel::bottom("alternatives").frame(bar).resizable(false).exact_size(panels::HEIGHT);
             strip.show(ui, |ui| actions.extend(panels::alternatives(ui, self)));
@@ -274,7 +274,7 @@ impl Window {
         let keys = !ui.text_edit_focused() && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
         let mut actions = shortcuts::asked(ui.ctx(), keys, canvas);
         let cancelled = actions.contains(&super::Action::Escape)
-            && (self.canvas.cancel(&mut self.desk) || self.colour.cancel(&mut self.desk));
+            && (self.canvas.cancel(&mut self.session) || self.colour.cancel(&mut self.session));
         if cancelled {
             ui.ctx().stop_dragging();
             // Before the canvas sees that the toolkit lets go of the pointer.
@@ -316,10 +316,10 @@ impl Window {
 
     fn side_by_side(&mut self, ui: &mut Ui, body: Rect) {
         let (left, right) = body.split_left_right_at_fraction(0.5);
-        self.canvas.ui(ui, left, &mut self.desk);
+        self.canvas.ui(ui, left, &mut self.session);
         let corner = self.canvas.view.to_screen(left, [0.0; 2]);
         self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
-        self.texture.ui(ui, right, self.desk.document().size, &self.growth);
+        self.texture.ui(ui, right, self.session.document().size, &self.growth);
         self.signs(ui, left, self.canvas.view);
         if !self.texture.tiled {
             self.signs(ui, right, self.texture.view);
@@ -329,13 +329,13 @@ impl Window {
     }
 
     fn one_over_the_other(&mut self, ui: &mut Ui, body: Rect) {
-        self.canvas.ui(ui, body, &mut self.desk);
+        self.canvas.ui(ui, body, &mut self.session);
         let x = body.left() + self.curtain * body.width();
         let seen = Rect::from_min_max(pos2(x, body.top()), body.max);
         let painter = ui.painter_at(seen);
         painter.rect_filled(seen, 0.0, Palette::of(ui.visuals()).desk);
         self.texture.view = self.canvas.view;
-        self.texture.paint(ui, &painter, body, self.desk.document().size);
+        self.texture.paint(ui, &painter, body, self.session.document().size);
         self.signs(ui, body, self.canvas.view);
         texture::curtain(ui, body, &mut self.curtain);
         texture::paint_curtain(ui, body, self.curtain);
@@ -345,7 +345,7 @@ impl Window {
     fn signs(&self, ui: &Ui, room: Rect, view: View) {
         if self.tab == panels::Tab::Result {
             let palette = Palette::of(ui.visuals());
-            self.results.paint(&ui.painter_at(room), room, view, &self.desk, palette);
+            self.results.paint(&ui.painter_at(room), room, view, &self.session, palette);
         }
     }
 
@@ -365,23 +365,23 @@ impl Window {
     fn grow_what_changed(&mut self, ui: &Ui) {
         let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
         if !busy {
-            self.desk.commit();
+            self.session.commit();
         }
         // While the hand still moves, every growth gets as far as its first picture.
         let in_time = !busy || !self.growth.is_growing() || self.growth.first_picture.is_some();
-        if in_time && self.grown != Some(self.desk.revision()) {
-            self.grown = Some(self.desk.revision());
+        if in_time && self.grown != Some(self.session.revision()) {
+            self.grown = Some(self.session.revision());
             self.growth.use_threads(self.settings.threads);
-            self.growth.grow(&self.desk.finished());
+            self.growth.grow(&self.session.finished());
             if self.growth.picture.is_none() {
                 self.texture.take(ui, None);
             }
         }
     }
 
-    /// Another document lies on the desk.
-    pub(super) fn begin(&mut self, desk: Desk) {
-        self.desk = desk;
+    /// Another document was opened.
+    pub(super) fn begin(&mut self, session: Session) {
+        self.session = session;
         self.files.restored = None;
         self.recovery.begin();
         self.canvas.view.fitted = true;
@@ -397,8 +397,8 @@ impl Window {
     }
 
     fn entitle(&mut self, ui: &Ui) {
-        let changed = if self.desk.is_changed() { "*" } else { "" };
-        let title = format!("{changed}{} – dapple", self.desk.title());
+        let changed = if self.session.is_changed() { "*" } else { "" };
+        let title = format!("{changed}{} – dapple", self.session.title());
         if title != self.title {
             ui.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;

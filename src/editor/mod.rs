@@ -1,5 +1,10 @@
-//! The document while somebody works on it: selection, undo, layers. It knows no window toolkit.
+//! The document while it is edited: selection, undo history, layers, marks, recovery. It knows no window toolkit.
 
+pub mod file_lock;
 pub mod history;
-pub mod lock;
+pub mod layer_action;
+pub mod layer_choices;
+pub mod path_encoding;
 pub mod selection;
+pub mod session;
+pub mod shape;

@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 
 use crate::document::Document;
 
-/// Where a stroke stands in a document.
+/// Position of a stroke in a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Place {
     /// Its layer, 0 = the lowest.
     pub layer: usize,
-    /// Its number in the layer.
+    /// Its index in the layer.
     pub stroke: usize,
 }
 
@@ -18,8 +18,8 @@ pub struct Place {
 pub struct Selection(BTreeSet<Place>);
 
 impl Selection {
-    /// These.
-    pub fn of(places: impl IntoIterator<Item = Place>) -> Self {
+    /// Selects these strokes.
+    pub fn new(places: impl IntoIterator<Item = Place>) -> Self {
         Self(places.into_iter().collect())
     }
 
@@ -28,55 +28,55 @@ impl Selection {
         self.0.iter().copied()
     }
 
-    /// How many there are.
+    /// The number of selected strokes.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Is nothing selected?
+    /// Whether nothing is selected.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// Is this one selected?
+    /// Whether this stroke is selected.
     #[must_use]
-    pub fn holds(&self, place: Place) -> bool {
+    pub fn contains(&self, place: Place) -> bool {
         self.0.contains(&place)
     }
 
-    /// The only one.
+    /// The selected stroke, when there is exactly one.
     #[must_use]
     pub fn single(&self) -> Option<Place> {
         if self.0.len() == 1 { self.0.first().copied() } else { None }
     }
 
-    /// Selects, or no longer.
+    /// Selects a stroke, or deselects it.
     pub fn toggle(&mut self, place: Place) {
         if !self.0.remove(&place) {
             self.0.insert(place);
         }
     }
 
-    /// Selects more.
+    /// Selects more strokes.
     pub fn add(&mut self, places: impl IntoIterator<Item = Place>) {
         self.0.extend(places);
     }
 
-    /// Nothing is selected any more.
+    /// Deselects all.
     pub fn clear(&mut self) {
         self.0.clear();
     }
 
-    /// The same strokes where layers went to other places; `None` = they are gone.
+    /// The same strokes after layers have changed their index; `None` = the layer is gone.
     #[must_use]
-    pub fn moved(&self, layer: impl Fn(usize) -> Option<usize>) -> Self {
-        Self::of(self.places().filter_map(|place| Some(Place { layer: layer(place.layer)?, ..place })))
+    pub fn with_layers_moved(&self, new_index: impl Fn(usize) -> Option<usize>) -> Self {
+        Self::new(self.places().filter_map(|place| Some(Place { layer: new_index(place.layer)?, ..place })))
     }
 
-    /// Forgets what is not in the document.
-    pub fn keep_within(&mut self, document: &Document) {
+    /// Removes the strokes that are not in the document.
+    pub fn retain_existing(&mut self, document: &Document) {
         self.0.retain(|place| {
             document.layers.get(place.layer).is_some_and(|layer| place.stroke < layer.strokes.len())
         });

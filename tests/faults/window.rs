@@ -38,19 +38,19 @@ fn a_document_that_cannot_be_saved_stays_unsaved_and_its_file_whole() {
         }
         let before = files(&folder.path().join("disk"));
         hand.draw_round([70.0, 70.0], [10.0, 6.0], 30.0);
-        assert!(hand.window.state().desk().is_changed());
+        assert!(hand.window.state().session().is_changed());
         hand.key(Modifiers::COMMAND, Key::S);
         let said = notice(&hand);
         let remedy =
             if full { "the disk is full; make room" } else { "is not permitted; choose another folder" };
         assert!(said.contains("a.dapple") && said.contains(remedy), "{said}");
-        assert!(hand.window.state().desk().is_changed(), "it is not saved");
+        assert!(hand.window.state().session().is_changed(), "it is not saved");
         assert!(files(&folder.path().join("disk")) == before);
         if full {
             mounted.make_room();
             hand.press("OK");
             hand.key(Modifiers::COMMAND, Key::S);
-            assert!(!hand.window.state().desk().is_changed());
+            assert!(!hand.window.state().session().is_changed());
             assert_eq!(Document::read(&path).unwrap(), hand.document());
         }
     }

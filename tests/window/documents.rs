@@ -42,7 +42,7 @@ fn what_is_saved_is_opened_again() {
     hand.type_into("File", folder.path().join("mine").to_str().unwrap());
     let path = folder.path().join("mine.dapple");
     assert_eq!(Document::read(&path).unwrap(), hand.document());
-    assert!(!hand.window.state().desk().is_changed());
+    assert!(!hand.window.state().session().is_changed());
 
     let again = with(Start { file: Some(path), ..Start::default() }, vec2(1280.0, 800.0), Theme::Light);
     assert_eq!(again.document(), hand.document());
@@ -55,9 +55,9 @@ fn every_example_is_opened_and_saved_without_a_change() {
     for path in files(folder.clone()).chain(files(folder.join("gallery"))) {
         if path.extension().is_some_and(|ending| ending == "dapple") {
             let document = Document::read(&path).unwrap();
-            let desk = dapple::app::Desk::open(document.clone(), Some(path.clone()));
-            assert_eq!(desk.finished(), document, "{}", path.display());
-            assert!(!desk.is_changed());
+            let session = dapple::app::Session::open(document.clone(), Some(path.clone()));
+            assert_eq!(session.finished(), document, "{}", path.display());
+            assert!(!session.is_changed());
         }
     }
 }
@@ -123,7 +123,7 @@ fn a_new_document_has_the_size_and_the_regions_that_were_asked_for() {
     hand.type_into("Rows", "3");
     hand.press("tiles without a seam");
     hand.press("Create");
-    let document = hand.window.state().desk().document().clone();
+    let document = hand.window.state().session().document().clone();
     assert_eq!((document.size, document.regions), ([300, 512], [2, 3]));
     assert_eq!(document.edges, dapple::grid::Edges::Wrap);
 }
@@ -196,7 +196,7 @@ fn a_picture_that_holds_its_document_restores_it_without_a_file() {
     drop_file(&mut hand, &picture);
     assert_eq!(hand.document().layers, Document::read(folder.path().join("small.dapple")).unwrap().layers);
     assert!(!hand.window.state().has_reference());
-    assert_eq!(hand.window.state().desk().path, None);
+    assert_eq!(hand.window.state().session().path, None);
 
     // Saving asks for a name, and the picture stays a picture.
     hand.key(Modifiers::COMMAND, Key::S);
@@ -255,8 +255,8 @@ fn an_svg_becomes_a_sketch_without_a_file_and_says_what_was_left_out() {
     drop_file(&mut hand, &drawing);
     assert_eq!(hand.ellipses().len(), 1);
     assert_eq!(hand.document().size, [200, 160]);
-    let desk = hand.window.state().desk();
-    assert!(desk.path.is_none() && desk.is_changed());
+    let session = hand.window.state().session();
+    assert!(session.path.is_none() && session.is_changed());
     let notices = hand.window.state().notices().to_vec();
     assert!(notices[0].text.contains("not read: 1 × text"), "{notices:?}");
 

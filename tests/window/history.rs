@@ -1,6 +1,6 @@
 //! Undo and redo, whatever was done.
 
-use dapple::app::Desk;
+use dapple::app::Session;
 use dapple::app::{Place, Selection};
 use dapple::document::{After, Document};
 use dapple::marks::{Ellipse, Line, Mark};
@@ -75,44 +75,49 @@ fn layer_deed() -> impl Strategy<Value = Deed> {
     ]
 }
 
-fn some(desk: &Desk, index: usize) -> Option<Place> {
-    let places: Vec<Place> = desk.marks().map(|(place, _)| place).collect();
+fn some(session: &Session, index: usize) -> Option<Place> {
+    let places: Vec<Place> = session.marks().map(|(place, _)| place).collect();
     (!places.is_empty()).then(|| places[index % places.len()])
 }
 
-fn act(desk: &mut Desk, deed: &Deed) {
+fn act(session: &mut Session, deed: &Deed) {
     match deed {
-        Deed::Add(mark) => desk.add(&[*mark]),
-        Deed::Remove(index) => desk.remove(&some(desk, *index).into_iter().collect::<Vec<_>>()),
-        Deed::Nudge(by) => desk.nudge(*by),
+        Deed::Add(mark) => session.add(&[*mark]),
+        Deed::Remove(index) => session.remove(&some(session, *index).into_iter().collect::<Vec<_>>()),
+        Deed::Nudge(by) => session.nudge(*by),
         Deed::Replace(index, mark) => {
             // Only by its own kind: a hand cannot make a line of an ellipse.
-            if let Some(place) = some(desk, *index)
-                && std::mem::discriminant(&desk.mark(place).unwrap()) == std::mem::discriminant(mark)
+            if let Some(place) = some(session, *index)
+                && std::mem::discriminant(&session.mark(place).unwrap()) == std::mem::discriminant(mark)
             {
-                desk.replace(&[(place, *mark)]);
+                session.replace(&[(place, *mark)]);
             }
         }
-        Deed::Regions(regions) => desk.edit(|document| document.regions = *regions),
-        Deed::Select(index) => desk.selection = Selection::of(some(desk, *index)),
-        Deed::Seed(seed) => desk.edit(|document| document.seed = *seed),
-        Deed::AddLayer => desk.add_layer(),
-        Deed::DuplicateLayer => desk.duplicate_layer(),
-        Deed::DeleteLayer(layer) => desk.delete_layer(*layer),
-        Deed::MoveLayer(from, to) => desk.move_layer(*from, *to),
-        Deed::TakeLayer(layer) => desk.take_layer(*layer),
-        Deed::SketchNext => desk.sketch_next(),
-        Deed::Hide(layer) => desk.show_layer(*layer, false),
-        Deed::Meet(layer, after, broken) => desk.change_layer(*layer, |layer| {
+        Deed::Regions(regions) => session.edit(|document| document.regions = *regions),
+        Deed::Select(index) => session.selection = Selection::new(some(session, *index)),
+        Deed::Seed(seed) => session.edit(|document| document.seed = *seed),
+        Deed::AddLayer => session.add_layer(),
+        Deed::DuplicateLayer => session.duplicate_layer(),
+        Deed::DeleteLayer(layer) => session.delete_layer(*layer),
+        Deed::MoveLayer(from, to) => session.move_layer(*from, *to),
+        Deed::TakeLayer(layer) => session.activate_layer(*layer),
+        Deed::SketchNext => session.sketch_next(),
+        Deed::Hide(layer) => session.show_layer(*layer, false),
+        Deed::Meet(layer, after, broken) => session.change_layer(*layer, |layer| {
             (layer.after, layer.options.broken) = (*after, *broken);
         }),
-        Deed::Duty(layer, duty) => desk.change_layer(*layer, |layer| layer.options.duty = *duty),
-        Deed::Undo => desk.undo(),
-        Deed::Redo => desk.redo(),
+        Deed::Duty(layer, duty) => session.change_layer(*layer, |layer| layer.options.duty = *duty),
+        Deed::Undo => session.undo(),
+        Deed::Redo => session.redo(),
     }
-    desk.commit();
-    assert!(desk.frozen() <= desk.layer, "{} frozen, {} at hand", desk.frozen(), desk.layer);
-    assert!(desk.layer < desk.document().layers.len().max(1));
+    session.commit();
+    assert!(
+        session.frozen() <= session.active_layer,
+        "{} frozen, {} at hand",
+        session.frozen(),
+        session.active_layer
+    );
+    assert!(session.active_layer < session.document().layers.len().max(1));
 }
 
 proptest! {
@@ -120,36 +125,36 @@ proptest! {
 
     #[test]
     fn all_can_be_undone_and_done_again(deeds in prop::collection::vec(deed(), 1..40)) {
-        let mut desk = Desk::open(Document::default(), None);
+        let mut session = Session::open(Document::default(), None);
         for deed in &deeds {
-            act(&mut desk, deed);
+            act(&mut session, deed);
         }
-        let last = desk.document().clone();
+        let last = session.document().clone();
         let mut steps = 0;
-        while desk.can_undo_redo()[0] {
-            desk.undo();
+        while session.can_undo_redo()[0] {
+            session.undo();
             steps += 1;
             prop_assert!(steps <= deeds.len());
         }
-        prop_assert_eq!(desk.document(), &Document::default());
+        prop_assert_eq!(session.document(), &Document::default());
         for _ in 0..steps {
-            desk.redo();
+            session.redo();
         }
-        while desk.can_undo_redo()[1] {
-            desk.redo();
+        while session.can_undo_redo()[1] {
+            session.redo();
         }
         // What was undone at the end of the deeds is done again beyond it.
         if !deeds.iter().any(|deed| matches!(deed, Deed::Undo)) {
-            prop_assert_eq!(desk.document(), &last);
+            prop_assert_eq!(session.document(), &last);
         }
     }
 
     #[test]
     fn whatever_is_drawn_can_be_saved_and_read_again(deeds in prop::collection::vec(deed(), 1..40)) {
-        let mut desk = Desk::open(Document::default(), None);
+        let mut session = Session::open(Document::default(), None);
         for deed in &deeds {
-            act(&mut desk, deed);
-            let document = desk.finished();
+            act(&mut session, deed);
+            let document = session.finished();
             if !document.layers.is_empty() {
                 let again = Document::parse(&document.to_json(), "itself").unwrap();
                 prop_assert_eq!(again, document);
@@ -159,16 +164,16 @@ proptest! {
 
     #[test]
     fn one_step_back_and_forth_is_no_change(deeds in prop::collection::vec(deed(), 1..30)) {
-        let mut desk = Desk::open(Document::default(), None);
+        let mut session = Session::open(Document::default(), None);
         for deed in &deeds {
-            act(&mut desk, deed);
-            if matches!(deed, Deed::Undo | Deed::Redo) || !desk.can_undo_redo()[0] {
+            act(&mut session, deed);
+            if matches!(deed, Deed::Undo | Deed::Redo) || !session.can_undo_redo()[0] {
                 continue;
             }
-            let now = desk.document().clone();
-            desk.undo();
-            desk.redo();
-            prop_assert_eq!(desk.document(), &now);
+            let now = session.document().clone();
+            session.undo();
+            session.redo();
+            prop_assert_eq!(session.document(), &now);
         }
     }
 }
@@ -216,7 +221,7 @@ proptest! {
     #[test]
     fn whatever_the_hand_did_is_undone_step_by_step(moves in prop::collection::vec(moves(), 1..25)) {
         let mut hand = hand();
-        let empty = hand.window.state().desk().document().clone();
+        let empty = hand.window.state().session().document().clone();
         for act in &moves {
             match act {
                 Move::Drag(from, to) => {
@@ -231,11 +236,11 @@ proptest! {
             }
         }
         for _ in 0..200 {
-            if !hand.window.state().desk().can_undo_redo()[0] {
+            if !hand.window.state().session().can_undo_redo()[0] {
                 break;
             }
             hand.key(Modifiers::COMMAND, Key::Z);
         }
-        prop_assert_eq!(hand.window.state().desk().document(), &empty);
+        prop_assert_eq!(hand.window.state().session().document(), &empty);
     }
 }

@@ -58,5 +58,5 @@ fn escape_closes_a_menu_and_keeps_what_is_selected() {
     assert!(hand.window.query_by_label_contains("Select all").is_some());
     hand.key(Modifiers::NONE, Key::Escape);
     assert!(hand.window.query_by_label_contains("Select all").is_none());
-    assert_eq!(hand.window.state().desk().selection.len(), 1);
+    assert_eq!(hand.window.state().session().selection.len(), 1);
 }

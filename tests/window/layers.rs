@@ -20,7 +20,7 @@ fn two() -> Hand {
 }
 
 fn at_hand(hand: &Hand) -> usize {
-    hand.window.state().desk().layer
+    hand.window.state().session().layer
 }
 
 /// The rows as they are said, from the top.
@@ -175,7 +175,7 @@ fn a_hidden_layer_still_grows_but_the_hand_does_not_touch_it() {
     assert!(!hand.document().layers[0].visible);
     assert_eq!(rows(&hand)[1], "Layer layer 1, 2 ellipses, hidden");
     hand.key(Modifiers::COMMAND, Key::A);
-    assert_eq!(hand.window.state().desk().selection.len(), 1);
+    assert_eq!(hand.window.state().session().selection.len(), 1);
     hand.press("Show layer 1");
     assert!(hand.document().layers[0].visible);
     undo(&mut hand);
@@ -200,7 +200,7 @@ fn a_frozen_layer_is_left_alone_until_it_is_thawed() {
     // A click on it does, and so does its snowflake.
     hand.key(Modifiers::NONE, Key::V);
     hand.click([100.0, 92.0]);
-    assert_eq!((at_hand(&hand), hand.window.state().desk().frozen()), (0, 0));
+    assert_eq!((at_hand(&hand), hand.window.state().session().frozen()), (0, 0));
     hand.key(Modifiers::NONE, Key::F);
     assert_eq!(at_hand(&hand), 1);
     hand.press("Thaw layer 1");

@@ -55,7 +55,7 @@ fn a_new_document_is_as_preferred() {
     settings.write();
     let mut hand = at(&file);
     let is = |hand: &Hand| {
-        let document = hand.window.state().desk().document();
+        let document = hand.window.state().session().document();
         assert_eq!((document.size, document.regions), ([640, 320], [4, 1]));
         assert_eq!((document.edges, document.dpi), (dapple::grid::Edges::Wrap, 72.0));
     };

@@ -53,7 +53,7 @@ fn what_was_drawn_before_a_crash_is_offered_once_and_restored() {
     assert!(hand.window.query_by_label("Never saved to a file").is_some());
     hand.press(RESTORE);
     assert_eq!(hand.document(), drawn);
-    assert!(hand.window.state().desk().is_changed(), "it is not saved yet");
+    assert!(hand.window.state().session().is_changed(), "it is not saved yet");
     assert_eq!(is_offered(&hand), 0);
     hand.key(Modifiers::COMMAND, Key::S);
     let file = folder.path().join("mine.dapple");
@@ -95,7 +95,7 @@ fn changes_of_a_file_come_back_with_the_file() {
     assert!(hand.window.query_by_label(file.to_str().unwrap()).is_some());
     hand.press(RESTORE);
     assert_eq!(hand.document(), moved);
-    assert_eq!(hand.window.state().desk().path.as_deref(), Some(&*file));
+    assert_eq!(hand.window.state().session().path.as_deref(), Some(&*file));
     hand.key(Modifiers::COMMAND, Key::S);
     assert_eq!(Document::read(&file).unwrap(), moved, "it is saved where it came from");
     until_slots(&mut hand, folder.path(), 0);

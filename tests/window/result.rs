@@ -126,7 +126,7 @@ fn what_cannot_be_reached_is_drawn_as_it_can_be_in_one_step() {
 
     hand.key(Modifiers::COMMAND, Key::Z);
     assert_eq!(hand.document(), before);
-    assert!(!hand.window.state().desk().can_undo_redo()[0]);
+    assert!(!hand.window.state().session().can_undo_redo()[0]);
 }
 
 #[test]

@@ -16,7 +16,7 @@ fn row(places: &[f64]) -> Hand {
 }
 
 fn selected(hand: &Hand) -> usize {
-    hand.window.state().desk().selection.len()
+    hand.window.state().session().selection.len()
 }
 
 #[test]

@@ -11,10 +11,10 @@ use std::sync::Arc;
 
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
-use super::desk::Desk;
 use super::growth::{Growth, Texture, essence};
 use super::result::layer_of;
 use crate::document::{Document, Layer};
+use crate::editor::session::Session;
 use crate::synth::{Grown, Training};
 use series::{Job, Series};
 use variants::{Variant, variants};
@@ -69,7 +69,7 @@ pub struct Alternatives {
     stopped: bool,
     /// The document they were last compared with.
     followed: Option<Arc<Document>>,
-    /// The one that is on the desk.
+    /// The one that is open.
     taken: Option<u64>,
     ids: u64,
 }
@@ -90,13 +90,13 @@ impl Alternatives {
         }
     }
 
-    /// Another document is on the desk.
+    /// Another document is open.
     pub fn forget(&mut self) {
         *self = Self { shown: self.shown, ids: self.ids, ..Self::new(Arc::clone(&self.training)) };
     }
 
     /// Goes along with what is drawn and grown; never waits. While a hand is `busy` nothing is begun.
-    pub fn follow(&mut self, ctx: &Context, desk: &Desk, growth: &Growth, busy: bool) {
+    pub fn follow(&mut self, ctx: &Context, session: &Session, growth: &Growth, busy: bool) {
         self.listen();
         if !self.shown {
             self.series = None;
@@ -110,7 +110,7 @@ impl Alternatives {
         let same = self.followed.as_ref().is_some_and(|followed| Arc::ptr_eq(followed, &texture.document));
         if !same && !busy {
             self.followed = Some(Arc::clone(&texture.document));
-            self.compare(texture, layer_of(desk, desk.layer).unwrap_or(0));
+            self.compare(texture, layer_of(session, session.active_layer).unwrap_or(0));
         }
         if self.series.is_none() && !self.stopped && !busy {
             self.begin(ctx);
@@ -166,7 +166,7 @@ impl Alternatives {
         self.all.retain(|one| one.kept);
         let base = Variant {
             name: "Original".to_owned(),
-            help: "What was on the desk when these alternatives were looked for".to_owned(),
+            help: "What was on the session when these alternatives were looked for".to_owned(),
             document: (*texture.document).clone(),
         };
         let others = variants(&texture.document, &texture.grown, layer);
@@ -255,7 +255,7 @@ impl Alternatives {
         (growing == id).then_some(share)
     }
 
-    /// Is it the one on the desk?
+    /// Is it the one that is open?
     #[must_use]
     pub fn is_taken(&self, id: u64) -> bool {
         self.taken == Some(id)
@@ -283,12 +283,12 @@ fn fits(a: &Document, b: &Document) -> bool {
         && a.layers.iter().zip(&b.layers).all(|(a, b)| a.strokes == b.strokes && a.after == b.after)
 }
 
-/// Puts `document` on the desk as one step that can be undone. Layers on which nothing is drawn yet stay where the marks
+/// Replaces the open document by `document`, as one step that can be undone. Layers on which nothing is drawn yet stay where the marks
 /// are the same.
-pub fn put(desk: &mut Desk, document: &Document) {
-    desk.commit();
-    let same = fits(&desk.finished(), document);
-    desk.edit(|old| {
+pub fn put(session: &mut Session, document: &Document) {
+    session.commit();
+    let same = fits(&session.finished(), document);
+    session.edit(|old| {
         let mut layers: Vec<Layer> = document.layers.clone();
         if same {
             let mut new = layers.into_iter();
@@ -303,6 +303,6 @@ pub fn put(desk: &mut Desk, document: &Document) {
         }
         *old = Document { layers, ..document.clone() };
     });
-    desk.layer = desk.layer.min(desk.document().layers.len().saturating_sub(1));
-    desk.commit();
+    session.active_layer = session.active_layer.min(session.document().layers.len().saturating_sub(1));
+    session.commit();
 }

@@ -93,22 +93,22 @@ fn a_layer_without_marks_stays_on_the_desk() {
     let mut drawn = document(vec![spot([60.0, 60.0])]);
     drawn.layers.insert(0, Layer::default());
     drawn.layers[1].name.clear();
-    let mut desk = Desk::open(drawn.clone(), None);
-    let mut other = desk.finished();
+    let mut session = Session::open(drawn.clone(), None);
+    let mut other = session.finished();
     other.seed = 5;
     other.layers[0].system = SystemChoice::TuringSpots;
-    put(&mut desk, &other);
-    assert_eq!(desk.finished(), other);
-    assert_eq!(desk.document().layers.len(), 2);
-    assert!(desk.document().layers[1].name.is_empty());
-    desk.undo();
-    assert_eq!(*desk.document(), drawn);
+    put(&mut session, &other);
+    assert_eq!(session.finished(), other);
+    assert_eq!(session.document().layers.len(), 2);
+    assert!(session.document().layers[1].name.is_empty());
+    session.undo();
+    assert_eq!(*session.document(), drawn);
 }
 
 #[test]
 fn another_sketch_is_put_down_as_a_whole() {
-    let mut desk = Desk::open(document(vec![spot([60.0, 60.0])]), None);
+    let mut session = Session::open(document(vec![spot([60.0, 60.0])]), None);
     let other = document(vec![spot([30.0, 60.0]), spot([90.0, 60.0])]);
-    put(&mut desk, &other);
-    assert_eq!(*desk.document(), other);
+    put(&mut session, &other);
+    assert_eq!(*session.document(), other);
 }

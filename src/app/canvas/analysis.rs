@@ -3,11 +3,11 @@
 use egui::{Align2, Color32, FontId, Stroke, vec2};
 
 use super::ink::Ink;
-use crate::app::desk::Desk;
-use crate::app::shape;
 use crate::app::theme::Palette;
 use crate::attributes::regions::{Region, RegionMap};
 use crate::attributes::{Attributes, spacing};
+use crate::editor::session::Session;
+use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
 
 /// The analysed sketch: one map a layer that has marks.
@@ -19,19 +19,19 @@ pub struct Analysis {
 
 impl Analysis {
     /// Brings it up to date with what is drawn.
-    pub fn follow(&mut self, desk: &Desk) {
-        if self.revision == Some(desk.revision()) {
+    pub fn follow(&mut self, session: &Session) {
+        if self.revision == Some(session.revision()) {
             return;
         }
-        self.revision = Some(desk.revision());
-        let document = desk.document();
+        self.revision = Some(session.revision());
+        let document = session.document();
         let size = document.size.map(f64::from);
         let grid = document.regions.map(|n| n as usize);
-        let map = |layer| RegionMap::of(&desk.marks_of(layer), size, grid, document.edges).ok();
+        let map = |layer| RegionMap::of(&session.marks_of(layer), size, grid, document.edges).ok();
         self.maps = (0..document.layers.len()).map(map).collect();
     }
 
-    /// Another document is on the desk.
+    /// Another document is open.
     pub fn forget(&mut self) {
         *self = Self::default();
     }
@@ -51,11 +51,11 @@ impl Analysis {
     }
 
     /// Paints what is seen in layer `layer`.
-    pub fn paint(&self, ink: &Ink, desk: &Desk, layer: usize, colours: &Palette) {
+    pub fn paint(&self, ink: &Ink, session: &Session, layer: usize, colours: &Palette) {
         let Some(map) = self.map(layer) else { return };
-        let marks = desk.marks_of(layer);
+        let marks = session.marks_of(layer);
         for index in 0..map.layout().len() {
-            let own = |mark: &&Mark| map.layout().index(map.region_of(shape::middle(mark))) == index;
+            let own = |mark: &&Mark| map.layout().index(map.region_of(shape::center(mark))) == index;
             let own: Vec<Mark> = marks.iter().filter(own).copied().collect();
             neighbours(ink, &own, colours);
         }

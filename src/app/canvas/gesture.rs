@@ -2,9 +2,9 @@
 
 use super::handles::{self, Handle};
 use super::tool::Tool;
-use crate::app::desk::Desk;
-use crate::app::shape;
 use crate::editor::selection::{Place, Selection};
+use crate::editor::session::Session;
+use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
 use crate::sketch::recognise;
 
@@ -71,45 +71,45 @@ impl Default for Nib {
 }
 
 /// The pointer goes down.
-pub fn press(tool: Tool, desk: &mut Desk, handle: Option<Handle>, hand: Hand) -> Gesture {
+pub fn press(tool: Tool, session: &mut Session, handle: Option<Handle>, hand: Hand) -> Gesture {
     match tool {
         Tool::Hand => Gesture::Pan,
         Tool::Pen => Gesture::Pen(vec![hand.at]),
         Tool::Ellipse => Gesture::Ellipse([hand.at; 2]),
         Tool::Line => Gesture::Line([hand.at; 2]),
         Tool::Eraser => {
-            erase(desk, [hand.at; 2], hand.zoom);
+            erase(session, [hand.at; 2], hand.zoom);
             Gesture::Erase(hand.at)
         }
         Tool::Select => match handle {
-            Some(handle) => Gesture::Pull(handle, hand.at, desk.selected().collect()),
-            None => select(desk, hand),
+            Some(handle) => Gesture::Pull(handle, hand.at, session.selected().collect()),
+            None => select(session, hand),
         },
     }
 }
 
-fn select(desk: &mut Desk, hand: Hand) -> Gesture {
-    let Some(on) = desk.hit(hand.at, 6.0 / hand.zoom) else {
-        let before = if hand.shift { desk.selection.clone() } else { Selection::default() };
-        desk.selection.clone_from(&before);
+fn select(session: &mut Session, hand: Hand) -> Gesture {
+    let Some(on) = session.hit(hand.at, 6.0 / hand.zoom) else {
+        let before = if hand.shift { session.selection.clone() } else { Selection::default() };
+        session.selection.clone_from(&before);
         return Gesture::Box([hand.at; 2], before);
     };
     if hand.shift {
-        desk.selection.toggle(on);
-    } else if !desk.selection.holds(on) {
-        desk.selection = Selection::of([on]);
+        session.selection.toggle(on);
+    } else if !session.selection.contains(on) {
+        session.selection = Selection::new([on]);
     }
-    desk.layer = on.layer;
+    session.active_layer = on.layer;
     if hand.alt {
-        let copies: Vec<Mark> = desk.selected().map(|(_, mark)| mark).collect();
-        desk.add(&copies);
+        let copies: Vec<Mark> = session.selected().map(|(_, mark)| mark).collect();
+        session.add(&copies);
     }
-    Gesture::Move { from: hand.at, marks: desk.selected().collect(), on, moved: false }
+    Gesture::Move { from: hand.at, marks: session.selected().collect(), on, moved: false }
 }
 
 impl Gesture {
     /// The pointer moves.
-    pub fn advance(&mut self, desk: &mut Desk, hand: Hand) {
+    pub fn advance(&mut self, session: &mut Session, hand: Hand) {
         match self {
             Self::Pan => {}
             Self::Pen(points) => {
@@ -128,64 +128,64 @@ impl Gesture {
             Self::Box(ends, before) => {
                 ends[1] = hand.at;
                 let mut selection = before.clone();
-                selection.add(within(desk, *ends));
-                desk.selection = selection;
+                selection.add(within(session, *ends));
+                session.selection = selection;
             }
             Self::Move { from, marks, moved, .. } => {
                 let by = [hand.at[0] - from[0], hand.at[1] - from[1]];
                 *moved |= by[0].hypot(by[1]) * hand.zoom > CLICK;
                 if *moved {
-                    let by = desk.within(marks, by);
+                    let by = session.limit_move(marks, by);
                     let there: Vec<_> =
                         marks.iter().map(|(place, mark)| (*place, shape::moved(mark, by))).collect();
-                    desk.replace(&there);
+                    session.replace(&there);
                 }
             }
             Self::Pull(handle, from, marks) => {
-                desk.replace(&handles::pulled(*handle, marks, [*from, hand.at], hand.shift));
+                session.replace(&handles::pulled(*handle, marks, [*from, hand.at], hand.shift));
             }
             Self::Erase(last) => {
-                erase(desk, [*last, hand.at], hand.zoom);
+                erase(session, [*last, hand.at], hand.zoom);
                 *last = hand.at;
             }
         }
     }
 
     /// The pointer goes up. Gives the stroke that shall fade away, if one was recognised.
-    pub fn release(self, desk: &mut Desk, nib: &mut Nib, hand: Hand) -> Option<Vec<[f64; 2]>> {
+    pub fn release(self, session: &mut Session, nib: &mut Nib, hand: Hand) -> Option<Vec<[f64; 2]>> {
         let far = |[from, to]: [[f64; 2]; 2]| (to[0] - from[0]).hypot(to[1] - from[1]) * hand.zoom > CLICK;
         match self {
             Self::Pen(points) => {
                 let mark =
                     recognise(&points, nib.width).filter(|_| points.iter().any(|p| far([points[0], *p])))?;
-                desk.add(&[mark]);
+                session.add(&[mark]);
                 return Some(points);
             }
             Self::Ellipse(ends) if far(ends) => {
                 if let Some(ellipse) = between(ends) {
                     nib.radii = ellipse.radii;
-                    desk.add(&[Mark::Ellipse(ellipse)]);
+                    session.add(&[Mark::Ellipse(ellipse)]);
                 }
             }
             Self::Ellipse([at, _]) => {
-                desk.add(&[Mark::Ellipse(Ellipse { center: at, radii: nib.radii, angle: 0.0 })]);
+                session.add(&[Mark::Ellipse(Ellipse { center: at, radii: nib.radii, angle: 0.0 })]);
             }
-            Self::Line(ends) if far(ends) => desk.add(&[Mark::Line(line(ends, nib.width))]),
+            Self::Line(ends) if far(ends) => session.add(&[Mark::Line(line(ends, nib.width))]),
             Self::Box(ends, _) if !far(ends) && !hand.shift => {
                 // A frozen mark that is clicked on is frozen no more.
-                if let Some(place) = desk.hit_frozen(hand.at, 6.0 / hand.zoom) {
-                    desk.take_layer(place.layer);
-                    desk.selection = Selection::of([place]);
+                if let Some(place) = session.hit_frozen(hand.at, 6.0 / hand.zoom) {
+                    session.activate_layer(place.layer);
+                    session.selection = Selection::new([place]);
                 }
             }
             Self::Box(..) => {
-                let mut layers = desk.selection.places().map(|place| place.layer);
+                let mut layers = session.selection.places().map(|place| place.layer);
                 if let Some(first) = layers.next().filter(|first| layers.all(|layer| layer == *first)) {
-                    desk.layer = first;
+                    session.active_layer = first;
                 }
             }
             Self::Move { on, moved: false, .. } if !hand.shift && !hand.alt => {
-                desk.selection = Selection::of([on]);
+                session.selection = Selection::new([on]);
             }
             _ => {}
         }
@@ -223,15 +223,15 @@ fn squared(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
 }
 
 /// The marks with their middle in a box.
-fn within(desk: &Desk, [from, to]: [[f64; 2]; 2]) -> Vec<Place> {
+fn within(session: &Session, [from, to]: [[f64; 2]; 2]) -> Vec<Place> {
     let inside = |point: [f64; 2]| {
         (0..2).all(|axis| from[axis].min(to[axis]) <= point[axis] && point[axis] <= from[axis].max(to[axis]))
     };
-    desk.reachable().filter(|(_, mark)| inside(shape::middle(mark))).map(|(place, _)| place).collect()
+    session.editable_marks().filter(|(_, mark)| inside(shape::center(mark))).map(|(place, _)| place).collect()
 }
 
 /// Takes away what the eraser touches on its way.
-fn erase(desk: &mut Desk, [from, to]: [[f64; 2]; 2], zoom: f64) {
+fn erase(session: &mut Session, [from, to]: [[f64; 2]; 2], zoom: f64) {
     /// Half the eraser's breadth, points.
     const REACH: f64 = 5.0;
     let length = (to[0] - from[0]).hypot(to[1] - from[1]) * zoom;
@@ -240,11 +240,11 @@ fn erase(desk: &mut Desk, [from, to]: [[f64; 2]; 2], zoom: f64) {
     for step in 0..=steps {
         let t = step as f64 / steps as f64;
         let at = [0, 1].map(|axis| from[axis] + t * (to[axis] - from[axis]));
-        gone.extend(desk.hit(at, REACH / zoom));
+        gone.extend(session.hit(at, REACH / zoom));
     }
     gone.sort_unstable();
     gone.dedup();
     if !gone.is_empty() {
-        desk.remove(&gone);
+        session.remove(&gone);
     }
 }

@@ -3,9 +3,9 @@
 use egui::{CursorIcon, Pos2, Rect, Vec2, vec2};
 
 use super::view::{View, corners};
-use crate::app::desk::Desk;
-use crate::app::shape;
 use crate::editor::selection::Place;
+use crate::editor::session::Session;
+use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
 
 /// How near the pointer must come to a handle, points. A fingertip's half width.
@@ -32,8 +32,8 @@ pub enum Handle {
 
 /// The handles of what is selected, and where they are.
 #[must_use]
-pub fn handles(desk: &Desk, view: &View, room: Rect) -> Vec<(Handle, Pos2)> {
-    let marks: Vec<(Place, Mark)> = desk.selected().collect();
+pub fn handles(session: &Session, view: &View, room: Rect) -> Vec<(Handle, Pos2)> {
+    let marks: Vec<(Place, Mark)> = session.selected().collect();
     match &marks[..] {
         [] => Vec::new(),
         [(_, Mark::Ellipse(ellipse))] => of_ellipse(ellipse, view, room),
@@ -137,7 +137,7 @@ pub fn pulled(
         }
         Handle::Turn => {
             let pivot = match marks {
-                [(_, mark)] => shape::middle(mark),
+                [(_, mark)] => shape::center(mark),
                 _ => [0, 1].map(|axis| 0.5 * (low[axis] + high[axis])),
             };
             let towards = |p: [f64; 2]| (p[1] - pivot[1]).atan2(p[0] - pivot[0]).to_degrees();

@@ -16,11 +16,11 @@ use egui::{
     Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
 
-use super::desk::Desk;
 use super::reference::Reference;
 use super::theme::Palette;
 use super::underlay::Underlay;
 use super::units::{Ruler, Units};
+use crate::editor::session::Session;
 use crate::grid::Edges;
 use crate::marks::Mark;
 use crate::sketch::recognise;
@@ -108,23 +108,23 @@ impl Canvas {
     }
 
     /// Lets go of what is being drawn.
-    pub fn cancel(&mut self, desk: &mut Desk) -> bool {
+    pub fn cancel(&mut self, session: &mut Session) -> bool {
         let held = self.gesture.take().is_some();
         if held {
-            desk.revert();
+            session.revert();
         }
         held
     }
 
     /// Shows the canvas in `room` and lets the hand work on it.
-    pub fn ui(&mut self, ui: &mut Ui, room: Rect, desk: &mut Desk) -> Response {
+    pub fn ui(&mut self, ui: &mut Ui, room: Rect, session: &mut Session) -> Response {
         let response = ui.interact(room, ui.scope_id().with("sketch"), Sense::drag());
         self.id = Some(response.id);
-        let marks = desk.marks().count();
+        let marks = session.marks().count();
         let name = format!("Sketch canvas, {marks} {}", if marks == 1 { "mark" } else { "marks" });
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, &name));
         if self.view.fitted {
-            self.view.fit(desk.document().size, room);
+            self.view.fit(session.document().size, room);
         }
         self.by_pointer &= response.has_focus() || response.dragged();
         if response.has_focus() {
@@ -135,24 +135,24 @@ impl Canvas {
         self.pointer = response.hover_pos().map(|at| self.view.to_canvas(room, at));
         if ui.input(egui::InputState::multi_touch).is_some() {
             // Two fingers move the view; what the first one began was not meant.
-            self.cancel(desk);
+            self.cancel(session);
         } else {
-            self.hand(ui, &response, room, desk);
+            self.hand(ui, &response, room, session);
         }
         let grabbed = matches!(self.gesture, Some(Gesture::Pan));
         navigate(ui, &response, room, &mut self.view, grabbed);
-        self.analysis.follow(desk);
-        self.paint(ui, room, desk, &response);
+        self.analysis.follow(session);
+        self.paint(ui, room, session, &response);
         response
     }
 
-    fn hand(&mut self, ui: &Ui, response: &Response, room: Rect, desk: &mut Desk) {
+    fn hand(&mut self, ui: &Ui, response: &Response, room: Rect, session: &mut Session) {
         let (modifiers, space) = ui.input(|input| (input.modifiers, input.key_down(Key::Space)));
         let zoom = f64::from(self.view.zoom);
         let view = self.view;
         let hand =
             |at| Hand { at: view.to_canvas(room, at), zoom, shift: modifiers.shift, alt: modifiers.alt };
-        let handles = handles::handles(desk, &self.view, room);
+        let handles = handles::handles(session, &self.view, room);
         if response.drag_started() {
             response.request_focus();
             self.by_pointer = true;
@@ -160,14 +160,14 @@ impl Canvas {
             if let Some(at) = ui.input(|input| input.pointer.press_origin()) {
                 let handle = handles::at(&handles, at);
                 let tool = if primary && !space { self.tool } else { Tool::Hand };
-                self.gesture = Some(gesture::press(tool, desk, handle, hand(at)));
+                self.gesture = Some(gesture::press(tool, session, handle, hand(at)));
             }
         }
         if let Some(gesture) = &mut self.gesture {
             // All the places the pointer was at since the last frame, not just the last one.
             let path = ui.input(|input| moves(&input.events));
             for at in path {
-                gesture.advance(desk, hand(at));
+                gesture.advance(session, hand(at));
             }
         }
         if response.drag_stopped()
@@ -175,7 +175,7 @@ impl Canvas {
         {
             let at = response.interact_pointer_pos().or(ui.input(|input| input.pointer.latest_pos()));
             if let Some(at) = at {
-                let stroke = gesture.release(desk, &mut self.nib, hand(at));
+                let stroke = gesture.release(session, &mut self.nib, hand(at));
                 self.fading.extend(stroke.map(|points| (points, ui.input(|input| input.time))));
             }
         }
@@ -202,25 +202,25 @@ impl Canvas {
         ui.ctx().set_cursor_icon(icon);
     }
 
-    fn paint(&mut self, ui: &Ui, room: Rect, desk: &Desk, response: &Response) {
+    fn paint(&mut self, ui: &Ui, room: Rect, session: &Session, response: &Response) {
         let colours = Palette::of(ui.visuals());
         let painter = ui.painter_at(room);
         painter.rect_filled(room, 0.0, colours.desk);
-        let paper = self.view.paper(room, desk.document().size);
+        let paper = self.view.paper(room, session.document().size);
         painter.rect_filled(paper, 2.0, colours.paper);
         self.underlay.paint(&painter, paper);
         self.reference.paint(&painter, paper);
         let ink = Ink { painter: &painter, view: &self.view, room };
         if self.overlays.regions {
-            grid(&ink, desk, colours);
+            grid(&ink, session, colours);
         }
         painter.rect_stroke(paper, 2.0, Stroke::new(1.0, colours.border), StrokeKind::Outside);
-        self.marks(&ink, desk, colours);
+        self.marks(&ink, session, colours);
         if self.overlays.analysis {
-            self.analysis.paint(&ink, desk, desk.layer, colours);
+            self.analysis.paint(&ink, session, session.active_layer, colours);
         }
-        self.selection(&ink, desk, colours);
-        self.in_hand(ui, &ink, Ruler { units: self.units, dpi: desk.document().dpi }, colours);
+        self.selection(&ink, session, colours);
+        self.in_hand(ui, &ink, Ruler { units: self.units, dpi: session.document().dpi }, colours);
         fade(ui, &ink, &mut self.fading, colours);
         if response.has_focus() && !self.by_pointer {
             painter.rect_stroke(
@@ -232,12 +232,12 @@ impl Canvas {
         }
     }
 
-    fn marks(&self, ink: &Ink, desk: &Desk, colours: &Palette) {
+    fn marks(&self, ink: &Ink, session: &Session, colours: &Palette) {
         let fill = if self.overlays.analysis { 0.10 } else { 0.82 };
-        for (place, mark) in desk.marks() {
+        for (place, mark) in session.marks() {
             let colour = colours.ink(place.layer);
-            let [body, outline] = self.presence(desk, place.layer);
-            if desk.selection.holds(place) {
+            let [body, outline] = self.presence(session, place.layer);
+            if session.selection.contains(place) {
                 let outline = Stroke::new(2.0, colours.accent);
                 ink.mark(&mark, colour.gamma_multiply(0.6 * fill), outline);
             } else {
@@ -249,20 +249,20 @@ impl Canvas {
 
     /// How much of a layer's marks is seen: of their body, and of their outline. Those at hand are seen in full, the
     /// others stand back; hidden ones still grow, unpainted, and so are outlines.
-    fn presence(&self, desk: &Desk, layer: usize) -> [f32; 2] {
-        if !desk.document().layers[layer].visible {
+    fn presence(&self, session: &Session, layer: usize) -> [f32; 2] {
+        if !session.document().layers[layer].visible {
             [0.0, 0.45]
-        } else if layer < desk.frozen() {
+        } else if layer < session.frozen() {
             if self.underlay.is_there() { [0.0, 0.5] } else { [0.25, 0.5] }
-        } else if layer == desk.layer || desk.document().layers.len() == 1 {
+        } else if layer == session.active_layer || session.document().layers.len() == 1 {
             [1.0, 1.0]
         } else {
             [0.5, 0.7]
         }
     }
 
-    fn selection(&self, ink: &Ink, desk: &Desk, colours: &Palette) {
-        let marks: Vec<_> = desk.selected().collect();
+    fn selection(&self, ink: &Ink, session: &Session, colours: &Palette) {
+        let marks: Vec<_> = session.selected().collect();
         if marks.len() > 1
             && let Some(around) = handles::frame(&marks, ink.view, ink.room)
         {
@@ -271,7 +271,7 @@ impl Canvas {
         if self.tool != Tool::Select || matches!(self.gesture, Some(Gesture::Move { .. })) {
             return;
         }
-        for (handle, at) in handles::handles(desk, ink.view, ink.room) {
+        for (handle, at) in handles::handles(session, ink.view, ink.room) {
             let stroke = Stroke::new(1.5, colours.accent);
             if handle == handles::Handle::Turn {
                 ink.painter.circle(at, 4.5, colours.accent, stroke);
@@ -346,8 +346,8 @@ fn label(ink: &Ink, mark: &Mark, at: egui::Pos2, ruler: Ruler, colours: &Palette
 }
 
 /// The borders between regions; on a seamless canvas its own border too.
-fn grid(ink: &Ink, desk: &Desk, colours: &Palette) {
-    let document = desk.document();
+fn grid(ink: &Ink, session: &Session, colours: &Palette) {
+    let document = session.document();
     let size = document.size.map(f64::from);
     let stroke = Stroke::new(1.0, colours.grid);
     for axis in 0..2 {

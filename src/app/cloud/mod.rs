@@ -58,7 +58,7 @@ impl Cloud {
         self.asked = Some(asked);
     }
 
-    /// Another document is on the desk.
+    /// Another document is open.
     pub fn forget(&mut self) {
         *self = Self { axes: self.axes, question: self.question, ..Self::default() };
     }

@@ -154,7 +154,7 @@ impl View {
         ui.spacing_mut().slider_width = (ui.available_width() - 70.0).max(60.0);
         let slider = Slider::new(&mut self.time, 0.0..=length).fixed_decimals(1).suffix(" s");
         let slider = ui.add(slider);
-        slider.widget_info(|| WidgetInfo::slider(true, self.time, "Moment of the film"));
+        slider.widget_info(|| WidgetInfo::slider(true, self.time, "Snapshot of the film"));
         if slider.dragged() || slider.changed() {
             self.plays = false;
         }

@@ -33,13 +33,13 @@ impl Window {
     }
 
     fn order(&self, choices: &Choices) -> Order {
-        Order { document: self.desk.finished(), choices: choices.clone(), title: self.stem() }
+        Order { document: self.session.finished(), choices: choices.clone(), title: self.stem() }
     }
 
     /// What files of this document are called.
     fn stem(&self) -> String {
-        let title = self.desk.title();
-        match self.desk.path.as_deref().and_then(Path::file_stem) {
+        let title = self.session.title();
+        match self.session.path.as_deref().and_then(Path::file_stem) {
             Some(stem) => stem.to_string_lossy().into_owned(),
             // Names of documents may hold what a file's cannot.
             None => title.replace(['/', '\\', ':', '\0'], " "),

@@ -18,11 +18,11 @@ pub fn growth_bar(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
         phase(ui, window);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
-            let mut seed = window.desk.document().seed;
+            let mut seed = window.session.document().seed;
             let field = DragValue::new(&mut seed).speed(0.05).update_while_editing(false);
             let field = ui.add(field).accessible_name("Seed");
             if field.on_hover_text("Where all chance comes from: the same seed, the same texture").changed() {
-                window.desk.edit(|document| document.seed = seed);
+                window.session.edit(|document| document.seed = seed);
             }
             if Icon::Dice
                 .button(ui, "Another seed", false)
@@ -36,7 +36,7 @@ pub fn growth_bar(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
             if Icon::Strip.button(ui, "Alternatives", shown).on_hover_text(help).clicked() {
                 actions.push(Action::Alternatives(!shown));
             }
-            if window.desk.document().edges == Edges::Wrap {
+            if window.session.document().edges == Edges::Wrap {
                 let tiled = window.texture.tiled;
                 let help = "Shows the tile two by two, so that a seam would be seen";
                 if Icon::Tiles.button(ui, "Two by two", tiled).on_hover_text(help).clicked() {

@@ -6,13 +6,13 @@ use super::{colour, layers, result, selected};
 use crate::app::Window;
 use crate::app::action::Action;
 use crate::app::canvas::tool::Tool;
-use crate::app::desk::Desk;
 use crate::app::pages::{DPI, REGIONS, SEAMLESS, SIDES, pair, sides};
 use crate::app::preferences::resolution;
-use crate::app::shape;
 use crate::app::units::Ruler;
 use crate::attributes::Attributes;
 use crate::document::limits;
+use crate::editor::session::Session;
+use crate::editor::shape;
 use crate::grid::Edges;
 
 /// Widths of lines to choose from, px: evenly over those that grow in moments.
@@ -72,7 +72,7 @@ pub fn inspector(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
 }
 
 fn draw(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
-    if window.desk.selection.is_empty() {
+    if window.session.selection.is_empty() {
         tool(ui, window);
     } else {
         selected::selected(ui, window, actions);
@@ -156,15 +156,15 @@ pub fn presets(ui: &mut Ui, width: &mut f64, ruler: Ruler) -> bool {
 fn canvas(ui: &mut Ui, window: &mut Window) {
     heading(ui, "Canvas");
     let ruler = window.ruler();
-    let desk = &mut window.desk;
-    let document = desk.document();
+    let session = &mut window.session;
+    let document = session.document();
     let (mut size, mut regions) = (document.size, document.regions);
     let (mut seamless, mut dpi) = (document.edges == Edges::Wrap, document.dpi);
     rows(ui, "canvas", |ui| {
         ui.label("Size").on_hover_text("Width and height of the canvas");
         ui.horizontal(|ui| {
             if sides(ui, &mut size, ruler, SIDES, ["Canvas width", "Canvas height"]) {
-                resize(desk, size);
+                resize(session, size);
                 window.canvas.view.fitted = true;
                 window.texture.view.fitted = true;
             }
@@ -173,38 +173,40 @@ fn canvas(ui: &mut Ui, window: &mut Window) {
         ui.label("Regions").on_hover_text(REGIONS);
         ui.horizontal(|ui| {
             if pair(ui, &mut regions, 1..=limits::MAX_REGIONS, ["Region columns", "Region rows"], "") {
-                desk.edit(|document| document.regions = regions);
+                session.edit(|document| document.regions = regions);
             }
         });
         ui.end_row();
         ui.label("Seamless").on_hover_text(SEAMLESS);
         if ui.checkbox(&mut seamless, "tiles").accessible_name("Seamless").on_hover_text(SEAMLESS).changed() {
-            desk.edit(|document| document.edges = if seamless { Edges::Wrap } else { Edges::Closed });
+            session.edit(|document| document.edges = if seamless { Edges::Wrap } else { Edges::Closed });
             window.texture.tiled &= seamless;
         }
         ui.end_row();
         ui.label("Resolution").on_hover_text(DPI);
         if resolution(ui, &mut dpi, "Resolution") {
-            desk.edit(|document| document.dpi = dpi);
+            session.edit(|document| document.dpi = dpi);
         }
         ui.end_row();
     });
 }
 
 /// Another canvas; marks that are not on it any more go.
-fn resize(desk: &mut Desk, size: [u32; 2]) {
+fn resize(session: &mut Session, size: [u32; 2]) {
     let outside = |point: [f64; 2]| (0..2).any(|axis| point[axis] > f64::from(size[axis]));
     let gone: Vec<_> =
-        desk.marks().filter(|(_, mark)| outside(shape::middle(mark))).map(|(place, _)| place).collect();
-    desk.remove(&gone);
-    desk.edit(|document| document.size = size);
+        session.marks().filter(|(_, mark)| outside(shape::center(mark))).map(|(place, _)| place).collect();
+    session.remove(&gone);
+    session.edit(|document| document.size = size);
 }
 
 fn region(ui: &mut Ui, window: &Window) {
-    let middle = window.desk.document().size.map(|side| 0.5 * f64::from(side));
+    let middle = window.session.document().size.map(|side| 0.5 * f64::from(side));
     let at = window.canvas.pointer.unwrap_or(middle);
-    let Some((place, region)) = window.canvas.analysis.region(window.desk.layer, at) else { return };
-    let Some(map) = window.canvas.analysis.map(window.desk.layer) else { return };
+    let Some((place, region)) = window.canvas.analysis.region(window.session.active_layer, at) else {
+        return;
+    };
+    let Some(map) = window.canvas.analysis.map(window.session.active_layer) else { return };
     heading(ui, &format!("Region {}, {}", place[0] + 1, place[1] + 1));
     let own = region.own.is_some();
     let ruler = window.ruler();
@@ -239,7 +241,7 @@ fn shown(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
         "Fitted marks with their axes, the edges between neighbours whose mean is the spacing, and each \
          region's mean mark",
     );
-    if window.desk.document().edges == Edges::Wrap {
+    if window.session.document().edges == Edges::Wrap {
         ui.checkbox(&mut window.texture.tiled, "Tiles, two by two")
             .on_hover_text("So that a seam would be seen");
     }

@@ -6,13 +6,13 @@ use egui::{
 
 use super::meets;
 use crate::app::Window;
-use crate::app::desk::Desk;
 use crate::app::icons::Icon;
-use crate::app::layer_choices::{after_refusal, has_option, option_refusal, system_refusal};
 use crate::attributes::Spread;
 use crate::document::limits;
 use crate::document::limits::Range;
 use crate::document::{After, Layer, OptionKey, Options, Seeding, SpreadChoice, SystemChoice};
+use crate::editor::layer_choices::{after_refusal, has_option, option_refusal, system_refusal};
+use crate::editor::session::Session;
 
 /// The share of the window's height that the details take before they scroll.
 const SHARE: f32 = 0.32;
@@ -23,8 +23,8 @@ const SYSTEM: f32 = 138.0;
 
 /// The details, folded up or not.
 pub fn details(ui: &mut Ui, window: &mut Window) {
-    let desk = &mut window.desk;
-    let Some(layer) = desk.document().layers.get(desk.layer).cloned() else { return };
+    let session = &mut window.session;
+    let Some(layer) = session.document().layers.get(session.active_layer).cloned() else { return };
     let unfolded = &mut window.layering.unfolded;
     ui.horizontal(|ui| {
         let button = Button::new(RichText::new("How it grows").strong()).frame_when_inactive(false);
@@ -39,7 +39,7 @@ pub fn details(ui: &mut Ui, window: &mut Window) {
             *unfolded = !*unfolded;
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.add(Label::new(RichText::new(summary(desk, &layer)).small().weak()).truncate());
+            ui.add(Label::new(RichText::new(summary(session, &layer)).small().weak()).truncate());
         });
     });
     if !*unfolded {
@@ -49,25 +49,25 @@ pub fn details(ui: &mut Ui, window: &mut Window) {
     let area = ScrollArea::vertical().id_salt("details").max_height(highest).min_scrolled_height(highest);
     area.show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 6.0;
-        meeting(ui, desk, &layer);
-        ui.horizontal(|ui| system(ui, desk, &layer));
+        meeting(ui, session, &layer);
+        ui.horizontal(|ui| system(ui, session, &layer));
         Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
-            let kind = desk.kind(desk.layer);
+            let kind = session.kind(session.active_layer);
             for choice in OptionKey::ALL {
                 if has_option(&layer, kind, choice) {
-                    option(ui, desk, &layer, choice);
+                    option(ui, session, &layer, choice);
                 }
             }
         });
-        if desk.kind(desk.layer).is_none() {
+        if session.kind(session.active_layer).is_none() {
             ui.weak("Its options come with the first mark.");
         }
     });
 }
 
 /// All of it in two or three words.
-fn summary(desk: &Desk, layer: &Layer) -> String {
-    let met = match desk.beneath(desk.layer) {
+fn summary(session: &Session, layer: &Layer) -> String {
+    let met = match session.beneath(session.active_layer) {
         None => "lowest",
         Some(_) => layer.after.name(),
     };
@@ -75,20 +75,20 @@ fn summary(desk: &Desk, layer: &Layer) -> String {
     format!("{met}, {}{own}", layer.system.name())
 }
 
-fn change(desk: &mut Desk, change: impl FnOnce(&mut Layer)) {
-    desk.change_layer(desk.layer, change);
+fn change(session: &mut Session, change: impl FnOnce(&mut Layer)) {
+    session.change_layer(session.active_layer, change);
 }
 
 /// How it meets those beneath: a picture of each way.
-fn meeting(ui: &mut Ui, desk: &mut Desk, layer: &Layer) {
+fn meeting(ui: &mut Ui, session: &mut Session, layer: &Layer) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        let lowest = desk.beneath(desk.layer).is_none();
+        let lowest = session.beneath(session.active_layer).is_none();
         for (_, after) in After::NAMES {
-            let refused = after_refusal(desk, desk.layer, after);
+            let refused = after_refusal(session, session.active_layer, after);
             let chosen = if lowest { after == After::Between } else { layer.after == after };
             if meets::button(ui, after, chosen, refused).clicked() {
-                change(desk, |layer| layer.after = after);
+                change(session, |layer| layer.after = after);
             }
         }
     });
@@ -119,14 +119,14 @@ fn told(system: SystemChoice) -> &'static str {
     }
 }
 
-fn system(ui: &mut Ui, desk: &mut Desk, layer: &Layer) {
+fn system(ui: &mut Ui, session: &mut Session, layer: &Layer) {
     let help = "The reaction-diffusion system that grows it";
     ui.label("System").on_hover_text(help);
     let mut chosen = layer.system;
     let combo = ComboBox::from_id_salt("system").selected_text(read(chosen)).width(SYSTEM).truncate();
     let combo = combo.show_ui(ui, |ui| {
         for (_, system) in SystemChoice::NAMES {
-            let refused = system_refusal(desk, desk.layer, system);
+            let refused = system_refusal(session, session.active_layer, system);
             ui.add_enabled_ui(refused.is_none(), |ui| {
                 ui.selectable_value(&mut chosen, system, read(system))
                     .on_hover_text(told(system))
@@ -139,7 +139,7 @@ fn system(ui: &mut Ui, desk: &mut Desk, layer: &Layer) {
         chosen = SystemChoice::Auto;
     }
     if chosen != layer.system {
-        change(desk, |layer| layer.system = chosen);
+        change(session, |layer| layer.system = chosen);
     }
 }
 
@@ -153,14 +153,14 @@ fn reset(ui: &mut Ui, name: &str, default: bool) -> bool {
     button.on_hover_text(format!("{name}: back to its default")).clicked()
 }
 
-fn option(ui: &mut Ui, desk: &mut Desk, layer: &Layer, choice: OptionKey) {
+fn option(ui: &mut Ui, session: &mut Session, layer: &Layer, choice: OptionKey) {
     let (name, help) = described(choice);
-    let refused = option_refusal(layer, desk.kind(desk.layer), choice);
+    let refused = option_refusal(layer, session.kind(session.active_layer), choice);
     let enabled = refused.is_none();
     let label = ui.add_enabled(enabled, Label::new(name)).on_hover_text(help);
     label.on_disabled_hover_text(refused.unwrap_or_default());
     let mut options = layer.options;
-    let shown = ui.add_enabled_ui(enabled, |ui| control(ui, desk, choice, &mut options)).inner;
+    let shown = ui.add_enabled_ui(enabled, |ui| control(ui, session, choice, &mut options)).inner;
     shown.on_hover_text(help).on_disabled_hover_text(refused.unwrap_or_default());
     if reset(ui, name, choice.is_default(&layer.options)) {
         choice.reset(&mut options);
@@ -170,7 +170,7 @@ fn option(ui: &mut Ui, desk: &mut Desk, layer: &Layer, choice: OptionKey) {
         own_spread(ui, &mut options);
     }
     if options != layer.options {
-        change(desk, |layer| layer.options = options);
+        change(session, |layer| layer.options = options);
     }
 }
 
@@ -224,14 +224,14 @@ fn share(ui: &mut Ui, name: &str, value: &mut f64, range: &Range) -> egui::Respo
     field
 }
 
-fn control(ui: &mut Ui, desk: &Desk, choice: OptionKey, options: &mut Options) -> egui::Response {
+fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Options) -> egui::Response {
     let (name, _) = described(choice);
     match choice {
         OptionKey::Irregular => share(ui, name, &mut options.irregular, &limits::IRREGULAR),
         OptionKey::Duty => share(ui, name, &mut options.duty, &limits::DUTY),
         OptionKey::Broken => share(ui, name, &mut options.broken, &limits::BROKEN),
         OptionKey::Keep => {
-            let mut keep = desk.document().keeps(desk.layer);
+            let mut keep = session.document().keeps(session.active_layer);
             let field = ui.checkbox(&mut keep, "as drawn").accessible_name(name);
             if field.changed() {
                 options.keep = Some(keep);

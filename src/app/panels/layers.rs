@@ -10,12 +10,12 @@ use egui::{
 use super::layer_details;
 use crate::app::Window;
 use crate::app::action::Action;
-use crate::app::desk::Desk;
 use crate::app::icons::Icon;
-use crate::app::layering::LayerAction;
 use crate::app::shortcuts;
 use crate::app::theme::Palette;
 use crate::document::Kind;
+use crate::editor::layer_action::LayerAction;
+use crate::editor::session::Session;
 
 /// Height of a row, points.
 const ROW: f32 = 28.0;
@@ -29,9 +29,9 @@ pub fn layers(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
     ui.spacing_mut().item_spacing.y = 4.0;
     ui.horizontal(|ui| {
         ui.strong("Layers");
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| buttons(ui, &window.desk, actions));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| buttons(ui, &window.session, actions));
     });
-    if window.desk.document().layers.is_empty() {
+    if window.session.document().layers.is_empty() {
         ui.weak("The first mark opens a layer.");
         return;
     }
@@ -42,12 +42,12 @@ pub fn layers(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
             list(ui, window, actions);
         },
     );
-    next(ui, &window.desk, actions);
+    next(ui, &window.session, actions);
     layer_details::details(ui, window);
 }
 
 /// What is done to the layer at hand. From right to left.
-fn buttons(ui: &mut Ui, desk: &Desk, actions: &mut Vec<Action>) {
+fn buttons(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     ui.spacing_mut().item_spacing.x = 0.0;
     for (icon, name, help, action) in [
         (Icon::Bin, "Delete layer", "Deletes the layer at hand with its marks", LayerAction::Delete),
@@ -61,7 +61,7 @@ fn buttons(ui: &mut Ui, desk: &Desk, actions: &mut Vec<Action>) {
         (Icon::Up, "Raise layer", "The layer at hand goes above the next", LayerAction::Shift(1)),
         (Icon::Add, "New layer", "An empty layer above the one at hand", LayerAction::Add),
     ] {
-        ui.add_enabled_ui(desk.allows(action), |ui| {
+        ui.add_enabled_ui(session.allows(action), |ui| {
             let action = Action::Layer(action);
             let keys = shortcuts::told(ui.ctx(), &action).map_or(String::new(), |keys| format!(" ({keys})"));
             let button = icon.button_of(ui, name, false, vec2(27.0, 26.0));
@@ -73,14 +73,14 @@ fn buttons(ui: &mut Ui, desk: &Desk, actions: &mut Vec<Action>) {
 }
 
 /// Freeze, and go on above.
-fn next(ui: &mut Ui, desk: &Desk, actions: &mut Vec<Action>) {
+fn next(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     let action = LayerAction::SketchNext;
-    let last = desk.layer + 1 == desk.document().layers.len();
+    let last = session.active_layer + 1 == session.document().layers.len();
     let text = if last { "Freeze it, sketch the next" } else { "Freeze it, go to the next" };
     let help = "What is drawn so far stays as it is and is not grown again. You see its texture under the canvas, \
                 and draw the layer above. (F)";
     let size = vec2(ui.available_width(), 26.0);
-    let button = ui.add_enabled_ui(desk.allows(action), |ui| ui.add_sized(size, Button::new(text))).inner;
+    let button = ui.add_enabled_ui(session.allows(action), |ui| ui.add_sized(size, Button::new(text))).inner;
     let button = button.on_hover_text(help);
     if button.on_disabled_hover_text("The layer at hand is empty: draw in it first").clicked() {
         actions.push(Action::Layer(action));
@@ -88,7 +88,7 @@ fn next(ui: &mut Ui, desk: &Desk, actions: &mut Vec<Action>) {
 }
 
 fn list(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
-    let layers = window.desk.document().layers.len();
+    let layers = window.session.document().layers.len();
     let top = ui.cursor().top();
     let mut dragged = None;
     for layer in (0..layers).rev() {
@@ -122,21 +122,21 @@ fn id(ui: &Ui, layer: usize) -> Id {
 }
 
 /// What is said of a layer to those who do not see it.
-fn said(desk: &Desk, layer: usize) -> String {
-    let mut text = format!("Layer {}, {}", desk.layer_name(layer), counted(desk, layer));
-    if layer < desk.frozen() {
+fn said(session: &Session, layer: usize) -> String {
+    let mut text = format!("Layer {}, {}", session.layer_name(layer), counted(session, layer));
+    if layer < session.frozen() {
         text.push_str(", frozen");
     }
-    if !desk.document().layers[layer].visible {
+    if !session.document().layers[layer].visible {
         text.push_str(", hidden");
     }
     text
 }
 
-fn counted(desk: &Desk, layer: usize) -> String {
-    let marks = desk.document().layers[layer].strokes.len();
+fn counted(session: &Session, layer: usize) -> String {
+    let marks = session.document().layers[layer].strokes.len();
     let many = if marks == 1 { "" } else { "s" };
-    match desk.kind(layer) {
+    match session.kind(layer) {
         None => "empty".to_owned(),
         Some(Kind::Ellipse) => format!("{marks} ellipse{many}"),
         Some(Kind::Line) => format!("{marks} line{many}"),
@@ -147,28 +147,28 @@ fn row(ui: &mut Ui, window: &mut Window, layer: usize, actions: &mut Vec<Action>
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
     let id = id(ui, layer);
     let response = ui.interact(rect, id, Sense::click_and_drag());
-    let desk = &window.desk;
-    let at_hand = desk.layer == layer;
-    let name = said(desk, layer);
+    let session = &window.session;
+    let at_hand = session.active_layer == layer;
+    let name = said(session, layer);
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, at_hand, &name));
     back(ui, &response, at_hand);
     let [eye, rest] = [pos2(rect.left() + 26.0, rect.bottom()), pos2(rect.left() + 28.0, rect.top())];
     let eye = Rect::from_min_max(pos2(rect.left() + 4.0, rect.top()), eye);
     let rest = Rect::from_min_max(rest, pos2(rect.right() - 6.0, rect.bottom()));
-    ui.scope_builder(UiBuilder::new().max_rect(eye), |ui| shown(ui, desk, layer, actions));
-    let count = mark_count(ui, desk, layer, rest);
-    let icy = thaw(ui, desk, layer, rest.with_max_x(count), actions);
+    ui.scope_builder(UiBuilder::new().max_rect(eye), |ui| shown(ui, session, layer, actions));
+    let count = mark_count(ui, session, layer, rest);
+    let icy = thaw(ui, session, layer, rest.with_max_x(count), actions);
     let named = rest.with_max_x(icy).with_min_x(rest.left() + 22.0);
     if window.layering.naming.as_ref().is_some_and(|(of, _)| *of == layer) {
         naming(ui, window, named);
         return response;
     }
-    let colour = if desk.document().layers[layer].visible {
+    let colour = if session.document().layers[layer].visible {
         ui.visuals().text_color()
     } else {
         ui.visuals().weak_text_color()
     };
-    let mut text = RichText::new(desk.layer_name(layer)).color(colour);
+    let mut text = RichText::new(session.layer_name(layer)).color(colour);
     if at_hand {
         text = text.strong();
     }
@@ -178,8 +178,8 @@ fn row(ui: &mut Ui, window: &mut Window, layer: usize, actions: &mut Vec<Action>
         |ui| ui.add(label),
     );
     let response = response.on_hover_ui(|ui| {
-        ui.strong(desk.layer_name(layer));
-        ui.label(counted(desk, layer));
+        ui.strong(session.layer_name(layer));
+        ui.label(counted(session, layer));
         ui.weak("Click: what you draw goes here. Double-click or F2: its name. Drag, or Alt + arrows: another place.");
     });
     if response.double_clicked() {
@@ -216,10 +216,10 @@ fn back(ui: &Ui, response: &Response, at_hand: bool) {
 }
 
 /// The eye of a row.
-fn shown(ui: &mut Ui, desk: &Desk, layer: usize, actions: &mut Vec<Action>) {
-    let visible = desk.document().layers[layer].visible;
+fn shown(ui: &mut Ui, session: &Session, layer: usize, actions: &mut Vec<Action>) {
+    let visible = session.document().layers[layer].visible;
     let (icon, verb) = if visible { (Icon::Eye, "Hide") } else { (Icon::Shut, "Show") };
-    let name = format!("{verb} {}", desk.layer_name(layer));
+    let name = format!("{verb} {}", session.layer_name(layer));
     let help = if visible {
         "Hides it: it still grows and the others keep out of it, but it is not painted"
     } else {
@@ -231,18 +231,18 @@ fn shown(ui: &mut Ui, desk: &Desk, layer: usize, actions: &mut Vec<Action>) {
 }
 
 /// How many marks it has, and of what kind; gives where this begins on the right.
-fn mark_count(ui: &Ui, desk: &Desk, layer: usize, rest: Rect) -> f32 {
+fn mark_count(ui: &Ui, session: &Session, layer: usize, rest: Rect) -> f32 {
     let colours = Palette::of(ui.visuals());
     let middle = pos2(rest.left() + 10.0, rest.center().y);
     let icon = Rect::from_center_size(middle, vec2(16.0, 16.0));
-    match desk.kind(layer) {
+    match session.kind(layer) {
         Some(Kind::Ellipse) => Icon::Ellipse.paint(ui.painter(), icon, colours.ink(layer)),
         Some(Kind::Line) => Icon::Line.paint(ui.painter(), icon, colours.ink(layer)),
         None => {
             ui.painter().circle_stroke(middle, 3.0, Stroke::new(1.0, ui.visuals().weak_text_color()));
         }
     }
-    let text = match desk.document().layers[layer].strokes.len() {
+    let text = match session.document().layers[layer].strokes.len() {
         0 => "empty".to_owned(),
         marks => marks.to_string(),
     };
@@ -253,13 +253,13 @@ fn mark_count(ui: &Ui, desk: &Desk, layer: usize, rest: Rect) -> f32 {
 }
 
 /// The snowflake of a frozen row; gives where this begins.
-fn thaw(ui: &mut Ui, desk: &Desk, layer: usize, rest: Rect, actions: &mut Vec<Action>) -> f32 {
-    if layer >= desk.frozen() {
+fn thaw(ui: &mut Ui, session: &Session, layer: usize, rest: Rect, actions: &mut Vec<Action>) -> f32 {
+    if layer >= session.frozen() {
         return rest.right();
     }
     let place = rest.with_min_x(rest.right() - 22.0);
     ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
-        let name = format!("Thaw {}", desk.layer_name(layer));
+        let name = format!("Thaw {}", session.layer_name(layer));
         let help = "Frozen: its marks are left alone. Click to work on it again; those above are frozen no more either";
         let button = Icon::Frozen.button_of(ui, &name, false, vec2(22.0, ROW));
         if button.on_hover_text(help).clicked() {
@@ -276,14 +276,14 @@ fn naming(ui: &mut Ui, window: &mut Window, place: Rect) {
     let edit = TextEdit::singleline(&mut name)
         .id(field)
         .char_limit(NAME)
-        .hint_text(window.desk.layer_name(layer))
+        .hint_text(window.session.layer_name(layer))
         .margin(vec2(4.0, 3.0));
     let response = ui.put(place.shrink2(vec2(0.0, 2.0)), edit).accessible_name("Layer name");
     let [enter, tab] = [Key::Enter, Key::Tab].map(|key| ui.input(|input| input.key_pressed(key)));
     if response.lost_focus() {
         if enter || tab || ui.input(|input| input.pointer.any_down()) {
             let name = name.trim().to_owned();
-            window.desk.change_layer(layer, |of| of.name = name);
+            window.session.change_layer(layer, |of| of.name = name);
         }
         if std::mem::take(&mut window.layering.from_row) && !tab {
             ui.memory_mut(|memory| memory.request_focus(id(ui, layer)));
@@ -304,7 +304,7 @@ fn keys(ui: &Ui, window: &mut Window, response: &Response, layer: usize, actions
     let filter = EventFilter { tab: false, horizontal_arrows: false, vertical_arrows: true, escape: false };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
-    let layers = window.desk.document().layers.len();
+    let layers = window.session.document().layers.len();
     for (key, by) in [(Key::ArrowUp, 1), (Key::ArrowDown, -1)] {
         let Some(to) = layer.checked_add_signed(by).filter(|to| *to < layers) else { continue };
         if pressed(Modifiers::ALT, key) {

@@ -4,8 +4,8 @@ use egui::{Button, MenuBar, RichText, ThemePreference, Ui};
 
 use crate::app::Window;
 use crate::app::action::{Action, Page};
-use crate::app::layering::LayerAction;
 use crate::app::shortcuts;
+use crate::editor::layer_action::LayerAction;
 use crate::grid::Edges;
 
 /// The menus, and the document's name in the middle. Gives what is chosen.
@@ -23,8 +23,8 @@ pub fn menu(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
             item(ui, "About dapple", &Action::Page(Page::About), true, &mut actions);
         });
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let changed = if window.desk.is_changed() { "  (changed)" } else { "" };
-            ui.label(RichText::new(format!("{}{changed}", window.desk.title())).weak());
+            let changed = if window.session.is_changed() { "  (changed)" } else { "" };
+            ui.label(RichText::new(format!("{}{changed}", window.session.title())).weak());
         });
     });
     actions
@@ -82,8 +82,8 @@ fn file(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
 
 fn edit(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
     ui.set_min_width(210.0);
-    let [undo, redo] = window.desk.can_undo_redo();
-    let some = !window.desk.selection.is_empty();
+    let [undo, redo] = window.session.can_undo_redo();
+    let some = !window.session.selection.is_empty();
     item(ui, "Undo", &Action::Undo, undo, actions);
     item(ui, "Redo", &Action::Redo, redo, actions);
     ui.separator();
@@ -106,14 +106,14 @@ fn edit(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
 fn layer(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
     ui.set_min_width(230.0);
     for (text, action) in LayerAction::MENU {
-        item(ui, text, &Action::Layer(action), window.desk.allows(action), actions);
+        item(ui, text, &Action::Layer(action), window.session.allows(action), actions);
     }
 }
 
 fn view(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
     ui.set_min_width(210.0);
     check(ui, "One over the other", window.over, &Action::Over(!window.over), actions);
-    let wrap = window.desk.document().edges == Edges::Wrap;
+    let wrap = window.session.document().edges == Edges::Wrap;
     ui.add_enabled_ui(wrap, |ui| {
         let tiled = window.texture.tiled;
         check(ui, "Tiles, two by two", tiled, &Action::Tiled(!tiled), actions);

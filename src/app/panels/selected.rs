@@ -5,20 +5,20 @@ use egui::{Button, DragValue, RichText, Ui};
 use super::inspector::{presets, rows};
 use crate::app::Window;
 use crate::app::action::Action;
-use crate::app::desk::Desk;
-use crate::app::shape;
 use crate::app::units::Ruler;
 use crate::editor::selection::Place;
+use crate::editor::session::Session;
+use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
 
 /// The numbers, and what to do with what is selected.
 pub fn selected(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
-    let marks: Vec<(Place, Mark)> = window.desk.selected().collect();
+    let marks: Vec<(Place, Mark)> = window.session.selected().collect();
     let ruler = window.ruler();
     match &marks[..] {
-        [(place, Mark::Ellipse(ellipse))] => self::ellipse(ui, &mut window.desk, ruler, *place, *ellipse),
-        [(place, Mark::Line(line))] => self::line(ui, &mut window.desk, ruler, *place, *line),
-        many => self::many(ui, &mut window.desk, ruler, many),
+        [(place, Mark::Ellipse(ellipse))] => self::ellipse(ui, &mut window.session, ruler, *place, *ellipse),
+        [(place, Mark::Line(line))] => self::line(ui, &mut window.session, ruler, *place, *line),
+        many => self::many(ui, &mut window.session, ruler, many),
     }
     ui.horizontal(|ui| {
         for (text, action) in [("Duplicate", Action::Duplicate), ("Delete", Action::Delete)] {
@@ -63,7 +63,7 @@ fn point(ui: &mut Ui, name: &str, value: &mut [f64; 2], ruler: Ruler) -> bool {
     changed
 }
 
-fn ellipse(ui: &mut Ui, desk: &mut Desk, ruler: Ruler, place: Place, mut ellipse: Ellipse) {
+fn ellipse(ui: &mut Ui, session: &mut Session, ruler: Ruler, place: Place, mut ellipse: Ellipse) {
     ui.label(RichText::new("Ellipse").strong());
     let before = ellipse;
     rows(ui, "ellipse", |ui| {
@@ -87,11 +87,11 @@ fn ellipse(ui: &mut Ui, desk: &mut Desk, ruler: Ruler, place: Place, mut ellipse
         ui.end_row();
     });
     if ellipse != before {
-        desk.replace(&[(place, Mark::Ellipse(ellipse))]);
+        session.replace(&[(place, Mark::Ellipse(ellipse))]);
     }
 }
 
-fn line(ui: &mut Ui, desk: &mut Desk, ruler: Ruler, place: Place, mut line: Line) {
+fn line(ui: &mut Ui, session: &mut Session, ruler: Ruler, place: Place, mut line: Line) {
     ui.label(RichText::new("Line").strong());
     let before = line;
     rows(ui, "line", |ui| {
@@ -112,11 +112,11 @@ fn line(ui: &mut Ui, desk: &mut Desk, ruler: Ruler, place: Place, mut line: Line
     });
     presets(ui, &mut line.width, ruler);
     if line != before {
-        desk.replace(&[(place, Mark::Line(line))]);
+        session.replace(&[(place, Mark::Line(line))]);
     }
 }
 
-fn many(ui: &mut Ui, desk: &mut Desk, ruler: Ruler, marks: &[(Place, Mark)]) {
+fn many(ui: &mut Ui, session: &mut Session, ruler: Ruler, marks: &[(Place, Mark)]) {
     ui.label(RichText::new(format!("{} marks", marks.len())).strong());
     let areas: Vec<f64> = marks.iter().filter_map(|(_, mark)| area(mark)).collect();
     let widths: Vec<f64> = marks.iter().filter_map(|(_, mark)| width(mark)).collect();
@@ -130,9 +130,9 @@ fn many(ui: &mut Ui, desk: &mut Desk, ruler: Ruler, marks: &[(Place, Mark)]) {
             if area_field(ui, "Mean area", &mut area, ruler) && area > 0.0 {
                 let factor = (area / before).sqrt();
                 let grown = |(place, mark): &(Place, Mark)| {
-                    (*place, shape::scaled(mark, factor, shape::middle(mark)))
+                    (*place, shape::scaled(mark, factor, shape::center(mark)))
                 };
-                desk.replace(&marks.iter().map(grown).collect::<Vec<_>>());
+                session.replace(&marks.iter().map(grown).collect::<Vec<_>>());
             }
             ui.end_row();
         }
@@ -140,7 +140,7 @@ fn many(ui: &mut Ui, desk: &mut Desk, ruler: Ruler, marks: &[(Place, Mark)]) {
             ui.label("Width").on_hover_text("One width for all selected lines");
             let mut width = mean(&widths);
             if width_field(ui, "Width of all", &mut width, ruler) {
-                set_width(desk, marks, width);
+                set_width(session, marks, width);
             }
             ui.end_row();
         }
@@ -148,7 +148,7 @@ fn many(ui: &mut Ui, desk: &mut Desk, ruler: Ruler, marks: &[(Place, Mark)]) {
     if let Some(first) = widths.first() {
         let mut width = *first;
         if presets(ui, &mut width, ruler) {
-            set_width(desk, marks, width);
+            set_width(session, marks, width);
         }
     }
 }
@@ -167,10 +167,10 @@ fn width(mark: &Mark) -> Option<f64> {
     }
 }
 
-fn set_width(desk: &mut Desk, marks: &[(Place, Mark)], width: f64) {
+fn set_width(session: &mut Session, marks: &[(Place, Mark)], width: f64) {
     let of_width = |(place, mark): &(Place, Mark)| match mark {
         Mark::Line(line) => Some((*place, Mark::Line(Line { width, ..*line }))),
         Mark::Ellipse(_) => None,
     };
-    desk.replace(&marks.iter().filter_map(of_width).collect::<Vec<_>>());
+    session.replace(&marks.iter().filter_map(of_width).collect::<Vec<_>>());
 }

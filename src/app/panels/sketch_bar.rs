@@ -11,7 +11,7 @@ pub fn sketch_bar(ui: &mut Ui, window: &Window) -> Vec<Action> {
     let mut actions = Vec::new();
     ui.horizontal_centered(|ui| {
         ui.strong("Sketch");
-        let marks = window.desk.marks().count();
+        let marks = window.session.marks().count();
         ui.weak(match marks {
             0 => String::new(),
             1 => "1 mark".to_owned(),

@@ -29,7 +29,7 @@ pub fn strip(ui: &mut Ui, window: &Window) -> Vec<Action> {
             }
         }
         ui.add_space(10.0);
-        let [undo, redo] = window.desk.can_undo_redo();
+        let [undo, redo] = window.session.can_undo_redo();
         for (icon, name, action, can) in
             [(Icon::Undo, "Undo", Action::Undo, undo), (Icon::Redo, "Redo", Action::Redo, redo)]
         {

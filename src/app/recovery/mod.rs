@@ -14,8 +14,8 @@ use egui::{Context, Ui};
 
 use super::Window;
 use super::action::Page;
-use super::desk::Desk;
 use crate::document::Document;
+use crate::editor::session::Session;
 use crate::marks::Mark;
 use keeper::{Keeper, News};
 use slot::{Kept, Lost};
@@ -33,7 +33,7 @@ pub struct Recovery {
     left: usize,
     /// The one that is about to be discarded for good.
     doubt: Option<String>,
-    /// What was put back on the desk and is to be kept by this window.
+    /// Restored documents that this window has to keep from now on.
     settling: Vec<Lost>,
     /// Revision that was last handed over, and whether there was something to keep.
     seen: Option<(u64, bool)>,
@@ -91,7 +91,7 @@ impl Recovery {
         self.left
     }
 
-    /// Another document lies on the desk.
+    /// Another document was opened.
     pub fn begin(&mut self) {
         self.seen = None;
     }
@@ -102,31 +102,31 @@ impl Recovery {
         self.folder.is_some() && self.since.elapsed() >= LONG
     }
 
-    /// Hands what has changed to the thread: what is on the desk, and with it a mark that is `pending` in the hand.
+    /// Hands what has changed to the thread: the document, and with it a mark that is `pending` in the hand.
     /// Gives how long the last writing took, or why it failed.
     pub fn watch(
         &mut self,
         ctx: &Context,
-        desk: &Desk,
+        session: &Session,
         pending: Option<Mark>,
     ) -> Option<Result<Duration, String>> {
-        let changed = (desk.is_changed() || pending.is_some()) && !self.is_over;
-        // What was in the hand is on the desk by now, or was let go.
+        let changed = (session.is_changed() || pending.is_some()) && !self.is_over;
+        // The unfinished mark is in the document by now, or was dropped.
         let let_go = self.is_pending && pending.is_none() && self.is_due();
-        if self.seen != Some((desk.revision(), changed)) || pending.is_some() || let_go {
-            self.seen = Some((desk.revision(), changed));
+        if self.seen != Some((session.revision(), changed)) || pending.is_some() || let_go {
+            self.seen = Some((session.revision(), changed));
             self.since = Instant::now();
             self.is_pending = pending.is_some();
             let document = match pending {
                 Some(mark) => {
-                    let mut desk = desk.clone();
-                    desk.add(&[mark]);
-                    desk.finished()
+                    let mut session = session.clone();
+                    session.add(&[mark]);
+                    session.finished()
                 }
-                None => desk.finished(),
+                None => session.finished(),
             };
             if changed && !document.layers.is_empty() {
-                let kept = Kept { document, path: desk.path.clone(), name: desk.title() };
+                let kept = Kept { document, path: session.path.clone(), name: session.title() };
                 self.start(ctx);
                 if let Some(keeper) = &self.keeper {
                     keeper.keep(kept, std::mem::take(&mut self.settling));
@@ -150,7 +150,7 @@ impl Recovery {
         }
     }
 
-    /// What is on the desk need not be kept any more: nobody wants it.
+    /// The open document need not be kept any more.
     pub fn end(&mut self) {
         self.is_over = true;
     }
@@ -180,14 +180,14 @@ impl Window {
         }
     }
 
-    /// Puts what was lost back on the desk; it is kept by this window from now on.
+    /// Opens a recovered document; it is kept by this window from now on.
     pub(super) fn restore(&mut self, id: &str) {
         let Some(index) = self.recovery.position(id) else { return };
         let lost = self.recovery.lost.remove(index);
         let Kept { document, path, .. } = lost.kept.clone();
         let saved = path.as_deref().and_then(|path| Document::read(path).ok()).unwrap_or_default();
         let name = lost.kept.name.clone();
-        self.begin(Desk::recovered(document, saved, path));
+        self.begin(Session::open_unsaved(document, saved, path));
         self.recovery.settling.push(lost);
         self.page = None;
         self.recovery.later();
@@ -208,9 +208,9 @@ impl Window {
 
     /// Hands what changed to the thread that keeps it.
     pub(super) fn keep_unsaved(&mut self, ui: &Ui) {
-        self.trace.marks(self.desk.marks().count());
+        self.trace.marks(self.session.marks().count());
         let pending = self.recovery.is_due().then(|| self.canvas.in_the_making()).flatten();
-        match self.recovery.watch(ui.ctx(), &self.desk, pending) {
+        match self.recovery.watch(ui.ctx(), &self.session, pending) {
             Some(Ok(took)) => self.trace.event("kept", took),
             Some(Err(why)) => self.notices.wrong(format!(
                 "Unsaved changes cannot be kept safe against a crash: {why}. Save them yourself now and then."

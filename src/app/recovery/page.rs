@@ -64,7 +64,7 @@ fn one(ui: &mut Ui, lost: &Lost, first: bool, doubt: &mut Option<String>) -> Opt
                 let text = RichText::new("Restore").color(ui.visuals().selection.stroke.color);
                 let restore = Button::new(text).fill(ui.visuals().selection.bg_fill);
                 let restore = ui.add_sized(vec2(132.0, 28.0), restore);
-                let restore = restore.on_hover_text("Puts it back on the desk, not saved yet");
+                let restore = restore.on_hover_text("Puts it back on the session, not saved yet");
                 if first && ui.memory(|memory| memory.focused().is_none()) {
                     restore.request_focus();
                 }

@@ -16,9 +16,10 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-use crate::app::{Desk, path_encoding};
+use crate::app::Session;
 use crate::document::{Document, limits};
-use crate::editor::lock;
+use crate::editor::file_lock;
+use crate::editor::path_encoding;
 use crate::export;
 use crate::marks::Mark;
 
@@ -76,7 +77,7 @@ impl Slot {
     pub fn new(folder: &Path) -> io::Result<Self> {
         static NUMBER: AtomicU64 = AtomicU64::new(0);
         fs::create_dir_all(folder)?;
-        let _all = lock::wait_for(&folder.join("lock"));
+        let _all = file_lock::wait_for(&folder.join("lock"));
         loop {
             let number = NUMBER.fetch_add(1, Ordering::Relaxed);
             let file = folder.join(format!("{}-{}-{number}.dapple", millis(), std::process::id()));
@@ -86,7 +87,7 @@ impl Slot {
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => continue,
                 Err(error) => return Err(error),
             }
-            let lock::Held::Ours(held) = lock::take(&beside) else {
+            let file_lock::Lock::Held(held) = file_lock::try_lock(&beside) else {
                 return Ok(Self { file, _lock: None });
             };
             return Ok(Self { file, _lock: Some(held) });
@@ -166,7 +167,7 @@ impl Lost {
 pub fn find(folder: &Path) -> Found {
     let mut found = Found::default();
     let Ok(entries) = fs::read_dir(folder) else { return found };
-    let _all = lock::wait_for(&folder.join("lock"));
+    let _all = file_lock::wait_for(&folder.join("lock"));
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     files.sort();
     for file in &files {
@@ -174,7 +175,7 @@ pub fn find(folder: &Path) -> Found {
             Some("dapple") => look_at(file, &mut found),
             Some("lock") if !file.with_extension("dapple").exists() => {
                 // Its window went without having anything to keep.
-                if let lock::Held::Ours(held) = lock::take(file) {
+                if let file_lock::Lock::Held(held) = file_lock::try_lock(file) {
                     drop(held);
                     let _ = fs::remove_file(file);
                 }
@@ -188,10 +189,10 @@ pub fn find(folder: &Path) -> Found {
 }
 
 fn look_at(file: &Path, found: &mut Found) {
-    let held = match lock::take(&file.with_extension("lock")) {
-        lock::Held::Ours(held) => Some(held),
-        lock::Held::Theirs => return,
-        lock::Held::Unknown => None,
+    let held = match file_lock::try_lock(&file.with_extension("lock")) {
+        file_lock::Lock::Held(held) => Some(held),
+        file_lock::Lock::Busy => return,
+        file_lock::Lock::Unsupported => None,
     };
     let slot = Slot { file: file.to_owned(), _lock: held };
     match read(file) {
@@ -203,8 +204,8 @@ fn look_at(file: &Path, found: &mut Found) {
                 let _ = slot.clear();
                 return;
             }
-            let desk = Desk::open(kept.document.clone(), None);
-            let marks = desk.marks().map(|(place, mark)| (place.layer, mark)).collect();
+            let session = Session::open(kept.document.clone(), None);
+            let marks = session.marks().map(|(place, mark)| (place.layer, mark)).collect();
             let file_is_newer = modified.is_some_and(|modified| modified > when);
             found.lost.push(Lost { kept, when, marks, file_is_newer, slot });
         }

@@ -14,9 +14,9 @@ use std::thread;
 use egui::{Context, Painter, Rect, pos2};
 
 use super::canvas::view::View;
-use super::desk::Desk;
 use super::growth::Texture;
 use super::theme::Palette;
+use crate::editor::session::Session;
 use crate::rd::System;
 use crate::synth::report::{self, RegionReport};
 use crate::synth::{Grown, Training};
@@ -135,7 +135,7 @@ impl Results {
         }
     }
 
-    /// Another document is on the desk.
+    /// Another document is open.
     pub fn forget(&mut self) {
         *self = Self { training: Arc::clone(&self.training), signs: self.signs, ..Self::default() };
     }
@@ -154,9 +154,10 @@ impl Results {
     }
 
     /// Puts a mark into each region's corner, of the layer at hand.
-    pub fn paint(&self, painter: &Painter, room: Rect, view: View, desk: &Desk, palette: &Palette) {
+    pub fn paint(&self, painter: &Painter, room: Rect, view: View, session: &Session, palette: &Palette) {
         let Some(outcome) = self.outcome().filter(|_| self.signs) else { return };
-        let Some(layer) = layer_of(desk, desk.layer).and_then(|layer| outcome.layers.get(layer)) else {
+        let Some(layer) = layer_of(session, session.active_layer).and_then(|layer| outcome.layers.get(layer))
+        else {
             return;
         };
         let [columns, rows] = outcome.grown.document.regions.map(|n| n as f32);
@@ -174,18 +175,18 @@ impl Results {
     }
 }
 
-/// Which layer of the finished document is number `layer` on the desk; `None` where that is empty.
+/// Which layer of the finished document is number `layer` of the session; `None` where that is empty.
 #[must_use]
-pub fn layer_of(desk: &Desk, layer: usize) -> Option<usize> {
-    let layers = &desk.document().layers;
+pub fn layer_of(session: &Session, layer: usize) -> Option<usize> {
+    let layers = &session.document().layers;
     let drawn = |layer: &crate::document::Layer| !layer.strokes.is_empty();
     layers.get(layer).is_some_and(drawn).then(|| layers[..layer].iter().filter(|layer| drawn(layer)).count())
 }
 
 /// The way back from [`layer_of`].
 #[must_use]
-pub fn on_desk(desk: &Desk, layer: usize) -> Option<usize> {
-    let drawn = desk.document().layers.iter().enumerate().filter(|(_, layer)| !layer.strokes.is_empty());
+pub fn on_desk(session: &Session, layer: usize) -> Option<usize> {
+    let drawn = session.document().layers.iter().enumerate().filter(|(_, layer)| !layer.strokes.is_empty());
     drawn.map(|(index, _)| index).nth(layer)
 }
 

@@ -1,9 +1,9 @@
 //! What cannot be reached → the nearest that can, as a change of what was drawn.
 
-use crate::app::shape;
 use crate::attributes::regions::{Layout, RegionMap};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::document::{Document, Stroke, limits};
+use crate::editor::shape;
 use crate::learn::Answer;
 use crate::marks::{Ellipse, Line, Mark, turn};
 use crate::synth::plan::Plan;
@@ -279,7 +279,7 @@ mod tests {
             changed.layers[0].options.duty = duty;
         }
         for (stroke, mark) in reach.marks {
-            changed.layers[0].strokes[stroke] = crate::app::desk::stroke_of(&mark);
+            changed.layers[0].strokes[stroke] = crate::editor::session::stroke_of(&mark);
         }
         (before, Some(notes(&planned_alone(training, &changed))))
     }

@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use crate::editor::lock;
+use crate::editor::file_lock;
 use crate::export;
 
 /// What stands in the file, by its first word; words that a newer version knows are kept.
@@ -73,7 +73,7 @@ impl Entries {
 #[must_use]
 pub fn lock(file: &Path) -> Option<File> {
     let _ = fs::create_dir_all(file.parent()?);
-    lock::wait_for(&file.with_extension("lock"))
+    file_lock::wait_for(&file.with_extension("lock"))
 }
 
 /// What stands in the file, and what is wrong with it. A damaged one is put aside.

@@ -27,7 +27,7 @@ const SPACE: f32 = 7.0;
 
 /// Shows it and lets the hand bend it.
 pub fn curve(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
-    panel.keep_within(colours);
+    panel.retain_existing(colours);
     let gap = panel.gap;
     heading(ui, &way(gap));
     let mut bend = colours.bend(gap);

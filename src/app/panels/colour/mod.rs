@@ -12,8 +12,8 @@ use egui::{Color32, Key, RichText, TextureHandle, Ui, ecolor::HsvaGamma};
 
 use crate::app::Window;
 use crate::app::action::Action;
-use crate::app::desk::Desk;
 use crate::document::{Colours, Layer};
+use crate::editor::session::Session;
 
 /// What is chosen and held in the panel; nothing of it is saved.
 #[derive(Default)]
@@ -47,16 +47,16 @@ struct Held {
 
 impl ColourPanel {
     /// Lets go of what is held: everything is as before. Gives whether something was.
-    pub fn cancel(&mut self, desk: &mut Desk) -> bool {
+    pub fn cancel(&mut self, session: &mut Session) -> bool {
         let held = self.held.take().is_some();
         if held {
-            desk.revert();
+            session.revert();
         }
         held
     }
 
     /// What is chosen is there.
-    fn keep_within(&mut self, colours: &Colours) {
+    fn retain_existing(&mut self, colours: &Colours) {
         let last = colours.stops.len() - 1;
         self.stop = self.stop.min(last);
         self.gap = self.gap.min(last.saturating_sub(1));
@@ -72,8 +72,8 @@ impl ColourPanel {
 
 /// The colours of a layer as they are seen: its own, or those it has by itself.
 #[must_use]
-pub fn of(desk: &Desk, layer: usize) -> Colours {
-    let layers = &desk.document().layers;
+pub fn of(session: &Session, layer: usize) -> Colours {
+    let layers = &session.document().layers;
     let own = layers.get(layer).and_then(|layer| layer.colours.clone());
     // Layers without marks are not grown, and the next one stands in their place.
     let grown = layers.iter().take(layer).filter(|layer| !layer.strokes.is_empty()).count();
@@ -81,8 +81,8 @@ pub fn of(desk: &Desk, layer: usize) -> Colours {
 }
 
 /// Gives layers these colours; `None` = those they have by themselves.
-pub fn give(desk: &mut Desk, layers: &[usize], colours: Option<&Colours>) {
-    desk.edit(|document| {
+pub fn give(session: &mut Session, layers: &[usize], colours: Option<&Colours>) {
+    session.edit(|document| {
         for &layer in layers {
             // Colours may be chosen before anything is drawn.
             if layer == 0 && document.layers.is_empty() && colours.is_some() {
@@ -97,19 +97,19 @@ pub fn give(desk: &mut Desk, layers: &[usize], colours: Option<&Colours>) {
 
 /// What people call a layer.
 #[must_use]
-pub fn name_of(desk: &Desk, layer: usize) -> String {
-    let name = desk.document().layers.get(layer).map_or("", |layer| layer.name.as_str());
+pub fn name_of(session: &Session, layer: usize) -> String {
+    let name = session.document().layers.get(layer).map_or("", |layer| layer.name.as_str());
     if name.is_empty() { format!("layer {}", layer + 1) } else { name.to_owned() }
 }
 
 /// Shows them.
 pub fn colour(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
-    let layer = window.desk.layer;
-    let before = of(&window.desk, layer);
+    let layer = window.session.active_layer;
+    let before = of(&window.session, layer);
     let mut colours = before.clone();
     let panel = &mut window.colour;
-    panel.keep_within(&colours);
-    ui.label(RichText::new(format!("Colours of {}", name_of(&window.desk, layer))).strong());
+    panel.retain_existing(&colours);
+    ui.label(RichText::new(format!("Colours of {}", name_of(&window.session, layer))).strong());
     if panel.held.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
         if let Some(held) = panel.held.take() {
             colours = held.before;
@@ -122,14 +122,14 @@ pub fn colour(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
         curve::curve(ui, panel, &mut colours);
     }
     if colours != before {
-        give(&mut window.desk, &[layer], Some(&colours));
+        give(&mut window.session, &[layer], Some(&colours));
     }
-    between::between(ui, &mut window.desk, actions);
-    let before = of(&window.desk, layer);
+    between::between(ui, &mut window.session, actions);
+    let before = of(&window.session, layer);
     let mut colours = before.clone();
     presets::presets(ui, &mut window.colour, &mut colours);
     if colours != before {
-        give(&mut window.desk, &[layer], Some(&colours));
+        give(&mut window.session, &[layer], Some(&colours));
     }
 }
 

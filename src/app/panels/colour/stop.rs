@@ -12,7 +12,7 @@ use crate::document::Colours;
 
 /// Shows it.
 pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
-    panel.keep_within(colours);
+    panel.retain_existing(colours);
     let index = panel.stop;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;

@@ -18,7 +18,7 @@ const SIGN: f32 = 14.0;
 
 /// Shows them.
 pub fn result(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
-    let layer = result::layer_of(&window.desk, window.desk.layer);
+    let layer = result::layer_of(&window.session, window.session.active_layer);
     let Some(outcome) = window.results.outcome().cloned() else {
         ui.weak(waiting(window));
         return;
@@ -65,7 +65,7 @@ fn waiting(window: &Window) -> &'static str {
 
 /// The region under the pointer, else the chosen one, else the first of the worst.
 fn shown(window: &Window, of: &LayerResult, grid: [usize; 2]) -> [usize; 2] {
-    let size = window.desk.document().size.map(f64::from);
+    let size = window.session.document().size.map(f64::from);
     let under = window
         .canvas
         .pointer

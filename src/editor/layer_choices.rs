@@ -1,19 +1,19 @@
 //! What can be chosen for a layer, and why the rest is greyed: [`crate::document::layer_rules`] for the panel.
 
-use crate::app::desk::Desk;
 use crate::document::layer_rules::{Beneath, Combination, Condition};
 use crate::document::{After, Kind, Layer, OptionKey, SystemChoice};
+use crate::editor::session::Session;
 
 /// Why layer `layer` cannot meet those beneath like this; `None` where it can.
 #[must_use]
-pub fn after_refusal(desk: &Desk, layer: usize, after: After) -> Option<&'static str> {
-    Some(on_desk(desk, layer)?.against_after(after)?.reason)
+pub fn after_refusal(session: &Session, layer: usize, after: After) -> Option<&'static str> {
+    Some(combination(session, layer)?.against_after(after)?.reason)
 }
 
 /// Why layer `layer` cannot be grown by this system; `None` where it can.
 #[must_use]
-pub fn system_refusal(desk: &Desk, layer: usize, system: SystemChoice) -> Option<&'static str> {
-    Some(on_desk(desk, layer)?.against_system(system)?.reason)
+pub fn system_refusal(session: &Session, layer: usize, system: SystemChoice) -> Option<&'static str> {
+    Some(combination(session, layer)?.against_system(system)?.reason)
 }
 
 /// Whether `layer`, whose marks are of `kind`, has this option at all.
@@ -32,12 +32,12 @@ pub fn option_refusal(layer: &Layer, kind: Option<Kind>, option: OptionKey) -> O
 }
 
 /// Layer `layer` as the rules see it.
-fn on_desk(desk: &Desk, layer: usize) -> Option<Combination> {
-    let beneath = match desk.beneath(layer) {
+fn combination(session: &Session, layer: usize) -> Option<Combination> {
+    let beneath = match session.beneath(layer) {
         None => Beneath::Nothing,
-        Some(beneath) => desk.kind(beneath).map_or(Beneath::Unknown, Beneath::Grows),
+        Some(beneath) => session.kind(beneath).map_or(Beneath::Unknown, Beneath::Grows),
     };
-    Some(Combination::new(desk.document().layers.get(layer)?, desk.kind(layer), beneath))
+    Some(Combination::new(session.document().layers.get(layer)?, session.kind(layer), beneath))
 }
 
 #[cfg(test)]
@@ -70,20 +70,20 @@ mod tests {
 
     #[test]
     fn the_lowest_layer_meets_nothing_and_is_told_so() {
-        let mut desk = Desk::open(Document::default(), None);
-        desk.edit(|document| {
+        let mut session = Session::open(Document::default(), None);
+        session.edit(|document| {
             document.layers.push(Layer { strokes: vec![line()], ..Layer::default() });
         });
-        assert_eq!(after_refusal(&desk, 0, After::Between), None);
+        assert_eq!(after_refusal(&session, 0, After::Between), None);
         for after in [After::Around, After::Net, After::Inside] {
-            assert!(after_refusal(&desk, 0, after).unwrap().contains("beneath"));
+            assert!(after_refusal(&session, 0, after).unwrap().contains("beneath"));
         }
-        desk.edit(|document| {
+        session.edit(|document| {
             document.layers.push(Layer { strokes: vec![line()], ..Layer::default() });
         });
-        assert_eq!(after_refusal(&desk, 1, After::Around), None);
-        assert!(after_refusal(&desk, 1, After::Inside).unwrap().contains("lines"));
-        assert!(system_refusal(&desk, 1, SystemChoice::TuringSpots).unwrap().contains("spots"));
-        assert_eq!(system_refusal(&desk, 1, SystemChoice::MeinhardtLines), None);
+        assert_eq!(after_refusal(&session, 1, After::Around), None);
+        assert!(after_refusal(&session, 1, After::Inside).unwrap().contains("lines"));
+        assert!(system_refusal(&session, 1, SystemChoice::TuringSpots).unwrap().contains("spots"));
+        assert_eq!(system_refusal(&session, 1, SystemChoice::MeinhardtLines), None);
     }
 }

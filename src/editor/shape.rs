@@ -10,7 +10,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// The middle of a mark, px.
 #[must_use]
-pub fn middle(mark: &Mark) -> [f64; 2] {
+pub fn center(mark: &Mark) -> [f64; 2] {
     match mark {
         Mark::Ellipse(ellipse) => ellipse.center,
         Mark::Line(line) => line.center(),
@@ -170,7 +170,7 @@ fn extent_of(mark: &Mark) -> [[f64; 2]; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::editor::shape::*;
 
     const ELLIPSE: Mark = Mark::Ellipse(Ellipse { center: [50.0, 40.0], radii: [20.0, 10.0], angle: 90.0 });
 
@@ -182,7 +182,7 @@ mod tests {
             let line = Line { from: [digits(0), digits(5)], to: [digits(11), digits(19)], width: 2.0 };
             let middle = line.center();
             for by in [[-middle[0], -middle[1]], [512.0 - middle[0], 384.0 - middle[1]], [-900.0, 900.0]] {
-                let at = self::middle(&bounded(&moved(&Mark::Line(line), by), [512, 384]));
+                let at = center(&bounded(&moved(&Mark::Line(line), by), [512, 384]));
                 assert!((0.0..=512.0).contains(&at[0]) && (0.0..=384.0).contains(&at[1]), "{line:?} {at:?}");
             }
         }

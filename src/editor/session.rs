@@ -1,59 +1,59 @@
-//! The open document: what is on it, what is selected, what was done, whether it is saved.
+//! The open document: its marks, selection, undo history and whether it is saved.
 
 use std::path::{Path, PathBuf};
 
 mod layers;
 
-use super::shape;
 use crate::document::layer_rules::tidy;
 use crate::document::{After, Document, Kind, Layer, Stroke};
-use crate::editor::history::{History, Moment};
+use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
+use crate::editor::shape;
 use crate::marks::Mark;
 use crate::sketch::recognise;
 
-/// The open document.
+/// The open document while it is edited.
 #[derive(Clone, Debug)]
-pub struct Desk {
+pub struct Session {
     document: Document,
-    /// What is selected.
+    /// The selected marks.
     pub selection: Selection,
-    /// The layer that new marks go to, if they are of its kind.
-    pub layer: usize,
+    /// The layer that new marks go to, if it accepts their kind.
+    pub active_layer: usize,
     /// How many of the lowest layers are frozen.
     frozen: usize,
-    /// Where it is saved.
+    /// The file it was read from or saved to.
     pub path: Option<PathBuf>,
     history: History,
-    /// As after the last step that can be undone.
-    committed: Moment,
-    /// As on the disk.
+    /// The state after the last undo step.
+    committed: Snapshot,
+    /// The document as the file holds it.
     saved: Document,
-    /// By layer and stroke: what stands there, freehand strokes fitted.
+    /// The mark of each stroke, by layer and stroke; freehand strokes are fitted, `None` where that failed.
     marks: Vec<Vec<Option<Mark>>>,
-    /// Counts changes.
+    /// Number of changes so far.
     revision: u64,
 }
 
-impl Default for Desk {
+impl Default for Session {
     fn default() -> Self {
         Self::open(Document::default(), None)
     }
 }
 
-impl Desk {
-    /// A document, from a file or new.
+impl Session {
+    /// Opens a document that has no unsaved changes; `path` is its file, `None` for a new one.
     #[must_use]
     pub fn open(document: Document, path: Option<PathBuf>) -> Self {
-        let layer = document.layers.len().saturating_sub(1);
-        let committed =
-            Moment { document: document.clone(), selection: Selection::default(), layer, frozen: 0 };
+        let active_layer = document.layers.len().saturating_sub(1);
+        let selection = Selection::default();
+        let committed = Snapshot { document: document.clone(), selection, active_layer, frozen: 0 };
         let marks = fitted(&document, &Document::default(), &[]);
         Self {
             saved: document.clone(),
             document,
             selection: Selection::default(),
-            layer,
+            active_layer,
             frozen: 0,
             path,
             history: History::default(),
@@ -63,20 +63,20 @@ impl Desk {
         }
     }
 
-    /// A document that was not saved, and what its file holds.
+    /// Opens a document that differs from its file; `saved` is what the file holds.
     #[must_use]
-    pub fn recovered(document: Document, saved: Document, path: Option<PathBuf>) -> Self {
+    pub fn open_unsaved(document: Document, saved: Document, path: Option<PathBuf>) -> Self {
         Self { saved, ..Self::open(document, path) }
     }
 
-    /// The document as it is drawn; it may have empty layers.
+    /// The document as it is edited; it may have empty layers.
     #[must_use]
     pub fn document(&self) -> &Document {
         &self.document
     }
 
-    /// The document as it is saved and grown: without empty layers, those without a name named as a file's are, and
-    /// the lowest, which has nothing beneath it, meets nothing.
+    /// The document as it is saved and grown: empty layers are removed, unnamed layers get a name, and the lowest
+    /// layer has no relation to a layer beneath.
     #[must_use]
     pub fn finished(&self) -> Document {
         let mut document = self.document.clone();
@@ -96,13 +96,13 @@ impl Desk {
         document
     }
 
-    /// Changes with every edit.
+    /// A number that changes with every edit.
     #[must_use]
     pub fn revision(&self) -> u64 {
         self.revision
     }
 
-    /// Changes the document. Becomes a step that can be undone with the next [`Self::commit`].
+    /// Changes the document. The next [`Self::commit`] makes the change an undo step.
     pub fn edit(&mut self, change: impl FnOnce(&mut Document)) {
         let before = self.document.clone();
         change(&mut self.document);
@@ -111,22 +111,22 @@ impl Desk {
         }
         self.revision += 1;
         self.marks = fitted(&self.document, &before, &self.marks);
-        self.selection.keep_within(&self.document);
+        self.selection.retain_existing(&self.document);
     }
 
-    /// Makes what was changed since the last commit one step that can be undone; gives whether there was any.
+    /// Makes the changes since the last commit one undo step; returns whether there were any.
     pub fn commit(&mut self) -> bool {
         if self.document == self.committed.document {
             self.committed.selection.clone_from(&self.selection);
-            (self.committed.layer, self.committed.frozen) = (self.layer, self.frozen);
+            (self.committed.active_layer, self.committed.frozen) = (self.active_layer, self.frozen);
             return false;
         }
-        let now = self.moment();
-        self.history.remember(std::mem::replace(&mut self.committed, now));
+        let now = self.snapshot();
+        self.history.push(std::mem::replace(&mut self.committed, now));
         true
     }
 
-    /// Takes back what was changed since the last commit.
+    /// Discards the changes since the last commit.
     pub fn revert(&mut self) {
         self.restore(self.committed.clone());
     }
@@ -134,54 +134,54 @@ impl Desk {
     /// Undoes the last step.
     pub fn undo(&mut self) {
         self.commit();
-        let moment = self.history.undo(self.committed.clone());
-        self.restore(moment);
+        let snapshot = self.history.undo(self.committed.clone());
+        self.restore(snapshot);
     }
 
-    /// Does again what was undone.
+    /// Redoes the step that was undone last.
     pub fn redo(&mut self) {
         if !self.commit() {
-            let moment = self.history.redo(self.committed.clone());
-            self.restore(moment);
+            let snapshot = self.history.redo(self.committed.clone());
+            self.restore(snapshot);
         }
     }
 
-    /// Is there something to undo, and to redo?
+    /// Whether there is something to undo, and something to redo.
     #[must_use]
     pub fn can_undo_redo(&self) -> [bool; 2] {
-        let [undo, redo] = self.history.can();
+        let [undo, redo] = self.history.can_undo_redo();
         [undo || self.document != self.committed.document, redo]
     }
 
-    fn moment(&self) -> Moment {
-        Moment {
+    fn snapshot(&self) -> Snapshot {
+        Snapshot {
             document: self.document.clone(),
             selection: self.selection.clone(),
-            layer: self.layer,
+            active_layer: self.active_layer,
             frozen: self.frozen,
         }
     }
 
-    fn restore(&mut self, moment: Moment) {
-        self.edit(|document| document.clone_from(&moment.document));
-        self.selection.clone_from(&moment.selection);
-        (self.layer, self.frozen) = (moment.layer, moment.frozen);
-        self.committed = moment;
+    fn restore(&mut self, snapshot: Snapshot) {
+        self.edit(|document| document.clone_from(&snapshot.document));
+        self.selection.clone_from(&snapshot.selection);
+        (self.active_layer, self.frozen) = (snapshot.active_layer, snapshot.frozen);
+        self.committed = snapshot;
     }
 
-    /// Is there something that the file does not have?
+    /// Whether the document differs from its file.
     #[must_use]
     pub fn is_changed(&self) -> bool {
         self.document != self.saved
     }
 
-    /// It was saved to `path`.
+    /// Records that the current document was saved to `path`.
     pub fn mark_saved(&mut self, path: &Path) {
         self.saved = self.document.clone();
         self.path = Some(path.to_owned());
     }
 
-    /// What people call it: its file, or what it is named, or `untitled`.
+    /// The name shown to the user: the file's name, else the document's, else `untitled`.
     #[must_use]
     pub fn title(&self) -> String {
         let file =
@@ -218,14 +218,14 @@ impl Desk {
         self.selection.places().filter_map(|place| Some((place, self.mark(place)?)))
     }
 
-    /// What a layer holds; `None` where it is empty.
+    /// The kind of marks in a layer; `None` where it is empty.
     #[must_use]
     pub fn kind(&self, layer: usize) -> Option<Kind> {
         self.marks.get(layer)?.iter().flatten().next().map(kind_of)
     }
 
-    /// Puts marks down and selects them: in the layer at hand if it holds such marks, else in the highest that does,
-    /// else in a new one.
+    /// Adds marks and selects them. They go to the active layer if it accepts their kind, else to the highest layer
+    /// that does, else to a new one.
     pub fn add(&mut self, marks: &[Mark]) {
         let size = self.document.size;
         let mut added = Vec::with_capacity(marks.len());
@@ -239,23 +239,23 @@ impl Desk {
                 }
                 document.layers[layer].strokes.push(stroke_of(&mark));
             });
-            self.layer = layer;
+            self.active_layer = layer;
             added.push(Place { layer, stroke });
         }
-        self.selection = Selection::of(added);
+        self.selection = Selection::new(added);
     }
 
-    /// The layer that a mark of `kind` goes to; one more than there are = a new one.
+    /// The layer that a mark of `kind` goes to; the number of layers = a new one.
     fn layer_for(&self, kind: Kind) -> usize {
-        let takes = |layer: usize| self.takes(layer, kind);
-        if takes(self.layer) {
-            return self.layer;
+        let accepts = |layer: usize| self.accepts(layer, kind);
+        if accepts(self.active_layer) {
+            return self.active_layer;
         }
         let layers = self.document.layers.len();
-        (0..layers).rev().find(|layer| takes(*layer) && self.kind(*layer).is_some()).unwrap_or(layers)
+        (0..layers).rev().find(|layer| accepts(*layer) && self.kind(*layer).is_some()).unwrap_or(layers)
     }
 
-    /// Puts other marks in the place of these.
+    /// Replaces marks.
     pub fn replace(&mut self, marks: &[(Place, Mark)]) {
         let size = self.document.size;
         self.edit(|document| {
@@ -271,7 +271,7 @@ impl Desk {
         });
     }
 
-    /// Takes marks away.
+    /// Removes marks.
     pub fn remove(&mut self, places: &[Place]) {
         let mut places = places.to_vec();
         places.sort_unstable();
@@ -287,34 +287,34 @@ impl Desk {
         self.selection.clear();
     }
 
-    /// Moves what is selected by `by` px, as far as all of it stays on the canvas.
+    /// Moves the selected marks by `by` px, at most until the centre of one reaches the canvas edge.
     pub fn nudge(&mut self, by: [f64; 2]) {
         let before: Vec<_> = self.selected().collect();
-        let by = self.within(&before, by);
+        let by = self.limit_move(&before, by);
         let moved: Vec<_> = before.iter().map(|(place, mark)| (*place, shape::moved(mark, by))).collect();
         self.replace(&moved);
     }
 
-    /// `by`, or as much of it as keeps the middles of all marks on the canvas.
+    /// The part of the move `by` (px) that keeps the centres of all `marks` on the canvas.
     #[must_use]
-    pub fn within(&self, marks: &[(Place, Mark)], mut by: [f64; 2]) -> [f64; 2] {
+    pub fn limit_move(&self, marks: &[(Place, Mark)], mut by: [f64; 2]) -> [f64; 2] {
         for (_, mark) in marks {
-            let middle = shape::middle(mark);
+            let center = shape::center(mark);
             for axis in 0..2 {
                 let side = f64::from(self.document.size[axis]);
-                by[axis] = by[axis].clamp(-middle[axis].max(0.0), (side - middle[axis]).max(0.0));
+                by[axis] = by[axis].clamp(-center[axis].max(0.0), (side - center[axis]).max(0.0));
             }
         }
         by
     }
 
-    /// The nearest mark within `reach` px of a point that the hand can work on; of several there, one of the layer at
-    /// hand, then the topmost.
+    /// The editable mark nearest to a point, at most `reach` px away; among equally near ones, one of the active layer
+    /// first, then the topmost.
     #[must_use]
     pub fn hit(&self, point: [f64; 2], reach: f64) -> Option<Place> {
-        let near = self.reachable().rev().map(|(place, mark)| (place, shape::distance(&mark, point)));
+        let near = self.editable_marks().rev().map(|(place, mark)| (place, shape::distance(&mark, point)));
         let near = near.filter(|(_, distance)| *distance <= reach);
-        let order = |(place, distance): &(Place, f64)| (*distance, place.layer != self.layer);
+        let order = |(place, distance): &(Place, f64)| (*distance, place.layer != self.active_layer);
         near.min_by(|a, b| {
             let (a, b) = (order(a), order(b));
             a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
@@ -323,7 +323,7 @@ impl Desk {
     }
 }
 
-/// What a mark is.
+/// The kind of a mark.
 #[must_use]
 pub fn kind_of(mark: &Mark) -> Kind {
     match mark {
@@ -332,7 +332,7 @@ pub fn kind_of(mark: &Mark) -> Kind {
     }
 }
 
-/// The stroke that stands for a mark.
+/// The stroke of a mark.
 #[must_use]
 pub fn stroke_of(mark: &Mark) -> Stroke {
     match *mark {
@@ -341,7 +341,7 @@ pub fn stroke_of(mark: &Mark) -> Stroke {
     }
 }
 
-/// The marks of `document`; freehand strokes that stood in the same place `before` keep what they were fitted with.
+/// The marks of `document`. Freehand strokes that did not change since `before` keep their fitted mark.
 fn fitted(document: &Document, before: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Vec<Option<Mark>>> {
     let fit = |layer: usize, index: usize, stroke: &Stroke| match stroke {
         Stroke::Ellipse(ellipse) => Some(Mark::Ellipse(*ellipse)),
@@ -356,6 +356,8 @@ fn fitted(document: &Document, before: &Document, marks: &[Vec<Option<Mark>>]) -
     };
     let layers = document.layers.iter().enumerate();
     layers
-        .map(|(layer, of)| of.strokes.iter().enumerate().map(|(i, stroke)| fit(layer, i, stroke)).collect())
+        .map(|(layer, drawn)| {
+            drawn.strokes.iter().enumerate().map(|(i, stroke)| fit(layer, i, stroke)).collect()
+        })
         .collect()
 }

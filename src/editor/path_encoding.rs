@@ -70,7 +70,7 @@ fn path(bytes: Vec<u8>) -> PathBuf {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::editor::path_encoding::*;
     use proptest::prelude::*;
 
     #[test]

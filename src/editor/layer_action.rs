@@ -1,0 +1,118 @@
+//! Operations on layers, as menus and keys name them.
+
+use crate::document::limits;
+use crate::editor::session::Session;
+
+/// An operation on the active layer, or on another one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LayerAction {
+    /// Add an empty layer above.
+    Add,
+    /// Freeze it and those beneath, and go on with the next.
+    SketchNext,
+    /// Make this layer active.
+    Take(usize),
+    /// Make the layer above (1) or beneath (−1) active.
+    Step(isize),
+    /// Move it up (1) or down (−1).
+    Shift(isize),
+    /// Move a layer to another index.
+    Move(usize, usize),
+    /// Add a copy above.
+    Duplicate,
+    /// Hide or show it.
+    Hide,
+    /// Hide or show this layer.
+    HideThis(usize),
+    /// Ask for its name.
+    Rename,
+    /// Delete it.
+    Delete,
+}
+
+impl LayerAction {
+    /// The entries of the menu, in order.
+    pub const MENU: [(&'static str, Self); 10] = [
+        ("New layer", Self::Add),
+        ("Freeze it, sketch the next", Self::SketchNext),
+        ("Duplicate layer", Self::Duplicate),
+        ("Name layer", Self::Rename),
+        ("Hide or show layer", Self::Hide),
+        ("Raise layer", Self::Shift(1)),
+        ("Lower layer", Self::Shift(-1)),
+        ("Take the layer above", Self::Step(1)),
+        ("Take the layer beneath", Self::Step(-1)),
+        ("Delete layer", Self::Delete),
+    ];
+}
+
+impl Session {
+    /// Whether an operation is possible now.
+    #[must_use]
+    pub fn allows(&self, action: LayerAction) -> bool {
+        let layers = self.document().layers.len();
+        let is_any = self.active_layer < layers;
+        match action {
+            LayerAction::Add => layers < limits::MAX_LAYERS,
+            LayerAction::SketchNext => is_any && self.kind(self.active_layer).is_some(),
+            LayerAction::Take(layer) | LayerAction::HideThis(layer) => layer < layers,
+            LayerAction::Step(by) | LayerAction::Shift(by) => {
+                is_any && self.active_layer.checked_add_signed(by).is_some_and(|to| to < layers)
+            }
+            LayerAction::Move(from, to) => from < layers && to < layers,
+            LayerAction::Duplicate => is_any && layers < limits::MAX_LAYERS,
+            LayerAction::Hide | LayerAction::Rename | LayerAction::Delete => is_any,
+        }
+    }
+
+    /// Carries out an operation; does nothing where it is not possible. Renaming, which asks for the name first, is
+    /// left to the caller.
+    pub fn apply(&mut self, action: LayerAction) {
+        if !self.allows(action) {
+            return;
+        }
+        let active = self.active_layer;
+        match action {
+            LayerAction::Add => self.add_layer(),
+            LayerAction::SketchNext => self.sketch_next(),
+            LayerAction::Take(layer) => self.activate_layer(layer),
+            LayerAction::Step(by) => self.activate_layer(active.saturating_add_signed(by)),
+            LayerAction::Shift(by) => self.move_layer(active, active.saturating_add_signed(by)),
+            LayerAction::Move(from, to) => self.move_layer(from, to),
+            LayerAction::Duplicate => self.duplicate_layer(),
+            LayerAction::Hide => self.hide_or_show(active),
+            LayerAction::HideThis(layer) => self.hide_or_show(layer),
+            LayerAction::Rename => {}
+            LayerAction::Delete => self.delete_layer(active),
+        }
+    }
+
+    fn hide_or_show(&mut self, layer: usize) {
+        let visible = self.document().layers[layer].visible;
+        self.show_layer(layer, !visible);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Document;
+
+    #[test]
+    fn what_is_not_possible_changes_nothing() {
+        let mut session = Session::open(Document::default(), None);
+        for (_, action) in LayerAction::MENU.into_iter().filter(|(_, action)| *action != LayerAction::Add) {
+            assert!(!session.allows(action), "{action:?}");
+            session.apply(action);
+            assert!(session.document().layers.is_empty(), "{action:?}");
+        }
+        for _ in 0..=limits::MAX_LAYERS {
+            session.apply(LayerAction::Add);
+        }
+        assert_eq!(session.document().layers.len(), limits::MAX_LAYERS);
+        session.apply(LayerAction::Step(1));
+        assert_eq!(session.active_layer, limits::MAX_LAYERS - 1);
+        session.apply(LayerAction::Hide);
+        assert!(!session.document().layers[limits::MAX_LAYERS - 1].visible);
+    }
+}
