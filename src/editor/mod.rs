@@ -8,3 +8,4 @@ pub mod path_encoding;
 pub mod selection;
 pub mod session;
 pub mod shape;
+pub mod task;
