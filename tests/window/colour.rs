@@ -259,7 +259,7 @@ fn a_preset_is_taken_and_says_where_it_comes_from() {
 #[test]
 fn colours_are_copied_between_layers() {
     let (mut hand, _folder) = dyer(2);
-    assert_eq!(hand.window.state().session().layer, 1);
+    assert_eq!(hand.window.state().session().active_layer, 1);
     hand.reach("Colours: tiger");
     let tiger = hand.colours(1);
     assert_ne!(hand.colours(0), tiger);

@@ -20,7 +20,7 @@ fn two() -> Hand {
 }
 
 fn at_hand(hand: &Hand) -> usize {
-    hand.window.state().session().layer
+    hand.window.state().session().active_layer
 }
 
 /// The rows as they are said, from the top.
@@ -351,7 +351,7 @@ fn what_lies_beneath_is_not_grown_again_and_is_seen_under_the_canvas() {
     let grown = &hand.window.state().settled().unwrap().grown;
     assert_eq!(grown.layers.len(), 2);
     assert_eq!(grown.layers[0].marks.values, below);
-    assert_eq!(hand.window.state().growth().kept, 1);
+    assert_eq!(hand.window.state().growth().reused, 1);
     assert!(hand.window.state().has_underlay());
     // Thawed, nothing lies under it any more.
     hand.press("Thaw layer 1");
