@@ -166,6 +166,13 @@ impl Window {
         }
     }
 
+    /// Loads a picture to draw over.
+    fn load_reference(&mut self, path: &Path) {
+        if let Err(error) = self.canvas.reference.load(path, &self.tasks) {
+            self.notices.wrong(error.to_string());
+        }
+    }
+
     fn chosen(&mut self, ui: &Ui, purpose: Purpose, path: PathBuf) {
         match purpose {
             Purpose::Open | Purpose::Import => self.open(&path),
@@ -174,7 +181,7 @@ impl Window {
             Purpose::Become => self.become_chosen(path),
             Purpose::Palette => self.open_palette(&path),
             Purpose::PaletteTo => self.save_palette(&path),
-            Purpose::Reference => self.canvas.reference.load(&path, ui.ctx()),
+            Purpose::Reference => self.load_reference(&path),
         }
     }
 
@@ -222,7 +229,7 @@ impl Window {
             let ending =
                 path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
             if ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp", "gif"].contains(&ending.as_str()) {
-                actions.extend(self.picture_dropped(ui, path));
+                actions.extend(self.picture_dropped(path));
             } else if ending == "gpl" || ending == "json" && is_palette(&path) {
                 self.open_palette(&path);
             } else if ending == "svg" {
@@ -238,11 +245,11 @@ impl Window {
     }
 
     /// A picture that holds its document restores it; another lies under the canvas.
-    fn picture_dropped(&mut self, ui: &Ui, path: PathBuf) -> Option<Action> {
+    fn picture_dropped(&mut self, path: PathBuf) -> Option<Action> {
         match in_picture(&path) {
             Ok(Some(_)) => return Some(Action::OpenFile(path)),
             Ok(None) => {
-                self.canvas.reference.load(&path, ui.ctx());
+                self.load_reference(&path);
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
                 let text = "holds no document: it lies under the canvas, to draw over";
                 self.notices.done(format!("{name} {text}"));

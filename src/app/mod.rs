@@ -59,6 +59,8 @@ use std::path::PathBuf;
 
 use egui::IconData;
 
+use crate::editor::task::Spawn;
+
 /// Why no window was opened.
 #[derive(Debug, thiserror::Error)]
 pub enum OpenError {
@@ -92,7 +94,7 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
         ..Default::default()
     };
     let recovery = settings::folder().map(|folder| folder.join("recovery"));
-    let start = Start { file, settings, recovery, native_dialogs: true };
+    let start = Start { file, settings, recovery, native_dialogs: true, spawn: Spawn::default() };
     let create: eframe::AppCreator<'_> = Box::new(move |cc| {
         window_placement::bring_into_view(cc);
         Ok(Box::new(Window::new(&cc.egui_ctx, start)))

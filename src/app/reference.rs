@@ -1,10 +1,10 @@
 //! A picture under the canvas, to draw over. It is not part of the document.
 
 use std::path::Path;
-use std::sync::mpsc::{self, Receiver};
-use std::thread;
 
 use egui::{Color32, ColorImage, Context, Painter, Rect, TextureHandle, TextureOptions, pos2, vec2};
+
+use crate::editor::task::{StartError, Task, Tasks, Worker};
 
 /// The longest side that is kept, px: enough to draw over.
 const LONGEST: u32 = 2048;
@@ -14,59 +14,61 @@ pub struct Reference {
     texture: Option<TextureHandle>,
     /// Its file's name.
     pub name: String,
-    /// How much of it is seen, 0..1.
+    /// Its opacity, 0..1.
     pub opacity: f32,
-    /// Is it shown?
+    /// Whether it is shown.
     pub shown: bool,
-    coming: Option<Receiver<Result<ColorImage, String>>>,
+    loading: Option<Task<Result<ColorImage, String>>>,
 }
 
 impl Default for Reference {
     fn default() -> Self {
-        Self { texture: None, name: String::new(), opacity: 0.5, shown: true, coming: None }
+        Self { texture: None, name: String::new(), opacity: 0.5, shown: true, loading: None }
     }
 }
 
 impl Reference {
-    /// Is there one?
+    /// Whether there is one.
     #[must_use]
     pub fn is_there(&self) -> bool {
         self.texture.is_some()
     }
 
-    /// Loads a picture on a thread of its own.
-    pub fn load(&mut self, path: &Path, ctx: &Context) {
-        let (tell, coming) = mpsc::channel();
+    /// Loads a picture beside the window; it replaces the one before.
+    ///
+    /// # Errors
+    /// Where no thread can be started.
+    pub fn load(&mut self, path: &Path, tasks: &Tasks) -> Result<(), StartError> {
+        let file = path.to_owned();
+        let work = move |worker: &Worker<_>| worker.send(read(&file));
+        self.loading = Some(tasks.start("loading a picture", work)?);
         self.name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        self.coming = Some(coming);
-        let (path, ctx) = (path.to_owned(), ctx.clone());
-        thread::spawn(move || {
-            // The window may have gone.
-            let _ = tell.send(read(&path));
-            ctx.request_repaint();
-        });
+        Ok(())
     }
 
-    /// Takes in what was loaded.
+    /// Receives the loaded picture; never waits.
     ///
     /// # Errors
     /// Why the picture could not be read.
     pub fn listen(&mut self, ctx: &Context) -> Result<(), String> {
-        let Some(come) = self.coming.as_ref().and_then(|coming| coming.try_recv().ok()) else {
+        let Some(task) = &mut self.loading else { return Ok(()) };
+        let loaded = task.poll();
+        if loaded.is_none() && !task.has_ended() {
             return Ok(());
-        };
-        self.coming = None;
-        self.texture = Some(ctx.load_texture("reference", come?, TextureOptions::LINEAR));
+        }
+        self.loading = None;
+        let picture = loaded.unwrap_or_else(|| Err(format!("{}: reading it failed", self.name)))?;
+        self.texture = Some(ctx.load_texture("reference", picture, TextureOptions::LINEAR));
         self.shown = true;
         Ok(())
     }
 
-    /// Takes it away.
+    /// Removes it.
     pub fn clear(&mut self) {
-        (self.texture, self.coming) = (None, None);
+        (self.texture, self.loading) = (None, None);
     }
 
-    /// Paints it into the middle of the canvas, as large as it fits.
+    /// Paints it in the middle of the canvas, as large as it fits.
     pub fn paint(&self, painter: &Painter, paper: Rect) {
         let Some(texture) = self.texture.as_ref().filter(|_| self.shown) else { return };
         let size = texture.size_vec2();

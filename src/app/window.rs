@@ -26,6 +26,7 @@ use super::{action::Page, panels, shortcuts};
 use crate::app::layering::Layering;
 use crate::document::Document;
 use crate::editor::session::Session;
+use crate::editor::task::{Spawn, Tasks};
 
 /// With what the window begins.
 #[derive(Default)]
@@ -36,8 +37,10 @@ pub struct Start {
     pub settings: Settings,
     /// Where unsaved work is kept; `None` = nowhere.
     pub recovery: Option<PathBuf>,
-    /// Are files chosen with the system's own dialogs?
+    /// Whether files are chosen with the system's own dialogs.
     pub native_dialogs: bool,
+    /// How threads are started; tests let it fail.
+    pub spawn: Spawn,
 }
 
 /// The window.
@@ -46,6 +49,7 @@ pub struct Window {
     pub(super) canvas: Canvas,
     pub(super) texture: TextureView,
     pub(super) growth: Growth,
+    pub(super) tasks: Tasks,
     pub(super) settings: Settings,
     pub(super) notices: Notices,
     pub(super) files: Files,
@@ -85,6 +89,7 @@ impl Window {
             options.fallback_theme = Theme::Light;
         });
         let wake = ctx.clone();
+        let tasks = Tasks::new(move || wake.request_repaint()).with_spawn(start.spawn);
         let first = !start.settings.hint_seen && start.file.is_none();
         let (recovery, troubles) = Recovery::new(start.recovery);
         let page = if recovery.left() > 0 { Some(Page::Recovery) } else { first.then_some(Page::Hint) };
@@ -93,7 +98,8 @@ impl Window {
             session: Session::open(start.settings.new.document(), None),
             canvas: Canvas::default(),
             texture: TextureView::default(),
-            growth: Growth::new(move || wake.request_repaint()),
+            growth: Growth::new(tasks.clone()),
+            tasks,
             settings: start.settings,
             notices: Notices::default(),
             files: Files::new(start.native_dialogs),

@@ -14,8 +14,15 @@ use std::time::{Duration, Instant};
 
 /// What a thread runs.
 pub type Body = Box<dyn FnOnce() + Send>;
-/// Starts a thread.
-pub type Spawn = fn(Builder, Body) -> io::Result<JoinHandle<()>>;
+/// How threads are started: by the system, unless a test replaces it.
+#[derive(Clone, Copy)]
+pub struct Spawn(pub fn(Builder, Body) -> io::Result<JoinHandle<()>>);
+
+impl Default for Spawn {
+    fn default() -> Self {
+        Self(Builder::spawn)
+    }
+}
 
 /// A thread that could not be started.
 #[derive(Debug, thiserror::Error)]
@@ -51,7 +58,7 @@ impl Tasks {
     /// Tasks that call `wake` after each message and at their end.
     #[must_use]
     pub fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
-        Self { wake: Arc::new(wake), spawn: Builder::spawn }
+        Self { wake: Arc::new(wake), spawn: Spawn::default() }
     }
 
     /// The same, with threads that `spawn` starts.
@@ -72,7 +79,7 @@ impl Tasks {
         let state = Arc::new(State::default());
         let (send, messages) = mpsc::channel();
         let worker = Worker { state: Arc::clone(&state), send: Some(send), wake: Arc::clone(&self.wake) };
-        let thread = (self.spawn)(Builder::new().name(name.to_owned()), Box::new(move || work(&worker)));
+        let thread = (self.spawn.0)(Builder::new().name(name.to_owned()), Box::new(move || work(&worker)));
         let thread = thread.map_err(|source| StartError { task: name, source })?;
         Ok(Task { state, messages, thread: Some(thread), ended: false })
     }
@@ -342,7 +349,7 @@ mod tests {
 
     #[test]
     fn a_thread_that_does_not_start_is_an_error_that_says_what_it_was_for() {
-        let started = Tasks::default().with_spawn(no_thread).start("growth", |_: &Worker<()>| {});
+        let started = Tasks::default().with_spawn(Spawn(no_thread)).start("growth", |_: &Worker<()>| {});
         let said = started.err().unwrap().to_string();
         assert!(said.contains("growth") && said.contains("none left"), "{said}");
     }

@@ -1,75 +1,93 @@
-//! Growth beside the window: a thread grows the latest document, the window is told and never waits.
+//! Growth beside the window: a task grows the latest document; the window never waits for it.
 //!
-//! The thread runs [`crate::synth::regrow_seen`], as `dapple grow` does, and so the picture that has settled is the one
-//! that `dapple grow` writes.
+//! The task calls [`crate::synth::regrow_seen`], as `dapple grow` does: the settled picture is the one that
+//! `dapple grow` writes.
 
+mod job;
 mod picture;
 mod preview;
-mod worker;
 
 pub use picture::Picture;
 
 use std::sync::Arc;
-use std::sync::mpsc::Receiver;
 use std::time::{Duration, Instant};
 
 use crate::document::Document;
+use crate::editor::task::{Ending, StartError, Task, Tasks, Worker};
 use crate::synth::{Grown, Stage};
-use worker::{News, Orders};
+use job::{Job, Live, News, Shared};
 
-/// How far a growth is.
+/// Shown where the growth panicked.
+const FAULT: &str = "growing it failed inside dapple; please report the document. The sketch is not harmed: save it, \
+                     or change it and it is grown anew";
+
+/// The state of a growth.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Phase {
     /// There is nothing to grow.
     Idle,
-    /// It grows: what is being done, and the share of it that is done.
+    /// It is growing: the current stage, and the share of it that is done, 0..1.
     Growing(Stage, f64),
-    /// It was stopped; what is seen is how far it came.
+    /// It was stopped; the picture shows how far it came.
     Stopped,
-    /// It has settled after so long.
+    /// It has settled after this time.
     Settled(Duration),
     /// It cannot be grown: why.
     Failed(String),
 }
 
-/// What has grown from a document.
+/// A grown document.
 #[derive(Clone)]
 pub struct Texture {
-    /// What was grown.
+    /// The document, in its current colours.
     pub document: Arc<Document>,
-    /// What came of it.
+    /// What has grown from it.
     pub grown: Arc<Grown>,
 }
 
 /// The window's side of the growth.
 pub struct Growth {
-    orders: Arc<Orders>,
-    news: Receiver<News>,
-    /// Counts what was asked for.
+    tasks: Tasks,
+    shared: Arc<Shared>,
+    task: Option<Task<News>>,
+    live: Option<Arc<Live>>,
+    /// The growth before, which is cancelled and may still run for a moment.
+    ending: Option<Ending>,
+    /// The painting of the settled texture in other colours, and the document it paints.
+    painting: Option<(Arc<Document>, Task<Picture>)>,
+    /// The next document, grown elsewhere.
+    known: Option<Arc<Grown>>,
+    threads: Option<usize>,
+    /// Number of growths so far.
     generation: u64,
     asked: Option<Document>,
     since: Instant,
-    /// How far it is.
+    /// Its state.
     pub phase: Phase,
     /// The latest picture.
     pub picture: Option<Picture>,
-    /// What has settled; `None` while the sketch is another one.
+    /// The settled texture; `None` until the current sketch has settled.
     pub texture: Option<Texture>,
-    /// Time from the change to the first picture of it.
+    /// Time from the change to its first picture.
     pub first_picture: Option<Duration>,
-    /// How many of the lowest layers of what has settled were not grown again.
-    pub kept: usize,
+    /// The number of the lowest layers of the settled texture that were not grown again.
+    pub reused: usize,
     paused: bool,
 }
 
 impl Growth {
-    /// Starts the thread. It calls `wake` when there is something to be seen.
+    /// Nothing grows yet. `tasks` starts the threads.
     #[must_use]
-    pub fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
-        let (orders, news) = worker::start(wake);
+    pub fn new(tasks: Tasks) -> Self {
         Self {
-            orders,
-            news,
+            tasks,
+            shared: Arc::default(),
+            task: None,
+            live: None,
+            ending: None,
+            painting: None,
+            known: None,
+            threads: None,
             generation: 0,
             asked: None,
             since: Instant::now(),
@@ -77,18 +95,18 @@ impl Growth {
             picture: None,
             texture: None,
             first_picture: None,
-            kept: 0,
+            reused: 0,
             paused: false,
         }
     }
 
-    /// By how many threads it grows from the next time on; `None` = as many as there are cores, but for one. What
-    /// grows is the same.
-    pub fn use_threads(&self, threads: Option<usize>) {
-        self.orders.use_threads(threads);
+    /// Sets the number of threads of the next growths; `None` = one less than there are cores. The texture does not
+    /// depend on it.
+    pub fn use_threads(&mut self, threads: Option<usize>) {
+        self.threads = threads;
     }
 
-    /// Grows `document` instead of what is growing, unless that is the same; empty ones are not grown.
+    /// Grows `document` instead of what is growing, unless it has the same pattern. An empty document is not grown.
     pub fn grow(&mut self, document: &Document) {
         if document.layers.is_empty() {
             if self.asked.take().is_some() {
@@ -100,57 +118,96 @@ impl Growth {
         }
         let needed = essence(document);
         if self.asked.as_ref().is_some_and(|asked| essence(asked) == needed) {
-            self.repaint(document);
+            self.recolour(document);
         } else {
             self.begin(document);
         }
     }
 
-    /// Grows `document` again from the beginning.
+    /// Grows `document` from the beginning.
     fn begin(&mut self, document: &Document) {
-        self.generation += 1;
+        self.cancel();
         self.asked = Some(document.clone());
         self.since = Instant::now();
         self.first_picture = None;
-        self.texture = None;
-        self.phase = Phase::Growing(Stage::Plan, 0.0);
-        self.pause(false);
-        self.orders.grow(self.generation, document);
+        let document = Arc::new(document.clone());
+        let live = Arc::new(Live::new(&document));
+        let (known, shared) = (self.known.take(), Arc::clone(&self.shared));
+        let job = Job { document, known, live: Arc::clone(&live), shared };
+        self.phase = match self.start(job) {
+            Ok(task) => {
+                (self.task, self.live) = (Some(task), Some(live));
+                Phase::Growing(Stage::Plan, 0.0)
+            }
+            Err(error) => Phase::Failed(error.to_string()),
+        };
     }
 
-    /// The same pattern in other colours.
-    fn repaint(&mut self, document: &Document) {
+    fn start(&mut self, job: Job) -> Result<Task<News>, StartError> {
+        let (ending, threads) = (self.ending.take(), self.threads);
+        self.tasks.start("growth", move |worker| {
+            // Two growths at a time would slow each other down.
+            if let Some(ending) = ending {
+                ending.wait();
+            }
+            if !worker.is_cancelled() {
+                job.shared.install(threads, || job.run(worker));
+            }
+        })
+    }
+
+    /// Shows the same pattern in the colours of `document`.
+    fn recolour(&mut self, document: &Document) {
         if self.asked.as_ref() == Some(document) {
             return;
         }
         self.asked = Some(document.clone());
+        let document = Arc::new(document.clone());
         if let Some(texture) = &mut self.texture {
-            texture.document = Arc::new(document.clone());
-            self.orders.paint(self.generation, texture.clone());
-        } else {
-            self.orders.colour(self.generation, document);
+            texture.document = document;
+            self.paint();
+        } else if let Some(live) = &self.live {
+            live.colour(document);
         }
     }
 
-    /// Counts growths: one in other colours is the same one.
+    /// Paints the settled texture, unless that is being done: then it is painted again when that is over.
+    fn paint(&mut self) {
+        let Some(texture) = self.texture.clone().filter(|_| self.painting.is_none()) else { return };
+        let document = Arc::clone(&texture.document);
+        let (shared, threads) = (Arc::clone(&self.shared), self.threads);
+        let work = {
+            let texture = texture.clone();
+            move |worker: &Worker<Picture>| {
+                shared.install(threads, || worker.send(Picture::settled(&texture)));
+            }
+        };
+        match self.tasks.start("painting", work) {
+            Ok(task) => self.painting = Some((document, task)),
+            // Without a thread the window waits for it.
+            Err(_) => self.picture = Some(Picture::settled(&texture)),
+        }
+    }
+
+    /// The number of growths so far; a change of colours is not a growth.
     #[must_use]
     pub fn generation(&self) -> u64 {
         self.generation
     }
 
-    /// Grows it again, whatever is there.
+    /// Grows it again from the beginning.
     pub fn again(&mut self, document: &Document) {
         if !document.layers.is_empty() {
             self.begin(document);
         }
     }
 
-    /// Tells what has grown already of the document that comes next: what is the same need not be grown again.
-    pub fn know(&self, grown: &Arc<Grown>) {
-        self.orders.know(grown);
+    /// Says that the document that comes next was `grown` elsewhere: it is not grown again.
+    pub fn know(&mut self, grown: &Arc<Grown>) {
+        self.known = Some(Arc::clone(grown));
     }
 
-    /// Another document comes: what is there does not belong to it.
+    /// Forgets what has grown: another document was opened.
     pub fn forget(&mut self) {
         self.cancel();
         self.asked = None;
@@ -158,15 +215,15 @@ impl Growth {
         self.phase = Phase::Idle;
     }
 
-    /// Is there nothing that has grown or grows?
+    /// Whether nothing was grown and nothing is growing.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.asked.is_none()
     }
 
-    /// Stops; what is there stays.
+    /// Stops; the picture stays.
     pub fn stop(&mut self) {
-        if matches!(self.phase, Phase::Growing(..)) {
+        if self.is_growing() {
             self.cancel();
             self.phase = Phase::Stopped;
         }
@@ -175,77 +232,92 @@ impl Growth {
     fn cancel(&mut self) {
         self.generation += 1;
         self.texture = None;
-        self.pause(false);
-        self.orders.cancel(self.generation);
+        self.painting = None;
+        self.paused = false;
+        self.live = None;
+        if let Some(task) = self.task.take() {
+            self.ending = Some(task.into_ending());
+        }
     }
 
-    /// Is it paused?
+    /// Whether it is paused.
     #[must_use]
     pub fn is_paused(&self) -> bool {
         self.paused
     }
 
-    /// Is something growing, paused or not?
+    /// Whether something is growing, paused or not.
     #[must_use]
     pub fn is_growing(&self) -> bool {
         matches!(self.phase, Phase::Growing(..))
     }
 
-    /// Pauses, or goes on.
+    /// Pauses the growth, or continues it.
     pub fn pause(&mut self, paused: bool) {
         self.paused = paused;
-        self.orders.pause(paused);
+        if let Some(task) = &self.task {
+            task.pause(paused);
+        }
     }
 
-    /// Takes in what the thread has to tell; never waits. Gives whether there is another picture.
+    /// Receives what the tasks sent; never waits. Returns whether there is a new picture.
     pub fn listen(&mut self) -> bool {
-        let mut another = false;
-        while let Ok(news) = self.news.try_recv() {
-            if news.generation != self.generation {
-                continue;
-            }
-            match news.what {
-                worker::What::Picture(picture) => {
-                    self.first_picture.get_or_insert_with(|| self.since.elapsed());
-                    self.picture = Some(picture);
-                    another = true;
-                }
-                worker::What::Settled(texture, picture, kept) => {
-                    self.kept = kept;
-                    self.first_picture.get_or_insert_with(|| self.since.elapsed());
-                    self.texture = Some(texture);
-                    self.picture = Some(picture);
-                    self.phase = Phase::Settled(self.since.elapsed());
-                    another = true;
-                    // Its colours may have been changed in the meantime.
-                    if let Some(asked) = self.asked.take() {
-                        self.repaint_late(asked);
-                    }
-                }
-                worker::What::Failed(why) => self.phase = Phase::Failed(why),
+        let mut is_new = false;
+        while let Some(news) = self.task.as_mut().and_then(Task::poll) {
+            is_new |= self.receive(news);
+        }
+        if self.task.as_ref().is_some_and(Task::has_ended) {
+            (self.task, self.live) = (None, None);
+            if self.is_growing() {
+                self.phase = Phase::Failed(FAULT.to_owned());
             }
         }
-        if let (Phase::Growing(stage, share), Some((now, done))) =
-            (&mut self.phase, self.orders.progress(self.generation))
-        {
-            (*stage, *share) = (now, done);
+        if let (Phase::Growing(stage, share), Some(live)) = (&mut self.phase, &self.live) {
+            (*stage, *share) = live.progress();
         }
-        another
+        is_new | self.listen_to_painting()
     }
 
-    fn repaint_late(&mut self, asked: Document) {
-        let same = self.texture.as_ref().is_none_or(|texture| *texture.document == asked);
-        self.asked = Some(asked.clone());
-        if let (false, Some(texture)) = (same, &mut self.texture) {
-            texture.document = Arc::new(asked);
-            self.orders.paint(self.generation, texture.clone());
+    fn receive(&mut self, news: News) -> bool {
+        match news {
+            News::Picture(picture) => self.picture = Some(picture),
+            News::Settled(texture, picture, reused) => {
+                // Its colours may have been changed in the meantime.
+                let changed = self.asked.as_ref().filter(|asked| **asked != *texture.document);
+                let document = changed.map(|asked| Arc::new(asked.clone()));
+                self.texture = Some(texture);
+                self.picture = Some(picture);
+                self.reused = reused;
+                self.phase = Phase::Settled(self.since.elapsed());
+                if let (Some(document), Some(texture)) = (document, &mut self.texture) {
+                    texture.document = document;
+                    self.paint();
+                }
+            }
+            News::Failed(why) => {
+                self.phase = Phase::Failed(why);
+                return false;
+            }
         }
+        self.first_picture.get_or_insert_with(|| self.since.elapsed());
+        true
     }
-}
 
-impl Drop for Growth {
-    fn drop(&mut self) {
-        self.orders.end();
+    fn listen_to_painting(&mut self) -> bool {
+        let Some((document, task)) = &mut self.painting else { return false };
+        let picture = task.poll();
+        if picture.is_none() && !task.has_ended() {
+            return false;
+        }
+        let is_current =
+            self.texture.as_ref().is_some_and(|texture| Arc::ptr_eq(&texture.document, document));
+        self.painting = None;
+        let is_new = picture.is_some();
+        self.picture = picture.or(self.picture.take());
+        if is_new && !is_current {
+            self.paint();
+        }
+        is_new
     }
 }
 
@@ -258,4 +330,52 @@ pub(in crate::app) fn essence(document: &Document) -> Document {
         layer.visible = true;
     }
     essence
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Colours, Layer, Stroke};
+    use crate::editor::task::Spawn;
+    use crate::marks::Ellipse;
+
+    fn spot() -> Document {
+        let ellipse = Ellipse { center: [30.0, 30.0], radii: [8.0, 6.0], angle: 30.0 };
+        let layer = Layer { strokes: vec![Stroke::Ellipse(ellipse)], ..Layer::default() };
+        Document { size: [64, 64], layers: vec![layer], ..Document::default() }
+    }
+
+    #[test]
+    fn a_growth_thread_that_does_not_start_is_reported() {
+        let tasks = Tasks::default().with_spawn(Spawn(|_, _| Err(std::io::Error::other("none left"))));
+        let mut growth = Growth::new(tasks);
+        growth.grow(&spot());
+        let Phase::Failed(why) = &growth.phase else { panic!("{:?}", growth.phase) };
+        assert!(why.contains("growth") && why.contains("none left"), "{why}");
+        assert!(!growth.listen());
+    }
+
+    #[test]
+    fn the_latest_document_wins_and_colours_are_changed_without_growing() {
+        let mut growth = Growth::new(Tasks::default());
+        growth.grow(&Document { seed: 7, ..spot() });
+        growth.grow(&spot());
+        let began = Instant::now();
+        let wait = |growth: &mut Growth, until: &dyn Fn(&Growth) -> bool| {
+            while !until(growth) {
+                growth.listen();
+                assert!(began.elapsed() < Duration::from_secs(60), "{:?}", growth.phase);
+                std::thread::sleep(Duration::from_millis(1));
+            }
+        };
+        wait(&mut growth, &|growth| matches!(growth.phase, Phase::Settled(_)));
+        assert_eq!(growth.texture.as_ref().unwrap().grown.document, spot());
+        let (generation, before) = (growth.generation(), growth.picture.clone().unwrap().image);
+        let mut other = spot();
+        other.layers[0].colours = Some(Colours::default_for_layer(1));
+        growth.grow(&other);
+        wait(&mut growth, &|growth| growth.painting.is_none());
+        assert_eq!(growth.generation(), generation);
+        assert_ne!(growth.picture.unwrap().image.pixels, before.pixels);
+    }
 }

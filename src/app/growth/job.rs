@@ -1,0 +1,170 @@
+//! The work of the growth thread: one growth of one document, with pictures on the way.
+
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use rayon::ThreadPool;
+
+use super::preview::preview;
+use super::{Picture, Texture, essence};
+use crate::document::Document;
+use crate::editor::task::Worker;
+use crate::synth::render::painting::Look;
+use crate::synth::{
+    GrowError, Grown, GrownLayer, Options, Settings, Stage, Training, Watch, regrow_seen, unchanged,
+};
+
+/// Least time between two pictures of a growth.
+const BETWEEN_PICTURES: Duration = Duration::from_millis(60);
+
+/// What a growth sends.
+pub(super) enum News {
+    /// The pattern so far.
+    Picture(Picture),
+    /// It has settled; the number of its lowest layers that were taken from an earlier growth.
+    Settled(Texture, Picture, usize),
+    /// It cannot be grown: why.
+    Failed(String),
+}
+
+/// What all growths of a window share.
+#[derive(Default)]
+pub(super) struct Shared {
+    training: Training,
+    /// The newest growth, as far as it came: layers that did not change are taken from there.
+    reusable: Mutex<Option<Arc<Grown>>>,
+    /// The thread pool of the last growth and its number of threads.
+    pool: Mutex<Option<(usize, Arc<ThreadPool>)>>,
+}
+
+impl Shared {
+    /// Runs `work` with `threads` threads; `None` = one less than there are cores, which is left to the window.
+    pub(super) fn install(&self, threads: Option<usize>, work: impl FnOnce() + Send) {
+        match self.pool(threads) {
+            Some(pool) => pool.install(work),
+            // Without threads of its own it uses the ones that all of the program share.
+            None => work(),
+        }
+    }
+
+    fn pool(&self, threads: Option<usize>) -> Option<Arc<ThreadPool>> {
+        let cores = || thread::available_parallelism().map_or(1, usize::from);
+        let threads = threads.unwrap_or_else(|| cores().saturating_sub(1).max(1));
+        let mut pool = self.pool.lock().unwrap_or_else(PoisonError::into_inner);
+        if pool.as_ref().is_none_or(|(size, _)| *size != threads) {
+            let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok()?;
+            *pool = Some((threads, Arc::new(built)));
+        }
+        pool.as_ref().map(|(_, pool)| Arc::clone(pool))
+    }
+
+    fn reusable(&self) -> Option<Arc<Grown>> {
+        self.reusable.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    fn set_reusable(&self, grown: Arc<Grown>) {
+        *self.reusable.lock().unwrap_or_else(PoisonError::into_inner) = Some(grown);
+    }
+
+    /// Keeps the layers of `document` that have grown so far: should it change while the next one grows, they need
+    /// not grow again.
+    fn keep_layers(&self, document: &Document, layers: &[GrownLayer]) {
+        let mut document = document.clone();
+        document.layers.truncate(layers.len());
+        let grown =
+            Grown { size: document.size, layers: layers.to_vec(), document, settings: Settings::default() };
+        self.set_reusable(Arc::new(grown));
+    }
+}
+
+/// What the window and a growth share while it runs.
+pub(super) struct Live {
+    /// The document in the colours in which it is shown; they may change.
+    coloured: Mutex<Arc<Document>>,
+    progress: Mutex<(Stage, f64)>,
+}
+
+impl Live {
+    pub(super) fn new(document: &Arc<Document>) -> Self {
+        Self { coloured: Mutex::new(Arc::clone(document)), progress: Mutex::new((Stage::Plan, 0.0)) }
+    }
+
+    /// Shows the growth in the colours of `document` from now on.
+    pub(super) fn colour(&self, document: Arc<Document>) {
+        *self.coloured.lock().unwrap_or_else(PoisonError::into_inner) = document;
+    }
+
+    fn coloured(&self) -> Arc<Document> {
+        Arc::clone(&self.coloured.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// The current stage and the share of it that is done, 0..1.
+    pub(super) fn progress(&self) -> (Stage, f64) {
+        *self.progress.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn set_progress(&self, stage: Stage, share: f64) {
+        *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = (stage, share);
+    }
+}
+
+/// One growth.
+pub(super) struct Job {
+    pub(super) document: Arc<Document>,
+    /// This document, grown elsewhere.
+    pub(super) known: Option<Arc<Grown>>,
+    pub(super) live: Arc<Live>,
+    pub(super) shared: Arc<Shared>,
+}
+
+impl Job {
+    /// Grows the document and sends what comes of it.
+    pub(super) fn run(&self, worker: &Worker<News>) {
+        let document = &self.document;
+        let known = self.known.clone().filter(|known| essence(&known.document) == essence(document));
+        let is_known = known.is_some();
+        let before = known.or_else(|| self.shared.reusable());
+        let reused = before.as_ref().map_or(0, |before| unchanged(document, Settings::default(), before));
+        let beneath = before.as_ref().map_or(&[][..], |before| &before.layers[..reused]);
+        let first = if is_known { None } else { preview(document, &self.shared.training, beneath) };
+        if let Some(picture) = first.filter(|_| !worker.is_cancelled()) {
+            worker.send(News::Picture(picture));
+        }
+        match self.grow(worker, before.as_deref(), reused) {
+            Ok(grown) => self.send_settled(worker, grown, reused),
+            Err(GrowError::Cancelled(_)) => {}
+            Err(error) => worker.send(News::Failed(error.to_string())),
+        }
+    }
+
+    fn grow(&self, worker: &Worker<News>, before: Option<&Grown>, reused: usize) -> Result<Grown, GrowError> {
+        let progress = |stage, share| {
+            self.live.set_progress(stage, share);
+            worker.pause_point();
+        };
+        let watch = Watch { progress: &progress, cancelled: &|| worker.is_cancelled() };
+        let mut done = reused;
+        let mut shown: Option<Instant> = None;
+        let mut seen = |look: &Look| {
+            if look.beneath.len() > done {
+                done = look.beneath.len();
+                self.shared.keep_layers(&self.document, look.beneath);
+            }
+            if shown.is_none_or(|shown| shown.elapsed() >= BETWEEN_PICTURES) && !worker.is_cancelled() {
+                worker.send(News::Picture(Picture::growing(&self.live.coloured(), look)));
+                shown = Some(Instant::now());
+            }
+        };
+        let training = &self.shared.training;
+        let options = Options { source: "the sketch", training, watch, ..Options::default() };
+        regrow_seen(&self.document, &options, before, &mut seen)
+    }
+
+    fn send_settled(&self, worker: &Worker<News>, grown: Grown, reused: usize) {
+        let texture = Texture { document: self.live.coloured(), grown: Arc::new(grown) };
+        self.shared.set_reusable(Arc::clone(&texture.grown));
+        let picture = Picture::settled(&texture);
+        worker.send(News::Settled(texture, picture, reused));
+    }
+}
