@@ -6,8 +6,8 @@ use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterio
 use dapple::cli::bench::cases::Case;
 use dapple::colour::{Gradient, Painted, paint};
 use dapple::export::png;
+use dapple::grid::Field;
 use dapple::grid::resample::Spline;
-use dapple::grid::{Edges, Field};
 use dapple::measure;
 use dapple::rd::{Growth, nuclei};
 use std::hint::black_box;
@@ -28,7 +28,7 @@ fn group<'a>(criterion: &'a mut Criterion, name: &str) -> BenchmarkGroup<'a, Wal
 /// A grown pattern of turning marks, one cell a px.
 fn grown(case: Case) -> Field {
     let maps = case.maps(SIDE);
-    let mut growth = Growth::new(case.system, &maps, Edges::Wrap, 1);
+    let mut growth = Growth::new(case.system, &maps, 1);
     growth.advance(growth.steps_in(10.0));
     growth.marks(&maps)
 }
@@ -38,7 +38,7 @@ fn beginning(criterion: &mut Criterion) {
     let case = Case::ALL[4];
     let maps = case.maps(SIDE);
     group.bench_function("nuclei", |bencher| {
-        bencher.iter(|| nuclei(case.system, black_box(&maps), Edges::Wrap, 1, &[]));
+        bencher.iter(|| nuclei(case.system, black_box(&maps), 1, &[]));
     });
 }
 

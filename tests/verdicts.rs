@@ -1,6 +1,6 @@
 //! The verdict on patterns that were really grown: what is no texture is told for what it is.
 
-use dapple::grid::{Edges, Field};
+use dapple::grid::{Edges, Field, Grid};
 use dapple::learn::Parameters;
 use dapple::measure::{self, Reason};
 use dapple::rd::{self, Maps, System};
@@ -102,8 +102,8 @@ fn spots_under_rates_that_vary_are_too_irregular() {
         let across = (cell % nx) as f32 / nx as f32;
         told(2.0 + 8.0 * (2.0 * across - 1.0).abs())
     });
-    let maps = Maps::new([nx, ny], [1.0, 1.0], parameters.collect());
-    let mut engine = Engine::of(System::MeinhardtSpots, maps, Edges::Wrap, 5);
+    let maps = Maps::new(Grid::unit([nx, ny], Edges::Wrap), parameters.collect());
+    let mut engine = Engine::of(System::MeinhardtSpots, maps, 5);
     assert!(settle(&mut engine, &Watch::NONE).unwrap());
     let verdict = patch(System::MeinhardtSpots, SPOTS).judge(&engine.marks(), true, LEAST);
     assert_eq!(verdict.unwrap_err().kind(), "irregular");
@@ -127,8 +127,8 @@ fn what_was_stopped_early_is_unsettled() {
     let spots = patch(System::MeinhardtSpots, SPOTS);
     let side = spots.side();
     let told = rd::Parameters { rate: 4.0, ratio: 12.0, stretch: 1.0, direction: 30.0, pitch: 1.0 };
-    let maps = Maps::uniform(side, side, told);
-    let mut engine = Engine::of(System::MeinhardtSpots, maps, Edges::Wrap, 5);
+    let maps = Maps::uniform([side, side], Edges::Wrap, told);
+    let mut engine = Engine::of(System::MeinhardtSpots, maps, 5);
     engine.advance((side * side) as u64 * 20);
     assert!(engine.growing());
     assert_eq!(spots.judge(&engine.marks(), engine.settled(), LEAST), Err(Reason::Unsettled));

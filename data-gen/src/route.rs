@@ -179,10 +179,10 @@ impl Patch {
             Parameters { rate: self.rate, ratio: self.ratio, stretch: self.stretch, direction, pitch: 1.0 };
         let spacing = self.system.spacing(&p);
         let side = (MARKS * 0.866 * spacing * spacing).sqrt().ceil() as usize;
-        let maps = Maps::uniform(side, side, p);
-        let mut long = Growth::new(self.system, &maps, Edges::Wrap, seed);
+        let maps = Maps::uniform([side, side], Edges::Wrap, p);
+        let mut long = Growth::new(self.system, &maps, seed);
         long.advance(long.steps_in(self.end));
-        let mut engine = Engine::of(self.system, maps.clone(), Edges::Wrap, seed);
+        let mut engine = Engine::of(self.system, maps.clone(), seed);
         let settled = settle(&mut engine, &Watch::NONE).map_err(|cancelled| cancelled.to_string())?;
         let [a, b] = [self.measured(&long.marks(&maps))?, self.measured(&engine.marks())?];
         Ok(Pair { differences: differences(&a, &b), steps: [long.steps(), engine.steps()], settled })

@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 
-use super::plane::{Grid, LANES, Lanes, MARGIN};
+use super::plane::{LANES, Lanes, MARGIN, RowLayout};
 
 /// `C` numbers of each cell.
 #[derive(Clone, Debug)]
@@ -58,7 +58,7 @@ impl<const C: usize> Coefficients<C> {
     /// Asks `of` for the numbers of each cell, which depend on what `key` knows of it (`y · nx + x`): once where that
     /// is the same in neighbours. Numbers that are 0 in a whole group are left out, if `sparse`.
     pub fn new<K: Copy + PartialEq>(
-        grid: Grid,
+        grid: RowLayout,
         sparse: bool,
         key: impl Fn(usize) -> K + Sync,
         of: impl Fn(K) -> [f32; C] + Sync,
@@ -77,7 +77,7 @@ impl<const C: usize> Coefficients<C> {
 
     /// The same but for what `change` makes of a cell's numbers.
     #[must_use]
-    pub fn with(&self, grid: Grid, change: impl Fn(usize, [f32; C]) -> [f32; C] + Sync) -> Self {
+    pub fn with(&self, grid: RowLayout, change: impl Fn(usize, [f32; C]) -> [f32; C] + Sync) -> Self {
         let own = |cell: usize| self.cell(cell % grid.nx, cell / grid.nx);
         Self::new(grid, false, |cell| cell, |cell| change(cell, own(cell)))
     }
@@ -167,7 +167,7 @@ struct Row {
 
 impl Row {
     fn new<const C: usize, K: Copy + PartialEq>(
-        grid: Grid,
+        grid: RowLayout,
         sparse: bool,
         y: usize,
         key: &impl Fn(usize) -> K,

@@ -9,7 +9,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
-use crate::grid::Edges;
+use crate::grid::{Domain, Edges};
 use crate::rd::System;
 use crate::rd::maps::Maps;
 
@@ -37,9 +37,9 @@ struct Bump {
 impl Maps {
     /// The same for spots that are `irregular`, 0 (not at all) to 1, with no more mean area for that. Turing's are.
     #[must_use]
-    pub fn with_decay_noise(mut self, irregular: f64, edges: Edges, seed: u64) -> Self {
+    pub fn with_decay_noise(mut self, irregular: f64, seed: u64) -> Self {
         if irregular > 0.0 {
-            self.decay_noise = noise(System::TuringSpots, &self, edges, seed);
+            self.decay_noise = noise(System::TuringSpots, &self, seed);
             self.decay_noise.iter_mut().for_each(|value| *value *= (DEVIATION * irregular) as f32);
             let more = 1.0 + MERGED * irregular * irregular;
             self.parameters.iter_mut().for_each(|p| p.rate *= more as f32);
@@ -49,31 +49,18 @@ impl Maps {
 }
 
 /// Noise over the grid, row by row, of about unit variance.
-fn noise(system: System, maps: &Maps, edges: Edges, seed: u64) -> Vec<f32> {
-    let bumps = thrown(system, maps, edges, seed);
-    let (nx, ny) = (maps.nx, maps.ny);
-    let mut sum = vec![0.0f32; nx * ny];
+fn noise(system: System, maps: &Maps, seed: u64) -> Vec<f32> {
+    let bumps = thrown(system, maps, seed);
+    let mut sum = vec![0.0f32; maps.grid.cells()];
     // Each band adds all kernels in their order, so that the sums are the same however many threads there are.
-    sum.par_chunks_mut(ROWS * nx).enumerate().for_each(|(band, sum)| {
-        let rows = band * ROWS..band * ROWS + sum.len() / nx;
+    let band = ROWS * maps.grid.size[0];
+    sum.par_chunks_mut(band).enumerate().for_each(|(index, sum)| {
+        let first = index * band;
         for bump in &bumps {
-            let range =
-                |v: f64| (v - 0.5 - bump.radius).ceil() as isize..=(v - 0.5 + bump.radius).floor() as isize;
-            for y in range(bump.at[1]) {
-                let row = edges.index(y, ny);
-                if !rows.contains(&row) || edges == Edges::Closed && !(0..ny as isize).contains(&y) {
-                    continue;
-                }
-                let row = &mut sum[(row - rows.start) * nx..][..nx];
-                for x in range(bump.at[0]) {
-                    if edges == Edges::Closed && !(0..nx as isize).contains(&x) {
-                        continue;
-                    }
-                    let [dx, dy] = [x as f64 + 0.5 - bump.at[0], y as f64 + 0.5 - bump.at[1]];
-                    let window = (1.0 - (dx * dx + dy * dy) / (bump.radius * bump.radius)).max(0.0);
-                    row[edges.index(x, nx)] += (bump.sign * window * window) as f32;
-                }
-            }
+            maps.grid.near(bump.at, bump.radius, first..first + sum.len()).for_each(|(cell, [dx, dy])| {
+                let window = (1.0 - (dx * dx + dy * dy) / (bump.radius * bump.radius)).max(0.0);
+                sum[cell - first] += (bump.sign * window * window) as f32;
+            });
         }
     });
     // ∫ w² = π/5 ρ², times DENSITY/ρ².
@@ -83,22 +70,22 @@ fn noise(system: System, maps: &Maps, edges: Edges, seed: u64) -> Vec<f32> {
 }
 
 /// The kernels: thrown where they are densest, and kept as often as a place has fewer.
-fn thrown(system: System, maps: &Maps, edges: Edges, seed: u64) -> Vec<Bump> {
+fn thrown(system: System, maps: &Maps, seed: u64) -> Vec<Bump> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let radii: Vec<f64> = maps.parameters.iter().map(|p| RADIUS * system.spacing(p)).collect();
     let least = radii.iter().copied().fold(f64::INFINITY, f64::min);
     // Over a frame beyond closed borders too, so that the noise does not fade there.
-    let frame = match edges {
+    let frame = match maps.grid.edges {
         Edges::Wrap => 0.0,
         Edges::Closed => radii.iter().copied().fold(0.0, f64::max),
     };
-    let [w, h] = [maps.nx as f64 + 2.0 * frame, maps.ny as f64 + 2.0 * frame];
+    let [w, h] = maps.grid.size.map(|n| n as f64 + 2.0 * frame);
     let throws = (DENSITY * w * h / (least * least)).ceil() as usize;
     let mut bumps = Vec::new();
     for _ in 0..throws {
         let at = [rng.random::<f64>() * w - frame, rng.random::<f64>() * h - frame];
         let (keep, sign) = (rng.random::<f64>(), if rng.random::<bool>() { 1.0 } else { -1.0 });
-        let radius = radii[maps.cell_at(at)];
+        let radius = radii[maps.grid.cell_at(at)];
         if keep * radius * radius <= least * least {
             bumps.push(Bump { at, radius, sign });
         }
@@ -111,15 +98,19 @@ mod tests {
     use super::*;
     use crate::rd::maps::Parameters;
 
-    fn maps(rate: f32) -> Maps {
-        Maps::uniform(120, 100, Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 })
+    fn maps(rate: f32, edges: Edges) -> Maps {
+        Maps::uniform(
+            [120, 100],
+            edges,
+            Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 },
+        )
     }
 
     #[test]
     fn it_has_unit_variance_and_no_mean_whatever_the_size_of_the_spots() {
         for rate in [0.3, 0.1, 0.03] {
             for edges in [Edges::Closed, Edges::Wrap] {
-                let noise = noise(System::TuringSpots, &maps(rate), edges, 3);
+                let noise = noise(System::TuringSpots, &maps(rate, edges), 3);
                 let mean = noise.iter().sum::<f32>() / noise.len() as f32;
                 let variance = noise.iter().map(|v| v * v).sum::<f32>() / noise.len() as f32;
                 assert!(mean.abs() < 0.2 && (variance - 1.0).abs() < 0.15, "{rate}: {mean}, {variance}");
@@ -129,21 +120,21 @@ mod tests {
 
     #[test]
     fn a_coarser_grid_has_the_means_of_the_cells_under_its_own() {
-        let fine = maps(0.1).with_decay_noise(1.0, Edges::Closed, 5);
-        let coarse = fine.on_grid(60, 50);
+        let fine = maps(0.1, Edges::Closed).with_decay_noise(1.0, 5);
+        let coarse = fine.on_grid([60, 50]);
         for (cell, value) in coarse.decay_noise.iter().enumerate() {
             let first = 2 * (cell / 60) * 120 + 2 * (cell % 60);
             let mean = [0, 1, 120, 121].map(|more| fine.decay_noise[first + more]).iter().sum::<f32>() / 4.0;
             assert!((value - mean).abs() < 1e-5, "{cell}: {value}, {mean}");
         }
-        assert!(maps(0.1).with_decay_noise(0.0, Edges::Closed, 5).on_grid(60, 50).decay_noise.is_empty());
+        assert!(maps(0.1, Edges::Closed).with_decay_noise(0.0, 5).on_grid([60, 50]).decay_noise.is_empty());
     }
 
     #[test]
     fn the_number_of_threads_changes_no_bit() {
         let grown = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            pool.install(|| noise(System::TuringSpots, &maps(0.1), Edges::Wrap, 9))
+            pool.install(|| noise(System::TuringSpots, &maps(0.1, Edges::Wrap), 9))
         };
         assert!(grown(1) == grown(4));
     }

@@ -1,7 +1,7 @@
 //! The diffusion tensor of every cell as stencil weights.
 
 use super::coefficients::Coefficients;
-use super::plane::{Grid, LANES};
+use super::plane::{LANES, RowLayout};
 use super::selling::{OFFSETS, Tensor};
 
 /// Stencil weights of each cell of a grid.
@@ -18,7 +18,7 @@ pub struct Diffusion {
 impl Diffusion {
     /// Asks `tensor` for each cell, as [`Coefficients::new`] does.
     pub fn new<K: Copy + PartialEq>(
-        grid: Grid,
+        grid: RowLayout,
         key: impl Fn(usize) -> K + Sync,
         tensor: impl Fn(K) -> Tensor + Sync,
     ) -> Self {

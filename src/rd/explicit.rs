@@ -179,7 +179,7 @@ fn isotropic_row(problem: &Problem, u: &Plane, y: usize, spread: &mut [f32]) {
 mod tests {
     use super::super::coefficients::Coefficients;
     use super::super::diffusion::Diffusion;
-    use super::super::plane::Grid;
+    use super::super::plane::RowLayout;
     use super::super::selling::Tensor;
     use super::*;
 
@@ -205,7 +205,7 @@ mod tests {
     }
 
     fn problem(nx: usize, ny: usize, edges: Edges, tensor: Tensor) -> Problem {
-        let grid = Grid { nx, ny, edges };
+        let grid = RowLayout { nx, ny, edges };
         let rate = Coefficients::new(grid, false, |_| (), |()| [1.0]);
         let mobility = Coefficients::new(grid, false, |_| (), |()| [1.0, 1.0]);
         Problem::new(grid, Diffusion::new(grid, |_| (), |()| tensor), [1.0, 1.0], mobility, rate, 1.0)

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::System;
 use super::maps::{Maps, Parameters};
-use crate::grid::Edges;
+use crate::grid::{Domain, Edges, Grid};
 use crate::rd::line_noise::{GuideLine, Led, led};
 
 /// The kernels.
@@ -38,18 +38,13 @@ const LEADING: f64 = 4.0;
 const ROWS_A_BAND: usize = 32;
 
 /// Noise over the grid, row by row, of about unit variance.
-pub fn noise(
-    maps: &Maps,
-    edges: Edges,
-    wavelength: &dyn Fn(&Parameters) -> f64,
-    rng: &mut impl Rng,
-) -> Vec<f32> {
-    let waves = waves(maps, edges, wavelength, STRIPES, rng);
-    let mut sum = vec![0.0f32; maps.nx * maps.ny];
+pub fn noise(maps: &Maps, wavelength: &dyn Fn(&Parameters) -> f64, rng: &mut impl Rng) -> Vec<f32> {
+    let waves = waves(maps, wavelength, STRIPES, rng);
+    let mut sum = vec![0.0f32; maps.grid.cells()];
     // Each band adds all waves in their order, so that the sums are the same however many threads there are.
-    sum.par_chunks_mut(ROWS_A_BAND * maps.nx).enumerate().for_each(|(band, sum)| {
+    sum.par_chunks_mut(ROWS_A_BAND * maps.grid.size[0]).enumerate().for_each(|(band, sum)| {
         for wave in &waves {
-            wave.add(rows(band, sum.len(), maps), maps, edges, |cell, cos, _| sum[cell] += cos as f32);
+            wave.add(rows(band, sum.len(), maps), &maps.grid, |cell, cos, _| sum[cell] += cos as f32);
         }
     });
     // ∫ window² cos² = ½ (π/5) A·B, times density/λ².
@@ -69,21 +64,20 @@ pub fn noise(
 /// own. The phase's sign means nothing, then. `crests` lead it.
 pub fn phases(
     maps: &Maps,
-    edges: Edges,
     wavelength: &dyn Fn(&Parameters) -> f64,
     crests: &[GuideLine],
     rng: &mut impl Rng,
 ) -> Vec<f32> {
-    let waves = waves(maps, edges, wavelength, LINES, rng);
-    let mut phases = vec![0.0f32; maps.nx * maps.ny];
-    phases.par_chunks_mut(ROWS_A_BAND * maps.nx).enumerate().for_each(|(band, phases)| {
+    let waves = waves(maps, wavelength, LINES, rng);
+    let mut phases = vec![0.0f32; maps.grid.cells()];
+    phases.par_chunks_mut(ROWS_A_BAND * maps.grid.size[0]).enumerate().for_each(|(band, phases)| {
         let rows = rows(band, phases.len(), maps);
-        let first = rows.start as usize * maps.nx;
+        let first = rows.start as usize * maps.grid.size[0];
         let own = &maps.parameters[first..first + phases.len()];
         let own: Vec<[f64; 2]> = own.iter().map(across).collect();
         let mut sums = vec![[0.0f64; 2]; phases.len()];
         for wave in &waves {
-            wave.add(rows.clone(), maps, edges, |cell, cos, sin| {
+            wave.add(rows.clone(), &maps.grid, |cell, cos, sin| {
                 let same = own[cell][0] * wave.n[0] + own[cell][1] * wave.n[1] >= 0.0;
                 sums[cell][0] += cos;
                 sums[cell][1] += if same { sin } else { -sin };
@@ -92,7 +86,7 @@ pub fn phases(
         for (cell, (phase, [cos, sin])) in phases.iter_mut().zip(sums).enumerate() {
             let Led { share, wave } = match crests {
                 [] => Led::default(),
-                _ => led(System::MeinhardtLines, maps, edges, crests, first + cell, own[cell]),
+                _ => led(System::MeinhardtLines, maps, crests, first + cell, own[cell]),
             };
             let [cos, sin] =
                 [(cos, wave[0]), (sin, wave[1])].map(|(noise, wave)| (1.0 - share) * noise + LEADING * wave);
@@ -105,23 +99,22 @@ pub fn phases(
 /// The rows of a band of `cells` cells.
 fn rows(band: usize, cells: usize, maps: &Maps) -> Range<isize> {
     let first = band * ROWS_A_BAND;
-    first as isize..(first + cells / maps.nx) as isize
+    first as isize..(first + cells / maps.grid.size[0]) as isize
 }
 
 /// Waves thrown over the grid.
 fn waves(
     maps: &Maps,
-    edges: Edges,
     wavelength: &dyn Fn(&Parameters) -> f64,
     Kernels { reach, density }: Kernels,
     rng: &mut impl Rng,
 ) -> Vec<Wave> {
-    let (nx, ny) = (maps.nx, maps.ny);
+    let [nx, ny] = maps.grid.size;
     let densities: Vec<f64> =
         maps.parameters.iter().map(|p| density / (wavelength(p) * wavelength(p))).collect();
     let densest = densities.iter().copied().fold(0.0, f64::max);
     // Thrown over a frame beyond closed borders too, so that the noise does not fade there.
-    let frame = match edges {
+    let frame = match maps.grid.edges {
         Edges::Wrap => 0.0,
         Edges::Closed => reach[0] * maps.parameters.iter().map(wavelength).fold(0.0, f64::max),
     };
@@ -165,8 +158,8 @@ impl Wave {
 
     /// Hands what it is under its window, and a quarter of a wave behind, to `sum` with each cell it reaches of the rows
     /// `rows`, counted from the first of them.
-    fn add(&self, rows: Range<isize>, maps: &Maps, edges: Edges, mut sum: impl FnMut(usize, f64, f64)) {
-        let (nx, ny) = (maps.nx, maps.ny);
+    fn add(&self, rows: Range<isize>, grid: &Grid, mut sum: impl FnMut(usize, f64, f64)) {
+        let ([nx, ny], edges) = (grid.size, grid.edges);
         use std::f64::consts::TAU;
         let ([far, near], n) = (self.far, self.n);
         let (kx, ky) = (TAU / self.length * n[0], TAU / self.length * n[1]);
@@ -219,13 +212,13 @@ mod tests {
     fn crossed(left: f32, right: f32) -> f64 {
         const N: usize = 160;
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 0.0, pitch: 1.0 };
-        let mut maps = Maps::uniform(N, N, p);
+        let mut maps = Maps::uniform([N, N], Edges::Closed, p);
         for (cell, p) in maps.parameters.iter_mut().enumerate() {
             let share = (cell % N) as f32 / N as f32;
             // As parameters have it: 0..180.
             p.direction = (left + share * (right - left)).rem_euclid(180.0);
         }
-        let phases = phases(&maps, Edges::Closed, &|_| 10.0, &[], &mut Pcg64Mcg::seed_from_u64(1));
+        let phases = phases(&maps, &|_| 10.0, &[], &mut Pcg64Mcg::seed_from_u64(1));
         let crest = |cell: usize| phases[cell].abs() < 0.8;
         let begins = (N..N * N).filter(|cell| crest(*cell) && !crest(cell - N)).count();
         begins as f64 / (N * N) as f64 * 10.0
@@ -243,10 +236,10 @@ mod tests {
     #[test]
     fn the_number_of_threads_changes_no_phase() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 33.0, pitch: 1.0 };
-        let maps = Maps::uniform(90, 70, p);
+        let maps = Maps::uniform([90, 70], Edges::Wrap, p);
         let phases = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            pool.install(|| phases(&maps, Edges::Wrap, &|_| 9.0, &[], &mut Pcg64Mcg::seed_from_u64(2)))
+            pool.install(|| phases(&maps, &|_| 9.0, &[], &mut Pcg64Mcg::seed_from_u64(2)))
         };
         assert!(phases(1) == phases(4));
     }

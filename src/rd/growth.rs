@@ -10,12 +10,12 @@ use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;
 use super::kinetics::Kinetics;
 use super::maps::{Maps, Parameters};
-use super::plane::{Grid, Plane};
+use super::plane::{Plane, RowLayout};
 use super::problem::Problem;
 use super::selling::{MIN_STRETCH, Tensor};
 use super::solver::Solver;
 use super::wavefront::{self, Instructions, Scratch, Tiling};
-use crate::grid::{Edges, Field};
+use crate::grid::{Domain, Field};
 use crate::rd::local_warp::{LocalWarp, warped};
 use crate::rd::systems::meinhardt_lines;
 use crate::rd::systems::meinhardt_lines::MeinhardtLines;
@@ -57,48 +57,48 @@ impl System {
 impl Growth {
     /// Lays out the grid, its coefficients and what the growth begins from.
     #[must_use]
-    pub fn new(system: System, maps: &Maps, edges: Edges, seed: u64) -> Self {
+    pub fn new(system: System, maps: &Maps, seed: u64) -> Self {
         let mut rng = Pcg64Mcg::seed_from_u64(seed);
         let chemicals = match system {
-            System::MeinhardtStripes => Chemicals::five(initial_conditions::stripes(maps, edges, &mut rng)),
-            System::MeinhardtLines => Chemicals::two(initial_conditions::lines(maps, edges, &mut rng)),
-            _ => Chemicals::two(initial_conditions::spots(system, maps, edges, &mut rng)),
+            System::MeinhardtStripes => Chemicals::five(initial_conditions::stripes(maps, &mut rng)),
+            System::MeinhardtLines => Chemicals::two(initial_conditions::lines(maps, &mut rng)),
+            _ => Chemicals::two(initial_conditions::spots(system, maps, &mut rng)),
         };
-        Self::of(system, maps, edges, chemicals)
+        Self::of(system, maps, chemicals)
     }
 
     /// Goes on from saved `concentrations` (as [`Self::concentrations`] gives them) instead of a fresh start.
     ///
     /// `None` where their number or length does not fit the system and the grid.
     #[must_use]
-    pub fn resumed(system: System, maps: &Maps, edges: Edges, concentrations: &[Vec<f32>]) -> Option<Self> {
+    pub fn resumed(system: System, maps: &Maps, concentrations: &[Vec<f32>]) -> Option<Self> {
         let planes: Vec<Plane> = concentrations
             .iter()
-            .map(|cells| Plane::from_cells(Grid { nx: maps.nx, ny: maps.ny, edges }, cells))
+            .map(|cells| Plane::from_cells(RowLayout::new(&maps.grid), cells))
             .collect::<Option<_>>()?;
         let chemicals = match system {
             System::MeinhardtStripes => Chemicals::five(planes.try_into().ok()?),
             _ => Chemicals::two(planes.try_into().ok()?),
         };
-        Some(Self::of(system, maps, edges, chemicals))
+        Some(Self::of(system, maps, chemicals))
     }
 
-    fn of(system: System, maps: &Maps, edges: Edges, chemicals: Chemicals) -> Self {
+    fn of(system: System, maps: &Maps, chemicals: Chemicals) -> Self {
         let chemicals = match chemicals {
             Chemicals::Two(two) if system == System::TuringSpots && !maps.decay_noise.is_empty() => {
                 let [planes, _] = *two;
-                Chemicals::with_decay(planes, maps, Grid { nx: maps.nx, ny: maps.ny, edges })
+                Chemicals::with_decay(planes, maps, RowLayout::new(&maps.grid))
             }
             others => others,
         };
-        let mut problem = problem(system, maps, edges);
+        let mut problem = problem(system, maps);
         if !maps.obstacles.is_empty() {
             problem.freeze(&|cell: usize| maps.obstacles[cell]);
         }
         let time_a_step = f64::from(problem.slowest) * f64::from(system.decay());
         let scratch = Scratch::default();
-        let masked = masked(system, maps, edges);
-        Self { masked, system, problem, cell: maps.cell, chemicals, scratch, time_a_step, steps: 0 }
+        let masked = masked(system, maps);
+        Self { masked, system, problem, cell: maps.grid.cell, chemicals, scratch, time_a_step, steps: 0 }
     }
 
     /// Leaves the cells that `frozen` names (`y · nx + x`) as they are from now on, while their neighbours still see
@@ -111,7 +111,7 @@ impl Growth {
     pub fn warp(&mut self, maps: &Maps, warps: &[LocalWarp]) {
         let grid = self.problem.grid;
         let moved = |plane: &mut Plane| {
-            let cells = warped(self.system, maps, grid.edges, &plane.cells(), warps);
+            let cells = warped(self.system, maps, &plane.cells(), warps);
             cells.chunks_exact(grid.nx).enumerate().for_each(|(y, row)| plane.set_row(y, row));
         };
         match &mut self.chemicals {
@@ -260,21 +260,12 @@ impl Growth {
 const RIM: f64 = 0.25;
 
 /// Where the concentrations are those of the marks of other layers: on taken cells, and where Turing's a leaks out.
-fn masked(system: System, maps: &Maps, edges: Edges) -> Vec<bool> {
+fn masked(system: System, maps: &Maps) -> Vec<bool> {
     if system != System::TuringSpots {
         return maps.obstacles.clone();
     }
-    let mut masked = maps.obstacles.clone();
-    for cell in (0..maps.obstacles.len()).filter(|cell| maps.obstacles[*cell]) {
-        let reach = (RIM * system.spacing(&maps.parameters[cell])).ceil() as isize;
-        let (x, y) = ((cell % maps.nx) as isize, (cell / maps.nx) as isize);
-        for (dy, dx) in (-reach..=reach).flat_map(|dy| (-reach..=reach).map(move |dx| (dy, dx))) {
-            if dx * dx + dy * dy <= reach * reach {
-                masked[edges.index(y + dy, maps.ny) * maps.nx + edges.index(x + dx, maps.nx)] = true;
-            }
-        }
-    }
-    masked
+    let reach = |cell: usize| (RIM * system.spacing(&maps.parameters[cell])).ceil();
+    maps.grid.dilated(&maps.obstacles, reach)
 }
 
 fn step_and_swap<const N: usize, K: Kinetics<N>>(problem: &Problem, planes: &mut [[Plane; N]; 2]) {
@@ -296,19 +287,19 @@ fn sweep_and_swap<const N: usize, K: Kinetics<N>>(
 }
 
 /// Coefficients with the largest time step that is stable.
-fn problem(system: System, maps: &Maps, edges: Edges) -> Problem {
+fn problem(system: System, maps: &Maps) -> Problem {
     let tensor = |p: Parameters| {
         let stretch = f64::from(p.stretch.max(MIN_STRETCH));
         let [along, across] = match system {
             System::TuringSpots | System::MeinhardtSpots => [1.0 / stretch, stretch],
             System::MeinhardtStripes | System::MeinhardtLines => [1.0 / (stretch * stretch), 1.0],
         };
-        Tensor::oriented(along, across, f64::from(p.direction)).on_cells(maps.cell)
+        Tensor::oriented(along, across, f64::from(p.direction)).on_cells(maps.grid.cell)
     };
-    let grid = Grid { nx: maps.nx, ny: maps.ny, edges };
+    let grid = RowLayout::new(&maps.grid);
     let at = |cell: usize| maps.parameters[cell];
     let diffusion = Diffusion::new(grid, at, tensor);
-    let square = Tensor { xx: 1.0, xy: 0.0, yy: 1.0 }.on_cells(maps.cell);
+    let square = Tensor { xx: 1.0, xy: 0.0, yy: 1.0 }.on_cells(maps.grid.cell);
     let isotropic = [square.xx as f32, square.yy as f32];
     let shares = |p: &Parameters| match system {
         System::TuringSpots => [turing_spots::RATIO.sqrt(), 1.0 / turing_spots::RATIO.sqrt()],

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
-use crate::grid::Edges;
+use crate::grid::{Bounds, Domain};
 use crate::rd::System;
 use crate::rd::maps::Maps;
 
@@ -28,12 +28,12 @@ const STRIPES: ([f64; 2], [f64; 2]) = ([0.0, 1.5], [0.4, 1.3]);
 const LINES: ([f64; 2], [f64; 2]) = ([0.0, 4.0], [0.4, 3.0]);
 
 /// Gives `noise` over the grid of `maps`, of unit variance, crests along these lines.
-pub fn lead(system: System, noise: &mut [f32], maps: &Maps, edges: Edges, crests: &[GuideLine]) {
+pub fn lead(system: System, noise: &mut [f32], maps: &Maps, crests: &[GuideLine]) {
     if crests.is_empty() {
         return;
     }
     noise.par_iter_mut().enumerate().for_each(|(cell, noise)| {
-        let Led { share, wave: [cos, _] } = led(system, maps, edges, crests, cell, [0.0; 2]);
+        let Led { share, wave: [cos, _] } = led(system, maps, crests, cell, [0.0; 2]);
         *noise = ((1.0 - share) * f64::from(*noise) + HEIGHT * cos) as f32;
     });
 }
@@ -48,20 +48,13 @@ pub struct Led {
 }
 
 /// How the lines lead the noise at a cell, where `across` is a way across the stripes.
-pub fn led(
-    system: System,
-    maps: &Maps,
-    edges: Edges,
-    crests: &[GuideLine],
-    cell: usize,
-    across: [f64; 2],
-) -> Led {
-    let at = maps.middle(cell);
+pub fn led(system: System, maps: &Maps, crests: &[GuideLine], cell: usize, across: [f64; 2]) -> Led {
+    let at = maps.grid.center(cell);
     let length = system.spacing(&maps.parameters[cell]);
     let reach = if system == System::MeinhardtLines { LINES } else { STRIPES };
     let (mut sum, mut wave) = (0.0, [0.0; 2]);
     for crest in crests {
-        let Seen { beyond, off, normal } = crest.seen(at, [maps.nx, maps.ny], edges);
+        let Seen { beyond, off, normal } = crest.seen(at, &maps.grid.bounds());
         let weight = fall(beyond / length, reach.0) * fall(off.abs() / length, reach.1);
         if weight > 0.0 {
             let same = normal[0] * across[0] + normal[1] * across[1] >= 0.0;
@@ -85,26 +78,23 @@ struct Seen {
 
 impl GuideLine {
     /// The corners of the box around it, cells.
-    pub fn box_of(&self, n: [usize; 2]) -> [[f64; 2]; 2] {
+    pub fn box_of(&self, bounds: &Bounds) -> [[f64; 2]; 2] {
         [f64::min as fn(f64, f64) -> f64, f64::max]
-            .map(|pick| [0, 1].map(|axis| pick(self.from[axis], self.to[axis]) * n[axis] as f64))
+            .map(|pick| [0, 1].map(|axis| pick(self.from[axis], self.to[axis]) * bounds.size[axis]))
     }
 
     /// How far a point (cells) is from it, cells.
-    pub fn distance(&self, at: [f64; 2], n: [usize; 2], edges: Edges) -> f64 {
-        let Seen { beyond, off, .. } = self.seen(at, n, edges);
+    pub fn distance(&self, at: [f64; 2], bounds: &Bounds) -> f64 {
+        let Seen { beyond, off, .. } = self.seen(at, bounds);
         (beyond * beyond + off * off).sqrt()
     }
 
-    fn seen(&self, at: [f64; 2], n: [usize; 2], edges: Edges) -> Seen {
-        let [from, to] = [self.from, self.to].map(|end| [end[0] * n[0] as f64, end[1] * n[1] as f64]);
+    fn seen(&self, at: [f64; 2], bounds: &Bounds) -> Seen {
+        let [from, to] = [self.from, self.to].map(|end| [end[0] * bounds.size[0], end[1] * bounds.size[1]]);
         let half = [0, 1].map(|axis| 0.5 * (to[axis] - from[axis]));
         let length = (half[0] * half[0] + half[1] * half[1]).sqrt();
         let along = [0, 1].map(|axis| half[axis] / length);
-        let off = [0, 1].map(|axis| {
-            let (off, side) = (at[axis] - from[axis] - half[axis], n[axis] as f64);
-            if edges == Edges::Wrap { off - side * (off / side).round() } else { off }
-        });
+        let off = bounds.shortest([0, 1].map(|axis| at[axis] - from[axis] - half[axis]));
         let beyond = (off[0] * along[0] + off[1] * along[1]).abs() - length;
         let normal = [-along[1], along[0]];
         Seen { beyond: beyond.max(0.0), off: off[0] * normal[0] + off[1] * normal[1], normal }
@@ -120,35 +110,36 @@ fn fall(v: f64, [from, to]: [f64; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::Edges;
     use crate::rd::maps::Parameters;
 
     #[test]
     fn noise_is_led_along_a_line_and_left_alone_farther_off() {
         let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
-        let maps = Maps::uniform(160, 120, p);
+        let maps = Maps::uniform([160, 120], Edges::Closed, p);
         let mut noise = vec![0.5f32; 160 * 120];
         let line = GuideLine { from: [0.3, 0.5], to: [0.7, 0.5] };
-        lead(System::MeinhardtStripes, &mut noise, &maps, Edges::Closed, &[line]);
+        lead(System::MeinhardtStripes, &mut noise, &maps, &[line]);
         let at = |x: usize, y: usize| noise[y * 160 + x];
         // Rows 59 and 60 lie on either side of the line; half a wavelength, 8 cells, off it there is a trough.
         assert!((50..110).all(|x| at(x, 59) > 1.9 && at(x, 60) > 1.9));
         assert!(at(80, 67) < -1.0 && at(80, 52) < -1.0);
         assert!(at(80, 60 + 22) == 0.5 && at(10, 60) == 0.5);
         let before = noise.clone();
-        lead(System::MeinhardtStripes, &mut noise, &maps, Edges::Closed, &[]);
+        lead(System::MeinhardtStripes, &mut noise, &maps, &[]);
         assert!(noise == before);
     }
 
     #[test]
     fn lines_side_by_side_share_the_noise() {
         let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
-        let maps = Maps::uniform(160, 120, p);
+        let maps = Maps::uniform([160, 120], Edges::Closed, p);
         let line = |y: f64| GuideLine { from: [0.3, y / 120.0], to: [0.7, y / 120.0] };
         // A period apart, both waves agree.
         let pair = [line(52.0), line(68.0)];
         let cell = 60 * 160 + 80;
-        let one = led(System::MeinhardtStripes, &maps, Edges::Closed, &pair[..1], cell, [0.0, 1.0]);
-        let both = led(System::MeinhardtStripes, &maps, Edges::Closed, &pair, cell, [0.0, 1.0]);
+        let one = led(System::MeinhardtStripes, &maps, &pair[..1], cell, [0.0, 1.0]);
+        let both = led(System::MeinhardtStripes, &maps, &pair, cell, [0.0, 1.0]);
         assert!(one.share <= 1.0 && both.share == 1.0, "{one:?} {both:?}");
         assert!(both.wave[0] < -0.9 && one.wave[0] < 0.0, "{one:?} {both:?}");
     }

@@ -7,7 +7,7 @@
 //! neighbours is drawn out.
 
 use crate::grid::resample::Spline;
-use crate::grid::{Edges, Field};
+use crate::grid::{Domain, Field, Grid};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::Nucleus;
@@ -30,13 +30,13 @@ const OUTER: f64 = 0.6;
 
 /// The cells of a chemical with these spots moved.
 #[must_use]
-pub fn warped(system: System, maps: &Maps, edges: Edges, chemical: &[f32], warps: &[LocalWarp]) -> Vec<f32> {
-    let shifts = shifts(system, maps, edges, warps);
-    let field = Field { width: maps.nx, height: maps.ny, cell: [1.0, 1.0], edges, values: chemical.to_vec() };
+pub fn warped(system: System, maps: &Maps, chemical: &[f32], warps: &[LocalWarp]) -> Vec<f32> {
+    let shifts = shifts(system, maps, warps);
+    let field = Field::on(&Grid::unit(maps.grid.size, maps.grid.edges), chemical.to_vec());
     let surface = Spline::new(&field);
     let mut cells = field.values;
     for (cell, [x, y]) in shifts {
-        let from = maps.middle(cell);
+        let from = maps.grid.center(cell);
         // Between a steep spot and the ground the surface dips below it.
         cells[cell] = surface.at([from[0] - x, from[1] - y]).max(0.0);
     }
@@ -44,23 +44,16 @@ pub fn warped(system: System, maps: &Maps, edges: Edges, chemical: &[f32], warps
 }
 
 /// By how much the content of which cells moves.
-fn shifts(system: System, maps: &Maps, edges: Edges, warps: &[LocalWarp]) -> Vec<(usize, [f64; 2])> {
-    let mut found: Vec<Option<[f64; 2]>> = vec![None; maps.nx * maps.ny];
+fn shifts(system: System, maps: &Maps, warps: &[LocalWarp]) -> Vec<(usize, [f64; 2])> {
+    let mut found: Vec<Option<[f64; 2]>> = vec![None; maps.grid.cells()];
     for LocalWarp { at, own, by } in warps {
-        let spot = Nucleus::of(own, maps.cell, *at, system.spacing(own));
-        let far = OUTER * spot.reach;
-        let range = |v: f64| (v - 0.5 - far).ceil() as isize..=(v - 0.5 + far).floor() as isize;
-        let beyond = |i: isize, n: usize| edges == Edges::Closed && !(0..n as isize).contains(&i);
-        for y in range(at[1]).filter(|y| !beyond(*y, maps.ny)) {
-            for x in range(at[0]).filter(|x| !beyond(*x, maps.nx)) {
-                let distance = spot.distance2([x as f64 + 0.5 - at[0], y as f64 + 0.5 - at[1]]).sqrt();
-                let weight = weight(distance);
-                let cell = edges.index(y, maps.ny) * maps.nx + edges.index(x, maps.nx);
-                if weight > 0.0 && !maps.is_obstacle(cell) {
-                    let shift = found[cell].get_or_insert([0.0; 2]);
-                    shift[0] += weight * by[0];
-                    shift[1] += weight * by[1];
-                }
+        let spot = Nucleus::of(own, maps.grid.cell, *at, system.spacing(own));
+        for (cell, delta) in maps.grid.near(*at, OUTER * spot.reach, 0..maps.grid.cells()) {
+            let weight = weight(spot.distance2(delta).sqrt());
+            if weight > 0.0 && !maps.is_obstacle(cell) {
+                let shift = found[cell].get_or_insert([0.0; 2]);
+                shift[0] += weight * by[0];
+                shift[1] += weight * by[1];
             }
         }
     }
@@ -76,14 +69,15 @@ fn weight(distance: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::Edges;
 
     const P: Parameters = Parameters { rate: 3.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
 
     /// A bell at a place on a ground of 1, on 60 × 50 cells.
     fn bell(at: [f64; 2]) -> Vec<f32> {
-        let maps = Maps::uniform(60, 50, P);
+        let maps = Maps::uniform([60, 50], Edges::Closed, P);
         let cell = |cell| {
-            let [x, y] = maps.middle(cell);
+            let [x, y] = maps.grid.center(cell);
             let away2 = (x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1]);
             1.0 + 5.0 * libm::exp(-0.5 * away2 / 6.0) as f32
         };
@@ -92,10 +86,10 @@ mod tests {
 
     #[test]
     fn a_spot_stands_where_it_was_moved_to_and_the_rest_as_it_was() {
-        let maps = Maps::uniform(60, 50, P);
         for (edges, at) in [(Edges::Closed, [30.0, 25.0]), (Edges::Wrap, [1.0, 25.0])] {
+            let maps = Maps::uniform([60, 50], edges, P);
             let warp = LocalWarp { at, own: P, by: [1.3, -0.8] };
-            let moved = warped(System::MeinhardtSpots, &maps, edges, &bell(at), &[warp]);
+            let moved = warped(System::MeinhardtSpots, &maps, &bell(at), &[warp]);
             if edges == Edges::Closed {
                 let wanted = bell([31.3, 24.2]);
                 let worst = moved.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
@@ -108,11 +102,11 @@ mod tests {
 
     #[test]
     fn cells_that_are_taken_stay_as_they_are() {
-        let mut maps = Maps::uniform(60, 50, P);
+        let mut maps = Maps::uniform([60, 50], Edges::Closed, P);
         maps.obstacles = (0..60 * 50).map(|cell| cell % 60 > 31).collect();
         let warp = LocalWarp { at: [30.0, 25.0], own: P, by: [1.0, 0.0] };
         let before = bell([30.0, 25.0]);
-        let moved = warped(System::MeinhardtSpots, &maps, Edges::Closed, &before, &[warp]);
+        let moved = warped(System::MeinhardtSpots, &maps, &before, &[warp]);
         let same = |cell: &usize| moved[*cell].to_bits() == before[*cell].to_bits();
         assert!((0..60 * 50).filter(|cell| maps.obstacles[*cell]).all(|cell| same(&cell)));
         assert!((0..60 * 50).any(|cell| !same(&cell)));

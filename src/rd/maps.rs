@@ -2,6 +2,8 @@
 
 use rayon::prelude::*;
 
+use crate::grid::{Domain, Edges, Grid};
+
 /// Parameters at one point, in cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
@@ -33,13 +35,9 @@ impl Parameters {
 /// The grid and the [`Parameters`] of each of its cells.
 #[derive(Clone, Debug)]
 pub struct Maps {
-    /// Cells in a row.
-    pub nx: usize,
-    /// Rows.
-    pub ny: usize,
-    /// px a cell along x and y; only their ratio matters here.
-    pub cell: [f64; 2],
-    /// `nx · ny` of them, row by row.
+    /// The cells. Of their size in px only the ratio of the sides matters here.
+    pub grid: Grid,
+    /// One a cell, row by row.
     pub parameters: Vec<Parameters>,
     /// Cells covered by the marks of other layers, row by row; empty = none. Nothing grows there.
     pub obstacles: Vec<bool>,
@@ -59,35 +57,23 @@ pub struct GuideCurves {
 }
 
 impl Maps {
-    /// These parameters of `nx` × `ny` cells, row by row, on a free canvas.
+    /// These parameters, one a cell of `grid`, on a free canvas.
     #[must_use]
-    pub fn new([nx, ny]: [usize; 2], cell: [f64; 2], parameters: Vec<Parameters>) -> Self {
-        Self { nx, ny, cell, parameters, obstacles: Vec::new(), decay_noise: Vec::new(), curves: None }
+    pub fn new(grid: Grid, parameters: Vec<Parameters>) -> Self {
+        Self { grid, parameters, obstacles: Vec::new(), decay_noise: Vec::new(), curves: None }
     }
 
-    /// The same parameters everywhere, on square cells.
+    /// The same parameters everywhere, on `size` = [columns, rows] square cells.
     #[must_use]
-    pub fn uniform(nx: usize, ny: usize, parameters: Parameters) -> Self {
-        Self::new([nx, ny], [1.0, 1.0], vec![parameters; nx * ny])
+    pub fn uniform(size: [usize; 2], edges: Edges, parameters: Parameters) -> Self {
+        let grid = Grid::unit(size, edges);
+        Self::new(grid, vec![parameters; grid.cells()])
     }
 
     /// The parameters of the cell that the point (x, y), in cells, lies in; beyond the border the nearest.
     #[must_use]
     pub fn at(&self, point: [f64; 2]) -> Parameters {
-        self.parameters[self.cell_at(point)]
-    }
-
-    /// The index of that cell.
-    #[must_use]
-    pub fn cell_at(&self, [x, y]: [f64; 2]) -> usize {
-        let clamp = |v: f64, n: usize| (v.max(0.0) as usize).min(n - 1);
-        clamp(y, self.ny) * self.nx + clamp(x, self.nx)
-    }
-
-    /// The middle of a cell, cells.
-    #[must_use]
-    pub fn middle(&self, cell: usize) -> [f64; 2] {
-        [(cell % self.nx) as f64 + 0.5, (cell / self.nx) as f64 + 0.5]
+        self.parameters[self.grid.cell_at(point)]
     }
 
     /// Is this cell covered by the marks of other layers?
@@ -99,45 +85,40 @@ impl Maps {
     /// [`Self::decay_noise`] about a point, over a rectangle of these sides.
     fn decay_noise_at(&self, [x, y]: [f64; 2], [wide, high]: [f64; 2]) -> f32 {
         const SHIFTS: [f64; 4] = [-0.375, -0.125, 0.125, 0.375];
-        let at = |dx: f64, dy: f64| self.decay_noise[self.cell_at([x + dx * wide, y + dy * high])];
+        let at = |dx: f64, dy: f64| self.decay_noise[self.grid.cell_at([x + dx * wide, y + dy * high])];
         SHIFTS.iter().flat_map(|dy| SHIFTS.map(|dx| at(dx, *dy))).sum::<f32>() / 16.0
     }
 
-    /// The same canvas on `nx` × `ny` cells: lengths in cells change, what grows does not (but for what the grid
-    /// does to it).
+    /// The same canvas on `size` = [columns, rows] cells: lengths in cells change, what grows does not (but for what the
+    /// grid does to it).
     #[must_use]
-    pub fn on_grid(&self, nx: usize, ny: usize) -> Self {
-        let [wide, high] = [self.nx as f64 / nx as f64, self.ny as f64 / ny as f64];
+    pub fn on_grid(&self, size: [usize; 2]) -> Self {
+        let grid = self.grid.resized(size);
+        let [wide, high] = [0, 1].map(|axis| self.grid.size[axis] as f64 / size[axis] as f64);
         let finer = (wide * high) as f32;
-        let at = |i: usize| [((i % nx) as f64 + 0.5) * wide, ((i / nx) as f64 + 0.5) * high];
-        let obstacles = if self.obstacles.is_empty() { 0 } else { nx * ny };
-        let obstacles = (0..obstacles).map(|i| self.is_obstacle(self.cell_at(at(i)))).collect();
+        let at = |cell: usize| {
+            let [x, y] = grid.center(cell);
+            [x * wide, y * high]
+        };
+        let there = |cell: usize| self.grid.cell_at(at(cell));
+        let cells_unless = |empty: bool| 0..if empty { 0 } else { grid.cells() };
+        let obstacles = cells_unless(self.obstacles.is_empty()).map(|i| self.is_obstacle(there(i))).collect();
         let curves = self.curves.as_ref().map(|curves| {
-            let there = |values: &[f32], factor: f32| -> Vec<f32> {
-                (0..nx * ny).map(|i| factor * values[self.cell_at(at(i))]).collect()
+            let sampled = |values: &[f32], factor: f32| -> Vec<f32> {
+                (0..grid.cells()).map(|i| factor * values[there(i)]).collect()
             };
             GuideCurves {
-                distance: there(&curves.distance, 1.0 / finer.sqrt()),
-                inhibitor: there(&curves.inhibitor, 1.0),
+                distance: sampled(&curves.distance, 1.0 / finer.sqrt()),
+                inhibitor: sampled(&curves.inhibitor, 1.0),
             }
         });
-        let decay_noise = if self.decay_noise.is_empty() { 0 } else { nx * ny };
-        let decay_noise = (0..decay_noise).map(|i| self.decay_noise_at(at(i), [wide, high])).collect();
-        let parameters = (0..nx * ny)
-            .into_par_iter()
-            .map(|i| {
-                let p = self.at(at(i));
-                Parameters { rate: p.rate * finer, ..p }
-            })
-            .collect();
-        Self {
-            nx,
-            ny,
-            cell: [self.cell[0] * wide, self.cell[1] * high],
-            parameters,
-            obstacles,
-            decay_noise,
-            curves,
-        }
+        let decay_noise = cells_unless(self.decay_noise.is_empty());
+        let decay_noise = decay_noise.map(|i| self.decay_noise_at(at(i), [wide, high])).collect();
+        let finer_rate = |i: usize| {
+            let p = self.parameters[there(i)];
+            Parameters { rate: p.rate * finer, ..p }
+        };
+        let parameters = (0..grid.cells()).into_par_iter().map(finer_rate).collect();
+        Self { grid, parameters, obstacles, decay_noise, curves }
     }
 }

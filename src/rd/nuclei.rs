@@ -20,9 +20,9 @@ pub use relaxation::{Places, adjust_to_walls, relax_places};
 use rand::{Rng, RngExt};
 
 use super::maps::{Maps, Parameters};
-use crate::grid::Edges;
-use boundary::Grid;
-use cell_list::{Buckets, Space, distance2, relax};
+use crate::grid::{Bounds, Domain, Edges};
+use boundary::Walls;
+use cell_list::{Buckets, distance2, relax};
 use density::Crowd;
 
 /// One point, in cells, with its local metric.
@@ -42,7 +42,7 @@ impl Nucleus {
     /// The point `at`, cells, with the metric of the parameters there.
     pub fn at(maps: &Maps, at: [f64; 2], pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
         let p = maps.at(at);
-        Self::of(&p, maps.cell, at, pitch(&p))
+        Self::of(&p, maps.grid.cell, at, pitch(&p))
     }
 
     /// The point `at`, cells, with the metric of the parameters `p`, whose pitch is `pitch` cells.
@@ -99,15 +99,14 @@ pub struct Laid {
 /// `kept` stay where they are, on the grid; the others make room for them.
 pub fn lay(
     maps: &Maps,
-    edges: Edges,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
     kept: &[Nucleus],
     rng: &mut impl Rng,
 ) -> Laid {
     let crowd = Crowd::of(maps, pitch);
+    let Bounds { size, edges } = maps.grid.bounds();
     let frame = if edges == Edges::Closed { (FRAME * crowd.largest).ceil() } else { 0.0 };
-    let size = [maps.nx as f64, maps.ny as f64];
-    let space = Space { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
+    let space = Bounds { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
     let on_maps = |at: [f64; 2]| at.map(|v| v - frame);
     let nucleus = |at: [f64; 2]| Nucleus { at, ..Nucleus::at(maps, on_maps(at), pitch) };
     let largest = kept.iter().map(|kept| kept.reach).fold(crowd.largest, f64::max);
@@ -116,13 +115,13 @@ pub fn lay(
     kept.iter().for_each(|kept| placed.insert(Nucleus { at: kept.at.map(|v| v + frame), ..*kept }));
     let fixed = placed.all.clone();
     let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
-    let clear = if posts.is_empty() { Vec::new() } else { obstacles::clear(maps, edges, pitch) };
-    let is_clear = |at: [f64; 2]| clear.is_empty() || clear[maps.cell_at(on_maps(at))];
+    let clear = if posts.is_empty() { Vec::new() } else { obstacles::clear(maps, pitch) };
+    let is_clear = |at: [f64; 2]| clear.is_empty() || clear[maps.grid.cell_at(on_maps(at))];
     let spread =
         |placed: &mut Buckets| obstacles::within(placed, &is_clear, |placed| relax(placed, PUSH, &moved));
     if posts.is_empty() {
         let wanted = crowd.wanted(frame).saturating_sub(crowd.in_the_room_of(kept, maps));
-        let likely = |at: [f64; 2]| crowd.densities[maps.cell_at(on_maps(at))] / crowd.densest;
+        let likely = |at: [f64; 2]| crowd.densities[maps.grid.cell_at(on_maps(at))] / crowd.densest;
         throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
         (0..ROUNDS).for_each(|_| relax(&mut placed, PUSH, &moved));
     } else {
@@ -131,9 +130,9 @@ pub fn lay(
             (0..ROUNDS).for_each(|_| spread(&mut placed));
         }
     }
-    let grid = Grid { frame, size };
+    let walls = Walls { frame, size };
     if edges == Edges::Closed {
-        grid.keep_off_walls(&mut placed, fixed.len(), spread);
+        walls.keep_off_walls(&mut placed, fixed.len(), spread);
     }
     let mut all = placed.all.split_off(fixed.len());
     if !fixed.is_empty() {
@@ -186,19 +185,13 @@ fn throw(
 }
 
 /// Those of `laid` that have room among those before them, where they are `crowded`.
-pub fn thinned(
-    laid: Vec<Nucleus>,
-    maps: &Maps,
-    edges: Edges,
-    crowded: &dyn Fn(&Nucleus) -> bool,
-) -> Vec<Nucleus> {
+pub fn thinned(laid: Vec<Nucleus>, maps: &Maps, crowded: &dyn Fn(&Nucleus) -> bool) -> Vec<Nucleus> {
     let (rest, roomy): (Vec<_>, Vec<_>) = laid.into_iter().partition(crowded);
     if rest.is_empty() {
         return roomy;
     }
-    let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
     let largest = roomy.iter().chain(&rest).map(|nucleus| nucleus.reach).fold(0.0, f64::max);
-    let mut kept = Buckets::new(space, PUSH * largest);
+    let mut kept = Buckets::new(maps.grid.bounds(), PUSH * largest);
     roomy.into_iter().for_each(|nucleus| kept.insert(nucleus));
     for nucleus in rest {
         let mut free = true;
@@ -219,8 +212,8 @@ mod tests {
 
     fn placed(edges: Edges, stretch: f32) -> Vec<Nucleus> {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 20.0, pitch: 1.0 };
-        let maps = Maps::uniform(240, 200, p);
-        lay(&maps, edges, &|_| 14.0, &[], &mut Pcg64Mcg::seed_from_u64(5)).inside
+        let maps = Maps::uniform([240, 200], edges, p);
+        lay(&maps, &|_| 14.0, &[], &mut Pcg64Mcg::seed_from_u64(5)).inside
     }
 
     #[test]
@@ -243,8 +236,8 @@ mod tests {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
         for edges in [Edges::Closed, Edges::Wrap] {
             for seed in 0..20 {
-                let maps = Maps::uniform(8, 8, p);
-                let laid = lay(&maps, edges, &|_| 40.0, &[], &mut Pcg64Mcg::seed_from_u64(seed));
+                let maps = Maps::uniform([8, 8], edges, p);
+                let laid = lay(&maps, &|_| 40.0, &[], &mut Pcg64Mcg::seed_from_u64(seed));
                 let on = |at: f64| (0.0..8.0).contains(&at);
                 assert!(!laid.inside.is_empty() && laid.inside.iter().all(|p| on(p.at[0]) && on(p.at[1])));
             }
@@ -254,8 +247,8 @@ mod tests {
     #[test]
     fn near_closed_edges_they_stand_on_them_or_well_off() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
-        let maps = Maps::uniform(240, 200, p);
-        let all = lay(&maps, Edges::Closed, &|_| 14.0, &[], &mut Pcg64Mcg::seed_from_u64(5)).inside;
+        let maps = Maps::uniform([240, 200], Edges::Closed, p);
+        let all = lay(&maps, &|_| 14.0, &[], &mut Pcg64Mcg::seed_from_u64(5)).inside;
         // Upright marks of half the width: the metric is (ρ·along² + across²/ρ)/pitch².
         let off = |at: f64, side: f64, pitch: f64| at.min(side - at) / pitch;
         let (mut on, mut inside) = (0, 0);

@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable, cast_slice, cast_slice_mut};
 
-use crate::grid::Edges;
+use crate::grid::{Edges, Grid};
 
 /// Cells stepped at once: one vector of AVX-512, two of AVX2, four of SSE or NEON.
 pub const LANES: usize = 16;
@@ -16,9 +16,9 @@ pub struct Lanes(pub [f32; LANES]);
 /// reaches, so that cells stay aligned.
 pub const MARGIN: usize = LANES;
 
-/// The cells and how rows of them lie in memory: a margin of [`MARGIN`] columns, `nx` cells, a margin again.
+/// How the rows of a grid lie in memory: a margin of [`MARGIN`] columns, `nx` cells, a margin again.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grid {
+pub struct RowLayout {
     /// Cells in a row.
     pub nx: usize,
     /// Rows.
@@ -27,7 +27,14 @@ pub struct Grid {
     pub edges: Edges,
 }
 
-impl Grid {
+impl RowLayout {
+    /// The layout of a grid's rows.
+    #[must_use]
+    pub fn new(grid: &Grid) -> Self {
+        let [nx, ny] = grid.size;
+        Self { nx, ny, edges: grid.edges }
+    }
+
     /// Groups of [`LANES`] columns in a row of memory, margins included.
     ///
     /// Odd, so that the same column of successive rows does not fall on the same few lines of the cache.
@@ -83,20 +90,20 @@ impl Grid {
 /// Concentrations of one chemical.
 #[derive(Clone, Debug)]
 pub struct Plane {
-    grid: Grid,
+    grid: RowLayout,
     rows: Vec<Lanes>,
 }
 
 impl Plane {
     /// The same concentration everywhere.
     #[must_use]
-    pub fn flat(grid: Grid, value: f32) -> Self {
+    pub fn flat(grid: RowLayout, value: f32) -> Self {
         Self { grid, rows: vec![Lanes([value; LANES]); grid.groups() * grid.ny] }
     }
 
     /// The given `nx · ny` cells; `None` for another number of them.
     #[must_use]
-    pub fn from_cells(grid: Grid, cells: &[f32]) -> Option<Self> {
+    pub fn from_cells(grid: RowLayout, cells: &[f32]) -> Option<Self> {
         let mut plane = Self::flat(grid, 0.0);
         if cells.len() != grid.nx * grid.ny {
             return None;
@@ -149,7 +156,7 @@ mod tests {
         for (nx, edges) in
             [(3, Edges::Wrap), (3, Edges::Closed), (16, Edges::Wrap), (21, Edges::Wrap), (21, Edges::Closed)]
         {
-            let grid = Grid { nx, ny: 1, edges };
+            let grid = RowLayout { nx, ny: 1, edges };
             let cells: Vec<f32> = (0..nx).map(|x| x as f32).collect();
             let plane = Plane::from_cells(grid, &cells).expect("nx cells");
             for (at, value) in plane.memory(0).iter().enumerate().take(2 * MARGIN + nx) {

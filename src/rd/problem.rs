@@ -2,14 +2,14 @@
 
 use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;
-use super::plane::Grid;
+use super::plane::RowLayout;
 use super::runs::Runs;
 
 /// Coefficients of every cell, the time step already inside.
 #[derive(Clone, Debug)]
 pub struct Problem {
     /// The cells.
-    pub grid: Grid,
+    pub grid: RowLayout,
     /// The tensor of each cell.
     pub diffusion: Diffusion,
     /// Weights of the isotropic stencil along x and along y.
@@ -28,7 +28,7 @@ impl Problem {
     /// Puts coefficients together; `isotropic` are the weights of the isotropic stencil along x and along y.
     #[must_use]
     pub fn new(
-        grid: Grid,
+        grid: RowLayout,
         diffusion: Diffusion,
         isotropic: [f32; 2],
         mobility: Coefficients<2>,

@@ -1,7 +1,7 @@
 //! From a coarse grid to a finer one.
 
 use crate::grid::resample::resample;
-use crate::grid::{Edges, Field};
+use crate::grid::{Edges, Field, Grid};
 
 /// A chemical on `from` cells, brought to `to` cells over the same canvas.
 ///
@@ -11,7 +11,7 @@ use crate::grid::{Edges, Field};
 #[must_use]
 pub fn prolongate(cells: &[f32], from: [usize; 2], to: [usize; 2], edges: Edges) -> Vec<f32> {
     let lowest = cells.iter().copied().fold(f32::INFINITY, f32::min);
-    let field = Field { width: from[0], height: from[1], cell: [1.0, 1.0], edges, values: cells.to_vec() };
+    let field = Field::on(&Grid::unit(from, edges), cells.to_vec());
     let mut fine = resample(&field, to[0], to[1]).values;
     fine.iter_mut().for_each(|value| *value = value.max(lowest));
     fine

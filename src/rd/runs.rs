@@ -1,7 +1,7 @@
 //! Which groups of a row are stepped alike.
 
 use super::coefficients::Coefficients;
-use super::plane::{Grid, LANES, MARGIN};
+use super::plane::{LANES, MARGIN, RowLayout};
 use super::selling::{OFFSETS, REACH};
 use crate::grid::Edges;
 
@@ -32,7 +32,7 @@ impl Runs {
     /// Looks for runs where these are the coefficients.
     #[must_use]
     pub fn new(
-        grid: Grid,
+        grid: RowLayout,
         weights: &Coefficients<{ OFFSETS.len() }>,
         mobility: &Coefficients<2>,
         rate: &Coefficients<1>,
@@ -71,7 +71,7 @@ impl Runs {
 }
 
 /// A run of one group, its end left open.
-fn alone(grid: Grid, group: usize, y: usize, weights: &Coefficients<{ OFFSETS.len() }>) -> Run {
+fn alone(grid: RowLayout, group: usize, y: usize, weights: &Coefficients<{ OFFSETS.len() }>) -> Run {
     let (used, packs) = weights.of(group, y);
     let unit = used == 0b11 && packs[..2].iter().all(|pack| pack.0 == [1.0; LANES]);
     let left = group * LANES < MARGIN + REACH;

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::System;
 use super::maps::{Maps, Parameters};
-use crate::grid::Edges;
+use crate::grid::{Domain, Grid};
 use crate::rd::line_noise::GuideLine;
 
 /// What stripes begin from.
@@ -35,11 +35,11 @@ const CLEAR: f64 = 1.25;
 const THICKNESS: f64 = 0.0625;
 
 /// The segments for the grid of `maps`: `drawn` ones, and elsewhere as many thrown at random as there are to be.
-pub fn segments(maps: &Maps, edges: Edges, drawn: &[GuideLine], rng: &mut impl Rng) -> Vec<GuideLine> {
+pub fn segments(maps: &Maps, drawn: &[GuideLine], rng: &mut impl Rng) -> Vec<GuideLine> {
     let clear = |at: [f64; 2], length: f64| {
-        drawn.iter().all(|line| line.distance(at, [maps.nx, maps.ny], edges) >= CLEAR * length)
+        drawn.iter().all(|line| line.distance(at, &maps.grid.bounds()) >= CLEAR * length)
     };
-    let [w, h] = [maps.nx as f64, maps.ny as f64];
+    let [w, h] = maps.grid.bounds().size;
     let density = |p: &Parameters| {
         let length = wavelength(p);
         DENSITY / (length * length)
@@ -53,7 +53,7 @@ pub fn segments(maps: &Maps, edges: Edges, drawn: &[GuideLine], rng: &mut impl R
         if keep * densest > density(&p) || !clear(at, wavelength(&p)) {
             continue;
         }
-        // A difference of two even numbers has a variance of 1/6.
+        // A difference of two uniform random numbers has a variance of 1/6.
         let way = (f64::from(p.direction) + JITTER * 6.0f64.sqrt() * (one - other)).to_radians();
         let half = [libm::cos(way), libm::sin(way)].map(|part| 0.5 * LENGTH * wavelength(&p) * part);
         let end = |sign: f64| [(at[0] + sign * half[0]) / w, (at[1] + sign * half[1]) / h];
@@ -63,23 +63,19 @@ pub fn segments(maps: &Maps, edges: Edges, drawn: &[GuideLine], rng: &mut impl R
 }
 
 /// How far each cell of the grid of `maps` is seeded by these segments, 0..1.
-pub fn seeded(maps: &Maps, edges: Edges, segments: &[GuideLine]) -> Vec<f32> {
-    let n = [maps.nx, maps.ny];
-    let mut seeded = vec![0.0f32; maps.nx * maps.ny];
+pub fn seeded(maps: &Maps, segments: &[GuideLine]) -> Vec<f32> {
+    let grid = maps.grid;
+    let bounds = grid.bounds();
+    let mut seeded = vec![0.0f32; grid.cells()];
     for segment in segments {
-        let [low, high] = segment.box_of(n);
+        let [low, high] = segment.box_of(&bounds);
         let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
         let thick = THICKNESS * wavelength(&maps.at(middle));
-        let range = |axis: usize| {
-            (low[axis] - thick - 1.0).floor() as isize..=(high[axis] + thick + 1.0).ceil() as isize
-        };
-        let on = |i: isize, n: usize| edges == Edges::Wrap || (0..n as isize).contains(&i);
-        for y in range(1).filter(|y| on(*y, maps.ny)) {
-            for x in range(0).filter(|x| on(*x, maps.nx)) {
-                let cell = edges.index(y, maps.ny) * maps.nx + edges.index(x, maps.nx);
-                let away = segment.distance(maps.middle(cell), n, edges);
-                seeded[cell] = seeded[cell].max((thick + 0.5 - away).clamp(0.0, 1.0) as f32);
-            }
+        let margin = thick + 1.0;
+        let corners = [low.map(|at| at - margin), high.map(|at| at + margin)];
+        for (cell, _) in grid.within(corners, 0..grid.cells()) {
+            let away = segment.distance(grid.center(cell), &bounds);
+            seeded[cell] = seeded[cell].max((thick + 0.5 - away).clamp(0.0, 1.0) as f32);
         }
     }
     seeded
@@ -88,12 +84,12 @@ pub fn seeded(maps: &Maps, edges: Edges, segments: &[GuideLine]) -> Vec<f32> {
 /// Waves that run from the `lines` outwards, −1..1: cos 2πφ with |∇φ| = 1/λ and φ = 0 on the lines.
 ///
 /// Fast sweeping: Zhao, "A fast sweeping method for eikonal equations", Mathematics of Computation 74 (2005), eq. 2.4.
-pub fn waves(maps: &Maps, edges: Edges, lines: &[GuideLine]) -> Vec<f32> {
-    let n = [maps.nx, maps.ny];
+pub fn waves(maps: &Maps, lines: &[GuideLine]) -> Vec<f32> {
+    let bounds = maps.grid.bounds();
     let steps: Vec<f32> = maps.parameters.par_iter().map(|p| (1.0 / wavelength(p)) as f32).collect();
-    let mut phase = vec![f32::INFINITY; maps.nx * maps.ny];
+    let mut phase = vec![f32::INFINITY; maps.grid.cells()];
     phase.par_iter_mut().enumerate().for_each(|(cell, phase)| {
-        let nearest = |line: &GuideLine| line.distance(maps.middle(cell), n, edges);
+        let nearest = |line: &GuideLine| line.distance(maps.grid.center(cell), &bounds);
         let away = lines.iter().map(nearest).fold(f64::INFINITY, f64::min);
         let reached = away as f32 * steps[cell];
         if reached < EXACT {
@@ -102,7 +98,7 @@ pub fn waves(maps: &Maps, edges: Edges, lines: &[GuideLine]) -> Vec<f32> {
     });
     for _ in 0..SWEEPS {
         for (down, right) in [(true, true), (true, false), (false, false), (false, true)] {
-            sweep(&mut phase, &steps, n, edges, down, right);
+            sweep(&mut phase, &steps, &maps.grid, down, right);
         }
     }
     phase.into_par_iter().map(|phase| libm::cos(TAU * f64::from(phase)) as f32).collect()
@@ -114,7 +110,8 @@ const EXACT: f32 = 1.0;
 const SWEEPS: usize = 2;
 
 /// One sweep over all cells, downwards or up, to the right or left.
-fn sweep(phase: &mut [f32], steps: &[f32], [nx, ny]: [usize; 2], edges: Edges, down: bool, right: bool) {
+fn sweep(phase: &mut [f32], steps: &[f32], grid: &Grid, down: bool, right: bool) {
+    let ([nx, ny], edges) = (grid.size, grid.edges);
     let order = |k: usize, n: usize, forth: bool| if forth { k } else { n - 1 - k };
     for k in 0..ny {
         let y = order(k, ny, down);
@@ -146,23 +143,24 @@ fn wavelength(p: &Parameters) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::Edges;
     use rand::SeedableRng;
     use rand_pcg::Pcg64Mcg;
 
     /// Stripes of 16 cells a wavelength, at 30°.
-    fn maps(nx: usize, ny: usize) -> Maps {
+    fn maps(nx: usize, ny: usize, edges: Edges) -> Maps {
         let rate = ((81.0 / 16.0) * (81.0 / 16.0)) as f32;
         let p = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 30.0, pitch: 1.0 };
-        Maps::uniform(nx, ny, p)
+        Maps::uniform([nx, ny], edges, p)
     }
 
     #[test]
     fn waves_run_from_a_line_at_one_wavelength_a_period() {
-        let maps = maps(160, 140);
+        let maps = maps(160, 140, Edges::Closed);
         let line = GuideLine { from: [0.4, 0.5], to: [0.6, 0.5] };
-        let waves = waves(&maps, Edges::Closed, &[line]);
+        let waves = waves(&maps, &[line]);
         let off = |cell: usize| {
-            let away = line.distance(maps.middle(cell), [160, 140], Edges::Closed);
+            let away = line.distance(maps.grid.center(cell), &maps.grid.bounds());
             (f64::from(waves[cell]) - libm::cos(TAU * away / 16.0)).abs()
         };
         // Sweeps are of first order: after four wavelengths they are off by some tenths of a cell.
@@ -172,9 +170,8 @@ mod tests {
 
     #[test]
     fn on_a_tile_waves_come_round_the_border() {
-        let maps = maps(128, 96);
         let line = [GuideLine { from: [0.0, 0.0], to: [0.0, 1.0] }];
-        let [wrap, closed] = [Edges::Wrap, Edges::Closed].map(|edges| waves(&maps, edges, &line));
+        let [wrap, closed] = [Edges::Wrap, Edges::Closed].map(|edges| waves(&maps(128, 96, edges), &line));
         let mirrored = |x: usize| (wrap[40 * 128 + x] - wrap[40 * 128 + 127 - x]).abs();
         assert!((0..64).all(|x| mirrored(x) < 1e-3));
         assert!((closed[40 * 128 + 63] - wrap[40 * 128 + 63]).abs() < 1e-3);
@@ -182,16 +179,15 @@ mod tests {
 
     #[test]
     fn segments_are_as_many_and_as_long_as_is_told_and_clear_of_drawn_ones() {
-        let maps = maps(320, 320);
+        let maps = maps(320, 320, Edges::Closed);
         let drawn = [GuideLine { from: [0.4, 0.4], to: [0.6, 0.5] }];
-        let n = [320, 320];
-        let all = segments(&maps, Edges::Closed, &drawn, &mut Pcg64Mcg::seed_from_u64(1));
+        let all = segments(&maps, &drawn, &mut Pcg64Mcg::seed_from_u64(1));
         assert!(all[0] == drawn[0] && (185..=200).contains(&all.len()), "{}", all.len());
         let ways = all[1..].iter().map(|segment| {
             let way = [0, 1].map(|axis| 320.0 * (segment.to[axis] - segment.from[axis]));
             assert!(((way[0] * way[0] + way[1] * way[1]).sqrt() - 32.0).abs() < 1e-6);
             let middle = [0, 1].map(|axis| 160.0 * (segment.to[axis] + segment.from[axis]));
-            assert!(drawn[0].distance(middle, n, Edges::Closed) >= 20.0);
+            assert!(drawn[0].distance(middle, &maps.grid.bounds()) >= 20.0);
             libm::atan2(way[1], way[0]).to_degrees() - 30.0
         });
         let squares: f64 = ways.map(|off| off * off).sum();
@@ -201,8 +197,8 @@ mod tests {
 
     #[test]
     fn a_seeded_line_is_as_thick_as_is_told() {
-        let maps = maps(100, 100);
-        let seeded = seeded(&maps, Edges::Closed, &[GuideLine { from: [0.2, 0.5], to: [0.8, 0.5] }]);
+        let maps = maps(100, 100, Edges::Closed);
+        let seeded = seeded(&maps, &[GuideLine { from: [0.2, 0.5], to: [0.8, 0.5] }]);
         let across: f32 = (0..100).map(|y| seeded[y * 100 + 50]).sum();
         assert!((f64::from(across) - 2.0 * THICKNESS * 16.0).abs() < 0.5, "{across}");
         assert_eq!((seeded[50 * 100 + 5], seeded[30 * 100 + 50]), (0.0, 0.0));

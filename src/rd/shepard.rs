@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::grid::Edges;
+use crate::grid::{Domain, Grid};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::Nucleus;
@@ -29,74 +29,65 @@ const ROWS: usize = 16;
 pub fn interpolate_parameters<const N: usize>(
     system: System,
     maps: &Maps,
-    edges: Edges,
     places: &[[f64; 2]],
     own: &[Parameters],
     known: &[[f64; N]],
     vary: &(dyn Fn(usize, [f64; N]) -> Parameters + Sync),
 ) -> Vec<Parameters> {
-    let nucleus = |(at, own): (&[f64; 2], &Parameters)| Nucleus::of(own, maps.cell, *at, system.spacing(own));
+    let nucleus =
+        |(at, own): (&[f64; 2], &Parameters)| Nucleus::of(own, maps.grid.cell, *at, system.spacing(own));
     let spots: Vec<(Nucleus, &[f64; N])> = places.iter().zip(own).map(nucleus).zip(known).collect();
     let mut made = maps.parameters.clone();
-    made.par_chunks_mut(ROWS * maps.nx).enumerate().for_each(|(band, made)| {
-        let first = band * ROWS;
-        let rows = first..first + made.len() / maps.nx;
+    let band = ROWS * maps.grid.size[0];
+    made.par_chunks_mut(band).enumerate().for_each(|(index, made)| {
+        let cells = index * band..index * band + made.len();
         let mut sums = vec![(0.0, [0.0; N]); made.len()];
         for (spot, known) in &spots {
-            add(&mut sums, rows.clone(), [maps.nx, maps.ny], edges, spot, known);
+            add(&mut sums, cells.clone(), &maps.grid, spot, known);
         }
-        for (i, (made, (sum, all))) in made.iter_mut().zip(&sums).enumerate() {
+        for ((cell, made), (sum, all)) in cells.zip(made).zip(&sums) {
             let known = if *sum > 0.0 { all.map(|all| all / sum) } else { [0.0; N] };
-            *made = vary(first * maps.nx + i, known);
+            *made = vary(cell, known);
         }
     });
     made
 }
 
-/// Adds what a spot contributes to rows `rows`: wₖ and wₖ vₖ.
+/// Adds what a spot contributes to the cells of a range: wₖ and wₖ vₖ.
 fn add<const N: usize>(
     sums: &mut [(f64, [f64; N])],
-    rows: Range<usize>,
-    [nx, ny]: [usize; 2],
-    edges: Edges,
+    cells: Range<usize>,
+    grid: &Grid,
     spot: &Nucleus,
     known: &[f64; N],
 ) {
     let far = TAU * (-2.0 * LEAST).sqrt() * spot.reach;
-    let range = |v: f64| (v - 0.5 - far).ceil() as isize..=(v - 0.5 + far).floor() as isize;
-    let beyond = |i: isize, n: usize| edges == Edges::Closed && !(0..n as isize).contains(&i);
-    for y in range(spot.at[1]).filter(|y| !beyond(*y, ny)) {
-        let row = edges.index(y, ny);
-        if !rows.contains(&row) {
-            continue;
+    let first = cells.start;
+    grid.near(spot.at, far, cells).for_each(|(cell, delta)| {
+        let exponent = -0.5 * spot.distance2(delta) / (TAU * TAU);
+        if exponent > LEAST {
+            let weight = libm::exp(exponent);
+            let (sum, all) = &mut sums[cell - first];
+            *sum += weight;
+            all.iter_mut().zip(known).for_each(|(all, known)| *all += weight * known);
         }
-        let row = &mut sums[(row - rows.start) * nx..][..nx];
-        for x in range(spot.at[0]).filter(|x| !beyond(*x, nx)) {
-            let delta = [x as f64 + 0.5 - spot.at[0], y as f64 + 0.5 - spot.at[1]];
-            let exponent = -0.5 * spot.distance2(delta) / (TAU * TAU);
-            if exponent > LEAST {
-                let weight = libm::exp(exponent);
-                let (sum, all) = &mut row[edges.index(x, nx)];
-                *sum += weight;
-                all.iter_mut().zip(known).for_each(|(all, known)| *all += weight * known);
-            }
-        }
-    }
+    });
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::Edges;
 
     const P: Parameters = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
 
     /// What is known on 72 × 40 cells of spots at two places, as the rate.
     fn known(edges: Edges, places: [[f64; 2]; 2], known: [f64; 2]) -> Maps {
-        let maps = Maps::uniform(72, 40, P);
+        let maps = Maps::uniform([72, 40], edges, P);
         let vary = |_, [rate]: [f64; 1]| Parameters { rate: rate as f32, ..P };
         let system = System::MeinhardtSpots;
         let parameters =
-            interpolate_parameters(system, &maps, edges, &places, &[P; 2], &known.map(|one| [one]), &vary);
+            interpolate_parameters(system, &maps, &places, &[P; 2], &known.map(|one| [one]), &vary);
         Maps { parameters, ..maps }
     }
 

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use crate::rd::coefficients::Numbers;
 use crate::rd::kinetics::{Kinetics, Spread, euler};
-use crate::rd::plane::{Grid, LANES, Lanes, MARGIN};
+use crate::rd::plane::{LANES, Lanes, MARGIN, RowLayout};
 use crate::rd::problem::Problem;
 use crate::rd::selling::{OFFSETS, REACH};
 use crate::rd::vector::Vector;
@@ -58,7 +58,7 @@ const fn taps(set: usize) -> ([[isize; 2]; 4], u32) {
 #[derive(Clone, Copy)]
 struct Row<'a> {
     y: usize,
-    grid: Grid,
+    grid: RowLayout,
     /// Weights of the isotropic stencil along x, along y, and of the cell itself.
     isotropic: [f32; 3],
     weights: Numbers<'a>,

@@ -253,7 +253,7 @@ mod tests {
     use super::super::coefficients::Coefficients;
     use super::super::diffusion::Diffusion;
     use super::super::explicit;
-    use super::super::plane::Grid;
+    use super::super::plane::RowLayout;
     use super::super::selling::Tensor;
     use super::*;
     use crate::rd::systems::meinhardt_lines::MeinhardtLines;
@@ -264,7 +264,7 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     /// Coefficients that differ from cell to cell; stretches from `thinnest` to 1 in all directions.
-    fn uneven(grid: Grid, thinnest: f64) -> Problem {
+    fn uneven(grid: RowLayout, thinnest: f64) -> Problem {
         let wave = |i: usize, f: f64| 0.5 + 0.5 * libm::sin(f * i as f64);
         let tensor = |i: usize| {
             let stretch = thinnest + (1.0 - thinnest) * wave(i, 0.013);
@@ -283,7 +283,7 @@ mod tests {
         )
     }
 
-    fn noise<const N: usize>(grid: Grid) -> [Plane; N] {
+    fn noise<const N: usize>(grid: RowLayout) -> [Plane; N] {
         let mut rng = Pcg64Mcg::seed_from_u64((grid.nx * 1000 + grid.ny) as u64);
         [(); N].map(|()| {
             let cells: Vec<f32> = (0..grid.nx * grid.ny).map(|_| 0.2 + rng.random::<f32>()).collect();
@@ -325,7 +325,7 @@ mod tests {
         planes.iter().flat_map(Plane::cells).map(f32::to_bits).collect()
     }
 
-    fn agree<const N: usize, K: Kinetics<N>>(grid: Grid, thinnest: f64, tilings: &[Tiling]) {
+    fn agree<const N: usize, K: Kinetics<N>>(grid: RowLayout, thinnest: f64, tilings: &[Tiling]) {
         const STEPS: usize = 7;
         let problem = uneven(grid, thinnest);
         let plain = plain::<N, K>(&problem, STEPS);
@@ -339,7 +339,7 @@ mod tests {
 
     fn all_agree(nx: usize, ny: usize, tilings: &[Tiling]) {
         for edges in [Edges::Closed, Edges::Wrap] {
-            let grid = Grid { nx, ny, edges };
+            let grid = RowLayout { nx, ny, edges };
             for thinnest in [0.3, 0.6, 1.0] {
                 agree::<2, TuringSpots>(grid, thinnest, tilings);
                 agree::<2, MeinhardtSpots>(grid, thinnest, tilings);
@@ -365,7 +365,7 @@ mod tests {
     fn a_small_grid_gives_the_bits_of_the_plain_solver() {
         for edges in [Edges::Closed, Edges::Wrap] {
             let tilings = [Tiling { levels: 3, bands: 2 }];
-            agree::<2, MeinhardtSpots>(Grid { nx: 19, ny: 4, edges }, 0.3, &tilings);
+            agree::<2, MeinhardtSpots>(RowLayout { nx: 19, ny: 4, edges }, 0.3, &tilings);
         }
     }
 

@@ -12,6 +12,7 @@ use super::plan::Plan;
 use super::{Engine, Training, memory, planned};
 use crate::document::Document;
 use crate::export::png;
+use crate::grid::Domain;
 use crate::rd::{Growth, System};
 use crate::synth::plan::sketch_targets::region_map;
 use crate::synth::render::painting::{Look, Painting};
@@ -101,9 +102,9 @@ fn taken(engine: &Engine, system: System) -> f64 {
 /// Cell updates a second on the grid of `plan`.
 fn speed(plan: &Plan) -> Option<f64> {
     let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
-    let cells = maps.nx * maps.ny;
+    let cells = maps.grid.cells();
     let concentrations = vec![vec![1.0; cells]; plan.system.chemicals().len()];
-    let mut growth = Growth::resumed(plan.system, &maps, plan.map.layout().edges, &concentrations)?;
+    let mut growth = Growth::resumed(plan.system, &maps, &concentrations)?;
     growth.advance(STEPS);
     let started = Instant::now();
     let mut steps = 0;

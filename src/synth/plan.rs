@@ -20,6 +20,7 @@ use super::watch::Watch;
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spread};
 use crate::document::SystemChoice;
+use crate::grid::Grid;
 use crate::learn::{Answer, AskError, TrainingError};
 use crate::marks::Line;
 use crate::measure::Canvas;
@@ -320,7 +321,8 @@ impl Plan {
             };
             (0..nx * ny).into_par_iter().map(at).collect()
         };
-        let maps = Maps { obstacles: self.taken.clone(), ..Maps::new([nx, ny], self.cell, parameters) };
+        let grid = Grid { size: self.grid, cell: self.cell, edges: self.map.layout().edges };
+        let maps = Maps { obstacles: self.taken.clone(), ..Maps::new(grid, parameters) };
         match &self.course {
             None => maps,
             Some(course) => course.told(maps),

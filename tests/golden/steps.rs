@@ -1,12 +1,12 @@
 //! The first steps of every system, to the bit.
 
 use crate::renew::{golden, renew, renews, text};
-use dapple::grid::Edges;
+use dapple::grid::{Edges, Grid};
 use dapple::rd::{Growth, Maps, Parameters, System};
 use std::fmt::Write;
 
 /// 48 × 40 oblong cells whose parameters all vary; by plain arithmetic, which is the same everywhere.
-fn varying(system: System) -> Maps {
+fn varying(system: System, edges: Edges) -> Maps {
     let rate = match system {
         System::TuringSpots => 0.15,
         System::MeinhardtSpots => 2.0,
@@ -23,7 +23,8 @@ fn varying(system: System) -> Maps {
             pitch: 1.0 + 0.1 * x,
         }
     };
-    Maps::new([48, 40], [1.0, 0.95], (0..48 * 40).map(parameters).collect())
+    let grid = Grid { size: [48, 40], cell: [1.0, 0.95], edges };
+    Maps::new(grid, (0..48 * 40).map(parameters).collect())
 }
 
 /// FNV-1a, 64 bits, of the values' bytes, the lowest first.
@@ -40,7 +41,7 @@ fn concentrations() -> String {
             .to_owned();
     for system in System::ALL {
         for (edges, word) in [(Edges::Wrap, "wrap"), (Edges::Closed, "closed")] {
-            let mut growth = Growth::new(system, &varying(system), edges, 11);
+            let mut growth = Growth::new(system, &varying(system, edges), 11);
             growth.advance(20);
             for (chemical, values) in growth.concentrations().iter().enumerate() {
                 write!(text, "{} {word} {chemical} {:016x}", system.name(), fnv(values)).unwrap();

@@ -72,8 +72,8 @@ proptest! {
         seed in any::<u64>(),
     ) {
         let answer = TRAINING.set(system).unwrap().ask(&wanted).unwrap();
-        let maps = Maps::uniform(nx, ny, told(&answer.parameters, answer.pitch as f32));
-        let mut growth = Growth::new(system, &maps, edges, seed);
+        let maps = Maps::uniform([nx, ny], edges, told(&answer.parameters, answer.pitch as f32));
+        let mut growth = Growth::new(system, &maps, seed);
         prop_assert!(sound(&growth), "at the beginning");
         for _ in 0..8 {
             growth.advance(100);
@@ -95,8 +95,8 @@ proptest! {
         let unit = learn::Parameters { rate: 1.0, ratio: Some(ratio), stretch, direction, level: None };
         let own = system.spacing(&told(&unit, pitch as f32)) / spacing;
         let p = learn::Parameters { rate: own * own, ..unit };
-        let maps = Maps::uniform(nx, ny, told(&p, pitch as f32));
-        let mut growth = Growth::new(system, &maps, edges, seed);
+        let maps = Maps::uniform([nx, ny], edges, told(&p, pitch as f32));
+        let mut growth = Growth::new(system, &maps, seed);
         for _ in 0..4 {
             growth.advance(50);
             if growth.concentrations().iter().flatten().all(|value| value.is_finite()) {

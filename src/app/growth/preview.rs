@@ -27,7 +27,7 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
     let layout = plan.map.layout();
     // As far apart as the system itself would have them: finding out better takes several times as long.
     let maps = plan.maps(&vec![1.0; layout.len()]);
-    let mut engine = Engine::of(plan.system, maps, layout.edges, document.layer_seed(index));
+    let mut engine = Engine::of(plan.system, maps, document.layer_seed(index));
     if !engine.begins() {
         return None;
     }

@@ -1,6 +1,6 @@
 //! What is stepped: each system with round, long and longer tensors.
 
-use crate::grid::Edges;
+use crate::grid::{Domain, Edges};
 use crate::rd::{Growth, Maps, Parameters, System};
 use std::f64::consts::TAU;
 
@@ -62,7 +62,7 @@ impl Case {
             System::MeinhardtStripes => 40.0,
         };
         let parameters = Parameters { rate, ratio: 20.0, stretch: self.stretch, direction: 0.0, pitch: 1.0 };
-        let mut maps = Maps::uniform(size, size, parameters);
+        let mut maps = Maps::uniform([size, size], Edges::Wrap, parameters);
         if self.stretch < 1.0 {
             for (cell, parameters) in maps.parameters.iter_mut().enumerate() {
                 let [x, y] = [cell % size, cell / size].map(|at| at as f64 / size as f64);
@@ -76,7 +76,7 @@ impl Case {
     #[must_use]
     pub fn start(&self) -> Start {
         let round = Self { stretch: 1.0, ..*self };
-        let mut growth = Growth::new(self.system, &round.maps(SIDE), Edges::Wrap, 1);
+        let mut growth = Growth::new(self.system, &round.maps(SIDE), 1);
         growth.advance(STEPS);
         Start(growth.concentrations())
     }
@@ -86,11 +86,14 @@ impl Case {
     #[must_use]
     pub fn growth(&self, start: &Start, maps: &Maps) -> Option<Growth> {
         let tiled = |cells: &Vec<f32>| {
-            let cell = |at: usize| cells[(at / maps.nx % SIDE) * SIDE + at % maps.nx % SIDE];
-            (0..maps.nx * maps.ny).map(cell).collect()
+            let cell = |at: usize| {
+                let [column, row] = maps.grid.position(at);
+                cells[(row % SIDE) * SIDE + column % SIDE]
+            };
+            (0..maps.grid.cells()).map(cell).collect()
         };
         let concentrations: Vec<Vec<f32>> = start.0.iter().map(tiled).collect();
-        Growth::resumed(self.system, maps, Edges::Wrap, &concentrations)
+        Growth::resumed(self.system, maps, &concentrations)
     }
 
     const fn of(system: System, stretch: f32) -> Self {

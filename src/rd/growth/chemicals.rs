@@ -1,7 +1,7 @@
 //! The concentrations of a growth.
 
 use crate::rd::maps::Maps;
-use crate::rd::plane::{Grid, Plane};
+use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::systems::turing_spots;
 
 /// Each chemical twice: as it is, and room for the next step.
@@ -31,9 +31,9 @@ impl Chemicals {
     }
 
     /// These two of Turing's with the decay that `maps` gives each cell.
-    pub(super) fn with_decay([a, b]: [Plane; 2], maps: &Maps, grid: Grid) -> Self {
+    pub(super) fn with_decay([a, b]: [Plane; 2], maps: &Maps, grid: RowLayout) -> Self {
         let mut decay = Plane::flat(grid, turing_spots::BETA);
-        for (y, row) in maps.decay_noise.chunks_exact(maps.nx).enumerate() {
+        for (y, row) in maps.decay_noise.chunks_exact(maps.grid.size[0]).enumerate() {
             let row: Vec<f32> = row.iter().map(|off| turing_spots::BETA + off).collect();
             decay.set_row(y, &row);
         }

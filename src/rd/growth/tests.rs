@@ -1,6 +1,7 @@
 //! Growth of every system: what comes out, and that nothing but seed and parameters changes it.
 
 use super::*;
+use crate::grid::Edges;
 
 /// About 30 spots or 8 stripes on a small torus.
 fn small(system: System) -> (Maps, Growth) {
@@ -10,9 +11,12 @@ fn small(system: System) -> (Maps, Growth) {
         System::MeinhardtLines => 6.0,
         System::MeinhardtStripes => 40.0,
     };
-    let maps =
-        Maps::uniform(90, 84, Parameters { rate, ratio: 20.0, stretch: 0.6, direction: 30.0, pitch: 1.0 });
-    let growth = Growth::new(system, &maps, Edges::Wrap, 3);
+    let maps = Maps::uniform(
+        [90, 84],
+        Edges::Wrap,
+        Parameters { rate, ratio: 20.0, stretch: 0.6, direction: 30.0, pitch: 1.0 },
+    );
+    let growth = Growth::new(system, &maps, 3);
     (maps, growth)
 }
 
@@ -43,7 +47,7 @@ fn a_grown_pattern_is_stationary() {
         let (maps, mut growth) = small(system);
         growth.advance(growth.steps_in(60.0));
         let before = growth.marks(&maps).values;
-        let mut again = Growth::resumed(system, &maps, Edges::Wrap, &growth.concentrations()).expect("fits");
+        let mut again = Growth::resumed(system, &maps, &growth.concentrations()).expect("fits");
         again.advance(again.steps_in(5.0));
         let after = again.marks(&maps).values;
         let moved: f32 = before.iter().zip(&after).map(|(b, a)| (b - a).abs()).sum();
@@ -57,7 +61,7 @@ fn resuming_goes_on_bit_for_bit() {
     for system in System::ALL {
         let (maps, mut growth) = small(system);
         growth.advance(40);
-        let mut again = Growth::resumed(system, &maps, Edges::Wrap, &growth.concentrations()).expect("fits");
+        let mut again = Growth::resumed(system, &maps, &growth.concentrations()).expect("fits");
         growth.advance(25);
         again.advance(25);
         assert!(growth.concentrations() == again.concentrations(), "{system:?}");
@@ -91,8 +95,8 @@ fn frozen_cells_stay_as_they_are_and_are_felt() {
 fn no_concentration_of_turing_s_system_is_negative_where_a_step_overshoots() {
     // Found by tests/properties: room for one spot, at the largest rate that is looked up.
     let p = Parameters { rate: 0.38, ratio: 3.8, stretch: 0.3, direction: 0.7, pitch: 1.0 };
-    let maps = Maps::uniform(8, 8, p);
-    let mut growth = Growth::new(System::TuringSpots, &maps, Edges::Wrap, 0);
+    let maps = Maps::uniform([8, 8], Edges::Wrap, p);
+    let mut growth = Growth::new(System::TuringSpots, &maps, 0);
     for _ in 0..12 {
         growth.advance(25);
         let concentrations = growth.concentrations();
@@ -105,10 +109,8 @@ fn concentrations_of_another_grid_are_refused() {
     let (maps, growth) = small(System::TuringSpots);
     let mut concentrations = growth.concentrations();
     concentrations[0].pop();
-    assert!(Growth::resumed(System::TuringSpots, &maps, Edges::Wrap, &concentrations).is_none());
-    assert!(
-        Growth::resumed(System::MeinhardtStripes, &maps, Edges::Wrap, &growth.concentrations()).is_none()
-    );
+    assert!(Growth::resumed(System::TuringSpots, &maps, &concentrations).is_none());
+    assert!(Growth::resumed(System::MeinhardtStripes, &maps, &growth.concentrations()).is_none());
 }
 
 #[test]
@@ -117,8 +119,8 @@ fn the_number_of_threads_changes_no_bit() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         pool.install(|| {
             let p = Parameters { rate: 2.0, ratio: 15.0, stretch: 0.5, direction: 70.0, pitch: 1.0 };
-            let maps = Maps::uniform(300, 260, p);
-            let mut growth = Growth::new(system, &maps, Edges::Closed, 9);
+            let maps = Maps::uniform([300, 260], Edges::Closed, p);
+            let mut growth = Growth::new(system, &maps, 9);
             growth.advance(50);
             growth.concentrations()
         })

@@ -11,15 +11,15 @@ pub const HOLD: f64 = 0.42;
 /// Rounds of relaxation around those that stand so.
 const WALLED: usize = 10;
 
-/// A grid with closed edges amid the frame over which points are laid, cells.
-pub struct Grid {
-    /// Width of the frame.
+/// Closed edges of a grid that has a frame around it, over which points are laid too.
+pub struct Walls {
+    /// Width of the frame, cells.
     pub frame: f64,
-    /// Sides of the grid.
+    /// Sides of the grid, cells.
     pub size: [f64; 2],
 }
 
-impl Grid {
+impl Walls {
     /// Near a wall a spot cannot keep its shape. One on the wall is half a spot, cut by the edge; nearer than [`HOLD`] it
     /// would be drawn out to the wall. So those that are near are moved, once and for all, and the others `relax` around
     /// them. The first `fixed` stay.

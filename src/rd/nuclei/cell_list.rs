@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::grid::Edges;
+use crate::grid::{Bounds, Edges};
 use crate::rd::nuclei::Nucleus;
 
 /// Points that are not worth handing to another thread.
@@ -38,35 +38,10 @@ pub fn distance2(a: &Nucleus, b: &Nucleus, delta: [f64; 2]) -> f64 {
     0.5 * (a.distance2(delta) + b.distance2(delta))
 }
 
-/// Where points are, cells.
-#[derive(Clone, Copy)]
-pub struct Space {
-    /// Its sides.
-    pub size: [f64; 2],
-    /// What lies beyond them.
-    pub edges: Edges,
-}
-
-impl Space {
-    /// Inside the grid: mirrored at closed edges, carried round on wrapped ones.
-    pub fn folded(&self, at: [f64; 2]) -> [f64; 2] {
-        [0, 1].map(|i| {
-            let n = self.size[i];
-            let v = match self.edges {
-                Edges::Wrap => at[i].rem_euclid(n),
-                Edges::Closed => {
-                    let v = at[i].rem_euclid(2.0 * n);
-                    if v > n { 2.0 * n - v } else { v }
-                }
-            };
-            v.clamp(0.0, n * (1.0 - 1e-12))
-        })
-    }
-}
-
 /// Points by place, so that neighbours are found without asking all.
 pub struct Buckets {
-    space: Space,
+    /// Where the points lie, cells.
+    space: Bounds,
     columns: usize,
     rows: usize,
     /// The points.
@@ -75,7 +50,7 @@ pub struct Buckets {
 }
 
 impl Buckets {
-    pub fn new(space: Space, reach: f64) -> Self {
+    pub fn new(space: Bounds, reach: f64) -> Self {
         let count = |n: f64| ((n / reach) as usize).max(1);
         let (columns, rows) = (count(space.size[0]), count(space.size[1]));
         Self { space, columns, rows, all: Vec::new(), cells: vec![Vec::new(); columns * rows] }

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use crate::grid::Domain;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::Nucleus;
 
@@ -20,7 +21,7 @@ impl Crowd {
     pub fn of(maps: &Maps, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
         let rows: Vec<(Vec<f64>, f64)> = maps
             .parameters
-            .par_chunks(maps.nx)
+            .par_chunks(maps.grid.size[0])
             .map(|row| {
                 let (mut before, mut here, mut largest) = (None, 0.0, 0.0f64);
                 let densities = row
@@ -43,7 +44,7 @@ impl Crowd {
         let largest = rows.iter().map(|(_, largest)| *largest).fold(0.0, f64::max);
         let densities: Vec<f64> = rows.into_iter().flat_map(|(row, _)| row).collect();
         let densest = densities.iter().copied().fold(0.0, f64::max);
-        Self { densities, columns: maps.nx, densest, largest }
+        Self { densities, columns: maps.grid.size[0], densest, largest }
     }
 
     /// Points in all, those over a frame of so many cells too: it is as crowded as the border beside it.
@@ -62,7 +63,7 @@ impl Crowd {
     pub fn in_the_room_of(&self, kept: &[Nucleus], maps: &Maps) -> usize {
         let rooms = kept.iter().map(|kept| {
             let [xx, xy, yy] = kept.metric;
-            0.75f64.sqrt() / (xx * yy - xy * xy).sqrt() * self.densities[maps.cell_at(kept.at)]
+            0.75f64.sqrt() / (xx * yy - xy * xy).sqrt() * self.densities[maps.grid.cell_at(kept.at)]
         });
         rooms.sum::<f64>().round() as usize
     }

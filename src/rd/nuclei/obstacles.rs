@@ -1,6 +1,6 @@
 //! Marks of other layers: new spots begin clear of them, and posts among them push these away.
 
-use crate::grid::Edges;
+use crate::grid::Domain;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::Nucleus;
 use crate::rd::nuclei::cell_list::{Buckets, distance2};
@@ -18,7 +18,7 @@ const CLEAR: f64 = 0.45;
 /// other, posts push no farther than a spot's own room.
 pub fn posts(maps: &Maps, placed: &mut Buckets, nucleus: &dyn Fn([f64; 2]) -> Nucleus) -> Vec<Nucleus> {
     for cell in (0..maps.obstacles.len()).filter(|cell| maps.obstacles[*cell]) {
-        let post = nucleus(maps.middle(cell)).alone();
+        let post = nucleus(maps.grid.center(cell)).alone();
         let mut near = false;
         placed.near(&post, APART, |other, delta| near |= distance2(&post, other, delta) < APART * APART);
         if !near {
@@ -34,10 +34,10 @@ pub fn posts(maps: &Maps, placed: &mut Buckets, nucleus: &dyn Fn([f64; 2]) -> Nu
 pub const FILLS: [f64; 2] = [0.777, 0.85];
 
 /// Which cells stand clear of the taken ones: by the system's own distances, however far spots are to stand apart.
-pub fn clear(maps: &Maps, edges: Edges, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
+pub fn clear(maps: &Maps, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
     let own = |p: &Parameters| pitch(p) / f64::from(p.pitch);
     let cells = (0..maps.obstacles.len()).into_par_iter();
-    cells.map(|cell| is_clear(maps, edges, &Nucleus::at(maps, maps.middle(cell), &own))).collect()
+    cells.map(|cell| is_clear(maps, &Nucleus::at(maps, maps.grid.center(cell), &own))).collect()
 }
 
 /// Places spots after the `posts` of `placed` wherever one is `clear` and `closest` pitches or more from all others,
@@ -99,18 +99,10 @@ pub fn with_room(kept: &[Nucleus], others: Vec<Nucleus>, mut placed: Buckets) ->
 }
 
 /// Is `place` (cells of `maps`) clear of the taken cells?
-pub fn is_clear(maps: &Maps, edges: Edges, place: &Nucleus) -> bool {
+pub fn is_clear(maps: &Maps, place: &Nucleus) -> bool {
     if maps.obstacles.is_empty() {
         return true;
     }
-    let reach = CLEAR * place.reach;
-    let range = |v: f64| (v - 0.5 - reach).ceil() as isize..=(v - 0.5 + reach).floor() as isize;
-    let within = |v: isize, n: usize| edges == Edges::Wrap || (0..n as isize).contains(&v);
-    !range(place.at[1]).filter(|y| within(*y, maps.ny)).any(|y| {
-        let row = edges.index(y, maps.ny) * maps.nx;
-        range(place.at[0]).filter(|x| within(*x, maps.nx)).any(|x| {
-            let delta = [x as f64 + 0.5 - place.at[0], y as f64 + 0.5 - place.at[1]];
-            maps.is_obstacle(row + edges.index(x, maps.nx)) && place.distance2(delta) < CLEAR * CLEAR
-        })
-    })
+    let mut near = maps.grid.near(place.at, CLEAR * place.reach, 0..maps.grid.cells());
+    !near.any(|(cell, delta)| maps.is_obstacle(cell) && place.distance2(delta) < CLEAR * CLEAR)
 }

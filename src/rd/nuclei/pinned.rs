@@ -4,7 +4,7 @@ use crate::grid::Edges;
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::Nucleus;
-use crate::rd::nuclei::cell_list::{Buckets, Space, distance2};
+use crate::rd::nuclei::cell_list::{Buckets, distance2};
 use crate::rd::nuclei::{PUSH, obstacles};
 
 /// A spot that is to stand at a given place.
@@ -20,7 +20,7 @@ pub struct PinnedSpot {
 
 impl PinnedSpot {
     pub(in crate::rd) fn nucleus(&self, system: System, maps: &Maps) -> Nucleus {
-        Nucleus::of(&self.own, maps.cell, self.at, system.spacing(&self.own))
+        Nucleus::of(&self.own, maps.grid.cell, self.at, system.spacing(&self.own))
     }
 }
 
@@ -36,21 +36,15 @@ pub enum Hindrance {
 /// Which of `spots` can stand where they are to: as many as can be of which none hinders another, nearly. A closed edge
 /// hinders none, but draws those to itself that are near.
 #[must_use]
-pub fn placeable(
-    system: System,
-    maps: &Maps,
-    edges: Edges,
-    spots: &[PinnedSpot],
-) -> Vec<Result<(), Hindrance>> {
+pub fn placeable(system: System, maps: &Maps, spots: &[PinnedSpot]) -> Vec<Result<(), Hindrance>> {
     let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, maps)).collect();
-    let clear: Vec<bool> = nuclei.iter().map(|nucleus| obstacles::is_clear(maps, edges, nucleus)).collect();
-    let space = Space { size: [maps.nx as f64, maps.ny as f64], edges };
+    let clear: Vec<bool> = nuclei.iter().map(|nucleus| obstacles::is_clear(maps, nucleus)).collect();
     let largest = nuclei.iter().map(|nucleus| nucleus.reach).fold(1.0, f64::max);
-    let mut placed = Buckets::new(space, PUSH * largest);
+    let mut placed = Buckets::new(maps.grid.bounds(), PUSH * largest);
     nuclei.iter().zip(&clear).filter(|(_, clear)| **clear).for_each(|(nucleus, _)| placed.insert(*nucleus));
     let near: Vec<f64> =
         spots.iter().zip(&clear).filter(|(_, clear)| **clear).map(|(spot, _)| spot.near).collect();
-    let mut stays = independent(&crowded(&placed, edges, &near)).into_iter();
+    let mut stays = independent(&crowded(&placed, maps.grid.edges, &near)).into_iter();
     let stands = |clear: bool| match clear.then(|| stays.next()) {
         None => Err(Hindrance::Obstacle),
         Some(stays) => stays.unwrap_or(false).then_some(()).ok_or(Hindrance::Neighbour),
@@ -107,42 +101,42 @@ mod tests {
 
     #[test]
     fn of_a_row_too_near_to_each_other_every_other_one_stays() {
-        let maps = Maps::uniform(200, 60, P);
+        let maps = Maps::uniform([200, 60], Edges::Closed, P);
         let pitch = System::MeinhardtSpots.spacing(&P);
         let row: Vec<[f64; 2]> = (0..7).map(|k| [20.0 + 0.55 * pitch * f64::from(k), 30.0]).collect();
-        let stays = placeable(System::MeinhardtSpots, &maps, Edges::Closed, &kept(&row));
+        let stays = placeable(System::MeinhardtSpots, &maps, &kept(&row));
         let stays: Vec<bool> = stays.iter().map(Result::is_ok).collect();
         assert_eq!(stays, [true, false, true, false, true, false, true]);
     }
 
     #[test]
     fn a_spot_on_taken_cells_hinders_no_other() {
-        let mut maps = Maps::uniform(80, 60, P);
+        let mut maps = Maps::uniform([80, 60], Edges::Closed, P);
         maps.obstacles = (0..80 * 60).map(|cell| cell % 80 < 20).collect();
         let spots = kept(&[[10.0, 30.0], [21.0, 30.0], [50.0, 30.0]]);
-        let found = placeable(System::MeinhardtSpots, &maps, Edges::Closed, &spots);
+        let found = placeable(System::MeinhardtSpots, &maps, &spots);
         assert_eq!(found, [Err(Hindrance::Obstacle), Err(Hindrance::Obstacle), Ok(())]);
     }
 
     #[test]
     fn neighbours_are_seen_across_the_border_of_a_tile_alone() {
-        let maps = Maps::uniform(80, 60, P);
         let spots = kept(&[[2.0, 30.0], [78.0, 30.0]]);
-        let stand = |edges| placeable(System::MeinhardtSpots, &maps, edges, &spots);
+        let stand = |edges| placeable(System::MeinhardtSpots, &Maps::uniform([80, 60], edges, P), &spots);
         assert_eq!(stand(Edges::Closed), [Ok(()), Ok(())]);
         assert_eq!(stand(Edges::Wrap), [Ok(()), Err(Hindrance::Neighbour)]);
     }
 
     #[test]
     fn others_are_laid_around_those_that_are_kept() {
-        let maps = Maps::uniform(160, 130, P);
+        let maps = Maps::uniform([160, 130], Edges::Closed, P);
         let system = System::MeinhardtSpots;
         let spots = kept(&[[1.0, 50.0], [60.3, 61.7], [73.1, 70.2], [100.0, 100.0]]);
         let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, &maps)).collect();
         let pitch = |p: &Parameters| system.spacing(p);
         for edges in [Edges::Closed, Edges::Wrap] {
-            let free = lay(&maps, edges, &pitch, &[], &mut Pcg64Mcg::seed_from_u64(3)).inside.len();
-            let laid = lay(&maps, edges, &pitch, &nuclei, &mut Pcg64Mcg::seed_from_u64(3)).inside;
+            let maps = Maps::uniform([160, 130], edges, P);
+            let free = lay(&maps, &pitch, &[], &mut Pcg64Mcg::seed_from_u64(3)).inside.len();
+            let laid = lay(&maps, &pitch, &nuclei, &mut Pcg64Mcg::seed_from_u64(3)).inside;
             assert!(laid.iter().zip(&spots).all(|(laid, spot)| laid.at == spot.at));
             assert!(laid.len().abs_diff(free) * 12 <= free, "{} with, {free} without", laid.len());
             let near = laid[4..].iter().flat_map(|other| {

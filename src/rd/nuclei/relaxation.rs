@@ -1,10 +1,10 @@
 //! Spots that differ from each other: each takes the room that its own parameters need.
 
-use crate::grid::Edges;
+use crate::grid::{Bounds, Edges};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::boundary::Grid;
-use crate::rd::nuclei::cell_list::{Buckets, Space, relax};
+use crate::rd::nuclei::boundary::Walls;
+use crate::rd::nuclei::cell_list::{Buckets, relax};
 use crate::rd::nuclei::{FRAME, Nucleus, PUSH};
 
 /// Where the points `laid` come to stand in `rounds` rounds of mutual repulsion, each with the pitch and the metric of
@@ -14,7 +14,6 @@ use crate::rd::nuclei::{FRAME, Nucleus, PUSH};
 pub fn relax_places(
     system: System,
     maps: &Maps,
-    edges: Edges,
     laid: &Places,
     own: &[Parameters],
     reach: f64,
@@ -25,11 +24,11 @@ pub fn relax_places(
         // Nobody is there to be pushed, and no reach to sort those beyond by.
         return Vec::new();
     }
-    let nucleus = |i: usize, at: [f64; 2]| Nucleus::of(&own[i], maps.cell, at, system.spacing(&own[i]));
+    let nucleus = |i: usize, at: [f64; 2]| Nucleus::of(&own[i], maps.grid.cell, at, system.spacing(&own[i]));
     let largest = (0..at.len()).map(|i| nucleus(i, at[i]).reach).fold(0.0, f64::max);
+    let Bounds { size, edges } = maps.grid.bounds();
     let frame = if edges == Edges::Closed { (FRAME * largest).ceil() } else { 0.0 };
-    let size = [maps.nx as f64, maps.ny as f64];
-    let space = Space { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
+    let space = Bounds { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
     let framed = |at: [f64; 2]| space.folded(at.map(|v| v + frame));
     let pitch = |p: &Parameters| system.spacing(p);
     let beyond = laid.beyond.iter().filter(|at| (0..2).all(|i| (-frame..size[i] + frame).contains(&at[i])));
@@ -47,7 +46,7 @@ pub fn relax_places(
         relax(&mut placed, reach, &moved);
     }
     if edges == Edges::Closed {
-        Grid { frame, size }.keep_off_walls(&mut placed, laid.kept, |placed| relax(placed, reach, &moved));
+        Walls { frame, size }.keep_off_walls(&mut placed, laid.kept, |placed| relax(placed, reach, &moved));
     }
     let stands = |point: &Nucleus| [0, 1].map(|i| (point.at[i] - frame).clamp(0.0, size[i] * (1.0 - 1e-12)));
     placed.all[..own.len()].iter().map(stands).collect()
@@ -56,17 +55,17 @@ pub fn relax_places(
 /// Where points at `places`, cells, come to stand when those are moved that are too near a closed edge for a spot: on it,
 /// or well off.
 #[must_use]
-pub fn adjust_to_walls(system: System, maps: &Maps, edges: Edges, places: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    if edges == Edges::Wrap || places.is_empty() {
+pub fn adjust_to_walls(system: System, maps: &Maps, places: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    if maps.grid.edges == Edges::Wrap || places.is_empty() {
         return places;
     }
-    let size = [maps.nx as f64, maps.ny as f64];
+    let bounds = maps.grid.bounds();
     let nucleus = |at: [f64; 2]| Nucleus::at(maps, at, &|p| system.spacing(p));
     let all: Vec<Nucleus> = places.into_iter().map(nucleus).collect();
     let largest = all.iter().map(|point| point.reach).fold(0.0, f64::max);
-    let mut placed = Buckets::new(Space { size, edges }, largest);
+    let mut placed = Buckets::new(bounds, largest);
     placed.replace(all);
-    Grid { frame: 0.0, size }.keep_off_walls(&mut placed, 0, |_| ());
+    Walls { frame: 0.0, size: bounds.size }.keep_off_walls(&mut placed, 0, |_| ());
     placed.all.iter().map(|point| point.at).collect()
 }
 
@@ -88,8 +87,8 @@ mod tests {
     #[test]
     fn where_nothing_stands_nothing_is_pushed() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
-        let maps = Maps::uniform(40, 40, p);
+        let maps = Maps::uniform([40, 40], Edges::Closed, p);
         let laid = Places { beyond: vec![[20.0, 20.0]], ..Places::default() };
-        assert!(relax_places(System::MeinhardtSpots, &maps, Edges::Closed, &laid, &[], 1.0, 2).is_empty());
+        assert!(relax_places(System::MeinhardtSpots, &maps, &laid, &[], 1.0, 2).is_empty());
     }
 }

@@ -8,7 +8,7 @@
 //! The same pattern comes out however it was advanced and whether it was looked at. To pause, do not advance; to
 //! cancel, drop it. It has no threads of its own.
 
-use crate::grid::{Edges, Field};
+use crate::grid::{Domain, Field};
 use crate::rd::{Growth, InitialConditions, Maps, System, prolongate, with_obstacle_state};
 use crate::synth::grow::convergence::{Rest, Verdict};
 use crate::synth::grow::multigrid_levels;
@@ -24,7 +24,6 @@ use crate::synth::render::pattern::Pattern;
 #[derive(Clone, Debug)]
 pub struct Engine {
     system: System,
-    edges: Edges,
     /// Parameters on the planned grid.
     maps: Maps,
     beginning: InitialConditions,
@@ -61,26 +60,25 @@ impl Engine {
     /// Growth of `plan` from `seed`.
     #[must_use]
     pub fn new(plan: &Plan, seed: u64) -> Self {
-        let edges = plan.map.layout().edges;
         match vary(plan, seed) {
             None if let Some(places) = plan.places_in_cells() => {
                 let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
-                let maps = maps.with_decay_noise(plan.irregular, edges, seed);
-                let beginning = InitialConditions::at_places(plan.system, &maps, edges, seed, &places);
+                let maps = maps.with_decay_noise(plan.irregular, seed);
+                let beginning = InitialConditions::at_places(plan.system, &maps, seed, &places);
                 let largest = multigrid_levels::largest(plan.system, &maps);
-                Self::begun(plan.system, maps, edges, beginning, largest)
+                Self::begun(plan.system, maps, beginning, largest)
             }
             None => {
-                let maps = plan.maps(&pitches(plan, seed)).with_decay_noise(plan.irregular, edges, seed);
-                let beginning = InitialConditions::new(plan.system, &maps, edges, seed);
+                let maps = plan.maps(&pitches(plan, seed)).with_decay_noise(plan.irregular, seed);
+                let beginning = InitialConditions::new(plan.system, &maps, seed);
                 let beginning = beginning.with_seeding(&maps, plan.seeding, crests(plan));
                 let largest = multigrid_levels::largest(plan.system, &maps);
-                Self::begun(plan.system, maps, edges, beginning, largest)
+                Self::begun(plan.system, maps, beginning, largest)
             }
             Some(Varied { maps, places, largest }) => {
-                let maps = maps.with_decay_noise(plan.irregular, edges, seed);
-                let beginning = InitialConditions::at_places(plan.system, &maps, edges, seed, &places);
-                let engine = Self::begun(plan.system, maps, edges, beginning, largest);
+                let maps = maps.with_decay_noise(plan.irregular, seed);
+                let beginning = InitialConditions::at_places(plan.system, &maps, seed, &places);
+                let engine = Self::begun(plan.system, maps, beginning, largest);
                 Self { aim: Aim::of(plan), ..engine }
             }
         }
@@ -88,19 +86,18 @@ impl Engine {
 
     /// Growth of `maps` from `seed`.
     #[must_use]
-    pub fn of(system: System, maps: Maps, edges: Edges, seed: u64) -> Self {
-        let beginning = InitialConditions::new(system, &maps, edges, seed);
+    pub fn of(system: System, maps: Maps, seed: u64) -> Self {
+        let beginning = InitialConditions::new(system, &maps, seed);
         let largest = multigrid_levels::largest(system, &maps);
-        Self::begun(system, maps, edges, beginning, largest)
+        Self::begun(system, maps, beginning, largest)
     }
 
     /// Marks of up to `largest` cells may be formed on grids that smaller ones are too small for.
-    fn begun(system: System, maps: Maps, edges: Edges, beginning: InitialConditions, largest: f64) -> Self {
+    fn begun(system: System, maps: Maps, beginning: InitialConditions, largest: f64) -> Self {
         let grids = multigrid_levels::grids(system, &maps, largest);
-        let stage = stage(system, edges, &maps, &beginning, &grids, 0, None);
+        let stage = stage(system, &maps, &beginning, &grids, 0, None);
         Self {
             system,
-            edges,
             maps,
             beginning,
             aim: None,
@@ -121,19 +118,12 @@ impl Engine {
         let mut engine = Self::new(plan, seed);
         let grid = before.grids[before.stage.level];
         let level = engine.grids.iter().position(|other| *other == grid)?;
-        if engine.system != before.system || engine.edges != before.edges {
+        if engine.system != before.system || engine.maps.grid.edges != before.maps.grid.edges {
             return None;
         }
         let saved = before.stage.growth.concentrations();
-        engine.stage = stage(
-            engine.system,
-            engine.edges,
-            &engine.maps,
-            &engine.beginning,
-            &engine.grids,
-            level,
-            Some((grid, saved)),
-        );
+        engine.stage =
+            stage(engine.system, &engine.maps, &engine.beginning, &engine.grids, level, Some((grid, saved)));
         // Nothing begins here, but all of it may change.
         engine.stage.counts.fill(true);
         let unit = unit(&engine.stage.growth, 1.0);
@@ -188,15 +178,7 @@ impl Engine {
         self.passed += stage.expected;
         let formed = (self.grids[stage.level], stage.growth.concentrations());
         let level = stage.level + 1;
-        self.stage = self::stage(
-            self.system,
-            self.edges,
-            &self.maps,
-            &self.beginning,
-            &self.grids,
-            level,
-            Some(formed),
-        );
+        self.stage = self::stage(self.system, &self.maps, &self.beginning, &self.grids, level, Some(formed));
     }
 
     /// Moves back what is to stay where it was drawn.
@@ -274,7 +256,7 @@ impl Engine {
     /// Steps taken, counted as such of the planned grid: cell updates ÷ its cells.
     #[must_use]
     pub fn steps(&self) -> u64 {
-        self.updates.div_ceil((self.maps.nx * self.maps.ny) as u64)
+        self.updates.div_ceil(self.maps.grid.cells() as u64)
     }
 
     /// The concentration that shows the marks as a share of the local peak, on the grid it is on.
@@ -304,7 +286,6 @@ fn unit(growth: &Growth, pace: f64) -> f64 {
 /// Growth on grid `level`: of what was `formed` on another, and of what begins here.
 fn stage(
     system: System,
-    edges: Edges,
     maps: &Maps,
     beginning: &InitialConditions,
     grids: &[[usize; 2]],
@@ -312,7 +293,7 @@ fn stage(
     formed: Option<([usize; 2], Vec<Vec<f32>>)>,
 ) -> Stage {
     let grid = grids[level];
-    let area = |[nx, ny]: [usize; 2]| (maps.nx * maps.ny) as f64 / (nx * ny) as f64;
+    let area = |[nx, ny]: [usize; 2]| maps.grid.cells() as f64 / (nx * ny) as f64;
     let (coarse, lost) = match level + 1 < grids.len() {
         true => {
             let (coarse, lost) = multigrid_levels::coarse(system, maps, grid);
@@ -340,13 +321,13 @@ fn stage(
     let concentrations = match formed {
         None => fresh(None),
         Some((from, formed)) => {
-            let fine = formed.iter().map(|chemical| prolongate(chemical, from, grid, edges)).collect();
+            let fine =
+                formed.iter().map(|chemical| prolongate(chemical, from, grid, maps.grid.edges)).collect();
             if kept.iter().all(|kept| *kept == 1.0) { fine } else { fresh(Some(fine)) }
         }
     };
     let concentrations = with_obstacle_state(system, here, concentrations);
-    let growth =
-        Growth::resumed(system, here, edges, &concentrations).expect("made for this system on this grid");
+    let growth = Growth::resumed(system, here, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
     let rest =
         Rest::new(system, unit, begins, growth.marks(here).values).healing(beginning.starts_scattered());

@@ -2,13 +2,14 @@
 
 use super::*;
 use crate::document::Document;
+use crate::grid::{Edges, Grid};
 use crate::rd::Parameters;
 use crate::synth::Training;
 use crate::synth::plan::plan;
 use crate::synth::plan::sketch_targets;
 
 /// Spots (stripes) whose area (squared width) grows `times` from left to right.
-fn graded(system: System, [nx, ny]: [usize; 2], times: f32) -> Maps {
+fn graded(system: System, [nx, ny]: [usize; 2], edges: Edges, times: f32) -> Maps {
     let rate = match system {
         System::TuringSpots => 0.12,
         System::MeinhardtSpots => 3.4,
@@ -22,12 +23,12 @@ fn graded(system: System, [nx, ny]: [usize; 2], times: f32) -> Maps {
             Parameters { rate, ratio: 12.0, stretch: 0.6, direction: 20.0 + 30.0 * t, pitch: 1.0 }
         })
         .collect();
-    Maps::new([nx, ny], [1.0, 1.0], parameters)
+    Maps::new(Grid::unit([nx, ny], edges), parameters)
 }
 
 /// A canvas with several grids under it.
 fn engine(system: System) -> Engine {
-    Engine::of(system, graded(system, [150, 90], 9.0), Edges::Closed, 5)
+    Engine::of(system, graded(system, [150, 90], Edges::Closed, 9.0), 5)
 }
 
 fn bits(engine: &Engine) -> Vec<u32> {
@@ -73,7 +74,7 @@ fn one_cancelled_and_begun_again_is_like_a_new_one() {
     let [a, b] = [0, 1].map(|_| finished(engine(System::MeinhardtSpots), u64::MAX));
     assert!(bits(&a) == bits(&b));
     let other =
-        Engine::of(System::MeinhardtSpots, graded(System::MeinhardtSpots, [150, 90], 9.0), Edges::Closed, 6);
+        Engine::of(System::MeinhardtSpots, graded(System::MeinhardtSpots, [150, 90], Edges::Closed, 9.0), 6);
     assert!(bits(&a) != bits(&finished(other, u64::MAX)));
 }
 
@@ -104,9 +105,9 @@ fn progress_rises_to_one_and_a_small_budget_is_kept() {
 #[test]
 fn spots_of_thirty_times_the_area_settle_in_a_few_times_the_steps_of_the_smallest() {
     let system = System::MeinhardtSpots;
-    let maps = graded(system, [300, 150], 30.0);
-    let plain = Growth::new(system, &maps, Edges::Wrap, 1).steps_in(15.0);
-    let grown = finished(Engine::of(system, maps, Edges::Wrap, 1), u64::MAX);
+    let maps = graded(system, [300, 150], Edges::Wrap, 30.0);
+    let plain = Growth::new(system, &maps, 1).steps_in(15.0);
+    let grown = finished(Engine::of(system, maps, 1), u64::MAX);
     assert!(grown.settled() && plain > 25 * grown.steps(), "{} of {plain}", grown.steps());
     let marks = grown.marks();
     assert_eq!([marks.width, marks.height], [300, 150]);
@@ -121,7 +122,7 @@ fn spots_of_thirty_times_the_area_settle_in_a_few_times_the_steps_of_the_smalles
 #[test]
 fn marks_too_small_for_a_coarser_grid_have_one_grid() {
     let p = Parameters { rate: 9.0, ratio: 12.0, stretch: 0.6, direction: 0.0, pitch: 1.0 };
-    let engine = Engine::of(System::MeinhardtSpots, Maps::uniform(80, 70, p), Edges::Wrap, 1);
+    let engine = Engine::of(System::MeinhardtSpots, Maps::uniform([80, 70], Edges::Wrap, p), 1);
     assert_eq!(engine.level(), [1, 1]);
     assert!(finished(engine, u64::MAX).settled());
 }

@@ -7,6 +7,7 @@
 
 use rayon::prelude::*;
 
+use crate::grid::Domain;
 use crate::rd::{Maps, Parameters, System};
 
 /// Cells that the grid must have for a mark, and for the blend towards those that begin afresh.
@@ -57,7 +58,7 @@ pub fn largest(system: System, maps: &Maps) -> f64 {
 pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
     if maps.curves.is_some() {
         // What is told by cell, on which side of a curve it lies, no coarser grid can tell.
-        return vec![[maps.nx, maps.ny]];
+        return vec![maps.grid.size];
     }
     let enough = resolved(system).enough * ROOM;
     let least = maps.parameters.iter().map(|p| cells(system, p)).fold(f64::INFINITY, f64::min);
@@ -72,9 +73,10 @@ pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
     {
         factors.push(next);
     }
+    let [nx, ny] = maps.grid.size;
     let side = |n: usize, factor: f64| n as f64 / factor;
-    factors.retain(|f| *f == 1.0 || side(maps.nx.min(maps.ny), *f) >= LEAST_SIDE);
-    let grid = |f: &f64| [side(maps.nx, *f), side(maps.ny, *f)].map(|n| n.round() as usize);
+    factors.retain(|f| *f == 1.0 || side(nx.min(ny), *f) >= LEAST_SIDE);
+    let grid = |f: &f64| [side(nx, *f), side(ny, *f)].map(|n| n.round() as usize);
     factors.iter().rev().map(grid).collect()
 }
 
@@ -96,8 +98,8 @@ pub struct Work {
 #[must_use]
 pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>) {
     let least = resolved(system).least;
-    let area = (maps.nx * maps.ny) as f64 / (grid[0] * grid[1]) as f64;
-    let mut coarse = maps.on_grid(grid[0], grid[1]);
+    let area = maps.grid.cells() as f64 / (grid[0] * grid[1]) as f64;
+    let mut coarse = maps.on_grid(grid);
     let lost = coarse
         .parameters
         .par_iter_mut()

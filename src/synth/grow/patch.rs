@@ -67,8 +67,8 @@ impl Patch {
     /// [`Cancelled`].
     pub fn grow(&self, watch: &Watch) -> Result<(Field, bool), Cancelled> {
         let side = self.side();
-        let maps = Maps::uniform(side, side, self.told());
-        let mut engine = Engine::of(self.system, maps, Edges::Wrap, self.seed);
+        let maps = Maps::uniform([side, side], Edges::Wrap, self.told());
+        let mut engine = Engine::of(self.system, maps, self.seed);
         let settled = settle(&mut engine, watch)?;
         Ok((engine.marks(), settled))
     }

@@ -81,9 +81,8 @@ impl Plan {
         let Measured::Spots { marks, .. } = beneath else { return };
         let cells = |spot: &Spot| [0, 1].map(|axis| spot.ellipse.center[axis] / self.cell[axis]);
         let places = marks.iter().filter(|spot| !spot.endless).map(cells).collect();
-        let edges = self.map.layout().edges;
         let maps = self.maps(&vec![1.0; self.map.layout().len()]);
-        self.places = Some(self.px(&adjust_to_walls(self.system, &maps, edges, places)));
+        self.places = Some(self.px(&adjust_to_walls(self.system, &maps, places)));
     }
 
     /// Says of its regions whose places these are, and how many stayed without a mark of their own.

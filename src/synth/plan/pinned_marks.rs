@@ -114,7 +114,7 @@ fn keep_spots(plan: &mut Plan, ellipses: &[Ellipse]) {
     let drawn: Vec<Kept> = ellipses.iter().map(|ellipse| Kept::of(plan, *ellipse)).collect();
     let pitch = vec![1.0; layout.len()];
     let laid: Vec<rd::PinnedSpot> = drawn.iter().map(|kept| kept.laid(plan, &pitch)).collect();
-    let standing = placeable(plan.system, &plan.maps(&pitch), layout.edges, &laid);
+    let standing = placeable(plan.system, &plan.maps(&pitch), &laid);
     let mut counts = vec![Counts::default(); layout.len()];
     for (kept, stands) in drawn.into_iter().zip(standing) {
         let count = &mut counts[layout.index(layout.region_of(kept.drawn.center))];

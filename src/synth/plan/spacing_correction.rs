@@ -38,7 +38,7 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
         }
     }
     for _ in 0..ROUNDS {
-        let points = nuclei(plan.system, &plan.maps(&pitch), layout.edges, seed, &[]).inside;
+        let points = nuclei(plan.system, &plan.maps(&pitch), seed, &[]).inside;
         if points.len() > MANY {
             break;
         }
@@ -52,10 +52,9 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
 
 /// By region, by how much farther apart the lines begin than the system's own distance (got ÷ own − 1).
 fn crowding(plan: &Plan, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
-    let layout = plan.map.layout();
     // What covers them counts later.
     let maps = Maps { obstacles: Vec::new(), ..plan.maps(pitch) };
-    let crests = initial_marks(plan.system, &maps, layout.edges, seed);
+    let crests = initial_marks(plan.system, &maps, seed);
     plan.on_canvas(|canvas| {
         let own = |point: [f64; 2]| {
             let wavelength = plan.system.spacing(&plan.lattice.at(point).parameters(1.0)) * plan.px_a_cell();

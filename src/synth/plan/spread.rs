@@ -120,7 +120,6 @@ struct Laid {
 
 impl Laid {
     fn new(plan: &Plan, pitch: &[f64], shaking: &[Shaking], seed: u64) -> Self {
-        let edges = plan.map.layout().edges;
         let maps = plan.maps(pitch);
         // Another stream than the one that laid them.
         let mut rng = Pcg64Mcg::seed_from_u64(seed ^ 0x7370_7265_6164);
@@ -129,11 +128,11 @@ impl Laid {
             let (offsets, own) = drawn(plan, &places, pitch, &scores);
             return Self { maps, places, offsets, own };
         }
-        let first = rd::nuclei(plan.system, &maps, edges, seed, &kept(plan, pitch));
+        let first = rd::nuclei(plan.system, &maps, seed, &kept(plan, pitch));
         let scores = Scores::new(plan, &plan.px(&first.inside), &mut rng);
         let (_, own) = drawn(plan, &first.inside, pitch, &scores);
         let room = |laid: &Places, own: &[Parameters], reach: f64, rounds: usize| {
-            rd::relax_places(plan.system, &maps, edges, laid, own, reach, rounds)
+            rd::relax_places(plan.system, &maps, laid, own, reach, rounds)
         };
         let mut places = room(&first, &own, ROOM_REACH, ROOM_ROUNDS);
         if shaking.iter().any(|shaking| shaking.by > 0.0) {
@@ -154,9 +153,7 @@ impl Laid {
             let point = plan.place([(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5]);
             plan.lattice.at(point).plus(offset).parameters(plan.between_regions(pitch, point))
         };
-        let edges = plan.map.layout().edges;
-        let parameters =
-            rd::interpolate_parameters(plan.system, &maps, edges, &places, &own, &offsets, &vary);
+        let parameters = rd::interpolate_parameters(plan.system, &maps, &places, &own, &offsets, &vary);
         Varied { maps: Maps { parameters, ..maps }, places, largest }
     }
 }

@@ -173,9 +173,8 @@ impl<'a> Morph<'a> {
     /// Lets the state follow `plan` for some time.
     fn advance(&mut self, plan: &Plan, time: f64) -> Result<Field, GrowError> {
         let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
-        let edges = plan.map.layout().edges;
         let state = with_obstacle_state(self.system, &maps, std::mem::take(&mut self.state));
-        let mut growth = Growth::resumed(self.system, &maps, edges, &state).expect("one grid for all frames");
+        let mut growth = Growth::resumed(self.system, &maps, &state).expect("one grid for all frames");
         if time > 0.0 {
             growth.advance(growth.steps_in(time));
         }
