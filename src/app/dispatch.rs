@@ -263,7 +263,7 @@ impl Window {
     pub(super) fn close(&mut self, ui: &Ui) {
         self.files.closing = true;
         // What is there is saved, or nobody wants it.
-        self.recovery.end();
+        self.recovery.stop();
         ui.send_viewport_cmd(ViewportCommand::Close);
     }
 }

@@ -200,7 +200,7 @@ impl Window {
             ui.send_viewport_cmd(ViewportCommand::CancelClose);
             self.files.unsaved = Some(Action::Quit);
         } else if close {
-            self.recovery.end();
+            self.recovery.stop();
         }
     }
 
@@ -296,7 +296,7 @@ impl Window {
                     shortcuts::page(ui);
                 }
                 Page::About => pages::about(ui),
-                Page::Recovery => action = recovery::page(ui, &mut self.recovery),
+                Page::Recovery => action = recovery::page(ui, &self.recovery, &mut self.discard_asked),
                 Page::Preferences => preferences::page(ui, &mut self.settings),
             }
             if !matches!(page, Page::Hint | Page::Recovery) {

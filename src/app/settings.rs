@@ -81,7 +81,7 @@ impl Settings {
     }
 
     fn take_in(&mut self, entries: &Entries) {
-        self.recent = entries.all("recent").map(path_encoding::read).take(RECENT).collect();
+        self.recent = entries.all("recent").map(path_encoding::decode).take(RECENT).collect();
         let one = |key| entries.one(key);
         self.theme = match one("theme") {
             Some("light") => ThemePreference::Light,
@@ -109,7 +109,7 @@ impl Settings {
     fn entries(&self) -> Entries {
         let mut entries = Entries::default();
         for path in &self.recent {
-            entries.add("recent", path_encoding::told(path));
+            entries.add("recent", path_encoding::encode(path));
         }
         match self.theme {
             ThemePreference::Light => entries.add("theme", "light"),
@@ -165,7 +165,7 @@ impl Settings {
         let _one_at_a_time = file::lock(&file);
         let (theirs, _) = file::read(&file);
         // Another window may have remembered others in the meantime.
-        self.recent = theirs.all("recent").map(path_encoding::read).take(RECENT).collect();
+        self.recent = theirs.all("recent").map(path_encoding::decode).take(RECENT).collect();
         let known = self.base.clone().with("recent", &theirs);
         change(self);
         let mine = self.entries();

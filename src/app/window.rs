@@ -16,7 +16,6 @@ use super::exporting::Exporting;
 use super::files::Files;
 use super::growth::{Growth, Phase, Texture};
 use super::notice::{Notice, Notices};
-use super::recovery::Recovery;
 use super::result::Results;
 use super::settings::Settings;
 use super::texture::{self, TextureView};
@@ -25,6 +24,7 @@ use super::trace::Trace;
 use super::{action::Page, panels, shortcuts};
 use crate::app::layering::Layering;
 use crate::document::Document;
+use crate::editor::recovery::Recovery;
 use crate::editor::session::Session;
 use crate::editor::task::{Spawn, Tasks};
 
@@ -54,6 +54,8 @@ pub struct Window {
     pub(super) notices: Notices,
     pub(super) files: Files,
     pub(super) recovery: Recovery,
+    /// The lost document for which *Discard* was pressed once.
+    pub(super) discard_asked: Option<String>,
     pub(super) gallery: Gallery,
     pub(super) exporting: Option<Exporting>,
     pub(super) page: Option<Page>,
@@ -91,8 +93,8 @@ impl Window {
         let wake = ctx.clone();
         let tasks = Tasks::new(move || wake.request_repaint()).with_spawn(start.spawn);
         let first = !start.settings.hint_seen && start.file.is_none();
-        let (recovery, troubles) = Recovery::new(start.recovery);
-        let page = if recovery.left() > 0 { Some(Page::Recovery) } else { first.then_some(Page::Hint) };
+        let (recovery, errors) = Recovery::new(start.recovery, tasks.clone());
+        let page = if recovery.undecided() > 0 { Some(Page::Recovery) } else { first.then_some(Page::Hint) };
         let results = Results::default();
         let mut window = Self {
             session: Session::open(start.settings.new.document(), None),
@@ -107,6 +109,7 @@ impl Window {
             exporting: None,
             page,
             recovery,
+            discard_asked: None,
             tab: panels::Tab::default(),
             layering: Layering::default(),
             alternatives: Alternatives::new(results.training.clone()),
@@ -122,7 +125,7 @@ impl Window {
             trace: Trace::asked(),
         };
         window.restore_layout();
-        for trouble in window.settings.trouble.take().into_iter().chain(troubles) {
+        for trouble in window.settings.trouble.take().into_iter().chain(errors) {
             window.notices.wrong(trouble);
         }
         if let Some(file) = start.file {
@@ -258,7 +261,7 @@ impl Window {
             self.perform(ui, action);
         }
         self.grow_what_changed(ui);
-        self.keep_unsaved(ui);
+        self.keep_unsaved();
         self.note_layout(ui);
         if self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused() {
             // Between two pictures the bar moves on.
@@ -389,7 +392,7 @@ impl Window {
     pub(super) fn begin(&mut self, session: Session) {
         self.session = session;
         self.files.restored = None;
-        self.recovery.begin();
+        self.recovery.document_opened();
         self.canvas.view.fitted = true;
         self.texture.view.fitted = true;
         self.texture.tiled = false;

@@ -5,6 +5,7 @@ pub mod history;
 pub mod layer_action;
 pub mod layer_choices;
 pub mod path_encoding;
+pub mod recovery;
 pub mod selection;
 pub mod session;
 pub mod shape;

@@ -1,10 +1,10 @@
-//! Paths as one line of a text: what would break the line is written `%0A` and so on.
+//! Paths as text on one line: `%`, control characters and bytes that are not UTF-8 are written `%25`, `%0A` and so on.
 
 use std::path::{Path, PathBuf};
 
-/// A path as one line.
+/// The text of a path.
 #[must_use]
-pub fn told(path: &Path) -> String {
+pub fn encode(path: &Path) -> String {
     let mut line = String::new();
     for chunk in bytes(path).utf8_chunks() {
         for letter in chunk.valid().chars() {
@@ -26,9 +26,9 @@ pub fn told(path: &Path) -> String {
     line
 }
 
-/// The path of such a line.
+/// The path of a text that [`encode`] wrote; a `%` without two hexadecimal digits stands for itself.
 #[must_use]
-pub fn read(line: &str) -> PathBuf {
+pub fn decode(line: &str) -> PathBuf {
     let (mut bytes, mut rest) = (Vec::with_capacity(line.len()), line.as_bytes());
     while let [first, after @ ..] = rest {
         let code = after.get(..2).and_then(|code| std::str::from_utf8(code).ok());
@@ -70,13 +70,13 @@ fn path(bytes: Vec<u8>) -> PathBuf {
 
 #[cfg(test)]
 mod tests {
-    use crate::editor::path_encoding::*;
+    use super::*;
     use proptest::prelude::*;
 
     #[test]
     fn a_path_with_a_line_break_is_one_line() {
-        assert_eq!(told(Path::new("/a b/50 %\n.dapple")), "/a b/50 %25%0A.dapple");
-        assert_eq!(read("/ä/100%"), Path::new("/ä/100%"));
+        assert_eq!(encode(Path::new("/a b/50 %\n.dapple")), "/a b/50 %25%0A.dapple");
+        assert_eq!(decode("/ä/100%"), Path::new("/ä/100%"));
     }
 
     proptest! {
@@ -84,9 +84,9 @@ mod tests {
         #[test]
         fn any_path_is_read_back(bytes: Vec<u8>) {
             let path = path(bytes);
-            let line = told(&path);
+            let line = encode(&path);
             prop_assert!(!line.contains(char::is_control));
-            prop_assert_eq!(read(&line), path);
+            prop_assert_eq!(decode(&line), path);
         }
     }
 }

@@ -132,6 +132,12 @@ impl<T> Task<T> {
         self.ended
     }
 
+    /// Whether the thread has ended; messages may still be unread.
+    #[must_use]
+    pub fn is_finished(&self) -> bool {
+        self.thread.as_ref().is_none_or(JoinHandle::is_finished)
+    }
+
     /// The share of the work that is done, 0..1.
     #[must_use]
     pub fn progress(&self) -> f64 {

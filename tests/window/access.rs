@@ -26,7 +26,7 @@ fn all_are_named(hand: &Hand, page: &str) {
 #[test]
 fn every_control_has_a_name() {
     let mut hand = hand();
-    all_are_named(&hand, "an empty session");
+    all_are_named(&hand, "an empty document");
     hand.key(Modifiers::SHIFT, Key::L);
     all_are_named(&hand, "a line");
     hand.key(Modifiers::SHIFT, Key::E);

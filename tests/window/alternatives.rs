@@ -99,7 +99,7 @@ fn taking_one_leaves_the_others_there() {
     hand.until_settled();
     hand.rest();
     assert_eq!(names(&hand), before);
-    assert!(hand.window.query_by_label("Take Seed 4, on the session").is_some());
+    assert!(hand.window.query_by_label("Take Seed 4, open now").is_some());
     hand.press("Take Original");
     hand.until_settled();
     assert_eq!(hand.document().seed, 1);

@@ -83,7 +83,7 @@ fn card(ui: &mut Ui, window: &mut Window, index: usize, actions: &mut Vec<Action
         response.widget_info(|| {
             let mut said = format!("Take {name}");
             if taken {
-                said.push_str(", on the session");
+                said.push_str(", open now");
             }
             WidgetInfo::selected(Role::Button, there, taken, &said)
         });

@@ -69,7 +69,7 @@ fn file(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
         });
     });
     item(ui, "Examples…", &Action::Page(Page::Examples), true, actions);
-    let left = window.recovery.left();
+    let left = window.recovery.undecided();
     item(ui, "Recover unsaved work…", &Action::Page(Page::Recovery), left > 0, actions);
     ui.separator();
     item(ui, "Save", &Action::Save, true, actions);

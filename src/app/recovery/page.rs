@@ -1,4 +1,4 @@
-//! What was lost, to be decided on.
+//! The page that offers lost documents.
 
 use std::time::Duration;
 
@@ -7,22 +7,21 @@ use egui::{
     WidgetInfo, vec2,
 };
 
-use super::Recovery;
-use super::slot::Lost;
 use crate::app::action::{Action, Page};
 use crate::app::canvas::ink::Ink;
 use crate::app::canvas::view::View;
 use crate::app::theme::Palette;
+use crate::editor::recovery::{LostDocument, Recovery};
 
 /// Width and height of the small sketches, points.
 const SKETCH: [f32; 2] = [92.0, 70.0];
 
-/// The page. Gives what is chosen.
-pub fn page(ui: &mut Ui, recovery: &mut Recovery) -> Option<Action> {
+/// Shows the page; returns the action that was chosen. `asked` is the document for which *Discard* was pressed once.
+pub fn page(ui: &mut Ui, recovery: &Recovery, asked: &mut Option<String>) -> Option<Action> {
     ui.set_width(560.0);
     ui.heading("Unsaved work was found");
-    ui.label(match recovery.lost.len() {
-        0 => "There is none any more: what was left was restored, saved or discarded.",
+    ui.label(match recovery.lost().len() {
+        0 => "There is none left: all of it was restored, saved or discarded.",
         1 => "dapple was closed before this was saved. At most the last few seconds of it are missing.",
         _ => "dapple was closed before these were saved. At most the last few seconds of each are missing.",
     });
@@ -31,13 +30,13 @@ pub fn page(ui: &mut Ui, recovery: &mut Recovery) -> Option<Action> {
     let height = (ui.ctx().content_rect().height() - 260.0).clamp(120.0, 420.0);
     ScrollArea::vertical().max_height(height).show(ui, |ui| {
         ui.set_width(560.0);
-        for (index, lost) in recovery.lost.iter().enumerate() {
-            action = action.take().or(one(ui, lost, index == 0, &mut recovery.doubt));
+        for (index, lost) in recovery.lost().iter().enumerate() {
+            action = action.take().or(one(ui, lost, index == 0, asked));
         }
     });
     ui.add_space(4.0);
     ui.horizontal(|ui| {
-        let later = Button::new(if recovery.lost.is_empty() { "Close" } else { "Decide later" });
+        let later = Button::new(if recovery.lost().is_empty() { "Close" } else { "Decide later" });
         let help = "It is offered again at the next start, and under File, Recover unsaved work";
         if ui.add(later.min_size(vec2(96.0, 28.0))).on_hover_text(help).clicked() {
             action = Some(Action::Page(Page::Recovery));
@@ -46,7 +45,7 @@ pub fn page(ui: &mut Ui, recovery: &mut Recovery) -> Option<Action> {
     action
 }
 
-fn one(ui: &mut Ui, lost: &Lost, first: bool, doubt: &mut Option<String>) -> Option<Action> {
+fn one(ui: &mut Ui, lost: &LostDocument, first: bool, asked: &mut Option<String>) -> Option<Action> {
     let mut action = None;
     let id = lost.id();
     let fill = ui.visuals().faint_bg_color;
@@ -58,31 +57,31 @@ fn one(ui: &mut Ui, lost: &Lost, first: bool, doubt: &mut Option<String>) -> Opt
             ui.vertical(|ui| {
                 ui.set_width(262.0);
                 ui.spacing_mut().item_spacing.y = 3.0;
-                told(ui, lost);
+                description(ui, lost);
             });
             ui.with_layout(Layout::top_down(egui::Align::Max), |ui| {
                 let text = RichText::new("Restore").color(ui.visuals().selection.stroke.color);
                 let restore = Button::new(text).fill(ui.visuals().selection.bg_fill);
                 let restore = ui.add_sized(vec2(132.0, 28.0), restore);
-                let restore = restore.on_hover_text("Puts it back on the session, not saved yet");
+                let restore = restore.on_hover_text("Opens it; it is not saved yet");
                 if first && ui.memory(|memory| memory.focused().is_none()) {
                     restore.request_focus();
                 }
                 if restore.clicked() {
                     action = Some(Action::Restore(id.clone()));
                 }
-                let sure = doubt.as_ref() == Some(&id);
+                let sure = asked.as_ref() == Some(&id);
                 let text = if sure {
                     RichText::new("Discard for good").color(Palette::of(ui.visuals()).wrong)
                 } else {
                     RichText::new("Discard")
                 };
                 let discard = ui.add_sized(vec2(132.0, 28.0), Button::new(text));
-                if discard.on_hover_text("Forgets it; asked once more").clicked() {
+                if discard.on_hover_text("Deletes it, after asking once more").clicked() {
                     if sure {
                         action = Some(Action::Discard(id.clone()));
                     }
-                    *doubt = Some(id.clone());
+                    *asked = Some(id.clone());
                 }
             });
         });
@@ -90,15 +89,15 @@ fn one(ui: &mut Ui, lost: &Lost, first: bool, doubt: &mut Option<String>) -> Opt
     action
 }
 
-/// What, when, from which file.
-fn told(ui: &mut Ui, lost: &Lost) {
-    ui.add(Label::new(RichText::new(&lost.kept.name).strong()).truncate());
+/// Its name, age, size and file.
+fn description(ui: &mut Ui, lost: &LostDocument) {
+    ui.add(Label::new(RichText::new(&lost.backup.name).strong()).truncate());
     let marks = lost.marks.len();
     let marks = if marks == 1 { "1 mark".to_owned() } else { format!("{marks} marks") };
-    let [width, height] = lost.kept.document.size;
+    let [width, height] = lost.backup.document.size;
     let age = lost.when.elapsed().unwrap_or_default();
     ui.label(RichText::new(format!("{}, {marks} on {width} × {height} px", ago(age))).small());
-    let from = match &lost.kept.path {
+    let from = match &lost.backup.path {
         Some(path) if !path.exists() => format!("{} (the file is gone)", path.display()),
         Some(path) => path.display().to_string(),
         None => "Never saved to a file".to_owned(),
@@ -111,14 +110,14 @@ fn told(ui: &mut Ui, lost: &Lost) {
     }
 }
 
-fn sketch(ui: &mut Ui, lost: &Lost) {
+fn sketch(ui: &mut Ui, lost: &LostDocument) {
     let colours = Palette::of(ui.visuals());
     let (room, response) = ui.allocate_exact_size(SKETCH.into(), Sense::hover());
-    let name = format!("Sketch of {}", lost.kept.name);
+    let name = format!("Sketch of {}", lost.backup.name);
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
     let mut view = View::default();
-    view.fit(lost.kept.document.size, room);
-    let paper = view.paper(room, lost.kept.document.size);
+    view.fit(lost.backup.document.size, room);
+    let paper = view.paper(room, lost.backup.document.size);
     let painter = ui.painter_at(paper.expand(1.0));
     painter.rect(paper, 2.0, colours.paper, Stroke::new(1.0, colours.border), StrokeKind::Inside);
     let ink = Ink { painter: &painter, view: &view, room };
@@ -128,7 +127,7 @@ fn sketch(ui: &mut Ui, lost: &Lost) {
     }
 }
 
-/// How long ago, as one says it.
+/// An age in words.
 fn ago(age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     let (number, unit) = match minutes {
@@ -145,7 +144,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn times_are_told_as_one_says_them() {
+    fn ages_are_told_in_the_largest_whole_unit() {
         let told = |seconds| ago(Duration::from_secs(seconds));
         assert_eq!(told(59), "Less than a minute ago");
         assert_eq!(told(60), "1 minute ago");

@@ -1,0 +1,208 @@
+//! Recovery files: each window has one, `ID.dapple`, and a lock `ID.lock` that it holds while it lives. A file whose
+//! lock is free belongs to a window that has crashed.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use super::format::{self, Backup};
+use crate::document::{Document, limits};
+use crate::editor::file_lock::{self, Lock};
+use crate::editor::session::Session;
+use crate::export;
+use crate::marks::Mark;
+
+/// Age at which a half-written file is deleted, seconds.
+const STALE: u64 = 600;
+/// Most bytes of the header.
+const MAX_HEADER: u64 = 65_536;
+
+/// The recovery file of a living window.
+#[derive(Debug)]
+pub struct BackupFile {
+    file: PathBuf,
+    /// `None` where the file system has no locks.
+    lock: Option<File>,
+}
+
+/// An unsaved document of a window that has crashed.
+#[derive(Debug)]
+pub struct LostDocument {
+    /// The document.
+    pub backup: Backup,
+    /// When it was written, by the clock of that time.
+    pub when: SystemTime,
+    /// Its marks, with their layers.
+    pub marks: Vec<(usize, Mark)>,
+    /// Whether the document's own file was written after that.
+    pub file_is_newer: bool,
+    pub(super) file: BackupFile,
+}
+
+/// What [`find`] found.
+#[derive(Debug, Default)]
+pub struct Found {
+    /// The latest first.
+    pub lost: Vec<LostDocument>,
+    /// Files that could not be read: messages for the user.
+    pub errors: Vec<String>,
+}
+
+impl BackupFile {
+    /// A new one in `folder`, which is made where it is missing.
+    ///
+    /// # Errors
+    /// Where the folder cannot be made or written.
+    pub fn new(folder: &Path) -> io::Result<Self> {
+        static NUMBER: AtomicU64 = AtomicU64::new(0);
+        fs::create_dir_all(folder)?;
+        let _folder_lock = file_lock::wait_for(&folder.join("lock"));
+        let millis = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_millis());
+        loop {
+            let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+            let file = folder.join(format!("{millis}-{}-{number}.dapple", std::process::id()));
+            let lock_file = file.with_extension("lock");
+            match OpenOptions::new().write(true).create_new(true).open(&lock_file) {
+                Ok(_) => {}
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => continue,
+                Err(error) => return Err(error),
+            }
+            let lock = if let Lock::Held(lock) = file_lock::try_lock(&lock_file) { Some(lock) } else { None };
+            return Ok(Self { file, lock });
+        }
+    }
+
+    /// Writes a backup. Afterwards the file holds all of it, or after an error what it held before.
+    ///
+    /// # Errors
+    /// What went wrong, with the file's name and the remedy.
+    pub fn write(&self, backup: &Backup) -> Result<(), export::ExportError> {
+        let text = format::write(backup, SystemTime::now());
+        export::save(&self.file, |out| Ok(out.write_all(text.as_bytes())?))?;
+        if let Some(folder) = self.file.parent().and_then(|folder| File::open(folder).ok()) {
+            // The name has to be on the disk as well; not every system can do this.
+            let _ = folder.sync_all();
+        }
+        Ok(())
+    }
+
+    /// The name by which it is known while the program runs.
+    #[must_use]
+    pub fn id(&self) -> String {
+        self.file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
+    /// Deletes the backup; the window goes on using the file.
+    ///
+    /// # Errors
+    /// Where that is not permitted.
+    pub fn clear(&self) -> io::Result<()> {
+        match fs::remove_file(&self.file) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+            outcome => outcome,
+        }
+    }
+}
+
+impl Drop for BackupFile {
+    /// Releases the lock. What the file holds is now a lost document; without one, nothing is left behind.
+    fn drop(&mut self) {
+        self.lock = None;
+        if !self.file.exists() {
+            let _ = fs::remove_file(self.file.with_extension("lock"));
+        }
+    }
+}
+
+impl LostDocument {
+    /// The name by which it is known while the program runs.
+    #[must_use]
+    pub fn id(&self) -> String {
+        self.file.id()
+    }
+
+    /// Deletes it.
+    ///
+    /// # Errors
+    /// Where that is not permitted.
+    pub fn delete(self) -> io::Result<()> {
+        self.file.clear()
+    }
+}
+
+/// Looks for lost documents in `folder`. No other window finds the same ones until they are dropped.
+#[must_use]
+pub fn find(folder: &Path) -> Found {
+    let mut found = Found::default();
+    let Ok(entries) = fs::read_dir(folder) else { return found };
+    let _folder_lock = file_lock::wait_for(&folder.join("lock"));
+    let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    files.sort();
+    for file in &files {
+        match file.extension().and_then(|ending| ending.to_str()) {
+            Some("dapple") => look_at(file, &mut found),
+            Some("lock") if !file.with_extension("dapple").exists() => {
+                // Its window ended without unsaved work.
+                if let Lock::Held(lock) = file_lock::try_lock(file) {
+                    drop(lock);
+                    let _ = fs::remove_file(file);
+                }
+            }
+            Some("part") if age(file).is_some_and(|age| age > STALE) => drop(fs::remove_file(file)),
+            _ => {}
+        }
+    }
+    found.lost.sort_by_key(|lost| std::cmp::Reverse(lost.when));
+    found
+}
+
+fn look_at(file: &Path, found: &mut Found) {
+    let lock = match file_lock::try_lock(&file.with_extension("lock")) {
+        Lock::Held(lock) => Some(lock),
+        Lock::Busy => return,
+        Lock::Unsupported => None,
+    };
+    let backup_file = BackupFile { file: file.to_owned(), lock };
+    match read(file) {
+        Ok((backup, when)) => {
+            let saved = backup.path.as_deref().and_then(|path| Document::read(path).ok());
+            if saved.as_ref() == Some(&backup.document) {
+                // The window was killed after saving and before deleting the backup: nothing was lost.
+                let _ = backup_file.clear();
+                return;
+            }
+            let modified = backup.path.as_deref().and_then(|path| fs::metadata(path).ok()?.modified().ok());
+            let file_is_newer = modified.is_some_and(|modified| modified > when);
+            let session = Session::open(backup.document.clone(), None);
+            let marks = session.marks().map(|(place, mark)| (place.layer, mark)).collect();
+            found.lost.push(LostDocument { backup, when, marks, file_is_newer, file: backup_file });
+        }
+        Err(why) => {
+            let aside = file.with_extension("damaged");
+            let kept = match fs::rename(file, &aside) {
+                Ok(()) => format!("it was renamed to {}", aside.display()),
+                Err(error) => format!("it could not be renamed: {error}"),
+            };
+            found.errors.push(format!(
+                "The unsaved work of an earlier session cannot be read: {}: {why}; {kept}",
+                file.display()
+            ));
+        }
+    }
+}
+
+fn read(file: &Path) -> Result<(Backup, SystemTime), String> {
+    let mut bytes = Vec::new();
+    let open = File::open(file).map_err(|error| error.to_string())?;
+    let read = open.take(limits::MAX_FILE + MAX_HEADER).read_to_end(&mut bytes);
+    read.map_err(|error| error.to_string())?;
+    let text = String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_owned())?;
+    format::read(&text)
+}
+
+/// Seconds since it was written.
+fn age(file: &Path) -> Option<u64> {
+    Some(fs::metadata(file).ok()?.modified().ok()?.elapsed().ok()?.as_secs())
+}

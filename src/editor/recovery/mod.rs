@@ -1,0 +1,185 @@
+//! Unsaved work survives a crash: what is not saved yet is kept in a recovery file of the window, and the files of
+//! windows that have crashed are offered at the next start.
+
+mod backup;
+mod format;
+mod writer;
+
+pub use backup::{LostDocument, find};
+pub use format::Backup;
+
+use std::io;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use crate::editor::session::Session;
+use crate::editor::task::Tasks;
+use crate::marks::Mark;
+use writer::{News, Writer};
+
+/// A mark that takes longer to draw is kept before it is finished, and again after the same time.
+const LONG: Duration = Duration::from_millis(1500);
+
+/// The unsaved work of a window, and the documents that other windows have lost.
+pub struct Recovery {
+    folder: Option<PathBuf>,
+    tasks: Tasks,
+    writer: Option<Writer>,
+    /// Lost documents that are being offered, the latest first.
+    lost: Vec<LostDocument>,
+    /// The number of lost documents at the last search.
+    undecided: usize,
+    /// Restored documents that are not in this window's own file yet.
+    restored: Vec<LostDocument>,
+    /// The revision at the last update, and whether there was unsaved work.
+    seen: Option<(u64, bool)>,
+    /// The time of the last update that handed something over.
+    since: Instant,
+    /// Whether that held an unfinished mark.
+    had_pending: bool,
+    is_kept: bool,
+    is_stopped: bool,
+    has_failed: bool,
+}
+
+impl Recovery {
+    /// Keeps unsaved work in `folder`; `None` = nowhere. Returns also messages about files that cannot be read.
+    #[must_use]
+    pub fn new(folder: Option<PathBuf>, tasks: Tasks) -> (Self, Vec<String>) {
+        let mut recovery = Self {
+            folder,
+            tasks,
+            writer: None,
+            lost: Vec::new(),
+            undecided: 0,
+            restored: Vec::new(),
+            seen: None,
+            since: Instant::now(),
+            had_pending: false,
+            is_kept: false,
+            is_stopped: false,
+            has_failed: false,
+        };
+        let errors = recovery.search();
+        (recovery, errors)
+    }
+
+    /// Searches for lost documents. No other window offers them until [`Self::postpone`]. Returns messages about files
+    /// that cannot be read.
+    pub fn search(&mut self) -> Vec<String> {
+        self.lost.clear();
+        let Some(folder) = &self.folder else { return Vec::new() };
+        let found = find(folder);
+        self.lost = found.lost;
+        self.undecided = self.lost.len();
+        found.errors
+    }
+
+    /// Ends the offer: the next start, or the next search, offers the documents again.
+    pub fn postpone(&mut self) {
+        self.undecided = self.lost.len();
+        self.lost.clear();
+    }
+
+    /// The lost documents that are offered, the latest first.
+    #[must_use]
+    pub fn lost(&self) -> &[LostDocument] {
+        &self.lost
+    }
+
+    /// The number of lost documents that were neither restored nor discarded.
+    #[must_use]
+    pub fn undecided(&self) -> usize {
+        self.undecided
+    }
+
+    /// Restores the lost document `id`: the session to open, and its name. From the next [`Self::update`] on it is kept
+    /// as this window's own work.
+    pub fn restore(&mut self, id: &str) -> Option<(Session, String)> {
+        let lost = self.lost.remove(self.position(id)?);
+        self.postpone();
+        let Backup { document, path, name } = lost.backup.clone();
+        let saved = path.as_deref().and_then(|path| crate::document::Document::read(path).ok());
+        self.restored.push(lost);
+        Some((Session::open_unsaved(document, saved.unwrap_or_default(), path), name))
+    }
+
+    /// Deletes the lost document `id`.
+    ///
+    /// # Errors
+    /// Where its file cannot be deleted.
+    pub fn discard(&mut self, id: &str) -> io::Result<()> {
+        let Some(index) = self.position(id) else { return Ok(()) };
+        let lost = self.lost.remove(index);
+        self.undecided = self.lost.len();
+        lost.delete()
+    }
+
+    fn position(&self, id: &str) -> Option<usize> {
+        self.lost.iter().position(|lost| lost.id() == id)
+    }
+
+    /// Another document was opened.
+    pub fn document_opened(&mut self) {
+        self.seen = None;
+    }
+
+    /// Whether it is time to keep an unfinished mark.
+    #[must_use]
+    pub fn is_due(&self) -> bool {
+        self.folder.is_some() && self.since.elapsed() >= LONG
+    }
+
+    /// Keeps what has changed since the last update: the session, and a mark that is being drawn. Returns how long the
+    /// last write took, or why it failed; never waits.
+    pub fn update(&mut self, session: &Session, pending: Option<Mark>) -> Option<Result<Duration, String>> {
+        let is_unsaved = (session.is_changed() || pending.is_some()) && !self.is_stopped;
+        // The unfinished mark is in the document by now, or was dropped.
+        let was_finished = self.had_pending && pending.is_none() && self.is_due();
+        let seen = Some((session.revision(), is_unsaved));
+        if self.seen != seen || pending.is_some() || was_finished {
+            self.seen = seen;
+            self.since = Instant::now();
+            self.had_pending = pending.is_some();
+            self.keep(session, pending, is_unsaved);
+        }
+        match self.writer.as_mut()?.news()? {
+            News::Written(took) => {
+                self.has_failed = false;
+                Some(Ok(took))
+            }
+            // Reported once, until it succeeds again.
+            News::Failed(_) if std::mem::replace(&mut self.has_failed, true) => None,
+            News::Failed(why) => Some(Err(why)),
+        }
+    }
+
+    fn keep(&mut self, session: &Session, pending: Option<Mark>, is_unsaved: bool) {
+        let document = match pending {
+            Some(mark) => {
+                let mut session = session.clone();
+                session.add(&[mark]);
+                session.finished()
+            }
+            None => session.finished(),
+        };
+        if is_unsaved && !document.layers.is_empty() {
+            let Some(folder) = &self.folder else { return };
+            let backup = Backup { document, path: session.path.clone(), name: session.title() };
+            let writer = self.writer.get_or_insert_with(|| Writer::new(folder, self.tasks.clone()));
+            writer.write(backup, std::mem::take(&mut self.restored));
+            self.is_kept = true;
+        } else if let Some(writer) = self.writer.as_mut().filter(|_| self.is_kept) {
+            writer.clear();
+            self.is_kept = false;
+        }
+    }
+
+    /// Keeps nothing any more: the work was saved, or the user does not want it.
+    pub fn stop(&mut self) {
+        self.is_stopped = true;
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,202 @@
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::backup::BackupFile;
+use super::*;
+use crate::document::{Document, Layer, Stroke};
+use crate::editor::task::Spawn;
+use crate::marks::Ellipse;
+
+fn spot(x: f64) -> Mark {
+    Mark::Ellipse(Ellipse { center: [x, 40.0], radii: [12.0, 6.0], angle: 30.0 })
+}
+
+fn backup(x: f64, path: Option<&Path>) -> Backup {
+    let Mark::Ellipse(ellipse) = spot(x) else { unreachable!("a spot is an ellipse") };
+    let layer = Layer { name: "a".into(), strokes: vec![Stroke::Ellipse(ellipse)], ..Layer::default() };
+    let document = Document { layers: vec![layer], ..Document::default() };
+    Backup { document, path: path.map(Path::to_owned), name: "100 %\nnew".into() }
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect()
+}
+
+fn backups(folder: &Path) -> Vec<PathBuf> {
+    let files = names(folder).into_iter().filter(|name| name.ends_with(".dapple"));
+    files.map(|name| folder.join(name)).collect()
+}
+
+/// Rewrites the time in a recovery file.
+fn set_time(file: &Path, millis: u64) {
+    let text = fs::read_to_string(file).unwrap();
+    let from = text.find(r#""when":"#).unwrap() + 7;
+    let to = from + text[from..].find([',', '}']).unwrap();
+    fs::write(file, format!("{}{millis}{}", &text[..from], &text[to..])).unwrap();
+}
+
+#[test]
+fn a_backup_is_found_once_its_window_is_gone() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = BackupFile::new(folder.path()).unwrap();
+    let what = backup(50.0, Some(Path::new("/nowhere/tiger.dapple")));
+    file.write(&what).unwrap();
+    assert!(find(folder.path()).lost.is_empty(), "its window lives");
+    drop(file);
+    let found = find(folder.path());
+    assert_eq!(found.lost.len(), 1);
+    let lost = &found.lost[0];
+    assert_eq!((&lost.backup.document, &lost.backup.path), (&what.document, &what.path));
+    assert_eq!((&lost.backup.name, lost.marks.len()), (&what.name, 1));
+    assert!(lost.when.elapsed().unwrap() < Duration::from_secs(60));
+    assert!(find(folder.path()).lost.is_empty(), "only one window offers it");
+    drop(found);
+    assert_eq!(find(folder.path()).lost.len(), 1, "another may offer it later");
+}
+
+#[test]
+fn a_deleted_backup_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = BackupFile::new(folder.path()).unwrap();
+    file.write(&backup(50.0, None)).unwrap();
+    file.clear().unwrap();
+    file.clear().unwrap();
+    drop(file);
+    assert_eq!(names(folder.path()), ["lock"]);
+    let file = BackupFile::new(folder.path()).unwrap();
+    file.write(&backup(50.0, None)).unwrap();
+    drop(file);
+    find(folder.path()).lost.remove(0).delete().unwrap();
+    assert_eq!(names(folder.path()), ["lock"]);
+}
+
+#[test]
+fn the_latest_of_several_comes_first() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, when) in [("a", 1000), ("b", 3000), ("c", 2000)] {
+        let before = backups(folder.path());
+        let file = BackupFile::new(folder.path()).unwrap();
+        file.write(&Backup { name: name.into(), ..backup(50.0, None) }).unwrap();
+        let new = backups(folder.path()).into_iter().find(|file| !before.contains(file));
+        set_time(&new.unwrap(), when);
+    }
+    let found = find(folder.path());
+    let names: Vec<_> = found.lost.iter().map(|lost| lost.backup.name.as_str()).collect();
+    assert_eq!(names, ["b", "c", "a"]);
+}
+
+#[test]
+fn a_file_of_an_older_dapple_is_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let document = backup(50.0, None).document.to_json();
+    let text = format!("dapple recovery 1\nwhen 1732200000123\nfile /nowhere/a.dapple\nname a\n\n{document}");
+    fs::write(folder.path().join("1-2-3.dapple"), text).unwrap();
+    let found = find(folder.path());
+    assert!(found.errors.is_empty(), "{:?}", found.errors);
+    assert_eq!(found.lost[0].backup.document, backup(50.0, None).document);
+    assert_eq!(found.lost[0].backup.path.as_deref(), Some(Path::new("/nowhere/a.dapple")));
+}
+
+#[test]
+fn a_backup_that_equals_its_file_is_not_lost() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.dapple");
+    let recovery = folder.path().join("recovery");
+    let what = backup(50.0, Some(&file));
+    what.document.write(&file).unwrap();
+    BackupFile::new(&recovery).unwrap().write(&what).unwrap();
+    assert!(find(&recovery).lost.is_empty());
+    assert_eq!(names(&recovery), ["lock"]);
+    BackupFile::new(&recovery).unwrap().write(&backup(60.0, Some(&file))).unwrap();
+    assert_eq!(find(&recovery).lost.len(), 1, "but one that differs is");
+}
+
+#[test]
+fn damaged_files_are_renamed_wherever_they_were_cut() {
+    let folder = tempfile::tempdir().unwrap();
+    BackupFile::new(folder.path()).unwrap().write(&backup(50.0, Some(Path::new("/a")))).unwrap();
+    let file = backups(folder.path()).remove(0);
+    let whole = fs::read(&file).unwrap();
+    let last = whole.iter().rposition(|byte| *byte == b'}').unwrap();
+    for cut in (0..=last).step_by(7) {
+        fs::write(&file, &whole[..cut]).unwrap();
+        let found = find(folder.path());
+        assert_eq!((found.lost.len(), found.errors.len()), (0, 1), "cut after {cut} bytes");
+        assert!(file.with_extension("damaged").exists() && !file.exists());
+        assert!(find(folder.path()).errors.is_empty(), "reported once");
+    }
+    for bytes in [&b"\xff\xfe\0\0"[..], b"dapple recovery 3\n\n{}", b"dapple recovery 1\nwhen soon\n\n{}"] {
+        fs::write(&file, bytes).unwrap();
+        assert_eq!(find(folder.path()).errors.len(), 1);
+    }
+}
+
+#[test]
+fn a_file_that_was_written_later_is_recognised() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.dapple");
+    backup(70.0, None).document.write(&file).unwrap();
+    let recovery = folder.path().join("recovery");
+    BackupFile::new(&recovery).unwrap().write(&backup(50.0, Some(&file))).unwrap();
+    set_time(&backups(&recovery)[0], 1000);
+    assert!(find(&recovery).lost[0].file_is_newer);
+}
+
+#[test]
+fn nothing_is_found_where_there_is_no_folder() {
+    let found = find(Path::new("/nowhere/at/all"));
+    assert!(found.lost.is_empty() && found.errors.is_empty());
+}
+
+/// Waits for what comes of a write.
+fn outcome(recovery: &mut Recovery, session: &Session) -> Result<Duration, String> {
+    let began = Instant::now();
+    loop {
+        if let Some(outcome) = recovery.update(session, None) {
+            return outcome;
+        }
+        assert!(began.elapsed() < Duration::from_secs(60), "nothing was written");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+#[test]
+fn changes_in_quick_succession_are_all_kept_when_the_window_goes() {
+    let folder = tempfile::tempdir().unwrap();
+    let (mut recovery, _) = Recovery::new(Some(folder.path().to_owned()), Tasks::default());
+    let mut session = Session::default();
+    for x in 0..5 {
+        session.add(&[spot(20.0 + 40.0 * f64::from(x))]);
+        recovery.update(&session, None);
+    }
+    drop(recovery);
+    assert_eq!(find(folder.path()).lost[0].backup.document, session.finished());
+}
+
+#[test]
+fn work_that_is_undone_is_kept_no_more() {
+    let folder = tempfile::tempdir().unwrap();
+    let (mut recovery, _) = Recovery::new(Some(folder.path().to_owned()), Tasks::default());
+    let mut session = Session::default();
+    session.add(&[spot(50.0)]);
+    outcome(&mut recovery, &session).unwrap();
+    assert_eq!(backups(folder.path()).len(), 1);
+    session.undo();
+    recovery.update(&session, None);
+    drop(recovery);
+    assert_eq!(names(folder.path()), ["lock"]);
+}
+
+#[test]
+fn a_thread_that_does_not_start_is_reported_and_the_work_is_kept_at_the_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let tasks = Tasks::default().with_spawn(Spawn(|_, _| Err(io::Error::other("none left"))));
+    let (mut recovery, _) = Recovery::new(Some(folder.path().to_owned()), tasks);
+    let mut session = Session::default();
+    session.add(&[spot(50.0)]);
+    let why = recovery.update(&session, None).unwrap().unwrap_err();
+    assert!(why.contains("recovery") && why.contains("none left"), "{why}");
+    drop(recovery);
+    assert_eq!(find(folder.path()).lost.len(), 1);
+}
