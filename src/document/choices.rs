@@ -2,7 +2,7 @@
 
 use crate::document::Seeding;
 
-/// What a layer's marks are.
+/// The kind of a layer's marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Spots.
@@ -39,7 +39,7 @@ pub enum SystemChoice {
 }
 
 impl SystemChoice {
-    /// All of them with their names in documents and on the command line.
+    /// All choices with their names in documents and on the command line.
     pub const NAMES: [(&'static str, Self); 5] = [
         ("auto", Self::Auto),
         ("turing-spots", Self::TuringSpots),
@@ -54,7 +54,7 @@ impl SystemChoice {
         name_in(&Self::NAMES, self)
     }
 
-    /// What it grows; `None` = whatever the marks are.
+    /// The kind of marks that it grows; `None` = the layer's own.
     #[must_use]
     pub fn grows(self) -> Option<Kind> {
         match self {
@@ -64,7 +64,7 @@ impl SystemChoice {
         }
     }
 
-    /// The keys that a layer's `options` may have with it.
+    /// The keys of `options` that it takes.
     #[must_use]
     pub fn option_keys(self) -> &'static [&'static str] {
         match self {
@@ -80,7 +80,7 @@ impl SystemChoice {
 pub const SEEDINGS: [(&str, Seeding); 3] =
     [("noise", Seeding::Noise), ("segments", Seeding::Segments), ("initiators", Seeding::Initiators)];
 
-/// How a layer meets the frozen marks beneath it.
+/// How a layer meets the marks of the layers beneath it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum After {
     /// It keeps away from them, as on a cheetah.
@@ -95,7 +95,7 @@ pub enum After {
 }
 
 impl After {
-    /// All of them with their names in documents.
+    /// All choices with their names in documents.
     pub const NAMES: [(&'static str, Self); 4] =
         [("between", Self::Between), ("around", Self::Around), ("net", Self::Net), ("inside", Self::Inside)];
 

@@ -1,9 +1,9 @@
-//! The colours of a layer, and what a hand does with them.
+//! The colours of a layer, and editing them.
 
 use crate::colour::{self, Bend, Gradient};
 use crate::document::limits;
 
-/// The colours of a layer: pattern values are mapped to stops, and the way from stop to stop may be bent.
+/// The colours of a layer: stops at pattern values, with straight or bent transitions between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Colours {
     /// Stops, ascending; at least one. Two at the same value make a hard step.
@@ -25,13 +25,13 @@ pub struct Stop {
 const STRAIGHT: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
 
 impl Colours {
-    /// Those of the layer with this index (0 = the first) where the document gives none.
+    /// The default colours of the layer with this index (0 = the lowest).
     #[must_use]
     pub fn default_for_layer(layer: usize) -> Self {
         Self::from(&Gradient::default_for_layer(layer))
     }
 
-    /// As the painter takes them.
+    /// The gradient that paints them.
     #[must_use]
     pub fn gradient(&self) -> Gradient {
         Gradient {
@@ -44,13 +44,13 @@ impl Colours {
         }
     }
 
-    /// The way from stop `gap` to the next.
+    /// The Bezier curve between stop `gap` and the next.
     #[must_use]
     pub fn bend(&self, gap: usize) -> [f64; 4] {
         self.bends.get(gap).copied().unwrap_or(STRAIGHT)
     }
 
-    /// Bends the way from stop `gap` to the next: handles are kept within [`limits::BEND_X`] and [`limits::BEND_Y`].
+    /// Sets the Bezier curve between stop `gap` and the next, clamped to [`limits::BEND_X`] and [`limits::BEND_Y`].
     pub fn set_bend(&mut self, gap: usize, bend: [f64; 4]) {
         if gap + 1 < self.stops.len() {
             self.all_bends()[gap] = within(bend);
@@ -58,7 +58,7 @@ impl Colours {
         }
     }
 
-    /// Puts a stop at pattern value `at`, of the colour that is there: nothing looks otherwise. Gives its index.
+    /// Inserts a stop at pattern value `at` with the colour that is there, so that the picture stays. Returns its index.
     pub fn insert(&mut self, at: f64) -> usize {
         let at = at.clamp(limits::STOP.low, limits::STOP.high);
         let colour = self.gradient().colour(at as f32);
@@ -78,8 +78,8 @@ impl Colours {
         index
     }
 
-    /// Takes stop `index` away, unless it is the only one; the way leads on from the stop before to the one after.
-    /// Gives whether it is gone.
+    /// Removes stop `index`, unless it is the only one; the curves on its two sides are joined. Returns whether it was
+    /// removed.
     pub fn remove(&mut self, index: usize) -> bool {
         if self.stops.len() < 2 || index >= self.stops.len() {
             return false;
@@ -103,12 +103,12 @@ impl Colours {
         true
     }
 
-    /// Moves stop `index` to pattern value `at`, past others if they are on the way; the ways between the stops stay
-    /// in their order. Gives its new index.
+    /// Moves stop `index` to pattern value `at`, past other stops if necessary; the curves keep their order. Returns its
+    /// new index.
     pub fn shift(&mut self, index: usize, at: f64) -> usize {
         let at = at.clamp(limits::STOP.low, limits::STOP.high);
         let stop = Stop { at, ..self.stops.remove(index) };
-        // Where it meets another it stays on the side it comes from.
+        // At the same value as another stop it stays on the side that it came from.
         let to = self
             .stops
             .iter()
@@ -119,23 +119,23 @@ impl Colours {
         to
     }
 
-    /// Lets two stops exchange their colours; their places stay.
+    /// Exchanges the colours of two stops; their places stay.
     pub fn swap(&mut self, one: usize, other: usize) {
         let colours = [one, other].map(|index| self.stops[index].colour);
         self.stops[one].colour = colours[1];
         self.stops[other].colour = colours[0];
     }
 
-    /// The same ways from the last colour to the first.
+    /// Reverses the order of the colours, curves included.
     pub fn reverse(&mut self) {
         for stop in &mut self.stops {
-            stop.at = tidied(1.0 - stop.at);
+            stop.at = rounded(1.0 - stop.at);
         }
         self.stops.reverse();
         let bends = self.all_bends();
         bends.reverse();
         for bend in bends {
-            *bend = Bend(*bend).reversed().0.map(tidied);
+            *bend = Bend(*bend).reversed().0.map(rounded);
         }
         self.tidy();
     }
@@ -146,7 +146,7 @@ impl Colours {
         &mut self.bends
     }
 
-    /// Leaves the straight ones at the end out, as a person would.
+    /// Removes straight bends from the end, which are the default.
     fn tidy(&mut self) {
         while self.bends.last() == Some(&STRAIGHT) {
             self.bends.pop();
@@ -167,12 +167,12 @@ impl From<&Gradient> for Colours {
     }
 }
 
-/// To 12 digits, so that 1 − (1 − 0.4) is 0.4 again.
-fn tidied(x: f64) -> f64 {
+/// Rounds to 12 digits, so that 1 − (1 − 0.4) is 0.4 again.
+fn rounded(x: f64) -> f64 {
     (1e12 * x).round() / 1e12
 }
 
-/// Handles as a document may hold them.
+/// Clamps handles to what a document may hold.
 fn within(bend: [f64; 4]) -> [f64; 4] {
     let ranges = [limits::BEND_X, limits::BEND_Y, limits::BEND_X, limits::BEND_Y];
     std::array::from_fn(|i| bend[i].clamp(ranges[i].low, ranges[i].high))

@@ -1,4 +1,4 @@
-//! The document in a picture that was grown from it.
+//! The document inside a picture that was grown from it.
 //!
 //! A PNG holds two texts (iTXt): under `dapple` the document as its file would hold it, with the seed that was used, and
 //! under `dapple-grown`, where they are not the document's, the size of the canvas and the scale:
@@ -19,7 +19,7 @@ const GROWN: &str = "dapple-grown";
 /// The largest scale that a picture has.
 pub const MAX_SCALE: u32 = 64;
 
-/// How a picture was grown, beyond what stands in its document.
+/// How a picture was grown, beyond what its document says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extent {
     /// The canvas, px, where it is not the document's.
@@ -49,7 +49,7 @@ pub fn embedded(document: &Document, extent: Extent) -> Vec<(&'static str, Strin
 /// Reads a document, or a PNG that holds one: the same picture grows from what is returned.
 ///
 /// # Errors
-/// As [`Document::read`]; where the picture holds none, or is damaged.
+/// As [`Document::read`]; and a picture without a document, or a damaged one.
 pub fn open(path: impl AsRef<Path>) -> Result<(Document, Extent), DocumentError> {
     let path = path.as_ref();
     if let Some(found) = in_picture(path)? {
@@ -61,11 +61,10 @@ pub fn open(path: impl AsRef<Path>) -> Result<(Document, Extent), DocumentError>
     Ok((Document::read(path)?, Extent::default()))
 }
 
-/// The document in the picture `path`, which a window can restore; `None` where it is no PNG, or one without a document,
-/// such as a photo to draw on.
+/// The document in the picture `path`; `None` if the file is not a PNG, or a PNG without a document, such as a photo.
 ///
 /// # Errors
-/// Where the file cannot be read, the PNG is damaged, or what stands in it is no valid document.
+/// The file cannot be read, the PNG is damaged, or its document is not valid.
 pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, DocumentError> {
     let path = path.as_ref();
     let file = path.display().to_string();
@@ -77,7 +76,7 @@ pub fn in_picture(path: impl AsRef<Path>) -> Result<Option<(Document, Extent)>, 
     in_stream(BufReader::new(stream), &file)
 }
 
-/// As [`in_picture`], of a picture that is read from a stream; `file` is its name in messages.
+/// As [`in_picture`], for a picture that is read from a stream; messages call it `file`.
 ///
 /// # Errors
 /// As [`in_picture`].
@@ -122,7 +121,7 @@ mod tests {
     use crate::export::png::{Header, Samples, write};
     use std::io::Cursor;
 
-    /// Found by fuzzing: what stands in the picture was quoted as it is.
+    /// Found by fuzzing: the text in the picture was quoted unescaped.
     #[test]
     fn what_is_quoted_of_a_picture_s_size_does_nothing_to_a_terminal() {
         let document = r#"{"format": "dapple", "version": 1, "size": [64, 64], "layers": [{"strokes": [

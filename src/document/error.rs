@@ -9,9 +9,9 @@ use std::{fmt, io};
 pub struct Problem {
     /// The JSON path of the value, such as `layers[0].strokes[3].radii[1]`.
     pub place: String,
-    /// What stands there.
+    /// What was found.
     pub found: String,
-    /// What may stand there.
+    /// What is allowed.
     pub allowed: String,
 }
 
@@ -21,7 +21,7 @@ impl Problem {
         Self { place: place.into(), found: found.into(), allowed: allowed.into() }
     }
 
-    /// The same as an error of the document in `file`.
+    /// Turns it into an error of the document in `file`.
     #[must_use]
     pub fn in_file(self, file: &str) -> DocumentError {
         DocumentError::Content { file: file.to_owned(), problem: self }
@@ -42,7 +42,7 @@ pub enum DocumentError {
     Unreadable {
         /// The file.
         file: String,
-        /// What the system said.
+        /// The operating system's error.
         source: io::Error,
     },
     /// The path is a folder.
@@ -51,7 +51,7 @@ pub enum DocumentError {
         /// The folder.
         file: String,
     },
-    /// The file is a picture, and nothing else.
+    /// The file is a picture without a document.
     #[error(
         "{file}: found a picture without a document; allowed: a .dapple file, or a PNG that dapple wrote with its \
          document in it"
@@ -73,7 +73,7 @@ pub enum DocumentError {
     TooLarge {
         /// The file.
         file: String,
-        /// Bytes that are read at most.
+        /// The size limit, bytes.
         limit: u64,
     },
     /// The file is not JSON in UTF-8.
@@ -106,7 +106,7 @@ pub enum DocumentError {
     Content {
         /// The file.
         file: String,
-        /// Which, and how.
+        /// Where and why.
         problem: Problem,
     },
     /// The file cannot be written.

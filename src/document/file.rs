@@ -11,7 +11,7 @@ impl Document {
     /// Reads a file.
     ///
     /// # Errors
-    /// Where the file cannot be read or is not a valid document.
+    /// The file cannot be read, or is not a valid document.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, DocumentError> {
         let path = path.as_ref();
         let file = path.display().to_string();
@@ -26,43 +26,43 @@ impl Document {
         Self::parse(text, &file)
     }
 
-    /// Reads a text; `source_name`, mostly the file's, stands in errors.
+    /// Parses the text of a file; errors call it `source_name`.
     ///
     /// # Errors
-    /// Where the text is not a valid document.
+    /// The text is not a valid document.
     pub fn parse(text: &str, source_name: &str) -> Result<Self, DocumentError> {
         let value = syntax::json(text).map_err(|problem| problem.in_file(source_name))?;
         let value = migrate::to_newest(value, source_name)?;
         reader::document(&Node::root(&value)).map_err(|problem| problem.in_file(source_name))
     }
 
-    /// The text of its file: complete, the same for equal documents, made to be read.
+    /// The text of its file: complete, easy to read, and the same for equal documents.
     #[must_use]
     pub fn to_json(&self) -> String {
         writer::text(&writer::value(self))
     }
 
-    /// Writes a file, or leaves what was there: never half of it.
+    /// Writes a file. If that fails, an older file of this name is kept as it was.
     ///
     /// # Errors
-    /// Where it is not valid (see [`Document::check`]) or cannot be written.
+    /// It is not valid (see [`Document::check`]), or the file cannot be written.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), DocumentError> {
         let path = path.as_ref();
         self.check(&path.display().to_string())?;
         Ok(save(path, |out| Ok(out.write_all(self.to_json().as_bytes())?))?)
     }
 
-    /// Checks a document that was put together in memory by the rules for files; a NaN is found as `null`.
+    /// Checks a document that was put together in code by the rules for files; a NaN is reported as `null`.
     ///
     /// # Errors
-    /// The first value that a file may not hold; `source_name` stands in it.
+    /// The first value that a file may not hold; the error calls the document `source_name`.
     pub fn check(&self, source_name: &str) -> Result<(), DocumentError> {
         let value = writer::value(self);
         reader::document(&Node::root(&value)).map(drop).map_err(|problem| problem.in_file(source_name))
     }
 }
 
-/// The file's bytes, though no more than one over the limit.
+/// The file's bytes, at most one more than the limit.
 fn bytes(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     File::open(path)?.take(limits::MAX_FILE + 1).read_to_end(&mut bytes)?;

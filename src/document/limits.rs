@@ -1,7 +1,7 @@
-//! What numbers a document may hold: every bound in one place.
+//! The numbers that a document may hold: every bound in one place.
 //!
-//! These are the bounds of a *file*. What a machine's memory holds, and what a system can grow, is asked when
-//! growing.
+//! These are the bounds of a *file*. Whether the machine has enough memory, and whether a system can grow it, is checked
+//! when the document is grown.
 
 use std::fmt;
 
@@ -32,7 +32,7 @@ pub const BEND_Y: Range = Range { low: -2.0, high: 3.0, unit: "" };
 
 /// Coefficient of variation of the areas of a layer's spots.
 pub const SPREAD_AREA: Range = Range { low: 0.0, high: 0.6, unit: "" };
-/// Scatter of their directions; 52° is all ways.
+/// Root mean square deviation of their directions; 52° means that all directions are equally frequent.
 pub const SPREAD_ANGLE: Range = Range { low: 0.0, high: 45.0, unit: "degrees" };
 /// Standard deviation of their aspects.
 pub const SPREAD_ASPECT: Range = Range { low: 0.0, high: 0.2, unit: "" };
@@ -49,7 +49,7 @@ pub struct Range {
     pub low: f64,
     /// Largest number allowed.
     pub high: f64,
-    /// Its unit, or nothing.
+    /// Its unit; empty if it has none.
     pub unit: &'static str,
 }
 

@@ -1,13 +1,13 @@
-//! Versions: an older document is brought up step by step, a newer one is refused.
+//! Versions: an older document is migrated step by step, a newer one is refused.
 
 use crate::document::node::Node;
 use crate::document::{DocumentError, Problem};
 use serde_json::{Value, json};
 
-/// Makes a document of one version one of the next; what it does not know it leaves to the reader to refuse.
+/// Turns a document of one version into one of the next. What it does not know is left for the reader to refuse.
 type Migration = fn(Value) -> Value;
 
-/// `MIGRATIONS[i]` brings version i + 1 to version i + 2. Add to its end, change none.
+/// `MIGRATIONS[i]` turns version i + 1 into version i + 2. Append new ones; never change an old one.
 const MIGRATIONS: &[Migration] = &[];
 
 /// The version that is read and written.
@@ -33,7 +33,7 @@ fn through(migrations: &[Migration], mut document: Value, file: &str) -> Result<
     Ok(document)
 }
 
-/// The version of what must be a dapple document.
+/// The version of the document, which must have the format `dapple`.
 fn version(root: &Node) -> Result<u64, Problem> {
     root.need("format", "\"dapple\"")?.choice(&[("dapple", ())])?;
     root.need("version", &format!("a whole number, now {NEWEST}"))?.whole(1, u64::MAX)

@@ -1,7 +1,7 @@
-//! The document: all of a texture, and its `.dapple` file (JSON, UTF-8).
+//! The document: everything that defines a texture, and its `.dapple` file (JSON, UTF-8).
 //!
 //! A document that was read is valid: every number is finite and within [`limits`], every mark's centre lies on
-//! the canvas, and no layer mixes ellipses with lines (what a freehand stroke is, is found when it is fitted).
+//! the canvas, and no layer mixes ellipses with lines (freehand strokes are fitted, and checked, when the document is grown).
 //!
 //! | key | default |
 //! |---|---|
@@ -91,18 +91,18 @@ pub use option_key::OptionKey;
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line};
 
-/// All of a texture: what was drawn and how it is to be grown.
+/// Everything that defines a texture: what was drawn and how it is grown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
-    /// What people call it.
+    /// Its name; may be empty.
     pub name: String,
     /// Width and height of the canvas, px, 1 to [`limits::MAX_SIDE`] each.
     pub size: [u32; 2],
     /// Columns and rows of regions, 1 to [`limits::MAX_REGIONS`] each.
     pub regions: [u32; 2],
-    /// What lies beyond the border.
+    /// Whether the canvas ends at its border or wraps around.
     pub edges: Edges,
-    /// Where all chance comes from.
+    /// Seed of all random numbers.
     pub seed: u64,
     /// Dots an inch, for print.
     pub dpi: f64,
@@ -149,9 +149,10 @@ impl Document {
 }
 
 impl Document {
-    /// Do the drawn marks of the layer at `index` stay where they were drawn? Unless it says so itself, where there is one
-    /// region. In many, marks say what is wanted around them and may lie where the map between regions wants something
-    /// else; and irregular spots are none that a drawn ellipse would tell of.
+    /// Whether the drawn marks of the layer at `index` are among those that grow (`options.keep`).
+    ///
+    /// The default is yes with one region. With several regions, the region map may ask for something else where a mark
+    /// lies; and irregular spots differ from drawn ellipses.
     #[must_use]
     pub fn keeps(&self, index: usize) -> bool {
         let Some(Layer { options, after, .. }) = self.layers.get(index) else { return false };
@@ -177,26 +178,26 @@ impl Default for Growth {
 /// One set of marks and the system that grows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {
-    /// What people call it.
+    /// Its name; may be empty.
     pub name: String,
     /// Which system grows it.
     pub system: SystemChoice,
     /// How it meets the frozen marks beneath it.
     pub after: After,
-    /// Whether it is painted.
+    /// Whether it is painted; a hidden layer still grows.
     pub visible: bool,
     /// Its own seed; `None` = derived, see [`Document::layer_seed`].
     pub seed: Option<u64>,
     /// What was drawn; at least one.
     pub strokes: Vec<Stroke>,
-    /// What its system can be told beyond the marks.
+    /// Its options beyond the marks.
     pub options: Options,
     /// Its colours; `None` = the default set of that layer.
     pub colours: Option<Colours>,
 }
 
 impl Layer {
-    /// The system that is asked for: only one grows irregular spots.
+    /// The system that is asked for; irregular spots ask for Turing's, the only system that grows them.
     #[must_use]
     pub fn choice(&self) -> SystemChoice {
         if self.options.irregular > 0.0 { SystemChoice::TuringSpots } else { self.system }
@@ -218,7 +219,7 @@ impl Default for Layer {
     }
 }
 
-/// What a layer's system can be told beyond the marks; which keys each takes stands in [`SystemChoice::option_keys`].
+/// A layer's options beyond its marks; [`layer_rules`] says which of them go with which layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// How much its spots differ from each other.
@@ -256,21 +257,21 @@ impl Default for Options {
 /// How much the spots of a layer differ from each other.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum SpreadChoice {
-    /// As much as the marks of their region, where these are at least six; elsewhere not at all.
+    /// As much as the marks of their region, if these are at least six; otherwise not at all.
     #[default]
     Drawn,
-    /// So much everywhere, whatever was drawn.
+    /// This much everywhere, whatever was drawn.
     Given(Spread),
 }
 
-/// What a hand drew.
+/// What was drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stroke {
     /// A spot.
     Ellipse(Ellipse),
     /// A piece of a stripe.
     Line(Line),
-    /// A path of the pen: closed, it is an ellipse; open, a line. It is fitted when the document is grown.
+    /// A freehand path: if closed, an ellipse; if open, a line. It is fitted when the document is grown.
     Freehand {
         /// Points in the order in which they were drawn, px; at least two.
         points: Vec<[f64; 2]>,

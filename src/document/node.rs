@@ -1,4 +1,4 @@
-//! A JSON value that knows its place, and the checked ways to read it.
+//! A JSON value with its path, and checked ways to read it.
 
 use crate::document::error::Problem;
 use crate::document::limits::Range;
@@ -37,12 +37,12 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// The problem that something else than `allowed` stands here.
+    /// The problem that this value is not `allowed`.
     pub(super) fn wrong(&self, allowed: impl Into<String>) -> Problem {
         Problem::new(self.place(), quoted(self.value), allowed)
     }
 
-    /// The problem that `found`, in words, stands here.
+    /// The problem that there is `found` here, in words.
     pub(super) fn found(&self, found: impl Into<String>, allowed: impl Into<String>) -> Problem {
         Problem::new(self.place(), found, allowed)
     }
@@ -95,7 +95,7 @@ impl<'a> Node<'a> {
         }))
     }
 
-    /// Its two numbers, the first in `ranges[0]`, the second in `ranges[1]`.
+    /// Its N numbers, number i in `ranges[i]`.
     pub(super) fn numbers<const N: usize>(&self, ranges: [Range; N]) -> Result<[f64; N], Problem> {
         let mut numbers = [0.0; N];
         let mut items = self.items_of(N, "numbers")?;
@@ -166,11 +166,11 @@ impl<'a> Node<'a> {
     }
 }
 
-/// A value as it may stand in a message: JSON on one line, shortened, nothing that would act on a terminal.
+/// A value for a message: JSON on one line, shortened, with control characters escaped.
 pub(super) fn quoted(value: &Value) -> String {
     const LONGEST: usize = 60;
     let json = match value {
-        // A long list is not written out only to be cut.
+        // A long list would only be written out to be cut.
         Value::Array(list) if list.len() > LONGEST => format!("a list of {} values", list.len()),
         Value::Null => "null".to_owned(),
         value => value.to_string(),
@@ -178,7 +178,7 @@ pub(super) fn quoted(value: &Value) -> String {
     visible(&json, LONGEST)
 }
 
-/// The first characters of `text`, with nothing that would act on a terminal.
+/// The first characters of `text`, with control characters escaped, so that a terminal does not act on them.
 pub(super) fn visible(text: &str, longest: usize) -> String {
     let mut shown = String::new();
     for (i, c) in text.chars().enumerate() {
@@ -191,7 +191,7 @@ pub(super) fn visible(text: &str, longest: usize) -> String {
     shown
 }
 
-/// Marks that change the direction of text, or take no room.
+/// Characters that change the direction of text or have no width.
 fn invisible(c: char) -> bool {
     matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}')
 }
@@ -200,7 +200,7 @@ fn invisible(c: char) -> bool {
 fn nearest<'n>(word: &str, names: &[&'n str]) -> Option<&'n str> {
     let word: String = word.chars().take(40).flat_map(char::to_lowercase).collect();
     let (edits, name) = names.iter().map(|name| (strsim::levenshtein(&word, name), *name)).min()?;
-    // A third of the letters wrong, as a mistyped or a British word has; more is another word.
+    // Up to a third of the letters may differ, as in a typing error or British spelling; beyond that it is another word.
     (edits <= (word.chars().count() / 3).max(1)).then_some(name)
 }
 
@@ -209,7 +209,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_slip_is_recognised_and_another_word_is_not() {
+    fn a_typing_error_is_recognised_and_another_word_is_not() {
         assert_eq!(nearest("Centre", &["kind", "center", "radii"]), Some("center"));
         assert_eq!(nearest("wobble", &["kind", "center", "radii"]), None);
         assert_eq!(nearest("x", &[]), None);

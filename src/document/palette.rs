@@ -1,8 +1,8 @@
-//! The colours of a layer as a file of their own: `.json`, which keeps everything, and `.gpl`, which other programs know.
+//! The colours of a layer in a file of their own: `.json`, which keeps everything, or `.gpl`, which other programs read.
 //!
 //! `{"format": "dapple palette", "version": 1, "name": "zebra", "colours": {"stops": […], "bends": […]}}`, with `colours`
-//! as a layer's in a document. A GIMP palette knows neither places nor bends: the places are written as the colours'
-//! names (`at 0.4`) and read back from there; where a colour has another name all are spread evenly. Bends are lost.
+//! as a layer's in a document. A GIMP palette has neither pattern values nor bends: the pattern values are written as the
+//! colours' names (`at 0.4`) and read from there; if any colour has another name, all are spread evenly. Bends are lost.
 
 use std::fs;
 use std::io::{self, Write};
@@ -39,7 +39,7 @@ pub enum PaletteError {
     Unreadable {
         /// The file.
         file: String,
-        /// What the system said.
+        /// The operating system's error.
         source: io::Error,
     },
     /// The file is larger than any palette.
@@ -50,7 +50,7 @@ pub enum PaletteError {
         /// The file.
         file: String,
     },
-    /// The name does not say what it is.
+    /// The ending of the name is of no palette.
     #[error(
         "{file}: found the ending \"{ending}\"; allowed: .json (keeps everything) or .gpl (a GIMP palette)"
     )]
@@ -60,7 +60,7 @@ pub enum PaletteError {
         /// Its ending.
         ending: String,
     },
-    /// It is no GIMP palette.
+    /// It is not a GIMP palette.
     #[error("{file}: {problem}")]
     Gpl {
         /// The file.
@@ -69,16 +69,14 @@ pub enum PaletteError {
         problem: GplError,
     },
     /// It has no colours, or more than a bar can hold.
-    #[error(
-        "{file}: found {found} colours; allowed: 1 to {MOST_STOPS}; leave some out, or take them from it by hand"
-    )]
+    #[error("{file}: found {found} colours; allowed: 1 to {MOST_STOPS}; remove some of them")]
     Count {
         /// The file.
         file: String,
-        /// How many.
+        /// How many colours it has.
         found: usize,
     },
-    /// It is no palette of ours.
+    /// It is not a dapple palette.
     #[error(transparent)]
     Json(#[from] DocumentError),
     /// The file cannot be written.
@@ -95,7 +93,7 @@ impl Palette {
     /// Reads a `.json` or `.gpl` file.
     ///
     /// # Errors
-    /// Where it cannot be read or is no palette.
+    /// The file cannot be read, or is not a palette.
     pub fn read(path: &Path) -> Result<Self, PaletteError> {
         let file = path.display().to_string();
         let form = form(path)?;
@@ -114,10 +112,10 @@ impl Palette {
         }
     }
 
-    /// Writes a `.json` or `.gpl` file, or leaves what was there.
+    /// Writes a `.json` or `.gpl` file. If that fails, an older file of this name is kept as it was.
     ///
     /// # Errors
-    /// Where the ending is another one, or it cannot be written.
+    /// The name has another ending, or the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), PaletteError> {
         let text = match form(path)? {
             Form::Json => self.to_json(),
@@ -126,10 +124,10 @@ impl Palette {
         Ok(save(path, |out| Ok(out.write_all(text.as_bytes())?))?)
     }
 
-    /// Reads the text of a `.json` file; `source_name`, mostly the file's, stands in errors.
+    /// Parses the text of a `.json` file; errors call it `source_name`.
     ///
     /// # Errors
-    /// Where it is not JSON, or no palette: the place, what was found, what is allowed.
+    /// It is not JSON, or not a palette: the place, what was found, what is allowed.
     pub fn parse_json(text: &str, source_name: &str) -> Result<Self, DocumentError> {
         let value = syntax::json(text).map_err(|problem| problem.in_file(source_name))?;
         palette(&Node::root(&value)).map_err(|problem| problem.in_file(source_name))
@@ -142,10 +140,10 @@ impl Palette {
         writer::text(&json!({"format": FORMAT, "version": VERSION, "name": self.name, "colours": colours}))
     }
 
-    /// Reads the text of a `.gpl` file.
+    /// Parses the text of a `.gpl` file; errors call it `source_name`.
     ///
     /// # Errors
-    /// Where a line is none of such a file, or there are too many colours.
+    /// A line is not one of a GIMP palette, or there are no colours, or too many.
     pub fn parse_gpl(text: &str, source_name: &str) -> Result<Self, PaletteError> {
         let file = || source_name.to_owned();
         let gpl::Palette { name, swatches } =
@@ -190,7 +188,7 @@ fn palette(root: &Node) -> Result<Palette, Problem> {
     Ok(Palette { name: name.chars().take(limits::MAX_NAME).collect(), colours })
 }
 
-/// The places that stand in the names, if all do and ascend.
+/// The pattern values in the colours' names, if all names have one and they ascend.
 fn named(swatches: &[Swatch]) -> Option<Vec<f64>> {
     let place =
         |swatch: &Swatch| swatch.name.strip_prefix("at ")?.parse().ok().filter(|at| limits::STOP.holds(*at));
@@ -201,7 +199,7 @@ fn named(swatches: &[Swatch]) -> Option<Vec<f64>> {
 /// From 0 to 1; one alone at 0.
 fn even(count: usize) -> Vec<f64> {
     let last = count.saturating_sub(1).max(1) as f64;
-    // To four digits: nobody wants to read 0.3333333333333333.
+    // Four digits are enough, and easier to read than 0.3333333333333333.
     (0..count).map(|index| (1e4 * index as f64 / last).round() / 1e4).collect()
 }
 
@@ -216,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_in_a_palette_is_named() {
+    fn errors_in_a_palette_name_place_and_value() {
         let with = |rest: &str| format!("{{\"format\": \"dapple palette\", \"version\": 1, {rest}}}");
         assert!(said("{").starts_with("a.json: line 1"), "{}", said("{"));
         assert!(said("{\"format\": \"dapple\"}").contains("a document is opened as such"));
@@ -240,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn files_are_told_apart_by_their_ending() {
+    fn the_ending_says_which_kind_of_file_it_is() {
         let folder = tempfile::tempdir().unwrap();
         let palette = Palette { name: "coat".to_owned(), colours: Colours::default_for_layer(0) };
         for name in ["a.json", "a.gpl", "A.GPL"] {
@@ -270,7 +268,7 @@ mod tests {
         }
 
         #[test]
-        fn no_text_makes_it_stumble(text in "\\PC{0,60}") {
+        fn no_text_makes_it_panic(text in "\\PC{0,60}") {
             let _ = (Palette::parse_json(&text, ""), Palette::parse_gpl(&text, ""));
         }
     }

@@ -1,4 +1,4 @@
-//! What may be drawn: strokes with a shape, and with their middle on the canvas.
+//! Reading strokes: each has an extent, and its middle on the canvas.
 
 use crate::document::layer_rules::mixed_marks;
 use crate::document::limits::{MIN_LENGTH, Range};
@@ -29,7 +29,7 @@ fn stroke(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
 
 type Reader = fn(&Node, [u32; 2]) -> Result<Stroke, Problem>;
 
-/// It may reach over the edge as long as its centre is inside.
+/// An ellipse may reach over the edge as long as its centre is on the canvas.
 fn ellipse(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "center", "radii", "angle"])?;
     Ok(Stroke::Ellipse(Ellipse {
@@ -41,7 +41,7 @@ fn ellipse(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     }))
 }
 
-/// Its middle is inside; its ends may leave the canvas.
+/// The middle of a line is on the canvas; its ends may leave it.
 fn line(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "from", "to", "width"])?;
     let from = node.need("from", "[x, y] in px")?.numbers(size.map(Range::around))?;
@@ -55,7 +55,7 @@ fn line(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     Ok(Stroke::Line(line))
 }
 
-/// The mean of its points is inside; single points may leave the canvas.
+/// The mean of the points is on the canvas; single points may leave it.
 fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "points", "width"])?;
     let list = node.need("points", "a list of points [x, y] in px")?;
@@ -82,7 +82,7 @@ fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
 
 fn width(node: &Node, size: [u32; 2]) -> Result<f64, Problem> {
     let range = Range::thickness(size);
-    // On a canvas narrower than the default pen, the pen is as wide as the canvas.
+    // On a canvas narrower than the default width, the canvas' width is the default.
     node.get("width").map_or(Ok(Stroke::WIDTH.min(range.high)), |node| node.number(&range))
 }
 

@@ -18,7 +18,7 @@ pub(super) struct SyntaxProblem {
 }
 
 impl SyntaxProblem {
-    /// The same as an error of the document in `file`.
+    /// Turns it into an error of the document in `file`.
     pub(super) fn in_file(self, file: &str) -> DocumentError {
         let Self { line, column, problem } = self;
         DocumentError::Syntax { file: file.to_owned(), line, column, problem }
@@ -43,7 +43,7 @@ pub(super) fn text(bytes: &[u8]) -> Result<&str, SyntaxProblem> {
     })
 }
 
-/// The JSON value that `text` holds; a byte order mark before it is passed over.
+/// The JSON value in `text`; a byte order mark before it is ignored.
 pub(super) fn json(text: &str) -> Result<Value, SyntaxProblem> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     if text.trim().is_empty() {
@@ -53,7 +53,7 @@ pub(super) fn json(text: &str) -> Result<Value, SyntaxProblem> {
     serde_json::from_str::<Unique>(text).map(|unique| unique.0).map_err(|error| explain(text, &error))
 }
 
-/// serde_json's error in our words, with the piece of text that it is about.
+/// Rewrites serde_json's error, and adds the piece of text that it is about.
 fn explain(text: &str, error: &serde_json::Error) -> SyntaxProblem {
     let line_text = text.split('\n').nth(error.line().saturating_sub(1)).unwrap_or_default();
     let mut at = error.column().saturating_sub(1).min(line_text.len());
@@ -83,7 +83,7 @@ fn explain(text: &str, error: &serde_json::Error) -> SyntaxProblem {
     SyntaxProblem { line: error.line().max(1), column, problem }
 }
 
-/// The word or number around byte `at` of a line, or the one character there; no longer than a message bears.
+/// The word or number around byte `at` of a line, or the one character there, shortened for a message.
 fn token(line: &str, at: usize) -> String {
     let wordy = |c: &char| c.is_alphanumeric() || "+-._".contains(*c);
     let (before, after) = (line.get(..at).unwrap_or_default(), line.get(at..).unwrap_or_default());
@@ -97,7 +97,7 @@ fn token(line: &str, at: usize) -> String {
     head.into_iter().chain(tail).collect()
 }
 
-/// A JSON value in whose objects no key stands twice (serde_json would silently keep the last).
+/// A JSON value whose objects hold no key twice (serde_json would silently keep the last one).
 struct Unique(Value);
 
 impl<'de> Deserialize<'de> for Unique {

@@ -6,10 +6,10 @@ use crate::document::{
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
-/// Longest line of a list or an object that is not broken.
+/// Longest line of a list or an object that is written on one line.
 const LINE: usize = 100;
 
-/// All of the document; only what is derived anyway (a layer's seed, its colours) is left out.
+/// The whole document, without what is derived from other values (a layer's seed, its colours).
 pub(super) fn value(document: &Document) -> Value {
     json!({
         "format": "dapple",
@@ -95,7 +95,7 @@ fn numbers(numbers: &[f64]) -> Value {
     numbers.iter().map(|x| number(*x)).collect()
 }
 
-/// Whole numbers are written without a fraction, as a person would.
+/// Whole numbers are written without a fraction.
 fn number(x: f64) -> Value {
     const EXACT: f64 = 9_007_199_254_740_992.0;
     if x.fract() == 0.0 && x.abs() <= EXACT { json!(x as i64) } else { json!(x) }
@@ -104,13 +104,13 @@ fn number(x: f64) -> Value {
 /// The JSON text of `value`, ending with a newline.
 pub(super) fn text(value: &Value) -> String {
     let mut out = String::new();
-    broken(&mut out, value, 0);
+    several_lines(&mut out, value, 0);
     out.push('\n');
     out
 }
 
-/// Writes `value` over several lines; those of its parts that fit one line stay on one.
-fn broken(out: &mut String, value: &Value, indent: usize) {
+/// Writes `value` on several lines; those of its parts that fit on one line are written on one.
+fn several_lines(out: &mut String, value: &Value, indent: usize) {
     match value {
         Value::Object(map) if !map.is_empty() => {
             out.push('{');
@@ -133,20 +133,20 @@ fn broken(out: &mut String, value: &Value, indent: usize) {
     }
 }
 
-/// Writes a part of an object or list; a layer is always broken, so that all layers look alike.
+/// Writes a part of an object or list; a layer always takes several lines, so that all layers look alike.
 fn part(out: &mut String, value: &Value, indent: usize, used: usize) {
     let mut short = String::new();
     if value.get("strokes").is_none() && !long(value) {
         line(&mut short, value);
     }
     if short.is_empty() || indent + used + short.chars().count() > LINE {
-        broken(out, value, indent);
+        several_lines(out, value, indent);
     } else {
         out.push_str(&short);
     }
 }
 
-/// Whether a list is so long that it cannot fit a line, so that it is not tried.
+/// Whether a value is certainly too long for one line, so that this need not be tried.
 fn long(value: &Value) -> bool {
     match value {
         Value::Array(items) => items.len() > LINE || items.iter().any(Value::is_object),

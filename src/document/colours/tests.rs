@@ -6,7 +6,7 @@ fn cheetah() -> Colours {
     Colours::default_for_layer(0)
 }
 
-/// Colours that are worth being handled: up to six stops, some bent.
+/// Random colours: up to six stops, some bent.
 pub(in crate::document) fn any_colours() -> impl Strategy<Value = Colours> {
     let stops = prop::collection::vec((0..=1000_u32, any::<[u8; 3]>()), 1..6);
     let bends = prop::collection::vec([0.0..=1.0, -2.0..=3.0, 0.0..=1.0, -2.0..=3.0], 0..5);
@@ -41,7 +41,7 @@ fn default_colours_are_those_of_the_painter() {
 }
 
 #[test]
-fn a_stop_that_is_put_in_changes_nothing_and_can_be_taken_out_again() {
+fn an_inserted_stop_changes_nothing_and_can_be_removed_again() {
     for preset in PRESETS {
         let before = Colours::from(&preset.set.gradient());
         for at in [0.1, 0.45, 0.5, 0.57, 0.8] {
@@ -64,7 +64,7 @@ fn a_stop_moves_past_others_and_back() {
     assert_eq!(colours.stops[2].colour, before.stops[1].colour);
     assert_eq!(colours.shift(2, 0.4), 1);
     assert_eq!(colours, before);
-    assert_eq!(colours.shift(1, 7.0), 2, "it comes to lie on the last, on the side it comes from");
+    assert_eq!(colours.shift(1, 7.0), 2, "at the value of the last stop, it stays below it");
 }
 
 #[test]
@@ -112,13 +112,13 @@ proptest! {
     }
 
     #[test]
-    fn whatever_a_hand_does_the_colours_stay_sound(
+    fn colours_stay_valid_under_any_edits(
         mut colours in any_colours(),
-        deeds in prop::collection::vec((0..5_u8, any::<prop::sample::Index>(), -0.2..1.2_f64), 1..20),
+        edits in prop::collection::vec((0..5_u8, any::<prop::sample::Index>(), -0.2..1.2_f64), 1..20),
     ) {
-        for (deed, which, at) in deeds {
+        for (edit, which, at) in edits {
             let index = which.index(colours.stops.len());
-            match deed {
+            match edit {
                 0 => drop(colours.insert(at)),
                 1 => drop(colours.remove(index)),
                 2 => drop(colours.shift(index, at)),
