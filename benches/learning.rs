@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use dapple::attributes::{Attributes, Spots, Stripes};
-use dapple::learn::{Parameters, Row, TrainingSet, write_rows};
+use dapple::internals::learn::{Parameters, Row, TrainingSet, write_rows};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use std::hint::black_box;

@@ -1,7 +1,7 @@
 //! Turing spots as one writes them the first time: rows of rows, `%` at every neighbour, one step after the other.
 //! What the plain solver is held against, so that being faster than the plain one means something.
 
-use dapple::rd::Growth;
+use dapple::internals::rd::Growth;
 
 /// D_a/D_b of the system.
 pub const RATIO: f32 = 3.8;

@@ -5,11 +5,11 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use dapple::cli::bench::cases::Case;
 use dapple::colour::{Gradient, Painted, paint};
-use dapple::export::png;
 use dapple::grid::Field;
 use dapple::grid::resample::Spline;
+use dapple::internals::export::png;
+use dapple::internals::rd::{Growth, nuclei};
 use dapple::measure;
-use dapple::rd::{Growth, nuclei};
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -91,7 +91,7 @@ fn pictures(criterion: &mut Criterion, pattern: &Field) {
 }
 
 /// The bytes that `write` writes.
-fn written(write: impl FnOnce(&mut Vec<u8>) -> Result<(), dapple::export::Stopped>) -> Vec<u8> {
+fn written(write: impl FnOnce(&mut Vec<u8>) -> Result<(), dapple::internals::export::Stopped>) -> Vec<u8> {
     let mut bytes = Vec::new();
     write(&mut bytes).expect("memory can be written");
     bytes

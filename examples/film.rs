@@ -4,11 +4,9 @@
 //!
 //! A name that ends in `.png` writes an animated PNG instead.
 
+use dapple::Options;
 use dapple::document::{Document, Layer, Stroke};
-use dapple::export::motion::Kind;
-use dapple::synth::Options;
-use dapple::synth::render::clip::Clip;
-use dapple::synth::render::film::Scene;
+use dapple::output::{Clip, FilmKind, Scene};
 use std::env;
 use std::error::Error;
 use std::path::PathBuf;
@@ -21,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Frames are as far apart as they look: most of them show the time in which spots appear.
     let clip = Clip { seconds: 2.0, fps: 10, ..Clip::default() };
     let scene = Scene { document: &document, options: Options::default() };
-    let (prepared, film) = clip.of_growth(&scene, &path, Kind::of(&path)?)?;
+    let (prepared, film) = clip.of_growth(&scene, &path, FilmKind::of(&path)?)?;
     prepared.keep()?;
     println!("{}: {} frames of {} × {} px", path.display(), film.frames, film.size[0], film.size[1]);
     Ok(())

@@ -3,8 +3,7 @@
 //!     cargo run --release --example lookup
 
 use dapple::attributes::{Attributes, Spots, Stripes};
-use dapple::rd::System;
-use dapple::synth::{LookedUp, Training};
+use dapple::lookup::{LookedUp, System, Training};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -38,13 +38,15 @@
 //! | | modules | know |
 //! |---|---|---|
 //! | ground | [`grid`], [`marks`], [`attributes`] | the ground above them |
-//! | steps | [`sketch`], [`measure`], [`learn`], [`rd`], [`colour`], [`export`] | the ground, never each other |
-//! | thread | [`document`], [`synth`] | ground and steps; `synth` knows `document` |
-//! | beside the thread | [`editor`] | ground, steps and thread |
+//! | steps | [`sketch`], [`measure`], `learn`, `rd`, [`colour`], `export` | the ground, never each other |
+//! | thread | [`document`], `synth` | ground and steps; `synth` knows `document` |
+//! | beside the thread | `editor` | ground, steps and thread |
 //! | doors | `cli`, `app` (features) | everything; nothing knows them |
 //!
 //! `tests/layering` checks these rules. The only way back, from a grown field to parameters, goes through a file:
-//! `data-gen` writes `training/`, [`learn`] reads it.
+//! `data-gen` writes `training/`, `learn` reads it.
+//!
+//! Modules without a link are internal; what a user needs of them stands in [`lookup`] and [`output`] and at the top.
 //!
 //! # Units
 //!
@@ -52,24 +54,25 @@
 //! axial (read mod 180).
 
 // Ground.
-pub mod attributes;
 pub mod grid;
 pub mod marks;
+// (marks before attributes: attributes are numbers about marks)
+pub mod attributes;
 
 // Steps.
 pub mod colour;
-pub mod export;
-pub mod learn;
+mod export;
+mod learn;
 pub mod measure;
-pub mod rd;
+mod rd;
 pub mod sketch;
 
 // Thread.
 pub mod document;
-pub mod synth;
+mod synth;
 
 // Beside the thread.
-pub mod editor;
+mod editor;
 
 // Doors.
 #[cfg(feature = "app")]
@@ -79,4 +82,51 @@ pub mod cli;
 
 pub use document::{Document, DocumentError, Layer, Stroke};
 pub use export::ExportError;
-pub use synth::{GrowError, Grown, Options, Stage, Watch};
+pub use synth::{GrowError, Grown, GrownLayer, Options, Stage, Watch};
+
+/// Looking up the parameters of a reaction-diffusion system without a document.
+pub mod lookup {
+    pub use crate::learn::{Answer, Coverage, Note, Parameters, TrainingError};
+    pub use crate::rd::System;
+    pub use crate::synth::plan::PlanError;
+    pub use crate::synth::{LookedUp, Training};
+}
+
+/// What can be made of a growth: pictures, outlines, materials, films, a report.
+pub mod output {
+    pub use crate::export::maps::{Green, Height, Surface};
+    pub use crate::export::motion::{Film, Kind as FilmKind, PreparedFilm};
+    pub use crate::export::outline::svg::{Sheet, Unit};
+    pub use crate::export::outline::{Ends, Group, Hatch, Shape, Smallest, Style as OutlineStyle};
+    pub use crate::export::{Format, Prepared};
+    pub use crate::synth::render::clip::{Clip, ClipError};
+    pub use crate::synth::render::film::Scene;
+    pub use crate::synth::render::outlining::{Outlining, outlines};
+    pub use crate::synth::render::painting::{Channel, Making, Painting, Style};
+    pub use crate::synth::report::{LayerReport, RegionReport, Report};
+}
+
+/// Modules for the tests, benches and training data of this project. They may change at any time.
+#[doc(hidden)]
+pub mod internals {
+    /// Writing files.
+    pub mod export {
+        pub use crate::export::*;
+    }
+    /// Looking up parameters in training sets.
+    pub mod learn {
+        pub use crate::learn::*;
+    }
+    /// Reaction and diffusion.
+    pub mod rd {
+        pub use crate::rd::*;
+    }
+    /// Planning, growing, rendering.
+    pub mod synth {
+        pub use crate::synth::*;
+    }
+    /// Editing a document.
+    pub mod editor {
+        pub use crate::editor::*;
+    }
+}

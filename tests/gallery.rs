@@ -4,9 +4,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use dapple::document::{After, Document};
-use dapple::synth::Options;
-use dapple::synth::grow;
-use dapple::synth::plan::sketch_targets::region_map;
+use dapple::internals::synth::Options;
+use dapple::internals::synth::grow;
+use dapple::internals::synth::plan::sketch_targets::region_map;
 
 /// What each file's name must begin with: a figure of Phan & Grimm (2006), a corner of one of Turk's (1991).
 const FIGURES: [&str; 26] = [

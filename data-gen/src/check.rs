@@ -1,7 +1,7 @@
 //! What a plan may say: each quantity with its unit and its range.
 
-use dapple::rd::System;
-use dapple::synth::Patch;
+use dapple::internals::rd::System;
+use dapple::internals::synth::Patch;
 
 use super::plan::{MOST_RUNS, Plan, Range, Scale, Set};
 

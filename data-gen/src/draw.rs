@@ -1,7 +1,7 @@
 //! Run i of a set: its seed and its parameters, the same whatever other runs there are.
 
-use dapple::learn::Parameters;
-use dapple::rd::System;
+use dapple::internals::learn::Parameters;
+use dapple::internals::rd::System;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 

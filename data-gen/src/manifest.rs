@@ -1,6 +1,6 @@
 //! The manifest beside each file of rows: what the columns are, what was swept, and how to do it again.
 
-use dapple::learn::columns_of;
+use dapple::internals::learn::columns_of;
 use dapple::measure::Reason;
 use serde_json::{Map, Value, json};
 

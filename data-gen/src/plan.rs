@@ -6,7 +6,7 @@
 
 use std::path::Path;
 
-use dapple::rd::System;
+use dapple::internals::rd::System;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 

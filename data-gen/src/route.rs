@@ -3,9 +3,9 @@
 
 use dapple::attributes::Attributes;
 use dapple::grid::{Edges, Field};
-use dapple::rd::{Growth, Maps, Parameters, System};
-use dapple::synth::settle;
-use dapple::synth::{Engine, Patch as Grown, Sample, Watch};
+use dapple::internals::rd::{Growth, Maps, Parameters, System};
+use dapple::internals::synth::settle;
+use dapple::internals::synth::{Engine, Patch as Grown, Sample, Watch};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
@@ -190,7 +190,7 @@ impl Patch {
 
     fn measured(&self, marks: &Field) -> Result<Sample, String> {
         let level = if self.system == System::TuringSpots { 0.35 } else { 0.5 };
-        let parameters = dapple::learn::Parameters {
+        let parameters = dapple::internals::learn::Parameters {
             rate: f64::from(self.rate),
             ratio: Some(f64::from(self.ratio)),
             stretch: f64::from(self.stretch),

@@ -1,8 +1,8 @@
 //! One run: parameters → simulation → verdict → a line of one of the two files.
 
-use dapple::learn::{Parameters, Row, columns_of, six_digits, write_rows};
+use dapple::internals::learn::{Parameters, Row, columns_of, six_digits, write_rows};
+use dapple::internals::synth::{Patch, Sample, Watch};
 use dapple::measure::Reason;
-use dapple::synth::{Patch, Sample, Watch};
 
 use crate::plan::Set;
 

@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 
 use assert_cmd::assert::OutputAssertExt;
 use assert_cmd::cargo::cargo_bin;
-use dapple::learn::TrainingSet;
+use dapple::internals::learn::TrainingSet;
 use serde_json::{Value, json};
 
 fn data_gen(folder: &Path, arguments: &str) -> Command {

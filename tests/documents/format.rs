@@ -2,7 +2,7 @@
 
 use super::*;
 use dapple::document::layer_rules::RULES;
-use dapple::synth::Grown;
+use dapple::internals::synth::Grown;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;

@@ -7,10 +7,10 @@ use std::path::PathBuf;
 
 use dapple::document::Document;
 use dapple::grid::Edges;
+use dapple::internals::synth::Options;
+use dapple::internals::synth::grow;
+use dapple::internals::synth::plan::sketch_targets::{marks, region_map};
 use dapple::marks::Mark;
-use dapple::synth::Options;
-use dapple::synth::grow;
-use dapple::synth::plan::sketch_targets::{marks, region_map};
 
 fn examples() -> Vec<(PathBuf, Document)> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples");

@@ -90,8 +90,8 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
 #[test]
 fn growing_again_and_again_takes_no_more_memory() {
     use dapple::document::Document;
-    use dapple::synth::Options;
-    use dapple::synth::grow;
+    use dapple::internals::synth::Options;
+    use dapple::internals::synth::grow;
     let mut samples = Vec::new();
     for index in 0..300 {
         let document = Document::parse(&document(index), "document").unwrap();

@@ -2,7 +2,7 @@
 
 use crate::renew::{golden, renew, renews, text};
 use dapple::grid::{Edges, Grid};
-use dapple::rd::{Growth, Maps, Parameters, System};
+use dapple::internals::rd::{Growth, Maps, Parameters, System};
 use std::fmt::Write;
 
 /// 48 × 40 oblong cells whose parameters all vary; by plain arithmetic, which is the same everywhere.

@@ -6,9 +6,9 @@
 use crate::renew::{golden, kept, renew, renews};
 use dapple::document::{After, Document};
 use dapple::grid::Edges;
-use dapple::rd::System;
-use dapple::synth::render::painting::Painting;
-use dapple::synth::{Options, Watch, grow_seen};
+use dapple::internals::rd::System;
+use dapple::internals::synth::render::painting::Painting;
+use dapple::internals::synth::{Options, Watch, grow_seen};
 use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -122,7 +122,10 @@ fn what_has_no_document_is_refused() {
         let error = match Document::parse(&text, &name) {
             Err(error) => error.to_string(),
             Ok(document) => {
-                let grown = dapple::synth::grow(&document, &Options { source: &name, ..Options::default() });
+                let grown = dapple::internals::synth::grow(
+                    &document,
+                    &Options { source: &name, ..Options::default() },
+                );
                 grown.err().unwrap_or_else(|| panic!("{name} grew")).to_string()
             }
         };

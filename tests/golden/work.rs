@@ -3,9 +3,9 @@
 use crate::renew::golden;
 use crate::textures::{document, names};
 use dapple::document::Document;
-use dapple::synth::grow;
-use dapple::synth::plan::sketch_targets::region_map;
-use dapple::synth::{Engine, Options, Training, planned};
+use dapple::internals::synth::grow;
+use dapple::internals::synth::plan::sketch_targets::region_map;
+use dapple::internals::synth::{Engine, Options, Training, planned};
 
 fn expected(document: &Document, name: &str) -> Vec<f64> {
     let mut beneath = None;

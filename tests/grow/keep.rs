@@ -7,9 +7,9 @@ use dapple::grid::Edges;
 use dapple::marks::{Ellipse, Line, Mark, turn};
 use dapple::measure::{self, Spot};
 
-use dapple::synth::plan::pinned_marks::{covered, keep, off};
-use dapple::synth::plan::plan;
-use dapple::synth::{Engine, GrownLayer, Measured, Options, Training, Watch, grow, settle};
+use dapple::internals::synth::plan::pinned_marks::{covered, keep, off};
+use dapple::internals::synth::plan::plan;
+use dapple::internals::synth::{Engine, GrownLayer, Measured, Options, Training, Watch, grow, settle};
 use serde_json::{Value, json};
 
 fn grown(document: &Document) -> GrownLayer {
@@ -171,7 +171,7 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
 
 /// The share of each line of `document` that lies in a stripe of `layer`.
 fn in_stripes(document: &Document, layer: &GrownLayer) -> Vec<f64> {
-    let marks = dapple::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
+    let marks = dapple::internals::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
     let mut plan = layer.plan.clone();
     keep(&mut plan, &marks);
     let [width, height] = document.size.map(|side| side as usize);

@@ -3,10 +3,10 @@
 use dapple::attributes::{Attributes, Stripes};
 use dapple::document::{Document, Layer, Options as Choices, Seeding, Stroke};
 use dapple::grid::{Edges, Field};
+use dapple::internals::synth::grow;
+use dapple::internals::synth::{Measured, Options};
 use dapple::marks::Line;
 use dapple::measure::{self, Canvas, StripeErrors};
-use dapple::synth::grow;
-use dapple::synth::{Measured, Options};
 
 /// What grows from lines 8 px wide.
 fn grown(

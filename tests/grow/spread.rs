@@ -4,10 +4,10 @@ use crate::folder::{Folder, document, hexagon, spots};
 use dapple::attributes::Spread;
 use dapple::document::{Document, Layer, Options as Choices, SpreadChoice, Stroke, SystemChoice};
 use dapple::grid::Edges;
+use dapple::internals::synth::grow;
+use dapple::internals::synth::{Measured, Options};
 use dapple::marks::{Ellipse, turn};
 use dapple::measure::SpotErrors;
-use dapple::synth::grow;
-use dapple::synth::{Measured, Options};
 use serde_json::{Value, json};
 
 const EVEN: Spread = Spread::EVEN;

@@ -4,7 +4,7 @@ use super::{cascade, covered, grown, patterns, spots, stripes, try_grow};
 use dapple::attributes::Spread;
 use dapple::document::{Layer, SpreadChoice, SystemChoice};
 use dapple::grid::{Edges, Field};
-use dapple::synth::{Grown, Measured};
+use dapple::internals::synth::{Grown, Measured};
 
 /// Pairs of neighbouring points (of eight each) of which a lower layer covers one and a higher layer the other.
 fn touching(patterns: &[Field]) -> usize {

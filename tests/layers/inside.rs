@@ -4,9 +4,9 @@ use super::{after, cascade, covered, grown, patterns, spots, stripes, try_grow};
 use dapple::attributes::Spread;
 use dapple::document::{After, Document, Layer, SpreadChoice, SystemChoice};
 use dapple::grid::Edges;
+use dapple::internals::synth::plan::inside::is_replaced;
+use dapple::internals::synth::{Grown, Measured};
 use dapple::measure::Spot;
-use dapple::synth::plan::inside::is_replaced;
-use dapple::synth::{Grown, Measured};
 
 fn inside(layer: Layer) -> Layer {
     after(After::Inside, layer)

@@ -3,7 +3,7 @@
 use super::{cascade, grown, spots, stripes};
 use dapple::document::Document;
 use dapple::grid::Edges;
-use dapple::synth::{Grown, Options, Stage, Watch, regrow};
+use dapple::internals::synth::{Grown, Options, Stage, Watch, regrow};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 type Change = fn(&mut Document);

@@ -3,9 +3,9 @@
 use super::{cascade, grown, spots};
 use dapple::document::{Document, Layer, Stroke};
 use dapple::grid::Edges;
+use dapple::internals::synth::report::report;
+use dapple::internals::synth::{Grown, Measured};
 use dapple::marks::{Ellipse, turn};
-use dapple::synth::report::report;
-use dapple::synth::{Grown, Measured};
 
 #[track_caller]
 fn assert_met(grown: &Grown, of: &str) {

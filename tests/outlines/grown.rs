@@ -1,12 +1,12 @@
 //! Examples, grown small: what their outlines enclose, and how an SVG library paints them.
 
 use dapple::document::Document;
-use dapple::export::outline::svg::{self, Sheet, Unit};
-use dapple::export::outline::{Group, Hatch, Smallest, Style};
-use dapple::synth::grow;
-use dapple::synth::render::outlining::{Outlining, outlines};
-use dapple::synth::render::painting::Painting;
-use dapple::synth::{Grown, Options, Watch};
+use dapple::internals::export::outline::svg::{self, Sheet, Unit};
+use dapple::internals::export::outline::{Group, Hatch, Smallest, Style};
+use dapple::internals::synth::grow;
+use dapple::internals::synth::render::outlining::{Outlining, outlines};
+use dapple::internals::synth::render::painting::Painting;
+use dapple::internals::synth::{Grown, Options, Watch};
 use rayon::prelude::*;
 use resvg::tiny_skia::{PathSegment, Pixmap, Transform};
 use resvg::usvg::{self, Node, tiny_skia_path};
@@ -195,9 +195,10 @@ fn the_hatch_of_a_tile_goes_on_across_its_seams() {
         let groups = outlines(&document, &grown, &wanted, &Watch::NONE).unwrap().0;
         let strokes = groups[0].strokes.iter();
         let ends: Vec<[f64; 2]> = strokes.flat_map(|stroke| [stroke.start, stroke.end()]).collect();
-        let outlines = groups[0].areas.iter().flat_map(dapple::export::outline::Shape::paths);
-        let knots: Vec<[f64; 2]> =
-            outlines.flat_map(|path| path.pieces.iter().map(dapple::export::outline::Piece::end)).collect();
+        let outlines = groups[0].areas.iter().flat_map(dapple::internals::export::outline::Shape::paths);
+        let knots: Vec<[f64; 2]> = outlines
+            .flat_map(|path| path.pieces.iter().map(dapple::internals::export::outline::Piece::end))
+            .collect();
         let mut met = 0;
         for axis in [0, 1] {
             // Where a stroke ends at one side, another begins at the other; but that where a mark's edge meets the border,
@@ -225,7 +226,11 @@ fn the_hatch_of_a_tile_goes_on_across_its_seams() {
 fn a_higher_level_lies_within_a_lower_one() {
     let (document, grown) = grown("tile-petals");
     let area = |level| -> f64 {
-        outlined(&document, &grown, level)[0].areas.iter().map(dapple::export::outline::Shape::area).sum()
+        outlined(&document, &grown, level)[0]
+            .areas
+            .iter()
+            .map(dapple::internals::export::outline::Shape::area)
+            .sum()
     };
     let areas = [0.05, 0.3, 0.5, 0.8, 0.999].map(area);
     assert!(areas.windows(2).all(|pair| pair[0] > pair[1]), "{areas:?}");

@@ -4,10 +4,10 @@
 use crate::cases;
 use dapple::attributes::{Attributes, Spots, Stripes};
 use dapple::grid::Edges;
-use dapple::learn;
+use dapple::internals::learn;
+use dapple::internals::rd::{Growth, Maps, Parameters, System};
+use dapple::internals::synth::Training;
 use dapple::measure::{Reason, formed};
-use dapple::rd::{Growth, Maps, Parameters, System};
-use dapple::synth::Training;
 use proptest::prelude::*;
 use std::sync::LazyLock;
 

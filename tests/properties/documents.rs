@@ -7,8 +7,8 @@ use dapple::document::{
     layer_rules,
 };
 use dapple::grid::Edges;
+use dapple::internals::rd::Seeding;
 use dapple::marks::{Ellipse, Line};
-use dapple::rd::Seeding;
 use proptest::prelude::*;
 
 fn point(size: [u32; 2]) -> impl Strategy<Value = [f64; 2]> {

@@ -4,8 +4,8 @@
 
 use crate::cases;
 use crate::documents::document;
-use dapple::synth::grow;
-use dapple::synth::{GrowError, Options};
+use dapple::internals::synth::grow;
+use dapple::internals::synth::{GrowError, Options};
 use proptest::prelude::*;
 
 /// Steps on the finest grid that a layer may take (`synth::settle`), and a few on the way there.

@@ -317,7 +317,8 @@ fn is_painted(hand: &Hand) -> bool {
     let (Some(texture), Some(picture)) = (window.settled(), window.growth().picture.as_ref()) else {
         return false;
     };
-    let rgb = dapple::synth::render::painting::Painting::of(&window.document(), &texture.grown, 1).rgb();
+    let rgb =
+        dapple::internals::synth::render::painting::Painting::of(&window.document(), &texture.grown, 1).rgb();
     picture.image.pixels.iter().zip(rgb.chunks_exact(3)).all(|(px, rgb)| px.to_array()[..3] == *rgb)
 }
 

@@ -6,10 +6,10 @@ use std::time::Instant;
 use dapple::attributes::Attributes;
 use dapple::document::Document;
 use dapple::grid::{Field, to_u16};
+use dapple::internals::synth::grow;
+use dapple::internals::synth::plan::sketch_targets;
+use dapple::internals::synth::{GrownLayer, Options, Training};
 use dapple::measure::{self, Canvas, Spot};
-use dapple::synth::grow;
-use dapple::synth::plan::sketch_targets;
-use dapple::synth::{GrownLayer, Options, Training};
 
 use super::attribute::{ATTRIBUTES, Errors};
 use super::output;

@@ -23,7 +23,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use dapple::document::Document;
-use dapple::synth::Training;
+use dapple::internals::synth::Training;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use grown::{Outcome, Task};

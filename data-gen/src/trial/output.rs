@@ -6,9 +6,9 @@ use std::path::Path;
 use dapple::attributes::Attributes;
 use dapple::colour::{Bend, Gradient, Painted, Stop, Table, paint};
 use dapple::document::{Colours, Document};
-use dapple::export;
-use dapple::export::png::{gray16, rgb8};
 use dapple::grid::Field;
+use dapple::internals::export;
+use dapple::internals::export::png::{gray16, rgb8};
 use serde_json::{Map, Value, json};
 
 use super::attribute::ATTRIBUTES;

@@ -25,13 +25,12 @@ impl LookedUp {
     ///
     /// ```
     /// use dapple::attributes::{Attributes, Spots};
-    /// use dapple::rd::System;
-    /// use dapple::synth::{LookedUp, Training};
+    /// use dapple::lookup::{LookedUp, System, Training};
     ///
     /// let spots = Spots { area: 300.0, aspect: 0.6, angle: 30.0, spacing: Some(40.0) };
     /// let found = LookedUp::new(Training::built_in(), System::MeinhardtSpots, &Attributes::Spots(spots))?;
     /// assert_eq!(found.answer.parameters.named()[0].0, "rate");
-    /// # Ok::<(), dapple::synth::plan::PlanError>(())
+    /// # Ok::<(), dapple::lookup::PlanError>(())
     /// ```
     ///
     /// # Errors

@@ -1,8 +1,8 @@
 //! Documents: what is read is written and read back as it was, and what would be grown can be told.
 
 use dapple::document::Document;
-use dapple::synth::plan::sketch_targets::region_map;
-use dapple::synth::{Training, memory, planned};
+use dapple::internals::synth::plan::sketch_targets::region_map;
+use dapple::internals::synth::{Training, memory, planned};
 use std::sync::LazyLock;
 
 use crate::kept::comes_back;

@@ -1,8 +1,8 @@
 //! SVG: whatever is in it, its marks are finite, and the document made of them is valid.
 
+use dapple::internals::synth::import::document_of;
 use dapple::marks::Mark;
 use dapple::sketch::svg::{DPI, read};
-use dapple::synth::import::document_of;
 
 use crate::kept::comes_back;
 use crate::told::told;

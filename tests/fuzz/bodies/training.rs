@@ -1,7 +1,7 @@
 //! Training rows: what is read is written and read back, and whatever is asked gets numbers or a refusal.
 
 use dapple::attributes::{Attributes, Spots, Stripes};
-use dapple::learn::{SYSTEMS, TrainingSet, write_rows};
+use dapple::internals::learn::{SYSTEMS, TrainingSet, write_rows};
 
 use crate::told::told;
 

@@ -4,8 +4,8 @@ use dapple::attributes::regions::RegionMap;
 use dapple::attributes::{Attributes, Spots, Stripes};
 use dapple::document::Document;
 use dapple::grid::Edges;
+use dapple::internals::synth::plan::sketch_targets;
 use dapple::marks::turn;
-use dapple::synth::plan::sketch_targets;
 
 /// Area of a spot, px².
 pub const AREA: [f64; 2] = [40.0, 1_500.0];

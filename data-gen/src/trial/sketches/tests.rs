@@ -1,5 +1,5 @@
 use super::*;
-use dapple::synth::plan::sketch_targets;
+use dapple::internals::synth::plan::sketch_targets;
 
 #[test]
 fn a_sketch_is_the_same_whatever_others_there_are() {
