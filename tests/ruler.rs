@@ -85,7 +85,7 @@ proptest! {
     fn a_soft_ellipse_is_measured_back(
         area in 40.0..1500.0, aspect in 0.3..1.0, angle in 0.0..180.0, x in 50.0..60.0, y in 50.0..60.0,
     ) {
-        let ellipse = Ellipse::of([x, y], area, aspect, angle);
+        let ellipse = Ellipse::from_area([x, y], area, aspect, angle);
         let field = draw([110, 110], Edges::Closed, Profile::Soft, &[ellipse]);
         let (area, aspect, angle, centre) = read(&field, &ellipse);
         prop_assert!(area.abs() < 0.005, "area {}", area);
@@ -98,7 +98,7 @@ proptest! {
     fn a_firm_ellipse_is_measured_back(
         area in 100.0..1500.0, aspect in 0.3..1.0, angle in 0.0..180.0, x in 50.0..60.0, y in 50.0..60.0,
     ) {
-        let ellipse = Ellipse::of([x, y], area, aspect, angle);
+        let ellipse = Ellipse::from_area([x, y], area, aspect, angle);
         let field = draw([110, 110], Edges::Closed, Profile::Firm, &[ellipse]);
         let (area, aspect, angle, _) = read(&field, &ellipse);
         prop_assert!(area.abs() < 0.005, "area {}", area);
@@ -111,7 +111,7 @@ proptest! {
     fn a_hard_ellipse_is_measured_back(
         area in 100.0..1500.0, aspect in 0.3..1.0, angle in 0.0..180.0, x in 50.0..60.0, y in 50.0..60.0,
     ) {
-        let ellipse = Ellipse::of([x, y], area, aspect, angle);
+        let ellipse = Ellipse::from_area([x, y], area, aspect, angle);
         let field = draw([110, 110], Edges::Closed, Profile::Hard, &[ellipse]);
         let (area, aspect, angle, _) = read(&field, &ellipse);
         prop_assert!(area.abs() * ellipse.area() < 2.5, "area {}", area);
@@ -125,7 +125,7 @@ proptest! {
     fn on_a_tile_an_ellipse_is_one_wherever_it_lies(
         area in 60.0..400.0, aspect in 0.4..0.9, angle in 0.0..180.0, x in 0.0..64.0, y in 0.0..48.0,
     ) {
-        let ellipse = Ellipse::of([x, y], area, aspect, angle);
+        let ellipse = Ellipse::from_area([x, y], area, aspect, angle);
         let field = draw([64, 48], Edges::Wrap, Profile::Firm, &[ellipse]);
         let spots = measure::spots(&field, 0.5);
         prop_assert_eq!(spots.len(), 1);
@@ -180,7 +180,7 @@ fn a_cut_ellipse_is_not_whole_and_has_what_can_be_seen() {
 
 #[test]
 fn the_same_spots_on_coarser_cells_have_the_same_px() {
-    let ellipse = Ellipse::of([61.0, 57.0], 600.0, 0.5, 33.0);
+    let ellipse = Ellipse::from_area([61.0, 57.0], 600.0, 0.5, 33.0);
     let size = [120.0, 114.0];
     let on = |cell: [f64; 2]| {
         let cells = [(size[0] / cell[0]) as usize, (size[1] / cell[1]) as usize];
@@ -201,7 +201,9 @@ fn graded() -> Vec<Ellipse> {
         .flat_map(|j| {
             (0..10).map(move |i| [24.0 * i as f64 + 12.0 * (j % 2) as f64 + 6.0, row * (j as f64 + 0.5)])
         })
-        .map(|center| Ellipse::of(center, 100.0 + 100.0 * center[0] / 240.0, 0.6, 20.0 + center[1] / 10.0))
+        .map(|center| {
+            Ellipse::from_area(center, 100.0 + 100.0 * center[0] / 240.0, 0.6, 20.0 + center[1] / 10.0)
+        })
         .collect()
 }
 
@@ -301,7 +303,7 @@ fn rings_follow_their_tangents() {
     let rings = Field::from_fn([200, 200], [1.0, 1.0], Edges::Closed, |[x, y]| {
         (0.5 + 0.5 * ((x - 100.0).hypot(y - 100.0) * std::f64::consts::TAU / 12.0).cos()) as f32
     });
-    let directions = Directions::of(&rings, 12.0);
+    let directions = Directions::measure(&rings, 12.0);
     let places = directions.ask(|[x, y]| {
         let (dx, dy) = (x - 100.0, y - 100.0);
         let double = 2.0 * (dy.atan2(dx) + std::f64::consts::FRAC_PI_2);
@@ -326,7 +328,8 @@ fn a_picture_is_told_to_be_spots_or_stripes() {
         let field = stripes([256, 256], true, width, angle, 2.4 * width);
         assert!(matches!(measure::picture(&field, 0.5), Some(Picture::Stripes { .. })), "{width} {angle}");
     }
-    let one = draw([60, 60], Edges::Closed, Profile::Hard, &[Ellipse::of([30.0, 30.0], 150.0, 0.15, 70.0)]);
+    let one =
+        draw([60, 60], Edges::Closed, Profile::Hard, &[Ellipse::from_area([30.0, 30.0], 150.0, 0.15, 70.0)]);
     assert!(matches!(measure::picture(&one, 0.5), Some(Picture::Spots { marks: 1, .. })));
     assert!(measure::picture(&Field::flat(40, 40, Edges::Closed, 0.0), 0.5).is_none());
 }
@@ -335,7 +338,8 @@ fn a_picture_is_told_to_be_spots_or_stripes() {
 fn what_is_no_texture_is_told_why() {
     let judge = |field: &Field| measure::spot_texture(field, &measure::census(field, 0.5), [0.0, 1.0]);
     let with = |ellipses: &[Ellipse]| draw([240, 249], Edges::Wrap, Profile::Firm, ellipses);
-    let even: Vec<Ellipse> = graded().iter().map(|e| Ellipse::of(e.center, 130.0, 0.6, e.angle)).collect();
+    let even: Vec<Ellipse> =
+        graded().iter().map(|e| Ellipse::from_area(e.center, 130.0, 0.6, e.angle)).collect();
     assert_eq!(judge(&with(&even)), Ok(()));
     assert!(matches!(judge(&Field::flat(50, 50, Edges::Wrap, 0.6)), Err(Reason::NoPattern { .. })));
     let mut blown = with(&even);
@@ -343,14 +347,16 @@ fn what_is_no_texture_is_told_why() {
     assert_eq!(judge(&blown), Err(Reason::NotFinite));
     assert_eq!(judge(&with(&even[..4])), Err(Reason::TooFew { marks: 4, least: 6 }));
     let mixed: Vec<Ellipse> =
-        (0..120).map(|k| Ellipse::of(even[k].center, [60.0, 160.0][k % 2], 0.9, 0.0)).collect();
+        (0..120).map(|k| Ellipse::from_area(even[k].center, [60.0, 160.0][k % 2], 0.9, 0.0)).collect();
     assert!(matches!(judge(&with(&mixed)), Err(Reason::TooIrregular { .. })));
     let tiny = draw(
         [64, 64],
         Edges::Wrap,
         Profile::Soft,
         &(0..16)
-            .map(|k| Ellipse::of([16.0 * (k % 4) as f64 + 8.3, 16.0 * (k / 4) as f64 + 8.1], 5.0, 1.0, 0.0))
+            .map(|k| {
+                Ellipse::from_area([16.0 * (k % 4) as f64 + 8.3, 16.0 * (k / 4) as f64 + 8.1], 5.0, 1.0, 0.0)
+            })
             .collect::<Vec<_>>(),
     );
     assert!(matches!(judge(&tiny), Err(Reason::TooSmall { .. })));
@@ -358,7 +364,10 @@ fn what_is_no_texture_is_told_why() {
         .iter()
         .flat_map(|e| {
             let [x, y] = e.center;
-            [Ellipse::of([x - 4.0, y], 60.0, 0.5, 60.0), Ellipse::of([x + 4.0, y], 60.0, 0.5, 120.0)]
+            [
+                Ellipse::from_area([x - 4.0, y], 60.0, 0.5, 60.0),
+                Ellipse::from_area([x + 4.0, y], 60.0, 0.5, 120.0),
+            ]
         })
         .collect();
     assert!(matches!(judge(&with(&bent)), Err(Reason::Merged { .. })));

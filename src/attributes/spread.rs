@@ -24,11 +24,11 @@ const ALL_WAYS: f64 = 51.961_524_227_066_32;
 
 impl Spread {
     /// All alike.
-    pub const EVEN: Self = Self { area: 0.0, angle: 0.0, aspect: 0.0, spacing: 0.0 };
+    pub const ZERO: Self = Self { area: 0.0, angle: 0.0, aspect: 0.0, spacing: 0.0 };
 
     /// How much a set of ellipses varies.
     #[must_use]
-    pub fn of(ellipses: &[Ellipse]) -> Self {
+    pub fn measure(ellipses: &[Ellipse]) -> Self {
         let axes = ellipses.iter().map(|ellipse| (ellipse.major_angle(), 1.0 - ellipse.aspect()));
         let centers: Vec<[f64; 2]> = ellipses.iter().map(|ellipse| ellipse.center).collect();
         Self {
@@ -41,7 +41,7 @@ impl Spread {
 
     /// Does nothing vary, but for rounding?
     #[must_use]
-    pub fn is_even(&self) -> bool {
+    pub fn is_zero(&self) -> bool {
         self.named().iter().all(|(_, value)| *value < 1e-6)
     }
 
@@ -103,26 +103,26 @@ mod tests {
     use super::*;
 
     fn ellipse(x: f64, area: f64, aspect: f64, angle: f64) -> Ellipse {
-        Ellipse::of([x, 0.0], area, aspect, angle)
+        Ellipse::from_area([x, 0.0], area, aspect, angle)
     }
 
     #[test]
     fn ellipses_that_are_alike_have_no_spread() {
-        let spread = Spread::of(&[
+        let spread = Spread::measure(&[
             ellipse(0.0, 30.0, 0.5, 20.0),
             ellipse(9.0, 30.0, 0.5, 20.0),
             ellipse(18.0, 30.0, 0.5, 20.0),
         ]);
         assert!(spread.named().iter().all(|(_, value)| *value < 1e-6), "{spread:?}");
-        assert_eq!(Spread::of(&[]), Spread::EVEN);
+        assert_eq!(Spread::measure(&[]), Spread::ZERO);
     }
 
     #[test]
     fn two_ellipses_differ_by_half_of_their_difference() {
-        let spread = Spread::of(&[ellipse(0.0, 80.0, 0.4, 170.0), ellipse(9.0, 120.0, 0.4, 10.0)]);
+        let spread = Spread::measure(&[ellipse(0.0, 80.0, 0.4, 170.0), ellipse(9.0, 120.0, 0.4, 10.0)]);
         assert!((spread.area - 0.2).abs() < 1e-9 && spread.aspect < 1e-9, "{spread:?}");
         assert!((spread.angle - 10.0).abs() < 1e-9 && spread.spacing == 0.0, "{spread:?}");
-        let spread = Spread::of(&[ellipse(0.0, 80.0, 0.4, 0.0), ellipse(9.0, 80.0, 0.6, 0.0)]);
+        let spread = Spread::measure(&[ellipse(0.0, 80.0, 0.4, 0.0), ellipse(9.0, 80.0, 0.6, 0.0)]);
         assert!((spread.aspect - 0.1).abs() < 1e-9 && spread.area < 1e-9, "{spread:?}");
     }
 
@@ -130,8 +130,8 @@ mod tests {
     fn a_round_ellipse_has_no_say_in_the_scatter_of_directions() {
         let pair = [ellipse(0.0, 50.0, 0.4, 10.0), ellipse(9.0, 50.0, 0.4, 30.0)];
         let with_round = [pair[0], pair[1], ellipse(20.0, 50.0, 1.0, 80.0)];
-        assert!((Spread::of(&pair).angle - Spread::of(&with_round).angle).abs() < 1e-6);
-        assert_eq!(Spread::of(&[with_round[2]; 3]).angle, 0.0);
+        assert!((Spread::measure(&pair).angle - Spread::measure(&with_round).angle).abs() < 1e-6);
+        assert_eq!(Spread::measure(&[with_round[2]; 3]).angle, 0.0);
     }
 
     #[test]
@@ -146,7 +146,7 @@ mod tests {
     fn the_spacing_varies_as_the_edges_that_count() {
         // On one line: 8 and 12 count, 60 is over twice the median.
         let places = [0.0, 8.0, 20.0, 28.0, 40.0, 100.0];
-        let spread = Spread::of(&places.map(|x| ellipse(x, 10.0, 0.5, 0.0)));
+        let spread = Spread::measure(&places.map(|x| ellipse(x, 10.0, 0.5, 0.0)));
         assert!((spread.spacing - 0.2).abs() < 1e-9, "{spread:?}");
     }
 }

@@ -15,7 +15,7 @@ impl Stripes {
     /// The width is the plain mean, the angle the axial mean weighted by length (0 where the directions
     /// cancel). Lines do not say how far apart they are meant to stand.
     #[must_use]
-    pub fn of(lines: &[Line]) -> Option<Self> {
+    pub fn measure(lines: &[Line]) -> Option<Self> {
         if lines.is_empty() {
             return None;
         }
@@ -39,7 +39,7 @@ mod tests {
             Line { from: [7.0, 7.0], to: [7.0, -13.0], width: 8.0 },
             Line { from: [10.0, 10.0], to: [0.0, 0.0], width: 6.0 },
         ];
-        let stripes = Stripes::of(&lines).unwrap();
+        let stripes = Stripes::measure(&lines).unwrap();
         assert_eq!(stripes.width, 6.0);
         // (30 − 20, √200) at the double angle.
         assert!((stripes.angle - 0.5 * 200f64.sqrt().atan2(10.0).to_degrees()).abs() < 1e-9, "{stripes:?}");
@@ -51,7 +51,7 @@ mod tests {
             Line { from: [0.0, 0.0], to: [20.0, 20.0], width: 4.0 },
             Line { from: [0.0, 20.0], to: [20.0, 0.0], width: 4.0 },
         ];
-        assert_eq!(Stripes::of(&lines).unwrap().angle, 0.0);
-        assert_eq!(Stripes::of(&[]), None);
+        assert_eq!(Stripes::measure(&lines).unwrap().angle, 0.0);
+        assert_eq!(Stripes::measure(&[]), None);
     }
 }

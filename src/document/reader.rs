@@ -98,7 +98,7 @@ fn options(node: &Node) -> Result<Options, Problem> {
 /// `"drawn"`, the variation of the area, or an object.
 fn spread(node: &Node) -> Result<SpreadChoice, Problem> {
     if node.is_object() {
-        node.keys(&Spread::EVEN.named().map(|(name, _)| name))?;
+        node.keys(&Spread::ZERO.named().map(|(name, _)| name))?;
         let number = |key: &str, range| node.get(key).map_or(Ok(0.0), |node| node.number(range));
         return Ok(SpreadChoice::Given(Spread {
             area: number("area", &limits::SPREAD_AREA)?,
@@ -115,7 +115,7 @@ fn spread(node: &Node) -> Result<SpreadChoice, Problem> {
         return Ok(SpreadChoice::Drawn);
     }
     match node.number(&limits::SPREAD_AREA) {
-        Ok(area) => Ok(SpreadChoice::Given(Spread { area, ..Spread::EVEN })),
+        Ok(area) => Ok(SpreadChoice::Given(Spread { area, ..Spread::ZERO })),
         Err(_) => Err(node.wrong(allowed)),
     }
 }

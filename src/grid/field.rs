@@ -45,7 +45,7 @@ impl Field {
 
     /// A field with these values, one a cell of `grid`.
     #[must_use]
-    pub fn on(grid: &Grid, values: Vec<f32>) -> Self {
+    pub fn new(grid: &Grid, values: Vec<f32>) -> Self {
         let [width, height] = grid.size;
         Self { width, height, cell: grid.cell, edges: grid.edges, values }
     }

@@ -16,7 +16,7 @@ pub struct Ellipse {
 impl Ellipse {
     /// The ellipse of this area (px²), aspect (0..1] and major axis (degrees).
     #[must_use]
-    pub fn of(center: [f64; 2], area: f64, aspect: f64, angle: f64) -> Self {
+    pub fn from_area(center: [f64; 2], area: f64, aspect: f64, angle: f64) -> Self {
         let minor = (area * aspect / std::f64::consts::PI).sqrt();
         Self { center, radii: [minor / aspect, minor], angle }
     }
@@ -54,7 +54,7 @@ mod tests {
 
     #[test]
     fn an_ellipse_made_from_its_numbers_has_them() {
-        let ellipse = Ellipse::of([1.0, 2.0], 300.0, 0.4, 30.0);
+        let ellipse = Ellipse::from_area([1.0, 2.0], 300.0, 0.4, 30.0);
         assert!((ellipse.area() - 300.0).abs() < 1e-9);
         assert!((ellipse.aspect() - 0.4).abs() < 1e-12);
         assert_eq!(ellipse.major_angle(), 30.0);

@@ -53,7 +53,7 @@ impl Directions {
     /// σ = 0.05 and ρ = 0.3 wavelengths, σ at least one cell. Gradients within 2σ of a closed border, where
     /// the mirror would bend them, do not count. Memory: some 100 bytes a block, of which 3 × 3 cover ρ².
     #[must_use]
-    pub fn of(field: &Field, wavelength: f64) -> Self {
+    pub fn measure(field: &Field, wavelength: f64) -> Self {
         let size = [field.width, field.height];
         let sigma = field.cell.map(|cell| (SIGMA * wavelength / cell).max(1.0));
         let rho = field.cell.map(|cell| (RHO * wavelength / cell).max(1.0));

@@ -182,7 +182,7 @@ fn compare(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> SpotErrors
     }
 }
 
-/// The ruler of [`Spread::of`] on what remains when the region map is taken away.
+/// The ruler of [`Spread::measure`] on what remains when the region map is taken away.
 fn vary(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> Spread {
     let turned = |(spot, wanted): &(&Spot, Spots)| {
         (turn(spot.ellipse.major_angle(), wanted.angle), 1.0 - spot.ellipse.aspect())
@@ -241,7 +241,7 @@ pub fn stripe_errors(field: &Field, level: f32, canvas: &Canvas) -> Vec<StripeEr
     if contour <= 0.0 {
         return vec![StripeErrors::default(); canvas.regions];
     }
-    let directions = Directions::of(field, wavelength(field, contour));
+    let directions = Directions::measure(field, wavelength(field, contour));
     let asked = directions.ask(|place| {
         let wanted = (canvas.wanted)(place);
         let double = (2.0 * wanted.angle()).to_radians();

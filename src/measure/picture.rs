@@ -74,7 +74,7 @@ fn spotted(field: &Field, census: &Census) -> Option<Picture> {
     let spacing = (!lengths.is_empty()).then(|| lengths.iter().sum::<f64>() / lengths.len() as f64);
     Some(Picture::Spots {
         marks: whole.len(),
-        got: Spots { spacing, ..Spots::of(&whole)? },
-        spread: Spread { spacing: variation(lengths), ..Spread::of(&whole) },
+        got: Spots { spacing, ..Spots::measure(&whole)? },
+        spread: Spread { spacing: variation(lengths), ..Spread::measure(&whole) },
     })
 }

@@ -328,7 +328,7 @@ fn spot(region: &Region, field: &Field) -> Spot {
         center = [cx.rem_euclid(extent[0]), cy.rem_euclid(extent[1])];
     }
     Spot {
-        ellipse: Ellipse::of(center, area, aspect, angle),
+        ellipse: Ellipse::from_area(center, area, aspect, angle),
         whole: !region.touches && !region.endless,
         endless: region.endless,
         contour: region.contour,

@@ -39,7 +39,7 @@ pub fn stripes(field: &Field, level: f32) -> Option<StripeStatistics> {
         return None;
     }
     let wavelength = wavelength(field, tally.contour);
-    let directions = Directions::of(field, wavelength);
+    let directions = Directions::measure(field, wavelength);
     let (angle, alignment) = directions.mean()?;
     Some(StripeStatistics {
         width: 2.0 * tally.area / tally.contour,

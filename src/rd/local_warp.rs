@@ -32,7 +32,7 @@ const OUTER: f64 = 0.6;
 #[must_use]
 pub fn warped(system: System, maps: &Maps, chemical: &[f32], warps: &[LocalWarp]) -> Vec<f32> {
     let shifts = shifts(system, maps, warps);
-    let field = Field::on(&Grid::unit(maps.grid.size, maps.grid.edges), chemical.to_vec());
+    let field = Field::new(&Grid::unit(maps.grid.size, maps.grid.edges), chemical.to_vec());
     let surface = Spline::new(&field);
     let mut cells = field.values;
     for (cell, [x, y]) in shifts {

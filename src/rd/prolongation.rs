@@ -11,7 +11,7 @@ use crate::grid::{Edges, Field, Grid};
 #[must_use]
 pub fn prolongate(cells: &[f32], from: [usize; 2], to: [usize; 2], edges: Edges) -> Vec<f32> {
     let lowest = cells.iter().copied().fold(f32::INFINITY, f32::min);
-    let field = Field::on(&Grid::unit(from, edges), cells.to_vec());
+    let field = Field::new(&Grid::unit(from, edges), cells.to_vec());
     let mut fine = resample(&field, to[0], to[1]).values;
     fine.iter_mut().for_each(|value| *value = value.max(lowest));
     fine

@@ -12,7 +12,7 @@ impl Hull {
     /// The convex hull of points; `None` where they have no extent or are not finite.
     ///
     /// Andrew, "Another efficient algorithm for convex hulls in two dimensions", Inf. Proc. Letters 9 (1979).
-    pub(super) fn of(points: &[[f64; 2]]) -> Option<Self> {
+    pub(super) fn new(points: &[[f64; 2]]) -> Option<Self> {
         // Squares of larger numbers would overflow; no canvas has them.
         if points.iter().flatten().any(|x| x.is_nan() || x.abs() > 1e100) {
             return None;
@@ -60,7 +60,7 @@ impl Hull {
         }
         let [x, y] = first.map(|sum| sum / area);
         let [xx, xy, yy] = second.map(|sum| sum / area);
-        fit::of_second_moments([origin[0] + x, origin[1] + y], [xx - x * x, xy - x * y, yy - y * y])
+        fit::ellipse_from_moments([origin[0] + x, origin[1] + y], [xx - x * x, xy - x * y, yy - y * y])
     }
 
     fn sides(&self) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn a_square_with_points_inside_is_its_four_corners() {
         let hull =
-            Hull::of(&[[4.0, 4.0], [1.0, 2.0], [0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [0.0, 4.0], [3.0, 3.0]])
+            Hull::new(&[[4.0, 4.0], [1.0, 2.0], [0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [0.0, 4.0], [3.0, 3.0]])
                 .unwrap();
         assert_eq!(hull.corners.len(), 4);
         assert_eq!(hull.area(), 16.0);
@@ -117,7 +117,7 @@ mod tests {
     #[test]
     fn a_rectangle_has_the_second_moments_of_one() {
         // Variance side²/12, so radii 2·side/√12.
-        let hull = Hull::of(&[[100.0, 50.0], [112.0, 50.0], [112.0, 56.0], [100.0, 56.0]]).unwrap();
+        let hull = Hull::new(&[[100.0, 50.0], [112.0, 50.0], [112.0, 56.0], [100.0, 56.0]]).unwrap();
         let ellipse = hull.ellipse().unwrap();
         assert!((ellipse.radii[0] - 24.0 / 12f64.sqrt()).abs() < 1e-9);
         assert!((ellipse.radii[1] - 12.0 / 12f64.sqrt()).abs() < 1e-9);
@@ -127,11 +127,11 @@ mod tests {
 
     #[test]
     fn points_without_extent_or_meaning_have_no_hull() {
-        assert!(Hull::of(&[]).is_none());
-        assert!(Hull::of(&[[1.0, 2.0]; 5]).is_none());
-        assert!(Hull::of(&[[1.0, 2.0], [f64::NAN, 0.0]]).is_none());
-        assert!(Hull::of(&[[1.0, 2.0], [f64::INFINITY, 0.0]]).is_none());
-        let flat = Hull::of(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]).unwrap();
+        assert!(Hull::new(&[]).is_none());
+        assert!(Hull::new(&[[1.0, 2.0]; 5]).is_none());
+        assert!(Hull::new(&[[1.0, 2.0], [f64::NAN, 0.0]]).is_none());
+        assert!(Hull::new(&[[1.0, 2.0], [f64::INFINITY, 0.0]]).is_none());
+        let flat = Hull::new(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]).unwrap();
         assert_eq!((flat.area(), flat.ellipse()), (0.0, None));
     }
 }

@@ -28,8 +28,8 @@ const PLAUSIBLE: std::ops::Range<f64> = 0.7..1.4;
 /// `None` where the stroke has no extent or a coordinate is not a finite number.
 #[must_use]
 pub fn recognise(points: &[[f64; 2]], width: f64) -> Option<Mark> {
-    let hull = Hull::of(points)?;
-    let path = Path::of(points, hull.diameter());
+    let hull = Hull::new(points)?;
+    let path = Path::new(points, hull.diameter());
     if let Some(outline) = outline::find(&path, &hull) {
         return ellipse(&path.points[outline]).map(Mark::Ellipse);
     }
@@ -43,14 +43,14 @@ pub fn recognise(points: &[[f64; 2]], width: f64) -> Option<Mark> {
 /// its second moments. `None` where it encloses nothing or a coordinate is not a finite number.
 #[must_use]
 pub fn enclosed(points: &[[f64; 2]]) -> Option<Ellipse> {
-    let hull = Hull::of(points)?;
-    ellipse(&Path::of(points, hull.diameter()).points)
+    let hull = Hull::new(points)?;
+    ellipse(&Path::new(points, hull.diameter()).points)
 }
 
 /// The ellipse of an outline: the direct least squares one, or, where that has gone astray, the one with the
 /// second moments of the outline's hull.
 fn ellipse(outline: &[[f64; 2]]) -> Option<Ellipse> {
-    let rough = Hull::of(outline)?.ellipse()?;
+    let rough = Hull::new(outline)?.ellipse()?;
     let plausible = |fitted: &Ellipse| {
         PLAUSIBLE.contains(&(fitted.area() / rough.area()))
             && PLAUSIBLE.contains(&(fitted.radii[0] / rough.radii[0]))

@@ -33,7 +33,7 @@ pub(super) struct Path {
 
 impl Path {
     /// The path of a stroke with this diameter, px; there must be one.
-    pub(super) fn of(points: &[[f64; 2]], diameter: f64) -> Self {
+    pub(super) fn new(points: &[[f64; 2]], diameter: f64) -> Self {
         let points = even(&thinned(points, diameter / FINENESS), diameter / FINENESS);
         let mut smooth = points.clone();
         for _ in 0..ROUNDS {
@@ -172,7 +172,7 @@ mod tests {
     #[test]
     fn a_square_has_its_length_area_and_turning() {
         let path =
-            Path::of(&[[5.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [0.0, 0.0], [5.0, 0.0]], 14.1);
+            Path::new(&[[5.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0], [0.0, 0.0], [5.0, 0.0]], 14.1);
         let end = path.len() - 1;
         // Smoothing rounds the corners off.
         assert!((38.0..40.0).contains(&path.length(0, end)));
@@ -184,7 +184,7 @@ mod tests {
 
     #[test]
     fn two_points_are_a_path() {
-        let path = Path::of(&[[0.0, 0.0], [3.0, 4.0]], 5.0);
+        let path = Path::new(&[[0.0, 0.0], [3.0, 4.0]], 5.0);
         assert!((path.length(0, path.len() - 1) - 5.0).abs() < 1e-12);
         assert_eq!(path.points.len(), 41);
     }

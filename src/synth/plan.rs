@@ -143,7 +143,7 @@ fn planned_on(system: System, map: RegionMap, cell: f64, asked: Asked) -> Result
     let answers = regions.iter().map(|wanted| asked(wanted, cell)).collect::<Result<Vec<_>, _>>()?;
     let probed = vec![Probed::default(); regions.len()];
     let mut remarks = vec![Vec::new(); regions.len()];
-    let mut spreads = vec![Spread::EVEN; regions.len()];
+    let mut spreads = vec![Spread::ZERO; regions.len()];
     for (index, (place, region)) in map.regions().enumerate() {
         if let Attributes::Spots(wanted) = map.at(map.layout().center(place)) {
             let limited = limited(system, &wanted, &region.spread, map.spread_is_given());

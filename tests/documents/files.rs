@@ -48,7 +48,7 @@ fn what_could_not_be_read_is_not_written() {
     let mut document = accepted(&least());
     document.write(&path).unwrap();
     let before = std::fs::read(&path).unwrap();
-    document.layers[0].strokes = vec![Stroke::Ellipse(Ellipse::of([f64::NAN, 5.0], 9.0, 1.0, 0.0))];
+    document.layers[0].strokes = vec![Stroke::Ellipse(Ellipse::from_area([f64::NAN, 5.0], 9.0, 1.0, 0.0))];
     let message = document.write(&path).unwrap_err().to_string();
     assert!(message.contains("layers[0].strokes[0].center[0]: found null"), "{message}");
     assert_eq!(std::fs::read(&path).unwrap(), before);

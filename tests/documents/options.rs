@@ -12,11 +12,11 @@ fn given(options: Value) -> SpreadChoice {
 fn a_spread_is_drawn_unless_it_is_given_as_a_number_or_an_object() {
     assert_eq!(given(json!({})), SpreadChoice::Drawn);
     assert_eq!(given(json!({"spread": "drawn"})), SpreadChoice::Drawn);
-    assert_eq!(given(json!({"spread": 0})), SpreadChoice::Given(Spread::EVEN));
-    assert_eq!(given(json!({"spread": 0.4})), SpreadChoice::Given(Spread { area: 0.4, ..Spread::EVEN }));
+    assert_eq!(given(json!({"spread": 0})), SpreadChoice::Given(Spread::ZERO));
+    assert_eq!(given(json!({"spread": 0.4})), SpreadChoice::Given(Spread { area: 0.4, ..Spread::ZERO }));
     let all = Spread { area: 0.6, angle: 45.0, aspect: 0.2, spacing: 0.2 };
     assert_eq!(given(json!({"spread": all})), SpreadChoice::Given(all));
-    let one = Spread { angle: 7.5, ..Spread::EVEN };
+    let one = Spread { angle: 7.5, ..Spread::ZERO };
     assert_eq!(given(json!({"spread": {"angle": 7.5}})), SpreadChoice::Given(one));
 }
 

@@ -223,9 +223,9 @@ fn among(
     marks: &dyn Fn(f64) -> Vec<Mark>,
 ) -> Vec<f64> {
     let spacing = (300.0 / packing).sqrt();
-    let ellipse = |x: f64| Mark::Ellipse(Ellipse::of([x, 200.0], 300.0, aspect, 30.0));
+    let ellipse = |x: f64| Mark::Ellipse(Ellipse::from_area([x, 200.0], 300.0, aspect, 30.0));
     let drawn = [ellipse(200.0), ellipse(200.0 + spacing)];
-    let map = RegionMap::of(&drawn, [12.0 * spacing; 2], [1, 1], edges).unwrap();
+    let map = RegionMap::from_marks(&drawn, [12.0 * spacing; 2], [1, 1], edges).unwrap();
     let mut plan = plan(&Training::default(), system, &map).unwrap();
     keep(&mut plan, &marks(spacing));
     let mut engine = Engine::new(&plan, 1);
@@ -242,8 +242,9 @@ fn pairs(aspect: f64, apart: f64, across: bool) -> impl Fn(f64) -> Vec<Mark> {
         let pair = |k: i32| {
             let at = [k % 3, k / 3].map(|v| (2.0 + 4.0 * f64::from(v)) * spacing);
             let half = 0.5 * apart * spacing / f64::sqrt(longer);
-            [-half, half]
-                .map(|h| Mark::Ellipse(Ellipse::of([at[0] + h * c, at[1] + h * s], 300.0, aspect, 30.0)))
+            [-half, half].map(|h| {
+                Mark::Ellipse(Ellipse::from_area([at[0] + h * c, at[1] + h * s], 300.0, aspect, 30.0))
+            })
         };
         (0..9).flat_map(pair).collect()
     }
@@ -288,7 +289,7 @@ fn a_table_of_kept_pairs_and_of_kept_marks_at_edges() {
         }
         for away in [0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4] {
             let mark = |k: i32, spacing: f64| {
-                Mark::Ellipse(Ellipse::of(
+                Mark::Ellipse(Ellipse::from_area(
                     [away, 2.4 * f64::from(k)].map(|v| v * spacing),
                     300.0,
                     aspect,

@@ -10,7 +10,7 @@ use dapple::marks::{Ellipse, turn};
 use dapple::measure::SpotErrors;
 use serde_json::{Value, json};
 
-const EVEN: Spread = Spread::EVEN;
+const EVEN: Spread = Spread::ZERO;
 
 /// Spots of 300 px² that are so long and so near (area ÷ spacing²), at 30°.
 #[derive(Clone, Copy)]
@@ -28,7 +28,7 @@ const TURING: Spots = Spots { system: SystemChoice::TuringSpots, aspect: 0.5, pa
 /// Some 130 to 200 of them with this spread on a tile: what was measured, marks that have merged among them.
 fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
     let spacing = (300.0 / spots.packing).sqrt();
-    let ellipse = |x: f64| Stroke::Ellipse(Ellipse::of([x, 200.0], 300.0, spots.aspect, 30.0));
+    let ellipse = |x: f64| Stroke::Ellipse(Ellipse::from_area([x, 200.0], 300.0, spots.aspect, 30.0));
     let layer = Layer {
         system: spots.system,
         strokes: vec![ellipse(200.0), ellipse(200.0 + spacing)],
@@ -132,7 +132,7 @@ fn drawn_spread() -> Spread {
             angle: value["angle"].as_f64().unwrap(),
         })
         .collect();
-    Spread::of(&ellipses)
+    Spread::measure(&ellipses)
 }
 
 #[test]

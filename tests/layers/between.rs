@@ -110,7 +110,7 @@ fn neighbouring_spots_stay_apart_where_marks_beneath_squeeze_them() {
 #[test]
 fn marks_too_large_for_what_is_left_are_refused_before_they_are_grown() {
     let mut varied = spots(5000.0, 1.0, 0.0, 150.0);
-    varied.options.spread = SpreadChoice::Given(Spread { area: 0.2, ..Spread::EVEN });
+    varied.options.spread = SpreadChoice::Given(Spread { area: 0.2, ..Spread::ZERO });
     for too_large in [spots(5000.0, 1.0, 0.0, 150.0), varied, stripes(120.0, 20.0)] {
         let document = cascade(Edges::Closed, 1, vec![large(), too_large]);
         let error = try_grow(&document).err().expect("no room").to_string();

@@ -108,7 +108,7 @@ fn turings_spots_give_places_too() {
 #[test]
 fn marks_that_differ_keep_their_places() {
     let mut own = spots(150.0, 0.6, 30.0, 30.0);
-    own.options.spread = SpreadChoice::Given(Spread { area: 0.3, angle: 20.0, ..Spread::EVEN });
+    own.options.spread = SpreadChoice::Given(Spread { area: 0.3, angle: 20.0, ..Spread::ZERO });
     let grown = grown(&cascade(Edges::Wrap, 2, vec![spots(800.0, 0.9, 0.0, 62.0), inside(own)]));
     assert_one_each(&grown, 1, Edges::Wrap, "varied");
     let Measured::Spots { errors, .. } = &grown.layers[1].measured else { panic!("spots") };

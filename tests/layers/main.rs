@@ -16,7 +16,7 @@ fn spots(area: f64, aspect: f64, angle: f64, spacing: f64) -> Layer {
     let high = spacing * 0.75f64.sqrt();
     let center = |[x, y]: [f64; 2]| [150.0 + x * spacing, 150.0 + y * high];
     let places = [[0.0, 0.0], [1.0, 0.0], [0.5, 1.0], [1.5, 1.0]];
-    let stroke = |place| Stroke::Ellipse(Ellipse::of(center(place), area, aspect, angle));
+    let stroke = |place| Stroke::Ellipse(Ellipse::from_area(center(place), area, aspect, angle));
     // The drawn marks are no part of what is counted here.
     let options = Choices { keep: Some(false), ..Choices::default() };
     Layer { strokes: places.map(stroke).into(), options, ..Layer::default() }

@@ -43,7 +43,8 @@ fn a_spacing_that_no_single_run_reaches_is_met() {
 #[test]
 fn only_some_regions_may_be_sparse() {
     let pair = |x: f64, spacing: f64| {
-        [-0.5, 0.5].map(|side| Stroke::Ellipse(Ellipse::of([x + side * spacing, 180.0], 40.0, 0.6, 30.0)))
+        [-0.5, 0.5]
+            .map(|side| Stroke::Ellipse(Ellipse::from_area([x + side * spacing, 180.0], 40.0, 0.6, 30.0)))
     };
     let strokes = [pair(90.0, 20.0), pair(270.0, 75.0)].concat();
     let document =

@@ -32,7 +32,7 @@ fn map() -> impl Strategy<Value = Result<RegionMap, RegionsError>> {
     let marks = prop_oneof![prop::collection::vec(ellipse(), 1..30), prop::collection::vec(line(), 1..30),];
     let edges = prop::sample::select(vec![Edges::Closed, Edges::Wrap]);
     (marks, 1..=9_usize, 1..=9_usize, edges)
-        .prop_map(|(marks, columns, rows, edges)| RegionMap::of(&marks, SIZE, [columns, rows], edges))
+        .prop_map(|(marks, columns, rows, edges)| RegionMap::from_marks(&marks, SIZE, [columns, rows], edges))
 }
 
 /// The attributes that are blended as they are.

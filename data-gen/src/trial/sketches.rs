@@ -7,7 +7,7 @@ mod lines;
 mod ranges;
 mod spots;
 
-use dapple::attributes::regions::Layout;
+use dapple::attributes::regions::RegionGrid;
 use dapple::document::{Document, Layer, Stroke};
 use dapple::grid::Edges;
 use rand::{RngExt, SeedableRng};
@@ -38,7 +38,7 @@ pub fn sketch(seed: u64, index: u64) -> Result<Document, String> {
     let stripes = index % STRIPES_EVERY == STRIPES_EVERY - 1;
     let edges = if dice.chance(SEAMLESS) { Edges::Wrap } else { Edges::Closed };
     for _ in 0..TRIES {
-        let strokes = |dice: &mut Dice, layout: &Layout| {
+        let strokes = |dice: &mut Dice, layout: &RegionGrid| {
             if stripes { lines::draw(dice, layout) } else { spots::draw(dice, layout) }
         };
         let layout = canvas(&mut dice, edges);
@@ -51,13 +51,13 @@ pub fn sketch(seed: u64, index: u64) -> Result<Document, String> {
     Err(format!("sketch {index} of seed {seed}: none of {TRIES} attempts stayed within the ranges"))
 }
 
-fn canvas(dice: &mut Dice, edges: Edges) -> Layout {
+fn canvas(dice: &mut Dice, edges: Edges) -> RegionGrid {
     let usual = dice.chance(USUAL);
     let size = [0, 1].map(|_| if usual { 512.0 } else { dice.between(SIDES).round() });
-    Layout { size, grid: [0, 1].map(|_| dice.whole([1, 3])), edges }
+    RegionGrid { size, grid: [0, 1].map(|_| dice.whole([1, 3])), edges }
 }
 
-fn document(index: u64, layout: &Layout, strokes: Vec<Stroke>) -> Document {
+fn document(index: u64, layout: &RegionGrid, strokes: Vec<Stroke>) -> Document {
     Document {
         name: format!("random sketch {index}"),
         size: layout.size.map(|side| side as u32),
@@ -98,7 +98,7 @@ impl Dice {
 
     /// A number a region by which it differs from the others, from neighbour to neighbour by no more than
     /// `most`: any either way, or (not on a tile, where the ends meet) rising steadily across the canvas.
-    fn by_region(&mut self, layout: &Layout, most: f64) -> Vec<f64> {
+    fn by_region(&mut self, layout: &RegionGrid, most: f64) -> Vec<f64> {
         let steady = layout.edges == Edges::Closed && self.chance(0.5);
         let slope = [0, 1].map(|_| if steady { self.off(0.75 * most) } else { 0.0 });
         let loose = if steady { 0.1 * most } else { 0.5 * most };
@@ -113,7 +113,7 @@ impl Dice {
 }
 
 /// Upper left corner and size of a region, px.
-fn rectangle(layout: &Layout, index: usize) -> ([f64; 2], [f64; 2]) {
+fn rectangle(layout: &RegionGrid, index: usize) -> ([f64; 2], [f64; 2]) {
     let size = [0, 1].map(|axis| layout.size[axis] / layout.grid[axis] as f64);
     let place = layout.place(index);
     ([0, 1].map(|axis| place[axis] as f64 * size[axis]), size)

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use dapple::attributes::Attributes;
-use dapple::attributes::regions::{Layout, RegionMap};
+use dapple::attributes::regions::{RegionGrid, RegionMap};
 use dapple::grid::Field;
 use dapple::measure::Spot;
 
@@ -144,7 +144,7 @@ fn expected(map: &RegionMap, index: usize) -> f64 {
     sum
 }
 
-fn points(layout: &Layout, index: usize) -> impl Iterator<Item = [f64; 2]> {
+fn points(layout: &RegionGrid, index: usize) -> impl Iterator<Item = [f64; 2]> {
     let (place, size) = (layout.place(index), layout.size.map(|side| side / POINTS as f64));
     let grid = layout.grid;
     let at = move |axis: usize, k: usize| {
@@ -156,7 +156,7 @@ fn points(layout: &Layout, index: usize) -> impl Iterator<Item = [f64; 2]> {
 
 /// What is wrong with these stripes, of which `duty` of the canvas was asked to be stripe; a region has at least
 /// [`HALF`] of that, and at most as much more.
-pub fn of_stripes(pattern: &Field, layout: &Layout, duty: f64) -> Vec<Failure> {
+pub fn of_stripes(pattern: &Field, layout: &RegionGrid, duty: f64) -> Vec<Failure> {
     let (mut inside, mut all) = (vec![0.0; layout.len()], vec![0.0; layout.len()]);
     for (px, value) in pattern.values.iter().enumerate() {
         let place = [(px % pattern.width) as f64 + 0.5, (px / pattern.width) as f64 + 0.5];
@@ -190,8 +190,8 @@ mod tests {
     /// Two regions of spots of area 100 px² every 40 px; `keep` says which of a square lattice are there.
     fn judged(keep: impl Fn([usize; 2]) -> bool, radius: f64) -> Vec<Failure> {
         let drawn = [[20.0, 20.0], [60.0, 20.0], [20.0, 60.0], [220.0, 20.0], [260.0, 20.0], [220.0, 60.0]];
-        let drawn = drawn.map(|center| Mark::Ellipse(Ellipse::of(center, 100.0, 1.0, 0.0)));
-        let map = RegionMap::of(&drawn, [400.0, 200.0], [2, 1], Edges::Closed).unwrap();
+        let drawn = drawn.map(|center| Mark::Ellipse(Ellipse::from_area(center, 100.0, 1.0, 0.0)));
+        let map = RegionMap::from_marks(&drawn, [400.0, 200.0], [2, 1], Edges::Closed).unwrap();
         let pattern = Field::from_fn([400, 200], [1.0, 1.0], Edges::Closed, |[x, y]| {
             let place = [(x / 40.0) as usize, (y / 40.0) as usize];
             let [dx, dy] = [x.rem_euclid(40.0) - 20.0, y.rem_euclid(40.0) - 20.0];
@@ -202,7 +202,7 @@ mod tests {
 
     #[test]
     fn stripes_that_run_both_ways_are_incoherent() {
-        let layout = Layout { size: [160.0, 160.0], grid: [1, 1], edges: Edges::Wrap };
+        let layout = RegionGrid { size: [160.0, 160.0], grid: [1, 1], edges: Edges::Wrap };
         let wave = |x: f64| libm::sin(x * std::f64::consts::TAU / 16.0);
         let judged = |both: f64| {
             let value = |[x, y]: [f64; 2]| (0.5 + 0.4 * (wave(x) + both * wave(y)) / (1.0 + both)) as f32;
@@ -215,7 +215,7 @@ mod tests {
 
     #[test]
     fn stripes_are_half_empty_where_less_than_half_of_what_was_asked_is_stripe() {
-        let layout = Layout { size: [160.0, 160.0], grid: [1, 1], edges: Edges::Wrap };
+        let layout = RegionGrid { size: [160.0, 160.0], grid: [1, 1], edges: Edges::Wrap };
         let judged = |covered: f64, duty: f64| {
             let value = |[x, _]: [f64; 2]| {
                 let apart = ((x / 16.0).fract() - 0.5).abs() * 2.0;

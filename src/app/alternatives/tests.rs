@@ -75,11 +75,11 @@ fn stripes_have_other_seeds_alone() {
 #[test]
 fn what_differs_can_be_even() {
     let mut drawn = document(vec![spot([60.0, 60.0])]);
-    let spread = Spread { area: 0.3, ..Spread::EVEN };
+    let spread = Spread { area: 0.3, ..Spread::ZERO };
     drawn.layers[0].options.spread = SpreadChoice::Given(spread);
     let all = variants(&drawn, &texture(&drawn).grown, 0);
     let of = |name: &str| all.iter().find(|one| one.name == name).unwrap().document.layers[0].options.spread;
-    assert_eq!(of("Even"), SpreadChoice::Given(Spread::EVEN));
+    assert_eq!(of("Even"), SpreadChoice::Given(Spread::ZERO));
     let SpreadChoice::Given(looser) = of("Looser") else { panic!() };
     assert!(looser.area > 0.3 && looser.angle > 0.0);
     // All of them can be read again.

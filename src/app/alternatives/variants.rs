@@ -95,8 +95,8 @@ fn spreads(document: &Document, layer: usize) -> Vec<Variant> {
         other
     };
     let mut all = Vec::new();
-    if !drawn.is_even() {
-        all.push(Variant::new("Even", "Stricter: all spots of a region alike", given(Spread::EVEN)));
+    if !drawn.is_zero() {
+        all.push(Variant::new("Even", "Stricter: all spots of a region alike", given(Spread::ZERO)));
     }
     let looser = limited(drawn.with(&LOOSE, |drawn, least| (LOOSER * drawn).max(least)));
     if of.options.spread != SpreadChoice::Given(looser) {
@@ -120,5 +120,5 @@ fn limited(spread: Spread) -> Spread {
 fn spread(document: &Document, layer: usize) -> Option<Spread> {
     let map = sketch_targets::region_map(document, layer, "").ok()?;
     let spreads = map.regions().map(|(_, region)| region.spread);
-    Some(spreads.fold(Spread::EVEN, |most, spread| most.with(&spread, f64::max)))
+    Some(spreads.fold(Spread::ZERO, |most, spread| most.with(&spread, f64::max)))
 }

@@ -27,7 +27,7 @@ impl Analysis {
         let document = session.document();
         let size = document.size.map(f64::from);
         let grid = document.regions.map(|n| n as usize);
-        let map = |layer| RegionMap::of(&session.marks_of(layer), size, grid, document.edges).ok();
+        let map = |layer| RegionMap::from_marks(&session.marks_of(layer), size, grid, document.edges).ok();
         self.maps = (0..document.layers.len()).map(map).collect();
     }
 
@@ -115,9 +115,9 @@ fn mean(ink: &Ink, map: &RegionMap, place: [usize; 2], region: &Region, colours:
     let off = |reach: f64| [0, 1].map(|axis| corner[axis] + (reach + 6.0).min(0.5 * side[axis]));
     let (at, reach) = match map.at(center) {
         Attributes::Spots(spots) => {
-            let reach = Ellipse::of(center, spots.area, spots.aspect, 0.0).radii[0];
+            let reach = Ellipse::from_area(center, spots.area, spots.aspect, 0.0).radii[0];
             let at = off(reach);
-            let mean = Ellipse::of(at, spots.area, spots.aspect, spots.angle);
+            let mean = Ellipse::from_area(at, spots.area, spots.aspect, spots.angle);
             ink.mark(&Mark::Ellipse(mean), Color32::TRANSPARENT, stroke);
             (at, reach)
         }

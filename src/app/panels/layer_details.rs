@@ -257,7 +257,7 @@ fn seeding(ui: &mut Ui, seeding: &mut Seeding) -> egui::Response {
 }
 
 fn spread(ui: &mut Ui, spread: &mut SpreadChoice) -> egui::Response {
-    let (drawn, even) = (SpreadChoice::Drawn, SpreadChoice::Given(Spread::EVEN));
+    let (drawn, even) = (SpreadChoice::Drawn, SpreadChoice::Given(Spread::ZERO));
     let now = match *spread {
         SpreadChoice::Drawn => "As drawn",
         given if given == even => "None",
@@ -270,7 +270,7 @@ fn spread(ui: &mut Ui, spread: &mut SpreadChoice) -> egui::Response {
         let numbers = !matches!(now, "As drawn" | "None");
         if ui.selectable_label(numbers, "By numbers").clicked() && !numbers {
             // What one would see at once.
-            *spread = SpreadChoice::Given(Spread { area: 0.2, ..Spread::EVEN });
+            *spread = SpreadChoice::Given(Spread { area: 0.2, ..Spread::ZERO });
         }
     });
     combo.response.accessible_name("Variation")

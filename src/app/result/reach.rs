@@ -1,6 +1,6 @@
 //! What cannot be reached → the nearest that can, as a change of what was drawn.
 
-use crate::attributes::regions::{Layout, RegionMap};
+use crate::attributes::regions::{RegionGrid, RegionMap};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::document::{Document, Stroke, limits};
 use crate::editor::shape;
@@ -82,7 +82,7 @@ struct Sketch {
 }
 
 impl Sketch {
-    fn of(document: &Document, layer: usize, layout: &Layout, place: [usize; 2]) -> Option<Self> {
+    fn of(document: &Document, layer: usize, layout: &RegionGrid, place: [usize; 2]) -> Option<Self> {
         let marks = sketch_targets::marks(document, layer, "").ok()?;
         let inside = |(_, mark): &(usize, Mark)| layout.region_of(mark.center()) == place;
         let duty = document.layers[layer].options.duty;
@@ -106,7 +106,7 @@ impl Sketch {
         asked: &Attributes,
         answer: &Answer,
         farther: f64,
-        layout: &Layout,
+        layout: &RegionGrid,
         place: [usize; 2],
     ) -> Option<Self> {
         match (asked, &answer.nearest) {
@@ -125,7 +125,7 @@ impl Sketch {
         asked: &Spots,
         to: &Spots,
         farther: f64,
-        layout: &Layout,
+        layout: &RegionGrid,
         place: [usize; 2],
     ) -> Self {
         let by = |from: f64, to: f64| libm::pow(to / from, farther);
@@ -151,7 +151,12 @@ impl Sketch {
                 let angle = e.major_angle() + by_angle;
                 (
                     stroke,
-                    Mark::Ellipse(Ellipse::of(center, e.area() * area, aspect(e.aspect()).min(1.0), angle)),
+                    Mark::Ellipse(Ellipse::from_area(
+                        center,
+                        e.area() * area,
+                        aspect(e.aspect()).min(1.0),
+                        angle,
+                    )),
                 )
             }
             Mark::Line(_) => (stroke, mark),
@@ -188,7 +193,7 @@ impl Sketch {
 }
 
 /// These places `by` times as far apart about the middle of their region; `None` where they do not fit into it.
-fn spaced(centers: &[[f64; 2]], by: f64, layout: &Layout, place: [usize; 2]) -> Option<Vec<[f64; 2]>> {
+fn spaced(centers: &[[f64; 2]], by: f64, layout: &RegionGrid, place: [usize; 2]) -> Option<Vec<[f64; 2]>> {
     let middle = layout.center(place);
     let mut moved: Vec<[f64; 2]> =
         centers.iter().map(|at| [0, 1].map(|axis| middle[axis] + by * (at[axis] - middle[axis]))).collect();
@@ -287,7 +292,7 @@ mod tests {
     fn spots(area: f64, aspect: f64, apart: f64) -> Vec<Stroke> {
         let at = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.866], [1.5, 0.866], [0.0, 1.732]];
         let place = |at: [f64; 2]| at.map(|x| 40.0 + x * apart);
-        at.map(|at| Stroke::Ellipse(Ellipse::of(place(at), area, aspect, 30.0))).into()
+        at.map(|at| Stroke::Ellipse(Ellipse::from_area(place(at), area, aspect, 30.0))).into()
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Between two region maps.
 
-use super::Layout;
+use super::RegionGrid;
 use super::map::{ROUND, RegionMap};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
@@ -15,7 +15,7 @@ impl RegionMap {
     #[must_use]
     pub fn blended(&self, other: &Self, share: f64) -> Option<Self> {
         let (here, there) = (*self.layout(), other.layout());
-        let layout = Layout { grid: [0, 1].map(|axis| here.grid[axis].max(there.grid[axis])), ..here };
+        let layout = RegionGrid { grid: [0, 1].map(|axis| here.grid[axis].max(there.grid[axis])), ..here };
         let other = other.resized(here.size);
         let between = |index: usize| {
             let center = layout.center(layout.place(index));
@@ -64,7 +64,7 @@ mod tests {
 
     fn spots(radii: [f64; 2], angle: f64, regions: [usize; 2]) -> RegionMap {
         let marks = [Mark::Ellipse(Ellipse { center: [20.0, 20.0], radii, angle })];
-        let mut map = RegionMap::of(&marks, [100.0, 80.0], regions, Edges::Closed).expect("a spot");
+        let mut map = RegionMap::from_marks(&marks, [100.0, 80.0], regions, Edges::Closed).expect("a spot");
         map.fill_free_spacing(|spots| 3.0 * spots.area.sqrt());
         map
     }
@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn between_spots_and_stripes_there_is_nothing() {
         let line = Mark::Line(Line { from: [5.0, 5.0], to: [50.0, 5.0], width: 6.0 });
-        let stripes = RegionMap::of(&[line], [100.0, 80.0], [1, 1], Edges::Closed).expect("a line");
+        let stripes = RegionMap::from_marks(&[line], [100.0, 80.0], [1, 1], Edges::Closed).expect("a line");
         assert!(stripes.blended(&spots([4.0, 2.0], 0.0, [1, 1]), 0.5).is_none());
     }
 }

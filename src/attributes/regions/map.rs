@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::Layout;
+use super::RegionGrid;
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, Mark, axial};
@@ -53,7 +53,7 @@ pub struct Region {
     /// are round; the map turns it, see [`RegionMap::at`].
     pub filled: Attributes,
     /// How much the marks that `filled` is the mean of vary, where they are at least six ellipses;
-    /// else [`Spread::EVEN`].
+    /// else [`Spread::ZERO`].
     pub spread: Spread,
     /// (cos 2θ, sin 2θ) of the direction that the map has at the region's centre.
     direction: [f64; 2],
@@ -62,18 +62,18 @@ pub struct Region {
 /// Attributes at any point of the canvas, from marks gathered by region.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegionMap {
-    layout: Layout,
+    layout: RegionGrid,
     regions: Vec<Region>,
     spread_is_given: bool,
 }
 
 impl RegionMap {
     /// The map in which every region of `layout` has these attributes, all of one kind, and all marks are alike.
-    pub(super) fn even(layout: Layout, attributes: impl Iterator<Item = Attributes>) -> Self {
+    pub(super) fn even(layout: RegionGrid, attributes: impl Iterator<Item = Attributes>) -> Self {
         let region = |filled: Attributes| {
             let double = (2.0 * filled.angle()).to_radians();
             let direction = [libm::cos(double), libm::sin(double)];
-            Region { marks: 1, own: Some(filled), filled, spread: Spread::EVEN, direction }
+            Region { marks: 1, own: Some(filled), filled, spread: Spread::ZERO, direction }
         };
         Self { layout, regions: attributes.map(region).collect(), spread_is_given: false }
     }
@@ -87,12 +87,17 @@ impl RegionMap {
     ///
     /// # Errors
     /// Without marks, with ellipses and lines mixed, and for a canvas without extent or regions.
-    pub fn of(marks: &[Mark], size: [f64; 2], grid: [usize; 2], edges: Edges) -> Result<Self, RegionsError> {
+    pub fn from_marks(
+        marks: &[Mark],
+        size: [f64; 2],
+        grid: [usize; 2],
+        edges: Edges,
+    ) -> Result<Self, RegionsError> {
         let sound = size.iter().all(|side| side.is_normal() && *side > 0.0) && !grid.contains(&0);
         if !sound {
             return Err(RegionsError::Layout { size, grid });
         }
-        let layout = Layout { size, grid, edges };
+        let layout = RegionGrid { size, grid, edges };
         let ellipses = gather(&layout, marks, |mark| match mark {
             Mark::Ellipse(ellipse) => Some((ellipse.center, *ellipse)),
             Mark::Line(_) => None,
@@ -114,7 +119,7 @@ impl RegionMap {
 
     /// Where the regions lie.
     #[must_use]
-    pub fn layout(&self) -> &Layout {
+    pub fn layout(&self) -> &RegionGrid {
         &self.layout
     }
 
@@ -132,7 +137,7 @@ impl RegionMap {
         &self.regions[self.layout.index(place)]
     }
 
-    /// [column, row] of the region that a point (px) lies in, see [`Layout::region_of`].
+    /// [column, row] of the region that a point (px) lies in, see [`RegionGrid::region_of`].
     #[must_use]
     pub fn region_of(&self, point: [f64; 2]) -> [usize; 2] {
         self.layout.region_of(point)
@@ -176,7 +181,7 @@ impl RegionMap {
     #[must_use]
     pub fn spread_at(&self, point: [f64; 2]) -> Spread {
         let corners = self.layout.corners(point);
-        corners.iter().fold(Spread::EVEN, |sum, &(i, weight)| {
+        corners.iter().fold(Spread::ZERO, |sum, &(i, weight)| {
             sum.with(&self.regions[i].spread, |sum, one| sum + weight * one)
         })
     }
@@ -184,7 +189,7 @@ impl RegionMap {
     /// Is no variation wanted anywhere?
     #[must_use]
     pub fn is_even(&self) -> bool {
-        self.regions.iter().all(|region| region.spread.is_even())
+        self.regions.iter().all(|region| region.spread.is_zero())
     }
 
     /// The same map with this spread in all regions, whatever was drawn.
@@ -245,7 +250,7 @@ impl RegionMap {
     /// The same regions stretched over another canvas of `size` px: the same marks, more or fewer of them.
     #[must_use]
     pub fn resized(&self, size: [f64; 2]) -> Self {
-        Self { layout: Layout { size, ..self.layout }, ..self.clone() }
+        Self { layout: RegionGrid { size, ..self.layout }, ..self.clone() }
     }
 
     /// The blend of the unit double-angle vectors, of unit length again.
@@ -282,7 +287,11 @@ impl RegionMap {
 }
 
 /// Those marks that `pick` takes, with a centre, sorted into regions.
-fn gather<T>(layout: &Layout, marks: &[Mark], pick: impl Fn(&Mark) -> Option<([f64; 2], T)>) -> Vec<Vec<T>> {
+fn gather<T>(
+    layout: &RegionGrid,
+    marks: &[Mark],
+    pick: impl Fn(&Mark) -> Option<([f64; 2], T)>,
+) -> Vec<Vec<T>> {
     let mut sets: Vec<Vec<T>> = (0..layout.len()).map(|_| Vec::new()).collect();
     for (center, mark) in marks.iter().filter_map(pick) {
         sets[layout.index(layout.region_of(center))].push(mark);
@@ -298,12 +307,12 @@ struct Own {
 }
 
 fn spots(set: &[Ellipse]) -> Own {
-    let spread = if set.len() >= MARKS_OF_A_SPREAD { Spread::of(set) } else { Spread::EVEN };
-    Own { marks: set.len(), attributes: Spots::of(set).map(Attributes::Spots), spread }
+    let spread = if set.len() >= MARKS_OF_A_SPREAD { Spread::measure(set) } else { Spread::ZERO };
+    Own { marks: set.len(), attributes: Spots::measure(set).map(Attributes::Spots), spread }
 }
 
 fn stripes(set: &[Line]) -> Own {
-    Own { marks: set.len(), attributes: Stripes::of(set).map(Attributes::Stripes), spread: Spread::EVEN }
+    Own { marks: set.len(), attributes: Stripes::measure(set).map(Attributes::Stripes), spread: Spread::ZERO }
 }
 
 /// Whether the attributes have a direction of their own.
@@ -316,7 +325,7 @@ fn is_directed(attributes: &Attributes) -> bool {
 
 /// Regions from their marks' attributes, of which at least one is there: the empty ones take attributes,
 /// then the round ones a direction.
-fn fill(layout: &Layout, owns: &[Own]) -> Vec<Region> {
+fn fill(layout: &RegionGrid, owns: &[Own]) -> Vec<Region> {
     let near = |index: usize, holds: &dyn Fn(usize) -> bool| layout.nearest(layout.place(index), holds);
     let (filled, spreads): (Vec<Attributes>, Vec<Spread>) = (0..layout.len())
         .filter_map(|index| near(index, &|other| owns[other].attributes.is_some()))

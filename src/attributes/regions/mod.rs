@@ -1,8 +1,8 @@
 //! Regions of the canvas, and attributes at any point between them.
 
 mod blend;
-mod layout;
 mod map;
+mod region_grid;
 
-pub use layout::Layout;
 pub use map::{Region, RegionMap, RegionsError};
+pub use region_grid::RegionGrid;

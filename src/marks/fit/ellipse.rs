@@ -48,7 +48,7 @@ pub fn ellipse(points: &[[f64; 2]]) -> Option<Ellipse> {
     let pxx = lxx * lxx * puu;
     let pxy = lxx * (lyx * puu + lyy * puv);
     let pyy = lyx * lyx * puu + 2.0 * lyx * lyy * puv + lyy * lyy * pvv;
-    of_shape(center, [pxx, pxy, pyy])
+    from_shape_matrix(center, [pxx, pxy, pyy])
 }
 
 /// The ellipse with this centre (px) and these second moments, [xx, xy, yy], px².
@@ -56,8 +56,8 @@ pub fn ellipse(points: &[[f64; 2]]) -> Option<Ellipse> {
 /// A filled ellipse has the covariance P/4, where P is the matrix of its (x − c)ᵀP⁻¹(x − c) = 1.
 /// `None` where they are those of a line or a point.
 #[must_use]
-pub fn of_second_moments(center: [f64; 2], moments: [f64; 3]) -> Option<Ellipse> {
-    of_shape(center, moments.map(|moment| 4.0 * moment))
+pub fn ellipse_from_moments(center: [f64; 2], moments: [f64; 3]) -> Option<Ellipse> {
+    from_shape_matrix(center, moments.map(|moment| 4.0 * moment))
 }
 
 /// The conic (a, b, c, d, e, f) of `n` centred, whitened points.
@@ -104,7 +104,7 @@ fn centre_and_shape([a, b, c, d, e, f]: [f64; 6]) -> Option<([f64; 2], [f64; 3])
 }
 
 /// The ellipse (x − c)ᵀP⁻¹(x − c) = 1 of P = [pxx, pxy, pyy], whose eigenvalues are the squared radii.
-fn of_shape(center: [f64; 2], [pxx, pxy, pyy]: [f64; 3]) -> Option<Ellipse> {
+fn from_shape_matrix(center: [f64; 2], [pxx, pxy, pyy]: [f64; 3]) -> Option<Ellipse> {
     let (half_sum, half_difference) = (0.5 * (pxx + pyy), 0.5 * (pxx - pyy));
     let major = half_sum + (half_difference * half_difference + pxy * pxy).sqrt();
     // The product of the eigenvalues, not a difference: it keeps the digits of a thin ellipse.

@@ -3,7 +3,7 @@
 mod ellipse;
 mod line;
 
-pub use ellipse::{ellipse, of_second_moments};
+pub use ellipse::{ellipse, ellipse_from_moments};
 pub use line::line;
 
 /// Mean and covariance of points: x̄, ȳ and [cxx, cxy, cyy]. `None` without points or where they are not finite.

@@ -4,7 +4,7 @@
 //! So whenever the growth is looked at, those that are to stay where they were drawn are moved back: little at a time,
 //! and never at the end.
 
-use crate::attributes::regions::Layout;
+use crate::attributes::regions::RegionGrid;
 use crate::grid::Field;
 use crate::measure::{Spot, spots};
 use crate::rd::{LocalWarp, Maps};
@@ -21,7 +21,7 @@ const STEP: f64 = 0.4;
 /// Where the kept marks of a plan are to be.
 #[derive(Clone, Debug)]
 pub struct Aim {
-    layout: Layout,
+    layout: RegionGrid,
     marks: Vec<Aimed>,
 }
 
@@ -51,7 +51,7 @@ impl Aim {
 }
 
 impl Aimed {
-    fn slide(&self, found: &[Spot], layout: &Layout, maps: &Maps) -> Option<LocalWarp> {
+    fn slide(&self, found: &[Spot], layout: &RegionGrid, maps: &Maps) -> Option<LocalWarp> {
         let length = |[x, y]: [f64; 2]| (x * x + y * y).sqrt() / self.radius;
         let ways =
             found.iter().map(|spot| (spot.ellipse.center, apart(self.target, spot.ellipse.center, layout)));

@@ -4,7 +4,7 @@
 //! times finer than the regions and interpolated in the coordinates in which the map is near-linear
 //! (ln rate, ln ratio, −ln stretch · (cos 2φ, sin 2φ), ln pitch, level).
 
-use crate::attributes::regions::Layout;
+use crate::attributes::regions::RegionGrid;
 use crate::learn::Answer;
 use crate::rd;
 
@@ -73,7 +73,7 @@ impl Node {
 #[derive(Clone, Debug)]
 pub struct Lattice {
     /// One cell a node.
-    pub layout: Layout,
+    pub layout: RegionGrid,
     /// By index of `layout`.
     pub nodes: Vec<Node>,
 }
@@ -81,9 +81,9 @@ pub struct Lattice {
 impl Lattice {
     /// The layout of the lattice over a canvas with these regions.
     #[must_use]
-    pub fn over(regions: &Layout) -> Layout {
+    pub fn over(regions: &RegionGrid) -> RegionGrid {
         let finer = |n: usize| if n == 1 { 1 } else { FINER * n };
-        Layout { grid: regions.grid.map(finer), ..*regions }
+        RegionGrid { grid: regions.grid.map(finer), ..*regions }
     }
 
     /// Parameters at a point, px.

@@ -49,7 +49,7 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
 pub fn region_map(document: &Document, index: usize, source: &str) -> Result<RegionMap, DocumentError> {
     let marks = marks(document, index, source)?;
     let size = document.size.map(f64::from);
-    let map = RegionMap::of(&marks, size, document.regions.map(|n| n as usize), document.edges);
+    let map = RegionMap::from_marks(&marks, size, document.regions.map(|n| n as usize), document.edges);
     let map = map.map_err(|error| {
         let place = format!("layers[{index}].strokes");
         Problem::new(place, error.to_string(), "at least one ellipse, or at least one line").in_file(source)

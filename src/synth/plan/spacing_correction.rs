@@ -75,7 +75,7 @@ pub fn corrected(pitch: f64, error: Option<f64>) -> f64 {
 #[must_use]
 pub fn spots_at(plan: &Plan, places: &[[f64; 2]]) -> Vec<Spot> {
     let spot = |center: [f64; 2]| {
-        let ellipse = Ellipse::of(center, 1.0, 1.0, 0.0);
+        let ellipse = Ellipse::from_area(center, 1.0, 1.0, 0.0);
         Spot { ellipse, whole: true, endless: false, contour: 0.0, fill: 1.0, peak: 1.0 }
     };
     plan.px(places).into_iter().map(spot).collect()

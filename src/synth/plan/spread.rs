@@ -215,5 +215,5 @@ fn spread_at(plan: &Plan, point: [f64; 2]) -> Spread {
     let corners = plan.map.layout().corners(point);
     corners
         .iter()
-        .fold(Spread::EVEN, |sum, &(i, weight)| sum.with(&plan.spread(i), |sum, one| sum + weight * one))
+        .fold(Spread::ZERO, |sum, &(i, weight)| sum.with(&plan.spread(i), |sum, one| sum + weight * one))
 }

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use std::ops::Range;
 
-use crate::attributes::regions::Layout;
+use crate::attributes::regions::RegionGrid;
 use crate::grid::Field;
 use crate::grid::resample::Spline;
 use crate::synth::plan::Plan;
@@ -87,12 +87,12 @@ impl<'a> Pattern<'a> {
 
 /// Where `width` px of a row lie between the columns of a layout, for interpolating what is known there.
 struct Table<'a> {
-    layout: &'a Layout,
+    layout: &'a RegionGrid,
     across: Vec<(usize, usize, f64)>,
 }
 
 impl<'a> Table<'a> {
-    fn new(layout: &'a Layout, px: f64, width: usize) -> Self {
+    fn new(layout: &'a RegionGrid, px: f64, width: usize) -> Self {
         let across = (0..width).map(|x| layout.between(0, (x as f64 + 0.5) * px)).collect();
         Self { layout, across }
     }

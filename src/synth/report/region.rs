@@ -164,7 +164,7 @@ fn parameters(layer: &GrownLayer, index: usize) -> Vec<(&'static str, f64)> {
 /// How much the spots of a region were to vary and do; `None` where none was to.
 fn spread(layer: &GrownLayer, place: [usize; 2], index: usize) -> Option<(Spread, Option<Spread>)> {
     let asked = layer.plan.map.region(place).spread;
-    if asked.is_even() {
+    if asked.is_zero() {
         return None;
     }
     let got = match &layer.measured {

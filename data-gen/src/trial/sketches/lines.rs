@@ -1,6 +1,6 @@
 //! Pieces of stripes, drawn by hand.
 
-use dapple::attributes::regions::Layout;
+use dapple::attributes::regions::RegionGrid;
 use dapple::document::Stroke;
 use dapple::marks::Line;
 
@@ -22,7 +22,7 @@ const AIMED: f64 = 0.9;
 const ROOM: f64 = 8.0;
 
 /// The lines of a sketch; `None` where they find no room.
-pub fn draw(dice: &mut Dice, layout: &Layout) -> Option<Vec<Stroke>> {
+pub fn draw(dice: &mut Dice, layout: &RegionGrid) -> Option<Vec<Stroke>> {
     let [width, angle] = [dice.log_between(WIDTH), dice.between([0.0, 180.0])];
     let wider = dice.by_region(layout, AIMED * libm::log(FACTOR));
     let turned = dice.by_region(layout, AIMED * TURN);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dapple::attributes::regions::Layout;
+use dapple::attributes::regions::RegionGrid;
 use dapple::attributes::spacing::mean_spacing;
 use dapple::document::Stroke;
 use dapple::marks::Ellipse;
@@ -32,7 +32,7 @@ struct Aim {
 }
 
 /// The spots of a sketch; `None` where they find no room.
-pub fn draw(dice: &mut Dice, layout: &Layout) -> Option<Vec<Stroke>> {
+pub fn draw(dice: &mut Dice, layout: &RegionGrid) -> Option<Vec<Stroke>> {
     let mut all: Vec<Ellipse> = Vec::new();
     for (index, aim) in aims(dice, layout).iter().enumerate() {
         let corner = rectangle(layout, index);
@@ -42,7 +42,7 @@ pub fn draw(dice: &mut Dice, layout: &Layout) -> Option<Vec<Stroke>> {
     Some(all.into_iter().map(Stroke::Ellipse).collect())
 }
 
-fn aims(dice: &mut Dice, layout: &Layout) -> Vec<Aim> {
+fn aims(dice: &mut Dice, layout: &RegionGrid) -> Vec<Aim> {
     let [area, packing] = [dice.log_between(AREA), dice.log_between(PACKING)];
     let [aspect, angle] = [dice.between(ASPECT), dice.between([0.0, 180.0])];
     let larger = dice.by_region(layout, AIMED * libm::log(FACTOR));
@@ -83,7 +83,7 @@ fn region(
     }
     let mut marks: Vec<Ellipse> = Vec::new();
     for [x, y] in places {
-        let drawn = Ellipse::of([x + shift[0], y + shift[1]], aim.area, aim.aspect, 0.0);
+        let drawn = Ellipse::from_area([x + shift[0], y + shift[1]], aim.area, aim.aspect, 0.0);
         let radii = drawn.radii.map(|radius| radius * (1.0 + dice.off(RADIUS)));
         let mark = Ellipse { radii, angle: (aim.angle + dice.off(ANGLE)).rem_euclid(180.0), ..drawn };
         if there.iter().chain(&marks).any(|other| touch(&mark, other)) {

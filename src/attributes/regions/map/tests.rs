@@ -4,11 +4,11 @@ use super::*;
 use crate::marks::turn;
 
 fn spot(center: [f64; 2], area: f64, aspect: f64, angle: f64) -> Mark {
-    Mark::Ellipse(Ellipse::of(center, area, aspect, angle))
+    Mark::Ellipse(Ellipse::from_area(center, area, aspect, angle))
 }
 
 fn map(marks: &[Mark], grid: [usize; 2], edges: Edges) -> RegionMap {
-    RegionMap::of(marks, [grid[0] as f64 * 100.0, grid[1] as f64 * 100.0], grid, edges).unwrap()
+    RegionMap::from_marks(marks, [grid[0] as f64 * 100.0, grid[1] as f64 * 100.0], grid, edges).unwrap()
 }
 
 fn spots_at(map: &RegionMap, point: [f64; 2]) -> Spots {
@@ -117,7 +117,7 @@ fn a_round_region_takes_the_direction_of_the_nearest_that_has_one() {
     assert_eq!(angles, [20.0, 20.0, 140.0, 140.0]);
     // Only the map turns it: the region keeps what was drawn.
     assert!((map.region([1, 0]).filled.angle() - 80.0).abs() < 1e-9);
-    let round = RegionMap::of(&marks[1..2], [100.0; 2], [1, 1], Edges::Closed).unwrap();
+    let round = RegionMap::from_marks(&marks[1..2], [100.0; 2], [1, 1], Edges::Closed).unwrap();
     assert_eq!(round.at([3.0, 3.0]).angle(), 0.0);
 }
 
@@ -149,7 +149,8 @@ fn a_resized_map_is_stretched_and_keeps_its_lengths() {
 fn marks_that_make_no_map_are_told_why() {
     let line = Mark::Line(Line { from: [0.0; 2], to: [9.0; 2], width: 2.0 });
     let ellipse = spot([5.0; 2], 9.0, 1.0, 0.0);
-    let of = |marks: &[Mark], size, grid| RegionMap::of(marks, size, grid, Edges::Closed).unwrap_err();
+    let of =
+        |marks: &[Mark], size, grid| RegionMap::from_marks(marks, size, grid, Edges::Closed).unwrap_err();
     assert_eq!(of(&[], [10.0; 2], [1, 1]), RegionsError::NoMarks);
     assert_eq!(of(&[line, ellipse, line], [10.0; 2], [1, 1]), RegionsError::Mixed { ellipses: 1, lines: 2 });
     for (size, grid) in [([0.0, 5.0], [1, 1]), ([f64::NAN, 5.0], [1, 1]), ([5.0; 2], [1, 0])] {
@@ -164,7 +165,7 @@ fn maps() -> impl Strategy<Value = RegionMap> {
     (prop::collection::vec(mark, 1..30), 1usize..5, 1usize..5, any::<bool>()).prop_map(
         |(marks, columns, rows, wrap)| {
             let edges = if wrap { Edges::Wrap } else { Edges::Closed };
-            let mut map = RegionMap::of(&marks, [300.0, 200.0], [columns, rows], edges).unwrap();
+            let mut map = RegionMap::from_marks(&marks, [300.0, 200.0], [columns, rows], edges).unwrap();
             map.fill_free_spacing(|spots| 2.0 * spots.area.sqrt());
             map
         },
@@ -235,10 +236,10 @@ proptest! {
         columns in 1usize..5, rows in 1usize..5, x in -10.0..310.0f64, y in -10.0..210.0f64, wrap: bool,
     ) {
         let edges = if wrap { Edges::Wrap } else { Edges::Closed };
-        let layout = Layout { size: [300.0, 200.0], grid: [columns, rows], edges };
+        let layout = RegionGrid { size: [300.0, 200.0], grid: [columns, rows], edges };
         let marks: Vec<_> =
             (0..layout.len()).map(|i| spot(layout.center(layout.place(i)), area, aspect, angle)).collect();
-        let map = RegionMap::of(&marks, layout.size, layout.grid, edges).unwrap();
+        let map = RegionMap::from_marks(&marks, layout.size, layout.grid, edges).unwrap();
         let got = spots_at(&map, [x, y]);
         prop_assert!((got.area / area - 1.0).abs() < 1e-12 && (got.aspect - aspect).abs() < 1e-12);
         prop_assert!(aspect > 0.9 || turn(got.angle, angle).abs() < 1e-9);
@@ -260,7 +261,7 @@ fn a_region_of_six_marks_varies_as_they_do_and_one_of_fewer_does_not() {
     assert!((spread.area - 0.2).abs() < 1e-9 && (spread.angle - 10.0).abs() < 1e-9, "{spread:?}");
     assert!(spread.aspect < 1e-9 && spread.spacing < 1e-9, "{spread:?}");
     let five = map(&six[..5], [1, 1], Edges::Closed);
-    assert_eq!(five.region([0, 0]).spread, Spread::EVEN);
+    assert_eq!(five.region([0, 0]).spread, Spread::ZERO);
     assert!(five.is_even() && !map(&six, [1, 1], Edges::Closed).is_even());
 }
 
@@ -269,18 +270,18 @@ fn an_empty_region_takes_the_spread_with_the_attributes_and_between_regions_it_i
     let mut marks = six(10.0);
     marks.push(spot([150.0, 50.0], 100.0, 0.5, 30.0));
     let map = map(&marks, [3, 1], Edges::Closed);
-    assert_eq!(map.region([2, 0]).spread, Spread::EVEN);
+    assert_eq!(map.region([2, 0]).spread, Spread::ZERO);
     assert!((map.spread_at([100.0, 0.0]).area - 0.1).abs() < 1e-9);
     assert!((map.spread_at([0.0, 50.0]).area - 0.2).abs() < 1e-9);
-    let alone = RegionMap::of(&six(10.0), [200.0, 100.0], [2, 1], Edges::Closed).unwrap();
+    let alone = RegionMap::from_marks(&six(10.0), [200.0, 100.0], [2, 1], Edges::Closed).unwrap();
     assert_eq!(alone.region([1, 0]).spread, alone.region([0, 0]).spread);
 }
 
 #[test]
 fn a_given_spread_holds_everywhere() {
-    let given = Spread { area: 0.3, ..Spread::EVEN };
+    let given = Spread { area: 0.3, ..Spread::ZERO };
     let map = map(&six(10.0), [2, 1], Edges::Closed).varied_by(given);
     assert!(map.regions().all(|(_, region)| region.spread == given) && map.spread_is_given());
     assert!(map.resized([50.0, 50.0]).spread_is_given());
-    assert!(map.varied_by(Spread::EVEN).is_even());
+    assert!(map.varied_by(Spread::ZERO).is_even());
 }

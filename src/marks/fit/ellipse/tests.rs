@@ -101,9 +101,9 @@ fn points_that_settle_no_ellipse_give_none() {
 
 #[test]
 fn a_rectangle_s_second_moments_give_the_ellipse_that_has_them() {
-    let got = of_second_moments([1.0, 2.0], [3.0, 0.0, 12.0]).unwrap();
+    let got = ellipse_from_moments([1.0, 2.0], [3.0, 0.0, 12.0]).unwrap();
     assert_eq!(got, Ellipse { center: [1.0, 2.0], radii: [48f64.sqrt(), 12f64.sqrt()], angle: 90.0 });
-    assert_eq!(of_second_moments([0.0; 2], [1.0, 1.0, 1.0]), None);
-    assert_eq!(of_second_moments([0.0; 2], [0.0; 3]), None);
-    assert_eq!(of_second_moments([0.0; 2], [f64::NAN, 0.0, 1.0]), None);
+    assert_eq!(ellipse_from_moments([0.0; 2], [1.0, 1.0, 1.0]), None);
+    assert_eq!(ellipse_from_moments([0.0; 2], [0.0; 3]), None);
+    assert_eq!(ellipse_from_moments([0.0; 2], [f64::NAN, 0.0, 1.0]), None);
 }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::attributes::regions::Layout;
+use crate::attributes::regions::RegionGrid;
 use crate::grid::resample::Spline;
 use crate::grid::{Edges, Field};
 use crate::marks::{Ellipse, Line};
@@ -98,7 +98,7 @@ pub fn off(plan: &Plan, spots: &[Spot]) -> Vec<f64> {
 }
 
 /// The way from `b` to `a`, px; on a tile the shortest.
-pub fn apart(a: [f64; 2], b: [f64; 2], layout: &Layout) -> [f64; 2] {
+pub fn apart(a: [f64; 2], b: [f64; 2], layout: &RegionGrid) -> [f64; 2] {
     [0, 1].map(|axis| {
         let (way, side) = (a[axis] - b[axis], layout.size[axis]);
         if layout.edges == Edges::Wrap { way - side * (way / side).round() } else { way }
@@ -106,7 +106,7 @@ pub fn apart(a: [f64; 2], b: [f64; 2], layout: &Layout) -> [f64; 2] {
 }
 
 /// The centre of what of an ellipse is seen on the canvas.
-pub fn seen(ellipse: &Ellipse, layout: &Layout) -> [f64; 2] {
+pub fn seen(ellipse: &Ellipse, layout: &RegionGrid) -> [f64; 2] {
     const RINGS: usize = 12;
     const POINTS: usize = 48;
     let [s, c] = [libm::sin, libm::cos].map(|f| f(ellipse.angle.to_radians()));

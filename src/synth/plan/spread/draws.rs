@@ -106,7 +106,7 @@ fn groups(plan: &Plan, px: &[[f64; 2]]) -> Vec<(Vec<usize>, Vec<usize>)> {
 
 /// How far a spot reaches from its centre along x and y.
 fn reach(spots: &Spots) -> [f64; 2] {
-    let [a, b] = Ellipse::of([0.0; 2], spots.area, spots.aspect, 0.0).radii;
+    let [a, b] = Ellipse::from_area([0.0; 2], spots.area, spots.aspect, 0.0).radii;
     let angle = spots.angle.to_radians();
     let (s, c) = (libm::sin(angle), libm::cos(angle));
     [(a * a * c * c + b * b * s * s).sqrt(), (a * a * s * s + b * b * c * c).sqrt()]

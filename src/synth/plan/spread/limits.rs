@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn too_much_is_cut_and_said_in_numbers() {
-        let asked = Spread { area: 0.5, angle: 20.0, ..Spread::EVEN };
+        let asked = Spread { area: 0.5, angle: 20.0, ..Spread::ZERO };
         let limited = limited(System::MeinhardtSpots, &spots(0.4, 0.2), &asked, false);
         assert!((limited.spread.area - 0.32).abs() < 1e-9 && (limited.spread.angle - 8.6).abs() < 0.1);
         assert_eq!(
@@ -154,14 +154,14 @@ mod tests {
 
     #[test]
     fn spots_without_room_to_differ_are_even_and_nothing_is_said_of_rounding() {
-        let asked = Spread { area: 1e-17, ..Spread::EVEN };
+        let asked = Spread { area: 1e-17, ..Spread::ZERO };
         let limited = limited(System::MeinhardtSpots, &spots(0.6, 0.45), &asked, false);
-        assert_eq!(limited, Limited { spread: Spread::EVEN, notes: Vec::new() });
+        assert_eq!(limited, Limited { spread: Spread::ZERO, notes: Vec::new() });
     }
 
     #[test]
     fn that_long_spots_stand_unevenly_is_told_where_a_number_was_given() {
-        let asked = Spread { spacing: 0.1, ..Spread::EVEN };
+        let asked = Spread { spacing: 0.1, ..Spread::ZERO };
         let notes = |given| limited(System::MeinhardtSpots, &spots(0.5, 0.1), &asked, given).notes;
         let told =
             "the spacing of spots varies by 0.10, less than the 0.21 that such spots have by themselves";

@@ -6,7 +6,7 @@ use crate::grid::Edges;
 ///
 /// Regions are numbered row by row: region [column, row] has the index row · columns + column.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Layout {
+pub struct RegionGrid {
     /// Width and height of the canvas, px; both positive.
     pub size: [f64; 2],
     /// Columns and rows; both at least 1.
@@ -15,7 +15,7 @@ pub struct Layout {
     pub edges: Edges,
 }
 
-impl Layout {
+impl RegionGrid {
     /// Number of regions.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -126,8 +126,8 @@ impl Layout {
 mod tests {
     use super::*;
 
-    fn layout(grid: [usize; 2], edges: Edges) -> Layout {
-        Layout { size: [300.0, 200.0], grid, edges }
+    fn layout(grid: [usize; 2], edges: Edges) -> RegionGrid {
+        RegionGrid { size: [300.0, 200.0], grid, edges }
     }
 
     #[test]
@@ -156,7 +156,7 @@ mod tests {
         assert_eq!(closed.nearest([1, 1], |i| [3, 5, 7].contains(&i)), Some(3));
         assert_eq!(closed.nearest([1, 1], |i| [0, 7].contains(&i)), Some(7));
         assert_eq!(closed.nearest([1, 1], |_| false), None);
-        let five = |edges| Layout { size: [50.0, 10.0], grid: [5, 1], edges };
+        let five = |edges| RegionGrid { size: [50.0, 10.0], grid: [5, 1], edges };
         assert_eq!(five(Edges::Closed).nearest([0, 0], |i| [2, 4].contains(&i)), Some(2));
         assert_eq!(five(Edges::Wrap).nearest([0, 0], |i| [2, 4].contains(&i)), Some(4));
     }
