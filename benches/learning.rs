@@ -1,7 +1,7 @@
 //! The training sets: a question, and making a set ready for questions. See README.md.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use dapple::attributes::{Attributes, Spots, Stripes};
+use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::learn::{Parameters, Row, TrainingSet, write_rows};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

@@ -2,8 +2,7 @@
 //!
 //!     cargo run --release --example lookup
 
-use dapple::attributes::{Attributes, Spots, Stripes};
-use dapple::lookup::{LookedUp, System, Training};
+use dapple::lookup::{Attributes, LookedUp, Spots, Stripes, System, Training};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

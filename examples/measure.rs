@@ -3,7 +3,7 @@
 //!     cargo run --release --example measure
 
 use dapple::document::{Document, Layer, Stroke};
-use dapple::measure::{Picture, picture};
+use dapple::output::{Picture, picture};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

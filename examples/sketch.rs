@@ -2,8 +2,7 @@
 //!
 //!     cargo run --release --example sketch -- rosettes.png
 
-use dapple::document::{After, Colours, Document, Layer, Options, Stroke};
-use dapple::grid::Edges;
+use dapple::document::{After, Colours, Document, Edges, Layer, Options, Stroke};
 use std::env;
 use std::error::Error;
 

@@ -37,8 +37,8 @@
 //!
 //! | | modules | know |
 //! |---|---|---|
-//! | ground | [`grid`], [`marks`], [`attributes`] | the ground above them |
-//! | steps | [`sketch`], [`measure`], `learn`, `rd`, [`colour`], `export` | the ground, never each other |
+//! | ground | `grid`, `marks`, `attributes` | the ground above them |
+//! | steps | `sketch`, `measure`, `learn`, `rd`, `colour`, `export` | the ground, never each other |
 //! | thread | [`document`], `synth` | ground and steps; `synth` knows `document` |
 //! | beside the thread | `editor` | ground, steps and thread |
 //! | doors | `cli`, `app` (features) | everything; nothing knows them |
@@ -46,7 +46,7 @@
 //! `tests/layering` checks these rules. The only way back, from a grown field to parameters, goes through a file:
 //! `data-gen` writes `training/`, `learn` reads it.
 //!
-//! Modules without a link are internal; what a user needs of them stands in [`lookup`] and [`output`] and at the top.
+//! Most modules are internal. What a user needs of them is re-exported here, in [`document`], [`lookup`] and [`output`].
 //!
 //! # Units
 //!
@@ -54,18 +54,18 @@
 //! axial (read mod 180).
 
 // Ground.
-pub mod grid;
-pub mod marks;
+mod grid;
+mod marks;
 // (marks before attributes: attributes are numbers about marks)
-pub mod attributes;
+mod attributes;
 
 // Steps.
-pub mod colour;
+mod colour;
 mod export;
 mod learn;
-pub mod measure;
+mod measure;
 mod rd;
-pub mod sketch;
+mod sketch;
 
 // Thread.
 pub mod document;
@@ -82,23 +82,26 @@ pub mod cli;
 
 pub use document::{Document, DocumentError, Layer, Stroke};
 pub use export::ExportError;
-pub use synth::{GrowError, Grown, GrownLayer, Options, Stage, Watch};
+pub use grid::Field;
+pub use synth::{Cancelled, GrowError, Grown, GrownLayer, Options, Stage, Watch};
 
 /// Looking up the parameters of a reaction-diffusion system without a document.
 pub mod lookup {
+    pub use crate::attributes::{Attributes, Spots, Stripes};
     pub use crate::learn::{Answer, Coverage, Note, Parameters, TrainingError};
     pub use crate::rd::System;
     pub use crate::synth::plan::PlanError;
     pub use crate::synth::{LookedUp, Training};
 }
 
-/// What can be made of a growth: pictures, outlines, materials, films, a report.
+/// What can be made of a growth: pictures, outlines, materials, films, a report, measurements.
 pub mod output {
     pub use crate::export::maps::{Green, Height, Surface};
     pub use crate::export::motion::{Film, Kind as FilmKind, PreparedFilm};
     pub use crate::export::outline::svg::{Sheet, Unit};
     pub use crate::export::outline::{Ends, Group, Hatch, Shape, Smallest, Style as OutlineStyle};
     pub use crate::export::{Format, Prepared};
+    pub use crate::measure::{Picture, StripeStatistics, picture};
     pub use crate::synth::render::clip::{Clip, ClipError};
     pub use crate::synth::render::film::Scene;
     pub use crate::synth::render::outlining::{Outlining, outlines};
@@ -109,6 +112,31 @@ pub mod output {
 /// Modules for the tests, benches and training data of this project. They may change at any time.
 #[doc(hidden)]
 pub mod internals {
+    pub use crate::document::layer_rules;
+    /// Cells, fields, edges.
+    pub mod grid {
+        pub use crate::grid::*;
+    }
+    /// Ellipses and lines.
+    pub mod marks {
+        pub use crate::marks::*;
+    }
+    /// Numbers about marks.
+    pub mod attributes {
+        pub use crate::attributes::*;
+    }
+    /// Fields to colours.
+    pub mod colour {
+        pub use crate::colour::*;
+    }
+    /// Fields to marks.
+    pub mod measure {
+        pub use crate::measure::*;
+    }
+    /// Strokes to marks.
+    pub mod sketch {
+        pub use crate::sketch::*;
+    }
     /// Writing files.
     pub mod export {
         pub use crate::export::*;

@@ -114,8 +114,10 @@ fn a_small_cheetah_grows_both_its_layers() {
         gallery().into_iter().find(|(file, ..)| file.ends_with("cheetah")).expect("a cheetah");
     let options = Options { size: Some([200, 200]), source: &file, ..Options::default() };
     let grown = grow(&document, &options).unwrap_or_else(|error| panic!("{error}"));
-    let spots =
-        grown.layers.iter().map(|layer| dapple::measure::spots(&layer.pattern().field(200, 200), 0.5).len());
+    let spots = grown
+        .layers
+        .iter()
+        .map(|layer| dapple::internals::measure::spots(&layer.pattern().field(200, 200), 0.5).len());
     let spots: Vec<usize> = spots.collect();
     assert!(spots[0] > 4 && spots[1] > spots[0], "{spots:?} spots");
 }

@@ -1,9 +1,9 @@
 //! The ruler: what is drawn with known numbers is measured back.
 
-use dapple::attributes::{Attributes, Spots, Stripes};
-use dapple::grid::{Edges, Field};
-use dapple::marks::{Ellipse, turn};
-use dapple::measure::{self, Canvas, Directions, Picture, Reason};
+use dapple::internals::attributes::{Attributes, Spots, Stripes};
+use dapple::internals::grid::{Edges, Field};
+use dapple::internals::marks::{Ellipse, turn};
+use dapple::internals::measure::{self, Canvas, Directions, Picture, Reason};
 use proptest::prelude::*;
 
 /// How a mark's edge looks; all have 0.5 on it.

@@ -1,11 +1,11 @@
 //! The verdict on patterns that were really grown: what is no texture is told for what it is.
 
-use dapple::grid::{Edges, Field, Grid};
+use dapple::internals::grid::{Edges, Field, Grid};
 use dapple::internals::learn::Parameters;
+use dapple::internals::measure::{self, Reason};
 use dapple::internals::rd::{self, Maps, System};
 use dapple::internals::synth::settle;
 use dapple::internals::synth::{Engine, Patch, Sample, Watch};
-use dapple::measure::{self, Reason};
 
 /// Spots (or wavelengths along a side) ordered, and the least of them to learn from.
 const ORDERED: f64 = 24.0;

@@ -14,7 +14,7 @@ use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use dapple::measure::Reason;
+use dapple::internals::measure::Reason;
 use serde_json::{Value, json};
 
 use crate::plan::{Plan, shown};

@@ -1,7 +1,7 @@
 //! The manifest beside each file of rows: what the columns are, what was swept, and how to do it again.
 
 use dapple::internals::learn::columns_of;
-use dapple::measure::Reason;
+use dapple::internals::measure::Reason;
 use serde_json::{Map, Value, json};
 
 use crate::journal::DAPPLE;

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::sync::Mutex;
 use std::time::Duration;
 
-use dapple::measure::Reason;
+use dapple::internals::measure::Reason;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::run::{ACCEPTED, Record};

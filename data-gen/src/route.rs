@@ -1,8 +1,8 @@
 //! The fast route against the long one: the same seeds and grids, grown over coarse grids until settled, and by plain
 //! Euler steps on the planned grid alone to the end.
 
-use dapple::attributes::Attributes;
-use dapple::grid::{Edges, Field};
+use dapple::internals::attributes::Attributes;
+use dapple::internals::grid::{Edges, Field};
 use dapple::internals::rd::{Growth, Maps, Parameters, System};
 use dapple::internals::synth::settle;
 use dapple::internals::synth::{Engine, Patch as Grown, Sample, Watch};

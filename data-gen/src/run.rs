@@ -1,8 +1,8 @@
 //! One run: parameters → simulation → verdict → a line of one of the two files.
 
 use dapple::internals::learn::{Parameters, Row, columns_of, six_digits, write_rows};
+use dapple::internals::measure::Reason;
 use dapple::internals::synth::{Patch, Sample, Watch};
-use dapple::measure::Reason;
 
 use crate::plan::Set;
 

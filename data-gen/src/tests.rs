@@ -345,7 +345,7 @@ fn the_sets_the_columns_and_the_reasons_stand_in_the_readme_beside_the_files() {
     let columns =
         plan.sets.iter().flat_map(|set| dapple::internals::learn::columns_of(set.system.name()).unwrap());
     let names = plan.sets.iter().map(|set| set.name.as_str()).chain(columns.map(|column| column.name));
-    for name in names.chain(dapple::measure::Reason::KINDS) {
+    for name in names.chain(dapple::internals::measure::Reason::KINDS) {
         assert!(readme.contains(&format!("| `{name}` |")), "{name}");
     }
 }

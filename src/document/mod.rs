@@ -69,6 +69,7 @@ mod colours;
 pub mod embedded;
 mod error;
 mod file;
+#[doc(hidden)]
 pub mod layer_rules;
 pub mod limits;
 mod migrate;
@@ -80,16 +81,16 @@ mod strokes;
 mod syntax;
 mod writer;
 
-use crate::attributes::Spread;
+pub use crate::attributes::Spread;
+pub use crate::colour::{Gradient, PRESETS, Preset};
+pub use crate::grid::Edges;
+pub use crate::marks::{Ellipse, Line};
 pub use crate::rd::Seeding;
 pub use choices::{After, Kind, SystemChoice};
 pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_picture, in_stream, open};
 pub use error::{DocumentError, Problem};
 pub use option_key::OptionKey;
-
-use crate::grid::Edges;
-use crate::marks::{Ellipse, Line};
 
 /// Everything that defines a texture: what was drawn and how it is grown.
 #[derive(Clone, Debug, PartialEq)]

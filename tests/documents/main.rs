@@ -1,9 +1,9 @@
 //! Documents: what may stand in a `.dapple` file, and what each wrong one is told.
 
 use assert_cmd::Command;
+use dapple::document::Edges;
 use dapple::document::{After, Colours, Document, DocumentError, Growth, Layer, Stop, Stroke, SystemChoice};
-use dapple::grid::Edges;
-use dapple::marks::{Ellipse, Line};
+use dapple::document::{Ellipse, Line};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 

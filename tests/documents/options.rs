@@ -1,7 +1,7 @@
 //! What a layer's `options` may hold: the spread of its spots, the duty of its stripes.
 
 use super::*;
-use dapple::attributes::Spread;
+use dapple::document::Spread;
 use dapple::document::SpreadChoice;
 
 fn given(options: Value) -> SpreadChoice {

@@ -6,10 +6,10 @@
 use crate::renew::{golden, renew, renews, text};
 use crate::textures::{document, names};
 use dapple::document::Document;
+use dapple::internals::marks::turn;
 use dapple::internals::synth::Options;
 use dapple::internals::synth::grow;
 use dapple::internals::synth::report::report;
-use dapple::marks::turn;
 use serde_json::{Map, Value, json};
 
 /// What another value than the stored one may be off by: a share of it, or a difference. docs/golden.md says what six

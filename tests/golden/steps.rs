@@ -1,7 +1,7 @@
 //! The first steps of every system, to the bit.
 
 use crate::renew::{golden, renew, renews, text};
-use dapple::grid::{Edges, Grid};
+use dapple::internals::grid::{Edges, Grid};
 use dapple::internals::rd::{Growth, Maps, Parameters, System};
 use std::fmt::Write;
 

@@ -4,8 +4,8 @@
 //! where marks end is decided by the last bit of the first step: after long runs `sheets` compares attributes.
 
 use crate::renew::{golden, kept, renew, renews};
+use dapple::document::Edges;
 use dapple::document::{After, Document};
-use dapple::grid::Edges;
 use dapple::internals::rd::System;
 use dapple::internals::synth::render::painting::Painting;
 use dapple::internals::synth::{Options, Watch, grow_seen};

@@ -1,7 +1,7 @@
 //! Lines round the marks beneath, and as a web between them.
 
 use crate::folder::{AREA, Folder, SPACING, hexagon};
-use dapple::grid::Edges;
+use dapple::document::Edges;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 

@@ -1,10 +1,10 @@
 //! What grows has the numbers of what was drawn, read off the written pattern with the library's ruler.
 
 use crate::folder::{AREA, ASPECT, Folder, SPACING, document, hexagon, spots, stripes};
-use dapple::attributes::{Attributes, Spots, Stripes};
-use dapple::grid::{Edges, Field};
-use dapple::marks::turn;
-use dapple::measure::{self, Canvas, SpotErrors, StripeErrors};
+use dapple::internals::attributes::{Attributes, Spots, Stripes};
+use dapple::internals::grid::{Edges, Field};
+use dapple::internals::marks::turn;
+use dapple::internals::measure::{self, Canvas, SpotErrors, StripeErrors};
 use serde_json::{Value, json};
 
 /// Errors of the spots of a written pattern in each of its halves, left and right.
@@ -190,7 +190,7 @@ fn attributes_change_over_the_canvas_as_drawn() {
         let there: Vec<_> = spots.iter().filter(|spot| spot.whole && far(spot.ellipse.center[0])).collect();
         let count = there.len() as f64;
         let area = there.iter().map(|spot| spot.ellipse.area()).sum::<f64>() / count;
-        let angle = dapple::attributes::axial_mean(
+        let angle = dapple::internals::attributes::axial_mean(
             there.iter().map(|spot| (spot.ellipse.major_angle(), 1.0 - spot.ellipse.aspect())),
         );
         (area, angle.unwrap().0)

@@ -1,7 +1,7 @@
 //! A folder of its own for each test, documents in it, and what `dapple` makes of them.
 
 use assert_cmd::Command;
-use dapple::grid::{Edges, Field};
+use dapple::internals::grid::{Edges, Field};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use tempfile::TempDir;

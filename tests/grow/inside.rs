@@ -1,7 +1,7 @@
 //! A layer inside another: the other is neither painted nor labelled; sparse spots are told by all commands.
 
 use crate::folder::{Folder, document};
-use dapple::grid::Edges;
+use dapple::document::Edges;
 use serde_json::{Value, json};
 
 fn ellipse(center: [f64; 2], radii: [f64; 2]) -> Value {
@@ -33,7 +33,7 @@ fn the_layer_that_gives_the_places_is_neither_painted_nor_labelled() {
     let black_or_white = |px: &image::Rgb<u8>| px.0 == [0; 3] || px.0 == [255; 3];
     assert!(picture.pixels().all(black_or_white));
     // By itself its pattern can still be had.
-    let large = dapple::measure::spots(&folder.pattern("p.png", Edges::Wrap), 0.5);
+    let large = dapple::internals::measure::spots(&folder.pattern("p.png", Edges::Wrap), 0.5);
     let report = folder.json("r.json");
     assert_eq!(report["layers"][0]["shown"], json!(false));
     assert!(report["layers"][1]["shown"].is_null());

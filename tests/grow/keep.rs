@@ -1,11 +1,11 @@
 //! What is drawn stays where it was drawn.
 
 use crate::folder::{Folder, document};
-use dapple::attributes::regions::RegionMap;
+use dapple::document::Edges;
 use dapple::document::{Document, Layer, Options as Choices, Stroke, SystemChoice};
-use dapple::grid::Edges;
-use dapple::marks::{Ellipse, Line, Mark, turn};
-use dapple::measure::{self, Spot};
+use dapple::internals::attributes::regions::RegionMap;
+use dapple::internals::marks::{Ellipse, Line, Mark, turn};
+use dapple::internals::measure::{self, Spot};
 
 use dapple::internals::synth::plan::pinned_marks::{covered, keep, off};
 use dapple::internals::synth::plan::plan;

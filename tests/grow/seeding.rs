@@ -1,12 +1,12 @@
 //! Other seeds of stripes than noise.
 
-use dapple::attributes::{Attributes, Stripes};
+use dapple::document::Line;
 use dapple::document::{Document, Layer, Options as Choices, Seeding, Stroke};
-use dapple::grid::{Edges, Field};
+use dapple::internals::attributes::{Attributes, Stripes};
+use dapple::internals::grid::{Edges, Field};
+use dapple::internals::measure::{self, Canvas, StripeErrors};
 use dapple::internals::synth::grow;
 use dapple::internals::synth::{Measured, Options};
-use dapple::marks::Line;
-use dapple::measure::{self, Canvas, StripeErrors};
 
 /// What grows from lines 8 px wide.
 fn grown(

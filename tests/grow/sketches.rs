@@ -1,9 +1,9 @@
 //! Strokes drawn by hand.
 
 use crate::folder::{Folder, document};
-use dapple::grid::Edges;
-use dapple::marks::turn;
-use dapple::measure;
+use dapple::document::Edges;
+use dapple::internals::marks::turn;
+use dapple::internals::measure;
 use serde_json::{Value, json};
 
 /// Points of an ellipse drawn by hand: a little off, and not quite closed.

@@ -1,13 +1,13 @@
 //! Where drawn marks vary, so does what grows; and its means stay.
 
 use crate::folder::{Folder, document, hexagon, spots};
-use dapple::attributes::Spread;
+use dapple::document::Edges;
+use dapple::document::Spread;
 use dapple::document::{Document, Layer, Options as Choices, SpreadChoice, Stroke, SystemChoice};
-use dapple::grid::Edges;
+use dapple::internals::marks::{Ellipse, turn};
+use dapple::internals::measure::SpotErrors;
 use dapple::internals::synth::grow;
 use dapple::internals::synth::{Measured, Options};
-use dapple::marks::{Ellipse, turn};
-use dapple::measure::SpotErrors;
 use serde_json::{Value, json};
 
 const EVEN: Spread = Spread::ZERO;

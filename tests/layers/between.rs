@@ -1,9 +1,9 @@
 //! `between` keeps away from what is beneath, and each layer is as it was drawn.
 
 use super::{cascade, covered, grown, patterns, spots, stripes, try_grow};
-use dapple::attributes::Spread;
+use dapple::document::Spread;
 use dapple::document::{Layer, SpreadChoice, SystemChoice};
-use dapple::grid::{Edges, Field};
+use dapple::internals::grid::{Edges, Field};
 use dapple::internals::synth::{Grown, Measured};
 
 /// Pairs of neighbouring points (of eight each) of which a lower layer covers one and a higher layer the other.

@@ -1,12 +1,12 @@
 //! `inside`: one smaller mark at each place of the layer beneath, and nothing else of that layer.
 
 use super::{after, cascade, covered, grown, patterns, spots, stripes, try_grow};
-use dapple::attributes::Spread;
+use dapple::document::Edges;
+use dapple::document::Spread;
 use dapple::document::{After, Document, Layer, SpreadChoice, SystemChoice};
-use dapple::grid::Edges;
+use dapple::internals::measure::Spot;
 use dapple::internals::synth::plan::inside::is_replaced;
 use dapple::internals::synth::{Grown, Measured};
-use dapple::measure::Spot;
 
 fn inside(layer: Layer) -> Layer {
     after(After::Inside, layer)

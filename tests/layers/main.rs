@@ -6,10 +6,10 @@ mod regrown;
 mod sparse;
 
 use dapple::document::{After, Document, Layer, Options as Choices, Stroke};
-use dapple::grid::{Edges, Field};
+use dapple::document::{Ellipse, Line};
+use dapple::internals::grid::{Edges, Field};
 use dapple::internals::synth::grow;
 use dapple::internals::synth::{GrowError, Grown, Options};
-use dapple::marks::{Ellipse, Line};
 
 /// Four spots with this area, aspect, angle and spacing, somewhere on a canvas of 360 px.
 fn spots(area: f64, aspect: f64, angle: f64, spacing: f64) -> Layer {

@@ -2,7 +2,7 @@
 
 use super::{cascade, grown, spots, stripes};
 use dapple::document::Document;
-use dapple::grid::Edges;
+use dapple::document::Edges;
 use dapple::internals::synth::{Grown, Options, Stage, Watch, regrow};
 use std::sync::atomic::{AtomicUsize, Ordering};
 

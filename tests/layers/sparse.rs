@@ -1,11 +1,11 @@
 //! Spots farther apart than one run puts them, in one layer: sown at their places, and told so.
 
 use super::{cascade, grown, spots};
+use dapple::document::Edges;
 use dapple::document::{Document, Layer, Stroke};
-use dapple::grid::Edges;
+use dapple::internals::marks::{Ellipse, turn};
 use dapple::internals::synth::report::report;
 use dapple::internals::synth::{Grown, Measured};
-use dapple::marks::{Ellipse, turn};
 
 #[track_caller]
 fn assert_met(grown: &Grown, of: &str) {

@@ -1,9 +1,9 @@
 //! The files: SVG by roxmltree and usvg, DXF by the crate of that name.
 
 use crate::bench::Bench;
-use dapple::grid::{Edges, Field};
 use dapple::internals::export::outline::svg::Unit;
 use dapple::internals::export::outline::{Smallest, Style, draw, dxf as writer, of_field};
+use dapple::internals::grid::{Edges, Field};
 use dxf::entities::EntityType;
 use resvg::usvg::{self, Node};
 

@@ -2,12 +2,12 @@
 //! away, the verdict says so.
 
 use crate::cases;
-use dapple::attributes::{Attributes, Spots, Stripes};
-use dapple::grid::Edges;
+use dapple::document::Edges;
+use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::learn;
+use dapple::internals::measure::{Reason, formed};
 use dapple::internals::rd::{Growth, Maps, Parameters, System};
 use dapple::internals::synth::Training;
-use dapple::measure::{Reason, formed};
 use proptest::prelude::*;
 use std::sync::LazyLock;
 

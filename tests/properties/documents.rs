@@ -1,14 +1,14 @@
 //! Documents of every kind of layer, system and option, as a hand might draw them, and far stranger.
 
 use crate::cases;
-use dapple::attributes::Spread;
+use dapple::document::Edges;
+use dapple::document::Spread;
 use dapple::document::{
     After, Colours, Document, Growth, Kind, Layer, Options, SpreadChoice, Stop, Stroke, SystemChoice,
     layer_rules,
 };
-use dapple::grid::Edges;
+use dapple::document::{Ellipse, Line};
 use dapple::internals::rd::Seeding;
-use dapple::marks::{Ellipse, Line};
 use proptest::prelude::*;
 
 fn point(size: [u32; 2]) -> impl Strategy<Value = [f64; 2]> {

@@ -1,10 +1,10 @@
 //! Between the centres of regions, the map stays within the four that are about a point.
 
 use crate::cases;
-use dapple::attributes::regions::{RegionMap, RegionsError};
-use dapple::attributes::{Attributes, Spots};
-use dapple::grid::Edges;
-use dapple::marks::{Ellipse, Line, Mark};
+use dapple::document::Edges;
+use dapple::internals::attributes::regions::{RegionMap, RegionsError};
+use dapple::internals::attributes::{Attributes, Spots};
+use dapple::internals::marks::{Ellipse, Line, Mark};
 use proptest::prelude::*;
 
 const SIZE: [f64; 2] = [300.0, 200.0];

@@ -3,9 +3,9 @@
 use std::fs;
 
 use dapple::app::Phase;
-use dapple::colour::{Bend, Gradient, PRESETS};
 use dapple::document::palette::Palette;
 use dapple::document::{Colours, Document};
+use dapple::internals::colour::{Bend, Gradient, PRESETS};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};

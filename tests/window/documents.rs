@@ -125,7 +125,7 @@ fn a_new_document_has_the_size_and_the_regions_that_were_asked_for() {
     hand.press("Create");
     let document = hand.window.state().session().document().clone();
     assert_eq!((document.size, document.regions), ([300, 512], [2, 3]));
-    assert_eq!(document.edges, dapple::grid::Edges::Wrap);
+    assert_eq!(document.edges, dapple::document::Edges::Wrap);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use dapple::app::{Phase, Start, Window};
 use dapple::document::{Document, Stroke};
-use dapple::marks::{Ellipse, Line};
+use dapple::document::{Ellipse, Line};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, Rect, Theme, Vec2, vec2};
 use egui_kittest::Harness;

@@ -3,7 +3,7 @@
 use dapple::app::Session;
 use dapple::app::{Place, Selection};
 use dapple::document::{After, Document};
-use dapple::marks::{Ellipse, Line, Mark};
+use dapple::internals::marks::{Ellipse, Line, Mark};
 use egui::{Key, Modifiers};
 use proptest::prelude::*;
 

@@ -1,8 +1,8 @@
 //! What is preferred counts at once, and is remembered.
 
 use dapple::app::{New, Settings, Start, Units};
+use dapple::document::Ellipse;
 use dapple::document::{Document, Stroke};
-use dapple::marks::Ellipse;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Theme, ThemePreference, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -57,7 +57,7 @@ fn a_new_document_is_as_preferred() {
     let is = |hand: &Hand| {
         let document = hand.window.state().session().document();
         assert_eq!((document.size, document.regions), ([640, 320], [4, 1]));
-        assert_eq!((document.edges, document.dpi), (dapple::grid::Edges::Wrap, 72.0));
+        assert_eq!((document.edges, document.dpi), (dapple::document::Edges::Wrap, 72.0));
     };
     is(&hand);
     hand.key(Modifiers::COMMAND, Key::N);

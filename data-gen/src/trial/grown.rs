@@ -3,13 +3,13 @@
 use std::path::Path;
 use std::time::Instant;
 
-use dapple::attributes::Attributes;
 use dapple::document::Document;
-use dapple::grid::{Field, to_u16};
+use dapple::internals::attributes::Attributes;
+use dapple::internals::grid::{Field, to_u16};
+use dapple::internals::measure::{self, Canvas, Spot};
 use dapple::internals::synth::grow;
 use dapple::internals::synth::plan::sketch_targets;
 use dapple::internals::synth::{GrownLayer, Options, Training};
-use dapple::measure::{self, Canvas, Spot};
 
 use super::attribute::{ATTRIBUTES, Errors};
 use super::output;

@@ -3,12 +3,12 @@
 use std::io::Write;
 use std::path::Path;
 
-use dapple::attributes::Attributes;
-use dapple::colour::{Bend, Gradient, Painted, Stop, Table, paint};
 use dapple::document::{Colours, Document};
-use dapple::grid::Field;
+use dapple::internals::attributes::Attributes;
+use dapple::internals::colour::{Bend, Gradient, Painted, Stop, Table, paint};
 use dapple::internals::export;
 use dapple::internals::export::png::{gray16, rgb8};
+use dapple::internals::grid::Field;
 use serde_json::{Map, Value, json};
 
 use super::attribute::ATTRIBUTES;

@@ -7,9 +7,9 @@ mod lines;
 mod ranges;
 mod spots;
 
-use dapple::attributes::regions::RegionGrid;
+use dapple::document::Edges;
 use dapple::document::{Document, Layer, Stroke};
-use dapple::grid::Edges;
+use dapple::internals::attributes::regions::RegionGrid;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 

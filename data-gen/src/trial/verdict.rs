@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use dapple::attributes::Attributes;
-use dapple::attributes::regions::{RegionGrid, RegionMap};
-use dapple::grid::Field;
-use dapple::measure::Spot;
+use dapple::internals::attributes::Attributes;
+use dapple::internals::attributes::regions::{RegionGrid, RegionMap};
+use dapple::internals::grid::Field;
+use dapple::internals::measure::Spot;
 
 /// Why a grown document is no texture of what was asked.
 #[derive(Clone, Debug, PartialEq)]
@@ -173,7 +173,7 @@ pub fn of_stripes(pattern: &Field, layout: &RegionGrid, duty: f64) -> Vec<Failur
             failures.push(Failure::Merged { share: found });
         }
     }
-    let coherence = dapple::measure::stripes(pattern, 0.5).map_or(0.0, |found| found.coherence);
+    let coherence = dapple::internals::measure::stripes(pattern, 0.5).map_or(0.0, |found| found.coherence);
     if coherence < COHERENCE {
         failures.push(Failure::Incoherent { coherence });
     }
@@ -183,9 +183,9 @@ pub fn of_stripes(pattern: &Field, layout: &RegionGrid, duty: f64) -> Vec<Failur
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dapple::grid::Edges;
-    use dapple::marks::{Ellipse, Mark};
-    use dapple::measure::spots;
+    use dapple::document::Edges;
+    use dapple::internals::marks::{Ellipse, Mark};
+    use dapple::internals::measure::spots;
 
     /// Two regions of spots of area 100 px² every 40 px; `keep` says which of a square lattice are there.
     fn judged(keep: impl Fn([usize; 2]) -> bool, radius: f64) -> Vec<Failure> {

@@ -24,8 +24,7 @@ impl LookedUp {
     /// `meinhardt-spots` is left free to choose is the one that growing takes then.
     ///
     /// ```
-    /// use dapple::attributes::{Attributes, Spots};
-    /// use dapple::lookup::{LookedUp, System, Training};
+    /// use dapple::lookup::{Attributes, LookedUp, Spots, System, Training};
     ///
     /// let spots = Spots { area: 300.0, aspect: 0.6, angle: 30.0, spacing: Some(40.0) };
     /// let found = LookedUp::new(Training::built_in(), System::MeinhardtSpots, &Attributes::Spots(spots))?;

@@ -1,7 +1,7 @@
 //! Pictures to be measured: whatever they claim to be, they have spots, stripes or neither, in px of their size.
 
 use dapple::cli::measure::measure_in;
-use dapple::measure::Picture;
+use dapple::internals::measure::Picture;
 use image::ImageReader;
 use std::io::Cursor;
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! SVG: whatever is in it, its marks are finite, and the document made of them is valid.
 
+use dapple::internals::marks::Mark;
+use dapple::internals::sketch::svg::{DPI, read};
 use dapple::internals::synth::import::document_of;
-use dapple::marks::Mark;
-use dapple::sketch::svg::{DPI, read};
 
 use crate::kept::comes_back;
 use crate::told::told;

@@ -1,6 +1,6 @@
 //! Training rows: what is read is written and read back, and whatever is asked gets numbers or a refusal.
 
-use dapple::attributes::{Attributes, Spots, Stripes};
+use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::learn::{SYSTEMS, TrainingSet, write_rows};
 
 use crate::told::told;

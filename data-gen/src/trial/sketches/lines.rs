@@ -1,8 +1,8 @@
 //! Pieces of stripes, drawn by hand.
 
-use dapple::attributes::regions::RegionGrid;
+use dapple::document::Line;
 use dapple::document::Stroke;
-use dapple::marks::Line;
+use dapple::internals::attributes::regions::RegionGrid;
 
 use super::ranges::{FACTOR, TURN, WIDTH};
 use super::{Dice, rectangle};

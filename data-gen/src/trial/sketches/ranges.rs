@@ -1,11 +1,11 @@
 //! What may be asked: the ranges that issue and table name, of the numbers that the ruler reads off a sketch.
 
-use dapple::attributes::regions::RegionMap;
-use dapple::attributes::{Attributes, Spots, Stripes};
 use dapple::document::Document;
-use dapple::grid::Edges;
+use dapple::document::Edges;
+use dapple::internals::attributes::regions::RegionMap;
+use dapple::internals::attributes::{Attributes, Spots, Stripes};
+use dapple::internals::marks::turn;
 use dapple::internals::synth::plan::sketch_targets;
-use dapple::marks::turn;
 
 /// Area of a spot, px².
 pub const AREA: [f64; 2] = [40.0, 1_500.0];

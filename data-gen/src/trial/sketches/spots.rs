@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use dapple::attributes::regions::RegionGrid;
-use dapple::attributes::spacing::mean_spacing;
+use dapple::document::Ellipse;
 use dapple::document::Stroke;
-use dapple::marks::Ellipse;
+use dapple::internals::attributes::regions::RegionGrid;
+use dapple::internals::attributes::spacing::mean_spacing;
 
 use super::ranges::{AREA, ASPECT, FACTOR, LOOSER, PACKING, TURN};
 use super::{Dice, rectangle};
