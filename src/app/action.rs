@@ -1,129 +1,177 @@
-//! All that one can do, whatever button, menu or key it is asked by.
+//! Everything a user can ask for, by any button, menu or key.
 
 use std::path::PathBuf;
 
+use egui::ThemePreference;
+
+use super::canvas::Nib;
 use super::canvas::tool::Tool;
-use super::panels::Tab;
+use crate::editor::edit::Edit;
 use crate::editor::layer_action::LayerAction;
 
-/// Something to be done.
+/// What a user asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Ask what the new document shall be.
+    /// Ask for the properties of a new document.
     New,
     /// Ask which document to open.
     Open,
-    /// Open this one.
+    /// Open this document.
     OpenFile(PathBuf),
+    /// Forget the recently used documents.
+    ForgetRecent,
     /// Open the example with this name.
     Example(&'static str),
     /// Save.
     Save,
     /// Ask where to save.
     SaveAs,
-    /// Ask what to export, and how.
+    /// Open the export dialog.
     Export,
+    /// Cancel the export that is being written.
+    CancelExport,
     /// Ask for an SVG that becomes a document.
     Import,
-    /// Ask for a palette whose colours the layer at hand takes.
+    /// Ask for a palette whose colours the active layer takes.
     OpenPalette,
-    /// Ask where to save the colours of the layer at hand.
+    /// Ask where to save the colours of the active layer.
     SavePalette,
     /// Close the window.
     Quit,
     /// Undo the last step.
     Undo,
-    /// Do it again.
+    /// Redo the step that was undone.
     Redo,
-    /// Copy what is selected, and take it away.
+    /// Copy the selected marks, and delete them.
     Cut,
-    /// Copy what is selected.
+    /// Copy the selected marks.
     Copy,
-    /// Put down what was copied, as text.
+    /// Add the marks of a document that is given as text.
     Paste(String),
-    /// Put down a copy of what is selected.
+    /// Add a copy of the selected marks.
     Duplicate,
-    /// Take away what is selected.
+    /// Delete the selected marks.
     Delete,
-    /// Select all.
+    /// Select all marks.
     SelectAll,
-    /// Select nothing, let go of what is being drawn.
+    /// Cancel what is being drawn; where nothing is, select nothing.
     Escape,
-    /// Select the next mark (1) or the one before (−1).
+    /// Select the next mark (1) or the previous one (−1).
     Next(isize),
-    /// Move what is selected, px.
+    /// Move the selected marks, px.
     Nudge([f64; 2]),
-    /// Turn what is selected, degrees.
+    /// Turn the selected marks, degrees.
     Turn(f64),
-    /// Make what is selected larger or smaller.
+    /// Scale the selected marks by a factor.
     Scale(f64),
-    /// Put an ellipse (true) or a line (false) into the middle of what is seen.
+    /// Add an ellipse (true) or a line (false) in the centre of the view.
     Insert(bool),
-    /// Take a tool.
+    /// Choose a tool.
     Tool(Tool),
+    /// Set the size of new marks.
+    Nib(Nib),
     /// Show the whole canvas.
     Fit,
-    /// One px of the canvas a px of the screen.
+    /// Show one px of the canvas as one px of the screen.
     ActualSize,
-    /// Zoom by this factor.
+    /// Zoom by a factor.
     Zoom(f32),
-    /// Side by side, or one over the other.
+    /// Show the texture over the sketch (true) or beside it (false).
     Over(bool),
-    /// Two by two tiles.
+    /// Show two by two tiles.
     Tiled(bool),
+    /// Zoom and pan sketch and texture together.
+    Linked(bool),
     /// Show the region grid.
     Regions(bool),
-    /// Show what is seen in the sketch.
+    /// Show fitted marks, neighbours and mean marks.
     Analysis(bool),
-    /// Ask for a picture to lie under the canvas.
-    Reference,
-    /// Pause, or go on.
+    /// Ask for a picture to show under the canvas.
+    ChooseReference,
+    /// Show or hide the reference picture.
+    ShowReference(bool),
+    /// Set the opacity of the reference picture, 0..1.
+    ReferenceOpacity(f32),
+    /// Remove the reference picture.
+    RemoveReference,
+    /// Set the theme.
+    Theme(ThemePreference),
+    /// Pause the growth, or resume it.
     Pause,
     /// Stop growing.
     Stop,
     /// Grow again.
     Grow,
-    /// Another seed.
+    /// Use the next seed.
     AnotherSeed,
-    /// Do something to a layer.
+    /// Change the document.
+    Edit(Edit),
+    /// Carry out an operation on a layer.
     Layer(LayerAction),
-    /// Show this in the column.
+    /// Show this tab.
     Tab(Tab),
-    /// Open this recovered document.
+    /// Open the recovered document with this id.
     Restore(String),
-    /// Forget what was lost for good; which.
+    /// Delete the recovered document with this id.
     Discard(String),
-    /// Draw what can be reached in this region (column, row) of a layer of the finished document.
+    /// Replace the marks of a region by the nearest ones that can be grown: layer of the finished document, (column, row).
     Reach(usize, [usize; 2]),
-    /// Show the training cloud about a region of a layer, or hide it.
+    /// Show the training cloud of a region of a layer of the finished document, or hide it.
     Cloud(Option<(usize, [usize; 2])>),
-    /// Show the strip of alternatives, or hide it.
+    /// Show or hide the alternatives.
     Alternatives(bool),
-    /// Whichever it is not.
+    /// Show the alternatives if they are hidden, else hide them.
     ToggleAlternatives,
     /// Open this alternative.
     TakeAlternative(u64),
-    /// Keep this alternative (true), or let it go.
+    /// Keep this alternative when the sketch changes (true), or no longer (false).
     KeepAlternative(u64, bool),
-    /// Give up growing alternatives (true), or go on.
+    /// Stop growing alternatives (true), or resume (false).
     StopAlternatives(bool),
-    /// Show or hide a page.
+    /// Open this page; where it is open, close it.
     Page(Page),
 }
 
 /// A page over the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Page {
-    /// How to begin.
+    /// First steps.
     Hint,
     /// Examples, as pictures.
     Examples,
-    /// Keys.
+    /// Keyboard shortcuts.
     Shortcuts,
-    /// What this is, and whence.
+    /// Version, papers, licence.
     About,
-    /// What was not saved when dapple was last closed.
+    /// Documents that were not saved when dapple was closed.
     Recovery,
-    /// How dapple shall be.
+    /// Settings for all documents.
     Preferences,
+}
+
+/// A tab of the column on the right.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tab {
+    /// The tool, the selected marks, the canvas.
+    #[default]
+    Draw,
+    /// The colours of the active layer.
+    Colour,
+    /// What was asked for and what has grown.
+    Result,
+}
+
+impl Tab {
+    /// All tabs, in order.
+    pub const ALL: [Self; 3] = [Self::Draw, Self::Colour, Self::Result];
+
+    /// Its label.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Draw => "Draw",
+            Self::Colour => "Colour",
+            Self::Result => "Result",
+        }
+    }
 }

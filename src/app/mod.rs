@@ -13,17 +13,13 @@ mod alternatives;
 mod canvas;
 mod chooser;
 mod cloud;
-mod dispatch;
 mod examples;
 mod exporting;
-mod files;
+mod fields;
 mod growth;
 mod icons;
-mod layering;
 mod notice;
-mod opening;
 mod pages;
-mod palettes;
 mod panels;
 mod preferences;
 mod recovery;
@@ -37,11 +33,10 @@ mod trace;
 mod underlay;
 mod units;
 mod window;
-mod window_placement;
 
 pub use crate::editor::selection::{Place, Selection};
 pub use crate::editor::session::Session;
-pub use action::{Action, Page};
+pub use action::{Action, Page, Tab};
 pub use alternatives::{Alternative, Alternatives, small};
 pub use canvas::tool::Tool;
 pub use cloud::{Cloud, Points};
@@ -49,7 +44,6 @@ pub use exporting::{Choices, Made, Shows, Sight, Size, What};
 pub use growth::{Growth, Phase};
 pub use notice::Notice;
 pub use pages::New;
-pub use panels::Tab;
 pub use result::{Outcome, Reach, RegionResult, Results, Verdict};
 pub use settings::{Layout, Settings};
 pub use units::{Ruler, Units};
@@ -84,7 +78,7 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
     }
     let settings = Settings::of_user();
     let options = eframe::NativeOptions {
-        viewport: window_placement::placed(&settings.layout)
+        viewport: window::placed(&settings.layout)
             .with_title("dapple")
             .with_app_id("dapple")
             .with_min_inner_size([760.0, 480.0])
@@ -96,7 +90,7 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
     let recovery = settings::folder().map(|folder| folder.join("recovery"));
     let start = Start { file, settings, recovery, native_dialogs: true, spawn: Spawn::default() };
     let create: eframe::AppCreator<'_> = Box::new(move |cc| {
-        window_placement::bring_into_view(cc);
+        window::bring_into_view(cc);
         Ok(Box::new(Window::new(&cc.egui_ctx, start)))
     });
     eframe::run_native("dapple", options, create)

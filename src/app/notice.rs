@@ -137,3 +137,17 @@ fn show_folder(place: &Path) {
     // Where there is no such program, the notice still says where it is.
     thread::spawn(move || command.status());
 }
+
+/// A message and those of its causes, on one line.
+pub fn with_causes(error: &dyn std::error::Error) -> String {
+    let mut text = error.to_string();
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        let said = error.to_string();
+        if !text.ends_with(&said) {
+            text = format!("{text}: {said}");
+        }
+        cause = error.source();
+    }
+    text
+}

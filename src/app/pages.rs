@@ -1,9 +1,9 @@
 //! Pages over the window: the new document, the question about unsaved work, about, the first hint.
 
-use egui::{Button, Checkbox, DragValue, Grid, RichText, Ui, vec2};
+use egui::{Button, Checkbox, Grid, RichText, Ui, vec2};
 
 use super::action::{Action, Page};
-use super::preferences::resolution;
+use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, pair, resolution, sides};
 use super::units::{Ruler, Units};
 use crate::document::{Document, limits};
 use crate::grid::Edges;
@@ -26,9 +26,6 @@ impl Default for New {
         Self { size: [512, 512], regions: [2, 2], seamless: false, dpi: 300.0 }
     }
 }
-
-/// Sides that a canvas can have here, px.
-pub const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 
 /// What a page with an answer was answered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,55 +86,6 @@ impl New {
         ui.add_space(6.0);
         choice(ui, "Create", None)
     }
-}
-
-/// What regions are.
-pub const REGIONS: &str = "The canvas is cut into columns and rows. The marks in a region say what grows there; \
-                           between regions their size, shape and direction change smoothly.";
-/// What seamless means.
-pub const SEAMLESS: &str = "What leaves on one side comes in on the other: the texture can be laid side by side \
-                            without a seam.";
-
-/// What dots an inch are.
-pub const DPI: &str = "Dots an inch: how large a px is when it is printed, and a px in mm. What grows does not depend \
-                       on it.";
-
-/// Width and height of a canvas side by side, px told as `ruler` does.
-pub fn sides(
-    ui: &mut Ui,
-    values: &mut [u32; 2],
-    ruler: Ruler,
-    range: std::ops::RangeInclusive<u32>,
-    names: [&str; 2],
-) -> bool {
-    let mut changed = false;
-    for (index, (value, name)) in values.iter_mut().zip(names).enumerate() {
-        if index > 0 {
-            ui.weak("×");
-        }
-        let field = ruler.side(value, range.clone()).suffix(ruler.unit());
-        changed |= ui.add(field).accessible_name(name).changed();
-    }
-    changed
-}
-
-/// Two whole numbers side by side.
-pub fn pair(
-    ui: &mut Ui,
-    values: &mut [u32; 2],
-    range: std::ops::RangeInclusive<u32>,
-    names: [&str; 2],
-    unit: &str,
-) -> bool {
-    let mut changed = false;
-    for (index, (value, name)) in values.iter_mut().zip(names).enumerate() {
-        if index > 0 {
-            ui.weak("×");
-        }
-        let field = DragValue::new(value).range(range.clone()).suffix(unit).update_while_editing(false);
-        changed |= ui.add(field).accessible_name(name).changed();
-    }
-    changed
 }
 
 /// The buttons of a page, the first choice on the right.

@@ -4,7 +4,7 @@ use std::thread;
 
 use egui::{Checkbox, DragValue, Grid, RichText, ThemePreference, Ui, vec2};
 
-use super::pages::{DPI, REGIONS, SEAMLESS, SIDES, pair, sides};
+use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, pair, resolution, sides};
 use super::settings::Settings;
 use super::units::{Ruler, Units};
 use crate::document::limits;
@@ -43,13 +43,6 @@ pub fn page(ui: &mut Ui, settings: &mut Settings) {
         resolution(ui, &mut new.dpi, "Resolution of new documents");
         ui.end_row();
     });
-}
-
-/// A field for dots an inch.
-pub fn resolution(ui: &mut Ui, dpi: &mut f64, name: &str) -> bool {
-    let range = limits::DPI.low..=limits::DPI.high;
-    let field = DragValue::new(dpi).range(range).max_decimals(1).suffix(" dpi").update_while_editing(false);
-    ui.add(field).accessible_name(name).changed()
 }
 
 fn look(ui: &mut Ui, settings: &mut Settings) {

@@ -1,5 +1,6 @@
 //! What is remembered between two sessions: recent files, preferences, how the window lies. One line a thing.
 
+mod export_choices;
 mod file;
 mod layout;
 
@@ -11,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use egui::ThemePreference;
 
-use super::exporting::{Choices, kept};
+use super::exporting::Choices;
 use super::pages::New;
 use super::units::Units;
 use crate::editor::path_encoding;
@@ -101,7 +102,7 @@ impl Settings {
             };
             self.new = if new.is_allowed() { new } else { New::default() };
         }
-        self.export = kept::read(entries);
+        self.export = export_choices::read(entries);
         self.layout.take_in(entries);
     }
 
@@ -131,7 +132,7 @@ impl Settings {
             let seamless = u8::from(*seamless);
             entries.add("new", format!("{width} {height} {columns} {rows} {seamless} {dpi}"));
         }
-        kept::tell(&self.export, &mut entries);
+        export_choices::tell(&self.export, &mut entries);
         self.layout.tell(&mut entries);
         entries
     }

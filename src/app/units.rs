@@ -2,8 +2,6 @@
 
 use egui::DragValue;
 
-use super::window::Window;
-
 /// A unit of length.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Units {
@@ -163,12 +161,11 @@ impl Ruler {
     }
 }
 
-impl Window {
-    /// How lengths of this document are told.
-    #[must_use]
-    pub fn ruler(&self) -> Ruler {
-        Ruler { units: self.settings.units, dpi: self.session.document().dpi }
-    }
+/// Three significant digits.
+pub fn three_digits(value: f64) -> String {
+    let before = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
+    let digits = (2.0 - before).clamp(0.0, 8.0) as usize;
+    format!("{value:.digits$}")
 }
 
 /// Decimals that tell `step`.

@@ -164,7 +164,7 @@ fn a_region_is_chosen_by_keys_alone() {
         hand.key(Modifiers::NONE, Key::Tab);
         let row = hand.window.query_by_label_contains("Region 2, 1:");
         if row.is_some_and(|row| row.accesskit_node().is_focused()) {
-            assert_eq!(hand.window.state().results().chosen, Some([1, 0]));
+            assert_eq!(hand.window.state().chosen_region(), Some([1, 0]));
             assert!(hand.window.query_by_label("Region 2, 1").is_some());
             return;
         }

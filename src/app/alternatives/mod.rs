@@ -166,7 +166,7 @@ impl Alternatives {
         self.all.retain(|one| one.kept);
         let base = Variant {
             name: "Original".to_owned(),
-            help: "The document that was open when these alternatives were looked for".to_owned(),
+            help: "The document when these alternatives were made".to_owned(),
             document: (*texture.document).clone(),
         };
         let others = variants(&texture.document, &texture.grown, layer);

@@ -7,8 +7,8 @@ use egui_plot::{
 };
 
 use super::points::{Points, is_logarithmic};
-use crate::app::panels::digits;
 use crate::app::theme::Palette;
+use crate::app::units::three_digits as digits;
 
 /// Neighbours are drawn in so many sizes.
 const SIZES: usize = 6;

@@ -4,13 +4,12 @@ use std::sync::Arc;
 
 use egui::{Align, Button, ComboBox, Layout, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, vec2};
 
+use super::pages::{About, Said};
 use super::preview::{Made, Preview};
 use super::view::View;
-use super::{Choices, Order, What, pages};
+use super::{Choices, What, pages};
 use crate::app::pages::{Answer, choice};
-use crate::app::units::Units;
 use crate::export::material::Map;
-use crate::synth::Grown;
 use crate::synth::estimate::told;
 
 /// Points of the column of choices.
@@ -23,31 +22,6 @@ pub struct Dialog {
     /// What it will be.
     pub preview: Preview,
     view: View,
-}
-
-/// What the dialog is about.
-pub struct About<'a> {
-    /// What would be exported now.
-    pub order: &'a Order,
-    /// What has settled.
-    pub grown: Option<&'a Arc<Grown>>,
-    /// Does it still grow?
-    pub growing: bool,
-    /// Threads that it may take.
-    pub threads: Option<usize>,
-    /// In what lengths of the canvas are told.
-    pub units: Units,
-}
-
-/// What was said to it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Said {
-    /// Choose where, and write.
-    Export,
-    /// Choose the document that this one shall become.
-    Other,
-    /// Never mind.
-    Cancel,
 }
 
 impl Dialog {

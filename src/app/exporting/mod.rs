@@ -6,21 +6,20 @@
 //!               └─────────▶ files ◀───────┘
 //! ```
 
-mod choices;
+pub mod choices;
 mod dialog;
 mod job;
-pub mod kept;
 mod order;
 mod pages;
 mod preview;
 mod raster;
 mod sight;
 mod view;
-mod window;
 
 pub use choices::{Choices, Film, Outlines, Shows, Size, What};
 pub use dialog::Dialog;
 pub use order::Order;
+pub use pages::{About, Said};
 pub use preview::Made;
 pub use sight::Sight;
 

@@ -241,7 +241,7 @@ impl Order {
         let choices = &self.choices.film;
         let made = if choices.change {
             let to = choices.to.as_ref().ok_or("Choose the document that this one shall become.")?;
-            let other = Document::read(to).map_err(|error| crate::app::files::with_causes(&error))?;
+            let other = Document::read(to).map_err(|error| crate::app::notice::with_causes(&error))?;
             let there = to.display().to_string();
             let from = (&self.document, self.title.as_str());
             let morph = Morph::new(from, (&other, &there), Training::built_in(), watch).map_err(told)?;

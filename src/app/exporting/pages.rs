@@ -5,12 +5,39 @@ mod material;
 mod outlines;
 mod picture;
 
+use std::sync::Arc;
+
 use egui::{Checkbox, ComboBox, DragValue, Grid, Role, Ui, WidgetInfo, WidgetText, vec2};
 
-use super::dialog::{About, Said};
-use super::{Choices, What};
-use crate::app::pages::sides;
-use crate::app::units::Ruler;
+use super::{Choices, Order, What};
+use crate::app::fields::sides;
+use crate::app::units::{Ruler, Units};
+use crate::synth::Grown;
+
+/// What the dialog is about.
+pub struct About<'a> {
+    /// What would be exported now.
+    pub order: &'a Order,
+    /// What has settled.
+    pub grown: Option<&'a Arc<Grown>>,
+    /// Does it still grow?
+    pub growing: bool,
+    /// Threads that it may take.
+    pub threads: Option<usize>,
+    /// In what lengths of the canvas are told.
+    pub units: Units,
+}
+
+/// What was said to it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Said {
+    /// Choose where, and write.
+    Export,
+    /// Choose the document that this one shall become.
+    Other,
+    /// Never mind.
+    Cancel,
+}
 
 /// The choices of what is chosen.
 pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) -> Option<Said> {

@@ -1,50 +1,48 @@
-//! The strip of alternatives at the bottom of the middle.
+//! The alternatives, as a row of small pictures below sketch and texture.
 
 use egui::{
     Align, Color32, FontId, Layout, Rect, RichText, Role, ScrollArea, Sense, Shape, Stroke, StrokeKind, Ui,
     Vec2, WidgetInfo, epaint::Mesh, pos2, vec2,
 };
 
-use crate::app::Window;
 use crate::app::action::Action;
-use crate::app::alternatives::Alternative;
+use crate::app::alternatives::{Alternative, Alternatives};
+use crate::app::growth::Growth;
 use crate::app::icons::Icon;
 use crate::app::theme::Palette;
 
-/// Points: the side of a picture, the height of the strip, the side of a star.
+/// Side of a picture, points.
 const SIDE: f32 = 92.0;
-/// The height of the strip, points.
+/// Height of the panel, points.
 pub const HEIGHT: f32 = 160.0;
+/// Side of the star, points.
 const STAR: f32 = 22.0;
 
-/// The strip. Gives what is chosen.
-pub fn alternatives(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
+/// Shows them; pictures are loaded to the graphics card when they are first shown.
+pub fn alternatives(ui: &mut Ui, alternatives: &mut Alternatives, growth: &Growth) -> Vec<Action> {
     let mut actions = Vec::new();
-    head(ui, window, &mut actions);
+    head(ui, alternatives, growth, &mut actions);
     ui.add_space(2.0);
     ScrollArea::horizontal().id_salt("alternatives").auto_shrink([false, true]).show(ui, |ui| {
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = 8.0;
-            for index in 0..window.alternatives.all.len() {
-                card(ui, window, index, &mut actions);
+            for index in 0..alternatives.all.len() {
+                card(ui, alternatives, index, &mut actions);
             }
         });
     });
     actions
 }
 
-fn head(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
-    let alternatives = &window.alternatives;
+fn head(ui: &mut Ui, alternatives: &Alternatives, growth: &Growth, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         ui.strong("Alternatives").on_hover_text("Other textures that fit the same sketch");
-        let there = alternatives.all.iter().filter(|one| one.picture.is_some()).count();
+        let done = alternatives.all.iter().filter(|one| one.picture.is_some()).count();
         let text = match alternatives.all.len() {
-            _ if window.growth.texture.is_none() && window.growth.is_empty() => {
-                "draw something first".to_owned()
-            }
-            _ if window.growth.texture.is_none() => "they grow once the texture has settled".to_owned(),
-            all if there < all && alternatives.is_growing() => format!("growing, {there} of {all}"),
-            all if there < all => format!("{there} of {all}"),
+            _ if growth.texture.is_none() && growth.is_empty() => "draw something first".to_owned(),
+            _ if growth.texture.is_none() => "they grow once the texture has settled".to_owned(),
+            all if done < all && alternatives.is_growing() => format!("growing, {done} of {all}"),
+            all if done < all => format!("{done} of {all}"),
             _ => "click one to take it, star it to keep it".to_owned(),
         };
         ui.weak(text);
@@ -56,8 +54,8 @@ fn head(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
             if !alternatives.is_complete() {
                 let growing = alternatives.is_growing();
                 let (name, help) = match growing {
-                    true => ("Stop these", "Give up growing the alternatives"),
-                    false => ("Grow these", "Grow the alternatives that are not there yet"),
+                    true => ("Stop these", "Stop growing the alternatives"),
+                    false => ("Grow these", "Grow the alternatives that are still missing"),
                 };
                 if ui.small_button(name).on_hover_text(help).clicked() {
                     actions.push(Action::StopAlternatives(growing));
@@ -67,27 +65,28 @@ fn head(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
     });
 }
 
-fn card(ui: &mut Ui, window: &mut Window, index: usize, actions: &mut Vec<Action>) {
-    let one = &window.alternatives.all[index];
-    let (id, kept, there) = (one.id, one.kept, one.grown.is_some() && one.picture.is_some());
-    let (taken, progress) = (window.alternatives.is_taken(id), window.alternatives.progress(id));
+/// One alternative: its picture, its star and its name.
+fn card(ui: &mut Ui, alternatives: &mut Alternatives, index: usize, actions: &mut Vec<Action>) {
+    let one = &alternatives.all[index];
+    let (id, kept, is_done) = (one.id, one.kept, one.grown.is_some() && one.picture.is_some());
+    let (is_open, progress) = (alternatives.is_taken(id), alternatives.progress(id));
     ui.vertical(|ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
         ui.set_width(SIDE);
-        let one = &mut window.alternatives.all[index];
+        let one = &mut alternatives.all[index];
         let help = one.failed.clone().unwrap_or_else(|| one.help.clone());
         let name = one.name.clone();
-        // The star lies on the picture: it must be asked first.
+        // Space for the picture first: the star over it must get clicks before it.
         let (rect, _) = ui.allocate_exact_size(Vec2::splat(SIDE), Sense::hover());
         let response = ui.interact(rect, ui.scope_id().with(("alternative", id)), Sense::click());
         response.widget_info(|| {
-            let mut said = format!("Take {name}");
-            if taken {
-                said.push_str(", open now");
+            let mut label = format!("Take {name}");
+            if is_open {
+                label.push_str(", open now");
             }
-            WidgetInfo::selected(Role::Button, there, taken, &said)
+            WidgetInfo::selected(Role::Button, is_done, is_open, &label)
         });
-        picture(ui, one, rect, taken, progress);
+        picture(ui, one, rect, is_open, progress);
         if response.has_focus() || response.hovered() {
             let stroke = Stroke::new(1.5, Palette::of(ui.visuals()).accent);
             ui.painter().rect_stroke(rect.expand(1.0), 4.0, stroke, StrokeKind::Outside);
@@ -95,20 +94,20 @@ fn card(ui: &mut Ui, window: &mut Window, index: usize, actions: &mut Vec<Action
         if response.has_focus() {
             response.scroll_to_me(None);
         }
-        if response.on_hover_text(help).clicked() && there {
+        if response.on_hover_text(help).clicked() && is_done {
             actions.push(Action::TakeAlternative(id));
         }
         let corner =
             Rect::from_min_size(pos2(rect.right() - STAR - 3.0, rect.top() + 3.0), Vec2::splat(STAR));
         star(ui, corner, &name, kept, id, actions);
         let font = RichText::new(&name).small();
-        let font = if taken { font.strong() } else { font };
+        let font = if is_open { font.strong() } else { font };
         ui.add(egui::Label::new(font).truncate().selectable(false));
     });
 }
 
-/// The small picture, or what is there in its place.
-fn picture(ui: &Ui, one: &mut Alternative, rect: Rect, taken: bool, progress: Option<f32>) {
+/// The picture, or a text in its place; a border where it is open, a bar while it grows.
+fn picture(ui: &Ui, one: &mut Alternative, rect: Rect, is_open: bool, progress: Option<f32>) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter();
     painter.rect_filled(rect, 4.0, palette.desk);
@@ -129,7 +128,7 @@ fn picture(ui: &Ui, one: &mut Alternative, rect: Rect, taken: bool, progress: Op
         let bar = Rect::from_min_size(rect.left_bottom() - vec2(0.0, 4.0), vec2(rect.width() * share, 4.0));
         painter.rect_filled(bar, 2.0, palette.accent);
     }
-    let border = if taken { Stroke::new(2.5, palette.accent) } else { Stroke::new(1.0, palette.border) };
+    let border = if is_open { Stroke::new(2.5, palette.accent) } else { Stroke::new(1.0, palette.border) };
     painter.rect_stroke(rect, 4.0, border, StrokeKind::Inside);
 }
 
@@ -145,14 +144,13 @@ fn star(ui: &mut Ui, rect: Rect, name: &str, kept: bool, id: u64, actions: &mut 
         let stroke = Stroke::new(1.5, palette.accent);
         ui.painter().circle_stroke(rect.center(), 0.5 * STAR, stroke);
     }
-    let (said, help) = match kept {
-        true => (format!("Let {name} go"), "Kept; click to let it go with the others of its sketch"),
-        false => (
-            format!("Keep {name}"),
-            "Keep it in the strip, with all of its document, when the sketch changes",
-        ),
+    let (label, help) = match kept {
+        true => {
+            (format!("Let {name} go"), "Kept; click to remove it with the others when the sketch changes")
+        }
+        false => (format!("Keep {name}"), "Keep it here, with its document, when the sketch changes"),
     };
-    button.widget_info(|| WidgetInfo::selected(Role::Button, true, kept, &said));
+    button.widget_info(|| WidgetInfo::selected(Role::Button, true, kept, &label));
     if button.on_hover_text(help).clicked() {
         actions.push(Action::KeepAlternative(id, !kept));
     }

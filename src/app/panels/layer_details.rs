@@ -1,31 +1,31 @@
-//! How the layer at hand grows: how it meets those beneath, its system, its options.
+//! How the active layer grows: how it meets the layers beneath, its system, its options.
 
 use egui::{
     Align, Button, ComboBox, DragValue, Grid, Label, Layout, Rect, RichText, ScrollArea, Ui, pos2, vec2,
 };
 
 use super::meets;
-use crate::app::Window;
+use crate::app::action::Action;
 use crate::app::icons::Icon;
 use crate::attributes::Spread;
 use crate::document::limits;
 use crate::document::limits::Range;
 use crate::document::{After, Layer, OptionKey, Options, Seeding, SpreadChoice, SystemChoice};
+use crate::editor::edit::Edit;
 use crate::editor::layer_choices::{after_refusal, has_option, option_refusal, system_refusal};
 use crate::editor::session::Session;
 
-/// The share of the window's height that the details take before they scroll.
+/// The largest share of the window's height that the details take; more is scrolled.
 const SHARE: f32 = 0.32;
-/// Width of the controls, points: right of them there is room for an arrow and a scroll bar.
+/// Width of the controls, points: leaves room for the reset button and a scroll bar on the right.
 const CONTROL: f32 = 110.0;
 /// Width of the list of systems, points.
 const SYSTEM: f32 = 138.0;
 
-/// The details, folded up or not.
-pub fn details(ui: &mut Ui, window: &mut Window) {
-    let session = &mut window.session;
-    let Some(layer) = session.document().layers.get(session.active_layer).cloned() else { return };
-    let unfolded = &mut window.layering.unfolded;
+/// Shows the details, or only their summary where they are not `unfolded`.
+pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Action> {
+    let mut edits = Vec::new();
+    let Some(layer) = session.document().layers.get(session.active_layer) else { return Vec::new() };
     ui.horizontal(|ui| {
         let button = Button::new(RichText::new("How it grows").strong()).frame_when_inactive(false);
         let button = button.left_text(RichText::new("     ")).min_size(vec2(112.0, 24.0));
@@ -34,38 +34,41 @@ pub fn details(ui: &mut Ui, window: &mut Window) {
         let place = pos2(fold.rect.left() + 10.0, fold.rect.center().y);
         let colour = ui.style().interact(&fold).text_color();
         icon.paint(ui.painter(), Rect::from_center_size(place, vec2(16.0, 16.0)), colour);
-        if fold.on_hover_text("How the layer at hand meets those beneath, its system, its options").clicked()
+        if fold
+            .on_hover_text("How the active layer meets the layers beneath, its system, its options")
+            .clicked()
         {
             *unfolded = !*unfolded;
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.add(Label::new(RichText::new(summary(session, &layer)).small().weak()).truncate());
+            ui.add(Label::new(RichText::new(summary(session, layer)).small().weak()).truncate());
         });
     });
     if !*unfolded {
-        return;
+        return Vec::new();
     }
     let highest = (SHARE * ui.content_rect().height()).round();
     let area = ScrollArea::vertical().id_salt("details").max_height(highest).min_scrolled_height(highest);
     area.show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 6.0;
-        meeting(ui, session, &layer);
-        ui.horizontal(|ui| system(ui, session, &layer));
+        edits.extend(meeting(ui, session, layer));
+        edits.extend(ui.horizontal(|ui| system(ui, session, layer)).inner);
         Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
             let kind = session.kind(session.active_layer);
             for choice in OptionKey::ALL {
-                if has_option(&layer, kind, choice) {
-                    option(ui, session, &layer, choice);
+                if has_option(layer, kind, choice) {
+                    edits.extend(option(ui, session, layer, choice));
                 }
             }
         });
         if session.kind(session.active_layer).is_none() {
-            ui.weak("Its options come with the first mark.");
+            ui.weak("Its options are shown once it has a mark.");
         }
     });
+    edits.into_iter().map(Action::Edit).collect()
 }
 
-/// All of it in two or three words.
+/// A summary in two or three words.
 fn summary(session: &Session, layer: &Layer) -> String {
     let met = match session.beneath(session.active_layer) {
         None => "lowest",
@@ -75,12 +78,9 @@ fn summary(session: &Session, layer: &Layer) -> String {
     format!("{met}, {}{own}", layer.system.name())
 }
 
-fn change(session: &mut Session, change: impl FnOnce(&mut Layer)) {
-    session.change_layer(session.active_layer, change);
-}
-
-/// How it meets those beneath: a picture of each way.
-fn meeting(ui: &mut Ui, session: &mut Session, layer: &Layer) {
+/// How it meets the layers beneath: a picture of each way.
+fn meeting(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
+    let mut edit = None;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let lowest = session.beneath(session.active_layer).is_none();
@@ -88,14 +88,15 @@ fn meeting(ui: &mut Ui, session: &mut Session, layer: &Layer) {
             let refused = after_refusal(session, session.active_layer, after);
             let chosen = if lowest { after == After::Between } else { layer.after == after };
             if meets::button(ui, after, chosen, refused).clicked() {
-                change(session, |layer| layer.after = after);
+                edit = Some(Edit::LayerAfter(session.active_layer, after));
             }
         }
     });
+    edit
 }
 
-/// What people read of a system.
-fn read(system: SystemChoice) -> &'static str {
+/// The label of a system.
+fn system_name(system: SystemChoice) -> &'static str {
     match system {
         SystemChoice::Auto => "Automatic",
         SystemChoice::TuringSpots => "Turing's spots",
@@ -105,45 +106,44 @@ fn read(system: SystemChoice) -> &'static str {
     }
 }
 
-fn told(system: SystemChoice) -> &'static str {
+/// The tooltip of a system.
+fn system_help(system: SystemChoice) -> &'static str {
     match system {
         SystemChoice::Auto => {
-            "The system that comes nearest to what is drawn: lines grow stripes, ellipses spots"
+            "The system that comes nearest to the drawn marks: lines grow stripes, ellipses spots"
         }
         SystemChoice::TuringSpots => {
-            "Spots that fill the plane evenly; their distance goes with their size. They can be irregular"
+            "Spots that fill the plane evenly; their spacing follows from their size. They can be irregular"
         }
-        SystemChoice::MeinhardtSpots => "Spots as far apart as they are drawn, ellipses throughout",
+        SystemChoice::MeinhardtSpots => "Spots with the drawn spacing, all of them ellipses",
         SystemChoice::MeinhardtStripes => "Stripes as wide as the gaps between them",
         SystemChoice::MeinhardtLines => "Thin stripes on wide ground",
     }
 }
 
-fn system(ui: &mut Ui, session: &mut Session, layer: &Layer) {
+fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
     let help = "The reaction-diffusion system that grows it";
     ui.label("System").on_hover_text(help);
     let mut chosen = layer.system;
-    let combo = ComboBox::from_id_salt("system").selected_text(read(chosen)).width(SYSTEM).truncate();
+    let combo = ComboBox::from_id_salt("system").selected_text(system_name(chosen)).width(SYSTEM).truncate();
     let combo = combo.show_ui(ui, |ui| {
         for (_, system) in SystemChoice::NAMES {
             let refused = system_refusal(session, session.active_layer, system);
             ui.add_enabled_ui(refused.is_none(), |ui| {
-                ui.selectable_value(&mut chosen, system, read(system))
-                    .on_hover_text(told(system))
+                ui.selectable_value(&mut chosen, system, system_name(system))
+                    .on_hover_text(system_help(system))
                     .on_disabled_hover_text(refused.unwrap_or_default());
             });
         }
     });
-    combo.response.accessible_name("System").on_hover_text(told(layer.system));
+    combo.response.accessible_name("System").on_hover_text(system_help(layer.system));
     if reset(ui, "System", layer.system == SystemChoice::Auto) {
         chosen = SystemChoice::Auto;
     }
-    if chosen != layer.system {
-        change(session, |layer| layer.system = chosen);
-    }
+    (chosen != layer.system).then_some(Edit::LayerSystem(session.active_layer, chosen))
 }
 
-/// The button that puts back what would be if nobody had said anything; not there where it is so.
+/// The button that restores the default; an empty space where the value is the default.
 fn reset(ui: &mut Ui, name: &str, default: bool) -> bool {
     if default {
         ui.allocate_space(vec2(20.0, 20.0));
@@ -153,7 +153,7 @@ fn reset(ui: &mut Ui, name: &str, default: bool) -> bool {
     button.on_hover_text(format!("{name}: back to its default")).clicked()
 }
 
-fn option(ui: &mut Ui, session: &mut Session, layer: &Layer, choice: OptionKey) {
+fn option(ui: &mut Ui, session: &Session, layer: &Layer, choice: OptionKey) -> Option<Edit> {
     let (name, help) = described(choice);
     let refused = option_refusal(layer, session.kind(session.active_layer), choice);
     let enabled = refused.is_none();
@@ -169,37 +169,35 @@ fn option(ui: &mut Ui, session: &mut Session, layer: &Layer, choice: OptionKey) 
     if choice == OptionKey::Spread {
         own_spread(ui, &mut options);
     }
-    if options != layer.options {
-        change(session, |layer| layer.options = options);
-    }
+    (options != layer.options).then_some(Edit::LayerOptions(session.active_layer, options))
 }
 
-/// What people read of an option, and what it means.
+/// The label of an option, and its tooltip.
 fn described(choice: OptionKey) -> (&'static str, &'static str) {
     match choice {
         OptionKey::Spread => (
             "Variation",
-            "How much the spots differ from each other: as the drawn ones do (where a region holds at least six), \
-             not at all, or by numbers of your own",
+            "How much the spots differ from each other: as the drawn ones do (where a region has at least six), \
+             not at all, or by given numbers",
         ),
         OptionKey::Irregular => (
             "Irregular",
-            "How irregular the shapes are: 0 % grows ellipses, 100 % beans, bars and drops. Turing's system alone does \
+            "How irregular the shapes are: 0 % grows ellipses, 100 % beans, bars and drops. Only Turing's system does \
              that",
         ),
         OptionKey::Keep => (
             "Keep marks",
-            "Whether the drawn marks themselves are among those that grow. By default they are where there is one region",
+            "Whether the drawn marks themselves are part of the texture. The default is yes where there is one region",
         ),
         OptionKey::Duty => (
             "Share",
-            "Which share of the way from one stripe to the next each covers, 20 to 50 %: at 50 % stripes are as wide as \
-             their gaps, below it they are lines on wide ground",
+            "Width of the stripes ÷ their period, 20 to 50 %: at 50 % the stripes are as wide as the gaps between them, \
+             below they are lines on wide ground",
         ),
         OptionKey::Seeding => (
             "Begins from",
-            "Noise: stripes follow the drawn directions closely. Segments: short lines of that direction, which grow \
-             into forked and wavy stripes. Drawn lines: stripes radiate from them",
+            "Noise: stripes follow the drawn directions closely. Segments: short lines in the drawn direction, which \
+             grow into forked and wavy stripes. Drawn lines: stripes spread from them",
         ),
         OptionKey::Broken => {
             ("Broken", "The share of each ring that is open, 0 to 60 %, in two to five gaps, as on a leopard")
@@ -207,7 +205,7 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
     }
 }
 
-/// A share that is shown in per cent.
+/// A field for a share 0..1, shown in per cent.
 fn share(ui: &mut Ui, name: &str, value: &mut f64, range: &Range) -> egui::Response {
     let mut percent = 100.0 * *value;
     let field = DragValue::new(&mut percent)
@@ -218,7 +216,7 @@ fn share(ui: &mut Ui, name: &str, value: &mut f64, range: &Range) -> egui::Respo
         .update_while_editing(false);
     let field = ui.add(field).accessible_name(name);
     if field.changed() {
-        // To a tenth of a per cent: documents are read by people, too.
+        // Rounded to a tenth of a per cent, so that documents hold short numbers.
         *value = ((10.0 * percent).round() / 1000.0).clamp(range.low, range.high);
     }
     field
@@ -269,14 +267,14 @@ fn spread(ui: &mut Ui, spread: &mut SpreadChoice) -> egui::Response {
         ui.selectable_value(spread, even, "None");
         let numbers = !matches!(now, "As drawn" | "None");
         if ui.selectable_label(numbers, "By numbers").clicked() && !numbers {
-            // What one would see at once.
+            // A variation that is clearly visible.
             *spread = SpreadChoice::Given(Spread { area: 0.2, ..Spread::ZERO });
         }
     });
     combo.response.accessible_name("Variation")
 }
 
-/// The numbers of a spread of one's own.
+/// The fields of a given spread.
 fn own_spread(ui: &mut Ui, options: &mut Options) {
     let SpreadChoice::Given(mut spread) = options.spread else { return };
     let before = spread;

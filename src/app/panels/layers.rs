@@ -1,4 +1,4 @@
-//! The layers, the highest first; the details of the one at hand are folded beneath.
+//! The list of layers, the highest first; below it, how the active layer grows.
 
 use egui::text::CCursorRange;
 use egui::text_edit::TextEditState;
@@ -8,58 +8,78 @@ use egui::{
 };
 
 use super::layer_details;
-use crate::app::Window;
 use crate::app::action::Action;
 use crate::app::icons::Icon;
 use crate::app::shortcuts;
 use crate::app::theme::Palette;
 use crate::document::Kind;
+use crate::editor::edit::Edit;
 use crate::editor::layer_action::LayerAction;
 use crate::editor::session::Session;
 
 /// Height of a row, points.
 const ROW: f32 = 28.0;
-/// Rows that are seen at once; more scroll.
+/// Rows that are visible at once; more are scrolled.
 const ROWS: f32 = 6.0;
 /// Longest name that can be typed, characters.
 const NAME: usize = 60;
 
-/// Shows them.
-pub fn layers(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
+/// What the layer panel remembers from frame to frame.
+#[derive(Clone, Debug, Default)]
+pub struct LayersPanel {
+    /// The layer whose name is being typed, and the name so far.
+    pub naming: Option<(usize, String)>,
+    /// Whether the settings of the active layer are unfolded.
+    pub unfolded: bool,
+    /// Whether the row of that layer had the keyboard focus and shall get it back.
+    pub from_row: bool,
+}
+
+impl LayersPanel {
+    /// Another document was opened.
+    pub fn forget(&mut self) {
+        self.naming = None;
+    }
+}
+
+/// Shows the list and the settings of the active layer.
+pub fn layers(ui: &mut Ui, session: &Session, panel: &mut LayersPanel) -> Vec<Action> {
+    let mut actions = Vec::new();
     ui.spacing_mut().item_spacing.y = 4.0;
     ui.horizontal(|ui| {
         ui.strong("Layers");
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| buttons(ui, &window.session, actions));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| buttons(ui, session, &mut actions));
     });
-    if window.session.document().layers.is_empty() {
+    if session.document().layers.is_empty() {
         ui.weak("The first mark opens a layer.");
-        return;
+        return actions;
     }
     ScrollArea::vertical().id_salt("layers").max_height(ROWS * ROW).min_scrolled_height(ROWS * ROW).show(
         ui,
         |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            list(ui, window, actions);
+            list(ui, session, panel, &mut actions);
         },
     );
-    next(ui, &window.session, actions);
-    layer_details::details(ui, window);
+    next(ui, session, &mut actions);
+    actions.extend(layer_details::details(ui, session, &mut panel.unfolded));
+    actions
 }
 
-/// What is done to the layer at hand. From right to left.
+/// The buttons for the active layer, from right to left.
 fn buttons(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     ui.spacing_mut().item_spacing.x = 0.0;
     for (icon, name, help, action) in [
-        (Icon::Bin, "Delete layer", "Deletes the layer at hand with its marks", LayerAction::Delete),
+        (Icon::Bin, "Delete layer", "Deletes the active layer with its marks", LayerAction::Delete),
+        (Icon::Copies, "Duplicate layer", "Puts a copy of the active layer above it", LayerAction::Duplicate),
         (
-            Icon::Copies,
-            "Duplicate layer",
-            "Puts a copy of the layer at hand above it",
-            LayerAction::Duplicate,
+            Icon::Down,
+            "Lower layer",
+            "Moves the active layer below the next lower one",
+            LayerAction::Shift(-1),
         ),
-        (Icon::Down, "Lower layer", "The layer at hand goes beneath the one below", LayerAction::Shift(-1)),
-        (Icon::Up, "Raise layer", "The layer at hand goes above the next", LayerAction::Shift(1)),
-        (Icon::Add, "New layer", "An empty layer above the one at hand", LayerAction::Add),
+        (Icon::Up, "Raise layer", "Moves the active layer above the next higher one", LayerAction::Shift(1)),
+        (Icon::Add, "New layer", "Adds an empty layer above the active one", LayerAction::Add),
     ] {
         ui.add_enabled_ui(session.allows(action), |ui| {
             let action = Action::Layer(action);
@@ -72,27 +92,27 @@ fn buttons(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     }
 }
 
-/// Freeze, and go on above.
+/// The button that freezes the active layer and goes on with the one above.
 fn next(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     let action = LayerAction::SketchNext;
     let last = session.active_layer + 1 == session.document().layers.len();
     let text = if last { "Freeze it, sketch the next" } else { "Freeze it, go to the next" };
-    let help = "What is drawn so far stays as it is and is not grown again. You see its texture under the canvas, \
-                and draw the layer above. (F)";
+    let help = "Freezes what is drawn so far: it is not changed and not grown again. Its texture is shown under the \
+                canvas while you draw the layer above. (F)";
     let size = vec2(ui.available_width(), 26.0);
     let button = ui.add_enabled_ui(session.allows(action), |ui| ui.add_sized(size, Button::new(text))).inner;
     let button = button.on_hover_text(help);
-    if button.on_disabled_hover_text("The layer at hand is empty: draw in it first").clicked() {
+    if button.on_disabled_hover_text("The active layer is empty: draw in it first").clicked() {
         actions.push(Action::Layer(action));
     }
 }
 
-fn list(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
-    let layers = window.session.document().layers.len();
+fn list(ui: &mut Ui, session: &Session, panel: &mut LayersPanel, actions: &mut Vec<Action>) {
+    let layers = session.document().layers.len();
     let top = ui.cursor().top();
     let mut dragged = None;
     for layer in (0..layers).rev() {
-        let response = row(ui, window, layer, actions);
+        let response = row(ui, session, panel, layer, actions);
         if response.dragged() || response.drag_stopped() {
             dragged = Some((layer, response));
         }
@@ -101,7 +121,7 @@ fn list(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
     let Some(at) = response.interact_pointer_pos().or(ui.input(|input| input.pointer.latest_pos())) else {
         return;
     };
-    // The gap nearest to the pointer, counted from above.
+    // The gap nearest to the pointer, counted from the top.
     let gap = (((at.y - top) / ROW).round().max(0.0) as usize).min(layers);
     let above = layers - 1 - from;
     let place = if gap > above { gap - 1 } else { gap };
@@ -116,13 +136,13 @@ fn list(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
     }
 }
 
-/// Its place among the widgets.
+/// The id of a layer's row.
 fn id(ui: &Ui, layer: usize) -> Id {
     ui.scope_id().with(("layer", layer))
 }
 
-/// What is said of a layer to those who do not see it.
-fn said(session: &Session, layer: usize) -> String {
+/// The accessible label of a layer.
+fn label(session: &Session, layer: usize) -> String {
     let mut text = format!("Layer {}, {}", session.layer_name(layer), counted(session, layer));
     if layer < session.frozen() {
         text.push_str(", frozen");
@@ -143,13 +163,18 @@ fn counted(session: &Session, layer: usize) -> String {
     }
 }
 
-fn row(ui: &mut Ui, window: &mut Window, layer: usize, actions: &mut Vec<Action>) -> Response {
+fn row(
+    ui: &mut Ui,
+    session: &Session,
+    panel: &mut LayersPanel,
+    layer: usize,
+    actions: &mut Vec<Action>,
+) -> Response {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
     let id = id(ui, layer);
     let response = ui.interact(rect, id, Sense::click_and_drag());
-    let session = &window.session;
     let at_hand = session.active_layer == layer;
-    let name = said(session, layer);
+    let name = label(session, layer);
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, at_hand, &name));
     back(ui, &response, at_hand);
     let [eye, rest] = [pos2(rect.left() + 26.0, rect.bottom()), pos2(rect.left() + 28.0, rect.top())];
@@ -157,10 +182,10 @@ fn row(ui: &mut Ui, window: &mut Window, layer: usize, actions: &mut Vec<Action>
     let rest = Rect::from_min_max(rest, pos2(rect.right() - 6.0, rect.bottom()));
     ui.scope_builder(UiBuilder::new().max_rect(eye), |ui| shown(ui, session, layer, actions));
     let count = mark_count(ui, session, layer, rest);
-    let icy = thaw(ui, session, layer, rest.with_max_x(count), actions);
-    let named = rest.with_max_x(icy).with_min_x(rest.left() + 22.0);
-    if window.layering.naming.as_ref().is_some_and(|(of, _)| *of == layer) {
-        naming(ui, window, named);
+    let left = thaw(ui, session, layer, rest.with_max_x(count), actions);
+    let named = rest.with_max_x(left).with_min_x(rest.left() + 22.0);
+    if panel.naming.as_ref().is_some_and(|(named, _)| *named == layer) {
+        naming(ui, session, panel, named, actions);
         return response;
     }
     let colour = if session.document().layers[layer].visible {
@@ -180,7 +205,7 @@ fn row(ui: &mut Ui, window: &mut Window, layer: usize, actions: &mut Vec<Action>
     let response = response.on_hover_ui(|ui| {
         ui.strong(session.layer_name(layer));
         ui.label(counted(session, layer));
-        ui.weak("Click: what you draw goes here. Double-click or F2: its name. Drag, or Alt + arrows: another place.");
+        ui.weak("Click: draw in this layer. Double-click or F2: rename it. Drag, or Alt + arrows: move it.");
     });
     if response.double_clicked() {
         actions.extend([LayerAction::Take(layer), LayerAction::Rename].map(Action::Layer));
@@ -188,12 +213,12 @@ fn row(ui: &mut Ui, window: &mut Window, layer: usize, actions: &mut Vec<Action>
         actions.push(Action::Layer(LayerAction::Take(layer)));
     }
     if response.has_focus() {
-        keys(ui, window, &response, layer, actions);
+        keys(ui, session, panel, &response, layer, actions);
     }
     response
 }
 
-/// What lies behind a row: the one at hand is marked, and the one that has the keys.
+/// The background of a row: marked where it is active, framed where it has the keyboard focus.
 fn back(ui: &Ui, response: &Response, at_hand: bool) {
     let colours = Palette::of(ui.visuals());
     let widgets = &ui.visuals().widgets;
@@ -215,22 +240,22 @@ fn back(ui: &Ui, response: &Response, at_hand: bool) {
     }
 }
 
-/// The eye of a row.
+/// The button that hides a layer, or shows it.
 fn shown(ui: &mut Ui, session: &Session, layer: usize, actions: &mut Vec<Action>) {
     let visible = session.document().layers[layer].visible;
     let (icon, verb) = if visible { (Icon::Eye, "Hide") } else { (Icon::Shut, "Show") };
     let name = format!("{verb} {}", session.layer_name(layer));
     let help = if visible {
-        "Hides it: it still grows and the others keep out of it, but it is not painted"
+        "Hides it: it still grows and keeps its space free of the others, but it is not painted"
     } else {
-        "Hidden: it grows and the others keep out of it, but it is not painted. Click to show it"
+        "Hidden: it grows and keeps its space free of the others, but it is not painted. Click to show it"
     };
     if icon.button_of(ui, &name, false, vec2(22.0, ROW)).on_hover_text(help).clicked() {
         actions.push(Action::Layer(LayerAction::HideThis(layer)));
     }
 }
 
-/// How many marks it has, and of what kind; gives where this begins on the right.
+/// Shows how many marks a layer has, and of what kind; gives the left end of the number.
 fn mark_count(ui: &Ui, session: &Session, layer: usize, rest: Rect) -> f32 {
     let colours = Palette::of(ui.visuals());
     let middle = pos2(rest.left() + 10.0, rest.center().y);
@@ -252,7 +277,7 @@ fn mark_count(ui: &Ui, session: &Session, layer: usize, rest: Rect) -> f32 {
     ui.painter().text(right, Align2::RIGHT_CENTER, text, font, weak).left() - 6.0
 }
 
-/// The snowflake of a frozen row; gives where this begins.
+/// The button that thaws a frozen layer; gives its left end.
 fn thaw(ui: &mut Ui, session: &Session, layer: usize, rest: Rect, actions: &mut Vec<Action>) -> f32 {
     if layer >= session.frozen() {
         return rest.right();
@@ -260,7 +285,7 @@ fn thaw(ui: &mut Ui, session: &Session, layer: usize, rest: Rect, actions: &mut 
     let place = rest.with_min_x(rest.right() - 22.0);
     ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
         let name = format!("Thaw {}", session.layer_name(layer));
-        let help = "Frozen: its marks are left alone. Click to work on it again; those above are frozen no more either";
+        let help = "Frozen: its marks cannot be changed. Click to make it active again; the layers above are thawed as well";
         let button = Icon::Frozen.button_of(ui, &name, false, vec2(22.0, ROW));
         if button.on_hover_text(help).clicked() {
             actions.push(Action::Layer(LayerAction::Take(layer)));
@@ -269,23 +294,23 @@ fn thaw(ui: &mut Ui, session: &Session, layer: usize, rest: Rect, actions: &mut 
     place.left()
 }
 
-/// The field in which a name is typed. Enter, Tab and a click elsewhere keep it, Escape does not.
-fn naming(ui: &mut Ui, window: &mut Window, place: Rect) {
-    let Some((layer, mut name)) = window.layering.naming.take() else { return };
+/// The field in which a name is typed. Enter, Tab and a click elsewhere accept it, Escape does not.
+fn naming(ui: &mut Ui, session: &Session, panel: &mut LayersPanel, place: Rect, actions: &mut Vec<Action>) {
+    let Some((layer, mut name)) = panel.naming.take() else { return };
     let field = ui.scope_id().with("name of layer");
     let edit = TextEdit::singleline(&mut name)
         .id(field)
         .char_limit(NAME)
-        .hint_text(window.session.layer_name(layer))
+        .hint_text(session.layer_name(layer))
         .margin(vec2(4.0, 3.0));
     let response = ui.put(place.shrink2(vec2(0.0, 2.0)), edit).accessible_name("Layer name");
     let [enter, tab] = [Key::Enter, Key::Tab].map(|key| ui.input(|input| input.key_pressed(key)));
     if response.lost_focus() {
         if enter || tab || ui.input(|input| input.pointer.any_down()) {
             let name = name.trim().to_owned();
-            window.session.change_layer(layer, |of| of.name = name);
+            actions.push(Action::Edit(Edit::LayerName(layer, name)));
         }
-        if std::mem::take(&mut window.layering.from_row) && !tab {
+        if std::mem::take(&mut panel.from_row) && !tab {
             ui.memory_mut(|memory| memory.request_focus(id(ui, layer)));
         }
         return;
@@ -296,15 +321,22 @@ fn naming(ui: &mut Ui, window: &mut Window, place: Rect) {
         state.cursor.set_char_range(Some(CCursorRange::select_all_str(&name)));
         state.store(ui.ctx(), field);
     }
-    window.layering.naming = Some((layer, name));
+    panel.naming = Some((layer, name));
 }
 
-/// The keys of a row that has them.
-fn keys(ui: &Ui, window: &mut Window, response: &Response, layer: usize, actions: &mut Vec<Action>) {
+/// The keys of the row that has the keyboard focus.
+fn keys(
+    ui: &Ui,
+    session: &Session,
+    panel: &mut LayersPanel,
+    response: &Response,
+    layer: usize,
+    actions: &mut Vec<Action>,
+) {
     let filter = EventFilter { tab: false, horizontal_arrows: false, vertical_arrows: true, escape: false };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
-    let layers = window.session.document().layers.len();
+    let layers = session.document().layers.len();
     for (key, by) in [(Key::ArrowUp, 1), (Key::ArrowDown, -1)] {
         let Some(to) = layer.checked_add_signed(by).filter(|to| *to < layers) else { continue };
         if pressed(Modifiers::ALT, key) {
@@ -320,7 +352,7 @@ fn keys(ui: &Ui, window: &mut Window, response: &Response, layer: usize, actions
     for (key, action) in [(Key::F2, LayerAction::Rename), (Key::Delete, LayerAction::Delete)] {
         if pressed(Modifiers::NONE, key) {
             actions.extend([LayerAction::Take(layer), action].map(Action::Layer));
-            window.layering.from_row = true;
+            panel.from_row = true;
         }
     }
 }

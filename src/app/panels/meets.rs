@@ -1,4 +1,4 @@
-//! A small picture of each way to meet the layers beneath.
+//! A button with a picture for each way in which a layer meets the layers beneath.
 
 use egui::{Button, Color32, Painter, Pos2, Rect, Response, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
@@ -8,10 +8,10 @@ use crate::document::After;
 /// Size of a button, points.
 pub const SIZE: Vec2 = vec2(52.0, 38.0);
 
-/// Where the marks beneath stand in a picture of 40 × 28.
+/// The centres of the marks beneath in a picture of 40 × 28.
 const BENEATH: [[f32; 2]; 3] = [[9.5, 8.5], [30.0, 8.0], [19.5, 20.5]];
 
-/// What people read.
+/// Its label.
 #[must_use]
 pub fn name(after: After) -> &'static str {
     match after {
@@ -22,20 +22,23 @@ pub fn name(after: After) -> &'static str {
     }
 }
 
-/// What it does.
+/// Its tooltip.
 #[must_use]
 pub fn help(after: After) -> &'static str {
     match after {
-        After::Between => "Its marks keep away from those beneath, as the small spots of a cheetah",
-        After::Around => "It rings the marks beneath, as the rosettes of a leopard; lines say how wide",
-        After::Net => {
-            "It fills the space between them with one connected web, as on a giraffe; lines say how wide"
+        After::Between => "Its marks keep away from the marks beneath, as the small spots of a cheetah",
+        After::Around => {
+            "It forms rings around the marks beneath, as the rosettes of a leopard; the drawn lines set their width"
         }
-        After::Inside => "A smaller mark grows at each place of the layer beneath, which itself is not shown",
+        After::Net => {
+            "It fills the space between the marks beneath with a connected net, as on a giraffe; the drawn lines set its \
+             width"
+        }
+        After::Inside => "A smaller mark grows at each mark of the layer beneath, which itself is not shown",
     }
 }
 
-/// A button with the picture; greyed where it is refused, with the reason.
+/// The button; disabled where the choice is refused, with the reason in the tooltip.
 pub fn button(ui: &mut Ui, after: After, chosen: bool, refused: Option<&str>) -> Response {
     ui.add_enabled_ui(refused.is_none(), |ui| {
         let button = Button::new("").selected(chosen).min_size(SIZE);

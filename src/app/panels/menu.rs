@@ -2,29 +2,52 @@
 
 use egui::{Button, MenuBar, RichText, ThemePreference, Ui};
 
-use crate::app::Window;
 use crate::app::action::{Action, Page};
+use crate::app::canvas::Overlays;
+use crate::app::growth::Growth;
+use crate::app::settings::Settings;
 use crate::app::shortcuts;
 use crate::editor::layer_action::LayerAction;
+use crate::editor::session::Session;
 use crate::grid::Edges;
 
-/// The menus, and the document's name in the middle. Gives what is chosen.
-pub fn menu(ui: &mut Ui, window: &mut Window) -> Vec<Action> {
+/// What the menus show.
+pub struct Menus<'a> {
+    /// The open document.
+    pub session: &'a Session,
+    /// Recent documents and the theme.
+    pub settings: &'a Settings,
+    /// The growth.
+    pub growth: &'a Growth,
+    /// What is shown over the sketch.
+    pub overlays: Overlays,
+    /// Recovered documents that were neither restored nor discarded yet.
+    pub recovered: usize,
+    /// Whether the texture is shown over the sketch.
+    pub over: bool,
+    /// Whether the texture is shown two by two.
+    pub tiled: bool,
+    /// Whether the alternatives are shown.
+    pub alternatives: bool,
+}
+
+/// Shows the menus on the left and the document's name on the right.
+pub fn menu(ui: &mut Ui, shown: &Menus) -> Vec<Action> {
     let mut actions = Vec::new();
     MenuBar::new().ui(ui, |ui| {
-        ui.menu_button("File", |ui| file(ui, window, &mut actions));
-        ui.menu_button("Edit", |ui| edit(ui, window, &mut actions));
-        ui.menu_button("Layer", |ui| layer(ui, window, &mut actions));
-        ui.menu_button("View", |ui| view(ui, window, &mut actions));
-        ui.menu_button("Growth", |ui| growth(ui, window, &mut actions));
+        ui.menu_button("File", |ui| file(ui, shown, &mut actions));
+        ui.menu_button("Edit", |ui| edit(ui, shown, &mut actions));
+        ui.menu_button("Layer", |ui| layer(ui, shown, &mut actions));
+        ui.menu_button("View", |ui| view(ui, shown, &mut actions));
+        ui.menu_button("Growth", |ui| growth(ui, shown, &mut actions));
         ui.menu_button("Help", |ui| {
             item(ui, "First steps", &Action::Page(Page::Hint), true, &mut actions);
             item(ui, "Keys", &Action::Page(Page::Shortcuts), true, &mut actions);
             item(ui, "About dapple", &Action::Page(Page::About), true, &mut actions);
         });
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let changed = if window.session.is_changed() { "  (changed)" } else { "" };
-            ui.label(RichText::new(format!("{}{changed}", window.session.title())).weak());
+            let changed = if shown.session.is_changed() { "  (changed)" } else { "" };
+            ui.label(RichText::new(format!("{}{changed}", shown.session.title())).weak());
         });
     });
     actions
@@ -47,43 +70,42 @@ fn check(ui: &mut Ui, text: &str, on: bool, action: &Action, actions: &mut Vec<A
     }
 }
 
-fn file(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
+fn file(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
     ui.set_min_width(210.0);
     item(ui, "New…", &Action::New, true, actions);
     item(ui, "Open…", &Action::Open, true, actions);
-    let recent = window.settings.recent.clone();
+    let recent = &shown.settings.recent;
     ui.add_enabled_ui(!recent.is_empty(), |ui| {
         ui.menu_button("Open recent", |ui| {
             for path in recent {
                 let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 if ui.button(name).on_hover_text(path.display().to_string()).clicked() {
-                    actions.push(Action::OpenFile(path));
+                    actions.push(Action::OpenFile(path.clone()));
                     ui.close();
                 }
             }
             ui.separator();
             if ui.button("Forget these").clicked() {
-                window.settings.forget();
+                actions.push(Action::ForgetRecent);
                 ui.close();
             }
         });
     });
     item(ui, "Examples…", &Action::Page(Page::Examples), true, actions);
-    let left = window.recovery.undecided();
-    item(ui, "Recover unsaved work…", &Action::Page(Page::Recovery), left > 0, actions);
+    item(ui, "Recover unsaved work…", &Action::Page(Page::Recovery), shown.recovered > 0, actions);
     ui.separator();
     item(ui, "Save", &Action::Save, true, actions);
     item(ui, "Save as…", &Action::SaveAs, true, actions);
     item(ui, "Import SVG…", &Action::Import, true, actions);
-    item(ui, "Export…", &Action::Export, !window.growth.is_empty(), actions);
+    item(ui, "Export…", &Action::Export, !shown.growth.is_empty(), actions);
     ui.separator();
     item(ui, "Quit", &Action::Quit, true, actions);
 }
 
-fn edit(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
+fn edit(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
     ui.set_min_width(210.0);
-    let [undo, redo] = window.session.can_undo_redo();
-    let some = !window.session.selection.is_empty();
+    let [undo, redo] = shown.session.can_undo_redo();
+    let some = !shown.session.selection.is_empty();
     item(ui, "Undo", &Action::Undo, undo, actions);
     item(ui, "Redo", &Action::Redo, redo, actions);
     ui.separator();
@@ -103,52 +125,49 @@ fn edit(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
     item(ui, "Preferences…", &Action::Page(Page::Preferences), true, actions);
 }
 
-fn layer(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
+fn layer(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
     ui.set_min_width(230.0);
     for (text, action) in LayerAction::MENU {
-        item(ui, text, &Action::Layer(action), window.session.allows(action), actions);
+        item(ui, text, &Action::Layer(action), shown.session.allows(action), actions);
     }
 }
 
-fn view(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
+fn view(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
     ui.set_min_width(210.0);
-    check(ui, "One over the other", window.over, &Action::Over(!window.over), actions);
-    let wrap = window.session.document().edges == Edges::Wrap;
+    check(ui, "One over the other", shown.over, &Action::Over(!shown.over), actions);
+    let wrap = shown.session.document().edges == Edges::Wrap;
     ui.add_enabled_ui(wrap, |ui| {
-        let tiled = window.texture.tiled;
-        check(ui, "Tiles, two by two", tiled, &Action::Tiled(!tiled), actions);
+        check(ui, "Tiles, two by two", shown.tiled, &Action::Tiled(!shown.tiled), actions);
     });
-    let overlays = window.canvas.overlays;
+    let overlays = shown.overlays;
     check(ui, "Region grid", overlays.regions, &Action::Regions(!overlays.regions), actions);
     check(ui, "What dapple sees", overlays.analysis, &Action::Analysis(!overlays.analysis), actions);
-    let shown = window.alternatives.shown;
-    check(ui, "Alternatives", shown, &Action::Alternatives(!shown), actions);
-    item(ui, "Reference picture…", &Action::Reference, true, actions);
+    let alternatives = shown.alternatives;
+    check(ui, "Alternatives", alternatives, &Action::Alternatives(!alternatives), actions);
+    item(ui, "Reference picture…", &Action::ChooseReference, true, actions);
     ui.separator();
     item(ui, "Show the whole canvas", &Action::Fit, true, actions);
     item(ui, "Actual size", &Action::ActualSize, true, actions);
     item(ui, "Zoom in", &Action::Zoom(1.25), true, actions);
     item(ui, "Zoom out", &Action::Zoom(0.8), true, actions);
     ui.separator();
-    let before = window.settings.theme;
     for (text, theme) in [
         ("As the system", ThemePreference::System),
         ("Light", ThemePreference::Light),
         ("Dark", ThemePreference::Dark),
     ] {
-        ui.radio_value(&mut window.settings.theme, theme, text);
-    }
-    if window.settings.theme != before {
-        ui.ctx().set_theme(window.settings.theme);
-        window.settings.write();
+        let is_current = shown.settings.theme == theme;
+        if ui.radio(is_current, text).clicked() && !is_current {
+            actions.push(Action::Theme(theme));
+        }
     }
 }
 
-fn growth(ui: &mut Ui, window: &Window, actions: &mut Vec<Action>) {
+fn growth(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
     ui.set_min_width(180.0);
-    let text = if window.growth.is_paused() { "Go on" } else { "Pause" };
-    item(ui, text, &Action::Pause, window.growth.is_growing(), actions);
-    item(ui, "Stop", &Action::Stop, window.growth.is_growing(), actions);
-    item(ui, "Grow again", &Action::Grow, !window.growth.is_empty(), actions);
+    let text = if shown.growth.is_paused() { "Go on" } else { "Pause" };
+    item(ui, text, &Action::Pause, shown.growth.is_growing(), actions);
+    item(ui, "Stop", &Action::Stop, shown.growth.is_growing(), actions);
+    item(ui, "Grow again", &Action::Grow, !shown.growth.is_empty(), actions);
     item(ui, "Another seed", &Action::AnotherSeed, true, actions);
 }

@@ -1,9 +1,11 @@
-//! What stands around the canvas and the texture.
+//! The panels around sketch and texture. Each takes what it shows and returns the actions that the user asks for.
 
 mod alternatives;
-pub mod colour;
+mod colour;
+mod column;
+mod draw;
+mod form;
 mod growth_bar;
-mod inspector;
 mod layer_details;
 mod layers;
 mod meets;
@@ -12,14 +14,16 @@ mod result;
 mod selected;
 mod sketch_bar;
 mod status;
-mod strip;
+mod tools;
 
 pub use alternatives::{HEIGHT, alternatives};
-pub use colour::ColourPanel;
+pub use colour::{ColourPanel, colour};
+pub use column::column;
+pub use draw::{Drawing, draw};
 pub use growth_bar::growth_bar;
-pub use inspector::{Tab, inspector};
-pub use menu::menu;
-pub use result::digits;
+pub use layers::{LayersPanel, layers};
+pub use menu::{Menus, menu};
+pub use result::{ResultPanel, Shown, paint_signs, result};
 pub use sketch_bar::sketch_bar;
 pub use status::status;
-pub use strip::strip;
+pub use tools::tools;

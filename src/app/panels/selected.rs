@@ -1,25 +1,26 @@
-//! Numbers of what is selected.
+//! The selected marks: their numbers, and buttons to duplicate or delete them.
 
 use egui::{Button, DragValue, RichText, Ui};
 
-use super::inspector::{presets, rows};
-use crate::app::Window;
+use super::form::{presets, rows};
 use crate::app::action::Action;
 use crate::app::units::Ruler;
+use crate::editor::edit::Edit;
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
 
-/// The numbers, and what to do with what is selected.
-pub fn selected(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
-    let marks: Vec<(Place, Mark)> = window.session.selected().collect();
-    let ruler = window.ruler();
-    match &marks[..] {
-        [(place, Mark::Ellipse(ellipse))] => self::ellipse(ui, &mut window.session, ruler, *place, *ellipse),
-        [(place, Mark::Line(line))] => self::line(ui, &mut window.session, ruler, *place, *line),
-        many => self::many(ui, &mut window.session, ruler, many),
-    }
+/// Shows them. A number that is changed gives the marks that replace the selected ones.
+pub fn selected(ui: &mut Ui, session: &Session, ruler: Ruler) -> Vec<Action> {
+    let marks: Vec<(Place, Mark)> = session.selected().collect();
+    let changed = match &marks[..] {
+        [(place, Mark::Ellipse(ellipse))] => self::ellipse(ui, ruler, *place, *ellipse),
+        [(place, Mark::Line(line))] => self::line(ui, ruler, *place, *line),
+        several => self::several(ui, ruler, several),
+    };
+    let mut actions: Vec<Action> =
+        changed.map(|marks| Action::Edit(Edit::Marks(marks))).into_iter().collect();
     ui.horizontal(|ui| {
         for (text, action) in [("Duplicate", Action::Duplicate), ("Delete", Action::Delete)] {
             if ui.add(Button::new(text)).clicked() {
@@ -27,6 +28,7 @@ pub fn selected(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
             }
         }
     });
+    actions
 }
 
 /// A number that can be typed or dragged.
@@ -63,7 +65,7 @@ fn point(ui: &mut Ui, name: &str, value: &mut [f64; 2], ruler: Ruler) -> bool {
     changed
 }
 
-fn ellipse(ui: &mut Ui, session: &mut Session, ruler: Ruler, place: Place, mut ellipse: Ellipse) {
+fn ellipse(ui: &mut Ui, ruler: Ruler, place: Place, mut ellipse: Ellipse) -> Option<Vec<(Place, Mark)>> {
     ui.label(RichText::new("Ellipse").strong());
     let before = ellipse;
     rows(ui, "ellipse", |ui| {
@@ -78,7 +80,7 @@ fn ellipse(ui: &mut Ui, session: &mut Session, ruler: Ruler, place: Place, mut e
         ui.label("Direction").on_hover_text("Degrees, from right towards down");
         number(ui, "Direction", &mut ellipse.angle, "°");
         ui.end_row();
-        ui.label("Area").on_hover_text("Another area keeps the shape");
+        ui.label("Area").on_hover_text("Changing the area keeps the shape");
         let mut area = ellipse.area();
         if area_field(ui, "Area", &mut area, ruler) && area > 0.0 {
             let factor = (area / before.area()).sqrt();
@@ -86,12 +88,10 @@ fn ellipse(ui: &mut Ui, session: &mut Session, ruler: Ruler, place: Place, mut e
         }
         ui.end_row();
     });
-    if ellipse != before {
-        session.replace(&[(place, Mark::Ellipse(ellipse))]);
-    }
+    (ellipse != before).then(|| vec![(place, Mark::Ellipse(ellipse))])
 }
 
-fn line(ui: &mut Ui, session: &mut Session, ruler: Ruler, place: Place, mut line: Line) {
+fn line(ui: &mut Ui, ruler: Ruler, place: Place, mut line: Line) -> Option<Vec<(Place, Mark)>> {
     ui.label(RichText::new("Line").strong());
     let before = line;
     rows(ui, "line", |ui| {
@@ -106,33 +106,27 @@ fn line(ui: &mut Ui, session: &mut Session, ruler: Ruler, place: Place, mut line
             }
         }
         ui.end_row();
-        ui.label("Width").on_hover_text("Width of the stripe that it stands for");
+        ui.label("Width").on_hover_text("Width of the stripe that the line stands for");
         width_field(ui, "Width", &mut line.width, ruler);
         ui.end_row();
     });
     presets(ui, &mut line.width, ruler);
-    if line != before {
-        session.replace(&[(place, Mark::Line(line))]);
-    }
+    (line != before).then(|| vec![(place, Mark::Line(line))])
 }
 
-fn many(ui: &mut Ui, session: &mut Session, ruler: Ruler, marks: &[(Place, Mark)]) {
+fn several(ui: &mut Ui, ruler: Ruler, marks: &[(Place, Mark)]) -> Option<Vec<(Place, Mark)>> {
     ui.label(RichText::new(format!("{} marks", marks.len())).strong());
     let areas: Vec<f64> = marks.iter().filter_map(|(_, mark)| area(mark)).collect();
     let widths: Vec<f64> = marks.iter().filter_map(|(_, mark)| width(mark)).collect();
-    let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let mut changed = None;
     rows(ui, "many", |ui| {
         if !areas.is_empty() {
-            ui.label("Mean area")
-                .on_hover_text("Another mean area makes all of them larger or smaller where they are");
+            ui.label("Mean area").on_hover_text("Scales all selected marks about their centres");
             let before = mean(&areas);
             let mut area = before;
             if area_field(ui, "Mean area", &mut area, ruler) && area > 0.0 {
-                let factor = (area / before).sqrt();
-                let grown = |(place, mark): &(Place, Mark)| {
-                    (*place, shape::scaled(mark, factor, shape::center(mark)))
-                };
-                session.replace(&marks.iter().map(grown).collect::<Vec<_>>());
+                changed = Some(scaled(marks, (area / before).sqrt()));
             }
             ui.end_row();
         }
@@ -140,7 +134,7 @@ fn many(ui: &mut Ui, session: &mut Session, ruler: Ruler, marks: &[(Place, Mark)
             ui.label("Width").on_hover_text("One width for all selected lines");
             let mut width = mean(&widths);
             if width_field(ui, "Width of all", &mut width, ruler) {
-                set_width(session, marks, width);
+                changed = Some(with_width(marks, width));
             }
             ui.end_row();
         }
@@ -148,9 +142,10 @@ fn many(ui: &mut Ui, session: &mut Session, ruler: Ruler, marks: &[(Place, Mark)
     if let Some(first) = widths.first() {
         let mut width = *first;
         if presets(ui, &mut width, ruler) {
-            set_width(session, marks, width);
+            changed = Some(with_width(marks, width));
         }
     }
+    changed
 }
 
 fn area(mark: &Mark) -> Option<f64> {
@@ -167,10 +162,15 @@ fn width(mark: &Mark) -> Option<f64> {
     }
 }
 
-fn set_width(session: &mut Session, marks: &[(Place, Mark)], width: f64) {
-    let of_width = |(place, mark): &(Place, Mark)| match mark {
+fn scaled(marks: &[(Place, Mark)], factor: f64) -> Vec<(Place, Mark)> {
+    marks.iter().map(|(place, mark)| (*place, shape::scaled(mark, factor, shape::center(mark)))).collect()
+}
+
+/// The lines among the marks, with this width.
+fn with_width(marks: &[(Place, Mark)], width: f64) -> Vec<(Place, Mark)> {
+    let with_width = |(place, mark): &(Place, Mark)| match mark {
         Mark::Line(line) => Some((*place, Mark::Line(Line { width, ..*line }))),
         Mark::Ellipse(_) => None,
     };
-    session.replace(&marks.iter().filter_map(of_width).collect::<Vec<_>>());
+    marks.iter().filter_map(with_width).collect()
 }

@@ -1,17 +1,15 @@
-//! Above the canvas: what is seen of it.
+//! The bar above the sketch: how many marks there are, and how sketch and texture are arranged.
 
 use egui::{Align, Layout, Ui};
 
-use crate::app::Window;
 use crate::app::action::Action;
 use crate::app::icons::Icon;
 
-/// The bar. Gives what is chosen.
-pub fn sketch_bar(ui: &mut Ui, window: &Window) -> Vec<Action> {
-    let mut actions = Vec::new();
+/// Shows the bar. `over`: the texture is shown over the sketch.
+pub fn sketch_bar(ui: &mut Ui, marks: usize, over: bool) -> Option<Action> {
+    let mut action = None;
     ui.horizontal_centered(|ui| {
         ui.strong("Sketch");
-        let marks = window.session.marks().count();
         ui.weak(match marks {
             0 => String::new(),
             1 => "1 mark".to_owned(),
@@ -19,23 +17,19 @@ pub fn sketch_bar(ui: &mut Ui, window: &Window) -> Vec<Action> {
         });
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
-            let over = window.over;
-            let help = "Texture over the sketch, with a curtain to drag";
+            let help = "The texture over the sketch, with a divider to drag";
             if Icon::Over.button(ui, "One over the other", over).on_hover_text(help).clicked() {
-                actions.push(Action::Over(true));
+                action = Some(Action::Over(true));
             }
-            if Icon::Beside
-                .button(ui, "Side by side", !over)
-                .on_hover_text("Sketch beside the texture")
-                .clicked()
-            {
-                actions.push(Action::Over(false));
+            let help = "The sketch beside the texture";
+            if Icon::Beside.button(ui, "Side by side", !over).on_hover_text(help).clicked() {
+                action = Some(Action::Over(false));
             }
             let fit = "Show the whole canvas";
             if Icon::Fit.button(ui, fit, false).on_hover_text(format!("{fit} (Ctrl+0)")).clicked() {
-                actions.push(Action::Fit);
+                action = Some(Action::Fit);
             }
         });
     });
-    actions
+    action
 }

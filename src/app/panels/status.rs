@@ -1,25 +1,26 @@
-//! The line at the bottom: the tool, the place, the export.
+//! The status line: how the tool is used, the pointer's position, the zoom, the export in progress.
 
 use egui::{Align, Layout, ProgressBar, RichText, Ui};
 
-use crate::app::Window;
+use crate::app::action::Action;
+use crate::app::canvas::Canvas;
+use crate::app::exporting::Exporting;
+use crate::app::units::Ruler;
 
-/// The line.
-pub fn status(ui: &mut Ui, window: &Window) {
+/// Shows the line.
+pub fn status(ui: &mut Ui, canvas: &Canvas, ruler: Ruler, exporting: Option<&Exporting>) -> Option<Action> {
+    let mut action = None;
     ui.horizontal_centered(|ui| {
-        let tool = window.canvas.tool;
-        ui.label(RichText::new(tool.help()).small().weak());
+        ui.label(RichText::new(canvas.tool.help()).small().weak());
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.label(
-                RichText::new(format!("{:.0} %", 100.0 * window.canvas.view.zoom * ui.pixels_per_point()))
-                    .small(),
-            );
-            if let Some(place) = window.canvas.pointer {
-                ui.label(RichText::new(window.ruler().place(place)).small().weak());
+            let zoom = 100.0 * canvas.view.zoom * ui.pixels_per_point();
+            ui.label(RichText::new(format!("{zoom:.0} %")).small());
+            if let Some(position) = canvas.pointer {
+                ui.label(RichText::new(ruler.place(position)).small().weak());
             }
-            if let Some(exporting) = &window.exporting {
-                if ui.small_button("Cancel").on_hover_text("Give the export up").clicked() {
-                    exporting.cancel();
+            if let Some(exporting) = exporting {
+                if ui.small_button("Cancel").on_hover_text("Cancel the export").clicked() {
+                    action = Some(Action::CancelExport);
                 }
                 ui.add(ProgressBar::new(exporting.progress()).desired_width(120.0).desired_height(6.0));
                 let name = exporting.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -27,4 +28,5 @@ pub fn status(ui: &mut Ui, window: &Window) {
             }
         });
     });
+    action
 }

@@ -11,20 +11,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread;
 
-use egui::{Context, Painter, Rect, pos2};
+use egui::Context;
 
-use super::canvas::view::View;
 use super::growth::Texture;
-use super::theme::Palette;
 use crate::editor::session::Session;
 use crate::rd::System;
 use crate::synth::report::{self, RegionReport};
 use crate::synth::{Grown, Training};
-
-/// Points a side of a mark on the canvas.
-const SIGN: f32 = 16.0;
-/// Regions that are shown smaller than this, points, get no mark.
-const SMALLEST: f32 = 26.0;
 
 /// What came of a region.
 #[derive(Clone, Debug)]
@@ -79,21 +72,12 @@ impl Drop for Job {
 }
 
 /// The window's side of it.
+#[derive(Default)]
 pub struct Results {
     /// The training sets, read when first needed.
     pub training: Arc<Training>,
-    /// The region that was chosen.
-    pub chosen: Option<[usize; 2]>,
-    /// Are there marks in the regions' corners?
-    pub signs: bool,
     outcome: Option<Outcome>,
     job: Option<Job>,
-}
-
-impl Default for Results {
-    fn default() -> Self {
-        Self { training: Arc::default(), chosen: None, signs: true, outcome: None, job: None }
-    }
 }
 
 impl Results {
@@ -137,7 +121,7 @@ impl Results {
 
     /// Another document is open.
     pub fn forget(&mut self) {
-        *self = Self { training: Arc::clone(&self.training), signs: self.signs, ..Self::default() };
+        *self = Self { training: Arc::clone(&self.training), ..Self::default() };
     }
 
     /// What came of the latest texture.
@@ -151,27 +135,6 @@ impl Results {
     pub fn of(&self, texture: Option<&Texture>) -> Option<&Outcome> {
         self.outcome()
             .filter(|outcome| texture.is_some_and(|texture| Arc::ptr_eq(&texture.grown, &outcome.grown)))
-    }
-
-    /// Puts a mark into each region's corner, of the layer at hand.
-    pub fn paint(&self, painter: &Painter, room: Rect, view: View, session: &Session, palette: &Palette) {
-        let Some(outcome) = self.outcome().filter(|_| self.signs) else { return };
-        let Some(layer) = layer_of(session, session.active_layer).and_then(|layer| outcome.layers.get(layer))
-        else {
-            return;
-        };
-        let [columns, rows] = outcome.grown.document.regions.map(|n| n as f32);
-        let paper = view.paper(room, outcome.grown.size);
-        let side = [paper.width() / columns, paper.height() / rows];
-        if side[0].min(side[1]) < SMALLEST {
-            return;
-        }
-        for region in &layer.regions {
-            let [column, row] = region.report.place.map(|at| at as f32);
-            let corner = paper.min + egui::vec2(column * side[0], row * side[1]);
-            let rect = Rect::from_min_max(corner, pos2(corner.x + side[0], corner.y + side[1]));
-            region.verdict.paint(painter, Verdict::corner(rect, SIGN, 5.0), palette);
-        }
     }
 }
 

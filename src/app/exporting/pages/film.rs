@@ -2,9 +2,9 @@
 
 use egui::{Button, DragValue, Ui};
 
+use super::{About, Said};
 use super::{named, number, one_of, rows, yes};
 use crate::app::exporting::choices::KINDS;
-use crate::app::exporting::dialog::{About, Said};
 use crate::app::exporting::{Choices, Film};
 use crate::export::motion::Kind;
 use crate::synth::render::clip::{Clip, FASTEST_GIF, RATES, SIDE, SIDES};

@@ -2,10 +2,10 @@
 
 use egui::{DragValue, RichText, Ui};
 
+use super::About;
 use super::{named, number, rows, size, yes};
 use crate::app::exporting::Choices;
 use crate::app::exporting::choices::RELIEF;
-use crate::app::exporting::dialog::About;
 
 /// The choices.
 pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) {

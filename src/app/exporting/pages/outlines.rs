@@ -2,8 +2,8 @@
 
 use egui::{DragValue, Ui};
 
+use super::About;
 use super::{layer, named, number, rows, size, yes};
-use crate::app::exporting::dialog::About;
 use crate::app::exporting::{Choices, Outlines};
 use crate::app::units::Units;
 use crate::export::outline::Hatch;

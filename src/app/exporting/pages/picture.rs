@@ -2,9 +2,9 @@
 
 use egui::{Slider, Ui, WidgetInfo};
 
+use super::About;
 use super::{layer, named, one_of, rows, size, yes};
 use crate::app::exporting::choices::FORMATS;
-use crate::app::exporting::dialog::About;
 use crate::app::exporting::{Choices, Shows};
 use crate::export::Format;
 

@@ -1,4 +1,4 @@
-//! The bar: all colours from ground to mark, the ways between them above it, the stops beneath.
+//! The bar: all colours from ground to mark, the transitions above it, the stops below.
 
 use egui::{
     Align2, Color32, CursorIcon, FontId, Id, Key, Painter, Rect, Response, Role, Sense, Shape, Stroke,
@@ -11,24 +11,24 @@ use crate::app::theme::Palette;
 use crate::colour::{Bend, Gradient};
 use crate::document::Colours;
 
-/// Heights, points: the ways, the bar, the stops, what stands beneath.
+/// Heights, points: the transitions, the bar, the stops, the labels.
 const HEIGHTS: [f32; 4] = [26.0, 26.0, 22.0, 13.0];
-/// Half a stop's width: so far the bar stays off the edge.
+/// Half a stop's width, points: the bar ends this far from the panel's edge.
 const HALF: f32 = 8.0;
-/// So far from the bar a stop is let go of, points.
+/// A stop that is dragged farther from the bar than this is removed, points.
 const OFF: f32 = 44.0;
 
-/// Shows the bar and lets the hand work on it.
+/// Shows the bar; stops are added, dragged and removed.
 pub fn bar(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
     let (all, _) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHTS.iter().sum()), Sense::hover());
     let mut top = all.top();
-    let [ways, bar, pins, below] = HEIGHTS.map(|height| {
+    let [transitions, bar, stops, labels] = HEIGHTS.map(|height| {
         let rect = Rect::from_min_max(pos2(all.left() + HALF, top), pos2(all.right() - HALF, top + height));
         top += height;
         rect
     });
-    self::ways(ui, panel, colours, ways);
-    self::pins(ui, panel, colours, pins, bar);
+    self::transitions(ui, panel, colours, transitions);
+    self::stops(ui, panel, colours, stops, bar);
     add(ui, panel, colours, bar);
     let painter = ui.painter().clone();
     gradient(&painter, bar, &colours.gradient(), [0.0, 1.0]);
@@ -40,11 +40,11 @@ pub fn bar(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
         (0.5, "edge", Align2::CENTER_TOP),
         (1.0, "middle", Align2::RIGHT_TOP),
     ] {
-        painter.text(pos2(x_of(below, at), below.top()), align, text, font.clone(), weak);
+        painter.text(pos2(x_of(labels, at), labels.top()), align, text, font.clone(), weak);
     }
 }
 
-/// Where a pattern value lies.
+/// The x of a pattern value.
 fn x_of(rect: Rect, at: f64) -> f32 {
     rect.left() + at as f32 * rect.width()
 }
@@ -65,14 +65,14 @@ pub fn gradient(painter: &Painter, rect: Rect, gradient: &Gradient, [from, to]: 
     painter.add(Shape::mesh(mesh));
 }
 
-/// The curves above the bar, each over the way that it bends; one is chosen for the large picture.
-fn ways(ui: &Ui, panel: &mut ColourPanel, colours: &Colours, rect: Rect) {
+/// The curves above the bar, each over its transition; a click selects one.
+fn transitions(ui: &Ui, panel: &mut ColourPanel, colours: &Colours, rect: Rect) {
     let palette = Palette::of(ui.visuals());
     for gap in 0..colours.stops.len() - 1 {
         let [left, right] = [gap, gap + 1].map(|stop| x_of(rect, colours.stops[stop].at));
         let room = Rect::from_min_max(pos2(left, rect.top()), pos2(right, rect.bottom()));
         let response = ui.interact(room, ui.scope_id().with(("way", gap)), Sense::click());
-        let name = way(gap);
+        let name = transition(gap);
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, panel.gap == gap, &name));
         if response.clicked() {
             panel.gap = gap;
@@ -94,8 +94,8 @@ fn ways(ui: &Ui, panel: &mut ColourPanel, colours: &Colours, rect: Rect) {
     }
 }
 
-/// A way by the names of its stops.
-pub fn way(gap: usize) -> String {
+/// The name of a transition.
+pub fn transition(gap: usize) -> String {
     format!("Transition from stop {} to {}", gap + 1, gap + 2)
 }
 
@@ -111,7 +111,7 @@ pub fn line(rect: Rect, bend: Bend, [low, high]: [f64; 2]) -> Vec<egui::Pos2> {
         .collect()
 }
 
-/// The bar itself: a click puts a stop there, Enter one into the middle of the chosen way.
+/// The bar itself: a click adds a stop there, Enter adds one in the middle of the selected transition.
 fn add(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect) {
     let response = ui.interact(rect, ui.scope_id().with("bar"), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Add a stop"));
@@ -128,46 +128,47 @@ fn add(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect) {
         let at = pointer.map_or_else(middle, |at| f64::from((at.x - rect.left()) / rect.width()));
         let index = colours.insert(rounded(at));
         panel.choose(index, colours);
-        ui.memory_mut(|memory| memory.request_focus(pin(ui, index)));
+        ui.memory_mut(|memory| memory.request_focus(stop_id(ui, index)));
     }
     if focused {
         let accent = Palette::of(ui.visuals()).accent;
         ui.painter().rect_stroke(rect.expand(2.0), 2.0, Stroke::new(1.5, accent), StrokeKind::Outside);
     }
-    response.on_hover_cursor(CursorIcon::Copy).on_hover_text(
-        "Click to put a stop here; by key: Enter puts one into the middle of the chosen transition",
-    );
+    response
+        .on_hover_cursor(CursorIcon::Copy)
+        .on_hover_text("Click to add a stop here; Enter adds one in the middle of the selected transition");
 }
 
-fn pin(ui: &Ui, index: usize) -> Id {
+fn stop_id(ui: &Ui, index: usize) -> Id {
     ui.scope_id().with(("stop", index))
 }
 
-/// The stops beneath the bar.
-fn pins(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, bar: Rect) {
-    // Meanwhile a stop is moved they keep the order, and the names, that they had before.
-    let held = panel.held.as_ref().filter(|held| held.stop != usize::MAX);
-    let (seen, moved) = held.map_or((colours.clone(), None), |held| (held.before.clone(), Some(held.stop)));
+/// The stops below the bar.
+fn stops(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, bar: Rect) {
+    // While a stop is dragged, all keep the order and the names from before.
+    let held = panel.held.as_ref().and_then(|held| Some((&held.before, held.stop?)));
+    let (seen, moved) = held.map_or((colours.clone(), None), |(before, stop)| (before.clone(), Some(stop)));
     let count = seen.stops.len();
-    // The chosen one lies on top.
+    // The selected one is drawn last.
     let order = (0..count).filter(|i| *i != panel.stop).chain([panel.stop]).filter(|i| *i < count);
     let order: Vec<usize> = if moved.is_some() { (0..count).collect() } else { order.collect() };
     for index in order {
         let stop = seen.stops[index];
         let mut x = x_of(rect, stop.at);
         let room = Rect::from_min_max(pos2(x - HALF, rect.top()), pos2(x + HALF, rect.bottom()));
-        let response = ui.interact(room, pin(ui, index), Sense::click_and_drag());
+        let response = ui.interact(room, stop_id(ui, index), Sense::click_and_drag());
         let name = format!("Stop {} of {count}, {}", index + 1, hex(stop.colour));
         response.widget_info(|| WidgetInfo::slider(true, stop.at, &name));
         let mut off = false;
         if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged()) {
             if response.drag_started() || moved != Some(index) {
-                let grip = [ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer).x - x, 0.0];
-                panel.held = Some(Held { before: colours.clone(), stop: index, grip, rise: [0.0; 2] });
+                let offset = [ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer).x - x, 0.0];
+                panel.held =
+                    Some(Held { before: colours.clone(), stop: Some(index), offset, range: [0.0; 2] });
                 response.request_focus();
             }
             if let Some(held) = &panel.held {
-                x = (pointer.x - held.grip[0]).clamp(rect.left(), rect.right());
+                x = (pointer.x - held.offset[0]).clamp(rect.left(), rect.right());
                 off = count > 1 && (pointer.y - bar.center().y).abs() > OFF;
                 let at = rounded(f64::from((x - rect.left()) / rect.width()));
                 colours.clone_from(&held.before);
@@ -183,17 +184,17 @@ fn pins(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, bar
             panel.held = None;
             let chosen = panel.stop.min(colours.stops.len() - 1);
             panel.choose(chosen, colours);
-            ui.memory_mut(|memory| memory.request_focus(pin(ui, chosen)));
+            ui.memory_mut(|memory| memory.request_focus(stop_id(ui, chosen)));
         }
         if panel.held.is_none() && moved.is_none() {
-            worked(ui, panel, colours, index, &response);
+            respond(ui, panel, colours, index, &response);
         }
         let chosen = moved.map_or(panel.stop == index, |moved| moved == index);
         if !off {
             paint(ui, pos2(x, rect.top()), shown(stop.colour), chosen, response.has_focus());
         }
-        let help = "Drag along the bar to move it, off the bar to take it away. By key: arrows move it (Shift: further), \
-                    Delete takes it away, Enter opens the picker";
+        let help = "Drag along the bar to move it, off the bar to remove it. Keys: arrows move it (with Shift by more), \
+                    Delete removes it, Enter opens the picker";
         if moved.is_none() {
             response.on_hover_text(format!("{name} at {:.3}\n{help}", stop.at));
         } else if off && chosen {
@@ -202,8 +203,8 @@ fn pins(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, bar
     }
 }
 
-/// What clicks and keys do to a stop.
-fn worked(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, index: usize, response: &Response) {
+/// Clicks and keys on a stop.
+fn respond(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, index: usize, response: &Response) {
     if response.clicked() || response.gained_focus() {
         panel.choose(index, colours);
         response.scroll_to_me(None);
@@ -218,19 +219,19 @@ fn worked(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, index: usize,
         let at = rounded(colours.stops[index].at + 0.01 * (x + y));
         let moved = colours.shift(index, at);
         panel.choose(moved, colours);
-        ui.memory_mut(|memory| memory.request_focus(pin(ui, moved)));
+        ui.memory_mut(|memory| memory.request_focus(stop_id(ui, moved)));
     }
     if deleted(ui, response) && colours.remove(index) {
         let next = index.min(colours.stops.len() - 1);
         panel.choose(next, colours);
-        ui.memory_mut(|memory| memory.request_focus(pin(ui, next)));
+        ui.memory_mut(|memory| memory.request_focus(stop_id(ui, next)));
     }
 }
 
-/// A stop: its colour in a little house that points at its place.
+/// A stop: its colour in a shape with a tip at its position.
 fn paint(ui: &Ui, tip: egui::Pos2, colour: Color32, chosen: bool, focused: bool) {
     let palette = Palette::of(ui.visuals());
-    let house = |half: f32, top: f32, height: f32| {
+    let shape = |half: f32, top: f32, height: f32| {
         vec![
             pos2(tip.x, tip.y + top),
             pos2(tip.x + half, tip.y + 6.0),
@@ -242,8 +243,8 @@ fn paint(ui: &Ui, tip: egui::Pos2, colour: Color32, chosen: bool, focused: bool)
     let border = if chosen { palette.accent } else { ui.visuals().widgets.noninteractive.fg_stroke.color };
     let painter = ui.painter();
     if focused {
-        painter.add(Shape::convex_polygon(house(8.5, -3.0, 21.0), palette.accent_pale, Stroke::NONE));
+        painter.add(Shape::convex_polygon(shape(8.5, -3.0, 21.0), palette.accent_pale, Stroke::NONE));
     }
     let width = if chosen { 2.0 } else { 1.0 };
-    painter.add(Shape::convex_polygon(house(6.0, 0.5, 18.0), colour, Stroke::new(width, border)));
+    painter.add(Shape::convex_polygon(shape(6.0, 0.5, 18.0), colour, Stroke::new(width, border)));
 }

@@ -1,18 +1,18 @@
-//! The chosen way, large: a Bezier curve whose two handles bend it.
+//! The selected transition: a Bezier curve with two handles.
 
 use egui::{
     Button, CursorIcon, Pos2, Rect, RichText, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::bar::{gradient, line, way};
+use super::bar::{gradient, line, transition};
 use super::grip::{arrows, deleted, rounded};
 use super::{ColourPanel, Held};
-use crate::app::panels::inspector::heading;
+use crate::app::panels::form::heading;
 use crate::app::theme::Palette;
 use crate::colour::Bend;
 use crate::document::{Colours, limits};
 
-/// Bends to choose.
+/// Preset curves.
 const KINDS: [(&str, [f64; 4]); 5] = [
     ("Straight", [0.0, 0.0, 1.0, 1.0]),
     ("Slow start", [0.42, 0.0, 1.0, 1.0]),
@@ -20,16 +20,16 @@ const KINDS: [(&str, [f64; 4]); 5] = [
     ("Slow start and end", [0.42, 0.0, 0.58, 1.0]),
     ("Late and sudden", [0.9, 0.0, 0.9, 0.3]),
 ];
-/// Height of the picture, of the strips along it, and the space around, points.
+/// Height of the plot, width of the strips along it, and the space around them, points.
 const HEIGHT: f32 = 112.0;
 const STRIP: f32 = 9.0;
 const SPACE: f32 = 7.0;
 
-/// Shows it and lets the hand bend it.
+/// Shows it; dragging a handle changes it.
 pub fn curve(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
     panel.retain_existing(colours);
     let gap = panel.gap;
-    heading(ui, &way(gap));
+    heading(ui, &transition(gap));
     let mut bend = colours.bend(gap);
     let before = bend;
     let (all, _) =
@@ -38,15 +38,12 @@ pub fn curve(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
         pos2(all.left() + SPACE + STRIP + 3.0, all.top() + SPACE),
         pos2(all.right() - SPACE, all.top() + SPACE + HEIGHT),
     );
-    let rise = panel
-        .held
-        .as_ref()
-        .filter(|held| held.stop == usize::MAX)
-        .map_or_else(|| rise(bend), |held| held.rise);
-    strips(ui, colours, gap, room, rise);
-    paint(ui, room, bend, rise);
+    let range =
+        panel.held.as_ref().filter(|held| held.stop.is_none()).map_or_else(|| range(bend), |held| held.range);
+    strips(ui, colours, gap, room, range);
+    paint(ui, room, bend, range);
     for handle in 0..2 {
-        self::handle(ui, panel, colours, &mut bend, handle, room, rise);
+        self::handle(ui, panel, colours, &mut bend, handle, room, range);
     }
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -72,19 +69,19 @@ pub fn curve(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
     }
 }
 
-/// What the picture shows of y: the two colours, and handles beyond them.
-fn rise([_, y1, _, y2]: [f64; 4]) -> [f64; 2] {
+/// Smallest and largest y of the plot: 0, 1 and the handles, with a margin.
+fn range([_, y1, _, y2]: [f64; 4]) -> [f64; 2] {
     [y1.min(y2).min(0.0) - 0.04, y1.max(y2).max(1.0) + 0.04]
 }
 
-/// Where a point of the curve lies.
+/// A point of the curve on the screen.
 fn place(room: Rect, [x, y]: [f64; 2], [low, high]: [f64; 2]) -> Pos2 {
     let y = (y - low) / (high - low);
     pos2(room.left() + x as f32 * room.width(), room.bottom() - y as f32 * room.height())
 }
 
-/// What the axes mean: beneath, the transition as it will be; at the left, the two colours mixed evenly.
-fn strips(ui: &Ui, colours: &Colours, gap: usize, room: Rect, rise: [f64; 2]) {
+/// What the axes mean: below, the colours of the transition; on the left, an even mix of its two colours.
+fn strips(ui: &Ui, colours: &Colours, gap: usize, room: Rect, range: [f64; 2]) {
     let painter = ui.painter();
     let [from, to] = [gap, gap + 1].map(|stop| colours.stops[stop]);
     let below = Rect::from_min_size(pos2(room.left(), room.bottom() + 3.0), vec2(room.width(), STRIP));
@@ -92,7 +89,7 @@ fn strips(ui: &Ui, colours: &Colours, gap: usize, room: Rect, rise: [f64; 2]) {
     let mut even = Colours { stops: vec![from, to], bends: Vec::new() };
     (even.stops[0].at, even.stops[1].at) = (0.0, 1.0);
     let even = even.gradient();
-    let [top, bottom] = [1.0, 0.0].map(|y| place(room, [0.0, y], rise).y);
+    let [top, bottom] = [1.0, 0.0].map(|y| place(room, [0.0, y], range).y);
     let rows = (bottom - top).round().max(1.0) as usize;
     let values = (0..rows).map(|row| 1.0 - (row as f32 + 0.5) / rows as f32);
     for (row, colour) in even.colours(values).into_iter().enumerate() {
@@ -103,21 +100,21 @@ fn strips(ui: &Ui, colours: &Colours, gap: usize, room: Rect, rise: [f64; 2]) {
     }
 }
 
-fn paint(ui: &Ui, room: Rect, bend: [f64; 4], rise: [f64; 2]) {
+fn paint(ui: &Ui, room: Rect, bend: [f64; 4], range: [f64; 2]) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter();
     painter.rect_filled(room, 0.0, ui.visuals().extreme_bg_color);
     painter.rect_stroke(room, 0.0, Stroke::new(1.0, palette.border), StrokeKind::Outside);
     for y in [0.0, 1.0] {
-        painter.hline(room.x_range(), place(room, [0.0, y], rise).y, Stroke::new(1.0, palette.grid));
+        painter.hline(room.x_range(), place(room, [0.0, y], range).y, Stroke::new(1.0, palette.grid));
     }
-    let ends = [place(room, [0.0, 0.0], rise), place(room, [1.0, 1.0], rise)];
+    let ends = [place(room, [0.0, 0.0], range), place(room, [1.0, 1.0], range)];
     painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, palette.grid), 4.0, 4.0));
-    let curve = line(room, Bend(bend), rise);
+    let curve = line(room, Bend(bend), range);
     ui.painter_at(room.expand(1.0)).add(Shape::line(curve, Stroke::new(2.0, ui.visuals().text_color())));
     let [x1, y1, x2, y2] = bend;
     for (end, handle) in ends.into_iter().zip([[x1, y1], [x2, y2]]) {
-        painter.line_segment([end, place(room, handle, rise)], Stroke::new(1.4, palette.accent));
+        painter.line_segment([end, place(room, handle, range)], Stroke::new(1.4, palette.accent));
     }
 }
 
@@ -129,10 +126,10 @@ fn handle(
     bend: &mut [f64; 4],
     handle: usize,
     room: Rect,
-    rise: [f64; 2],
+    range: [f64; 2],
 ) {
     let [x, y] = [bend[2 * handle], bend[2 * handle + 1]];
-    let at = place(room, [x, y], rise);
+    let at = place(room, [x, y], range);
     let id = ui.scope_id().with(("handle", handle));
     let response = ui.interact(Rect::from_center_size(at, vec2(18.0, 18.0)), id, Sense::click_and_drag());
     let name = if handle == 0 { "First handle" } else { "Second handle" };
@@ -144,14 +141,14 @@ fn handle(
     if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged()) {
         if response.drag_started() || panel.held.is_none() {
             let origin = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
-            let grip = [origin.x - at.x, origin.y - at.y];
-            panel.held = Some(Held { before: colours.clone(), stop: usize::MAX, grip, rise });
+            let offset = [origin.x - at.x, origin.y - at.y];
+            panel.held = Some(Held { before: colours.clone(), stop: None, offset, range });
         }
         if let Some(held) = &panel.held {
-            let [dx, dy] = held.grip;
+            let [dx, dy] = held.offset;
             x = f64::from((pointer.x - dx - room.left()) / room.width());
             let up = f64::from((room.bottom() - pointer.y + dy) / room.height());
-            y = rise[0] + up * (rise[1] - rise[0]);
+            y = range[0] + up * (range[1] - range[0]);
         }
     }
     if response.drag_stopped() {
@@ -168,7 +165,7 @@ fn handle(
     bend[2 * handle] = rounded(x.clamp(limits::BEND_X.low, limits::BEND_X.high));
     bend[2 * handle + 1] = rounded(y.clamp(limits::BEND_Y.low, limits::BEND_Y.high));
     let palette = Palette::of(ui.visuals());
-    let at = place(room, [bend[2 * handle], bend[2 * handle + 1]], rise);
+    let at = place(room, [bend[2 * handle], bend[2 * handle + 1]], range);
     if response.has_focus() {
         ui.painter().circle_filled(at, 9.0, palette.accent_pale);
     }
@@ -176,8 +173,8 @@ fn handle(
     ui.painter().circle(at, radius, ui.visuals().extreme_bg_color, Stroke::new(2.0, palette.accent));
     if !response.dragged() {
         response.on_hover_cursor(CursorIcon::Grab).on_hover_text(format!(
-            "{name} at {x:.2}, {y:.2}: drag it to bend the transition. To the right: how far the pattern has come; up: how \
-             far the colour. By key: arrows (Shift: further), Delete makes it straight"
+            "{name} at {x:.2}, {y:.2}: drag it to bend the transition. To the right: the pattern value; up: the share of the \
+             second colour. Keys: arrows (with Shift by more), Delete makes it straight"
         ));
     }
 }

@@ -1,8 +1,8 @@
-//! What can be held: by the pointer, and by arrows.
+//! Keys for what can be dragged: arrows move it, Delete removes it.
 
 use egui::{EventFilter, Key, Modifiers, Response, Ui};
 
-/// Steps that the arrows ask of what has the keys: to the right and up, 1 each, 10 with Shift.
+/// Steps to the right and up by the arrow keys, where `response` has the keyboard focus: 1 each, 10 with Shift.
 pub fn arrows(ui: &Ui, response: &Response) -> [f64; 2] {
     if !response.has_focus() {
         return [0.0; 2];
@@ -20,7 +20,7 @@ pub fn arrows(ui: &Ui, response: &Response) -> [f64; 2] {
     })
 }
 
-/// Is what has the keys to be taken away?
+/// Whether Delete or Backspace was pressed where `response` has the keyboard focus.
 pub fn deleted(ui: &Ui, response: &Response) -> bool {
     response.has_focus()
         && ui.input_mut(|input| {
@@ -29,7 +29,7 @@ pub fn deleted(ui: &Ui, response: &Response) -> bool {
         })
 }
 
-/// `value` to three digits: finer than a point of the screen, and nobody wants to read more.
+/// `value` rounded to three decimals: finer than a point of the screen.
 pub fn rounded(value: f64) -> f64 {
     (1e3 * value).round() / 1e3
 }

@@ -1,4 +1,4 @@
-//! The picker: hue below, saturation and brightness above; by pointer and by arrows.
+//! The colour picker: saturation and brightness above, hue below; by pointer and arrow keys.
 
 use egui::ecolor::{Hsva, HsvaGamma};
 use egui::{
@@ -9,7 +9,7 @@ use super::grip::arrows;
 use super::hex;
 use crate::app::theme::Palette;
 
-/// Shows it; `fresh` = it has just been opened by a key and takes the keys.
+/// Shows it; `fresh`: it was just opened by a key and takes the keyboard focus.
 pub fn picker(ui: &mut Ui, held: &mut Option<([u8; 3], HsvaGamma)>, colour: &mut [u8; 3], fresh: bool) {
     ui.set_width(200.0);
     let known = held.filter(|(of, _)| of == colour).map(|(_, hsv)| hsv);
@@ -32,7 +32,7 @@ pub fn picker(ui: &mut Ui, held: &mut Option<([u8; 3], HsvaGamma)>, colour: &mut
     ui.weak(hex(*colour));
 }
 
-/// A field of colours with a place in it, both 0..1 to the right and up.
+/// A field of colours with a position in it, 0..1 to the right and up.
 fn pad(
     ui: &mut Ui,
     name: &str,
@@ -67,11 +67,11 @@ fn pad(
     let at = pos2(rect.left() + x * rect.width(), rect.bottom() - y * rect.height());
     ui.painter().circle(at, 6.0, colour(x, y), Stroke::new(2.0, Color32::WHITE));
     ui.painter().circle_stroke(at, 7.5, Stroke::new(1.0, Color32::BLACK));
-    response.on_hover_text(format!("{name}; by key: arrows, with Shift further"));
+    response.on_hover_text(format!("{name}; keys: arrows, with Shift by more"));
     [x, y]
 }
 
-/// The colours at the corners of a grid; the card mixes between them.
+/// The colours at the nodes of a grid; the graphics card interpolates between them.
 fn field(rect: Rect, [columns, rows]: [usize; 2], colour: &impl Fn(f32, f32) -> Color32) -> Mesh {
     let mut mesh = Mesh::default();
     for row in 0..=rows {

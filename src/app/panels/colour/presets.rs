@@ -1,17 +1,18 @@
-//! Colours to choose from, as small pictures.
+//! Preset colours, as small pictures.
 
 use egui::{Align2, Button, ColorImage, FontId, Image, Rect, RichText, TextureOptions, Ui, pos2, vec2};
 
 use super::{ColourPanel, shown};
-use crate::app::panels::inspector::heading;
+use crate::app::panels::form::heading;
 use crate::colour::{Group, Marking, PRESETS, Preset};
 use crate::document::Colours;
 
-/// px of a small picture.
+/// Size of a picture, px.
 const SIZE: [usize; 2] = [34, 22];
 
-/// Shows them.
-pub fn presets(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
+/// Shows them; gives the colours of the one that is clicked. `colours`: those of the active layer.
+pub fn presets(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours) -> Option<Colours> {
+    let mut chosen = None;
     if panel.samples.is_empty() {
         let sample =
             |preset: &Preset| ui.ctx().load_texture(preset.set.name, picture(preset), TextureOptions::LINEAR);
@@ -24,14 +25,15 @@ pub fn presets(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
             ui.horizontal(|ui| {
                 ui.spacing_mut().item_spacing.x = 4.0;
                 for &index in row {
-                    preset(ui, panel, colours, index);
+                    chosen = chosen.take().or(preset(ui, panel, colours, index));
                 }
             });
         }
     }
+    chosen
 }
 
-fn preset(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours, index: usize) {
+fn preset(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours, index: usize) -> Option<Colours> {
     let preset = &PRESETS[index];
     let own = Colours::from(&preset.set.gradient());
     let chosen = *colours == own;
@@ -52,13 +54,13 @@ fn preset(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours, index: us
     if button.gained_focus() {
         button.scroll_to_me(None);
     }
-    if button.clicked() {
-        *colours = own;
-        panel.choose(0, colours);
-    }
+    button.clicked().then(|| {
+        panel.choose(0, &own);
+        own
+    })
 }
 
-/// A pattern like those that grow, only computed: it is to be recognised, not to be true.
+/// A pattern that looks like grown spots or stripes, but is computed from waves.
 fn picture(preset: &Preset) -> ColorImage {
     const SHADES: usize = 64;
     let shades = preset.set.gradient().colours((0..SHADES).map(|i| i as f32 / (SHADES - 1) as f32));

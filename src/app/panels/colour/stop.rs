@@ -1,4 +1,4 @@
-//! The chosen stop: its colour, its place, its neighbours.
+//! The selected stop: its colour, its position, its neighbours.
 
 use egui::{
     Button, DragValue, Popup, PopupCloseBehavior, RichText, Role, Sense, StrokeKind, TextEdit, Ui,
@@ -23,7 +23,7 @@ pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
         let field = DragValue::new(&mut at).range(0.0..=1.0).speed(0.002).max_decimals(3);
         let field = ui.add(field.update_while_editing(false)).accessible_name("Place of the stop");
         field.on_hover_text(
-            "The pattern value that has this colour: 0 is the ground, 0.5 a mark's edge, 1 its middle",
+            "The pattern value that has this colour: 0 = the ground, 0.5 = a mark's edge, 1 = its centre",
         );
         if at != before {
             let moved = colours.shift(index, rounded(at));
@@ -38,21 +38,22 @@ pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
         let swaps =
             [("Swap back", index.checked_sub(1)), ("Swap on", Some(index + 1).filter(|next| *next < count))];
         for (text, other) in swaps {
-            let way = if text == "Swap on" { "next" } else { "one before" };
+            let other_name = if text == "Swap on" { "next one" } else { "one before" };
             let button = ui.add_enabled(other.is_some(), small(text));
-            let button = button.on_hover_text(format!("This stop and the {way} exchange their colours"));
+            let button = button.on_hover_text(format!("Swaps the colours of this stop and the {other_name}"));
             if let (true, Some(other)) = (button.clicked(), other) {
                 colours.swap(index, other);
                 panel.choose(other, colours);
             }
         }
         let reverse = ui.add(small("Reverse"));
-        if reverse.on_hover_text("All colours and transitions the other way round").clicked() {
+        if reverse.on_hover_text("Reverses all colours and transitions").clicked() {
             colours.reverse();
             panel.choose(count - 1 - index, colours);
         }
         let remove = ui.add_enabled(count > 1, small("Remove"));
-        if remove.on_hover_text("Take this stop away; the last one stays").clicked() && colours.remove(index)
+        if remove.on_hover_text("Removes this stop; the last one cannot be removed").clicked()
+            && colours.remove(index)
         {
             panel.choose(index.min(count - 2), colours);
         }
@@ -63,7 +64,7 @@ fn small(text: &str) -> Button<'_> {
     Button::new(RichText::new(text).small()).min_size(vec2(0.0, 22.0))
 }
 
-/// A button of the stop's colour that opens the picker.
+/// A button in the stop's colour that opens the picker.
 fn swatch(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
     let (rect, response) = ui.allocate_exact_size(vec2(40.0, 24.0), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Pick a colour"));
@@ -84,10 +85,10 @@ fn swatch(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
     let popup = Popup::from_toggle_button_response(&response);
     let popup = popup.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     popup.show(|ui| picker::picker(ui, &mut panel.hsv, colour, by_key));
-    response.on_hover_text("The colour of the chosen stop; click to pick another");
+    response.on_hover_text("The colour of the selected stop; click to pick another");
 }
 
-/// The colour in hexadecimal digits.
+/// The field for hexadecimal digits.
 fn typed(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
     let mut text = panel.hex.clone().unwrap_or_else(|| hex(*colour));
     let known = read(&text);
@@ -107,13 +108,13 @@ fn typed(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
     }
     let help = "Red, green, blue: #rrggbb or #rgb in hexadecimal digits";
     response.on_hover_text(if known.is_none() {
-        format!("This is no colour. {help}")
+        format!("This is not a colour. {help}")
     } else {
         help.to_owned()
     });
 }
 
-/// `#rrggbb`, `#rgb`, with or without the sign.
+/// Parses `#rrggbb` or `#rgb`, with or without the `#`.
 fn read(text: &str) -> Option<[u8; 3]> {
     let text = text.trim();
     let digits = text.strip_prefix('#').unwrap_or(text).chars();

@@ -1,4 +1,4 @@
-//! One region: what was asked, what has grown, what was looked up, and what there is to say.
+//! One region: what was asked for, what has grown, the parameters that were looked up, notes.
 
 use egui::{Button, CollapsingHeader, Frame, Grid, Label, RichText, Ui, vec2};
 
@@ -6,20 +6,21 @@ use super::{error, named, sign};
 use crate::app::action::Action;
 use crate::app::result::{RegionResult, Verdict};
 use crate::app::theme::Palette;
-use crate::app::units::Ruler;
+use crate::app::units::{Ruler, three_digits as digits};
 use crate::attributes::Attributes;
 use crate::marks::axial;
 use crate::synth::report::RegionReport;
 
-/// Shows region `region` of layer number `layer`. What is not `current` cannot be changed from here.
+/// Shows a region of layer number `layer` of the finished document. The sketch can be changed from here where the result
+/// `is_current`.
 pub fn detail(
     ui: &mut Ui,
     ruler: Ruler,
     region: &RegionResult,
     layer: usize,
-    current: bool,
-    actions: &mut Vec<Action>,
-) {
+    is_current: bool,
+) -> Vec<Action> {
+    let mut actions = Vec::new();
     let report = &region.report;
     let [column, row] = report.place;
     ui.horizontal(|ui| {
@@ -32,7 +33,7 @@ pub fn detail(
     });
     numbers(ui, ruler, region);
     if !report.beyond.is_empty() {
-        beyond(ui, region, layer, current, actions);
+        actions.extend(beyond(ui, region, layer, is_current));
     }
     let beyond: Vec<String> = report.beyond.iter().map(ToString::to_string).collect();
     for note in report.notes.iter().filter(|note| !beyond.contains(note)) {
@@ -41,15 +42,15 @@ pub fn detail(
     parameters(ui, region);
     ui.add_space(2.0);
     let why = ui.button("Training cloud…").on_hover_text(
-        "The grown examples from which these parameters were learnt, with this question and the neighbours that \
-         answered it",
+        "The grown examples from which these parameters were interpolated, what is asked for here, and its neighbours",
     );
     if why.clicked() {
         actions.push(Action::Cloud(Some((layer, report.place))));
     }
+    actions
 }
 
-/// Attribute by attribute.
+/// A row for each attribute: asked, grown, error.
 fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
     let report = &region.report;
     let asked = listed(&report.asked, report.directed);
@@ -57,7 +58,10 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
     Grid::new("numbers").num_columns(5).min_col_width(14.0).spacing(vec2(9.0, 5.0)).show(ui, |ui| {
         for (head, help) in [
             ("", ""),
-            ("asked", "What your marks ask for, on the mean where the measured ones stand: it changes between regions"),
+            (
+                "asked",
+                "What your marks ask for: the mean at the measured marks, since it changes between regions",
+            ),
             ("got", "What was measured in the grown texture"),
             ("off", "By how much what has grown differs from what was asked where it stands"),
         ] {
@@ -66,13 +70,16 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
         ui.end_row();
         for (attribute, value) in &asked {
             // Round spots have none.
-            if *attribute == "angle" && report.got.is_some() && report.error.iter().all(|(of, _)| *of != "angle") {
+            if *attribute == "angle"
+                && report.got.is_some()
+                && report.error.iter().all(|(of, _)| *of != "angle")
+            {
                 continue;
             }
             let (name, help) = named(attribute);
             ui.label(name).on_hover_text(help);
-            let wanted = there(report, attribute).unwrap_or(*value);
-            let middle = format!("{} in the middle of the region", number(ruler, attribute, *value));
+            let wanted = asked_at_marks(report, attribute).unwrap_or(*value);
+            let middle = format!("{} in the centre of the region", number(ruler, attribute, *value));
             ui.label(number(ruler, attribute, wanted)).on_hover_text(middle);
             let found = got.iter().find(|(of, _)| of == attribute);
             ui.label(found.map_or("–".to_owned(), |(_, value)| number(ruler, attribute, *value)));
@@ -93,8 +100,8 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
     });
 }
 
-/// What was asked on the mean where the measured marks stand; `None` where none was measured.
-fn there(report: &RegionReport, attribute: &str) -> Option<f64> {
+/// The mean of what was asked for at the measured marks; `None` where none was measured.
+fn asked_at_marks(report: &RegionReport, attribute: &str) -> Option<f64> {
     let got = listed(&report.got?, report.directed);
     let (_, got) = *got.iter().find(|(of, _)| *of == attribute)?;
     let (_, off) = *report.error.iter().find(|(of, _)| *of == attribute)?;
@@ -105,8 +112,9 @@ fn there(report: &RegionReport, attribute: &str) -> Option<f64> {
     })
 }
 
-/// What cannot be reached, and what can.
-fn beyond(ui: &mut Ui, region: &RegionResult, layer: usize, current: bool, actions: &mut Vec<Action>) {
+/// What cannot be reached, and a button for the nearest that can.
+fn beyond(ui: &mut Ui, region: &RegionResult, layer: usize, is_current: bool) -> Option<Action> {
+    let mut action = None;
     let palette = Palette::of(ui.visuals());
     let frame = Frame::NONE.inner_margin(8.0).corner_radius(6.0).stroke((1.0, palette.wrong));
     frame.show(ui, |ui| {
@@ -121,16 +129,17 @@ fn beyond(ui: &mut Ui, region: &RegionResult, layer: usize, current: bool, actio
             Some(reach) => {
                 let button = Button::new("Draw what can be reached").min_size(vec2(190.0, 26.0));
                 let help = format!("Changes the marks of this region: {}. Can be undone.", reach.says);
-                if ui.add_enabled(current, button).on_hover_text(help).clicked() {
-                    actions.push(Action::Reach(layer, region.report.place));
+                if ui.add_enabled(is_current, button).on_hover_text(help).clicked() {
+                    action = Some(Action::Reach(layer, region.report.place));
                 }
                 ui.label(RichText::new(capital(&reach.says)).small().weak());
             }
             None => {
-                ui.weak("The nearest that can be is growing.");
+                ui.weak("The nearest that can be reached is growing.");
             }
         }
     });
+    action
 }
 
 fn parameters(ui: &mut Ui, region: &RegionResult) {
@@ -148,21 +157,21 @@ fn parameters(ui: &mut Ui, region: &RegionResult) {
     });
 }
 
-/// What people read for a parameter, and what it is.
+/// The label of a parameter, and its tooltip.
 pub fn parameter(name: &str) -> (&str, &str) {
     match name {
-        "rate" => ("Rate", "Reaction rate ÷ √(Da·Db), 1/cell²: the faster, the smaller the marks"),
-        "ratio" => ("Ratio", "Db ÷ Da: how much farther the inhibitor reaches than the activator"),
-        "stretch" => ("Stretch", "Minor ÷ major axis of the diffusion: below 1 marks grow long"),
+        "rate" => ("Rate", "Reaction rate ÷ √(Da·Db), 1/cell²: faster reactions give smaller marks"),
+        "ratio" => ("Ratio", "Db ÷ Da: diffusion of the inhibitor ÷ diffusion of the activator"),
+        "stretch" => ("Stretch", "Minor ÷ major axis of the diffusion: below 1 marks are elongated"),
         "direction" => ("Direction", "Long axis of the diffusion, degrees"),
-        "level" => ("Level", "The share of the local peak that is a mark's edge"),
-        "pitch" => ("Pitch", "How many times as far apart as by themselves the spots are laid"),
-        "cell" => ("Cell", "px a cell of the simulation's grid"),
+        "level" => ("Level", "The share of the local peak at which a mark's edge lies"),
+        "pitch" => ("Pitch", "Spacing of the spots ÷ the spacing that the system gives by itself"),
+        "cell" => ("Cell", "Size of a cell of the simulation's grid, px"),
         other => (other, ""),
     }
 }
 
-/// The attributes that mean something, in their order.
+/// The attributes that apply, in order.
 fn listed(attributes: &Attributes, directed: bool) -> Vec<(&'static str, f64)> {
     match attributes {
         Attributes::Spots(spots) => {
@@ -186,13 +195,6 @@ fn number(ruler: Ruler, attribute: &str, value: f64) -> String {
         "angle" => format!("{value:.0}°"),
         _ => ruler.length(value),
     }
-}
-
-/// Three significant digits.
-pub fn digits(value: f64) -> String {
-    let before = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
-    let digits = (2.0 - before).clamp(0.0, 8.0) as usize;
-    format!("{value:.digits$}")
 }
 
 fn capital(text: &str) -> String {

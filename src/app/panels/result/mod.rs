@@ -1,85 +1,113 @@
-//! What was asked and what has grown: all regions of the layer at hand in a table, one of them in detail.
+//! The tab for results: what was asked for and what has grown, all regions of the active layer in a table, one in
+//! detail.
 
 mod detail;
+mod signs;
 mod table;
 
-pub use detail::digits;
+pub use signs::paint_signs;
 
 use egui::{RichText, Ui};
 
-use crate::app::Window;
 use crate::app::action::Action;
-use crate::app::growth::Phase;
-use crate::app::result::{self, LayerResult, Verdict};
+use crate::app::growth::{Growth, Phase};
+use crate::app::result::{self, LayerResult, Results, Verdict};
 use crate::app::theme::Palette;
+use crate::app::units::Ruler;
+use crate::editor::session::Session;
 
-/// Points a side of a mark between words.
+/// Side of a sign in text, points.
 const SIGN: f32 = 14.0;
 
-/// Shows them.
-pub fn result(ui: &mut Ui, window: &mut Window, actions: &mut Vec<Action>) {
-    let layer = result::layer_of(&window.session, window.session.active_layer);
-    let Some(outcome) = window.results.outcome().cloned() else {
-        ui.weak(waiting(window));
-        return;
-    };
-    let Some((index, of)) = layer.and_then(|layer| Some((layer, outcome.layers.get(layer)?))) else {
-        ui.weak(if layer.is_some() { waiting(window) } else { "Nothing is drawn on this layer." });
-        return;
-    };
-    let ruler = window.ruler();
-    let current = window.results.of(window.growth.texture.as_ref()).is_some();
-    ui.horizontal(|ui| {
-        ui.strong(&of.name);
-        ui.weak(of.system.name()).on_hover_text("The reaction-diffusion system that has grown it");
-    });
-    if !current {
-        ui.label(RichText::new(waiting(window)).weak().small());
-    }
-    let grid = outcome.grown.document.regions.map(|n| n as usize);
-    table::table(ui, of, &mut window.results.chosen);
-    let place = shown(window, of, grid);
-    ui.checkbox(&mut window.results.signs, "Marks in the regions' corners").on_hover_text(
-        "A disc with a tick: met. A diamond with a wave: near. A triangle with an exclamation mark: missed. A ring: \
-         nothing was measured.",
-    );
-    if let Some(region) = of.regions.iter().find(|region| region.report.place == place) {
-        ui.separator();
-        detail::detail(ui, ruler, region, index, current, actions);
+/// What is chosen in the tab.
+#[derive(Clone, Copy, Debug)]
+pub struct ResultPanel {
+    /// The region that is shown in detail, (column, row).
+    pub chosen: Option<[usize; 2]>,
+    /// Whether each region has a sign in its corner, on sketch and texture.
+    pub signs: bool,
+}
+
+impl Default for ResultPanel {
+    fn default() -> Self {
+        Self { chosen: None, signs: true }
     }
 }
 
-/// Why there is nothing to be seen, or only what was before.
-fn waiting(window: &Window) -> &'static str {
-    match window.growth.phase {
+/// What the tab shows.
+pub struct Shown<'a> {
+    /// The open document.
+    pub session: &'a Session,
+    /// The growth.
+    pub growth: &'a Growth,
+    /// The results of the latest texture.
+    pub results: &'a Results,
+    /// The position of the pointer over sketch or texture, px of the canvas.
+    pub pointer: Option<[f64; 2]>,
+    /// How lengths are shown.
+    pub ruler: Ruler,
+}
+
+/// Shows the results of the active layer.
+pub fn result(ui: &mut Ui, shown: &Shown, panel: &mut ResultPanel) -> Vec<Action> {
+    let layer = result::layer_of(shown.session, shown.session.active_layer);
+    let Some(outcome) = shown.results.outcome() else {
+        ui.weak(waiting(shown));
+        return Vec::new();
+    };
+    let Some((index, of_layer)) = layer.and_then(|layer| Some((layer, outcome.layers.get(layer)?))) else {
+        ui.weak(if layer.is_some() { waiting(shown) } else { "Nothing is drawn on this layer." });
+        return Vec::new();
+    };
+    let is_current = shown.results.of(shown.growth.texture.as_ref()).is_some();
+    ui.horizontal(|ui| {
+        ui.strong(&of_layer.name);
+        ui.weak(of_layer.system.name()).on_hover_text("The reaction-diffusion system of this layer");
+    });
+    if !is_current {
+        ui.label(RichText::new(waiting(shown)).weak().small());
+    }
+    let grid = outcome.grown.document.regions.map(|n| n as usize);
+    table::table(ui, of_layer, &mut panel.chosen);
+    let place = region(shown, of_layer, grid, panel.chosen);
+    ui.checkbox(&mut panel.signs, "Marks in the regions' corners").on_hover_text(
+        "Disc with a tick: met. Diamond with a wave: near. Triangle with an exclamation mark: missed. Ring: nothing \
+         was measured.",
+    );
+    let Some(region) = of_layer.regions.iter().find(|region| region.report.place == place) else {
+        return Vec::new();
+    };
+    ui.separator();
+    detail::detail(ui, shown.ruler, region, index, is_current)
+}
+
+/// Why there are no results, or only those of the texture before.
+fn waiting(shown: &Shown) -> &'static str {
+    match shown.growth.phase {
         Phase::Idle => "Nothing has grown yet.",
-        Phase::Growing(..) if window.results.outcome().is_some() => {
-            "Growing: these are the numbers of before."
+        Phase::Growing(..) if shown.results.outcome().is_some() => {
+            "Growing: these are the numbers of the texture before."
         }
-        Phase::Growing(..) => "Growing: the numbers come once it has settled.",
-        Phase::Stopped => "Stopped: only what has settled is measured.",
+        Phase::Growing(..) => "Growing: the numbers are shown once it has settled.",
+        Phase::Stopped => "Stopped: only a settled texture is measured.",
         Phase::Settled(_) => "Measuring …",
         Phase::Failed(_) => "This cannot be grown.",
     }
 }
 
-/// The region under the pointer, else the chosen one, else the first of the worst.
-fn shown(window: &Window, of: &LayerResult, grid: [usize; 2]) -> [usize; 2] {
-    let size = window.session.document().size.map(f64::from);
-    let under = window
-        .canvas
-        .pointer
-        .or(window.texture.pointer)
-        .filter(|at| (0..2).all(|axis| (0.0..size[axis]).contains(&at[axis])));
-    if let Some(at) = under {
+/// The region under the pointer, else the chosen one, else the first of those with the worst result.
+fn region(shown: &Shown, layer: &LayerResult, grid: [usize; 2], chosen: Option<[usize; 2]>) -> [usize; 2] {
+    let size = shown.session.document().size.map(f64::from);
+    let on_canvas = |at: &[f64; 2]| (0..2).all(|axis| (0.0..size[axis]).contains(&at[axis]));
+    if let Some(at) = shown.pointer.filter(on_canvas) {
         return [0, 1].map(|axis| ((at[axis] / size[axis] * grid[axis] as f64) as usize).min(grid[axis] - 1));
     }
-    let worst = of.regions.iter().rev().max_by_key(|region| region.verdict);
-    let within = |place: &[usize; 2]| (0..2).all(|axis| place[axis] < grid[axis]);
-    window.results.chosen.filter(within).or(worst.map(|region| region.report.place)).unwrap_or([0, 0])
+    let worst = layer.regions.iter().rev().max_by_key(|region| region.verdict);
+    let exists = |place: &[usize; 2]| (0..2).all(|axis| place[axis] < grid[axis]);
+    chosen.filter(exists).or(worst.map(|region| region.report.place)).unwrap_or([0, 0])
 }
 
-/// A mark between words; `name` is what it says to who does not see it.
+/// A sign in text.
 fn sign(ui: &mut Ui, verdict: Verdict) {
     let (rect, response) = ui.allocate_exact_size([SIGN, SIGN].into(), egui::Sense::hover());
     verdict.paint(ui.painter(), rect, Palette::of(ui.visuals()));
@@ -87,7 +115,7 @@ fn sign(ui: &mut Ui, verdict: Verdict) {
     response.on_hover_text(verdict.help());
 }
 
-/// What people read for an attribute, and what it is.
+/// The label of an attribute, and its tooltip.
 fn named(attribute: &str) -> (&'static str, &'static str) {
     match attribute {
         "area" => ("Area", "Mean area of the spots at their edge"),
@@ -96,12 +124,14 @@ fn named(attribute: &str) -> (&'static str, &'static str) {
         "spacing" => ("Spacing", "Mean distance between neighbours"),
         "width" => ("Width", "Mean width of the stripes"),
         "wavelength" => ("Period", "From stripe to stripe"),
-        "angle_rms" => ("Scatter", "How much the stripes' directions scatter about what was asked, degrees"),
+        "angle_rms" => {
+            ("Scatter", "How much the stripes' directions scatter about the direction asked for, degrees")
+        }
         _ => ("", ""),
     }
 }
 
-/// An error as people read it.
+/// An error as text: per cent, a difference, or degrees.
 fn error(attribute: &str, error: f64) -> String {
     // No minus before a zero.
     let signed = |value: f64, digits: usize, unit: &str| {

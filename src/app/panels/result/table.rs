@@ -1,4 +1,4 @@
-//! All regions of a layer, a row each.
+//! All regions of a layer in a table, one row each.
 
 use egui::{Align, Align2, Button, FontId, Layout, RichText, ScrollArea, TextStyle, Ui, pos2, vec2};
 
@@ -6,16 +6,18 @@ use super::{SIGN, error, named};
 use crate::app::result::{LayerResult, RegionResult};
 use crate::app::theme::Palette;
 
-/// Points: the height of a row, that of the table at most, the widths of its first column and of the others.
+/// Height of a row, points.
 const ROW: f32 = 22.0;
-const MOST: f32 = 9.0 * (ROW + 1.0);
+/// Largest height of the table, points; more is scrolled.
+const HEIGHT: f32 = 9.0 * (ROW + 1.0);
+/// Width of the first column, and of the others, points.
 const FIRST: f32 = 54.0;
 const COLUMN: f32 = 54.0;
 
-/// Attributes that have a column, in their order.
+/// Attributes that have a column, in order.
 const COLUMNS: [&str; 6] = ["area", "aspect", "angle", "spacing", "width", "wavelength"];
 
-/// The table. Whoever is clicked, or has the keys, is `chosen`.
+/// Shows the table; the row that is clicked or gets the keyboard focus becomes `chosen`.
 pub fn table(ui: &mut Ui, layer: &LayerResult, chosen: &mut Option<[usize; 2]>) {
     let measured =
         |name: &&str| layer.regions.iter().any(|region| region.report.error.iter().any(|(of, _)| of == name));
@@ -26,16 +28,17 @@ pub fn table(ui: &mut Ui, layer: &LayerResult, chosen: &mut Option<[usize; 2]>) 
         ui.add_space(FIRST);
         for attribute in &columns {
             let (name, help) = named(attribute);
-            // The longest name in a narrow column.
+            // The longest name does not fit into a narrow column.
             let name = if *attribute == "angle" { "Angle" } else { name };
             ui.allocate_ui_with_layout(vec2(width, 16.0), Layout::right_to_left(Align::Center), |ui| {
-                ui.label(RichText::new(name).small().weak())
-                    .on_hover_text(format!("{help}: by how much what has grown differs from what was asked"));
+                ui.label(RichText::new(name).small().weak()).on_hover_text(format!(
+                    "{help}: difference between what has grown and what was asked for"
+                ));
             });
         }
     });
     ui.spacing_mut().item_spacing.y = 1.0;
-    let area = ScrollArea::vertical().id_salt("regions").max_height(MOST).auto_shrink([false, true]);
+    let area = ScrollArea::vertical().id_salt("regions").max_height(HEIGHT).auto_shrink([false, true]);
     area.show_rows(ui, ROW, layer.regions.len(), |ui, rows| {
         for region in &layer.regions[rows] {
             row(ui, region, &columns, width, chosen);
@@ -64,16 +67,16 @@ fn row(ui: &mut Ui, region: &RegionResult, columns: &[&str], width: f32, chosen:
         ui.painter().text(pos2(rect.left() + x, rect.center().y), align, text, font.clone(), colour);
     };
     text(24.0, Align2::LEFT_CENTER, name.clone());
-    let mut said = format!("Region {name}: {}", region.verdict.name());
+    let mut label = format!("Region {name}: {}", region.verdict.name());
     for (column, attribute) in columns.iter().enumerate() {
         let found = region.report.error.iter().find(|(of, _)| of == attribute);
         let value = found.map_or("–".to_owned(), |(_, off)| error(attribute, *off));
         if found.is_some() {
-            said.push_str(&format!(", {} {value}", named(attribute).0));
+            label.push_str(&format!(", {} {value}", named(attribute).0));
         }
         text(FIRST + width * (column + 1) as f32, Align2::RIGHT_CENTER, value);
     }
-    let button = button.accessible_name(said);
+    let button = button.accessible_name(label);
     if button.clicked() || button.gained_focus() {
         *chosen = Some(place);
     }

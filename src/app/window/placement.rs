@@ -2,8 +2,8 @@
 
 use egui::{Ui, ViewportBuilder};
 
+use super::Window;
 use crate::app::settings::Layout;
-use crate::app::window::Window;
 
 /// Width and height of the first window, points.
 const SIZE: [f32; 2] = [1280.0, 800.0];

@@ -1,11 +1,7 @@
-//! Recovery of unsaved work, from the window's side.
-
-mod page;
-
-pub use page::page;
+//! Unsaved work in the window: it is kept while it changes, and offered at the next start.
 
 use super::Window;
-use super::action::Page;
+use crate::app::action::Page;
 
 impl Window {
     /// Offers lost documents, or ends the offer.

@@ -1,24 +1,19 @@
-//! What each action does.
+//! Carries out actions.
 
 use egui::{Ui, ViewportCommand};
 
+use super::Window;
 use crate::app::action::{Action, Page};
 use crate::app::alternatives;
-use crate::app::canvas::tool::Tool;
 use crate::app::pages;
 use crate::app::result;
-use crate::app::window::Window;
-use crate::document::{Document, Layer};
-use crate::editor::selection::{Place, Selection};
+use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
-use crate::marks::{Ellipse, Line, Mark};
-
-/// How far a copy lies from what was copied, px of the screen.
-const ASIDE: f64 = 14.0;
+use crate::marks::Mark;
 
 impl Window {
-    /// Does it.
+    /// Carries out an action.
     pub fn perform(&mut self, ui: &Ui, action: Action) {
         match action {
             Action::New
@@ -29,24 +24,14 @@ impl Window {
             | Action::Restore(_)
             | Action::Quit => self.unless_unsaved(ui, action),
             Action::Discard(id) => self.discard(&id),
+            Action::ForgetRecent => self.settings.forget(),
             Action::Save => self.save(ui, None),
             Action::SaveAs => self.save_as(ui),
             Action::Export => self.ask_export(),
-            Action::Reference => self.choose_reference(ui),
+            Action::CancelExport => self.cancel_export(),
             Action::OpenPalette => self.choose_palette(ui),
             Action::SavePalette => self.save_palette_as(ui),
-            Action::Undo => self.session.undo(),
-            Action::Redo => self.session.redo(),
-            Action::Cut => {
-                self.copy(ui);
-                self.delete();
-            }
-            Action::Copy => self.copy(ui),
-            Action::Paste(text) => self.paste(&text),
             Action::Page(page) => self.turn_to(page),
-            Action::Layer(action) => self.layer(action),
-            Action::Tab(tab) => self.tab = tab,
-            Action::Reach(layer, place) => self.draw_what_can_be_reached(layer, place),
             Action::Alternatives(shown) => self.alternatives.shown = shown,
             Action::ToggleAlternatives => self.alternatives.shown = !self.alternatives.shown,
             Action::TakeAlternative(id) => self.take_alternative(id),
@@ -56,39 +41,66 @@ impl Window {
             Action::Pause => self.growth.pause(!self.growth.is_paused()),
             Action::Stop => self.growth.stop(),
             Action::Grow => self.growth.again(&self.session.finished()),
-            Action::AnotherSeed => self.another_seed(),
-            other => self.edit_or_look(ui, other),
+            other => self.perform_edit(ui, other),
         }
     }
 
-    fn edit_or_look(&mut self, ui: &Ui, action: Action) {
+    /// Carries out an action that changes the document or the selection.
+    fn perform_edit(&mut self, ui: &Ui, action: Action) {
         match action {
+            Action::Undo => self.session.undo(),
+            Action::Redo => self.session.redo(),
+            Action::Cut => {
+                self.copy(ui);
+                self.delete();
+            }
+            Action::Copy => self.copy(ui),
+            Action::Paste(text) => self.paste(&text),
             Action::Duplicate => self.duplicate(),
             Action::Delete => self.delete(),
-            Action::SelectAll => {
-                self.session.selection =
-                    Selection::new(self.session.editable_marks().map(|(place, _)| place));
-                self.canvas.tool = Tool::Select;
-            }
+            Action::SelectAll => self.select_all(),
             Action::Escape => self.escape(),
-            Action::Next(step) => self.next(step),
+            Action::Next(step) => self.select_next(step),
             Action::Nudge(by) => self.session.nudge(by),
-            Action::Turn(by) => self.each(|mark, middle| shape::turned(mark, by, middle)),
-            Action::Scale(by) => self.each(|mark, middle| shape::scaled(mark, by, middle)),
+            Action::Turn(by) => self.change_each(|mark, center| shape::turned(mark, by, center)),
+            Action::Scale(by) => self.change_each(|mark, center| shape::scaled(mark, by, center)),
             Action::Insert(ellipse) => self.insert(ellipse),
+            Action::AnotherSeed => self.another_seed(),
+            Action::Edit(edit) => self.edit(edit),
+            Action::Layer(action) => self.layer(action),
+            Action::Reach(layer, place) => self.draw_what_can_be_reached(layer, place),
+            other => self.perform_view(ui, other),
+        }
+    }
+
+    /// Carries out an action that changes what is shown, and with what the user draws.
+    fn perform_view(&mut self, ui: &Ui, action: Action) {
+        match action {
             Action::Tool(tool) => self.canvas.tool = tool,
+            Action::Nib(nib) => self.canvas.nib = nib,
+            Action::Tab(tab) => self.tab = tab,
             Action::Over(over) => self.over = over,
+            Action::Linked(linked) => self.linked = linked,
             Action::Tiled(tiled) => {
                 self.texture.tiled = tiled;
                 self.texture.view.fitted = true;
             }
             Action::Regions(shown) => self.canvas.overlays.regions = shown,
             Action::Analysis(shown) => self.canvas.overlays.analysis = shown,
-            other => self.look(ui, &other),
+            Action::ChooseReference => self.choose_reference(ui),
+            Action::ShowReference(shown) => self.canvas.reference.shown = shown,
+            Action::ReferenceOpacity(opacity) => self.canvas.reference.opacity = opacity,
+            Action::RemoveReference => self.canvas.reference.clear(),
+            Action::Theme(theme) => {
+                self.settings.theme = theme;
+                ui.ctx().set_theme(theme);
+                self.settings.write();
+            }
+            other => self.zoom(ui, &other),
         }
     }
 
-    fn look(&mut self, ui: &Ui, action: &Action) {
+    fn zoom(&mut self, ui: &Ui, action: &Action) {
         for view in [&mut self.canvas.view, &mut self.texture.view] {
             match action {
                 Action::Fit => view.fitted = true,
@@ -123,60 +135,7 @@ impl Window {
         }
     }
 
-    fn delete(&mut self) {
-        let places: Vec<Place> = self.session.selection.places().collect();
-        self.session.remove(&places);
-    }
-
-    fn duplicate(&mut self) {
-        let by = ASIDE / f64::from(self.canvas.view.zoom);
-        let marks: Vec<(Place, Mark)> = self.session.selected().collect();
-        let by = self.session.limit_move(&marks, [by, by]);
-        let copies: Vec<Mark> = marks.iter().map(|(_, mark)| shape::moved(mark, by)).collect();
-        if !copies.is_empty() {
-            self.session.add(&copies);
-        }
-    }
-
-    fn next(&mut self, step: isize) {
-        let places: Vec<Place> = self.session.editable_marks().map(|(place, _)| place).collect();
-        if places.is_empty() {
-            return;
-        }
-        let now = self.session.selection.places().next();
-        let index = now.and_then(|now| places.iter().position(|place| *place == now));
-        let n = places.len() as isize;
-        let next =
-            index.map_or(if step > 0 { 0 } else { n - 1 }, |index| (index as isize + step).rem_euclid(n));
-        self.session.selection = Selection::new([places[next as usize]]);
-        self.session.active_layer = places[next as usize].layer;
-        self.canvas.tool = Tool::Select;
-    }
-
-    /// Changes each selected mark around its own middle.
-    fn each(&mut self, change: impl Fn(&Mark, [f64; 2]) -> Mark) {
-        let marks: Vec<_> = self.session.selected().collect();
-        let changed: Vec<_> =
-            marks.iter().map(|(place, mark)| (*place, change(mark, shape::center(mark)))).collect();
-        self.session.replace(&changed);
-    }
-
-    fn insert(&mut self, ellipse: bool) {
-        let nib = self.canvas.nib;
-        let size = self.session.document().size;
-        let center = [0, 1].map(|axis| self.canvas.view.center[axis].clamp(0.0, f64::from(size[axis])));
-        let mark = if ellipse {
-            Mark::Ellipse(Ellipse { center, radii: nib.radii, angle: 0.0 })
-        } else {
-            let half = 0.1 * f64::from(size[0]);
-            let [from, to] = [-half, half].map(|by| [center[0] + by, center[1]]);
-            Mark::Line(Line { from, to, width: nib.width })
-        };
-        self.session.add(&[mark]);
-        self.canvas.tool = Tool::Select;
-    }
-
-    /// Changes a region's marks as far as needed to be grown as they are drawn.
+    /// Replaces a region's marks by the nearest ones that can be grown.
     fn draw_what_can_be_reached(&mut self, layer: usize, place: [usize; 2]) {
         let outcome = self.results.of(self.growth.texture.as_ref());
         let regions = outcome.and_then(|outcome| outcome.layers.get(layer)).map(|layer| &layer.regions);
@@ -213,45 +172,6 @@ impl Window {
             self.canvas.view.fitted = true;
             self.texture.view.fitted = true;
         }
-    }
-
-    fn another_seed(&mut self) {
-        // Neighbouring seeds share nothing (see `Document::layer_seed`).
-        self.session.edit(|document| document.seed = document.seed.wrapping_add(1));
-    }
-
-    /// Copies what is selected as a document of its own.
-    fn copy(&mut self, ui: &Ui) {
-        let source = self.session.document();
-        let mut document = Document { layers: Vec::new(), ..source.clone() };
-        for (index, layer) in source.layers.iter().enumerate() {
-            let held =
-                |stroke: &usize| self.session.selection.contains(Place { layer: index, stroke: *stroke });
-            let strokes: Vec<_> =
-                (0..layer.strokes.len()).filter(held).map(|stroke| layer.strokes[stroke].clone()).collect();
-            if !strokes.is_empty() {
-                document.layers.push(Layer { strokes, ..layer.clone() });
-            }
-        }
-        if !document.layers.is_empty() {
-            ui.ctx().copy_text(document.to_json());
-        }
-    }
-
-    fn paste(&mut self, text: &str) {
-        let document = match Document::parse(text, "the clipboard") {
-            Ok(document) => document,
-            Err(_) => {
-                self.notices
-                    .wrong("The clipboard holds no marks; copy some from dapple, or the text of a document.");
-                return;
-            }
-        };
-        let pasted = Session::open(document, None);
-        let by = ASIDE / f64::from(self.canvas.view.zoom);
-        let marks: Vec<Mark> = pasted.marks().map(|(_, mark)| shape::moved(&mark, [by, by])).collect();
-        self.session.add(&marks);
-        self.canvas.tool = Tool::Select;
     }
 
     /// The new document that was described.

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use super::files::with_causes;
-use super::window::Window;
+use super::Window;
+use crate::app::notice::with_causes;
 use crate::document::Document;
 use crate::document::palette::Palette;
 use crate::editor::session::Session;

@@ -5,15 +5,15 @@ use std::sync::Arc;
 
 use egui::{Id, Modal, Ui};
 
-use super::dialog::{About, Said};
-use super::{Choices, Dialog, Exporting, Made, Order, Size, What};
+use super::Window;
 use crate::app::chooser::Purpose;
-use crate::app::window::Window;
+use crate::app::exporting::{About, Said};
+use crate::app::exporting::{Choices, Dialog, Exporting, Film, Made, Order, Size, What};
 use crate::synth::Grown;
 
 impl Window {
     /// Asks what shall be exported.
-    pub(in crate::app) fn ask_export(&mut self) {
+    pub(super) fn ask_export(&mut self) {
         let size = self.files.restored.unwrap_or_default();
         let choices = Choices { size, layer: None, ..self.settings.export.clone() };
         self.files.export = Some(Dialog::new(choices));
@@ -51,7 +51,7 @@ impl Window {
     }
 
     /// Shows the dialog.
-    pub(in crate::app) fn export_ui(&mut self, ui: &Ui) {
+    pub(super) fn export_ui(&mut self, ui: &Ui) {
         let Some(mut dialog) = self.files.export.take() else { return };
         dialog.choices.settle();
         let order = self.order(&dialog.choices);
@@ -101,13 +101,13 @@ impl Window {
     }
 
     /// Exports what the dialog says to `path`; the choices are remembered.
-    pub(in crate::app) fn export_chosen(&mut self, path: &Path) {
+    pub(super) fn export_chosen(&mut self, path: &Path) {
         let Some(dialog) = self.files.export.take() else { return };
         let order = self.order(&dialog.choices);
         self.settings.export = Choices {
             size: Size::default(),
             layer: None,
-            film: super::Film { to: None, change: false, ..dialog.choices.film.clone() },
+            film: Film { to: None, change: false, ..dialog.choices.film.clone() },
             ..dialog.choices.clone()
         };
         self.settings.write();
@@ -118,7 +118,7 @@ impl Window {
     }
 
     /// The other document that a film ends with.
-    pub(in crate::app) fn become_chosen(&mut self, path: PathBuf) {
+    pub(super) fn become_chosen(&mut self, path: PathBuf) {
         if let Some(dialog) = &mut self.files.export {
             dialog.choices.film.to = Some(path);
             dialog.choices.film.change = true;
@@ -132,8 +132,15 @@ impl Window {
         self.exporting = Some(Exporting::new(path, order, None, grown, self.settings.threads));
     }
 
+    /// Cancels the export that is being written.
+    pub(super) fn cancel_export(&self) {
+        if let Some(exporting) = &self.exporting {
+            exporting.cancel();
+        }
+    }
+
     /// Takes in what became of the export.
-    pub(in crate::app) fn listen_to_export(&mut self, ui: &Ui) {
+    pub(super) fn listen_to_export(&mut self, ui: &Ui) {
         let Some(job) = &self.exporting else { return };
         let Some(outcome) = job.outcome() else {
             ui.ctx().request_repaint_after(std::time::Duration::from_millis(100));

@@ -1,16 +1,16 @@
-//! The strip of tools.
+//! The tools, undo and redo, in a column on the left.
 
 use egui::{Ui, vec2};
 
-use crate::app::Window;
 use crate::app::action::Action;
 use crate::app::canvas::tool::Tool;
 use crate::app::icons::Icon;
 use crate::app::shortcuts;
+use crate::editor::session::Session;
 
-/// The strip. Gives what is chosen.
-pub fn strip(ui: &mut Ui, window: &Window) -> Vec<Action> {
-    let mut actions = Vec::new();
+/// Shows the column. `current`: the tool that is chosen.
+pub fn tools(ui: &mut Ui, current: Tool, session: &Session) -> Option<Action> {
+    let mut chosen = None;
     let size = vec2(36.0, 34.0);
     ui.spacing_mut().item_spacing.y = 4.0;
     ui.vertical_centered(|ui| {
@@ -18,18 +18,18 @@ pub fn strip(ui: &mut Ui, window: &Window) -> Vec<Action> {
             if tool == Tool::Eraser || tool == Tool::Pen {
                 ui.add_space(4.0);
             }
-            let button = tool.icon().button_of(ui, tool.name(), window.canvas.tool == tool, size);
+            let button = tool.icon().button_of(ui, tool.name(), tool == current, size);
             let keys = shortcuts::told(ui.ctx(), &Action::Tool(tool)).unwrap_or_default();
             let button = button.on_hover_ui(|ui| {
                 ui.strong(format!("{} ({keys})", tool.name()));
                 ui.label(tool.help());
             });
             if button.clicked() {
-                actions.push(Action::Tool(tool));
+                chosen = Some(Action::Tool(tool));
             }
         }
         ui.add_space(10.0);
-        let [undo, redo] = window.session.can_undo_redo();
+        let [undo, redo] = session.can_undo_redo();
         for (icon, name, action, can) in
             [(Icon::Undo, "Undo", Action::Undo, undo), (Icon::Redo, "Redo", Action::Redo, redo)]
         {
@@ -37,10 +37,10 @@ pub fn strip(ui: &mut Ui, window: &Window) -> Vec<Action> {
                 let keys = shortcuts::told(ui.ctx(), &action).unwrap_or_default();
                 let button = icon.button_of(ui, name, false, size);
                 if button.on_hover_text(format!("{name} ({keys})")).clicked() {
-                    actions.push(action);
+                    chosen = Some(action);
                 }
             });
         }
     });
-    actions
+    chosen
 }

@@ -4,14 +4,15 @@ use std::path::{Path, PathBuf};
 
 use egui::{Align2, Color32, FontId, Id, Key, Modal, Ui, ViewportCommand};
 
-use super::action::{Action, Page};
-use super::chooser::{Choice, Chooser, Purpose};
-use super::examples::{EXAMPLES, GALLERY};
-use super::exporting::{Dialog, Size};
+use super::Window;
 use super::opening::is_palette;
-use super::pages::{self, Answer, New};
-use super::window::Window;
-use super::{preferences, recovery, shortcuts};
+use crate::app::action::{Action, Page};
+use crate::app::chooser::{Choice, Chooser, Purpose};
+use crate::app::examples::{EXAMPLES, GALLERY};
+use crate::app::exporting::{Dialog, Size};
+use crate::app::notice::with_causes;
+use crate::app::pages::{self, Answer, New};
+use crate::app::{preferences, recovery, shortcuts};
 use crate::document::{Document, in_picture, open};
 use crate::editor::session::Session;
 use crate::export::has_ending;
@@ -372,18 +373,4 @@ impl Window {
             self.create(&new);
         }
     }
-}
-
-/// A message and those of its causes, on one line.
-pub(super) fn with_causes(error: &dyn std::error::Error) -> String {
-    let mut text = error.to_string();
-    let mut cause = error.source();
-    while let Some(error) = cause {
-        let said = error.to_string();
-        if !text.ends_with(&said) {
-            text = format!("{text}: {said}");
-        }
-        cause = error.source();
-    }
-    text
 }

@@ -4,11 +4,12 @@ use std::path::Path;
 
 use egui::Ui;
 
-use super::chooser::Purpose;
-use super::files::with_causes;
-use super::panels::{Tab, colour};
-use super::window::Window;
+use super::Window;
+use crate::app::action::Tab;
+use crate::app::chooser::Purpose;
+use crate::app::notice::with_causes;
 use crate::document::palette::Palette;
+use crate::editor::edit::Edit;
 
 impl Window {
     pub(super) fn choose_palette(&mut self, ui: &Ui) {
@@ -16,7 +17,7 @@ impl Window {
     }
 
     pub(super) fn save_palette_as(&mut self, ui: &Ui) {
-        let name = colour::name_of(&self.session, self.session.active_layer);
+        let name = self.session.layer_name(self.session.active_layer);
         // Names of layers may hold what a file's cannot.
         let name = name.replace(['/', '\\', ':', '\0'], " ");
         self.choose(ui, Purpose::PaletteTo, &format!("{name}.json"));
@@ -27,7 +28,7 @@ impl Window {
         match Palette::read(path) {
             Ok(palette) => {
                 let layer = self.session.active_layer;
-                colour::give(&mut self.session, &[layer], Some(&palette.colours));
+                self.session.change(Edit::Colours(vec![layer], Some(palette.colours)));
                 self.tab = Tab::Colour;
             }
             Err(error) => self.notices.wrong(with_causes(&error)),
@@ -36,8 +37,8 @@ impl Window {
 
     pub(super) fn save_palette(&mut self, path: &Path) {
         let palette = Palette {
-            name: colour::name_of(&self.session, self.session.active_layer),
-            colours: colour::of(&self.session, self.session.active_layer),
+            name: self.session.layer_name(self.session.active_layer),
+            colours: self.session.colours(self.session.active_layer),
         };
         match palette.write(path) {
             Ok(()) => self.notices.done(format!("Saved as {}", path.display())),

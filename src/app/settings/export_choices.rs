@@ -1,7 +1,9 @@
 //! The choices on the disk: numbers and words, a line a kind of export.
 
-use super::choices::{Choices, FORMATS, Film, KINDS, Material, Outlines, Picture, RELIEF, Shows, What};
-use crate::app::settings::Entries;
+use super::file::Entries;
+use crate::app::exporting::choices::{
+    Choices, FORMATS, Film, KINDS, Material, Outlines, Picture, RELIEF, Shows, What,
+};
 use crate::app::units::Units;
 use crate::export::Format;
 use crate::export::motion::Kind;

@@ -1,0 +1,197 @@
+//! The tab for drawing: the tool or the selected marks, the canvas, a region, what is shown.
+
+use egui::{RichText, Slider, Ui};
+
+use super::form::{heading, presets, rows};
+use super::selected;
+use crate::app::action::Action;
+use crate::app::canvas::tool::Tool;
+use crate::app::canvas::{Canvas, Nib};
+use crate::app::fields::{DPI, REGIONS, SEAMLESS, SIDES, pair, resolution, sides};
+use crate::app::reference::Reference;
+use crate::app::units::Ruler;
+use crate::attributes::Attributes;
+use crate::document::{Document, limits};
+use crate::editor::edit::Edit;
+use crate::editor::session::Session;
+use crate::grid::Edges;
+
+/// What the tab shows.
+pub struct Drawing<'a> {
+    /// The open document.
+    pub session: &'a Session,
+    /// The canvas: tool, size of new marks, overlays, reference picture, analysed regions.
+    pub canvas: &'a Canvas,
+    /// How lengths are shown and typed.
+    pub ruler: Ruler,
+    /// Whether the texture is shown two by two.
+    pub tiled: bool,
+    /// Whether sketch and texture are zoomed and panned together.
+    pub linked: bool,
+}
+
+/// Shows the tab.
+pub fn draw(ui: &mut Ui, shown: &Drawing) -> Vec<Action> {
+    let Drawing { session, canvas, ruler, .. } = *shown;
+    let mut actions = Vec::new();
+    if session.selection.is_empty() {
+        actions.extend(tool(ui, canvas.tool, canvas.nib, ruler));
+    } else {
+        actions.extend(selected::selected(ui, session, ruler));
+    }
+    actions.extend(canvas_properties(ui, session.document(), ruler));
+    region(ui, session, canvas, ruler);
+    actions.extend(overlays(ui, shown));
+    actions
+}
+
+/// The tool, and the size of the marks that it makes.
+fn tool(ui: &mut Ui, tool: Tool, nib: Nib, ruler: Ruler) -> Option<Action> {
+    let mut new = nib;
+    ui.label(RichText::new(tool.name()).strong());
+    if matches!(tool, Tool::Pen | Tool::Line) {
+        rows(ui, "nib", |ui| {
+            ui.label("Line width").on_hover_text("Width of the stripe that a line stands for");
+            let field = ruler.field(&mut new.width).suffix(ruler.unit());
+            ui.add(field).accessible_name("Line width");
+            ui.end_row();
+        });
+        new.width = new.width.clamp(0.5, 400.0);
+        presets(ui, &mut new.width, ruler);
+    } else if tool == Tool::Ellipse {
+        rows(ui, "stamp", |ui| {
+            ui.label("A click makes").on_hover_text("The size of the ellipse that a click adds");
+            ui.horizontal(|ui| {
+                for (radius, name) in new.radii.iter_mut().zip(["Radius along", "Radius across"]) {
+                    ui.add(ruler.field(radius)).accessible_name(name);
+                    *radius = radius.clamp(0.5, 2000.0);
+                }
+                ui.weak(ruler.unit().trim_start());
+            });
+            ui.end_row();
+        });
+    } else {
+        ui.weak("Nothing is selected.");
+    }
+    (new != nib).then_some(Action::Nib(new))
+}
+
+/// Size, regions, edges and resolution of the canvas.
+fn canvas_properties(ui: &mut Ui, document: &Document, ruler: Ruler) -> Vec<Action> {
+    let mut edits = Vec::new();
+    heading(ui, "Canvas");
+    let (mut size, mut regions) = (document.size, document.regions);
+    let (mut seamless, mut dpi) = (document.edges == Edges::Wrap, document.dpi);
+    rows(ui, "canvas", |ui| {
+        ui.label("Size").on_hover_text("Width and height of the canvas");
+        ui.horizontal(|ui| {
+            if sides(ui, &mut size, ruler, SIDES, ["Canvas width", "Canvas height"]) {
+                edits.push(Edit::Size(size));
+            }
+        });
+        ui.end_row();
+        ui.label("Regions").on_hover_text(REGIONS);
+        ui.horizontal(|ui| {
+            if pair(ui, &mut regions, 1..=limits::MAX_REGIONS, ["Region columns", "Region rows"], "") {
+                edits.push(Edit::Regions(regions));
+            }
+        });
+        ui.end_row();
+        ui.label("Seamless").on_hover_text(SEAMLESS);
+        if ui.checkbox(&mut seamless, "tiles").accessible_name("Seamless").on_hover_text(SEAMLESS).changed() {
+            edits.push(Edit::Edges(if seamless { Edges::Wrap } else { Edges::Closed }));
+        }
+        ui.end_row();
+        ui.label("Resolution").on_hover_text(DPI);
+        if resolution(ui, &mut dpi, "Resolution") {
+            edits.push(Edit::Dpi(dpi));
+        }
+        ui.end_row();
+    });
+    edits.into_iter().map(Action::Edit).collect()
+}
+
+/// The attributes of the region under the pointer, or of the one in the centre.
+fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
+    let middle = session.document().size.map(|side| 0.5 * f64::from(side));
+    let at = canvas.pointer.unwrap_or(middle);
+    let Some((place, region)) = canvas.analysis.region(session.active_layer, at) else {
+        return;
+    };
+    let Some(map) = canvas.analysis.map(session.active_layer) else { return };
+    heading(ui, &format!("Region {}, {}", place[0] + 1, place[1] + 1));
+    let own = region.own.is_some();
+    rows(ui, "region", |ui| {
+        let mut row = |name: &str, value: String, help: &str| {
+            ui.label(name).on_hover_text(help);
+            ui.label(RichText::new(value).weak());
+            ui.end_row();
+        };
+        let marks = if own { region.marks.to_string() } else { "none; as nearby".to_owned() };
+        row("Marks", marks, "Marks whose centre is in this region");
+        match map.at(map.layout().center(place)) {
+            Attributes::Spots(spots) => {
+                row("Area", ruler.area(spots.area), "Mean area of the ellipses");
+                row("Aspect", format!("{:.2}", spots.aspect), "Minor ÷ major radius; 1 is round");
+                row("Direction", format!("{:.0}°", spots.angle), "Mean direction of the major axes");
+                let spacing = spots.spacing.map_or("free".to_owned(), |spacing| ruler.rough(spacing));
+                row("Spacing", spacing, "Mean distance between neighbours; free = as the system gives it");
+            }
+            Attributes::Stripes(stripes) => {
+                row("Width", ruler.length(stripes.width), "Mean width of the lines");
+                row("Direction", format!("{:.0}°", stripes.angle), "Mean direction of the lines");
+            }
+        }
+    });
+}
+
+/// What is shown over and under the sketch, and how the views move.
+fn overlays(ui: &mut Ui, shown: &Drawing) -> Vec<Action> {
+    let mut actions = Vec::new();
+    let mut check = |ui: &mut Ui, mut on: bool, label: &str, help: &str, action: fn(bool) -> Action| {
+        if ui.checkbox(&mut on, label).on_hover_text(help).changed() {
+            actions.push(action(on));
+        }
+    };
+    heading(ui, "Shown");
+    check(ui, shown.canvas.overlays.regions, "Region grid", REGIONS, Action::Regions);
+    let help = "Fitted marks with their axes, the edges between neighbours whose mean length is the spacing, and the \
+                mean mark of each region";
+    check(ui, shown.canvas.overlays.analysis, "What dapple sees", help, Action::Analysis);
+    if shown.session.document().edges == Edges::Wrap {
+        let help = "To check that no seam is visible";
+        check(ui, shown.tiled, "Tiles, two by two", help, Action::Tiled);
+    }
+    let help = "Zooming and panning the sketch does the same to the texture";
+    check(ui, shown.linked, "Views move together", help, Action::Linked);
+    actions.extend(reference(ui, &shown.canvas.reference));
+    actions
+}
+
+/// The picture under the canvas.
+fn reference(ui: &mut Ui, reference: &Reference) -> Vec<Action> {
+    let mut actions = Vec::new();
+    if reference.is_there() {
+        ui.horizontal(|ui| {
+            let mut on = reference.shown;
+            if ui.checkbox(&mut on, "Picture").on_hover_text(&reference.name).changed() {
+                actions.push(Action::ShowReference(on));
+            }
+            let mut opacity = reference.opacity;
+            let slider = Slider::new(&mut opacity, 0.0..=1.0).show_value(false);
+            ui.spacing_mut().slider_width = 80.0;
+            if ui.add(slider).accessible_name("Opacity of the reference picture").changed() {
+                actions.push(Action::ReferenceOpacity(opacity));
+            }
+            if ui.small_button("Remove").clicked() {
+                actions.push(Action::RemoveReference);
+            }
+        });
+        return actions;
+    }
+    let button = ui.button("Reference picture…");
+    if button.on_hover_text("A photo under the canvas, to draw over").clicked() {
+        actions.push(Action::ChooseReference);
+    }
+    actions
+}

@@ -1,0 +1,271 @@
+//! One frame: the panels are shown, what they ask for is done, and what changed is grown and kept.
+
+use std::time::{Duration, Instant};
+
+use egui::{CentralPanel, Frame, Margin, Panel, Rect, Ui, UiBuilder, ViewportCommand, pos2, vec2};
+
+use super::Window;
+use crate::app::action::{Action, Tab};
+use crate::app::canvas::view::View;
+use crate::app::growth::Phase;
+use crate::app::theme::Palette;
+use crate::app::{panels, shortcuts, texture};
+
+impl Window {
+    /// Shows a whole frame.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let settling = self.growth.is_growing();
+        let first = self.growth.first_picture;
+        if self.growth.listen() {
+            self.texture.take(ui, self.growth.picture.as_ref());
+            if let (None, Some(took)) = (first, self.growth.first_picture) {
+                self.trace.event("first picture", took);
+            }
+            if let (true, Phase::Settled(took)) = (settling, &self.growth.phase) {
+                self.trace.event("settled", *took);
+            }
+        }
+        self.canvas.underlay.follow(ui, &self.session, &self.growth);
+        self.listen(ui);
+        if self.tab == Tab::Result {
+            self.results.follow(ui.ctx(), self.growth.texture.as_ref());
+        }
+        let mut actions = self.keys(ui);
+        actions.extend(self.dropped(ui));
+        let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
+        Panel::top("menu").frame(bar).show(ui, |ui| actions.extend(self.menu(ui)));
+        Panel::bottom("status").frame(bar).exact_size(28.0).show(ui, |ui| {
+            actions.extend(panels::status(ui, &self.canvas, self.ruler(), self.exporting.as_ref()));
+        });
+        let tools = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(6, 8));
+        let tools = Panel::left("tools").frame(tools).resizable(false).exact_size(50.0);
+        tools.show(ui, |ui| actions.extend(panels::tools(ui, self.canvas.tool, &self.session)));
+        let column = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(14, 10));
+        let column = Panel::right("inspector").frame(column).resizable(false).exact_size(264.0);
+        let asked = column.show(ui, |ui| self.column(ui)).inner;
+        // Before the canvas: it must see the marks that a field has changed.
+        asked.into_iter().for_each(|action| self.perform(ui, action));
+        let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
+        self.alternatives.follow(ui.ctx(), &self.session, &self.growth, busy);
+        if self.alternatives.shown {
+            let strip = Panel::bottom("alternatives").frame(bar).resizable(false).exact_size(panels::HEIGHT);
+            strip.show(ui, |ui| {
+                actions.extend(panels::alternatives(ui, &mut self.alternatives, &self.growth));
+            });
+        }
+        CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
+        self.cloud.ui(ui.ctx());
+        actions.extend(self.over_all(ui));
+        for action in actions {
+            self.perform(ui, action);
+        }
+        self.grow_what_changed(ui);
+        self.keep_unsaved();
+        self.note_layout(ui);
+        if self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused() {
+            // Between two pictures the bar moves on.
+            ui.ctx().request_repaint_after(Duration::from_millis(100));
+        }
+        self.menu_open = ui.any_popup_open();
+        self.entitle(ui);
+    }
+
+    /// What the keys ask for.
+    fn keys(&mut self, ui: &Ui) -> Vec<Action> {
+        // A page over the window has all keys.
+        if self.files.is_asking() || self.page.is_some() {
+            return Vec::new();
+        }
+        let focused = ui.memory(egui::Memory::focused);
+        // An open menu takes Escape and the arrows itself.
+        let canvas = focused.is_none_or(|id| self.canvas.id == Some(id)) && !self.menu_open;
+        let keys = !ui.text_edit_focused() && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
+        let mut actions = shortcuts::asked(ui.ctx(), keys, canvas);
+        let cancelled = actions.contains(&Action::Escape)
+            && (self.canvas.cancel(&mut self.session) || self.cancel_colour());
+        if cancelled {
+            ui.ctx().stop_dragging();
+            // Before the canvas sees that the toolkit lets go of the pointer.
+            actions.retain(|action| *action != Action::Escape);
+        }
+        actions
+    }
+
+    /// A focused button takes Space, Enter and the arrows; letters are free.
+    fn is_button(&self, ui: &Ui, id: egui::Id) -> bool {
+        ui.ctx()
+            .read_response(id)
+            .is_some_and(|response| response.sense.senses_click() && !response.sense.senses_drag())
+    }
+
+    /// Ends a drag in the colour tab and undoes it. Gives whether there was one.
+    fn cancel_colour(&mut self) -> bool {
+        let cancelled = self.colour.cancel();
+        if cancelled {
+            self.session.revert();
+        }
+        cancelled
+    }
+
+    fn menu(&self, ui: &mut Ui) -> Vec<Action> {
+        let menus = panels::Menus {
+            session: &self.session,
+            settings: &self.settings,
+            growth: &self.growth,
+            overlays: self.canvas.overlays,
+            recovered: self.recovery.undecided(),
+            over: self.over,
+            tiled: self.texture.tiled,
+            alternatives: self.alternatives.shown,
+        };
+        panels::menu(ui, &menus)
+    }
+
+    /// The column on the right.
+    fn column(&mut self, ui: &mut Ui) -> Vec<Action> {
+        let (session, canvas, ruler) = (&self.session, &self.canvas, self.ruler());
+        let layers = |ui: &mut Ui| panels::layers(ui, session, &mut self.layers);
+        let content = |ui: &mut Ui| match self.tab {
+            Tab::Draw => {
+                let (tiled, linked) = (self.texture.tiled, self.linked);
+                panels::draw(ui, &panels::Drawing { session, canvas, ruler, tiled, linked })
+            }
+            Tab::Colour => panels::colour(ui, session, &mut self.colour),
+            Tab::Result => {
+                let pointer = canvas.pointer.or(self.texture.pointer);
+                let (growth, results) = (&self.growth, &self.results);
+                let shown = panels::Shown { session, growth, results, pointer, ruler };
+                panels::result(ui, &shown, &mut self.result_panel)
+            }
+        };
+        panels::column(ui, self.tab, layers, content)
+    }
+
+    fn middle(&mut self, ui: &mut Ui) -> Vec<Action> {
+        let mut actions = Vec::new();
+        let all = ui.max_rect();
+        let (head, body) = all.split_top_bottom_at_y(all.top() + 38.0);
+        ui.painter().rect_filled(head, 0.0, ui.visuals().panel_fill);
+        let (left, right) = head.split_left_right_at_fraction(0.5);
+        let inside = |rect: Rect| UiBuilder::new().max_rect(rect.shrink2(vec2(14.0, 4.0)));
+        let marks = self.session.marks().count();
+        ui.scope_builder(inside(left), |ui| actions.extend(panels::sketch_bar(ui, marks, self.over)));
+        ui.scope_builder(inside(right), |ui| {
+            let (document, alternatives) = (self.session.document(), self.alternatives.shown);
+            actions.extend(panels::growth_bar(ui, document, &self.growth, self.texture.tiled, alternatives));
+        });
+        let before = [self.canvas.view, self.texture.view];
+        self.canvas.units = self.settings.units;
+        if self.over {
+            self.one_over_the_other(ui, body);
+        } else {
+            self.side_by_side(ui, body);
+        }
+        self.link(before);
+        if let Phase::Failed(why) = &self.growth.phase {
+            let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).1 };
+            failed(ui, room, why);
+        }
+        actions
+    }
+
+    fn side_by_side(&mut self, ui: &mut Ui, body: Rect) {
+        let (left, right) = body.split_left_right_at_fraction(0.5);
+        self.canvas.ui(ui, left, &mut self.session);
+        let corner = self.canvas.view.to_screen(left, [0.0; 2]);
+        self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
+        self.texture.ui(ui, right, self.session.document().size, &self.growth);
+        self.signs(ui, left, self.canvas.view);
+        if !self.texture.tiled {
+            self.signs(ui, right, self.texture.view);
+        }
+        let line = ui.visuals().widgets.noninteractive.bg_stroke;
+        ui.painter().vline(body.center().x, body.y_range(), line);
+    }
+
+    fn one_over_the_other(&mut self, ui: &mut Ui, body: Rect) {
+        self.canvas.ui(ui, body, &mut self.session);
+        let x = body.left() + self.curtain * body.width();
+        let seen = Rect::from_min_max(pos2(x, body.top()), body.max);
+        let painter = ui.painter_at(seen);
+        painter.rect_filled(seen, 0.0, Palette::of(ui.visuals()).desk);
+        self.texture.view = self.canvas.view;
+        self.texture.paint(ui, &painter, body, self.session.document().size);
+        self.signs(ui, body, self.canvas.view);
+        texture::curtain(ui, body, &mut self.curtain);
+        texture::paint_curtain(ui, body, self.curtain);
+    }
+
+    /// The results of the regions, as signs in their corners.
+    fn signs(&self, ui: &Ui, room: Rect, view: View) {
+        if self.tab == Tab::Result && self.result_panel.signs {
+            let (painter, palette) = (ui.painter_at(room), Palette::of(ui.visuals()));
+            panels::paint_signs(&painter, room, view, &self.session, &self.results, palette);
+        }
+    }
+
+    /// Views that move together: the one that was moved takes the other along.
+    fn link(&mut self, before: [View; 2]) {
+        if !self.linked || self.over || self.texture.tiled {
+            return;
+        }
+        if self.canvas.view != before[0] {
+            self.texture.view = self.canvas.view;
+        } else if self.texture.view != before[1] {
+            self.canvas.view = self.texture.view;
+        }
+    }
+
+    /// Grows what was drawn; makes it a step that can be undone once the hand rests.
+    fn grow_what_changed(&mut self, ui: &Ui) {
+        let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
+        if !busy {
+            self.session.commit();
+        }
+        // While the hand still moves, every growth gets as far as its first picture.
+        let in_time = !busy || !self.growth.is_growing() || self.growth.first_picture.is_some();
+        if in_time && self.grown != Some(self.session.revision()) {
+            self.grown = Some(self.session.revision());
+            self.growth.use_threads(self.settings.threads);
+            self.growth.grow(&self.session.finished());
+            if self.growth.picture.is_none() {
+                self.texture.take(ui, None);
+            }
+        }
+    }
+
+    fn entitle(&mut self, ui: &Ui) {
+        let changed = if self.session.is_changed() { "*" } else { "" };
+        let title = format!("{changed}{} – dapple", self.session.title());
+        if title != self.title {
+            ui.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+}
+
+/// Why it cannot be grown, where the texture would be.
+fn failed(ui: &mut Ui, room: Rect, why: &str) {
+    let rect = Rect::from_center_size(room.center(), vec2((room.width() - 60.0).min(380.0), 150.0));
+    ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
+        Frame::window(ui.style()).inner_margin(16).show(ui, |ui| {
+            ui.strong("This cannot be grown");
+            ui.add(egui::Label::new(why).wrap().selectable(true));
+            if ui.button("Copy").on_hover_text("Copy the text").clicked() {
+                ui.ctx().copy_text(why.to_owned());
+            }
+        });
+    });
+}
+
+impl eframe::App for Window {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        let began = Instant::now();
+        Self::ui(self, ui);
+        self.trace.frame(began.elapsed(), frame.info().cpu_usage, self.growth.is_growing());
+    }
+
+    fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
+        self.leave();
+    }
+}

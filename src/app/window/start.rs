@@ -1,0 +1,96 @@
+//! What the window begins with.
+
+use std::path::PathBuf;
+
+use egui::{Context, Theme};
+
+use super::Window;
+use super::files::Files;
+use crate::app::action::{Page, Tab};
+use crate::app::alternatives::Alternatives;
+use crate::app::canvas::Canvas;
+use crate::app::cloud::Cloud;
+use crate::app::examples::Gallery;
+use crate::app::growth::Growth;
+use crate::app::notice::Notices;
+use crate::app::panels::{ColourPanel, LayersPanel, ResultPanel};
+use crate::app::result::Results;
+use crate::app::settings::Settings;
+use crate::app::texture::TextureView;
+use crate::app::theme;
+use crate::app::trace::Trace;
+use crate::editor::recovery::Recovery;
+use crate::editor::session::Session;
+use crate::editor::task::{Spawn, Tasks};
+
+/// With what the window begins.
+#[derive(Default)]
+pub struct Start {
+    /// The document to open.
+    pub file: Option<PathBuf>,
+    /// What is remembered.
+    pub settings: Settings,
+    /// Where unsaved work is kept; `None` = nowhere.
+    pub recovery: Option<PathBuf>,
+    /// Whether files are chosen with the system's own dialogs.
+    pub native_dialogs: bool,
+    /// How threads are started; tests let it fail.
+    pub spawn: Spawn,
+}
+
+impl Window {
+    /// A window, with what it begins with.
+    #[must_use]
+    pub fn new(ctx: &Context, start: Start) -> Self {
+        theme::dress(ctx);
+        ctx.set_theme(start.settings.theme);
+        // Ctrl and + or − zoom the canvas, not the buttons.
+        ctx.options_mut(|options| {
+            options.zoom_with_keyboard = false;
+            options.fallback_theme = Theme::Light;
+        });
+        let wake = ctx.clone();
+        let tasks = Tasks::new(move || wake.request_repaint()).with_spawn(start.spawn);
+        let first = !start.settings.hint_seen && start.file.is_none();
+        let (recovery, errors) = Recovery::new(start.recovery, tasks.clone());
+        let page = if recovery.undecided() > 0 { Some(Page::Recovery) } else { first.then_some(Page::Hint) };
+        let results = Results::default();
+        let mut window = Self {
+            session: Session::open(start.settings.new.document(), None),
+            canvas: Canvas::default(),
+            texture: TextureView::default(),
+            growth: Growth::new(tasks.clone()),
+            tasks,
+            settings: start.settings,
+            notices: Notices::default(),
+            files: Files::new(start.native_dialogs),
+            gallery: Gallery::default(),
+            exporting: None,
+            page,
+            recovery,
+            discard_asked: None,
+            tab: Tab::default(),
+            layers: LayersPanel::default(),
+            alternatives: Alternatives::new(results.training.clone()),
+            results,
+            cloud: Cloud::default(),
+            colour: ColourPanel::default(),
+            result_panel: ResultPanel::default(),
+            over: false,
+            curtain: 0.5,
+            linked: true,
+            grown: None,
+            menu_open: false,
+            title: String::new(),
+            trace: Trace::asked(),
+        };
+        window.restore_layout();
+        for trouble in window.settings.trouble.take().into_iter().chain(errors) {
+            window.notices.wrong(trouble);
+        }
+        if let Some(file) = start.file {
+            window.open(&file);
+        }
+        window
+    }
+}

@@ -1,0 +1,84 @@
+//! Changes of the document that panels ask for.
+
+use crate::document::{After, Colours, Document, Layer, Options, SystemChoice};
+use crate::editor::selection::Place;
+use crate::editor::session::Session;
+use crate::editor::shape;
+use crate::grid::Edges;
+use crate::marks::Mark;
+
+/// A change of the open document. Layers are given by index, 0 = the lowest.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Edit {
+    /// Set width and height of the canvas, px. Marks whose centre is outside are removed.
+    Size([u32; 2]),
+    /// Set the number of columns and rows of regions.
+    Regions([u32; 2]),
+    /// Set how the canvas ends.
+    Edges(Edges),
+    /// Set the resolution, dots per inch.
+    Dpi(f64),
+    /// Set the seed.
+    Seed(u64),
+    /// Replace marks.
+    Marks(Vec<(Place, Mark)>),
+    /// Name a layer.
+    LayerName(usize, String),
+    /// Set how a layer meets those beneath.
+    LayerAfter(usize, After),
+    /// Set the system of a layer.
+    LayerSystem(usize, SystemChoice),
+    /// Set the options of a layer.
+    LayerOptions(usize, Options),
+    /// Set the colours of layers; `None` = the default colours of each.
+    Colours(Vec<usize>, Option<Colours>),
+}
+
+impl Session {
+    /// Carries out a change. It becomes a step that can be undone with the next [`Session::commit`].
+    pub fn change(&mut self, edit: Edit) {
+        match edit {
+            Edit::Size(size) => self.resize(size),
+            Edit::Regions(regions) => self.edit(|document| document.regions = regions),
+            Edit::Edges(edges) => self.edit(|document| document.edges = edges),
+            Edit::Dpi(dpi) => self.edit(|document| document.dpi = dpi),
+            Edit::Seed(seed) => self.edit(|document| document.seed = seed),
+            Edit::Marks(marks) => self.replace(&marks),
+            Edit::LayerName(layer, name) => self.change_layer(layer, |layer| layer.name = name),
+            Edit::LayerAfter(layer, after) => self.change_layer(layer, |layer| layer.after = after),
+            Edit::LayerSystem(layer, system) => self.change_layer(layer, |layer| layer.system = system),
+            Edit::LayerOptions(layer, options) => self.change_layer(layer, |layer| layer.options = options),
+            Edit::Colours(layers, colours) => self.edit(|document| colour(document, &layers, &colours)),
+        }
+    }
+
+    fn resize(&mut self, size: [u32; 2]) {
+        let is_outside = |point: [f64; 2]| (0..2).any(|axis| point[axis] > f64::from(size[axis]));
+        let outside = self.marks().filter(|(_, mark)| is_outside(shape::center(mark)));
+        let removed: Vec<Place> = outside.map(|(place, _)| place).collect();
+        self.remove(&removed);
+        self.edit(|document| document.size = size);
+    }
+
+    /// The colours with which a layer is painted: its own, or its default.
+    #[must_use]
+    pub fn colours(&self, layer: usize) -> Colours {
+        let layers = &self.document().layers;
+        let own = layers.get(layer).and_then(|layer| layer.colours.clone());
+        // Layers without marks are left out when the document is finished, and the next one takes their index.
+        let index = layers.iter().take(layer).filter(|layer| !layer.strokes.is_empty()).count();
+        own.filter(|colours| !colours.stops.is_empty()).unwrap_or_else(|| Colours::default_for_layer(index))
+    }
+}
+
+fn colour(document: &mut Document, layers: &[usize], colours: &Option<Colours>) {
+    for &layer in layers {
+        // Colours may be chosen before anything is drawn.
+        if layer == 0 && document.layers.is_empty() && colours.is_some() {
+            document.layers.push(Layer::default());
+        }
+        if let Some(layer) = document.layers.get_mut(layer) {
+            layer.colours.clone_from(colours);
+        }
+    }
+}
