@@ -103,7 +103,7 @@ fn spots_under_rates_that_vary_are_too_irregular() {
         told(2.0 + 8.0 * (2.0 * across - 1.0).abs())
     });
     let maps = Maps::new(Grid::unit([nx, ny], Edges::Wrap), parameters.collect());
-    let mut engine = Engine::of(System::MeinhardtSpots, maps, 5);
+    let mut engine = Engine::from_maps(System::MeinhardtSpots, maps, 5);
     assert!(settle(&mut engine, &Watch::NONE).unwrap());
     let verdict = patch(System::MeinhardtSpots, SPOTS).judge(&engine.marks(), true, LEAST);
     assert_eq!(verdict.unwrap_err().kind(), "irregular");
@@ -128,7 +128,7 @@ fn what_was_stopped_early_is_unsettled() {
     let side = spots.side();
     let told = rd::Parameters { rate: 4.0, ratio: 12.0, stretch: 1.0, direction: 30.0, pitch: 1.0 };
     let maps = Maps::uniform([side, side], Edges::Wrap, told);
-    let mut engine = Engine::of(System::MeinhardtSpots, maps, 5);
+    let mut engine = Engine::from_maps(System::MeinhardtSpots, maps, 5);
     engine.advance((side * side) as u64 * 20);
     assert!(engine.growing());
     assert_eq!(spots.judge(&engine.marks(), engine.settled(), LEAST), Err(Reason::Unsettled));

@@ -5,9 +5,8 @@ use crate::attributes::{Attributes, Spread};
 use crate::document::{Document, Kind, Layer};
 use crate::grid::Edges;
 use crate::learn::Answer;
-use crate::synth::plan::Plan;
-use crate::synth::plan::sketch_targets::region_map;
-use crate::synth::{Training, memory, planned};
+use crate::synth::plan::{Lookup, Targets};
+use crate::synth::{Training, memory};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -32,14 +31,14 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let source = args.file.display().to_string();
     let mut text = format!("{source}: valid\n{}", summary(&document));
     let training = Training::default();
-    let mut beneath: Option<Plan> = None;
+    let mut beneath: Option<Lookup> = None;
     let mut layers = Vec::new();
+    let size = document.size.map(f64::from);
     for index in 0..document.layers.len() {
-        let map = region_map(&document, index, &source)?;
-        let plan = planned(&document, index, &source, &training, &map, beneath.as_ref());
-        let plan = plan.map_err(Error::grown)?;
+        let targets = Targets::read(&document, index, &source, size, beneath.as_ref())?;
+        let plan = targets.look_up(&training).map_err(|error| Error::grown(error.into()))?;
         text += &reach(&plan, index);
-        let too_large = memory::check(plan.system, document.size.map(f64::from), plan.grid).err();
+        let too_large = memory::check(plan.system, size, plan.grid).err();
         let mut notes: Vec<String> =
             too_large.iter().map(|error| format!("cannot be grown on this machine: {error}")).collect();
         notes.extend(beneath.as_ref().and_then(|beneath| plan.expected_room(beneath)));
@@ -60,7 +59,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
 }
 
 /// What would be grown on a layer, and for each region that has marks what was asked and what is expected.
-fn layer_json(layer: &Layer, plan: &Plan, notes: &[String]) -> Value {
+fn layer_json(layer: &Layer, plan: &Lookup, notes: &[String]) -> Value {
     let layout = plan.map.layout();
     let region = |(index, answer): (usize, &Answer)| {
         let place = layout.place(index);
@@ -82,7 +81,7 @@ fn layer_json(layer: &Layer, plan: &Plan, notes: &[String]) -> Value {
 }
 
 /// What would be grown, and for each region what was asked and what cannot be met.
-fn reach(plan: &Plan, index: usize) -> String {
+fn reach(plan: &Lookup, index: usize) -> String {
     let layout = plan.map.layout();
     let [nx, ny] = plan.grid;
     let mut text = format!(
@@ -104,7 +103,7 @@ fn reach(plan: &Plan, index: usize) -> String {
         let _ = writeln!(
             text,
             "  region [{column}, {row}]: {}{varied}; {}",
-            described(&wanted, plan.way.is_some()),
+            described(&wanted, plan.curve_kind().is_some()),
             answer.coverage
         );
         for note in &answer.notes {

@@ -8,14 +8,16 @@
 //! machine as it is now, on a canvas of the same texture that is no larger than `TRIAL`: features keep their size, so
 //! that both are as they will be.
 
-use super::plan::Plan;
-use super::{Engine, Training, memory, planned};
 use crate::document::Document;
 use crate::export::png;
 use crate::grid::Domain;
 use crate::rd::{Growth, System};
-use crate::synth::plan::sketch_targets::region_map;
-use crate::synth::render::painting::{Look, Painting};
+use crate::synth::grow::engine::Engine;
+use crate::synth::grow::snapshot::Snapshot;
+use crate::synth::memory;
+use crate::synth::plan::{Lookup, Plan, Targets};
+use crate::synth::render::painting::Painting;
+use crate::synth::training::Training;
 use std::time::{Duration, Instant};
 
 /// px of the canvas that is tried; what is not larger is tried as it is.
@@ -68,18 +70,20 @@ impl Needs {
         let [canvas, picture] = task.px();
         let times = (canvas / TRIAL).max(1.0);
         let side = |side: u32| (f64::from(side) / times.sqrt()).max(1.0);
-        let mut beneath: Option<Plan> = None;
+        let mut beneath: Option<Lookup> = None;
         let mut needs = Self { seconds: 0.0, bytes: 0.0 };
         for index in 0..document.layers.len() {
-            let map = region_map(document, index, source).ok()?.resized(size.map(side));
-            let plan = planned(document, index, source, training, &map, beneath.as_ref()).ok()?;
-            let whole = plan.grid.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
-            memory::check(plan.system, size.map(f64::from), whole).ok()?;
-            needs.bytes = needs.bytes.max(memory::needed(plan.system, size.map(f64::from), whole));
+            let targets = Targets::read(document, index, source, size.map(side), beneath.as_ref()).ok()?;
+            let lookup = targets.look_up(training).ok()?;
+            let system = lookup.system;
+            let whole = lookup.grid.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
+            memory::check(system, size.map(f64::from), whole).ok()?;
+            needs.bytes = needs.bytes.max(memory::needed(system, size.map(f64::from), whole));
+            let plan = lookup.rough(Vec::new());
             let engine = Engine::new(&plan, document.layer_seed(index));
-            needs.seconds += times * taken(&engine, plan.system) * engine.updates_left() / speed(&plan)?;
+            needs.seconds += times * taken(&engine, system) * engine.updates_left() / speed(&plan)?;
             needs.seconds += painted(document, &plan, &engine) * (canvas * RULER + picture);
-            beneath = Some(plan);
+            beneath = Some(plan.lookup);
         }
         Some(needs)
     }
@@ -101,10 +105,11 @@ fn taken(engine: &Engine, system: System) -> f64 {
 
 /// Cell updates a second on the grid of `plan`.
 fn speed(plan: &Plan) -> Option<f64> {
-    let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+    let maps = plan.unpitched_maps();
+    let system = plan.lookup.system;
     let cells = maps.grid.cells();
-    let concentrations = vec![vec![1.0; cells]; plan.system.chemicals().len()];
-    let mut growth = Growth::resumed(plan.system, &maps, &concentrations)?;
+    let concentrations = vec![vec![1.0; cells]; system.chemicals().len()];
+    let mut growth = Growth::resumed(system, &maps, &concentrations)?;
     growth.advance(STEPS);
     let started = Instant::now();
     let mut steps = 0;
@@ -118,7 +123,7 @@ fn speed(plan: &Plan) -> Option<f64> {
 /// Seconds that a px takes to be painted and written.
 fn painted(document: &Document, plan: &Plan, engine: &Engine) -> f64 {
     // Once for the whole texture: pattern and colours of the layer.
-    let painting = Painting::growing(document, &Look { beneath: &[], plan, engine }, PAINTED);
+    let painting = Painting::growing(document, &Snapshot { beneath: &[], plan, engine }, PAINTED);
     let started = Instant::now();
     let rgb = painting.rgb();
     // Into nothing; if that fails it takes no time either.

@@ -12,12 +12,13 @@ mod short_way;
 mod training;
 mod watch;
 
-pub use grow::cascade::{grow, grow_seen, placed_over, planned, regrow, regrow_seen, unchanged};
-pub use grow::convergence::{settle, settle_every, settle_seen};
+pub use grow::cascade::{grow, grow_seen, regrow, regrow_seen, unchanged};
 pub use grow::engine::Engine;
 pub use grow::layer::{GrowError, Grown, GrownLayer};
 pub use grow::patch::{Patch, Sample};
 pub use grow::refine::Measured;
+pub use grow::settle::{settle, settle_seen};
+pub use grow::snapshot::Snapshot;
 pub use options::{Options, Settings};
 pub use plan::looked_up::LookedUp;
 pub use training::Training;

@@ -4,18 +4,19 @@ use crate::renew::golden;
 use crate::textures::{document, names};
 use dapple::document::Document;
 use dapple::internals::synth::grow;
-use dapple::internals::synth::plan::sketch_targets::region_map;
-use dapple::internals::synth::{Engine, Options, Training, planned};
+use dapple::internals::synth::plan::Targets;
+use dapple::internals::synth::{Engine, Options, Training};
 
 fn expected(document: &Document, name: &str) -> Vec<f64> {
     let mut beneath = None;
     let mut all = Vec::new();
     for index in 0..document.layers.len() {
-        let map = region_map(document, index, name).unwrap();
-        let plan = planned(document, index, name, &Training::default(), &map, beneath.as_ref()).unwrap();
+        let size = document.size.map(f64::from);
+        let targets = Targets::read(document, index, name, size, beneath.as_ref()).unwrap();
+        let plan = targets.look_up(Training::built_in()).unwrap().rough(Vec::new());
         let engine = Engine::new(&plan, document.layer_seed(index));
         all.push(engine.updates_left());
-        beneath = Some(plan);
+        beneath = Some(plan.lookup);
     }
     all
 }
@@ -26,7 +27,7 @@ fn took(document: &Document, name: &str) -> Vec<f64> {
     grown
         .layers
         .iter()
-        .map(|layer| layer.steps as f64 * (layer.plan.grid[0] * layer.plan.grid[1]) as f64)
+        .map(|layer| layer.steps as f64 * (layer.plan.lookup.grid[0] * layer.plan.lookup.grid[1]) as f64)
         .collect()
 }
 

@@ -7,13 +7,18 @@ use dapple::internals::attributes::regions::RegionMap;
 use dapple::internals::marks::{Ellipse, Line, Mark, turn};
 use dapple::internals::measure::{self, Spot};
 
-use dapple::internals::synth::plan::pinned_marks::{covered, keep, off};
-use dapple::internals::synth::plan::plan;
+use dapple::internals::synth::plan::{Plan, Surroundings, look_up};
+use dapple::internals::synth::report::pinned::{covered, distances};
 use dapple::internals::synth::{Engine, GrownLayer, Measured, Options, Training, Watch, grow, settle};
 use serde_json::{Value, json};
 
 fn grown(document: &Document) -> GrownLayer {
     grow(document, &Options::default()).unwrap().layers.remove(0)
+}
+
+/// How far the pinned spots of `plan` are from the nearest of `spots`, ÷ their radius.
+fn off(plan: &Plan, spots: &[Spot]) -> Vec<f64> {
+    distances(plan.pinned_spots(), plan.lookup.map.layout(), spots)
 }
 
 /// Ten spots as a hand draws them: unevenly, of all sizes, two of them cut by the edge.
@@ -118,16 +123,16 @@ fn on_a_larger_canvas_they_stand_at_the_stretched_places_and_keep_their_size() {
 #[test]
 fn marks_are_kept_in_one_region_unless_told_otherwise() {
     let mut document = one_layer(&drawn(), Edges::Closed);
-    assert_eq!(grown(&document).plan.kept.len(), 10);
+    assert_eq!(grown(&document).plan.pinned_spots().len(), 10);
     document.regions = [2, 1];
-    assert!(grown(&document).plan.kept.is_empty());
+    assert!(grown(&document).plan.pinned_spots().is_empty());
     document.layers[0].options.keep = Some(true);
     let layer = grown(&document);
     let off = off(&layer.plan, spots(&layer));
     assert!(off.len() == 10 && off.iter().all(|off| *off < 0.25), "{off:?}");
     document.regions = [1, 1];
     document.layers[0].options.keep = Some(false);
-    assert!(grown(&document).plan.kept.is_empty());
+    assert!(grown(&document).plan.pinned_spots().is_empty());
 }
 
 #[test]
@@ -172,10 +177,10 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
 /// The share of each line of `document` that lies in a stripe of `layer`.
 fn in_stripes(document: &Document, layer: &GrownLayer) -> Vec<f64> {
     let marks = dapple::internals::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
-    let mut plan = layer.plan.clone();
-    keep(&mut plan, &marks);
     let [width, height] = document.size.map(|side| side as usize);
-    covered(&plan, &layer.pattern().field(width, height))
+    let line = |mark: &Mark| if let Mark::Line(line) = mark { Some(*line) } else { None };
+    let lines: Vec<Line> = marks.iter().filter_map(line).collect();
+    covered(&lines, layer.plan.lookup.map.layout(), &layer.pattern().field(width, height))
 }
 
 #[test]
@@ -193,8 +198,8 @@ fn drawn_lines_lie_in_stripes_and_the_directions_are_no_worse_for_it() {
         assert!(in_stripes(&document, &free).iter().any(|share| *share < 0.8));
         assert!(rms(&kept) < rms(&free) + 1.5, "{} {}", rms(&kept), rms(&free));
     }
-    assert_eq!(grown(&lined([1, 1], None)).plan.crests.len(), 4);
-    assert!(grown(&lined([2, 2], None)).plan.crests.is_empty());
+    assert_eq!(grown(&lined([1, 1], None)).plan.pinned_lines().len(), 4);
+    assert!(grown(&lined([2, 2], None)).plan.pinned_lines().is_empty());
 }
 
 #[test]
@@ -226,8 +231,8 @@ fn among(
     let ellipse = |x: f64| Mark::Ellipse(Ellipse::from_area([x, 200.0], 300.0, aspect, 30.0));
     let drawn = [ellipse(200.0), ellipse(200.0 + spacing)];
     let map = RegionMap::from_marks(&drawn, [12.0 * spacing; 2], [1, 1], edges).unwrap();
-    let mut plan = plan(&Training::default(), system, &map).unwrap();
-    keep(&mut plan, &marks(spacing));
+    let lookup = look_up(Training::built_in(), system, &map).unwrap().with_pinned(marks(spacing));
+    let plan = lookup.uncorrected().lay_out(Surroundings::default(), 1).unwrap();
     let mut engine = Engine::new(&plan, 1);
     settle(&mut engine, &Watch::NONE).unwrap();
     let size = (12.0 * spacing) as usize;

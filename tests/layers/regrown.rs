@@ -1,9 +1,10 @@
-//! A layer grows again without those beneath.
+//! Which layers grow again after a change of the document.
 
 use super::{cascade, grown, spots, stripes};
-use dapple::document::Document;
 use dapple::document::Edges;
-use dapple::internals::synth::{Grown, Options, Stage, Watch, regrow};
+use dapple::document::{After, Document, Layer};
+use dapple::internals::synth::report::report;
+use dapple::internals::synth::{Grown, Options, Settings, Stage, Watch, regrow, unchanged};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 type Change = fn(&mut Document);
@@ -47,4 +48,36 @@ fn changed_layers_are_grown_again_and_those_beneath_are_not() {
         assert_eq!(planned, times);
         assert_same(&again, &grown(&document));
     }
+}
+
+#[test]
+fn renamed_layers_are_not_grown_again_and_reports_have_their_new_names() {
+    let spots_inside = Layer { after: After::Inside, ..spots(120.0, 0.8, 60.0, 24.0) };
+    let layers = vec![spots(850.0, 0.83, 30.0, 80.0), spots_inside];
+    let named = Document { size: [240, 240], ..cascade(Edges::Closed, 1, layers) };
+    let before = grown(&named);
+    let mut renamed = named.clone();
+    renamed.name = "another".to_owned();
+    for (layer, name) in renamed.layers.iter_mut().zip(["lower", "upper"]) {
+        layer.name = name.to_owned();
+    }
+    assert_eq!(unchanged(&renamed, Settings::default(), &before), 2);
+    let (again, planned) = after(&renamed, &before);
+    assert_eq!(planned, 0);
+    assert_same(&again, &before);
+    assert_eq!(again.document, renamed);
+    let report = report(&again.document, "renamed.dapple", &again, 0.0);
+    let names: Vec<&str> = report.layers.iter().map(|layer| layer.name.as_str()).collect();
+    assert_eq!(names, ["lower", "upper"]);
+    let notes = &report.layers[1].regions[0].notes;
+    assert!(notes.iter().any(|note| note.contains("each place of \"lower\"")), "{notes:?}");
+}
+
+#[test]
+fn layers_without_concentrations_are_grown_again_where_these_are_wanted() {
+    let layers = vec![spots(850.0, 0.83, 30.0, 80.0)];
+    let before = grown(&Document { size: [120, 120], ..cascade(Edges::Closed, 1, layers) });
+    let wanted = Settings { concentrations: true, ..Settings::default() };
+    assert_eq!(unchanged(&before.document, wanted, &before), 0);
+    assert_eq!(unchanged(&before.document, Settings::default(), &before), 1);
 }

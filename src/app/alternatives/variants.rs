@@ -63,7 +63,7 @@ fn is_spotted(document: &Document, layer: usize) -> bool {
 
 /// The other of the two systems that grow spots.
 fn other_system(document: &Document, grown: &Grown, layer: usize) -> Option<Variant> {
-    let (system, name, help) = match grown.layers.get(layer)?.plan.system {
+    let (system, name, help) = match grown.layers.get(layer)?.plan.lookup.system {
         System::TuringSpots => (
             SystemChoice::MeinhardtSpots,
             "Meinhardt's spots",

@@ -10,9 +10,8 @@ use super::preview::preview;
 use super::{Picture, Texture, essence};
 use crate::document::Document;
 use crate::editor::task::Worker;
-use crate::synth::render::painting::Look;
 use crate::synth::{
-    GrowError, Grown, GrownLayer, Options, Settings, Stage, Training, Watch, regrow_seen, unchanged,
+    GrowError, Grown, GrownLayer, Options, Settings, Snapshot, Stage, Training, Watch, regrow_seen, unchanged,
 };
 
 /// Least time between two pictures of a growth.
@@ -146,7 +145,7 @@ impl Job {
         let watch = Watch { progress: &progress, cancelled: &|| worker.is_cancelled() };
         let mut done = reused;
         let mut shown: Option<Instant> = None;
-        let mut seen = |look: &Look| {
+        let mut seen = |look: &Snapshot| {
             if look.beneath.len() > done {
                 done = look.beneath.len();
                 self.shared.keep_layers(&self.document, look.beneath);

@@ -6,7 +6,8 @@ use egui::ColorImage;
 
 use super::Texture;
 use crate::document::Document;
-use crate::synth::render::painting::{Look, Painting};
+use crate::synth::Snapshot;
+use crate::synth::render::painting::Painting;
 
 /// The longest side of a picture on the screen, px: graphics cards take at least as much.
 const LONGEST: usize = 4096;
@@ -26,7 +27,7 @@ pub struct Picture {
 
 impl Picture {
     /// Of what still grows.
-    pub(super) fn growing(document: &Document, look: &Look) -> Self {
+    pub(super) fn growing(document: &Document, look: &Snapshot) -> Self {
         let marks = look.engine.marks();
         let canvas = document.size.map(|side| side as usize);
         let size = fitting(canvas, [FINENESS * marks.width, FINENESS * marks.height]);

@@ -4,9 +4,9 @@
 
 use super::Picture;
 use crate::document::{After, Document};
-use crate::synth::plan::sketch_targets;
-use crate::synth::render::painting::Look;
-use crate::synth::{Engine, GrownLayer, Training, memory, placed_over, planned};
+use crate::synth::grow::obstacles::obstacles;
+use crate::synth::plan::Targets;
+use crate::synth::{Engine, GrownLayer, Snapshot, Training, memory};
 
 /// Cell updates before the picture is taken: ground and marks have parted.
 const UPDATES: u64 = 100_000;
@@ -19,18 +19,18 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
     if index > 0 && layer.after != After::Between {
         return None;
     }
-    let map = sketch_targets::region_map(document, index, "").ok()?;
-    let under = beneath.last().map(|layer| &layer.plan);
-    let mut plan = planned(document, index, "", training, &map, under).ok()?;
-    memory::check(plan.system, document.size.map(f64::from), plan.grid).ok()?;
-    placed_over(&mut plan, document, beneath);
-    let layout = plan.map.layout();
-    // As far apart as the system itself would have them: finding out better takes several times as long.
-    let maps = plan.maps(&vec![1.0; layout.len()]);
-    let mut engine = Engine::of(plan.system, maps, document.layer_seed(index));
+    let size = document.size.map(f64::from);
+    let below = beneath.last().map(|layer| &layer.plan.lookup);
+    let lookup = Targets::read(document, index, "", size, below).ok()?.look_up(training).ok()?;
+    memory::check(lookup.system, size, lookup.grid).ok()?;
+    let obstacles = obstacles(document, beneath, lookup.grid);
+    let plan = lookup.rough(obstacles);
+    // At the system's own distance: correcting the spacing takes several times as long.
+    let maps = plan.unpitched_maps();
+    let mut engine = Engine::from_maps(plan.lookup.system, maps, document.layer_seed(index));
     if !engine.begins() {
         return None;
     }
     engine.advance(UPDATES);
-    Some(Picture::growing(document, &Look { beneath, plan: &plan, engine: &engine }))
+    Some(Picture::growing(document, &Snapshot { beneath, plan: &plan, engine: &engine }))
 }

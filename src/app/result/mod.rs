@@ -177,10 +177,11 @@ fn work(grown: &Grown, training: &Training, cancelled: &AtomicBool, say: &dyn Fn
         .layers
         .iter()
         .zip(&grown.document.layers)
-        .map(|(layer, drawn)| LayerResult {
+        .enumerate()
+        .map(|(index, (layer, drawn))| LayerResult {
             name: drawn.name.clone(),
-            system: layer.plan.system,
-            regions: report::regions(layer)
+            system: layer.plan.lookup.system,
+            regions: report::regions(&grown.document, index, layer)
                 .into_iter()
                 .map(|report| RegionResult { verdict: Verdict::of_region(&report), report, reach: None })
                 .collect(),
@@ -192,7 +193,7 @@ fn work(grown: &Grown, training: &Training, cancelled: &AtomicBool, say: &dyn Fn
     };
     let wanted: Vec<Vec<usize>> = layers.iter().map(beyond).collect();
     say(News::Layers(layers));
-    let plans: Vec<_> = grown.layers.iter().map(|layer| &layer.plan).collect();
+    let plans: Vec<_> = grown.layers.iter().map(|layer| &layer.plan.lookup).collect();
     for (layer, regions) in wanted.into_iter().enumerate() {
         for region in regions {
             if cancelled.load(Ordering::Relaxed) {

@@ -6,9 +6,9 @@ use crate::document::{Document, Stroke, limits};
 use crate::editor::shape;
 use crate::learn::Answer;
 use crate::marks::{Ellipse, Line, Mark, turn};
-use crate::synth::plan::Plan;
+use crate::synth::Training;
 use crate::synth::plan::sketch_targets;
-use crate::synth::{Training, planned};
+use crate::synth::plan::{Lookup, Targets};
 
 /// Changes are tried so often, each farther beyond the limit than the one before.
 const TRIES: i32 = 10;
@@ -34,7 +34,7 @@ pub struct Reach {
 pub fn reach(
     training: &Training,
     document: &Document,
-    plans: &[&Plan],
+    plans: &[&Lookup],
     layer: usize,
     index: usize,
 ) -> Option<Reach> {
@@ -54,15 +54,15 @@ pub fn reach(
         let sketch = Sketch::of(&document, layer, first.map.layout(), place)?;
         let farther = 1.0 + FARTHER * f64::from(attempt);
         sketch.toward(&asked, &answer, farther, first.map.layout(), place)?.write(&mut document, layer);
-        let map = sketch_targets::region_map(&document, layer, "").ok()?;
-        let plan = planned(&document, layer, "", training, &map, beneath).ok()?;
+        let size = document.size.map(f64::from);
+        let plan = Targets::read(&document, layer, "", size, beneath).ok()?.look_up(training).ok()?;
         asked = wanted(&plan, place);
         answer = plan.answers[index].clone();
     }
     None
 }
 
-fn wanted(plan: &Plan, place: [usize; 2]) -> Attributes {
+fn wanted(plan: &Lookup, place: [usize; 2]) -> Attributes {
     plan.map.at(plan.map.layout().center(place))
 }
 
@@ -261,11 +261,11 @@ mod tests {
 
     use super::*;
     use crate::document::{Layer, SystemChoice};
-    use crate::synth::plan::plan;
+    use crate::synth::plan::look_up;
 
-    fn planned_alone(training: &Training, document: &Document) -> Plan {
+    fn planned_alone(training: &Training, document: &Document) -> Lookup {
         let map = sketch_targets::region_map(document, 0, "").unwrap();
-        plan(training, document.layers[0].choice(), &map).unwrap()
+        look_up(training, document.layers[0].choice(), &map).unwrap()
     }
 
     fn document(strokes: Vec<Stroke>, system: SystemChoice) -> Document {
@@ -276,7 +276,7 @@ mod tests {
     /// Takes what can be reached in region 0; gives how many notes there were before and after.
     fn taken(training: &Training, document: &Document) -> (usize, Option<usize>) {
         let first = planned_alone(training, document);
-        let notes = |plan: &Plan| plan.answers[0].notes.iter().filter(|note| note.is_beyond()).count();
+        let notes = |plan: &Lookup| plan.answers[0].notes.iter().filter(|note| note.is_beyond()).count();
         let before = notes(&first);
         let Some(reach) = reach(training, document, &[&first], 0, 0) else { return (before, None) };
         let mut changed = document.clone();

@@ -1,23 +1,19 @@
-//! Layer by layer: what earlier ones grew is frozen, and what comes next grows into what they left.
+//! Layer by layer: the marks of earlier layers are frozen, and each later one grows into the space that they left.
 
-use crate::attributes::Attributes;
-use crate::attributes::regions::RegionMap;
-use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{After, Document, Kind};
+use crate::document::Document;
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
-use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, grow_layer};
-use crate::synth::grow::probe::When;
+use crate::synth::grow::layer::{GrowError, Grown, GrownLayer};
+use crate::synth::grow::obstacles::{bias, obstacles};
+use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::probe::{When, correct};
+use crate::synth::grow::refine::refine;
+use crate::synth::grow::settle::settle_seen;
+use crate::synth::grow::snapshot::Snapshot;
 use crate::synth::memory;
 use crate::synth::options::{Options, Settings};
-use crate::synth::plan::around::{plan_lines, way};
-use crate::synth::plan::inside::{is_replaced, plan_inside, too_large};
-use crate::synth::plan::pinned_marks::keep;
-use crate::synth::plan::{Plan, plan};
-use crate::synth::plan::{obstacle_mask, sketch_targets};
-use crate::synth::render::painting::Look;
-use crate::synth::render::pattern::Pattern;
-use crate::synth::training::Training;
+use crate::synth::plan::offset::Offset;
+use crate::synth::plan::{Corrected, Lookup, Plan, Surroundings, Targets};
 use crate::synth::watch::Stage;
 
 /// Grows `document`.
@@ -45,7 +41,7 @@ pub fn regrow_seen(
     document: &Document,
     options: &Options,
     before: Option<&Grown>,
-    seen: &mut dyn FnMut(&Look),
+    seen: &mut dyn FnMut(&Snapshot),
 ) -> Result<Grown, GrowError> {
     Cascade { document, options: *options, every: None }.grow(before, seen)
 }
@@ -58,18 +54,20 @@ pub fn grow_seen(
     document: &Document,
     options: &Options,
     every: f64,
-    seen: &mut dyn FnMut(&Look),
+    seen: &mut dyn FnMut(&Snapshot),
 ) -> Result<Grown, GrowError> {
     Cascade { document, options: *options, every: Some(every) }.grow(None, seen)
 }
 
-/// How many of the lowest layers of `document` would grow as they have in `before`, and so are taken from there.
+/// How many of the lowest layers of `document` would grow as they have in `before`, and so are taken from there. Names and
+/// colours do not matter.
 #[must_use]
 pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usize {
     let canvas = |of: &Document, settings: Settings| {
         (of.size, of.regions, of.edges, settings.size, settings.refine.unwrap_or(of.growth.refine))
     };
-    if canvas(document, settings) != canvas(&before.document, before.settings) {
+    let lacks_concentrations = settings.concentrations && !before.settings.concentrations;
+    if lacks_concentrations || canvas(document, settings) != canvas(&before.document, before.settings) {
         return 0;
     }
     let pairs = document.layers.iter().zip(&before.document.layers).enumerate();
@@ -78,23 +76,22 @@ pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usi
         let seed = document.layer_seed(*index) == before.document.layer_seed(*index);
         let marks = (new.system, new.after, &new.options, &new.strokes)
             == (old.system, old.after, &old.options, &old.strokes);
-        // What is written of a layer names the one beneath.
-        seed && marks && new.name == old.name
+        seed && marks
     });
     same.count()
 }
 
-/// What every layer of a document is grown with.
+/// The growth of a document.
 struct Cascade<'a> {
     document: &'a Document,
     options: Options<'a>,
-    /// Normalised time from look to look; `None` = as suits those who wait.
+    /// Normalised time between two snapshots; `None` = a few milliseconds of wall time.
     every: Option<f64>,
 }
 
 impl Cascade<'_> {
     /// Grows the layers that do not stand in `before`.
-    fn grow(&self, before: Option<&Grown>, seen: &mut dyn FnMut(&Look)) -> Result<Grown, GrowError> {
+    fn grow(&self, before: Option<&Grown>, seen: &mut dyn FnMut(&Snapshot)) -> Result<Grown, GrowError> {
         let Self { document, options, .. } = *self;
         let size = options.size.unwrap_or(document.size);
         let frozen = before.map_or(0, |before| unchanged(document, options.settings(), before));
@@ -107,119 +104,83 @@ impl Cascade<'_> {
         Ok(Grown { size, layers, document: document.clone(), settings: options.settings() })
     }
 
-    /// Grows layer `index` into what those `beneath` left free.
+    /// Grows layer `index` into the space that those `beneath` left free.
     fn layer(
         &self,
         index: usize,
         beneath: &[GrownLayer],
-        seen: &mut dyn FnMut(&Look),
+        seen: &mut dyn FnMut(&Snapshot),
     ) -> Result<GrownLayer, GrowError> {
-        let mut seen = |plan: &Plan, engine: &Engine| seen(&Look { beneath, plan, engine });
-        let Self { document, options, every } = *self;
+        let Self { document, options, .. } = *self;
         let Options { source, training, watch, .. } = options;
-        let correct = options.refine.unwrap_or(document.growth.refine);
         let size = options.size.unwrap_or(document.size).map(f64::from);
+        let below = beneath.last();
         watch.step(Stage::Plan, 0.0)?;
-        let map = sketch_targets::region_map(document, index, source)?.resized(size);
-        let mut plan =
-            planned(document, index, source, training, &map, beneath.last().map(|layer| &layer.plan))?;
-        memory::check(plan.system, size, plan.grid)?;
-        plan.seeding = document.layers[index].options.seeding;
-        if correct && plan.seeding == Seeding::Noise {
-            watch.step(Stage::Plan, 0.1)?;
-            plan = plan.probed(training, When::Unsure, &watch)?;
-        }
-        if plan.places.is_some()
-            && let Some(beneath) = beneath.last()
-        {
-            plan.place_inside(&beneath.measured);
-        }
-        placed_over(&mut plan, document, beneath);
-        let striped = matches!(plan.map.at([0.0, 0.0]), Attributes::Stripes(_));
-        if striped && plan.way.is_none() && !plan.taken.is_empty() {
-            if !obstacle_mask::has_room(&plan) {
-                return Err(GrowError::NoRoom { layer: index + 1 });
-            }
-            plan.taken = obstacle_mask::with_rim(&plan.taken, plan.grid, document.edges);
-        }
-        let free = plan.way.is_none() && plan.places.is_none();
-        if free && (document.keeps(index) || plan.seeding == Seeding::Initiators) {
-            keep(&mut plan, &sketch_targets::marks_on(document, index, source, size)?);
-        }
-        let keeping = [correct, options.concentrations];
+        let targets = Targets::read(document, index, source, size, below.map(|layer| &layer.plan.lookup))?;
+        let lookup = targets.look_up(training)?;
+        memory::check(lookup.system, size, lookup.grid)?;
+        let obstacles = obstacles(document, beneath, lookup.grid);
+        let spots = below.map_or(&[][..], |layer| layer.measured.spots());
         let seed = document.layer_seed(index);
-        plan.lay_course(document.layers[index].options.broken, seed)
-            .map_err(|reason| GrowError::Course { layer: index + 1, reason })?;
-        let mut layer = grow_layer(plan, seed, index + 1, keeping, &watch, every, &mut seen)?;
-        if let Some(found) = obstacle_mask::shaped(&layer.plan, &layer.measured)
-            .filter(|_| correct && layer.plan.places.is_none())
-        {
-            layer = grow_layer(
-                layer.plan.against(training, &found)?,
-                seed,
-                index + 1,
-                keeping,
-                &watch,
-                every,
-                &mut seen,
-            )?;
+        let plan = self.corrected(lookup)?.lay_out(Surroundings { obstacles, spots }, seed);
+        let plan = plan.map_err(|error| GrowError::laying_out(index + 1, error))?;
+        let mut seen = |plan: &Plan, engine: &Engine| seen(&Snapshot { beneath, plan, engine });
+        let layer = self.grow_layer(plan, index, &mut seen)?;
+        match self.bias(&layer) {
+            None => Ok(layer),
+            Some(bias) => self.grow_layer(layer.plan.less(training, &bias)?, index, &mut seen),
         }
-        if document.layers[index].after == After::Inside {
-            layer.plan.tell_places(&layer.measured, &document.layers[index - 1].name);
+    }
+
+    /// Is the pattern corrected?
+    fn corrects(&self) -> bool {
+        self.options.refine.unwrap_or(self.document.growth.refine)
+    }
+
+    /// Corrects the looked-up parameters by probes, where that is asked for.
+    fn corrected(&self, lookup: Lookup) -> Result<Corrected, GrowError> {
+        let Options { training, watch, .. } = self.options;
+        if !self.corrects() || lookup.seeding != Seeding::Noise {
+            return Ok(lookup.uncorrected());
         }
-        Ok(layer)
+        watch.step(Stage::Plan, 0.1)?;
+        Ok(correct(lookup, training, When::Unsure, &watch)?)
     }
-}
 
-/// Takes from `plan` the cells that the marks of the layers `beneath` have, but for those that others replace.
-pub fn placed_over(plan: &mut Plan, document: &Document, beneath: &[GrownLayer]) {
-    let shown = beneath.iter().enumerate().filter(|(below, _)| !is_replaced(document, *below));
-    let shown: Vec<Pattern> = shown.map(|(_, layer)| layer.pattern()).collect();
-    if !shown.is_empty() {
-        plan.taken = obstacle_mask::taken(&shown, plan.grid);
+    /// How the layers beneath have turned and stretched the spots of `layer`, where that is corrected.
+    fn bias(&self, layer: &GrownLayer) -> Option<Vec<Offset>> {
+        let correctable = self.corrects() && layer.plan.places().is_none();
+        if correctable { bias(&layer.plan, &layer.measured) } else { None }
     }
-}
 
-/// Plans layer `index`, whose marks make `map`, above the layer with the plan `beneath`.
-///
-/// # Errors
-/// What was drawn cannot be grown there, or its parameters cannot be looked up.
-pub fn planned(
-    document: &Document,
-    index: usize,
-    source: &str,
-    training: &Training,
-    map: &RegionMap,
-    beneath: Option<&Plan>,
-) -> Result<Plan, GrowError> {
-    let layer = &document.layers[index];
-    let below = match beneath {
-        Some(plan) => Beneath::Grows(grown_kind(&plan.map)),
-        None if index == 0 || layer.after == After::Inside => Beneath::Nothing,
-        None => Beneath::Unknown,
-    };
-    let combination = Combination::new(layer, Some(grown_kind(map)), below);
-    if let Some(problem) = combination.problem(&format!("layers[{index}]")) {
-        return Err(problem.in_file(source).into());
-    }
-    if let Some(way) = way(layer.after) {
-        return Ok(plan_lines(way, map.clone())?);
-    }
-    if let Some(beneath) = beneath.filter(|_| layer.after == After::Inside) {
-        return match too_large(index, map, beneath) {
-            Some(problem) => Err(problem.in_file(source).into()),
-            None => Ok(plan_inside(training, map, beneath)?),
-        };
-    }
-    let mut plan = plan(training, layer.choice(), map)?;
-    plan.irregular = layer.options.irregular;
-    Ok(plan)
-}
-
-/// The kind of marks that a layer with this map grows.
-fn grown_kind(map: &RegionMap) -> Kind {
-    match map.at([0.0, 0.0]) {
-        Attributes::Spots(_) => Kind::Ellipse,
-        Attributes::Stripes(_) => Kind::Line,
+    /// Grows layer `index` as planned.
+    fn grow_layer(
+        &self,
+        plan: Plan,
+        index: usize,
+        seen: &mut dyn FnMut(&Plan, &Engine),
+    ) -> Result<GrownLayer, GrowError> {
+        let Self { document, options, every } = *self;
+        let watch = options.watch;
+        let layer = index + 1;
+        watch.step(Stage::Plan, 0.5)?;
+        let mut engine = Engine::new(&plan, document.layer_seed(index));
+        if !engine.begins() {
+            return Err(GrowError::NoRoom { layer });
+        }
+        watch.step(Stage::Plan, 1.0)?;
+        let settled = settle_seen(&mut engine, every, &watch, &mut |engine| seen(&plan, engine))?;
+        let marks = plan.levelled(engine.marks());
+        if !marks.values.iter().all(|value| value.is_finite()) {
+            return Err(GrowError::NoPattern { layer });
+        }
+        let steps = engine.steps();
+        let concentrations = if options.concentrations { engine.concentrations() } else { Vec::new() };
+        drop(engine);
+        let canvas = plan.lookup.map.layout().size.map(|side| side as usize);
+        let mut pattern = Pattern::new(&plan.lookup, &marks);
+        let measured = refine(&plan, &mut pattern, canvas, self.corrects(), &watch)?;
+        let correction = pattern.correction;
+        Ok(GrownLayer { plan, steps, settled, correction, measured, marks, concentrations })
     }
 }

@@ -1,8 +1,6 @@
 //! When a pattern is settled.
 
 use crate::rd::System;
-use crate::synth::grow::engine::Engine;
-use crate::synth::watch::{Cancelled, Stage, Watch};
 
 /// When a pattern counts as settled: normalised times (`facts.md` 0) where the reactions are slowest.
 struct Criterion {
@@ -150,47 +148,6 @@ fn change(before: &[f32], after: &[f32], counts: &[bool]) -> f64 {
         }
     }
     if moved == 0.0 { 0.0 } else { moved / total }
-}
-
-/// Cell updates between two asks whether to go on: some milliseconds.
-const UPDATES: u64 = 4_000_000;
-
-/// Grows until settled. Gives whether it did within the time it was given.
-///
-/// # Errors
-/// [`Cancelled`].
-pub fn settle(engine: &mut Engine, watch: &Watch) -> Result<bool, Cancelled> {
-    settle_seen(engine, watch, &mut |_| {})
-}
-
-/// The same for somebody who wants to have a look now and then.
-///
-/// # Errors
-/// [`Cancelled`].
-pub fn settle_seen(
-    engine: &mut Engine,
-    watch: &Watch,
-    seen: &mut dyn FnMut(&Engine),
-) -> Result<bool, Cancelled> {
-    settle_every(engine, None, watch, seen)
-}
-
-/// The same, looked at each `every` of normalised time, at the same moments on any machine; `None` = as suits those who
-/// wait.
-///
-/// # Errors
-/// [`Cancelled`].
-pub fn settle_every(
-    engine: &mut Engine,
-    every: Option<f64>,
-    watch: &Watch,
-    seen: &mut dyn FnMut(&Engine),
-) -> Result<bool, Cancelled> {
-    while engine.advance(every.map_or(UPDATES, |time| engine.updates_in(time))) {
-        watch.step(Stage::Grow, engine.progress())?;
-        seen(engine);
-    }
-    Ok(engine.settled())
 }
 
 #[cfg(test)]

@@ -13,12 +13,14 @@ use crate::rd::{Growth, InitialConditions, Maps, System, prolongate, with_obstac
 use crate::synth::grow::convergence::{Rest, Verdict};
 use crate::synth::grow::multigrid_levels;
 use crate::synth::grow::multigrid_levels::Work;
-use crate::synth::grow::position_control::Aim;
-use crate::synth::plan::Plan;
-use crate::synth::plan::pinned_marks::crests;
+use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::position_control::PositionControl;
+use crate::synth::plan::laid_out::Plan;
+use crate::synth::plan::layer_lookup::Lookup;
+use crate::synth::plan::mark_cells::largest_mark;
+use crate::synth::plan::pinned_marks::guide_lines;
 use crate::synth::plan::spacing_correction::pitches;
 use crate::synth::plan::spread::{Varied, vary};
-use crate::synth::render::pattern::Pattern;
 
 /// A layer being grown.
 #[derive(Clone, Debug)]
@@ -26,9 +28,9 @@ pub struct Engine {
     system: System,
     /// Parameters on the planned grid.
     maps: Maps,
-    beginning: InitialConditions,
-    /// Where the kept marks are to end.
-    aim: Option<Aim>,
+    start: InitialConditions,
+    /// Brings pinned marks back to their places.
+    position_control: Option<PositionControl>,
     /// From the coarsest to the planned one.
     grids: Vec<[usize; 2]>,
     stage: Stage,
@@ -60,47 +62,51 @@ impl Engine {
     /// Growth of `plan` from `seed`.
     #[must_use]
     pub fn new(plan: &Plan, seed: u64) -> Self {
-        match vary(plan, seed) {
-            None if let Some(places) = plan.places_in_cells() => {
-                let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
-                let maps = maps.with_decay_noise(plan.irregular, seed);
-                let beginning = InitialConditions::at_places(plan.system, &maps, seed, &places);
-                let largest = multigrid_levels::largest(plan.system, &maps);
-                Self::begun(plan.system, maps, beginning, largest)
+        let Lookup { system, irregular, seeding, map, .. } = &plan.lookup;
+        let (system, layout) = (*system, map.layout());
+        let noisy = |maps: Maps| maps.with_decay_noise(*irregular, seed);
+        if let Some(Varied { maps, places, largest }) = vary(plan, seed) {
+            let maps = noisy(maps);
+            let start = InitialConditions::at_places(system, &maps, seed, &places);
+            let engine = Self::starting_from(system, maps, start, largest);
+            return Self { position_control: PositionControl::new(plan), ..engine };
+        }
+        let (maps, start) = match plan.places() {
+            Some(places) => {
+                let maps = noisy(plan.unpitched_maps());
+                let places = plan.lookup.all_to_cells(places);
+                let start = InitialConditions::at_places(system, &maps, seed, &places);
+                (maps, start)
             }
             None => {
-                let maps = plan.maps(&pitches(plan, seed)).with_decay_noise(plan.irregular, seed);
-                let beginning = InitialConditions::new(plan.system, &maps, seed);
-                let beginning = beginning.with_seeding(&maps, plan.seeding, crests(plan));
-                let largest = multigrid_levels::largest(plan.system, &maps);
-                Self::begun(plan.system, maps, beginning, largest)
+                let maps = noisy(plan.maps(&pitches(plan, seed)));
+                let start = InitialConditions::new(system, &maps, seed);
+                let lines = guide_lines(plan.pinned_lines(), layout.size);
+                let start = start.with_seeding(&maps, *seeding, lines);
+                (maps, start)
             }
-            Some(Varied { maps, places, largest }) => {
-                let maps = maps.with_decay_noise(plan.irregular, seed);
-                let beginning = InitialConditions::at_places(plan.system, &maps, seed, &places);
-                let engine = Self::begun(plan.system, maps, beginning, largest);
-                Self { aim: Aim::of(plan), ..engine }
-            }
-        }
+        };
+        let largest = largest_mark(system, &maps);
+        Self::starting_from(system, maps, start, largest)
     }
 
     /// Growth of `maps` from `seed`.
     #[must_use]
-    pub fn of(system: System, maps: Maps, seed: u64) -> Self {
-        let beginning = InitialConditions::new(system, &maps, seed);
-        let largest = multigrid_levels::largest(system, &maps);
-        Self::begun(system, maps, beginning, largest)
+    pub fn from_maps(system: System, maps: Maps, seed: u64) -> Self {
+        let start = InitialConditions::new(system, &maps, seed);
+        let largest = largest_mark(system, &maps);
+        Self::starting_from(system, maps, start, largest)
     }
 
     /// Marks of up to `largest` cells may be formed on grids that smaller ones are too small for.
-    fn begun(system: System, maps: Maps, beginning: InitialConditions, largest: f64) -> Self {
+    fn starting_from(system: System, maps: Maps, start: InitialConditions, largest: f64) -> Self {
         let grids = multigrid_levels::grids(system, &maps, largest);
-        let stage = stage(system, &maps, &beginning, &grids, 0, None);
+        let stage = stage(system, &maps, &start, &grids, 0, None);
         Self {
             system,
             maps,
-            beginning,
-            aim: None,
+            start,
+            position_control: None,
             grids,
             stage,
             passed: 0.0,
@@ -123,7 +129,7 @@ impl Engine {
         }
         let saved = before.stage.growth.concentrations();
         engine.stage =
-            stage(engine.system, &engine.maps, &engine.beginning, &engine.grids, level, Some((grid, saved)));
+            stage(engine.system, &engine.maps, &engine.start, &engine.grids, level, Some((grid, saved)));
         // Nothing begins here, but all of it may change.
         engine.stage.counts.fill(true);
         let unit = unit(&engine.stage.growth, 1.0);
@@ -134,7 +140,7 @@ impl Engine {
     /// Is there a place for anything to begin?
     #[must_use]
     pub fn begins(&self) -> bool {
-        self.beginning.has_marks()
+        self.start.has_marks()
             && (self.maps.obstacles.is_empty() || self.maps.obstacles.iter().any(|taken| !taken))
     }
 
@@ -178,16 +184,16 @@ impl Engine {
         self.passed += stage.expected;
         let formed = (self.grids[stage.level], stage.growth.concentrations());
         let level = stage.level + 1;
-        self.stage = self::stage(self.system, &self.maps, &self.beginning, &self.grids, level, Some(formed));
+        self.stage = self::stage(self.system, &self.maps, &self.start, &self.grids, level, Some(formed));
     }
 
     /// Moves back what is to stay where it was drawn.
     fn bring_back(&mut self) {
-        let Some(aim) = &self.aim else { return };
+        let Some(control) = &self.position_control else { return };
         let maps = self.stage.coarse.as_ref().unwrap_or(&self.maps);
-        let slides = aim.slides(&self.stage.growth.marks(maps), maps);
-        if !slides.is_empty() {
-            self.stage.growth.warp(maps, &slides);
+        let warps = control.warps(&self.stage.growth.marks(maps), maps);
+        if !warps.is_empty() {
+            self.stage.growth.warp(maps, &warps);
         }
     }
 
@@ -274,7 +280,7 @@ impl Engine {
     /// The pattern as far as it has grown, at `width` × `height` px. `plan` is that of the engine.
     #[must_use]
     pub fn look(&self, plan: &Plan, width: usize, height: usize) -> Field {
-        Pattern::new(plan, &plan.levelled(self.marks())).field(width, height)
+        Pattern::new(&plan.lookup, &plan.levelled(self.marks())).field(width, height)
     }
 }
 
@@ -287,7 +293,7 @@ fn unit(growth: &Growth, pace: f64) -> f64 {
 fn stage(
     system: System,
     maps: &Maps,
-    beginning: &InitialConditions,
+    start: &InitialConditions,
     grids: &[[usize; 2]],
     level: usize,
     formed: Option<([usize; 2], Vec<Vec<f32>>)>,
@@ -305,7 +311,7 @@ fn stage(
     let coarser = formed.as_ref().map(|(from, _)| area(*from) / area(grid));
     let Work { kept, counts, begins, pace } = multigrid_levels::work(system, here, &lost, coarser);
     let fresh = |concentrations: Option<Vec<Vec<f32>>>| {
-        let afresh = beginning.on(here, &|cell| lost.get(cell).copied().unwrap_or(false));
+        let afresh = start.on(here, &|cell| lost.get(cell).copied().unwrap_or(false));
         match concentrations {
             None => afresh,
             Some(mut formed) => {
@@ -329,8 +335,7 @@ fn stage(
     let concentrations = with_obstacle_state(system, here, concentrations);
     let growth = Growth::resumed(system, here, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
-    let rest =
-        Rest::new(system, unit, begins, growth.marks(here).values).healing(beginning.starts_scattered());
+    let rest = Rest::new(system, unit, begins, growth.marks(here).values).healing(start.starts_scattered());
     let rest = if here.obstacles.contains(&true) { rest.among_frozen() } else { rest };
     let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
     Stage { level, coarse, growth, counts, rest, expected }

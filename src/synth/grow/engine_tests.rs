@@ -4,9 +4,9 @@ use super::*;
 use crate::document::Document;
 use crate::grid::{Edges, Grid};
 use crate::rd::Parameters;
-use crate::synth::Training;
-use crate::synth::plan::plan;
+use crate::synth::plan::look_up;
 use crate::synth::plan::sketch_targets;
+use crate::synth::training::Training;
 
 /// Spots (stripes) whose area (squared width) grows `times` from left to right.
 fn graded(system: System, [nx, ny]: [usize; 2], edges: Edges, times: f32) -> Maps {
@@ -28,7 +28,7 @@ fn graded(system: System, [nx, ny]: [usize; 2], edges: Edges, times: f32) -> Map
 
 /// A canvas with several grids under it.
 fn engine(system: System) -> Engine {
-    Engine::of(system, graded(system, [150, 90], Edges::Closed, 9.0), 5)
+    Engine::from_maps(system, graded(system, [150, 90], Edges::Closed, 9.0), 5)
 }
 
 fn bits(engine: &Engine) -> Vec<u32> {
@@ -73,8 +73,11 @@ fn one_cancelled_and_begun_again_is_like_a_new_one() {
     drop(left);
     let [a, b] = [0, 1].map(|_| finished(engine(System::MeinhardtSpots), u64::MAX));
     assert!(bits(&a) == bits(&b));
-    let other =
-        Engine::of(System::MeinhardtSpots, graded(System::MeinhardtSpots, [150, 90], Edges::Closed, 9.0), 6);
+    let other = Engine::from_maps(
+        System::MeinhardtSpots,
+        graded(System::MeinhardtSpots, [150, 90], Edges::Closed, 9.0),
+        6,
+    );
     assert!(bits(&a) != bits(&finished(other, u64::MAX)));
 }
 
@@ -107,7 +110,7 @@ fn spots_of_thirty_times_the_area_settle_in_a_few_times_the_steps_of_the_smalles
     let system = System::MeinhardtSpots;
     let maps = graded(system, [300, 150], Edges::Wrap, 30.0);
     let plain = Growth::new(system, &maps, 1).steps_in(15.0);
-    let grown = finished(Engine::of(system, maps, 1), u64::MAX);
+    let grown = finished(Engine::from_maps(system, maps, 1), u64::MAX);
     assert!(grown.settled() && plain > 25 * grown.steps(), "{} of {plain}", grown.steps());
     let marks = grown.marks();
     assert_eq!([marks.width, marks.height], [300, 150]);
@@ -122,7 +125,7 @@ fn spots_of_thirty_times_the_area_settle_in_a_few_times_the_steps_of_the_smalles
 #[test]
 fn marks_too_small_for_a_coarser_grid_have_one_grid() {
     let p = Parameters { rate: 9.0, ratio: 12.0, stretch: 0.6, direction: 0.0, pitch: 1.0 };
-    let engine = Engine::of(System::MeinhardtSpots, Maps::uniform([80, 70], Edges::Wrap, p), 1);
+    let engine = Engine::from_maps(System::MeinhardtSpots, Maps::uniform([80, 70], Edges::Wrap, p), 1);
     assert_eq!(engine.level(), [1, 1]);
     assert!(finished(engine, u64::MAX).settled());
 }
@@ -142,7 +145,7 @@ fn planned(area: f64) -> Plan {
     );
     let document = Document::parse(&text, "one spot").expect("a document");
     let map = sketch_targets::region_map(&document, 0, "one spot").expect("a spot");
-    plan(&Training::default(), document.layers[0].system, &map).expect("a plan")
+    look_up(&Training::default(), document.layers[0].system, &map).expect("parameters").rough(Vec::new())
 }
 
 #[test]

@@ -2,22 +2,31 @@
 
 use crate::document::{Document, DocumentError};
 use crate::grid::Field;
-use crate::synth::grow::convergence::settle_every;
-use crate::synth::grow::engine::Engine;
+use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::probe::ProbeError;
-use crate::synth::grow::refine::{Measured, refine};
+use crate::synth::grow::refine::Measured;
 use crate::synth::memory::TooLarge;
 use crate::synth::options::Settings;
-use crate::synth::plan::offset_curves::CourseError;
-use crate::synth::plan::{Plan, PlanError};
-use crate::synth::render::pattern::Pattern;
-use crate::synth::watch::{Cancelled, Stage, Watch};
+use crate::synth::plan::error::{LayOutError, PlanError};
+use crate::synth::plan::laid_out::Plan;
+use crate::synth::plan::offset_curves::CurvesError;
+use crate::synth::watch::Cancelled;
 
 impl From<ProbeError> for GrowError {
     fn from(error: ProbeError) -> Self {
         match error {
             ProbeError::Plan(error) => Self::Plan(error),
             ProbeError::Cancelled(cancelled) => Self::Cancelled(cancelled),
+        }
+    }
+}
+
+impl GrowError {
+    /// Why layer number `layer` could not be laid out.
+    pub(crate) fn laying_out(layer: usize, error: LayOutError) -> Self {
+        match error {
+            LayOutError::NoRoom => Self::NoRoom { layer },
+            LayOutError::Curves(reason) => Self::Curves { layer, reason },
         }
     }
 }
@@ -45,7 +54,7 @@ impl GrownLayer {
     /// The pattern at any size.
     #[must_use]
     pub fn pattern(&self) -> Pattern<'_> {
-        let mut pattern = Pattern::new(&self.plan, &self.marks);
+        let mut pattern = Pattern::new(&self.plan.lookup, &self.marks);
         pattern.correction.clone_from(&self.correction);
         pattern
     }
@@ -88,11 +97,11 @@ pub enum GrowError {
     },
     /// Rings or a web find nothing to go round, or no room.
     #[error("layer {layer} cannot be grown: {reason}")]
-    Course {
+    Curves {
         /// 1 = the lowest.
         layer: usize,
         /// Why.
-        reason: CourseError,
+        reason: CurvesError,
     },
     /// The pattern left the range in which its system works.
     #[error(
@@ -102,36 +111,4 @@ pub enum GrowError {
         /// 1 = the lowest.
         layer: usize,
     },
-}
-
-/// Grows layer number `layer` of a document as planned, seen each `every` of normalised time; what has grown is corrected
-/// or not, concentrations kept or not.
-pub(crate) fn grow_layer(
-    plan: Plan,
-    seed: u64,
-    layer: usize,
-    [correct, concentrations]: [bool; 2],
-    watch: &Watch,
-    every: Option<f64>,
-    seen: &mut dyn FnMut(&Plan, &Engine),
-) -> Result<GrownLayer, GrowError> {
-    watch.step(Stage::Plan, 0.5)?;
-    let mut engine = Engine::new(&plan, seed);
-    if !engine.begins() {
-        return Err(GrowError::NoRoom { layer });
-    }
-    watch.step(Stage::Plan, 1.0)?;
-    let settled = settle_every(&mut engine, every, watch, &mut |engine| seen(&plan, engine))?;
-    let marks = plan.levelled(engine.marks());
-    if !marks.values.iter().all(|value| value.is_finite()) {
-        return Err(GrowError::NoPattern { layer });
-    }
-    let steps = engine.steps();
-    let concentrations = if concentrations { engine.concentrations() } else { Vec::new() };
-    drop(engine);
-    let canvas = plan.map.layout().size.map(|side| side as usize);
-    let mut pattern = Pattern::new(&plan, &marks);
-    let measured = refine(&plan, &mut pattern, canvas, correct, watch)?;
-    let correction = pattern.correction;
-    Ok(GrownLayer { plan, steps, settled, correction, measured, marks, concentrations })
 }

@@ -8,7 +8,8 @@
 use rayon::prelude::*;
 
 use crate::grid::Domain;
-use crate::rd::{Maps, Parameters, System};
+use crate::rd::{Maps, System};
+use crate::synth::plan::mark_cells::resolving_cells;
 
 /// Cells that the grid must have for a mark, and for the blend towards those that begin afresh.
 struct Resolved {
@@ -41,18 +42,6 @@ const LEAST_SIDE: f64 = 12.0;
 /// A place formed on a coarser grid needs corrections until its marks have this many times `enough` cells there.
 const EXACT: f64 = 8.0;
 
-/// Cells of a mark as far as they resolve it. The hard edge of Turing's spots pins to the grid along their thin side.
-fn cells(system: System, p: &Parameters) -> f64 {
-    let cells = system.cells(p);
-    if system == System::TuringSpots { cells * f64::from(p.stretch) } else { cells }
-}
-
-/// Cells of the largest mark as far as they resolve it.
-#[must_use]
-pub fn largest(system: System, maps: &Maps) -> f64 {
-    maps.parameters.iter().map(|p| cells(system, p)).fold(0.0, f64::max)
-}
-
 /// Grids from the coarsest to that of `maps`: none that would hold only marks of more than `most` cells.
 #[must_use]
 pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
@@ -61,7 +50,7 @@ pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
         return vec![maps.grid.size];
     }
     let enough = resolved(system).enough * ROOM;
-    let least = maps.parameters.iter().map(|p| cells(system, p)).fold(f64::INFINITY, f64::min);
+    let least = maps.parameters.iter().map(|p| resolving_cells(system, p)).fold(f64::INFINITY, f64::min);
     let mut factors = vec![1.0];
     let first = (least / enough).sqrt();
     if first >= WORTH {
@@ -73,8 +62,8 @@ pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
     {
         factors.push(next);
     }
-    let [nx, ny] = maps.grid.size;
     let side = |n: usize, factor: f64| n as f64 / factor;
+    let [nx, ny] = maps.grid.size;
     factors.retain(|f| *f == 1.0 || side(nx.min(ny), *f) >= LEAST_SIDE);
     let grid = |f: &f64| [side(nx, *f), side(ny, *f)].map(|n| n.round() as usize);
     factors.iter().rev().map(grid).collect()
@@ -104,7 +93,7 @@ pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>
         .parameters
         .par_iter_mut()
         .map(|p| {
-            let share = cells(system, p) / least;
+            let share = resolving_cells(system, p) / least;
             if share < 1.0 {
                 p.rate *= share as f32;
             } else {
@@ -122,7 +111,7 @@ pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>
 #[must_use]
 pub fn work(system: System, maps: &Maps, lost: &[bool], coarser: Option<f64>) -> Work {
     let Resolved { least, enough } = resolved(system);
-    let cells: Vec<f64> = maps.parameters.iter().map(|p| cells(system, p)).collect();
+    let cells: Vec<f64> = maps.parameters.iter().map(|p| resolving_cells(system, p)).collect();
     let share = |cells: f64| {
         let t = ((cells - least) / (enough - least)).clamp(0.0, 1.0);
         (t * t * (3.0 - 2.0 * t)) as f32

@@ -6,8 +6,8 @@ use crate::grid::{Edges, Field};
 use crate::learn;
 use crate::measure::{self, Reason, Spot};
 use crate::rd::{Maps, Parameters, System};
-use crate::synth::grow::convergence::settle;
 use crate::synth::grow::engine::Engine;
+use crate::synth::grow::settle::settle;
 use crate::synth::watch::{Cancelled, Watch};
 
 /// Marks fields run from 0, the ground, to 1, the middle of a mark.
@@ -41,7 +41,7 @@ impl Patch {
     /// Cells along a side.
     #[must_use]
     pub fn side(&self) -> usize {
-        let spacing = self.system.spacing(&self.told());
+        let spacing = self.system.spacing(&self.simulated());
         let side = match self.system {
             system if system.is_striped() => self.extent * spacing,
             // A hexagonal lattice has 2/√3 points a squared spacing.
@@ -50,7 +50,7 @@ impl Patch {
         (side.ceil() as usize).max(8)
     }
 
-    fn told(&self) -> Parameters {
+    fn simulated(&self) -> Parameters {
         let p = &self.parameters;
         Parameters {
             rate: p.rate as f32,
@@ -67,8 +67,8 @@ impl Patch {
     /// [`Cancelled`].
     pub fn grow(&self, watch: &Watch) -> Result<(Field, bool), Cancelled> {
         let side = self.side();
-        let maps = Maps::uniform([side, side], Edges::Wrap, self.told());
-        let mut engine = Engine::of(self.system, maps, self.seed);
+        let maps = Maps::uniform([side, side], Edges::Wrap, self.simulated());
+        let mut engine = Engine::from_maps(self.system, maps, self.seed);
         let settled = settle(&mut engine, watch)?;
         Ok((engine.marks(), settled))
     }

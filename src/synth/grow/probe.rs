@@ -14,13 +14,16 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::{Attributes, Spots, Stripes};
+use crate::attributes::Attributes;
 use crate::learn::{Answer, Coverage};
-use crate::marks::{axial, turn};
 use crate::measure::Reason;
 use crate::rd::System;
 use crate::synth::grow::patch::Patch;
-use crate::synth::plan::{PlanError, ask, exact_cell};
+use crate::synth::plan::corrected::Corrected;
+use crate::synth::plan::error::PlanError;
+use crate::synth::plan::layer_lookup::{Lookup, Start};
+use crate::synth::plan::lookup::{ask, exact_cell};
+use crate::synth::plan::offset::{Correction, Offset};
 use crate::synth::training::Training;
 use crate::synth::watch::{Cancelled, Watch};
 
@@ -34,118 +37,8 @@ const WAVELENGTHS: f64 = 20.0;
 const GROWTHS: usize = 2;
 /// Gains below this are not worth a growth.
 const WORTH: f64 = 0.5;
-/// Above this aspect a direction means nothing.
-const DIRECTED: f64 = 0.8;
 /// Where the first probe's marks begin.
 const SEED: u64 = 0x5eed;
-
-/// How what grows differs from what was asked, or the scatter of that.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Offset {
-    /// Of ln area, or of ln width.
-    pub size: f64,
-    /// Of ln spacing, or of ln wavelength where that is free.
-    pub spacing: f64,
-    /// Of −ln aspect.
-    pub elongation: f64,
-    /// Of the direction, degrees.
-    pub turn: f64,
-}
-
-impl Offset {
-    fn zip(self, other: Self, with: impl Fn(f64, f64) -> f64) -> Self {
-        Self {
-            size: with(self.size, other.size),
-            spacing: with(self.spacing, other.spacing),
-            elongation: with(self.elongation, other.elongation),
-            turn: with(self.turn, other.turn),
-        }
-    }
-
-    /// `self` + `share` · `other`.
-    #[must_use]
-    pub fn plus(self, share: f64, other: Self) -> Self {
-        self.zip(other, |a, b| a + share * b)
-    }
-
-    /// Is all of it below what is `tolerated`?
-    fn within(self, tolerated: Self) -> bool {
-        let Self { size, spacing, elongation, turn } =
-            self.zip(tolerated, |offset, tolerated| f64::from(u8::from(offset.abs() <= tolerated)));
-        size * spacing * elongation * turn > 0.0
-    }
-
-    /// From what was asked to what has grown.
-    #[must_use]
-    pub fn between(asked: &Attributes, got: &Attributes) -> Self {
-        match (asked, got) {
-            (Attributes::Spots(asked), Attributes::Spots(got)) => Self {
-                size: libm::log(got.area / asked.area),
-                spacing: asked.spacing.zip(got.spacing).map_or(0.0, |(asked, got)| libm::log(got / asked)),
-                elongation: libm::log(asked.aspect / got.aspect),
-                turn: if asked.aspect < DIRECTED { turn(got.angle, asked.angle) } else { 0.0 },
-            },
-            (Attributes::Stripes(asked), Attributes::Stripes(got)) => Self {
-                size: libm::log(got.width / asked.width),
-                spacing: asked
-                    .wavelength
-                    .zip(got.wavelength)
-                    .map_or(0.0, |(asked, got)| libm::log(got / asked)),
-                turn: turn(got.angle, asked.angle),
-                ..Self::default()
-            },
-            _ => Self::default(),
-        }
-    }
-
-    /// `attributes` moved by `share` of it; spots become no rounder than round.
-    #[must_use]
-    pub fn applied(&self, share: f64, attributes: &Attributes) -> Attributes {
-        let (size, turned) = (libm::exp(share * self.size), share * self.turn);
-        match attributes {
-            Attributes::Spots(spots) => Attributes::Spots(Spots {
-                area: spots.area * size,
-                aspect: (spots.aspect * libm::exp(-share * self.elongation)).min(1.0),
-                angle: axial(spots.angle + turned),
-                spacing: spots.spacing.map(|spacing| spacing * libm::exp(share * self.spacing)),
-            }),
-            Attributes::Stripes(stripes) => Attributes::Stripes(Stripes {
-                width: stripes.width * size,
-                angle: axial(stripes.angle + turned),
-                wavelength: stripes.wavelength.map(|wavelength| wavelength * libm::exp(share * self.spacing)),
-            }),
-        }
-    }
-}
-
-/// What probes found about one question.
-#[derive(Clone, Debug, Default)]
-pub struct Probed {
-    /// Patches that were grown.
-    pub growths: usize,
-    /// What to subtract from what is asked.
-    pub offset: Offset,
-}
-
-impl Probed {
-    /// What was done, in words; `None` where nothing was.
-    #[must_use]
-    pub fn note(&self) -> Option<String> {
-        let Offset { size, spacing, elongation, turn } = self.offset;
-        let percent = |ln: f64| 100.0 * libm::expm1(ln);
-        (self.growths > 0).then(|| {
-            format!(
-                "parameters corrected by {} growth{} of a patch, which was off by {:+.1} % in size, {:+.1} % in \
-                 spacing, {:+.1} % in aspect and {turn:+.1}°",
-                self.growths,
-                if self.growths == 1 { "" } else { "s" },
-                percent(size),
-                percent(spacing),
-                percent(-elongation)
-            )
-        })
-    }
-}
 
 /// Why probing ended without a result.
 #[derive(Debug, thiserror::Error)]
@@ -168,6 +61,24 @@ pub enum When {
     Always,
 }
 
+/// Corrects the looked-up parameters by probes, one a region. Marks at given places or along curves follow a law that is
+/// as sure as a probe.
+///
+/// # Errors
+/// The training set cannot be read; or [`Cancelled`].
+pub fn correct(
+    lookup: Lookup,
+    training: &Training,
+    when: When,
+    watch: &Watch,
+) -> Result<Corrected, ProbeError> {
+    if !matches!(lookup.start, Start::Free(_)) {
+        return Ok(lookup.uncorrected());
+    }
+    let found = probed(training, lookup.system, &lookup.wanted(), lookup.px_a_cell(), when, watch)?;
+    Ok(lookup.corrected(training, found)?)
+}
+
 /// Probes each of the questions `wanted` (px) on grids of `cell` px a cell. Equal questions are probed once.
 ///
 /// # Errors
@@ -179,7 +90,7 @@ pub fn probed(
     cell: f64,
     when: When,
     watch: &Watch,
-) -> Result<Vec<Probed>, ProbeError> {
+) -> Result<Vec<Correction>, ProbeError> {
     let mut distinct: Vec<Attributes> = Vec::new();
     let places: Vec<usize> = wanted
         .iter()
@@ -202,19 +113,19 @@ fn probed_one(
     cell: f64,
     when: When,
     watch: &Watch,
-) -> Result<Probed, ProbeError> {
+) -> Result<Correction, ProbeError> {
     // Larger marks would only cost more: what is found scales.
     let cell = exact_cell(wanted, cell);
     let watch = &Watch { progress: &|_, _| {}, cancelled: watch.cancelled };
     let open = ask(training, system, wanted, cell)?;
     if open.pitch > 1.0 {
         // Their law is as sure as a probe.
-        return Ok(Probed::default());
+        return Ok(Correction::default());
     }
     // What cannot be reached is not what is corrected to.
     let goal = open.nearest;
     let scatter = scatter(&open);
-    let mut found = Probed::default();
+    let mut found = Correction::default();
     let mut sum = Offset::default();
     let mut answer = open;
     let mut asked = goal;
@@ -323,6 +234,7 @@ fn gain(system: System, answer: &Answer, scatter: Offset, growths: usize, when: 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::attributes::Spots;
     use crate::learn::{Row, TrainingSet};
 
     const WANTED: Attributes =
@@ -340,7 +252,7 @@ mod tests {
         Training::from_rows(System::MeinhardtSpots, rows).unwrap()
     }
 
-    fn probed_by(training: &Training, when: When) -> Probed {
+    fn probed_by(training: &Training, when: When) -> Correction {
         probed(training, System::MeinhardtSpots, &[WANTED], 1.0, when, &Watch::NONE).unwrap()[0].clone()
     }
 

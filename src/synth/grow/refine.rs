@@ -7,8 +7,8 @@ use crate::attributes::Attributes;
 use crate::grid::Field;
 use crate::measure::{self, Spot, SpotErrors, StripeErrors};
 use crate::rd::System;
-use crate::synth::plan::Plan;
-use crate::synth::render::pattern::Pattern;
+use crate::synth::grow::pattern::Pattern;
+use crate::synth::plan::laid_out::Plan;
 use crate::synth::watch::{Cancelled, Stage, Watch};
 
 /// What was measured, by region.
@@ -39,10 +39,10 @@ const FINER: f64 = 1.5;
 /// Measures `pattern`, a field of the canvas of `plan`, against what was asked.
 #[must_use]
 pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
-    if plan.system.is_striped() {
+    if plan.lookup.system.is_striped() {
         let mut errors = plan.on_canvas(|canvas| measure::stripe_errors(pattern, 0.5, canvas));
-        if let Some(course) = &plan.course {
-            errors.iter_mut().enumerate().for_each(|(index, errors)| course.corrected(index, errors));
+        if let Some(curves) = plan.curves() {
+            errors.iter_mut().enumerate().for_each(|(index, errors)| curves.correct(index, errors));
         }
         return Measured::Stripes(errors);
     }
@@ -56,6 +56,15 @@ impl Measured {
         match self {
             Self::Spots { errors, .. } => errors[index].area,
             Self::Stripes(errors) => errors[index].width,
+        }
+    }
+
+    /// All spots, cut ones too; none of stripes.
+    #[must_use]
+    pub fn spots(&self) -> &[Spot] {
+        match self {
+            Self::Spots { marks, .. } => marks,
+            Self::Stripes(_) => &[],
         }
     }
 
@@ -82,7 +91,7 @@ pub fn refine(
     correct: bool,
     watch: &Watch,
 ) -> Result<Measured, Cancelled> {
-    let size = [0, 1].map(|axis| size[axis].min((FINER * plan.grid[axis] as f64).ceil() as usize));
+    let size = [0, 1].map(|axis| size[axis].min((FINER * plan.lookup.grid[axis] as f64).ceil() as usize));
     watch.step(Stage::Refine, 0.0)?;
     let concentration = pattern.concentration(size);
     let ruler = Ruler::of(plan);
@@ -126,10 +135,10 @@ enum Ruler {
 
 impl Ruler {
     fn of(plan: &Plan) -> Self {
-        if !plan.system.is_striped() {
+        if !plan.lookup.system.is_striped() {
             return Self::Spots;
         }
-        let layout = plan.map.layout();
+        let layout = plan.lookup.map.layout();
         let width = |index: usize| {
             let [column, row] = layout.place(index);
             let share = |i: usize, k: usize, axis: usize| {
@@ -137,7 +146,7 @@ impl Ruler {
             };
             let points = (0..POINTS * POINTS)
                 .map(|i| [share(i % POINTS, column, 0), share(i / POINTS, row, 1)])
-                .map(|point| match plan.map.at(point) {
+                .map(|point| match plan.lookup.map.at(point) {
                     Attributes::Stripes(stripes) => stripes.width,
                     Attributes::Spots(_) => 0.0,
                 });
@@ -151,13 +160,13 @@ impl Ruler {
         match self {
             Self::Spots => {
                 let found = measured(plan, pattern);
-                ((0..plan.map.layout().len()).map(|i| found.size_error(i)).collect(), Some(found))
+                ((0..plan.lookup.map.layout().len()).map(|i| found.size_error(i)).collect(), Some(found))
             }
             Self::Stripes(wanted) => {
                 let widths =
                     plan.on_canvas(|canvas| measure::widths(pattern, 0.5, canvas.regions, canvas.region_of));
-                let got = |(index, got): (usize, Option<f64>)| match &plan.course {
-                    Some(course) => Some(course.width(index, got?)),
+                let got = |(index, got): (usize, Option<f64>)| match plan.curves() {
+                    Some(curves) => Some(curves.width(index, got?)),
                     None => got,
                 };
                 let error = |(got, wanted): (Option<f64>, &f64)| Some(got? / wanted - 1.0);
@@ -174,7 +183,7 @@ const POINTS: usize = 16;
 /// d ln size / d ln level: of a Gaussian bell ln area = ln ln(1/l) + c, at a level of ½; of a stripe with a
 /// sinusoidal profile width = (λ/π) arccos(2l − 1); of a line, a Gaussian across, ln width = ½ ln ln(1/l) + c.
 fn first_slope(plan: &Plan) -> f64 {
-    match plan.system {
+    match plan.lookup.system {
         System::MeinhardtStripes => -2.0 / std::f64::consts::PI,
         System::MeinhardtLines => -0.72,
         System::TuringSpots | System::MeinhardtSpots => -1.44,

@@ -1,9 +1,9 @@
 //! The system that `"auto"` takes.
 
-use super::PlanError;
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Stripes};
 use crate::rd::System;
+use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lookup::{ask, cell_for, free_spacing};
 use crate::synth::training::Training;
 
@@ -12,7 +12,7 @@ const MET: f64 = 0.05;
 
 /// Lines want stripes, thin ones on wide ground [`System::MeinhardtLines`]; ellipses want Meinhardt's system, whose spots
 /// are rounder and stand as far apart as asked, unless Turing's meets what is asked and Meinhardt's does not.
-pub(crate) fn auto(training: &Training, map: &RegionMap) -> Result<System, PlanError> {
+pub(super) fn choose_system(training: &Training, map: &RegionMap) -> Result<System, PlanError> {
     let mut miss = [0.0f64; 2];
     for (place, _) in map.regions() {
         let mut wanted = map.at(map.layout().center(place));

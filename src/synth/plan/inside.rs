@@ -4,13 +4,14 @@
 //! centroids of the marks beneath are where the new ones begin, with parameters for their own area, aspect and angle at
 //! the spacing of the layer beneath. Nothing of that layer is frozen for them.
 
-use crate::attributes::regions::RegionMap;
+use crate::attributes::regions::{RegionGrid, RegionMap};
 use crate::attributes::{Attributes, Spots};
 use crate::document::{After, Document, Problem};
 use crate::measure::Spot;
 use crate::rd::{System, adjust_to_walls};
-use crate::synth::grow::refine::Measured;
-use crate::synth::plan::{Plan, PlanError, ask_placed, planned};
+use crate::synth::plan::error::PlanError;
+use crate::synth::plan::layer_lookup::{Lookup, Start};
+use crate::synth::plan::lookup::ask_placed;
 use crate::synth::training::Training;
 
 /// Is layer `index` not shown because the next one stands inside it?
@@ -19,10 +20,9 @@ pub fn is_replaced(document: &Document, index: usize) -> bool {
     document.layers.get(index + 1).is_some_and(|above| above.after == After::Inside)
 }
 
-/// The problem that the marks of layer `index`, which make `map`, are no smaller than those planned `beneath`; `None`
+/// The problem that the marks of layer `index`, which make `map`, are no smaller than those looked up `beneath`; `None`
 /// where they are.
-#[must_use]
-pub fn too_large(index: usize, map: &RegionMap, beneath: &Plan) -> Option<Problem> {
+pub(super) fn too_large(index: usize, map: &RegionMap, beneath: &Lookup) -> Option<Problem> {
     let layout = map.layout();
     map.regions().find_map(|(place, _)| {
         let center = layout.center(place);
@@ -41,11 +41,8 @@ pub fn too_large(index: usize, map: &RegionMap, beneath: &Plan) -> Option<Proble
     })
 }
 
-/// Plans a layer with the attributes of `map` inside that of `beneath`, whose spacing it takes.
-///
-/// # Errors
-/// As [`crate::synth::plan::lookup`].
-pub fn plan_inside(training: &Training, map: &RegionMap, beneath: &Plan) -> Result<Plan, PlanError> {
+/// Looks up a layer with the attributes of `map` inside that of `beneath`, whose spacing it takes.
+pub(super) fn look_up(training: &Training, map: &RegionMap, beneath: &Lookup) -> Result<Lookup, PlanError> {
     let spacings = beneath.answers.iter().map(|answer| match answer.predicted {
         Attributes::Spots(Spots { spacing, .. }) => spacing,
         Attributes::Stripes(_) => None,
@@ -55,9 +52,7 @@ pub fn plan_inside(training: &Training, map: &RegionMap, beneath: &Plan) -> Resu
     let room = |place| room(&map.at(layout.center(place)), &beneath.map.at(layout.center(place)));
     let room = map.regions().map(|(place, _)| room(place)).fold(1.0, f64::min);
     let system = System::MeinhardtSpots;
-    let mut plan = planned(system, map, &|wanted, cell| ask_placed(training, system, wanted, room, cell))?;
-    plan.places = Some(Vec::new());
-    Ok(plan)
+    Lookup::new(system, map, Start::Inside, &|wanted, cell| ask_placed(training, system, wanted, room, cell))
 }
 
 /// The share of the mean distance that is left to spots in the direction in which their own shape suits the places of
@@ -74,40 +69,40 @@ fn room(own: &Attributes, beneath: &Attributes) -> f64 {
     (half - (half * half - 1.0).max(0.0).sqrt()).max(0.0).sqrt()
 }
 
-impl Plan {
-    /// Places where its marks begin: inside each of `beneath`. At closed edges no spot stands near the wall but on it;
-    /// those that would are moved.
-    pub fn place_inside(&mut self, beneath: &Measured) {
-        let Measured::Spots { marks, .. } = beneath else { return };
-        let cells = |spot: &Spot| [0, 1].map(|axis| spot.ellipse.center[axis] / self.cell[axis]);
-        let places = marks.iter().filter(|spot| !spot.endless).map(cells).collect();
-        let maps = self.maps(&vec![1.0; self.map.layout().len()]);
-        self.places = Some(self.px(&adjust_to_walls(self.system, &maps, places)));
-    }
+/// Places where the marks begin, px: the centres of the `spots` beneath. At closed edges no spot stands near the wall but
+/// on it; those that would are moved.
+pub(super) fn places_inside(lookup: &Lookup, spots: &[Spot]) -> Vec<[f64; 2]> {
+    let centers: Vec<[f64; 2]> =
+        spots.iter().filter(|spot| !spot.endless).map(|spot| spot.ellipse.center).collect();
+    let layout = lookup.map.layout();
+    let maps = lookup.maps(&vec![1.0; layout.len()], &[]);
+    let places = adjust_to_walls(lookup.system, &maps, lookup.all_to_cells(&centers));
+    lookup.all_to_px(&places)
+}
 
-    /// Says of its regions whose places these are, and how many stayed without a mark of their own.
-    pub fn tell_places(&mut self, measured: &Measured, beneath: &str) {
-        let (Some(places), Measured::Spots { marks, .. }) = (&self.places, measured) else { return };
-        let layout = self.map.layout();
-        let mut counts = vec![[0usize; 2]; layout.len()];
-        for (kind, point) in
-            places.iter().map(|at| (0, *at)).chain(marks.iter().map(|mark| (1, mark.ellipse.center)))
-        {
-            counts[layout.index(layout.region_of(point))][kind] += 1;
-        }
-        // Where none is missing on the whole, one may still have moved over the border of its region.
-        let missing = marks.len() < places.len();
-        for ([given, grown], remarks) in counts.into_iter().zip(&mut self.remarks) {
-            remarks.push(format!(
-                "one mark at each place of \"{beneath}\", which is not shown; the spacing is its"
-            ));
-            if missing && grown < given {
-                remarks.push(format!(
-                    "{} of {given} places have no mark of their own: they are too near each other for such marks; \
-                     draw smaller ones",
-                    given - grown
-                ));
-            }
-        }
+/// Remarks by region on marks that began at the given places: whose places these are, and how many got no mark of their
+/// own. `grown` are the marks that stand there now, `beneath` is the name of the layer whose places they are.
+#[must_use]
+pub fn remarks(layout: &RegionGrid, places: &[[f64; 2]], grown: &[Spot], beneath: &str) -> Vec<Vec<String>> {
+    let mut counts = vec![[0usize; 2]; layout.len()];
+    let places_and_marks =
+        places.iter().map(|at| (0, *at)).chain(grown.iter().map(|mark| (1, mark.ellipse.center)));
+    for (kind, point) in places_and_marks {
+        counts[layout.index(layout.region_of(point))][kind] += 1;
     }
+    // Where none is missing on the whole canvas, a mark may still have moved over the border of its region.
+    let missing = grown.len() < places.len();
+    let of_region = |[given, got]: [usize; 2]| {
+        let mut remarks =
+            vec![format!("one mark at each place of \"{beneath}\", which is not shown; the spacing is its")];
+        if missing && got < given {
+            remarks.push(format!(
+                "{} of {given} places have no mark of their own: they are too near each other for such marks; \
+                 draw smaller ones",
+                given - got
+            ));
+        }
+        remarks
+    };
+    counts.into_iter().map(of_region).collect()
 }

@@ -4,12 +4,17 @@
 //! times finer than the regions and interpolated in the coordinates in which the map is near-linear
 //! (ln rate, ln ratio, −ln stretch · (cos 2φ, sin 2φ), ln pitch, level).
 
-use crate::attributes::regions::RegionGrid;
+use rayon::prelude::*;
+
+use crate::attributes::regions::{RegionGrid, RegionMap};
 use crate::learn::Answer;
 use crate::rd;
+use crate::synth::plan::error::PlanError;
+use crate::synth::plan::lookup::Ask;
+use crate::synth::plan::offset::Offset;
 
 /// Lattice nodes a region along each side; odd, so that region centres, where attributes bend, are nodes.
-pub const FINER: usize = 5;
+const FINER: usize = 5;
 
 /// Parameters at one node in interpolable coordinates; or between nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,9 +28,9 @@ pub struct Node {
 }
 
 impl Node {
-    /// From parameters looked up; a system without a ratio or a level gets neutral ones.
+    /// Looked-up parameters; a system without a ratio or a level gets neutral ones.
     #[must_use]
-    pub fn of(answer: &Answer) -> Self {
+    pub fn from_answer(answer: &Answer) -> Self {
         let p = &answer.parameters;
         let stretch = -libm::log(p.stretch);
         let double = (2.0 * p.direction).to_radians();
@@ -55,7 +60,7 @@ impl Node {
         Self { ln_rate: self.ln_rate + ln_rate, shape: [self.shape[0] + c, self.shape[1] + s], ..*self }
     }
 
-    /// What the simulation is told; the pitch corrected by this factor.
+    /// Parameters of the simulation, the pitch multiplied by this factor.
     #[must_use]
     pub fn parameters(&self, pitch: f64) -> rd::Parameters {
         let [c, s] = self.shape;
@@ -79,9 +84,32 @@ pub struct Lattice {
 }
 
 impl Lattice {
+    /// Looks up what `map` wants at every node, less the `offsets` of the regions around it.
+    ///
+    /// # Errors
+    /// Those of `ask`.
+    pub(super) fn looked_up(
+        map: &RegionMap,
+        cell: f64,
+        offsets: &[Offset],
+        ask: Ask,
+    ) -> Result<Self, PlanError> {
+        let layout = Self::layout_over(map.layout());
+        let node = |index: usize| {
+            let point = layout.center(layout.place(index));
+            let corners = map.layout().corners(point);
+            let offset = corners
+                .iter()
+                .fold(Offset::default(), |sum, &(region, weight)| sum.plus(weight, offsets[region]));
+            let asked = offset.applied(-1.0, &map.at(point));
+            Ok(Node::from_answer(&ask(&asked, cell)?))
+        };
+        let nodes = (0..layout.len()).into_par_iter().map(node).collect::<Result<Vec<_>, PlanError>>()?;
+        Ok(Self { layout, nodes })
+    }
+
     /// The layout of the lattice over a canvas with these regions.
-    #[must_use]
-    pub fn over(regions: &RegionGrid) -> RegionGrid {
+    fn layout_over(regions: &RegionGrid) -> RegionGrid {
         let finer = |n: usize| if n == 1 { 1 } else { FINER * n };
         RegionGrid { grid: regions.grid.map(finer), ..*regions }
     }

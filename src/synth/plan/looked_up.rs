@@ -3,7 +3,8 @@
 use crate::attributes::{Attributes, Spots};
 use crate::learn::Answer;
 use crate::rd::System;
-use crate::synth::plan::{PlanError, ask, cell_for, free_spacing};
+use crate::synth::plan::error::PlanError;
+use crate::synth::plan::lookup::{ask, cell_for, free_spacing};
 use crate::synth::training::Training;
 
 /// The parameters with which a system grows given attributes, and what is expected of them.

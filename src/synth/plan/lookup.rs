@@ -3,7 +3,7 @@
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::learn::{Answer, Note};
 use crate::rd::System;
-use crate::synth::plan::PlanError;
+use crate::synth::plan::error::PlanError;
 use crate::synth::training::Training;
 
 /// Cells that the smallest spot of a texture covers at half its peak. `facts.md` rule 1: below 25 the grid
@@ -30,6 +30,10 @@ const FREE_MEINHARDT: f64 = 0.12;
 const NOTICED: f64 = 0.02;
 /// From this pitch on spots among sparse ones are laid apart: they stand alone at their usual level.
 const ALONE: f64 = 1.7;
+
+/// Looks up attributes (px) for a grid of so many px a cell.
+pub(super) type Ask<'a> = &'a (dyn Fn(&Attributes, f64) -> Result<Answer, PlanError> + Sync);
+
 /// px a cell that suits these attributes.
 #[must_use]
 pub fn cell_for(wanted: &Attributes) -> f64 {

@@ -1,28 +1,28 @@
-//! What was drawn stays where it was drawn: drawn marks are among those that grow, and the others grow around them.
+//! Drawn marks that stay where they were drawn: they are among those that grow, and the others grow around them.
 //!
 //! ```text
-//!  ellipses ─▶ those that can stand (rd: placeable) ─▶ Kept: place, and how it differs from its region
-//!                                                       │  laid first, in parameters of its own (spread),
-//!                                                       │  brought back while it forms (aim)
-//!  lines ────▶ crests of the noise that stripes begin from ─▶ grown ─▶ how well they stayed (stayed)
+//!  ellipses ─▶ those that find room (rd: placeable) ─▶ PinnedMark: place, and how it deviates from its region
+//!                                                        │  placed first, in parameters of its own (spread),
+//!                                                        │  brought back while it forms (grow: position control)
+//!  lines ────▶ guide lines of the noise that stripes begin from ─▶ grown ─▶ how well they stayed (report)
 //! ```
 
-mod stayed;
-
 use crate::attributes::Attributes;
-use crate::marks::{Ellipse, Line, Mark, turn};
+use crate::attributes::regions::RegionGrid;
+use crate::grid::Edges;
+use crate::marks::{Ellipse, Line, turn};
 use crate::rd::{self, GuideLine, Hindrance, System, placeable};
-use crate::synth::plan::Plan;
-use crate::synth::plan::spread::{ASPECTS, Draw, most, own, wanted};
-pub use stayed::{Stayed, apart, covered, off, seen, stayed};
+use crate::synth::plan::layer_lookup::Lookup;
+use crate::synth::plan::spread::limits::{ASPECTS, most};
+use crate::synth::plan::spread::one_spot::{Deviation, own_parameters};
 
-/// A drawn mark that grows where it was drawn.
+/// A drawn spot that stays where it was drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kept {
+pub struct PinnedMark {
     /// As it was drawn, on the canvas that is grown, px.
     pub drawn: Ellipse,
-    /// How it differs from what its region has on the mean.
-    pub draw: Draw,
+    /// How it deviates from the mean of its region.
+    pub deviation: Deviation,
 }
 
 /// Meinhardt's spots merge nearer to each other than d = N₀ + N₁ √(area ÷ spacing²) spacings. Of nine pairs among others,
@@ -36,31 +36,31 @@ const PACKED: f64 = 0.22;
 /// A single spot may differ by this many of the standard deviations that spots bear: as much as the drawn ones do.
 const DEVIATIONS: f64 = 2.45;
 
-impl Kept {
-    /// What `drawn` is among the spots of `plan`.
-    fn of(plan: &Plan, drawn: Ellipse) -> Self {
-        let wanted = wanted(plan, drawn.center);
-        let place = plan.map.region_of(drawn.center);
-        let mut most = most(plan.system, &wanted);
-        if plan.map.spread_is_given() {
-            // Told how unlike spots are, those that were drawn are no more so.
-            most = most.with(&plan.map.region(place).spread, f64::min);
+impl PinnedMark {
+    /// The spot `drawn` among those of `lookup`.
+    fn new(lookup: &Lookup, drawn: Ellipse) -> Self {
+        let wanted = lookup.spots_at(drawn.center);
+        let place = lookup.map.region_of(drawn.center);
+        let mut most = most(lookup.system, &wanted);
+        if lookup.map.spread_is_given() {
+            // The spread that was asked for bounds the drawn spots, too.
+            most = most.with(&lookup.map.region(place).spread, f64::min);
         }
         let larger = 1.0 + DEVIATIONS * most.area;
         let rounder = DEVIATIONS * most.aspect;
         let turned = (DEVIATIONS * most.angle).min(90.0);
-        let mean = match plan.map.region(place).filled {
+        let mean = match lookup.map.region(place).filled {
             Attributes::Spots(mean) => mean,
             Attributes::Stripes(_) => wanted,
         };
         let bounds =
             [ASPECTS[0] - wanted.aspect, ASPECTS[1] - wanted.aspect].map(|b| b.clamp(-rounder, rounder));
-        let draw = Draw {
+        let deviation = Deviation {
             area: (drawn.area() / mean.area).clamp(1.0 / larger, larger),
             aspect: (drawn.aspect() - mean.aspect).clamp(bounds[0].min(0.0), bounds[1].max(0.0)),
             turn: turn(drawn.major_angle(), mean.angle).clamp(-turned, turned),
         };
-        Self { drawn, draw }
+        Self { drawn, deviation }
     }
 
     /// √(r₁r₂), px.
@@ -69,76 +69,63 @@ impl Kept {
         (self.drawn.radii[0] * self.drawn.radii[1]).sqrt()
     }
 
-    /// As it is laid among the others.
+    /// The spot with the room that it takes among the others; `pitch` is by region.
     #[must_use]
-    pub fn laid(&self, plan: &Plan, pitch: &[f64]) -> rd::PinnedSpot {
-        let (_, own) = own(plan, self.drawn.center, pitch, &self.draw);
+    pub fn among_others(&self, lookup: &Lookup, pitch: &[f64]) -> rd::PinnedSpot {
+        let (_, own) = own_parameters(lookup, self.drawn.center, pitch, &self.deviation);
         let at = [0, 1].map(|axis| {
-            let end = plan.grid[axis] as f64 * (1.0 - 1e-12);
-            (self.drawn.center[axis] / plan.cell[axis]).clamp(0.0, end)
+            let end = lookup.grid[axis] as f64 * (1.0 - 1e-12);
+            (self.drawn.center[axis] / lookup.cell[axis]).clamp(0.0, end)
         });
-        rd::PinnedSpot { at, own, near: nearest(plan, self.drawn.center) }
+        rd::PinnedSpot { at, own, near: nearest(lookup, self.drawn.center) }
     }
 }
 
 /// How near another spot may stand to one like those wanted at a place (px), in pitches.
-fn nearest(plan: &Plan, px: [f64; 2]) -> f64 {
-    let wanted = wanted(plan, px);
-    let pitch = plan.px_a_cell() * plan.system.spacing(&plan.lattice.at(px).parameters(1.0));
+fn nearest(lookup: &Lookup, px: [f64; 2]) -> f64 {
+    let wanted = lookup.spots_at(px);
+    let pitch = lookup.px_a_cell() * lookup.system.spacing(&lookup.lattice.at(px).parameters(1.0));
     let spacing = wanted.spacing.unwrap_or((wanted.area / PACKED).sqrt());
-    let share = match plan.system {
+    let share = match lookup.system {
         System::TuringSpots => TURING,
         _ => NEAREST[0] + NEAREST[1] * wanted.area.sqrt() / spacing,
     };
     share * spacing / pitch
 }
 
-/// Keeps in `plan` those of `marks` that can be, and says of the others why not.
-pub fn keep(plan: &mut Plan, marks: &[Mark]) {
-    let (mut ellipses, mut lines): (Vec<Ellipse>, Vec<Line>) = (Vec::new(), Vec::new());
-    for mark in marks {
-        match mark {
-            Mark::Ellipse(ellipse) => ellipses.push(*ellipse),
-            Mark::Line(line) => lines.push(*line),
-        }
-    }
-    plan.crests = lines;
-    keep_spots(plan, &ellipses);
-}
-
-fn keep_spots(plan: &mut Plan, ellipses: &[Ellipse]) {
-    if ellipses.is_empty() {
-        return;
-    }
-    let layout = *plan.map.layout();
-    let drawn: Vec<Kept> = ellipses.iter().map(|ellipse| Kept::of(plan, *ellipse)).collect();
+/// Those of `ellipses` (px) that find room beside the `obstacles`, and a remark a region on those that do not.
+pub(super) fn pin_spots(
+    lookup: &Lookup,
+    obstacles: &[bool],
+    ellipses: &[Ellipse],
+) -> (Vec<PinnedMark>, Vec<Option<String>>) {
+    let layout = *lookup.map.layout();
+    let drawn: Vec<PinnedMark> = ellipses.iter().map(|ellipse| PinnedMark::new(lookup, *ellipse)).collect();
     let pitch = vec![1.0; layout.len()];
-    let laid: Vec<rd::PinnedSpot> = drawn.iter().map(|kept| kept.laid(plan, &pitch)).collect();
-    let standing = placeable(plan.system, &plan.maps(&pitch), &laid);
+    let among: Vec<rd::PinnedSpot> = drawn.iter().map(|mark| mark.among_others(lookup, &pitch)).collect();
+    let room = placeable(lookup.system, &lookup.maps(&pitch, obstacles), &among);
     let mut counts = vec![Counts::default(); layout.len()];
-    for (kept, stands) in drawn.into_iter().zip(standing) {
-        let count = &mut counts[layout.index(layout.region_of(kept.drawn.center))];
+    let mut pinned = Vec::with_capacity(drawn.len());
+    for (mark, room) in drawn.into_iter().zip(room) {
+        let count = &mut counts[layout.index(layout.region_of(mark.drawn.center))];
         count.drawn += 1;
-        match stands {
-            Ok(()) => plan.kept.push(kept),
+        match room {
+            Ok(()) => pinned.push(mark),
             Err(Hindrance::Obstacle) => count.taken += 1,
             Err(Hindrance::Neighbour) => count.neighbour += 1,
         }
     }
-    for (remarks, counts) in plan.remarks.iter_mut().zip(&counts) {
-        remarks.extend(counts.note());
-    }
+    (pinned, counts.iter().map(Counts::note).collect())
 }
 
-/// The kept lines of `plan`.
+/// `lines` (px) as guide lines of the noise that stripes begin from, on a canvas of `size` px.
 #[must_use]
-pub fn crests(plan: &Plan) -> Vec<GuideLine> {
-    let size = plan.map.layout().size;
+pub fn guide_lines(lines: &[Line], size: [f64; 2]) -> Vec<GuideLine> {
     let share = |end: [f64; 2]| [0, 1].map(|axis| end[axis] / size[axis]);
-    plan.crests.iter().map(|line| GuideLine { from: share(line.from), to: share(line.to) }).collect()
+    lines.iter().map(|line| GuideLine { from: share(line.from), to: share(line.to) }).collect()
 }
 
-/// Marks of a region: how many were drawn, and how many cannot be kept, by reason.
+/// Marks of a region: how many were drawn, and how many find no room, by reason.
 #[derive(Clone, Copy, Debug, Default)]
 struct Counts {
     drawn: usize,
@@ -147,7 +134,7 @@ struct Counts {
 }
 
 impl Counts {
-    /// What there is to say.
+    /// A remark on those that find no room.
     fn note(&self) -> Option<String> {
         let reasons = [
             (self.neighbour, "nearer to another than such spots can", "nearer to others than such spots can"),
@@ -170,4 +157,36 @@ impl Counts {
         let kept = self.drawn - lost;
         (lost > 0).then(|| format!("{kept} of {} drawn marks kept: {}", self.drawn, said.join(", ")))
     }
+}
+
+/// The vector from `b` to `a`, px; on a tile the shortest.
+#[must_use]
+pub fn displacement(a: [f64; 2], b: [f64; 2], layout: &RegionGrid) -> [f64; 2] {
+    [0, 1].map(|axis| {
+        let (way, side) = (a[axis] - b[axis], layout.size[axis]);
+        if layout.edges == Edges::Wrap { way - side * (way / side).round() } else { way }
+    })
+}
+
+/// The centre of the part of an ellipse that lies on the canvas, px.
+#[must_use]
+pub fn visible_center(ellipse: &Ellipse, layout: &RegionGrid) -> [f64; 2] {
+    const RINGS: usize = 12;
+    const POINTS: usize = 48;
+    let [s, c] = [libm::sin, libm::cos].map(|f| f(ellipse.angle.to_radians()));
+    let point = |ring: usize, k: usize| {
+        // Rings of equal area.
+        let radius = ((ring as f64 + 0.5) / RINGS as f64).sqrt();
+        let way = std::f64::consts::TAU * k as f64 / POINTS as f64;
+        let [along, across] =
+            [ellipse.radii[0] * radius * libm::cos(way), ellipse.radii[1] * radius * libm::sin(way)];
+        [ellipse.center[0] + along * c - across * s, ellipse.center[1] + along * s + across * c]
+    };
+    let on = |point: &[f64; 2]| {
+        layout.edges == Edges::Wrap || (0..2).all(|axis| (0.0..=layout.size[axis]).contains(&point[axis]))
+    };
+    let all = (0..RINGS).flat_map(|ring| (0..POINTS).map(move |k| (ring, k)));
+    let inside: Vec<[f64; 2]> = all.map(|(ring, k)| point(ring, k)).filter(on).collect();
+    let mean = |axis: usize| inside.iter().map(|point| point[axis]).sum::<f64>() / inside.len() as f64;
+    if inside.is_empty() { ellipse.center } else { [mean(0), mean(1)] }
 }

@@ -2,14 +2,13 @@
 //!
 //! Spots keep the places they begin at but for a per cent of the spacing, so the spacing can be measured before
 //! anything has grown: the nuclei are laid, measured as `docs/format.md` defines *spacing*, and laid again. So do lines:
-//! their crests are
-//! measured. What a system makes of its own distance is in the training rows, so that these are what is compared to.
+//! their crests are measured. What a system makes of its own distance is in the training rows, so that these are what is compared to.
 
 use crate::attributes::{Attributes, Stripes};
 use crate::marks::Ellipse;
 use crate::measure::{Canvas, Spot, spot_errors, stripe_errors};
 use crate::rd::{Maps, System, initial_marks, nuclei};
-use crate::synth::plan::Plan;
+use crate::synth::plan::laid_out::Plan;
 
 /// Rounds of laying nuclei before they are laid to stay; a third changes nothing that the noise of a dozen spots would
 /// not hide.
@@ -22,9 +21,9 @@ pub const MANY: usize = 20_000;
 /// What the system's own pitch is multiplied by, by region.
 #[must_use]
 pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
-    let layout = plan.map.layout();
+    let layout = plan.lookup.map.layout();
     let mut pitch = vec![1.0; layout.len()];
-    match plan.system {
+    match plan.lookup.system {
         System::TuringSpots | System::MeinhardtSpots => {}
         System::MeinhardtStripes => return pitch,
         System::MeinhardtLines => {
@@ -38,7 +37,7 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
         }
     }
     for _ in 0..ROUNDS {
-        let points = nuclei(plan.system, &plan.maps(&pitch), seed, &[]).inside;
+        let points = nuclei(plan.lookup.system, &plan.maps(&pitch), seed, &[]).inside;
         if points.len() > MANY {
             break;
         }
@@ -54,10 +53,11 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
 fn crowding(plan: &Plan, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
     // What covers them counts later.
     let maps = Maps { obstacles: Vec::new(), ..plan.maps(pitch) };
-    let crests = initial_marks(plan.system, &maps, seed);
+    let crests = initial_marks(plan.lookup.system, &maps, seed);
     plan.on_canvas(|canvas| {
         let own = |point: [f64; 2]| {
-            let wavelength = plan.system.spacing(&plan.lattice.at(point).parameters(1.0)) * plan.px_a_cell();
+            let wavelength = plan.lookup.system.spacing(&plan.lookup.lattice.at(point).parameters(1.0))
+                * plan.lookup.px_a_cell();
             Attributes::Stripes(Stripes { width: 1.0, angle: 0.0, wavelength: Some(wavelength) })
         };
         let canvas = Canvas { wanted: &own, covered: &|_| false, ..*canvas };
@@ -78,5 +78,5 @@ pub fn spots_at(plan: &Plan, places: &[[f64; 2]]) -> Vec<Spot> {
         let ellipse = Ellipse::from_area(center, 1.0, 1.0, 0.0);
         Spot { ellipse, whole: true, endless: false, contour: 0.0, fill: 1.0, peak: 1.0 }
     };
-    plan.px(places).into_iter().map(spot).collect()
+    plan.lookup.all_to_px(places).into_iter().map(spot).collect()
 }

@@ -5,9 +5,10 @@ use std::path::Path;
 use crate::document::Document;
 use crate::export::motion::{self, COLOURS, Film, Kind, PreparedFilm};
 use crate::export::{ExportError, Stopped};
+use crate::synth::grow::layer::GrowError;
 use crate::synth::render::film::{FilmError, Scene, Takes, fitted, palette};
 use crate::synth::render::morph::Morph;
-use crate::synth::{GrowError, Watch};
+use crate::synth::watch::Watch;
 
 /// px of the longer side of a frame, unless it is said: clips are looked at small.
 pub const SIDE: u32 = 480;

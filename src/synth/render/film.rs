@@ -15,8 +15,9 @@ use crate::document::Document;
 use crate::export::{Stopped, shrink};
 use crate::synth::grow::cascade::grow_seen;
 use crate::synth::grow::layer::{GrowError, Grown};
+use crate::synth::grow::snapshot::Snapshot;
 use crate::synth::options::Options;
-use crate::synth::render::painting::{Look, Painting, gradient_of};
+use crate::synth::render::painting::{Painting, gradient_of};
 use crate::synth::watch::{Stage, Watch};
 
 /// Normalised time from moment to moment: a growth takes 20–100 of it on its coarsest grid, where most of what is seen
@@ -73,7 +74,7 @@ struct Clock {
 
 impl Clock {
     /// The moment of this look; and whether its layer began anew.
-    fn tick(&mut self, look: &Look) -> (Moment, bool) {
+    fn tick(&mut self, look: &Snapshot) -> (Moment, bool) {
         let (layer, steps) = (look.beneath.len(), look.engine.steps());
         let again = layer == self.layer && steps < self.steps;
         let next = layer != self.layer || again;

@@ -5,4 +5,3 @@ pub mod film;
 pub mod morph;
 pub mod outlining;
 pub mod painting;
-pub mod pattern;

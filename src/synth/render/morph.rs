@@ -15,12 +15,13 @@ use crate::document::{After, Document};
 use crate::export::Stopped;
 use crate::grid::Field;
 use crate::rd::{Growth, System, with_obstacle_state};
-use crate::synth::grow::convergence::settle;
+
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::GrowError;
+use crate::synth::grow::settle::settle;
 use crate::synth::memory;
 use crate::synth::plan::sketch_targets::region_map;
-use crate::synth::plan::{Plan, PlanError, finest_cell, free_spacing, plan, plan_on};
+use crate::synth::plan::{Plan, PlanError, finest_cell, free_spacing, look_up, look_up_on};
 use crate::synth::render::film::FilmError;
 use crate::synth::render::film::{Show, mixed, painted};
 use crate::synth::render::painting::Painting;
@@ -92,7 +93,7 @@ impl<'a> Morph<'a> {
             ));
         }
         let choices = [from, to].map(|(document, _)| document.layers[0].choice());
-        let system = |choice, map: &RegionMap| Ok(plan(training, choice, map)?.system);
+        let system = |choice, map: &RegionMap| Ok(look_up(training, choice, map)?.system);
         let of = |choice, map| system(choice, map).map_err(|error: PlanError| GrowError::from(error));
         let systems = [of(choices[0], &maps[0])?, of(choices[1], &maps[1])?];
         // What grows the first by choice grows the other too where that leaves it open.
@@ -122,12 +123,13 @@ impl<'a> Morph<'a> {
     fn plan(&self, share: f64) -> Result<Plan, GrowError> {
         let [from, to] = &self.maps;
         let map = from.blended(to, share).expect("of one kind, as was checked");
-        Ok(plan_on(self.training, self.system, &map, self.cell)?)
+        Ok(look_up_on(self.training, self.system, &map, self.cell)?.rough(Vec::new()))
     }
 
     fn begin(&mut self, watch: &Watch) -> Result<(), GrowError> {
         let plan = self.plan(0.0)?;
-        memory::check(plan.system, plan.map.layout().size, plan.grid)?;
+        let lookup = &plan.lookup;
+        memory::check(lookup.system, lookup.map.layout().size, lookup.grid)?;
         let mut engine = Engine::new(&plan, self.documents[0].layer_seed(0));
         let started = Instant::now();
         settle(&mut engine, watch)?;
@@ -172,7 +174,7 @@ impl<'a> Morph<'a> {
 
     /// Lets the state follow `plan` for some time.
     fn advance(&mut self, plan: &Plan, time: f64) -> Result<Field, GrowError> {
-        let maps = plan.maps(&vec![1.0; plan.map.layout().len()]);
+        let maps = plan.unpitched_maps();
         let state = with_obstacle_state(self.system, &maps, std::mem::take(&mut self.state));
         let mut growth = Growth::resumed(self.system, &maps, &state).expect("one grid for all frames");
         if time > 0.0 {

@@ -7,9 +7,9 @@ use crate::export::Stopped;
 use crate::export::outline::{Group, Shape, Smallest, Source, Style, Travel, draw, outline};
 use crate::grid::Edges;
 use crate::synth::grow::layer::{Grown, GrownLayer};
+use crate::synth::grow::pattern::Pattern;
 use crate::synth::plan::inside::is_replaced;
 use crate::synth::render::painting::gradient_of;
-use crate::synth::render::pattern::Pattern;
 use crate::synth::watch::{Stage, Watch};
 
 /// The pattern value at which a layer's colour is taken: well inside a mark, short of its middle.

@@ -16,12 +16,12 @@ use crate::export::picture::{self, QUALITY};
 use crate::export::png::{Header, Samples};
 use crate::export::{self, Content, ExportError, Format, Prepared, Stopped, exr};
 use crate::grid::{Edges, Field, to_u16};
-use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::{Grown, GrownLayer};
+use crate::synth::grow::pattern::EDGE;
+use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::snapshot::Snapshot;
 use crate::synth::plan::Plan;
 use crate::synth::plan::inside::is_replaced;
-use crate::synth::plan::obstacle_mask::COVERED;
-use crate::synth::render::pattern::Pattern;
 use crate::synth::watch::{Stage, Watch};
 
 /// What is painted, at the size of the pictures.
@@ -52,9 +52,9 @@ impl<'a> Painting<'a> {
 
     /// A layer that still grows, on top of those that have `grown`, at `size` px.
     #[must_use]
-    pub fn growing(document: &Document, look: &Look<'a>, size: [usize; 2]) -> Self {
-        let mut layers: Vec<_> = look.beneath.iter().map(GrownLayer::pattern).collect();
-        layers.push(Pattern::new(look.plan, &look.plan.levelled(look.engine.marks())));
+    pub fn growing(document: &Document, snapshot: &Snapshot<'a>, size: [usize; 2]) -> Self {
+        let mut layers: Vec<_> = snapshot.beneath.iter().map(GrownLayer::pattern).collect();
+        layers.push(Pattern::new(&snapshot.plan.lookup, &snapshot.plan.levelled(snapshot.engine.marks())));
         let mut painting = Self::with(document, size, layers);
         // What grows is seen although the next layer will stand in its place.
         let top = painting.layers.len() - 1;
@@ -65,7 +65,7 @@ impl<'a> Painting<'a> {
     /// One layer of which `marks` are as a growth gives them, in the colours of the lowest of `document`, at `size` px.
     #[must_use]
     pub fn of_marks(document: &Document, plan: &'a Plan, marks: Field, size: [usize; 2]) -> Self {
-        Self::with(document, size, vec![Pattern::new(plan, &plan.levelled(marks))])
+        Self::with(document, size, vec![Pattern::new(&plan.lookup, &plan.levelled(marks))])
     }
 
     fn with(document: &Document, size: [usize; 2], layers: Vec<Pattern<'a>>) -> Self {
@@ -108,7 +108,7 @@ impl<'a> Painting<'a> {
                 continue;
             }
             for (left, value) in left.iter_mut().zip(&pattern.values) {
-                *left &= *value < COVERED;
+                *left &= *value < EDGE;
             }
         }
         Band { painting: self, patterns, free }
@@ -235,16 +235,6 @@ pub enum Channel {
     Labels,
 }
 
-/// A look at a document that grows.
-pub struct Look<'a> {
-    /// The layers that have grown.
-    pub beneath: &'a [GrownLayer],
-    /// What grows on top of them.
-    pub plan: &'a Plan,
-    /// How far it is.
-    pub engine: &'a Engine,
-}
-
 /// The colours of the layer with this index: its own, or the default set.
 pub(crate) fn gradient_of(layer: &Layer, index: usize) -> Gradient {
     let own = layer.colours.as_ref().map(Colours::gradient);
@@ -303,7 +293,7 @@ impl Band<'_> {
     pub fn labels(&self, labels: &mut [u8]) {
         let painted = self.painted();
         for (px, label) in labels.iter_mut().enumerate() {
-            let layer = painter(&painted, px).filter(|layer| self.patterns[*layer].values[px] >= COVERED);
+            let layer = painter(&painted, px).filter(|layer| self.patterns[*layer].values[px] >= EDGE);
             // A document has at most 255 layers.
             *label = layer.map_or(0, |layer| (layer + 1) as u8);
         }

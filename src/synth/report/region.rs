@@ -3,12 +3,15 @@
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use crate::attributes::{Attributes, Spread};
+use crate::document::Document;
 use crate::learn::Note;
 use crate::rd::Seeding;
 use crate::synth::grow::layer::GrownLayer;
 use crate::synth::grow::refine::Measured;
-use crate::synth::plan::pinned_marks;
-use crate::synth::plan::pinned_marks::Stayed;
+use crate::synth::plan::Plan;
+use crate::synth::plan::inside;
+use crate::synth::report::pinned;
+use crate::synth::report::pinned::Stayed;
 
 /// What there is to say about a region of a grown layer. Lengths are px.
 #[derive(Clone, Debug)]
@@ -100,26 +103,33 @@ struct SpreadEntry {
     got: Option<Spread>,
 }
 
-/// The report of each region of a layer, row by row.
+/// The report of each region of a layer, row by row; `layer` is what has grown of layer `index` of `document`.
 #[must_use]
-pub fn regions(layer: &GrownLayer) -> Vec<RegionReport> {
+pub fn regions(document: &Document, index: usize, layer: &GrownLayer) -> Vec<RegionReport> {
     let plan = &layer.plan;
-    let [nx, ny] = plan.grid;
-    let stayed = pinned_marks::stayed(plan, &layer.measured, &|| layer.pattern().field(nx, ny));
-    (0..plan.answers.len()).map(|index| region(layer, index, stayed.get(index))).collect()
+    let [nx, ny] = plan.lookup.grid;
+    let stayed = pinned::stayed(plan, &layer.measured, &|| layer.pattern().field(nx, ny));
+    let mut remarks = plan.lookup.remarks.clone();
+    if let (Some(places), Some(below)) = (plan.places(), index.checked_sub(1)) {
+        let (layout, grown) = (plan.lookup.map.layout(), layer.measured.spots());
+        let inside = inside::remarks(layout, places, grown, &document.layers[below].name);
+        remarks.iter_mut().zip(inside).for_each(|(remarks, inside)| remarks.extend(inside));
+    }
+    let regions = remarks.into_iter().enumerate();
+    regions.map(|(index, remarks)| region(layer, index, remarks, stayed.get(index))).collect()
 }
 
-fn region(layer: &GrownLayer, index: usize, stayed: Option<&Stayed>) -> RegionReport {
-    let plan = &layer.plan;
-    let layout = plan.map.layout();
+fn region(layer: &GrownLayer, index: usize, remarks: Vec<String>, stayed: Option<&Stayed>) -> RegionReport {
+    let Plan { lookup, corrections, .. } = &layer.plan;
+    let layout = lookup.map.layout();
     let place = layout.place(index);
-    let answer = &plan.answers[index];
+    let answer = &lookup.answers[index];
     let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
-    notes.extend(plan.remarks[index].iter().cloned());
-    notes.extend(plan.probed[index].note());
-    notes.extend(stayed.and_then(|stayed| stayed.note(plan.system.is_striped())));
+    notes.extend(remarks);
+    notes.extend(corrections[index].note());
+    notes.extend(stayed.and_then(|stayed| stayed.note(lookup.system.is_striped())));
     let (marks, mut error) = errors(&layer.measured, index);
-    if plan.seeding == Seeding::Initiators {
+    if lookup.seeding == Seeding::Initiators {
         // Stripes run round the lines; no direction was asked.
         error.retain(|(name, _)| *name == "width");
     }
@@ -129,8 +139,8 @@ fn region(layer: &GrownLayer, index: usize, stayed: Option<&Stayed>) -> RegionRe
     RegionReport {
         place,
         marks,
-        asked: plan.map.at(layout.center(place)),
-        directed: plan.way.is_none(),
+        asked: lookup.map.at(layout.center(place)),
+        directed: lookup.curve_kind().is_none(),
         parameters: parameters(layer, index),
         predicted: answer.predicted,
         got: layer.measured.got(index),
@@ -143,8 +153,8 @@ fn region(layer: &GrownLayer, index: usize, stayed: Option<&Stayed>) -> RegionRe
 }
 
 fn parameters(layer: &GrownLayer, index: usize) -> Vec<(&'static str, f64)> {
-    let plan = &layer.plan;
-    let answer = &plan.answers[index];
+    let lookup = &layer.plan.lookup;
+    let answer = &lookup.answers[index];
     let mut named = answer.parameters.named();
     for (name, value) in &mut named {
         if *name == "level" {
@@ -154,16 +164,16 @@ fn parameters(layer: &GrownLayer, index: usize) -> Vec<(&'static str, f64)> {
     if answer.pitch > 1.0 {
         named.push(("pitch", answer.pitch));
     }
-    if plan.way.is_some() {
+    if lookup.curve_kind().is_some() {
         named.retain(|(name, _)| *name != "direction");
     }
-    named.push(("cell", plan.px_a_cell()));
+    named.push(("cell", lookup.px_a_cell()));
     named
 }
 
 /// How much the spots of a region were to vary and do; `None` where none was to.
 fn spread(layer: &GrownLayer, place: [usize; 2], index: usize) -> Option<(Spread, Option<Spread>)> {
-    let asked = layer.plan.map.region(place).spread;
+    let asked = layer.plan.lookup.map.region(place).spread;
     if asked.is_zero() {
         return None;
     }

@@ -1,8 +1,8 @@
 //! Documents: what is read is written and read back as it was, and what would be grown can be told.
 
 use dapple::document::Document;
-use dapple::internals::synth::plan::sketch_targets::region_map;
-use dapple::internals::synth::{Training, memory, planned};
+use dapple::internals::synth::plan::Targets;
+use dapple::internals::synth::{Training, memory};
 use std::sync::LazyLock;
 
 use crate::kept::comes_back;
@@ -35,11 +35,12 @@ fn is_planned(document: &Document) {
     }
     let mut beneath = None;
     for index in 0..document.layers.len() {
-        let map = match region_map(document, index, FILE) {
-            Ok(map) => map,
+        let size = document.size.map(f64::from);
+        let targets = match Targets::read(document, index, FILE, size, beneath.as_ref()) {
+            Ok(targets) => targets,
             Err(error) => return told(&error.to_string(), FILE),
         };
-        let plan = match planned(document, index, FILE, &TRAINING, &map, beneath.as_ref()) {
+        let plan = match targets.look_up(&TRAINING) {
             Ok(plan) => plan,
             Err(error) => return assert!(!error.to_string().is_empty()),
         };

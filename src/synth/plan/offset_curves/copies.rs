@@ -1,55 +1,11 @@
-//! Which mark a cell belongs to, or lies nearest to; on a tile also which of its copies.
+//! Connected marks on a tile: which mark a cell belongs to, and which of its copies.
 
-use crate::grid::Edges;
+use crate::grid::Grid;
 
-/// A grid of cells over a canvas.
-#[derive(Clone, Copy, Debug)]
-pub struct Grid {
-    /// Cells along x and y.
-    pub size: [usize; 2],
-    /// px a cell along x and y.
-    pub cell: [f64; 2],
-    /// What lies beyond the border.
-    pub edges: Edges,
-}
-
-impl Grid {
-    /// The cell some columns and rows away, and how many whole canvases away that is; `None` beyond closed edges.
-    #[must_use]
-    pub fn away(&self, cell: usize, [columns, rows]: [i32; 2]) -> Option<(usize, [i32; 2])> {
-        let [nx, ny] = self.size.map(|n| n as i32);
-        let (x, y) = (cell as i32 % nx + columns, cell as i32 / nx + rows);
-        let beyond = [x.div_euclid(nx), y.div_euclid(ny)];
-        if self.edges == Edges::Closed && beyond != [0, 0] {
-            return None;
-        }
-        Some(((y.rem_euclid(ny) * nx + x.rem_euclid(nx)) as usize, beyond))
-    }
-
-    /// Cells in all.
-    #[must_use]
-    pub fn cells(&self) -> usize {
-        self.size[0] * self.size[1]
-    }
-
-    /// The middle of a cell, px.
-    #[must_use]
-    pub fn middle(&self, cell: usize) -> [f64; 2] {
-        let [x, y] = [cell % self.size[0], cell / self.size[0]];
-        [(x as f64 + 0.5) * self.cell[0], (y as f64 + 0.5) * self.cell[1]]
-    }
-
-    /// px a cell, where cells are as good as square.
-    #[must_use]
-    pub fn px(&self) -> f64 {
-        (self.cell[0] * self.cell[1]).sqrt()
-    }
-}
-
-/// Half of the eight neighbours of a cell; the others have it as theirs.
+/// Half of the eight neighbours of a cell; of the others it is a neighbour.
 const NEIGHBOURS: [[i32; 2]; 4] = [[1, 0], [-1, 1], [0, 1], [1, 1]];
 
-/// Cells that hang together: union–find that also knows how many canvases apart they were seen.
+/// Connected cells: union–find that also counts how many canvases apart two cells were joined.
 #[derive(Clone, Debug)]
 pub struct Copies {
     parent: Vec<u32>,
@@ -59,14 +15,14 @@ pub struct Copies {
 }
 
 impl Copies {
-    /// Those of the cells that are `set`.
+    /// Connects the cells that are `set`.
     #[must_use]
-    pub fn of(set: &[bool], grid: &Grid) -> Self {
+    pub fn connect(set: &[bool], grid: &Grid) -> Self {
         let n = set.len();
         let mut copies =
             Self { parent: (0..n as u32).collect(), shift: vec![[0; 2]; n], endless: vec![false; n] };
         for cell in (0..n).filter(|cell| set[*cell]) {
-            for (other, beyond) in NEIGHBOURS.iter().filter_map(|offset| grid.away(cell, *offset)) {
+            for (other, beyond) in NEIGHBOURS.iter().filter_map(|offset| grid.step(cell, *offset)) {
                 if set[other] {
                     copies.join(cell, other, beyond);
                 }
@@ -75,7 +31,7 @@ impl Copies {
         copies
     }
 
-    /// The cell that stands for all that `cell` hangs together with, and the canvases to add to go to its frame.
+    /// The root of the cells that `cell` is connected to, and the canvases to add to come to its frame.
     #[must_use]
     pub fn find(&self, cell: usize) -> (usize, [i32; 2]) {
         let (mut at, mut total) = (cell, [0, 0]);
@@ -86,7 +42,7 @@ impl Copies {
         (at, total)
     }
 
-    /// `a` and `b` are one: `b` is seen `apart` canvases away from where it is.
+    /// Joins `a` and `b`, where `b` lies `apart` canvases away from its own place.
     pub fn join(&mut self, a: usize, b: usize, apart: [i32; 2]) {
         let ((ra, sa), (rb, sb)) = (self.find(a), self.find(b));
         // A place p of b is p + sb in its root's frame, and p + apart + sa in that of a's root.
@@ -99,7 +55,7 @@ impl Copies {
         self.parent[high] = low as u32;
         self.shift[high] = if high == rb { shift } else { difference([0, 0], shift) };
         self.endless[low] |= self.endless[high];
-        // Both are on the way up from now on: keep it short.
+        // Shorten both paths.
         for (cell, root, found) in [(a, ra, sa), (b, rb, sb)] {
             if cell != root {
                 self.parent[cell] = root as u32;
@@ -108,7 +64,7 @@ impl Copies {
         }
     }
 
-    /// What the cell `canvases` away belongs to, so that no two different marks, or copies of one, have the same.
+    /// The mark of the cell that lies `canvases` away: different for different marks, and for copies of one.
     #[must_use]
     pub fn identity(&self, cell: usize, canvases: [i32; 2]) -> (usize, [i32; 2]) {
         let (root, shift) = self.find(cell);
@@ -127,6 +83,7 @@ fn difference(a: [i32; 2], b: [i32; 2]) -> [i32; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::Edges;
 
     fn cells(picture: &[&str]) -> (Vec<bool>, Grid) {
         let size = [picture[0].len(), picture.len()];
@@ -137,7 +94,7 @@ mod tests {
     #[test]
     fn a_mark_across_the_border_is_one_and_its_copies_are_others() {
         let (set, grid) = cells(&["#...#", ".....", "..#..", "....."]);
-        let copies = Copies::of(&set, &grid);
+        let copies = Copies::connect(&set, &grid);
         // Seen from the right end, the left end of the same mark is one canvas to the right.
         assert_eq!(copies.identity(4, [0, 0]), copies.identity(0, [1, 0]));
         assert_ne!(copies.identity(4, [0, 0]), copies.identity(0, [0, 0]));
@@ -147,16 +104,7 @@ mod tests {
     #[test]
     fn a_stripe_round_the_tile_is_its_own_copy() {
         let (set, grid) = cells(&[".....", "#####", "....."]);
-        let copies = Copies::of(&set, &grid);
+        let copies = Copies::connect(&set, &grid);
         assert_eq!(copies.identity(7, [0, 0]), copies.identity(5, [1, 0]));
-    }
-
-    #[test]
-    fn closed_edges_end_the_grid() {
-        let grid = Grid { size: [3, 2], cell: [1.0; 2], edges: Edges::Closed };
-        assert_eq!(grid.away(2, [1, 0]), None);
-        assert_eq!(grid.away(2, [-1, 1]), Some((4, [0, 0])));
-        let grid = Grid { edges: Edges::Wrap, ..grid };
-        assert_eq!(grid.away(2, [1, -1]), Some((3, [1, -1])));
     }
 }

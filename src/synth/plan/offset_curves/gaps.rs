@@ -1,39 +1,41 @@
-//! Gaps in rings: how many, where, and which cells they keep free.
+//! Gaps of open rings: how many, where, and which cells they block.
 
+use crate::grid::Grid;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::collections::BTreeMap;
 
 use crate::grid::distance::nearest;
-use crate::synth::plan::offset_curves::{Grid, Wanted};
+use crate::synth::plan::offset_curves::CurveRequest;
 
 /// Ring widths from one gap to the next along a ring, on average: a leopard's rosettes have three or four.
 const APART: f64 = 6.0;
-/// How much their number differs from that, at most, either way.
+/// Their number differs from that by at most this, either way.
 const MORE_OR_LESS: f64 = 0.8;
 /// Fewest gaps a ring.
 const LEAST: f64 = 2.0;
 /// Places that are tried for each gap; the one farthest from the others is taken (Mitchell's best candidate).
 const TRIES: usize = 6;
-/// Ring widths to either side of the curve within which a gap keeps cells free.
+/// Ring widths to either side of the curve within which a gap blocks cells.
 const REACH: f64 = 1.4;
 
-/// What the end of an arc recedes from a gap by, ÷ its width.
+/// The end of an arc recedes from a gap by this, ÷ its width.
 const RECEDES: f64 = 0.65;
-/// Half the length that is kept free in the smallest gap ÷ the width.
+/// Half the length that is blocked in the smallest gap ÷ the width.
 const LEAST_CUT: f64 = 0.2;
 
 /// Where rings are open.
 pub struct Gaps {
-    /// Whether a cell is in a gap.
+    /// Whether a cell lies in a gap.
     pub opened: Vec<bool>,
-    /// Two places for each gap: ends of the arcs beside it, px.
+    /// Two places a gap: the ends of the arcs beside it, px.
     pub ends: Vec<[f64; 2]>,
 }
 
-/// Opens the rings along `curve` by the share that is wanted. `ring` says which ring a cell of the curve is of.
+/// Opens the rings along `curve` by the requested share. `off` is the distance of each cell to the curve, cells; `ring`
+/// gives the ring of a cell of the curve.
 pub fn open(
-    wanted: &Wanted,
+    request: &CurveRequest,
     grid: &Grid,
     off: &[f32],
     curve: &[bool],
@@ -43,20 +45,21 @@ pub fn open(
     for cell in (0..curve.len()).filter(|cell| curve[*cell]) {
         rings.entry(ring(cell)).or_default().push(cell);
     }
-    let mut rng = Pcg64Mcg::seed_from_u64(wanted.seed);
+    let mut rng = Pcg64Mcg::seed_from_u64(request.seed);
     let mut cut = vec![false; curve.len()];
     let mut ends = Vec::new();
     for cells in rings.values() {
         // Of a band as wide as a cell, as many cells as it is long.
-        let length = grid.px() * cells.iter().filter(|cell| off[**cell] < 0.5).count() as f64;
-        let width = cells.iter().map(|cell| f64::from(wanted.width[*cell])).sum::<f64>() / cells.len() as f64;
+        let length = grid.px_a_cell() * cells.iter().filter(|cell| off[**cell] < 0.5).count() as f64;
+        let width =
+            cells.iter().map(|cell| f64::from(request.width[*cell])).sum::<f64>() / cells.len() as f64;
         let more = MORE_OR_LESS * (2.0 * rng.random::<f64>() - 1.0);
         let gaps = (length / (APART * width) + more).round().max(LEAST);
-        let half = (0.5 * wanted.broken * length / gaps - RECEDES * width).max(LEAST_CUT * width);
+        let half = (0.5 * request.broken * length / gaps - RECEDES * width).max(LEAST_CUT * width);
         let members = |cell: usize| curve[cell] && cells.binary_search(&cell).is_ok();
         for place in places(cells, grid, gaps as usize, &mut rng) {
-            walk(place, grid, half, &members, &mut cut);
-            ends.extend([grid.middle(place); 2]);
+            cut_along(place, grid, half, &members, &mut cut);
+            ends.extend([grid.center_px(place); 2]);
         }
     }
     let Some(to) = nearest(curve, grid.size, grid.cell, grid.edges) else {
@@ -64,14 +67,14 @@ pub fn open(
     };
     let opened = (0..curve.len())
         .map(|cell| {
-            let near = f64::from(off[cell]) * grid.px() < REACH * f64::from(wanted.width[cell]);
-            near && grid.away(cell, to[cell]).is_some_and(|(at, _)| cut[at])
+            let near = f64::from(off[cell]) * grid.px_a_cell() < REACH * f64::from(request.width[cell]);
+            near && grid.step(cell, to[cell]).is_some_and(|(at, _)| cut[at])
         })
         .collect();
     Gaps { opened, ends }
 }
 
-/// So many of the `cells`, far from each other.
+/// `count` of the `cells`, far from each other.
 fn places(cells: &[usize], grid: &Grid, count: usize, rng: &mut impl Rng) -> Vec<usize> {
     let mut places: Vec<usize> = Vec::with_capacity(count);
     for _ in 0..count {
@@ -79,7 +82,7 @@ fn places(cells: &[usize], grid: &Grid, count: usize, rng: &mut impl Rng) -> Vec
         for _ in 0..TRIES {
             let cell = cells[rng.random_range(0..cells.len())];
             let apart = |other: &usize| {
-                let [a, b] = [grid.middle(cell), grid.middle(*other)];
+                let [a, b] = [grid.center_px(cell), grid.center_px(*other)];
                 let [x, y] = [0, 1].map(|axis| {
                     let side = grid.size[axis] as f64 * grid.cell[axis];
                     let straight = (a[axis] - b[axis]).abs();
@@ -102,7 +105,7 @@ fn places(cells: &[usize], grid: &Grid, count: usize, rng: &mut impl Rng) -> Vec
 }
 
 /// Cuts the curve within `half` px of `place` along it.
-fn walk(place: usize, grid: &Grid, half: f64, members: &dyn Fn(usize) -> bool, cut: &mut [bool]) {
+fn cut_along(place: usize, grid: &Grid, half: f64, members: &dyn Fn(usize) -> bool, cut: &mut [bool]) {
     const STEPS: [[i32; 2]; 8] = [[1, 0], [-1, 0], [0, 1], [0, -1], [1, 1], [1, -1], [-1, 1], [-1, -1]];
     let mut known: BTreeMap<usize, f64> = BTreeMap::from([(place, 0.0)]);
     let mut left = vec![place];
@@ -111,7 +114,7 @@ fn walk(place: usize, grid: &Grid, half: f64, members: &dyn Fn(usize) -> bool, c
         cut[cell] = true;
         let so_far = known[&cell];
         for step in STEPS {
-            let Some((next, _)) = grid.away(cell, step).filter(|(next, _)| members(*next)) else { continue };
+            let Some((next, _)) = grid.step(cell, step).filter(|(next, _)| members(*next)) else { continue };
             let along = so_far + crate::grid::distance::length(step, grid.cell);
             if along <= half && known.get(&next).is_none_or(|known| along < known - 1e-9) {
                 known.insert(next, along);

@@ -1,11 +1,12 @@
-//! A web: where two marks beneath are as near as each other.
+//! Webs: the medial axis, where two marks beneath are equally near.
 
 use crate::grid::distance::{length, nearest};
+use crate::grid::{Domain, Grid};
 use crate::synth::plan::offset_curves::copies::Copies;
-use crate::synth::plan::offset_curves::room::CourseError;
-use crate::synth::plan::offset_curves::{Course, Grid, Wanted, Way, along, radius};
+use crate::synth::plan::offset_curves::error::CurvesError;
+use crate::synth::plan::offset_curves::{CurveKind, CurveRequest, Curves, blur_radius, directions};
 
-/// Distance between two marks ÷ the web's width that a web needs between them; nearer ones are surrounded together.
+/// Distance between two marks ÷ the web's width that a web needs; nearer marks are surrounded together.
 pub const NEED: f64 = 1.8;
 /// Nothing grows nearer to a mark than this share of the web's width.
 const HALO: f64 = 0.2;
@@ -15,24 +16,24 @@ const LANE: f64 = 1.3;
 /// Inhibitor that is held on both sides: from 0.25 down lines slide to one side of their lane, from 0.4 up they die in
 /// narrow ones.
 const HELD: f32 = 0.33;
-/// Pieces of the web that are less than this share of all of it are left out; larger ones are too many.
+/// Pieces of the web that are less than this share of all of it are left out; two larger ones are an error.
 const PIECE: f64 = 0.1;
-/// Where more than this share of the web finds no room it is none.
+/// Where more than this share of the web finds no room, there is none.
 const NARROW: f64 = 0.5;
 
-/// A web between the marks that `wanted` says.
-pub fn lay(wanted: &Wanted, grid: &Grid, regions: usize) -> Result<Course, CourseError> {
-    let away = nearest(wanted.taken, grid.size, grid.cell, grid.edges);
-    let away = away.ok_or(CourseError::Nothing("span a web between"))?;
-    let px = grid.px();
+/// Lays a web between the obstacles of `request`.
+pub fn lay(request: &CurveRequest, grid: &Grid, regions: usize) -> Result<Curves, CurvesError> {
+    let away = nearest(request.obstacles, grid.size, grid.cell, grid.edges);
+    let away = away.ok_or(CurvesError::Nothing("span a web between"))?;
+    let px = grid.px_a_cell();
     let distance: Vec<f64> = away.iter().map(|way| (length(*way, grid.cell) - 0.5 * px).max(0.0)).collect();
-    let mut copies = Copies::of(wanted.taken, grid);
+    let mut copies = Copies::connect(request.obstacles, grid);
     let whole = between(&away, grid, &copies);
     let all = whole.iter().filter(|set| **set).count();
     if all == 0 {
-        return Err(CourseError::Single);
+        return Err(CurvesError::Single);
     }
-    let width = |cell: usize| f64::from(wanted.width[cell]);
+    let width = |cell: usize| f64::from(request.width[cell]);
     let near = |[cell, other]: [usize; 2]| distance[cell] + distance[other] < NEED * width(cell);
     join_near(&mut copies, &away, grid, &near);
     let mut middle = between(&away, grid, &copies);
@@ -41,7 +42,7 @@ pub fn lay(wanted: &Wanted, grid: &Grid, regions: usize) -> Result<Course, Cours
     let mean = whole.iter().enumerate().filter(|(_, set)| **set).map(|(cell, _)| width(cell)).sum::<f64>();
     let mean = mean / all as f64;
     if share > NARROW {
-        return Err(CourseError::TooNarrow { lines: "webs", width: mean, need: NEED * mean, share });
+        return Err(CurvesError::TooNarrow { lines: "webs", width: mean, need: NEED * mean, share });
     }
     one_piece(&mut middle, grid)?;
     let mut remarks = Vec::new();
@@ -53,45 +54,46 @@ pub fn lay(wanted: &Wanted, grid: &Grid, regions: usize) -> Result<Course, Cours
             100.0 * share
         ));
     }
-    let to = nearest(&middle, grid.size, grid.cell, grid.edges).ok_or(CourseError::Single)?;
+    let to = nearest(&middle, grid.size, grid.cell, grid.edges).ok_or(CurvesError::Single)?;
     let off: Vec<f32> = to.iter().map(|way| ((length(*way, grid.cell) / px) as f32 - 0.5).max(0.0)).collect();
-    let kept_off: Vec<bool> = (0..grid.cells())
+    let blocked: Vec<bool> = (0..grid.cells())
         .map(|cell| distance[cell] < HALO * width(cell) || f64::from(off[cell]) * px > LANE * width(cell))
         .collect();
-    let curve = off.iter().zip(&kept_off).map(|(off, kept)| *off < 1.0 && !kept).collect();
-    let told = |cell: usize| {
+    let curve = off.iter().zip(&blocked).map(|(off, kept)| *off < 1.0 && !kept).collect();
+    let stretch_and_meeting = |cell: usize| {
         let widths = f64::from(off[cell]) * px / width(cell);
-        (Way::Web.stretch(), libm::exp(-widths * widths))
+        (CurveKind::Web.stretch(), libm::exp(-widths * widths))
     };
-    let along = along(&to, grid, radius(wanted.width, grid), told);
-    let held = vec![HELD; grid.cells()];
-    Ok(Course { way: Way::Web, off, along, kept_off, held, curve, ends: vec![(0.0, 0.0); regions], remarks })
+    let directions = directions(&to, grid, blur_radius(request.width, grid), stretch_and_meeting);
+    let inhibitor = vec![HELD; grid.cells()];
+    let ends = vec![(0.0, 0.0); regions];
+    Ok(Curves { distance: off, directions, blocked, inhibitor, curve, ends, remarks })
 }
 
-/// A cell of a mark, and the canvases away that it is seen.
-type Seen = (usize, [i32; 2]);
+/// A cell of a mark, and how many canvases away it lies.
+type MarkCopy = (usize, [i32; 2]);
 
-/// Two cells side by side, and what each is nearest to, as seen from the first.
+/// Two neighbouring cells and the cell of a mark that is nearest to each, relative to the canvas of the first.
 struct Pair {
     cells: [usize; 2],
-    marks: [Seen; 2],
+    marks: [MarkCopy; 2],
 }
 
 impl Pair {
-    /// Are they nearest to the same mark, and the same copy of it?
-    fn is_of_one(&self, copies: &Copies) -> bool {
+    /// Are both nearest to the same mark, and to the same copy of it?
+    fn is_of_one_mark(&self, copies: &Copies) -> bool {
         let [(mark, canvas), (next, beyond)] = self.marks;
         mark == next && canvas == beyond || copies.identity(mark, canvas) == copies.identity(next, beyond)
     }
 }
 
-/// Each cell with the one to the right and the one below, where there are such.
+/// Each cell with its right and with its lower neighbour, where there is one.
 fn pairs<'a>(away: &'a [[i32; 2]], grid: &'a Grid) -> impl Iterator<Item = Pair> + 'a {
     // A nearest cell lies across the border of a wrapped canvas only, so that there always is one.
-    let seen = |cell: usize| grid.away(cell, away[cell]).unwrap_or((cell, [0, 0]));
+    let seen = |cell: usize| grid.step(cell, away[cell]).unwrap_or((cell, [0, 0]));
     (0..away.len()).flat_map(move |cell| {
         [[1, 0], [0, 1]].into_iter().filter_map(move |side| {
-            let (other, [x, y]) = grid.away(cell, side)?;
+            let (other, [x, y]) = grid.step(cell, side)?;
             let (mark, [mx, my]) = seen(other);
             Some(Pair { cells: [cell, other], marks: [seen(cell), (mark, [mx + x, my + y])] })
         })
@@ -101,25 +103,25 @@ fn pairs<'a>(away: &'a [[i32; 2]], grid: &'a Grid) -> impl Iterator<Item = Pair>
 /// The cells in the middle between two marks, or two copies of one.
 pub fn between(away: &[[i32; 2]], grid: &Grid, copies: &Copies) -> Vec<bool> {
     let mut middle = vec![false; away.len()];
-    for pair in pairs(away, grid).filter(|pair| !pair.is_of_one(copies)) {
+    for pair in pairs(away, grid).filter(|pair| !pair.is_of_one_mark(copies)) {
         pair.cells.iter().for_each(|cell| middle[*cell] = true);
     }
     middle
 }
 
-/// Makes one of all marks that are too `near` to each other somewhere.
+/// Joins marks that are too `near` to each other somewhere.
 fn join_near(copies: &mut Copies, away: &[[i32; 2]], grid: &Grid, near: &dyn Fn([usize; 2]) -> bool) {
     for pair in pairs(away, grid) {
-        if !pair.is_of_one(copies) && near(pair.cells) {
+        if !pair.is_of_one_mark(copies) && near(pair.cells) {
             let [(mark, [x, y]), (next, [bx, by])] = pair.marks;
             copies.join(mark, next, [bx - x, by - y]);
         }
     }
 }
 
-/// Leaves the largest piece alone where the others are small.
-fn one_piece(middle: &mut [bool], grid: &Grid) -> Result<(), CourseError> {
-    let pieces = Copies::of(middle, grid);
+/// Removes all pieces but the largest where the others are small.
+fn one_piece(middle: &mut [bool], grid: &Grid) -> Result<(), CurvesError> {
+    let pieces = Copies::connect(middle, grid);
     let mut sizes = vec![0usize; middle.len()];
     for cell in (0..middle.len()).filter(|cell| middle[*cell]) {
         sizes[pieces.find(cell).0] += 1;
@@ -128,7 +130,7 @@ fn one_piece(middle: &mut [bool], grid: &Grid) -> Result<(), CourseError> {
     let largest = (0..sizes.len()).fold(0, |best, root| if sizes[root] > sizes[best] { root } else { best });
     let parts = sizes.iter().filter(|size| **size as f64 > PIECE * all as f64).count();
     if parts > 1 {
-        return Err(CourseError::Parts(parts));
+        return Err(CurvesError::Parts(parts));
     }
     for (cell, set) in middle.iter_mut().enumerate() {
         *set = *set && pieces.find(cell).0 == largest;

@@ -1,26 +1,28 @@
-//! The course of lines that go round the marks beneath, or between them.
+//! Curves of lines that run around the marks beneath, or between them.
 //!
-//! Meinhardt's lines stand where they were begun, and spread along their direction (`facts.md` M). So they are begun
-//! along a curve, and told to run along it:
+//! Meinhardt's lines stand where they began, and spread along their direction (`facts.md` M). So they begin along a curve,
+//! with its direction:
 //!
 //! ```text
-//!  marks beneath ─▶ distance to the nearest ─▶ rings: where it is the same        ─┐
-//!                                           └▶ web: where two marks are as near ─┴─▶ crests, directions
+//!  marks beneath ─▶ distance to the nearest ─▶ rings: where it is the same (offset curves)       ─┐
+//!                                           └▶ web: where two marks are equally near (medial axis) ┴─▶ curves, directions
 //! ```
 //!
-//! What stands there in the end, and how wide it is, the reaction decides.
+//! The reaction decides what stands there in the end, and how wide it is.
 
 mod blur;
 mod copies;
+mod error;
 mod gaps;
-mod levels;
+mod level_curves;
 mod medial_axis;
 mod rings;
-mod room;
 
-pub use copies::Grid;
-pub use room::CourseError;
+pub use error::CurvesError;
 
+use crate::attributes::regions::RegionMap;
+use crate::attributes::{Attributes, Stripes};
+use crate::grid::{Domain, Grid};
 use crate::measure::StripeErrors;
 use crate::rd::{GuideCurves, Maps, Parameters};
 use blur::blurred;
@@ -33,16 +35,16 @@ pub const RATIO: f64 = 15.0;
 /// after T = 60.
 const MEETING: f64 = 8.0;
 
-/// What lines do to the marks beneath.
+/// The curves that lines run along.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
-    /// They ring each.
+pub enum CurveKind {
+    /// A ring around each mark.
     Rings,
-    /// They run between them as one web.
+    /// One web between all marks.
     Web,
 }
 
-impl Way {
+impl CurveKind {
     /// √rate of lines one cell wide, by the ruler at half of the local peak.
     #[must_use]
     pub fn law(self) -> f64 {
@@ -73,88 +75,84 @@ impl Way {
     }
 }
 
-/// What a layer of such lines is told, by cell of its grid.
+/// Curves for the lines of a layer, by cell of its grid.
 #[derive(Clone, Debug)]
-pub struct Course {
-    /// What it does.
-    pub way: Way,
-    /// Cells to the curve that lines begin along.
-    pub off: Vec<f32>,
-    /// How they are to run.
-    pub along: Vec<Along>,
-    /// Where nothing grows beside the marks beneath: close to them, and where rings are open.
-    pub kept_off: Vec<bool>,
-    /// Inhibitor where nothing grows.
-    pub held: Vec<f32>,
-    /// Whether it is a cell that the curve passes, and rings are not open there.
+pub struct Curves {
+    /// Cells to the nearest curve.
+    distance: Vec<f32>,
+    /// Directions of the lines.
+    directions: Vec<Direction>,
+    /// Where nothing grows beside the marks beneath: close to them, and in the gaps of open rings.
+    blocked: Vec<bool>,
+    /// Inhibitor of cells where nothing grows.
+    inhibitor: Vec<f32>,
+    /// Whether it is a cell on the curve, and not in a gap.
     curve: Vec<bool>,
     /// Ends of open rings by region, and the length of what is left of them, px.
     ends: Vec<(f64, f64)>,
-    /// What there is to say about it.
+    /// Messages to the user.
     pub remarks: Vec<String>,
 }
 
 /// How lines run at one place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Along {
+struct Direction {
     /// Degrees from +x towards +y.
-    pub direction: f32,
+    direction: f32,
     /// Minor ÷ major axis of the activator's tensor.
-    pub stretch: f32,
+    stretch: f32,
     /// D_b/Dₐ.
-    pub ratio: f32,
+    ratio: f32,
 }
 
-/// What is asked of a course.
+/// What curves are laid for.
 #[derive(Clone, Copy, Debug)]
-pub struct Wanted<'a> {
-    /// What it does.
-    pub way: Way,
+pub struct CurveRequest<'a> {
+    /// Rings or a web.
+    pub kind: CurveKind,
     /// Which cells the marks beneath have taken.
-    pub taken: &'a [bool],
+    pub obstacles: &'a [bool],
     /// Width of the lines wanted at each cell, px.
     pub width: &'a [f32],
     /// The share of each ring that is open, 0..1.
     pub broken: f64,
-    /// Where all chance comes from.
+    /// Seed of the places of the gaps.
     pub seed: u64,
 }
 
-impl Course {
-    /// Lays the course of `wanted` on `grid`, which is cut into `regions`, by index.
+impl Curves {
+    /// Lays the curves of `request` on `grid`, which is cut into `regions`, by index.
     ///
     /// # Errors
     /// There is nothing beneath, or no room.
     pub fn lay(
-        wanted: &Wanted,
+        request: &CurveRequest,
         grid: &Grid,
         regions: usize,
         region_of: &dyn Fn([f64; 2]) -> usize,
-    ) -> Result<Self, CourseError> {
-        match wanted.way {
-            Way::Rings => rings::lay(wanted, grid, regions, region_of),
-            Way::Web => medial_axis::lay(wanted, grid, regions),
+    ) -> Result<Self, CurvesError> {
+        match request.kind {
+            CurveKind::Rings => rings::lay(request, grid, regions, region_of),
+            CurveKind::Web => medial_axis::lay(request, grid, regions),
         }
     }
 
-    /// What the simulation is told: `maps`, whose lines are to run like this.
+    /// `maps` with lines that run along these curves.
     #[must_use]
-    pub fn told(&self, mut maps: Maps) -> Maps {
-        for (p, along) in maps.parameters.iter_mut().zip(&self.along) {
-            let Along { direction, stretch, ratio } = *along;
+    pub fn guide(&self, mut maps: Maps) -> Maps {
+        for (p, direction) in maps.parameters.iter_mut().zip(&self.directions) {
+            let Direction { direction, stretch, ratio } = *direction;
             *p = Parameters { direction, stretch, ratio, ..*p };
         }
-        for (taken, kept_off) in maps.obstacles.iter_mut().zip(&self.kept_off) {
-            *taken |= kept_off;
+        for (taken, blocked) in maps.obstacles.iter_mut().zip(&self.blocked) {
+            *taken |= blocked;
         }
-        Maps {
-            curves: Some(GuideCurves { distance: self.off.clone(), inhibitor: self.held.clone() }),
-            ..maps
-        }
+        let curves = GuideCurves { distance: self.distance.clone(), inhibitor: self.inhibitor.clone() };
+        Maps { curves: Some(curves), ..maps }
     }
 
-    /// What 2 × area ÷ contour length in region `index` says about the width there: the ends of open rings have a
-    /// contour too.
+    /// The width of lines in region `index` where 2 × area ÷ contour length is `measured`: the ends of open rings have a
+    /// contour, too.
     ///
     /// Of arcs of length L with e square ends in all, W = 2Lw ÷ (2L + ew), so that w = W ÷ (1 − eW/2L).
     #[must_use]
@@ -166,8 +164,9 @@ impl Course {
         measured / (1.0 - 0.5 * ends * measured / length).max(0.25)
     }
 
-    /// Errors of region `index` by that width. Lines run as the marks beneath let them: no direction was asked.
-    pub fn corrected(&self, index: usize, errors: &mut StripeErrors) {
+    /// Corrects the errors of region `index` for [`Self::width`]. Lines run as the marks beneath let them: no direction was
+    /// asked.
+    pub fn correct(&self, index: usize, errors: &mut StripeErrors) {
         if let (Some(got), Some(wanted)) = (&mut errors.got, &errors.wanted) {
             got.width = self.width(index, got.width);
             errors.width = Some(got.width / wanted.width - 1.0);
@@ -177,28 +176,28 @@ impl Course {
     }
 }
 
-/// Directions and ratios from the way (columns, rows) to the curve, or from it, that each cell has: lines run across it.
-/// Where ways from all sides meet there is no direction. `told` gives the stretch at a cell, and how far lines meet there
-/// where they have none, 0..1.
-fn along(
+/// Directions and ratios from the vector (columns, rows) of each cell to the curve, or from it: lines run across it. Where
+/// vectors from all sides meet there is no direction. `stretch_and_meeting` gives the stretch at a cell, and how much lines
+/// meet there where they have no direction, 0..1.
+fn directions(
     ways: &[[i32; 2]],
     grid: &Grid,
     radius: usize,
-    told: impl Fn(usize) -> (f64, f64) + Sync,
-) -> Vec<Along> {
+    stretch_and_meeting: impl Fn(usize) -> (f64, f64) + Sync,
+) -> Vec<Direction> {
     // Cells beside a curve know its direction to 45° only, those farther away better.
     let far = (2 * radius.max(1)) as f64;
     let weighted = |[x, y]: [i32; 2]| {
         let [x, y] = [f64::from(x) * grid.cell[0], f64::from(y) * grid.cell[1]];
         let length = (x * x + y * y).sqrt();
-        let shorter = if length > 0.0 { (far * grid.px() / length).min(1.0) } else { 0.0 };
+        let shorter = if length > 0.0 { (far * grid.px_a_cell() / length).min(1.0) } else { 0.0 };
         [shorter * x, shorter * y]
     };
     let part = |of: &(dyn Fn([f64; 2]) -> f64 + Sync)| {
         let values: Vec<f32> = ways.par_iter().map(|way| of(weighted(*way)) as f32).collect();
         blurred(&values, grid.size, grid.edges, radius)
     };
-    // (cos 2θ, sin 2θ) of the way, times its squared length.
+    // (cos 2θ, sin 2θ) of the vector, times its squared length.
     let cos = part(&|[x, y]| x * x - y * y);
     let sin = part(&|[x, y]| 2.0 * x * y);
     let all = part(&|[x, y]| x * x + y * y);
@@ -207,9 +206,9 @@ fn along(
         .map(|i| {
             let [c, s, all] = [cos[i], sin[i], all[i]].map(f64::from);
             let agreed = if all > 0.0 { ((c * c + s * s).sqrt() / all).min(1.0) } else { 0.0 };
-            let (stretch, meeting) = told(i);
+            let (stretch, meeting) = stretch_and_meeting(i);
             let meets = (1.0 - agreed) * meeting;
-            Along {
+            Direction {
                 direction: (0.5 * libm::atan2(-s, -c)).to_degrees() as f32,
                 stretch: libm::pow(stretch, agreed) as f32,
                 ratio: (RATIO + (MEETING - RATIO) * (2.0 * meets).min(1.0)) as f32,
@@ -218,10 +217,20 @@ fn along(
         .collect()
 }
 
-/// Cells of a blur that suits lines of these widths, px.
-fn radius(width: &[f32], grid: &Grid) -> usize {
+/// Radius of a blur that suits lines of these widths (px), cells.
+fn blur_radius(width: &[f32], grid: &Grid) -> usize {
     let thinnest = width.iter().copied().fold(f32::INFINITY, f32::min);
-    ((0.5 * f64::from(thinnest) / grid.px()).round() as usize).max(1)
+    ((0.5 * f64::from(thinnest) / grid.px_a_cell()).round() as usize).max(1)
+}
+
+/// Width of the lines that `map` wants at each cell of `grid`, px.
+#[must_use]
+pub fn line_widths(map: &RegionMap, grid: &Grid) -> Vec<f32> {
+    let width = |cell| match map.at(grid.center_px(cell)) {
+        Attributes::Stripes(Stripes { width, .. }) => width as f32,
+        Attributes::Spots(_) => 0.0,
+    };
+    (0..grid.cells()).map(width).collect()
 }
 
 #[cfg(test)]

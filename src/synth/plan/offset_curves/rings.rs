@@ -1,13 +1,14 @@
-//! Rings: round each mark beneath, at the same distance everywhere; one wall for both where two marks are near.
+//! Rings: offset curves of the marks beneath, at the same distance everywhere; near marks share one wall.
 
 use crate::grid::distance::{length, nearest};
+use crate::grid::{Domain, Grid};
 use crate::synth::plan::offset_curves::copies::Copies;
+use crate::synth::plan::offset_curves::error::CurvesError;
 use crate::synth::plan::offset_curves::gaps::{Gaps, open};
 use crate::synth::plan::offset_curves::medial_axis::between;
-use crate::synth::plan::offset_curves::room::CourseError;
-use crate::synth::plan::offset_curves::{Course, Grid, Wanted, Way, along, radius};
+use crate::synth::plan::offset_curves::{CurveKind, CurveRequest, Curves, blur_radius, directions};
 
-/// Half the width of the lane in which a ring is free to grow ÷ its own width: all beyond is held. It keeps rings where
+/// Half the width of the lane in which a ring is free to grow ÷ its own width: cells beyond are blocked. It keeps rings where
 /// they are, and neighbours from taking each other's room; without it they shrink until they stand against their
 /// marks, and of neighbours that are near one dies.
 const LANE: f64 = 0.8;
@@ -31,21 +32,21 @@ pub const OWN: f64 = 2.0 * SHARED;
 /// would leave scraps.
 const CROWDED: f64 = 0.7;
 
-/// Rings round the marks that `wanted` says.
+/// Lays rings around the obstacles of `request`.
 pub fn lay(
-    wanted: &Wanted,
+    request: &CurveRequest,
     grid: &Grid,
     regions: usize,
     region_of: &dyn Fn([f64; 2]) -> usize,
-) -> Result<Course, CourseError> {
-    let away = nearest(wanted.taken, grid.size, grid.cell, grid.edges);
-    let away = away.ok_or(CourseError::Nothing("ring"))?;
-    let px = grid.px();
+) -> Result<Curves, CurvesError> {
+    let away = nearest(request.obstacles, grid.size, grid.cell, grid.edges);
+    let away = away.ok_or(CurvesError::Nothing("ring"))?;
+    let px = grid.px_a_cell();
     // A covered cell's edge is half a cell before its middle.
     let distance: Vec<f64> = away.iter().map(|way| (length(*way, grid.cell) - 0.5 * px).max(0.0)).collect();
-    let copies = Copies::of(wanted.taken, grid);
+    let copies = Copies::connect(request.obstacles, grid);
     let room = room(grid, &between(&away, grid, &copies), &distance);
-    let width = |cell: usize| f64::from(wanted.width[cell]);
+    let width = |cell: usize| f64::from(request.width[cell]);
     let at = |cell: usize| place(room[cell] / width(cell)) * width(cell);
     let off: Vec<f32> =
         (0..grid.cells()).map(|cell| ((distance[cell] - at(cell)).abs() / px) as f32).collect();
@@ -55,35 +56,35 @@ pub fn lay(
         let room = room[cell] / width(cell);
         (SHARED..STRIP[0]).contains(&room) && distance[cell] / width(cell) > room - STRIP[1]
     };
-    let mut kept_off: Vec<bool> = (0..grid.cells())
+    let mut blocked: Vec<bool> = (0..grid.cells())
         .map(|cell| f64::from(off[cell]) * px > LANE * width(cell) || narrow(cell) || between_rings(cell))
         .collect();
-    let mut curve: Vec<bool> = off.iter().zip(&kept_off).map(|(off, kept)| *off < 1.0 && !kept).collect();
+    let mut curve: Vec<bool> = off.iter().zip(&blocked).map(|(off, kept)| *off < 1.0 && !kept).collect();
     let mut remarks = Vec::new();
-    told(wanted, grid, &has_own, &mut remarks)?;
+    check_room(request, grid, &has_own, &mut remarks)?;
     let mut ends = vec![(0.0, 0.0); regions];
-    if wanted.broken > 0.0 {
-        let Gaps { opened, ends: places } = open(wanted, grid, &off, &curve, |cell| {
-            let to = grid.away(cell, away[cell]);
+    if request.broken > 0.0 {
+        let Gaps { opened, ends: places } = open(request, grid, &off, &curve, |cell| {
+            let to = grid.step(cell, away[cell]);
             to.map_or(cell, |(cell, _)| copies.find(cell).0)
         });
         places.iter().for_each(|place| ends[region_of(*place)].0 += 1.0);
         for (cell, opened) in opened.iter().enumerate() {
-            kept_off[cell] |= opened;
+            blocked[cell] |= opened;
             curve[cell] &= !opened;
             if curve[cell] && off[cell] < 0.5 {
-                ends[region_of(grid.middle(cell))].1 += px;
+                ends[region_of(grid.center_px(cell))].1 += px;
             }
         }
     }
-    let held = (0..grid.cells())
+    let inhibitor = (0..grid.cells())
         .map(|cell| if has_own(cell) { SIDES[usize::from(distance[cell] > at(cell))] } else { WALL })
         .collect();
-    let along = along(&away, grid, radius(wanted.width, grid), |cell| {
-        let way = if has_own(cell) { Way::Rings } else { Way::Web };
-        (way.stretch(), if has_own(cell) { 0.0 } else { 1.0 })
+    let directions = directions(&away, grid, blur_radius(request.width, grid), |cell| {
+        let kind = if has_own(cell) { CurveKind::Rings } else { CurveKind::Web };
+        (kind.stretch(), if has_own(cell) { 0.0 } else { 1.0 })
     });
-    Ok(Course { way: Way::Rings, off, along, kept_off, held, curve, ends, remarks })
+    Ok(Curves { distance: off, directions, blocked, inhibitor, curve, ends, remarks })
 }
 
 /// Distance of a ring's middle from its mark, ÷ its width, where half the distance to the next mark is so many widths.
@@ -96,33 +97,33 @@ fn room(grid: &Grid, middle: &[bool], distance: &[f64]) -> Vec<f64> {
     let Some(to) = nearest(middle, grid.size, grid.cell, grid.edges) else {
         return vec![f64::INFINITY; grid.cells()];
     };
-    let at = |cell: usize| grid.away(cell, to[cell]).map_or(f64::INFINITY, |(at, _)| distance[at]);
+    let at = |cell: usize| grid.step(cell, to[cell]).map_or(f64::INFINITY, |(at, _)| distance[at]);
     (0..grid.cells()).map(at).collect()
 }
 
-/// Refuses what has too little room, and says where some of it has.
-fn told(
-    wanted: &Wanted,
+/// Refuses rings with too little room, and remarks on rings of which some have too little.
+fn check_room(
+    request: &CurveRequest,
     grid: &Grid,
     has_own: &dyn Fn(usize) -> bool,
     remarks: &mut Vec<String>,
-) -> Result<(), CourseError> {
+) -> Result<(), CurvesError> {
     let outline: Vec<usize> = (0..grid.cells())
-        .filter(|cell| wanted.taken[*cell])
+        .filter(|cell| request.obstacles[*cell])
         .filter(|cell| {
             let sides = [[1, 0], [-1, 0], [0, 1], [0, -1]].iter();
-            sides.filter_map(|side| grid.away(*cell, *side)).any(|(side, _)| !wanted.taken[side])
+            sides.filter_map(|side| grid.step(*cell, *side)).any(|(side, _)| !request.obstacles[side])
         })
         .collect();
     if outline.is_empty() {
-        return Err(CourseError::Nothing("ring"));
+        return Err(CurvesError::Nothing("ring"));
     }
     let all = outline.len() as f64;
     let share = outline.iter().filter(|cell| !has_own(**cell)).count() as f64 / all;
-    let width = outline.iter().map(|cell| f64::from(wanted.width[*cell])).sum::<f64>() / all;
+    let width = outline.iter().map(|cell| f64::from(request.width[*cell])).sum::<f64>() / all;
     let need = OWN * width;
     if share > CROWDED {
-        return Err(CourseError::TooNarrow { lines: "rings", width, need, share });
+        return Err(CurvesError::TooNarrow { lines: "rings", width, need, share });
     }
     if share > 0.005 {
         remarks.push(format!(

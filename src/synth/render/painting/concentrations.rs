@@ -29,7 +29,7 @@ pub fn concentrations(
         let taken = |name: &str| names.iter().any(|other| other.starts_with(&format!("{name}.")));
         let name = if named.is_empty() || taken(&plain) { format!("layer-{}", index + 1) } else { plain };
         let cells = &layer.marks;
-        for (letter, values) in layer.plan.system.chemicals().iter().zip(&layer.concentrations) {
+        for (letter, values) in layer.plan.lookup.system.chemicals().iter().zip(&layer.concentrations) {
             names.push(format!("{name}.{letter}"));
             splines.push(Spline::new(&Field { values: values.clone(), ..cells.clone() }));
         }

@@ -1,9 +1,9 @@
-//! What to say where there is no room for rings or a web.
+//! Why there is no room for rings or a web.
 
-/// Why there is no course.
+/// Why lines have no curves to run along.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum CourseError {
-    /// Nothing was grown beneath, or nothing that is shown.
+pub enum CurvesError {
+    /// Nothing has grown beneath, or nothing that is shown.
     #[error("no mark has grown beneath it: nothing to {0}")]
     Nothing(&'static str),
     /// The marks beneath stand too near to each other.
@@ -13,21 +13,21 @@ pub enum CourseError {
         100.0 * share
     )]
     TooNarrow {
-        /// What is drawn.
+        /// `rings` or `webs`.
         lines: &'static str,
         /// Mean width, px.
         width: f64,
-        /// What it needs, px.
+        /// The distance between marks that they need, px.
         need: f64,
-        /// Share of what would be drawn that finds no room, 0..1.
+        /// Share of the outlines with less, 0..1.
         share: f64,
     },
-    /// There is but one mark, whose web would have no end to meet.
+    /// There is only one mark: a web runs between two.
     #[error(
         "one mark beneath it on a closed canvas: a web runs between marks; draw those beneath smaller or nearer"
     )]
     Single,
-    /// Marks from border to border cut the web.
+    /// Marks from border to border cut the web. How many parts.
     #[error(
         "the marks beneath cut the web into {0} parts: a web runs between marks that leave a way round them"
     )]

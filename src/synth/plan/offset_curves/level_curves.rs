@@ -1,20 +1,21 @@
-//! How high lines stand along their course.
+//! Levels along curves: the concentration as a share of the peak that lines have nearby.
 
+use crate::grid::Grid;
 use rayon::prelude::*;
 
 use crate::synth::plan::offset_curves::blur::blurred;
-use crate::synth::plan::offset_curves::{Course, Grid};
+use crate::synth::plan::offset_curves::{Curves, blur_radius};
 
 /// Share of the usual peak below which a line is taken to have died, and is not drawn as if it had not.
 const LEAST: f32 = 0.2;
 
-impl Course {
+impl Curves {
     /// The concentration `marks` as a share of the peak that lines have nearby: they stand lower where three meet, where
     /// others are close, or marks. `width` is that of the lines, px.
     #[must_use]
     pub fn levelled(&self, marks: &[f32], grid: &Grid, width: &[f32]) -> Vec<f32> {
         // A quarter of the width: where lines meet, the saddle between them is what counts, not their own height.
-        let radius = (crate::synth::plan::offset_curves::radius(width, grid) / 2).max(1);
+        let radius = (blur_radius(width, grid) / 2).max(1);
         let highest = highest(marks, grid, radius);
         let on = |value: &dyn Fn(usize) -> f32| -> Vec<f32> {
             self.curve.iter().enumerate().map(|(cell, on)| if *on { value(cell) } else { 0.0 }).collect()

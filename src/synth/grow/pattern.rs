@@ -1,4 +1,4 @@
-//! What has grown, brought to the canvas: 0 = ground, ½ = a mark's edge, 1 = the middle of a mark.
+//! The pattern: what has grown, on the canvas. 0 = ground, ½ = a mark's edge, 1 = the middle of a mark.
 
 use rayon::prelude::*;
 use std::ops::Range;
@@ -6,13 +6,16 @@ use std::ops::Range;
 use crate::attributes::regions::RegionGrid;
 use crate::grid::Field;
 use crate::grid::resample::Spline;
-use crate::synth::plan::Plan;
+use crate::synth::plan::layer_lookup::Lookup;
 
-/// A layer's grown concentration and the level that makes an edge of it.
+/// The pattern value at the edge of a mark; a mark covers what is not below it.
+pub const EDGE: f32 = 0.5;
+
+/// A layer's grown concentration, and the levels at which marks have their edges.
 pub struct Pattern<'a> {
-    plan: &'a Plan,
+    lookup: &'a Lookup,
     spline: Spline,
-    /// What the level is multiplied by, by region.
+    /// Factors of the looked-up levels, by region.
     pub correction: Vec<f64>,
 }
 
@@ -20,36 +23,35 @@ pub struct Pattern<'a> {
 const LEVELS: [f64; 2] = [0.15, 0.8];
 
 impl<'a> Pattern<'a> {
-    /// `marks` is the concentration as a share of the local peak, on the plan's grid.
+    /// `marks` is the concentration as a share of the local peak, on a grid over the canvas.
     #[must_use]
-    pub fn new(plan: &'a Plan, marks: &Field) -> Self {
-        let regions = plan.map.layout().len();
-        Self { plan, spline: Spline::new(marks), correction: vec![1.0; regions] }
+    pub fn new(lookup: &'a Lookup, marks: &Field) -> Self {
+        let regions = lookup.map.layout().len();
+        Self { lookup, spline: Spline::new(marks), correction: vec![1.0; regions] }
     }
 
-    /// Cells along x and y of the grid that it has grown on.
+    /// Cells along x and y of the planned grid.
     #[must_use]
     pub fn grid(&self) -> [usize; 2] {
-        self.plan.grid
+        self.lookup.grid
     }
 
-    /// The concentration as a share of the local peak, at `width` × `height` px: what [`Self::levelled`] makes the
-    /// pattern of, whatever the levels.
+    /// The concentration as a share of the local peak, at `width` × `height` px: the input of [`Self::levelled`].
     #[must_use]
     pub fn concentration(&self, [width, height]: [usize; 2]) -> Vec<f32> {
         self.spline.rows(0..height, width, height)
     }
 
-    /// The pattern that such a `concentration` becomes.
+    /// The pattern of such a `concentration`.
     #[must_use]
     pub fn levelled(&self, concentration: &[f32], [width, height]: [usize; 2]) -> Field {
         let mut values = concentration.to_vec();
         self.level_off(&mut values, 0..height, width, height);
-        self.of(values, width, height)
+        self.on_canvas(values, width, height)
     }
 
-    fn of(&self, values: Vec<f32>, width: usize, height: usize) -> Field {
-        let layout = self.plan.map.layout();
+    fn on_canvas(&self, values: Vec<f32>, width: usize, height: usize) -> Field {
+        let layout = self.lookup.map.layout();
         let cell = [layout.size[0] / width as f64, layout.size[1] / height as f64];
         Field { width, height, cell, edges: layout.edges, values }
     }
@@ -62,13 +64,13 @@ impl<'a> Pattern<'a> {
         values
     }
 
-    /// Takes the concentrations of rows `rows` at `width` × `height` px to the pattern.
+    /// Maps the concentrations of rows `rows` at `width` × `height` px to the pattern.
     fn level_off(&self, values: &mut [f32], rows: Range<usize>, width: usize, height: usize) {
-        let size = self.plan.map.layout().size;
+        let size = self.lookup.map.layout().size;
         let px = [size[0] / width as f64, size[1] / height as f64];
-        let level = Table::new(&self.plan.lattice.layout, px[0], width);
-        let correction = Table::new(self.plan.map.layout(), px[0], width);
-        let levels: Vec<f64> = self.plan.lattice.nodes.iter().map(|node| node.level).collect();
+        let level = Columns::new(&self.lookup.lattice.layout, px[0], width);
+        let correction = Columns::new(self.lookup.map.layout(), px[0], width);
+        let levels: Vec<f64> = self.lookup.lattice.nodes.iter().map(|node| node.level).collect();
         values.par_chunks_mut(width).zip(rows.into_par_iter()).for_each(|(row, y)| {
             let y = (y as f64 + 0.5) * px[1];
             let (level, correction) = (level.row(&levels, y), correction.row(&self.correction, y));
@@ -81,28 +83,28 @@ impl<'a> Pattern<'a> {
     /// The whole pattern at `width` × `height` px.
     #[must_use]
     pub fn field(&self, width: usize, height: usize) -> Field {
-        self.of(self.rows(0..height, width, height), width, height)
+        self.on_canvas(self.rows(0..height, width, height), width, height)
     }
 }
 
-/// Where `width` px of a row lie between the columns of a layout, for interpolating what is known there.
-struct Table<'a> {
+/// The columns of a layout between which each px of a row lies, for interpolation.
+struct Columns<'a> {
     layout: &'a RegionGrid,
     across: Vec<(usize, usize, f64)>,
 }
 
-impl<'a> Table<'a> {
+impl<'a> Columns<'a> {
     fn new(layout: &'a RegionGrid, px: f64, width: usize) -> Self {
         let across = (0..width).map(|x| layout.between(0, (x as f64 + 0.5) * px)).collect();
         Self { layout, across }
     }
 
-    /// What `known` (by index of the layout) is at each px of the row at height `y`, px.
-    fn row(&self, known: &[f64], y: f64) -> impl Fn(usize) -> f64 + use<'_> {
+    /// Interpolates `values` (by index of the layout) at each px of the row at height `y`, px.
+    fn row(&self, values: &[f64], y: f64) -> impl Fn(usize) -> f64 + use<'_> {
         let columns = self.layout.grid[0];
         let (upper, lower, share) = self.layout.between(1, y);
         let at = |column: usize| {
-            (1.0 - share) * known[upper * columns + column] + share * known[lower * columns + column]
+            (1.0 - share) * values[upper * columns + column] + share * values[lower * columns + column]
         };
         let row: Vec<f64> = (0..columns).map(at).collect();
         move |x| {

@@ -2,6 +2,7 @@
 //!
 //! [`regions`] lists one layer's regions; [`report`] collects all layers in the form that `grow --report` writes.
 
+pub mod pinned;
 mod region;
 
 pub use region::{RegionReport, regions};
@@ -52,9 +53,9 @@ pub struct LayerReport {
 /// The report of `grown`, the growth of `document`, whose file is named `source`.
 #[must_use]
 pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) -> Report {
-    let layers = grown.layers.iter().zip(&document.layers).enumerate().map(|(index, (grown, layer))| {
+    let layers = grown.layers.iter().enumerate().take(document.layers.len()).map(|(index, layer)| {
         let shown = is_replaced(document, index).then_some(false);
-        LayerReport { shown, ..layer_report(grown, &layer.name) }
+        LayerReport { shown, ..layer_report(document, index, layer) }
     });
     Report {
         document: source.to_owned(),
@@ -65,16 +66,16 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
     }
 }
 
-fn layer_report(layer: &GrownLayer, name: &str) -> LayerReport {
-    let plan = &layer.plan;
+fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerReport {
+    let lookup = &layer.plan.lookup;
     LayerReport {
-        name: name.to_owned(),
-        system: plan.system.name(),
-        cell: plan.px_a_cell(),
-        grid: plan.grid,
+        name: document.layers[index].name.clone(),
+        system: lookup.system.name(),
+        cell: lookup.px_a_cell(),
+        grid: lookup.grid,
         steps: layer.steps,
         settled: layer.settled,
-        regions: regions(layer),
+        regions: regions(document, index, layer),
         shown: None,
     }
 }

@@ -1,4 +1,4 @@
-//! How each spot differs from the mean of its region.
+//! Random deviations of spots from the means of their regions.
 
 use rand::seq::SliceRandom;
 use rand_pcg::Pcg64Mcg;
@@ -6,23 +6,12 @@ use rand_pcg::Pcg64Mcg;
 use crate::attributes::{Spots, Spread};
 use crate::grid::Edges;
 use crate::marks::Ellipse;
-use crate::synth::plan::Plan;
+use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::spread::limits::{ASPECTS, beyond, by_itself};
-use crate::synth::plan::spread::{spread_at, wanted};
+use crate::synth::plan::spread::one_spot::Deviation;
 
-/// How one spot differs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Draw {
-    /// Its area ÷ the mean.
-    pub area: f64,
-    /// Its direction − the mean, degrees.
-    pub turn: f64,
-    /// Its aspect − the mean.
-    pub aspect: f64,
-}
-
-/// Where in its region each spot stands in size, direction and aspect, in standard deviations. Of those that are kept,
-/// the first, it is known how they differ.
+/// How each spot deviates from its region in size, direction and aspect, in standard deviations. The first spots are the
+/// pinned ones, whose deviations are known.
 pub struct Scores(Vec<[f64; 3]>);
 
 impl Scores {
@@ -38,47 +27,55 @@ impl Scores {
         Self(scores)
     }
 
-    /// What they mean for these spots, now at `px`: in each region the whole spots have the means of the region map
-    /// and the spread asked for, and so have those that the border cuts.
-    pub fn draws(&self, plan: &Plan, px: &[[f64; 2]]) -> Vec<Draw> {
-        let mut draws = vec![Draw { area: 1.0, turn: 0.0, aspect: 0.0 }; px.len()];
-        plan.kept.iter().zip(&mut draws).for_each(|(kept, draw)| *draw = kept.draw);
-        for (kept, group) in groups(plan, px) {
-            let asked: Vec<Spots> = group.iter().map(|i| wanted(plan, px[*i])).collect();
-            let own = asked.iter().map(|wanted| by_itself(plan.system, wanted));
-            let spreads: Vec<Spread> =
-                group.iter().zip(own).map(|(i, own)| spread_at(plan, px[*i]).with(&own, beyond)).collect();
+    /// The deviations of these spots, now at `px`: in each region the whole spots have the means of the region map and the
+    /// spread asked for, and so have those that the border cuts.
+    pub fn deviations(&self, plan: &Plan, px: &[[f64; 2]]) -> Vec<Deviation> {
+        let lookup = &plan.lookup;
+        let mut all = vec![Deviation { area: 1.0, turn: 0.0, aspect: 0.0 }; px.len()];
+        plan.pinned_spots().iter().zip(&mut all).for_each(|(pinned, one)| *one = pinned.deviation);
+        for (pinned, group) in groups(plan, px) {
+            let asked: Vec<Spots> = group.iter().map(|i| lookup.spots_at(px[*i])).collect();
+            let own = asked.iter().map(|wanted| by_itself(lookup.system, wanted));
+            let spreads = group.iter().zip(own).map(|(i, own)| lookup.spread_at(px[*i]).with(&own, beyond));
+            let spreads: Vec<Spread> = spreads.collect();
             let of = |attribute: usize| group.iter().map(move |i| self.0[*i][attribute]);
             let areas = areas(of(0).zip(spreads.iter().map(|spread| spread.area)));
             let aspects = aspects(of(1).zip(spreads.iter().map(|spread| spread.aspect)), &asked);
             let weights = asked.iter().zip(&aspects).map(|(wanted, aspect)| 1.0 - wanted.aspect - aspect);
             let turns = turns(of(2).zip(spreads.iter().map(|spread| spread.angle)), weights);
             for (k, i) in group.iter().enumerate() {
-                draws[*i] = Draw { area: areas[k], turn: turns[k], aspect: aspects[k] };
+                all[*i] = Deviation { area: areas[k], turn: turns[k], aspect: aspects[k] };
             }
-            make_up(&mut draws, &kept, &group, &|i| wanted(plan, px[i]).aspect);
+            compensate(&mut all, &pinned, &group, &|i| lookup.spots_at(px[i]).aspect);
         }
-        draws
+        all
     }
 }
 
-/// Lets those of `group` make up for how the `kept` ones beside them differ, so that all of them have the means. `aspect`
-/// is what is wanted.
-fn make_up(draws: &mut [Draw], kept: &[usize], group: &[usize], aspect: &dyn Fn(usize) -> f64) {
-    let weight = |draws: &[Draw], i: usize| (1.0 - aspect(i) - draws[i].aspect).max(0.0);
-    let sum = |value: &dyn Fn(usize) -> f64| kept.iter().map(|i| value(*i)).sum::<f64>();
-    let area = sum(&|i| draws[i].area - 1.0) / group.len() as f64;
-    let longer = sum(&|i| draws[i].aspect) / group.len() as f64;
-    // Double angles: Σ w sin 2(t − δ) over the others is to cancel Σ w sin 2t over the kept.
+/// Changes the spots of `group` so that together with the `pinned` ones beside them they have the means. `aspect` is what
+/// is wanted.
+fn compensate(
+    deviations: &mut [Deviation],
+    pinned: &[usize],
+    group: &[usize],
+    aspect: &dyn Fn(usize) -> f64,
+) {
+    let weight = |all: &[Deviation], i: usize| (1.0 - aspect(i) - all[i].aspect).max(0.0);
+    let sum = |value: &dyn Fn(usize) -> f64| pinned.iter().map(|i| value(*i)).sum::<f64>();
+    let area = sum(&|i| deviations[i].area - 1.0) / group.len() as f64;
+    let longer = sum(&|i| deviations[i].aspect) / group.len() as f64;
+    // Double angles: Σ w sin 2(t − δ) over the others is to cancel Σ w sin 2t over the pinned ones.
     let double = |of: &[usize], f: fn(f64) -> f64| -> f64 {
-        of.iter().map(|i| weight(draws, *i) * f((2.0 * draws[*i].turn).to_radians())).sum()
+        of.iter().map(|i| weight(deviations, *i) * f((2.0 * deviations[*i].turn).to_radians())).sum()
     };
-    let [kept_sin, sin, cos] = [double(kept, libm::sin), double(group, libm::sin), double(group, libm::cos)];
-    let turn = if cos > 0.0 { 0.5 * ((kept_sin + sin) / cos).clamp(-1.0, 1.0).to_degrees() } else { 0.0 };
-    let [area, longer, turn] = [(area, MADE_UP[0]), (longer, MADE_UP[1]), (turn, MADE_UP[2])]
-        .map(|(value, most)| value.clamp(-most, most));
+    let [pinned_sin, sin, cos] =
+        [double(pinned, libm::sin), double(group, libm::sin), double(group, libm::cos)];
+    let turn = if cos > 0.0 { 0.5 * ((pinned_sin + sin) / cos).clamp(-1.0, 1.0).to_degrees() } else { 0.0 };
+    let [area, longer, turn] =
+        [(area, MOST_COMPENSATION[0]), (longer, MOST_COMPENSATION[1]), (turn, MOST_COMPENSATION[2])]
+            .map(|(value, most)| value.clamp(-most, most));
     for i in group {
-        let one = &mut draws[*i];
+        let one = &mut deviations[*i];
         one.area *= 1.0 - area;
         one.aspect =
             (one.aspect - longer).clamp(ASPECTS[0] - aspect(*i), (ASPECTS[1] - aspect(*i)).max(one.aspect));
@@ -86,20 +83,20 @@ fn make_up(draws: &mut [Draw], kept: &[usize], group: &[usize], aspect: &dyn Fn(
     }
 }
 
-/// The most by which spots make up for others: share of the area, aspect, degrees. Beyond, a few would look wrong.
-const MADE_UP: [f64; 3] = [0.1, 0.03, 3.0];
+/// The most by which a spot compensates for others: share of the area, aspect, degrees. Beyond, a few would look wrong.
+const MOST_COMPENSATION: [f64; 3] = [0.1, 0.03, 3.0];
 
-/// Spots that have means of their own: by region those that are whole, which will be measured, and those that are cut.
-/// The kept ones of each, and the others.
+/// The spots that together have the means of their region: the whole ones, which will be measured, and those that the
+/// border cuts; of each group the pinned ones and the others.
 fn groups(plan: &Plan, px: &[[f64; 2]]) -> Vec<(Vec<usize>, Vec<usize>)> {
-    let layout = plan.map.layout();
+    let layout = plan.lookup.map.layout();
     let mut groups = vec![(Vec::new(), Vec::new()); 2 * layout.len()];
     for (i, point) in px.iter().enumerate() {
-        let reach = reach(&wanted(plan, *point));
+        let reach = reach(&plan.lookup.spots_at(*point));
         let inside = |axis: usize| (reach[axis]..=layout.size[axis] - reach[axis]).contains(&point[axis]);
         let whole = layout.edges == Edges::Wrap || inside(0) && inside(1);
-        let (kept, others) = &mut groups[2 * layout.index(layout.region_of(*point)) + usize::from(!whole)];
-        if i < plan.kept.len() { kept.push(i) } else { others.push(i) }
+        let (pinned, others) = &mut groups[2 * layout.index(layout.region_of(*point)) + usize::from(!whole)];
+        if i < plan.pinned_spots().len() { pinned.push(i) } else { others.push(i) }
     }
     groups
 }

@@ -1,0 +1,114 @@
+//! Third stage → last stage: where the marks of a layer begin among those of the layers beneath.
+
+use crate::grid::Domain;
+use crate::marks::{Ellipse, Line, Mark};
+use crate::measure::Spot;
+use crate::synth::plan::corrected::Corrected;
+use crate::synth::plan::error::{LayOutError, PlanError};
+use crate::synth::plan::inside::places_inside;
+use crate::synth::plan::laid_out::{Arrangement, Plan};
+use crate::synth::plan::layer_lookup::{Lookup, Start};
+use crate::synth::plan::obstacle_mask::{has_room, with_rim};
+use crate::synth::plan::offset::Offset;
+use crate::synth::plan::offset_curves::{CurveKind, CurveRequest, Curves, line_widths};
+use crate::synth::plan::pinned_marks::pin_spots;
+use crate::synth::training::Training;
+
+/// What has grown beneath a layer.
+#[derive(Clone, Debug, Default)]
+pub struct Surroundings<'a> {
+    /// Cells of the layer's grid that marks beneath have taken; empty = none.
+    pub obstacles: Vec<bool>,
+    /// Spots of the next layer beneath: the places of a layer that stands inside it.
+    pub spots: &'a [Spot],
+}
+
+impl Corrected {
+    /// Decides where the marks begin; `seed` decides where open rings have their gaps.
+    ///
+    /// # Errors
+    /// The marks beneath leave no room, or lines find no marks to run around.
+    pub fn lay_out(self, surroundings: Surroundings, seed: u64) -> Result<Plan, LayOutError> {
+        let Self { mut lookup, corrections } = self;
+        let Surroundings { mut obstacles, spots } = surroundings;
+        let edges = lookup.map.layout().edges;
+        let arrangement = match &lookup.start {
+            Start::Curves { kind, broken } => {
+                let curves = lay_curves(&lookup, &obstacles, *kind, *broken, seed)?;
+                for remarks in &mut lookup.remarks {
+                    remarks.extend(curves.remarks.iter().cloned());
+                }
+                Arrangement::Curves(curves)
+            }
+            Start::Inside => Arrangement::Inside(places_inside(&lookup, spots)),
+            Start::Free(marks) => {
+                if lookup.system.is_striped() && !obstacles.is_empty() {
+                    if !has_room(&lookup, &obstacles) {
+                        return Err(LayOutError::NoRoom);
+                    }
+                    obstacles = with_rim(&obstacles, lookup.grid, edges);
+                }
+                let (arrangement, notes) = arrange_pinned(&lookup, &obstacles, marks);
+                lookup.remarks.iter_mut().zip(notes).for_each(|(remarks, note)| remarks.extend(note));
+                arrangement
+            }
+        };
+        Ok(Plan { lookup, corrections, obstacles, arrangement })
+    }
+}
+
+impl Lookup {
+    /// A rough plan, for estimates and previews: nothing is corrected, and marks begin where the system puts them beside
+    /// the `obstacles`.
+    #[must_use]
+    pub fn rough(self, obstacles: Vec<bool>) -> Plan {
+        let Corrected { lookup, corrections } = self.uncorrected();
+        Plan { lookup, corrections, obstacles, arrangement: Arrangement::Natural }
+    }
+}
+
+impl Plan {
+    /// The same plan with `found` subtracted from its questions: by how much what has grown was off, by region.
+    ///
+    /// # Errors
+    /// The training set cannot be read.
+    pub fn less(self, training: &Training, found: &[Offset]) -> Result<Self, PlanError> {
+        let Self { lookup, corrections, obstacles, arrangement } = self;
+        let Corrected { lookup, corrections } = Corrected { lookup, corrections }.less(training, found)?;
+        Ok(Self { lookup, corrections, obstacles, arrangement })
+    }
+}
+
+/// Arranges a layer whose `marks` stay where they were drawn, as far as they find room; and a remark a region.
+fn arrange_pinned(lookup: &Lookup, obstacles: &[bool], marks: &[Mark]) -> (Arrangement, Vec<Option<String>>) {
+    let (mut ellipses, mut lines): (Vec<Ellipse>, Vec<Line>) = (Vec::new(), Vec::new());
+    for mark in marks {
+        match mark {
+            Mark::Ellipse(ellipse) => ellipses.push(*ellipse),
+            Mark::Line(line) => lines.push(*line),
+        }
+    }
+    if !ellipses.is_empty() {
+        let (spots, remarks) = pin_spots(lookup, obstacles, &ellipses);
+        return (Arrangement::PinnedSpots(spots), remarks);
+    }
+    let arrangement = if lines.is_empty() { Arrangement::Natural } else { Arrangement::PinnedLines(lines) };
+    (arrangement, Vec::new())
+}
+
+fn lay_curves(
+    lookup: &Lookup,
+    obstacles: &[bool],
+    kind: CurveKind,
+    broken: f64,
+    seed: u64,
+) -> Result<Curves, LayOutError> {
+    let grid = lookup.grid_of_cells();
+    let nothing = vec![false; grid.cells()];
+    let obstacles = if obstacles.is_empty() { &nothing } else { obstacles };
+    let width = line_widths(&lookup.map, &grid);
+    let layout = *lookup.map.layout();
+    let region_of = |point| layout.index(layout.region_of(point));
+    let request = CurveRequest { kind, obstacles, width: &width, broken, seed };
+    Ok(Curves::lay(&request, &grid, layout.len(), &region_of)?)
+}

@@ -1,0 +1,26 @@
+//! Why a layer cannot be planned.
+
+use crate::learn::{AskError, TrainingError};
+use crate::synth::plan::offset_curves::CurvesError;
+
+/// Why parameters could not be looked up.
+#[derive(Debug, thiserror::Error)]
+pub enum PlanError {
+    /// A training set could not be read.
+    #[error(transparent)]
+    Training(#[from] TrainingError),
+    /// A question that no training set answers.
+    #[error(transparent)]
+    Ask(#[from] AskError),
+}
+
+/// Why a layer could not be laid out among the marks of the layers beneath.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum LayOutError {
+    /// None of its marks fits between those of the layers beneath.
+    #[error("no room between the marks of the layers beneath")]
+    NoRoom,
+    /// Its lines find no room, or no marks to run around.
+    #[error(transparent)]
+    Curves(#[from] CurvesError),
+}

@@ -1,0 +1,112 @@
+//! Last stage of a plan: ready to grow.
+
+use crate::grid::Field;
+use crate::marks::Line;
+use crate::measure::Canvas;
+use crate::rd::Maps;
+use crate::synth::plan::layer_lookup::Lookup;
+use crate::synth::plan::offset::Correction;
+use crate::synth::plan::offset_curves::{Curves, line_widths};
+use crate::synth::plan::pinned_marks::PinnedMark;
+
+/// A layer that is ready to grow.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The parameters of every place, corrected.
+    pub lookup: Lookup,
+    /// What probes found about them, by region.
+    pub corrections: Vec<Correction>,
+    /// Cells that the marks of the layers beneath have taken; empty = none.
+    pub obstacles: Vec<bool>,
+    /// Where its marks begin.
+    pub arrangement: Arrangement,
+}
+
+/// Where the marks of a layer begin.
+#[derive(Clone, Debug)]
+pub enum Arrangement {
+    /// Where the system puts them.
+    Natural,
+    /// Some spots where they were drawn, the others where the system puts them around these.
+    PinnedSpots(Vec<PinnedMark>),
+    /// Stripes along drawn lines, px, and where the system puts them between these.
+    PinnedLines(Vec<Line>),
+    /// One spot at each of these places, px, and nowhere else.
+    Inside(Vec<[f64; 2]>),
+    /// Lines along these curves.
+    Curves(Curves),
+}
+
+impl Plan {
+    /// The spots that stay where they were drawn.
+    #[must_use]
+    pub fn pinned_spots(&self) -> &[PinnedMark] {
+        if let Arrangement::PinnedSpots(spots) = &self.arrangement { spots } else { &[] }
+    }
+
+    /// The lines that stripes begin along.
+    #[must_use]
+    pub fn pinned_lines(&self) -> &[Line] {
+        if let Arrangement::PinnedLines(lines) = &self.arrangement { lines } else { &[] }
+    }
+
+    /// The places of its spots, px, where these are given.
+    #[must_use]
+    pub fn places(&self) -> Option<&[[f64; 2]]> {
+        if let Arrangement::Inside(places) = &self.arrangement { Some(places) } else { None }
+    }
+
+    /// The curves of its lines, where they run along some.
+    #[must_use]
+    pub fn curves(&self) -> Option<&Curves> {
+        if let Arrangement::Curves(curves) = &self.arrangement { Some(curves) } else { None }
+    }
+
+    /// Parameters of every cell. `pitch` is how many times farther apart than the system's own distance marks begin, by
+    /// region.
+    #[must_use]
+    pub fn maps(&self, pitch: &[f64]) -> Maps {
+        let maps = self.lookup.maps(pitch, &self.obstacles);
+        match self.curves() {
+            None => maps,
+            Some(curves) => curves.guide(maps),
+        }
+    }
+
+    /// Parameters of every cell, marks at the system's own distance.
+    #[must_use]
+    pub fn unpitched_maps(&self) -> Maps {
+        self.maps(&vec![1.0; self.lookup.map.layout().len()])
+    }
+
+    /// Have marks of the layers beneath taken this place, px?
+    fn is_taken(&self, point: [f64; 2]) -> bool {
+        let Lookup { cell, grid, .. } = &self.lookup;
+        let cell = |axis: usize| ((point[axis] / cell[axis]).max(0.0) as usize).min(grid[axis] - 1);
+        self.obstacles.get(cell(1) * grid[0] + cell(0)).copied().unwrap_or(false)
+    }
+
+    /// Calls `measure` with the canvas that patterns are compared to: its regions, and what is wanted where.
+    pub fn on_canvas<T>(&self, measure: impl FnOnce(&Canvas) -> T) -> T {
+        let layout = self.lookup.map.layout();
+        measure(&Canvas {
+            size: layout.size,
+            edges: layout.edges,
+            regions: layout.len(),
+            region_of: &|point| layout.index(layout.region_of(point)),
+            covered: &|point| self.is_taken(point),
+            wanted: &|point| self.lookup.map.at(point),
+        })
+    }
+
+    /// The concentration `marks` as a share of the peak nearby, where lines run along curves.
+    #[must_use]
+    pub fn levelled(&self, mut marks: Field) -> Field {
+        let on_plan = [marks.width, marks.height] == self.lookup.grid;
+        if let Some(curves) = self.curves().filter(|_| on_plan) {
+            let grid = self.lookup.grid_of_cells();
+            marks.values = curves.levelled(&marks.values, &grid, &line_widths(&self.lookup.map, &grid));
+        }
+        marks
+    }
+}

@@ -1,0 +1,258 @@
+//! Second stage of a plan: the system, the size of a cell, and the parameters looked up for every place.
+
+use rayon::prelude::*;
+
+use crate::attributes::regions::RegionMap;
+use crate::attributes::{Attributes, Spots, Spread};
+use crate::document::SystemChoice;
+use crate::grid::Grid;
+use crate::learn::Answer;
+use crate::marks::Mark;
+use crate::rd::{Maps, Parameters, Seeding, System};
+use crate::synth::plan::auto::choose_system;
+use crate::synth::plan::error::PlanError;
+use crate::synth::plan::lattice::Lattice;
+use crate::synth::plan::lookup::{Ask, ask, ask_among_sparse, cell_for, free_spacing};
+use crate::synth::plan::offset::Offset;
+use crate::synth::plan::offset_curves::CurveKind;
+use crate::synth::plan::spread::limits::limited;
+use crate::synth::training::Training;
+
+/// Where the marks of a layer begin. Decided by the sketch; places are known once the layers beneath have grown.
+#[derive(Clone, Debug)]
+pub enum Start {
+    /// Where the system puts them, and at these drawn marks, px; often none.
+    Free(Vec<Mark>),
+    /// At the places of the marks of the layer beneath.
+    Inside,
+    /// Along curves around the marks beneath, or between them.
+    Curves {
+        /// Which curves.
+        kind: CurveKind,
+        /// The share of each ring that is open, 0..1.
+        broken: f64,
+    },
+}
+
+/// The parameters looked up for a layer.
+#[derive(Clone, Debug)]
+pub struct Lookup {
+    /// The system.
+    pub system: System,
+    /// What is wanted where; free spacings filled in. Its canvas is the one that is grown.
+    pub map: RegionMap,
+    /// px a cell, along x and y.
+    pub cell: [f64; 2],
+    /// Cells along x and y.
+    pub grid: [usize; 2],
+    /// Parameters (in cells) at every place.
+    pub lattice: Lattice,
+    /// What was looked up for each region, lengths in px but parameters in cells.
+    pub answers: Vec<Answer>,
+    /// Messages to the user beside the notes of the answers, by region.
+    pub remarks: Vec<Vec<String>>,
+    /// How irregular the outlines of its spots shall be, 0..1; only Turing's can be.
+    pub irregular: f64,
+    /// What stripes begin from. Without noise they grow without a tensor.
+    pub seeding: Seeding,
+    /// Where its marks begin.
+    pub start: Start,
+    /// How much the spots of each region will vary: as wanted, as far as possible.
+    pub(super) spreads: Vec<Spread>,
+}
+
+/// Looks up the parameters of a layer with these wanted attributes. The canvas is that of `map`.
+///
+/// # Errors
+/// As [`ask()`].
+pub fn look_up(training: &Training, choice: SystemChoice, map: &RegionMap) -> Result<Lookup, PlanError> {
+    let mut map = map.clone();
+    let system = match choice {
+        SystemChoice::TuringSpots => System::TuringSpots,
+        SystemChoice::MeinhardtSpots => System::MeinhardtSpots,
+        SystemChoice::MeinhardtStripes => System::MeinhardtStripes,
+        SystemChoice::MeinhardtLines => System::MeinhardtLines,
+        SystemChoice::Auto => choose_system(training, &map)?,
+    };
+    map.fill_free_spacing(|spots| free_spacing(training, system, spots));
+    let sparse = |wanted: &Attributes| Ok(ask(training, system, wanted, cell_for(wanted))?.pitch > 1.0);
+    let sparse = wanted(&map).iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
+    let asked = if sparse { ask_among_sparse } else { ask };
+    Lookup::new(system, map, Start::Free(Vec::new()), &|wanted, cell| asked(training, system, wanted, cell))
+}
+
+/// As [`look_up()`], on a grid of about `cell` px a cell whatever suits the marks; no spacing of `map` may be free.
+///
+/// # Errors
+/// As [`ask()`].
+pub fn look_up_on(
+    training: &Training,
+    system: System,
+    map: &RegionMap,
+    cell: f64,
+) -> Result<Lookup, PlanError> {
+    let asked = |wanted: &Attributes, cell| ask(training, system, wanted, cell);
+    Lookup::on_cells(system, map.clone(), cell, Start::Free(Vec::new()), &asked)
+}
+
+/// px a cell that suits the finest marks of `map`, no spacing of which is free.
+#[must_use]
+pub fn finest_cell(map: &RegionMap) -> f64 {
+    wanted(map).iter().map(cell_for).fold(f64::INFINITY, f64::min)
+}
+
+/// What `map` wants at the centre of each region.
+fn wanted(map: &RegionMap) -> Vec<Attributes> {
+    map.regions().map(|(place, _)| map.at(map.layout().center(place))).collect()
+}
+
+impl Lookup {
+    /// Looks up what `map` wants, no spacing of which is free.
+    pub(super) fn new(system: System, map: RegionMap, start: Start, ask: Ask) -> Result<Self, PlanError> {
+        let cell = finest_cell(&map);
+        Self::on_cells(system, map, cell, start, ask)
+    }
+
+    fn on_cells(
+        system: System,
+        map: RegionMap,
+        cell: f64,
+        start: Start,
+        ask: Ask,
+    ) -> Result<Self, PlanError> {
+        let wanted = wanted(&map);
+        let size = map.layout().size;
+        let grid = size.map(|side| ((side / cell).round() as usize).max(8));
+        let exact = [size[0] / grid[0] as f64, size[1] / grid[1] as f64];
+        let cell = (exact[0] * exact[1]).sqrt();
+
+        let answers = wanted.iter().map(|wanted| ask(wanted, cell)).collect::<Result<Vec<_>, _>>()?;
+        let mut remarks = vec![Vec::new(); wanted.len()];
+        let mut spreads = vec![Spread::ZERO; wanted.len()];
+        for (index, (_, region)) in map.regions().enumerate() {
+            if let Attributes::Spots(spots) = &wanted[index] {
+                let limited = limited(system, spots, &region.spread, map.spread_is_given());
+                spreads[index] = limited.spread;
+                remarks[index] = limited.notes;
+            }
+        }
+        let lattice = Lattice::looked_up(&map, cell, &vec![Offset::default(); wanted.len()], ask)?;
+        let (irregular, seeding) = (0.0, Seeding::Noise);
+        Ok(Self {
+            system,
+            map,
+            cell: exact,
+            grid,
+            lattice,
+            answers,
+            remarks,
+            irregular,
+            seeding,
+            start,
+            spreads,
+        })
+    }
+
+    /// The same with marks that stay where they were drawn, px.
+    #[must_use]
+    pub fn with_pinned(self, marks: Vec<Mark>) -> Self {
+        Self { start: Start::Free(marks), ..self }
+    }
+
+    /// The curves along which its lines run, where they do.
+    #[must_use]
+    pub fn curve_kind(&self) -> Option<CurveKind> {
+        match self.start {
+            Start::Curves { kind, .. } => Some(kind),
+            Start::Free(_) | Start::Inside => None,
+        }
+    }
+
+    /// What is wanted at the centre of each region.
+    #[must_use]
+    pub fn wanted(&self) -> Vec<Attributes> {
+        wanted(&self.map)
+    }
+
+    /// px a cell; cells are nearly square.
+    #[must_use]
+    pub fn px_a_cell(&self) -> f64 {
+        (self.cell[0] * self.cell[1]).sqrt()
+    }
+
+    /// The grid over the canvas.
+    #[must_use]
+    pub fn grid_of_cells(&self) -> Grid {
+        Grid { size: self.grid, cell: self.cell, edges: self.map.layout().edges }
+    }
+
+    /// A point of the grid, cells, on the canvas, px.
+    #[must_use]
+    pub fn to_px(&self, at: [f64; 2]) -> [f64; 2] {
+        [at[0] * self.cell[0], at[1] * self.cell[1]]
+    }
+
+    /// Points of the grid, cells, on the canvas, px.
+    #[must_use]
+    pub fn all_to_px(&self, at: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        at.iter().map(|at| self.to_px(*at)).collect()
+    }
+
+    /// Points of the canvas, px, on the grid, cells.
+    #[must_use]
+    pub fn all_to_cells(&self, at: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        at.iter().map(|at| [0, 1].map(|axis| at[axis] / self.cell[axis])).collect()
+    }
+
+    /// How much the spots of region `index` will vary.
+    #[must_use]
+    pub fn spread(&self, index: usize) -> Spread {
+        self.spreads[index]
+    }
+
+    /// The spots wanted at a point, px.
+    pub(super) fn spots_at(&self, point: [f64; 2]) -> Spots {
+        match self.map.at(point) {
+            Attributes::Spots(spots) => spots,
+            Attributes::Stripes(_) => unreachable!("only spots vary and are pinned one by one"),
+        }
+    }
+
+    /// How much spots vary that are wanted at a point, px.
+    pub(super) fn spread_at(&self, point: [f64; 2]) -> Spread {
+        let corners = self.map.layout().corners(point);
+        corners
+            .iter()
+            .fold(Spread::ZERO, |sum, &(i, weight)| sum.with(&self.spread(i), |sum, one| sum + weight * one))
+    }
+
+    /// Interpolates values of the regions of `map` at a point, px.
+    #[must_use]
+    pub fn between_regions(&self, values: &[f64], point: [f64; 2]) -> f64 {
+        self.map.layout().corners(point).iter().map(|&(i, weight)| weight * values[i]).sum()
+    }
+
+    /// Parameters of every cell. `pitch` is how many times farther apart than the system's own distance marks begin, by
+    /// region of `map`; `obstacles` are the cells taken by marks beneath, empty = none.
+    #[must_use]
+    pub fn maps(&self, pitch: &[f64], obstacles: &[bool]) -> Maps {
+        let [nx, ny] = self.grid;
+        let uniform = self.lattice.nodes.len() == 1 && pitch.len() == 1;
+        let parameters = if uniform {
+            vec![self.with_tensor_of_seeding(self.lattice.nodes[0].parameters(pitch[0])); nx * ny]
+        } else {
+            let at = |cell: usize| {
+                let point = self.to_px([(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5]);
+                let pitch = self.between_regions(pitch, point);
+                self.with_tensor_of_seeding(self.lattice.at(point).parameters(pitch))
+            };
+            (0..nx * ny).into_par_iter().map(at).collect()
+        };
+        Maps { obstacles: obstacles.to_vec(), ..Maps::new(self.grid_of_cells(), parameters) }
+    }
+
+    /// Parameters without a tensor where the seeding makes the direction of stripes.
+    fn with_tensor_of_seeding(&self, p: Parameters) -> Parameters {
+        if self.seeding == Seeding::Noise { p } else { Parameters { stretch: 1.0, ..p } }
+    }
+}

@@ -1,0 +1,16 @@
+//! How many cells of the grid resolve a mark.
+
+use crate::rd::{Maps, Parameters, System};
+
+/// Cells of a mark as far as they resolve it. The hard edge of Turing's spots pins to the grid along their thin side.
+#[must_use]
+pub fn resolving_cells(system: System, p: &Parameters) -> f64 {
+    let cells = system.cells(p);
+    if system == System::TuringSpots { cells * f64::from(p.stretch) } else { cells }
+}
+
+/// Cells that resolve the largest mark.
+#[must_use]
+pub fn largest_mark(system: System, maps: &Maps) -> f64 {
+    maps.parameters.iter().map(|p| resolving_cells(system, p)).fold(0.0, f64::max)
+}

@@ -1,0 +1,38 @@
+//! What will be grown on a layer, in stages. Each stage is made from the one before:
+//!
+//! ```text
+//!  document ─▶ Targets ──look_up──▶ Lookup ──corrected──▶ Corrected ──lay_out──▶ Plan
+//!              what is asked,       system, cells,        questions corrected   where marks begin among
+//!              may it be            parameters            by probes             those of the layers beneath
+//! ```
+//!
+//! The engine and the pictures take a [`Plan`].
+
+pub mod around;
+mod arrange;
+mod auto;
+pub(crate) mod corrected;
+pub(crate) mod error;
+pub mod inside;
+pub(crate) mod laid_out;
+pub(crate) mod lattice;
+pub(crate) mod layer_lookup;
+pub(crate) mod looked_up;
+pub(crate) mod lookup;
+pub(crate) mod mark_cells;
+pub mod obstacle_mask;
+pub mod offset;
+pub mod offset_curves;
+pub mod pinned_marks;
+pub mod sketch_targets;
+pub mod spacing_correction;
+pub mod spread;
+mod targets;
+
+pub use arrange::Surroundings;
+pub use corrected::Corrected;
+pub use error::{LayOutError, PlanError};
+pub use laid_out::{Arrangement, Plan};
+pub use layer_lookup::{Lookup, Start, finest_cell, look_up, look_up_on};
+pub use lookup::{ask, ask_placed, cell_for, exact_cell, free_spacing};
+pub use targets::Targets;
