@@ -2,6 +2,7 @@
 
 use assert_cmd::Command;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
@@ -134,9 +135,13 @@ fn every_command_is_completed_and_has_its_page() {
     }
 }
 
-/// What a program of this name says, where the machine has one.
+/// Whether a program of this name succeeds, and what it says. `None` where the machine has none: said on stderr, past
+/// the test harness.
 fn told_by(program: &str, arguments: &[&str]) -> Option<(bool, String)> {
-    let output = std::process::Command::new(program).args(arguments).output().ok()?;
+    let Ok(output) = std::process::Command::new(program).args(arguments).output() else {
+        let _ = std::io::stderr().write_all(format!("SKIPPED: there is no {program} here\n").as_bytes());
+        return None;
+    };
     let told = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     Some((output.status.success(), told.concat()))
 }
@@ -174,7 +179,6 @@ fn bash_completes_commands_options_and_values() {
         );
         told_by("bash", &["-c", &asked])
     };
-    // Where there is no bash nobody completes by it.
     let Some((fine, told)) = completed(&["dapple"], "gr") else { return };
     assert!(fine && told.trim() == "grow", "{told}");
     for (line, last, found) in [

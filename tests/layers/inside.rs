@@ -63,7 +63,10 @@ fn assert_as_drawn(grown: &Grown, layer: usize, of: &str) {
             ("angle", error.angle, 3.0),
             ("spacing", error.spacing, 0.05),
         ] {
-            assert!(off.is_none_or(|off| off.abs() < allowed), "{of}: {name} is off by {off:?}");
+            // Round spots have no direction.
+            let unmeasured = name == "angle" && aspect(index) > 0.85;
+            let good = off.map_or(unmeasured, |off| off.abs() < allowed);
+            assert!(good, "{of}: {name} is off by {off:?} in region {index}");
         }
     }
     assert!(grown.layers[layer].settled, "{of} is still moving");

@@ -39,11 +39,11 @@ fn freehand(size: [u32; 2]) -> impl Strategy<Value = Stroke> {
 fn strokes(size: [u32; 2], kind: Kind) -> BoxedStrategy<Vec<Stroke>> {
     match kind {
         Kind::Ellipse => {
-            prop::collection::vec(prop_oneof![6 => ellipse(size).boxed(), 1 => freehand(size).boxed()], 1..5)
+            prop::collection::vec(prop_oneof![12 => ellipse(size).boxed(), 1 => freehand(size).boxed()], 1..5)
                 .boxed()
         }
         Kind::Line => {
-            prop::collection::vec(prop_oneof![6 => line(size).boxed(), 1 => freehand(size).boxed()], 1..5)
+            prop::collection::vec(prop_oneof![12 => line(size).boxed(), 1 => freehand(size).boxed()], 1..5)
                 .boxed()
         }
     }
@@ -92,7 +92,14 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     let kinds = prop::sample::select(vec![Kind::Ellipse, Kind::Line]);
     kinds.prop_flat_map(move |kind| {
         let system = prop::sample::select(SystemChoice::NAMES.map(|(_, system)| system).to_vec());
-        let after = prop::sample::select(After::NAMES.map(|(_, after)| after).to_vec());
+        let ways: &[After] = match kind {
+            Kind::Ellipse => &[After::Between, After::Inside],
+            Kind::Line => &[After::Between, After::Around, After::Net],
+        };
+        let after = prop_oneof![
+            5 => prop::sample::select(ways),
+            1 => prop::sample::select(After::NAMES.map(|(_, after)| after).to_vec()),
+        ];
         let chosen = (system, after, any::<bool>(), any::<Option<u64>>());
         let options = prop_oneof![2 => Just(Options::default()), 3 => options()];
         ("\\PC{0,12}", chosen, strokes(size, kind), options, prop::option::of(colours())).prop_map(
@@ -106,10 +113,19 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     })
 }
 
+/// The lowest layer has no other beneath it that it could meet.
+fn on_the_ground(mut layers: Vec<Layer>) -> Vec<Layer> {
+    layers[0].after = After::Between;
+    layers
+}
+
 /// A valid document on a canvas of up to so many px a side, with up to so many layers.
 pub fn document(side: u32, layers: usize) -> impl Strategy<Value = Document> {
     let size = (8..=side, 8..=side).prop_map(<[u32; 2]>::from);
-    let drawn = size.prop_flat_map(move |size| (Just(size), prop::collection::vec(layer(size), 1..=layers)));
+    let drawn = size.prop_flat_map(move |size| {
+        let layers = (prop::collection::vec(layer(size), 1..=layers), prop::bool::weighted(0.9));
+        (Just(size), layers.prop_map(|(layers, usual)| if usual { on_the_ground(layers) } else { layers }))
+    });
     let regions = (1..=3_u32, 1..=3_u32).prop_map(<[u32; 2]>::from);
     let edges = prop::sample::select(vec![Edges::Closed, Edges::Wrap]);
     let document = ("\\PC{0,12}", drawn, regions, edges, any::<u64>(), any::<bool>()).prop_map(

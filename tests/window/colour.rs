@@ -11,6 +11,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand_with};
+use crate::sights::picture;
 
 /// A small canvas with a spot or two layers of them, and the colours shown.
 fn dyer(layers: usize) -> (Hand, tempfile::TempDir) {
@@ -376,13 +377,8 @@ fn the_bar_and_the_curve_show_what_the_library_says() {
     hand.window.run_steps(60);
     let bar = hand.place("Add a stop");
     let [first, second] = ["First handle", "Second handle"].map(|name| hand.place(name).center());
-    hand.window.remove_cursor();
     hand.window.get_by_role(Role::Canvas).focus();
-    hand.rest();
-    let Ok(picture) = hand.window.render() else {
-        eprintln!("nothing here can draw: not looked at");
-        return;
-    };
+    let Some(picture) = picture(&mut hand, "of the bar and the curve") else { return };
     let px = |x: f32, y: f32| {
         let [red, green, blue, _] = picture.get_pixel(x as u32, y as u32).0;
         [red, green, blue]
