@@ -20,6 +20,7 @@ mod route;
 pub mod run;
 pub mod shard;
 mod sweep;
+mod tables;
 #[cfg(test)]
 mod tests;
 mod trial;
@@ -47,6 +48,8 @@ enum Command {
     Route(route::Args),
     /// Draw the table of `dapple learn`
     Plot(plot::Args),
+    /// Print tables behind constants in the code and in docs/; run it at the root of the repository
+    Tables(tables::Args),
 }
 
 /// Runs the program with the process's arguments.
@@ -59,6 +62,7 @@ pub fn main() -> ExitCode {
         Command::Trial(trial) => trial::run(&trial),
         Command::Route(route) => route::run(&route),
         Command::Plot(plot) => plot::run(&plot),
+        Command::Tables(tables) => tables::run(&tables).map(|()| true),
     };
     match done {
         Ok(true) => ExitCode::SUCCESS,

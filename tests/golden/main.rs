@@ -10,4 +10,3 @@ mod sheets;
 mod steps;
 mod textures;
 mod versions;
-mod work;

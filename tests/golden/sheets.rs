@@ -159,36 +159,3 @@ fn textures_of_two_layers_have_the_stored_attributes() {
     let two: Vec<String> = names().into_iter().filter(|name| document(name).layers.len() > 1).collect();
     holds(&two);
 }
-
-/// `cargo test --test golden -- --ignored --nocapture seeds`: what other seeds change, the ground of [`ALLOWED`].
-#[test]
-#[ignore = "tells how tolerances were found; takes a minute"]
-fn seeds_change_attributes_by_this_much() {
-    for name in names() {
-        let stored = sheet(&document(&name), &name);
-        let mut worst: std::collections::BTreeMap<String, f64> = Default::default();
-        for seed in 101..107 {
-            let mut other = document(&name);
-            other.seed = seed;
-            let other = sheet(&other, &name);
-            let layers = |sheet: &Value| sheet["layers"].as_array().unwrap().clone();
-            for (old, new) in layers(&stored).iter().zip(layers(&other)) {
-                let pairs = old["regions"].as_array().unwrap().iter().zip(new["regions"].as_array().unwrap());
-                for ((key, allowed), (old, new)) in
-                    pairs.flat_map(|pair| ALLOWED.map(|allowed| (allowed, pair)))
-                {
-                    let (Some(old), Some(new)) = (old[key].as_f64(), new[key].as_f64()) else { continue };
-                    let off = match allowed {
-                        Allowed::Share(_) => (new / old - 1.0).abs(),
-                        Allowed::Difference(_) => (new - old).abs(),
-                        Allowed::Degrees(_) => turn(new, old).abs(),
-                    };
-                    let worst = worst.entry(key.to_owned()).or_default();
-                    *worst = worst.max(off);
-                }
-            }
-        }
-        let told: Vec<String> = worst.iter().map(|(key, off)| format!("{key} {off:.4}")).collect();
-        println!("{name}: {}", told.join(", "));
-    }
-}

@@ -95,34 +95,3 @@ fn the_seed_moves_segments_and_not_initiators() {
     assert!(field(Seeding::Segments, 1) != field(Seeding::Segments, 2));
     assert!(field(Seeding::Initiators, 1) == field(Seeding::Initiators, 2));
 }
-
-/// `cargo test --release --test grow a_table_of_seeds -- --ignored --nocapture`
-#[test]
-#[ignore = "prints a table"]
-fn a_table_of_seeds() {
-    let kept = |seeding| Choices { seeding, keep: Some(true), ..Choices::default() };
-    let ways: [(&str, Choices); 4] = [
-        ("noise", seeded(Seeding::Noise)),
-        ("noise, lines kept", kept(Seeding::Noise)),
-        ("segments", seeded(Seeding::Segments)),
-        ("segments, lines kept", kept(Seeding::Segments)),
-    ];
-    for (name, options) in ways {
-        let one = |degrees: f64, seed: u64| {
-            let (field, errors) = grown(&lines(&[&[degrees]], 320.0), [1, 1], 320, options, seed);
-            (rms(&errors), errors[0].angle.unwrap().abs(), measure::stripes(&field, 0.5).unwrap().coherence)
-        };
-        let four = |seed: u64| {
-            rms(&grown(&lines(&[&[20.0, 70.0], &[40.0, 100.0]], 320.0), [2, 2], 320, options, seed).1)
-        };
-        let uniform: Vec<_> = (1..=6).map(|seed| one(25.0 * seed as f64, seed)).collect();
-        let mean = |value: &dyn Fn(&(f64, f64, f64)) -> f64| uniform.iter().map(value).sum::<f64>() / 6.0;
-        let field = (1..=6).map(four).sum::<f64>() / 6.0;
-        println!(
-            "| {name} | {:.1} | {:.1} | {:.3} | {field:.1} |",
-            mean(&|one| one.0),
-            mean(&|one| one.1),
-            mean(&|one| one.2)
-        );
-    }
-}

@@ -2,8 +2,8 @@
 //! verdict finds a value that is not finite.
 
 use crate::cases;
-use dapple::document::Edges;
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
+use dapple::internals::grid::{Edges, Field};
 use dapple::internals::learn;
 use dapple::internals::measure::{Reason, formed};
 use dapple::internals::rd::{Growth, Maps, Parameters, System};
@@ -119,15 +119,13 @@ proptest! {
 
     #[test]
     fn one_value_that_is_not_finite_is_told_by_the_verdict(
-        (system, p) in any_parameters(),
-        [nx, ny] in [4..24_usize, 4..24_usize],
+        values in prop::collection::vec(0.0..=1.0_f32, 16..400),
         bad in prop::sample::select(vec![f32::NAN, f32::INFINITY, f32::NEG_INFINITY]),
         place in any::<prop::sample::Index>(),
     ) {
-        let maps = Maps::uniform([nx, ny], Edges::Wrap, p);
-        let mut field = Growth::new(system, &maps, 1).marks(&maps);
+        let (width, place) = (values.len(), place.index(values.len()));
+        let mut field = Field { width, height: 1, cell: [1.0, 1.0], edges: Edges::Wrap, values };
         prop_assert!(formed(&field, USUAL) != Err(Reason::NotFinite));
-        let place = place.index(field.values.len());
         field.values[place] = bad;
         prop_assert_eq!(formed(&field, USUAL), Err(Reason::NotFinite));
     }

@@ -1,0 +1,72 @@
+//! Tables behind constants in the code and in `docs/`: what was grown to choose them.
+
+mod pinned;
+mod seeding;
+mod seeds;
+mod spread;
+mod updates;
+
+use dapple::document::Document;
+use dapple::internals::synth::{GrownLayer, Options, grow};
+
+/// What to print.
+#[derive(clap::Args)]
+pub struct Args {
+    /// The tables to print
+    #[arg(required = true, value_enum)]
+    tables: Vec<Table>,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Table {
+    /// How far drawn spots that are kept grow from their places: near pairs, and marks near a closed edge
+    Pairs,
+    /// How many drawn lines of the examples lie in stripes, kept and not
+    Lines,
+    /// How much spots vary against how much was asked
+    Spread,
+    /// How far stripes are from the drawn directions, by what they begin from
+    Seeding,
+    /// How far six other seeds change the attributes of golden textures: the tolerances of docs/golden.md
+    Seeds,
+    /// Cell updates that were expected and taken: the shares in src/synth/estimate.rs
+    Updates,
+}
+
+/// Prints the tables, line by line as they are grown.
+pub fn run(args: &Args) -> Result<(), String> {
+    args.tables.iter().try_for_each(|table| match table {
+        Table::Pairs => pinned::pairs(),
+        Table::Lines => pinned::lines(),
+        Table::Spread => spread::print(),
+        Table::Seeding => seeding::print(),
+        Table::Seeds => seeds::print(),
+        Table::Updates => updates::print(),
+    })
+}
+
+/// The layers that grow from a document.
+fn layers(document: &Document) -> Result<Vec<GrownLayer>, String> {
+    Ok(grow(document, &Options::default()).map_err(|error| error.to_string())?.layers)
+}
+
+/// A document of the repository: `examples/NAME.dapple`.
+fn example(name: &str) -> Result<Document, String> {
+    Document::read(format!("examples/{name}.dapple")).map_err(|error| error.to_string())
+}
+
+/// The golden documents with their names, in order.
+fn golden() -> Result<Vec<(String, Document)>, String> {
+    let folder = "tests/golden/textures";
+    let failed = |error: std::io::Error| format!("cannot read the folder '{folder}': {error}");
+    let mut all = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        if path.extension().is_some_and(|ending| ending == "dapple") {
+            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            all.push((name, Document::read(&path).map_err(|error| error.to_string())?));
+        }
+    }
+    all.sort_by(|a, b| a.0.cmp(&b.0));
+    Ok(all)
+}

@@ -1,0 +1,151 @@
+//! Drawn marks that are kept: how far from their places they grow.
+
+use dapple::document::{Document, SystemChoice};
+use dapple::internals::attributes::regions::RegionMap;
+use dapple::internals::grid::Edges;
+use dapple::internals::marks::{Ellipse, Mark};
+use dapple::internals::measure::{self, StripeErrors};
+use dapple::internals::synth::plan::pinned_marks::{covered, keep, off};
+use dapple::internals::synth::plan::{plan, sketch_targets};
+use dapple::internals::synth::{Engine, GrownLayer, Measured, Training, Watch, settle};
+
+use super::{example, layers};
+use crate::say;
+
+/// Spots of 300 px² at 30°: their system, area ÷ spacing² and aspect.
+#[derive(Clone, Copy)]
+struct Spots {
+    system: SystemChoice,
+    packing: f64,
+    aspect: f64,
+}
+
+const fn spots(system: SystemChoice, packing: f64, aspect: f64) -> Spots {
+    Spots { system, packing, aspect }
+}
+
+const KINDS: [Spots; 7] = [
+    spots(SystemChoice::MeinhardtSpots, 0.12, 0.95),
+    spots(SystemChoice::MeinhardtSpots, 0.12, 0.5),
+    spots(SystemChoice::MeinhardtSpots, 0.05, 0.8),
+    spots(SystemChoice::MeinhardtSpots, 0.2, 0.8),
+    spots(SystemChoice::MeinhardtSpots, 0.2, 0.5),
+    spots(SystemChoice::TuringSpots, 0.22, 0.9),
+    spots(SystemChoice::TuringSpots, 0.22, 0.5),
+];
+
+impl Spots {
+    fn spacing(self) -> f64 {
+        (300.0 / self.packing).sqrt()
+    }
+
+    fn mark(self, center: [f64; 2]) -> Mark {
+        Mark::Ellipse(Ellipse::from_area(center, 300.0, self.aspect, 30.0))
+    }
+
+    /// How far, in radii, `marks` grow from their places on a canvas of 12 spacings.
+    fn among(self, edges: Edges, marks: &[Mark]) -> Result<Vec<f64>, String> {
+        let spacing = self.spacing();
+        let drawn = [self.mark([200.0, 200.0]), self.mark([200.0 + spacing, 200.0])];
+        let map =
+            RegionMap::from_marks(&drawn, [12.0 * spacing; 2], [1, 1], edges).map_err(|e| e.to_string())?;
+        let mut plan = plan(&Training::default(), self.system, &map).map_err(|e| e.to_string())?;
+        keep(&mut plan, marks);
+        let mut engine = Engine::new(&plan, 1);
+        settle(&mut engine, &Watch::NONE).map_err(|e| e.to_string())?;
+        let size = (12.0 * spacing) as usize;
+        Ok(off(&plan, &measure::spots(&engine.look(&plan, size, size), 0.5)))
+    }
+
+    /// Nine pairs so many spacings apart, along or across.
+    fn pairs(self, apart: f64, across: bool) -> Vec<Mark> {
+        let longer = if across { 1.0 / self.aspect } else { self.aspect };
+        let (s, c) = (if across { 120.0f64 } else { 30.0 }).to_radians().sin_cos();
+        let half = 0.5 * apart * self.spacing() / f64::sqrt(longer);
+        let pair = |k: i32| {
+            let [x, y] = [k % 3, k / 3].map(|v| (2.0 + 4.0 * f64::from(v)) * self.spacing());
+            [-half, half].map(|h| self.mark([x + h * c, y + h * s]))
+        };
+        (0..9).flat_map(pair).collect()
+    }
+
+    /// Four marks so many spacings from the left edge.
+    fn at_edge(self, away: f64) -> Vec<Mark> {
+        let mark = |k: i32| self.mark([away, 2.4 * f64::from(k)].map(|v| v * self.spacing()));
+        (1..=4).map(mark).collect()
+    }
+}
+
+/// Pairs at several distances, and marks at several distances from a closed edge.
+pub fn pairs() -> Result<(), String> {
+    for spots in KINDS {
+        let what = format!("{} area/spacing² {} aspect {}", spots.system.name(), spots.packing, spots.aspect);
+        for across in [false, true] {
+            for apart in [0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9] {
+                let off = spots.among(Edges::Wrap, &spots.pairs(apart, across))?;
+                print(&format!("{what}, pairs {apart} spacings apart, across {across}"), off)?;
+            }
+        }
+        for away in [0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4] {
+            let off = spots.among(Edges::Closed, &spots.at_edge(away))?;
+            print(&format!("{what}, {away} spacings from the edge"), off)?;
+        }
+    }
+    Ok(())
+}
+
+fn print(what: &str, mut all: Vec<f64>) -> Result<(), String> {
+    all.sort_by(f64::total_cmp);
+    let n = all.len();
+    if n == 0 {
+        return say(&format!("{what}: none kept"));
+    }
+    let lost = all.iter().filter(|off| **off > 0.25).count();
+    let [median, most, worst] = [all[n / 2], all[n * 9 / 10], all[n - 1]];
+    say(&format!("{what}: kept {n}, off {lost}, median {median:.3}, 90 % {most:.3}, worst {worst:.2}"))
+}
+
+/// Drawn lines of the examples, kept and not: how many lie in stripes, and how far directions are off.
+pub fn lines() -> Result<(), String> {
+    let names = [
+        "line-stripes",
+        "mackerel",
+        "sand-ripples",
+        "sloping-lines",
+        "tiger",
+        "tile-waves",
+        "wood-grain",
+        "zebra",
+    ];
+    for name in names {
+        for keeps in [true, false] {
+            let mut document = example(name)?;
+            document.layers[0].options.keep = Some(keeps);
+            let layer = layers(&document)?.remove(0);
+            let shares = in_stripes(&document, &layer)?;
+            let Measured::Stripes(errors) = &layer.measured else {
+                return Err(format!("{name} has no lines"));
+            };
+            let good = shares.iter().filter(|share| **share >= 0.9).count();
+            let least = shares.iter().copied().fold(1.0, f64::min);
+            let mean = |value: &dyn Fn(&StripeErrors) -> Option<f64>| {
+                errors.iter().filter_map(value).map(f64::abs).sum::<f64>() / errors.len() as f64
+            };
+            let (angle, rms) = (mean(&|error| error.angle), mean(&|error| error.angle_rms));
+            let n = shares.len();
+            say(&format!(
+                "{name}, keep {keeps}: {good} of {n} in stripes, least {least:.2}; angle {angle:.2}°, rms {rms:.2}°"
+            ))?;
+        }
+    }
+    Ok(())
+}
+
+/// The share of each line of `document` that lies in a stripe of `layer`.
+fn in_stripes(document: &Document, layer: &GrownLayer) -> Result<Vec<f64>, String> {
+    let marks = sketch_targets::marks(document, 0, "document").map_err(|error| error.to_string())?;
+    let mut plan = layer.plan.clone();
+    keep(&mut plan, &marks);
+    let [width, height] = document.size.map(|side| side as usize);
+    Ok(covered(&plan, &layer.pattern().field(width, height)))
+}

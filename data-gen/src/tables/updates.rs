@@ -1,0 +1,47 @@
+//! Cell updates that were expected of growths and that they took: the same on any machine.
+
+use dapple::document::Document;
+use dapple::internals::synth::plan::sketch_targets::region_map;
+use dapple::internals::synth::{Engine, Options, Training, grow, planned};
+
+use super::{example, golden};
+use crate::say;
+
+const EXAMPLES: [&str; 8] =
+    ["zebra", "cheetah-run", "fallow-deer", "tiger", "poppy-seeds", "starry-sky", "dart-frog", "bongo"];
+
+/// Millions of updates expected ÷ taken, layer by layer, of the golden documents and of some examples.
+pub fn print() -> Result<(), String> {
+    let mut all = golden()?;
+    for name in EXAMPLES {
+        all.push((name.to_owned(), example(name)?));
+    }
+    for (name, document) in all {
+        let (expected, taken) = (expected(&document)?, taken(&document)?);
+        let pairs = expected.iter().zip(&taken);
+        let cells: Vec<String> =
+            pairs.map(|(e, t)| format!("{:.1}/{:.1} = {:.2}", e / 1e6, t / 1e6, e / t)).collect();
+        say(&format!("{name}: {}", cells.join(", ")))?;
+    }
+    Ok(())
+}
+
+fn expected(document: &Document) -> Result<Vec<f64>, String> {
+    let mut beneath = None;
+    let mut all = Vec::new();
+    for index in 0..document.layers.len() {
+        let map = region_map(document, index, "document").map_err(|error| error.to_string())?;
+        let plan = planned(document, index, "document", &Training::default(), &map, beneath.as_ref())
+            .map_err(|error| error.to_string())?;
+        all.push(Engine::new(&plan, document.layer_seed(index)).updates_left());
+        beneath = Some(plan);
+    }
+    Ok(all)
+}
+
+fn taken(document: &Document) -> Result<Vec<f64>, String> {
+    let options = Options { refine: Some(false), ..Options::default() };
+    let grown = grow(document, &options).map_err(|error| error.to_string())?;
+    let updates = |grid: [usize; 2], steps: u64| steps as f64 * (grid[0] * grid[1]) as f64;
+    Ok(grown.layers.iter().map(|layer| updates(layer.plan.grid, layer.steps)).collect())
+}
