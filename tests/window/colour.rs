@@ -378,7 +378,7 @@ fn the_bar_and_the_curve_show_what_the_library_says() {
     let bar = hand.place("Add a stop");
     let [first, second] = ["First handle", "Second handle"].map(|name| hand.place(name).center());
     hand.window.get_by_role(Role::Canvas).focus();
-    let Some(picture) = picture(&mut hand, "of the bar and the curve") else { return };
+    let picture = picture(&mut hand);
     let px = |x: f32, y: f32| {
         let [red, green, blue, _] = picture.get_pixel(x as u32, y as u32).0;
         [red, green, blue]
