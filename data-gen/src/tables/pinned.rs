@@ -3,10 +3,10 @@
 use dapple::document::{Document, SystemChoice};
 use dapple::internals::attributes::regions::RegionMap;
 use dapple::internals::grid::Edges;
-use dapple::internals::marks::{Ellipse, Mark};
+use dapple::internals::marks::{Ellipse, Line, Mark};
 use dapple::internals::measure::{self, StripeErrors};
-use dapple::internals::synth::plan::pinned_marks::{covered, keep, off};
-use dapple::internals::synth::plan::{plan, sketch_targets};
+use dapple::internals::synth::plan::{Surroundings, look_up, sketch_targets};
+use dapple::internals::synth::report::pinned::{covered, distances};
 use dapple::internals::synth::{Engine, GrownLayer, Measured, Training, Watch, settle};
 
 use super::{example, layers};
@@ -44,17 +44,19 @@ impl Spots {
     }
 
     /// How far, in radii, `marks` grow from their places on a canvas of 12 spacings.
-    fn among(self, edges: Edges, marks: &[Mark]) -> Result<Vec<f64>, String> {
+    fn among(self, edges: Edges, marks: Vec<Mark>) -> Result<Vec<f64>, String> {
         let spacing = self.spacing();
         let drawn = [self.mark([200.0, 200.0]), self.mark([200.0 + spacing, 200.0])];
         let map =
             RegionMap::from_marks(&drawn, [12.0 * spacing; 2], [1, 1], edges).map_err(|e| e.to_string())?;
-        let mut plan = plan(&Training::default(), self.system, &map).map_err(|e| e.to_string())?;
-        keep(&mut plan, marks);
+        let lookup = look_up(Training::built_in(), self.system, &map).map_err(|e| e.to_string())?;
+        let lookup = lookup.with_pinned(marks).uncorrected();
+        let plan = lookup.lay_out(Surroundings::default(), 1).map_err(|e| e.to_string())?;
         let mut engine = Engine::new(&plan, 1);
         settle(&mut engine, &Watch::NONE).map_err(|e| e.to_string())?;
         let size = (12.0 * spacing) as usize;
-        Ok(off(&plan, &measure::spots(&engine.look(&plan, size, size), 0.5)))
+        let spots = measure::spots(&engine.look(&plan, size, size), 0.5);
+        Ok(distances(plan.pinned_spots(), plan.lookup.map.layout(), &spots))
     }
 
     /// Nine pairs so many spacings apart, along or across.
@@ -82,12 +84,12 @@ pub fn pairs() -> Result<(), String> {
         let what = format!("{} area/spacing² {} aspect {}", spots.system.name(), spots.packing, spots.aspect);
         for across in [false, true] {
             for apart in [0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9] {
-                let off = spots.among(Edges::Wrap, &spots.pairs(apart, across))?;
+                let off = spots.among(Edges::Wrap, spots.pairs(apart, across))?;
                 print(&format!("{what}, pairs {apart} spacings apart, across {across}"), off)?;
             }
         }
         for away in [0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4] {
-            let off = spots.among(Edges::Closed, &spots.at_edge(away))?;
+            let off = spots.among(Edges::Closed, spots.at_edge(away))?;
             print(&format!("{what}, {away} spacings from the edge"), off)?;
         }
     }
@@ -144,8 +146,8 @@ pub fn lines() -> Result<(), String> {
 /// The share of each line of `document` that lies in a stripe of `layer`.
 fn in_stripes(document: &Document, layer: &GrownLayer) -> Result<Vec<f64>, String> {
     let marks = sketch_targets::marks(document, 0, "document").map_err(|error| error.to_string())?;
-    let mut plan = layer.plan.clone();
-    keep(&mut plan, &marks);
     let [width, height] = document.size.map(|side| side as usize);
-    Ok(covered(&plan, &layer.pattern().field(width, height)))
+    let line = |mark: &Mark| if let Mark::Line(line) = mark { Some(*line) } else { None };
+    let lines: Vec<Line> = marks.iter().filter_map(line).collect();
+    Ok(covered(&lines, layer.plan.lookup.map.layout(), &layer.pattern().field(width, height)))
 }

@@ -1,8 +1,8 @@
 //! Cell updates that were expected of growths and that they took: the same on any machine.
 
 use dapple::document::Document;
-use dapple::internals::synth::plan::sketch_targets::region_map;
-use dapple::internals::synth::{Engine, Options, Training, grow, planned};
+use dapple::internals::synth::plan::Targets;
+use dapple::internals::synth::{Engine, Options, Training, grow};
 
 use super::{example, golden};
 use crate::say;
@@ -30,11 +30,13 @@ fn expected(document: &Document) -> Result<Vec<f64>, String> {
     let mut beneath = None;
     let mut all = Vec::new();
     for index in 0..document.layers.len() {
-        let map = region_map(document, index, "document").map_err(|error| error.to_string())?;
-        let plan = planned(document, index, "document", &Training::default(), &map, beneath.as_ref())
+        let size = document.size.map(f64::from);
+        let targets = Targets::read(document, index, "document", size, beneath.as_ref())
             .map_err(|error| error.to_string())?;
+        let lookup = targets.look_up(Training::built_in()).map_err(|error| error.to_string())?;
+        let plan = lookup.rough(Vec::new());
         all.push(Engine::new(&plan, document.layer_seed(index)).updates_left());
-        beneath = Some(plan);
+        beneath = Some(plan.lookup);
     }
     Ok(all)
 }
@@ -43,5 +45,5 @@ fn taken(document: &Document) -> Result<Vec<f64>, String> {
     let options = Options { refine: Some(false), ..Options::default() };
     let grown = grow(document, &options).map_err(|error| error.to_string())?;
     let updates = |grid: [usize; 2], steps: u64| steps as f64 * (grid[0] * grid[1]) as f64;
-    Ok(grown.layers.iter().map(|layer| updates(layer.plan.grid, layer.steps)).collect())
+    Ok(grown.layers.iter().map(|layer| updates(layer.plan.lookup.grid, layer.steps)).collect())
 }
