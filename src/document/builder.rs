@@ -59,6 +59,16 @@ impl Document {
 
 impl Layer {
     /// A layer of these strokes, with all defaults: it grows between the marks beneath, by the system that suits it.
+    ///
+    /// ```
+    /// use dapple::document::{After, Layer, Options, Stroke};
+    ///
+    /// // Rings around the marks beneath, 4 px wide; a third of each is open.
+    /// let rings = Layer::new([Stroke::line([20.0, 20.0], [60.0, 20.0], 4.0)])
+    ///     .with_after(After::Around)
+    ///     .with_options(Options { broken: 1.0 / 3.0, ..Options::default() });
+    /// assert_eq!(rings.strokes.len(), 1);
+    /// ```
     #[must_use]
     pub fn new(strokes: impl IntoIterator<Item = impl Into<Stroke>>) -> Self {
         Self { strokes: strokes.into_iter().map(Into::into).collect(), ..Self::default() }
@@ -135,7 +145,16 @@ impl From<Line> for Stroke {
 
 impl Colours {
     /// Colours (red, green, blue, sRGB) at pattern values (0 = ground, 0.5 = a mark's edge, 1 = its middle), ascending,
-    /// with straight ways between them.
+    /// with straight transitions between them.
+    ///
+    /// ```
+    /// use dapple::document::Colours;
+    ///
+    /// // Sand up to 0.4, black from 0.6 on.
+    /// let (sand, black) = ([0xf4, 0xe3, 0xc1], [0; 3]);
+    /// let colours = Colours::new([(0.0, sand), (0.4, sand), (0.6, black), (1.0, black)]);
+    /// assert_eq!(colours.gradient().colour(0.2), sand);
+    /// ```
     #[must_use]
     pub fn new(stops: impl IntoIterator<Item = (f64, [u8; 3])>) -> Self {
         let stops = stops.into_iter().map(|(at, colour)| Stop { at, colour }).collect();

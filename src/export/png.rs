@@ -204,7 +204,7 @@ impl<W: Write> Rows<'_, W> {
     }
 }
 
-/// A painted picture: three bytes a px, as [`crate::colour`] makes it.
+/// A painted picture: three bytes a px, red, green, blue.
 ///
 /// # Errors
 /// As [`write()`]; `rgb` too short for `size`.
