@@ -243,7 +243,9 @@ mod tests {
         assert!(ratio(1) > 2.0 * ratio(2) && rows[3][5].is_empty(), "{rows:?}");
         let wrong = message("system,width,angle,duty\nmeinhardt-stripes,8,0,0.3\n");
         assert!(
-            wrong.contains("column duty: found '0.3'; allowed: 0.5, the only duty of meinhardt-stripes"),
+            wrong.contains(
+                "column duty: found '0.3'; allowed: 0.5. Meinhardt's stripes are as wide as their gaps"
+            ),
             "{wrong}"
         );
     }
