@@ -3,6 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::learn::{Parameters, Row, TrainingSet, write_rows};
+use dapple::internals::rd::System;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use std::hint::black_box;
@@ -49,12 +50,13 @@ fn learning(criterion: &mut Criterion) {
         let spacing = Some((60.0 / density).sqrt());
         Attributes::Spots(Spots { area: 60.0, aspect, angle: 30.0, spacing })
     };
-    let built_in = |system| TrainingSet::embedded(system).expect("the set is built in");
-    let swept = TrainingSet::from_rows("meinhardt-spots", rows()).expect("the rows are good");
+    let built_in = |system: System| TrainingSet::embedded(system.description()).expect("the set is built in");
+    let swept =
+        TrainingSet::from_rows(System::MEINHARDT_SPOTS.description(), rows()).expect("the rows are good");
     let questions = [
-        ("turing-spots", &built_in("turing-spots"), spots(0.22, 0.6)),
-        ("meinhardt-spots", &built_in("meinhardt-spots"), spots(0.1, 0.6)),
-        ("meinhardt-stripes", &built_in("meinhardt-stripes"), stripes),
+        ("turing-spots", &built_in(System::TURING_SPOTS), spots(0.22, 0.6)),
+        ("meinhardt-spots", &built_in(System::MEINHARDT_SPOTS), spots(0.1, 0.6)),
+        ("meinhardt-stripes", &built_in(System::MEINHARDT_STRIPES), stripes),
         ("9000 rows", &swept, spots(0.1, 0.6)),
     ];
     for (name, set, wanted) in &questions {
@@ -70,13 +72,14 @@ fn learning(criterion: &mut Criterion) {
         });
     }
     group.bench_function("read meinhardt-spots", |bencher| {
-        bencher.iter(|| TrainingSet::embedded(black_box("meinhardt-spots")));
+        bencher.iter(|| TrainingSet::embedded(black_box(System::MEINHARDT_SPOTS.description())));
     });
     let folder = tempfile::tempdir().expect("there is room for a file");
     let file = std::fs::File::create(folder.path().join("meinhardt-spots.csv")).expect("a file can be made");
-    write_rows("meinhardt-spots", &rows(), file).expect("a file can be written");
+    write_rows(System::MEINHARDT_SPOTS.description(), &rows(), file).expect("a file can be written");
     group.bench_function("read 9000 rows", |bencher| {
-        bencher.iter(|| TrainingSet::load(folder.path(), black_box("meinhardt-spots")));
+        bencher
+            .iter(|| TrainingSet::load(folder.path(), black_box(System::MEINHARDT_SPOTS.description()), &[]));
     });
 }
 

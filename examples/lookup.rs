@@ -7,9 +7,9 @@ use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let spots = Spots { area: 300.0, aspect: 0.6, angle: 30.0, spacing: Some(40.0) };
-    show(System::MeinhardtSpots, Attributes::Spots(spots))?;
+    show(System::MEINHARDT_SPOTS, Attributes::Spots(spots))?;
     let stripes = Stripes { width: 9.0, angle: 120.0, wavelength: None };
-    show(System::MeinhardtStripes, Attributes::Stripes(stripes))
+    show(System::MEINHARDT_STRIPES, Attributes::Stripes(stripes))
 }
 
 /// Prints what `system` needs to grow the attributes that are `wanted` (px, degrees).

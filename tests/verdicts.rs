@@ -38,29 +38,29 @@ fn rejected(patch: Patch, kind: &str) -> Reason {
 fn well_grown_patches_are_accepted() {
     for stretch in [1.0, 0.4] {
         let spots = Parameters { stretch, ..SPOTS };
-        judged(patch(System::MeinhardtSpots, spots)).unwrap();
+        judged(patch(System::MEINHARDT_SPOTS, spots)).unwrap();
         let turing = Parameters { rate: 0.1, ratio: Some(3.8), level: Some(0.35), ..spots };
-        judged(patch(System::TuringSpots, turing)).unwrap();
+        judged(patch(System::TURING_SPOTS, turing)).unwrap();
     }
-    judged(patch(System::MeinhardtStripes, STRIPES)).unwrap();
+    judged(patch(System::MEINHARDT_STRIPES, STRIPES)).unwrap();
 }
 
 #[test]
 fn spots_whose_inhibitor_reaches_too_little_do_not_form() {
-    rejected(patch(System::MeinhardtSpots, Parameters { ratio: Some(6.0), ..SPOTS }), "no-pattern");
+    rejected(patch(System::MEINHARDT_SPOTS, Parameters { ratio: Some(6.0), ..SPOTS }), "no-pattern");
 }
 
 #[test]
 fn spots_read_at_too_low_a_level_touch() {
     let low = Parameters { level: Some(0.06), ..SPOTS };
-    rejected(patch(System::MeinhardtSpots, low), "touching");
+    rejected(patch(System::MEINHARDT_SPOTS, low), "touching");
 }
 
 #[test]
 fn stripes_are_no_spots_and_spots_no_stripes() {
-    let stripes = patch(System::MeinhardtStripes, STRIPES);
+    let stripes = patch(System::MEINHARDT_STRIPES, STRIPES);
     let (marks, settled) = stripes.grow(&Watch::NONE).unwrap();
-    let spots = patch(System::MeinhardtSpots, SPOTS);
+    let spots = patch(System::MEINHARDT_SPOTS, SPOTS);
     assert_eq!(spots.judge(&marks, settled, LEAST).unwrap_err().kind(), "touching");
     let (marks, settled) = spots.grow(&Watch::NONE).unwrap();
     assert!(stripes.judge(&marks, settled, LEAST).is_err());
@@ -68,30 +68,30 @@ fn stripes_are_no_spots_and_spots_no_stripes() {
 
 #[test]
 fn spots_just_too_dense_grow_into_one_another() {
-    rejected(patch(System::MeinhardtSpots, Parameters { ratio: Some(8.0), ..SPOTS }), "touching");
+    rejected(patch(System::MEINHARDT_SPOTS, Parameters { ratio: Some(8.0), ..SPOTS }), "touching");
 }
 
 #[test]
 fn stripes_that_lost_their_direction_are_a_labyrinth() {
     // 1.3 cells a stripe: which way they run is up to the grid.
     let reason =
-        rejected(patch(System::MeinhardtStripes, Parameters { rate: 1000.0, ..STRIPES }), "touching");
+        rejected(patch(System::MEINHARDT_STRIPES, Parameters { rate: 1000.0, ..STRIPES }), "touching");
     assert!(matches!(reason, Reason::NoDirection { .. }), "{reason}");
 }
 
 #[test]
 fn a_patch_too_small_for_what_was_ordered_holds_too_few() {
-    let spots = Patch { extent: 12.0, ..patch(System::MeinhardtSpots, SPOTS) };
+    let spots = Patch { extent: 12.0, ..patch(System::MEINHARDT_SPOTS, SPOTS) };
     let reason = rejected(spots, "too-few");
     assert_eq!(reason, Reason::TooFew { marks: 12, least: 20 });
     assert_eq!(reason.to_string(), "too few spots: 12 whole ones, at least 20 are needed");
-    let stripes = Patch { extent: 6.0, ..patch(System::MeinhardtStripes, STRIPES) };
+    let stripes = Patch { extent: 6.0, ..patch(System::MEINHARDT_STRIPES, STRIPES) };
     rejected(stripes, "too-few");
 }
 
 #[test]
 fn spots_of_a_few_cells_are_too_small_for_the_grid() {
-    rejected(patch(System::MeinhardtSpots, Parameters { rate: 40.0, ..SPOTS }), "too-small");
+    rejected(patch(System::MEINHARDT_SPOTS, Parameters { rate: 40.0, ..SPOTS }), "too-small");
 }
 
 #[test]
@@ -103,9 +103,9 @@ fn spots_under_rates_that_vary_are_too_irregular() {
         told(2.0 + 8.0 * (2.0 * across - 1.0).abs())
     });
     let maps = Maps::new(Grid::unit([nx, ny], Edges::Wrap), parameters.collect());
-    let mut engine = Engine::from_maps(System::MeinhardtSpots, maps, 5);
+    let mut engine = Engine::from_maps(System::MEINHARDT_SPOTS, maps, 5);
     assert!(settle(&mut engine, &Watch::NONE).unwrap());
-    let verdict = patch(System::MeinhardtSpots, SPOTS).judge(&engine.marks(), true, LEAST);
+    let verdict = patch(System::MEINHARDT_SPOTS, SPOTS).judge(&engine.marks(), true, LEAST);
     assert_eq!(verdict.unwrap_err().kind(), "irregular");
 }
 
@@ -113,9 +113,9 @@ fn spots_under_rates_that_vary_are_too_irregular() {
 fn what_runs_away_has_left_its_range() {
     // Spots of half a cell: in a cell without b nothing takes a away.
     let turing = Parameters { rate: 10.0, ratio: Some(3.8), level: Some(0.35), ..SPOTS };
-    rejected(patch(System::TuringSpots, turing), "left-range");
+    rejected(patch(System::TURING_SPOTS, turing), "left-range");
     // And whatever is no number.
-    let spots = patch(System::MeinhardtSpots, SPOTS);
+    let spots = patch(System::MEINHARDT_SPOTS, SPOTS);
     let (mut marks, settled) = spots.grow(&Watch::NONE).unwrap();
     marks.values[100] = f32::NAN;
     assert_eq!(spots.judge(&marks, settled, LEAST), Err(Reason::NotFinite));
@@ -124,11 +124,11 @@ fn what_runs_away_has_left_its_range() {
 
 #[test]
 fn what_was_stopped_early_is_unsettled() {
-    let spots = patch(System::MeinhardtSpots, SPOTS);
+    let spots = patch(System::MEINHARDT_SPOTS, SPOTS);
     let side = spots.side();
     let told = rd::Parameters { rate: 4.0, ratio: 12.0, stretch: 1.0, direction: 30.0, pitch: 1.0 };
     let maps = Maps::uniform([side, side], Edges::Wrap, told);
-    let mut engine = Engine::from_maps(System::MeinhardtSpots, maps, 5);
+    let mut engine = Engine::from_maps(System::MEINHARDT_SPOTS, maps, 5);
     engine.advance((side * side) as u64 * 20);
     assert!(engine.growing());
     assert_eq!(spots.judge(&engine.marks(), engine.settled(), LEAST), Err(Reason::Unsettled));

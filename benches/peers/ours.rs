@@ -40,9 +40,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn serve(name: &str, size: usize, folder: &Path) -> Result<(), Box<dyn Error>> {
     let (system, stretch) = match name {
-        "isotropic" => (System::TuringSpots, 1.0),
-        "tensor" => (System::TuringSpots, 0.5),
-        "ratio" => (System::MeinhardtSpots, 0.5),
+        "isotropic" => (System::TURING_SPOTS, 1.0),
+        "tensor" => (System::TURING_SPOTS, 0.5),
+        "ratio" => (System::MEINHARDT_SPOTS, 0.5),
         _ => return Err(format!("{name}: allowed: isotropic, tensor, ratio").into()),
     };
     let case = Case { system, stretch };
@@ -86,10 +86,10 @@ fn make_uneven(maps: &mut Maps) {
 
 /// Writes the problem, as the head of this file says.
 fn export(system: System, maps: &Maps, growth: &Growth, folder: &Path) -> Result<(), Box<dyn Error>> {
-    let decay = if system == System::MeinhardtSpots { 0.04 } else { 1.0 };
+    let decay = if system == System::MEINHARDT_SPOTS { 0.04 } else { 1.0 };
     let slowest = maps.parameters.iter().map(|p| p.rate).fold(f32::INFINITY, f32::min);
     let scale = naive::scale(growth, slowest, decay);
-    let ratio = |p: f32| if system == System::MeinhardtSpots { p } else { 1.0 / naive::RATIO };
+    let ratio = |p: f32| if system == System::MEINHARDT_SPOTS { p } else { 1.0 / naive::RATIO };
     let plane = |f: &dyn Fn(&dapple::internals::rd::Parameters) -> f32| {
         maps.parameters.iter().map(f).collect::<Vec<_>>()
     };

@@ -1,6 +1,6 @@
 //! What a plan may say: each quantity with its unit and its range.
 
-use dapple::internals::rd::System;
+use dapple::internals::rd::SweepQuantity;
 use dapple::internals::synth::Patch;
 
 use super::plan::{MOST_RUNS, Plan, Range, Scale, Set};
@@ -11,40 +11,6 @@ const MOST_CELLS: usize = 4096;
 const GROWN: [f64; 2] = [6.0, 10_000.0];
 /// Seeds that a plan can have: what every reader of JSON holds exactly.
 const MOST_SEED: u64 = 1 << 53;
-
-/// A quantity of a system: its unit, and what it may be.
-struct Quantity {
-    name: &'static str,
-    unit: &'static str,
-    allowed: [f64; 2],
-}
-
-const fn quantity(name: &'static str, unit: &'static str, allowed: [f64; 2]) -> Quantity {
-    Quantity { name, unit, allowed }
-}
-
-/// Thinner tensors do not fit the stencil (`rd::selling`).
-const STRETCH: Quantity = quantity("stretch", "minor/major", [0.26, 1.0]);
-const DIRECTION: Quantity = quantity("direction", "degrees", [0.0, 180.0]);
-const LEVEL: Quantity = quantity("level", "of the peak", [0.02, 0.98]);
-const WIDTH: Quantity = quantity("width", "cells", [1.0, 100.0]);
-const AREA: Quantity = quantity("area", "cells", [1.0, 2_000.0]);
-
-fn quantities(system: System) -> Vec<Quantity> {
-    match system {
-        // The program grows Turing's spots at this ratio alone (`rd`).
-        System::TuringSpots => {
-            vec![AREA, quantity("ratio", "Da/Db", [3.8, 3.8]), LEVEL, STRETCH, DIRECTION]
-        }
-        System::MeinhardtSpots => {
-            vec![AREA, quantity("ratio", "Db/Da", [1.0, 1_000.0]), LEVEL, STRETCH, DIRECTION]
-        }
-        System::MeinhardtStripes => vec![WIDTH, STRETCH, DIRECTION],
-        System::MeinhardtLines => {
-            vec![WIDTH, quantity("ratio", "Db/Da", [1.0, 1_000.0]), STRETCH, DIRECTION]
-        }
-    }
-}
 
 /// Is this a plan that can be run?
 pub fn check(plan: &Plan) -> Result<(), String> {
@@ -115,7 +81,7 @@ fn same_unit(key: &str, unit: &str, expected: &str) -> Result<(), String> {
 }
 
 fn check_sweep(set: &Set) -> Result<(), String> {
-    let quantities = quantities(set.system);
+    let quantities = set.system.definition().sweep;
     let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name).collect();
     let s = &set.sweep;
     let given = [
@@ -166,7 +132,7 @@ fn check_sweep(set: &Set) -> Result<(), String> {
     Ok(())
 }
 
-fn check_range(key: &str, quantity: &Quantity, range: &Range) -> Result<(), String> {
+fn check_range(key: &str, quantity: &SweepQuantity, range: &Range) -> Result<(), String> {
     same_unit(key, &range.unit, quantity.unit)?;
     let [low, high] = range.range;
     within(&format!("{key}.range"), low, quantity.allowed)?;

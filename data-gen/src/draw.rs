@@ -1,7 +1,6 @@
 //! Run i of a set: its seed and its parameters, the same whatever other runs there are.
 
 use dapple::internals::learn::Parameters;
-use dapple::internals::rd::System;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -52,28 +51,22 @@ impl Set {
     pub fn parameters_at(&self, [size, packing, stretch, direction]: [f64; 4]) -> Parameters {
         let s = &self.sweep;
         let [stretch, direction] = [s.stretch.at(stretch), s.direction.at(direction)];
+        // Laws of scale, good to some ten per cent: where to draw, not what is learnt.
+        let rate = self.system.definition().laws.rate;
         if let Some(width) = &s.width {
-            let width = width.at(size);
-            if let Some(ratio) = &s.ratio {
-                // As `rd` has it: width 14.8 (R/10)^−0.37/√rate.
-                let ratio = ratio.at(packing);
-                let rate = 14.8 * libm::pow(ratio / 10.0, -0.37) / width;
-                let rate = rate * rate;
-                return Parameters { rate, ratio: Some(ratio), stretch, direction, level: None };
-            }
-            // facts C: width 40.5/√rate.
-            let rate = 40.5 / width;
-            return Parameters { rate: rate * rate, ratio: None, stretch, direction, level: None };
+            let (width, ratio) = (width.at(size), s.ratio.as_ref().map(|ratio| ratio.at(packing)));
+            let rate = rate(width, ratio.unwrap_or(1.0), 0.5);
+            return Parameters { rate, ratio, stretch, direction, level: None };
         }
         let [ratio, level] = self.packed(packing);
-        // Laws of scale, good to some ten per cent: where to draw, not what is learnt. Fitted to spots of 40–60 cells
-        // at ratios 12–120 and levels 0.2–0.5.
-        let law = match self.system {
-            System::TuringSpots => 5.2,
-            _ => 163.0 * libm::pow(12.0 / ratio, 0.89) * libm::exp(2.85 * (0.5 - level)),
-        };
         let area = s.area.as_ref().map_or(1.0, |area| area.at(size));
-        Parameters { rate: law / area, ratio: Some(ratio), stretch, direction, level: Some(level) }
+        Parameters {
+            rate: rate(area, ratio, level),
+            ratio: Some(ratio),
+            stretch,
+            direction,
+            level: Some(level),
+        }
     }
 
     /// Ratio and level at a share of the way from dense to sparse.

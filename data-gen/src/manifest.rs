@@ -1,6 +1,5 @@
 //! The manifest beside each file of rows: what the columns are, what was swept, and how to do it again.
 
-use dapple::internals::learn::columns_of;
 use dapple::internals::measure::Reason;
 use serde_json::{Map, Value, json};
 
@@ -50,7 +49,7 @@ fn command(set: &Set) -> Result<String, String> {
 
 /// Each column with its unit and the range that was found.
 fn columns(set: &Set, records: &[Record]) -> Result<Vec<Value>, String> {
-    let columns: Vec<_> = columns_of(set.system.name()).map_err(|error| error.to_string())?.collect();
+    let columns: Vec<_> = set.system.description().all_columns().collect();
     let mut found = vec![[f64::INFINITY, f64::NEG_INFINITY]; columns.len()];
     for record in records.iter().filter(|record| record.verdict == ACCEPTED) {
         let values = record.line.split(',').map(str::parse::<f64>);

@@ -34,6 +34,8 @@ struct Patch {
     stretch: f32,
     /// Normalised time of the long route.
     end: f64,
+    /// Share of the peak at which spots are read.
+    level: f64,
 }
 
 /// Squared spacings (or wavelengths) that a patch holds.
@@ -48,18 +50,27 @@ const ROUND: f64 = 0.85;
 fn patches() -> Vec<Patch> {
     let mut patches = Vec::new();
     for stretch in [1.0, 0.6, 0.35] {
-        let turing = Patch { system: System::TuringSpots, rate: 0.119, ratio: 3.8, stretch, end: 120.0 };
+        let turing =
+            Patch { system: System::TURING_SPOTS, rate: 0.119, ratio: 3.8, stretch, end: 120.0, level: 0.35 };
         patches.push(turing);
         for (ratio, rate) in [(12.0, 3.4), (20.0, 2.0)] {
-            patches.push(Patch { system: System::MeinhardtSpots, rate, ratio, stretch, end: 120.0 });
+            patches.push(Patch {
+                system: System::MEINHARDT_SPOTS,
+                rate,
+                ratio,
+                stretch,
+                end: 120.0,
+                level: 0.5,
+            });
         }
     }
     patches.push(Patch {
-        system: System::MeinhardtStripes,
+        system: System::MEINHARDT_STRIPES,
         rate: 25.6,
         ratio: 1.0,
         stretch: 0.5,
         end: 200.0,
+        level: 0.5,
     });
     patches
 }
@@ -189,13 +200,12 @@ impl Patch {
     }
 
     fn measured(&self, marks: &Field) -> Result<Sample, String> {
-        let level = if self.system == System::TuringSpots { 0.35 } else { 0.5 };
         let parameters = dapple::internals::learn::Parameters {
             rate: f64::from(self.rate),
             ratio: Some(f64::from(self.ratio)),
             stretch: f64::from(self.stretch),
             direction: 0.0,
-            level: Some(level),
+            level: Some(self.level),
         };
         let patch = Grown { system: self.system, parameters, extent: MARKS, seed: 0 };
         patch.measure(marks).map_err(|reason| reason.to_string())

@@ -1,6 +1,6 @@
 //! One run: parameters → simulation → verdict → a line of one of the two files.
 
-use dapple::internals::learn::{Parameters, Row, columns_of, six_digits, write_rows};
+use dapple::internals::learn::{Parameters, Row, six_digits, write_rows};
 use dapple::internals::measure::Reason;
 use dapple::internals::synth::{Patch, Sample, Watch};
 
@@ -38,7 +38,7 @@ fn accepted(set: &Set, seed: u64, parameters: Parameters, sample: Sample) -> Res
     let row = Row { seed, extent, evenness, attributes, parameters };
     let mut table = Vec::new();
     let failed = |error: String| format!("set '{}', seed {seed}: {error}", set.name);
-    write_rows(set.system.name(), &[row], &mut table).map_err(|error| failed(error.to_string()))?;
+    write_rows(set.system.description(), &[row], &mut table).map_err(|error| failed(error.to_string()))?;
     let table = String::from_utf8(table).map_err(|error| failed(error.to_string()))?;
     Ok(table.lines().nth(1).unwrap_or_default().to_owned())
 }
@@ -54,10 +54,9 @@ fn rejected(seed: u64, parameters: &Parameters, reason: &Reason) -> String {
 }
 
 /// The header of the file of rows and that of the file of rejected runs.
-pub fn headers(set: &Set) -> Result<[String; 2], String> {
-    let columns = columns_of(set.system.name()).map_err(|error| error.to_string())?;
-    let rows: Vec<&str> = columns.map(|column| column.name).collect();
+pub fn headers(set: &Set) -> [String; 2] {
+    let rows: Vec<&str> = set.system.description().all_columns().map(|column| column.name).collect();
     let told = set.parameters_of(0).named();
     let told: Vec<&str> = told.iter().map(|(name, _)| *name).collect();
-    Ok([rows.join(","), format!("seed,{},reason,detail", told.join(","))])
+    [rows.join(","), format!("seed,{},reason,detail", told.join(","))]
 }

@@ -342,8 +342,7 @@ fn the_built_in_plan_has_the_seven_sets_and_as_many_runs_as_the_paper() {
 fn the_sets_the_columns_and_the_reasons_stand_in_the_readme_beside_the_files() {
     let readme = include_str!("../../training/README.md");
     let plan = Plan::built_in().unwrap();
-    let columns =
-        plan.sets.iter().flat_map(|set| dapple::internals::learn::columns_of(set.system.name()).unwrap());
+    let columns = plan.sets.iter().flat_map(|set| set.system.description().all_columns());
     let names = plan.sets.iter().map(|set| set.name.as_str()).chain(columns.map(|column| column.name));
     for name in names.chain(dapple::internals::measure::Reason::KINDS) {
         assert!(readme.contains(&format!("| `{name}` |")), "{name}");

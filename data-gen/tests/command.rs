@@ -7,6 +7,7 @@ use std::process::{Command, Stdio};
 use assert_cmd::assert::OutputAssertExt;
 use assert_cmd::cargo::cargo_bin;
 use dapple::internals::learn::TrainingSet;
+use dapple::internals::rd::System;
 use serde_json::{Value, json};
 
 fn data_gen(folder: &Path, arguments: &str) -> Command {
@@ -41,7 +42,8 @@ fn a_plan_of_ones_own_is_printed_edited_swept_and_learnt_from() {
     let told =
         data_gen(folder.path(), "sweep --plan my.json -o my-sets").assert().success().get_output().clone();
     assert!(text(told.stdout).starts_with("meinhardt-spots-dense: 40 runs in "), "a summary");
-    let set = TrainingSet::load(&folder.path().join("my-sets"), "meinhardt-spots").unwrap();
+    let set = TrainingSet::load(&folder.path().join("my-sets"), System::MEINHARDT_SPOTS.description(), &[])
+        .unwrap();
     assert!((30..=40).contains(&set.rows().len()));
     let (_, [low, high]) = set.reach()[0];
     assert!(12.0 < low && low < 16.0 && 26.0 < high && high < 33.0, "areas {low} to {high}");

@@ -1,10 +1,12 @@
 //! Marks → numbers: the one ruler for what is drawn and for what has grown.
 
+pub mod columns;
 pub mod regions;
 pub mod spacing;
 mod spots;
 pub mod spread;
 mod stripes;
+pub mod system;
 
 pub use spread::Spread;
 

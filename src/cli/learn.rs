@@ -89,15 +89,9 @@ pub fn run(args: &Args) -> Result<(), Error> {
         grow: !args.no_simulation,
         watch: &watch,
     };
-    let systems = [
-        (System::TuringSpots, SystemChoice::TuringSpots),
-        (System::MeinhardtSpots, SystemChoice::MeinhardtSpots),
-        (System::MeinhardtStripes, SystemChoice::MeinhardtStripes),
-        (System::MeinhardtLines, SystemChoice::MeinhardtLines),
-    ];
     let mut outcomes: Vec<Outcome> = Vec::new();
-    for (system, choice) in systems {
-        if args.system.is_none_or(|only| only == choice) {
+    for system in System::ALL {
+        if args.system.is_none_or(|only| only == SystemChoice::Of(system)) {
             let of_system = compared(&setting, system)?;
             if !args.json {
                 say(&table::text(system, &of_system))?;

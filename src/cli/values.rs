@@ -60,7 +60,7 @@ pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<String> {
 /// What is asked of stripes that `system` grows.
 pub(super) fn stripes(system: SystemChoice, width: f64, angle: f64, duty: Option<f64>) -> Stripes {
     let duty = duty.unwrap_or(Options::DUTY);
-    let wavelength = (system == SystemChoice::MeinhardtLines).then_some(width / duty);
+    let wavelength = system.is_known(|system| system.free_spacing).then_some(width / duty);
     Stripes { width, angle: axial(angle), wavelength }
 }
 
@@ -171,6 +171,7 @@ pub(super) fn ends(text: &str) -> Result<Ends, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rd::System;
 
     #[test]
     fn a_size_is_two_sides() {
@@ -213,7 +214,7 @@ mod tests {
 
     #[test]
     fn a_system_to_look_up_has_a_name() {
-        assert_eq!(system("turing-spots"), Ok(SystemChoice::TuringSpots));
+        assert_eq!(system("turing-spots"), Ok(SystemChoice::Of(System::TURING_SPOTS)));
         assert!(system("auto").unwrap_err().contains("meinhardt-stripes"));
     }
 }

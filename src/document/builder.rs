@@ -165,6 +165,7 @@ impl Colours {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rd::System;
 
     #[test]
     fn a_document_made_in_code_is_read_as_it_was_written() {
@@ -172,7 +173,7 @@ mod tests {
         let rings = Layer::new([Stroke::line([20.0, 20.0], [60.0, 25.0], 4.0)])
             .with_name("rings")
             .with_after(After::Around)
-            .with_system(SystemChoice::MeinhardtLines)
+            .with_system(SystemChoice::Of(System::MEINHARDT_LINES))
             .with_options(Options { broken: 0.3, ..Options::default() })
             .with_colours(Colours::new([(0.0, [255; 3]), (1.0, [0; 3])]))
             .with_seed(9);

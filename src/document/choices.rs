@@ -1,6 +1,8 @@
 //! The named choices of a document.
 
+use crate::attributes::system::Description;
 use crate::document::Seeding;
+use crate::rd::System;
 
 /// The kind of a layer's marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,51 +30,63 @@ pub enum SystemChoice {
     /// The one that reaches the marks' attributes best: lines → stripes, ellipses → spots.
     #[default]
     Auto,
-    /// Turing's spots.
-    TuringSpots,
-    /// Meinhardt's spots.
-    MeinhardtSpots,
-    /// Meinhardt's stripes.
-    MeinhardtStripes,
-    /// Meinhardt's lines: thin stripes on wide ground.
-    MeinhardtLines,
+    /// This one.
+    Of(System),
 }
 
+/// All keys of `options` that systems take.
+const SYSTEM_OPTIONS: [&str; 5] = ["spread", "keep", "duty", "irregular", "seeding"];
+
 impl SystemChoice {
-    /// All choices with their names in documents and on the command line.
-    pub const NAMES: [(&'static str, Self); 5] = [
-        ("auto", Self::Auto),
-        ("turing-spots", Self::TuringSpots),
-        ("meinhardt-spots", Self::MeinhardtSpots),
-        ("meinhardt-stripes", Self::MeinhardtStripes),
-        ("meinhardt-lines", Self::MeinhardtLines),
-    ];
+    /// All of them with their names in documents and on the command line.
+    pub const NAMES: [(&'static str, Self); 1 + System::ALL.len()] = {
+        let mut names = [("auto", Self::Auto); 1 + System::ALL.len()];
+        let mut index = 0;
+        while index < System::ALL.len() {
+            let system = System::ALL[index];
+            names[1 + index] = (system.name(), Self::Of(system));
+            index += 1;
+        }
+        names
+    };
+
+    /// The system; `None` of [`Self::Auto`].
+    #[must_use]
+    pub fn system(self) -> Option<System> {
+        match self {
+            Self::Auto => None,
+            Self::Of(system) => Some(system),
+        }
+    }
+
+    /// Whether the system is chosen and has this property.
+    #[must_use]
+    pub fn is_known(self, property: impl FnOnce(&Description) -> bool) -> bool {
+        self.system().is_some_and(|system| property(system.description()))
+    }
+
+    /// Whether a system with this property can be taken: any is with [`Self::Auto`].
+    #[must_use]
+    pub fn allows(self, property: impl FnOnce(&Description) -> bool) -> bool {
+        self.system().is_none_or(|system| property(system.description()))
+    }
 
     /// Its name.
     #[must_use]
     pub fn name(self) -> &'static str {
-        name_in(&Self::NAMES, self)
+        self.system().map_or("auto", System::name)
     }
 
     /// The kind of marks that it grows; `None` = the layer's own.
     #[must_use]
     pub fn grows(self) -> Option<Kind> {
-        match self {
-            Self::Auto => None,
-            Self::TuringSpots | Self::MeinhardtSpots => Some(Kind::Ellipse),
-            Self::MeinhardtStripes | Self::MeinhardtLines => Some(Kind::Line),
-        }
+        self.system().map(|system| if system.is_striped() { Kind::Line } else { Kind::Ellipse })
     }
 
     /// The keys of `options` that it takes.
     #[must_use]
     pub fn option_keys(self) -> &'static [&'static str] {
-        match self {
-            Self::Auto => &["spread", "keep", "duty", "irregular", "seeding"],
-            Self::TuringSpots | Self::MeinhardtSpots => &["spread", "keep", "irregular"],
-            Self::MeinhardtStripes => &["keep", "duty", "seeding"],
-            Self::MeinhardtLines => &["keep", "duty"],
-        }
+        self.system().map_or(&SYSTEM_OPTIONS, |system| system.description().option_keys)
     }
 }
 

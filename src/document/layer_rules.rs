@@ -11,6 +11,7 @@ mod shown;
 use Condition::{Above, Grows, Lowest, Marks, NotTaken};
 use Kind::{Ellipse, Line};
 
+use crate::attributes::system::Description;
 use crate::document::{After, Kind, Layer, OptionKey, Options, Problem, SystemChoice};
 
 /// A combination that cannot be grown.
@@ -34,8 +35,8 @@ pub enum Key {
     After(&'static [After]),
     /// `system` with one that grows this kind of marks.
     SystemGrowing(Kind),
-    /// `system` with any other value than these.
-    SystemBut(&'static [SystemChoice]),
+    /// `system` without this property; `auto` has every one.
+    SystemWithout(fn(&Description) -> bool),
     /// An option with any other value than [`OptionKey::always_allowed`].
     Option(OptionKey),
 }
@@ -53,8 +54,8 @@ pub enum Condition {
     Grows(Kind),
     /// `after` has one of these values.
     After(&'static [After]),
-    /// `system` has this value.
-    System(SystemChoice),
+    /// `system` grows this kind of marks and lacks this property.
+    SystemWithout(Kind, fn(&Description) -> bool),
     /// The system does not take this option.
     NotTaken(OptionKey),
     /// This option has another value than [`OptionKey::always_allowed`].
@@ -125,12 +126,12 @@ pub static RULES: [Rule; 26] = [
     read(Key::SystemGrowing(Line), Marks(Ellipse), "This system grows stripes; this layer holds ellipses"),
     read(Key::SystemGrowing(Ellipse), Marks(Line), "This system grows spots; this layer holds lines"),
     grown(
-        Key::SystemBut(&[SystemChoice::Auto, SystemChoice::MeinhardtLines]),
+        Key::SystemWithout(|system| system.along_curves),
         Condition::After(AROUND),
         "Rings and webs are grown by Meinhardt's lines",
     ),
     grown(
-        Key::SystemBut(&[SystemChoice::Auto, SystemChoice::MeinhardtSpots]),
+        Key::SystemWithout(|system| system.fixed_places),
         Condition::After(INSIDE),
         "Only Meinhardt's spots stay at given places; other systems fill the space between the places, too",
     ),
@@ -145,7 +146,7 @@ pub static RULES: [Rule; 26] = [
     ),
     read(
         Key::Option(OptionKey::Irregular),
-        Condition::System(SystemChoice::MeinhardtSpots),
+        Condition::SystemWithout(Ellipse, |system| system.irregular),
         "The spots of Meinhardt's system stay ellipses; Turing's can be irregular",
     ),
     read(Key::Option(OptionKey::Seeding), Grows(Ellipse), "Only stripes have a seeding"),
@@ -177,7 +178,7 @@ pub static RULES: [Rule; 26] = [
     ),
     read(
         Key::Option(OptionKey::Duty),
-        Condition::System(SystemChoice::MeinhardtStripes),
+        Condition::SystemWithout(Line, |system| system.free_spacing),
         "Meinhardt's stripes are as wide as their gaps; Meinhardt's lines and automatic grow thinner ones",
     ),
     read(
@@ -228,7 +229,7 @@ impl Combination {
     #[must_use]
     pub fn against_system(&self, system: SystemChoice) -> Option<&'static Rule> {
         let with = Self { system, ..*self };
-        let about_systems = |rule: &Rule| matches!(rule.key, Key::SystemGrowing(_) | Key::SystemBut(_));
+        let about_systems = |rule: &Rule| matches!(rule.key, Key::SystemGrowing(_) | Key::SystemWithout(_));
         RULES.iter().find(|rule| about_systems(rule) && rule.refuses(&with))
     }
 
@@ -269,7 +270,7 @@ impl Rule {
         let has_value = match &self.key {
             Key::After(refused) => refused.contains(&layer.after),
             Key::SystemGrowing(kind) => layer.system.grows() == Some(*kind),
-            Key::SystemBut(allowed) => !allowed.contains(&layer.system),
+            Key::SystemWithout(property) => !layer.system.allows(property),
             Key::Option(option) => option.is_set(&layer.options),
         };
         has_value && self.condition.holds(layer)
@@ -282,7 +283,7 @@ impl Rule {
                 let allowed = After::NAMES.iter().filter(|(_, after)| layer.against_after(*after).is_none());
                 ("after".to_owned(), format!("\"{}\"", layer.after.name()), listed(allowed))
             }
-            Key::SystemGrowing(_) | Key::SystemBut(_) => {
+            Key::SystemGrowing(_) | Key::SystemWithout(_) => {
                 let allowed =
                     SystemChoice::NAMES.iter().filter(|(_, system)| layer.against_system(*system).is_none());
                 ("system".to_owned(), format!("\"{}\"", layer.system.name()), listed(allowed))
@@ -309,7 +310,9 @@ impl Condition {
             Self::Marks(kind) => layer.marks == Some(*kind),
             Self::Grows(kind) => layer.grows() == Some(*kind),
             Self::After(after) => after.contains(&layer.after),
-            Self::System(system) => layer.system == *system,
+            Self::SystemWithout(kind, property) => {
+                layer.system.grows() == Some(*kind) && !layer.system.allows(property)
+            }
             Self::NotTaken(option) => !layer.system.option_keys().contains(&option.name()),
             Self::Option(other) => other.is_set(&layer.options),
         }

@@ -85,7 +85,7 @@ pub use crate::attributes::Spread;
 pub use crate::colour::{Gradient, PRESETS, Preset};
 pub use crate::grid::Edges;
 pub use crate::marks::{Ellipse, Line};
-pub use crate::rd::Seeding;
+pub use crate::rd::{Seeding, System};
 pub use choices::{After, Kind, SystemChoice};
 pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_picture, in_stream, open};
@@ -198,10 +198,11 @@ pub struct Layer {
 }
 
 impl Layer {
-    /// The system that is asked for; irregular spots ask for Turing's, the only system that grows them.
+    /// The system that is asked for: irregular spots want one that grows such.
     #[must_use]
     pub fn choice(&self) -> SystemChoice {
-        if self.options.irregular > 0.0 { SystemChoice::TuringSpots } else { self.system }
+        let irregular = System::first(|system| system.irregular).filter(|_| self.options.irregular > 0.0);
+        irregular.map_or(self.system, SystemChoice::Of)
     }
 }
 

@@ -20,7 +20,8 @@ pub fn system_refusal(session: &Session, layer: usize, system: SystemChoice) -> 
 #[must_use]
 pub fn has_option(layer: &Layer, kind: Option<Kind>, option: OptionKey) -> bool {
     let combination = Combination::new(layer, kind, Beneath::Unknown);
-    let changeable = |condition: &Condition| matches!(condition, Condition::System(_) | Condition::Option(_));
+    let changeable =
+        |condition: &Condition| matches!(condition, Condition::SystemWithout(..) | Condition::Option(_));
     combination.grows().is_some()
         && combination.against_option(option).is_none_or(|rule| changeable(&rule.condition))
 }
@@ -45,6 +46,7 @@ mod tests {
     use super::*;
     use crate::document::{Document, Stroke};
     use crate::marks::Line;
+    use crate::rd::System;
 
     fn line() -> Stroke {
         Stroke::Line(Line { from: [50.0, 50.0], to: [150.0, 50.0], width: 6.0 })
@@ -60,7 +62,7 @@ mod tests {
         assert_eq!(offered(&layer, Some(Kind::Ellipse)), ["spread", "irregular", "keep"]);
         assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "seeding", "keep"]);
         assert!(offered(&layer, None).is_empty());
-        layer.system = SystemChoice::MeinhardtLines;
+        layer.system = SystemChoice::Of(System::MEINHARDT_LINES);
         assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "keep"]);
         layer.after = After::Around;
         assert_eq!(offered(&layer, Some(Kind::Line)), ["broken"]);
@@ -83,7 +85,9 @@ mod tests {
         });
         assert_eq!(after_refusal(&session, 1, After::Around), None);
         assert!(after_refusal(&session, 1, After::Inside).unwrap().contains("lines"));
-        assert!(system_refusal(&session, 1, SystemChoice::TuringSpots).unwrap().contains("spots"));
-        assert_eq!(system_refusal(&session, 1, SystemChoice::MeinhardtLines), None);
+        assert!(
+            system_refusal(&session, 1, SystemChoice::Of(System::TURING_SPOTS)).unwrap().contains("spots")
+        );
+        assert_eq!(system_refusal(&session, 1, SystemChoice::Of(System::MEINHARDT_LINES)), None);
     }
 }

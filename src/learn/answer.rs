@@ -170,7 +170,7 @@ impl TrainingSet {
     }
 
     fn other_kind(&self, takes: &'static str) -> AskError {
-        AskError::OtherKind { system: self.system(), takes }
+        AskError::OtherKind { system: self.system().name, takes }
     }
 
     /// What `parameters` grow, as far as the rows tell.

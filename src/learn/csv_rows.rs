@@ -4,104 +4,83 @@ use std::io::Write;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use super::columns::{Column, SEED, columns};
-use super::{Parameters, Row, TrainingError, training_set::Kind};
+use super::{Parameters, Row, TrainingError};
+use crate::attributes::columns::{Column, ColumnKind, SEED};
+use crate::attributes::system::{Description, MarkKind};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
 
-/// The numbers of a row in the order of its columns; `None` where the row is not of this kind.
-fn numbers(kind: Kind, row: &Row) -> Option<Vec<f64>> {
-    let p = row.parameters;
-    match (kind, row.attributes) {
-        (Kind::Spots, Attributes::Spots(a)) => Some(vec![
-            row.extent,
-            a.area,
-            a.aspect,
-            a.angle,
-            a.spacing?,
-            row.evenness,
-            p.rate,
-            p.ratio?,
-            p.stretch,
-            p.direction,
-            p.level?,
-        ]),
-        (Kind::Stripes, Attributes::Stripes(a)) => {
-            Some(vec![row.extent, a.width, a.angle, row.evenness, p.rate, p.stretch, p.direction])
-        }
-        (Kind::Lines, Attributes::Stripes(a)) => Some(vec![
-            row.extent,
-            a.width,
-            a.angle,
-            a.wavelength?,
-            row.evenness,
-            p.rate,
-            p.ratio?,
-            p.stretch,
-            p.direction,
-        ]),
-        _ => None,
+/// The number that a row has for a column; `None` where it has none.
+fn number(kind: ColumnKind, row: &Row) -> Option<f64> {
+    let p = &row.parameters;
+    let (spots, stripes) = match &row.attributes {
+        Attributes::Spots(spots) => (Some(spots), None),
+        Attributes::Stripes(stripes) => (None, Some(stripes)),
+    };
+    match kind {
+        ColumnKind::Seed => None,
+        ColumnKind::Extent => Some(row.extent),
+        ColumnKind::Evenness => Some(row.evenness),
+        ColumnKind::Area => Some(spots?.area),
+        ColumnKind::Aspect => Some(spots?.aspect),
+        ColumnKind::Angle => Some(row.attributes.angle()),
+        ColumnKind::Spacing => spots?.spacing,
+        ColumnKind::Width => Some(stripes?.width),
+        ColumnKind::Wavelength => stripes?.wavelength,
+        ColumnKind::Rate => Some(p.rate),
+        ColumnKind::Ratio => p.ratio,
+        ColumnKind::Stretch => Some(p.stretch),
+        ColumnKind::Direction => Some(p.direction),
+        ColumnKind::Level => p.level,
     }
 }
 
-/// The row that has these numbers, which stand in the order of its columns.
-fn row(kind: Kind, seed: u64, n: &[f64]) -> Row {
-    match kind {
-        Kind::Spots => Row {
-            seed,
-            extent: n[0],
-            evenness: n[5],
-            attributes: Attributes::Spots(Spots {
-                area: n[1],
-                aspect: n[2],
-                angle: axial(n[3]),
-                spacing: Some(n[4]),
-            }),
-            parameters: Parameters {
-                rate: n[6],
-                ratio: Some(n[7]),
-                stretch: n[8],
-                direction: axial(n[9]),
-                level: Some(n[10]),
-            },
-        },
-        Kind::Stripes => Row {
-            seed,
-            extent: n[0],
-            evenness: n[3],
-            attributes: Attributes::Stripes(Stripes { width: n[1], angle: axial(n[2]), wavelength: None }),
-            parameters: Parameters {
-                rate: n[4],
-                ratio: None,
-                stretch: n[5],
-                direction: axial(n[6]),
-                level: None,
-            },
-        },
-        Kind::Lines => Row {
-            seed,
-            extent: n[0],
-            evenness: n[4],
-            attributes: Attributes::Stripes(Stripes {
-                width: n[1],
-                angle: axial(n[2]),
-                wavelength: Some(n[3]),
-            }),
-            parameters: Parameters {
-                rate: n[5],
-                ratio: Some(n[6]),
-                stretch: n[7],
-                direction: axial(n[8]),
-                level: None,
-            },
+/// The numbers of a row in the order of the columns of `system`; `None` where the row is not of this system.
+fn numbers(system: &Description, row: &Row) -> Option<Vec<f64>> {
+    system.columns.iter().map(|column| number(column.kind, row)).collect()
+}
+
+/// The row that has these numbers, which stand in the order of the columns of `system`.
+fn row(system: &Description, seed: u64, numbers: &[f64]) -> Row {
+    let find = |kind| {
+        let place = system.columns.iter().position(|column| column.kind == kind)?;
+        numbers.get(place).copied()
+    };
+    // `tests` hold that every system has these columns.
+    let always = |kind| find(kind).unwrap_or_default();
+    let angle = axial(always(ColumnKind::Angle));
+    let attributes = match system.marks {
+        MarkKind::Spots => Attributes::Spots(Spots {
+            area: always(ColumnKind::Area),
+            aspect: always(ColumnKind::Aspect),
+            angle,
+            spacing: find(ColumnKind::Spacing),
+        }),
+        MarkKind::Stripes => Attributes::Stripes(Stripes {
+            width: always(ColumnKind::Width),
+            angle,
+            wavelength: find(ColumnKind::Wavelength),
+        }),
+    };
+    Row {
+        seed,
+        extent: always(ColumnKind::Extent),
+        evenness: always(ColumnKind::Evenness),
+        attributes,
+        parameters: Parameters {
+            rate: always(ColumnKind::Rate),
+            ratio: find(ColumnKind::Ratio),
+            stretch: always(ColumnKind::Stretch),
+            direction: axial(always(ColumnKind::Direction)),
+            level: find(ColumnKind::Level),
         },
     }
 }
 
 /// Where each column (seed first) stands in the file.
-fn places(kind: Kind, file: &str, header: &StringRecord) -> Result<Vec<usize>, TrainingError> {
+fn places(system: &Description, file: &str, header: &StringRecord) -> Result<Vec<usize>, TrainingError> {
     let names: Vec<&str> =
-        std::iter::once(SEED.name).chain(columns(kind).iter().map(|column| column.name)).collect();
+        std::iter::once(SEED.name).chain(system.columns.iter().map(|column| column.name)).collect();
     let wrong =
         |problem: String| TrainingError::Columns { file: file.to_owned(), problem, columns: names.join(",") };
     for (i, found) in header.iter().enumerate() {
@@ -142,7 +121,7 @@ pub fn line_of(bytes: &[u8], position: Option<&csv::Position>) -> u64 {
 }
 
 /// Reads and checks the rows of `file` (a name for messages).
-pub(super) fn read_rows(kind: Kind, file: &str, bytes: &[u8]) -> Result<Vec<Row>, TrainingError> {
+pub(super) fn read_rows(system: &Description, file: &str, bytes: &[u8]) -> Result<Vec<Row>, TrainingError> {
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
     let broken = |error: &csv::Error| TrainingError::Table {
         file: file.to_owned(),
@@ -150,7 +129,7 @@ pub(super) fn read_rows(kind: Kind, file: &str, bytes: &[u8]) -> Result<Vec<Row>
         problem: error.to_string(),
     };
     let header = reader.headers().map_err(|error| broken(&error))?.clone();
-    let places = places(kind, file, &header)?;
+    let places = places(system, file, &header)?;
     let mut rows = Vec::new();
     for record in reader.records() {
         let record = record.map_err(|error| broken(&error))?;
@@ -164,14 +143,14 @@ pub(super) fn read_rows(kind: Kind, file: &str, bytes: &[u8]) -> Result<Vec<Row>
             allowed: column.allowed,
         };
         let seed = text(0).parse().map_err(|_| wrong(&SEED, text(0)))?;
-        let mut values = Vec::with_capacity(columns(kind).len());
-        for (i, column) in columns(kind).iter().enumerate() {
+        let mut values = Vec::with_capacity(system.columns.len());
+        for (i, column) in system.columns.iter().enumerate() {
             match text(i + 1).parse::<f64>() {
                 Ok(value) if column.range[0] <= value && value <= column.range[1] => values.push(value),
                 _ => return Err(wrong(column, text(i + 1))),
             }
         }
-        rows.push(row(kind, seed, &values));
+        rows.push(row(system, seed, &values));
     }
     Ok(rows)
 }
@@ -182,19 +161,19 @@ pub(super) fn read_rows(kind: Kind, file: &str, bytes: &[u8]) -> Result<Vec<Row>
 /// same rows give the same bytes and rows that were read are written as they stood.
 ///
 /// # Errors
-/// [`TrainingError::UnknownSystem`]; [`TrainingError::Row`] where a row is not one of this system or a
+/// [`TrainingError::Row`] where a row is not one of this system or a
 /// value is out of range; [`TrainingError::Write`].
-pub fn write_rows(system: &str, rows: &[Row], mut out: impl Write) -> Result<(), TrainingError> {
-    let (system, kind) = super::training_set::find(system)?;
-    let names: Vec<&str> = columns(kind).iter().map(|column| column.name).collect();
+pub fn write_rows(system: &Description, rows: &[Row], mut out: impl Write) -> Result<(), TrainingError> {
+    let names: Vec<&str> = system.columns.iter().map(|column| column.name).collect();
     let mut text = format!("{},{}\n", SEED.name, names.join(","));
     for (index, row) in rows.iter().enumerate() {
-        let wrong = |problem: String| TrainingError::Row { index, seed: row.seed, system, problem };
-        let values = numbers(kind, row).ok_or_else(|| {
+        let wrong =
+            |problem: String| TrainingError::Row { index, seed: row.seed, system: system.name, problem };
+        let values = numbers(system, row).ok_or_else(|| {
             wrong("its attributes or parameters are those of another kind of system".into())
         })?;
         text.push_str(&row.seed.to_string());
-        for (column, value) in columns(kind).iter().zip(values) {
+        for (column, value) in system.columns.iter().zip(values) {
             if !(column.range[0] <= value && value <= column.range[1]) {
                 return Err(wrong(format!("its {} {value} is not {}", column.name, column.allowed)));
             }
@@ -217,17 +196,19 @@ pub fn six_digits(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::laws::{MEASURED, lines, meinhardt, stripes, turing};
+    use super::super::laws::{
+        LINES, MEASURED, MEINHARDT, STRIPES, TURING, lines, meinhardt, stripes, turing,
+    };
     use super::*;
 
-    fn written(system: &str, rows: &[Row]) -> String {
+    fn written(system: &Description, rows: &[Row]) -> String {
         let mut out = Vec::new();
         write_rows(system, rows, &mut out).unwrap();
         String::from_utf8(out).unwrap()
     }
 
     fn message(text: &str) -> String {
-        read_rows(Kind::Stripes, "s.csv", text.as_bytes()).unwrap_err().to_string()
+        read_rows(&STRIPES, "s.csv", text.as_bytes()).unwrap_err().to_string()
     }
 
     const HEADER: &str = "seed,wavelengths,width,angle,coherence,rate,stretch,direction";
@@ -235,21 +216,21 @@ mod tests {
     #[test]
     fn rows_that_are_written_and_read_are_the_same_to_six_digits_and_then_exactly() {
         let sets = [
-            ("turing-spots", Kind::Spots, turing(40, MEASURED)),
-            ("meinhardt-spots", Kind::Spots, meinhardt(40, MEASURED)),
-            ("meinhardt-stripes", Kind::Stripes, stripes(40, MEASURED)),
-            ("meinhardt-lines", Kind::Lines, lines(40, MEASURED)),
+            (&TURING, turing(40, MEASURED)),
+            (&MEINHARDT, meinhardt(40, MEASURED)),
+            (&STRIPES, stripes(40, MEASURED)),
+            (&LINES, lines(40, MEASURED)),
         ];
-        for (system, kind, rows) in sets {
+        for (system, rows) in sets {
             let text = written(system, &rows);
-            let back = read_rows(kind, "x.csv", text.as_bytes()).unwrap();
+            let back = read_rows(system, "x.csv", text.as_bytes()).unwrap();
             assert_eq!(back.len(), rows.len());
             for (a, b) in rows.iter().zip(&back) {
-                let pairs = numbers(kind, a).unwrap().into_iter().zip(numbers(kind, b).unwrap());
+                let pairs = numbers(system, a).unwrap().into_iter().zip(numbers(system, b).unwrap());
                 assert!(a.seed == b.seed && pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-5 * a.abs()));
             }
             assert_eq!(written(system, &back), text);
-            assert_eq!(read_rows(kind, "x.csv", written(system, &back).as_bytes()).unwrap(), back);
+            assert_eq!(read_rows(system, "x.csv", written(system, &back).as_bytes()).unwrap(), back);
         }
     }
 
@@ -257,7 +238,7 @@ mod tests {
     fn columns_may_stand_in_any_order() {
         let text =
             "direction,seed,stretch,rate,coherence,angle,width,wavelengths\n10,7,0.5,0.4,0.9,-11,8,12\n";
-        let row = read_rows(Kind::Stripes, "s.csv", text.as_bytes()).unwrap()[0];
+        let row = read_rows(&STRIPES, "s.csv", text.as_bytes()).unwrap()[0];
         assert_eq!((row.seed, row.extent, row.evenness), (7, 12.0, 0.9));
         assert_eq!(
             row.attributes,
@@ -298,12 +279,11 @@ mod tests {
     #[test]
     fn a_row_of_another_system_or_out_of_range_is_not_written() {
         let mut rows = stripes(3, MEASURED);
-        let error = write_rows("turing-spots", &rows, std::io::sink()).unwrap_err().to_string();
+        let error = write_rows(&TURING, &rows, std::io::sink()).unwrap_err().to_string();
         assert!(error.contains("row 0 (seed 0) cannot be written to turing-spots"), "{error}");
         rows[2].parameters.rate = f64::NAN;
-        let error = write_rows("meinhardt-stripes", &rows, std::io::sink()).unwrap_err().to_string();
+        let error = write_rows(&STRIPES, &rows, std::io::sink()).unwrap_err().to_string();
         assert!(error.contains("row 2 (seed 2)") && error.contains("rate NaN"), "{error}");
-        assert!(write_rows("voronoi", &rows, std::io::sink()).is_err());
     }
 
     #[test]

@@ -5,14 +5,6 @@ use std::path::PathBuf;
 /// Why a training set could not be read or written.
 #[derive(Debug, thiserror::Error)]
 pub enum TrainingError {
-    /// There is no such system.
-    #[error("no training set is called '{name}'; allowed: {allowed}")]
-    UnknownSystem {
-        /// The name that was asked for.
-        name: String,
-        /// The names there are.
-        allowed: String,
-    },
     /// A file or folder could not be opened.
     #[error("{}: cannot be read (a folder of training sets holds SYSTEM.csv or SYSTEM-*.csv for each system, as data-gen writes them)", path.display())]
     Open {

@@ -11,6 +11,7 @@
 //! × √rate; d the mean Delaunay edge ÷ the distance of places
 //! ```
 
+use crate::attributes::system::IsolatedSpots;
 use crate::attributes::{Attributes, Spots};
 use crate::learn::answer::{Answer, checked};
 use crate::learn::coverage::{Coverage, Judgement};
@@ -19,45 +20,14 @@ use crate::learn::spot_map::SpotMap;
 use crate::learn::training_set::{Map, TrainingSet};
 use crate::learn::{AskError, Parameters};
 
-/// R. Alone, spots of 12 split in two, for ever; those of 13, 14, 15, 20, 30 do not, and take 510, 600, 740, 1,450 and
-/// 2,450 steps to settle.
-const RATIO: f64 = 15.0;
-/// The share of the peak that is the edge: the first, if the spots have room; down to the second, at which as large a
-/// spot is the foot of a smaller peak that needs less.
-const LEVELS: [f64; 2] = [0.5, 0.25];
-/// K. Measured 205–209 at 27–136 cells, stretch 0.3–1.
-const AREA: f64 = 208.4;
-/// k. At levels ½, 0.35, ¼ K was 208.4, 320.5, 425.
-const FOOT: f64 = 1.03;
-/// c, a, b: patches of pitch 1, 1.5, 2.5, 4 had 127.4, 179.4, 208.0, 208.9.
-const CROWDED: [f64; 3] = [0.389, 1.33, 1.45];
-/// S.
-const OWN: f64 = 36.0;
-/// d.
-const EDGES: [f64; 2] = [1.02, 0.06];
-/// From the first pitch on a spot is alone enough for neighbours that stand a third nearer than the mean; below the
-/// second those merge.
-const ROOMY: [f64; 2] = [1.6, 1.0];
-
-/// Relative half widths of the 90 % intervals, and that of the angle in degrees: grids of 27–136 cells a spot, stretch
-/// 0.3–1, five directions.
-const SURE: Sure = Sure { area: 0.012, aspect: 0.012, angle: 0.8, spacing: 0.03 };
-
-struct Sure {
-    area: f64,
-    aspect: f64,
-    angle: f64,
-    spacing: f64,
-}
-
 /// Rate and pitch of such spots at `level`. Lengths are cells.
-fn laid(spots: &Spots, spacing: f64, level: f64) -> [f64; 2] {
-    let area = AREA * libm::pow(libm::log(level) / libm::log(0.5), FOOT);
+fn laid(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) -> [f64; 2] {
+    let area = law.area * libm::pow(libm::log(level) / libm::log(0.5), law.foot);
     let stretched = libm::log(spots.aspect);
-    let own = OWN * (EDGES[0] + EDGES[1] * stretched * stretched);
+    let own = law.spacing * (law.edges[0] + law.edges[1] * stretched * stretched);
     let pitch = |rate: f64| spacing * rate.sqrt() / own;
     let rate = |pitch: f64| {
-        let [c, a, b] = CROWDED;
+        let [c, a, b] = law.crowding;
         let q = (pitch - 1.0).max(0.0);
         area * (1.0 - c * libm::exp(-a * q - b * q * q)) / spots.area
     };
@@ -70,18 +40,19 @@ fn laid(spots: &Spots, spacing: f64, level: f64) -> [f64; 2] {
 }
 
 /// The highest level at which spots are roomy enough where only the share `room` of the spacing is left to them.
-fn level(spots: &Spots, spacing: f64, room: f64) -> Option<f64> {
-    let pitch = |level: f64| room * laid(spots, spacing, level)[1];
-    let [mut low, mut high] = [LEVELS[1], LEVELS[0]];
-    if pitch(high) >= ROOMY[0] {
+fn level(law: &IsolatedSpots, spots: &Spots, spacing: f64, room: f64) -> Option<f64> {
+    let pitch = |level: f64| room * laid(law, spots, spacing, level)[1];
+    let [mut high, mut low] = law.levels;
+    let [alone, merging] = law.pitches;
+    if pitch(high) >= alone {
         return Some(high);
     }
-    if pitch(low) < ROOMY[0] {
-        return (pitch(low) >= ROOMY[1]).then_some(low);
+    if pitch(low) < alone {
+        return (pitch(low) >= merging).then_some(low);
     }
     for _ in 0..20 {
         let middle = 0.5 * (low + high);
-        *if pitch(middle) >= ROOMY[0] { &mut low } else { &mut high } = middle;
+        *if pitch(middle) >= alone { &mut low } else { &mut high } = middle;
     }
     Some(low)
 }
@@ -97,20 +68,20 @@ impl TrainingSet {
         let (Map::Spots(map), Attributes::Spots(spots)) = (&self.map, checked(wanted)?) else {
             return Ok(None);
         };
-        // Only the ground of a system whose ratio is free is inert.
-        Ok(spots.spacing.filter(|_| map.dense()).and_then(|spacing| apart(map, &spots, spacing, room)))
+        let law = self.system.isolated.as_ref().filter(|_| map.dense());
+        Ok(law.zip(spots.spacing).and_then(|(law, spacing)| apart(law, map, &spots, spacing, room)))
     }
 }
 
-fn apart(map: &SpotMap, spots: &Spots, spacing: f64, room: f64) -> Option<Answer> {
+fn apart(law: &IsolatedSpots, map: &SpotMap, spots: &Spots, spacing: f64, room: f64) -> Option<Answer> {
     let mut judgement = Judgement::new();
     let area = libm::exp(judgement.clamp(&map.area, libm::log(spots.area)));
     let aspect = libm::exp(-judgement.clamp(&map.elongation, -libm::log(spots.aspect)));
     // Rounder than any row is no farther than the rows.
     let aspect = aspect.max(spots.aspect);
     let grown = Spots { area, aspect, spacing: Some(spacing), ..*spots };
-    let level = level(&grown, spacing, room)?;
-    let [rate, pitch] = laid(&grown, spacing, level);
+    let level = level(law, &grown, spacing, room)?;
+    let [rate, pitch] = laid(law, &grown, spacing, level);
     let Judgement { coverage, mut notes } = judgement;
     let share = |density: f64| Quantity::new("area/spacing²", density, Unit::Share);
     notes.push(Note::Apart {
@@ -118,18 +89,19 @@ fn apart(map: &SpotMap, spots: &Spots, spacing: f64, room: f64) -> Option<Answer
         sparsest: share(libm::exp(map.density.span[0])),
         pitch,
     });
+    let sure = law.intervals;
     let within = |value: f64, sure: f64| [value * (1.0 - sure), value * (1.0 + sure)];
-    let [low, high] = within(aspect, SURE.aspect);
+    let [low, high] = within(aspect, sure.aspect);
     let interval = vec![
-        ("area", within(area, SURE.area)),
+        ("area", within(area, sure.area)),
         ("aspect", [low, high.min(1.0)]),
-        ("angle", [grown.angle - SURE.angle, grown.angle + SURE.angle]),
-        ("spacing", within(spacing, SURE.spacing)),
+        ("angle", [grown.angle - sure.angle, grown.angle + sure.angle]),
+        ("spacing", within(spacing, sure.spacing)),
     ];
     Some(Answer {
         parameters: Parameters {
             rate,
-            ratio: Some(RATIO),
+            ratio: Some(law.ratio),
             stretch: aspect,
             direction: grown.angle,
             level: Some(level),
@@ -145,10 +117,11 @@ fn apart(map: &SpotMap, spots: &Spots, spacing: f64, room: f64) -> Option<Answer
 
 #[cfg(test)]
 mod tests {
+    use super::super::laws::{ISOLATED, MEINHARDT, TURING};
     use super::*;
 
     fn asked(area: f64, aspect: f64, spacing: f64) -> Option<Answer> {
-        let set = TrainingSet::embedded("meinhardt-spots").unwrap();
+        let set = TrainingSet::embedded(&MEINHARDT).unwrap();
         let spots = Spots { area, aspect, angle: 160.0, spacing: Some(spacing) };
         set.ask_apart(&Attributes::Spots(spots), 1.0).unwrap()
     }
@@ -156,7 +129,7 @@ mod tests {
     #[test]
     fn spots_twenty_diameters_apart_have_their_area_and_no_neighbours() {
         let answer = asked(48.0, 0.5, 156.0).unwrap();
-        assert!((answer.parameters.rate * 48.0 / AREA - 1.0).abs() < 1e-6, "{answer:?}");
+        assert!((answer.parameters.rate * 48.0 / ISOLATED.area - 1.0).abs() < 1e-6, "{answer:?}");
         assert_eq!((answer.parameters.stretch, answer.parameters.direction), (0.5, 160.0));
         assert!(answer.pitch > 8.0 && answer.coverage == Coverage::Edge, "{answer:?}");
         assert_eq!(answer.predicted, answer.nearest);
@@ -166,20 +139,20 @@ mod tests {
     fn the_nearer_they_stand_the_smaller_their_peaks_until_they_are_too_near() {
         let found = [120.0, 28.0, 26.0, 20.0].map(|spacing| asked(48.0, 1.0, spacing).unwrap());
         let levels = found.each_ref().map(|answer| answer.parameters.level.unwrap());
-        assert!(levels[0] == LEVELS[0] && levels[3] == LEVELS[1], "{levels:?}");
+        assert!(levels[0] == ISOLATED.levels[0] && levels[3] == ISOLATED.levels[1], "{levels:?}");
         assert!(levels.windows(2).all(|pair| pair[1] < pair[0]), "{levels:?}");
         // Those between have just the pitch that they need.
-        let enough = |answer: &Answer| (answer.pitch - ROOMY[0]).abs() < 0.01;
-        assert!(found[1..3].iter().all(enough) && found[3].pitch >= ROOMY[1], "{found:?}");
+        let enough = |answer: &Answer| (answer.pitch - ISOLATED.pitches[0]).abs() < 0.01;
+        assert!(found[1..3].iter().all(enough) && found[3].pitch >= ISOLATED.pitches[1], "{found:?}");
         assert!(asked(48.0, 1.0, 12.0).is_none());
     }
 
     #[test]
     fn only_spots_with_a_spacing_and_an_inert_ground_stand_alone() {
-        let turing = TrainingSet::embedded("turing-spots").unwrap();
+        let turing = TrainingSet::embedded(&TURING).unwrap();
         let spots = Spots { area: 48.0, aspect: 0.7, angle: 0.0, spacing: Some(200.0) };
         assert!(turing.ask_apart(&Attributes::Spots(spots), 1.0).unwrap().is_none());
-        let set = TrainingSet::embedded("meinhardt-spots").unwrap();
+        let set = TrainingSet::embedded(&MEINHARDT).unwrap();
         let free = Attributes::Spots(Spots { spacing: None, ..spots });
         assert!(set.ask_apart(&free, 1.0).unwrap().is_none());
         let wrong = Attributes::Spots(Spots { area: -1.0, ..spots });

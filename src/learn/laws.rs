@@ -5,8 +5,93 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use super::{Parameters, Row};
+use crate::attributes::columns::{self, Column};
+use crate::attributes::system::{Description, Intervals, IsolatedSpots, MarkKind, Scaling, TrainingFile};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
+
+/// Systems like those of the program, which this room does not know: what tests of rows need of them.
+const fn system(
+    name: &'static str,
+    marks: MarkKind,
+    columns: &'static [Column],
+    training: &'static [TrainingFile],
+) -> Description {
+    Description {
+        name,
+        title: name,
+        help: "",
+        alternative: None,
+        marks,
+        free_spacing: true,
+        irregular: false,
+        seeding: false,
+        fixed_places: false,
+        along_curves: false,
+        option_keys: &[],
+        columns,
+        training,
+        scaling: Scaling { ratio: 1.0, level: 2.85 },
+        isolated: None,
+    }
+}
+
+macro_rules! file {
+    ($name:literal) => {
+        TrainingFile { name: $name, text: include_str!(concat!("../../training/", $name, ".csv")) }
+    };
+}
+
+/// Spots whose spacing follows from their size.
+pub(super) static TURING: Description = Description {
+    free_spacing: false,
+    ..system(
+        "turing-spots",
+        MarkKind::Spots,
+        &columns::SPOTS,
+        &[file!("turing-spots-orientation"), file!("turing-spots-size")],
+    )
+};
+/// Spots of any spacing, which also stand alone.
+pub(super) static MEINHARDT: Description = Description {
+    isolated: Some(ISOLATED),
+    ..system(
+        "meinhardt-spots",
+        MarkKind::Spots,
+        &columns::SPOTS,
+        &[file!("meinhardt-spots-orientation"), file!("meinhardt-spots-size")],
+    )
+};
+/// Stripes as wide as their gaps.
+pub(super) static STRIPES: Description = Description {
+    free_spacing: false,
+    ..system(
+        "meinhardt-stripes",
+        MarkKind::Stripes,
+        &columns::STRIPES,
+        &[file!("meinhardt-stripes-orientation"), file!("meinhardt-stripes-width")],
+    )
+};
+/// Stripes of any wavelength.
+pub(super) static LINES: Description = Description {
+    scaling: Scaling { ratio: 0.74, level: 0.0 },
+    ..system("meinhardt-lines", MarkKind::Stripes, &columns::LINES, &[file!("meinhardt-lines")])
+};
+/// All of them.
+pub(super) static SYSTEMS: [&Description; 4] = [&TURING, &MEINHARDT, &STRIPES, &LINES];
+
+/// Of spots that stand alone.
+pub(super) const ISOLATED: IsolatedSpots = IsolatedSpots {
+    ratio: 15.0,
+    levels: [0.5, 0.25],
+    area: 208.4,
+    foot: 1.03,
+    crowding: [0.389, 1.33, 1.45],
+    spacing: 36.0,
+    edges: [1.02, 0.06],
+    pitches: [1.6, 1.0],
+    intervals: Intervals { area: 0.012, aspect: 0.012, angle: 0.8, spacing: 0.03 },
+};
 
 /// Scatter of area (relative), spacing (relative), aspect, angle (degrees, at aspect 0.5).
 #[derive(Clone, Copy)]

@@ -21,7 +21,6 @@
 
 mod answer;
 mod bandwidth;
-mod columns;
 mod coordinates;
 mod coverage;
 mod csv_rows;
@@ -49,7 +48,6 @@ mod tree;
 mod weighted_line;
 
 pub use answer::{Answer, AskError, Prediction};
-pub use columns::{Column, columns_of};
 pub use coverage::Coverage;
 pub use csv_rows::{line_of, shown, six_digits, write_rows};
 pub use error::TrainingError;
@@ -59,4 +57,4 @@ pub use method::Method;
 pub use neighbours::Neighbour;
 pub use note::{Note, Quantity, Unit};
 pub use row::{Parameters, Row};
-pub use training_set::{SYSTEMS, TrainingSet};
+pub use training_set::TrainingSet;

@@ -81,13 +81,13 @@ impl Local {
 
 #[cfg(test)]
 mod tests {
-    use super::super::laws::{MEASURED, turing};
+    use super::super::laws::{MEASURED, TURING, turing};
     use super::*;
     use crate::attributes::Spots;
 
     #[test]
     fn the_neighbours_of_a_row_begin_with_itself_at_full_weight() {
-        let set = TrainingSet::from_rows("turing-spots", turing(60, MEASURED)).unwrap();
+        let set = TrainingSet::from_rows(&TURING, turing(60, MEASURED)).unwrap();
         let row = set.rows()[17];
         let near = set.neighbours(&row.attributes);
         assert_eq!((near[0].row, near[0].weight), (17, 1.0));
@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn mirror_images_are_shown_where_they_lie() {
-        let set = TrainingSet::from_rows("turing-spots", turing(60, MEASURED)).unwrap();
+        let set = TrainingSet::from_rows(&TURING, turing(60, MEASURED)).unwrap();
         let Attributes::Spots(spots) = set.rows()[3].attributes else { panic!() };
         for angle in [-spots.angle, 90.0 - spots.angle, 90.0 + spots.angle] {
             let angle = axial(angle);
@@ -111,7 +111,7 @@ mod tests {
 
     #[test]
     fn attributes_of_the_other_kind_have_none() {
-        let set = TrainingSet::from_rows("turing-spots", turing(60, MEASURED)).unwrap();
+        let set = TrainingSet::from_rows(&TURING, turing(60, MEASURED)).unwrap();
         let stripes = crate::attributes::Stripes { width: 8.0, angle: 0.0, wavelength: None };
         assert!(set.neighbours(&Attributes::Stripes(stripes)).is_empty());
     }

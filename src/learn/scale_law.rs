@@ -12,16 +12,14 @@
 //! `rd::meinhardt_lines`: lines of ratio R are R^−0.37 as wide and stand R^0.55 as far apart.
 
 use super::{Parameters, Row};
+use crate::attributes::system::Scaling;
 use crate::attributes::{Attributes, Spots, Stripes};
-
-/// P: by how much ln W² falls from ln R to ln R.
-const THINNER: f64 = 0.74;
-/// S: by how much ln area falls from level to level.
-const BY_LEVEL: f64 = 2.85;
 
 /// The laws with their constants.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Law {
+    /// P and S.
+    scaling: Scaling,
     /// ln K.
     size: f64,
     /// ln C.
@@ -38,7 +36,7 @@ pub(super) struct Law {
 
 impl Law {
     /// The laws with the constants that fit `rows` best.
-    pub fn of(rows: &[Row]) -> Self {
+    pub fn fitted(scaling: Scaling, rows: &[Row]) -> Self {
         let n = rows.len().max(1) as f64;
         let mean = |value: &dyn Fn(&Row) -> f64| rows.iter().map(value).sum::<f64>() / n;
         let ratio = rows.iter().filter_map(|row| row.parameters.ratio).fold(f64::INFINITY, f64::min);
@@ -47,15 +45,15 @@ impl Law {
             Some([f64::max(high, level), f64::min(low, level)])
         });
         let lowered =
-            |p: &Parameters| levels.zip(p.level).map_or(0.0, |([high, _], l)| BY_LEVEL * (high - l));
+            |p: &Parameters| levels.zip(p.level).map_or(0.0, |([high, _], l)| scaling.level * (high - l));
         let over_ratio =
             |row: &Row| libm::log(row.parameters.ratio.unwrap_or(1.0)) - lowered(&row.parameters);
         let size = mean(&|row| {
             let rate = libm::log(row.parameters.rate);
             match row.attributes {
-                Attributes::Spots(spots) => rate + libm::log(spots.area) + over_ratio(row),
+                Attributes::Spots(spots) => rate + libm::log(spots.area) + scaling.ratio * over_ratio(row),
                 Attributes::Stripes(stripes) => {
-                    rate + 2.0 * libm::log(stripes.width) + THINNER * over_ratio(row)
+                    rate + 2.0 * libm::log(stripes.width) + scaling.ratio * over_ratio(row)
                 }
             }
         });
@@ -70,7 +68,7 @@ impl Law {
         });
         let stretch = mean(&|row| row.parameters.stretch);
         let lines = ratio.is_finite();
-        Self { size, density, lines, ratio: if lines { ratio } else { 1.0 }, levels, stretch }
+        Self { scaling, size, density, lines, ratio: if lines { ratio } else { 1.0 }, levels, stretch }
     }
 
     /// Parameters for spots whose ln(A/L²) is `density`; `None` where the system gives it by itself.
@@ -79,10 +77,11 @@ impl Law {
         let ratio = density.map_or(lowest, |density| (self.density - density).max(lowest));
         // What the lowest ratio falls short of.
         let missing = density.map_or(0.0, |density| density - (self.density - ratio)).max(0.0);
-        let level = self.levels.map(|[high, low]| (high - missing / BY_LEVEL).max(low));
-        let lowered = self.levels.zip(level).map_or(0.0, |([high, _], level)| BY_LEVEL * (high - level));
+        let level = self.levels.map(|[high, low]| (high - missing / self.scaling.level).max(low));
+        let lowered =
+            self.levels.zip(level).map_or(0.0, |([high, _], level)| self.scaling.level * (high - level));
         Parameters {
-            rate: libm::exp(self.size - ratio + lowered) / spots.area,
+            rate: libm::exp(self.size - self.scaling.ratio * ratio + lowered) / spots.area,
             ratio: Some(libm::exp(ratio)),
             stretch: spots.aspect,
             direction: spots.angle,
@@ -93,7 +92,7 @@ impl Law {
     /// Parameters for stripes.
     pub fn stripes(&self, stripes: &Stripes) -> Parameters {
         let ratio = self.lines.then(|| (self.density - libm::log(stripes.duty())).max(libm::log(self.ratio)));
-        let size = self.size - THINNER * ratio.unwrap_or(0.0);
+        let size = self.size - self.scaling.ratio * ratio.unwrap_or(0.0);
         Parameters {
             rate: libm::exp(size) / (stripes.width * stripes.width),
             ratio: ratio.map(libm::exp),
@@ -106,13 +105,13 @@ impl Law {
 
 #[cfg(test)]
 mod tests {
-    use super::super::laws::{EXACT, growth_by_level, meinhardt_by_level, stripes};
+    use super::super::laws::{EXACT, MEINHARDT, STRIPES, growth_by_level, meinhardt_by_level, stripes};
     use super::*;
 
     #[test]
     fn the_law_of_rows_that_follow_it_is_found() {
         let rows = meinhardt_by_level(400, EXACT);
-        let law = Law::of(&rows);
+        let law = Law::fitted(MEINHARDT.scaling, &rows);
         for row in &rows {
             let Attributes::Spots(spots) = row.attributes else { panic!() };
             let density = spots.spacing.map(|spacing| libm::log(spots.area / (spacing * spacing)));
@@ -122,12 +121,12 @@ mod tests {
             assert!((found.ratio.unwrap() / told.ratio.unwrap() - 1.0).abs() < 0.03);
             assert!((found.level.unwrap() - told.level.unwrap()).abs() < 0.015);
         }
-        assert!((growth_by_level(0.3) - libm::exp(0.2 * BY_LEVEL)).abs() < 0.03);
+        assert!((growth_by_level(0.3) - libm::exp(0.2 * MEINHARDT.scaling.level)).abs() < 0.03);
     }
 
     #[test]
     fn stripes_have_one_constant() {
-        let law = Law::of(&stripes(100, EXACT));
+        let law = Law::fitted(STRIPES.scaling, &stripes(100, EXACT));
         let found = law.stripes(&Stripes { width: 10.0, angle: 33.0, wavelength: None });
         assert!((found.rate - 0.65).abs() < 0.04, "{found:?}");
         assert_eq!((found.direction, found.stretch), (33.0, 0.5));

@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 
 use super::laws::{
-    EXACT, MEASURED, area_of, growth_by_level, line_duty, lines, meinhardt, meinhardt_by_level,
-    meinhardt_density, meinhardt_law, stripe_law, stripes, turing, turing_law,
+    EXACT, LINES, MEASURED, MEINHARDT, STRIPES, TURING, area_of, growth_by_level, line_duty, lines,
+    meinhardt, meinhardt_by_level, meinhardt_density, meinhardt_law, stripe_law, stripes, turing, turing_law,
 };
 use super::*;
 use crate::attributes::{Attributes, Spots, Stripes};
@@ -27,7 +27,7 @@ fn close(got: f64, wanted: f64, by: f64) {
 
 #[test]
 fn the_law_of_turing_spots_is_learnt() {
-    let set = TrainingSet::from_rows("turing-spots", turing(500, EXACT)).unwrap();
+    let set = TrainingSet::from_rows(&TURING, turing(500, EXACT)).unwrap();
     for (area, aspect, angle) in
         [(25.0, 0.5, 10.0), (60.0, 0.4, 100.0), (60.0, 0.7, 33.0), (130.0, 0.6, 170.0)]
     {
@@ -51,7 +51,7 @@ fn the_law_of_turing_spots_is_learnt() {
 #[test]
 fn the_law_of_meinhardt_spots_is_learnt_spacing_and_all() {
     for (noise, by) in [(EXACT, 0.01), (MEASURED, 0.02)] {
-        let set = TrainingSet::from_rows("meinhardt-spots", meinhardt(500, noise)).unwrap();
+        let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, noise)).unwrap();
         for (area, ratio, angle) in [(40.0, 15.0, 20.0), (60.0, 30.0, 95.0), (120.0, 60.0, 150.0)] {
             let spacing = (area / meinhardt_density(ratio)).sqrt();
             let answer = set.ask(&spots(area, 0.55, angle, Some(spacing))).unwrap();
@@ -70,7 +70,7 @@ fn the_law_of_meinhardt_spots_is_learnt_spacing_and_all() {
 
 #[test]
 fn a_set_whose_dense_end_is_reached_by_the_level_is_followed_round_its_corner() {
-    let set = TrainingSet::from_rows("meinhardt-spots", meinhardt_by_level(500, MEASURED)).unwrap();
+    let set = TrainingSet::from_rows(&MEINHARDT, meinhardt_by_level(500, MEASURED)).unwrap();
     let corner = meinhardt_density(12.0);
     for share in [0.3, 0.6, 0.8, 0.95, 1.0, 1.05, 1.2, 1.4, 1.7] {
         let wanted = spots(60.0, 0.6, 30.0, Some((60.0 / (share * corner)).sqrt()));
@@ -86,7 +86,7 @@ fn a_set_whose_dense_end_is_reached_by_the_level_is_followed_round_its_corner() 
 
 #[test]
 fn the_law_of_stripes_is_learnt() {
-    let set = TrainingSet::from_rows("meinhardt-stripes", stripes(200, EXACT)).unwrap();
+    let set = TrainingSet::from_rows(&STRIPES, stripes(200, EXACT)).unwrap();
     for (width, angle) in [(4.0, 0.0), (8.0, 22.0), (8.0, 135.0), (15.0, 179.0)] {
         let answer = set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: None })).unwrap();
         let p = answer.parameters;
@@ -105,7 +105,7 @@ fn the_law_of_stripes_is_learnt() {
 
 #[test]
 fn the_law_of_lines_is_learnt_and_a_duty_that_no_row_has_is_moved_to_the_nearest() {
-    let set = TrainingSet::from_rows("meinhardt-lines", lines(400, EXACT)).unwrap();
+    let set = TrainingSet::from_rows(&LINES, lines(400, EXACT)).unwrap();
     let ask = |width, angle, duty: f64| {
         set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: Some(width / duty) })).unwrap()
     };
@@ -137,7 +137,7 @@ fn the_law_of_lines_is_learnt_and_a_duty_that_no_row_has_is_moved_to_the_nearest
 
 #[test]
 fn a_mirrored_question_has_the_mirrored_answer() {
-    let set = TrainingSet::from_rows("meinhardt-spots", meinhardt(100, MEASURED)).unwrap();
+    let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(100, MEASURED)).unwrap();
     let ask = |angle| set.ask(&spots(60.0, 0.5, angle, Some(30.0))).unwrap().parameters;
     let p = ask(20.0);
     for (angle, direction) in [(-20.0, -p.direction), (70.0, 90.0 - p.direction), (110.0, 90.0 + p.direction)]
@@ -150,7 +150,7 @@ fn a_mirrored_question_has_the_mirrored_answer() {
 
 #[test]
 fn round_spots_ask_for_no_stretch_and_are_predicted_as_round_as_they_come() {
-    let turing = TrainingSet::from_rows("turing-spots", turing(500, MEASURED)).unwrap();
+    let turing = TrainingSet::from_rows(&TURING, turing(500, MEASURED)).unwrap();
     let answer = turing.ask(&spots(60.0, 1.0, 0.0, None)).unwrap();
     assert!(answer.parameters.stretch > 0.97, "{:?}", answer.parameters);
     assert_eq!(seen(&answer.nearest).angle, 0.0);
@@ -158,7 +158,7 @@ fn round_spots_ask_for_no_stretch_and_are_predicted_as_round_as_they_come() {
     assert_eq!(answer.coverage, Coverage::Outside);
     assert!(answer.notes[0].to_string().starts_with("aspect 1 is more than 0.8"), "{:?}", answer.notes);
 
-    let meinhardt = TrainingSet::from_rows("meinhardt-spots", meinhardt(500, MEASURED)).unwrap();
+    let meinhardt = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, MEASURED)).unwrap();
     let answer = meinhardt.ask(&spots(60.0, 1.0, 0.0, Some(30.0))).unwrap();
     assert!(seen(&answer.predicted).aspect > 0.97);
     assert_eq!(answer.coverage, Coverage::Inside, "{:?}", answer.notes);
@@ -167,7 +167,7 @@ fn round_spots_ask_for_no_stretch_and_are_predicted_as_round_as_they_come() {
 #[test]
 fn intervals_hold_nine_of_ten_new_rows() {
     let rows = meinhardt(700, MEASURED);
-    let set = TrainingSet::from_rows("meinhardt-spots", rows[..500].to_vec()).unwrap();
+    let set = TrainingSet::from_rows(&MEINHARDT, rows[..500].to_vec()).unwrap();
     for (at, name) in ["area", "aspect", "angle", "spacing"].into_iter().enumerate() {
         let within = rows[500..].iter().filter(|row| {
             let prediction = set.predict(&row.parameters);
@@ -190,7 +190,7 @@ fn intervals_hold_nine_of_ten_new_rows() {
 
 #[test]
 fn a_question_beyond_the_rows_is_answered_for_the_nearest_within() {
-    let set = TrainingSet::from_rows("meinhardt-spots", meinhardt(500, EXACT)).unwrap();
+    let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, EXACT)).unwrap();
     let [area, density, aspect] = [0, 1, 2].map(|i| set.reach()[i].1);
     // Denser than the densest, by a little and by a lot.
     let spacing = |density: f64| Some((60.0 / density).sqrt());
@@ -223,7 +223,7 @@ fn a_question_beyond_the_rows_is_answered_for_the_nearest_within() {
 
 #[test]
 fn a_spacing_that_the_system_does_not_give_is_refused_in_words() {
-    let set = TrainingSet::from_rows("turing-spots", turing(500, MEASURED)).unwrap();
+    let set = TrainingSet::from_rows(&TURING, turing(500, MEASURED)).unwrap();
     let ask = |spacing| set.ask(&spots(60.0, 0.5, 0.0, Some(spacing))).unwrap();
     let natural = 2.1 * 60.0_f64.sqrt();
     assert_eq!(ask(natural).coverage, Coverage::Inside);
@@ -235,7 +235,7 @@ fn a_spacing_that_the_system_does_not_give_is_refused_in_words() {
 
 #[test]
 fn a_free_spacing_is_the_middle_of_the_set_and_says_so() {
-    let set = TrainingSet::from_rows("meinhardt-spots", meinhardt(500, EXACT)).unwrap();
+    let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, EXACT)).unwrap();
     let answer = set.ask(&spots(60.0, 0.6, 40.0, None)).unwrap();
     assert_eq!(answer.coverage, Coverage::Inside);
     assert!(answer.notes[0].to_string().starts_with("spacing is free"), "{:?}", answer.notes);
@@ -245,7 +245,7 @@ fn a_free_spacing_is_the_middle_of_the_set_and_says_so() {
 
 #[test]
 fn a_question_of_the_wrong_kind_is_an_error() {
-    let set = TrainingSet::from_rows("turing-spots", turing(40, MEASURED)).unwrap();
+    let set = TrainingSet::from_rows(&TURING, turing(40, MEASURED)).unwrap();
     let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 0.0, wavelength: None });
     assert_eq!(
         set.ask(&stripes).unwrap_err().to_string(),
@@ -289,8 +289,8 @@ fn positive() -> impl Strategy<Value = f64> {
 
 thread_local! {
     static SETS: [TrainingSet; 2] =
-        ["turing-spots", "meinhardt-spots"].map(|system| TrainingSet::embedded(system).unwrap());
-    static STRIPES: TrainingSet = TrainingSet::embedded("meinhardt-stripes").unwrap();
+        [&TURING, &MEINHARDT].map(|system| TrainingSet::embedded(system).unwrap());
+    static STRIPE_SET: TrainingSet = TrainingSet::embedded(&STRIPES).unwrap();
 }
 
 proptest! {
@@ -310,7 +310,7 @@ proptest! {
 
     #[test]
     fn any_stripes_have_a_finite_answer(width in positive(), angle in -1e9..1e9_f64) {
-        STRIPES.with(|set| sound(&set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: None })).unwrap()));
+        STRIPE_SET.with(|set| sound(&set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: None })).unwrap()));
     }
 
     #[test]

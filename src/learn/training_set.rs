@@ -10,37 +10,14 @@ use super::scale_law::Law;
 use super::spot_map::SpotMap;
 use super::stripe_map::StripeMap;
 use super::{Row, TrainingError};
-
-/// The systems that have a training set, by the names of the document.
-pub const SYSTEMS: [&str; 4] = ["turing-spots", "meinhardt-spots", "meinhardt-stripes", "meinhardt-lines"];
+use crate::attributes::system::{Description, MarkKind, TrainingFile};
 
 /// A line in five dimensions, and a scatter about it, from fewer rows is a guess.
 const FEWEST_ROWS: usize = 30;
 
-/// What a system makes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Spots,
-    Stripes,
-    /// Stripes whose distance is free.
-    Lines,
-}
-
-/// The system of this name.
-pub(super) fn find(name: &str) -> Result<(&'static str, Kind), TrainingError> {
-    let unknown = || TrainingError::UnknownSystem { name: name.to_owned(), allowed: SYSTEMS.join(", ") };
-    let system = *SYSTEMS.iter().find(|system| **system == name).ok_or_else(unknown)?;
-    let kind = match system {
-        "meinhardt-stripes" => Kind::Stripes,
-        "meinhardt-lines" => Kind::Lines,
-        _ => Kind::Spots,
-    };
-    Ok((system, kind))
-}
-
 /// The rows of one system, ready to be asked.
 pub struct TrainingSet {
-    pub(super) system: &'static str,
+    pub(super) system: &'static Description,
     pub(super) rows: Vec<Row>,
     pub(super) map: Map,
     law: OnceLock<Law>,
@@ -52,15 +29,8 @@ pub(super) enum Map {
     Stripes(Box<StripeMap>),
 }
 
-/// Names and contents of files of `training/`.
-macro_rules! embedded {
-    ($($name:literal),*) => {
-        [$(($name, include_str!(concat!("../../training/", $name, ".csv")))),*].as_slice()
-    };
-}
-
-/// The files of `system` in the folder `dir`, by name.
-fn files_of(dir: &Path, system: &str) -> Result<Vec<PathBuf>, TrainingError> {
+/// The files of `system` in the folder `dir`, by name; `known` are all systems there are.
+fn files_of(dir: &Path, system: &str, known: &[&'static Description]) -> Result<Vec<PathBuf>, TrainingError> {
     let unread = |source| TrainingError::Open { path: dir.to_owned(), source };
     let is_of = |stem: &str, system: &str| {
         let set = stem.strip_prefix(system);
@@ -71,7 +41,7 @@ fn files_of(dir: &Path, system: &str) -> Result<Vec<PathBuf>, TrainingError> {
         let name = entry.map_err(unread)?.file_name();
         // What has a name that is no text is not of ours.
         let Some(stem) = name.to_str().and_then(|name| name.strip_suffix(".csv")) else { continue };
-        others.extend(SYSTEMS.into_iter().filter(|other| is_of(stem, other)));
+        others.extend(known.iter().map(|other| other.name).filter(|other| is_of(stem, other)));
         if is_of(stem, system) {
             names.push(name);
         }
@@ -89,59 +59,60 @@ impl TrainingSet {
     /// The set of `system` that is compiled in.
     ///
     /// # Errors
-    /// [`TrainingError::UnknownSystem`]; the others only if the program was built from a broken file.
-    pub fn embedded(system: &str) -> Result<Self, TrainingError> {
-        let files = match find(system)?.0 {
-            "turing-spots" => embedded!("turing-spots-orientation", "turing-spots-size"),
-            "meinhardt-spots" => embedded!("meinhardt-spots-orientation", "meinhardt-spots-size"),
-            "meinhardt-stripes" => embedded!("meinhardt-stripes-orientation", "meinhardt-stripes-width"),
-            _ => embedded!("meinhardt-lines"),
-        };
-        let files: Vec<(String, &str)> =
-            files.iter().map(|(name, text)| (format!("training/{name}.csv (compiled in)"), *text)).collect();
+    /// [`TrainingError`], only if the program was built from a broken file.
+    pub fn embedded(system: &'static Description) -> Result<Self, TrainingError> {
+        let named = |file: &TrainingFile| (format!("training/{}.csv (compiled in)", file.name), file.text);
+        let files: Vec<(String, &str)> = system.training.iter().map(named).collect();
         Self::read(system, files.iter().map(|(name, text)| (name.as_str(), text.as_bytes())))
     }
 
     /// The set of `system` in the folder `dir`: the rows of `SYSTEM.csv` and of each `SYSTEM-*.csv`, in the order of
-    /// their names.
+    /// their names. `known` are all systems there are: where none of these files is there, the error names those that
+    /// have some.
     ///
     /// # Errors
-    /// [`TrainingError`]: no such system, no such file, or a fault in one with file, line, column and value.
-    pub fn load(dir: &Path, system: &str) -> Result<Self, TrainingError> {
-        let (system, kind) = find(system)?;
+    /// [`TrainingError`]: no such file, or a fault in one with file, line, column and value.
+    pub fn load(
+        dir: &Path,
+        system: &'static Description,
+        known: &[&'static Description],
+    ) -> Result<Self, TrainingError> {
         let (mut rows, mut names) = (Vec::new(), Vec::new());
-        for path in files_of(dir, system)? {
+        for path in files_of(dir, system.name, known)? {
             let manifest = Manifest::of(&path)?;
             let name = path.display().to_string();
             let bytes =
                 std::fs::read(&path).map_err(|source| TrainingError::Open { path: path.clone(), source })?;
-            let of_file = read_rows(kind, &name, &bytes)?;
+            let of_file = read_rows(system, &name, &bytes)?;
             manifest.map_or(Ok(()), |manifest| manifest.check(&path, of_file.len()))?;
             rows.extend(of_file);
             names.push(name);
         }
-        Self::of_files(system, rows, &names)
+        Self::from_files(system, rows, &names)
     }
 
     /// The rows of all `files` (names for messages, contents) as one set.
     ///
     /// # Errors
-    /// [`TrainingError`]: no such system, a fault in a file with line, column and value, or too few rows.
+    /// [`TrainingError`]: a fault in a file with line, column and value, or too few rows.
     pub fn read<'a>(
-        system: &str,
+        system: &'static Description,
         files: impl Iterator<Item = (&'a str, &'a [u8])>,
     ) -> Result<Self, TrainingError> {
-        let kind = find(system)?.1;
         let (mut rows, mut names) = (Vec::new(), Vec::new());
         for (file, bytes) in files {
-            rows.extend(read_rows(kind, file, bytes)?);
+            rows.extend(read_rows(system, file, bytes)?);
             names.push(file.to_owned());
         }
-        Self::of_files(system, rows, &names)
+        Self::from_files(system, rows, &names)
     }
 
     /// All rows of files with these names as one set.
-    fn of_files(system: &str, rows: Vec<Row>, names: &[String]) -> Result<Self, TrainingError> {
+    fn from_files(
+        system: &'static Description,
+        rows: Vec<Row>,
+        names: &[String],
+    ) -> Result<Self, TrainingError> {
         Self::new(system, rows).map_err(|error| match error {
             TrainingError::TooFew { rows, needed, .. } => {
                 TrainingError::TooFew { file: names.join(", "), rows, needed }
@@ -153,29 +124,28 @@ impl TrainingSet {
     /// The set of `system` that these rows make.
     ///
     /// # Errors
-    /// [`TrainingError::UnknownSystem`], [`TrainingError::TooFew`], [`TrainingError::Row`].
-    pub fn from_rows(system: &str, rows: Vec<Row>) -> Result<Self, TrainingError> {
+    /// [`TrainingError::TooFew`], [`TrainingError::Row`].
+    pub fn from_rows(system: &'static Description, rows: Vec<Row>) -> Result<Self, TrainingError> {
         // Writing checks every value.
         super::write_rows(system, &rows, std::io::sink())?;
         Self::new(system, rows)
     }
 
-    fn new(system: &str, rows: Vec<Row>) -> Result<Self, TrainingError> {
-        let (system, kind) = find(system)?;
+    fn new(system: &'static Description, rows: Vec<Row>) -> Result<Self, TrainingError> {
         if rows.len() < FEWEST_ROWS {
-            let file = format!("training/{system}.csv");
+            let file = format!("training/{}.csv", system.name);
             return Err(TrainingError::TooFew { file, rows: rows.len(), needed: FEWEST_ROWS });
         }
-        let map = match kind {
-            Kind::Spots => Map::Spots(Box::new(SpotMap::new(&rows))),
-            Kind::Stripes | Kind::Lines => Map::Stripes(Box::new(StripeMap::new(&rows))),
+        let map = match system.marks {
+            MarkKind::Spots => Map::Spots(Box::new(SpotMap::new(&rows))),
+            MarkKind::Stripes => Map::Stripes(Box::new(StripeMap::new(&rows))),
         };
         Ok(Self { system, rows, map, law: OnceLock::new() })
     }
 
-    /// The system's name.
+    /// The system.
     #[must_use]
-    pub fn system(&self) -> &'static str {
+    pub fn system(&self) -> &'static Description {
         self.system
     }
 
@@ -187,7 +157,7 @@ impl TrainingSet {
 
     /// The laws of scale with the constants of these rows, worked out when first asked for.
     pub(super) fn law(&self) -> &Law {
-        self.law.get_or_init(|| Law::of(&self.rows))
+        self.law.get_or_init(|| Law::fitted(self.system.scaling, &self.rows))
     }
 
     /// The lowest and highest value of each attribute in the set that limits a question, lengths in cells.
@@ -207,15 +177,15 @@ impl TrainingSet {
 
 #[cfg(test)]
 mod tests {
-    use super::super::laws::{MEASURED, turing};
+    use super::super::laws::{MEASURED, MEINHARDT, SYSTEMS, TURING, turing};
     use super::*;
 
     #[test]
     fn every_system_has_a_set_compiled_in() {
         for system in SYSTEMS {
             let set = TrainingSet::embedded(system).unwrap();
-            assert_eq!(set.system(), system);
-            assert!(set.rows().len() >= 200, "{system}: {}", set.rows().len());
+            assert_eq!(set.system().name, system.name);
+            assert!(set.rows().len() >= 200, "{}: {}", system.name, set.rows().len());
         }
     }
 
@@ -225,7 +195,7 @@ mod tests {
         let rows = turing(60, MEASURED);
         let write = |name: &str, rows: &[Row]| {
             let file = std::fs::File::create(dir.path().join(name)).unwrap();
-            super::super::write_rows("turing-spots", rows, file).unwrap();
+            super::super::write_rows(&TURING, rows, file).unwrap();
         };
         write("turing-spots-b.csv", &rows[50..]);
         write("turing-spots.csv", &rows[..20]);
@@ -235,36 +205,33 @@ mod tests {
         write("turing-spotted.csv", &rows);
         write("old-turing-spots.csv", &rows);
         std::fs::write(dir.path().join("notes.json"), "{}").unwrap();
-        let set = TrainingSet::load(dir.path(), "turing-spots").unwrap();
+        let set = TrainingSet::load(dir.path(), &TURING, &SYSTEMS).unwrap();
         // '-' stands before '.'.
         let seeds: Vec<u64> = set.rows().iter().map(|row| row.seed).collect();
         let expected = rows[20..].iter().chain(&rows[..20]).map(|row| row.seed);
         assert_eq!(seeds, expected.collect::<Vec<_>>());
 
-        let message = |system| TrainingSet::load(dir.path(), system).err().unwrap().to_string();
-        let missing = message("meinhardt-spots");
+        let message = || TrainingSet::load(dir.path(), &MEINHARDT, &SYSTEMS).err().unwrap().to_string();
+        let missing = message();
         assert!(missing.contains("neither meinhardt-spots.csv nor meinhardt-spots-*.csv"), "{missing}");
-        assert!(
-            message("spots")
-                .contains("allowed: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines")
-        );
+        assert!(missing.contains("it has rows of turing-spots:"), "{missing}");
         std::fs::write(dir.path().join("meinhardt-spots.csv"), [0xff, 0xfe, 0x00]).unwrap();
-        assert!(message("meinhardt-spots").contains("meinhardt-spots.csv, line 1"));
+        assert!(message().contains("meinhardt-spots.csv, line 1"));
         let nowhere =
-            TrainingSet::load(&dir.path().join("nowhere"), "turing-spots").err().unwrap().to_string();
+            TrainingSet::load(&dir.path().join("nowhere"), &TURING, &SYSTEMS).err().unwrap().to_string();
         assert!(nowhere.contains("nowhere: cannot be read"), "{nowhere}");
     }
 
     #[test]
     fn too_few_rows_are_refused() {
-        let error = TrainingSet::from_rows("turing-spots", turing(29, MEASURED)).err().unwrap();
+        let error = TrainingSet::from_rows(&TURING, turing(29, MEASURED)).err().unwrap();
         assert!(error.to_string().contains("29 rows are too few"), "{error}");
-        assert!(TrainingSet::from_rows("turing-spots", turing(30, MEASURED)).is_ok());
+        assert!(TrainingSet::from_rows(&TURING, turing(30, MEASURED)).is_ok());
     }
 
     #[test]
     fn the_reach_is_that_of_the_rows() {
-        let set = TrainingSet::from_rows("turing-spots", turing(60, MEASURED)).unwrap();
+        let set = TrainingSet::from_rows(&TURING, turing(60, MEASURED)).unwrap();
         let aspects = set.rows().iter().filter_map(|row| match row.attributes {
             crate::attributes::Attributes::Spots(spots) => Some(spots.aspect),
             crate::attributes::Attributes::Stripes(_) => None,

@@ -10,20 +10,13 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use crate::grid::{Domain, Edges};
-use crate::rd::System;
+use crate::rd::definition::{DecayNoise, System};
 use crate::rd::maps::Maps;
 
 /// Radius of a kernel ÷ distance between spots. Its half width is that of noise blurred by 0.075 of a wavelength.
 const RADIUS: f64 = 0.2;
 /// Kernels a squared radius.
 const DENSITY: f64 = 2.5;
-/// Standard deviation of β at the most irregular. Spots of 27 cells under β ± 3, one number a cell, vary by 0.44 in area
-/// and have an aspect of 0.60 (`facts.md` G); of 48 cells under this they vary by 0.40, with 0.70, at 0.3 by 0.19, with
-/// 0.82, at 1 a tenth of them is bent.
-const DEVIATION: f64 = 0.6;
-/// By how much more rate the most irregular ones are told: of two neighbours one in nine goes up in the other, and the
-/// mean area rises by 21 %, the distance by 6 %; at half the deviation by 3 % and 1 %.
-const MERGED: f64 = 0.13;
 /// Rows that are summed at once.
 const ROWS: usize = 16;
 
@@ -35,13 +28,16 @@ struct Bump {
 }
 
 impl Maps {
-    /// The same for spots that are `irregular`, 0 (not at all) to 1, with no more mean area for that. Turing's are.
+    /// The same for spots of `system` that are `irregular`, 0 (not at all) to 1, with the same mean area. Left as it is
+    /// where the system has no irregular spots.
     #[must_use]
-    pub fn with_decay_noise(mut self, irregular: f64, seed: u64) -> Self {
-        if irregular > 0.0 {
-            self.decay_noise = noise(System::TuringSpots, &self, seed);
-            self.decay_noise.iter_mut().for_each(|value| *value *= (DEVIATION * irregular) as f32);
-            let more = 1.0 + MERGED * irregular * irregular;
+    pub fn with_decay_noise(mut self, system: System, irregular: f64, seed: u64) -> Self {
+        if let Some(DecayNoise { deviation, rate }) = system.definition().decay_noise
+            && irregular > 0.0
+        {
+            self.decay_noise = noise(system, &self, seed);
+            self.decay_noise.iter_mut().for_each(|value| *value *= (deviation * irregular) as f32);
+            let more = 1.0 + rate * irregular * irregular;
             self.parameters.iter_mut().for_each(|p| p.rate *= more as f32);
         }
         self
@@ -110,7 +106,7 @@ mod tests {
     fn it_has_unit_variance_and_no_mean_whatever_the_size_of_the_spots() {
         for rate in [0.3, 0.1, 0.03] {
             for edges in [Edges::Closed, Edges::Wrap] {
-                let noise = noise(System::TuringSpots, &maps(rate, edges), 3);
+                let noise = noise(System::TURING_SPOTS, &maps(rate, edges), 3);
                 let mean = noise.iter().sum::<f32>() / noise.len() as f32;
                 let variance = noise.iter().map(|v| v * v).sum::<f32>() / noise.len() as f32;
                 assert!(mean.abs() < 0.2 && (variance - 1.0).abs() < 0.15, "{rate}: {mean}, {variance}");
@@ -120,21 +116,27 @@ mod tests {
 
     #[test]
     fn a_coarser_grid_has_the_means_of_the_cells_under_its_own() {
-        let fine = maps(0.1, Edges::Closed).with_decay_noise(1.0, 5);
+        let fine = maps(0.1, Edges::Closed).with_decay_noise(System::TURING_SPOTS, 1.0, 5);
         let coarse = fine.on_grid([60, 50]);
         for (cell, value) in coarse.decay_noise.iter().enumerate() {
             let first = 2 * (cell / 60) * 120 + 2 * (cell % 60);
             let mean = [0, 1, 120, 121].map(|more| fine.decay_noise[first + more]).iter().sum::<f32>() / 4.0;
             assert!((value - mean).abs() < 1e-5, "{cell}: {value}, {mean}");
         }
-        assert!(maps(0.1, Edges::Closed).with_decay_noise(0.0, 5).on_grid([60, 50]).decay_noise.is_empty());
+        assert!(
+            maps(0.1, Edges::Closed)
+                .with_decay_noise(System::TURING_SPOTS, 0.0, 5)
+                .on_grid([60, 50])
+                .decay_noise
+                .is_empty()
+        );
     }
 
     #[test]
     fn the_number_of_threads_changes_no_bit() {
         let grown = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            pool.install(|| noise(System::TuringSpots, &maps(0.1, Edges::Wrap), 9))
+            pool.install(|| noise(System::TURING_SPOTS, &maps(0.1, Edges::Wrap), 9))
         };
         assert!(grown(1) == grown(4));
     }

@@ -1,26 +1,31 @@
 //! The plain solver: one explicit Euler step after the other, row by row. The judge of the fast one.
 
-use super::kinetics::{Kinetics, Spread, euler};
+use super::kinetics::{Kinetics, MOBILITIES, Spreading, euler};
 use super::plane::{LANES, MARGIN, Plane};
 use super::problem::Problem;
 use super::selling::{OFFSETS, REACH};
 use crate::grid::Edges;
 
 /// Steps the chemicals once, from `old` into `new` (whose contents do not matter).
-pub fn step<const N: usize, K: Kinetics<N>>(problem: &Problem, old: &[Plane; N], new: &mut [Plane; N]) {
+pub fn step<const N: usize, K: Kinetics<N>>(
+    problem: &Problem,
+    kinetics: &K,
+    old: &[Plane; N],
+    new: &mut [Plane; N],
+) {
     let stride = problem.grid.stride();
-    let mut weights = vec![0.0; OFFSETS.len() * stride];
-    let mut center = vec![0.0; stride];
-    let mut mobility = vec![0.0; 2 * stride];
+    let mut stencils = vec![Stencil::new(stride); problem.tensors.len()];
+    let mut mobility = vec![0.0; MOBILITIES * stride];
     let mut rate = vec![0.0; stride];
     let mut spread = vec![0.0; N * stride];
-    let mut used = 0;
     for y in 0..problem.grid.ny {
         // Rows are laid out anew only where they are not like the one before.
         let same = |alike: &dyn Fn(usize, usize) -> bool| y > 0 && alike(y, y - 1);
-        if !same(&|y, other| problem.diffusion.weights.alike(y, other)) {
-            used = problem.diffusion.weights.row(y, &mut weights);
-            center_row(used, &weights, &mut center);
+        for (stencil, tensor) in stencils.iter_mut().zip(&problem.tensors) {
+            if !same(&|y, other| tensor.weights.alike(y, other)) {
+                stencil.used = tensor.weights.row(y, &mut stencil.weights);
+                center_row(stencil.used, &stencil.weights, &mut stencil.center);
+            }
         }
         if !same(&|y, other| problem.mobility.alike(y, other)) {
             problem.mobility.row(y, &mut mobility);
@@ -30,22 +35,41 @@ pub fn step<const N: usize, K: Kinetics<N>>(problem: &Problem, old: &[Plane; N],
         }
         for (i, spread) in spread.chunks_exact_mut(stride).enumerate() {
             match K::SPREAD[i] {
-                Spread::Tensor(_) => tensor_row(problem, &old[i], y, used, &weights, &center, spread),
-                Spread::Isotropic(_) => isotropic_row(problem, &old[i], y, spread),
-                Spread::Still => {}
+                Spreading::Tensor { tensor, .. } => {
+                    tensor_row(problem, tensor, &old[i], y, &stencils[tensor], spread);
+                }
+                Spreading::Isotropic { .. } => isotropic_row(problem, &old[i], y, spread),
+                Spreading::Still => {}
             }
         }
         let from = old.each_ref().map(|plane| plane.memory(y));
         let mut to = new.each_mut().map(|plane| &mut plane.memory_mut()[y * stride..(y + 1) * stride]);
         for place in problem.grid.inner().map(|group| group * LANES) {
-            euler_lanes::<N, K>(&from, &spread, &mobility, &rate, &mut to, place);
+            euler_lanes::<N, K>(kinetics, &from, &spread, &mobility, &rate, &mut to, place);
         }
         to.into_iter().for_each(|row| problem.grid.fill_margins(row));
     }
 }
 
+/// The weights of one tensor along a row.
+#[derive(Clone)]
+struct Stencil {
+    /// The offsets in use, as bits.
+    used: u8,
+    weights: Vec<f32>,
+    /// 2 Σₖ wₖ.
+    center: Vec<f32>,
+}
+
+impl Stencil {
+    fn new(stride: usize) -> Self {
+        Self { used: 0, weights: vec![0.0; OFFSETS.len() * stride], center: vec![0.0; stride] }
+    }
+}
+
 /// Takes the step of [`LANES`] cells of a row, its diffusion given.
 fn euler_lanes<const N: usize, K: Kinetics<N>>(
+    kinetics: &K,
     from: &[&[f32]; N],
     spread: &[f32],
     mobility: &[f32],
@@ -71,7 +95,8 @@ fn euler_lanes<const N: usize, K: Kinetics<N>>(
             here[i] = u[i][j];
             laplacian[i] = d[i][j];
         }
-        let stepped = euler::<N, K, f32>(here, laplacian, [mobility[0][j], mobility[1][j]], rate[j]);
+        let stepped =
+            euler::<N, K, f32>(kinetics, here, laplacian, [mobility[0][j], mobility[1][j]], rate[j]);
         for i in 0..N {
             next[i][j] = stepped[i];
         }
@@ -94,13 +119,13 @@ fn center_row(used: u8, weights: &[f32], center: &mut [f32]) {
 /// Σₖ wₖ (u(x + eₖ) + u(x − eₖ)) − (2 Σₖ wₖ) u(x) along row `y`.
 fn tensor_row(
     problem: &Problem,
+    tensor: usize,
     u: &Plane,
     y: usize,
-    used: u8,
-    weights: &[f32],
-    center: &[f32],
+    Stencil { used, weights, center }: &Stencil,
     spread: &mut [f32],
 ) {
+    let used = *used;
     let (grid, stride) = (problem.grid, problem.grid.stride());
     let cells = MARGIN..MARGIN + grid.nx;
     let shifted = |dx: isize, dy: isize| {
@@ -110,8 +135,8 @@ fn tensor_row(
     let number = |k: usize| &weights[k * stride..][cells.clone()];
     let sums = &mut spread[cells.clone()];
     let (own, center) = (shifted(0, 0), &center[cells.clone()]);
-    if used == 0b11 {
-        // The five-point stencil, in one go.
+    if used == 0b11 && problem.tensors.len() == 1 {
+        // The five-point stencil, in one go, as the fast solver has it.
         let (east, west, south, north) = (shifted(1, 0), shifted(-1, 0), shifted(0, 1), shifted(0, -1));
         let (wx, wy) = (number(0), number(1));
         for x in 0..grid.nx {
@@ -132,7 +157,7 @@ fn tensor_row(
     if grid.edges == Edges::Closed {
         let edge_row = y < REACH || y + REACH >= grid.ny;
         for x in (0..grid.nx).filter(|x| edge_row || *x < REACH || x + REACH >= grid.nx) {
-            spread[MARGIN + x] = tensor(problem, u, [x, y]);
+            spread[MARGIN + x] = at_cell(problem, tensor, u, [x, y]);
         }
     }
 }
@@ -141,7 +166,7 @@ fn tensor_row(
 ///
 /// Leaving out what crosses the edge is the natural boundary condition n·D∇u = 0. A mirror would demand
 /// n·∇u = 0, which a tensor that is oblique to the edge does not conserve: spots would slide along the edge.
-fn tensor(problem: &Problem, u: &Plane, [x, y]: [usize; 2]) -> f32 {
+fn at_cell(problem: &Problem, tensor: usize, u: &Plane, [x, y]: [usize; 2]) -> f32 {
     let grid = problem.grid;
     let own = u.row(y)[x];
     let at = |dx: isize, dy: isize| {
@@ -153,7 +178,7 @@ fn tensor(problem: &Problem, u: &Plane, [x, y]: [usize; 2]) -> f32 {
             own
         }
     };
-    let weights = problem.diffusion.weights.cell(x, y);
+    let weights = problem.tensors[tensor].weights.cell(x, y);
     let (mut sum, mut center) = (0.0, 0.0);
     for ([dx, dy], weight) in OFFSETS.into_iter().zip(weights) {
         sum += weight * (at(dx, dy) + at(-dx, -dy));
@@ -194,7 +219,7 @@ mod tests {
         let mut largest = 0.0f64;
         for y in 0..n {
             for x in 0..n {
-                let found = f64::from(super::tensor(&problem, &u, [x, y])) / (k * k);
+                let found = f64::from(at_cell(&problem, 0, &u, [x, y])) / (k * k);
                 let (sx, sy) = (libm::sin(at(x)), libm::sin(at(y)));
                 let (cx, cy) = (libm::cos(at(x)), libm::cos(at(y)));
                 let exact = -(tensor.xx + tensor.yy) * sx * sy + 2.0 * tensor.xy * cx * cy;
@@ -208,7 +233,7 @@ mod tests {
         let grid = RowLayout { nx, ny, edges };
         let rate = Coefficients::new(grid, false, |_| (), |()| [1.0]);
         let mobility = Coefficients::new(grid, false, |_| (), |()| [1.0, 1.0]);
-        Problem::new(grid, Diffusion::new(grid, |_| (), |()| tensor), [1.0, 1.0], mobility, rate, 1.0)
+        Problem::new(grid, vec![Diffusion::new(grid, |_| (), |()| tensor)], [1.0, 1.0], mobility, rate, 1.0)
     }
 
     #[test]
@@ -229,7 +254,7 @@ mod tests {
         let cells: Vec<f32> = (0..63).map(|i| libm::sinf(i as f32 * 1.7) + 2.0).collect();
         let u = Plane::from_cells(problem.grid, &cells).expect("63 cells");
         let gained: f32 =
-            (0..7).flat_map(|y| (0..9).map(move |x| [x, y])).map(|at| super::tensor(&problem, &u, at)).sum();
+            (0..7).flat_map(|y| (0..9).map(move |x| [x, y])).map(|at| at_cell(&problem, 0, &u, at)).sum();
         assert!(gained.abs() < 1e-4, "{gained}");
     }
 
@@ -242,7 +267,7 @@ mod tests {
         let cells: Vec<f32> = (0..25).map(|i| quadratic(at(i))).collect();
         let u = Plane::from_cells(problem.grid, &cells).expect("25 cells");
         let exact = tensor.xx + 0.5 * tensor.xy - 3.0 * tensor.yy;
-        let found = super::tensor(&problem, &u, [2, 2]);
+        let found = at_cell(&problem, 0, &u, [2, 2]);
         assert!((f64::from(found) - exact).abs() < 1e-4, "{found} for {exact}");
     }
 }

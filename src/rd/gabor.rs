@@ -10,26 +10,19 @@ use std::ops::Range;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
-use super::System;
 use super::maps::{Maps, Parameters};
 use crate::grid::{Domain, Edges, Grid};
-use crate::rd::line_noise::{GuideLine, Led, led};
+use crate::rd::line_noise::{GuideLine, Led, Reach, Wavelength, led};
 
-/// The kernels.
-#[derive(Clone, Copy)]
-struct Kernels {
+/// The kernels of the noise.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernels {
     /// A and B, their reach along and across the stripes, in wavelengths. Longer ones make longer stripes with fewer
     /// forks, but follow turning directions worse.
-    reach: [f64; 2],
+    pub reach: [f64; 2],
     /// How many there are a square wavelength; fewer leave gaps.
-    density: f64,
+    pub density: f64,
 }
-
-/// Of stripes.
-const STRIPES: Kernels = Kernels { reach: [4.0, 1.8], density: 2.0 };
-/// Of lines, which mend less than stripes do: half as many end as with the kernels of stripes, and no more where they
-/// turn.
-const LINES: Kernels = Kernels { reach: [8.0, 4.0], density: 0.6 };
 
 /// Amplitude of the waves that lead [`phases`]; the deviation of the noise is 2.5.
 const LEADING: f64 = 4.0;
@@ -38,8 +31,8 @@ const LEADING: f64 = 4.0;
 const ROWS_A_BAND: usize = 32;
 
 /// Noise over the grid, row by row, of about unit variance.
-pub fn noise(maps: &Maps, wavelength: &dyn Fn(&Parameters) -> f64, rng: &mut impl Rng) -> Vec<f32> {
-    let waves = waves(maps, wavelength, STRIPES, rng);
+pub fn noise(maps: &Maps, wavelength: Wavelength, kernels: Kernels, rng: &mut impl Rng) -> Vec<f32> {
+    let waves = waves(maps, wavelength, kernels, rng);
     let mut sum = vec![0.0f32; maps.grid.cells()];
     // Each band adds all waves in their order, so that the sums are the same however many threads there are.
     sum.par_chunks_mut(ROWS_A_BAND * maps.grid.size[0]).enumerate().for_each(|(band, sum)| {
@@ -48,7 +41,7 @@ pub fn noise(maps: &Maps, wavelength: &dyn Fn(&Parameters) -> f64, rng: &mut imp
         }
     });
     // ∫ window² cos² = ½ (π/5) A·B, times density/λ².
-    let Kernels { reach: [a, b], density } = STRIPES;
+    let Kernels { reach: [a, b], density } = kernels;
     let deviation = (0.5 * std::f64::consts::PI / 5.0 * a * b * density).sqrt() as f32;
     for n in &mut sum {
         *n /= deviation;
@@ -61,14 +54,15 @@ pub fn noise(maps: &Maps, wavelength: &dyn Fn(&Parameters) -> f64, rng: &mut imp
 ///
 /// φ(x) = atan2(Σᵢ ±(1 − r²)² sin(…), Σᵢ (1 − r²)² cos(…)): Tricard et al., "Procedural phasor noise", SIGGRAPH 2019.
 /// A wave has no sense of direction, nᵢ or −nᵢ being the same: ± takes that of the two which is nearer to the place's
-/// own. The phase's sign means nothing, then. `crests` lead it.
+/// own. The phase's sign means nothing, then. `lines` lead it within `reach`.
 pub fn phases(
     maps: &Maps,
-    wavelength: &dyn Fn(&Parameters) -> f64,
-    crests: &[GuideLine],
+    wavelength: Wavelength,
+    kernels: Kernels,
+    (lines, reach): (&[GuideLine], Reach),
     rng: &mut impl Rng,
 ) -> Vec<f32> {
-    let waves = waves(maps, wavelength, LINES, rng);
+    let waves = waves(maps, wavelength, kernels, rng);
     let mut phases = vec![0.0f32; maps.grid.cells()];
     phases.par_chunks_mut(ROWS_A_BAND * maps.grid.size[0]).enumerate().for_each(|(band, phases)| {
         let rows = rows(band, phases.len(), maps);
@@ -84,9 +78,9 @@ pub fn phases(
             });
         }
         for (cell, (phase, [cos, sin])) in phases.iter_mut().zip(sums).enumerate() {
-            let Led { share, wave } = match crests {
+            let Led { share, wave } = match lines {
                 [] => Led::default(),
-                _ => led(System::MeinhardtLines, maps, crests, first + cell, own[cell]),
+                _ => led(maps, lines, wavelength, reach, first + cell, own[cell]),
             };
             let [cos, sin] =
                 [(cos, wave[0]), (sin, wave[1])].map(|(noise, wave)| (1.0 - share) * noise + LEADING * wave);
@@ -105,7 +99,7 @@ fn rows(band: usize, cells: usize, maps: &Maps) -> Range<isize> {
 /// Waves thrown over the grid.
 fn waves(
     maps: &Maps,
-    wavelength: &dyn Fn(&Parameters) -> f64,
+    wavelength: Wavelength,
     Kernels { reach, density }: Kernels,
     rng: &mut impl Rng,
 ) -> Vec<Wave> {
@@ -207,6 +201,9 @@ mod tests {
 
     use super::*;
 
+    const KERNELS: Kernels = Kernels { reach: [8.0, 4.0], density: 0.6 };
+    const REACH: Reach = Reach { beyond: [0.0, 4.0], across: [0.4, 3.0] };
+
     /// GuideCurves that each column of a grid crosses ÷ those that waves of 10 cells along x have, where directions go from
     /// `left` to `right` degrees.
     fn crossed(left: f32, right: f32) -> f64 {
@@ -218,7 +215,7 @@ mod tests {
             // As parameters have it: 0..180.
             p.direction = (left + share * (right - left)).rem_euclid(180.0);
         }
-        let phases = phases(&maps, &|_| 10.0, &[], &mut Pcg64Mcg::seed_from_u64(1));
+        let phases = phases(&maps, &|_| 10.0, KERNELS, (&[], REACH), &mut Pcg64Mcg::seed_from_u64(1));
         let crest = |cell: usize| phases[cell].abs() < 0.8;
         let begins = (N..N * N).filter(|cell| crest(*cell) && !crest(cell - N)).count();
         begins as f64 / (N * N) as f64 * 10.0
@@ -239,7 +236,7 @@ mod tests {
         let maps = Maps::uniform([90, 70], Edges::Wrap, p);
         let phases = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            pool.install(|| phases(&maps, &|_| 9.0, &[], &mut Pcg64Mcg::seed_from_u64(2)))
+            pool.install(|| phases(&maps, &|_| 9.0, KERNELS, (&[], REACH), &mut Pcg64Mcg::seed_from_u64(2)))
         };
         assert!(phases(1) == phases(4));
     }

@@ -1,25 +1,62 @@
-//! What a system must say of itself so that the solvers can step it.
+//! The reaction of a system, as the solvers step it.
+
+use std::fmt::Debug;
 
 use super::vector::Number;
 
 /// How a chemical spreads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spread {
-    /// By the tensor of each cell, times mobility number `.0`.
-    Tensor(usize),
-    /// Alike in all directions, times mobility number `.0`.
-    Isotropic(usize),
+pub enum Spreading {
+    /// By a tensor of each cell.
+    Tensor {
+        /// The number of the tensor.
+        tensor: usize,
+        /// The number of the mobility that multiplies it.
+        mobility: usize,
+    },
+    /// Alike in all directions.
+    Isotropic {
+        /// The number of the mobility.
+        mobility: usize,
+    },
     /// Not at all.
     Still,
 }
 
-/// The reaction of a system of `N` chemicals.
-pub trait Kinetics<const N: usize>: Send + Sync {
-    /// How each chemical spreads.
-    const SPREAD: [Spread; N];
+/// Mobility numbers that a cell has. Systems with more tensors than these put the other factors into the tensors, which
+/// need no determinant of 1.
+pub const MOBILITIES: usize = 2;
 
-    /// What the chemicals `u` do to each other at one point, per unit of time at unit rate.
-    fn react<V: Number>(u: [V; N]) -> [V; N];
+/// How many tensors these chemicals spread by.
+#[must_use]
+pub const fn tensors(spread: &[Spreading]) -> usize {
+    let (mut count, mut index) = (0, 0);
+    while index < spread.len() {
+        if let Spreading::Tensor { tensor, .. } = spread[index]
+            && tensor >= count
+        {
+            count = tensor + 1;
+        }
+        index += 1;
+    }
+    count
+}
+
+/// The reaction of a system of `N` chemicals; its value holds what may change with time.
+pub trait Kinetics<const N: usize>: Copy + Debug + Send + Sync + 'static {
+    /// How each chemical spreads.
+    const SPREAD: [Spreading; N];
+    /// How many tensors these are.
+    const TENSORS: usize = tensors(&Self::SPREAD);
+
+    /// The reaction at a normalised time (`facts.md` 0), counted from the beginning of the growth.
+    #[must_use]
+    fn at(&self, _time: f64) -> Self {
+        *self
+    }
+
+    /// The change of the chemicals `u` at one point by reaction, per unit of time at unit rate.
+    fn react<V: Number>(&self, u: [V; N]) -> [V; N];
 
     /// The concentrations that a step may leave, given what it computed.
     #[must_use]
@@ -32,17 +69,20 @@ pub trait Kinetics<const N: usize>: Send + Sync {
 /// One explicit step at one cell: u + D·Lu + s·F(u), with the time step inside `mobility` and `rate`.
 #[inline(always)]
 pub fn euler<const N: usize, K: Kinetics<N>, V: Number>(
+    kinetics: &K,
     u: [V; N],
     spread: [V; N],
-    mobility: [V; 2],
+    mobility: [V; MOBILITIES],
     rate: V,
 ) -> [V; N] {
-    let f = K::react(u);
+    let f = kinetics.react(u);
     let mut next = u;
     for i in 0..N {
         let moved = match K::SPREAD[i] {
-            Spread::Tensor(m) | Spread::Isotropic(m) => u[i] + mobility[m] * spread[i],
-            Spread::Still => u[i],
+            Spreading::Tensor { mobility: m, .. } | Spreading::Isotropic { mobility: m } => {
+                u[i] + mobility[m] * spread[i]
+            }
+            Spreading::Still => u[i],
         };
         next[i] = moved + rate * f[i];
     }

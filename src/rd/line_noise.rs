@@ -8,8 +8,7 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use crate::grid::{Bounds, Domain};
-use crate::rd::System;
-use crate::rd::maps::Maps;
+use crate::rd::maps::{Maps, Parameters};
 
 /// A straight line along which a stripe is to run, in shares of the canvas' sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,18 +21,25 @@ pub struct GuideLine {
 
 /// Height of the wave ÷ the noise's deviation.
 const HEIGHT: f64 = 2.0;
-/// Wavelengths beyond the ends and across to which a wave is whole, and at which it ends: of stripes, which mend what
-/// does not fit, and of lines, which do not.
-const STRIPES: ([f64; 2], [f64; 2]) = ([0.0, 1.5], [0.4, 1.3]);
-const LINES: ([f64; 2], [f64; 2]) = ([0.0, 4.0], [0.4, 3.0]);
+/// How far the noise is led along a line, in wavelengths: up to the first the wave is whole, at the second it ends.
+#[derive(Clone, Copy, Debug)]
+pub struct Reach {
+    /// Beyond the ends of the line.
+    pub beyond: [f64; 2],
+    /// To its sides.
+    pub across: [f64; 2],
+}
 
-/// Gives `noise` over the grid of `maps`, of unit variance, crests along these lines.
-pub fn lead(system: System, noise: &mut [f32], maps: &Maps, crests: &[GuideLine]) {
-    if crests.is_empty() {
+/// The wavelength of the stripes that have these parameters, cells.
+pub type Wavelength<'a> = &'a (dyn Fn(&Parameters) -> f64 + Sync);
+
+/// Gives `noise` over the grid of `maps`, of unit variance, wave crests along these lines.
+pub fn lead(noise: &mut [f32], maps: &Maps, lines: &[GuideLine], wavelength: Wavelength, reach: Reach) {
+    if lines.is_empty() {
         return;
     }
     noise.par_iter_mut().enumerate().for_each(|(cell, noise)| {
-        let Led { share, wave: [cos, _] } = led(system, maps, crests, cell, [0.0; 2]);
+        let Led { share, wave: [cos, _] } = led(maps, lines, wavelength, reach, cell, [0.0; 2]);
         *noise = ((1.0 - share) * f64::from(*noise) + HEIGHT * cos) as f32;
     });
 }
@@ -48,14 +54,20 @@ pub struct Led {
 }
 
 /// How the lines lead the noise at a cell, where `across` is a way across the stripes.
-pub fn led(system: System, maps: &Maps, crests: &[GuideLine], cell: usize, across: [f64; 2]) -> Led {
+pub fn led(
+    maps: &Maps,
+    lines: &[GuideLine],
+    wavelength: Wavelength,
+    reach: Reach,
+    cell: usize,
+    across: [f64; 2],
+) -> Led {
     let at = maps.grid.center(cell);
-    let length = system.spacing(&maps.parameters[cell]);
-    let reach = if system == System::MeinhardtLines { LINES } else { STRIPES };
+    let length = wavelength(&maps.parameters[cell]);
     let (mut sum, mut wave) = (0.0, [0.0; 2]);
-    for crest in crests {
-        let Seen { beyond, off, normal } = crest.seen(at, &maps.grid.bounds());
-        let weight = fall(beyond / length, reach.0) * fall(off.abs() / length, reach.1);
+    for line in lines {
+        let Seen { beyond, off, normal } = line.seen(at, &maps.grid.bounds());
+        let weight = fall(beyond / length, reach.beyond) * fall(off.abs() / length, reach.across);
         if weight > 0.0 {
             let same = normal[0] * across[0] + normal[1] * across[1] >= 0.0;
             let phase = TAU * if same { off } else { -off } / length;
@@ -111,7 +123,11 @@ fn fall(v: f64, [from, to]: [f64; 2]) -> f64 {
 mod tests {
     use super::*;
     use crate::grid::Edges;
-    use crate::rd::maps::Parameters;
+    const REACH: Reach = Reach { beyond: [0.0, 1.5], across: [0.4, 1.3] };
+
+    fn wavelength(_: &Parameters) -> f64 {
+        81.0 / 25.6f64.sqrt()
+    }
 
     #[test]
     fn noise_is_led_along_a_line_and_left_alone_farther_off() {
@@ -119,14 +135,14 @@ mod tests {
         let maps = Maps::uniform([160, 120], Edges::Closed, p);
         let mut noise = vec![0.5f32; 160 * 120];
         let line = GuideLine { from: [0.3, 0.5], to: [0.7, 0.5] };
-        lead(System::MeinhardtStripes, &mut noise, &maps, &[line]);
+        lead(&mut noise, &maps, &[line], &wavelength, REACH);
         let at = |x: usize, y: usize| noise[y * 160 + x];
         // Rows 59 and 60 lie on either side of the line; half a wavelength, 8 cells, off it there is a trough.
         assert!((50..110).all(|x| at(x, 59) > 1.9 && at(x, 60) > 1.9));
         assert!(at(80, 67) < -1.0 && at(80, 52) < -1.0);
         assert!(at(80, 60 + 22) == 0.5 && at(10, 60) == 0.5);
         let before = noise.clone();
-        lead(System::MeinhardtStripes, &mut noise, &maps, &[]);
+        lead(&mut noise, &maps, &[], &wavelength, REACH);
         assert!(noise == before);
     }
 
@@ -138,8 +154,8 @@ mod tests {
         // A period apart, both waves agree.
         let pair = [line(52.0), line(68.0)];
         let cell = 60 * 160 + 80;
-        let one = led(System::MeinhardtStripes, &maps, &pair[..1], cell, [0.0, 1.0]);
-        let both = led(System::MeinhardtStripes, &maps, &pair, cell, [0.0, 1.0]);
+        let one = led(&maps, &pair[..1], &wavelength, REACH, cell, [0.0, 1.0]);
+        let both = led(&maps, &pair, &wavelength, REACH, cell, [0.0, 1.0]);
         assert!(one.share <= 1.0 && both.share == 1.0, "{one:?} {both:?}");
         assert!(both.wave[0] < -0.9 && one.wave[0] < 0.0, "{one:?} {both:?}");
     }

@@ -10,7 +10,7 @@ use crate::grid::resample::Spline;
 use crate::grid::{Domain, Field, Grid};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::Nucleus;
+use crate::rd::nucleus::Nucleus;
 
 /// A spot that is to be moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,7 +47,7 @@ pub fn warped(system: System, maps: &Maps, chemical: &[f32], warps: &[LocalWarp]
 fn shifts(system: System, maps: &Maps, warps: &[LocalWarp]) -> Vec<(usize, [f64; 2])> {
     let mut found: Vec<Option<[f64; 2]>> = vec![None; maps.grid.cells()];
     for LocalWarp { at, own, by } in warps {
-        let spot = Nucleus::of(own, maps.grid.cell, *at, system.spacing(own));
+        let spot = Nucleus::new(own, maps.grid.cell, *at, system.spacing(own));
         for (cell, delta) in maps.grid.near(*at, OUTER * spot.reach, 0..maps.grid.cells()) {
             let weight = weight(spot.distance2(delta).sqrt());
             if weight > 0.0 && !maps.is_obstacle(cell) {
@@ -89,7 +89,7 @@ mod tests {
         for (edges, at) in [(Edges::Closed, [30.0, 25.0]), (Edges::Wrap, [1.0, 25.0])] {
             let maps = Maps::uniform([60, 50], edges, P);
             let warp = LocalWarp { at, own: P, by: [1.3, -0.8] };
-            let moved = warped(System::MeinhardtSpots, &maps, &bell(at), &[warp]);
+            let moved = warped(System::MEINHARDT_SPOTS, &maps, &bell(at), &[warp]);
             if edges == Edges::Closed {
                 let wanted = bell([31.3, 24.2]);
                 let worst = moved.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
@@ -106,7 +106,7 @@ mod tests {
         maps.obstacles = (0..60 * 50).map(|cell| cell % 60 > 31).collect();
         let warp = LocalWarp { at: [30.0, 25.0], own: P, by: [1.0, 0.0] };
         let before = bell([30.0, 25.0]);
-        let moved = warped(System::MeinhardtSpots, &maps, &before, &[warp]);
+        let moved = warped(System::MEINHARDT_SPOTS, &maps, &before, &[warp]);
         let same = |cell: &usize| moved[*cell].to_bits() == before[*cell].to_bits();
         assert!((0..60 * 50).filter(|cell| maps.obstacles[*cell]).all(|cell| same(&cell)));
         assert!((0..60 * 50).any(|cell| !same(&cell)));

@@ -2,6 +2,7 @@
 
 use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;
+use super::kinetics::MOBILITIES;
 use super::plane::RowLayout;
 use super::runs::Runs;
 
@@ -10,12 +11,14 @@ use super::runs::Runs;
 pub struct Problem {
     /// The cells.
     pub grid: RowLayout,
-    /// The tensor of each cell.
-    pub diffusion: Diffusion,
+    /// The tensors of each cell, by number; at least one.
+    pub tensors: Vec<Diffusion>,
+    /// How far the offsets of all of these reach, cells.
+    pub reach: usize,
     /// Weights of the isotropic stencil along x and along y.
     pub isotropic: [f32; 2],
     /// dt·D of each cell, by mobility number.
-    pub mobility: Coefficients<2>,
+    pub mobility: Coefficients<MOBILITIES>,
     /// dt·s of each cell.
     pub rate: Coefficients<1>,
     /// The lowest of these, before any cell was frozen.
@@ -25,18 +28,19 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// Puts coefficients together; `isotropic` are the weights of the isotropic stencil along x and along y.
+    /// Puts coefficients together: at least one tensor; `isotropic` are the weights of the isotropic stencil along x and along y.
     #[must_use]
     pub fn new(
         grid: RowLayout,
-        diffusion: Diffusion,
+        tensors: Vec<Diffusion>,
         isotropic: [f32; 2],
-        mobility: Coefficients<2>,
+        mobility: Coefficients<MOBILITIES>,
         rate: Coefficients<1>,
         slowest: f32,
     ) -> Self {
-        let runs = Runs::new(grid, &diffusion.weights, &mobility, &rate);
-        Self { grid, diffusion, isotropic, mobility, rate, slowest, runs }
+        let runs = Runs::new(grid, &tensors, &mobility, &rate);
+        let reach = tensors.iter().map(|tensor| tensor.reach).fold(1, usize::max);
+        Self { grid, tensors, reach, isotropic, mobility, rate, slowest, runs }
     }
 
     /// Weights of the isotropic stencil along x, along y, and of the cell itself.
@@ -49,8 +53,9 @@ impl Problem {
     /// Leaves the cells that `frozen` names (`y · nx + x`) as they are from now on. Their neighbours still see them.
     pub fn freeze(&mut self, frozen: &(impl Fn(usize) -> bool + Sync)) {
         // A step adds 0 · what diffusion and reaction would do, which is 0 while that is finite.
-        self.mobility = self.mobility.with(self.grid, |cell, own| if frozen(cell) { [0.0; 2] } else { own });
+        self.mobility =
+            self.mobility.with(self.grid, |cell, own| if frozen(cell) { [0.0; MOBILITIES] } else { own });
         self.rate = self.rate.with(self.grid, |cell, own| if frozen(cell) { [0.0] } else { own });
-        self.runs = Runs::new(self.grid, &self.diffusion.weights, &self.mobility, &self.rate);
+        self.runs = Runs::new(self.grid, &self.tensors, &self.mobility, &self.rate);
     }
 }

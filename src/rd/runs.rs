@@ -1,6 +1,8 @@
 //! Which groups of a row are stepped alike.
 
 use super::coefficients::Coefficients;
+use super::diffusion::Diffusion;
+use super::kinetics::MOBILITIES;
 use super::plane::{LANES, MARGIN, RowLayout};
 use super::selling::{OFFSETS, REACH};
 use crate::grid::Edges;
@@ -10,9 +12,9 @@ use crate::grid::Edges;
 pub struct Run {
     /// The first group after it.
     pub end: u32,
-    /// The offsets that they use, as bits.
+    /// The offsets that the first tensor uses, as bits.
     pub used: u8,
-    /// Whether all their weights are 1: isotropic diffusion on square cells.
+    /// Whether all its weights are 1: isotropic diffusion on square cells.
     pub unit: bool,
     /// Whether all their coefficients are those of the first.
     pub same: bool,
@@ -29,24 +31,25 @@ pub struct Runs {
 }
 
 impl Runs {
-    /// Looks for runs where these are the coefficients.
+    /// Looks for runs where these (one tensor or more) are the coefficients.
     #[must_use]
     pub fn new(
         grid: RowLayout,
-        weights: &Coefficients<{ OFFSETS.len() }>,
-        mobility: &Coefficients<2>,
+        tensors: &[Diffusion],
+        mobility: &Coefficients<MOBILITIES>,
         rate: &Coefficients<1>,
     ) -> Self {
         let (mut rows, mut runs) = (vec![], vec![]);
         for y in 0..grid.ny {
-            let like =
-                |group: usize| (weights.place(group, y), mobility.place(group, y), rate.place(group, y));
+            let same_tensors =
+                |a: usize, b: usize| tensors.iter().all(|t| t.weights.place(a, y) == t.weights.place(b, y));
+            let like = |group: usize| (mobility.place(group, y), rate.place(group, y));
             let mut row: Vec<Run> = Vec::new();
             for group in 0..grid.groups() {
-                let run = Run { end: group as u32 + 1, ..alone(grid, group, y, weights) };
+                let run = Run { end: group as u32 + 1, ..alone(grid, group, y, &tensors[0].weights) };
                 match row.last_mut() {
                     Some(last) if (last.used, last.unit, last.edge) == (run.used, run.unit, run.edge) => {
-                        last.same &= like(group) == like(group - 1);
+                        last.same &= like(group) == like(group - 1) && same_tensors(group, group - 1);
                         last.end = run.end;
                     }
                     _ => row.push(run),

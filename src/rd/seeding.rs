@@ -5,10 +5,9 @@ use std::f64::consts::TAU;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
-use super::System;
 use super::maps::{Maps, Parameters};
 use crate::grid::{Domain, Grid};
-use crate::rd::line_noise::GuideLine;
+use crate::rd::line_noise::{GuideLine, Wavelength};
 
 /// What stripes begin from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -35,7 +34,12 @@ const CLEAR: f64 = 1.25;
 const THICKNESS: f64 = 0.0625;
 
 /// The segments for the grid of `maps`: `drawn` ones, and elsewhere as many thrown at random as there are to be.
-pub fn segments(maps: &Maps, drawn: &[GuideLine], rng: &mut impl Rng) -> Vec<GuideLine> {
+pub fn segments(
+    maps: &Maps,
+    drawn: &[GuideLine],
+    wavelength: Wavelength,
+    rng: &mut impl Rng,
+) -> Vec<GuideLine> {
     let clear = |at: [f64; 2], length: f64| {
         drawn.iter().all(|line| line.distance(at, &maps.grid.bounds()) >= CLEAR * length)
     };
@@ -63,7 +67,7 @@ pub fn segments(maps: &Maps, drawn: &[GuideLine], rng: &mut impl Rng) -> Vec<Gui
 }
 
 /// How far each cell of the grid of `maps` is seeded by these segments, 0..1.
-pub fn seeded(maps: &Maps, segments: &[GuideLine]) -> Vec<f32> {
+pub fn seeded(maps: &Maps, segments: &[GuideLine], wavelength: Wavelength) -> Vec<f32> {
     let grid = maps.grid;
     let bounds = grid.bounds();
     let mut seeded = vec![0.0f32; grid.cells()];
@@ -84,7 +88,7 @@ pub fn seeded(maps: &Maps, segments: &[GuideLine]) -> Vec<f32> {
 /// Waves that run from the `lines` outwards, −1..1: cos 2πφ with |∇φ| = 1/λ and φ = 0 on the lines.
 ///
 /// Fast sweeping: Zhao, "A fast sweeping method for eikonal equations", Mathematics of Computation 74 (2005), eq. 2.4.
-pub fn waves(maps: &Maps, lines: &[GuideLine]) -> Vec<f32> {
+pub fn waves(maps: &Maps, lines: &[GuideLine], wavelength: Wavelength) -> Vec<f32> {
     let bounds = maps.grid.bounds();
     let steps: Vec<f32> = maps.parameters.par_iter().map(|p| (1.0 / wavelength(p)) as f32).collect();
     let mut phase = vec![f32::INFINITY; maps.grid.cells()];
@@ -136,16 +140,16 @@ fn sweep(phase: &mut [f32], steps: &[f32], grid: &Grid, down: bool, right: bool)
     }
 }
 
-fn wavelength(p: &Parameters) -> f64 {
-    System::MeinhardtStripes.spacing(p)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::grid::Edges;
     use rand::SeedableRng;
     use rand_pcg::Pcg64Mcg;
+
+    fn wavelength(p: &Parameters) -> f64 {
+        81.0 / f64::from(p.rate).sqrt()
+    }
 
     /// Stripes of 16 cells a wavelength, at 30°.
     fn maps(nx: usize, ny: usize, edges: Edges) -> Maps {
@@ -158,7 +162,7 @@ mod tests {
     fn waves_run_from_a_line_at_one_wavelength_a_period() {
         let maps = maps(160, 140, Edges::Closed);
         let line = GuideLine { from: [0.4, 0.5], to: [0.6, 0.5] };
-        let waves = waves(&maps, &[line]);
+        let waves = waves(&maps, &[line], &wavelength);
         let off = |cell: usize| {
             let away = line.distance(maps.grid.center(cell), &maps.grid.bounds());
             (f64::from(waves[cell]) - libm::cos(TAU * away / 16.0)).abs()
@@ -171,7 +175,8 @@ mod tests {
     #[test]
     fn on_a_tile_waves_come_round_the_border() {
         let line = [GuideLine { from: [0.0, 0.0], to: [0.0, 1.0] }];
-        let [wrap, closed] = [Edges::Wrap, Edges::Closed].map(|edges| waves(&maps(128, 96, edges), &line));
+        let [wrap, closed] =
+            [Edges::Wrap, Edges::Closed].map(|edges| waves(&maps(128, 96, edges), &line, &wavelength));
         let mirrored = |x: usize| (wrap[40 * 128 + x] - wrap[40 * 128 + 127 - x]).abs();
         assert!((0..64).all(|x| mirrored(x) < 1e-3));
         assert!((closed[40 * 128 + 63] - wrap[40 * 128 + 63]).abs() < 1e-3);
@@ -181,7 +186,7 @@ mod tests {
     fn segments_are_as_many_and_as_long_as_is_told_and_clear_of_drawn_ones() {
         let maps = maps(320, 320, Edges::Closed);
         let drawn = [GuideLine { from: [0.4, 0.4], to: [0.6, 0.5] }];
-        let all = segments(&maps, &drawn, &mut Pcg64Mcg::seed_from_u64(1));
+        let all = segments(&maps, &drawn, &wavelength, &mut Pcg64Mcg::seed_from_u64(1));
         assert!(all[0] == drawn[0] && (185..=200).contains(&all.len()), "{}", all.len());
         let ways = all[1..].iter().map(|segment| {
             let way = [0, 1].map(|axis| 320.0 * (segment.to[axis] - segment.from[axis]));
@@ -198,7 +203,7 @@ mod tests {
     #[test]
     fn a_seeded_line_is_as_thick_as_is_told() {
         let maps = maps(100, 100, Edges::Closed);
-        let seeded = seeded(&maps, &[GuideLine { from: [0.2, 0.5], to: [0.8, 0.5] }]);
+        let seeded = seeded(&maps, &[GuideLine { from: [0.2, 0.5], to: [0.8, 0.5] }], &wavelength);
         let across: f32 = (0..100).map(|y| seeded[y * 100 + 50]).sum();
         assert!((f64::from(across) - 2.0 * THICKNESS * 16.0).abs() < 0.5, "{across}");
         assert_eq!((seeded[50 * 100 + 5], seeded[30 * 100 + 50]), (0.0, 0.0));

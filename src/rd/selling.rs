@@ -4,6 +4,8 @@
 //! Selling's reduction of an obtuse superbase; Fehrenbach & Mirebeau, "Sparse non-negative stencils for
 //! anisotropic diffusion", JMIV 49 (2014). Unlike a 3×3 mask it stays non-negative at any angle.
 
+use super::maps::Parameters;
+
 /// The offsets that a tensor of stretch ≥ [`MIN_STRETCH`] can need, in cells (each with its opposite).
 pub const OFFSETS: [[isize; 2]; 8] = [[1, 0], [0, 1], [1, 1], [1, -1], [2, 1], [1, 2], [2, -1], [1, -2]];
 
@@ -37,6 +39,20 @@ impl Tensor {
             xy: (along - across) * c * s,
             yy: along * s * s + across * c * c,
         }
+    }
+
+    /// The tensor of determinant 1 with these parameters: spots keep their area at any stretch.
+    #[must_use]
+    pub fn of_unit_determinant(p: &Parameters) -> Self {
+        let stretch = f64::from(p.stretch.max(MIN_STRETCH));
+        Self::oriented(1.0 / stretch, stretch, f64::from(p.direction))
+    }
+
+    /// The tensor that is 1 across its long axis: stripes keep their width at any stretch.
+    #[must_use]
+    pub fn of_unit_width(p: &Parameters) -> Self {
+        let stretch = f64::from(p.stretch.max(MIN_STRETCH));
+        Self::oriented(1.0 / (stretch * stretch), 1.0, f64::from(p.direction))
     }
 
     /// The same diffusion seen on cells that are `cell[0]` wide and `cell[1]` high (in any common unit).

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use crate::grid::{Domain, Grid};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::Nucleus;
+use crate::rd::nucleus::Nucleus;
 
 /// τ. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times the next one's. Of 0.15, 0.2, 0.25,
 /// 0.3 the first two gave each spot the area, aspect and direction drawn for it to 2 %; the smoother is taken.
@@ -35,7 +35,7 @@ pub fn interpolate_parameters<const N: usize>(
     vary: &(dyn Fn(usize, [f64; N]) -> Parameters + Sync),
 ) -> Vec<Parameters> {
     let nucleus =
-        |(at, own): (&[f64; 2], &Parameters)| Nucleus::of(own, maps.grid.cell, *at, system.spacing(own));
+        |(at, own): (&[f64; 2], &Parameters)| Nucleus::new(own, maps.grid.cell, *at, system.spacing(own));
     let spots: Vec<(Nucleus, &[f64; N])> = places.iter().zip(own).map(nucleus).zip(known).collect();
     let mut made = maps.parameters.clone();
     let band = ROWS * maps.grid.size[0];
@@ -85,7 +85,7 @@ mod tests {
     fn known(edges: Edges, places: [[f64; 2]; 2], known: [f64; 2]) -> Maps {
         let maps = Maps::uniform([72, 40], edges, P);
         let vary = |_, [rate]: [f64; 1]| Parameters { rate: rate as f32, ..P };
-        let system = System::MeinhardtSpots;
+        let system = System::MEINHARDT_SPOTS;
         let parameters =
             interpolate_parameters(system, &maps, &places, &[P; 2], &known.map(|one| [one]), &vary);
         Maps { parameters, ..maps }

@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use crate::rd::coefficients::Numbers;
-use crate::rd::kinetics::{Kinetics, Spread, euler};
+use crate::rd::kinetics::{Kinetics, Spreading, euler};
 use crate::rd::plane::{LANES, Lanes, MARGIN, RowLayout};
 use crate::rd::problem::Problem;
 use crate::rd::selling::{OFFSETS, REACH};
@@ -56,37 +56,40 @@ const fn taps(set: usize) -> ([[isize; 2]; 4], u32) {
 
 /// The coefficients of one row.
 #[derive(Clone, Copy)]
-struct Row<'a> {
+struct Row<'a, const N: usize> {
     y: usize,
     grid: RowLayout,
     /// Weights of the isotropic stencil along x, along y, and of the cell itself.
     isotropic: [f32; 3],
-    weights: Numbers<'a>,
+    /// By number of the tensor; beyond the last one the first again.
+    weights: [Numbers<'a>; N],
     mobility: Numbers<'a>,
     rate: Numbers<'a>,
 }
 
 /// The coefficients of one group.
 #[derive(Clone, Copy)]
-struct Group {
-    /// The offsets in use, as bits; a weight for each.
-    used: u8,
-    weights: *const Lanes,
-    /// Two.
+struct Group<const N: usize> {
+    /// By number of the tensor the offsets in use, as bits, and a weight for each.
+    stencils: [(u8, *const Lanes); N],
+    /// As many as [`MOBILITIES`](crate::rd::kinetics::MOBILITIES).
     mobility: *const Lanes,
     /// One.
     rate: *const Lanes,
 }
 
-impl Row<'_> {
+impl<const N: usize> Row<'_, N> {
     /// # Safety
     /// The row must have that group.
     #[inline(always)]
-    unsafe fn group(&self, group: usize) -> Group {
+    unsafe fn group<K: Kinetics<N>>(&self, group: usize) -> Group<N> {
         // SAFETY: there is such a group, says the caller.
         unsafe {
-            let (used, weights) = self.weights.first(group);
-            Group { used, weights, mobility: self.mobility.first(group).1, rate: self.rate.first(group).1 }
+            let mut stencils = [self.weights[0].first(group); N];
+            for (stencil, weights) in stencils.iter_mut().zip(&self.weights).take(K::TENSORS).skip(1) {
+                *stencil = weights.first(group);
+            }
+            Group { stencils, mobility: self.mobility.first(group).1, rate: self.rate.first(group).1 }
         }
     }
 }
@@ -95,6 +98,7 @@ impl Row<'_> {
 #[inline(always)]
 pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
     problem: &Problem,
+    kinetics: &K,
     y: usize,
     from: &Window<N>,
     to: &mut [&mut [f32]; N],
@@ -104,7 +108,10 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
         y,
         grid,
         isotropic: problem.isotropic_weights(),
-        weights: problem.diffusion.weights.in_row(y),
+        weights: std::array::from_fn(|t| {
+            let tensor = if t < K::TENSORS { t } else { 0 };
+            problem.tensors[tensor].weights.in_row(y)
+        }),
         mobility: problem.mobility.in_row(y),
         rate: problem.rate.in_row(y),
     };
@@ -112,7 +119,7 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
     let rows = from.iter().flatten().map(|row| row.len()).chain(to.iter().map(|row| row.len()));
     assert!(groups.start * LANES >= REACH && rows.min() >= Some(groups.end * LANES + REACH));
     assert!(
-        [row.weights.groups(), row.mobility.groups(), row.rate.groups()].iter().all(|n| *n >= groups.end)
+        row.weights.iter().chain([&row.mobility, &row.rate]).all(|numbers| numbers.groups() >= groups.end)
     );
     let mut first = groups.start;
     for run in problem.runs.of(y) {
@@ -122,16 +129,18 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
         }
         first = part.end;
         let known = BITS.iter().position(|bits| *bits == run.used).unwrap_or(MIXED);
-        let set = if run.unit { UNIT } else { known };
+        let alone = if run.unit { UNIT } else { known };
+        // Several tensors use different offsets in one group.
+        let set = if K::TENSORS > 1 { MIXED } else { alone };
         macro_rules! step {
             ($($known:literal)*) => {
                 match set {
-                    UNIT if run.edge => step_groups::<N, K, V, UNIT, true>(row, from, to, part, run.same),
-                    UNIT => step_groups::<N, K, V, UNIT, false>(row, from, to, part, run.same),
-                    0 if run.edge => step_groups::<N, K, V, 0, true>(row, from, to, part, run.same),
-                    _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, from, to, part, run.same),
-                    $($known => step_groups::<N, K, V, $known, false>(row, from, to, part, run.same),)*
-                    _ => step_groups::<N, K, V, MIXED, false>(row, from, to, part, run.same),
+                    UNIT if run.edge => step_groups::<N, K, V, UNIT, true>(row, kinetics, from, to, part, run.same),
+                    UNIT => step_groups::<N, K, V, UNIT, false>(row, kinetics, from, to, part, run.same),
+                    0 if run.edge => step_groups::<N, K, V, 0, true>(row, kinetics, from, to, part, run.same),
+                    _ if run.edge => step_groups::<N, K, V, MIXED, true>(row, kinetics, from, to, part, run.same),
+                    $($known => step_groups::<N, K, V, $known, false>(row, kinetics, from, to, part, run.same),)*
+                    _ => step_groups::<N, K, V, MIXED, false>(row, kinetics, from, to, part, run.same),
                 }
             };
         }
@@ -146,7 +155,8 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
 /// is false, nothing beyond a closed edge is within reach. `same`: all have the coefficients of the first.
 #[inline(always)]
 fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
-    row: Row,
+    row: Row<N>,
+    kinetics: &K,
     from: &Window<N>,
     to: &mut [&mut [f32]; N],
     groups: Range<usize>,
@@ -162,11 +172,11 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
         out[i] = to[i].as_mut_ptr();
     }
     // SAFETY: `step_row` made sure that the row has these groups.
-    let mut coefficients = unsafe { row.group(groups.start) };
+    let mut coefficients = unsafe { row.group::<K>(groups.start) };
     for group in groups {
         if !same {
             // SAFETY: as above.
-            coefficients = unsafe { row.group(group) };
+            coefficients = unsafe { row.group::<K>(group) };
         }
         for lane in (0..LANES).step_by(V::WIDTH) {
             let place = group * LANES + lane;
@@ -180,7 +190,8 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
                 let spread = spread::<N, K, V, SET, EDGE>(&row, &rows, place, &coefficients, &u);
                 let mobility =
                     [number(coefficients.mobility, 0, lane), number(coefficients.mobility, 1, lane)];
-                let next = euler::<N, K, V>(u, spread, mobility, number(coefficients.rate, 0, lane));
+                let next =
+                    euler::<N, K, V>(kinetics, u, spread, mobility, number(coefficients.rate, 0, lane));
                 for i in 0..N {
                     next[i].store(out[i].add(place));
                 }
@@ -202,16 +213,16 @@ unsafe fn number<V: Vector>(packs: *const Lanes, k: usize, lane: usize) -> V {
 /// What diffusion alone would do to the cells at `place` and after, mobility left out.
 #[inline(always)]
 unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
-    row: &Row,
+    row: &Row<N>,
     rows: &[[*const f32; 2 * REACH + 1]; N],
     place: usize,
-    coefficients: &Group,
+    coefficients: &Group<N>,
     u: &[V; N],
 ) -> [V; N] {
     let mut spread = [V::of(0.0); N];
     let lane = place % LANES;
     // SAFETY: asked for no more than the group uses.
-    let weight = |k: usize| unsafe { number::<V>(coefficients.weights, k, lane) };
+    let weight = |k: usize| unsafe { number::<V>(coefficients.stencils[0].1, k, lane) };
     // 2 Σ wₖ, in the order of the offsets.
     let center = if SET < MIXED {
         let mut sum = weight(0) + weight(1);
@@ -228,23 +239,26 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
     for i in 0..N {
         let pair = |offset: [isize; 2]| {
             // SAFETY: as for `step_groups`, whose this is a part.
-            unsafe { neighbours::<V, EDGE>(row, place, &rows[i], offset, u[i]) }
+            unsafe { neighbours::<N, V, EDGE>(row, place, &rows[i], offset, u[i]) }
         };
         let (around, center) = match K::SPREAD[i] {
-            Spread::Still => continue,
-            Spread::Tensor(_) if SET == UNIT => (pair([1, 0]) + pair([0, 1]), V::of(4.0)),
-            Spread::Tensor(_) if SET == MIXED => {
+            Spreading::Still => continue,
+            Spreading::Tensor { .. } if SET == UNIT => (pair([1, 0]) + pair([0, 1]), V::of(4.0)),
+            Spreading::Tensor { tensor, .. } if SET == MIXED => {
+                let (used, packs) = coefficients.stencils[tensor];
                 let (mut sum, mut weights, mut kept) = (V::of(0.0), V::of(0.0), 0);
                 for (k, offset) in OFFSETS.into_iter().enumerate() {
-                    if coefficients.used & (1 << k) != 0 {
-                        sum = sum + weight(kept) * pair(offset);
-                        weights = weights + weight(kept);
+                    if used & (1 << k) != 0 {
+                        // SAFETY: asked for no more than the group uses.
+                        let weight = unsafe { number::<V>(packs, kept, lane) };
+                        sum = sum + weight * pair(offset);
+                        weights = weights + weight;
                         kept += 1;
                     }
                 }
                 (sum, V::of(2.0) * weights)
             }
-            Spread::Tensor(_) => {
+            Spreading::Tensor { .. } => {
                 // By hand: a loop is not always unrolled, and then its offsets are no constants.
                 let (offset, taps) = const { taps(if SET < MIXED { SET } else { 0 }) };
                 let mut sum = weight(0) * pair(offset[0]) + weight(1) * pair(offset[1]);
@@ -269,8 +283,8 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
 
 /// u(x + e) + u(x − e). What lies beyond a closed edge counts as the cell's `own`.
 #[inline(always)]
-unsafe fn neighbours<V: Vector, const EDGE: bool>(
-    row: &Row,
+unsafe fn neighbours<const N: usize, V: Vector, const EDGE: bool>(
+    row: &Row<N>,
     place: usize,
     rows: &[*const f32; 2 * REACH + 1],
     [dx, dy]: [isize; 2],
@@ -293,7 +307,13 @@ unsafe fn neighbours<V: Vector, const EDGE: bool>(
 /// Of the concentrations `there`, at an offset (dx, dy) from the cells `own`, puts the cells' own in the place of
 /// those beyond the border, so that nothing flows across it.
 #[inline(always)]
-fn keep_inside<V: Vector>(row: &Row, place: usize, [dx, dy]: [isize; 2], own: V, there: V) -> V {
+fn keep_inside<const N: usize, V: Vector>(
+    row: &Row<N>,
+    place: usize,
+    [dx, dy]: [isize; 2],
+    own: V,
+    there: V,
+) -> V {
     if !(0..row.grid.ny as isize).contains(&(row.y as isize + dy)) {
         return own;
     }

@@ -46,11 +46,13 @@ impl Tiling {
     /// What suits a grid on `threads` threads: the same bits come out of any.
     #[must_use]
     pub fn suited(problem: &Problem, chemicals: usize, threads: usize) -> Self {
-        let (grid, reach) = (problem.grid, problem.diffusion.reach);
+        let (grid, reach) = (problem.grid, problem.reach);
         let bands = (grid.nx * grid.ny / CELLS_A_BAND).clamp(1, threads.max(1));
         let rows = grid.ny.div_ceil(bands);
-        // A level keeps 2r + 1 rows of each chemical and trails the one before by r rows of six coefficients.
-        let a_level = ((2 * reach + 1) * chemicals + 6 * reach) * grid.stride() * size_of::<f32>();
+        // A level keeps 2r + 1 rows of each chemical and trails the one before by r rows of coefficients: mobilities,
+        // rate and some three weights a tensor.
+        let coefficients = 3 + 3 * problem.tensors.len();
+        let a_level = ((2 * reach + 1) * chemicals + coefficients * reach) * grid.stride() * size_of::<f32>();
         let alone = bands == 1 && grid.edges == Edges::Closed;
         let by_sharing = if alone { LEVELS } else { 1 + (SHARED * rows as f64) as usize / reach };
         Self { levels: (CACHE / a_level).min(by_sharing).clamp(1, LEVELS), bands }
@@ -103,35 +105,36 @@ impl Instructions {
 #[derive(Clone, Debug, Default)]
 pub struct Scratch(Vec<Vec<Vec<Lanes>>>);
 
-/// Takes `tiling.levels` steps, from `old` into `new` (whose contents do not matter). Instructions that the machine
+/// Takes a step by each of `kinetics`, on `bands` bands of rows, from `old` into `new` (whose contents do not matter). Instructions that the machine
 /// lacks are replaced by the baseline: the bits are the same.
 pub fn sweep<const N: usize, K: Kinetics<N>>(
     problem: &Problem,
+    kinetics: &[K],
     old: &[Plane; N],
     new: &mut [Plane; N],
-    tiling: Tiling,
+    bands: usize,
     instructions: Instructions,
     scratch: &mut Scratch,
 ) {
     let instructions = if instructions.there() { instructions } else { Instructions::Baseline };
     let grid = problem.grid;
-    let rows = grid.ny.div_ceil(tiling.bands.max(1)).max(1);
+    let rows = grid.ny.div_ceil(bands.max(1)).max(1);
     let bands = grid.ny.div_ceil(rows);
     scratch.0.resize(bands.max(scratch.0.len()), Vec::new());
     let mut parts = new.each_mut().map(|plane| plane.memory_mut().chunks_mut(rows * grid.stride()));
-    let mut tasks: Vec<Band<N>> = scratch.0[..bands]
+    let mut tasks: Vec<Band<N, K>> = scratch.0[..bands]
         .iter_mut()
         .enumerate()
         .map(|(band, rings)| Band {
             problem,
+            kinetics,
             old,
             rows: band * rows..grid.ny.min((band + 1) * rows),
-            levels: tiling.levels,
             rings,
             new: parts.each_mut().map(|part| part.next().unwrap_or_default()),
         })
         .collect();
-    let run = |band: &mut Band<N>| band.sweep::<K>(instructions);
+    let run = |band: &mut Band<N, K>| band.sweep(instructions);
     if bands == 1 {
         tasks.iter_mut().for_each(run);
     } else {
@@ -140,60 +143,61 @@ pub fn sweep<const N: usize, K: Kinetics<N>>(
 }
 
 /// A band of rows that one task sweeps.
-struct Band<'a, const N: usize> {
+struct Band<'a, const N: usize, K> {
     problem: &'a Problem,
+    /// The reaction of each step.
+    kinetics: &'a [K],
     old: &'a [Plane; N],
     rows: Range<usize>,
-    levels: usize,
     /// Of each level between: `ring_rows` rows of each chemical.
     rings: &'a mut Vec<Vec<Lanes>>,
     /// Where the last level goes.
     new: [&'a mut [f32]; N],
 }
 
-impl<const N: usize> Band<'_, N> {
-    fn sweep<K: Kinetics<N>>(&mut self, instructions: Instructions) {
-        let ring = self.problem.grid.groups() * N * (2 * self.problem.diffusion.reach + 1);
-        self.rings.resize(self.levels.saturating_sub(1).max(self.rings.len()), Vec::new());
+impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
+    fn sweep(&mut self, instructions: Instructions) {
+        let ring = self.problem.grid.groups() * N * (2 * self.problem.reach + 1);
+        self.rings.resize(self.kinetics.len().saturating_sub(1).max(self.rings.len()), Vec::new());
         for level in self.rings.iter_mut() {
             level.resize(ring, Lanes([0.0; LANES]));
         }
         match instructions {
-            Instructions::Baseline => self.down::<K, Four>(),
+            Instructions::Baseline => self.down::<Four>(),
             #[cfg(target_arch = "x86_64")]
             // SAFETY: `sweep` made sure that the processor has them.
-            Instructions::Avx2 => unsafe { self.down_avx2::<K>() },
+            Instructions::Avx2 => unsafe { self.down_avx2() },
             #[cfg(target_arch = "x86_64")]
             // SAFETY: `sweep` made sure that the processor has them.
-            Instructions::Avx512 => unsafe { self.down_avx512::<K>() },
+            Instructions::Avx512 => unsafe { self.down_avx512() },
         }
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    fn down_avx2<K: Kinetics<N>>(&mut self) {
-        self.down::<K, Eight>();
+    fn down_avx2(&mut self) {
+        self.down::<Eight>();
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx512f,avx512vl")]
-    fn down_avx512<K: Kinetics<N>>(&mut self) {
-        self.down::<K, Sixteen>();
+    fn down_avx512(&mut self) {
+        self.down::<Sixteen>();
     }
 
     /// Sweeps from the top to the bottom of the band.
     #[inline(always)]
-    fn down<K: Kinetics<N>, V: Vector>(&mut self) {
-        let (grid, reach) = (self.problem.grid, self.problem.diffusion.reach as isize);
+    fn down<V: Vector>(&mut self) {
+        let (grid, reach) = (self.problem.grid, self.problem.reach as isize);
         let (top, end) = (self.rows.start as isize, self.rows.end as isize);
-        let levels = self.levels as isize;
+        let levels = self.kinetics.len() as isize;
         for front in top - reach * (levels - 1)..end + reach * (levels - 1) {
             for level in 1..=levels {
                 let y = front - reach * (level - 1);
                 let more = reach * (levels - level);
                 let inside = grid.edges == Edges::Wrap || (0..grid.ny as isize).contains(&y);
                 if inside && (top - more..end + more).contains(&y) {
-                    self.row::<K, V>(level as usize, y);
+                    self.row::<V>(level as usize, y);
                 }
             }
         }
@@ -201,8 +205,8 @@ impl<const N: usize> Band<'_, N> {
 
     /// Steps row `y` (counted on beyond the border where edges wrap) of one level.
     #[inline(always)]
-    fn row<K: Kinetics<N>, V: Vector>(&mut self, level: usize, y: isize) {
-        let (grid, reach) = (self.problem.grid, self.problem.diffusion.reach);
+    fn row<V: Vector>(&mut self, level: usize, y: isize) {
+        let (grid, reach) = (self.problem.grid, self.problem.reach);
         let stride = grid.stride();
         let ring_rows = 2 * reach + 1;
         let topmost = (y - reach as isize).rem_euclid(ring_rows as isize) as usize;
@@ -233,7 +237,7 @@ impl<const N: usize> Band<'_, N> {
                 [rows[0], rows[2 * REACH]] = [rows[REACH]; 2];
             }
         }
-        let mut to: [&mut [f32]; N] = if level == self.levels {
+        let mut to: [&mut [f32]; N] = if level == self.kinetics.len() {
             let first = (y - self.rows.start as isize) as usize * stride;
             self.new.each_mut().map(|rows| &mut rows[first..first + stride])
         } else {
@@ -241,7 +245,7 @@ impl<const N: usize> Band<'_, N> {
             let mut rows = ring[slot(reach)..][..N * stride].chunks_exact_mut(stride);
             [(); N].map(|()| rows.next().unwrap_or_default())
         };
-        step_row::<N, K, V>(self.problem, grid.row(y), &from, &mut to);
+        step_row::<N, K, V>(self.problem, &self.kinetics[level - 1], grid.row(y), &from, &mut to);
         for row in &mut to {
             grid.fill_margins(row);
         }
@@ -259,23 +263,26 @@ mod tests {
     use crate::rd::systems::meinhardt_lines::MeinhardtLines;
     use crate::rd::systems::meinhardt_spots::MeinhardtSpots;
     use crate::rd::systems::meinhardt_stripes::MeinhardtStripes;
-    use crate::rd::systems::turing_spots::{TuringSpots, UnevenTuringSpots};
+    use crate::rd::systems::turing_spots::{TuringSpots, TuringSpotsWithDecayNoise};
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    /// Coefficients that differ from cell to cell; stretches from `thinnest` to 1 in all directions.
-    fn uneven(grid: RowLayout, thinnest: f64) -> Problem {
+    /// Normalised time of a step.
+    const STEP: f64 = 0.1;
+
+    /// Coefficients that differ from cell to cell; so many tensors of stretches from `thinnest` to 1 in all directions.
+    fn uneven(grid: RowLayout, thinnest: f64, tensors: usize) -> Problem {
         let wave = |i: usize, f: f64| 0.5 + 0.5 * libm::sin(f * i as f64);
-        let tensor = |i: usize| {
-            let stretch = thinnest + (1.0 - thinnest) * wave(i, 0.013);
-            Tensor::oriented(1.0 / stretch, stretch, 180.0 * wave(i, 0.007))
+        let tensor = |number: usize, i: usize| {
+            let stretch = thinnest + (1.0 - thinnest) * wave(i, 0.013 + 0.002 * number as f64);
+            Tensor::oriented(1.0 / stretch, stretch, 180.0 * wave(i, 0.007) + 50.0 * number as f64)
         };
         let between = |[low, high]: [f64; 2], f: f64, i: usize| (low + (high - low) * wave(i, f)) as f32;
         let mobilities = |i| [between([0.001, 0.004], 0.1, i), between([0.05, 0.09], 0.2, i)];
         let isotropic = if thinnest == 1.0 { [1.0, 1.0] } else { [1.02, 0.98] };
         Problem::new(
             grid,
-            Diffusion::new(grid, |i| i, tensor),
+            (0..tensors).map(|number| Diffusion::new(grid, |i| i, |i| tensor(number, i))).collect(),
             isotropic,
             Coefficients::new(grid, false, |i| i, mobilities),
             Coefficients::new(grid, false, |i| i, |i| [between([0.01, 0.05], 0.03, i)]),
@@ -292,11 +299,11 @@ mod tests {
     }
 
     /// The bits after `steps` of the plain solver.
-    fn plain<const N: usize, K: Kinetics<N>>(problem: &Problem, steps: usize) -> Vec<u32> {
+    fn plain<const N: usize, K: Kinetics<N>>(problem: &Problem, kinetics: &K, steps: usize) -> Vec<u32> {
         let mut planes = [noise::<N>(problem.grid), noise::<N>(problem.grid)];
-        for _ in 0..steps {
+        for step in 0..steps {
             let [old, new] = &mut planes;
-            explicit::step::<N, K>(problem, old, new);
+            explicit::step::<N, K>(problem, &kinetics.at(step as f64 * STEP), old, new);
             planes.swap(0, 1);
         }
         bits(&planes[0])
@@ -304,6 +311,7 @@ mod tests {
 
     fn fast<const N: usize, K: Kinetics<N>>(
         problem: &Problem,
+        kinetics: &K,
         steps: usize,
         tiling: Tiling,
         instructions: Instructions,
@@ -313,8 +321,10 @@ mod tests {
         let mut left = steps;
         while left > 0 {
             let levels = tiling.levels.min(left);
+            let at = |level| kinetics.at((steps - left + level) as f64 * STEP);
+            let each: Vec<K> = (0..levels).map(at).collect();
             let [old, new] = &mut planes;
-            sweep::<N, K>(problem, old, new, Tiling { levels, ..tiling }, instructions, &mut scratch);
+            sweep::<N, K>(problem, &each, old, new, tiling.bands, instructions, &mut scratch);
             planes.swap(0, 1);
             left -= levels;
         }
@@ -325,13 +335,18 @@ mod tests {
         planes.iter().flat_map(Plane::cells).map(f32::to_bits).collect()
     }
 
-    fn agree<const N: usize, K: Kinetics<N>>(grid: RowLayout, thinnest: f64, tilings: &[Tiling]) {
+    fn agree<const N: usize, K: Kinetics<N>>(
+        kinetics: K,
+        grid: RowLayout,
+        thinnest: f64,
+        tilings: &[Tiling],
+    ) {
         const STEPS: usize = 7;
-        let problem = uneven(grid, thinnest);
-        let plain = plain::<N, K>(&problem, STEPS);
+        let problem = uneven(grid, thinnest, K::TENSORS);
+        let plain = plain::<N, K>(&problem, &kinetics, STEPS);
         for instructions in Instructions::available() {
             for tiling in tilings {
-                let fast = fast::<N, K>(&problem, STEPS, *tiling, instructions);
+                let fast = fast::<N, K>(&problem, &kinetics, STEPS, *tiling, instructions);
                 assert!(plain == fast, "{N} chemicals, {grid:?}, {thinnest}, {tiling:?}, {instructions:?}");
             }
         }
@@ -341,11 +356,11 @@ mod tests {
         for edges in [Edges::Closed, Edges::Wrap] {
             let grid = RowLayout { nx, ny, edges };
             for thinnest in [0.3, 0.6, 1.0] {
-                agree::<2, TuringSpots>(grid, thinnest, tilings);
-                agree::<2, MeinhardtSpots>(grid, thinnest, tilings);
-                agree::<5, MeinhardtStripes>(grid, thinnest, tilings);
-                agree::<2, MeinhardtLines>(grid, thinnest, tilings);
-                agree::<3, UnevenTuringSpots>(grid, thinnest, tilings);
+                agree::<2, _>(TuringSpots, grid, thinnest, tilings);
+                agree::<2, _>(MeinhardtSpots, grid, thinnest, tilings);
+                agree::<5, _>(MeinhardtStripes, grid, thinnest, tilings);
+                agree::<2, _>(MeinhardtLines, grid, thinnest, tilings);
+                agree::<3, _>(TuringSpotsWithDecayNoise, grid, thinnest, tilings);
             }
         }
     }
@@ -365,7 +380,7 @@ mod tests {
     fn a_small_grid_gives_the_bits_of_the_plain_solver() {
         for edges in [Edges::Closed, Edges::Wrap] {
             let tilings = [Tiling { levels: 3, bands: 2 }];
-            agree::<2, MeinhardtSpots>(RowLayout { nx: 19, ny: 4, edges }, 0.3, &tilings);
+            agree::<2, _>(MeinhardtSpots, RowLayout { nx: 19, ny: 4, edges }, 0.3, &tilings);
         }
     }
 

@@ -2,12 +2,6 @@
 
 use crate::rd::System;
 
-/// Bytes that a cell of the grid takes at the height of a growth of spots, whose parameters differ everywhere: 2
-/// chemicals twice (16), weights, mobilities and rate (27), parameters (20), what settles and is brought from grid to
-/// grid (25). Measured 85–90 at 2,570²–2,979² cells, 65 where parameters are the same everywhere.
-const SPOTS: f64 = 95.0;
-/// The same for stripes, with 5 chemicals. Measured 123–130 at 1,748²–8,192² cells.
-const STRIPES: f64 = 135.0;
 /// Bytes that a px of the canvas takes: the bands in which pictures are made.
 const PX: f64 = 1.0;
 /// What any growth takes, bytes.
@@ -92,8 +86,7 @@ pub struct TooLargeExport {
 /// Bytes that a growth of `system` on `grid` cells for a canvas of `size` px needs.
 #[must_use]
 pub fn needed(system: System, size: [f64; 2], grid: [usize; 2]) -> f64 {
-    let a_cell = if system == System::MeinhardtStripes { STRIPES } else { SPOTS };
-    BASE + grid[0] as f64 * grid[1] as f64 * a_cell + size[0] * size[1] * PX
+    BASE + grid[0] as f64 * grid[1] as f64 * system.definition().cost.bytes_a_cell + size[0] * size[1] * PX
 }
 
 /// Bytes of memory that are free; where the system does not say, what most machines have.
@@ -112,13 +105,13 @@ mod tests {
     #[test]
     fn a_print_of_16384_px_with_spots_of_300_takes_17_bytes_a_px() {
         // 48 cells a spot: 2.5 px a cell.
-        let needed = needed(System::MeinhardtSpots, [16_384.0; 2], [6_554; 2]);
+        let needed = needed(System::MEINHARDT_SPOTS, [16_384.0; 2], [6_554; 2]);
         assert!((16.0..17.5).contains(&(needed / (16_384.0 * 16_384.0))), "{needed}");
     }
 
     #[test]
     fn what_cannot_fit_is_refused_with_the_numbers() {
-        let error = check(System::MeinhardtStripes, [1e6; 2], [900_000; 2]).unwrap_err().to_string();
+        let error = check(System::MEINHARDT_STRIPES, [1e6; 2], [900_000; 2]).unwrap_err().to_string();
         assert!(error.contains("900000×900000 cells needs about 110350.0 GB"), "{error}");
         let error = check_export("the hatch", 1e18, "hatch wider").unwrap_err().to_string();
         assert!(error.starts_with("the hatch needs about 1000000000.0 GB"), "{error}");

@@ -38,8 +38,8 @@ impl Training {
     /// Too few rows, or rows of another system.
     pub fn from_rows(system: System, rows: Vec<Row>) -> Result<Self, TrainingError> {
         let training = Self::default();
-        let set = TrainingSet::from_rows(system.name(), rows)?;
-        training.sets[system as usize].get_or_init(|| set);
+        let set = TrainingSet::from_rows(system.description(), rows)?;
+        training.sets[system.index()].get_or_init(|| set);
         Ok(training)
     }
 
@@ -48,13 +48,13 @@ impl Training {
     /// # Errors
     /// The file is missing or wrong: which one, where, what is allowed.
     pub fn set(&self, system: System) -> Result<&TrainingSet, TrainingError> {
-        let slot = &self.sets[system as usize];
+        let slot = &self.sets[system.index()];
         if let Some(set) = slot.get() {
             return Ok(set);
         }
         let set = match &self.folder {
-            Some(folder) => TrainingSet::load(folder, system.name())?,
-            None => TrainingSet::embedded(system.name())?,
+            Some(folder) => TrainingSet::load(folder, system.description(), &System::DESCRIPTIONS)?,
+            None => TrainingSet::embedded(system.description())?,
         };
         Ok(slot.get_or_init(|| set))
     }

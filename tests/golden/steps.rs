@@ -7,12 +7,7 @@ use std::fmt::Write;
 
 /// 48 × 40 oblong cells whose parameters all vary; by plain arithmetic, which is the same everywhere.
 fn varying(system: System, edges: Edges) -> Maps {
-    let rate = match system {
-        System::TuringSpots => 0.15,
-        System::MeinhardtSpots => 2.0,
-        System::MeinhardtStripes => 40.0,
-        System::MeinhardtLines => 6.0,
-    };
+    let rate = system.definition().usual_rate;
     let parameters = |cell: u16| {
         let [x, y] = [f32::from(cell % 48) / 48.0, f32::from(cell / 48) / 40.0];
         Parameters {

@@ -25,22 +25,13 @@ const COMPLETE: [&str; 4] = ["turing-spots", "meinhardt-spots", "meinhardt-strip
 /// Documents beyond the combinations: several regions, marks that differ.
 const MORE: [&str; 2] = ["regions-spots", "regions-stripes"];
 
-/// Whether such a layer exists; `None` = with nothing beneath. A new system or `after` must be added here.
+/// Whether such a layer exists; `None` = with nothing beneath. A new `after` must be added here.
 fn exists(after: Option<After>, system: System) -> bool {
-    match (after, system) {
-        (
-            None | Some(After::Between),
-            System::TuringSpots | System::MeinhardtSpots | System::MeinhardtStripes | System::MeinhardtLines,
-        ) => true,
-        (Some(After::Around | After::Net), System::MeinhardtLines) => true,
-        (
-            Some(After::Around | After::Net),
-            System::TuringSpots | System::MeinhardtSpots | System::MeinhardtStripes,
-        ) => false,
-        (Some(After::Inside), System::MeinhardtSpots) => true,
-        (Some(After::Inside), System::TuringSpots | System::MeinhardtStripes | System::MeinhardtLines) => {
-            false
-        }
+    let system = system.description();
+    match after {
+        None | Some(After::Between) => true,
+        Some(After::Around | After::Net) => system.along_curves,
+        Some(After::Inside) => system.fixed_places,
     }
 }
 

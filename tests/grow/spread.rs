@@ -6,6 +6,7 @@ use dapple::document::Spread;
 use dapple::document::{Document, Layer, Options as Choices, SpreadChoice, Stroke, SystemChoice};
 use dapple::internals::marks::{Ellipse, turn};
 use dapple::internals::measure::SpotErrors;
+use dapple::internals::rd::System;
 use dapple::internals::synth::grow;
 use dapple::internals::synth::{Measured, Options};
 use serde_json::{Value, json};
@@ -20,10 +21,11 @@ struct Spots {
     packing: f64,
 }
 
-const ROUNDISH: Spots = Spots { system: SystemChoice::MeinhardtSpots, aspect: 0.8, packing: 0.12 };
-const LONG: Spots = Spots { system: SystemChoice::MeinhardtSpots, aspect: 0.5, packing: 0.16 };
-const SPARSE: Spots = Spots { system: SystemChoice::MeinhardtSpots, aspect: 0.7, packing: 0.05 };
-const TURING: Spots = Spots { system: SystemChoice::TuringSpots, aspect: 0.5, packing: 0.22 };
+const ROUNDISH: Spots =
+    Spots { system: SystemChoice::Of(System::MEINHARDT_SPOTS), aspect: 0.8, packing: 0.12 };
+const LONG: Spots = Spots { system: SystemChoice::Of(System::MEINHARDT_SPOTS), aspect: 0.5, packing: 0.16 };
+const SPARSE: Spots = Spots { system: SystemChoice::Of(System::MEINHARDT_SPOTS), aspect: 0.7, packing: 0.05 };
+const TURING: Spots = Spots { system: SystemChoice::Of(System::TURING_SPOTS), aspect: 0.5, packing: 0.22 };
 
 /// Some 130 to 200 of them with this spread on a tile: what was measured, marks that have merged among them.
 fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
@@ -69,7 +71,7 @@ fn varies(spots: Spots, asked: Spread, tolerance: Spread) {
         assert!(tolerance == 0.0 || (got - asked).abs() <= tolerance, "{name}: asked {asked}, got {got}");
     }
     // Turing's spots stand as near as they like, and are shaped by their neighbours.
-    let free = f64::from(u8::from(spots.system == SystemChoice::TuringSpots));
+    let free = f64::from(u8::from(spots.system == SystemChoice::Of(System::TURING_SPOTS)));
     assert!(area < 0.003, "the mean area is off by {area}");
     assert!(aspect < 0.006 + 0.012 * free, "the mean aspect is off by {aspect}");
     assert!(angle < 0.5 + 1.5 * free, "the mean angle is off by {angle}");

@@ -4,6 +4,7 @@ use super::{cascade, covered, grown, patterns, spots, stripes, try_grow};
 use dapple::document::Spread;
 use dapple::document::{Layer, SpreadChoice, SystemChoice};
 use dapple::internals::grid::{Edges, Field};
+use dapple::internals::rd::System;
 use dapple::internals::synth::{Grown, Measured};
 
 /// Pairs of neighbouring points (of eight each) of which a lower layer covers one and a higher layer the other.
@@ -78,7 +79,7 @@ fn spots_grow_between_spots() {
 
 #[test]
 fn turings_spots_grow_between_spots() {
-    let turing = Layer { system: SystemChoice::TuringSpots, ..spots(115.0, 0.75, 60.0, 23.0) };
+    let turing = Layer { system: SystemChoice::Of(System::TURING_SPOTS), ..spots(115.0, 0.75, 60.0, 23.0) };
     assert_between("Turing", &[large(), turing], Edges::Closed);
 }
 

@@ -5,6 +5,7 @@ use dapple::document::Edges;
 use dapple::document::Spread;
 use dapple::document::{After, Document, Layer, SpreadChoice, SystemChoice};
 use dapple::internals::measure::Spot;
+use dapple::internals::rd::System;
 use dapple::internals::synth::plan::inside::is_replaced;
 use dapple::internals::synth::{Grown, Measured};
 
@@ -102,7 +103,7 @@ fn marks_of_any_smaller_size_and_shape_stand_at_their_places() {
 
 #[test]
 fn turings_spots_give_places_too() {
-    let beneath = Layer { system: SystemChoice::TuringSpots, ..spots(800.0, 0.9, 0.0, 60.0) };
+    let beneath = Layer { system: SystemChoice::Of(System::TURING_SPOTS), ..spots(800.0, 0.9, 0.0, 60.0) };
     let grown = grown(&cascade(Edges::Wrap, 2, vec![beneath, inside(spots(120.0, 0.6, 30.0, 30.0))]));
     assert_one_each(&grown, 1, Edges::Wrap, "Turing's");
     assert_as_drawn(&grown, 1, "Turing's");
@@ -167,7 +168,7 @@ fn what_makes_no_sense_inside_is_refused_with_the_reason() {
     refused(vec![stripes(8.0, 30.0), inside(small.clone())], &["layers[1].after", "no places"]);
     refused(vec![large.clone(), inside(stripes(8.0, 30.0))], &[at, "strokes", "lines", "inside"]);
     refused(vec![small.clone(), inside(large.clone())], &[at, "800 px²", "150 px²", "smaller"]);
-    let turing = Layer { system: SystemChoice::TuringSpots, ..small.clone() };
+    let turing = Layer { system: SystemChoice::Of(System::TURING_SPOTS), ..small.clone() };
     refused(vec![large, inside(turing)], &["layers[1].system", "meinhardt-spots"]);
     refused(vec![inside(small)], &["layers[0].after", "beneath"]);
 }

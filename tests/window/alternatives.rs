@@ -1,5 +1,6 @@
 //! Other textures that fit the same sketch.
 
+use dapple::internals::rd::System;
 use std::sync::Arc;
 
 use dapple::app::{Alternative, Window, small};
@@ -52,7 +53,10 @@ fn there_are_other_seeds_another_system_and_another_spread() {
     assert_eq!(all, ["Original", "Seed 2", "Seed 3", "Seed 4", "Seed 5", "Turing's spots", "Looser"]);
     let window = hand.window.state();
     assert!(window.alternatives().all.iter().all(|one| one.failed.is_none() && one.picture.is_some()));
-    assert_eq!(named(window, "Turing's spots").document.layers[0].system, SystemChoice::TuringSpots);
+    assert_eq!(
+        named(window, "Turing's spots").document.layers[0].system,
+        SystemChoice::Of(System::TURING_SPOTS)
+    );
     assert!(matches!(named(window, "Looser").document.layers[0].options.spread, SpreadChoice::Given(_)));
     assert!(window.alternatives().is_taken(named(window, "Original").id));
     for (index, one) in window.alternatives().all.iter().enumerate() {

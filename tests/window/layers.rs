@@ -1,6 +1,7 @@
 //! The panel of layers: every control, by pointer and by keys.
 
 use dapple::document::{After, Seeding, SpreadChoice, Stroke, SystemChoice};
+use dapple::internals::rd::System;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -231,7 +232,7 @@ fn a_system_is_chosen_and_put_back() {
     let mut hand = two();
     hand.press("How it grows");
     choose(&mut hand, "System", "Meinhardt's lines");
-    assert_eq!(hand.document().layers[1].system, SystemChoice::MeinhardtLines);
+    assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES));
     // What grows spots is greyed.
     hand.window.get_by_role_and_label(Role::ComboBox, "System").click();
     hand.rest();
@@ -242,7 +243,7 @@ fn a_system_is_chosen_and_put_back() {
     hand.press("System: default");
     assert_eq!(hand.document().layers[1].system, SystemChoice::Auto);
     undo(&mut hand);
-    assert_eq!(hand.document().layers[1].system, SystemChoice::MeinhardtLines);
+    assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES));
 }
 
 #[test]

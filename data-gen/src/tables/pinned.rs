@@ -5,6 +5,7 @@ use dapple::internals::attributes::regions::RegionMap;
 use dapple::internals::grid::Edges;
 use dapple::internals::marks::{Ellipse, Line, Mark};
 use dapple::internals::measure::{self, StripeErrors};
+use dapple::internals::rd::System;
 use dapple::internals::synth::plan::{Surroundings, look_up, sketch_targets};
 use dapple::internals::synth::report::pinned::{covered, distances};
 use dapple::internals::synth::{Engine, GrownLayer, Measured, Training, Watch, settle};
@@ -25,13 +26,13 @@ const fn spots(system: SystemChoice, packing: f64, aspect: f64) -> Spots {
 }
 
 const KINDS: [Spots; 7] = [
-    spots(SystemChoice::MeinhardtSpots, 0.12, 0.95),
-    spots(SystemChoice::MeinhardtSpots, 0.12, 0.5),
-    spots(SystemChoice::MeinhardtSpots, 0.05, 0.8),
-    spots(SystemChoice::MeinhardtSpots, 0.2, 0.8),
-    spots(SystemChoice::MeinhardtSpots, 0.2, 0.5),
-    spots(SystemChoice::TuringSpots, 0.22, 0.9),
-    spots(SystemChoice::TuringSpots, 0.22, 0.5),
+    spots(SystemChoice::Of(System::MEINHARDT_SPOTS), 0.12, 0.95),
+    spots(SystemChoice::Of(System::MEINHARDT_SPOTS), 0.12, 0.5),
+    spots(SystemChoice::Of(System::MEINHARDT_SPOTS), 0.05, 0.8),
+    spots(SystemChoice::Of(System::MEINHARDT_SPOTS), 0.2, 0.8),
+    spots(SystemChoice::Of(System::MEINHARDT_SPOTS), 0.2, 0.5),
+    spots(SystemChoice::Of(System::TURING_SPOTS), 0.22, 0.9),
+    spots(SystemChoice::Of(System::TURING_SPOTS), 0.22, 0.5),
 ];
 
 impl Spots {

@@ -5,6 +5,7 @@ use dapple::internals::attributes::Spread;
 use dapple::internals::grid::Edges;
 use dapple::internals::marks::Ellipse;
 use dapple::internals::measure::SpotErrors;
+use dapple::internals::rd::System;
 use dapple::internals::synth::Measured;
 
 use super::layers;
@@ -22,23 +23,28 @@ struct Spots {
 const KINDS: [Spots; 4] = [
     Spots {
         name: "Meinhardt, aspect 0.8, area/spacing² 0.12",
-        system: SystemChoice::MeinhardtSpots,
+        system: SystemChoice::Of(System::MEINHARDT_SPOTS),
         aspect: 0.8,
         packing: 0.12,
     },
     Spots {
         name: "Meinhardt, aspect 0.5, area/spacing² 0.16",
-        system: SystemChoice::MeinhardtSpots,
+        system: SystemChoice::Of(System::MEINHARDT_SPOTS),
         aspect: 0.5,
         packing: 0.16,
     },
     Spots {
         name: "Meinhardt, aspect 0.7, area/spacing² 0.05",
-        system: SystemChoice::MeinhardtSpots,
+        system: SystemChoice::Of(System::MEINHARDT_SPOTS),
         aspect: 0.7,
         packing: 0.05,
     },
-    Spots { name: "Turing, aspect 0.5", system: SystemChoice::TuringSpots, aspect: 0.5, packing: 0.22 },
+    Spots {
+        name: "Turing, aspect 0.5",
+        system: SystemChoice::Of(System::TURING_SPOTS),
+        aspect: 0.5,
+        packing: 0.22,
+    },
 ];
 
 /// What is asked of each attribute: shares of the mean, of angles degrees.

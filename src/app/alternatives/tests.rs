@@ -2,6 +2,7 @@ use super::*;
 use crate::attributes::Spread;
 use crate::document::{Colours, SpreadChoice, Stop, Stroke, SystemChoice};
 use crate::marks::{Ellipse, Line};
+use crate::rd::System;
 use crate::synth::Options;
 use crate::synth::grow;
 
@@ -96,7 +97,7 @@ fn a_layer_without_marks_stays_on_the_desk() {
     let mut session = Session::open(drawn.clone(), None);
     let mut other = session.finished();
     other.seed = 5;
-    other.layers[0].system = SystemChoice::TuringSpots;
+    other.layers[0].system = SystemChoice::Of(System::TURING_SPOTS);
     put(&mut session, &other);
     assert_eq!(session.finished(), other);
     assert_eq!(session.document().layers.len(), 2);

@@ -61,23 +61,18 @@ fn is_spotted(document: &Document, layer: usize) -> bool {
     }
 }
 
-/// The other of the two systems that grow spots.
+/// Another system that grows the same marks.
 fn other_system(document: &Document, grown: &Grown, layer: usize) -> Option<Variant> {
-    let (system, name, help) = match grown.layers.get(layer)?.plan.lookup.system {
-        System::TuringSpots => (
-            SystemChoice::MeinhardtSpots,
-            "Meinhardt's spots",
-            "Meinhardt's system: rounder spots, as far apart as they are drawn",
-        ),
-        System::MeinhardtSpots => (
-            SystemChoice::TuringSpots,
-            "Turing's spots",
-            "Turing's system: livelier spots that keep their own distance",
-        ),
-        System::MeinhardtStripes | System::MeinhardtLines => return None,
+    let own = grown.layers.get(layer)?.plan.lookup.system.description();
+    own.alternative?;
+    let replaces = |system: &System| {
+        let other = system.description();
+        other.name != own.name && other.marks == own.marks && other.alternative.is_some()
     };
+    let system = System::ALL.into_iter().find(replaces)?;
+    let (name, help) = (system.description().title, system.description().alternative?);
     let mut other = document.clone();
-    other.layers.get_mut(layer)?.system = system;
+    other.layers.get_mut(layer)?.system = SystemChoice::Of(system);
     let combination = Combination::new(&other.layers[layer], Some(Kind::Ellipse), Beneath::Unknown);
     let fits = combination.broken_rule().is_none();
     fits.then(|| Variant::new(name, help, other))

@@ -64,7 +64,7 @@ impl Points {
     pub fn about(training: &Training, system: System, region: &RegionReport) -> Option<Self> {
         let set = training.set(system).ok()?;
         let grid = region.parameters.iter().find(|(name, _)| *name == "cell")?.1;
-        let cell = exact_cell(&region.asked, grid);
+        let cell = exact_cell(system, &region.asked, grid);
         let answer = set.ask(&region.asked.scaled(1.0 / cell)).ok()?;
         let names: &'static [(&str, &str)] = match (region.asked, answer.parameters.ratio) {
             (Attributes::Spots(_), _) => &SPOTS,

@@ -97,28 +97,13 @@ fn meeting(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
 
 /// The label of a system.
 fn system_name(system: SystemChoice) -> &'static str {
-    match system {
-        SystemChoice::Auto => "Automatic",
-        SystemChoice::TuringSpots => "Turing's spots",
-        SystemChoice::MeinhardtSpots => "Meinhardt's spots",
-        SystemChoice::MeinhardtStripes => "Meinhardt's stripes",
-        SystemChoice::MeinhardtLines => "Meinhardt's lines",
-    }
+    system.system().map_or("Automatic", |system| system.description().title)
 }
 
 /// The tooltip of a system.
 fn system_help(system: SystemChoice) -> &'static str {
-    match system {
-        SystemChoice::Auto => {
-            "The system that comes nearest to the drawn marks: lines grow stripes, ellipses spots"
-        }
-        SystemChoice::TuringSpots => {
-            "Spots that fill the plane evenly; their spacing follows from their size. They can be irregular"
-        }
-        SystemChoice::MeinhardtSpots => "Spots with the drawn spacing, all of them ellipses",
-        SystemChoice::MeinhardtStripes => "Stripes as wide as the gaps between them",
-        SystemChoice::MeinhardtLines => "Thin stripes on wide ground",
-    }
+    const AUTO: &str = "The system that comes nearest to the drawn marks: lines grow stripes, ellipses spots";
+    system.system().map_or(AUTO, |system| system.description().help)
 }
 
 fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {

@@ -261,6 +261,7 @@ mod tests {
 
     use super::*;
     use crate::document::{Layer, SystemChoice};
+    use crate::rd::System;
     use crate::synth::plan::look_up;
 
     fn planned_alone(training: &Training, document: &Document) -> Lookup {
@@ -298,7 +299,7 @@ mod tests {
     #[test]
     fn spots_that_stand_too_near_are_drawn_apart_and_then_reached() {
         let training = Training::default();
-        let document = document(spots(500.0, 0.9, 35.0), SystemChoice::MeinhardtSpots);
+        let document = document(spots(500.0, 0.9, 35.0), SystemChoice::Of(System::MEINHARDT_SPOTS));
         let (before, after) = taken(&training, &document);
         assert!(before > 0);
         assert_eq!(after, Some(0));
@@ -311,7 +312,7 @@ mod tests {
     #[test]
     fn where_there_is_no_room_they_are_drawn_smaller() {
         let training = Training::default();
-        let document = document(spots(9000.0, 0.95, 120.0), SystemChoice::MeinhardtSpots);
+        let document = document(spots(9000.0, 0.95, 120.0), SystemChoice::Of(System::MEINHARDT_SPOTS));
         let first = planned_alone(&training, &document);
         let reach = reach(&training, &document, &[&first], 0, 0).unwrap();
         assert!(reach.says.contains("smaller"), "{}", reach.says);
@@ -330,14 +331,14 @@ mod tests {
     #[test]
     fn what_can_be_reached_is_left_alone() {
         let training = Training::default();
-        let document = document(spots(500.0, 0.8, 60.0), SystemChoice::MeinhardtSpots);
+        let document = document(spots(500.0, 0.8, 60.0), SystemChoice::Of(System::MEINHARDT_SPOTS));
         assert_eq!(taken(&training, &document), (0, None));
     }
 
     #[test]
     fn a_way_that_only_just_misses_goes_a_little_farther() {
         let training = Training::default();
-        let document = document(spots(2533.0, 0.2333, 110.0), SystemChoice::TuringSpots);
+        let document = document(spots(2533.0, 0.2333, 110.0), SystemChoice::Of(System::TURING_SPOTS));
         let (before, after) = taken(&training, &document);
         assert!(before > 0);
         assert_eq!(after, Some(0));
@@ -353,7 +354,7 @@ mod tests {
             turing in any::<bool>(),
         ) {
             let training = Training::default();
-            let system = if turing { SystemChoice::TuringSpots } else { SystemChoice::MeinhardtSpots };
+            let system = if turing { SystemChoice::Of(System::TURING_SPOTS) } else { SystemChoice::Of(System::MEINHARDT_SPOTS) };
             let apart = (area / packing).sqrt().min(110.0);
             let (before, after) = taken(&training, &document(spots(area, aspect, apart), system));
             prop_assert!(before == 0 || after == Some(0), "{before} {after:?}");

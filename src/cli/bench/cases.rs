@@ -25,7 +25,7 @@ const STEPS: u64 = 64;
 impl Case {
     /// All that are measured.
     pub const ALL: [Self; 9] = {
-        let [a, b, c] = [System::TuringSpots, System::MeinhardtSpots, System::MeinhardtStripes];
+        let [a, b, c] = [System::TURING_SPOTS, System::MEINHARDT_SPOTS, System::MEINHARDT_STRIPES];
         let of = Self::of;
         [
             of(a, 1.0),
@@ -56,11 +56,7 @@ impl Case {
     /// turns so that every direction occurs, and without a seam.
     #[must_use]
     pub fn maps(&self, size: usize) -> Maps {
-        let rate = match self.system {
-            System::TuringSpots => 0.15,
-            System::MeinhardtSpots | System::MeinhardtLines => 2.0,
-            System::MeinhardtStripes => 40.0,
-        };
+        let rate = self.system.definition().usual_rate;
         let parameters = Parameters { rate, ratio: 20.0, stretch: self.stretch, direction: 0.0, pitch: 1.0 };
         let mut maps = Maps::uniform([size, size], Edges::Wrap, parameters);
         if self.stretch < 1.0 {
@@ -107,7 +103,7 @@ mod tests {
 
     #[test]
     fn every_direction_occurs_and_there_is_no_seam() {
-        let case = Case { system: System::TuringSpots, stretch: 0.5 };
+        let case = Case { system: System::TURING_SPOTS, stretch: 0.5 };
         let maps = case.maps(90);
         let mut seen = [false; 18];
         for (cell, p) in maps.parameters.iter().enumerate() {

@@ -31,7 +31,7 @@ const CORRECTIONS: [f64; 2] = [0.6, 1.5];
 /// Each way with few rows and with all.
 pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error> {
     let mut targets = targets(system, setting.targets, setting.seed);
-    if system == System::TuringSpots {
+    if !system.is_striped() && !system.description().free_spacing {
         for target in &mut targets {
             if let Attributes::Spots(spots) = &mut target.wanted {
                 spots.spacing = Some(free_spacing(setting.training, system, spots));
@@ -72,7 +72,7 @@ fn regrown(
     training: &Training,
     target: &Target,
 ) -> Result<Vec<Found>, Error> {
-    let cell = cell_for(&target.wanted);
+    let cell = cell_for(system, &target.wanted);
     let wanted = target.wanted.scaled(1.0 / cell);
     let failed = |why: String| format!("{}: {why}", described(&target.wanted));
     // A patch that was not corrected is the one before.
@@ -169,7 +169,7 @@ mod tests {
     fn a_level_is_found_at_which_spots_are_as_large_as_asked() {
         let parameters =
             Parameters { rate: 3.0, ratio: Some(15.0), stretch: 0.6, direction: 30.0, level: Some(0.5) };
-        let patch = Patch { system: System::MeinhardtSpots, parameters, extent: 16.0, seed: 3 };
+        let patch = Patch { system: System::MEINHARDT_SPOTS, parameters, extent: 16.0, seed: 3 };
         let (marks, _) = patch.grow(&Watch::NONE).unwrap();
         let open = measured(&patch, &marks, 1.0).unwrap();
         let Attributes::Spots(spots) = open else { panic!() };
@@ -182,7 +182,7 @@ mod tests {
     #[test]
     fn a_level_is_found_at_which_stripes_are_as_wide_as_asked() {
         let parameters = Parameters { rate: 25.0, ratio: None, stretch: 0.5, direction: 30.0, level: None };
-        let patch = Patch { system: System::MeinhardtStripes, parameters, extent: 5.0, seed: 3 };
+        let patch = Patch { system: System::MEINHARDT_STRIPES, parameters, extent: 5.0, seed: 3 };
         let (marks, _) = patch.grow(&Watch::NONE).unwrap();
         let Attributes::Stripes(open) = measured(&patch, &marks, 1.0).unwrap() else { panic!() };
         let wanted = Attributes::Stripes(Stripes { width: 0.95 * open.width, ..open });

@@ -126,7 +126,7 @@ mod tests {
     fn outcome(of: Of, all: bool, median: f64, failed: &[&str]) -> Outcome {
         let errors = Errors { quantity: "width", unit: "%", count: 9, median, p95: 2.5 };
         Outcome {
-            system: System::MeinhardtStripes,
+            system: System::MEINHARDT_STRIPES,
             of,
             way: Way::Learnt(Method::LocalRegression),
             rows: 300,
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn what_holds_and_what_was_missed_is_said_with_the_numbers() {
-        let told = text(System::MeinhardtStripes, &[outcome(Of::Grown, true, 1.5, &["width 3 px: why"])]);
+        let told = text(System::MEINHARDT_STRIPES, &[outcome(Of::Grown, true, 1.5, &["width 3 px: why"])]);
         assert!(told.contains("width         1.50 / 2.50   allowed 2 / 6 %        ok\n"), "{told}");
         assert!(
             told.contains(

@@ -34,12 +34,12 @@ pub fn targets(system: System, count: usize, seed: u64) -> Vec<Target> {
             let mut log = |range: [f64; 2]| libm::exp(even(range.map(libm::log)));
             let wanted = if system.is_striped() {
                 let width = log(WIDTH);
-                let duty = (system == System::MeinhardtLines).then(|| even(DUTY));
+                let duty = system.description().free_spacing.then(|| even(DUTY));
                 let wavelength = duty.map(|duty| width / duty);
                 Attributes::Stripes(Stripes { width, angle: even([0.0, 180.0]), wavelength })
             } else {
                 let (area, density) = (log(AREA), log(DENSITY));
-                let spacing = (system == System::MeinhardtSpots).then(|| (area / density).sqrt());
+                let spacing = system.description().free_spacing.then(|| (area / density).sqrt());
                 Attributes::Spots(Spots { area, aspect: even(ASPECT), angle: even([0.0, 180.0]), spacing })
             };
             Target { wanted, seed: rng.random() }
@@ -53,7 +53,7 @@ mod tests {
 
     #[test]
     fn targets_fill_the_ranges_and_are_the_same_for_a_seed() {
-        let of = |seed| targets(System::MeinhardtSpots, 1_000, seed);
+        let of = |seed| targets(System::MEINHARDT_SPOTS, 1_000, seed);
         assert_eq!(of(7), of(7));
         assert_ne!(of(7), of(8));
         let spots: Vec<Spots> = of(7)
@@ -79,6 +79,6 @@ mod tests {
     #[test]
     fn turing_s_spots_have_their_own_spacing() {
         let own = |target: &Target| matches!(target.wanted, Attributes::Spots(Spots { spacing: None, .. }));
-        assert!(targets(System::TuringSpots, 9, 1).iter().all(own));
+        assert!(targets(System::TURING_SPOTS, 9, 1).iter().all(own));
     }
 }

@@ -22,14 +22,10 @@ pub(super) struct Looked {
 impl Looked {
     /// Looks up the parameters that give `wanted` (px).
     ///
-    /// A Meinhardt spacing that is left free is the one that `grow` takes then.
+    /// A spacing that is left free is the one that `grow` takes then.
     pub fn up(training: &Training, choice: SystemChoice, wanted: &Attributes) -> Result<Self, Error> {
-        let system = match choice {
-            SystemChoice::TuringSpots => System::TuringSpots,
-            SystemChoice::MeinhardtStripes => System::MeinhardtStripes,
-            SystemChoice::MeinhardtLines => System::MeinhardtLines,
-            SystemChoice::MeinhardtSpots | SystemChoice::Auto => System::MeinhardtSpots,
-        };
+        let system = choice.system().or_else(|| System::first(|system| system.free_spacing));
+        let system = system.expect("a system grows spots of any spacing");
         let LookedUp { cell, free_spacing, answer, .. } =
             LookedUp::new(training, system, wanted).map_err(Error::step)?;
         let free = free_spacing.map(|spacing| format!("spacing is free: {} px taken", brief(spacing)));
@@ -139,7 +135,9 @@ mod tests {
     #[test]
     fn json_has_the_keys_of_the_format() {
         let training = Training::default();
-        let json = Looked::up(&training, SystemChoice::MeinhardtSpots, &spots(Some(60.0))).unwrap().json();
+        let json = Looked::up(&training, SystemChoice::Of(System::MEINHARDT_SPOTS), &spots(Some(60.0)))
+            .unwrap()
+            .json();
         assert_eq!(
             keys(&json),
             ["system", "asked", "parameters", "predicted", "interval", "coverage", "nearest", "notes"]
@@ -152,7 +150,8 @@ mod tests {
         assert!(json["notes"].is_array());
 
         let stripes = Attributes::Stripes(Stripes { width: 10.0, angle: 30.0, wavelength: None });
-        let json = Looked::up(&training, SystemChoice::MeinhardtStripes, &stripes).unwrap().json();
+        let json =
+            Looked::up(&training, SystemChoice::Of(System::MEINHARDT_STRIPES), &stripes).unwrap().json();
         assert_eq!(keys(&json["parameters"]), ["rate", "stretch", "direction", "cell"]);
         assert_eq!(keys(&json["nearest"]), ["width", "angle"]);
     }
@@ -160,7 +159,9 @@ mod tests {
     #[test]
     fn the_same_pattern_twice_as_large_has_the_same_parameters_in_cells_twice_as_large() {
         let training = Training::default();
-        let up = |wanted: Attributes| Looked::up(&training, SystemChoice::MeinhardtSpots, &wanted).unwrap();
+        let up = |wanted: Attributes| {
+            Looked::up(&training, SystemChoice::Of(System::MEINHARDT_SPOTS), &wanted).unwrap()
+        };
         let (small, large) = (up(spots(Some(60.0))), up(spots(Some(60.0)).scaled(2.0)));
         assert!((large.cell / small.cell - 2.0).abs() < 1e-9);
         for ((name, a), (_, b)) in
@@ -172,7 +173,9 @@ mod tests {
 
     #[test]
     fn a_free_spacing_is_left_out_of_what_was_asked_and_noted() {
-        let looked = Looked::up(&Training::default(), SystemChoice::MeinhardtSpots, &spots(None)).unwrap();
+        let looked =
+            Looked::up(&Training::default(), SystemChoice::Of(System::MEINHARDT_SPOTS), &spots(None))
+                .unwrap();
         assert_eq!(keys(&looked.json()["asked"]), ["area", "aspect", "angle"]);
         assert!(looked.text().contains("note:       spacing is free: "), "{}", looked.text());
         assert!(

@@ -9,8 +9,9 @@ impl fmt::Display for Key {
         match self {
             Self::After(refused) => write!(f, "`after` {}", any_of(refused.iter().map(|after| after.name()))),
             Self::SystemGrowing(kind) => write!(f, "`system` that grows {}", grown(*kind)),
-            Self::SystemBut(allowed) => {
-                write!(f, "`system` other than {}", any_of(allowed.iter().map(|system| system.name())))
+            Self::SystemWithout(property) => {
+                let allowed = SystemChoice::NAMES.iter().filter(|(_, system)| system.allows(property));
+                write!(f, "`system` other than {}", any_of(allowed.map(|(name, _)| *name)))
             }
             Self::Option(option) => {
                 write!(f, "`options.{}` other than `{}`", option.name(), option.always_allowed())
@@ -29,7 +30,12 @@ impl fmt::Display for Condition {
             Self::After(after) => {
                 write!(f, "`after` {}", any_of(after.iter().map(|after| After::name(*after))))
             }
-            Self::System(system) => write!(f, "`system` `\"{}\"`", SystemChoice::name(*system)),
+            Self::SystemWithout(kind, property) => {
+                let without = SystemChoice::NAMES
+                    .iter()
+                    .filter(|(_, system)| system.grows() == Some(*kind) && !system.allows(property));
+                write!(f, "`system` {}", any_of(without.map(|(name, _)| *name)))
+            }
             Self::NotTaken(option) => write!(f, "a `system` that does not take `{}`", option.name()),
             Self::Option(option) => {
                 write!(f, "`options.{}` other than `{}`", option.name(), option.always_allowed())

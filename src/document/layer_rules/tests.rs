@@ -1,6 +1,7 @@
 use super::*;
 use crate::attributes::Spread;
 use crate::document::{Document, Seeding, SpreadChoice, Stroke};
+use crate::rd::System;
 use proptest::prelude::*;
 
 fn alone(marks: Option<Kind>) -> Combination {
@@ -10,8 +11,8 @@ fn alone(marks: Option<Kind>) -> Combination {
 #[test]
 fn a_system_takes_only_the_marks_it_grows() {
     assert!(alone(Some(Line)).against_system(SystemChoice::Auto).is_none());
-    assert!(alone(Some(Ellipse)).against_system(SystemChoice::TuringSpots).is_none());
-    let layer = Combination { system: SystemChoice::TuringSpots, ..alone(Some(Line)) };
+    assert!(alone(Some(Ellipse)).against_system(SystemChoice::Of(System::TURING_SPOTS)).is_none());
+    let layer = Combination { system: SystemChoice::Of(System::TURING_SPOTS), ..alone(Some(Line)) };
     let problem = layer.problem("layers[0]").unwrap();
     assert_eq!(problem.place, "layers[0].system");
     assert_eq!(

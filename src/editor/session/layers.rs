@@ -171,6 +171,7 @@ mod tests {
     use crate::document::{After, Document, SystemChoice};
     use crate::editor::session::layers::*;
     use crate::marks::{Ellipse, Line};
+    use crate::rd::System;
 
     fn spot(x: f64) -> Mark {
         Mark::Ellipse(Ellipse { center: [x, 50.0], radii: [12.0, 8.0], angle: 0.0 })
@@ -295,7 +296,7 @@ mod tests {
         let mut session = Session::open(Document::default(), None);
         session.add(&[spot(40.0)]);
         session.change_layer(0, |layer| layer.options.irregular = 0.7);
-        session.change_layer(0, |layer| layer.system = SystemChoice::MeinhardtSpots);
+        session.change_layer(0, |layer| layer.system = SystemChoice::Of(System::MEINHARDT_SPOTS));
         assert_eq!(session.document().layers[0].options.irregular, 0.0);
         session.undo();
         assert!(session.document().layers.is_empty());

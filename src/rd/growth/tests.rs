@@ -5,12 +5,7 @@ use crate::grid::Edges;
 
 /// About 30 spots or 8 stripes on a small torus.
 fn small(system: System) -> (Maps, Growth) {
-    let rate = match system {
-        System::TuringSpots => 0.15,
-        System::MeinhardtSpots => 2.0,
-        System::MeinhardtLines => 6.0,
-        System::MeinhardtStripes => 40.0,
-    };
+    let rate = system.definition().usual_rate;
     let maps = Maps::uniform(
         [90, 84],
         Edges::Wrap,
@@ -23,10 +18,10 @@ fn small(system: System) -> (Maps, Growth) {
 #[test]
 fn every_system_grows_its_pattern_from_a_seed() {
     for (system, cover) in [
-        (System::TuringSpots, 0.10..0.45),
-        (System::MeinhardtSpots, 0.05..0.12),
-        (System::MeinhardtStripes, 0.45..0.55),
-        (System::MeinhardtLines, 0.25..0.45),
+        (System::TURING_SPOTS, 0.10..0.45),
+        (System::MEINHARDT_SPOTS, 0.05..0.12),
+        (System::MEINHARDT_STRIPES, 0.45..0.55),
+        (System::MEINHARDT_LINES, 0.25..0.45),
     ] {
         let (maps, mut growth) = small(system);
         growth.advance(growth.steps_in(30.0));
@@ -36,7 +31,7 @@ fn every_system_grows_its_pattern_from_a_seed() {
         let highest = marks.iter().copied().fold(f32::NEG_INFINITY, f32::max);
         assert!(cover.contains(&share), "{system:?} covers {share}");
         // Where a line ends it is higher than along it.
-        let ends = if system == System::MeinhardtLines { 1.3 } else { 1.15 };
+        let ends = if system == System::MEINHARDT_LINES { 1.3 } else { 1.15 };
         assert!((-0.1..0.15).contains(&lowest) && (0.85..ends).contains(&highest), "{lowest}..{highest}");
     }
 }
@@ -96,7 +91,7 @@ fn no_concentration_of_turing_s_system_is_negative_where_a_step_overshoots() {
     // Found by tests/properties: room for one spot, at the largest rate that is looked up.
     let p = Parameters { rate: 0.38, ratio: 3.8, stretch: 0.3, direction: 0.7, pitch: 1.0 };
     let maps = Maps::uniform([8, 8], Edges::Wrap, p);
-    let mut growth = Growth::new(System::TuringSpots, &maps, 0);
+    let mut growth = Growth::new(System::TURING_SPOTS, &maps, 0);
     for _ in 0..12 {
         growth.advance(25);
         let concentrations = growth.concentrations();
@@ -106,11 +101,11 @@ fn no_concentration_of_turing_s_system_is_negative_where_a_step_overshoots() {
 
 #[test]
 fn concentrations_of_another_grid_are_refused() {
-    let (maps, growth) = small(System::TuringSpots);
+    let (maps, growth) = small(System::TURING_SPOTS);
     let mut concentrations = growth.concentrations();
     concentrations[0].pop();
-    assert!(Growth::resumed(System::TuringSpots, &maps, &concentrations).is_none());
-    assert!(Growth::resumed(System::MeinhardtStripes, &maps, &growth.concentrations()).is_none());
+    assert!(Growth::resumed(System::TURING_SPOTS, &maps, &concentrations).is_none());
+    assert!(Growth::resumed(System::MEINHARDT_STRIPES, &maps, &growth.concentrations()).is_none());
 }
 
 #[test]
@@ -125,7 +120,7 @@ fn the_number_of_threads_changes_no_bit() {
             growth.concentrations()
         })
     };
-    for system in [System::MeinhardtSpots, System::MeinhardtLines] {
+    for system in [System::MEINHARDT_SPOTS, System::MEINHARDT_LINES] {
         assert!(grown(system, 1) == grown(system, 4), "{system:?}");
     }
 }

@@ -1,7 +1,7 @@
 //! Spots at closed edges: on them or well off.
 
-use crate::rd::nuclei::Nucleus;
 use crate::rd::nuclei::cell_list::Buckets;
+use crate::rd::nucleus::Nucleus;
 
 /// Spots nearer to a closed edge than this share of the pitch are put on it. Seen: farther off they grow a tail to it.
 const SNAP: f64 = 0.22;

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::grid::{Bounds, Edges};
-use crate::rd::nuclei::Nucleus;
+use crate::rd::nucleus::Nucleus;
 
 /// Points that are not worth handing to another thread.
 const FEW: usize = 128;

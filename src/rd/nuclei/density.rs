@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::grid::Domain;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::Nucleus;
+use crate::rd::nucleus::Nucleus;
 
 /// How crowded the grid will be.
 pub struct Crowd {

@@ -2,8 +2,8 @@
 
 use crate::grid::Domain;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::Nucleus;
 use crate::rd::nuclei::cell_list::{Buckets, distance2};
+use crate::rd::nucleus::Nucleus;
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;

@@ -3,9 +3,9 @@
 use crate::grid::Edges;
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::Nucleus;
 use crate::rd::nuclei::cell_list::{Buckets, distance2};
 use crate::rd::nuclei::{PUSH, obstacles};
+use crate::rd::nucleus::Nucleus;
 
 /// A spot that is to stand at a given place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct PinnedSpot {
 
 impl PinnedSpot {
     pub(in crate::rd) fn nucleus(&self, system: System, maps: &Maps) -> Nucleus {
-        Nucleus::of(&self.own, maps.grid.cell, self.at, system.spacing(&self.own))
+        Nucleus::new(&self.own, maps.grid.cell, self.at, system.spacing(&self.own))
     }
 }
 
@@ -102,9 +102,9 @@ mod tests {
     #[test]
     fn of_a_row_too_near_to_each_other_every_other_one_stays() {
         let maps = Maps::uniform([200, 60], Edges::Closed, P);
-        let pitch = System::MeinhardtSpots.spacing(&P);
+        let pitch = System::MEINHARDT_SPOTS.spacing(&P);
         let row: Vec<[f64; 2]> = (0..7).map(|k| [20.0 + 0.55 * pitch * f64::from(k), 30.0]).collect();
-        let stays = placeable(System::MeinhardtSpots, &maps, &kept(&row));
+        let stays = placeable(System::MEINHARDT_SPOTS, &maps, &kept(&row));
         let stays: Vec<bool> = stays.iter().map(Result::is_ok).collect();
         assert_eq!(stays, [true, false, true, false, true, false, true]);
     }
@@ -114,14 +114,14 @@ mod tests {
         let mut maps = Maps::uniform([80, 60], Edges::Closed, P);
         maps.obstacles = (0..80 * 60).map(|cell| cell % 80 < 20).collect();
         let spots = kept(&[[10.0, 30.0], [21.0, 30.0], [50.0, 30.0]]);
-        let found = placeable(System::MeinhardtSpots, &maps, &spots);
+        let found = placeable(System::MEINHARDT_SPOTS, &maps, &spots);
         assert_eq!(found, [Err(Hindrance::Obstacle), Err(Hindrance::Obstacle), Ok(())]);
     }
 
     #[test]
     fn neighbours_are_seen_across_the_border_of_a_tile_alone() {
         let spots = kept(&[[2.0, 30.0], [78.0, 30.0]]);
-        let stand = |edges| placeable(System::MeinhardtSpots, &Maps::uniform([80, 60], edges, P), &spots);
+        let stand = |edges| placeable(System::MEINHARDT_SPOTS, &Maps::uniform([80, 60], edges, P), &spots);
         assert_eq!(stand(Edges::Closed), [Ok(()), Ok(())]);
         assert_eq!(stand(Edges::Wrap), [Ok(()), Err(Hindrance::Neighbour)]);
     }
@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn others_are_laid_around_those_that_are_kept() {
         let maps = Maps::uniform([160, 130], Edges::Closed, P);
-        let system = System::MeinhardtSpots;
+        let system = System::MEINHARDT_SPOTS;
         let spots = kept(&[[1.0, 50.0], [60.3, 61.7], [73.1, 70.2], [100.0, 100.0]]);
         let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, &maps)).collect();
         let pitch = |p: &Parameters| system.spacing(p);

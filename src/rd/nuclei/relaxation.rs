@@ -5,7 +5,8 @@ use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::boundary::Walls;
 use crate::rd::nuclei::cell_list::{Buckets, relax};
-use crate::rd::nuclei::{FRAME, Nucleus, PUSH};
+use crate::rd::nuclei::{FRAME, PUSH};
+use crate::rd::nucleus::Nucleus;
 
 /// Where the points `laid` come to stand in `rounds` rounds of mutual repulsion, each with the pitch and the metric of
 /// its `own` parameters; those farther than `reach` pitches do not push each other. Those beyond the edges stay, and those
@@ -24,7 +25,7 @@ pub fn relax_places(
         // Nobody is there to be pushed, and no reach to sort those beyond by.
         return Vec::new();
     }
-    let nucleus = |i: usize, at: [f64; 2]| Nucleus::of(&own[i], maps.grid.cell, at, system.spacing(&own[i]));
+    let nucleus = |i: usize, at: [f64; 2]| Nucleus::new(&own[i], maps.grid.cell, at, system.spacing(&own[i]));
     let largest = (0..at.len()).map(|i| nucleus(i, at[i]).reach).fold(0.0, f64::max);
     let Bounds { size, edges } = maps.grid.bounds();
     let frame = if edges == Edges::Closed { (FRAME * largest).ceil() } else { 0.0 };
@@ -35,7 +36,7 @@ pub fn relax_places(
     let beyond: Vec<Nucleus> =
         beyond.map(|at| Nucleus { at: framed(*at), ..Nucleus::at(maps, *at, &pitch) }).collect();
     let moved = |i: usize, to: [f64; 2]| match i {
-        i if i < laid.kept => nucleus(i, framed(at[i])),
+        i if i < laid.pinned => nucleus(i, framed(at[i])),
         i if i < own.len() => nucleus(i, to),
         i => beyond[i - own.len()],
     };
@@ -46,7 +47,7 @@ pub fn relax_places(
         relax(&mut placed, reach, &moved);
     }
     if edges == Edges::Closed {
-        Walls { frame, size }.keep_off_walls(&mut placed, laid.kept, |placed| relax(placed, reach, &moved));
+        Walls { frame, size }.keep_off_walls(&mut placed, laid.pinned, |placed| relax(placed, reach, &moved));
     }
     let stands = |point: &Nucleus| [0, 1].map(|i| (point.at[i] - frame).clamp(0.0, size[i] * (1.0 - 1e-12)));
     placed.all[..own.len()].iter().map(stands).collect()
@@ -77,7 +78,7 @@ pub struct Places {
     /// Beyond closed edges, and on taken cells.
     pub beyond: Vec<[f64; 2]>,
     /// How many of those on the grid, the first, stay where they are.
-    pub kept: usize,
+    pub pinned: usize,
 }
 
 #[cfg(test)]
@@ -89,6 +90,6 @@ mod tests {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
         let maps = Maps::uniform([40, 40], Edges::Closed, p);
         let laid = Places { beyond: vec![[20.0, 20.0]], ..Places::default() };
-        assert!(relax_places(System::MeinhardtSpots, &maps, &laid, &[], 1.0, 2).is_empty());
+        assert!(relax_places(System::MEINHARDT_SPOTS, &maps, &laid, &[], 1.0, 2).is_empty());
     }
 }

@@ -6,10 +6,137 @@
 //! Meinhardt, "Models of biological pattern formation" (1982); in this form Turk (1991) and Phan & Grimm
 //! (2006), appendix B. A spot is a peak of a. R = D_b/Dₐ sets how far apart spots of one size stand.
 
-use crate::rd::kinetics::{Kinetics, Spread};
+use crate::attributes::columns;
+use crate::attributes::system::{Description, Intervals, IsolatedSpots, MarkKind, Scaling};
+use crate::rd::bells::bells;
+use crate::rd::by_ratio::ByRatio;
+use crate::rd::chemicals::reacting;
+use crate::rd::definition::{
+    Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, SpotLimits, System, Variation,
+};
+use crate::rd::kinetics::{Kinetics, Spreading};
+use crate::rd::maps::{Maps, Parameters};
+use crate::rd::selling::Tensor;
+use crate::rd::start::{Start, by_row};
+use crate::rd::sweep;
+use crate::rd::systems::embedded;
 use crate::rd::vector::Number;
 
+impl System {
+    /// Two chemicals; spots of any size and any spacing.
+    pub const MEINHARDT_SPOTS: Self = Self::new(&DEFINITION);
+}
+
+static DEFINITION: Definition = Definition {
+    description: Description {
+        name: "meinhardt-spots",
+        title: "Meinhardt's spots",
+        help: "Spots with the drawn spacing, all of them ellipses",
+        alternative: Some("Meinhardt's system: rounder spots, as far apart as they are drawn"),
+        marks: MarkKind::Spots,
+        free_spacing: true,
+        irregular: false,
+        seeding: false,
+        fixed_places: true,
+        along_curves: false,
+        option_keys: &["spread", "keep", "irregular"],
+        columns: &columns::SPOTS,
+        training: embedded!("meinhardt-spots-orientation", "meinhardt-spots-size"),
+        // Areas fall as 1/R within 7 % from 12 to 60 and grow as e^(2.85 (½ − l)) from level ½ to 0.2 (`facts.md` B).
+        scaling: Scaling { ratio: 1.0, level: 2.85 },
+        isolated: Some(ISOLATED),
+    },
+    chemicals: &["a", "b"],
+    spread: &MeinhardtSpots::SPREAD,
+    tensors: &[Tensor::of_unit_determinant],
+    mobilities,
+    reacting: |_, _, planes| reacting(MeinhardtSpots, planes),
+    begin,
+    show: |chemicals, parameters, marks| show_peaks(peak, chemicals[0], parameters, marks),
+    decay_noise: None,
+    obstacle: &OBSTACLE,
+    obstacle_rim: 0.0,
+    decay: P2,
+    // `facts.md` B.
+    reaction_limit: 1.0,
+    laws: Laws {
+        size: area,
+        spacing,
+        // Fitted to spots of 40–60 cells at ratios 12–120 and levels 0.2–0.5.
+        rate: |area, ratio, level| {
+            163.0 * libm::pow(12.0 / ratio, 0.89) * libm::exp(2.85 * (0.5 - level)) / area
+        },
+    },
+    // Of errors of 3 % in area, 3 % in aspect and 1° this leaves 0.9 %, 0.5 % and 0.4°.
+    compensation: 10.0,
+    resolution: Resolution {
+        least: 9.0,
+        enough: 11.0,
+        thin_side: false,
+        planned: [48.0; 2],
+        exact: [120.0; 2],
+    },
+    convergence: Convergence { earliest: 15.0, latest: 120.0, drift: 0.004, corrected: 4.0, still: 0.01 },
+    scatter: Scatter { size: 0.0008, spacing: 0.005, elongation: 0.001, turn: 0.05 },
+    tolerated: Scatter { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
+    level_slope: -1.44,
+    spots: Some(SpotLimits {
+        // Of nine pairs among others, round and long, along and across, all stayed two at 0.40, 0.50, 0.58, 0.64, 0.68
+        // where area ÷ spacing² was 0.03, 0.08, 0.12, 0.16, 0.2; by 0.02 nearer some merged, by 0.06 nearly all.
+        merging: [0.23, 1.02],
+        own_variation: [0.03, 0.005],
+        variation: Variation::ByDensity {
+            // Of 280 spots at 0.2 one merged at 0.5, none at 0.35; of 900 at 0.16 one at 0.5.
+            area: [0.12, 3.5],
+            // Of 600 spots one merged at 10° (length 0.8) and at 20° (0.63), none at 30° (0.56); a per cent did at
+            // twice that.
+            turn: [8.5, 0.8, 3.0],
+            // They push each other back from places that are more uneven.
+            spacing: 0.18,
+        },
+    }),
+    cost: Cost { bytes_a_cell: 95.0, updates: 0.8, updates_on_one_grid: 0.8 },
+    sweep: &[sweep::AREA, sweep::RATIO, sweep::LEVEL, sweep::STRETCH, sweep::DIRECTION],
+    usual_rate: 2.0,
+    error_bounds: ErrorBounds {
+        looked_up: &[
+            ("area", [3.0, 8.0]),
+            ("spacing", [2.5, 7.0]),
+            ("aspect", [0.008, 0.03]),
+            ("angle", [0.5, 1.5]),
+        ],
+        refined: &[
+            ("area", [0.5, 1.5]),
+            ("spacing", [1.5, 5.0]),
+            ("aspect", [0.006, 0.02]),
+            ("angle", [0.4, 1.2]),
+        ],
+    },
+};
+
+/// Spots without neighbours. The ground between them is inert: no spot appears by itself.
+const ISOLATED: IsolatedSpots = IsolatedSpots {
+    // Spots of ratio 12 split in two without end; those of 13, 14, 15, 20, 30 do not, and settle after 510, 600, 740,
+    // 1,450 and 2,450 steps.
+    ratio: 15.0,
+    // Read at the first where they have room; down to the second, where as large a spot is the foot of a smaller peak.
+    levels: [0.5, 0.25],
+    // Measured 205–209 at 27–136 cells, stretch 0.3–1.
+    area: 208.4,
+    // At levels ½, 0.35, ¼ area · rate was 208.4, 320.5, 425.
+    foot: 1.03,
+    // Patches of pitch 1, 1.5, 2.5, 4 had 127.4, 179.4, 208.0, 208.9.
+    crowding: [0.389, 1.33, 1.45],
+    spacing: 36.0,
+    edges: [1.02, 0.06],
+    // At the first a neighbour may stand a third nearer than the mean; below the second those merge.
+    pitches: [1.6, 1.0],
+    // Grids of 27–136 cells a spot, stretch 0.3–1, five directions.
+    intervals: Intervals { area: 0.012, aspect: 0.012, angle: 0.8, spacing: 0.03 },
+};
+
 /// a and b.
+#[derive(Clone, Copy, Debug)]
 pub struct MeinhardtSpots;
 
 /// Decay of a.
@@ -22,10 +149,11 @@ const LEAST: [f32; 2] = [1e-17, 1e-12];
 // β = 1 and p₃ = 0: noise in β makes spots uneven, p₃ > 0 thins them out (`facts.md` B).
 
 impl Kinetics<2> for MeinhardtSpots {
-    const SPREAD: [Spread; 2] = [Spread::Tensor(0), Spread::Tensor(1)];
+    const SPREAD: [Spreading; 2] =
+        [Spreading::Tensor { tensor: 0, mobility: 0 }, Spreading::Tensor { tensor: 0, mobility: 1 }];
 
     #[inline(always)]
-    fn react<V: Number>([a, b]: [V; 2]) -> [V; 2] {
+    fn react<V: Number>(&self, [a, b]: [V; 2]) -> [V; 2] {
         let source = V::of(0.01) * a * a;
         [source / b - V::of(P1) * a, source - V::of(P2) * b]
     }
@@ -37,35 +165,54 @@ impl Kinetics<2> for MeinhardtSpots {
 }
 
 /// a in the middle of a spot. Fitted to `facts.md` B, within 4 % for R 10–200.
-pub fn peak(ratio: f32) -> f32 {
+fn peak(ratio: f32) -> f32 {
     3.3 * libm::powf(ratio / 10.0, 0.765)
 }
 
 /// Mean distance between neighbours × √rate. Fitted to `facts.md` B.
-pub fn spacing(ratio: f32) -> f64 {
+fn spacing(ratio: f32) -> f64 {
     let r = f64::from(ratio);
     36.0 + 0.045 * (r - 15.0)
 }
 
 /// Area of a spot at half its peak × rate. `facts.md` B: area · R is the same within 5 % for R 12–30, 13 % more
 /// at 50.
-pub fn area(ratio: f32) -> f64 {
+fn area(ratio: f32) -> f64 {
     1960.0 / f64::from(ratio)
 }
 
 /// Radius of a bell to begin from ÷ spacing: about that of the spot it becomes.
-pub fn radius(ratio: f32) -> f64 {
+fn radius(ratio: f32) -> f64 {
     0.6 * libm::pow(f64::from(ratio), -0.45)
 }
 
-/// Concentrations to begin from, `bell` 1 in the middle of a spot to be and 0 far away (`facts.md` G). `peak` is
-/// what [`peak`] says of the ratio there.
+/// Dₐ and D_b of mean 1.
+pub fn mobilities(p: &Parameters) -> [f32; 2] {
+    [1.0 / p.ratio.sqrt(), p.ratio.sqrt()]
+}
+
+/// a ÷ its value in the middle of a mark, which is `peak` of the ratio.
+pub fn show_peaks(peak: fn(f32) -> f32, a: &[f32], parameters: &[Parameters], marks: &mut [f32]) {
+    let mut peak = ByRatio::new(peak);
+    for ((mark, a), p) in marks.iter_mut().zip(a).zip(parameters) {
+        *mark = a / peak.at(p.ratio);
+    }
+}
+
+/// Bells on the nuclei (`facts.md` G).
 ///
-/// Where spots stand far `apart`, the ground has no a: out of their reach a decays as exp(−p₁/p₂·T), more slowly than b,
+/// Where spots stand far apart, the ground has no a: out of their reach a decays as exp(−p₁/p₂·T), more slowly than b,
 /// and the ground would turn into pattern once a/b = 3, at T = 15.
-pub fn begin(bell: f32, peak: f32, apart: bool) -> [f32; 2] {
-    [if apart { 0.0 } else { 0.02 } + peak * bell, 0.3]
+fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
+    let bells = bells(maps, start.nuclei, &|p| radius(p.ratio) / p.apart());
+    by_row(maps, &bells, |[a, b], bells, parameters| {
+        let mut peak = ByRatio::new(peak);
+        for (i, (bell, p)) in bells.iter().zip(parameters).enumerate() {
+            let ground = if p.apart() > 1.0 { 0.0 } else { 0.02 };
+            (a[i], b[i]) = (ground + peak.at(p.ratio) * bell, 0.3);
+        }
+    })
 }
 
 /// No activator, and as much inhibitor as between spots.
-pub const OBSTACLE: [f32; 2] = [0.0, 0.4];
+const OBSTACLE: [f32; 2] = [0.0, 0.4];

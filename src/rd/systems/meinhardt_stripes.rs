@@ -10,36 +10,127 @@
 //! rate factor s, so that s/Dₐ alone sets the width. Only a and b feel the tensor: with d and e isotropic,
 //! stripes run along its long axis (`facts.md` E).
 
-use crate::rd::kinetics::{Kinetics, Spread};
+use crate::attributes::columns;
+use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::rd::chemicals::reacting;
+use crate::rd::definition::{Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, System};
+use crate::rd::gabor::{self, Kernels};
+use crate::rd::kinetics::{Kinetics, Spreading};
+use crate::rd::line_noise::{Reach, lead};
+use crate::rd::maps::{Maps, Parameters};
+use crate::rd::seeding::{Seeding, seeded, waves};
+use crate::rd::selling::Tensor;
+use crate::rd::start::Start;
+use crate::rd::sweep;
+use crate::rd::systems::embedded;
 use crate::rd::vector::Number;
 
+impl System {
+    /// Five chemicals; stripes as wide as the gaps between them.
+    pub const MEINHARDT_STRIPES: Self = Self::new(&DEFINITION);
+}
+
+static DEFINITION: Definition = Definition {
+    description: Description {
+        name: "meinhardt-stripes",
+        title: "Meinhardt's stripes",
+        help: "Stripes as wide as the gaps between them",
+        alternative: None,
+        marks: MarkKind::Stripes,
+        free_spacing: false,
+        irregular: false,
+        seeding: true,
+        fixed_places: false,
+        along_curves: false,
+        option_keys: &["keep", "duty", "seeding"],
+        columns: &columns::STRIPES,
+        training: embedded!("meinhardt-stripes-orientation", "meinhardt-stripes-width"),
+        scaling: Scaling { ratio: 0.0, level: 0.0 },
+        isolated: None,
+    },
+    chemicals: &["a", "b", "c", "d", "e"],
+    spread: &MeinhardtStripes::SPREAD,
+    tensors: &[Tensor::of_unit_width],
+    mobilities: |_| [1.0, RATIO],
+    reacting: |_, _, planes| reacting(MeinhardtStripes, planes),
+    begin,
+    show: |chemicals, _, marks| {
+        for ((mark, a), b) in marks.iter_mut().zip(chemicals[0]).zip(chemicals[1]) {
+            *mark = a / (a + b);
+        }
+    },
+    decay_noise: None,
+    obstacle: &OBSTACLE,
+    obstacle_rim: 0.0,
+    decay: K_AB,
+    // `facts.md` C.
+    reaction_limit: 4.0,
+    laws: Laws {
+        size: |_| 0.25 * WAVELENGTH * WAVELENGTH,
+        spacing: |_| WAVELENGTH,
+        // `facts.md` C: width 40.5/√rate.
+        rate: |width, _, _| {
+            let root = 40.5 / width;
+            root * root
+        },
+    },
+    compensation: 0.0,
+    // `facts.md` C: wavelengths of 12–20 cells. The training set reaches to widths of 16.
+    resolution: Resolution {
+        least: 18.0,
+        enough: 23.0,
+        thin_side: false,
+        planned: [8.0; 2],
+        exact: [14.0; 2],
+    },
+    convergence: Convergence { earliest: 30.0, latest: 300.0, drift: 0.008, corrected: 2.0, still: 0.01 },
+    scatter: Scatter { size: 0.014, spacing: 0.0, elongation: 0.0, turn: 0.5 },
+    tolerated: Scatter { size: 0.03, spacing: 0.0, elongation: 0.0, turn: 1.0 },
+    // A sinusoidal profile: width = (λ/π) arccos(2l − 1).
+    level_slope: -2.0 / std::f64::consts::PI,
+    spots: None,
+    cost: Cost { bytes_a_cell: 135.0, updates: 0.29, updates_on_one_grid: 0.29 },
+    sweep: &[sweep::WIDTH, sweep::STRETCH, sweep::DIRECTION],
+    usual_rate: 40.0,
+    error_bounds: ErrorBounds {
+        looked_up: &[("width", [2.0, 6.0]), ("angle", [1.5, 4.0])],
+        refined: &[("width", [1.0, 3.0])],
+    },
+};
+
 /// a, b, c, d, e.
+#[derive(Clone, Copy, Debug)]
 pub struct MeinhardtStripes;
 
 /// Decay of the activators.
-pub const K_AB: f32 = 0.04;
+const K_AB: f32 = 0.04;
 /// Decay of the shared inhibitor. The published 0.06 (1.5 k_ab) bursts; 2 k_ab settles (`facts.md` C).
 const K_C: f32 = 0.08;
 /// Exchange with the helpers.
 const K_DE: f32 = 0.04;
 /// D_d/Dₐ. `facts.md` C: the wavelength hardly depends on it between 3 and 5; 5 is where its law was fitted.
-pub const RATIO: f32 = 5.0;
+const RATIO: f32 = 5.0;
 
 /// Concentrations at rest: a = b = d = e = k_c/(2 k_ab), c = 0.02 a³/k_c.
-pub const REST: [f32; 5] = {
+const REST: [f32; 5] = {
     let a = K_C / (2.0 * K_AB);
     [a, a, 0.02 * a * a * a / K_C, a, a]
 };
 
 /// Concentrations on a seed: a raised, b lowered (`facts.md` E).
-pub const SEED: [f32; 5] = [1.5, 0.6, REST[2], REST[3], REST[4]];
+const SEED: [f32; 5] = [1.5, 0.6, REST[2], REST[3], REST[4]];
 
 impl Kinetics<5> for MeinhardtStripes {
-    const SPREAD: [Spread; 5] =
-        [Spread::Tensor(0), Spread::Tensor(0), Spread::Still, Spread::Isotropic(1), Spread::Isotropic(1)];
+    const SPREAD: [Spreading; 5] = [
+        Spreading::Tensor { tensor: 0, mobility: 0 },
+        Spreading::Tensor { tensor: 0, mobility: 0 },
+        Spreading::Still,
+        Spreading::Isotropic { mobility: 1 },
+        Spreading::Isotropic { mobility: 1 },
+    ];
 
     #[inline(always)]
-    fn react<V: Number>([a, b, c, d, e]: [V; 5]) -> [V; 5] {
+    fn react<V: Number>(&self, [a, b, c, d, e]: [V; 5]) -> [V; 5] {
         let [source, k_ab, k_c, k_de] = [0.01, K_AB, K_C, K_DE].map(V::of);
         let from_a = source * a * a * e;
         let from_b = source * b * b * d;
@@ -54,9 +145,47 @@ impl Kinetics<5> for MeinhardtStripes {
     }
 }
 
+/// Noise with the wavelength and the direction of the stripes.
+const NOISE: Kernels = Kernels { reach: [4.0, 1.8], density: 2.0 };
+/// Stripes mend what does not fit: the noise is led along lines over a short way.
+const LEAD: Reach = Reach { beyond: [0.0, 1.5], across: [0.4, 1.3] };
+
+fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
+    let lines = start.lines;
+    let wavelength = |p: &Parameters| System::MEINHARDT_STRIPES.spacing(p);
+    match start.seeding {
+        Seeding::Noise => {
+            let mut noise = gabor::noise(maps, &wavelength, NOISE, &mut start.random());
+            lead(&mut noise, maps, lines, &wavelength, LEAD);
+            ripples(&noise)
+        }
+        Seeding::Segments => {
+            let seeded = seeded(maps, lines, &wavelength);
+            let mut cells = REST.map(|c| vec![c; seeded.len()]);
+            for (cells, seed) in cells.iter_mut().zip(SEED) {
+                cells.iter_mut().zip(&seeded).for_each(|(cell, share)| *cell += share * (seed - *cell));
+            }
+            cells.into()
+        }
+        Seeding::Initiators => ripples(&waves(maps, lines, &wavelength)),
+    }
+}
+
+/// The ground at rest with a raised against b, and d against e, by `noise`.
+fn ripples(noise: &[f32]) -> Vec<Vec<f32>> {
+    let mut cells = REST.map(|c| vec![c; noise.len()]);
+    for (i, noise) in noise.iter().enumerate() {
+        let n = (0.2 * noise).clamp(-0.9, 0.9);
+        for (chemical, sign) in [(0, 1.0), (1, -1.0), (3, 1.0), (4, -1.0)] {
+            cells[chemical][i] *= 1.0 + sign * n;
+        }
+    }
+    cells.into()
+}
+
 /// Wavelength × √rate (`facts.md` C: 81√(Dₐ/s)).
-pub const WAVELENGTH: f64 = 81.0;
+const WAVELENGTH: f64 = 81.0;
 
 /// The ground between stripes: the mirror image, a for b and d for e, of the state that `facts.md` G holds a net's cells
 /// at.
-pub const OBSTACLE: [f32; 5] = [0.05, 1.95, 0.33, 0.69, 1.31];
+const OBSTACLE: [f32; 5] = [0.05, 1.95, 0.33, 0.69, 1.31];

@@ -1,6 +1,56 @@
-//! The reaction-diffusion systems, one file each.
+//! The reaction-diffusion systems, one file each. A new one is a file with its [`Definition`](super::Definition), a line
+//! in [`System::ALL`] and its training files.
 
 pub mod meinhardt_lines;
 pub mod meinhardt_spots;
 pub mod meinhardt_stripes;
 pub mod turing_spots;
+
+use super::System;
+use crate::attributes::system::Description;
+
+/// The training files of these names, compiled in.
+macro_rules! embedded {
+    ($($name:literal),*) => {
+        &[$($crate::attributes::system::TrainingFile {
+            name: $name,
+            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/training/", $name, ".csv")),
+        }),*]
+    };
+}
+pub(super) use embedded;
+
+impl System {
+    /// All systems, in the order in which they are offered.
+    pub const ALL: [Self; 4] =
+        [Self::TURING_SPOTS, Self::MEINHARDT_SPOTS, Self::MEINHARDT_STRIPES, Self::MEINHARDT_LINES];
+
+    /// The descriptions of all systems.
+    pub const DESCRIPTIONS: [&'static Description; Self::ALL.len()] = {
+        let mut all = [Self::ALL[0].description(); Self::ALL.len()];
+        let mut index = 0;
+        while index < all.len() {
+            all[index] = Self::ALL[index].description();
+            index += 1;
+        }
+        all
+    };
+
+    /// The system of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|system| system.name() == name)
+    }
+
+    /// Its place in [`Self::ALL`].
+    #[must_use]
+    pub fn index(self) -> usize {
+        Self::ALL.iter().position(|system| *system == self).unwrap_or(0)
+    }
+
+    /// The first of all systems whose description has a property.
+    #[must_use]
+    pub fn first(property: impl Fn(&Description) -> bool) -> Option<Self> {
+        Self::ALL.into_iter().find(|system| property(system.description()))
+    }
+}

@@ -9,27 +9,140 @@
 //! spacing². a stays above 2 in patterns; it is held at 0 as well, for at rates of 0.38 and more the first spots of a canvas
 //! with room for one or two can hold so much b that a step of a overshoots.
 
-use crate::rd::kinetics::{Kinetics, Spread};
+use crate::attributes::columns;
+use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::rd::bells::bells;
+use crate::rd::chemicals::{Chemicals, reacting};
+use crate::rd::definition::{
+    Convergence, Cost, DecayNoise, Definition, ErrorBounds, Laws, Resolution, Scatter, SpotLimits,
+    SweepQuantity, System, Variation,
+};
+use crate::rd::kinetics::{Kinetics, Spreading};
+use crate::rd::maps::Maps;
+use crate::rd::plane::{Plane, RowLayout};
+use crate::rd::selling::Tensor;
+use crate::rd::start::{Start, by_row};
+use crate::rd::sweep;
+use crate::rd::systems::embedded;
 use crate::rd::vector::Number;
 
+impl System {
+    /// Two chemicals; packed spots of any size.
+    pub const TURING_SPOTS: Self = Self::new(&DEFINITION);
+}
+
+static DEFINITION: Definition = Definition {
+    description: Description {
+        name: "turing-spots",
+        title: "Turing's spots",
+        help: "Spots that fill the plane evenly; their spacing follows from their size. They can be irregular",
+        alternative: Some("Turing's system: livelier spots that keep their own distance"),
+        marks: MarkKind::Spots,
+        free_spacing: false,
+        irregular: true,
+        seeding: false,
+        fixed_places: false,
+        along_curves: false,
+        option_keys: &["spread", "keep", "irregular"],
+        columns: &columns::SPOTS,
+        training: embedded!("turing-spots-orientation", "turing-spots-size"),
+        scaling: Scaling { ratio: 1.0, level: 2.85 },
+        isolated: None,
+    },
+    chemicals: &["a", "b"],
+    spread: &TuringSpots::SPREAD,
+    tensors: &[Tensor::of_unit_determinant],
+    mobilities: |_| [RATIO.sqrt(), 1.0 / RATIO.sqrt()],
+    reacting: |maps, grid, planes| match maps.decay_noise.as_slice() {
+        [] => reacting(TuringSpots, planes),
+        noise => with_decay_noise(noise, grid, planes),
+    },
+    begin,
+    show: |chemicals, _, marks| {
+        for (mark, a) in marks.iter_mut().zip(chemicals[0]) {
+            *mark = share(*a);
+        }
+    },
+    // Spots of 27 cells under β ± 3, one number a cell, vary by 0.44 in area and have an aspect of 0.60 (`facts.md` G); of
+    // 48 cells under this noise they vary by 0.40, with 0.70, at 0.3 by 0.19, with 0.82, at 1 a tenth of them is bent. Of
+    // two neighbours one in nine merges with the other, and without a higher rate the mean area would rise by 21 %, the
+    // distance by 6 %; at half the deviation by 3 % and 1 %.
+    decay_noise: Some(DecayNoise { deviation: 0.6, rate: 0.13 }),
+    obstacle: &OBSTACLE,
+    // Half of where the edges of its spots are kept.
+    obstacle_rim: 0.25,
+    decay: 1.0,
+    // `facts.md` A.
+    reaction_limit: 0.045,
+    laws: Laws { size: |_| AREA, spacing: |_| SPACING, rate: |area, _, _| 5.2 / area },
+    // Spots have a hard edge: this leaves a third of 6 % in area, and all of the error in aspect.
+    compensation: 20.0,
+    // Round spots of 48 cells kept 1.1 % of aspect from a grid of 21 cells a spot, and still from one of 25.
+    resolution: Resolution {
+        least: 22.0,
+        enough: 27.0,
+        thin_side: true,
+        planned: [48.0; 2],
+        exact: [120.0; 2],
+    },
+    convergence: Convergence { earliest: 20.0, latest: 150.0, drift: 0.008, corrected: 6.0, still: 0.02 },
+    // The largest elongation where spots have a direction: it scatters most.
+    scatter: Scatter { size: 0.004, spacing: 0.0, elongation: 0.018, turn: 1.0 },
+    tolerated: Scatter { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
+    level_slope: -1.44,
+    spots: Some(SpotLimits {
+        // Of 36 pairs 20 lost a spot at 0.7 spacings, three at 0.8.
+        merging: [0.85, 0.0],
+        own_variation: [0.045, 0.055],
+        // Beyond, they lose shape (angle), and push each other back (spacing).
+        variation: Variation::Fixed(crate::attributes::Spread {
+            area: 0.6,
+            angle: 25.0,
+            aspect: 0.2,
+            spacing: 0.13,
+        }),
+    }),
+    cost: Cost { bytes_a_cell: 95.0, updates: 0.62, updates_on_one_grid: 0.62 },
+    sweep: &[
+        sweep::AREA,
+        // It is grown at this ratio alone.
+        SweepQuantity { name: "ratio", unit: "Da/Db", allowed: [3.8, 3.8] },
+        sweep::LEVEL,
+        sweep::STRETCH,
+        sweep::DIRECTION,
+    ],
+    usual_rate: 0.15,
+    error_bounds: ErrorBounds {
+        looked_up: &[("area", [1.5, 5.0]), ("angle", [1.0, 3.0])],
+        refined: &[
+            ("area", [0.5, 1.5]),
+            ("spacing", [1.5, 5.0]),
+            ("aspect", [0.006, 0.02]),
+            ("angle", [0.8, 2.5]),
+        ],
+    },
+};
+
 /// a and b.
+#[derive(Clone, Copy, Debug)]
 pub struct TuringSpots;
 
 /// Growth of a: 16, as printed.
 const GROWTH: f32 = 16.0;
-/// Decay of b, the same over the grid unless spots are to be irregular: [`UnevenTuringSpots`].
-pub const BETA: f32 = 12.0;
+/// Decay of b, the same over the grid unless spots are to be irregular: [`TuringSpotsWithDecayNoise`].
+const BETA: f32 = 12.0;
 
 /// Dₐ/D_b. `facts.md` A: well-formed spots at 3.6–4.0, roundest below 3.8.
-pub const RATIO: f32 = 3.8;
+const RATIO: f32 = 3.8;
 /// Mean distance between neighbours × √(kₐ/√(DₐD_b)). Measured: see `facts.md` A (2.10 √5.7).
-pub const SPACING: f64 = 5.0;
+const SPACING: f64 = 5.0;
 
 impl Kinetics<2> for TuringSpots {
-    const SPREAD: [Spread; 2] = [Spread::Tensor(0), Spread::Tensor(1)];
+    const SPREAD: [Spreading; 2] =
+        [Spreading::Tensor { tensor: 0, mobility: 0 }, Spreading::Tensor { tensor: 0, mobility: 1 }];
 
     #[inline(always)]
-    fn react<V: Number>([a, b]: [V; 2]) -> [V; 2] {
+    fn react<V: Number>(&self, [a, b]: [V; 2]) -> [V; 2] {
         let ab = a * b;
         [V::of(GROWTH) - ab, ab - b - V::of(BETA)]
     }
@@ -41,13 +154,14 @@ impl Kinetics<2> for TuringSpots {
 }
 
 /// a, b and β, which differs from place to place and stays as it is.
-pub struct UnevenTuringSpots;
+#[derive(Clone, Copy, Debug)]
+pub struct TuringSpotsWithDecayNoise;
 
-impl Kinetics<3> for UnevenTuringSpots {
-    const SPREAD: [Spread; 3] = [Spread::Tensor(0), Spread::Tensor(1), Spread::Still];
+impl Kinetics<3> for TuringSpotsWithDecayNoise {
+    const SPREAD: [Spreading; 3] = [TuringSpots::SPREAD[0], TuringSpots::SPREAD[1], Spreading::Still];
 
     #[inline(always)]
-    fn react<V: Number>([a, b, beta]: [V; 3]) -> [V; 3] {
+    fn react<V: Number>(&self, [a, b, beta]: [V; 3]) -> [V; 3] {
         let ab = a * b;
         [V::of(GROWTH) - ab, ab - b - beta, V::of(0.0)]
     }
@@ -58,22 +172,34 @@ impl Kinetics<3> for UnevenTuringSpots {
     }
 }
 
-/// Concentrations to begin from, `bell` 1 in the middle of a spot to be and 0 far away (`facts.md` G).
-pub fn begin(bell: f32) -> [f32; 2] {
-    [3.3 + 4.0 * bell, (5.6 * (1.0 - 1.3 * bell)).max(0.0)]
+/// a and b with the β that differs by `noise` from cell to cell.
+fn with_decay_noise(noise: &[f32], grid: RowLayout, mut planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
+    let beta: Vec<f32> = noise.iter().map(|off| BETA + off).collect();
+    planes.push(Plane::from_cells(grid, &beta)?);
+    reacting(TuringSpotsWithDecayNoise, planes)
+}
+
+/// Bells on the nuclei (`facts.md` G).
+fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
+    let bells = bells(maps, start.nuclei, &|_| RADIUS);
+    by_row(maps, &bells, |[a, b], bells, _| {
+        for (i, bell) in bells.iter().enumerate() {
+            (a[i], b[i]) = (3.3 + 4.0 * bell, (5.6 * (1.0 - 1.3 * bell)).max(0.0));
+        }
+    })
 }
 
 /// Radius of a bell to begin from ÷ spacing: about that of the spot it becomes.
-pub const RADIUS: f64 = 0.26;
+const RADIUS: f64 = 0.26;
 
 /// Where the concentration `a` lies between the ground (0) and the middle of a spot (1): a runs from 3.0 to
 /// 7.5 in settled patterns of 20 to 300 cells a spot.
-pub fn share(a: f32) -> f32 {
+fn share(a: f32) -> f32 {
     (a - 3.0) / 4.5
 }
 
 /// Area of a spot × rate (`facts.md` A).
-pub const AREA: f64 = 5.7;
+const AREA: f64 = 5.7;
 
 /// The middle of a spot, which keeps others away (`facts.md` G, cheetah).
-pub const OBSTACLE: [f32; 2] = [7.3, 0.0];
+const OBSTACLE: [f32; 2] = [7.3, 0.0];

@@ -1,20 +1,11 @@
 //! When a pattern is settled.
+//!
+//! The criteria ([`crate::rd::Convergence`]) were tuned on patches of 90 spots and 10 wavelengths grown to T = 200, and on
+//! canvases whose regions differ. Changes fall by a half from look to look while spots form; then they stay: spots drift
+//! along gradients and even out their distances, forks of stripes heal, ever more slowly. From there on the mean area is
+//! within 0.3 % (Turing 0.5 %, width of stripes 2 %) of its limit, and the direction within 0.5°.
 
 use crate::rd::System;
-
-/// When a pattern counts as settled: normalised times (`facts.md` 0) where the reactions are slowest.
-struct Criterion {
-    /// Not asked before.
-    earliest: f64,
-    /// Given up after.
-    latest: f64,
-    /// The share of itself by which a pattern may still change a unit of time, where that is steady drift.
-    drift: f64,
-    /// Where only the errors of a coarser grid are corrected: not asked before.
-    corrected: f64,
-    /// The same share there.
-    still: f64,
-}
 
 /// Time between two looks.
 const EVERY: f64 = 2.5;
@@ -26,30 +17,6 @@ const FALLING: f64 = 0.8;
 const STEPS: u64 = 150_000;
 /// Change a unit of time that is rest by any measure.
 const REST: f64 = 0.0003;
-
-/// Tuned on patches of 90 spots and 10 wavelengths grown to T = 200, and on canvases whose regions differ. Changes
-/// fall by a half from look to look while spots form; then they stay: spots slide along gradients and even out
-/// their distances, forks of stripes heal, for ever more slowly. From there on the mean area is within 0.3 %
-/// (Turing 0.5 %, width of stripes 2 %) of where it goes, and the direction within 0.5°.
-///
-/// Lines are formed at T = 15. Where they bend they slide on for ever, at 0.02 a unit of time, and where they meet one
-/// of them ends: from T = 15 to 60 their distance grew by 4 %, to 300 by 10 %.
-fn criterion(system: System) -> Criterion {
-    match system {
-        System::TuringSpots => {
-            Criterion { earliest: 20.0, latest: 150.0, drift: 0.008, corrected: 6.0, still: 0.02 }
-        }
-        System::MeinhardtSpots => {
-            Criterion { earliest: 15.0, latest: 120.0, drift: 0.004, corrected: 4.0, still: 0.01 }
-        }
-        System::MeinhardtStripes => {
-            Criterion { earliest: 30.0, latest: 300.0, drift: 0.008, corrected: 2.0, still: 0.01 }
-        }
-        System::MeinhardtLines => {
-            Criterion { earliest: 15.0, latest: 120.0, drift: 0.04, corrected: 4.0, still: 0.04 }
-        }
-    }
-}
 
 /// Time after which stripes from segments are as wide as others; at T = 30 there are blots where segments met.
 const HEALED: f64 = 100.0;
@@ -86,7 +53,7 @@ impl Rest {
     /// Begins to watch `marks`, as they are before the first of the steps of which `unit` make up a unit of time.
     #[must_use]
     pub fn new(system: System, unit: f64, begins: bool, marks: Vec<f32>) -> Self {
-        let earliest = criterion(system).earliest;
+        let earliest = system.definition().convergence.earliest;
         Self { system, unit, begins, slack: 1.0, earliest, before: marks, last: f64::INFINITY, looks: 0 }
     }
 
@@ -114,13 +81,13 @@ impl Rest {
     /// Steps that this grid takes if all goes well.
     #[must_use]
     pub fn expected(system: System, unit: f64, begins: bool) -> f64 {
-        let criterion = criterion(system);
+        let criterion = system.definition().convergence;
         (unit * if begins { 1.3 * criterion.earliest } else { criterion.corrected }).min(STEPS as f64)
     }
 
     /// Looks at `marks` after `steps` steps. Cells that do not count are left out.
     pub fn look(&mut self, marks: Vec<f32>, counts: &[bool], steps: u64) -> Verdict {
-        let criterion = criterion(self.system);
+        let criterion = self.system.definition().convergence;
         let time = steps as f64 / self.unit;
         let every = if self.begins { EVERY } else { OFTEN };
         let change = change(&self.before, &marks, counts) / every;
@@ -158,7 +125,7 @@ mod tests {
     /// each, until one is not [`Verdict::Forming`]; gives it with its time.
     fn watched(begins: bool, change: impl Fn(usize) -> f32) -> (Verdict, f64) {
         let mut mark = 1.0f32;
-        let mut rest = Rest::new(System::MeinhardtSpots, 10.0, begins, vec![mark, 0.0]);
+        let mut rest = Rest::new(System::MEINHARDT_SPOTS, 10.0, begins, vec![mark, 0.0]);
         for look in 0..1_000 {
             mark *= 1.0 + change(look);
             let steps = rest.next();

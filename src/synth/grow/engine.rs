@@ -64,7 +64,7 @@ impl Engine {
     pub fn new(plan: &Plan, seed: u64) -> Self {
         let Lookup { system, irregular, seeding, map, .. } = &plan.lookup;
         let (system, layout) = (*system, map.layout());
-        let noisy = |maps: Maps| maps.with_decay_noise(*irregular, seed);
+        let noisy = |maps: Maps| maps.with_decay_noise(system, *irregular, seed);
         if let Some(Varied { maps, places, largest }) = vary(plan, seed) {
             let maps = noisy(maps);
             let start = InitialConditions::at_places(system, &maps, seed, &places);

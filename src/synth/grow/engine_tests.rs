@@ -10,12 +10,14 @@ use crate::synth::training::Training;
 
 /// Spots (stripes) whose area (squared width) grows `times` from left to right.
 fn graded(system: System, [nx, ny]: [usize; 2], edges: Edges, times: f32) -> Maps {
-    let rate = match system {
-        System::TuringSpots => 0.12,
-        System::MeinhardtSpots => 3.4,
-        System::MeinhardtStripes => 25.6,
-        System::MeinhardtLines => 9.0,
-    };
+    let rates = [
+        (System::TURING_SPOTS, 0.12),
+        (System::MEINHARDT_SPOTS, 3.4),
+        (System::MEINHARDT_STRIPES, 25.6),
+        (System::MEINHARDT_LINES, 9.0),
+    ];
+    let own = rates.iter().find(|(of, _)| *of == system);
+    let rate = own.map_or_else(|| system.definition().usual_rate, |(_, rate)| *rate);
     let parameters = (0..nx * ny)
         .map(|i| {
             let t = (2.0 * ((i % nx) as f32 + 0.5) / nx as f32 - 0.5).clamp(0.0, 1.0);
@@ -54,7 +56,7 @@ fn however_it_is_advanced_the_same_bits_come_out() {
 #[test]
 fn looking_changes_no_bit() {
     let seen = {
-        let mut engine = engine(System::MeinhardtSpots);
+        let mut engine = engine(System::MEINHARDT_SPOTS);
         while engine.advance(200_000) {
             let marks = engine.marks();
             assert!(marks.values.iter().all(|value| value.is_finite()));
@@ -63,19 +65,19 @@ fn looking_changes_no_bit() {
         }
         engine
     };
-    assert!(bits(&seen) == bits(&finished(engine(System::MeinhardtSpots), u64::MAX)));
+    assert!(bits(&seen) == bits(&finished(engine(System::MEINHARDT_SPOTS), u64::MAX)));
 }
 
 #[test]
 fn one_cancelled_and_begun_again_is_like_a_new_one() {
-    let mut left = engine(System::MeinhardtSpots);
+    let mut left = engine(System::MEINHARDT_SPOTS);
     left.advance(1_000_000);
     drop(left);
-    let [a, b] = [0, 1].map(|_| finished(engine(System::MeinhardtSpots), u64::MAX));
+    let [a, b] = [0, 1].map(|_| finished(engine(System::MEINHARDT_SPOTS), u64::MAX));
     assert!(bits(&a) == bits(&b));
     let other = Engine::from_maps(
-        System::MeinhardtSpots,
-        graded(System::MeinhardtSpots, [150, 90], Edges::Closed, 9.0),
+        System::MEINHARDT_SPOTS,
+        graded(System::MEINHARDT_SPOTS, [150, 90], Edges::Closed, 9.0),
         6,
     );
     assert!(bits(&a) != bits(&finished(other, u64::MAX)));
@@ -83,7 +85,7 @@ fn one_cancelled_and_begun_again_is_like_a_new_one() {
 
 #[test]
 fn a_copy_goes_on_like_the_one_it_was_taken_of() {
-    let mut one = engine(System::TuringSpots);
+    let mut one = engine(System::TURING_SPOTS);
     one.advance(3_000_000);
     let copy = one.clone();
     assert!(bits(&finished(one, 100_000)) == bits(&finished(copy, 1_000_000)));
@@ -107,7 +109,7 @@ fn progress_rises_to_one_and_a_small_budget_is_kept() {
 
 #[test]
 fn spots_of_thirty_times_the_area_settle_in_a_few_times_the_steps_of_the_smallest() {
-    let system = System::MeinhardtSpots;
+    let system = System::MEINHARDT_SPOTS;
     let maps = graded(system, [300, 150], Edges::Wrap, 30.0);
     let plain = Growth::new(system, &maps, 1).steps_in(15.0);
     let grown = finished(Engine::from_maps(system, maps, 1), u64::MAX);
@@ -125,7 +127,7 @@ fn spots_of_thirty_times_the_area_settle_in_a_few_times_the_steps_of_the_smalles
 #[test]
 fn marks_too_small_for_a_coarser_grid_have_one_grid() {
     let p = Parameters { rate: 9.0, ratio: 12.0, stretch: 0.6, direction: 0.0, pitch: 1.0 };
-    let engine = Engine::from_maps(System::MeinhardtSpots, Maps::uniform([80, 70], Edges::Wrap, p), 1);
+    let engine = Engine::from_maps(System::MEINHARDT_SPOTS, Maps::uniform([80, 70], Edges::Wrap, p), 1);
     assert_eq!(engine.level(), [1, 1]);
     assert!(finished(engine, u64::MAX).settled());
 }
@@ -133,7 +135,7 @@ fn marks_too_small_for_a_coarser_grid_have_one_grid() {
 #[test]
 fn it_can_be_sent_to_another_thread() {
     fn sent<T: Send>(_: &T) {}
-    sent(&engine(System::MeinhardtStripes));
+    sent(&engine(System::MEINHARDT_STRIPES));
 }
 
 /// Twelve round spots, drawn with this area.

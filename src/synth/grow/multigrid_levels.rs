@@ -4,32 +4,16 @@
 //! the grid can hold, and then brought to finer grids, where it only has to give up what the coarse one did to it.
 //! Where marks differ in size, the large ones are formed on coarse grids that the small ones are too small for; these
 //! begin on the first grid that holds them.
+//!
+//! The cells that marks need ([`Resolution`]) were tuned on patches of 86 spots and 10 wavelengths, against plain Euler
+//! on 48 cells a spot and 8 a stripe to T ≥ 120: coarser than this, what the grid does to area, aspect and angle outlives
+//! the time saved.
 
 use rayon::prelude::*;
 
 use crate::grid::Domain;
-use crate::rd::{Maps, System};
+use crate::rd::{Maps, Resolution, System};
 use crate::synth::plan::mark_cells::resolving_cells;
-
-/// Cells that the grid must have for a mark, and for the blend towards those that begin afresh.
-struct Resolved {
-    /// Below this a mark is not formed.
-    least: f64,
-    /// From here on what was formed is taken over as it is.
-    enough: f64,
-}
-
-/// Tuned on patches of 86 spots and 10 wavelengths, against plain Euler on 48 cells a spot and 8 a stripe to T ≥ 120:
-/// coarser than this, what the grid does to area, aspect and angle outlives the time saved. Round Turing spots of 48
-/// cells kept 1.1 % of aspect from a grid of 21 cells a spot, and still from one of 25.
-fn resolved(system: System) -> Resolved {
-    match system {
-        System::TuringSpots => Resolved { least: 22.0, enough: 27.0 },
-        System::MeinhardtSpots => Resolved { least: 9.0, enough: 11.0 },
-        System::MeinhardtStripes => Resolved { least: 18.0, enough: 23.0 },
-        System::MeinhardtLines => Resolved { least: 9.0, enough: 11.0 },
-    }
-}
 
 /// Marks on the coarsest grid that holds the smallest, ÷ `enough`: some room for what the laws of area leave out.
 const ROOM: f64 = 1.09;
@@ -49,7 +33,7 @@ pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
         // What is told by cell, on which side of a curve it lies, no coarser grid can tell.
         return vec![maps.grid.size];
     }
-    let enough = resolved(system).enough * ROOM;
+    let enough = system.definition().resolution.enough * ROOM;
     let least = maps.parameters.iter().map(|p| resolving_cells(system, p)).fold(f64::INFINITY, f64::min);
     let mut factors = vec![1.0];
     let first = (least / enough).sqrt();
@@ -86,7 +70,7 @@ pub struct Work {
 /// The parameters to grow on `grid`: where marks are too small for it, larger ones; whether a cell is such a one.
 #[must_use]
 pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>) {
-    let least = resolved(system).least;
+    let least = system.definition().resolution.least;
     let area = maps.grid.cells() as f64 / (grid[0] * grid[1]) as f64;
     let mut coarse = maps.on_grid(grid);
     let lost = coarse
@@ -110,7 +94,7 @@ pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>
 /// `lost` says where marks are too small for this one.
 #[must_use]
 pub fn work(system: System, maps: &Maps, lost: &[bool], coarser: Option<f64>) -> Work {
-    let Resolved { least, enough } = resolved(system);
+    let Resolution { least, enough, .. } = system.definition().resolution;
     let cells: Vec<f64> = maps.parameters.iter().map(|p| resolving_cells(system, p)).collect();
     let share = |cells: f64| {
         let t = ((cells - least) / (enough - least)).clamp(0.0, 1.0);

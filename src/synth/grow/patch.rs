@@ -135,7 +135,7 @@ fn stripes(system: System, marks: &Field) -> Result<Sample, Reason> {
         attributes: Attributes::Stripes(Stripes {
             width: found.width,
             angle: found.angle,
-            wavelength: (system == System::MeinhardtLines).then_some(found.wavelength),
+            wavelength: system.description().free_spacing.then_some(found.wavelength),
         }),
     })
 }
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn a_patch_holds_as_many_spots_as_were_ordered() {
-        let patch = Patch { system: System::MeinhardtSpots, parameters: SPOTS, extent: 24.0, seed: 3 };
+        let patch = Patch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 24.0, seed: 3 };
         let (marks, settled) = patch.grow(&Watch::NONE).unwrap();
         let sample = patch.measure(&marks).unwrap();
         assert!(settled && (sample.extent - 24.0).abs() <= 1.0, "{sample:?}");
@@ -158,9 +158,9 @@ mod tests {
     #[test]
     fn what_has_no_pattern_is_no_sample() {
         let flat = Field::flat(40, 40, Edges::Wrap, 0.4);
-        let patch = Patch { system: System::MeinhardtSpots, parameters: SPOTS, extent: 9.0, seed: 1 };
+        let patch = Patch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 9.0, seed: 1 };
         assert!(matches!(patch.measure(&flat), Err(Reason::NoPattern { .. })));
-        let patch = Patch { system: System::MeinhardtStripes, ..patch };
+        let patch = Patch { system: System::MEINHARDT_STRIPES, ..patch };
         assert!(matches!(patch.measure(&flat), Err(Reason::NoPattern { .. })));
     }
 }

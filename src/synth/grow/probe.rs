@@ -115,7 +115,7 @@ fn probed_one(
     watch: &Watch,
 ) -> Result<Correction, ProbeError> {
     // Larger marks would only cost more: what is found scales.
-    let cell = exact_cell(wanted, cell);
+    let cell = exact_cell(system, wanted, cell);
     let watch = &Watch { progress: &|_, _| {}, cancelled: watch.cancelled };
     let open = ask(training, system, wanted, cell)?;
     if open.pitch > 1.0 {
@@ -139,7 +139,7 @@ fn probed_one(
         sum = sum.plus(1.0, Offset::between(&asked, &got.scaled(cell)));
         let mean = Offset::default().plus(1.0 / found.growths as f64, sum);
         found.offset = mean.zip(gain, |offset, gain| offset * gain);
-        if when == When::Unsure && found.offset.within(tolerated(system)) {
+        if when == When::Unsure && found.offset.within(system.definition().tolerated.into()) {
             break;
         }
         asked = found.offset.applied(-1.0, &goal);
@@ -183,33 +183,11 @@ fn scatter(answer: &Answer) -> Offset {
     }
 }
 
-/// The scatter of patches of [`TRAINED`] spots that were told the same, from seed to seed: of 40 patches each at
-/// stretches of 0.35, 0.6 and 0.9, three sizes (Turing, stripes) or five ratios and levels (Meinhardt), the median; of
-/// Turing's shape, which scatters most, the largest where it has a direction; of lines 14 patches each of three ratios.
-/// 0: not corrected, since the system has no say in it.
-fn chance(system: System) -> Offset {
-    match system {
-        System::TuringSpots => Offset { size: 0.004, spacing: 0.0, elongation: 0.018, turn: 1.0 },
-        System::MeinhardtSpots => Offset { size: 0.0008, spacing: 0.005, elongation: 0.001, turn: 0.05 },
-        System::MeinhardtStripes => Offset { size: 0.014, spacing: 0.0, elongation: 0.0, turn: 0.5 },
-        System::MeinhardtLines => Offset { size: 0.01, spacing: 0.016, elongation: 0.0, turn: 0.42 },
-    }
-}
-
-/// The scatter that may stay: of sizes and spacings what levels and the pitch of the nuclei put right on the canvas
-/// anyway; of directions half of what a canvas of stripes scatters, or what the eye does not see.
-fn tolerated(system: System) -> Offset {
-    match system {
-        System::MeinhardtStripes => Offset { size: 0.03, spacing: 0.0, elongation: 0.0, turn: 1.0 },
-        System::MeinhardtLines => Offset { size: 0.03, spacing: 0.03, elongation: 0.0, turn: 1.0 },
-        _ => Offset { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
-    }
-}
-
 /// Is there an attribute that is not known well enough, and that a probe would tell?
 fn worth(system: System, scatter: Offset, gain: Offset) -> bool {
-    let missing =
-        scatter.zip(tolerated(system), |scatter, tolerated| f64::from(u8::from(scatter > tolerated)));
+    let missing = scatter.zip(Offset::from(system.definition().tolerated), |scatter, tolerated| {
+        f64::from(u8::from(scatter > tolerated))
+    });
     let told = missing.zip(gain, |missing, gain| missing * gain);
     [told.size, told.spacing, told.elongation, told.turn].iter().any(|gain| *gain >= WORTH)
 }
@@ -219,7 +197,7 @@ fn gain(system: System, answer: &Answer, scatter: Offset, growths: usize, when: 
     if when == When::Always {
         return Offset { size: 1.0, spacing: 1.0, elongation: 1.0, turn: 1.0 };
     }
-    let chance = chance(system);
+    let chance = Offset::from(system.definition().scatter);
     let shrunk = if system.is_striped() { 1.0 } else { TRAINED / SPOTS };
     let share = |scatter: f64, chance: f64| {
         let probes = chance * chance * shrunk / growths as f64;
@@ -242,18 +220,18 @@ mod tests {
 
     /// The built-in rows of Meinhardt's spots, or every `n`-th of them, areas read `wrong` times too large.
     fn training(n: usize, wrong: f64) -> Training {
-        let all = TrainingSet::embedded("meinhardt-spots").unwrap();
+        let all = TrainingSet::embedded(System::MEINHARDT_SPOTS.description()).unwrap();
         let spoilt = |row: &Row| {
             let Attributes::Spots(spots) = row.attributes else { return *row };
             let attributes = Attributes::Spots(Spots { area: spots.area * wrong, ..spots });
             Row { attributes, ..*row }
         };
         let rows = all.rows().iter().step_by(n).map(spoilt).collect();
-        Training::from_rows(System::MeinhardtSpots, rows).unwrap()
+        Training::from_rows(System::MEINHARDT_SPOTS, rows).unwrap()
     }
 
     fn probed_by(training: &Training, when: When) -> Correction {
-        probed(training, System::MeinhardtSpots, &[WANTED], 1.0, when, &Watch::NONE).unwrap()[0].clone()
+        probed(training, System::MEINHARDT_SPOTS, &[WANTED], 1.0, when, &Watch::NONE).unwrap()[0].clone()
     }
 
     #[test]
@@ -263,7 +241,7 @@ mod tests {
 
     #[test]
     fn a_thin_set_is_corrected() {
-        let all = TrainingSet::embedded("meinhardt-spots").unwrap().rows().len();
+        let all = TrainingSet::embedded(System::MEINHARDT_SPOTS.description()).unwrap().rows().len();
         assert!(probed_by(&training(all / 40, 1.0), When::Unsure).growths > 0);
     }
 
@@ -280,7 +258,7 @@ mod tests {
     fn equal_questions_have_one_answer_and_a_cancelled_probe_ends() {
         let training = training(1, 1.0);
         let ask = |watch: &Watch| {
-            probed(&training, System::MeinhardtSpots, &[WANTED, WANTED], 1.0, When::Always, watch)
+            probed(&training, System::MEINHARDT_SPOTS, &[WANTED, WANTED], 1.0, When::Always, watch)
         };
         let both = ask(&Watch::NONE).unwrap();
         assert_eq!(both[0].offset, both[1].offset);

@@ -6,7 +6,6 @@
 use crate::attributes::Attributes;
 use crate::grid::Field;
 use crate::measure::{self, Spot, SpotErrors, StripeErrors};
-use crate::rd::System;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::watch::{Cancelled, Stage, Watch};
@@ -97,7 +96,7 @@ pub fn refine(
     let ruler = Ruler::of(plan);
     let (mut errors, mut found) = ruler.errors(plan, &pattern.levelled(&concentration, size));
     // d ln size / d ln level, by region; better known after the first correction.
-    let mut slope = vec![first_slope(plan); errors.len()];
+    let mut slope = vec![plan.lookup.system.definition().level_slope; errors.len()];
     for round in 0..ROUNDS {
         watch.step(Stage::Refine, round as f64 / ROUNDS as f64)?;
         if !correct || errors.iter().flatten().all(|error| error.abs() < NEAR) {
@@ -179,13 +178,3 @@ impl Ruler {
 /// Points a region along each side at which its width is asked: even, so that the mean of what is bilinear about the
 /// centre is exact.
 const POINTS: usize = 16;
-
-/// d ln size / d ln level: of a Gaussian bell ln area = ln ln(1/l) + c, at a level of ½; of a stripe with a
-/// sinusoidal profile width = (λ/π) arccos(2l − 1); of a line, a Gaussian across, ln width = ½ ln ln(1/l) + c.
-fn first_slope(plan: &Plan) -> f64 {
-    match plan.lookup.system {
-        System::MeinhardtStripes => -2.0 / std::f64::consts::PI,
-        System::MeinhardtLines => -0.72,
-        System::TuringSpots | System::MeinhardtSpots => -1.44,
-    }
-}

@@ -46,7 +46,8 @@ pub(super) fn look_up(kind: CurveKind, broken: f64, map: RegionMap) -> Result<Lo
             pitch: 1.0,
         })
     };
-    Lookup::new(System::MeinhardtLines, map, Start::Curves { kind, broken }, &asked)
+    let system = System::first(|system| system.along_curves).expect("a system grows along curves");
+    Lookup::new(system, map, Start::Curves { kind, broken }, &asked)
 }
 
 /// Mean distance of spots, less their size, ÷ what lines between them need, below which most places have too little: the

@@ -1,7 +1,7 @@
 //! The system that `"auto"` takes.
 
+use crate::attributes::Attributes;
 use crate::attributes::regions::RegionMap;
-use crate::attributes::{Attributes, Stripes};
 use crate::rd::System;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lookup::{ask, cell_for, free_spacing};
@@ -10,28 +10,38 @@ use crate::synth::training::Training;
 /// What is asked counts as met where area, spacing and aspect together are nearer than this.
 const MET: f64 = 0.05;
 
-/// Lines want stripes, thin ones on wide ground [`System::MeinhardtLines`]; ellipses want Meinhardt's system, whose spots
-/// are rounder and stand as far apart as asked, unless Turing's meets what is asked and Meinhardt's does not.
+/// Lines take stripes, those whose wavelength is asked take stripes of any wavelength. Ellipses take spots of any spacing,
+/// unless these miss what is asked and another system meets it.
 pub(super) fn choose_system(training: &Training, map: &RegionMap) -> Result<System, PlanError> {
-    let mut miss = [0.0f64; 2];
+    let spotted = System::ALL.into_iter().filter(|system| !system.is_striped());
+    let (free, others): (Vec<_>, Vec<_>) = spotted.partition(|system| system.description().free_spacing);
+    let candidates: Vec<System> = free.into_iter().chain(others).collect();
+    let preferred = candidates[0];
+    let mut misses = vec![0.0f64; candidates.len()];
     for (place, _) in map.regions() {
         let mut wanted = map.at(map.layout().center(place));
         let spots = match &mut wanted {
             Attributes::Spots(spots) => spots,
-            Attributes::Stripes(Stripes { wavelength: None, .. }) => return Ok(System::MeinhardtStripes),
-            Attributes::Stripes(_) => return Ok(System::MeinhardtLines),
+            Attributes::Stripes(stripes) => {
+                let free = stripes.wavelength.is_some();
+                let fitting = System::first(|system| system.is_striped() && system.free_spacing == free);
+                return Ok(fitting.unwrap_or(preferred));
+            }
         };
         if spots.spacing.is_none() {
-            spots.spacing = Some(free_spacing(training, System::MeinhardtSpots, spots));
+            spots.spacing = Some(free_spacing(training, preferred, spots));
         }
-        let cell = cell_for(&wanted);
-        for (worst, system) in miss.iter_mut().zip([System::MeinhardtSpots, System::TuringSpots]) {
-            let answer = ask(training, system, &wanted, cell)?;
+        let cell = cell_for(preferred, &wanted);
+        for (worst, system) in misses.iter_mut().zip(&candidates) {
+            let answer = ask(training, *system, &wanted, cell)?;
             *worst = worst.max(distance(&wanted, &answer.predicted));
         }
     }
-    let [meinhardt, turing] = miss;
-    Ok(if turing < MET && MET < meinhardt { System::TuringSpots } else { System::MeinhardtSpots })
+    if misses[0] <= MET {
+        return Ok(preferred);
+    }
+    let other = candidates.iter().zip(&misses).find(|(_, miss)| **miss < MET);
+    Ok(other.map_or(preferred, |(system, _)| *system))
 }
 
 /// How far two sets of spots differ: |Δ ln area| + |Δ ln spacing| + |Δ aspect|.

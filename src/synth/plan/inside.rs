@@ -51,7 +51,7 @@ pub(super) fn look_up(training: &Training, map: &RegionMap, beneath: &Lookup) ->
     let layout = map.layout();
     let room = |place| room(&map.at(layout.center(place)), &beneath.map.at(layout.center(place)));
     let room = map.regions().map(|(place, _)| room(place)).fold(1.0, f64::min);
-    let system = System::MeinhardtSpots;
+    let system = System::first(|system| system.fixed_places).expect("spots of a system stay at given places");
     Lookup::new(system, map, Start::Inside, &|wanted, cell| ask_placed(training, system, wanted, room, cell))
 }
 

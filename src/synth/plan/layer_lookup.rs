@@ -68,14 +68,12 @@ pub struct Lookup {
 pub fn look_up(training: &Training, choice: SystemChoice, map: &RegionMap) -> Result<Lookup, PlanError> {
     let mut map = map.clone();
     let system = match choice {
-        SystemChoice::TuringSpots => System::TuringSpots,
-        SystemChoice::MeinhardtSpots => System::MeinhardtSpots,
-        SystemChoice::MeinhardtStripes => System::MeinhardtStripes,
-        SystemChoice::MeinhardtLines => System::MeinhardtLines,
+        SystemChoice::Of(system) => system,
         SystemChoice::Auto => choose_system(training, &map)?,
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
-    let sparse = |wanted: &Attributes| Ok(ask(training, system, wanted, cell_for(wanted))?.pitch > 1.0);
+    let sparse =
+        |wanted: &Attributes| Ok(ask(training, system, wanted, cell_for(system, wanted))?.pitch > 1.0);
     let sparse = wanted(&map).iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
     let asked = if sparse { ask_among_sparse } else { ask };
     Lookup::new(system, map, Start::Free(Vec::new()), &|wanted, cell| asked(training, system, wanted, cell))
@@ -97,8 +95,8 @@ pub fn look_up_on(
 
 /// px a cell that suits the finest marks of `map`, no spacing of which is free.
 #[must_use]
-pub fn finest_cell(map: &RegionMap) -> f64 {
-    wanted(map).iter().map(cell_for).fold(f64::INFINITY, f64::min)
+pub fn finest_cell(system: System, map: &RegionMap) -> f64 {
+    wanted(map).iter().map(|wanted| cell_for(system, wanted)).fold(f64::INFINITY, f64::min)
 }
 
 /// What `map` wants at the centre of each region.
@@ -109,7 +107,7 @@ fn wanted(map: &RegionMap) -> Vec<Attributes> {
 impl Lookup {
     /// Looks up what `map` wants, no spacing of which is free.
     pub(super) fn new(system: System, map: RegionMap, start: Start, ask: Ask) -> Result<Self, PlanError> {
-        let cell = finest_cell(&map);
+        let cell = finest_cell(system, &map);
         Self::on_cells(system, map, cell, start, ask)
     }
 

@@ -28,7 +28,7 @@ impl LookedUp {
     /// use dapple::lookup::{Attributes, LookedUp, Spots, System, Training};
     ///
     /// let spots = Spots { area: 300.0, aspect: 0.6, angle: 30.0, spacing: Some(40.0) };
-    /// let found = LookedUp::new(Training::built_in(), System::MeinhardtSpots, &Attributes::Spots(spots))?;
+    /// let found = LookedUp::new(Training::built_in(), System::MEINHARDT_SPOTS, &Attributes::Spots(spots))?;
     /// assert_eq!(found.answer.parameters.named()[0].0, "rate");
     /// # Ok::<(), dapple::lookup::PlanError>(())
     /// ```
@@ -38,14 +38,14 @@ impl LookedUp {
     pub fn new(training: &Training, system: System, wanted: &Attributes) -> Result<Self, PlanError> {
         let mut filled = *wanted;
         let mut taken = None;
-        if let (System::MeinhardtSpots, Attributes::Spots(spots @ Spots { spacing: None, .. })) =
-            (system, &mut filled)
+        if let Attributes::Spots(spots @ Spots { spacing: None, .. }) = &mut filled
+            && system.description().free_spacing
         {
             let spacing = free_spacing(training, system, spots);
             spots.spacing = Some(spacing);
             taken = Some(spacing);
         }
-        let cell = cell_for(&filled);
+        let cell = cell_for(system, &filled);
         let answer = ask(training, system, &filled, cell)?;
         Ok(Self { system, cell, free_spacing: taken, answer })
     }

@@ -6,25 +6,11 @@ use crate::rd::System;
 use crate::synth::plan::error::PlanError;
 use crate::synth::training::Training;
 
-/// Cells that the smallest spot of a texture covers at half its peak. `facts.md` rule 1: below 25 the grid
-/// distorts, above only time is lost (it grows with the square).
-const CELLS: f64 = 48.0;
-/// Cells across the thinnest stripe (`facts.md` C: wavelength 12–20).
-const CELLS_ACROSS: f64 = 8.0;
-/// Cells across the thinnest line: the grid takes 1.5 % of its width, of 4 cells 3 %.
-const CELLS_ACROSS_A_LINE: f64 = 5.0;
-/// From this size on a spot's size in cells no longer matters: parameters scale exactly (`facts.md` A, B), so
-/// that a larger one is looked up at this size. The sets reach to 160.
-const EXACT_CELLS: f64 = 120.0;
-/// The same for the width of a stripe, cells. The set reaches to 16.
-const EXACT_ACROSS: f64 = 14.0;
-/// The same of a line. The set reaches to 9.
-const EXACT_ACROSS_A_LINE: f64 = 8.0;
 /// px a cell below which a pattern could not be seen on the canvas anyway.
 const FINEST: f64 = 0.35;
-/// area ÷ spacing² of a spot whose spacing is free: what Meinhardt's system packs at its smallest ratio, where
-/// its spots are evenest.
-const FREE_MEINHARDT: f64 = 0.12;
+/// area ÷ spacing² of spots whose spacing is free: what Meinhardt's system packs at its smallest ratio, where its spots are
+/// evenest.
+const FREE_DENSITY: f64 = 0.12;
 
 /// Spots sparser than what is reached by less than this are as good as met.
 const NOTICED: f64 = 0.02;
@@ -34,30 +20,31 @@ const ALONE: f64 = 1.7;
 /// Looks up attributes (px) for a grid of so many px a cell.
 pub(super) type Ask<'a> = &'a (dyn Fn(&Attributes, f64) -> Result<Answer, PlanError> + Sync);
 
-/// px a cell that suits these attributes.
+/// px a cell that suits these attributes: on it the smallest mark has the cells that `system` needs.
 #[must_use]
-pub fn cell_for(wanted: &Attributes) -> f64 {
+pub fn cell_for(system: System, wanted: &Attributes) -> f64 {
+    let [own, asked] = system.definition().resolution.planned;
     let cell = match wanted {
-        Attributes::Stripes(Stripes { width, wavelength: None, .. }) => width / CELLS_ACROSS,
-        Attributes::Stripes(line) => line.width / CELLS_ACROSS_A_LINE,
+        Attributes::Stripes(Stripes { width, wavelength: None, .. }) => width / own,
+        Attributes::Stripes(line) => line.width / asked,
         Attributes::Spots(spots) => {
             // Denser spots are read at a lower level, and so are larger than the peak that must be resolved.
-            let dense =
-                spots.spacing.map_or(1.0, |s| (spots.area / (s * s) / FREE_MEINHARDT).clamp(1.0, 2.0));
-            (spots.area / dense / CELLS).sqrt()
+            let dense = spots.spacing.map_or(1.0, |s| (spots.area / (s * s) / FREE_DENSITY).clamp(1.0, 2.0));
+            (spots.area / dense / asked).sqrt()
         }
     };
     cell.max(FINEST)
 }
 
-/// px a cell of the coarsest grid, no finer than `cell`, on which such marks are no larger than their size in cells
-/// matters.
+/// px a cell of the coarsest grid, no finer than `cell`, on which the size of such marks in cells makes no difference to
+/// `system`.
 #[must_use]
-pub fn exact_cell(wanted: &Attributes, cell: f64) -> f64 {
+pub fn exact_cell(system: System, wanted: &Attributes, cell: f64) -> f64 {
+    let [own, asked] = system.definition().resolution.exact;
     cell.max(match wanted {
-        Attributes::Spots(spots) => (spots.area / EXACT_CELLS).sqrt(),
-        Attributes::Stripes(Stripes { width, wavelength: None, .. }) => width / EXACT_ACROSS,
-        Attributes::Stripes(line) => line.width / EXACT_ACROSS_A_LINE,
+        Attributes::Spots(spots) => (spots.area / asked).sqrt(),
+        Attributes::Stripes(Stripes { width, wavelength: None, .. }) => width / own,
+        Attributes::Stripes(line) => line.width / asked,
     })
 }
 
@@ -67,7 +54,7 @@ pub fn exact_cell(wanted: &Attributes, cell: f64) -> f64 {
 /// # Errors
 /// The training set cannot be read, or does not take such attributes.
 pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) -> Result<Answer, PlanError> {
-    let exact = exact_cell(wanted, cell);
+    let exact = exact_cell(system, wanted, cell);
     let (set, asked) = (training.set(system)?, wanted.scaled(1.0 / exact));
     let answer = set.ask(&asked)?;
     let apart = if is_sparser(&asked, &answer.nearest) { set.ask_apart(&asked, 1.0)? } else { None };
@@ -83,7 +70,7 @@ pub(crate) fn ask_among_sparse(
     wanted: &Attributes,
     cell: f64,
 ) -> Result<Answer, PlanError> {
-    let exact = exact_cell(wanted, cell);
+    let exact = exact_cell(system, wanted, cell);
     let apart = training.set(system)?.ask_apart(&wanted.scaled(1.0 / exact), 1.0)?;
     match apart.filter(|answer| answer.pitch >= ALONE) {
         Some(answer) => Ok(on_grid(answer, cell, exact)),
@@ -103,7 +90,7 @@ pub fn ask_placed(
     room: f64,
     cell: f64,
 ) -> Result<Answer, PlanError> {
-    let exact = exact_cell(wanted, cell);
+    let exact = exact_cell(system, wanted, cell);
     let (set, asked) = (training.set(system)?, wanted.scaled(1.0 / exact));
     let mut answer = match set.ask_apart(&asked, room)? {
         Some(answer) => answer,
@@ -133,13 +120,14 @@ fn is_sparser(asked: &Attributes, reached: &Attributes) -> bool {
 #[must_use]
 pub fn free_spacing(training: &Training, system: System, spots: &Spots) -> f64 {
     let free = Attributes::Spots(Spots { spacing: None, ..*spots });
-    let given = match system {
-        System::TuringSpots => ask(training, system, &free, cell_for(&free)).ok(),
-        // Any spacing would do; evenest are the spots of its smallest ratio.
-        _ => None,
+    // Where any spacing can be grown, spots are evenest at the smallest ratio.
+    let given = if system.description().free_spacing {
+        None
+    } else {
+        ask(training, system, &free, cell_for(system, &free)).ok()
     };
     match given.map(|answer| answer.predicted) {
         Some(Attributes::Spots(Spots { spacing: Some(spacing), .. })) => spacing,
-        _ => (spots.area / FREE_MEINHARDT).sqrt(),
+        _ => (spots.area / FREE_DENSITY).sqrt(),
     }
 }

@@ -2,11 +2,11 @@
 
 use crate::rd::{Maps, Parameters, System};
 
-/// Cells of a mark as far as they resolve it. The hard edge of Turing's spots pins to the grid along their thin side.
+/// Cells of a mark as far as they resolve it.
 #[must_use]
 pub fn resolving_cells(system: System, p: &Parameters) -> f64 {
     let cells = system.cells(p);
-    if system == System::TuringSpots { cells * f64::from(p.stretch) } else { cells }
+    if system.definition().resolution.thin_side { cells * f64::from(p.stretch) } else { cells }
 }
 
 /// Cells that resolve the largest mark.

@@ -2,6 +2,7 @@
 
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::{axial, turn};
+use crate::rd::Scatter;
 
 /// Above this aspect a spot has no direction.
 const DIRECTED: f64 = 0.8;
@@ -17,6 +18,12 @@ pub struct Offset {
     pub elongation: f64,
     /// Of the direction, degrees.
     pub turn: f64,
+}
+
+impl From<Scatter> for Offset {
+    fn from(Scatter { size, spacing, elongation, turn }: Scatter) -> Self {
+        Self { size, spacing, elongation, turn }
+    }
 }
 
 impl Offset {

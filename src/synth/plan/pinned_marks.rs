@@ -11,7 +11,7 @@ use crate::attributes::Attributes;
 use crate::attributes::regions::RegionGrid;
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, turn};
-use crate::rd::{self, GuideLine, Hindrance, System, placeable};
+use crate::rd::{self, GuideLine, Hindrance, placeable};
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::spread::limits::{ASPECTS, most};
 use crate::synth::plan::spread::one_spot::{Deviation, own_parameters};
@@ -25,12 +25,6 @@ pub struct PinnedMark {
     pub deviation: Deviation,
 }
 
-/// Meinhardt's spots merge nearer to each other than d = N₀ + N₁ √(area ÷ spacing²) spacings. Of nine pairs among others,
-/// round and long, along and across, all stayed two at 0.40, 0.50, 0.58, 0.64, 0.68 where area ÷ spacing² was 0.03, 0.08,
-/// 0.12, 0.16, 0.2; by 0.02 nearer some merged, by 0.06 nearly all.
-const NEAREST: [f64; 2] = [0.23, 1.02];
-/// Turing's push harder: of 36 such pairs 20 lost a spot at 0.7 spacings, three at 0.8.
-const TURING: f64 = 0.85;
 /// area ÷ spacing² of spots as near as they come.
 const PACKED: f64 = 0.22;
 /// A single spot may differ by this many of the standard deviations that spots bear: as much as the drawn ones do.
@@ -86,10 +80,8 @@ fn nearest(lookup: &Lookup, px: [f64; 2]) -> f64 {
     let wanted = lookup.spots_at(px);
     let pitch = lookup.px_a_cell() * lookup.system.spacing(&lookup.lattice.at(px).parameters(1.0));
     let spacing = wanted.spacing.unwrap_or((wanted.area / PACKED).sqrt());
-    let share = match lookup.system {
-        System::TuringSpots => TURING,
-        _ => NEAREST[0] + NEAREST[1] * wanted.area.sqrt() / spacing,
-    };
+    let [least, by_density] = lookup.system.definition().spots.map_or([0.0; 2], |spots| spots.merging);
+    let share = least + by_density * wanted.area.sqrt() / spacing;
     share * spacing / pitch
 }
 

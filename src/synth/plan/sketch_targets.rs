@@ -2,7 +2,7 @@
 
 use crate::attributes::regions::RegionMap;
 use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
-use crate::document::{Document, DocumentError, Kind, Options, Problem, SpreadChoice, Stroke, SystemChoice};
+use crate::document::{Document, DocumentError, Kind, Options, Problem, SpreadChoice, Stroke};
 use crate::marks::Mark;
 use crate::sketch::recognise;
 
@@ -59,7 +59,8 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Reg
         SpreadChoice::Drawn => map,
         SpreadChoice::Given(spread) => map.varied_by(spread),
     };
-    let apart = layer.system == SystemChoice::MeinhardtLines || layer.options.duty < Options::DUTY;
+    let apart = layer.system.is_known(|system| system.is_striped() && system.free_spacing)
+        || layer.options.duty < Options::DUTY;
     Ok(if apart { map.covering(layer.options.duty) } else { map })
 }
 

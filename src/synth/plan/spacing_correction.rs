@@ -7,7 +7,7 @@
 use crate::attributes::{Attributes, Stripes};
 use crate::marks::Ellipse;
 use crate::measure::{Canvas, Spot, spot_errors, stripe_errors};
-use crate::rd::{Maps, System, initial_marks, nuclei};
+use crate::rd::{Maps, initial_marks, nuclei};
 use crate::synth::plan::laid_out::Plan;
 
 /// Rounds of laying nuclei before they are laid to stay; a third changes nothing that the noise of a dozen spots would
@@ -23,18 +23,16 @@ pub const MANY: usize = 20_000;
 pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
     let layout = plan.lookup.map.layout();
     let mut pitch = vec![1.0; layout.len()];
-    match plan.lookup.system {
-        System::TuringSpots | System::MeinhardtSpots => {}
-        System::MeinhardtStripes => return pitch,
-        System::MeinhardtLines => {
-            for _ in 0..ROUNDS {
-                let errors = crowding(plan, &pitch, seed);
-                for (pitch, error) in pitch.iter_mut().zip(errors) {
-                    *pitch = corrected(*pitch, error);
-                }
+    if plan.lookup.system.is_striped() {
+        // The wavelength of the others is their own.
+        let rounds = if plan.lookup.system.description().free_spacing { ROUNDS } else { 0 };
+        for _ in 0..rounds {
+            let errors = crowding(plan, &pitch, seed);
+            for (pitch, error) in pitch.iter_mut().zip(errors) {
+                *pitch = corrected(*pitch, error);
             }
-            return pitch;
         }
+        return pitch;
     }
     for _ in 0..ROUNDS {
         let points = nuclei(plan.lookup.system, &plan.maps(&pitch), seed, &[]).inside;

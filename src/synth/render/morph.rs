@@ -101,7 +101,8 @@ impl<'a> Morph<'a> {
         let system = match (systems[0] == systems[1], auto) {
             (true, _) | (false, [false, true]) => systems[0],
             (false, [true, false]) => systems[1],
-            (false, [true, true]) if !systems[0].is_striped() => System::TuringSpots,
+            // Between two kinds of spots, those whose spacing follows from their size change steadily.
+            (false, [true, true]) if let Some(system) = systems.into_iter().find(|s| is_packed(*s)) => system,
             _ => {
                 let [a, b] = systems.map(System::name);
                 return Err(unlike(format!(
@@ -112,7 +113,7 @@ impl<'a> Morph<'a> {
         for map in &mut maps {
             map.fill_free_spacing(|spots| free_spacing(training, system, spots));
         }
-        let cell = maps.iter().map(finest_cell).fold(f64::INFINITY, f64::min);
+        let cell = maps.iter().map(|map| finest_cell(system, map)).fold(f64::INFINITY, f64::min);
         let mut morph =
             Self { documents: [from.0, to.0], training, system, maps, cell, state: Vec::new(), pace: 0.0 };
         morph.begin(watch)?;
@@ -219,4 +220,9 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
         return Some(format!("sizes {a} and {b}; allowed: one size, px"));
     }
     (from.edges != to.edges).then(|| "one wraps and the other is closed; allowed: the same edges".to_owned())
+}
+
+/// Does it grow spots whose spacing follows from their size?
+fn is_packed(system: System) -> bool {
+    !system.is_striped() && !system.description().free_spacing
 }

@@ -1,7 +1,8 @@
 //! Training rows: what is read is written and read back, and whatever is asked gets numbers or a refusal.
 
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
-use dapple::internals::learn::{SYSTEMS, TrainingSet, write_rows};
+use dapple::internals::learn::{TrainingSet, write_rows};
+use dapple::internals::rd::System;
 
 use crate::told::told;
 
@@ -10,7 +11,7 @@ const FILE: &str = "rows.csv";
 /// Whatever `bytes` are — the first says of which system — they are a training set or none.
 pub fn holds(bytes: &[u8]) {
     let Some((first, rows)) = bytes.split_first() else { return };
-    let system = SYSTEMS[usize::from(*first) % SYSTEMS.len()];
+    let system = System::ALL[usize::from(*first) % System::ALL.len()].description();
     match TrainingSet::read(system, [(FILE, rows)].into_iter()) {
         Ok(set) => {
             comes_back(&set);
@@ -53,7 +54,7 @@ fn answers(set: &TrainingSet) {
 
 fn questions(set: &TrainingSet) -> Vec<Attributes> {
     let mut asked: Vec<Attributes> = set.rows().iter().take(2).map(|row| row.attributes).collect();
-    if set.system().ends_with("spots") {
+    if !set.system().is_striped() {
         for (area, aspect, angle, spacing) in
             [(1e-3, 1.0, 0.0, None), (60.0, 0.5, 179.999, Some(14.0)), (1e7, 0.01, -720.0, Some(1e-3))]
         {

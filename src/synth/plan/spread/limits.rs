@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::attributes::{Spots, Spread};
 use crate::document::limits::{SPREAD_ANGLE, SPREAD_AREA};
-use crate::rd::System;
+use crate::rd::{SpotLimits, System, Variation};
 
 /// The spread that will be grown instead of one that was asked, and why it differs.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,17 +20,8 @@ pub const ASPECTS: [f64; 2] = [0.27, 0.99];
 /// Aspects that vary on both sides of their mean by at most d have a standard deviation of at most this share of d:
 /// some nearer than the farthest there must be.
 const WITHIN: f64 = 0.6;
-/// area ÷ spacing² up to which Meinhardt's spots bear all of [`SPREAD_AREA`], and what they bear less for each unit more:
-/// of 280 spots at 0.2 one merged at 0.5, none at
-/// 0.35; of 900 at 0.16 one at 0.5.
-const AREAS: [f64; 2] = [0.12, 3.5];
-/// Degrees by which Meinhardt's spots may be turned that are as long as 0.8 spacings, and the power of 1/length: of 600
-/// spots one merged at 10° (length 0.8) and at 20° (0.63), none at 30° (0.56); a per cent did at twice that.
-const TURNED: [f64; 3] = [8.5, 0.8, 3.0];
-/// What Turing's spots bear: beyond, they lose shape (angle), and push each other back (spacing).
-const TURING: Spread = Spread { area: 0.6, angle: 25.0, aspect: 0.2, spacing: 0.13 };
-/// The spacing that Meinhardt's spots bear: they push each other back from places that are more uneven.
-const UNEVEN: f64 = 0.18;
+/// area ÷ spacing² where the spacing is not known.
+const USUAL_DENSITY: f64 = 0.12;
 /// Coefficient of variation of the distances of round spots.
 const EVEN: f64 = 0.09;
 /// See [`least_spacing`].
@@ -40,17 +31,21 @@ const STRETCHED: f64 = 0.85;
 #[must_use]
 pub fn most(system: System, wanted: &Spots) -> Spread {
     let room = WITHIN * (wanted.aspect - ASPECTS[0]).min(ASPECTS[1] - wanted.aspect).max(0.0);
-    if system == System::TuringSpots {
-        return Spread { aspect: room, angle: TURING.angle.max(by_itself(system, wanted).angle), ..TURING };
-    }
-    let packing = wanted.spacing.map_or(AREAS[0], |spacing| wanted.area / (spacing * spacing));
+    let Some(SpotLimits { variation, .. }) = system.definition().spots else { return Spread::ZERO };
+    let (most_area, turn, uneven) = match variation {
+        Variation::Fixed(most) => {
+            return Spread { aspect: room, angle: most.angle.max(by_itself(system, wanted).angle), ..most };
+        }
+        Variation::ByDensity { area, turn, spacing } => (area, turn, spacing),
+    };
+    let packing = wanted.spacing.map_or(USUAL_DENSITY, |spacing| wanted.area / (spacing * spacing));
     let length = 2.0 * (packing / (PI * wanted.aspect)).sqrt();
     Spread {
-        area: (SPREAD_AREA.high - AREAS[1] * (packing - AREAS[0]).max(0.0)).max(0.0),
-        angle: (TURNED[0] * libm::pow(TURNED[1] / length, TURNED[2])).min(SPREAD_ANGLE.high),
+        area: (SPREAD_AREA.high - most_area[1] * (packing - most_area[0]).max(0.0)).max(0.0),
+        angle: (turn[0] * libm::pow(turn[1] / length, turn[2])).min(SPREAD_ANGLE.high),
         aspect: room,
         // What long spots have by themselves, they may have.
-        spacing: UNEVEN.max(least_spacing(wanted)),
+        spacing: uneven.max(least_spacing(wanted)),
     }
 }
 
@@ -104,10 +99,7 @@ pub fn limited(system: System, wanted: &Spots, asked: &Spread, given: bool) -> L
 /// Shape and direction are one vector −ln aspect · (cos 2θ, sin 2θ), whose noise is the same for all aspects.
 #[must_use]
 pub fn by_itself(system: System, wanted: &Spots) -> Spread {
-    let (area, shape) = match system {
-        System::TuringSpots => (0.045, 0.055),
-        _ => (0.03, 0.005),
-    };
+    let [area, shape] = system.definition().spots.map_or([0.0; 2], |spots| spots.own_variation);
     let long = -libm::log(wanted.aspect.min(0.99));
     Spread {
         area,
@@ -134,14 +126,14 @@ mod tests {
     #[test]
     fn what_can_be_had_is_left_as_it_is() {
         let asked = Spread { area: 0.3, angle: 10.0, aspect: 0.1, spacing: 0.15 };
-        let limited = limited(System::MeinhardtSpots, &spots(0.7, 0.1), &asked, false);
+        let limited = limited(System::MEINHARDT_SPOTS, &spots(0.7, 0.1), &asked, false);
         assert_eq!(limited, Limited { spread: asked, notes: Vec::new() });
     }
 
     #[test]
     fn too_much_is_cut_and_said_in_numbers() {
         let asked = Spread { area: 0.5, angle: 20.0, ..Spread::ZERO };
-        let limited = limited(System::MeinhardtSpots, &spots(0.4, 0.2), &asked, false);
+        let limited = limited(System::MEINHARDT_SPOTS, &spots(0.4, 0.2), &asked, false);
         assert!((limited.spread.area - 0.32).abs() < 1e-9 && (limited.spread.angle - 8.6).abs() < 0.1);
         assert_eq!(
             limited.notes,
@@ -155,14 +147,14 @@ mod tests {
     #[test]
     fn spots_without_room_to_differ_are_even_and_nothing_is_said_of_rounding() {
         let asked = Spread { area: 1e-17, ..Spread::ZERO };
-        let limited = limited(System::MeinhardtSpots, &spots(0.6, 0.45), &asked, false);
+        let limited = limited(System::MEINHARDT_SPOTS, &spots(0.6, 0.45), &asked, false);
         assert_eq!(limited, Limited { spread: Spread::ZERO, notes: Vec::new() });
     }
 
     #[test]
     fn that_long_spots_stand_unevenly_is_told_where_a_number_was_given() {
         let asked = Spread { spacing: 0.1, ..Spread::ZERO };
-        let notes = |given| limited(System::MeinhardtSpots, &spots(0.5, 0.1), &asked, given).notes;
+        let notes = |given| limited(System::MEINHARDT_SPOTS, &spots(0.5, 0.1), &asked, given).notes;
         let told =
             "the spacing of spots varies by 0.10, less than the 0.21 that such spots have by themselves";
         assert_eq!((notes(true), notes(false)), (vec![told.to_owned()], Vec::new()));

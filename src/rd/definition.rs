@@ -1,0 +1,277 @@
+//! What a reaction-diffusion system consists of, as data: each file of [`super::systems`] fills in one [`Definition`].
+
+use std::fmt;
+use std::hash::{Hash, Hasher};
+
+use super::chemicals::Chemicals;
+use super::kinetics::{MOBILITIES, Spreading};
+use super::maps::{Maps, Parameters};
+use super::plane::{Plane, RowLayout};
+use super::selling::Tensor;
+use super::start::Start;
+use crate::attributes::Spread;
+use crate::attributes::system::Description;
+
+/// From planes on a grid to chemicals that react.
+pub type Reacting = fn(&Maps, RowLayout, Vec<Plane>) -> Option<Box<dyn Chemicals>>;
+
+/// Everything that is particular to one system.
+pub struct Definition {
+    /// What the rest of the program needs to know of it.
+    pub description: Description,
+    /// The names of its chemicals, in the order of [`super::Growth::concentrations`].
+    pub chemicals: &'static [&'static str],
+    /// How each chemical spreads.
+    pub spread: &'static [Spreading],
+    /// The diffusion tensors of a place with these parameters, on square cells.
+    pub tensors: &'static [fn(&Parameters) -> Tensor],
+    /// The mobility numbers of a place with these parameters.
+    pub mobilities: fn(&Parameters) -> [f32; MOBILITIES],
+    /// Concentrations, one plane a chemical, with their reaction; `None` for another number of planes.
+    pub reacting: Reacting,
+    /// Initial concentrations, one vector a chemical.
+    pub begin: fn(&Start, &Maps) -> Vec<Vec<f32>>,
+    /// Writes how much of a mark each cell of a row shows, given the row of each chemical: 0 on the ground, 1 in the
+    /// middle of a mark with the parameters there.
+    pub show: fn(&[&[f32]], &[Parameters], &mut [f32]),
+    /// How its spots are made irregular; `None` where they cannot be.
+    pub decay_noise: Option<DecayNoise>,
+    /// Concentrations of obstacle cells, one a chemical: they keep marks away.
+    pub obstacle: &'static [f32],
+    /// Distance to obstacle cells ÷ spacing within which the shown concentration is that of the obstacle.
+    pub obstacle_rim: f64,
+    /// The decay constant that scales normalised time (`facts.md` 0): T = decay · rate · time.
+    pub decay: f32,
+    /// The largest dt·s at which the reactions alone stay stable.
+    pub reaction_limit: f32,
+    /// Its laws of scale.
+    pub laws: Laws,
+    /// κ² of [`System::compensated`]: how much larger marks are made for a coarse grid.
+    pub compensation: f64,
+    /// Cells that a mark needs.
+    pub resolution: Resolution,
+    /// When a pattern counts as settled.
+    pub convergence: Convergence,
+    /// Scatter of patches of 80 spots (or 10 wavelengths) with the same parameters, from seed to seed: of 40 patches each
+    /// at stretches of 0.35, 0.6 and 0.9 and three sizes or five ratios and levels (of lines 14 each of three ratios), the
+    /// median.
+    pub scatter: Scatter,
+    /// Scatter that needs no correction: of sizes and spacings what levels and pitches correct on the canvas anyway; of
+    /// directions half of what a canvas of stripes scatters, or what the eye does not see.
+    pub tolerated: Scatter,
+    /// d ln size ÷ d ln level, about level ½.
+    pub level_slope: f64,
+    /// Limits of its spots; `None` of stripes.
+    pub spots: Option<SpotLimits>,
+    /// What its growth costs.
+    pub cost: Cost,
+    /// What a sweep may vary.
+    pub sweep: &'static [SweepQuantity],
+    /// A rate at which its marks have a usual number of cells: for benchmarks and tests.
+    pub usual_rate: f32,
+    /// How far lookups may be off, as `dapple learn` checks.
+    pub error_bounds: ErrorBounds,
+}
+
+/// Laws of scale, good to some per cent.
+pub struct Laws {
+    /// Cells that a spot covers at half its peak × rate, or the squared width of a stripe × rate, at a ratio.
+    pub size: fn(f32) -> f64,
+    /// Distance of neighbouring spots or wavelength of stripes × √rate, at a ratio.
+    pub spacing: fn(f32) -> f64,
+    /// Rate for marks of a size (area of a spot, width of a stripe, cells) at a ratio and a level. Rougher than the
+    /// others; for choosing what to sweep.
+    pub rate: fn(f64, f64, f64) -> f64,
+}
+
+/// How a system makes its spots irregular.
+#[derive(Clone, Copy, Debug)]
+pub struct DecayNoise {
+    /// Standard deviation of the decay at the most irregular.
+    pub deviation: f64,
+    /// By how much the rate is raised at the most irregular, relative.
+    pub rate: f64,
+}
+
+/// Cells that a mark needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Resolution {
+    /// Below this many cells a mark is not formed on a coarse grid.
+    pub least: f64,
+    /// From this many on, what a coarse grid formed is taken over as it is.
+    pub enough: f64,
+    /// Whether the thin side of long spots counts alone, since their hard edge pins to the grid.
+    pub thin_side: bool,
+    /// Cells of the smallest mark on the planned grid (area of a spot, width of a stripe): where the distance of the marks
+    /// is not asked, and where it is.
+    pub planned: [f64; 2],
+    /// From this many cells on parameters scale exactly: the same two.
+    pub exact: [f64; 2],
+}
+
+/// When a pattern counts as settled: normalised times (`facts.md` 0) where the reactions are slowest.
+#[derive(Clone, Copy, Debug)]
+pub struct Convergence {
+    /// Not checked before.
+    pub earliest: f64,
+    /// Given up after.
+    pub latest: f64,
+    /// Relative change a unit of time that counts as steady drift.
+    pub drift: f64,
+    /// Where only the errors of a coarser grid are corrected: not checked before.
+    pub corrected: f64,
+    /// Relative change a unit of time that counts as settled there.
+    pub still: f64,
+}
+
+/// Scatter of what was measured, from seed to seed; 0 where the system does not let it be corrected.
+#[derive(Clone, Copy, Debug)]
+pub struct Scatter {
+    /// Of ln area or ln width.
+    pub size: f64,
+    /// Of ln spacing or ln wavelength.
+    pub spacing: f64,
+    /// Of ln aspect.
+    pub elongation: f64,
+    /// Of the direction, degrees.
+    pub turn: f64,
+}
+
+/// Limits of spots.
+#[derive(Clone, Copy, Debug)]
+pub struct SpotLimits {
+    /// Spots merge nearer to each other than d = `[0]` + `[1]` · √(area ÷ spacing²) spacings.
+    pub merging: [f64; 2],
+    /// Coefficient of variation of the area, and deviation of −ln aspect · (cos 2θ, sin 2θ), of spots with the same
+    /// parameters.
+    pub own_variation: [f64; 2],
+    /// How much they can be made to vary.
+    pub variation: Variation,
+}
+
+/// How much spots can be made to vary without merging or losing their shape.
+#[derive(Clone, Copy, Debug)]
+pub enum Variation {
+    /// By this much at any density; its aspect is not read.
+    Fixed(Spread),
+    /// The less, the denser they are.
+    ByDensity {
+        /// area ÷ spacing² up to which the area may vary without limit, and by how much less for each unit more.
+        area: [f64; 2],
+        /// Degrees that spots of this length (in spacings) may turn, and the power of 1/length.
+        turn: [f64; 3],
+        /// Coefficient of variation of the spacing.
+        spacing: f64,
+    },
+}
+
+/// What a growth costs.
+#[derive(Clone, Copy, Debug)]
+pub struct Cost {
+    /// Bytes of memory a cell where parameters differ everywhere. Of spots: two chemicals twice (16), weights, mobilities
+    /// and rate (27), parameters (20), convergence and prolongation (25); measured 85–90 at 2,570²–2,979² cells. Of
+    /// stripes with five chemicals: 123–130 at 1,748²–8,192² cells.
+    pub bytes_a_cell: f64,
+    /// Cell updates needed ÷ cell updates expected: the median of the golden textures and seven examples. A finer grid
+    /// mostly needs fewer steps than expected, and stripes settle on it at once.
+    pub updates: f64,
+    /// The same where all is grown on one grid, as lines along curves are.
+    pub updates_on_one_grid: f64,
+}
+
+/// A quantity that a sweep may vary.
+#[derive(Clone, Copy, Debug)]
+pub struct SweepQuantity {
+    /// Its name.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Lowest and highest value.
+    pub allowed: [f64; 2],
+}
+
+/// Median and 95th percentile that are allowed, by attribute: % of area, spacing, width and wavelength, degrees of angle.
+pub type Bounds = &'static [(&'static str, [f64; 2])];
+
+/// How far lookups may be off.
+#[derive(Clone, Copy, Debug)]
+pub struct ErrorBounds {
+    /// Of what grows with parameters that were looked up.
+    pub looked_up: Bounds,
+    /// The same after probes and refinement.
+    pub refined: Bounds,
+}
+
+/// A reaction-diffusion system. Two are equal where their names are.
+#[derive(Clone, Copy)]
+pub struct System(&'static Definition);
+
+impl System {
+    /// The system that `definition` describes.
+    #[must_use]
+    pub const fn new(definition: &'static Definition) -> Self {
+        Self(definition)
+    }
+
+    /// Everything that is particular to it.
+    #[must_use]
+    pub const fn definition(self) -> &'static Definition {
+        self.0
+    }
+
+    /// What the rest of the program needs to know of it.
+    #[must_use]
+    pub const fn description(self) -> &'static Description {
+        &self.0.description
+    }
+
+    /// Its name in documents and of its training set.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        self.0.description.name
+    }
+
+    /// The names of its chemicals, in the order of [`super::Growth::concentrations`].
+    #[must_use]
+    pub fn chemicals(self) -> &'static [&'static str] {
+        self.0.chemicals
+    }
+
+    /// Does it grow stripes, not spots?
+    #[must_use]
+    pub const fn is_striped(self) -> bool {
+        self.0.description.is_striped()
+    }
+
+    /// Cells that a spot covers at half its peak, or the squared width of a stripe: how finely the grid shows it.
+    #[must_use]
+    pub fn cells(self, p: &Parameters) -> f64 {
+        (self.0.laws.size)(p.ratio) / f64::from(p.rate)
+    }
+
+    /// Distance at which spots begin, or the wavelength of stripes, cells.
+    #[must_use]
+    pub fn spacing(self, p: &Parameters) -> f64 {
+        f64::from(p.pitch) * (self.0.laws.spacing)(p.ratio) / f64::from(p.rate).sqrt()
+    }
+}
+
+impl PartialEq for System {
+    fn eq(&self, other: &Self) -> bool {
+        self.name() == other.name()
+    }
+}
+
+impl Eq for System {}
+
+impl Hash for System {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name().hash(state);
+    }
+}
+
+impl fmt::Debug for System {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
