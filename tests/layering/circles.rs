@@ -10,8 +10,10 @@ use crate::scan::{Scan, scan};
 use crate::sources::{is_test, module, sources};
 
 /// The rooms that are checked.
-const CHECKED: [&str; 8] =
-    ["grid", "marks", "attributes", "sketch", "measure", "export", "document", "editor"];
+const CHECKED: [&str; 9] =
+    ["grid", "marks", "attributes", "sketch", "measure", "export", "document", "editor", "app"];
+/// The stages of `synth`: each knows only the ones before it.
+const STAGES: [&str; 4] = ["plan", "grow", "render", "report"];
 
 /// The module path of a file, below the crate's root.
 type Module = Vec<String>;
@@ -130,6 +132,22 @@ fn no_circle_of_imports_within_a_room() {
     let mut circles = circles(&sources());
     circles.retain(|circle| CHECKED.contains(&circle.split(['/', ':']).next().unwrap_or_default()));
     assert!(circles.is_empty(), "\n{}\n", circles.join("\n"));
+}
+
+#[test]
+fn the_stages_of_synth_know_only_those_before_them() {
+    let all = House::new(&sources()).imports();
+    let stage = |name: &str| STAGES.iter().position(|stage| *stage == name);
+    let mut found = 0;
+    for (from, imports) in &all[&vec!["synth".to_owned()]] {
+        for (to, places) in imports {
+            if let (Some(a), Some(b)) = (stage(from), stage(to)) {
+                assert!(b < a, "{from} must not know {to}:\n    {}", places.join("\n    "));
+                found += 1;
+            }
+        }
+    }
+    assert!(found > 0, "no stage imports from another: have they been renamed?");
 }
 
 mod the_check_itself {
