@@ -73,9 +73,9 @@ fn existing() -> Vec<Case> {
 }
 
 /// Pairwise sampling: goes through the cases and takes each that adds a pair of (system, after), (system, edges) or
-/// (after, edges) which those taken before do not have.
-fn sample(cases: &[Case]) -> Vec<Case> {
-    let mut pairs = BTreeSet::new();
+/// (after, edges) which neither those taken before nor `covered` have.
+fn sample(cases: &[Case], covered: &[Case]) -> Vec<Case> {
+    let mut pairs: BTreeSet<_> = covered.iter().flat_map(pairs_of).collect();
     let mut chosen = Vec::new();
     for case in cases {
         let before = pairs.len();
@@ -97,7 +97,8 @@ fn pairs_of(case: &Case) -> [[&'static str; 2]; 3] {
 fn golden_cases() -> Vec<Case> {
     let (complete, later): (Vec<Case>, Vec<Case>) =
         existing().into_iter().partition(|case| COMPLETE.contains(&case.system.name()));
-    complete.into_iter().chain(sample(&later)).collect()
+    let sampled = sample(&later, &complete);
+    complete.into_iter().chain(sampled).collect()
 }
 
 /// The names of the golden documents.
@@ -107,7 +108,8 @@ pub fn names() -> Vec<String> {
 
 #[test]
 fn a_sample_has_every_pair_and_is_smaller_than_the_product() {
-    let (all, sample) = (existing(), sample(&existing()));
+    let all = existing();
+    let sample = sample(&all, &[]);
     let pairs = |cases: &[Case]| -> BTreeSet<[&str; 2]> { cases.iter().flat_map(pairs_of).collect() };
     assert_eq!(pairs(&sample), pairs(&all));
     assert!(sample.len() < all.len(), "{} of {}", sample.len(), all.len());
