@@ -1,13 +1,15 @@
-//! What a growth will need, before it is begun.
+//! The memory that a growth needs, checked before it begins.
+
+use sysinfo::{MemoryRefreshKind, RefreshKind};
 
 use crate::rd::System;
 
-/// Bytes that a px of the canvas takes: the bands in which pictures are made.
+/// Bytes a px of the canvas: the bands in which pictures are made.
 const PX: f64 = 1.0;
-/// What any growth takes, bytes.
+/// Bytes of any growth.
 const BASE: f64 = 30e6;
 
-/// A texture that does not fit.
+/// A growth that does not fit into memory.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error(
     "{}×{} px on a grid of {}×{} cells needs about {:.1} GB of memory, {:.1} GB are free; \
@@ -25,7 +27,7 @@ pub struct TooLarge {
     pub free: f64,
 }
 
-/// Whether a growth of `system` on `grid` cells for a canvas of `size` px fits into the memory that is free now.
+/// Checks that a growth of `system` on `grid` cells for a canvas of `size` px fits into the memory that is free now.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
@@ -35,7 +37,7 @@ pub fn check(system: System, size: [f64; 2], grid: [usize; 2]) -> Result<(), Too
     if needed > free { Err(TooLarge { size, grid, needed, free }) } else { Ok(()) }
 }
 
-/// Whether a picture of `size` px of which `held` bytes a px are held at once fits into the memory that is free now.
+/// Checks that a picture of `size` px whose writer holds `held` bytes a px fits into the memory that is free now.
 ///
 /// # Errors
 /// [`TooLargePicture`] with the numbers.
@@ -45,7 +47,7 @@ pub fn check_picture(size: [usize; 2], held: f64) -> Result<(), TooLargePicture>
     if needed > free { Err(TooLargePicture { size, needed, free }) } else { Ok(()) }
 }
 
-/// A picture whose writer wants more memory than there is.
+/// A picture whose writer needs more memory than is free.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error(
     "a picture of {}×{} px in this format needs about {:.1} GB of memory, {:.1} GB are free; write a .png, or a smaller one",
@@ -60,7 +62,7 @@ pub struct TooLargePicture {
     pub free: f64,
 }
 
-/// Whether something else that is written of a growth, which holds `needed` bytes, fits into the memory that is free now.
+/// Checks that another export, whose writer holds `needed` bytes, fits into the memory that is free now.
 ///
 /// # Errors
 /// [`TooLargeExport`] with the numbers.
@@ -69,17 +71,17 @@ pub fn check_export(what: &'static str, needed: f64, remedy: &'static str) -> Re
     if needed > free { Err(TooLargeExport { what, needed, free, remedy }) } else { Ok(()) }
 }
 
-/// An export that wants more memory than there is.
+/// An export that needs more memory than is free.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("{what} needs about {:.1} GB of memory, {:.1} GB are free; {remedy}", needed / 1e9, free / 1e9)]
 pub struct TooLargeExport {
-    /// What it is.
+    /// What is exported.
     pub what: &'static str,
     /// Bytes needed.
     pub needed: f64,
     /// Bytes free.
     pub free: f64,
-    /// What helps.
+    /// The remedy.
     pub remedy: &'static str,
 }
 
@@ -89,13 +91,14 @@ pub fn needed(system: System, size: [f64; 2], grid: [usize; 2]) -> f64 {
     BASE + grid[0] as f64 * grid[1] as f64 * system.definition().cost.bytes_a_cell + size[0] * size[1] * PX
 }
 
-/// Bytes of memory that are free; where the system does not say, what most machines have.
+/// Bytes of memory that are free.
 fn free() -> f64 {
-    const USUAL: f64 = 8e9;
-    let Ok(text) = std::fs::read_to_string("/proc/meminfo") else { return USUAL };
-    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"));
-    let kilobytes = line.and_then(|rest| rest.trim().trim_end_matches("kB").trim().parse::<f64>().ok());
-    kilobytes.map_or(USUAL, |kilobytes| 1024.0 * kilobytes)
+    /// What is assumed where the system does not say.
+    const ASSUMED: f64 = 8e9;
+    let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
+    let machine = sysinfo::System::new_with_specifics(memory);
+    let bytes = machine.map_or(0, |machine| machine.available_memory());
+    if bytes > 0 { bytes as f64 } else { ASSUMED }
 }
 
 #[cfg(test)]
@@ -107,6 +110,11 @@ mod tests {
         // 48 cells a spot: 2.5 px a cell.
         let needed = needed(System::MEINHARDT_SPOTS, [16_384.0; 2], [6_554; 2]);
         assert!((16.0..17.5).contains(&(needed / (16_384.0 * 16_384.0))), "{needed}");
+    }
+
+    #[test]
+    fn a_machine_that_runs_this_has_memory() {
+        assert!((1e6..1e14).contains(&free()), "{}", free());
     }
 
     #[test]

@@ -15,7 +15,7 @@ use crate::synth::plan::lattice::Lattice;
 use crate::synth::plan::lookup::{Ask, ask, ask_among_sparse, cell_for, free_spacing};
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::offset_curves::CurveKind;
-use crate::synth::plan::spread::limits::limited;
+use crate::synth::plan::spread_limits::limited;
 use crate::synth::training::Training;
 
 /// Where the marks of a layer begin. Decided by the sketch; places are known once the layers beneath have grown.

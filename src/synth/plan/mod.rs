@@ -23,10 +23,12 @@ pub(crate) mod mark_cells;
 pub mod obstacle_mask;
 pub mod offset;
 pub mod offset_curves;
+mod one_spot;
 pub mod pinned_marks;
 pub mod sketch_targets;
 pub mod spacing_correction;
 pub mod spread;
+pub(crate) mod spread_limits;
 mod targets;
 
 pub use arrange::Surroundings;

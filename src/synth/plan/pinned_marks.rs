@@ -13,8 +13,8 @@ use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, turn};
 use crate::rd::{self, GuideLine, Hindrance, placeable};
 use crate::synth::plan::layer_lookup::Lookup;
-use crate::synth::plan::spread::limits::{ASPECTS, most};
-use crate::synth::plan::spread::one_spot::{Deviation, own_parameters};
+use crate::synth::plan::one_spot::{Deviation, own_parameters};
+use crate::synth::plan::spread_limits::{ASPECTS, most};
 
 /// A drawn spot that stays where it was drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,8 +7,8 @@ use crate::attributes::{Spots, Spread};
 use crate::grid::Edges;
 use crate::marks::Ellipse;
 use crate::synth::plan::laid_out::Plan;
-use crate::synth::plan::spread::limits::{ASPECTS, beyond, by_itself};
-use crate::synth::plan::spread::one_spot::Deviation;
+use crate::synth::plan::one_spot::Deviation;
+use crate::synth::plan::spread_limits::{ASPECTS, beyond, by_itself};
 
 /// How each spot deviates from its region in size, direction and aspect, in standard deviations. The first spots are the
 /// pinned ones, whose deviations are known.

@@ -10,8 +10,6 @@
 //! where spots begin, which they keep but for what neighbours push them.
 
 mod deviations;
-pub(super) mod limits;
-pub mod one_spot;
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -21,9 +19,9 @@ use crate::rd::{self, Maps, Parameters, Places};
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
+use crate::synth::plan::one_spot::own_parameters;
 use crate::synth::plan::spacing_correction::{MANY, ROUNDS, corrected, spots_at};
 use deviations::Scores;
-use one_spot::own_parameters;
 
 /// What a layer of varied spots grows from.
 pub struct Varied {
