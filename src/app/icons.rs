@@ -1,9 +1,9 @@
-//! Small pictures on buttons, drawn as lines so that they are sharp at any size.
+//! Icons, drawn as lines so that they are sharp at any size.
 
 use egui::epaint::EllipseShape;
 use egui::{Button, Color32, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
-/// A picture on a button.
+/// An icon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Icon {
     /// Select.
@@ -24,7 +24,7 @@ pub enum Icon {
     Redo,
     /// Pause.
     Pause,
-    /// Go on.
+    /// Resume.
     Play,
     /// Stop.
     Stop,
@@ -38,13 +38,13 @@ pub enum Icon {
     Over,
     /// Two by two tiles.
     Tiles,
-    /// One more.
+    /// Add.
     Add,
-    /// A copy.
+    /// Duplicate.
     Copies,
     /// Delete.
     Bin,
-    /// Higher.
+    /// Raise.
     Up,
     /// Lower.
     Down,
@@ -66,7 +66,7 @@ pub enum Icon {
     Starred,
 }
 
-/// What a picture is made of, in a square of 20 × 20.
+/// A part of an icon, in a square of 20 × 20.
 enum Part {
     /// A line.
     Path(&'static [[f32; 2]]),
@@ -74,11 +74,11 @@ enum Part {
     Closed(&'static [[f32; 2]]),
     /// A filled convex outline.
     Filled(&'static [[f32; 2]]),
-    /// A dot: its middle and radius.
+    /// A dot: its centre and radius.
     Dot([f32; 3]),
-    /// An ellipse: its middle, radii and angle.
+    /// An ellipse: its centre, radii and angle.
     Oval([f32; 5]),
-    /// Half a circle that opens to the left (−1) or to the right: its middle and radius.
+    /// Half a circle, its centre and radius; on the left (−1) or right (1) of its centre.
     Half([f32; 3], f32),
 }
 
@@ -147,13 +147,13 @@ impl Icon {
         }
     }
 
-    /// A button with the picture, and with a name for those who do not see it.
+    /// A button with the icon, and with an accessible name.
     pub fn button(self, ui: &mut Ui, name: &str, selected: bool) -> Response {
-        self.button_of(ui, name, selected, vec2(30.0, 28.0))
+        self.sized_button(ui, name, selected, vec2(30.0, 28.0))
     }
 
-    /// The same at a size.
-    pub fn button_of(self, ui: &mut Ui, name: &str, selected: bool, size: Vec2) -> Response {
+    /// The same, with a size in points.
+    pub fn sized_button(self, ui: &mut Ui, name: &str, selected: bool, size: Vec2) -> Response {
         let button = Button::new("").min_size(size).selected(selected).frame_when_inactive(selected);
         let response = ui.add_sized(size, button.sense(Sense::click()));
         let colour = if selected {

@@ -91,7 +91,7 @@ impl Notices {
                     Frame::window(ui.style()).inner_margin(12).show(ui, |ui| {
                         ui.set_max_width(520.0);
                         ui.horizontal_top(|ui| {
-                            let colours = Palette::of(ui.visuals());
+                            let colours = Palette::current(ui.visuals());
                             let text = RichText::new(&notice.text);
                             let text = if notice.wrong { text.color(colours.wrong) } else { text };
                             ui.vertical(|ui| {

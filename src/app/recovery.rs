@@ -72,7 +72,7 @@ fn one(ui: &mut Ui, lost: &LostDocument, first: bool, asked: &mut Option<String>
                 }
                 let sure = asked.as_ref() == Some(&id);
                 let text = if sure {
-                    RichText::new("Discard for good").color(Palette::of(ui.visuals()).wrong)
+                    RichText::new("Discard for good").color(Palette::current(ui.visuals()).wrong)
                 } else {
                     RichText::new("Discard")
                 };
@@ -104,14 +104,14 @@ fn description(ui: &mut Ui, lost: &LostDocument) {
     };
     ui.add(Label::new(RichText::new(&from).small().weak()).truncate()).on_hover_text(&from);
     if lost.file_is_newer {
-        let colour = Palette::of(ui.visuals()).wrong;
+        let colour = Palette::current(ui.visuals()).wrong;
         let text = "The file was written later than this";
         ui.label(RichText::new(text).small().color(colour));
     }
 }
 
 fn sketch(ui: &mut Ui, lost: &LostDocument) {
-    let colours = Palette::of(ui.visuals());
+    let colours = Palette::current(ui.visuals());
     let (room, response) = ui.allocate_exact_size(SKETCH.into(), Sense::hover());
     let name = format!("Sketch of {}", lost.backup.name);
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));

@@ -14,16 +14,16 @@ use super::theme::Palette;
 #[derive(Default)]
 pub struct TextureView {
     texture: Option<TextureHandle>,
-    /// Which part is seen.
+    /// Which part is shown.
     pub view: View,
-    /// Is it shown two by two, so that seams would be seen?
+    /// Whether it is shown two by two, to check for seams.
     pub tiled: bool,
-    /// The place under the pointer, px.
+    /// The position of the pointer, px of the canvas.
     pub pointer: Option<[f64; 2]>,
 }
 
 impl TextureView {
-    /// Takes a picture to the graphics card.
+    /// Loads a picture to the graphics card.
     pub fn take(&mut self, ui: &Ui, picture: Option<&Picture>) {
         let Some(picture) = picture else {
             self.texture = None;
@@ -40,7 +40,7 @@ impl TextureView {
     /// Shows the texture of a canvas of `size` px in `room`.
     pub fn ui(&mut self, ui: &mut Ui, room: Rect, size: [u32; 2], growth: &Growth) -> Response {
         let response = ui.interact(room, ui.scope_id().with("texture"), Sense::drag());
-        let name = format!("Texture, {}", said(&growth.phase));
+        let name = format!("Texture, {}", state(&growth.phase));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
         let shown = if self.tiled { size.map(|side| 2 * side) } else { size };
         if self.view.fitted {
@@ -49,7 +49,7 @@ impl TextureView {
         self.pointer = response.hover_pos().map(|at| self.view.to_canvas(room, at));
         navigate(ui, &response, room, &mut self.view, true);
         let painter = ui.painter_at(room);
-        painter.rect_filled(room, 0.0, Palette::of(ui.visuals()).desk);
+        painter.rect_filled(room, 0.0, Palette::current(ui.visuals()).background);
         self.paint(ui, &painter, room, size);
         if self.texture.is_none() {
             empty(ui, &painter, self.view.paper(room, shown), &growth.phase);
@@ -57,7 +57,7 @@ impl TextureView {
         response
     }
 
-    /// Paints the texture where the canvas lies in `room`.
+    /// Paints the texture where the canvas is shown in `room`.
     pub fn paint(&self, ui: &Ui, painter: &Painter, room: Rect, size: [u32; 2]) {
         let Some(texture) = &self.texture else { return };
         let tiles = if self.tiled { 2.0 } else { 1.0 };
@@ -66,14 +66,14 @@ impl TextureView {
         let mut mesh = Mesh::with_texture(texture.id());
         mesh.add_rect_with_uv(rect, Rect::from_min_size(pos2(0.0, 0.0), vec2(tiles, tiles)), Color32::WHITE);
         painter.add(Shape::mesh(mesh));
-        let border = Palette::of(ui.visuals()).border;
+        let border = Palette::current(ui.visuals()).border;
         painter.rect_stroke(rect, 2.0, Stroke::new(1.0, border), StrokeKind::Outside);
     }
 }
 
-/// What is said of a growth in a word or two.
+/// The state of a growth, in words.
 #[must_use]
-pub fn said(phase: &Phase) -> &'static str {
+pub fn state(phase: &Phase) -> &'static str {
     match phase {
         Phase::Idle => "empty",
         Phase::Growing(..) => "growing",
@@ -84,21 +84,21 @@ pub fn said(phase: &Phase) -> &'static str {
 }
 
 fn empty(ui: &Ui, painter: &Painter, paper: Rect, phase: &Phase) {
-    let colours = Palette::of(ui.visuals());
+    let colours = Palette::current(ui.visuals());
     let stroke = Stroke::new(1.0, colours.border);
     let [a, b, c, d] = [paper.left_top(), paper.right_top(), paper.right_bottom(), paper.left_bottom()];
     painter.extend(Shape::dashed_line(&[a, b, c, d, a], stroke, 5.0, 5.0));
     let text = match phase {
         Phase::Idle => "The texture grows here",
-        Phase::Growing(..) => "Looking up what grows like this …",
+        Phase::Growing(..) => "Looking up parameters …",
         _ => return,
     };
     let weak = ui.visuals().weak_text_color();
     painter.text(paper.center(), Align2::CENTER_CENTER, text, FontId::proportional(15.0), weak);
 }
 
-/// The bar between two pictures that lie over each other: dragged, it uncovers one of them. `share` is where it is.
-pub fn curtain(ui: &mut Ui, room: Rect, share: &mut f32) -> Response {
+/// The divider between sketch and texture that are shown over each other. `share`: its position, 0..1 of the width.
+pub fn divider(ui: &mut Ui, room: Rect, share: &mut f32) -> Response {
     let x = room.left() + *share * room.width();
     let bar = Rect::from_center_size(pos2(x, room.center().y), vec2(16.0, room.height()));
     let response = ui.interact(bar, Id::unique("curtain"), Sense::drag());
@@ -116,9 +116,9 @@ pub fn curtain(ui: &mut Ui, room: Rect, share: &mut f32) -> Response {
     response.on_hover_and_drag_cursor(egui::CursorIcon::ResizeHorizontal)
 }
 
-/// Paints the bar.
-pub fn paint_curtain(ui: &Ui, room: Rect, share: f32) {
-    let colours = Palette::of(ui.visuals());
+/// Paints the divider.
+pub fn paint_divider(ui: &Ui, room: Rect, share: f32) {
+    let colours = Palette::current(ui.visuals());
     let x = room.left() + share * room.width();
     let painter = ui.painter_at(room);
     painter.vline(x, room.y_range(), Stroke::new(2.0, colours.accent));

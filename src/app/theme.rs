@@ -5,37 +5,37 @@ use egui::{
     Visuals, vec2,
 };
 
-/// The colours that the widgets' style does not know.
+/// The colours beyond those of egui's style.
 #[derive(Clone, Copy, Debug)]
 pub struct Palette {
-    /// What the canvas and the texture lie on.
-    pub desk: Color32,
+    /// The background of canvas and texture.
+    pub background: Color32,
     /// The canvas.
     pub paper: Color32,
     /// The canvas' border.
     pub border: Color32,
     /// Marks, by layer.
     pub inks: [Color32; 4],
-    /// The pen's own stroke.
+    /// A freehand stroke.
     pub pen: Color32,
-    /// What is selected, what is at work.
+    /// Selected or active things.
     pub accent: Color32,
-    /// The same, standing back.
+    /// The same, paler.
     pub accent_pale: Color32,
     /// The region grid.
     pub grid: Color32,
-    /// An edge between neighbours whose length counts.
+    /// Edges between neighbours that count for the spacing.
     pub edge: Color32,
-    /// One whose length does not.
+    /// Edges that do not.
     pub edge_pale: Color32,
     /// Axes of fitted marks.
     pub axis: Color32,
-    /// What went wrong.
+    /// Errors.
     pub wrong: Color32,
 }
 
 const LIGHT: Palette = Palette {
-    desk: Color32::from_rgb(0xe4, 0xe1, 0xdb),
+    background: Color32::from_rgb(0xe4, 0xe1, 0xdb),
     paper: Color32::from_rgb(0xfd, 0xfc, 0xf9),
     border: Color32::from_rgb(0xc9, 0xc4, 0xba),
     inks: [
@@ -55,7 +55,7 @@ const LIGHT: Palette = Palette {
 };
 
 const DARK: Palette = Palette {
-    desk: Color32::from_rgb(0x18, 0x18, 0x19),
+    background: Color32::from_rgb(0x18, 0x18, 0x19),
     paper: Color32::from_rgb(0x2a, 0x2a, 0x2b),
     border: Color32::from_rgb(0x43, 0x43, 0x45),
     inks: [
@@ -75,9 +75,9 @@ const DARK: Palette = Palette {
 };
 
 impl Palette {
-    /// The colours of the theme that is on.
+    /// The colours of the current theme.
     #[must_use]
-    pub fn of(visuals: &Visuals) -> &'static Self {
+    pub fn current(visuals: &Visuals) -> &'static Self {
         if visuals.dark_mode { &DARK } else { &LIGHT }
     }
 
@@ -88,8 +88,8 @@ impl Palette {
     }
 }
 
-/// Gives a window its look.
-pub fn dress(ctx: &Context) {
+/// Sets fonts, sizes and colours of both themes.
+pub fn apply(ctx: &Context) {
     for theme in [Theme::Light, Theme::Dark] {
         ctx.style_mut_of(theme, |style| {
             sizes(style);

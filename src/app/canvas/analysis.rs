@@ -1,4 +1,4 @@
-//! What the program sees in the sketch, as in the paper's figures: regions, neighbours, directions.
+//! The analysed sketch, drawn over it as in the paper's figures: regions, neighbours, directions.
 
 use egui::{Align2, Color32, FontId, Stroke, vec2};
 
@@ -10,7 +10,7 @@ use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
 
-/// The analysed sketch: one map a layer that has marks.
+/// The analysed sketch: a region map for each layer that has marks.
 #[derive(Default)]
 pub struct Analysis {
     revision: Option<u64>,
@@ -18,8 +18,8 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// Brings it up to date with what is drawn.
-    pub fn follow(&mut self, session: &Session) {
+    /// Updates it after a change of the document.
+    pub fn update(&mut self, session: &Session) {
         if self.revision == Some(session.revision()) {
             return;
         }
@@ -50,7 +50,7 @@ impl Analysis {
         Some((place, map.region(place)))
     }
 
-    /// Paints what is seen in layer `layer`.
+    /// Paints the analysis of a layer.
     pub fn paint(&self, ink: &Ink, session: &Session, layer: usize, colours: &Palette) {
         let Some(map) = self.map(layer) else { return };
         let marks = session.marks_of(layer);
@@ -68,7 +68,7 @@ impl Analysis {
     }
 }
 
-/// The Delaunay edges of one region: those whose mean is the spacing in full, those left out pale.
+/// The Delaunay edges of one region: those whose mean is the spacing in full colour, the others pale.
 fn neighbours(ink: &Ink, own: &[Mark], colours: &Palette) {
     let centers: Vec<[f64; 2]> = own
         .iter()
@@ -89,7 +89,7 @@ fn neighbours(ink: &Ink, own: &[Mark], colours: &Palette) {
     }
 }
 
-/// A mark's axes.
+/// A mark with its axes.
 fn axes(ink: &Ink, mark: &Mark, colours: &Palette) {
     let stroke = Stroke::new(1.2, colours.axis);
     match mark {
@@ -104,7 +104,7 @@ fn axes(ink: &Ink, mark: &Mark, colours: &Palette) {
     }
 }
 
-/// What a region stands for: its mean mark, in its upper left corner.
+/// The mean mark of a region, in its upper left corner.
 fn mean(ink: &Ink, map: &RegionMap, place: [usize; 2], region: &Region, colours: &Palette) {
     let layout = map.layout();
     let center = layout.center(place);

@@ -1,4 +1,4 @@
-//! What the pointer is doing on the canvas, from press to release.
+//! A gesture: what the pointer does on the canvas, from press to release.
 
 use super::handles::{self, Handle};
 use super::tool::Tool;
@@ -11,66 +11,66 @@ use crate::sketch::recognise;
 /// A drag shorter than this is a click, points.
 const CLICK: f64 = 3.0;
 
-/// What the pointer is doing.
+/// A gesture that is under way. Points are px of the canvas.
 #[derive(Clone, Debug)]
 pub enum Gesture {
-    /// It draws; the points so far, px.
+    /// Drawing freehand: the points so far.
     Pen(Vec<[f64; 2]>),
-    /// It drags an ellipse from corner to corner.
+    /// Dragging an ellipse from corner to corner of its box.
     Ellipse([[f64; 2]; 2]),
-    /// It drags a line.
+    /// Dragging a line from end to end.
     Line([[f64; 2]; 2]),
-    /// It drags a box around what shall be selected, beside what was.
+    /// Dragging a box around marks to select, in addition to those that were selected.
     Box([[f64; 2]; 2], Selection),
-    /// It moves what is selected.
+    /// Moving the selected marks.
     Move {
-        /// Where it was pressed.
+        /// Where the pointer was pressed.
         from: [f64; 2],
-        /// What is moved, as it was.
+        /// The marks before the move.
         marks: Vec<(Place, Mark)>,
-        /// What was pressed on.
+        /// The mark that was pressed.
         on: Place,
-        /// Has it moved?
+        /// Whether the pointer has moved farther than a click may.
         moved: bool,
     },
-    /// It pulls a handle.
+    /// Dragging a handle: the handle, where it was pressed, the marks before.
     Pull(Handle, [f64; 2], Vec<(Place, Mark)>),
-    /// It rubs out; where it was last.
+    /// Erasing: the last point.
     Erase([f64; 2]),
-    /// It moves the view.
+    /// Moving the view.
     Pan,
 }
 
-/// The hand: where it is and what it holds.
+/// The pointer and the keys that are held.
 #[derive(Clone, Copy, Debug)]
 pub struct Hand {
-    /// The place on the canvas, px.
+    /// Its position, px of the canvas.
     pub at: [f64; 2],
-    /// Points on the screen a px of the canvas.
+    /// Points of the screen per px of the canvas.
     pub zoom: f64,
-    /// Shift: even, in steps, more.
+    /// Shift is held: circles, steps of 15°, add to the selection.
     pub shift: bool,
-    /// Alt: a copy.
+    /// Alt is held: leave a copy.
     pub alt: bool,
 }
 
-/// What new marks are made with.
+/// The size of new marks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nib {
     /// Width of lines, px.
     pub width: f64,
-    /// Radii of the ellipse that a click makes, px.
+    /// Radii of the ellipse that a click adds, px.
     pub radii: [f64; 2],
 }
 
 impl Default for Nib {
-    /// The default width of a document's lines; the paper's round spot of 300 px².
+    /// The default line width of documents, and the paper's round spot of 300 px².
     fn default() -> Self {
         Self { width: 6.0, radii: [9.8, 9.8] }
     }
 }
 
-/// The pointer goes down.
+/// Begins a gesture: the pointer is pressed.
 pub fn press(tool: Tool, session: &mut Session, handle: Option<Handle>, hand: Hand) -> Gesture {
     match tool {
         Tool::Hand => Gesture::Pan,
@@ -108,7 +108,7 @@ fn select(session: &mut Session, hand: Hand) -> Gesture {
 }
 
 impl Gesture {
-    /// The pointer moves.
+    /// Continues the gesture: the pointer has moved.
     pub fn advance(&mut self, session: &mut Session, hand: Hand) {
         match self {
             Self::Pan => {}
@@ -151,7 +151,7 @@ impl Gesture {
         }
     }
 
-    /// The pointer goes up. Gives the stroke that shall fade away, if one was recognised.
+    /// Ends the gesture: the pointer is released. Gives the points of a freehand stroke that became a mark.
     pub fn release(self, session: &mut Session, nib: &mut Nib, hand: Hand) -> Option<Vec<[f64; 2]>> {
         let far = |[from, to]: [[f64; 2]; 2]| (to[0] - from[0]).hypot(to[1] - from[1]) * hand.zoom > CLICK;
         match self {
@@ -172,7 +172,7 @@ impl Gesture {
             }
             Self::Line(ends) if far(ends) => session.add(&[Mark::Line(line(ends, nib.width))]),
             Self::Box(ends, _) if !far(ends) && !hand.shift => {
-                // A frozen mark that is clicked on is frozen no more.
+                // A click on a frozen mark thaws its layer.
                 if let Some(place) = session.hit_frozen(hand.at, 6.0 / hand.zoom) {
                     session.activate_layer(place.layer);
                     session.selection = Selection::new([place]);
@@ -192,7 +192,7 @@ impl Gesture {
         None
     }
 
-    /// What would be made if the pointer went up now.
+    /// The mark that a release would add now; none for freehand strokes.
     #[must_use]
     pub fn preview(&self, nib: &Nib) -> Option<Mark> {
         match self {
@@ -207,7 +207,7 @@ fn line([from, to]: [[f64; 2]; 2], width: f64) -> Line {
     Line { from, to, width }
 }
 
-/// The ellipse in an upright box. Its first radius is the longer one.
+/// The ellipse in an axis-parallel box. Its first radius is the longer one.
 fn between([from, to]: [[f64; 2]; 2]) -> Option<Ellipse> {
     let center = [0, 1].map(|axis| 0.5 * (from[axis] + to[axis]));
     let [x, y] = [0, 1].map(|axis| 0.5 * (from[axis] - to[axis]).abs());
@@ -222,7 +222,7 @@ fn squared(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
     [0, 1].map(|axis| from[axis] + side.copysign(by[axis]))
 }
 
-/// The marks with their middle in a box.
+/// The marks whose centre is in a box.
 fn within(session: &Session, [from, to]: [[f64; 2]; 2]) -> Vec<Place> {
     let inside = |point: [f64; 2]| {
         (0..2).all(|axis| from[axis].min(to[axis]) <= point[axis] && point[axis] <= from[axis].max(to[axis]))
@@ -230,9 +230,9 @@ fn within(session: &Session, [from, to]: [[f64; 2]; 2]) -> Vec<Place> {
     session.editable_marks().filter(|(_, mark)| inside(shape::center(mark))).map(|(place, _)| place).collect()
 }
 
-/// Takes away what the eraser touches on its way.
+/// Deletes the marks that the eraser touches between two points.
 fn erase(session: &mut Session, [from, to]: [[f64; 2]; 2], zoom: f64) {
-    /// Half the eraser's breadth, points.
+    /// Half the eraser's width, points.
     const REACH: f64 = 5.0;
     let length = (to[0] - from[0]).hypot(to[1] - from[1]) * zoom;
     let steps = (length / REACH).ceil().max(1.0) as usize;

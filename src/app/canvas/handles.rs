@@ -1,4 +1,4 @@
-//! The handles around what is selected: resize, turn, move an end.
+//! The handles of the selected marks: resize, turn, move an end.
 
 use egui::{CursorIcon, Pos2, Rect, Vec2, vec2};
 
@@ -8,29 +8,29 @@ use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
 
-/// How near the pointer must come to a handle, points. A fingertip's half width.
+/// The pointer takes a handle within this distance, points: half the width of a fingertip.
 const REACH: f32 = 9.0;
-/// How far the handle that turns stands off, points.
+/// Distance of the handle for turning from the mark, points.
 const OFF: f32 = 22.0;
-/// How near a handle may stand to the middle, points: a small mark must still be taken hold of.
+/// Smallest distance of a handle from the centre, points: small marks must stay easy to grab.
 const NEAR: f32 = 20.0;
 
 /// A handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Handle {
-    /// The end of one of a single ellipse's radii: which one, and on which side.
+    /// The end of a radius of a single ellipse: index of the radius, side (±1).
     Radius(usize, f64),
     /// One end of a single line.
     End(usize),
     /// The side of a single line: its width.
     Width,
-    /// A corner of the box around several.
+    /// A corner of the box around several marks: (±1, ±1).
     Corner(Vec2),
-    /// Turns.
+    /// The handle for turning.
     Turn,
 }
 
-/// The handles of what is selected, and where they are.
+/// The handles of the selected marks, and their positions on the screen.
 #[must_use]
 pub fn handles(session: &Session, view: &View, room: Rect) -> Vec<(Handle, Pos2)> {
     let marks: Vec<(Place, Mark)> = session.selected().collect();
@@ -86,7 +86,7 @@ fn of_line(line: &Line, view: &View, room: Rect) -> Vec<(Handle, Pos2)> {
     ]
 }
 
-/// The handle at a place on the screen.
+/// The handle at a position on the screen.
 #[must_use]
 pub fn at(handles: &[(Handle, Pos2)], pointer: Pos2) -> Option<Handle> {
     let near = handles.iter().map(|(handle, place)| (*handle, place.distance(pointer)));
@@ -95,7 +95,7 @@ pub fn at(handles: &[(Handle, Pos2)], pointer: Pos2) -> Option<Handle> {
         .map(|(handle, _)| handle)
 }
 
-/// The pointer's shape over it.
+/// The pointer's shape over a handle.
 #[must_use]
 pub fn cursor(handle: Handle) -> CursorIcon {
     match handle {
@@ -107,8 +107,8 @@ pub fn cursor(handle: Handle) -> CursorIcon {
     }
 }
 
-/// What becomes of `marks` when `handle` is dragged from `from` to `to`, px; `even` (Shift) keeps proportions, or
-/// turns in steps of 15°.
+/// `marks` after `handle` was dragged from `from` to `to`, px. `even` (Shift) keeps proportions, or turns in steps of
+/// 15°.
 #[must_use]
 pub fn pulled(
     handle: Handle,
@@ -150,7 +150,7 @@ pub fn pulled(
     }
 }
 
-/// Degrees that Shift keeps to.
+/// The step of angles with Shift, degrees.
 const STEP: f64 = 15.0;
 
 fn radius(mark: &Mark, (axis, side): (usize, f64), [from, to]: [[f64; 2]; 2], even: bool) -> Mark {

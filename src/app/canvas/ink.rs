@@ -1,4 +1,4 @@
-//! How marks and strokes look on the canvas.
+//! Painting marks and strokes on the canvas.
 
 use egui::epaint::{EllipseShape, PathShape};
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
@@ -6,18 +6,18 @@ use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use super::view::View;
 use crate::marks::{Line, Mark};
 
-/// Paints on a canvas.
+/// Paints on a canvas, in px of the canvas.
 pub struct Ink<'a> {
-    /// With what.
+    /// Where shapes are added.
     pub painter: &'a Painter,
-    /// Which part of it is seen.
+    /// The visible part of the canvas.
     pub view: &'a View,
-    /// Where.
+    /// The part of the screen that shows it.
     pub room: Rect,
 }
 
 impl Ink<'_> {
-    /// Where a point of the canvas, px, is seen.
+    /// A point of the canvas on the screen.
     #[must_use]
     pub fn at(&self, point: [f64; 2]) -> Pos2 {
         self.view.to_screen(self.room, point)
@@ -64,7 +64,7 @@ impl Ink<'_> {
         outline
     }
 
-    /// A path of the pen.
+    /// A freehand stroke.
     pub fn path(&self, points: &[[f64; 2]], stroke: Stroke) {
         let points: Vec<Pos2> = points.iter().map(|point| self.at(*point)).collect();
         match &points[..] {

@@ -141,7 +141,7 @@ impl Canvas {
         }
         let grabbed = matches!(self.gesture, Some(Gesture::Pan));
         navigate(ui, &response, room, &mut self.view, grabbed);
-        self.analysis.follow(session);
+        self.analysis.update(session);
         self.paint(ui, room, session, &response);
         response
     }
@@ -203,9 +203,9 @@ impl Canvas {
     }
 
     fn paint(&mut self, ui: &Ui, room: Rect, session: &Session, response: &Response) {
-        let colours = Palette::of(ui.visuals());
+        let colours = Palette::current(ui.visuals());
         let painter = ui.painter_at(room);
-        painter.rect_filled(room, 0.0, colours.desk);
+        painter.rect_filled(room, 0.0, colours.background);
         let paper = self.view.paper(room, session.document().size);
         painter.rect_filled(paper, 2.0, colours.paper);
         self.underlay.paint(&painter, paper);

@@ -4,8 +4,8 @@ use egui::{Rect, Response, Ui, Vec2};
 
 use super::view::View;
 
-/// Moves `view`, which is seen in `room`, as the wheel and the fingers say, and as it is dragged where it is `grabbed`.
-/// Gives whether it moved.
+/// Moves `view`, which is shown in `room`, by the wheel, by two fingers, and by dragging where it is `grabbed`. Gives
+/// whether it moved.
 pub fn navigate(ui: &Ui, response: &Response, room: Rect, view: &mut View, grabbed: bool) -> bool {
     let before = *view;
     if grabbed && response.dragged() {

@@ -7,21 +7,21 @@ use crate::app::icons::Icon;
 pub enum Tool {
     /// Selects, moves, resizes, turns.
     Select,
-    /// Draws freely: closed = an ellipse, open = a line.
+    /// Draws freehand: a closed stroke becomes an ellipse, an open one a line.
     #[default]
     Pen,
-    /// Drags an ellipse up.
+    /// Draws an ellipse by dragging.
     Ellipse,
-    /// Drags a line.
+    /// Draws a line by dragging.
     Line,
-    /// Takes away what it touches.
+    /// Deletes the marks that it touches.
     Eraser,
     /// Moves the view.
     Hand,
 }
 
 impl Tool {
-    /// All of them, in the order of the strip.
+    /// All tools, in order.
     pub const ALL: [Self; 6] = [Self::Select, Self::Pen, Self::Ellipse, Self::Line, Self::Eraser, Self::Hand];
 
     /// Its name.
@@ -46,18 +46,18 @@ impl Tool {
                  Alt-drag leaves a copy."
             }
             Self::Pen => {
-                "Draw as with a pen: a closed stroke becomes an ellipse, an open one a line, as the pen lifts."
+                "Draw freehand: when you release, a closed stroke becomes an ellipse, an open one a line."
             }
             Self::Ellipse => {
-                "Drag from corner to corner; Shift makes a circle. A click repeats the last one."
+                "Drag from corner to corner; Shift makes a circle. A click repeats the last ellipse."
             }
-            Self::Line => "Drag from end to end; Shift keeps to steps of 15°.",
-            Self::Eraser => "Drag over what should go.",
-            Self::Hand => "Drag the view. The middle button and Space do so with every tool.",
+            Self::Line => "Drag from end to end; Shift snaps to steps of 15°.",
+            Self::Eraser => "Drag over marks to delete them.",
+            Self::Hand => "Drag the view. With any tool: drag with the middle button, or hold Space.",
         }
     }
 
-    /// Its picture.
+    /// Its icon.
     #[must_use]
     pub fn icon(self) -> Icon {
         match self {

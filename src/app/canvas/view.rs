@@ -1,20 +1,20 @@
-//! Where the canvas lies on the screen.
+//! The view: which part of the canvas is shown, and how large.
 
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
-/// Points a px, at least and at most.
+/// Smallest and largest zoom, points per px.
 const ZOOM: [f32; 2] = [0.02, 64.0];
 /// Share of the room that a fitted canvas takes.
 const FIT: f32 = 0.92;
 
-/// Which part of the canvas is seen, and how large.
+/// Which part of the canvas is shown, and how large.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// The px of the canvas in the middle of the room.
+    /// The point of the canvas in the centre of the room, px.
     pub center: [f64; 2],
-    /// Points on the screen a px of the canvas.
+    /// Points of the screen per px of the canvas.
     pub zoom: f32,
-    /// Is the whole canvas kept in view?
+    /// Whether the whole canvas is kept visible.
     pub fitted: bool,
 }
 
@@ -34,34 +34,34 @@ impl View {
         self.fitted = true;
     }
 
-    /// Where a point of the canvas, px, is seen in `room`.
+    /// The screen position of a point of the canvas, px, that is shown in `room`.
     #[must_use]
     pub fn to_screen(self, room: Rect, point: [f64; 2]) -> Pos2 {
         let by = [0, 1].map(|axis| (point[axis] - self.center[axis]) as f32 * self.zoom);
         room.center() + vec2(by[0], by[1])
     }
 
-    /// The point of the canvas, px, that is seen at `at`.
+    /// The point of the canvas, px, at the screen position `at`.
     #[must_use]
     pub fn to_canvas(self, room: Rect, at: Pos2) -> [f64; 2] {
         let by = (at - room.center()) / self.zoom;
         [self.center[0] + f64::from(by.x), self.center[1] + f64::from(by.y)]
     }
 
-    /// The canvas' own rectangle on the screen.
+    /// The canvas as a rectangle on the screen.
     #[must_use]
     pub fn paper(self, room: Rect, size: [u32; 2]) -> Rect {
         Rect::from_min_max(self.to_screen(room, [0.0; 2]), self.to_screen(room, size.map(f64::from)))
     }
 
-    /// Moves what is seen by so many points.
+    /// Moves the view by a vector, points.
     pub fn pan(&mut self, by: Vec2) {
         self.center[0] -= f64::from(by.x / self.zoom);
         self.center[1] -= f64::from(by.y / self.zoom);
         self.fitted = false;
     }
 
-    /// Zooms by `factor`; what is seen at `anchor` stays there.
+    /// Zooms by `factor` about the screen position `anchor`.
     pub fn zoom_at(&mut self, room: Rect, anchor: Pos2, factor: f32) {
         let before = self.to_canvas(room, anchor);
         self.zoom = (self.zoom * factor).clamp(ZOOM[0], ZOOM[1]);
@@ -70,14 +70,14 @@ impl View {
         self.fitted = false;
     }
 
-    /// One px of the canvas a px of the screen.
+    /// Shows one px of the canvas as one px of the screen.
     pub fn actual_size(&mut self, pixels_per_point: f32) {
         self.zoom = 1.0 / pixels_per_point;
         self.fitted = false;
     }
 }
 
-/// The middle of a rectangle's sides and its corners, for handles: (−1..1, −1..1) and the place.
+/// The corners of a rectangle: (±1, ±1) and the position.
 #[must_use]
 pub fn corners(rect: Rect) -> [(Vec2, Pos2); 4] {
     [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| {
@@ -93,7 +93,7 @@ mod tests {
     const ROOM: Rect = Rect { min: Pos2 { x: 100.0, y: 50.0 }, max: Pos2 { x: 700.0, y: 450.0 } };
 
     #[test]
-    fn what_is_under_the_pointer_stays_there_when_zooming() {
+    fn zooming_keeps_the_point_under_the_pointer() {
         let mut view = View::default();
         view.fit([512, 512], ROOM);
         let before = view.to_canvas(ROOM, pos2(150.0, 333.0));
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fitted_canvas_is_seen_whole() {
+    fn a_fitted_canvas_is_visible_as_a_whole() {
         let mut view = View::default();
         view.fit([768, 288], ROOM);
         assert!(ROOM.contains_rect(view.paper(ROOM, [768, 288])));

@@ -1,5 +1,5 @@
-//! Why these parameters: the grown examples from which they were learnt, the question, and the neighbours that
-//! answered it.
+//! The training cloud of a region: the grown examples, what is asked for, and the neighbours from which its parameters
+//! were interpolated.
 
 mod plot;
 mod points;
@@ -16,29 +16,29 @@ use super::result::RegionResult;
 use crate::rd::System;
 use crate::synth::Training;
 
-/// The region that is asked about: layer, column and row.
-pub type Asked = (usize, [usize; 2]);
+/// A region: layer of the finished document, (column, row).
+pub type RegionId = (usize, [usize; 2]);
 
-/// The cloud and how it is looked at.
+/// The cloud and its axes.
 #[derive(Default)]
 pub struct Cloud {
-    /// Which region it is about; `None` = it is not shown.
-    pub asked: Option<Asked>,
-    /// What stands along x and y: names of attributes or parameters; `None` = the first two.
+    /// The region; `None` = the cloud is not shown.
+    pub asked: Option<RegionId>,
+    /// The quantities along x and y: names of attributes or parameters; `None` = the default.
     axes: [Option<&'static str>; 2],
     points: Option<Arc<Points>>,
     pending: Option<Receiver<Option<Points>>>,
     failed: bool,
-    /// Counts the questions, so that each is framed anew.
+    /// Counts the requests: each resets the visible range of the plot.
     question: u64,
 }
 
 impl Cloud {
-    /// Asks for the cloud about a region, grown with `system`.
+    /// Computes the cloud of a region that was grown with `system`, in the background.
     pub fn ask(
         &mut self,
         ctx: &Context,
-        asked: Asked,
+        asked: RegionId,
         system: System,
         region: &RegionResult,
         training: &Arc<Training>,
@@ -49,7 +49,7 @@ impl Cloud {
         // Without a thread the cloud stays empty.
         drop(thread::Builder::new().name("cloud".to_owned()).spawn(move || {
             // The window may have gone.
-            let _ = tell.send(Points::about(&training, system, &report));
+            let _ = tell.send(Points::for_region(&training, system, &report));
             ctx.request_repaint();
         }));
         self.question += 1;
@@ -63,13 +63,13 @@ impl Cloud {
         *self = Self { axes: self.axes, question: self.question, ..Self::default() };
     }
 
-    /// The cloud that is shown.
+    /// The points that are shown.
     #[must_use]
     pub fn points(&self) -> Option<&Points> {
         self.points.as_deref().filter(|_| self.asked.is_some())
     }
 
-    /// Shows it, if it is asked for; never waits.
+    /// Shows the cloud where there is one; never waits.
     pub fn ui(&mut self, ctx: &Context) {
         if let Some(points) = self.pending.as_ref().and_then(|pending| pending.try_recv().ok()) {
             self.failed = points.is_none();
@@ -88,7 +88,11 @@ impl Cloud {
 
     fn content(&mut self, ui: &mut Ui) {
         let Some(points) = self.points.clone().filter(|_| self.pending.is_none()) else {
-            ui.weak(if self.failed { "There are no examples of this." } else { "Reading the examples …" });
+            ui.weak(if self.failed {
+                "There are no examples of this system."
+            } else {
+                "Reading the examples …"
+            });
             return;
         };
         let first =
@@ -108,7 +112,8 @@ impl Cloud {
             }
         });
         ui.weak(format!(
-            "{} grown examples of {}; {} of them answered, the larger the more they weigh. px at this size of marks.",
+            "{} grown examples of {}; the parameters are interpolated from {} of them, drawn larger the more they weigh. \
+             Lengths are scaled to these marks.",
             points.rows.len(),
             points.system,
             points.neighbours.len()

@@ -1,4 +1,4 @@
-//! The cloud on a plane.
+//! The plot of the cloud.
 
 use egui::{Id, Ui, vec2};
 use egui_plot::{
@@ -10,12 +10,12 @@ use super::points::{Points, is_logarithmic};
 use crate::app::theme::Palette;
 use crate::app::units::three_digits as digits;
 
-/// Neighbours are drawn in so many sizes.
+/// Number of sizes in which neighbours are drawn.
 const SIZES: usize = 6;
 
-/// Shows `points` over two of their names. Each `question` is framed anew.
+/// Plots two quantities of `points`. Each new `question` resets the visible range.
 pub fn plot(ui: &mut Ui, points: &Points, axes: [&'static str; 2], question: u64) {
-    let palette = Palette::of(ui.visuals());
+    let palette = Palette::current(ui.visuals());
     let at = |row: &[f64]| axes.map(|name| scaled(name, points.value(row, name)));
     let dots = |name: &str, rows: Vec<[f64; 2]>| {
         let there: Vec<_> = rows.into_iter().filter(|at| at.iter().all(|x| x.is_finite())).collect();
@@ -28,7 +28,7 @@ pub fn plot(ui: &mut Ui, points: &Points, axes: [&'static str; 2], question: u64
         let inside = |weight: f64| (low < weight || size == 0) && weight <= high;
         let rows = points.neighbours.iter().filter(|(_, weight)| inside(*weight)).map(|(row, _)| at(row));
         let radius = 2.0 + 3.6 * ((low + high) / 2.0).sqrt() as f32;
-        // Only the largest that there are stand in the legend, for all.
+        // The legend shows the largest size for all.
         let larger = points.neighbours.iter().any(|(_, weight)| *weight > high);
         let name = if larger { "" } else { "Neighbours, by weight" };
         if size > 0 && !points.neighbours.iter().any(|(_, weight)| inside(*weight)) {
@@ -39,7 +39,7 @@ pub fn plot(ui: &mut Ui, points: &Points, axes: [&'static str; 2], question: u64
     let one =
         |name, row: &[f64], shape, colour| dots(name, vec![at(row)]).shape(shape).radius(8.0).color(colour);
     if points.nearest != points.asked {
-        shown.push(one("Nearest in reach", &points.nearest, MarkerShape::Diamond, palette.accent));
+        shown.push(one("Nearest that can be reached", &points.nearest, MarkerShape::Diamond, palette.accent));
     }
     if let Some(got) = &points.got {
         shown.push(one("Grown", got, MarkerShape::Square, palette.axis).radius(5.0));
@@ -74,7 +74,7 @@ fn spacer(name: &str, input: GridInput) -> Vec<GridMark> {
     if !is_logarithmic(name) {
         return log_grid_spacer(10)(input);
     }
-    // 1, 2, 5 of each decade.
+    // Lines at 1, 2 and 5 of each decade.
     let (low, high) = input.bounds;
     let decades = (low.floor() as i32)..=(high.ceil() as i32);
     let marks = decades.flat_map(|decade| {

@@ -1,4 +1,4 @@
-//! The examples as rows of numbers, lengths in px at the size of the marks that are asked for.
+//! The examples as rows of numbers; lengths are scaled to the marks that are asked for, px.
 
 use crate::attributes::Attributes;
 use crate::learn::Parameters;
@@ -7,7 +7,7 @@ use crate::synth::Training;
 use crate::synth::plan::exact_cell;
 use crate::synth::report::RegionReport;
 
-/// Name and title of what spots and stripes have, attributes first.
+/// Names and titles of the quantities of each kind of system, attributes first.
 const SPOTS: [(&str, &str); 10] = [
     ("area", "Area, px²"),
     ("packing", "Area ÷ spacing²"),
@@ -40,28 +40,28 @@ const LINES: [(&str, &str); 7] = [
 /// The cloud: rows of numbers in the order of `names`.
 #[derive(Clone, Debug)]
 pub struct Points {
-    /// The system whose examples these are.
+    /// The system of the examples.
     pub system: &'static str,
-    /// What the numbers are: name and title.
+    /// Name and title of each quantity.
     pub names: &'static [(&'static str, &'static str)],
-    /// Which of them stands along y at first.
+    /// Index of the quantity along y by default.
     pub second: usize,
     /// The examples.
     pub rows: Vec<Vec<f64>>,
-    /// Those that answered, as the mirror images as which they did, and their weights, 0..1.
+    /// The examples from which the parameters were interpolated, mirrored as they were used, and their weights, 0..1.
     pub neighbours: Vec<(Vec<f64>, f64)>,
-    /// What was asked, with the parameters found.
+    /// What was asked for, with the parameters that were found.
     pub asked: Vec<f64>,
-    /// The nearest that can be reached, with the same; as asked where that can be.
+    /// The nearest that can be reached, with the same parameters; equal to `asked` where that can be reached.
     pub nearest: Vec<f64>,
-    /// What has grown, with the same; `None` where nothing was measured.
+    /// What has grown, with the same parameters; `None` where nothing was measured.
     pub got: Option<Vec<f64>>,
 }
 
 impl Points {
-    /// The cloud about a region that was grown with `system`; `None` where there are no examples of it.
+    /// The points for a region that was grown with `system`; `None` where there are no examples of it.
     #[must_use]
-    pub fn about(training: &Training, system: System, region: &RegionReport) -> Option<Self> {
+    pub fn for_region(training: &Training, system: System, region: &RegionReport) -> Option<Self> {
         let set = training.set(system).ok()?;
         let grid = region.parameters.iter().find(|(name, _)| *name == "cell")?.1;
         let cell = exact_cell(system, &region.asked, grid);
@@ -92,13 +92,13 @@ impl Points {
         })
     }
 
-    /// What people read for a name.
+    /// The title of a quantity.
     #[must_use]
     pub fn title(&self, name: &str) -> &'static str {
         self.names.iter().find(|(of, _)| *of == name).map_or("", |(_, title)| title)
     }
 
-    /// The number of this name in a row.
+    /// A quantity of a row; NaN where there is none.
     #[must_use]
     pub fn value(&self, row: &[f64], name: &str) -> f64 {
         let index = self.names.iter().position(|(of, _)| *of == name);
@@ -124,7 +124,7 @@ fn value(name: &str, attributes: &Attributes, parameters: &Parameters) -> f64 {
     }
 }
 
-/// Is it looked at on a logarithmic scale?
+/// Whether a quantity is plotted on a logarithmic scale.
 #[must_use]
 pub fn is_logarithmic(name: &str) -> bool {
     matches!(name, "area" | "packing" | "spacing" | "width" | "duty" | "rate" | "ratio")

@@ -120,7 +120,7 @@ impl View {
             let tint = if fresh { Color32::WHITE } else { Color32::WHITE.gamma_multiply(0.5) };
             painter.with_clip_rect(room).image(texture.id(), rect, whole, tint);
         }
-        let border = Palette::of(ui.visuals()).border;
+        let border = Palette::current(ui.visuals()).border;
         painter.rect_stroke(shown, 0.0, Stroke::new(1.0, border), StrokeKind::Outside);
     }
 

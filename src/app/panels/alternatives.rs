@@ -88,7 +88,7 @@ fn card(ui: &mut Ui, alternatives: &mut Alternatives, index: usize, actions: &mu
         });
         picture(ui, one, rect, is_open, progress);
         if response.has_focus() || response.hovered() {
-            let stroke = Stroke::new(1.5, Palette::of(ui.visuals()).accent);
+            let stroke = Stroke::new(1.5, Palette::current(ui.visuals()).accent);
             ui.painter().rect_stroke(rect.expand(1.0), 4.0, stroke, StrokeKind::Outside);
         }
         if response.has_focus() {
@@ -108,9 +108,9 @@ fn card(ui: &mut Ui, alternatives: &mut Alternatives, index: usize, actions: &mu
 
 /// The picture, or a text in its place; a border where it is open, a bar while it grows.
 fn picture(ui: &Ui, one: &mut Alternative, rect: Rect, is_open: bool, progress: Option<f32>) {
-    let palette = Palette::of(ui.visuals());
+    let palette = Palette::current(ui.visuals());
     let painter = ui.painter();
-    painter.rect_filled(rect, 4.0, palette.desk);
+    painter.rect_filled(rect, 4.0, palette.background);
     let failed = one.failed.is_some();
     if let Some(texture) = one.texture(ui.ctx()) {
         let size = texture.size_vec2();
@@ -133,7 +133,7 @@ fn picture(ui: &Ui, one: &mut Alternative, rect: Rect, is_open: bool, progress: 
 }
 
 fn star(ui: &mut Ui, rect: Rect, name: &str, kept: bool, id: u64, actions: &mut Vec<Action>) {
-    let palette = Palette::of(ui.visuals());
+    let palette = Palette::current(ui.visuals());
     let button = ui.interact(rect, ui.scope_id().with(("star", id)), Sense::click());
     let back = palette.paper.gamma_multiply(0.85);
     ui.painter().circle_filled(rect.center(), 0.5 * STAR, back);

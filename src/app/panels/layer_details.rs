@@ -134,7 +134,7 @@ fn reset(ui: &mut Ui, name: &str, default: bool) -> bool {
         ui.allocate_space(vec2(20.0, 20.0));
         return false;
     }
-    let button = Icon::Undo.button_of(ui, &format!("{name}: default"), false, vec2(20.0, 22.0));
+    let button = Icon::Undo.sized_button(ui, &format!("{name}: default"), false, vec2(20.0, 22.0));
     button.on_hover_text(format!("{name}: back to its default")).clicked()
 }
 

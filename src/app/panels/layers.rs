@@ -84,7 +84,7 @@ fn buttons(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
         ui.add_enabled_ui(session.allows(action), |ui| {
             let action = Action::Layer(action);
             let keys = shortcuts::told(ui.ctx(), &action).map_or(String::new(), |keys| format!(" ({keys})"));
-            let button = icon.button_of(ui, name, false, vec2(27.0, 26.0));
+            let button = icon.sized_button(ui, name, false, vec2(27.0, 26.0));
             if button.on_hover_text(format!("{help}{keys}")).clicked() {
                 actions.push(action);
             }
@@ -131,7 +131,7 @@ fn list(ui: &mut Ui, session: &Session, panel: &mut LayersPanel, actions: &mut V
             actions.push(Action::Layer(LayerAction::Move(from, to)));
         }
     } else if to != from {
-        let accent = Palette::of(ui.visuals()).accent;
+        let accent = Palette::current(ui.visuals()).accent;
         ui.painter().hline(ui.max_rect().x_range(), top + gap as f32 * ROW, Stroke::new(2.0, accent));
     }
 }
@@ -220,7 +220,7 @@ fn row(
 
 /// The background of a row: marked where it is active, framed where it has the keyboard focus.
 fn back(ui: &Ui, response: &Response, at_hand: bool) {
-    let colours = Palette::of(ui.visuals());
+    let colours = Palette::current(ui.visuals());
     let widgets = &ui.visuals().widgets;
     let fill = if at_hand {
         widgets.inactive.weak_bg_fill
@@ -250,14 +250,14 @@ fn shown(ui: &mut Ui, session: &Session, layer: usize, actions: &mut Vec<Action>
     } else {
         "Hidden: it grows and keeps its space free of the others, but it is not painted. Click to show it"
     };
-    if icon.button_of(ui, &name, false, vec2(22.0, ROW)).on_hover_text(help).clicked() {
+    if icon.sized_button(ui, &name, false, vec2(22.0, ROW)).on_hover_text(help).clicked() {
         actions.push(Action::Layer(LayerAction::HideThis(layer)));
     }
 }
 
 /// Shows how many marks a layer has, and of what kind; gives the left end of the number.
 fn mark_count(ui: &Ui, session: &Session, layer: usize, rest: Rect) -> f32 {
-    let colours = Palette::of(ui.visuals());
+    let colours = Palette::current(ui.visuals());
     let middle = pos2(rest.left() + 10.0, rest.center().y);
     let icon = Rect::from_center_size(middle, vec2(16.0, 16.0));
     match session.kind(layer) {
@@ -286,7 +286,7 @@ fn thaw(ui: &mut Ui, session: &Session, layer: usize, rest: Rect, actions: &mut 
     ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
         let name = format!("Thaw {}", session.layer_name(layer));
         let help = "Frozen: its marks cannot be changed. Click to make it active again; the layers above are thawed as well";
-        let button = Icon::Frozen.button_of(ui, &name, false, vec2(22.0, ROW));
+        let button = Icon::Frozen.sized_button(ui, &name, false, vec2(22.0, ROW));
         if button.on_hover_text(help).clicked() {
             actions.push(Action::Layer(LayerAction::Take(layer)));
         }

@@ -54,7 +54,7 @@ pub fn button(ui: &mut Ui, after: After, chosen: bool, refused: Option<&str>) ->
         } else if refused.is_some() {
             own.gamma_multiply(0.5)
         } else {
-            Palette::of(ui.visuals()).accent.gamma_multiply(0.55)
+            Palette::current(ui.visuals()).accent.gamma_multiply(0.55)
         };
         let picture = Rect::from_center_size(response.rect.center(), vec2(40.0, 28.0));
         paint(ui.painter(), picture.min, after, own, beneath);

@@ -18,7 +18,7 @@ pub fn tools(ui: &mut Ui, current: Tool, session: &Session) -> Option<Action> {
             if tool == Tool::Eraser || tool == Tool::Pen {
                 ui.add_space(4.0);
             }
-            let button = tool.icon().button_of(ui, tool.name(), tool == current, size);
+            let button = tool.icon().sized_button(ui, tool.name(), tool == current, size);
             let keys = shortcuts::told(ui.ctx(), &Action::Tool(tool)).unwrap_or_default();
             let button = button.on_hover_ui(|ui| {
                 ui.strong(format!("{} ({keys})", tool.name()));
@@ -35,7 +35,7 @@ pub fn tools(ui: &mut Ui, current: Tool, session: &Session) -> Option<Action> {
         {
             ui.add_enabled_ui(can, |ui| {
                 let keys = shortcuts::told(ui.ctx(), &action).unwrap_or_default();
-                let button = icon.button_of(ui, name, false, size);
+                let button = icon.sized_button(ui, name, false, size);
                 if button.on_hover_text(format!("{name} ({keys})")).clicked() {
                     chosen = Some(action);
                 }

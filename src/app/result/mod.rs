@@ -1,4 +1,4 @@
-//! What was asked and what has grown, worked out beside the window: the numbers are those of `dapple grow --report`.
+//! What was asked for and what has grown, computed in the background: the numbers of `dapple grow --report`.
 
 mod reach;
 mod verdict;
@@ -19,36 +19,36 @@ use crate::rd::System;
 use crate::synth::report::{self, RegionReport};
 use crate::synth::{Grown, Training};
 
-/// What came of a region.
+/// The result of a region.
 #[derive(Clone, Debug)]
 pub struct RegionResult {
-    /// In numbers.
+    /// Its numbers.
     pub report: RegionReport,
-    /// In a mark.
+    /// How well it meets what was asked for.
     pub verdict: Verdict,
-    /// How it can be reached, where it cannot as it is and a way was found.
+    /// How the sketch can be changed so that it can be reached; `None` where it can, or where none was found.
     pub reach: Option<Reach>,
 }
 
-/// What came of a layer.
+/// The result of a layer.
 #[derive(Clone, Debug)]
 pub struct LayerResult {
-    /// What people call it.
+    /// Its name.
     pub name: String,
-    /// What it was grown with.
+    /// Its system.
     pub system: System,
     /// Its regions, row by row.
     pub regions: Vec<RegionResult>,
 }
 
-/// What came of a texture.
+/// The result of a texture.
 #[derive(Clone)]
 pub struct Outcome {
-    /// Of which.
+    /// The texture.
     pub grown: Arc<Grown>,
     /// Its layers, the lowest first.
     pub layers: Vec<LayerResult>,
-    /// Has all been looked for that can be taken instead?
+    /// Whether all replacements of unreachable regions were computed.
     pub complete: bool,
 }
 
@@ -58,7 +58,7 @@ enum News {
     Complete,
 }
 
-/// What is being worked out.
+/// The computation under way.
 struct Job {
     grown: Arc<Grown>,
     news: Receiver<News>,
@@ -71,7 +71,7 @@ impl Drop for Job {
     }
 }
 
-/// The window's side of it.
+/// The latest result and the one that is computed.
 #[derive(Default)]
 pub struct Results {
     /// The training sets, read when first needed.
@@ -81,7 +81,7 @@ pub struct Results {
 }
 
 impl Results {
-    /// Takes in what was worked out and begins with what has grown since; never waits.
+    /// Receives results and starts to compute those of a new texture; never waits.
     pub fn follow(&mut self, ctx: &Context, texture: Option<&Texture>) {
         while let Some(news) = self.job.as_ref().and_then(|job| job.news.try_recv().ok()) {
             self.take(news);
@@ -124,13 +124,13 @@ impl Results {
         *self = Self { training: Arc::clone(&self.training), ..Self::default() };
     }
 
-    /// What came of the latest texture.
+    /// The result of the latest texture that was measured.
     #[must_use]
     pub fn outcome(&self) -> Option<&Outcome> {
         self.outcome.as_ref()
     }
 
-    /// The same, where it is that of `texture`.
+    /// The result, if it is that of `texture`.
     #[must_use]
     pub fn of(&self, texture: Option<&Texture>) -> Option<&Outcome> {
         self.outcome()
@@ -183,7 +183,7 @@ fn work(grown: &Grown, training: &Training, cancelled: &AtomicBool, say: &dyn Fn
             system: layer.plan.lookup.system,
             regions: report::regions(&grown.document, index, layer)
                 .into_iter()
-                .map(|report| RegionResult { verdict: Verdict::of_region(&report), report, reach: None })
+                .map(|report| RegionResult { verdict: Verdict::for_region(&report), report, reach: None })
                 .collect(),
         })
         .collect();

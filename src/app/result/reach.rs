@@ -1,4 +1,4 @@
-//! What cannot be reached → the nearest that can, as a change of what was drawn.
+//! For a region that cannot be reached: the nearest that can, as a change of the sketch.
 
 use crate::attributes::regions::{RegionGrid, RegionMap};
 use crate::attributes::{Attributes, Spots, Stripes};
@@ -10,26 +10,26 @@ use crate::synth::Training;
 use crate::synth::plan::sketch_targets;
 use crate::synth::plan::{Lookup, Targets};
 
-/// Changes are tried so often, each farther beyond the limit than the one before.
+/// Number of attempts, each farther beyond the limit than the one before.
 const TRIES: i32 = 10;
-/// How much farther, as a share of the way.
+/// How much farther each attempt goes, as a share of the change.
 const FARTHER: f64 = 0.15;
-/// px that marks keep from the border of their region.
+/// Distance of marks from the border of their region, px.
 const RIM: f64 = 0.5;
 
-/// A change of the sketch with which a region can be reached.
+/// A change of the sketch after which a region can be reached.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reach {
-    /// Strokes of the layer and the marks to stand in their place.
+    /// Indices of strokes in the layer, and the marks that replace them.
     pub marks: Vec<(usize, Mark)>,
-    /// The duty that the layer then has.
+    /// The new duty of the layer, where it changes.
     pub duty: Option<f64>,
-    /// What it does, in words.
-    pub says: String,
+    /// What changes, in words.
+    pub text: String,
 }
 
-/// The change with which region `index` of layer `layer` of `document`, planned in `plans`, can be reached; `None` where
-/// it can be already, or where none was found.
+/// The change after which region `index` of layer `layer` of `document`, planned in `plans`, can be reached; `None` where
+/// it can be reached already, or where none was found.
 #[must_use]
 pub fn reach(
     training: &Training,
@@ -41,9 +41,9 @@ pub fn reach(
     let mut document = document.clone();
     let beneath = layer.checked_sub(1).map(|below| plans[below]);
     let first = plans[layer];
-    let place = holder(&first.map, index)?;
+    let place = source(&first.map, index)?;
     let index = first.map.layout().index(place);
-    let mut asked = wanted(first, place);
+    let mut asked = asked_in(first, place);
     let mut answer = first.answers[index].clone();
     let from = Sketch::of(&document, layer, first.map.layout(), place)?;
     for attempt in 0..TRIES {
@@ -56,18 +56,18 @@ pub fn reach(
         sketch.toward(&asked, &answer, farther, first.map.layout(), place)?.write(&mut document, layer);
         let size = document.size.map(f64::from);
         let plan = Targets::read(&document, layer, "", size, beneath).ok()?.look_up(training).ok()?;
-        asked = wanted(&plan, place);
+        asked = asked_in(&plan, place);
         answer = plan.answers[index].clone();
     }
     None
 }
 
-fn wanted(plan: &Lookup, place: [usize; 2]) -> Attributes {
+fn asked_in(plan: &Lookup, place: [usize; 2]) -> Attributes {
     plan.map.at(plan.map.layout().center(place))
 }
 
-/// Whose marks say what is wanted in region `index`: its own, else those of the nearest that has some.
-fn holder(map: &RegionMap, index: usize) -> Option<[usize; 2]> {
+/// The region whose marks set the attributes of region `index`: itself, else the nearest one that has marks.
+fn source(map: &RegionMap, index: usize) -> Option<[usize; 2]> {
     let layout = map.layout();
     let holds = |index: usize| map.region(layout.place(index)).own.is_some();
     let own = if holds(index) { Some(index) } else { layout.nearest(layout.place(index), holds) };
@@ -100,7 +100,7 @@ impl Sketch {
         }
     }
 
-    /// Changed from `asked` toward what `answer` calls nearest, `farther` times the way.
+    /// Changed from `asked` toward the nearest attributes in `answer`, by `farther` times the difference.
     fn toward(
         self,
         asked: &Attributes,
@@ -130,11 +130,11 @@ impl Sketch {
     ) -> Self {
         let by = |from: f64, to: f64| libm::pow(to / from, farther);
         let mut area = by(asked.area, to.area);
-        // Not farther: some systems know only one spacing, and beyond it the way leads back.
+        // Not farther: some systems have only one spacing, and beyond it the error grows again.
         let apart = asked.spacing.zip(to.spacing).map_or(1.0, |(from, to)| to / from);
         let centers: Vec<[f64; 2]> = self.marks.iter().map(|(_, mark)| mark.center()).collect();
         let moved = spaced(&centers, apart, layout, place).unwrap_or_else(|| {
-            // There is no room to move apart: smaller marks are as sparse.
+            // No room to move apart: smaller marks have the same density.
             area /= apart * apart;
             centers.clone()
         });
@@ -184,15 +184,15 @@ impl Sketch {
         Self { marks: self.marks.into_iter().map(changed).collect(), duty }
     }
 
-    /// What has changed since `from`.
+    /// The change from `from`.
     fn reach(self, from: &Self) -> Reach {
-        let says = said(from, &self);
+        let text = described(from, &self);
         let duty = (self.duty != from.duty).then_some(self.duty);
-        Reach { marks: self.marks, duty, says }
+        Reach { marks: self.marks, duty, text }
     }
 }
 
-/// These places `by` times as far apart about the middle of their region; `None` where they do not fit into it.
+/// The centres scaled by `by` about the centre of their region; `None` where they do not fit into it.
 fn spaced(centers: &[[f64; 2]], by: f64, layout: &RegionGrid, place: [usize; 2]) -> Option<Vec<[f64; 2]>> {
     let middle = layout.center(place);
     let mut moved: Vec<[f64; 2]> =
@@ -212,16 +212,16 @@ fn spaced(centers: &[[f64; 2]], by: f64, layout: &RegionGrid, place: [usize; 2])
     Some(moved)
 }
 
-/// What is changed, in words with numbers.
-fn said(from: &Sketch, to: &Sketch) -> String {
-    let mut said = Vec::new();
+/// What changes, in words with numbers.
+fn described(from: &Sketch, to: &Sketch) -> String {
+    let mut changes = Vec::new();
     let mut more = |what: &str, [more, less]: [&str; 2], factor: f64| {
         let per_cent = 100.0 * (factor - 1.0).abs();
-        // Less is not seen.
+        // Smaller changes are not visible.
         if per_cent >= 0.5 {
             let word = if factor > 1.0 { more } else { less };
             let digits = usize::from(per_cent < 9.5);
-            said.push(format!("{what} {per_cent:.digits$} % {word}"));
+            changes.push(format!("{what} {per_cent:.digits$} % {word}"));
         }
     };
     let mean = |marks: &[(usize, Mark)], of: &dyn Fn(&Mark) -> f64| {
@@ -239,12 +239,12 @@ fn said(from: &Sketch, to: &Sketch) -> String {
         more("lines", ["thicker", "thinner"], factor(&width));
     }
     if from.duty != to.duty {
-        said.push(format!("duty {:.2} on the whole layer", to.duty));
+        changes.push(format!("duty {:.2} on the whole layer", to.duty));
     }
-    if said.is_empty() { "directions turned".to_owned() } else { said.join(", ") }
+    if changes.is_empty() { "directions turned".to_owned() } else { changes.join(", ") }
 }
 
-/// How far marks reach from their middle, as root mean square, px.
+/// Root mean square distance of the marks from their mean centre, px.
 fn extent(marks: &[(usize, Mark)]) -> f64 {
     let n = marks.len().max(1) as f64;
     let middle = [0, 1].map(|axis| marks.iter().map(|(_, mark)| mark.center()[axis]).sum::<f64>() / n);
@@ -274,8 +274,8 @@ mod tests {
         Document { size: [512, 512], regions: [2, 2], layers, ..Document::default() }
     }
 
-    /// Takes what can be reached in region 0; gives how many notes there were before and after.
-    fn taken(training: &Training, document: &Document) -> (usize, Option<usize>) {
+    /// Applies the change for region 0; gives the number of notes before and after.
+    fn changed(training: &Training, document: &Document) -> (usize, Option<usize>) {
         let first = planned_alone(training, document);
         let notes = |plan: &Lookup| plan.answers[0].notes.iter().filter(|note| note.is_beyond()).count();
         let before = notes(&first);
@@ -297,49 +297,49 @@ mod tests {
     }
 
     #[test]
-    fn spots_that_stand_too_near_are_drawn_apart_and_then_reached() {
+    fn spots_that_are_too_close_are_moved_apart_and_then_reached() {
         let training = Training::default();
         let document = document(spots(500.0, 0.9, 35.0), SystemChoice::Of(System::MEINHARDT_SPOTS));
-        let (before, after) = taken(&training, &document);
+        let (before, after) = changed(&training, &document);
         assert!(before > 0);
         assert_eq!(after, Some(0));
         let first = planned_alone(&training, &document);
         let reach = reach(&training, &document, &[&first], 0, 0).unwrap();
-        assert!(reach.says.contains("% farther apart"), "{}", reach.says);
-        assert!(!reach.says.contains("areas"), "{}", reach.says);
+        assert!(reach.text.contains("% farther apart"), "{}", reach.text);
+        assert!(!reach.text.contains("areas"), "{}", reach.text);
     }
 
     #[test]
-    fn where_there_is_no_room_they_are_drawn_smaller() {
+    fn without_room_spots_become_smaller() {
         let training = Training::default();
         let document = document(spots(9000.0, 0.95, 120.0), SystemChoice::Of(System::MEINHARDT_SPOTS));
         let first = planned_alone(&training, &document);
         let reach = reach(&training, &document, &[&first], 0, 0).unwrap();
-        assert!(reach.says.contains("smaller"), "{}", reach.says);
-        assert_eq!(taken(&training, &document).1, Some(0));
+        assert!(reach.text.contains("smaller"), "{}", reach.text);
+        assert_eq!(changed(&training, &document).1, Some(0));
     }
 
     #[test]
-    fn a_duty_that_no_system_has_becomes_one_that_one_has() {
+    fn a_duty_that_no_system_has_becomes_one_that_a_system_has() {
         let training = Training::default();
         let line = Line { from: [20.0, 100.0], to: [220.0, 120.0], width: 1.0 };
         let document = document(vec![Stroke::Line(line)], SystemChoice::Auto);
-        let (before, after) = taken(&training, &document);
+        let (before, after) = changed(&training, &document);
         assert!(before == 0 || after == Some(0), "{before} {after:?}");
     }
 
     #[test]
-    fn what_can_be_reached_is_left_alone() {
+    fn a_region_that_can_be_reached_is_not_changed() {
         let training = Training::default();
         let document = document(spots(500.0, 0.8, 60.0), SystemChoice::Of(System::MEINHARDT_SPOTS));
-        assert_eq!(taken(&training, &document), (0, None));
+        assert_eq!(changed(&training, &document), (0, None));
     }
 
     #[test]
-    fn a_way_that_only_just_misses_goes_a_little_farther() {
+    fn a_change_that_just_fails_goes_a_little_farther() {
         let training = Training::default();
         let document = document(spots(2533.0, 0.2333, 110.0), SystemChoice::Of(System::TURING_SPOTS));
-        let (before, after) = taken(&training, &document);
+        let (before, after) = changed(&training, &document);
         assert!(before > 0);
         assert_eq!(after, Some(0));
     }
@@ -347,7 +347,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(24))]
         #[test]
-        fn whatever_spots_are_drawn_a_way_is_found(
+        fn for_any_spots_a_change_is_found(
             area in 60.0f64..3000.0,
             aspect in 0.2f64..1.0,
             packing in 0.03f64..0.7,
@@ -356,7 +356,7 @@ mod tests {
             let training = Training::default();
             let system = if turing { SystemChoice::Of(System::TURING_SPOTS) } else { SystemChoice::Of(System::MEINHARDT_SPOTS) };
             let apart = (area / packing).sqrt().min(110.0);
-            let (before, after) = taken(&training, &document(spots(area, aspect, apart), system));
+            let (before, after) = changed(&training, &document(spots(area, aspect, apart), system));
             prop_assert!(before == 0 || after == Some(0), "{before} {after:?}");
         }
     }

@@ -1,25 +1,25 @@
-//! How well what has grown meets what was asked: three kinds of marks that differ in shape, word and colour.
+//! How well what has grown meets what was asked for: signs that differ in shape, word and colour.
 
 use egui::{Color32, Painter, Rect, Shape, Stroke, pos2, vec2};
 
 use crate::app::theme::Palette;
 use crate::synth::report::RegionReport;
 
-/// How well something is met, the best first.
+/// How well a value is met, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
-    /// As asked, as far as the eye can tell.
+    /// Within the tolerance that the eye does not notice.
     Met,
     /// Nothing was measured.
     Unknown,
-    /// Not quite.
+    /// Slightly off.
     Near,
-    /// Something else has grown, or what was asked cannot be reached.
+    /// Clearly off, or out of reach of the system.
     Missed,
 }
 
-/// Up to which error an attribute counts as met, and as near: shares, but of aspect the difference, of angle degrees.
-/// 5 % is what the tables of errors call good, three times that is plain to the eye beside the drawn mark.
+/// The largest errors of an attribute that count as met, and as near: shares; for aspect the difference, for angle
+/// degrees. 5 % is the limit of the error tables; three times that is clearly visible beside the drawn mark.
 fn allowed(attribute: &str) -> Option<[f64; 2]> {
     match attribute {
         "area" | "spacing" | "width" | "wavelength" => Some([0.05, 0.15]),
@@ -30,9 +30,9 @@ fn allowed(attribute: &str) -> Option<[f64; 2]> {
 }
 
 impl Verdict {
-    /// Of one attribute with this error; `None` where none is due.
+    /// For the error of an attribute; `None` for attributes that are not judged.
     #[must_use]
-    pub fn of(attribute: &str, error: f64) -> Option<Self> {
+    pub fn for_error(attribute: &str, error: f64) -> Option<Self> {
         let [met, near] = allowed(attribute)?;
         Some(match error.abs() {
             error if error <= met => Self::Met,
@@ -41,17 +41,17 @@ impl Verdict {
         })
     }
 
-    /// Of a whole region: that of its worst attribute.
+    /// For a region: that of its worst attribute.
     #[must_use]
-    pub fn of_region(report: &RegionReport) -> Self {
+    pub fn for_region(report: &RegionReport) -> Self {
         if !report.beyond.is_empty() {
             return Self::Missed;
         }
-        let all = report.error.iter().filter_map(|(attribute, error)| Self::of(attribute, *error));
+        let all = report.error.iter().filter_map(|(attribute, error)| Self::for_error(attribute, *error));
         all.max().unwrap_or(Self::Unknown)
     }
 
-    /// In a word.
+    /// Its label.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -62,14 +62,14 @@ impl Verdict {
         }
     }
 
-    /// What it says of a region.
+    /// Its tooltip.
     #[must_use]
     pub fn help(self) -> &'static str {
         match self {
             Self::Met => "Met: area, spacing and width within 5 %, aspect within 0.05, direction within 5°",
             Self::Unknown => "Not measured: no whole mark grew here",
             Self::Near => "Near: area, spacing or width off by up to 15 %, aspect by 0.12, direction by 15°",
-            Self::Missed => "Missed: farther off than 15 %, 0.12 or 15°, or beyond what the system grows",
+            Self::Missed => "Missed: farther off than 15 %, 0.12 or 15°, or out of reach of the system",
         }
     }
 
@@ -126,7 +126,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_are_judged_either_way() {
+    fn errors_of_both_signs_are_judged() {
         for (attribute, error, verdict) in [
             ("area", 0.04, Verdict::Met),
             ("area", -0.06, Verdict::Near),
@@ -135,8 +135,8 @@ mod tests {
             ("angle", -4.0, Verdict::Met),
             ("angle", 30.0, Verdict::Missed),
         ] {
-            assert_eq!(Verdict::of(attribute, error), Some(verdict), "{attribute} {error}");
+            assert_eq!(Verdict::for_error(attribute, error), Some(verdict), "{attribute} {error}");
         }
-        assert_eq!(Verdict::of("angle_rms", 30.0), None);
+        assert_eq!(Verdict::for_error("angle_rms", 30.0), None);
     }
 }

@@ -188,18 +188,18 @@ impl Window {
         let x = body.left() + self.curtain * body.width();
         let seen = Rect::from_min_max(pos2(x, body.top()), body.max);
         let painter = ui.painter_at(seen);
-        painter.rect_filled(seen, 0.0, Palette::of(ui.visuals()).desk);
+        painter.rect_filled(seen, 0.0, Palette::current(ui.visuals()).background);
         self.texture.view = self.canvas.view;
         self.texture.paint(ui, &painter, body, self.session.document().size);
         self.signs(ui, body, self.canvas.view);
-        texture::curtain(ui, body, &mut self.curtain);
-        texture::paint_curtain(ui, body, self.curtain);
+        texture::divider(ui, body, &mut self.curtain);
+        texture::paint_divider(ui, body, self.curtain);
     }
 
     /// The results of the regions, as signs in their corners.
     fn signs(&self, ui: &Ui, room: Rect, view: View) {
         if self.tab == Tab::Result && self.result_panel.signs {
-            let (painter, palette) = (ui.painter_at(room), Palette::of(ui.visuals()));
+            let (painter, palette) = (ui.painter_at(room), Palette::current(ui.visuals()));
             panels::paint_signs(&painter, room, view, &self.session, &self.results, palette);
         }
     }

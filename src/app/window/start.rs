@@ -42,7 +42,7 @@ impl Window {
     /// A window, with what it begins with.
     #[must_use]
     pub fn new(ctx: &Context, start: Start) -> Self {
-        theme::dress(ctx);
+        theme::apply(ctx);
         ctx.set_theme(start.settings.theme);
         // Ctrl and + or − zoom the canvas, not the buttons.
         ctx.options_mut(|options| {

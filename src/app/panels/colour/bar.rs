@@ -67,7 +67,7 @@ pub fn gradient(painter: &Painter, rect: Rect, gradient: &Gradient, [from, to]: 
 
 /// The curves above the bar, each over its transition; a click selects one.
 fn transitions(ui: &Ui, panel: &mut ColourPanel, colours: &Colours, rect: Rect) {
-    let palette = Palette::of(ui.visuals());
+    let palette = Palette::current(ui.visuals());
     for gap in 0..colours.stops.len() - 1 {
         let [left, right] = [gap, gap + 1].map(|stop| x_of(rect, colours.stops[stop].at));
         let room = Rect::from_min_max(pos2(left, rect.top()), pos2(right, rect.bottom()));
@@ -131,7 +131,7 @@ fn add(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect) {
         ui.memory_mut(|memory| memory.request_focus(stop_id(ui, index)));
     }
     if focused {
-        let accent = Palette::of(ui.visuals()).accent;
+        let accent = Palette::current(ui.visuals()).accent;
         ui.painter().rect_stroke(rect.expand(2.0), 2.0, Stroke::new(1.5, accent), StrokeKind::Outside);
     }
     response
@@ -230,7 +230,7 @@ fn respond(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, index: usize
 
 /// A stop: its colour in a shape with a tip at its position.
 fn paint(ui: &Ui, tip: egui::Pos2, colour: Color32, chosen: bool, focused: bool) {
-    let palette = Palette::of(ui.visuals());
+    let palette = Palette::current(ui.visuals());
     let shape = |half: f32, top: f32, height: f32| {
         vec![
             pos2(tip.x, tip.y + top),

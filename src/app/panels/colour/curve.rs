@@ -101,7 +101,7 @@ fn strips(ui: &Ui, colours: &Colours, gap: usize, room: Rect, range: [f64; 2]) {
 }
 
 fn paint(ui: &Ui, room: Rect, bend: [f64; 4], range: [f64; 2]) {
-    let palette = Palette::of(ui.visuals());
+    let palette = Palette::current(ui.visuals());
     let painter = ui.painter();
     painter.rect_filled(room, 0.0, ui.visuals().extreme_bg_color);
     painter.rect_stroke(room, 0.0, Stroke::new(1.0, palette.border), StrokeKind::Outside);
@@ -164,7 +164,7 @@ fn handle(
     }
     bend[2 * handle] = rounded(x.clamp(limits::BEND_X.low, limits::BEND_X.high));
     bend[2 * handle + 1] = rounded(y.clamp(limits::BEND_Y.low, limits::BEND_Y.high));
-    let palette = Palette::of(ui.visuals());
+    let palette = Palette::current(ui.visuals());
     let at = place(room, [bend[2 * handle], bend[2 * handle + 1]], range);
     if response.has_focus() {
         ui.painter().circle_filled(at, 9.0, palette.accent_pale);

@@ -57,7 +57,7 @@ fn pad(
     x = (x + 0.01 * right as f32).clamp(0.0, 1.0);
     y = if flat { 0.5 } else { (y + 0.01 * up as f32).clamp(0.0, 1.0) };
     ui.painter().add(Shape::mesh(field(rect, [columns, rows], &colour)));
-    let palette = Palette::of(ui.visuals());
+    let palette = Palette::current(ui.visuals());
     let border = if response.has_focus() {
         Stroke::new(2.0, palette.accent)
     } else {

@@ -68,7 +68,7 @@ fn small(text: &str) -> Button<'_> {
 fn swatch(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
     let (rect, response) = ui.allocate_exact_size(vec2(40.0, 24.0), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Pick a colour"));
-    let palette = Palette::of(ui.visuals());
+    let palette = Palette::current(ui.visuals());
     ui.painter().rect_filled(rect, 4.0, shown(*colour));
     let border = if response.has_focus() { palette.accent } else { palette.border };
     ui.painter().rect_stroke(
@@ -94,7 +94,7 @@ fn typed(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
     let known = read(&text);
     let mut edit = TextEdit::singleline(&mut text).desired_width(76.0).char_limit(16);
     if known.is_none() {
-        edit = edit.text_color(Palette::of(ui.visuals()).wrong);
+        edit = edit.text_color(Palette::current(ui.visuals()).wrong);
     }
     let response = ui.add(edit).accessible_name("Colour in hexadecimal digits");
     if response.changed() {

@@ -85,7 +85,7 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
             ui.label(found.map_or("–".to_owned(), |(_, value)| number(ruler, attribute, *value)));
             let off = report.error.iter().find(|(of, _)| of == attribute);
             ui.label(off.map_or("–".to_owned(), |(_, off)| error(attribute, *off)));
-            let verdict = off.and_then(|(_, off)| Verdict::of(attribute, *off));
+            let verdict = off.and_then(|(_, off)| Verdict::for_error(attribute, *off));
             sign(ui, verdict.unwrap_or(Verdict::Unknown));
             ui.end_row();
         }
@@ -115,7 +115,7 @@ fn asked_at_marks(report: &RegionReport, attribute: &str) -> Option<f64> {
 /// What cannot be reached, and a button for the nearest that can.
 fn beyond(ui: &mut Ui, region: &RegionResult, layer: usize, is_current: bool) -> Option<Action> {
     let mut action = None;
-    let palette = Palette::of(ui.visuals());
+    let palette = Palette::current(ui.visuals());
     let frame = Frame::NONE.inner_margin(8.0).corner_radius(6.0).stroke((1.0, palette.wrong));
     frame.show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -128,11 +128,11 @@ fn beyond(ui: &mut Ui, region: &RegionResult, layer: usize, is_current: bool) ->
         match &region.reach {
             Some(reach) => {
                 let button = Button::new("Draw what can be reached").min_size(vec2(190.0, 26.0));
-                let help = format!("Changes the marks of this region: {}. Can be undone.", reach.says);
+                let help = format!("Changes the marks of this region: {}. Can be undone.", reach.text);
                 if ui.add_enabled(is_current, button).on_hover_text(help).clicked() {
                     action = Some(Action::Reach(layer, region.report.place));
                 }
-                ui.label(RichText::new(capital(&reach.says)).small().weak());
+                ui.label(RichText::new(capital(&reach.text)).small().weak());
             }
             None => {
                 ui.weak("The nearest that can be reached is growing.");

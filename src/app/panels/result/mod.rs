@@ -110,7 +110,7 @@ fn region(shown: &Shown, layer: &LayerResult, grid: [usize; 2], chosen: Option<[
 /// A sign in text.
 fn sign(ui: &mut Ui, verdict: Verdict) {
     let (rect, response) = ui.allocate_exact_size([SIGN, SIGN].into(), egui::Sense::hover());
-    verdict.paint(ui.painter(), rect, Palette::of(ui.visuals()));
+    verdict.paint(ui.painter(), rect, Palette::current(ui.visuals()));
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, verdict.name()));
     response.on_hover_text(verdict.help());
 }

@@ -60,7 +60,7 @@ fn row(ui: &mut Ui, region: &RegionResult, columns: &[&str], width: f32, chosen:
     let rect = button.rect;
     let sign =
         egui::Rect::from_center_size(pos2(rect.left() + 4.0 + 0.5 * SIGN, rect.center().y), vec2(SIGN, SIGN));
-    region.verdict.paint(ui.painter(), sign, Palette::of(ui.visuals()));
+    region.verdict.paint(ui.painter(), sign, Palette::current(ui.visuals()));
     let font = FontId::new(TextStyle::Small.resolve(ui.style()).size, egui::FontFamily::Proportional);
     let name = format!("{}, {}", place[0] + 1, place[1] + 1);
     let text = |x: f32, align: Align2, text: String| {
