@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::document::embedded::embedded;
+use crate::document::embedded::{MAX_SCALE, embedded};
 use crate::document::{Document, Extent};
 use crate::export::outline::svg::{self, Sheet, Unit};
 use crate::export::outline::{self, Smallest, dxf};
@@ -67,12 +67,13 @@ impl Grown {
         self.save_scaled(path, 1)
     }
 
-    /// As [`Grown::save`], with `scale` times the px along each side: the same texture, finer.
+    /// As [`Grown::save`], with `scale` times the px along each side: the same texture, finer. A scale outside of 1 to 64
+    /// is taken as the nearest of these.
     ///
     /// # Errors
     /// As [`Grown::save`].
     pub fn save_scaled(&self, path: impl AsRef<Path>, scale: u32) -> Result<(), ExportError> {
-        let path = path.as_ref();
+        let (path, scale) = (path.as_ref(), scale.clamp(1, MAX_SCALE));
         if outline::FORMATS.iter().any(|ending| has_ending(path, ending)) {
             return self.save_outlines(path, scale);
         }
@@ -100,7 +101,7 @@ impl Grown {
         self.layers.get(index).map(|layer| GrownLayer::pattern(layer).field(width, height))
     }
 
-    /// What was asked, looked up and found, by layer and region.
+    /// What was asked, looked up and found, by layer and region. `seconds` is 0: time is not measured here.
     #[must_use]
     pub fn report(&self) -> Report {
         report(&self.document, &self.document.name, self, 0.0)
