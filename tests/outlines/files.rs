@@ -2,7 +2,7 @@
 
 use crate::bench::Bench;
 use dapple::internals::export::outline::svg::Unit;
-use dapple::internals::export::outline::{Smallest, Style, draw, dxf as writer, of_field};
+use dapple::internals::export::outline::{Smallest, Style, draw, dxf as writer, outline_field};
 use dapple::internals::grid::{Edges, Field};
 use dxf::entities::EntityType;
 use resvg::usvg::{self, Node};
@@ -96,7 +96,7 @@ fn a_dxf_keeps_areas_and_stands_upright() {
         let r = ((x - 20.0) * (x - 20.0) + (y - 16.0) * (y - 16.0)).sqrt();
         (0.5 + 0.1 * (10.0 - r)) as f32
     });
-    let shapes = of_field(&field, 0.5, Smallest::default());
+    let shapes = outline_field(&field, 0.5, Smallest::default());
     let (groups, travel) = draw(vec![("ä/ö".to_owned(), [0; 3], shapes)], [64.0; 2], &Style::default());
     assert_eq!(travel.paths, 1);
     let mut text = Vec::new();

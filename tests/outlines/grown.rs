@@ -1,6 +1,7 @@
 //! Examples, grown small: what their outlines enclose, and how an SVG library paints them.
 
 use dapple::document::Document;
+use dapple::internals::export::outline::path::{end, start};
 use dapple::internals::export::outline::svg::{self, Sheet, Unit};
 use dapple::internals::export::outline::{Group, Hatch, Smallest, Style};
 use dapple::internals::synth::grow;
@@ -194,10 +195,12 @@ fn the_hatch_of_a_tile_goes_on_across_its_seams() {
         };
         let groups = outlines(&document, &grown, &wanted, &Watch::NONE).unwrap().0;
         let strokes = groups[0].strokes.iter();
-        let ends: Vec<[f64; 2]> = strokes.flat_map(|stroke| [stroke.start, stroke.end()]).collect();
+        let ends: Vec<[f64; 2]> =
+            strokes.flat_map(|stroke| [start(stroke), end(stroke)]).map(|point| [point.x, point.y]).collect();
         let outlines = groups[0].areas.iter().flat_map(dapple::internals::export::outline::Shape::paths);
         let knots: Vec<[f64; 2]> = outlines
-            .flat_map(|path| path.pieces.iter().map(dapple::internals::export::outline::Piece::end))
+            .flat_map(|path| path.elements().iter().filter_map(kurbo::PathEl::end_point))
+            .map(|point| [point.x, point.y])
             .collect();
         let mut met = 0;
         for axis in [0, 1] {

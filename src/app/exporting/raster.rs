@@ -2,7 +2,8 @@
 
 use egui::{Color32, ColorImage};
 
-use crate::export::outline::{Group, Path, Shape};
+use crate::export::outline::path::flattened;
+use crate::export::outline::{BezPath, Group, Shape};
 
 /// Outlines as they are written.
 pub struct Drawing {
@@ -43,12 +44,8 @@ impl Drawing {
 }
 
 /// A path as points, px of the picture.
-fn flat(path: &Path, scale: f64) -> Vec<[f64; 2]> {
-    let mut points = path.flat(0.1 / scale);
-    if path.closed && points.first() != points.last() {
-        points.extend(points.first().copied());
-    }
-    points.into_iter().map(|point| point.map(|place| place * scale)).collect()
+fn flat(path: &BezPath, scale: f64) -> Vec<[f64; 2]> {
+    flattened(path, 0.1 / scale).into_iter().map(|point| [point.x * scale, point.y * scale]).collect()
 }
 
 struct Paper {

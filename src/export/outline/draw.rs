@@ -1,13 +1,17 @@
 //! Shapes → what a pen draws, in which order.
 
+use kurbo::{BezPath, Point, Shape as _};
 use rayon::prelude::*;
 
-use super::path::{Path, distance};
-use super::route::{Route, route, travel};
+use super::path::{cut, end, pieces, started_after};
+use super::route::{self, Route, route};
 use super::svg::Unit;
 use super::{Hatch, Shape, hatch};
 
-/// What happens to marks at the border of the canvas.
+/// Accuracy of lengths, px.
+const ACCURACY: f64 = 0.01;
+
+/// How outlines end at the border of the canvas.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ends {
     /// Their outlines are closed along it.
@@ -26,9 +30,9 @@ pub struct Style {
     pub stroke: bool,
     /// Parallel strokes in the areas.
     pub hatch: Option<Hatch>,
-    /// What happens to strokes at the border.
+    /// How strokes end at the border.
     pub ends: Ends,
-    /// Whether to look for a short way.
+    /// Whether to search a short route.
     pub ordered: bool,
 }
 
@@ -38,7 +42,7 @@ impl Default for Style {
     }
 }
 
-/// What is drawn of a layer.
+/// What is drawn for one layer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
     /// The layer's name.
@@ -48,19 +52,19 @@ pub struct Group {
     /// Areas to fill, drawn first.
     pub areas: Vec<Shape>,
     /// Strokes, in order.
-    pub strokes: Vec<Path>,
+    pub strokes: Vec<BezPath>,
 }
 
-/// What a pen does, px. It begins at the canvas' upper left corner; areas count as their outlines.
+/// How far a pen moves, px. It starts at the canvas' upper left corner; areas count as their outlines.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Travel {
-    /// Paths.
+    /// Number of paths.
     pub paths: usize,
-    /// On the paper.
+    /// Distance on the paper.
     pub down: f64,
-    /// In the air.
+    /// Distance in the air.
     pub up: f64,
-    /// In the air if the paths were drawn as they were found.
+    /// Distance in the air if the paths were drawn in the order found.
     pub up_unordered: f64,
 }
 
@@ -71,8 +75,8 @@ pub fn draw(
     size: [f64; 2],
     style: &Style,
 ) -> (Vec<Group>, Travel) {
-    let mut done = Travel::default();
-    let mut pens = [[0.0, 0.0]; 2];
+    let mut travel = Travel::default();
+    let mut pens = [Point::ORIGIN; 2];
     let mut groups = Vec::with_capacity(layers.len());
     for (name, colour, shapes) in layers {
         let mut group = Group { name, colour, areas: Vec::new(), strokes: Vec::new() };
@@ -80,19 +84,19 @@ pub fn draw(
         if style.fill {
             let found = shapes.clone();
             group.areas = if style.ordered { ordered(shapes, pens[0]) } else { shapes };
-            done.add(&rings(&group.areas), &rings(&found), &mut pens);
+            travel.add(&rings(&group.areas), &rings(&found), &mut pens);
         }
         if style.ordered {
             let (found, from) = (strokes.clone(), pens[0]);
             group.strokes = route(strokes, from).paths;
-            done.add(&group.strokes, &found, &mut pens);
+            travel.add(&group.strokes, &found, &mut pens);
         } else {
-            done.add(&strokes, &strokes, &mut pens);
+            travel.add(&strokes, &strokes, &mut pens);
             group.strokes = strokes;
         }
         groups.push(group);
     }
-    (groups, done)
+    (groups, travel)
 }
 
 impl Travel {
@@ -112,29 +116,30 @@ impl Travel {
         )
     }
 
-    /// Adds what was drawn, and what it would be as found; `pens` is where both stand.
-    fn add(&mut self, drawn: &[Path], found: &[Path], pens: &mut [[f64; 2]; 2]) {
+    /// Adds the paths as `drawn` and, for comparison, as `found`; `pens` are the positions of both pens.
+    fn add(&mut self, drawn: &[BezPath], found: &[BezPath], pens: &mut [Point; 2]) {
         self.paths += drawn.len();
-        self.down += drawn.par_iter().map(Path::length).collect::<Vec<_>>().iter().sum::<f64>();
-        self.up += travel(pens[0], drawn);
-        self.up_unordered += travel(pens[1], found);
+        let lengths: Vec<f64> = drawn.par_iter().map(|path| path.perimeter(ACCURACY)).collect();
+        self.down += lengths.iter().sum::<f64>();
+        self.up += route::travel(pens[0], drawn);
+        self.up_unordered += route::travel(pens[1], found);
         for (pen, paths) in pens.iter_mut().zip([drawn, found]) {
-            *pen = paths.last().map_or(*pen, Path::end);
+            *pen = paths.last().map_or(*pen, end);
         }
     }
 }
 
-fn rings(shapes: &[Shape]) -> Vec<Path> {
+fn rings(shapes: &[Shape]) -> Vec<BezPath> {
     shapes.iter().flat_map(Shape::paths).cloned().collect()
 }
 
-fn strokes(shapes: &[Shape], size: [f64; 2], style: &Style) -> Vec<Path> {
+fn strokes(shapes: &[Shape], size: [f64; 2], style: &Style) -> Vec<BezPath> {
     let each = |shape: &Shape| {
         let mut strokes = Vec::new();
         if style.stroke {
             match style.ends {
                 Ends::Closed => strokes.extend(shape.paths().cloned()),
-                Ends::Cut => strokes.extend(shape.paths().flat_map(|path| path.cut(size))),
+                Ends::Cut => strokes.extend(shape.paths().flat_map(|path| cut(path, size))),
             }
         }
         strokes.extend(style.hatch.map(|lines| hatch(shape, lines)).unwrap_or_default());
@@ -143,21 +148,21 @@ fn strokes(shapes: &[Shape], size: [f64; 2], style: &Style) -> Vec<Path> {
     shapes.par_iter().flat_map_iter(each).collect()
 }
 
-/// Shapes in the order of their outer boundaries; the holes of each follow it.
-fn ordered(shapes: Vec<Shape>, from: [f64; 2]) -> Vec<Shape> {
-    let (outers, holes): (Vec<Path>, Vec<Vec<Path>>) =
+/// Shapes in a short order of their outer boundaries; the holes of each follow its boundary.
+fn ordered(shapes: Vec<Shape>, from: Point) -> Vec<Shape> {
+    let (outers, holes): (Vec<BezPath>, Vec<Vec<BezPath>>) =
         shapes.into_iter().map(|shape| (shape.outer, shape.holes)).unzip();
-    let mut holes: Vec<Option<Vec<Path>>> = holes.into_iter().map(Some).collect();
+    let mut holes: Vec<Option<Vec<BezPath>>> = holes.into_iter().map(Some).collect();
     let Route { order, paths } = route(outers, from);
-    let with_holes = |(index, outer): (usize, Path)| {
-        let pen = outer.end();
+    let with_holes = |(index, outer): (usize, BezPath)| {
+        let pen = end(&outer);
         let mut holes = holes[index].take().unwrap_or_default();
         if holes.len() > 1 {
             holes = route(holes, pen).paths;
         } else if let Some(hole) = holes.pop() {
-            let near = |i: &usize| distance(pen, hole.pieces[*i].end());
-            let first = (0..hole.pieces.len()).min_by(|a, b| near(a).total_cmp(&near(b)));
-            holes.push(hole.begun_after(first.map_or(0, |i| i + 1)));
+            let knots = pieces(&hole).iter().map(|piece| piece.end_point().unwrap_or_default());
+            let nearest = knots.map(|knot| pen.distance(knot)).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+            holes.push(started_after(hole, nearest.map_or(0, |(i, _)| i + 1)));
         }
         Shape { outer, holes }
     };

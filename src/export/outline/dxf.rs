@@ -1,18 +1,19 @@
-//! Outlines → DXF, release 12 (AC1009): the one that every cutter's program reads.
+//! Outlines → DXF, release 12 (AC1009), which all cutters' programs read.
 //!
-//! Release 12 has no place for a unit; a comment says it. Beziers become polylines. y runs up in a DXF, so the drawing stands on its head to stand upright.
+//! Release 12 has no entry for the unit; a comment names it. Beziers become polylines. y points up in a DXF, so y is flipped.
 
 use super::Group;
-use super::path::Path;
+use super::path::{flattened, is_closed};
 use super::svg::Unit;
+use kurbo::{BezPath, Point};
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
-/// Farthest that a polyline lies from its curve, in the file's unit: 0.01 mm, or a hundredth of a px.
+/// Largest distance of a polyline from its curve, in the file's unit: 0.01 mm or 0.01 px.
 const TOLERANCE: f64 = 0.01;
-/// The colours by number that readers agree on: red, yellow, green, cyan, blue, magenta, and 7 for black or white.
+/// Colour numbers with the same meaning in all readers: red, yellow, green, cyan, blue, magenta, and 7 for black or white.
 const COLOURS: [u8; 7] = [7, 1, 5, 3, 6, 4, 2];
-/// Longest name of a layer in release 12.
+/// Longest layer name in release 12, characters.
 const LONGEST: usize = 31;
 
 /// Writes the outlines of areas and the strokes of `groups`, on a canvas of `size` px.
@@ -89,17 +90,18 @@ fn tables(out: &mut impl Write, names: &[String]) -> io::Result<()> {
     pair(out, 0, "ENDSEC")
 }
 
-fn polyline(out: &mut impl Write, layer: &str, path: &Path, scale: f64, height: f64) -> io::Result<()> {
-    let mut points = path.flat(TOLERANCE / scale);
-    if path.closed {
+fn polyline(out: &mut impl Write, layer: &str, path: &BezPath, scale: f64, height: f64) -> io::Result<()> {
+    let mut points = flattened(path, TOLERANCE / scale);
+    let closed = is_closed(path);
+    if closed {
         points.pop();
     }
     pair(out, 0, "POLYLINE")?;
     pair(out, 8, layer)?;
     pair(out, 66, 1)?;
     point(out, [0.0, 0.0])?;
-    pair(out, 70, u8::from(path.closed))?;
-    for [x, y] in points {
+    pair(out, 70, u8::from(closed))?;
+    for Point { x, y } in points {
         pair(out, 0, "VERTEX")?;
         pair(out, 8, layer)?;
         point(out, [x * scale, height - y * scale])?;
@@ -108,7 +110,7 @@ fn polyline(out: &mut impl Write, layer: &str, path: &Path, scale: f64, height: 
     pair(out, 8, layer)
 }
 
-/// The layers' names as release 12 has them: letters, digits, `$`, `-`, `_`, at most 31, none twice.
+/// The layers' names in release 12: letters, digits, `$`, `-`, `_`, at most 31 characters, all different.
 fn names(groups: &[Group]) -> Vec<String> {
     let mut taken = BTreeSet::new();
     let name = |(index, group): (usize, &Group)| {
@@ -119,7 +121,7 @@ fn names(groups: &[Group]) -> Vec<String> {
         }
         let first = name.clone();
         let mut next = 2;
-        // Upper and lower case are one in a DXF.
+        // DXF names ignore upper and lower case.
         while !taken.insert(name.to_uppercase()) {
             let end = format!("_{next}");
             name = format!("{}{end}", first.chars().take(LONGEST - end.len()).collect::<String>());

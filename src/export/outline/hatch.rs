@@ -1,7 +1,9 @@
 //! Shapes → parallel strokes that fill them.
 
 use super::Shape;
-use super::path::{Path, Piece};
+use super::path::stroke;
+use kurbo::common::solve_quadratic;
+use kurbo::{Affine, BezPath, ParamCurve, ParamCurveDeriv, PathSeg, Point};
 use std::collections::BTreeMap;
 
 /// Parallel strokes.
@@ -14,11 +16,11 @@ pub struct Hatch {
 }
 
 impl Hatch {
-    /// Finer than this, px, it would be a filled area.
+    /// Smallest spacing, px: a finer hatch would be a filled area.
     pub const FINEST: f64 = 0.1;
 
-    /// The nearest to it that goes on across the seams of a tile of `size` px: with s the spacing and α the angle, the
-    /// lines y cos α − x sin α = (k + ½)s come back to themselves where m = width·sin α/s and n = height·cos α/s are whole.
+    /// The nearest hatch that continues across the seams of a tile of `size` px. With spacing s and angle α, the lines
+    /// y cos α − x sin α = (k + ½)s meet themselves across the seams if m = width·sin α/s and n = height·cos α/s are integers.
     /// The spacing changes by about s/(2·side) at most, and the angle by as many radians.
     #[must_use]
     pub fn seamless(self, [width, height]: [f64; 2]) -> Self {
@@ -26,7 +28,7 @@ impl Hatch {
         let exact = [width * libm::sin(radians), height * libm::cos(radians)].map(|side| side / self.spacing);
         let mut whole = exact.map(f64::round);
         if whole == [0.0, 0.0] {
-            // One line a tile is the fewest.
+            // At least one line a tile.
             let larger = usize::from(exact[1].abs() >= exact[0].abs());
             whole[larger] = 1.0_f64.copysign(exact[larger]);
         }
@@ -35,99 +37,102 @@ impl Hatch {
     }
 }
 
-/// Strokes shorter than this share of their distance would be dots.
+/// Strokes shorter than this share of the spacing are left out: they would be dots.
 const SHORTEST: f64 = 0.05;
-/// Halvings with which a crossing is found: to 2⁻⁴⁰ of a piece.
+/// Bisections that find a crossing, to 2⁻⁴⁰ of a segment.
 const HALVINGS: usize = 40;
 
-/// The strokes of a shape: what lies in it of the lines that stand `spacing` apart, counted from the canvas' corner, so
-/// that those of all shapes lie in line. They end on the Beziers themselves.
+/// The strokes of a shape: the parts in it of parallel lines `spacing` apart. The lines are counted from the canvas' corner, so
+/// the strokes of all shapes are in line. They end on the Beziers themselves.
 #[must_use]
-pub fn hatch(shape: &Shape, hatch: Hatch) -> Vec<Path> {
+pub fn hatch(shape: &Shape, hatch: Hatch) -> Vec<BezPath> {
     let (sin, cos) = (libm::sin(hatch.angle.to_radians()), libm::cos(hatch.angle.to_radians()));
-    // Turned so that the lines lie along u, at v = (k + ½)·spacing.
-    let turned = |[x, y]: [f64; 2]| [x * cos + y * sin, y * cos - x * sin];
+    // Coordinates (u, v) in which the lines run along u, at v = (k + ½)·spacing.
+    let turned = Affine::new([cos, -sin, sin, cos, 0.0, 0.0]);
     let mut crossings: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
-    for (start, piece) in shape.paths().flat_map(Path::steps) {
-        let start = turned(start);
-        let piece = match piece {
-            Piece::Line(end) => Piece::Line(turned(end)),
-            Piece::Cubic(points) => Piece::Cubic(points.map(turned)),
-        };
-        cross(start, &piece, hatch.spacing, &mut crossings);
+    for segment in shape.paths().flat_map(BezPath::segments) {
+        cross(&(turned * segment), hatch.spacing, &mut crossings);
     }
     let mut strokes = Vec::new();
     for (line, mut along) in crossings {
         along.sort_by(f64::total_cmp);
         let v = (line as f64 + 0.5) * hatch.spacing;
-        let back = |u: f64| [u * cos - v * sin, u * sin + v * cos];
+        let back = |u: f64| Point::new(u * cos - v * sin, u * sin + v * cos);
         for pair in along.chunks_exact(2).filter(|pair| pair[1] - pair[0] > SHORTEST * hatch.spacing) {
-            strokes.push(Path::stroke(back(pair[0]), back(pair[1])));
+            strokes.push(stroke(back(pair[0]), back(pair[1])));
         }
     }
     strokes
 }
 
-/// Where a piece crosses the lines. It is parted where it turns back across them; each part crosses a line once if its
-/// ends lie on different sides, and an end on the line itself counts as above: so each line is crossed an even number
-/// of times, whatever touches it.
-fn cross(start: [f64; 2], piece: &Piece, spacing: f64, crossings: &mut BTreeMap<i64, Vec<f64>>) {
+/// Adds where a segment crosses the lines. The segment is split where v turns; each part crosses a line once if its ends are on
+/// different sides of it. An end on the line counts as above it. So a closed path crosses each line an even number of times,
+/// even if it only touches it.
+fn cross(segment: &PathSeg, spacing: f64, crossings: &mut BTreeMap<i64, Vec<f64>>) {
     let mut parts = vec![0.0];
-    if let Piece::Cubic([a, b, end]) = piece {
-        parts.extend(turns([start[1], a[1], b[1], end[1]]));
-    }
+    parts.extend(turns(segment));
     parts.push(1.0);
+    // Exact ends, which neighbouring segments share.
     let point = |t: f64| match t {
-        0.0 => start,
-        1.0 => piece.end(),
-        t => piece.at(start, t),
+        0.0 => segment.start(),
+        1.0 => segment.end(),
+        t => segment.eval(t),
     };
     for pair in parts.windows(2) {
         let (low, high) = (point(pair[0]), point(pair[1]));
         let first = |v: f64| (v / spacing - 0.5).ceil() as i64;
-        let (from, to) = (first(low[1]), first(high[1]));
+        let (from, to) = (first(low.y), first(high.y));
         for line in from.min(to)..from.max(to) {
             let v = (line as f64 + 0.5) * spacing;
-            let u = at_height(point, [pair[0], pair[1]], low[1] < high[1], v);
+            let u = u_at(point, [pair[0], pair[1]], low.y < high.y, v);
             crossings.entry(line).or_default().push(u);
         }
     }
 }
 
-/// The parameters, ascending, at which a cubic with these heights turns up or down: B′(t) = 0.
-fn turns([p0, p1, p2, p3]: [f64; 4]) -> Vec<f64> {
-    let (a, b, c) = (p3 - p0 + 3.0 * (p1 - p2), 2.0 * (p0 - 2.0 * p1 + p2), p1 - p0);
-    let root = (b * b - 4.0 * a * c).max(0.0).sqrt();
-    // Without the difference of nearly equal numbers (Numerical Recipes, § 5.6).
-    let q = -0.5 * (b + if b < 0.0 { -root } else { root });
-    let mut turns = [q / a, c / q].to_vec();
+/// The parameters, ascending, at which v turns from rising to falling or back: B′(t) = 0.
+fn turns(segment: &PathSeg) -> Vec<f64> {
+    let PathSeg::Cubic(cubic) = segment else { return Vec::new() };
+    let [a, b, c] = {
+        let slope = cubic.deriv();
+        [slope.p0.y, slope.p1.y, slope.p2.y]
+    };
+    let mut turns = solve_quadratic(a, 2.0 * (b - a), a - 2.0 * b + c).to_vec();
     turns.retain(|t| *t > 0.0 && *t < 1.0);
     turns.sort_by(f64::total_cmp);
     turns.dedup();
     turns
 }
 
-/// How far along the lines the piece reaches height `v` between two parameters.
-fn at_height(point: impl Fn(f64) -> [f64; 2], [mut low, mut high]: [f64; 2], rises: bool, v: f64) -> f64 {
+/// u where a segment reaches `v` between two parameters.
+fn u_at(point: impl Fn(f64) -> Point, [mut low, mut high]: [f64; 2], rises: bool, v: f64) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
-        if (point(middle)[1] < v) == rises {
+        if (point(middle).y < v) == rises {
             low = middle;
         } else {
             high = middle;
         }
     }
-    point(0.5 * (low + high))[0]
+    point(0.5 * (low + high)).x
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::export::outline::path::distance;
+    use crate::export::outline::path::{end, start};
+    use kurbo::{Circle, PathEl, Shape as _};
 
-    fn ring(corners: &[[f64; 2]]) -> Path {
-        let pieces = corners[1..].iter().chain(&corners[..1]).map(|corner| Piece::Line(*corner));
-        Path { start: corners[0], pieces: pieces.collect(), closed: true }
+    fn ring(corners: &[[f64; 2]]) -> BezPath {
+        let at = |corner: &[f64; 2]| Point::new(corner[0], corner[1]);
+        let mut path = vec![PathEl::MoveTo(at(&corners[0]))];
+        path.extend(corners[1..].iter().chain(&corners[..1]).map(|corner| PathEl::LineTo(at(corner))));
+        path.push(PathEl::ClosePath);
+        BezPath::from_vec(path)
+    }
+
+    fn line(from: [f64; 2], to: [f64; 2]) -> BezPath {
+        stroke(Point::new(from[0], from[1]), Point::new(to[0], to[1]))
     }
 
     #[test]
@@ -136,14 +141,14 @@ mod tests {
         let hole = ring(&[[4.0, 4.0], [4.0, 6.0], [6.0, 6.0], [6.0, 4.0]]);
         let strokes = hatch(&Shape { outer, holes: vec![hole] }, Hatch { spacing: 1.0, angle: 0.0 });
         assert_eq!(strokes.len(), 12);
-        assert_eq!(strokes[0], Path::stroke([0.0, 0.5], [10.0, 0.5]));
+        assert_eq!(strokes[0], line([0.0, 0.5], [10.0, 0.5]));
         let ends = [[4.0, 4.5], [6.0, 4.5]];
-        assert!(strokes.contains(&Path::stroke([0.0, 4.5], ends[0])));
-        assert!(strokes.contains(&Path::stroke(ends[1], [10.0, 4.5])));
+        assert!(strokes.contains(&line([0.0, 4.5], ends[0])));
+        assert!(strokes.contains(&line(ends[1], [10.0, 4.5])));
     }
 
     #[test]
-    fn a_seamless_hatch_is_near_the_one_asked_for_and_comes_back_to_itself() {
+    fn a_seamless_hatch_is_near_the_given_one_and_meets_itself_across_the_seams() {
         let size = [200.0, 130.0];
         for asked in [(1.0, 0.0), (1.3, 45.0), (0.7, -100.0), (3.0, 90.0), (3.0, 359.0), (2.2, 178.0)] {
             let asked = Hatch { spacing: asked.0, angle: asked.1 };
@@ -163,33 +168,26 @@ mod tests {
     }
 
     #[test]
-    fn lines_through_corners_and_along_sides_leave_nothing_out() {
+    fn lines_through_corners_and_along_sides_cover_the_whole_area() {
         // Sides lie on lines, and lines go through the corners.
         let outer = ring(&[[0.5, 0.5], [5.5, 0.5], [5.5, 5.5], [3.0, 2.5], [0.5, 5.5]]);
         for angle in [0.0, 45.0, 90.0, 180.0, 270.0, -1e6] {
             let area: f64 = outer.area();
             let strokes =
                 hatch(&Shape { outer: outer.clone(), holes: vec![] }, Hatch { spacing: 0.01, angle });
-            let covered: f64 = strokes.iter().map(|path| distance(path.start, path.end()) * 0.01).sum();
+            let covered: f64 = strokes.iter().map(|path| start(path).distance(end(path)) * 0.01).sum();
             assert!((covered / area - 1.0).abs() < 0.01, "{angle}: {covered} of {area}");
         }
     }
 
     #[test]
     fn strokes_end_on_the_curve() {
-        let k = 5.522_847_5;
-        let pieces = [
-            [[10.0, k], [k, 10.0], [0.0, 10.0]],
-            [[-k, 10.0], [-10.0, k], [-10.0, 0.0]],
-            [[-10.0, -k], [-k, -10.0], [0.0, -10.0]],
-            [[k, -10.0], [10.0, -k], [10.0, 0.0]],
-        ];
-        let outer = Path { start: [10.0, 0.0], pieces: pieces.map(Piece::Cubic).to_vec(), closed: true };
+        let outer = Circle::new(Point::ORIGIN, 10.0).to_path(1e-6);
         let strokes = hatch(&Shape { outer, holes: vec![] }, Hatch { spacing: 0.7, angle: 33.0 });
         assert_eq!(strokes.len(), 28);
         for stroke in strokes {
-            for end in [stroke.start, stroke.end()] {
-                assert!((distance(end, [0.0, 0.0]) - 10.0).abs() < 0.003, "{end:?}");
+            for end in [start(&stroke), end(&stroke)] {
+                assert!((end.distance(Point::ORIGIN) - 10.0).abs() < 0.003, "{end:?}");
             }
         }
     }

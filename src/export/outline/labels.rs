@@ -1,16 +1,16 @@
-//! Which parts of a canvas hang together.
+//! Which parts of a canvas are connected.
 
-/// Labels that are joined as parts turn out to be one (union-find with path halving; Tarjan & van Leeuwen 1984).
+/// Labels of parts, joined when parts turn out to be connected (union-find with path halving; Tarjan & van Leeuwen 1984).
 #[derive(Debug, Default)]
 pub struct Labels(Vec<u32>);
 
 impl Labels {
-    /// So many labels, each by itself.
-    pub fn of(count: u32) -> Self {
+    /// `count` labels, none joined.
+    pub fn new(count: u32) -> Self {
         Self((0..count).collect())
     }
 
-    /// A label that has not been given yet.
+    /// A new label.
     pub fn new_label(&mut self) -> u32 {
         let label = self.0.len() as u32;
         self.0.push(label);
@@ -26,7 +26,7 @@ impl Labels {
         label
     }
 
-    /// Makes one of two; gives what [`Self::find`] finds for both.
+    /// Joins two labels; returns what [`Self::find`] then returns for both.
     pub fn join(&mut self, a: u32, b: u32) -> u32 {
         let (a, b) = (self.find(a), self.find(b));
         let (least, other) = (a.min(b), a.max(b));

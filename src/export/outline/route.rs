@@ -1,42 +1,44 @@
-//! In which order to draw paths, so that the pen travels little in the air.
+//! The order in which to draw paths, so that the pen travels little in the air.
 //!
-//! First always the nearest that is left (closed paths may begin at any of their knots, open ones at either end), then
-//! stretches of the way are turned round and single paths moved as long as that shortens it (2-opt and or-opt; Croes
-//! 1958, Or 1976), at last closed paths begin where the way past them is shortest.
+//! First the nearest path that is left is taken, again and again (closed paths may start at any of their knots, open ones at
+//! either end). Then stretches of the route are reversed and single paths moved while that shortens it (2-opt and or-opt;
+//! Croes 1958, Or 1976). At last each closed path starts where the route past it is shortest.
 
-use super::path::{Path, distance};
+use kurbo::{BezPath, Point};
 
-/// Knots of a closed path at which the nearest is looked for.
+use super::path::{end, is_closed, pieces, start, started_after};
+
+/// Knots of a closed path that are tried when the nearest path is searched.
 const KNOTS: usize = 8;
-/// Pairs of places that a round of improvement looks at, at most; so a hundred thousand hatch strokes take seconds.
+/// Most pairs of places that a round of improvement tries, so that a hundred thousand hatch strokes take seconds.
 const PAIRS: usize = 20_000_000;
 /// Rounds of improvement.
 const ROUNDS: usize = 12;
 
-/// A way through paths.
+/// An order of paths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Route {
     /// The index of each path, in the order of drawing.
     pub order: Vec<usize>,
-    /// The paths in that order, turned round or begun elsewhere.
-    pub paths: Vec<Path>,
+    /// The paths in that order, some reversed or started elsewhere.
+    pub paths: Vec<BezPath>,
 }
 
-/// How far a pen that begins at `from` travels in the air between `paths`, px.
+/// How far a pen that starts at `from` travels in the air between `paths`, px.
 #[must_use]
-pub fn travel(from: [f64; 2], paths: &[Path]) -> f64 {
+pub fn travel(from: Point, paths: &[BezPath]) -> f64 {
     let mut pen = from;
-    paths.iter().map(|path| distance(std::mem::replace(&mut pen, path.end()), path.start)).sum()
+    paths.iter().map(|path| std::mem::replace(&mut pen, end(path)).distance(start(path))).sum()
 }
 
 /// A visit to a path: where the pen comes down and where it goes up.
 #[derive(Clone, Copy)]
 struct Visit {
     path: usize,
-    /// Pieces of a closed path that come last; of an open one 1 = turned round.
+    /// A closed path starts after so many of its pieces; an open one is reversed if this is 1.
     turned: usize,
-    begin: [f64; 2],
-    end: [f64; 2],
+    begin: Point,
+    end: Point,
 }
 
 impl Visit {
@@ -45,49 +47,50 @@ impl Visit {
     }
 }
 
-/// A short way through `paths` for a pen that begins at `from`; never a longer one than in the order given.
+/// A short route through `paths` for a pen that starts at `from`; never longer than the given order.
 #[must_use]
-pub fn route(paths: Vec<Path>, from: [f64; 2]) -> Route {
+pub fn route(paths: Vec<BezPath>, from: Point) -> Route {
     let mut visits = nearest_first(&paths, from);
     for _ in 0..ROUNDS {
-        let shorter = turn_stretches(&mut visits, &paths, from) | move_single(&mut visits, from);
-        begin_best(&mut visits, &paths, from);
+        let shorter = reverse_stretches(&mut visits, &paths, from) | move_single(&mut visits, from);
+        choose_starts(&mut visits, &paths, from);
         if !shorter {
             break;
         }
     }
-    let drawn: Vec<Path> = visits.iter().map(|visit| visited(&paths[visit.path], visit)).collect();
+    let drawn: Vec<BezPath> = visits.iter().map(|visit| visited(&paths[visit.path], visit)).collect();
     if travel(from, &drawn) > travel(from, &paths) {
         return Route { order: (0..paths.len()).collect(), paths };
     }
     Route { order: visits.iter().map(|visit| visit.path).collect(), paths: drawn }
 }
 
-fn visited(path: &Path, visit: &Visit) -> Path {
-    match (path.closed, visit.turned) {
-        (true, first) => path.clone().begun_after(first),
+fn visited(path: &BezPath, visit: &Visit) -> BezPath {
+    match (is_closed(path), visit.turned) {
+        (true, first) => started_after(path.clone(), first),
         (false, 0) => path.clone(),
-        (false, _) => path.reversed(),
+        (false, _) => path.reverse_subpaths(),
     }
 }
 
-/// The ways to begin a path, all or of a closed one only so many.
-fn beginnings(path: &Path, most: usize) -> Vec<(usize, [f64; 2], [f64; 2])> {
-    if !path.closed {
-        return vec![(0, path.start, path.end()), (1, path.end(), path.start)];
+/// Where a path may start: `turned`, start and end of a [`Visit`]. Of a closed path at most `most`.
+fn starts(path: &BezPath, most: usize) -> Vec<(usize, Point, Point)> {
+    if !is_closed(path) {
+        return vec![(0, start(path), end(path)), (1, end(path), start(path))];
     }
-    let n = path.pieces.len();
-    let steps = n.min(most).max(1);
-    let knots = (0..steps).map(|i| i * n / steps);
+    let pieces = pieces(path);
+    let steps = pieces.len().min(most).max(1);
+    let knots = (0..steps).map(|i| i * pieces.len() / steps);
     knots
         .map(|first| {
-            let at = if first == 0 { path.start } else { path.pieces[first - 1].end() };
+            let knot = first.checked_sub(1).and_then(|last| pieces[last].end_point());
+            let at = knot.unwrap_or_else(|| start(path));
             (first, at, at)
         })
         .collect()
 }
 
-/// Squares over the canvas, and in each the beginnings that lie in it.
+/// Squares over the canvas, each with the visits that start in it.
 struct Squares {
     corner: [f64; 2],
     side: f64,
@@ -96,13 +99,13 @@ struct Squares {
 }
 
 impl Squares {
-    fn of(visits: Vec<Visit>) -> Self {
+    fn new(visits: Vec<Visit>) -> Self {
         let bound = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| {
-            visits.iter().map(|visit| visit.begin[axis]).fold(start, pick)
+            visits.iter().map(|visit| coordinates(visit.begin)[axis]).fold(start, pick)
         };
         let corner = [0, 1].map(|axis| bound(axis, f64::min, f64::MAX));
         let extent = [0, 1].map(|axis| bound(axis, f64::max, f64::MIN) - corner[axis]);
-        // About two beginnings in each.
+        // About two in each.
         let side = (extent[0] * extent[1] / (0.5 * visits.len() as f64)).sqrt();
         let side = side.max(extent[0].max(extent[1]) / 1000.0).max(f64::MIN_POSITIVE);
         let across = extent.map(|extent| (extent / side) as usize + 1);
@@ -114,14 +117,15 @@ impl Squares {
         squares
     }
 
-    fn square(&self, at: [f64; 2]) -> [usize; 2] {
+    fn square(&self, at: Point) -> [usize; 2] {
+        let at = coordinates(at);
         [0, 1].map(|axis| {
             (((at[axis] - self.corner[axis]) / self.side).max(0.0) as usize).min(self.across[axis] - 1)
         })
     }
 
-    /// The nearest beginning of a path that is not `used`, looked for in ever wider rings of squares.
-    fn nearest(&mut self, pen: [f64; 2], used: &[bool]) -> Option<Visit> {
+    /// The nearest start of a path that is not `used`, searched in wider and wider rings of squares.
+    fn nearest(&mut self, pen: Point, used: &[bool]) -> Option<Visit> {
         let [cx, cy] = self.square(pen).map(|c| c as isize);
         let mut best: Option<(f64, Visit)> = None;
         for reach in 0..self.across[0].max(self.across[1]) as isize {
@@ -140,7 +144,7 @@ impl Squares {
         best.map(|(_, visit)| visit)
     }
 
-    fn look(&mut self, [x, y]: [isize; 2], pen: [f64; 2], used: &[bool], best: &mut Option<(f64, Visit)>) {
+    fn look(&mut self, [x, y]: [isize; 2], pen: Point, used: &[bool], best: &mut Option<(f64, Visit)>) {
         let [nx, ny] = self.across.map(|n| n as isize);
         if x < 0 || y < 0 || x >= nx || y >= ny {
             return;
@@ -148,7 +152,7 @@ impl Squares {
         let square = &mut self.visits[(y * nx + x) as usize];
         square.retain(|visit| !used[visit.path]);
         for visit in square {
-            let off = distance(pen, visit.begin);
+            let off = pen.distance(visit.begin);
             if best.is_none_or(|(least, _)| off < least) {
                 *best = Some((off, *visit));
             }
@@ -156,12 +160,16 @@ impl Squares {
     }
 }
 
-fn nearest_first(paths: &[Path], from: [f64; 2]) -> Vec<Visit> {
+fn coordinates(point: Point) -> [f64; 2] {
+    [point.x, point.y]
+}
+
+fn nearest_first(paths: &[BezPath], from: Point) -> Vec<Visit> {
     let all = paths.iter().enumerate().flat_map(|(path, drawn)| {
         let visit = move |(turned, begin, end)| Visit { path, turned, begin, end };
-        beginnings(drawn, KNOTS).into_iter().map(visit)
+        starts(drawn, KNOTS).into_iter().map(visit)
     });
-    let mut squares = Squares::of(all.collect());
+    let mut squares = Squares::new(all.collect());
     let mut used = vec![false; paths.len()];
     let mut visits: Vec<Visit> = Vec::with_capacity(paths.len());
     let mut pen = from;
@@ -173,7 +181,7 @@ fn nearest_first(paths: &[Path], from: [f64; 2]) -> Vec<Visit> {
     visits
 }
 
-/// How many places further on a round looks.
+/// How many places ahead a round of improvement tries.
 fn window(n: usize) -> usize {
     (PAIRS / n.max(1)).clamp(50, 100_000)
 }
@@ -181,19 +189,19 @@ fn window(n: usize) -> usize {
 /// Gains below this are rounding, px.
 const GAIN: f64 = 1e-9;
 
-/// 2-opt: a stretch from i to j is drawn the other way round where that is shorter.
-fn turn_stretches(visits: &mut [Visit], paths: &[Path], from: [f64; 2]) -> bool {
+/// 2-opt: reverses stretches from i to j where that shortens the route.
+fn reverse_stretches(visits: &mut [Visit], paths: &[BezPath], from: Point) -> bool {
     let (n, mut shorter) = (visits.len(), false);
     for i in 0..n {
         for j in i..n.min(i + window(n)) {
             let before = if i == 0 { from } else { visits[i - 1].end };
-            let old = distance(before, visits[i].begin);
-            let new = distance(before, visits[j].end);
-            let tail = |end: [f64; 2]| visits.get(j + 1).map_or(0.0, |next| distance(end, next.begin));
+            let old = before.distance(visits[i].begin);
+            let new = before.distance(visits[j].end);
+            let tail = |end: Point| visits.get(j + 1).map_or(0.0, |next| end.distance(next.begin));
             if new + tail(visits[i].begin) + GAIN < old + tail(visits[j].end) {
                 visits[i..=j].reverse();
                 for visit in &mut visits[i..=j] {
-                    *visit = visit.reversed(paths[visit.path].closed);
+                    *visit = visit.reversed(is_closed(&paths[visit.path]));
                 }
                 shorter = true;
             }
@@ -202,16 +210,16 @@ fn turn_stretches(visits: &mut [Visit], paths: &[Path], from: [f64; 2]) -> bool 
     shorter
 }
 
-/// Or-opt: a single path is drawn later or earlier where that is shorter.
-fn move_single(visits: &mut [Visit], from: [f64; 2]) -> bool {
+/// Or-opt: moves single paths where that shortens the route.
+fn move_single(visits: &mut [Visit], from: Point) -> bool {
     let (n, mut shorter) = (visits.len(), false);
     for i in 0..n {
         let end = |k: usize, visits: &[Visit]| if k == 0 { from } else { visits[k - 1].end };
         let visit = visits[i];
-        let after = |k: usize, end: [f64; 2], visits: &[Visit]| {
-            visits.get(k).map_or(0.0, |next| distance(end, next.begin))
+        let after = |k: usize, end: Point, visits: &[Visit]| {
+            visits.get(k).map_or(0.0, |next| end.distance(next.begin))
         };
-        let saved = distance(end(i, visits), visit.begin) + after(i + 1, visit.end, visits)
+        let saved = end(i, visits).distance(visit.begin) + after(i + 1, visit.end, visits)
             - after(i + 1, end(i, visits), visits);
         let half = window(n) / 2;
         let mut best = (GAIN, None);
@@ -220,7 +228,7 @@ fn move_single(visits: &mut [Visit], from: [f64; 2]) -> bool {
                 continue;
             }
             let (before, cost) = (end(k, visits), after(k, visit.end, visits));
-            let gain = saved - (distance(before, visit.begin) + cost - after(k, before, visits));
+            let gain = saved - (before.distance(visit.begin) + cost - after(k, before, visits));
             if gain > best.0 {
                 best = (gain, Some(k));
             }
@@ -235,17 +243,16 @@ fn move_single(visits: &mut [Visit], from: [f64; 2]) -> bool {
     shorter
 }
 
-/// Each path begins where the way from the one before and to the next is shortest.
-fn begin_best(visits: &mut [Visit], paths: &[Path], from: [f64; 2]) {
+/// Each path starts where the way from the path before and to the next one is shortest.
+fn choose_starts(visits: &mut [Visit], paths: &[BezPath], from: Point) {
     let mut pen = from;
     for i in 0..visits.len() {
         let next = visits.get(i + 1).map(|next| next.begin);
-        let way = |begin: [f64; 2], end: [f64; 2]| {
-            distance(pen, begin) + next.map_or(0.0, |next| distance(end, next))
-        };
+        let way =
+            |begin: Point, end: Point| pen.distance(begin) + next.map_or(0.0, |next| end.distance(next));
         let Visit { path, begin, end, .. } = visits[i];
         let mut least = way(begin, end);
-        for (turned, begin, end) in beginnings(&paths[path], usize::MAX) {
+        for (turned, begin, end) in starts(&paths[path], usize::MAX) {
             if way(begin, end) < least {
                 least = way(begin, end);
                 visits[i] = Visit { path, turned, begin, end };
@@ -258,27 +265,31 @@ fn begin_best(visits: &mut [Visit], paths: &[Path], from: [f64; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::export::outline::path::Piece;
+    use crate::export::outline::path::stroke;
+    use kurbo::{PathEl, Shape as _};
     use proptest::prelude::*;
 
-    fn square([x, y]: [f64; 2], side: f64) -> Path {
+    fn square([x, y]: [f64; 2], side: f64) -> BezPath {
         let corners = [[x + side, y], [x + side, y + side], [x, y + side], [x, y]];
-        Path { start: [x, y], pieces: corners.map(Piece::Line).to_vec(), closed: true }
+        let mut path = vec![PathEl::MoveTo(Point::new(x, y))];
+        path.extend(corners.map(|[x, y]| PathEl::LineTo(Point::new(x, y))));
+        path.push(PathEl::ClosePath);
+        BezPath::from_vec(path)
     }
 
     #[test]
     fn strokes_to_and_fro_are_drawn_without_a_detour() {
-        let strokes: Vec<Path> =
-            (0..9).map(|i| Path::stroke([0.0, f64::from(i)], [100.0, f64::from(i)])).collect();
-        let way = route(strokes.iter().rev().cloned().collect(), [0.0, 0.0]);
-        assert_eq!(travel([0.0, 0.0], &way.paths), 8.0);
+        let strokes: Vec<BezPath> =
+            (0..9).map(|i| stroke(Point::new(0.0, f64::from(i)), Point::new(100.0, f64::from(i)))).collect();
+        let way = route(strokes.iter().rev().cloned().collect(), Point::ORIGIN);
+        assert_eq!(travel(Point::ORIGIN, &way.paths), 8.0);
         assert_eq!(way.order, [8, 7, 6, 5, 4, 3, 2, 1, 0]);
     }
 
     #[test]
-    fn a_closed_path_begins_on_the_side_where_the_pen_is() {
-        let way = route(vec![square([10.0, 10.0], 5.0), square([30.0, 10.0], 5.0)], [20.0, 10.0]);
-        assert_eq!((way.paths[0].start, way.paths[1].start), ([15.0, 10.0], [30.0, 10.0]));
+    fn a_closed_path_starts_on_the_side_where_the_pen_is() {
+        let way = route(vec![square([10.0, 10.0], 5.0), square([30.0, 10.0], 5.0)], Point::new(20.0, 10.0));
+        assert_eq!([0, 1].map(|i| coordinates(start(&way.paths[i]))), [[15.0, 10.0], [30.0, 10.0]]);
     }
 
     proptest! {
@@ -287,21 +298,21 @@ mod tests {
             ends in prop::collection::vec([0.0..100.0, 0.0..100.0, 0.0..100.0, 0.0..100.0f64], 0..60),
             squares in prop::collection::vec([0.0..100.0, 0.0..100.0f64], 0..30),
         ) {
-            let mut paths: Vec<Path> =
-                ends.iter().map(|[a, b, c, d]| Path::stroke([*a, *b], [*c, *d])).collect();
+            let mut paths: Vec<BezPath> =
+                ends.iter().map(|[a, b, c, d]| stroke(Point::new(*a, *b), Point::new(*c, *d))).collect();
             paths.extend(squares.iter().map(|corner| square(*corner, 3.0)));
-            let before = travel([0.0, 0.0], &paths);
-            let way = route(paths.clone(), [0.0, 0.0]);
-            prop_assert!(travel([0.0, 0.0], &way.paths) <= before);
+            let before = travel(Point::ORIGIN, &paths);
+            let way = route(paths.clone(), Point::ORIGIN);
+            prop_assert!(travel(Point::ORIGIN, &way.paths) <= before);
             let mut order = way.order.clone();
             order.sort_unstable();
             prop_assert_eq!(order, (0..paths.len()).collect::<Vec<_>>());
             for (index, path) in way.order.iter().zip(&way.paths) {
-                let ends = [path.start, path.end()];
-                let given = [paths[*index].start, paths[*index].end()];
-                prop_assert!(path.closed || ends == given || ends == [given[1], given[0]]);
-                prop_assert!(path.closed == paths[*index].closed);
-                prop_assert!((path.length() - paths[*index].length()).abs() < 1e-9);
+                let ends = [start(path), end(path)];
+                let given = [start(&paths[*index]), end(&paths[*index])];
+                prop_assert!(is_closed(path) || ends == given || ends == [given[1], given[0]]);
+                prop_assert!(is_closed(path) == is_closed(&paths[*index]));
+                prop_assert!((path.perimeter(1e-9) - paths[*index].perimeter(1e-9)).abs() < 1e-9);
             }
         }
     }

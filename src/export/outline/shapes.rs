@@ -1,25 +1,29 @@
-//! Level lines → shapes with holes, without those that are too small.
+//! Level lines → shapes with holes, without the ones that are too small.
 
+use kurbo::{BezPath, ParamCurveArclen, Shape as _};
 use rayon::prelude::*;
 
 use super::labels::Labels;
-use super::path::{Path, Piece, borders, distance};
-use super::trace::Traced;
+use super::path::is_on_border;
+use super::trace::{Ring, Traced};
 use super::{Shape, Smallest, fit};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-/// What a part of the canvas, island or hole, is bounded by.
+/// Accuracy of perimeters, px.
+const ACCURACY: f64 = 0.01;
+
+/// Area (px²) and perimeter (px) of a part of the canvas: an island or a hole.
 #[derive(Clone, Copy, Default)]
 struct Extent {
     area: f64,
-    /// Of its boundary; on a wrapped canvas what runs along the border is left out.
+    /// On a wrapped canvas without what runs along the border.
     perimeter: f64,
 }
 
 impl Extent {
     /// The width of the stadium (a rectangle between two half circles) with this area A and perimeter P:
-    /// A = wP/2 − πw²/4. It is the diameter of a disc, and the width of a long stripe, however it bends.
+    /// A = wP/2 − πw²/4: the diameter of a disc, and the width of a long stripe, straight or bent.
     fn width(self) -> f64 {
         let Self { area, perimeter } = self;
         if perimeter <= 0.0 {
@@ -33,14 +37,14 @@ impl Extent {
     }
 }
 
-/// An enclosed part: the one it lies in, and its boundary.
+/// An enclosed part, the part around it, and the index of its boundary.
 struct Part {
     within: u32,
     ring: usize,
     kept: Option<bool>,
 }
 
-/// The shapes whose outlines were traced on a canvas of `size` px.
+/// The shapes with these traced outlines on a canvas of `size` px, without those below `smallest`.
 pub fn shapes(
     traced: &Traced,
     size: [f64; 2],
@@ -49,12 +53,13 @@ pub fn shapes(
     tolerance: f64,
 ) -> Vec<Shape> {
     let mut parts: BTreeMap<u32, Part> = BTreeMap::new();
-    let paths: Vec<Path> =
+    let paths: Vec<BezPath> =
         traced.rings.par_iter().map(|ring| fit::ring(&ring.points, size, tolerance)).collect();
     let extents: Vec<Extent> = paths.par_iter().map(|path| extent(path, size, wraps)).collect();
+    let around: Vec<bool> = traced.rings.iter().map(Ring::is_around_mark).collect();
     for (index, ring) in traced.rings.iter().enumerate() {
         let [inside, outside] = ring.sides;
-        let (part, within) = if extents[index].area > 0.0 { (inside, outside) } else { (outside, inside) };
+        let (part, within) = if around[index] { (inside, outside) } else { (outside, inside) };
         if part != traced.outside {
             parts.insert(part, Part { within, ring: index, kept: None });
         }
@@ -62,27 +67,27 @@ pub fn shapes(
     let sizes = whole_sizes(traced, &parts, &extents);
     let keys: Vec<u32> = parts.keys().copied().collect();
     for part in keys {
-        settle(part, &mut parts, &|part| !sizes[&part].is_below(smallest));
+        decide(part, &mut parts, &|part| !sizes[&part].is_below(smallest));
     }
-    let kept = |(index, path): (usize, Path)| {
+    let kept = |(index, path): (usize, BezPath)| {
         let [inside, outside] = traced.rings[index].sides;
-        let own = if extents[index].area > 0.0 { inside } else { outside };
+        let own = if around[index] { inside } else { outside };
         let kept = parts.get(&own).is_some_and(|part| part.ring == index && part.kept == Some(true));
         kept.then_some(path)
     };
     let paths = paths.into_iter().enumerate().map(kept).collect();
-    gather(traced, &extents, paths)
+    gather(traced, &around, paths)
 }
 
-/// One shape an island, in the order in which they were traced.
-fn gather(traced: &Traced, extents: &[Extent], paths: Vec<Option<Path>>) -> Vec<Shape> {
+/// One shape for each island, in the order in which they were traced.
+fn gather(traced: &Traced, around: &[bool], paths: Vec<Option<BezPath>>) -> Vec<Shape> {
     let mut shapes: Vec<Shape> = Vec::new();
     let mut places: BTreeMap<u32, usize> = BTreeMap::new();
-    let mut holes: Vec<(u32, Path)> = Vec::new();
+    let mut holes: Vec<(u32, BezPath)> = Vec::new();
     for (index, path) in paths.into_iter().enumerate() {
         let inside = traced.rings[index].sides[0];
         match path {
-            Some(path) if extents[index].area > 0.0 => {
+            Some(path) if around[index] => {
                 places.insert(inside, shapes.len());
                 shapes.push(Shape { outer: path, holes: Vec::new() });
             }
@@ -98,20 +103,16 @@ fn gather(traced: &Traced, extents: &[Extent], paths: Vec<Option<Path>>) -> Vec<
     shapes
 }
 
-/// Of a fitted path: the points that were traced zigzag a little, and the perimeter with them.
-fn extent(path: &Path, size: [f64; 2], wraps: bool) -> Extent {
-    let along = |(start, piece): ([f64; 2], Piece)| match piece {
-        Piece::Line(end) if borders(start, size) & borders(end, size) != 0 => distance(start, end),
-        _ => 0.0,
-    };
-    let left_out = if wraps { path.steps().map(along).sum() } else { 0.0 };
-    Extent { area: path.area(), perimeter: path.length() - left_out }
+/// Area and perimeter of a fitted path. (Traced points zigzag a little, so their perimeter is too long.)
+fn extent(path: &BezPath, size: [f64; 2], wraps: bool) -> Extent {
+    let counted = path.segments().filter(|segment| !(wraps && is_on_border(segment, size)));
+    Extent { area: path.area(), perimeter: counted.map(|segment| segment.arclen(ACCURACY)).sum() }
 }
 
-/// The extent of each part, with what it goes on with across a wrapped border.
+/// The extent of each part together with what it is connected to across a wrapped border.
 fn whole_sizes(traced: &Traced, parts: &BTreeMap<u32, Part>, extents: &[Extent]) -> BTreeMap<u32, Extent> {
     let most = parts.keys().chain(traced.seams.iter().flatten()).copied().max().unwrap_or(0);
-    let mut joined = Labels::of(most + 1);
+    let mut joined = Labels::new(most + 1);
     for [a, b] in &traced.seams {
         joined.join(*a, *b);
     }
@@ -124,9 +125,9 @@ fn whole_sizes(traced: &Traced, parts: &BTreeMap<u32, Part>, extents: &[Extent])
     parts.keys().map(|part| (*part, sums[&joined.find(*part)])).collect()
 }
 
-/// A part is kept where it is large enough and the one around it is kept: with an island go its holes, and with a hole
-/// the islands in it.
-fn settle(part: u32, parts: &mut BTreeMap<u32, Part>, large: &dyn Fn(u32) -> bool) {
+/// Decides whether to keep a part: it is kept if it is large enough and the part around it is kept. So an island takes its
+/// holes along, and a hole the islands in it.
+fn decide(part: u32, parts: &mut BTreeMap<u32, Part>, large: &dyn Fn(u32) -> bool) {
     let mut chain = Vec::new();
     let mut at = part;
     let mut kept = loop {

@@ -1,17 +1,18 @@
-//! Outlines → SVG 1.1, one group a layer.
+//! Outlines → SVG 1.1, one group for each layer.
 
 use super::Group;
-use super::path::{Path, Piece};
+use super::path::{is_closed, pieces};
+use kurbo::{BezPath, PathEl, Point};
 use std::collections::BTreeSet;
 use std::fmt;
 use std::io::{self, Write};
 
-/// What lengths are written in.
+/// The unit of lengths in the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unit {
     /// Canvas px.
     Px,
-    /// Millimetres, at so many px an inch.
+    /// Millimetres.
     Mm {
         /// px an inch.
         dpi: f64,
@@ -28,7 +29,7 @@ impl Unit {
         }
     }
 
-    /// As it is written behind a number.
+    /// Its symbol.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -37,7 +38,7 @@ impl Unit {
         }
     }
 
-    /// The width of a stroke unless another is asked for: 1 px, or 0.3 mm as of a fineliner.
+    /// The default stroke width: 1 px, or 0.3 mm as of a fineliner.
     #[must_use]
     pub fn stroke(self) -> f64 {
         match self {
@@ -47,14 +48,14 @@ impl Unit {
     }
 }
 
-/// What stands around the groups.
+/// Everything in the file but the groups.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
-    /// What the drawing is called.
+    /// The drawing's title; may be empty.
     pub title: String,
     /// The canvas, px.
     pub size: [f64; 2],
-    /// What lengths are written in.
+    /// The unit of lengths in the file.
     pub unit: Unit,
     /// The width of strokes, in that unit.
     pub stroke_width: f64,
@@ -113,18 +114,22 @@ pub fn write(out: &mut impl Write, sheet: &Sheet, groups: &[Group]) -> io::Resul
     writeln!(out, "</svg>")
 }
 
-fn data(out: &mut impl Write, path: &Path, scale: f64) -> io::Result<()> {
-    let point = |[x, y]: [f64; 2]| Pair(Number(x * scale), Number(y * scale));
-    write!(out, "M{}", point(path.start))?;
-    for (i, (_, piece)) in path.steps().enumerate() {
-        match piece {
-            // The closing of the path draws it.
-            Piece::Line(_) if path.closed && i + 1 == path.pieces.len() => {}
-            Piece::Line(end) => write!(out, "L{}", point(end))?,
-            Piece::Cubic([a, b, end]) => write!(out, "C{} {} {}", point(a), point(b), point(end))?,
+/// A path in the words of the attribute `d`. kurbo's own writer gives all 17 digits, twice the bytes.
+fn data(out: &mut impl Write, path: &BezPath, scale: f64) -> io::Result<()> {
+    let point = |Point { x, y }: Point| Pair(Number(x * scale), Number(y * scale));
+    let last = if is_closed(path) { pieces(path).len() } else { usize::MAX };
+    for (i, element) in path.elements().iter().enumerate() {
+        match *element {
+            PathEl::MoveTo(at) => write!(out, "M{}", point(at))?,
+            // `Z` draws it.
+            PathEl::LineTo(_) if i == last => {}
+            PathEl::LineTo(end) => write!(out, "L{}", point(end))?,
+            PathEl::QuadTo(a, end) => write!(out, "Q{} {}", point(a), point(end))?,
+            PathEl::CurveTo(a, b, end) => write!(out, "C{} {} {}", point(a), point(b), point(end))?,
+            PathEl::ClosePath => write!(out, "Z")?,
         }
     }
-    if path.closed { write!(out, "Z") } else { Ok(()) }
+    Ok(())
 }
 
 /// A number with at most three decimals: a μm, or a thousandth of a px.
@@ -146,7 +151,7 @@ impl fmt::Display for Pair {
     }
 }
 
-/// A text as it may stand in XML, in an element or an attribute.
+/// Text escaped for XML elements and attributes.
 struct Escaped<'a>(&'a str);
 
 impl fmt::Display for Escaped<'_> {
@@ -157,7 +162,7 @@ impl fmt::Display for Escaped<'_> {
                 '<' => f.write_str("&lt;")?,
                 '>' => f.write_str("&gt;")?,
                 '"' => f.write_str("&quot;")?,
-                // XML 1.0 has no way to write these.
+                // XML 1.0 cannot contain these.
                 c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => f.write_str("\u{fffd}")?,
                 c => write!(f, "{c}")?,
             }
@@ -166,7 +171,7 @@ impl fmt::Display for Escaped<'_> {
     }
 }
 
-/// The layer's name as an id: letters, digits, `-`, `_`, `.`; unlike those before.
+/// The layer's name as an id of letters, digits, `-`, `_` and `.`, different from those in `taken`.
 fn id(name: &str, index: usize, taken: &mut BTreeSet<String>) -> String {
     let mut id: String = name
         .trim()

@@ -1,18 +1,20 @@
 //! Rows of a pattern → its level lines: marching squares with linear interpolation, row by row.
 //!
-//! The values stand at the cells' centres. A frame of nodes is laid round them on the border of the canvas (what a
-//! closed border mirrors, what a wrapped one brings from the other side), and a second one, in the same place, that is
-//! outside: so every line is closed, along the border where a mark reaches it, and on a wrapped canvas the lines that
-//! end at one side begin at the other.
+//! The values belong to the cells' centres. Around them, on the border of the canvas, a frame of nodes is added: mirrored
+//! values on a closed border, the mean with the opposite side on a wrapped one. A second frame in the same place is outside
+//! of any level. So every line is closed (along the border where a mark reaches it), and on a wrapped canvas a line that ends
+//! at one side starts at the same place of the opposite side.
+
+use kurbo::Point;
 
 use super::labels::Labels;
 use crate::export::Stopped;
 use crate::grid::Edges;
 use std::ops::Range;
 
-/// No point, no line.
+/// Stands for "no crossing".
 const NONE: u32 = u32::MAX;
-/// Values that are asked for at a time.
+/// Values that are requested at a time.
 const BAND: usize = 1 << 20;
 
 /// The level lines of a pattern, all closed.
@@ -20,9 +22,9 @@ const BAND: usize = 1 << 20;
 pub struct Traced {
     /// The lines.
     pub rings: Vec<Ring>,
-    /// Parts of the canvas that meet across its wrapped border, by label.
+    /// Labels of parts of the canvas that touch across its wrapped border.
     pub seams: Vec<[u32; 2]>,
-    /// The label of all that lies outside.
+    /// The label of what is outside of the canvas.
     pub outside: u32,
 }
 
@@ -31,15 +33,24 @@ pub struct Traced {
 #[derive(Debug)]
 pub struct Ring {
     /// Its points, px; the first is not repeated.
-    pub points: Vec<[f64; 2]>,
+    pub points: Vec<Point>,
     /// The labels of the parts inside and outside.
     pub sides: [u32; 2],
 }
 
-/// Traces where a field of `size` values over a canvas of `extent` px reaches `level`; `rows` gives its values.
+impl Ring {
+    /// Whether it runs around a mark, not around a hole.
+    pub fn is_around_mark(&self) -> bool {
+        let next = self.points.iter().cycle().skip(1);
+        let twice: f64 = self.points.iter().zip(next).map(|(a, b)| a.to_vec2().cross(b.to_vec2())).sum();
+        twice > 0.0
+    }
+}
+
+/// Traces where a field of `size` values over a canvas of `extent` px reaches `level`; `rows` returns its values.
 ///
 /// # Errors
-/// What `rows` says.
+/// The error of `rows`.
 pub fn trace(
     size: [usize; 2],
     extent: [f64; 2],
@@ -51,7 +62,7 @@ pub fn trace(
     if width == 0 || height == 0 || level.is_nan() {
         return Ok(Traced::default());
     }
-    // What lies outside is below any level.
+    // Outside is below any level.
     let mut tracer = Tracer::new(size, extent, edges, level.max(f64::MIN));
     let outside = vec![f32::NEG_INFINITY; width];
     tracer.push(&outside, 0.0, false);
@@ -87,21 +98,21 @@ struct Row {
 struct Tracer {
     edges: Edges,
     level: f64,
-    /// Where the columns of nodes stand, px.
+    /// x of the columns of nodes, px.
     xs: Vec<f64>,
     above: Option<Row>,
-    /// The labels of the upper border.
+    /// The labels along the upper border.
     top: Row,
     /// The points on the horizontal edges of the row above.
     upper: Vec<u32>,
-    points: Vec<Point>,
+    points: Vec<Crossing>,
     labels: Labels,
     seams: Vec<[u32; 2]>,
 }
 
 /// A crossing of the level, and the next one on its line.
-struct Point {
-    at: [f64; 2],
+struct Crossing {
+    at: Point,
     next: u32,
     sides: [u32; 2],
 }
@@ -125,7 +136,7 @@ impl Tracer {
         }
     }
 
-    /// Takes the next row of values; `framed` where the border goes on beside them.
+    /// Adds the next row of values; `framed`: with border nodes on both sides.
     fn push(&mut self, values: &[f32], y: f64, framed: bool) {
         let row = self.row(values, y, framed);
         if let Some(above) = self.above.take() {
@@ -153,7 +164,7 @@ impl Tracer {
         let mut nodes = vec![f64::NEG_INFINITY, border[0]];
         nodes.extend(values.iter().map(|value| f64::from(*value)));
         nodes.extend([border[1], f64::NEG_INFINITY]);
-        // No number is outside.
+        // NaN is outside.
         let inside: Vec<bool> = nodes.iter().map(|value| *value >= self.level).collect();
         let mut labels = Vec::with_capacity(nodes.len());
         for x in 0..nodes.len() {
@@ -169,7 +180,7 @@ impl Tracer {
         Row { y, values: nodes, inside, labels }
     }
 
-    /// Puts down the lines between two rows of nodes.
+    /// Adds the lines between two rows of nodes.
     fn march(&mut self, above: &Row, below: &Row) {
         let mut left = NONE;
         for x in 0..self.xs.len() - 1 {
@@ -196,17 +207,18 @@ impl Tracer {
         let t = (self.level - a) / (b - a);
         let t = if t.is_finite() { t.clamp(0.0, 1.0) } else { 0.5 };
         let between = |a: f64, b: f64| a + t * (b - a);
-        let at = [between(self.xs[x[0]], self.xs[x[1]]), between(rows[0].y, rows[1].y)];
+        let at = Point::new(between(self.xs[x[0]], self.xs[x[1]]), between(rows[0].y, rows[1].y));
         let labels = [0, 1].map(|end| rows[end].labels[x[end]]);
         let sides = if inside[0] { labels } else { [labels[1], labels[0]] };
-        self.points.push(Point { at, next: NONE, sides });
+        self.points.push(Crossing { at, next: NONE, sides });
         (self.points.len() - 1) as u32
     }
 
-    /// Leads the lines through a cell: `corners` and `edges` go round clockwise from the upper left and the top.
+    /// Connects the crossings on the edges of one cell; `corners` and `edges` are listed clockwise from the upper left corner
+    /// and the top edge.
     ///
-    /// A line enters over an edge whose corners are, clockwise, inside and outside, and leaves over one that is the other
-    /// way round. Where both diagonals differ, the mean of the corners says which two hang together.
+    /// A line enters through an edge whose corners are, clockwise, inside then outside, and leaves through one with outside
+    /// then inside. In a saddle cell, the mean of the corners decides which two corners are connected.
     fn link(&mut self, corners: [bool; 4], edges: [u32; 4], rows: [&Row; 2], x: usize) {
         let enters = |edge: usize| corners[edge] && !corners[(edge + 1) % 4];
         let leaves = |edge: usize| !corners[edge] && corners[(edge + 1) % 4];
@@ -224,7 +236,7 @@ impl Tracer {
             self.labels.join(ends[0], ends[1]);
         }
         for from in (0..4).filter(|edge| enters(*edge)) {
-            // The next edge clockwise goes round the corner that is outside, the one before round that inside.
+            // The next edge clockwise turns around the outside corner, the previous one around the inside corner.
             let to = if !saddle {
                 (0..4).find(|edge| leaves(*edge)).unwrap_or(from)
             } else if joined {
@@ -236,7 +248,7 @@ impl Tracer {
         }
     }
 
-    /// On a wrapped canvas, what lies on the last row belongs to what lies on the first.
+    /// On a wrapped canvas, joins what touches the lower border with what touches the upper one.
     fn join_top_and_bottom(&mut self) {
         let Some(row) = self.above.as_ref().filter(|_| self.edges == Edges::Wrap) else { return };
         for x in 1..row.labels.len() - 1 {
@@ -250,14 +262,14 @@ impl Tracer {
     fn finish(mut self) -> Traced {
         let mut rings = Vec::new();
         for first in 0..self.points.len() {
-            let mut points: Vec<[f64; 2]> = Vec::new();
+            let mut points: Vec<Point> = Vec::new();
             let mut at = first as u32;
             while at != NONE {
                 let point = &mut self.points[at as usize];
                 if points.last() != Some(&point.at) {
                     points.push(point.at);
                 }
-                // What has been passed is not passed again.
+                // Each crossing is used once.
                 at = std::mem::replace(&mut point.next, NONE);
             }
             while points.len() > 1 && points.last() == points.first() {

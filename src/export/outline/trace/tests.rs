@@ -16,7 +16,7 @@ fn area(ring: &Ring) -> f64 {
     let n = ring.points.len();
     let twice = |i: usize| {
         let (a, b) = (ring.points[i], ring.points[(i + 1) % n]);
-        a[0] * b[1] - a[1] * b[0]
+        a.x * b.y - a.y * b.x
     };
     0.5 * (0..n).map(twice).sum::<f64>()
 }
@@ -27,12 +27,16 @@ fn one_cell_becomes_a_diamond() {
     assert_eq!(rings.len(), 1);
     assert_eq!(area(&rings[0]), 0.5);
     for point in [[1.5, 1.0], [1.0, 1.5], [1.5, 2.0], [2.0, 1.5]] {
-        assert!(rings[0].points.contains(&point), "{point:?} in {:?}", rings[0].points);
+        assert!(
+            rings[0].points.contains(&Point::new(point[0], point[1])),
+            "{point:?} in {:?}",
+            rings[0].points
+        );
     }
 }
 
 #[test]
-fn a_ring_has_a_hole_that_goes_the_other_way_round() {
+fn a_ring_has_a_hole_with_the_opposite_direction() {
     let Traced { rings, outside, .. } =
         traced(&[".....", ".###.", ".#.#.", ".###.", "....."], Edges::Closed, 0.5);
     let areas: Vec<f64> = rings.iter().map(area).collect();
@@ -45,7 +49,7 @@ fn a_ring_has_a_hole_that_goes_the_other_way_round() {
 }
 
 #[test]
-fn a_full_canvas_is_outlined_by_its_frame_and_an_empty_one_by_nothing() {
+fn a_full_canvas_is_outlined_by_its_frame_and_an_empty_one_has_no_outline() {
     for edges in [Edges::Closed, Edges::Wrap] {
         let Traced { rings, .. } = traced(&["###", "###"], edges, 0.5);
         assert_eq!((rings.len(), area(&rings[0])), (1, 6.0));
@@ -54,7 +58,7 @@ fn a_full_canvas_is_outlined_by_its_frame_and_an_empty_one_by_nothing() {
 }
 
 #[test]
-fn the_mean_says_which_diagonal_hangs_together() {
+fn the_mean_decides_which_diagonal_is_connected() {
     for picture in [["....", ".#..", "..#.", "...."], ["....", "..#.", ".#..", "...."]] {
         assert_eq!(traced(&picture, Edges::Closed, 0.4).rings.len(), 1);
         assert_eq!(traced(&picture, Edges::Closed, 0.6).rings.len(), 2);
@@ -62,10 +66,11 @@ fn the_mean_says_which_diagonal_hangs_together() {
 }
 
 #[test]
-fn on_a_wrapped_canvas_lines_that_end_at_one_side_begin_at_the_other() {
+fn on_a_wrapped_canvas_lines_continue_on_the_opposite_side() {
     let picture = ["....#.....", "##.....###", "###....###", "..........", "...##.....", "....#....."];
     let Traced { rings, .. } = traced(&picture, Edges::Wrap, 0.5);
-    let points: Vec<[f64; 2]> = rings.iter().flat_map(|ring| ring.points.clone()).collect();
+    let points: Vec<[f64; 2]> =
+        rings.iter().flat_map(|ring| &ring.points).map(|point| [point.x, point.y]).collect();
     for (axis, far) in [(0, 10.0), (1, 6.0)] {
         let on = |border: f64| {
             let mut at: Vec<f64> = points.iter().filter(|p| p[axis] == border).map(|p| p[1 - axis]).collect();
@@ -78,14 +83,13 @@ fn on_a_wrapped_canvas_lines_that_end_at_one_side_begin_at_the_other() {
 }
 
 #[test]
-fn numbers_that_are_none_are_ground_and_leave_finite_lines() {
+fn values_that_are_not_finite_give_finite_lines() {
     let values = [f32::NAN, 1.0, f32::INFINITY, 0.0, f32::NEG_INFINITY, 1.0, 0.5, f32::NAN, 0.2];
     for level in [0.5, 0.0, -1.0, 1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for edges in [Edges::Closed, Edges::Wrap] {
             let rows = |range: Range<usize>| Ok(values[3 * range.start..3 * range.end].to_vec());
             let traced = trace([3, 3], [3.0, 3.0], edges, level, &mut { rows }).unwrap();
-            let finite = traced.rings.iter().flat_map(|ring| ring.points.iter().flatten());
-            assert!(finite.into_iter().all(|number| number.is_finite()));
+            assert!(traced.rings.iter().flat_map(|ring| &ring.points).all(|point| point.is_finite()));
         }
     }
 }
