@@ -63,7 +63,7 @@ impl Args {
         for (name, file) in [("FILE", Some(&self.file)), ("--to", self.to.as_ref())] {
             file.map_or(Ok(()), |file| check_apart(name, file, &self.output))?;
         }
-        let kind = Kind::of(&self.output).map_err(Error::step)?;
+        let kind = Kind::from_path(&self.output).map_err(Error::step)?;
         self.clip().frames(kind).map_err(told)?;
         Ok(kind)
     }

@@ -100,7 +100,7 @@ impl Entry {
         let options = Options { source: &self.file, training, watch: *watch, ..Options::default() };
         let grown = grow(&document, &options).map_err(Error::grown)?;
         let fine = size.map(|side| FINER * side);
-        Ok(export::shrink(&Painting::sized(&document, &grown, fine).rgb(), fine, size))
+        Ok(export::downscale(&Painting::sized(&document, &grown, fine).rgb(), fine, size))
     }
 }
 

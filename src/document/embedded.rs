@@ -6,7 +6,7 @@
 
 use crate::document::node::visible;
 use crate::document::{Document, DocumentError, Problem, limits};
-use crate::export::{Format, texts};
+use crate::export::{Format, png_text};
 use serde_json::{Value, json};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Seek};
@@ -55,7 +55,7 @@ pub fn open(path: impl AsRef<Path>) -> Result<(Document, Extent), DocumentError>
     if let Some(found) = in_picture(path)? {
         return Ok(found);
     }
-    if Format::of(path).is_some() {
+    if Format::from_path(path).is_some() {
         return Err(DocumentError::NoDocument { file: path.display().to_string() });
     }
     Ok((Document::read(path)?, Extent::default()))
@@ -86,13 +86,13 @@ pub fn in_stream(
 ) -> Result<Option<(Document, Extent)>, DocumentError> {
     let unreadable = |source| DocumentError::Unreadable { file: file.to_owned(), source };
     let mut first = Vec::new();
-    stream.by_ref().take(texts::SIGNATURE.len() as u64).read_to_end(&mut first).map_err(unreadable)?;
-    if first != texts::SIGNATURE {
+    stream.by_ref().take(png_text::SIGNATURE.len() as u64).read_to_end(&mut first).map_err(unreadable)?;
+    if first != png_text::SIGNATURE {
         return Ok(None);
     }
     let mut text = |key| {
         stream.rewind().map_err(unreadable)?;
-        let found = texts::read(&mut stream, key, limits::MAX_FILE);
+        let found = png_text::read(&mut stream, key, limits::MAX_FILE);
         found.map_err(|source| DocumentError::Damaged { file: file.to_owned(), source })
     };
     let Some(document) = text(DOCUMENT)? else { return Ok(None) };

@@ -1,7 +1,7 @@
 //! What can be wrong with a document: one message with file, place, what was found, what is allowed.
 
 use crate::export::ExportError;
-use crate::export::texts::Damaged;
+use crate::export::png_text::Damaged;
 use std::{fmt, io};
 
 /// A wrong value in a document.

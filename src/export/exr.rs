@@ -1,4 +1,4 @@
-//! OpenEXR: named channels of 32-bit floating point, zipped without losses.
+//! OpenEXR: named channels of 32-bit floating point, lossless ZIP compression.
 //!
 //! Technical Introduction to OpenEXR (Academy Software Foundation). A channel `layer.name` belongs to `layer`.
 
@@ -19,14 +19,14 @@ use super::Stopped;
 
 /// Rows of one compressed block.
 const BLOCK_ROWS: usize = 16;
-/// Bytes that are asked for at once.
+/// Bytes of one band of rows.
 const BAND: usize = 32 << 20;
 
-/// Writes `channels` of `size` px without holding them: `fill` is asked for band after band, from the top, and puts the
-/// values of the rows that it is given into one slice a channel, in the order of `channels`. `dpi` stands in the file.
+/// Writes `channels` of `size` px without holding them: `fill` is called for band after band, from the top, and writes the
+/// values of the given rows into one slice for each channel, in the order of `channels`. `dpi` is px an inch.
 ///
 /// # Errors
-/// What `out` or `fill` fails with; a name that the format does not take, or the same twice; a side of 0 or of 2³¹ px.
+/// The errors of `out` and `fill`; an invalid or repeated channel name; a side of 0 or of 2³¹ px.
 pub fn write(
     out: impl Write + Seek,
     size: [usize; 2],
@@ -35,7 +35,7 @@ pub fn write(
     mut fill: impl FnMut(Range<usize>, &mut [Vec<f32>]) -> Result<(), Stopped>,
 ) -> Result<(), Stopped> {
     let [width, height] = size;
-    // The format wants them in order of their names.
+    // The format requires alphabetical order.
     let mut order: Vec<usize> = (0..channels.len()).collect();
     order.sort_by_key(|&channel| channels[channel].as_bytes());
     let header = header(size, channels, &order, dpi)?;
@@ -75,19 +75,19 @@ pub fn write(
     }
 }
 
-/// What stands at the head of the file.
+/// The head of the file.
 fn header(size: [usize; 2], names: &[String], order: &[usize], dpi: Option<f64>) -> Result<Header, Stopped> {
     let other = |what: String| std::io::Error::other(what);
     if size.iter().any(|side| !(1..i32::MAX as usize).contains(side)) {
-        return Err(other(format!("{}×{} px are not a size that OpenEXR can hold", size[0], size[1])).into());
+        return Err(other(format!("OpenEXR cannot hold a picture of {}×{} px", size[0], size[1])).into());
     }
     let mut channels = Vec::new();
     for &channel in order {
         let name = &names[channel];
         let text = Text::new_or_none(name).filter(|_| (1..256).contains(&name.len()));
-        let name = text.ok_or_else(|| other(format!("'{name}' is no name for a channel of OpenEXR")))?;
+        let name = text.ok_or_else(|| other(format!("'{name}' is not a valid OpenEXR channel name")))?;
         if channels.last().is_some_and(|last: &ChannelDescription| last.name == name) {
-            return Err(other(format!("two channels are called '{name}'")).into());
+            return Err(other(format!("two channels have the name '{name}'")).into());
         }
         let sampling = Vec2(1, 1);
         let sample_type = SampleType::F32;
@@ -101,7 +101,7 @@ fn header(size: [usize; 2], names: &[String], order: &[usize], dpi: Option<f64>)
     Ok(header)
 }
 
-/// The bytes of a block: row by row, in each the channels one after another.
+/// The bytes of a block: row by row, and in each row channel by channel.
 fn block(rows: Range<usize>, width: usize, order: &[usize], planes: &[Vec<f32>]) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(4 * rows.len() * width * order.len());
     for y in rows {
@@ -127,7 +127,7 @@ mod tests {
     use exr::prelude::{ReadChannels, ReadLayers, read};
 
     #[test]
-    fn channels_come_back_by_name_and_to_the_bit() {
+    fn channels_are_read_back_exactly() {
         let size = [37, 3001];
         let value =
             |channel: usize, x: usize, y: usize| ((channel + 1) * (x * x + 31 * y)) as f32 / 977.0 - 3.0;

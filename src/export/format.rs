@@ -1,37 +1,37 @@
-//! Formats of pictures, by the ending of a file's name.
+//! Picture formats, by file name ending.
 
 use std::path::Path;
 
 /// A format that pictures are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// 8 and 16 bit, with or without opacity; keeps the document.
+    /// 8 and 16 bit, with or without opacity; may contain the document.
     Png,
     /// 8 and 16 bit, with or without opacity; not compressed.
     Tiff,
-    /// 32-bit floating point, colours as light; any number of named channels.
+    /// 32-bit floating point, linear colours; any number of named channels.
     Exr,
-    /// 8-bit colours, with losses.
+    /// 8-bit colours, lossy.
     Jpeg,
-    /// 8-bit colours, without losses, with or without opacity.
+    /// 8-bit colours, lossless, with or without opacity.
     Webp,
 }
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
-    /// Colours, to be looked at.
+    /// Colours to look at.
     Colours,
-    /// A number a px, to be reckoned with: a pattern.
+    /// A number for each px, for computation: a pattern.
     Numbers,
-    /// A whole number a px: labels.
+    /// An integer for each px: labels.
     Labels,
-    /// Several numbers a px, each with its name: concentrations.
+    /// Several named numbers for each px: concentrations.
     Channels,
 }
 
 impl Format {
-    /// Endings and the formats that they stand for; the usual ending of a format first.
+    /// Endings and their formats; the usual ending of a format first.
     pub const ENDINGS: [(&'static str, Self); 7] = [
         ("png", Self::Png),
         ("tif", Self::Tiff),
@@ -42,15 +42,15 @@ impl Format {
         ("webp", Self::Webp),
     ];
 
-    /// The format that the ending of `path`, in upper or lower case, stands for.
+    /// The format of the ending of `path`, in upper or lower case.
     #[must_use]
-    pub fn of(path: &Path) -> Option<Self> {
+    pub fn from_path(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_str()?;
         let known = Self::ENDINGS.iter().find(|(known, _)| known.eq_ignore_ascii_case(ending));
         known.map(|(_, format)| *format)
     }
 
-    /// What people call it.
+    /// Its usual name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -62,9 +62,9 @@ impl Format {
         }
     }
 
-    /// Whether it is fit to show `content`: what is reckoned with must not be changed by losses.
+    /// Whether it can hold `content`: numbers must not change by lossy compression.
     #[must_use]
-    pub fn shows(self, content: Content) -> bool {
+    pub fn holds(self, content: Content) -> bool {
         match content {
             Content::Colours => true,
             Content::Numbers => matches!(self, Self::Png | Self::Tiff | Self::Exr),
@@ -79,15 +79,15 @@ impl Format {
         self != Self::Jpeg
     }
 
-    /// Whether it holds 16 bit a channel.
+    /// Whether it can hold 16 bits a channel.
     #[must_use]
     pub fn is_deep(self) -> bool {
         matches!(self, Self::Png | Self::Tiff)
     }
 
-    /// Px of the longest side that it can hold.
+    /// The longest side that it can hold, px.
     #[must_use]
-    pub fn longest(self) -> usize {
+    pub fn max_side(self) -> usize {
         match self {
             Self::Png | Self::Exr => i32::MAX as usize,
             Self::Tiff => u32::MAX as usize,
@@ -96,24 +96,23 @@ impl Format {
         }
     }
 
-    /// Bytes a px that its writer holds beside the band in work: WebP's wants the whole picture at once. Measured 7.0, and
-    /// 8.0 with opacity, for one texture of 8192² px; more is allowed for, as the coded picture is part of it and others
-    /// code worse.
+    /// Bytes a px that its writer holds in addition to the current band: WebP needs the whole picture at once. Measured: 7.0,
+    /// and 8.0 with opacity, for one texture of 8192² px. This value is larger because the compressed picture is part of it
+    /// and other textures compress worse.
     #[must_use]
-    pub fn held(self) -> f64 {
+    pub fn writer_bytes_per_px(self) -> f64 {
         if self == Self::Webp { 14.0 } else { 0.0 }
     }
 }
 
-/// The endings of the formats that show `content`, as a message lists them.
-/// The endings of the formats that show `content`.
-pub(super) fn fitting(content: Content) -> Vec<&'static str> {
-    Format::ENDINGS.iter().filter(|(_, format)| format.shows(content)).map(|(ending, _)| *ending).collect()
+/// The endings of the formats that can hold `content`.
+pub(super) fn allowed_endings(content: Content) -> Vec<&'static str> {
+    Format::ENDINGS.iter().filter(|(_, format)| format.holds(content)).map(|(ending, _)| *ending).collect()
 }
 
+/// [`allowed_endings`] as a message lists them.
 pub(super) fn endings(content: Content) -> String {
-    let fit = Format::ENDINGS.iter().filter(|(_, format)| format.shows(content));
-    fit.map(|(ending, _)| format!(".{ending}")).collect::<Vec<_>>().join(", ")
+    allowed_endings(content).iter().map(|ending| format!(".{ending}")).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]
@@ -121,14 +120,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_ending_in_any_case_tells_the_format() {
-        assert_eq!(Format::of(Path::new("a/b.TIFF")), Some(Format::Tiff));
-        assert_eq!(Format::of(Path::new("b.x.Jpg")), Some(Format::Jpeg));
-        assert_eq!([".png", "a", "a.gif", "a.png.bak"].map(|name| Format::of(Path::new(name))), [None; 4]);
+    fn an_ending_in_any_case_gives_the_format() {
+        assert_eq!(Format::from_path(Path::new("a/b.TIFF")), Some(Format::Tiff));
+        assert_eq!(Format::from_path(Path::new("b.x.Jpg")), Some(Format::Jpeg));
+        assert_eq!(
+            [".png", "a", "a.gif", "a.png.bak"].map(|name| Format::from_path(Path::new(name))),
+            [None; 4]
+        );
     }
 
     #[test]
-    fn numbers_are_not_written_with_losses() {
+    fn numbers_are_not_written_in_lossy_formats() {
         assert_eq!(endings(Content::Numbers), ".png, .tif, .tiff, .exr");
         assert_eq!(endings(Content::Labels), ".png, .tif, .tiff");
         assert_eq!(endings(Content::Channels), ".exr");

@@ -1,30 +1,30 @@
-//! A plane with a material, as glTF 2.0 (ISO/IEC 12113): a `.gltf` that names its pictures, and a `.bin` beside it.
+//! A plane with a material, as glTF 2.0 (ISO/IEC 12113): a `.gltf` with links to its pictures, and a `.bin` beside it.
 //!
-//! The plane lies flat (normal +Y), its longer side is 1 m, the picture's top is at −Z. The material is metallic-roughness:
-//! one picture holds occlusion in red, roughness in green and metalness in blue.
+//! The plane is horizontal (normal +Y), its longer side is 1 m, the top of the picture is at −Z. The material is
+//! metallic-roughness: one picture holds occlusion in red, roughness in green and metalness in blue.
 
-/// What a plane is made of; the names of files beside the `.gltf`, of letters, digits, `_` and `-`.
+/// A textured plane. All files are beside the `.gltf`; names consist of letters, digits, `_` and `-`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane<'a> {
-    /// What it and its material are called; of the same letters.
+    /// The name of the plane and its material.
     pub name: &'a str,
     /// Width and height of the pictures, px.
     pub size: [usize; 2],
-    /// Whether the pictures are tiles without seams.
+    /// Whether the pictures are seamless tiles.
     pub wraps: bool,
-    /// Whether the colours have an opacity.
+    /// Whether the colours have opacity.
     pub transparent: bool,
-    /// Colours.
+    /// The picture of colours.
     pub base_colour: &'a str,
-    /// Normals, green up.
+    /// The picture of normals, green up.
     pub normal: &'a str,
-    /// Occlusion, roughness, metalness.
+    /// The picture of occlusion, roughness and metalness.
     pub orm: &'a str,
-    /// The file of [`Self::buffer`].
+    /// The file for the bytes of [`Self::buffer`].
     pub buffer: &'a str,
 }
 
-/// Offsets of positions, normals, tangents, places in the picture, corners in the buffer, then its length, bytes.
+/// Offsets in the buffer of positions, normals, tangents, texture coordinates and indices, then its length; bytes.
 const OFFSETS: [usize; 6] = [0, 48, 96, 160, 192, 204];
 
 impl Plane<'_> {
@@ -34,18 +34,18 @@ impl Plane<'_> {
         self.size.map(|side| (0.5 * side as f64 / longest) as f32)
     }
 
-    /// The bytes of the corners.
+    /// The bytes of the vertices and indices.
     #[must_use]
     pub fn buffer(&self) -> Vec<u8> {
         let [x, z] = self.half();
         let positions = [[-x, 0.0, -z], [x, 0.0, -z], [x, 0.0, z], [-x, 0.0, z]];
         let mut floats: Vec<f32> = positions.into_iter().flatten().collect();
         floats.extend([0.0, 1.0, 0.0].repeat(4));
-        // Along u; up the picture is w·(normal × tangent) = −Z.
+        // Tangents along u; w·(normal × tangent) = −Z points up in the picture.
         floats.extend([1.0, 0.0, 0.0, 1.0].repeat(4));
         floats.extend([0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0]);
         let mut bytes: Vec<u8> = floats.into_iter().flat_map(f32::to_le_bytes).collect();
-        // Counter-clockwise as seen from above.
+        // Counter-clockwise seen from above.
         bytes.extend([0_u16, 3, 2, 0, 2, 1].into_iter().flat_map(u16::to_le_bytes));
         bytes
     }
@@ -55,13 +55,13 @@ impl Plane<'_> {
     pub fn text(&self) -> String {
         let Self { name, base_colour, normal, orm, buffer, .. } = self;
         let [x, z] = self.half();
-        // 10497 = repeat, 33071 = hold the outermost px.
+        // 10497 = repeat, 33071 = clamp to edge.
         let beyond = if self.wraps { 10_497 } else { 33_071 };
         let opacity = if self.transparent { "\"BLEND\"" } else { "\"OPAQUE\"" };
         let views: Vec<String> = (0..5)
             .map(|view| {
                 let (from, length) = (OFFSETS[view], OFFSETS[view + 1] - OFFSETS[view]);
-                // 34962 = corners' attributes, 34963 = indices.
+                // 34962 = vertex attributes, 34963 = indices.
                 let target = if view == 4 { 34_963 } else { 34_962 };
                 format!(
                     "    {{\"buffer\": 0, \"byteOffset\": {from}, \"byteLength\": {length}, \"target\": {target}}}"
@@ -119,7 +119,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn another_reader_finds_the_plane_upright_and_as_wide_as_its_picture() {
+    fn another_reader_finds_the_plane_with_the_right_side_and_proportions() {
         let plane = Plane {
             name: "a",
             size: [400, 100],

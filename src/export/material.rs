@@ -1,4 +1,4 @@
-//! The set of pictures that a material is: names that engines know, and all files of it at once.
+//! The maps of a material: file names that engines know, and writing all files at once.
 
 use std::io::Write;
 use std::ops::Range;
@@ -6,25 +6,25 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::png::{Header, Opened, Samples};
+use super::png::{Header, Samples, Started};
 use super::{ExportError, Prepared, Stopped, begin};
 
 /// A map of a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Map {
-    /// Colours, with opacity where the ground is transparent.
+    /// Colours, with opacity if the ground is transparent.
     BaseColour,
-    /// 0 = to be seen through; only where the ground is transparent.
+    /// 0 = transparent; only if the ground is transparent.
     Opacity,
     /// 0 = the lowest, 1 = the highest; 16 bit.
     Height,
-    /// Normals, green up the picture (OpenGL).
+    /// Normals, green points up in the picture (OpenGL).
     NormalGl,
-    /// Normals, green down the picture (Direct X).
+    /// Normals, green points down in the picture (DirectX).
     NormalDx,
-    /// 0 = a mirror, 1 = chalk.
+    /// 0 = mirror, 1 = chalk.
     Roughness,
-    /// 0 = covered, 1 = open to all of the sky.
+    /// 0 = occluded, 1 = open to the whole sky.
     Occlusion,
     /// Occlusion, roughness, metalness.
     Orm,
@@ -49,7 +49,7 @@ impl Map {
         Self::Id,
     ];
 
-    /// What its file is called after the material's name; docs/materials.md says who knows it.
+    /// The end of its file's name; docs/materials.md lists the engines that know it.
     #[must_use]
     pub fn suffix(self) -> &'static str {
         match self {
@@ -72,7 +72,7 @@ impl Map {
         format!("{name}_{}.png", self.suffix())
     }
 
-    /// What its px consist of; colours and normals have 16 bit where they are `deep`.
+    /// The samples of its px; colours and normals have 16 bits if `deep`.
     #[must_use]
     pub fn samples(self, deep: bool, transparent: bool) -> Samples {
         match self {
@@ -86,15 +86,15 @@ impl Map {
         }
     }
 
-    /// Whether it holds colours to be looked at; all others are numbers, which no colour management may touch.
+    /// Whether it holds colours. All other maps hold numbers, which colour management must not change.
     #[must_use]
     pub fn is_colour(self) -> bool {
         matches!(self, Self::BaseColour | Self::Id)
     }
 }
 
-/// A name that may stand in files, links and paths everywhere: letters, digits, `_` and `-` of ASCII stay, the rest
-/// becomes `-`; what has none left is called `dapple`.
+/// `text` as a name that is valid in file names and links everywhere: ASCII letters, digits, `_` and `-` are kept, everything
+/// else becomes `-`. If nothing is left, the name is `dapple`.
 #[must_use]
 pub fn name(text: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() || c == '_' || c == '-' { c } else { ' ' };
@@ -104,7 +104,7 @@ pub fn name(text: &str) -> String {
     if name.is_empty() { "dapple".to_owned() } else { name }
 }
 
-/// The flat colour of the marks of layer `label` (1 = the lowest; 0 = the ground): hues a golden section of the circle apart.
+/// The flat colour of the marks of layer `label` (1 = the lowest; 0 = the ground). Hues are a golden section of the circle apart.
 #[must_use]
 pub fn id_colour(label: u8) -> [u8; 3] {
     if label == 0 {
@@ -119,14 +119,14 @@ pub fn id_colour(label: u8) -> [u8; 3] {
     [channel(0.0), channel(2.0), channel(4.0)]
 }
 
-/// What all maps of a set have in common.
+/// The common properties of a set of maps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Set<'a> {
-    /// What the files' names begin with: as [`name()`] makes it.
+    /// The beginning of the file names, made by [`name()`].
     pub name: &'a str,
     /// Width and height, px.
     pub size: [usize; 2],
-    /// Whether colours and normals have 16 bit.
+    /// Whether colours and normals have 16 bits.
     pub deep: bool,
     /// Whether the ground is transparent.
     pub transparent: bool,
@@ -142,11 +142,11 @@ impl Set<'_> {
     }
 }
 
-/// Writes all maps of `set` into `folder` without holding them; none has its name yet. `fill` is asked for bands of
-/// `rows_a_band` rows from the top and puts the bytes of each map into the slice of the same place as in [`Set::maps`].
+/// Writes all maps of `set` into `folder`, under temporary names, without holding them. `fill` is called for bands of
+/// `rows_a_band` rows from the top and writes the bytes of each map into one slice, in the order of [`Set::maps`].
 ///
 /// # Errors
-/// What `fill` or a file fails with.
+/// The error of `fill` or of a file.
 pub fn write(
     folder: &Path,
     set: &Set,
@@ -154,40 +154,40 @@ pub fn write(
     mut fill: impl FnMut(Range<usize>, &mut [Vec<u8>]) -> Result<(), Stopped>,
 ) -> Result<Vec<Prepared>, ExportError> {
     let paths: Vec<_> = set.maps().iter().map(|map| folder.join(map.file(set.name))).collect();
-    let mut begun = paths.iter().map(|path| begin(path)).collect::<Result<Vec<_>, _>>()?;
-    match write_all(&mut begun, set, rows_a_band.max(1), &mut fill) {
-        Ok(()) => begun.into_iter().map(super::Begun::finish).collect(),
-        // Told of the one that failed; the others go as well.
-        Err(Failed { at, why }) => Err(begun.swap_remove(at).stopped(why)),
+    let mut files = paths.iter().map(|path| begin(path)).collect::<Result<Vec<_>, _>>()?;
+    match write_all(&mut files, set, rows_a_band.max(1), &mut fill) {
+        Ok(()) => files.into_iter().map(super::Unfinished::finish).collect(),
+        // The error names the file that failed; the others are deleted too.
+        Err(Failed { at, why }) => Err(files.swap_remove(at).stopped(why)),
     }
 }
 
-/// Which of several files stopped, and why.
+/// The index of the file that failed, and why.
 struct Failed {
     at: usize,
     why: Stopped,
 }
 
-/// Says which file it was.
-fn of(at: usize) -> impl Fn(Stopped) -> Failed {
+/// Adds the index of the file to an error.
+fn failed(at: usize) -> impl Fn(Stopped) -> Failed {
     move |why| Failed { at, why }
 }
 
 fn write_all(
-    begun: &mut [impl Write + Send],
+    outputs: &mut [impl Write + Send],
     set: &Set,
     rows_a_band: usize,
     fill: &mut impl FnMut(Range<usize>, &mut [Vec<u8>]) -> Result<(), Stopped>,
 ) -> Result<(), Failed> {
     let maps = set.maps();
     let [width, height] = set.size;
-    let mut opened = Vec::with_capacity(maps.len());
-    for (at, (map, begun)) in maps.iter().zip(begun).enumerate() {
+    let mut started = Vec::with_capacity(maps.len());
+    for (at, (map, output)) in maps.iter().zip(outputs).enumerate() {
         let samples = map.samples(set.deep, set.transparent);
         let header = Header { dpi: set.dpi, colours: map.is_colour(), ..Header::new(set.size, samples) };
-        opened.push(Opened::new(begun, header).map_err(of(at))?);
+        started.push(Started::new(output, header).map_err(failed(at))?);
     }
-    let rows = opened.iter_mut().enumerate().map(|(at, file)| file.rows().map_err(of(at)));
+    let rows = started.iter_mut().enumerate().map(|(at, file)| file.rows().map_err(failed(at)));
     let mut files = rows.collect::<Result<Vec<_>, _>>()?;
     let mut bands: Vec<Vec<u8>> = vec![Vec::new(); maps.len()];
     for top in (0..height).step_by(rows_a_band) {
@@ -195,13 +195,13 @@ fn write_all(
         for (band, map) in bands.iter_mut().zip(&maps) {
             band.resize(rows.len() * width * map.samples(set.deep, set.transparent).bytes(), 0);
         }
-        // Whoever fills does not know the files: all have stopped, and the first is told of.
-        fill(rows, &mut bands).map_err(of(0))?;
+        // `fill` does not belong to one file: the error names the first.
+        fill(rows, &mut bands).map_err(failed(0))?;
         let pushed = files.par_iter_mut().zip(&bands).enumerate();
-        pushed.try_for_each(|(at, (file, band))| file.push(band).map_err(of(at)))?;
+        pushed.try_for_each(|(at, (file, band))| file.push(band).map_err(failed(at)))?;
     }
-    files.into_iter().enumerate().try_for_each(|(at, file)| file.finish().map_err(of(at)))?;
-    opened.into_iter().enumerate().try_for_each(|(at, file)| file.finish().map_err(of(at)))
+    files.into_iter().enumerate().try_for_each(|(at, file)| file.finish().map_err(failed(at)))?;
+    started.into_iter().enumerate().try_for_each(|(at, file)| file.finish().map_err(failed(at)))
 }
 
 #[cfg(test)]
@@ -209,13 +209,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_fit_for_every_file_system() {
+    fn names_are_valid_in_every_file_system() {
         let named = ["cheetah, Turk 1991 fig. 2", " über/../x ", "…", "a_B-3"].map(name);
         assert_eq!(named, ["cheetah-Turk-1991-fig-2", "ber-x", "dapple", "a_B-3"]);
         assert!(name(&"x".repeat(1000)).len() <= 100);
     }
 
-    /// Takes so many bytes.
+    /// Accepts so many bytes.
     struct Disk(usize);
 
     impl Write for Disk {
@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn the_file_that_failed_is_told_of_and_not_the_first() {
+    fn the_error_names_the_file_that_failed() {
         let set = Set { name: "a", size: [300, 200], deep: false, transparent: false, dpi: None };
         // At the head, among the rows, at the end.
         for (full, room) in [(3, 10), (5, 4_000), (8, 120)] {
@@ -254,7 +254,7 @@ mod tests {
     }
 
     #[test]
-    fn layers_have_colours_that_one_can_tell_apart() {
+    fn layers_have_distinct_colours() {
         let colours: Vec<[u8; 3]> = (0..=12).map(id_colour).collect();
         for (i, a) in colours.iter().enumerate() {
             for b in &colours[..i] {

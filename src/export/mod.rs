@@ -1,11 +1,12 @@
-//! Pictures → bytes, and bytes → files that are whole or not there.
+//! Pictures → bytes, and bytes → complete files.
 //!
-//! [`picture`] writes rows in the [`Format`] that a name asks for: [`png`], [`tiff`], [`exr`], JPEG and WebP. [`texts`]
-//! reads what stands in a PNG beside its px. [`maps`] makes heights, normals and occlusion of patterns; [`material`] and
-//! [`gltf`] write them as engines expect. [`shrink()`] makes a small picture of a large one. [`save()`] puts a stream into
-//! a file: it writes beside the target and renames at the end, so that neither an error nor a cancelled run leaves half
-//! a picture, nor harms the one that was there before.
+//! [`picture`] writes rows in a [`Format`]: [`png`], [`tiff`], [`exr`], JPEG or WebP. [`png_text`] reads the texts in a PNG.
+//! [`outline`] draws the outlines of marks as SVG and DXF. [`maps`] computes heights, normals and occlusion of patterns;
+//! [`material`] and [`gltf`] write them as engines expect. [`motion`] writes films. [`downscale()`] makes a small picture of a
+//! large one. [`save()`] writes a stream into a temporary file beside the target and renames it at the end, so an error or a
+//! cancelled run leaves no incomplete picture and keeps the file that was there before.
 
+mod downscale;
 pub mod exr;
 mod format;
 pub mod gltf;
@@ -15,29 +16,28 @@ pub mod motion;
 pub mod outline;
 pub mod picture;
 pub mod png;
+pub mod png_text;
 mod save;
-mod shrink;
 mod stale_files;
 mod temporary_folder;
-pub mod texts;
 pub mod tiff;
 pub mod web;
 
+pub use downscale::downscale;
 pub use format::{Content, Format};
 pub use save::{
-    Begun, ExportError, Prepared, begin, check_content, check_ending, check_file, check_target, has_ending,
-    make_folder, prepare, save,
+    ExportError, Prepared, Unfinished, begin, check_content, check_ending, check_file, check_target,
+    has_ending, make_folder, prepare, save,
 };
-pub use shrink::shrink;
-pub use temporary_folder::Passing;
+pub use temporary_folder::TemporaryFolder;
 
-/// Why a writer stopped before its end.
+/// Why a writer stopped early.
 #[derive(Debug, thiserror::Error)]
 pub enum Stopped {
     /// The bytes could not be written.
     #[error(transparent)]
     Io(#[from] std::io::Error),
-    /// Whoever gives the rows does not want to go on.
+    /// The caller cancelled.
     #[error("cancelled")]
     Cancelled,
 }

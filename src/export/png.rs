@@ -1,4 +1,4 @@
-//! PNG: 8 and 16 bit, gray, colour and opacity, with the px an inch and texts.
+//! PNG: 8 and 16 bit, gray, colour and opacity, with px an inch and texts.
 //!
 //! PNG Specification, third edition (W3C).
 
@@ -13,25 +13,25 @@ use png::{
 use super::Stopped;
 use crate::grid::{Field, to_u16};
 
-/// What a px consists of.
+/// The samples of a px.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Samples {
-    /// One byte: a label.
+    /// One byte, such as a label.
     Gray8,
-    /// Two bytes, the higher first: a pattern value.
+    /// Two bytes, big-endian, such as a pattern value.
     Gray16,
     /// Red, green, blue, a byte each: 8-bit sRGB.
     Rgb8,
     /// Red, green, blue, opacity, a byte each; the colours are not multiplied by the opacity.
     Rgba8,
-    /// Red, green, blue, two bytes each, the higher first: 16-bit sRGB.
+    /// Red, green, blue, two bytes each, big-endian: 16-bit sRGB.
     Rgb16,
-    /// Red, green, blue, opacity, two bytes each, the higher first.
+    /// Red, green, blue, opacity, two bytes each, big-endian.
     Rgba16,
 }
 
 impl Samples {
-    /// Colours of 16 bit where they are `deep`, with an opacity where they are `transparent`.
+    /// Colours of 16 bits if `deep`, with opacity if `transparent`.
     #[must_use]
     pub fn colours(deep: bool, transparent: bool) -> Self {
         match (deep, transparent) {
@@ -56,58 +56,58 @@ impl Samples {
     }
 }
 
-/// What stands at the head of the file.
+/// The head of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Header<'a> {
     /// Width and height, px; each at least 1.
     pub size: [usize; 2],
-    /// What a px consists of.
+    /// The samples of a px.
     pub samples: Samples,
-    /// px an inch, both ways; `None` leaves it open.
+    /// px an inch along both axes; `None` = not written.
     pub dpi: Option<f64>,
-    /// Texts beside the px, each with its key of 1 to 79 Latin letters (iTXt); only PNG holds them.
+    /// Texts with their keys of 1 to 79 Latin-1 characters (iTXt chunks); written in PNG only.
     pub texts: &'a [(&'static str, String)],
-    /// Whether red, green and blue are a colour; otherwise they are numbers, and nothing is said of sRGB.
+    /// Whether red, green and blue are a colour. If not, they are numbers, and the file is not marked as sRGB.
     pub colours: bool,
 }
 
 impl Header<'_> {
-    /// A head without px an inch and texts.
+    /// A head without px an inch and without texts.
     #[must_use]
     pub fn new(size: [usize; 2], samples: Samples) -> Self {
         Self { size, samples, dpi: None, texts: &[], colours: true }
     }
 
-    /// Width and height as formats count them.
+    /// Width and height as 32-bit numbers.
     pub(super) fn sides(&self) -> Result<[u32; 2], Stopped> {
         let side = |px: usize| {
             let whole = u32::try_from(px).ok().filter(|px| *px > 0);
-            whole.ok_or_else(|| io::Error::other(format!("{px} px are not a side that a picture can have")))
+            whole.ok_or_else(|| io::Error::other(format!("a picture cannot have a side of {px} px")))
         };
         Ok([side(self.size[0])?, side(self.size[1])?])
     }
 }
 
-/// Bytes that are asked for at once: enough rows to be filled by all threads, little beside the picture.
+/// Bytes of one band of rows: enough for all threads, few compared with the picture.
 const BAND: usize = 8 << 20;
 /// Bytes of one IDAT chunk.
 const CHUNK: usize = 256 << 10;
 
-/// Writes a picture of any height without holding it: `fill` is asked for band after band, from the top, and
-/// puts the bytes of the rows that it is given into the slice, `size[0] * samples.bytes()` a row.
+/// Writes a picture of any height without holding it: `fill` is called for band after band, from the top, and writes the bytes
+/// of the given rows into the slice, `size[0] * samples.bytes()` a row.
 ///
-/// The same rows give the same bytes, whatever filled them.
+/// The same rows give the same file.
 ///
 /// # Errors
-/// What `out` or `fill` fails with; a size that PNG cannot hold.
+/// The errors of `out` and `fill`; a size that PNG cannot hold.
 pub fn write(
     out: impl Write,
     header: Header,
     mut fill: impl FnMut(Range<usize>, &mut [u8]) -> Result<(), Stopped>,
 ) -> Result<(), Stopped> {
     let [width, height] = header.size;
-    let mut opened = Opened::new(out, header)?;
-    let mut rows_out = opened.rows()?;
+    let mut file = Started::new(out, header)?;
+    let mut rows_out = file.rows()?;
     let row = (width * header.samples.bytes()).max(1);
     let rows_a_band = (BAND / row).clamp(1, height.max(1));
     let mut band = vec![0; rows_a_band * row];
@@ -118,18 +118,18 @@ pub fn write(
         rows_out.push(bytes)?;
     }
     rows_out.finish()?;
-    opened.finish()
+    file.finish()
 }
 
-/// A file that, once it has failed, fails at whatever follows: where the last rows do not find room, `png` (0.18) says
-/// nothing of it, and the end of the file might.
-struct Lasting<W> {
+/// A writer that keeps failing after its first error. `png` 0.18 does not report an error of the last rows, but then reports
+/// that of the end of the file.
+struct Fused<W> {
     out: W,
     failed: Option<io::ErrorKind>,
 }
 
-impl<W> Lasting<W> {
-    fn lasts<T>(&mut self, act: impl FnOnce(&mut W) -> io::Result<T>) -> io::Result<T> {
+impl<W> Fused<W> {
+    fn try_once<T>(&mut self, act: impl FnOnce(&mut W) -> io::Result<T>) -> io::Result<T> {
         if let Some(kind) = self.failed {
             return Err(kind.into());
         }
@@ -143,68 +143,68 @@ impl<W> Lasting<W> {
     }
 }
 
-impl<W: Write> Write for Lasting<W> {
+impl<W: Write> Write for Fused<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.lasts(|out| out.write(bytes))
+        self.try_once(|out| out.write(bytes))
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.lasts(W::flush)
+        self.try_once(W::flush)
     }
 }
 
-/// A PNG whose head is written, for whoever writes several at once.
-pub struct Opened<W: Write>(png::Writer<Lasting<W>>);
+/// A PNG with its head written, for writing several files at once.
+pub struct Started<W: Write>(png::Writer<Fused<W>>);
 
-impl<W: Write> Opened<W> {
+impl<W: Write> Started<W> {
     /// Writes the head.
     ///
     /// # Errors
-    /// What `out` fails with; a size that PNG cannot hold.
+    /// The error of `out`; a size that PNG cannot hold.
     pub fn new(out: W, header: Header) -> Result<Self, Stopped> {
-        let out = Lasting { out, failed: None };
+        let out = Fused { out, failed: None };
         Ok(Self(encoder(out, header)?.write_header().map_err(into_io)?))
     }
 
-    /// Takes the rows, once, from the top.
+    /// Starts to write the rows, from the top. Called once.
     ///
     /// # Errors
-    /// What the file fails with.
+    /// The error of the file.
     pub fn rows(&mut self) -> Result<Rows<'_, W>, Stopped> {
         Ok(Rows(self.0.stream_writer_with_size(CHUNK).map_err(into_io)?))
     }
 
-    /// All rows are written.
+    /// Ends the file after all rows.
     ///
     /// # Errors
-    /// What the file fails with.
+    /// The error of the file.
     pub fn finish(self) -> Result<(), Stopped> {
         Ok(self.0.finish().map_err(into_io)?)
     }
 }
 
 /// The rows of a PNG.
-pub struct Rows<'a, W: Write>(StreamWriter<'a, Lasting<W>>);
+pub struct Rows<'a, W: Write>(StreamWriter<'a, Fused<W>>);
 
 impl<W: Write> Rows<'_, W> {
-    /// Writes the bytes of some more rows.
+    /// Writes the bytes of the next rows.
     ///
     /// # Errors
-    /// What the file fails with; more rows than the head said.
+    /// The error of the file; more rows than the head says.
     pub fn push(&mut self, bytes: &[u8]) -> Result<(), Stopped> {
         Ok(self.0.write_all(bytes)?)
     }
 
-    /// All rows are written.
+    /// Ends the file after all rows.
     ///
     /// # Errors
-    /// What the file fails with; fewer rows than the head said.
+    /// The error of the file; fewer rows than the head says.
     pub fn finish(self) -> Result<(), Stopped> {
         Ok(self.0.finish().map_err(into_io)?)
     }
 }
 
-/// A painted picture: three bytes a px, red, green, blue.
+/// Writes a painted picture: three bytes a px, red, green, blue.
 ///
 /// # Errors
 /// As [`write()`]; `rgb` too short for `size`.
@@ -212,7 +212,7 @@ pub fn rgb8(out: impl Write, size: [usize; 2], dpi: Option<f64>, rgb: &[u8]) -> 
     whole(out, Header { dpi, ..Header::new(size, Samples::Rgb8) }, rgb)
 }
 
-/// A label picture: one byte a px.
+/// Writes a label picture of one byte a px.
 ///
 /// # Errors
 /// As [`write()`]; `labels` too short for `size`.
@@ -220,7 +220,7 @@ pub fn gray8(out: impl Write, size: [usize; 2], dpi: Option<f64>, labels: &[u8])
     whole(out, Header { dpi, ..Header::new(size, Samples::Gray8) }, labels)
 }
 
-/// A pattern: 0..1 becomes 0..65535, rounded; values outside are clipped.
+/// Writes a pattern: 0..1 becomes 0..65535, rounded; values outside are clipped.
 ///
 /// # Errors
 /// As [`write()`].
@@ -238,9 +238,10 @@ pub fn gray16(out: impl Write, pattern: &Field, dpi: Option<f64>) -> Result<(), 
 fn whole(out: impl Write, header: Header, bytes: &[u8]) -> Result<(), Stopped> {
     let row = header.size[0] * header.samples.bytes();
     write(out, header, |rows, band| {
-        let there = bytes.get(rows.start * row..rows.end * row);
-        let there = there.ok_or_else(|| io::Error::other("the picture holds fewer px than its size says"))?;
-        band.copy_from_slice(there);
+        let source = bytes.get(rows.start * row..rows.end * row);
+        let source =
+            source.ok_or_else(|| io::Error::other("the picture has fewer px than its size needs"))?;
+        band.copy_from_slice(source);
         Ok(())
     })
 }
@@ -258,12 +259,12 @@ fn encoder<W: Write>(out: W, header: Header) -> Result<Encoder<'static, W>, Stop
     };
     encoder.set_color(colour);
     encoder.set_depth(depth);
-    // Smooth patterns of 2048² px, RGB: fast 45 ms and 3.0 MB, balanced 450 ms and 1.3 MB; picking the best
-    // filter row by row doubles the time of fast and saves nothing over Paeth's.
+    // Smooth patterns of 2048² px, RGB: fast takes 45 ms and 3.0 MB, balanced 450 ms and 1.3 MB. Choosing the best filter
+    // for each row doubles the time of fast and saves nothing compared with Paeth's.
     encoder.set_compression(Compression::Fast);
     encoder.set_filter(Filter::Paeth);
     if header.colours && !matches!(header.samples, Samples::Gray8 | Samples::Gray16) {
-        // Patterns and labels are numbers: no viewer's colour management should touch them.
+        // Patterns and labels are numbers: colour management must not change them.
         encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     }
     if let Some(dpi) = header.dpi {
@@ -302,7 +303,7 @@ mod tests {
     }
 
     #[test]
-    fn a_painted_picture_comes_back_with_its_px_an_inch() {
+    fn a_painted_picture_is_read_back_with_its_px_an_inch() {
         let rgb: Vec<u8> = (0..3 * 7 * 5).map(|i| (i * 37 % 256) as u8).collect();
         let mut bytes = Vec::new();
         rgb8(&mut bytes, [7, 5], Some(300.0), &rgb).unwrap();
@@ -313,7 +314,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pattern_comes_back_to_the_nearest_16_bit_step() {
+    fn a_pattern_is_rounded_to_the_nearest_16_bit_step() {
         let values = [-0.5, 0.0, 0.5, 1.0, 1.5, 0.25 / 65535.0, 0.75 / 65535.0, 258.0 / 65535.0];
         let pattern = Field { values: values.to_vec(), ..Field::flat(4, 2, Edges::Closed, 0.0) };
         let mut bytes = Vec::new();
@@ -326,7 +327,7 @@ mod tests {
     }
 
     #[test]
-    fn labels_come_back() {
+    fn labels_are_read_back() {
         let mut bytes = Vec::new();
         gray8(&mut bytes, [3, 2], Some(72.0), &[0, 1, 2, 255, 1, 0]).unwrap();
         let (pixels, info, a_metre) = read(&bytes);
@@ -335,7 +336,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_of_many_bands_is_asked_for_once_a_row_and_comes_back() {
+    fn each_row_of_a_picture_of_many_bands_is_filled_once() {
         let size = [3000, 3001];
         let shade = |x: usize, y: usize| ((x * x + 3 * y * y) / 977 % 256) as u8;
         let mut next = 0;
@@ -355,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_a_picture_is_an_error() {
+    fn impossible_pictures_are_errors() {
         assert!(rgb8(io::sink(), [2, 2], None, &[0; 11]).is_err());
         assert!(rgb8(io::sink(), [0, 2], None, &[]).is_err());
         let header = Header::new([2, 2], Samples::Rgb8);

@@ -1,4 +1,4 @@
-//! Files: whole or not there.
+//! Writing files completely or not at all.
 
 use std::fs;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
@@ -8,133 +8,133 @@ use tempfile::NamedTempFile;
 use thiserror::Error;
 
 use super::Stopped;
-use super::format::{Content, Format, endings, fitting};
+use super::format::{Content, Format, allowed_endings, endings};
 use crate::export::stale_files;
 
-/// Why a file was not written. Nothing is left behind, and what was there before still is.
+/// Why a file was not written. Nothing incomplete is left behind, and an existing file is unchanged.
 #[derive(Debug, Error)]
 pub enum ExportError {
-    /// An ending that stands for no format.
+    /// An unknown ending, or the ending of a format that does not fit.
     #[error("cannot write '{}': its name {}; allowed: .{}", path.display(), ending(path), allowed.join(", ."))]
     UnknownFormat {
-        /// What was asked for.
+        /// The requested path.
         path: PathBuf,
-        /// The endings that would do.
+        /// The allowed endings.
         allowed: Vec<&'static str>,
     },
-    /// More px than the format can hold.
+    /// A side is longer than the format can hold.
     #[error(
         "cannot write '{}': {}×{} px are more than {} can hold; allowed: {} px a side, or another format ({})",
-        path.display(), size[0], size[1], format.name(), format.longest(), endings(Content::Colours)
+        path.display(), size[0], size[1], format.name(), format.max_side(), endings(Content::Colours)
     )]
     TooWide {
-        /// What was asked for.
+        /// The requested path.
         path: PathBuf,
         /// Width and height, px.
         size: [usize; 2],
         /// The format.
         format: Format,
     },
-    /// Something that the format cannot hold.
-    #[error("cannot write '{}': {} holds no {what}; allowed: {allowed}", path.display(), format.name())]
+    /// The format cannot hold some content.
+    #[error("cannot write '{}': {} cannot hold {what}; allowed: {allowed}", path.display(), format.name())]
     CannotHold {
-        /// What was asked for.
+        /// The requested path.
         path: PathBuf,
         /// The format.
         format: Format,
-        /// What it cannot hold.
+        /// The content.
         what: &'static str,
-        /// What can.
+        /// The formats that can.
         allowed: &'static str,
     },
-    /// A folder has the name already.
+    /// The path is a folder.
     #[error("cannot write '{}': it is a folder; name a file in it, such as '{}'", path.display(), path.join("picture.png").display())]
     IsFolder {
-        /// What was asked for.
+        /// The requested path.
         path: PathBuf,
     },
-    /// A pipe, a device or the like has the name already.
+    /// The path is a pipe, a device or the like.
     #[error("cannot write '{}': it is neither a file nor a folder; choose another name", path.display())]
     NotAFile {
-        /// What was asked for.
+        /// The requested path.
         path: PathBuf,
     },
-    /// There is no folder to write into.
-    #[error("cannot write '{}': there is no folder '{}'; make it first, or choose another", path.display(), folder.display())]
+    /// The folder to write into does not exist.
+    #[error("cannot write '{}': folder '{}' does not exist; create it first, or choose another", path.display(), folder.display())]
     NoFolder {
-        /// What was asked for.
+        /// The requested path.
         path: PathBuf,
-        /// The folder that is missing.
+        /// The missing folder.
         folder: PathBuf,
     },
-    /// The file is there and must not be written.
-    #[error("cannot write '{}': the file is there and read-only; make it writable, or choose another name", path.display())]
+    /// The file exists and is read-only.
+    #[error("cannot write '{}': the file exists and is read-only; make it writable, or choose another name", path.display())]
     ReadOnly {
-        /// What was asked for.
+        /// The requested path.
         path: PathBuf,
     },
-    /// The folder must not be written.
+    /// Writing in the folder is not permitted.
     #[error("cannot write '{}': writing in '{}' is not permitted; choose another folder", path.display(), folder.display())]
     NotPermitted {
-        /// What was asked for.
+        /// The requested path.
         path: PathBuf,
         /// The folder.
         folder: PathBuf,
     },
-    /// No room.
-    #[error("cannot write '{}': the disk is full; make room, or choose another folder", path.display())]
+    /// The disk is full.
+    #[error("cannot write '{}': the disk is full; free some space, or choose another folder", path.display())]
     DiskFull {
-        /// What was asked for.
+        /// The requested path.
         path: PathBuf,
     },
-    /// Whatever else the operating system says.
+    /// Any other error of the operating system.
     #[error("cannot write '{}': {source}", path.display())]
     Io {
-        /// What was asked for.
+        /// The requested path.
         path: PathBuf,
-        /// What the system said.
+        /// The system's error.
         source: io::Error,
     },
-    /// The writer was told to stop.
+    /// The writer was cancelled.
     #[error("'{}' was not written: cancelled", path.display())]
     Cancelled {
-        /// What was asked for.
+        /// The requested path.
         path: PathBuf,
     },
 }
 
 fn ending(path: &Path) -> String {
-    match (Format::of(path), path.extension()) {
-        (Some(format), _) => format!("asks for {}, which does not fit what is to be shown", format.name()),
+    match (Format::from_path(path), path.extension()) {
+        (Some(format), _) => format!("means {}, which cannot hold this content", format.name()),
         (None, Some(ending)) => {
-            format!("ends in .{}, which is no format that dapple writes here", ending.display())
+            format!("ends in .{}, which is not a format that dapple writes here", ending.display())
         }
-        (None, None) => "has no ending that says in which format".to_owned(),
+        (None, None) => "has no ending that names the format".to_owned(),
     }
 }
 
-/// Looks whether a picture of colours can be written to `path`, before the work is done: the name's ending (upper or
-/// lower case), the folder, and what has the name already. Rights and room show only in [`save()`].
+/// Checks, before the work is done, whether a colour picture can be written to `path`: the ending (upper or lower case), the
+/// folder, and what exists at the path. Permissions and disk space are seen only by [`save()`].
 ///
 /// # Errors
-/// What is wrong with the path, and the remedy.
+/// The problem with the path, and the remedy.
 pub fn check_target(path: &Path) -> Result<(), ExportError> {
     check_content(path, Content::Colours).map(drop)
 }
 
-/// The same for a picture that shows `content`; its format.
+/// As [`check_target`], for a picture with this `content`; returns its format.
 ///
 /// # Errors
-/// What is wrong with the path, and the remedy.
+/// The problem with the path, and the remedy.
 pub fn check_content(path: &Path, content: Content) -> Result<Format, ExportError> {
-    check_ending(path, &fitting(content))?;
-    Ok(Format::of(path).unwrap_or(Format::Png))
+    check_ending(path, &allowed_endings(content))?;
+    Ok(Format::from_path(path).unwrap_or(Format::Png))
 }
 
-/// The same for a file that may have one of the endings `allowed`.
+/// As [`check_target`], for a file with one of the endings `allowed`.
 ///
 /// # Errors
-/// What is wrong with the path, and the remedy.
+/// The problem with the path, and the remedy.
 pub fn check_ending(path: &Path, allowed: &[&'static str]) -> Result<(), ExportError> {
     if path.is_dir() {
         return Err(ExportError::IsFolder { path: path.to_owned() });
@@ -145,91 +145,94 @@ pub fn check_ending(path: &Path, allowed: &[&'static str]) -> Result<(), ExportE
     check_file(path)
 }
 
-/// Whether a name ends in `.ending`, in upper or lower case.
+/// Whether a file name ends in `.ending`, in upper or lower case.
 #[must_use]
 pub fn has_ending(path: &Path, ending: &str) -> bool {
     path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
 }
 
-/// The same for a file that is no picture: the folder, and what has the name already.
+/// Checks the folder of any file, and what exists at the path.
 ///
 /// # Errors
-/// What is wrong with the path, and the remedy.
+/// The problem with the path, and the remedy.
 pub fn check_file(path: &Path) -> Result<(), ExportError> {
     target_of(path).map(drop)
 }
 
-/// Makes a folder, and those above it, where they are missing.
+/// Creates a folder and its missing parents.
 ///
 /// # Errors
-/// What went wrong, with the folder's name and the remedy.
+/// The problem, with the folder's name and the remedy.
 pub fn make_folder(path: &Path) -> Result<(), ExportError> {
     fs::create_dir_all(path).map_err(|source| explain(path, &folder_of(path), source))
 }
 
-/// Writes the file `path` by `write`, which gets a buffered stream: into a file beside it that takes its name
-/// when all is on the disk; what a killed process left of such is taken away. A file that was there is replaced and keeps its permissions; a new one gets
-/// the usual ones (0666 less the umask). A symbolic link stays and what it leads to is replaced.
+/// Writes the file `path` by `write`, which gets a buffered stream into a temporary file beside it. Once all is on the disk, the
+/// temporary file is renamed. Temporary files of killed processes are removed. An existing file is replaced and keeps its
+/// permissions; a new one gets the usual ones (0666 without the umask). A symbolic link is kept and its target replaced.
 ///
 /// # Errors
-/// What went wrong, with the file's name and the remedy.
-pub fn save(path: &Path, write: impl FnOnce(&mut Begun) -> Result<(), Stopped>) -> Result<(), ExportError> {
+/// The problem, with the file's name and the remedy.
+pub fn save(
+    path: &Path,
+    write: impl FnOnce(&mut Unfinished) -> Result<(), Stopped>,
+) -> Result<(), ExportError> {
     prepare(path, write)?.keep()
 }
 
-/// A file that is written but does not have its name yet. Dropped, it is gone.
+/// A complete file under a temporary name. Dropping it deletes it.
 #[derive(Debug)]
-#[must_use = "the file goes unless it is kept"]
+#[must_use = "the file is deleted unless it is kept"]
 pub struct Prepared {
     path: PathBuf,
     target: PathBuf,
     beside: NamedTempFile,
 }
 
-/// As [`save()`], up to the point where the file takes its name: several files are there together, or none, where
-/// all are prepared before the first is [kept](Prepared::keep).
+/// As [`save()`], without renaming the file. If several files are prepared before the first is [kept](Prepared::keep), either
+/// all of them are written or none.
 ///
 /// # Errors
-/// What went wrong, with the file's name and the remedy.
+/// The problem, with the file's name and the remedy.
 pub fn prepare(
     path: &Path,
-    write: impl FnOnce(&mut Begun) -> Result<(), Stopped>,
+    write: impl FnOnce(&mut Unfinished) -> Result<(), Stopped>,
 ) -> Result<Prepared, ExportError> {
-    let mut begun = begin(path)?;
-    match write(&mut begun) {
-        Ok(()) => begun.finish(),
-        Err(stopped) => Err(begun.stopped(stopped)),
+    let mut file = begin(path)?;
+    match write(&mut file) {
+        Ok(()) => file.finish(),
+        Err(stopped) => Err(file.stopped(stopped)),
     }
 }
 
-/// A file that is being written, buffered. Dropped, it is gone.
+/// A file that is being written, buffered. Dropping it deletes it.
 #[derive(Debug)]
-pub struct Begun {
+pub struct Unfinished {
     path: PathBuf,
     target: PathBuf,
     folder: PathBuf,
     stream: BufWriter<NamedTempFile>,
 }
 
-/// Begins the file `path`, for whoever writes several at once; [`prepare()`] is simpler for one.
+/// Starts to write the file `path`, for writing several files at once; for one file, [`prepare()`] is simpler.
 ///
 /// # Errors
-/// What went wrong, with the file's name and the remedy.
-pub fn begin(path: &Path) -> Result<Begun, ExportError> {
+/// The problem, with the file's name and the remedy.
+pub fn begin(path: &Path) -> Result<Unfinished, ExportError> {
     let target = target_of(path)?;
     let folder = folder_of(&target);
     let beside = stale_files::new_file(&folder).map_err(|source| explain(path, &folder, source))?;
-    Ok(Begun { path: path.to_owned(), target, folder, stream: BufWriter::with_capacity(BUFFER, beside) })
+    Ok(Unfinished { path: path.to_owned(), target, folder, stream: BufWriter::with_capacity(BUFFER, beside) })
 }
 
-/// Bytes that are gathered before they go to the disk.
+/// Size of the write buffer, bytes.
 const BUFFER: usize = 1 << 20;
 
-impl Begun {
-    /// All is written.
+impl Unfinished {
+    /// Completes the file.
     ///
     /// # Errors
-    /// What went wrong, with the file's name and the remedy.
+    /// The problem, with the file's name and the remedy.
     pub fn finish(self) -> Result<Prepared, ExportError> {
         let Self { path, target, folder, stream } = self;
         let io = |source| explain(&path, &folder, source);
@@ -237,16 +240,16 @@ impl Begun {
         if let Ok(before) = fs::metadata(&target) {
             beside.as_file().set_permissions(before.permissions()).map_err(io)?;
         }
-        // Some file systems tell only now that there is no room.
+        // Some file systems report a full disk only here.
         beside.as_file().sync_all().map_err(io)?;
         Ok(Prepared { path, target, beside })
     }
 
-    /// Why it was not written, with the file's name and the remedy.
+    /// Deletes the file; the error with the file's name and the remedy.
     #[must_use]
     pub fn stopped(self, why: Stopped) -> ExportError {
         let Self { path, folder, stream, .. } = self;
-        // What is still in the buffer need not go anywhere.
+        // The buffer is dropped without being written.
         let _ = stream.into_parts();
         match why {
             Stopped::Cancelled => ExportError::Cancelled { path },
@@ -255,7 +258,7 @@ impl Begun {
     }
 }
 
-impl Write for Begun {
+impl Write for Unfinished {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.stream.write(bytes)
     }
@@ -265,17 +268,17 @@ impl Write for Begun {
     }
 }
 
-impl Seek for Begun {
+impl Seek for Unfinished {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         self.stream.seek(to)
     }
 }
 
 impl Prepared {
-    /// Gives the file its name.
+    /// Renames the file to its final name.
     ///
     /// # Errors
-    /// What went wrong, with the file's name and the remedy.
+    /// The problem, with the file's name and the remedy.
     pub fn keep(self) -> Result<(), ExportError> {
         let Self { path, target, beside } = self;
         let named = beside.persist(&target).map(drop);
@@ -283,7 +286,7 @@ impl Prepared {
     }
 }
 
-/// The file to be replaced or made: `path`, or where it leads to.
+/// The file to replace or create: `path`, or the target of the link.
 fn target_of(path: &Path) -> Result<PathBuf, ExportError> {
     let folder = folder_of(path);
     if !folder.is_dir() {
@@ -306,7 +309,7 @@ pub(super) fn folder_of(path: &Path) -> PathBuf {
     }
 }
 
-/// What went wrong with a file in `folder`, and the remedy.
+/// The error for a file in `folder`, with the remedy.
 pub(super) fn explain(path: &Path, folder: &Path, source: io::Error) -> ExportError {
     let path = path.to_owned();
     match source.kind() {

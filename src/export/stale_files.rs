@@ -1,7 +1,7 @@
-//! Files that somebody began to write and could not end, because he was killed.
+//! Removal of incomplete files that killed processes left behind.
 //!
-//! Whoever writes holds the lock of his file until it has its name; the system takes the lock from the dead. So a file
-//! of ours whose lock is free is rubbish, on any file system that knows locks, and nobody else's work is touched.
+//! A process keeps its temporary file locked until the file is renamed; the system releases the lock when the process ends.
+//! So an unlocked temporary file of ours is stale, on every file system with locks, and files in use are not touched.
 
 use std::collections::BTreeSet;
 use std::fs::{self, DirEntry, File, OpenOptions, Permissions, TryLockError};
@@ -14,21 +14,21 @@ use tempfile::{Builder, NamedTempFile, TempDir};
 const PREFIX: &str = ".dapple-";
 const SUFFIX: &str = ".part";
 
-/// A new file in `folder`, under a name of its own, locked; rubbish that lies there is taken away before.
+/// A new locked file with a unique name in `folder`; stale files there are removed first.
 pub fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
-    sweep_once(folder);
+    remove_stale_once(folder);
     loop {
         let file = builder(0o666).tempfile_in(folder)?;
-        // Whoever sweeps may have come between.
+        // Another process may have removed it before it was locked.
         if !matches!(file.as_file().try_lock(), Err(TryLockError::WouldBlock)) && file.path().exists() {
             return Ok(file);
         }
     }
 }
 
-/// The same for a folder, with its lock where the system has such.
+/// A new folder, as [`new_file`], with its lock if the system can lock folders.
 pub fn new_folder(parent: &Path) -> io::Result<(TempDir, Option<File>)> {
-    sweep_once(parent);
+    remove_stale_once(parent);
     loop {
         let folder = builder(0o777).tempdir_in(parent)?;
         let Ok(lock) = File::open(folder.path()) else { return Ok((folder, None)) };
@@ -38,7 +38,7 @@ pub fn new_folder(parent: &Path) -> io::Result<(TempDir, Option<File>)> {
     }
 }
 
-/// What any program's new file gets, before the umask; a temporary one would be the owner's alone.
+/// With the permissions of ordinary new files (before the umask); temporary files are readable by their owner only.
 fn builder(mode: u32) -> Builder<'static, 'static> {
     let mut builder = Builder::new();
     builder.prefix(PREFIX).suffix(SUFFIX);
@@ -58,28 +58,28 @@ fn permissions(_: u32) -> Option<Permissions> {
     None
 }
 
-/// Sweeps a folder when this process first writes into it: a batch need not list it for each picture.
-fn sweep_once(folder: &Path) {
-    static SWEPT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// Removes stale files when this process first writes into a folder, so a batch does not list it for each picture.
+fn remove_stale_once(folder: &Path) {
+    static CLEANED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
     let Ok(folder) = folder.canonicalize() else { return };
-    if SWEPT.lock().unwrap_or_else(PoisonError::into_inner).insert(folder.clone()) {
-        sweep(&folder);
+    if CLEANED.lock().unwrap_or_else(PoisonError::into_inner).insert(folder.clone()) {
+        remove_stale(&folder);
     }
 }
 
-/// Takes away what was left in a folder. What cannot be is no reason to fail.
-fn sweep(folder: &Path) {
+/// Removes the stale files in a folder. Failures are ignored.
+fn remove_stale(folder: &Path) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let is_ours = |name: &str| name.starts_with(PREFIX) && name.ends_with(SUFFIX);
         if entry.file_name().to_str().is_some_and(is_ours) {
-            let _ = remove_left(&entry);
+            let _ = remove_if_stale(&entry);
         }
     }
 }
 
-fn remove_left(entry: &DirEntry) -> io::Result<()> {
+fn remove_if_stale(entry: &DirEntry) -> io::Result<()> {
     let (kind, path) = (entry.file_type()?, entry.path());
-    // A link leads to what is not ours.
+    // The target of a link is not ours.
     if kind.is_file() {
         let file = OpenOptions::new().write(true).open(&path)?;
         file.try_lock()?;
@@ -95,7 +95,7 @@ fn remove_left(entry: &DirEntry) -> io::Result<()> {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         name.starts_with("frame-") && name.ends_with(".png") && !path.is_dir()
     };
-    // What holds anything else, somebody wants.
+    // A folder with any other file is kept: somebody put that file there.
     if frames.iter().all(is_frame) {
         frames.iter().try_for_each(fs::remove_file)?;
         fs::remove_dir(&path)?;
@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_killed_process_left_is_swept_away_by_the_next_that_writes() {
+    fn files_of_a_killed_process_are_removed_by_the_next_that_writes() {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join(".dapple-aaaaaa.part"), "half a picture").unwrap();
         let film = folder.path().join(".dapple-bbbbbb.part");
@@ -128,22 +128,22 @@ mod tests {
     }
 
     #[test]
-    fn what_is_being_written_is_not_rubbish() {
+    fn files_in_use_are_not_stale() {
         let folder = tempfile::tempdir().unwrap();
         let begun = new_file(folder.path()).unwrap();
         let film = new_folder(folder.path()).unwrap();
-        sweep(folder.path());
+        remove_stale(folder.path());
         assert!(begun.path().exists() && film.0.path().exists());
         let (path, beside) = (begun.path().to_owned(), film.0.path().to_owned());
-        // As a kill leaves them: there, and nobody holds their locks.
+        // As after a kill: the files exist, and their locks are free.
         let _ = (begun.keep().unwrap(), film.0.keep());
         drop(film.1);
-        sweep(folder.path());
+        remove_stale(folder.path());
         assert!(!path.exists() && !beside.exists());
     }
 
     #[test]
-    fn what_is_not_ours_stays() {
+    fn other_files_are_kept() {
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         for name in ["dapple-aaaaaa.part", ".dapple-a.png", "a.part", ".dapple"] {
@@ -153,19 +153,19 @@ mod tests {
         fs::write(at(".dapple-cccccc.part/frame-0001.png"), "a frame").unwrap();
         fs::write(at(".dapple-cccccc.part/notes.txt"), "mine").unwrap();
         let before = names_in(folder.path());
-        sweep(folder.path());
+        remove_stale(folder.path());
         assert_eq!(names_in(folder.path()), before);
         assert_eq!(names_in(&at(".dapple-cccccc.part")), ["frame-0001.png", "notes.txt"]);
     }
 
     #[cfg(unix)]
     #[test]
-    fn a_link_that_has_such_a_name_and_what_it_leads_to_stay() {
+    fn a_link_with_such_a_name_and_its_target_are_kept() {
         let folder = tempfile::tempdir().unwrap();
         let [mine, link] = ["mine", ".dapple-aaaaaa.part"].map(|name| folder.path().join(name));
         fs::write(&mine, "mine").unwrap();
         std::os::unix::fs::symlink(&mine, &link).unwrap();
-        sweep(folder.path());
+        remove_stale(folder.path());
         assert!(mine.exists() && link.is_symlink());
     }
 }

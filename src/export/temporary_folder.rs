@@ -1,24 +1,24 @@
-//! A folder for files that are looked at and go.
+//! A folder for temporary files.
 
 use std::io;
 use std::path::Path;
 
 use tempfile::TempDir;
 
-/// A folder of its own among the system's passing files. Dropped, it is gone with all that is in it.
+/// A new folder among the system's temporary files. Dropping it deletes it with its contents.
 #[derive(Debug)]
-pub struct Passing(TempDir);
+pub struct TemporaryFolder(TempDir);
 
-impl Passing {
-    /// A new one.
+impl TemporaryFolder {
+    /// Creates the folder.
     ///
     /// # Errors
-    /// Where the system has no room for it.
+    /// The folder cannot be created.
     pub fn new() -> io::Result<Self> {
         tempfile::Builder::new().prefix("dapple-").tempdir().map(Self)
     }
 
-    /// Where it is.
+    /// Its path.
     #[must_use]
     pub fn path(&self) -> &Path {
         self.0.path()

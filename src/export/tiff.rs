@@ -1,6 +1,6 @@
-//! TIFF: strips of 8 or 16 bit, not compressed, with the px an inch.
+//! TIFF: uncompressed strips of 8 or 16 bit, with px an inch.
 //!
-//! TIFF Revision 6.0 (Adobe, 1992); above 4 GB BigTIFF.
+//! TIFF Revision 6.0 (Adobe, 1992); BigTIFF above 4 GB.
 
 use std::io::{self, Seek, Write};
 use std::ops::Range;
@@ -13,15 +13,15 @@ use tiff::tags::{ResolutionUnit, Tag};
 use super::Stopped;
 use super::png::{Header, Samples};
 
-/// Bytes that a file of 32-bit offsets holds; some room is left for what is not px.
+/// Most bytes of px in a file with 32-bit offsets, with a margin for the tags.
 const CLASSIC: u64 = (u32::MAX - (1 << 20)) as u64;
-/// Bytes of the largest strip, unless one row takes more.
+/// Bytes of the largest strip; one row may be larger.
 const STRIP: usize = 8 << 20;
 
 /// As [`super::png::write()`], into a TIFF; texts are not written.
 ///
 /// # Errors
-/// What `out` or `fill` fails with; a size that TIFF cannot hold.
+/// The errors of `out` and `fill`; a size that TIFF cannot hold.
 pub fn write(
     out: impl Write + Seek,
     header: Header,
@@ -29,13 +29,13 @@ pub fn write(
 ) -> Result<(), Stopped> {
     let bytes = (header.size[0] * header.samples.bytes()) as u64 * header.size[1] as u64;
     if bytes > CLASSIC {
-        of_samples(TiffEncoder::new_big(out).map_err(into_io)?, header, fill)
+        write_samples(TiffEncoder::new_big(out).map_err(into_io)?, header, fill)
     } else {
-        of_samples(TiffEncoder::new(out).map_err(into_io)?, header, fill)
+        write_samples(TiffEncoder::new(out).map_err(into_io)?, header, fill)
     }
 }
 
-fn of_samples<W: Write + Seek, K: TiffKind>(
+fn write_samples<W: Write + Seek, K: TiffKind>(
     encoder: TiffEncoder<W, K>,
     header: Header,
     fill: impl FnMut(Range<usize>, &mut [u8]) -> Result<(), Stopped>,
@@ -70,7 +70,7 @@ where
     let rows_a_strip = (STRIP / row).clamp(1, height);
     image.rows_per_strip(u32::try_from(rows_a_strip).unwrap_or(h)).map_err(into_io)?;
     if let Some(dpi) = header.dpi {
-        // In thousandths, so that 72.27 is not 72.
+        // In thousandths, so that 72.27 is not rounded to 72.
         let density = Rational { n: (1000.0 * dpi).round() as u32, d: 1000 };
         image.resolution(ResolutionUnit::Inch, density);
     }
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn sixteen_bit_of_many_strips_come_back() {
+    fn sixteen_bit_of_many_strips_are_read_back() {
         let header = Header { dpi: Some(72.27), ..Header::new([2100, 1203], Samples::Rgb16) };
         let shade = |i: usize| (i * 37 % 251) as u8;
         let mut read = written(header, shade);
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn opacity_is_told_to_be_apart_from_the_colours() {
+    fn opacity_is_marked_as_unassociated() {
         let mut read = written(Header::new([3, 2], Samples::Rgba8), |i| i as u8);
         assert_eq!(read.get_tag_u32(Tag::ExtraSamples).unwrap(), 2);
         let DecodingResult::U8(values) = read.read_image().unwrap() else { panic!("not 8 bit") };

@@ -1,4 +1,4 @@
-//! JPEG, and WebP without losses: 8-bit colours for the web.
+//! JPEG and lossless WebP: 8-bit colours for the web.
 
 use std::cell::RefCell;
 use std::io::{self, Write};
@@ -11,9 +11,9 @@ use image::{ExtendedColorType, GenericImageView, ImageError, Rgb};
 use super::Stopped;
 use super::png::{Header, Samples};
 
-/// Rows that a JPEG is made of at a time: the encoder goes from block of 8 × 8 px to block.
+/// Rows that the JPEG encoder reads at a time: blocks of 8 × 8 px.
 const BLOCK_ROWS: usize = 8;
-/// Rows that are asked for at once, so that all threads have some.
+/// Rows of one band, enough for all threads.
 const BAND_ROWS: usize = 16 * BLOCK_ROWS;
 
 /// As [`super::png::write()`], into a JPEG of `quality` 1 to 100; only [`Samples::Rgb8`].
@@ -21,7 +21,7 @@ const BAND_ROWS: usize = 16 * BLOCK_ROWS;
 /// JPEG File Interchange Format 1.02; colours at half the resolution across (4:2:2).
 ///
 /// # Errors
-/// What `out` or `fill` fails with; a side of more than 65535 px.
+/// The errors of `out` and `fill`; a side of more than 65535 px.
 pub fn jpeg(
     out: impl Write,
     header: Header,
@@ -44,14 +44,14 @@ pub fn jpeg(
 
 type Fill<'a> = dyn FnMut(Range<usize>, &mut [u8]) -> Result<(), Stopped> + 'a;
 
-/// The rows that are at hand, and why there are no more.
+/// The current rows, and why `fill` stopped.
 struct Band {
     top: usize,
     rgb: Vec<u8>,
     stopped: Option<Stopped>,
 }
 
-/// A picture of which the rows in work are there and no others.
+/// A picture of which only the current rows are in memory.
 struct Bands<'a> {
     size: [u32; 2],
     fill: RefCell<&'a mut Fill<'a>>,
@@ -74,7 +74,7 @@ impl GenericImageView for Bands<'_> {
             let rows = top..height.min(top + BAND_ROWS);
             band.top = top;
             band.rgb.resize(3 * width * rows.len(), 0);
-            // The encoder cannot be stopped: it is given the last rows until its end.
+            // The encoder cannot be stopped: after an error it reads the last rows again until its end.
             if band.stopped.is_none() {
                 band.stopped = (self.fill.borrow_mut())(rows, &mut band.rgb).err();
             }
@@ -84,11 +84,11 @@ impl GenericImageView for Bands<'_> {
     }
 }
 
-/// As [`super::png::write()`], into a WebP without losses; only [`Samples::Rgb8`] and [`Samples::Rgba8`].
-/// Its encoder wants the whole picture: [`super::Format::held`] tells what that takes. `dpi` is not written.
+/// As [`super::png::write()`], into a lossless WebP; only [`Samples::Rgb8`] and [`Samples::Rgba8`].
+/// Its encoder needs the whole picture in memory, see [`super::Format::writer_bytes_per_px`]. `dpi` is not written.
 ///
 /// # Errors
-/// What `out` or `fill` fails with; a side of more than 16383 px.
+/// The errors of `out` and `fill`; a side of more than 16383 px.
 pub fn webp(
     out: impl Write,
     header: Header,
@@ -118,7 +118,7 @@ mod tests {
     use super::*;
     use image::ImageFormat;
 
-    /// Smooth, so that losses are small.
+    /// Smooth, so that JPEG changes little.
     fn shade(x: usize, y: usize, channel: usize) -> u8 {
         (128.0 + 100.0 * ((x as f64 / 40.0 + y as f64 / 57.0 + channel as f64).sin())) as u8
     }
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn a_jpeg_of_many_bands_comes_back_nearly_with_its_px_an_inch() {
+    fn a_jpeg_of_many_bands_is_read_back_nearly_with_its_px_an_inch() {
         let size = [301, 403];
         let mut bytes = Vec::new();
         let header = Header { dpi: Some(300.0), ..Header::new(size, Samples::Rgb8) };
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn a_webp_comes_back_to_the_bit() {
+    fn a_webp_is_read_back_exactly() {
         for (samples, channels) in [(Samples::Rgb8, 3), (Samples::Rgba8, 4)] {
             let size = [131, 301];
             let mut bytes = Vec::new();
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cancelled_jpeg_tells_so() {
+    fn a_cancelled_jpeg_is_an_error() {
         let header = Header::new([9, 9], Samples::Rgb8);
         assert!(matches!(
             jpeg(io::sink(), header, 90, |_, _| Err(Stopped::Cancelled)),

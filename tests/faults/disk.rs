@@ -63,7 +63,7 @@ fn a_full_disk_is_told_and_loses_nothing() {
     let Some(mounted) = Mounted::on(&bench.path("out")) else { return };
     write_old(&bench);
     mounted.fill(0);
-    all_refuse(&bench, &["the disk is full; make room, or choose another folder"]);
+    all_refuse(&bench, &["the disk is full; free some space, or choose another folder"]);
     // Many documents: each says why.
     let (code, said) = bench.run("grow a.dapple b.dapple -o out");
     assert_eq!((code, said.matches("the disk is full").count()), (Some(1), 2), "{said}");
@@ -89,7 +89,7 @@ fn a_disk_that_fills_up_while_a_file_is_written_loses_nothing() {
         "film a.dapple -o OUT/frames --seconds 1 --fps 10 --side 256",
         "man -o OUT",
     ] {
-        bench.refuses(&writer.replace("OUT", "out"), 1, &["the disk is full; make room"]);
+        bench.refuses(&writer.replace("OUT", "out"), 1, &["the disk is full; free some space"]);
         assert!(files(&bench.path("out")) == before, "{writer}");
     }
     assert!(!bench.path("here.png").exists());
@@ -148,7 +148,7 @@ fn a_folder_that_is_missing_is_told() {
     let bench = Bench::new();
     for writer in WRITERS {
         let writer = writer.replace("OUT/", "no/way/").replace("OUT", "no");
-        bench.refuses(&writer, 1, &["there is no folder 'no", "make it first, or choose another"]);
+        bench.refuses(&writer, 1, &["folder 'no", "does not exist; create it first, or choose another"]);
         assert!(!bench.path("here.png").exists() && !bench.path("no").exists(), "{writer}");
     }
 }
@@ -161,6 +161,6 @@ fn a_file_where_a_folder_should_be_is_told() {
         let (code, said) = bench.run(&writer.replace("OUT", "file"));
         assert!(matches!(code, Some(1 | 2)) && said.contains("file"), "{writer}: {code:?}: {said}");
     }
-    bench.refuses("grow a.dapple b.dapple -o file/out", 1, &["file/out", "there is no folder 'file'"]);
+    bench.refuses("grow a.dapple b.dapple -o file/out", 1, &["file/out", "folder 'file' does not exist"]);
     assert_eq!(bench.bytes("file"), b"old");
 }

@@ -37,7 +37,7 @@ pub const ADDRESSES: [(&str, &[&str]); 30] = [
     ("kurbo", &["src/export/", "src/marks/", "src/sketch/"]),
     ("nalgebra", &["src/marks/", "src/learn/", "src/rd/"]),
     ("open", &["src/app/"]),
-    ("palette", &["src/colour/"]),
+    ("palette", &["src/colour/", "src/export/downscale.rs"]),
     ("png", &["src/export/", "src/cli/measure.rs"]),
     ("rfd", &["src/app/chooser.rs"]),
     (

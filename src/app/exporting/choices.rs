@@ -229,7 +229,7 @@ impl Choices {
     /// Takes only what goes together.
     pub fn settle(&mut self) {
         let picture = &mut self.picture;
-        if !picture.format.shows(picture.content()) {
+        if !picture.format.holds(picture.content()) {
             picture.format = if picture.shows == Shows::Concentrations { Format::Exr } else { Format::Png };
         }
         picture.transparent &= picture.format.has_opacity();

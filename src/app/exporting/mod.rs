@@ -115,7 +115,7 @@ fn write(
 /// Looks whether it can be written there, before the work is done.
 fn check(path: &Path, order: &Order) -> Result<(), String> {
     let checked = match (order.choices.what, order.choices.ending()) {
-        (What::Film, _) => motion::Kind::of(path).map(drop),
+        (What::Film, _) => motion::Kind::from_path(path).map(drop),
         (_, Some(ending)) => {
             let fits: &[&str] = match ending {
                 "tif" => &["tif", "tiff"],

@@ -12,7 +12,7 @@ use super::job::Job;
 use super::order::{Order, Pending};
 use super::sight::Sight;
 use crate::document::Document;
-use crate::export::Passing;
+use crate::export::TemporaryFolder;
 use crate::export::material::name;
 use crate::export::motion::Film;
 use crate::synth::estimate::{Needs, Task};
@@ -44,7 +44,7 @@ pub struct Made {
     /// What its film is like.
     pub film: Option<Film>,
     /// Where the files lie; they go with it.
-    _folder: Passing,
+    _folder: TemporaryFolder,
 }
 
 /// What is made, and what was.
@@ -200,7 +200,7 @@ impl Preview {
 
 /// Writes it for the eye.
 fn made(order: Order, grown: Option<&Arc<Grown>>, watch: &Watch) -> Result<Made, String> {
-    let folder = Passing::new().map_err(|error| format!("no preview can be kept: {error}"))?;
+    let folder = TemporaryFolder::new().map_err(|error| format!("no preview can be kept: {error}"))?;
     let grown = if order.is_film() { None } else { Some(order.grow(grown, watch)?) };
     let size = seen(&order);
     let file = match order.choices.ending() {

@@ -37,7 +37,8 @@ impl Sight {
                 light(files[0].as_ref()).map(Self::Pictures)
             }
             _ => {
-                let pictures = files.iter().map(AsRef::as_ref).filter(|file| Format::of(file).is_some());
+                let pictures =
+                    files.iter().map(AsRef::as_ref).filter(|file| Format::from_path(file).is_some());
                 let named = |file: &Path| {
                     let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
                     let name = stem.rsplit_once('_').map_or("", |(_, suffix)| suffix);

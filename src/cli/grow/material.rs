@@ -57,7 +57,7 @@ impl Material {
                 folder: above.unwrap_or(folder).to_owned(),
             }));
         }
-        if size.iter().any(|side| *side > Format::Png.longest()) {
+        if size.iter().any(|side| *side > Format::Png.max_side()) {
             let path = folder.clone();
             return Err(Error::step(export::ExportError::TooWide { path, size, format: Format::Png }));
         }

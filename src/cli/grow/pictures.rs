@@ -25,7 +25,7 @@ pub fn check(args: &Args, size: [usize; 2]) -> Result<(), Error> {
     let style = args.look.style();
     for (path, channel) in asked(args) {
         let format = style.check(path, channel, size).map_err(Error::step)?;
-        memory::check_picture(size, format.held()).map_err(Error::step)?;
+        memory::check_picture(size, format.writer_bytes_per_px()).map_err(Error::step)?;
     }
     if let Some(path) = &args.concentrations {
         export::check_content(path, Content::Channels).map_err(Error::step)?;

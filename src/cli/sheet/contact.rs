@@ -23,7 +23,7 @@ impl Thumb {
     pub fn of(document: &Document, grown: &Grown, side: usize) -> Self {
         let size = fitted(grown.size, side);
         let fine = size.map(|side| FINER * side);
-        Self { size, rgb: export::shrink(&Painting::sized(document, grown, fine).rgb(), fine, size) }
+        Self { size, rgb: export::downscale(&Painting::sized(document, grown, fine).rgb(), fine, size) }
     }
 }
 

@@ -1,7 +1,7 @@
-//! Patterns → the maps of a material: pure arithmetic on rows, so that a map of any size is made band by band.
+//! Patterns → the maps of a material. Everything works on rows, so a map of any size is computed band by band.
 //!
-//! [`shares()`] says how much of each px belongs to each layer, [`Surface`] what that makes of height and roughness;
-//! [`normals()`] and [`openness()`] are what light does with a [`Height`].
+//! [`shares()`] computes how much of each px belongs to each layer, [`Surface`] the height and the roughness from that;
+//! [`normals()`] and [`openness()`] are computed from a [`Height`].
 
 mod normal;
 mod occlusion;
@@ -13,51 +13,51 @@ pub use surface::{Surface, shares};
 
 use crate::grid::{Edges, Field};
 
-/// Rows of a height, px, with a rim on all four sides of what lies beyond them.
+/// Rows of heights, px, with a margin of the neighbouring values on all four sides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Height {
-    /// px a row, without the rim.
+    /// px a row, without the margin.
     pub width: usize,
-    /// Rows, without the rim.
+    /// Rows, without the margin.
     pub rows: usize,
-    /// How wide the rim is, px.
-    pub rim: usize,
+    /// Width of the margin, px.
+    pub margin: usize,
     values: Vec<f32>,
 }
 
 impl Height {
-    /// Puts a rim left and right of `values`, `width` a row, whose first and last `rim` rows are the rim above and below.
+    /// Adds margins left and right to `values` (`width` a row), whose first and last `margin` rows are the margins above and below.
     #[must_use]
-    pub fn new(values: &[f32], width: usize, rim: usize, edges: Edges) -> Self {
-        let mut rimmed = Vec::with_capacity((width + 2 * rim) * (values.len() / width.max(1)));
+    pub fn new(values: &[f32], width: usize, margin: usize, edges: Edges) -> Self {
+        let mut values_with_margin = Vec::with_capacity((width + 2 * margin) * (values.len() / width.max(1)));
         for row in values.chunks_exact(width.max(1)) {
-            let beyond = |x: usize| row[edges.index(x as isize - rim as isize, width)];
-            rimmed.extend((0..rim).map(beyond));
-            rimmed.extend_from_slice(row);
-            rimmed.extend((rim + width..width + 2 * rim).map(beyond));
+            let beyond = |x: usize| row[edges.index(x as isize - margin as isize, width)];
+            values_with_margin.extend((0..margin).map(beyond));
+            values_with_margin.extend_from_slice(row);
+            values_with_margin.extend((margin + width..width + 2 * margin).map(beyond));
         }
-        let rows = (values.len() / width.max(1)).saturating_sub(2 * rim);
-        Self { width, rows, rim, values: rimmed }
+        let rows = (values.len() / width.max(1)).saturating_sub(2 * margin);
+        Self { width, rows, margin, values: values_with_margin }
     }
 
-    /// All of a field.
+    /// The heights of a whole field.
     #[must_use]
-    pub fn of(field: &Field, rim: usize) -> Self {
-        let beyond = -(rim as isize)..(field.height + rim) as isize;
+    pub fn from_field(field: &Field, margin: usize) -> Self {
+        let beyond = -(margin as isize)..(field.height + margin) as isize;
         let row = |y: isize| {
             let start = field.edges.index(y, field.height) * field.width;
             &field.values[start..start + field.width]
         };
-        Self::new(&beyond.flat_map(row).copied().collect::<Vec<_>>(), field.width, rim, field.edges)
+        Self::new(&beyond.flat_map(row).copied().collect::<Vec<_>>(), field.width, margin, field.edges)
     }
 
-    /// Places from one row to the next.
+    /// Values from one row to the next.
     fn stride(&self) -> usize {
-        self.width + 2 * self.rim
+        self.width + 2 * self.margin
     }
 
-    /// The place of column 0 of row `y`.
+    /// The index of column 0 of row `y`.
     fn start(&self, y: usize) -> usize {
-        (y + self.rim) * self.stride() + self.rim
+        (y + self.margin) * self.stride() + self.margin
     }
 }

@@ -1,11 +1,11 @@
-//! Height → how open each px lies to the sky: ambient occlusion.
+//! Height → ambient occlusion: how much of the sky each px sees.
 //!
 //! ```text
 //! A = 1 − 1/N Σ_θ Σ_d W(d)·(sin h(d) − sin h(d′)),  W(d) = 1 − (d/R)²
 //! ```
 //!
-//! over N directions θ and the distances d at which the horizon h rises above what it was at the nearer distance d′;
-//! it begins at the tangent of the surface itself, so that no slope darkens itself. tan h = (height there − here)/d.
+//! over N directions θ and the distances d at which the horizon h rises above its value at the nearer distance d′. The horizon
+//! starts at the tangent of the surface, so a slope does not occlude itself. tan h = (height at d − height here)/d.
 //!
 //! L. Bavoil, M. Sainz, R. Dimitrov, "Image-Space Horizon-Based Ambient Occlusion", SIGGRAPH Talks 2008.
 
@@ -13,21 +13,21 @@ use rayon::prelude::*;
 
 use super::Height;
 
-/// Directions that are looked into. Twice as many change no 8-bit value of the examples by more than 2.
+/// Number of directions. Twice as many change no 8-bit value of the examples by more than 2.
 const DIRECTIONS: usize = 16;
-/// What each distance is multiplied by to give the next, from 1 px on.
-const FARTHER: f64 = 1.35;
+/// Ratio of successive distances, from 1 px on.
+const DISTANCE_RATIO: f64 = 1.35;
 
-/// A place to look at: how many values on it lies, its direction, and its distance, px. It stands on a px, so that its
-/// direction is only near that of its ray.
+/// A sample of a ray: its offset in values, its direction and its distance, px. It is the centre of a px, so its direction is
+/// only near that of the ray.
 struct Sample {
-    on: isize,
-    way: [f32; 2],
+    offset: isize,
+    direction: [f32; 2],
     distance: f32,
     weight: f32,
 }
 
-/// How open each px is, 0..1: 1 = to all of the sky. The rim is `radius` px at least, which is 1 at least.
+/// How much of the sky each px sees, 0..1: 1 = the whole sky. The margin is at least `radius` px, which is at least 1.
 #[must_use]
 pub fn openness(height: &Height, radius: usize) -> Vec<f32> {
     let rays = rays(radius.max(1), height.stride() as isize);
@@ -47,9 +47,9 @@ fn at(h: &[f32], here: usize, rays: &[Vec<Sample>], stride: usize) -> f32 {
     for samples in rays {
         // Above the tangent.
         let mut horizon = 0.0;
-        for Sample { on, way, distance, weight } in samples {
-            let tangent = sine(way[0] * slope[0] + way[1] * slope[1]);
-            let above = sine((h[here.wrapping_add_signed(*on)] - h[here]) / distance) - tangent;
+        for Sample { offset, direction, distance, weight } in samples {
+            let tangent = sine(direction[0] * slope[0] + direction[1] * slope[1]);
+            let above = sine((h[here.wrapping_add_signed(*offset)] - h[here]) / distance) - tangent;
             if above > horizon {
                 covered += weight * (above - horizon);
                 horizon = above;
@@ -64,25 +64,25 @@ fn sine(tangent: f32) -> f32 {
     tangent / (1.0 + tangent * tangent).sqrt()
 }
 
-/// The directions, and where to look in each.
+/// The samples of each direction.
 fn rays(radius: usize, stride: isize) -> Vec<Vec<Sample>> {
     let direction = |k: usize| {
         let angle = std::f64::consts::TAU * (k as f64 + 0.5) / DIRECTIONS as f64;
-        let way = [libm::cos(angle), libm::sin(angle)];
+        let ray = [libm::cos(angle), libm::sin(angle)];
         let mut samples: Vec<Sample> = Vec::new();
         let mut far = 1.0;
         while far <= radius as f64 {
-            let [dx, dy] = way.map(|part| (far * part).round());
+            let [dx, dy] = ray.map(|part| (far * part).round());
             let distance = (dx * dx + dy * dy).sqrt();
-            let on = dy as isize * stride + dx as isize;
+            let offset = dy as isize * stride + dx as isize;
             let nearer = samples.last().map_or(0.0, |sample| f64::from(sample.distance));
             if distance > nearer && distance <= radius as f64 {
                 let share = distance / (radius + 1) as f64;
-                let (way, distance) =
+                let (direction, distance) =
                     ([dx / distance, dy / distance].map(|part| part as f32), distance as f32);
-                samples.push(Sample { on, way, distance, weight: (1.0 - share * share) as f32 });
+                samples.push(Sample { offset, direction, distance, weight: (1.0 - share * share) as f32 });
             }
-            far = (far * FARTHER).max(far + 1.0);
+            far = (far * DISTANCE_RATIO).max(far + 1.0);
         }
         samples
     };
@@ -96,7 +96,7 @@ mod tests {
 
     fn open(f: impl Fn(f64, f64) -> f64, edges: Edges, radius: usize) -> Vec<f32> {
         let field = Field::from_fn([48, 40], [1.0; 2], edges, |[x, y]| f(x, y) as f32);
-        openness(&Height::of(&field, radius), radius)
+        openness(&Height::from_field(&field, radius), radius)
     }
 
     #[test]

@@ -1,12 +1,12 @@
-//! What a material is made of: how high and how rough the ground and the marks of each layer are.
+//! Height and roughness of a material: of the ground and of the marks of each layer.
 
 /// Height and roughness of a material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
-    /// How far the middle of a mark stands above the ground, px, by layer; negative for hollows. The last holds for all
+    /// Height of the middle of a mark above the ground, px, for each layer; negative for hollows. The last value holds for all
     /// further layers.
     pub relief: Vec<f64>,
-    /// Roughness of the ground, then of the marks of each layer, 0 = a mirror, 1 = chalk. The last holds for all further
+    /// Roughness of the ground, then of the marks of each layer, 0 = mirror, 1 = chalk. The last value holds for all further
     /// layers.
     pub roughness: Vec<f64>,
 }
@@ -18,34 +18,35 @@ impl Default for Surface {
     }
 }
 
-/// Pattern → share of the px that belongs to the marks of each layer, 0..1, in place; all layers the same number of px.
+/// Replaces patterns by the share of each px that belongs to the marks of each layer, 0..1. All layers have the same number of
+/// px.
 ///
-/// A layer keeps what the layers beneath have left: with P the largest share beneath, pₖ becomes pₖ·w(P),
-/// w(P) = 1 − `shoulder`(4P − 1): 1 up to P = ¼, 0 from ½ (a mark's edge) on, without a kink between. So no map has a
-/// step where a frozen mark ends.
+/// A layer gets what the layers beneath leave free: with P the largest share beneath, pₖ becomes pₖ·w(P),
+/// w(P) = 1 − `smoothstep`(4P − 1): 1 up to P = ¼, 0 from ½ (a mark's edge) on, smooth between. So no map has a step where a
+/// frozen mark ends.
 pub fn shares(patterns: &mut [Vec<f32>]) {
     let px = patterns.first().map_or(0, Vec::len);
     for i in 0..px {
         let mut beneath = 0.0_f32;
         for pattern in &mut *patterns {
-            let left = 1.0 - shoulder(4.0 * beneath - 1.0);
+            let left = 1.0 - smoothstep(4.0 * beneath - 1.0);
             pattern[i] = pattern[i].clamp(0.0, 1.0) * left;
             beneath = beneath.max(pattern[i]);
         }
     }
 }
 
-/// S(s) = s²(3 − 2s): 0 and 1 stay, and it is level at both.
+/// S(s) = s²(3 − 2s), with S′ = 0 at 0 and at 1.
 ///
-/// Patterns are cut off at 0 and at 1. A height in proportion to them has a crease there, which light shows as a ring
-/// about a mark's foot and its top; S has none.
-fn shoulder(share: f32) -> f32 {
+/// Patterns are clipped at 0 and 1. A height proportional to them would have a crease there, which light shows as a ring around
+/// a mark's foot and top.
+fn smoothstep(share: f32) -> f32 {
     let share = share.clamp(0.0, 1.0);
     share * share * (3.0 - 2.0 * share)
 }
 
 impl Surface {
-    /// px from the lowest to the highest that `layers` layers can reach, about the ground at 0.
+    /// The lowest and the highest height that `layers` layers can reach, px; the ground is at 0.
     #[must_use]
     pub fn range(&self, layers: usize) -> [f64; 2] {
         let reliefs = (0..layers).map(|layer| by_layer(&self.relief, layer));
@@ -56,20 +57,20 @@ impl Surface {
     /// are round.
     #[must_use]
     pub fn height(&self, shares: &[Vec<f32>]) -> Vec<f32> {
-        sum(shares, 0.0, &|layer| by_layer(&self.relief, layer) as f32, shoulder)
+        sum(shares, 0.0, &|layer| by_layer(&self.relief, layer) as f32, smoothstep)
     }
 
     /// Roughness of each px: r₀ + Σ shareₖ(rₖ − r₀).
     #[must_use]
     pub fn roughness(&self, shares: &[Vec<f32>]) -> Vec<f32> {
         let (ground, marks) = self.roughness.split_first().map_or((0.8, &[][..]), |(g, m)| (*g, m));
-        let of = |layer| if marks.is_empty() { ground } else { by_layer(marks, layer) };
-        sum(shares, ground as f32, &|layer| (of(layer) - ground) as f32, |share| share)
+        let rough = |layer| if marks.is_empty() { ground } else { by_layer(marks, layer) };
+        sum(shares, ground as f32, &|layer| (rough(layer) - ground) as f32, |share| share)
     }
 
-    /// `height` as a picture holds it: 0 = the lowest that can be, 1 = the highest; ½ everywhere where all is flat.
+    /// `height` as a picture value: 0 = the lowest possible, 1 = the highest possible; ½ if the surface is flat.
     #[must_use]
-    pub fn levelled(&self, height: f32, layers: usize) -> f32 {
+    pub fn normalised(&self, height: f32, layers: usize) -> f32 {
         let [low, high] = self.range(layers);
         if high > low { ((f64::from(height) - low) / (high - low)) as f32 } else { 0.5 }
     }
@@ -98,7 +99,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_layer_keeps_what_those_beneath_have_left() {
+    fn a_layer_gets_what_the_layers_beneath_leave_free() {
         let mut patterns = vec![vec![0.0, 0.2, 0.375, 0.5, 1.0], vec![0.8; 5]];
         shares(&mut patterns);
         assert_eq!(patterns[0], [0.0, 0.2, 0.375, 0.5, 1.0]);
@@ -132,9 +133,9 @@ mod tests {
             rough.iter().zip([0.9, 0.5, 0.1, 0.7]).all(|(a, b): (&f32, f32)| (a - b).abs() < 1e-6),
             "{rough:?}"
         );
-        assert_eq!([-2.0, 0.0, 4.0].map(|height| surface.levelled(height, 2)), [0.0, 1.0 / 3.0, 1.0]);
+        assert_eq!([-2.0, 0.0, 4.0].map(|height| surface.normalised(height, 2)), [0.0, 1.0 / 3.0, 1.0]);
         assert_eq!(surface.range(5), [-2.0, 4.0]);
         let flat = Surface { relief: vec![0.0], ..surface };
-        assert_eq!(flat.levelled(0.0, 1), 0.5);
+        assert_eq!(flat.normalised(0.0, 1), 0.5);
     }
 }

@@ -1,4 +1,4 @@
-//! Animated PNG: acTL says how many frames, fcTL how long each is seen.
+//! Animated PNG: the acTL chunk gives the number of frames, fcTL chunks their durations.
 //!
 //! PNG Specification, third edition (W3C), 11.3.6 "Animation".
 
@@ -9,15 +9,13 @@ use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, Filter, Srgb
 use super::{Film, Show};
 use crate::export::Stopped;
 
-/// Writes the frames that `play` shows.
+/// Writes the frames that `play` passes to its argument.
 pub fn write(
     out: impl Write,
     film: &Film,
     play: impl FnOnce(Show) -> Result<(), Stopped>,
 ) -> Result<(), Stopped> {
-    let count = |n: usize| {
-        u32::try_from(n).map_err(|_| io::Error::other(format!("{n} are more than a PNG can hold")))
-    };
+    let count = |n: usize| u32::try_from(n).map_err(|_| io::Error::other(format!("a PNG cannot hold {n}")));
     let mut encoder = Encoder::new(out, count(film.size[0])?, count(film.size[1])?);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);

@@ -1,4 +1,4 @@
-//! A folder of PNG: `frame-0001.png`, …
+//! A folder of PNG files: `frame-0001.png`, …
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -10,10 +10,10 @@ use super::{Film, PreparedFilm, Show};
 use crate::export::save::{explain, folder_of};
 use crate::export::{ExportError, Stopped, check_file, png, stale_files};
 
-/// Looks whether a folder can have this name: nothing has it yet, or an empty folder.
+/// Checks whether frames can be written into a folder `path`: it must not exist, or be an empty folder.
 ///
 /// # Errors
-/// What is wrong with the path, and the remedy.
+/// The problem with the path, and the remedy.
 pub fn check(path: &Path) -> Result<(), ExportError> {
     if !path.is_dir() {
         check_file(path)?;
@@ -33,7 +33,7 @@ pub fn check(path: &Path) -> Result<(), ExportError> {
     }
 }
 
-/// Writes the frames that `play` shows into a folder beside `path`.
+/// Writes the frames that `play` passes to its argument into a temporary folder beside `path`.
 pub fn write(
     path: &Path,
     film: &Film,
@@ -58,12 +58,12 @@ pub fn write(
     }
 }
 
-/// Gives the folder its name.
+/// Renames the folder to its final name.
 pub fn keep(beside: TempDir, target: &Path) -> Result<(), ExportError> {
-    // Takes the place of an empty folder, where it may.
+    // Replaces an empty folder, if permitted.
     let _ = fs::remove_dir(target);
     fs::rename(beside.path(), target).map_err(|source| explain(target, &folder_of(target), source))?;
-    // It lies elsewhere now.
+    // It has been moved: nothing is left to delete.
     let _ = beside.keep();
     Ok(())
 }

@@ -1,6 +1,6 @@
-//! GIF 89a: one palette for all frames, and of each frame only what changes.
+//! GIF 89a: one palette for all frames; each frame holds only the px that change.
 //!
-//! CompuServe, "Graphics Interchange Format, version 89a" (1990); Netscape's extension repeats.
+//! CompuServe, "Graphics Interchange Format, version 89a" (1990); repetition by Netscape's extension.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -11,18 +11,17 @@ use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 use super::{COLOURS, Film, Show};
 use crate::export::Stopped;
 
-/// The index that says that a px stays as it is.
-const STAYS: u8 = COLOURS as u8;
+/// The index of an unchanged px.
+const UNCHANGED: u8 = COLOURS as u8;
 
-/// Writes the frames that `play` shows.
+/// Writes the frames that `play` passes to its argument.
 pub fn write(
     out: impl Write,
     film: &Film,
     play: impl FnOnce(Show) -> Result<(), Stopped>,
 ) -> Result<(), Stopped> {
     let side = |px: usize| {
-        u16::try_from(px)
-            .map_err(|_| io::Error::other(format!("{px} px a side are more than a GIF can hold")))
+        u16::try_from(px).map_err(|_| io::Error::other(format!("a GIF cannot hold a side of {px} px")))
     };
     let [width, height] = [side(film.size[0])?, side(film.size[1])?];
     let mut colours = Colours::new(&film.palette);
@@ -36,14 +35,14 @@ pub fn write(
         let (at, size) = changed(&before, &now, film.size);
         let px = |x: usize, y: usize| {
             let i = y * film.size[0] + x;
-            if before.get(i) == Some(&now[i]) { STAYS } else { now[i] }
+            if before.get(i) == Some(&now[i]) { UNCHANGED } else { now[i] }
         };
         let part = (at[1]..at[1] + size[1]).flat_map(|y| (at[0]..at[0] + size[0]).map(move |x| (x, y)));
         let part: Vec<u8> = part.map(|(x, y)| px(x, y)).collect();
         let frame = Frame {
             delay: film.hundredths(index),
             dispose: DisposalMethod::Keep,
-            transparent: Some(STAYS),
+            transparent: Some(UNCHANGED),
             left: at[0] as u16,
             top: at[1] as u16,
             width: size[0] as u16,
@@ -59,7 +58,7 @@ pub fn write(
     Ok(())
 }
 
-/// The smallest rectangle with all px that differ, its corner and its size; a px where none does.
+/// Corner and size of the smallest rectangle with all px that differ; a single px if none does.
 fn changed(before: &[u8], now: &[u8], [width, height]: [usize; 2]) -> ([usize; 2], [usize; 2]) {
     if before.len() != now.len() {
         return ([0, 0], [width, height]);
@@ -73,19 +72,19 @@ fn changed(before: &[u8], now: &[u8], [width, height]: [usize; 2]) -> ([usize; 2
     if high == [0, 0] { ([0, 0], [1, 1]) } else { (low, [high[0] - low[0], high[1] - low[1]]) }
 }
 
-/// The palette, and which of its colours is nearest to each that was asked for.
+/// The palette, and the nearest palette index of each colour found so far.
 struct Colours {
     palette: Vec<[u8; 3]>,
-    known: HashMap<[u8; 3], u8>,
+    found: HashMap<[u8; 3], u8>,
 }
 
 impl Colours {
     fn new(palette: &[[u8; 3]]) -> Self {
         let palette = palette.iter().copied().take(COLOURS).collect();
-        Self { palette, known: HashMap::new() }
+        Self { palette, found: HashMap::new() }
     }
 
-    /// All 256 of a file.
+    /// All 256 entries of the file's colour table.
     fn table(&self) -> Vec<u8> {
         let mut table = self.palette.concat();
         table.resize(3 * 256, 0);
@@ -94,9 +93,9 @@ impl Colours {
 
     fn nearest(&mut self, colour: [u8; 3]) -> u8 {
         let palette = &self.palette;
-        *self.known.entry(colour).or_insert_with(|| {
+        *self.found.entry(colour).or_insert_with(|| {
             let far = |other: &[u8; 3]| {
-                // Green is seen best and blue least.
+                // The eye is most sensitive to green and least to blue.
                 let parts = [0, 1, 2].map(|i| i32::from(other[i]) - i32::from(colour[i]));
                 3 * parts[0] * parts[0] + 6 * parts[1] * parts[1] + parts[2] * parts[2]
             };
@@ -128,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn a_colour_that_is_there_stays() {
+    fn a_colour_of_the_palette_is_kept() {
         let palette: Vec<[u8; 3]> = (0..255).map(|k| [k, 255 - k, k / 2]).collect();
         let mut colours = Colours::new(&palette);
         for (index, colour) in palette.iter().enumerate() {

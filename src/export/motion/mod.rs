@@ -1,4 +1,4 @@
-//! Frames → a film: GIF, APNG, or a folder of PNG. One frame is held at a time.
+//! Frames → a film: GIF, APNG or a folder of PNG files. One frame is held at a time.
 
 mod apng;
 mod folder;
@@ -11,15 +11,15 @@ use tempfile::TempDir;
 
 use super::{ExportError, Prepared, Stopped, check_file, has_ending, prepare};
 
-/// The endings of films in one file.
+/// The file name endings of films.
 pub const FORMATS: [&str; 3] = ["gif", "png", "apng"];
-/// Colours that a GIF has: one of 256 says that a px stays.
+/// Colours in a GIF: one of the 256 indices means an unchanged px.
 pub const COLOURS: usize = 255;
 
-/// How a film is written.
+/// The format of a film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Graphics Interchange Format, version 89a: 255 colours for all frames, times in hundredths of a second.
+    /// Graphics Interchange Format, version 89a: 255 colours for all frames, durations in hundredths of a second.
     Gif,
     /// Animated PNG (PNG Specification, third edition): all colours.
     Apng,
@@ -28,11 +28,11 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// What the name of a film says: .gif, .png or .apng; without an ending, a folder.
+    /// The format of a path: by the ending .gif, .png or .apng; a folder if it has no ending.
     ///
     /// # Errors
-    /// Another ending; what is wrong with the path, and the remedy.
-    pub fn of(path: &Path) -> Result<Self, ExportError> {
+    /// Another ending; the problem with the path, and the remedy.
+    pub fn from_path(path: &Path) -> Result<Self, ExportError> {
         if path.extension().is_none() {
             return folder::check(path).map(|()| Self::Folder);
         }
@@ -42,59 +42,59 @@ impl Kind {
     }
 }
 
-/// What is told about a film before its first frame.
+/// The properties of a film.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
     /// Width and height of a frame, px; at most 65,535 in a GIF.
     pub size: [usize; 2],
-    /// How many frames.
+    /// Number of frames.
     pub frames: usize,
     /// Frames a second, 1..1000.
     pub fps: u16,
-    /// Seconds that the last frame stays before it begins again.
+    /// Extra seconds for the last frame before the film repeats.
     pub hold: f64,
-    /// Whether it stays at the last frame for good instead of beginning again.
+    /// Whether it stops at the last frame instead of repeating.
     pub once: bool,
-    /// Up to [`COLOURS`] colours of a GIF.
+    /// Up to [`COLOURS`] colours, for a GIF.
     pub palette: Vec<[u8; 3]>,
 }
 
 impl Film {
-    /// Hundredths of a second that frame `index` is seen. Rounding does not add up.
+    /// Duration of frame `index` in hundredths of a second. Rounding errors do not accumulate.
     fn hundredths(&self, index: usize) -> u16 {
         let begins = |frame: usize| (100.0 * frame as f64 / f64::from(self.fps)).round();
         let shown = begins(index + 1) - begins(index);
         let held = if index + 1 == self.frames { 100.0 * self.hold } else { 0.0 };
-        // A GIF cannot wait for longer.
+        // The longest duration in a GIF.
         (shown + held).round().min(65_535.0) as u16
     }
 }
 
-/// Takes a frame: red, green, blue a px.
+/// Receives a frame: red, green, blue for each px.
 pub type Show<'a> = &'a mut dyn FnMut(&[u8]) -> Result<(), Stopped>;
 
-/// A film that is written but does not have its name yet. Dropped, it is gone.
+/// A complete film under a temporary name. Dropping it deletes it.
 #[derive(Debug)]
-#[must_use = "the film goes unless it is kept"]
+#[must_use = "the film is deleted unless it is kept"]
 pub enum PreparedFilm {
     /// In one file.
     File(Prepared),
     /// In a folder.
     Folder {
-        /// Where it lies.
+        /// The temporary folder.
         beside: TempDir,
-        /// Where it is to lie.
+        /// Its final path.
         target: PathBuf,
-        /// Nobody takes it away while this is held.
+        /// Other processes do not remove the folder while this lock is held.
         _lock: Option<File>,
     },
 }
 
 impl PreparedFilm {
-    /// Gives it its name.
+    /// Renames the film to its final name.
     ///
     /// # Errors
-    /// What went wrong, with the file's name and the remedy.
+    /// The problem, with the file's name and the remedy.
     pub fn keep(self) -> Result<(), ExportError> {
         match self {
             Self::File(file) => file.keep(),
@@ -103,10 +103,10 @@ impl PreparedFilm {
     }
 }
 
-/// Writes a film to `path`: `play` shows all its frames, one after the other.
+/// Writes a film to `path`: `play` passes all its frames, one after the other, to its argument.
 ///
 /// # Errors
-/// What went wrong, with the file's name and the remedy; what `play` fails with.
+/// The problem, with the file's name and the remedy; the error of `play`.
 pub fn write(
     path: &Path,
     kind: Kind,
@@ -125,7 +125,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rounding_to_hundredths_does_not_add_up() {
+    fn rounding_errors_do_not_accumulate() {
         let film = Film { size: [1, 1], frames: 31, fps: 30, hold: 2.0, once: false, palette: vec![] };
         let shown: Vec<u16> = (0..30).map(|frame| film.hundredths(frame)).collect();
         assert_eq!((shown[0], shown[1], shown.iter().sum::<u16>()), (3, 4, 100));

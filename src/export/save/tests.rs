@@ -9,12 +9,12 @@ fn names_in(folder: &Path) -> Vec<String> {
     names
 }
 
-fn write_new(stream: &mut Begun) -> Result<(), Stopped> {
+fn write_new(stream: &mut Unfinished) -> Result<(), Stopped> {
     Ok(stream.write_all(b"new")?)
 }
 
 #[test]
-fn a_file_is_made_and_replaced_whole() {
+fn a_file_is_created_and_replaced() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.png");
     save(&path, |stream| Ok(stream.write_all(b"old and longer")?)).unwrap();
@@ -40,7 +40,7 @@ fn a_writer_that_fails_or_is_cancelled_leaves_everything_as_it_was() {
     assert!(fail(|| Stopped::Cancelled).ends_with("a.png' was not written: cancelled"));
     assert!(
         fail(|| io::Error::from(io::ErrorKind::StorageFull).into())
-            .contains("a.png': the disk is full; make room")
+            .contains("a.png': the disk is full; free some space")
     );
     assert!(
         fail(|| io::Error::from(io::ErrorKind::PermissionDenied).into())
@@ -52,7 +52,7 @@ fn a_writer_that_fails_or_is_cancelled_leaves_everything_as_it_was() {
 }
 
 #[test]
-fn paths_that_cannot_be_written_are_told_with_the_remedy() {
+fn paths_that_cannot_be_written_give_an_error_with_the_remedy() {
     let folder = tempfile::tempdir().unwrap();
     let told = |name: &str| {
         let path = folder.path().join(name);
@@ -65,33 +65,33 @@ fn paths_that_cannot_be_written_are_told_with_the_remedy() {
         assert_eq!(late, Err(early.clone()));
         early
     };
-    assert!(same("no/a.png").ends_with("no'; make it first, or choose another"));
+    assert!(same("no/a.png").ends_with("no' does not exist; create it first, or choose another"));
     fs::create_dir(folder.path().join("sub.png")).unwrap();
     assert!(same("sub.png").contains("sub.png': it is a folder; name a file in it, such as"));
     fs::write(folder.path().join("file"), "").unwrap();
-    assert!(same("file/a.png").contains("there is no folder"));
+    assert!(same("file/a.png").contains("does not exist; create it first"));
     assert!(same("..").contains("it is a folder"));
     let locked = folder.path().join("locked.png");
     fs::write(&locked, "old").unwrap();
     let mut permissions = fs::metadata(&locked).unwrap().permissions();
     permissions.set_readonly(true);
     fs::set_permissions(&locked, permissions).unwrap();
-    assert!(same("locked.png").contains("the file is there and read-only; make it writable"));
+    assert!(same("locked.png").contains("the file exists and is read-only; make it writable"));
     assert_eq!(fs::read(&locked).unwrap(), b"old");
     assert_eq!(names_in(folder.path()), ["file", "locked.png", "sub.png"]);
 }
 
 #[test]
-fn only_known_endings_are_taken() {
+fn only_known_endings_are_allowed() {
     let told = |path: &str| check_target(Path::new(path)).map_err(|error| error.to_string());
     assert_eq!(told("a.png"), Ok(()));
     assert_eq!(told("A.PNG"), Ok(()));
     assert_eq!(["a.tif", "a.TIFF", "a.exr", "a.jpg", "a.jpeg", "a.WebP"].map(told), [const { Ok(()) }; 6]);
-    let gif = "cannot write 'a.gif': its name ends in .gif, which is no format that dapple writes here; allowed: .png, .tif, .tiff, .exr, .jpg, .jpeg, .webp";
+    let gif = "cannot write 'a.gif': its name ends in .gif, which is not a format that dapple writes here; allowed: .png, .tif, .tiff, .exr, .jpg, .jpeg, .webp";
     assert_eq!(told("a.gif"), Err(gif.to_owned()));
     let lossy = check_content(Path::new("a.jpg"), Content::Labels).unwrap_err().to_string();
     assert!(lossy.contains("JPEG") && lossy.ends_with("allowed: .png, .tif, .tiff"), "{lossy}");
-    let none = "cannot write 'png': its name has no ending that says in which format; allowed: .png, .tif, .tiff, .exr, .jpg, .jpeg, .webp";
+    let none = "cannot write 'png': its name has no ending that names the format; allowed: .png, .tif, .tiff, .exr, .jpg, .jpeg, .webp";
     assert_eq!(told("png"), Err(none.to_owned()));
     assert!(told("").is_err());
 }

@@ -12,7 +12,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::document::Document;
-use crate::export::{Stopped, shrink};
+use crate::export::{Stopped, downscale};
 use crate::synth::grow::cascade::grow_seen;
 use crate::synth::grow::layer::{GrowError, Grown};
 use crate::synth::grow::snapshot::Snapshot;
@@ -218,7 +218,7 @@ pub(crate) fn painted<'a>(
         return paint(size).rgb();
     }
     let fine = size.map(|side| side * finer);
-    shrink(&paint(fine).rgb(), fine, size)
+    downscale(&paint(fine).rgb(), fine, size)
 }
 
 /// Times finer at most that a small picture is painted.

@@ -209,7 +209,7 @@ impl Style {
         if channel == Channel::Texture && self.deep && !format.is_deep() && format != Format::Exr {
             return Err(cannot("16-bit colours", ".png, .tif; .exr has 32"));
         }
-        if size.iter().any(|side| *side > format.longest()) {
+        if size.iter().any(|side| *side > format.max_side()) {
             return Err(ExportError::TooWide { path: path.to_owned(), size, format });
         }
         Ok(format)

@@ -2,7 +2,7 @@
 
 use dapple::document::{in_stream, limits};
 use dapple::internals::export::png::{Header, Samples, write};
-use dapple::internals::export::texts::SIGNATURE;
+use dapple::internals::export::png_text::SIGNATURE;
 use std::io::Cursor;
 
 use crate::kept::comes_back;

@@ -28,7 +28,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) {
         named(ui, "Format", "Numbers are only written where nothing is lost");
         let formats = FORMATS.map(|format| (format, format.name().to_owned()));
         let content = choices.picture.content();
-        one_of(ui, "Format", &mut choices.picture.format, &formats, |format| format.shows(content));
+        one_of(ui, "Format", &mut choices.picture.format, &formats, |format| format.holds(content));
         ui.end_row();
         size(ui, choices, about);
         if choices.picture.shows == Shows::Texture {

@@ -165,7 +165,7 @@ impl Work<'_> {
                 Map::Opacity => painted.opacity(self.colours, bytes),
                 Map::Height => {
                     for (two, height) in bytes.chunks_exact_mut(2).zip(&heights[inner.clone()]) {
-                        two.copy_from_slice(&to_u16(self.surface.levelled(*height, layers)).to_be_bytes());
+                        two.copy_from_slice(&to_u16(self.surface.normalised(*height, layers)).to_be_bytes());
                     }
                 }
                 Map::NormalGl => self.encode(&normals, Green::Up, bytes),

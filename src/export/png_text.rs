@@ -1,4 +1,4 @@
-//! The texts in a PNG (iTXt), without looking at its px.
+//! The texts in a PNG (iTXt chunks), read without decoding its px.
 
 use std::io::{BufRead, Seek};
 
@@ -12,11 +12,11 @@ pub const SIGNATURE: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
 #[error("it is not a whole PNG: {0}")]
 pub struct Damaged(String);
 
-/// The text that stands under `key`, before the px or after them, where some programs put it. `None` where there is none.
-/// A text takes `longest` bytes at most.
+/// The text with this `key`, or `None`. It may be stored before the px or, as some programs do, after them.
+/// A text has at most `longest` bytes.
 ///
 /// # Errors
-/// Where it is no PNG, or a damaged one.
+/// It is not a PNG, or a damaged one.
 pub fn read(from: impl BufRead + Seek, key: &str, longest: u64) -> Result<Option<String>, Damaged> {
     let damaged = |error: DecodingError| Damaged(error.to_string());
     let longest = usize::try_from(longest).unwrap_or(usize::MAX);
@@ -58,7 +58,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_comes_back_by_its_key() {
+    fn a_text_is_found_by_its_key() {
         let texts = [("other", "no".to_owned()), (KEY, "{\"name\": \"Flußpferd 🦛\"}\n".to_owned())];
         assert_eq!(text(&picture(&texts)).unwrap(), Some(texts[1].1.clone()));
         assert_eq!(text(&picture(&texts[..1])).unwrap(), None);
@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn damage_is_told() {
+    fn a_damaged_file_is_an_error() {
         let whole = picture(&[(KEY, "text".to_owned())]);
         assert!(text(b"JPEG").is_err());
         assert!(text(&whole[..40]).is_err());
