@@ -135,7 +135,7 @@ fn what_cannot_be_is_refused_before_anything_grows() {
     refused(&[&file], &output, &["--seeds", "0"], 2, &["--seeds", "1 to 1000"]);
     refused(&[&file], &output, &["--thumb", "8"], 2, &["--thumb", "32"]);
     refused(&[&file], &output, &["--thumb", "4096", "--seeds", "900"], 2, &["px", "--thumb"]);
-    refused(&[&file], &folder.path().join("no/sheet.png"), &[], 1, &["no folder"]);
+    refused(&[&file], &folder.path().join("no/sheet.png"), &[], 1, &["does not exist"]);
     refused(&[&file], &output.with_extension("gif"), &[], 1, &[".png"]);
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "only the document is there");
 }

@@ -4,17 +4,17 @@
 //!
 //! x(t) = 3(1 − t)²t·x₁ + 3(1 − t)t²·x₂ + t³, and y(t) likewise.
 //!
-//! With x₁ and x₂ in 0..1, x grows with t, so that each x has one t and one y.
+//! With x₁ and x₂ in 0..1, x increases with t, so each x has exactly one t and one y.
 //!
 //! CSS Easing Functions Level 1, § 2.2 (W3C).
 
-/// The way from one stop to the next: `[x1, y1, x2, y2]`.
+/// The easing from one stop to the next: `[x1, y1, x2, y2]`.
 ///
-/// `x1` and `x2` lie in 0..1; `y1` and `y2` may lie outside, then the way overshoots.
+/// `x1` and `x2` are in 0..1; `y1` and `y2` may be outside, then the colour overshoots.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bend(pub [f64; 4]);
 
-/// A straight way: no easing.
+/// Linear: no easing.
 impl Default for Bend {
     fn default() -> Self {
         Self([0.0, 0.0, 1.0, 1.0])
@@ -22,8 +22,8 @@ impl Default for Bend {
 }
 
 impl Bend {
-    /// How far the colour has gone (0 = at the first stop, 1 = at the second) when the pattern value has
-    /// gone the share `x` of the way. `x` outside 0..1 is taken as the end; a straight bend gives `x` back.
+    /// The share of the second stop's colour (0 = the first stop's colour, 1 = the second's) at the share `x` of the way between
+    /// their values. `x` is clamped to 0..1; a straight bend returns `x`.
     #[must_use]
     pub fn ease(&self, x: f64) -> f64 {
         let [x1, y1, x2, y2] = self.0;
@@ -34,24 +34,24 @@ impl Bend {
         Curve::through(y1, y2).at(Curve::through(x1.clamp(0.0, 1.0), x2.clamp(0.0, 1.0)).solve(x))
     }
 
-    /// Does it lead straight?
+    /// Whether it is linear.
     #[must_use]
     pub fn is_straight(&self) -> bool {
         let [x1, y1, x2, y2] = self.0;
         x1 == y1 && x2 == y2
     }
 
-    /// The same way the other way round.
+    /// The easing in the opposite direction.
     #[must_use]
     pub fn reversed(&self) -> Self {
         let [x1, y1, x2, y2] = self.0;
         Self([1.0 - x2, 1.0 - y2, 1.0 - x1, 1.0 - y1])
     }
 
-    /// The way cut in two where the share `x` of it is gone: two ways that lead through the same colours, if the
-    /// colour at the cut is the one that was there. De Casteljau's construction at the t of `x`, each part brought
-    /// to 0..1 by itself; a part that does not rise at all is straight. Ways that nearly turn back (x₁ far over x₂) have
-    /// parts whose own x₁ or x₂ is outside 0..1: [`Self::ease`] clips them, and the part is a little off.
+    /// Splits the easing at `x` into two that give the same colours, if a stop with the colour at `x` is inserted there.
+    /// De Casteljau's construction at the t of `x`, each part scaled to 0..1; a part of constant value becomes straight. If x₁ is
+    /// much larger than x₂, a part may have an x₁ or x₂ outside 0..1: [`Self::ease`] clamps it, and the part is slightly
+    /// inaccurate.
     #[must_use]
     pub fn split(&self, x: f64) -> [Self; 2] {
         let [x1, y1, x2, y2] = self.0;
@@ -74,17 +74,17 @@ impl Bend {
         })
     }
 
-    /// One way in the place of two that meet at `[x, y]`, both in 0..1: what [`Self::split`] had cut there comes
-    /// back. Where the two do not go over into each other smoothly, it leaves and arrives as they do.
+    /// One easing in place of two that meet at `[x, y]`, both in 0..1; the inverse of [`Self::split`]. If the two do not join
+    /// smoothly, it starts as the first does and ends as the second does.
     #[must_use]
     pub fn joined(&self, next: &Self, [x, y]: [f64; 2]) -> Self {
         if self.is_straight() && next.is_straight() {
             return Self::default();
         }
-        // The cut lies on the line between its two neighbours, at the share t.
+        // The cut divides the line between its two neighbouring handles in the ratio t.
         let (before, after) = (x * (1.0 - self.0[2]), (1.0 - x) * next.0[0]);
         let t = if before + after > 0.0 { before / (before + after) } else { x };
-        // Handles that lie on the cut itself say nothing: no handle grows by more than twenty times.
+        // Handles at the cut itself do not determine t: limit the growth of a handle to a factor of twenty.
         let t = t.clamp(0.05, 0.95);
         let (first, last) =
             (|p: f64, at: f64| p * at / t, |p: f64, at: f64| 1.0 - (1.0 - p) * (1.0 - at) / (1.0 - t));
@@ -119,13 +119,12 @@ impl Curve {
         (3.0 * c3 * t + 2.0 * c2) * t + c1
     }
 
-    /// The t in 0..1 where a growing curve has the value `x`: Newton's steps, and halving wherever such a
-    /// step would leave the bracket (the slope is 0 at an end when x₁ = 0 or x₂ = 1, and inside when both
-    /// x₁ = 1 and x₂ = 0).
+    /// The t in 0..1 at which an increasing curve has the value `x`: Newton's method, with bisection where a step would leave
+    /// the bracket (the slope is 0 at an end if x₁ = 0 or x₂ = 1, and inside if x₁ = 1 and x₂ = 0).
     fn solve(self, x: f64) -> f64 {
-        // 100 halvings alone would shrink the bracket below any f64 step; Newton needs 3 to 6.
+        // 100 bisections alone would shrink the bracket below the resolution of f64; Newton needs 3 to 6 steps.
         const MOST_STEPS: usize = 100;
-        // Two roundings of a number near 1: no closer x can be told apart.
+        // Two rounding errors of a number near 1: smaller differences of x are not significant.
         const NEAR_ENOUGH: f64 = 4.0 * f64::EPSILON;
 
         let [mut low, mut high] = [0.0, 1.0];
@@ -152,8 +151,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The definition itself: Bernstein sums, and halving until nothing is left to halve.
-    fn by_halving([x1, y1, x2, y2]: [f64; 4], x: f64) -> f64 {
+    /// By the definition: Bernstein sums, and bisection to the last bit.
+    fn by_bisection([x1, y1, x2, y2]: [f64; 4], x: f64) -> f64 {
         let bernstein = |p1: f64, p2: f64, t: f64| {
             3.0 * (1.0 - t).powi(2) * t * p1 + 3.0 * (1.0 - t) * t * t * p2 + t.powi(3)
         };
@@ -166,9 +165,9 @@ mod tests {
     }
 
     #[test]
-    fn the_named_easings_of_css_have_their_known_values() {
-        // ease, ease-in, ease-out, ease-in-out at 0.25, 0.5, 0.75: by halving in 50 decimal digits. Browsers
-        // solve to about 1e-6 and show, for the second, 0.80240338774.
+    fn the_named_css_easings_have_their_known_values() {
+        // ease, ease-in, ease-out, ease-in-out at 0.25, 0.5, 0.75: by bisection in 50 decimal digits. Browsers solve to
+        // about 1e-6 and give 0.80240338774 for the second.
         let known = [
             ([0.25, 0.1, 0.25, 1.0], [0.408_510_591_355, 0.802_403_387_585, 0.960_458_978_349]),
             ([0.42, 0.0, 1.0, 1.0], [0.093_464_650_719, 0.315_356_812_573, 0.621_861_869_175]),
@@ -183,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn ends_stay_ends_and_straight_stays_straight() {
+    fn ends_and_straight_bends_are_unchanged() {
         for bend in [[0.0, 5.0, 1.0, -5.0], [1.0, 0.0, 0.0, 1.0], [0.3, 0.3, 0.9, 0.9]] {
             assert_eq!([-1.0, 0.0, 1.0, 2.0].map(|x| Bend(bend).ease(x)), [0.0, 0.0, 1.0, 1.0]);
         }
@@ -196,15 +195,15 @@ mod tests {
         for bend in [[0.0, 0.0, 0.0, 1.0], [1.0, 0.0, 1.0, 1.0], [0.0, 0.3, 1.0, 0.7], [1.0, 0.0, 0.0, 1.0]] {
             for i in 1..1000 {
                 let x = f64::from(i) / 1000.0;
-                let (eased, slow) = (Bend(bend).ease(x), by_halving(bend, x));
-                // In the middle of the last one t moves as the cube root of what x can tell: 1e-5.
+                let (eased, slow) = (Bend(bend).ease(x), by_bisection(bend, x));
+                // In the middle of the last bend, t is only accurate to the cube root of the accuracy of x: 1e-5.
                 assert!((eased - slow).abs() < 3e-5, "{bend:?} at {x}: {eased}, not {slow}");
             }
         }
     }
 
     #[test]
-    fn a_straight_way_stays_straight_when_it_is_cut_and_joined() {
+    fn a_straight_bend_stays_straight_when_split_and_joined() {
         let straight = Bend::default();
         assert_eq!(straight.split(0.3), [straight; 2]);
         assert_eq!(straight.joined(&straight, [0.3, 0.8]), straight);
@@ -213,7 +212,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_way_that_is_cut_leads_through_the_same_values(
+        fn a_split_bend_has_the_same_values(
             x1 in 0.0..=1.0, y1 in 0.0..=1.0, x2 in 0.0..=1.0, y2 in 0.0..=1.0, cut in 0.1..0.9, x in 0.0..=1.0,
         ) {
             let bend = Bend([x1, y1, x2, y2]);
@@ -230,13 +229,13 @@ mod tests {
         }
 
         #[test]
-        fn what_was_cut_is_joined_again(
+        fn joining_is_the_inverse_of_splitting(
             x1 in 0.0..=1.0, y1 in 0.0..=1.0, x2 in 0.0..=1.0, y2 in 0.0..=1.0, cut in 0.2..0.8,
         ) {
             let bend = Bend([x1, y1, x2, y2]);
             let y = bend.ease(cut);
             let [before, after] = bend.split(cut);
-            // Where the curve stands still at the cut, nothing says how it was cut.
+            // Where the curve has no slope at the cut, t is not determined.
             let smooth = cut * (1.0 - before.0[2]) > 1e-3 && (1.0 - cut) * after.0[0] > 1e-3;
             prop_assume!(smooth && (0.02..0.98).contains(&y));
             let joined = before.joined(&after, [cut, y]);
@@ -249,7 +248,7 @@ mod tests {
         }
 
         #[test]
-        fn a_way_back_is_the_way_there_reversed(
+        fn reversing_mirrors_the_easing(
             x1 in 0.0..=1.0, y1 in -1.0..=2.0, x2 in 0.0..=1.0, y2 in -1.0..=2.0, x in 0.0..=1.0,
         ) {
             let bend = Bend([x1, y1, x2, y2]);
@@ -258,11 +257,11 @@ mod tests {
         }
 
         #[test]
-        fn easing_agrees_with_plain_halving(
+        fn easing_agrees_with_bisection(
             x1 in 0.0..=1.0, y1 in -2.0..=3.0, x2 in 0.0..=1.0, y2 in -2.0..=3.0, x in 0.0..=1.0,
         ) {
             let bend = [x1, y1, x2, y2];
-            let (eased, slow) = (Bend(bend).ease(x), by_halving(bend, x));
+            let (eased, slow) = (Bend(bend).ease(x), by_bisection(bend, x));
             prop_assert!((eased - slow).abs() < 1e-4, "{bend:?} at {x}: {eased}, not {slow}");
         }
     }

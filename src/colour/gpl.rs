@@ -1,7 +1,7 @@
 //! GIMP palettes (`.gpl`): colours with names, as text.
 //!
-//! `GIMP Palette`, then `Name: …` and `Columns: …` (both may be missing), then a colour a line: red, green, blue from 0
-//! to 255 and its name. Lines that are empty or begin with `#` say nothing.
+//! `GIMP Palette`, then `Name: …` and `Columns: …` (both optional), then a colour on each line: red, green, blue from 0 to 255
+//! and its name. Empty lines and lines that start with `#` are ignored.
 //!
 //! GIMP developer site, "GIMP Palette Format Version 2".
 
@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 use thiserror::Error;
 
-/// A palette as such a file holds it.
+/// A palette.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Palette {
     /// Its name; may be empty.
@@ -27,34 +27,32 @@ pub struct Swatch {
     pub name: String,
 }
 
-/// Why a text is no GIMP palette.
+/// Why a text is not a GIMP palette.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum GplError {
-    /// It does not begin as one.
-    #[error(
-        "line 1: found {found}; allowed: \"GIMP Palette\"; a palette of another program has to be exported as .gpl"
-    )]
+    /// The first line is wrong.
+    #[error("line 1: found {found}; allowed: \"GIMP Palette\"; export palettes of other programs as .gpl")]
     Beginning {
-        /// What stands there.
+        /// The text found.
         found: String,
     },
-    /// A line that is no colour.
+    /// A line that is not a colour.
     #[error(
         "line {line}: found {found}; allowed: red, green, blue from 0 to 255 and a name, such as \"244 227 193 cream\""
     )]
     Line {
-        /// Line, from 1.
+        /// Line number, from 1.
         line: usize,
-        /// What stands there.
+        /// The text found.
         found: String,
     },
 }
 
 impl Palette {
-    /// The palette in `text`.
+    /// Parses the palette in `text`.
     ///
     /// # Errors
-    /// The first line that does not belong into a palette.
+    /// The first invalid line.
     pub fn parse(text: &str) -> Result<Self, GplError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut lines = text.lines().enumerate();
@@ -65,7 +63,7 @@ impl Palette {
         let mut palette = Self::default();
         for (index, line) in lines {
             let line = line.trim();
-            // Both stand at the head; that they do is not insisted on.
+            // Both are optional and come before the first colour.
             if palette.swatches.is_empty() {
                 if let Some(name) = line.strip_prefix("Name:") {
                     palette.name = name.trim().to_owned();
@@ -83,12 +81,12 @@ impl Palette {
         Ok(palette)
     }
 
-    /// The text of its file. Names stand on their line: what would end it becomes a space.
+    /// The text of its file. Line breaks in names become spaces.
     #[must_use]
     pub fn text(&self) -> String {
-        let mut text = format!("GIMP Palette\nName: {}\nColumns: 0\n#\n", on_a_line(&self.name));
+        let mut text = format!("GIMP Palette\nName: {}\nColumns: 0\n#\n", on_one_line(&self.name));
         for Swatch { colour: [red, green, blue], name } in &self.swatches {
-            let name = on_a_line(name);
+            let name = on_one_line(name);
             // Writing to a text cannot fail.
             let _ = writeln!(text, "{red:3} {green:3} {blue:3}\t{name}");
         }
@@ -108,15 +106,15 @@ fn swatch(line: &str) -> Option<Swatch> {
     Some(Swatch { colour, name: rest.to_owned() })
 }
 
-fn on_a_line(name: &str) -> String {
+fn on_one_line(name: &str) -> String {
     name.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A line as it may stand in a message: short, nothing that would act on a terminal.
+/// A line for messages: shortened, control characters escaped.
 fn shown(line: &str) -> String {
-    const LONGEST: usize = 40;
-    let cut = if line.chars().count() > LONGEST { "…" } else { "" };
-    let line: String = line.chars().take(LONGEST).collect();
+    const MAX_LENGTH: usize = 40;
+    let cut = if line.chars().count() > MAX_LENGTH { "…" } else { "" };
+    let line: String = line.chars().take(MAX_LENGTH).collect();
     format!("\"{}{cut}\"", line.escape_debug())
 }
 
@@ -140,13 +138,13 @@ mod tests {
     }
 
     #[test]
-    fn the_old_form_without_a_head_is_read() {
+    fn the_old_format_without_a_head_is_read() {
         let palette = Palette::parse("GIMP Palette\n1 2 3 ink").unwrap();
         assert_eq!(palette, Palette { name: String::new(), swatches: named(&[("ink", [1, 2, 3])]) });
     }
 
     #[test]
-    fn what_is_wrong_is_named_with_its_line() {
+    fn an_error_gives_the_line_number() {
         let said = |text: &str| Palette::parse(text).unwrap_err().to_string();
         assert!(said("").starts_with("line 1: found \"\"; allowed: \"GIMP Palette\""), "{}", said(""));
         assert!(said("JASC-PAL\n0100").starts_with("line 1: found \"JASC-PAL\""));
@@ -167,8 +165,8 @@ mod tests {
             name in "[a-zA-Z][a-zA-Z ]{0,12}[a-z]",
             swatches in prop::collection::vec((any::<[u8; 3]>(), "[a-zé]{0,4}( [a-z0-9]{1,4})?"), 0..20),
         ) {
-            let name = on_a_line(&name);
-            let swatches = swatches.into_iter().map(|(colour, name)| Swatch { colour, name: on_a_line(&name) });
+            let name = on_one_line(&name);
+            let swatches = swatches.into_iter().map(|(colour, name)| Swatch { colour, name: on_one_line(&name) });
             let palette = Palette { name, swatches: swatches.collect() };
             prop_assert_eq!(Palette::parse(&palette.text()), Ok(palette));
         }

@@ -1,4 +1,4 @@
-//! Gradient: pattern value → colour, exactly and by table.
+//! Gradient: pattern value → colour.
 
 use palette::{FromColor, LinSrgb, Oklab, Srgb};
 use rayon::prelude::*;
@@ -6,83 +6,82 @@ use thiserror::Error;
 
 use super::{Bend, Table};
 
-/// A colour at a place on the way from ground to mark.
+/// A colour at a pattern value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
-    /// The pattern value that has this colour, 0..1 (0 = ground, 0.5 = the mark's edge, 1 = its middle).
+    /// The pattern value with this colour, 0..1 (0 = ground, 0.5 = the mark's edge, 1 = its middle).
     pub at: f32,
     /// Red, green, blue; 8-bit sRGB.
     pub colour: [u8; 3],
 }
 
-/// The colours of one layer: stops in growing order and the ways between them.
+/// The colours of one layer: stops in increasing order and the easings between them.
 ///
-/// Before the first stop and after the last the colour is the stop's. Of two stops at the same place the
-/// later one holds from there on: a hard step. Colours between stops are mixed in OKLab and what sRGB
-/// cannot show is clipped, channel by channel.
+/// Below the first stop and above the last the colour is constant. Two stops at the same value are a hard step: the later one
+/// holds from there on. Between stops, colours are interpolated in OKLab; colours outside of sRGB are clipped channel by channel.
 ///
 /// B. Ottosson, "A perceptual color space for image processing" (2020).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient {
-    /// At least one, `at` never falling. Without any, everything is black.
+    /// At least one, `at` never decreasing. Without stops everything is black.
     pub stops: Vec<Stop>,
-    /// `bends[i]` leads from stop i to stop i + 1; missing ones are straight.
+    /// `bends[i]` is the easing from stop i to stop i + 1; missing ones are linear.
     pub bends: Vec<Bend>,
 }
 
-/// Why a gradient cannot be used.
+/// Why a gradient is invalid.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum GradientError {
-    /// There is no colour at all.
+    /// There are no stops.
     #[error("`stops` is empty; give at least one, such as {{\"at\": 0, \"colour\": \"#f4e3c1\"}}")]
     NoStops,
-    /// A stop beyond the pattern's values.
+    /// A stop outside 0..1.
     #[error(
         "`stops[{stop}].at` is {at}; allowed is 0 to 1 (0 = ground, 0.5 = the mark's edge, 1 = its middle)"
     )]
     StopOutside {
         /// Index into `stops`.
         stop: usize,
-        /// What was given.
+        /// The given value.
         at: f32,
     },
-    /// Stops that do not grow.
+    /// A stop below the one before it.
     #[error(
         "`stops[{stop}].at` is {at}, less than the {before} of the stop before it; sort the stops by `at`"
     )]
     StopsFall {
         /// Index into `stops`.
         stop: usize,
-        /// What was given.
+        /// The given value.
         at: f32,
-        /// The stop before it.
+        /// The value of the stop before it.
         before: f32,
     },
-    /// More ways than gaps.
-    #[error("{bends} `bends` for {stops} `stops`; allowed is at most one a gap, {}", stops - 1)]
+    /// More bends than gaps between stops.
+    #[error("{bends} `bends` for {stops} `stops`; allowed is at most one between two stops, {}", stops - 1)]
     TooManyBends {
-        /// How many bends.
+        /// Number of bends.
         bends: usize,
-        /// How many stops.
+        /// Number of stops.
         stops: usize,
     },
-    /// A bend that is no function, or no number.
+    /// A bend that is not a function, or not finite.
     #[error(
         "`bends[{bend}]` is {value:?}; allowed are x1, y1, x2, y2 as in CSS: x1 and x2 from 0 to 1, y1 and y2 any number"
     )]
     BadBend {
         /// Index into `bends`.
         bend: usize,
-        /// What was given.
+        /// The given value.
         value: [f64; 4],
     },
 }
 
 impl Gradient {
-    /// Whether stops and bends are as they should be.
+    /// Checks stops and bends.
     ///
     /// # Errors
-    /// The first thing that is wrong, by name, value and what is allowed.
+    /// The first problem, with name, value and what is allowed.
     pub fn check(&self) -> Result<(), GradientError> {
         if self.stops.is_empty() {
             return Err(GradientError::NoStops);
@@ -110,23 +109,23 @@ impl Gradient {
         Ok(())
     }
 
-    /// The colour of the pattern value `v`; `v` outside 0..1 is taken as the end, no number as 0.
+    /// The colour of the pattern value `v`, which is clamped to 0..1; NaN counts as 0.
     ///
-    /// For a whole picture take the [`table`](Self::table).
+    /// For a whole picture use the [`table`](Self::table).
     #[must_use]
     pub fn colour(&self, v: f32) -> [u8; 3] {
         self.mix(&self.lab(), v)
     }
 
-    /// The colours of some pattern values: faster than one by one.
+    /// The colours of several pattern values: faster than one by one.
     #[must_use]
     pub fn colours(&self, values: impl IntoIterator<Item = f32>) -> Vec<[u8; 3]> {
         let lab = self.lab();
         values.into_iter().map(|v| self.mix(&lab, v)).collect()
     }
 
-    /// How far along the straight line from stop `from` to stop `to`, in OKLab, the colour of stop `stop` lies: 0..1.
-    /// Between stops of one colour, as far as the stop itself lies between them.
+    /// The position of the colour of stop `stop` on the line from the colour of stop `from` to that of stop `to`, in OKLab, 0..1.
+    /// Between stops of the same colour, the position of the stop's value instead.
     #[must_use]
     pub fn share(&self, from: usize, stop: usize, to: usize) -> f64 {
         let lab = self.lab();
@@ -137,14 +136,14 @@ impl Gradient {
         if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) }
     }
 
-    /// The colours of all 65536 values that a 16-bit picture of a pattern can hold.
+    /// The lookup table of its colours, from a cache if possible.
     #[must_use]
     pub fn table(&self) -> Table {
-        Table::of(self)
+        Table::cached(self)
     }
 
-    /// The same, worked out anew.
-    pub(super) fn worked_out(&self) -> Vec<[u8; 3]> {
+    /// The colours of all 65536 values of a 16-bit picture of a pattern.
+    pub(super) fn computed_table(&self) -> Vec<[u8; 3]> {
         let lab = self.lab();
         (0..=u16::MAX).into_par_iter().map(|i| self.mix(&lab, f32::from(i) / 65535.0)).collect()
     }
@@ -155,7 +154,7 @@ impl Gradient {
         self.stops.iter().map(lab).collect()
     }
 
-    /// The colour of each of the 65536 values that a 16-bit picture of a pattern can hold: red, green, blue, 0..1 each.
+    /// The colours of all 65536 values of a 16-bit picture of a pattern: red, green, blue, 0..1 each.
     pub(super) fn exact(&self) -> Vec<[f64; 3]> {
         let lab = self.lab();
         (0..=u16::MAX).into_par_iter().map(|i| self.srgb(&lab, f32::from(i) / 65535.0)).collect()
@@ -174,15 +173,15 @@ impl Gradient {
             Some(last) if last + 1 == self.stops.len() => own(&self.stops[last]),
             Some(i) => {
                 let [from, to] = [f64::from(self.stops[i].at), f64::from(self.stops[i + 1].at)];
-                let way = (f64::from(v) - from) / (to - from);
-                let t = self.bends.get(i).map_or(way, |bend| bend.ease(way));
+                let share = (f64::from(v) - from) / (to - from);
+                let t = self.bends.get(i).map_or(share, |bend| bend.ease(share));
                 to_srgb(lab[i] + (lab[i + 1] - lab[i]) * t)
             }
         }
     }
 }
 
-/// The nearest colour that sRGB can show, each channel clipped by itself.
+/// OKLab → sRGB, each channel clipped to 0..1.
 fn to_srgb(lab: Oklab<f64>) -> [f64; 3] {
     let (red, green, blue) = Srgb::from_linear(LinSrgb::from_color(lab)).into_components();
     [red, green, blue].map(|channel: f64| channel.clamp(0.0, 1.0))

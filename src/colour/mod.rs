@@ -1,9 +1,9 @@
 //! Field → picture: pattern values to colours.
 //!
-//! A [`Gradient`] says which colour a pattern value has, exactly; its [`Table`] says the same fast, one
-//! entry for each of the 65536 steps that a 16-bit picture of the pattern knows. [`paint()`] looks every px
-//! of every layer up; [`Fine`] does so with more than 8 bit, and with opacity. [`Set`] holds the colours that a document
-//! gets when it names none, [`PRESETS`] those to choose from; [`gpl`] is how other programs keep colours.
+//! A [`Gradient`] computes the exact colour of a pattern value; its [`Table`] is a lookup table with an entry for each of
+//! the 65536 values of a 16-bit picture of the pattern. [`paint()`] colours every px of every layer; [`FineTable`] has more than
+//! 8 bits and opacity. [`Set`] holds the default colours of documents, [`PRESETS`] colours to choose from; [`gpl`] reads and writes
+//! palettes of other programs.
 
 mod bezier;
 pub mod gpl;
@@ -16,7 +16,7 @@ mod table;
 
 pub use bezier::Bend;
 pub use gradient::{Gradient, GradientError, Stop};
-pub use opacity::Fine;
+pub use opacity::FineTable;
 pub use paint::{Painted, paint, paint_rows, painter};
 pub use presets::{Group, Marking, PRESETS, Preset};
 pub use sets::{BY_LAYER, COATS, Set};

@@ -7,12 +7,12 @@ use rayon::prelude::*;
 use super::Table;
 use crate::grid::Field;
 
-/// One layer as the painter sees it.
+/// One layer to paint.
 #[derive(Clone, Copy, Debug)]
 pub struct Painted<'a> {
     /// Its pattern, one value a px of the picture.
     pub pattern: &'a Field,
-    /// Where it was free to grow, one flag a px; `None` = everywhere.
+    /// Where it was free to grow, one flag for each px; `None` = everywhere.
     pub free: Option<&'a [bool]>,
     /// Its colours.
     pub table: &'a Table,
@@ -20,21 +20,20 @@ pub struct Painted<'a> {
     pub visible: bool,
 }
 
-/// Which of the layers paints the px at `y * width + x`: the last visible one that was free to grow there.
-/// `None` where every visible layer had to keep out, as over the marks of a hidden one.
+/// The layer that paints the px at `y * width + x`: the last visible one that was free to grow there.
+/// `None` where no visible layer was free, as over the marks of a hidden one.
 #[must_use]
 pub fn painter(layers: &[Painted], px: usize) -> Option<usize> {
     layers.iter().rposition(|layer| layer.visible && layer.free.is_none_or(|free| free[px]))
 }
 
-/// The whole picture: red, green, blue a px (8-bit sRGB), row by row from the top.
+/// The whole picture: red, green, blue for each px (8-bit sRGB), row by row from the top.
 ///
-/// Each px has the colour of its [`painter`]. Where there is none it has the ground colour of the last
-/// visible layer (the one whose ground is seen around it), without visible layers that of the last layer,
-/// and without layers white.
+/// Each px has the colour of its [`painter`]. A px without one has the ground colour of the last visible layer, or of the last
+/// layer if none is visible, or white if there are no layers.
 ///
 /// # Panics
-/// When a pattern or a `free` holds fewer than `width * height` values.
+/// If a pattern or a `free` holds fewer than `width * height` values.
 #[must_use]
 pub fn paint(layers: &[Painted], width: usize, height: usize) -> Vec<u8> {
     let mut rgb = vec![0; 3 * width * height];
@@ -42,11 +41,11 @@ pub fn paint(layers: &[Painted], width: usize, height: usize) -> Vec<u8> {
     rgb
 }
 
-/// The given rows of the picture that [`paint()`] makes, for pictures that are written band by band.
+/// Paints the given rows of the picture of [`paint()`], for pictures that are written band by band.
 /// `rgb` holds `3 * width` bytes a row. Rows are painted in parallel.
 ///
 /// # Panics
-/// When a pattern or a `free` does not reach to the last of the rows.
+/// If a pattern or a `free` does not reach to the last of the rows.
 pub fn paint_rows(layers: &[Painted], width: usize, rows: Range<usize>, rgb: &mut [u8]) {
     if width == 0 {
         return;
@@ -80,7 +79,7 @@ mod tests {
         Gradient { stops, bends: vec![] }.table()
     }
 
-    /// A letter a px: each layer's table has its ground as a small letter and its mark as a capital one.
+    /// A letter for each px: the ground of a layer is a small letter, its marks are capitals.
     fn letters(rgb: &[u8]) -> String {
         rgb.chunks(3).map(|px| char::from(px[0])).collect()
     }
@@ -110,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn bands_put_together_are_the_picture() {
+    fn bands_together_are_the_picture() {
         let colours = Gradient::default_for_layer(0).table();
         let pattern =
             Field::from_fn([31, 17], [1.0; 2], Edges::Wrap, |[x, y]| ((x * y) % 10.0 / 10.0) as f32);

@@ -1,24 +1,24 @@
 //! Colours to choose from, by animal and by material.
 //!
-//! Where they come from stands with each and is shown with it. No coat was measured: the animals' colours are chosen by
-//! eye, to recall how the coat is described. The bare metals are measured reflectances.
+//! Each has a source that is shown with it. No coat was measured: the animals' colours were chosen by eye from descriptions of
+//! their coats. Bare metals have measured reflectances.
 
 use super::sets::{BY_LAYER, COATS, Set, set};
 
-/// A set to choose.
+/// A colour set to choose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Preset {
-    /// What it recalls, and its colours.
+    /// Its name and colours.
     pub set: Set,
-    /// Among which it stands.
+    /// Its group.
     pub group: Group,
-    /// What it mostly carries, for a small picture of it.
+    /// The usual kind of marks, for its thumbnail.
     pub marking: Marking,
-    /// Where its colours come from.
+    /// The source of its colours.
     pub source: &'static str,
 }
 
-/// Among which presets one stands.
+/// A group of presets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
     /// Coats, skins, wings.
@@ -176,12 +176,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_preset_is_sound_has_a_name_of_its_own_and_a_source() {
+    fn every_preset_is_valid_and_has_its_own_name_and_a_source() {
         for (index, preset) in PRESETS.iter().enumerate() {
             assert_eq!(preset.set.gradient().check(), Ok(()), "{}", preset.set.name);
             assert!(preset.source.ends_with('.') && preset.source.len() > 30, "{}", preset.set.name);
             let twin = PRESETS[..index].iter().any(|other| other.set.name == preset.set.name);
-            assert!(!twin, "{} stands there twice", preset.set.name);
+            assert!(!twin, "{} is there twice", preset.set.name);
         }
     }
 
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_was_measured_claims_to_be() {
+    fn a_source_says_whether_colours_were_measured() {
         for preset in PRESETS {
             let honest = preset.source.contains("Not measured") ^ preset.source.contains("SIGGRAPH");
             assert!(honest, "{}: {}", preset.set.name, preset.source);

@@ -1,16 +1,15 @@
-//! Colours from nature, chosen by eye on grown patterns; none is measured on an animal.
+//! Colours from nature, chosen by eye on grown patterns; none was measured on an animal.
 //!
-//! All are built alike. The ground darkens a little towards the mark, the mark a little towards its middle,
-//! which gives both some body. Between 0.4 and 0.6 an S-bend leads across the mark's edge: half the way at
-//! 0.5, so that the mark looks as large as it is measured, and wide enough that no staircase of px shows
-//! (a spot of radius 5 px passes through these values in about 1 px, one of 20 px in 4).
+//! All have the same structure. The ground darkens slightly towards the mark, and the mark towards its middle. Between 0.4 and
+//! 0.6 an S-shaped easing crosses the mark's edge: halfway at 0.5, so that a mark looks as large as it is measured, and wide
+//! enough to hide the px (a spot of radius 5 px has these values over about 1 px, one of 20 px over 4).
 
 use super::{Bend, Gradient, Stop};
 
-/// A gradient that needs no memory of its own.
+/// A named constant gradient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Set {
-    /// Whose colours they are.
+    /// The animal or material.
     pub name: &'static str,
     /// See [`Gradient::stops`].
     pub stops: [Stop; 4],
@@ -18,10 +17,10 @@ pub struct Set {
     pub bends: [Bend; 2],
 }
 
-/// What a document's layers are painted with when it names no colours: layer k takes `BY_LAYER[k % 6]`.
+/// The default colours of a document's layers: layer k has `BY_LAYER[k % 6]`.
 ///
-/// All have the cheetah's ground, since the last layer paints the ground of the whole canvas: a layer more
-/// must not change it. The marks differ from layer to layer in lightness first, then in hue.
+/// All have the cheetah's ground: the last layer paints the ground of the whole canvas, and adding a layer must not change it.
+/// The marks of different layers differ in lightness first, then in hue.
 pub const BY_LAYER: [Set; 6] = [
     // The cheetah's spots: solid, near black, brown in the sun.
     set("cheetah", CREAM, [0x54331d, 0x2a180e]),
@@ -37,7 +36,7 @@ pub const BY_LAYER: [Set; 6] = [
     set("genet", CREAM, [0x8a7c6c, 0x655849]),
 ];
 
-/// Whole coats, each with a ground of its own: for documents of one layer.
+/// Whole coats with their own grounds, for documents with one layer.
 pub const COATS: [Set; 7] = [
     // Plains zebra: off-white, and black that is brown in the light.
     set("zebra", [0xf7f2e8, 0xeae1d1], [0x2b2320, 0x120e0d]),
@@ -69,7 +68,7 @@ const fn stop(at: f32, rgb: u32) -> Stop {
 }
 
 impl Set {
-    /// The set as a gradient.
+    /// The gradient of the set.
     #[must_use]
     pub fn gradient(&self) -> Gradient {
         Gradient { stops: self.stops.to_vec(), bends: self.bends.to_vec() }
@@ -77,7 +76,7 @@ impl Set {
 }
 
 impl Gradient {
-    /// The colours of the layer with this index (0 = the first) where the document gives none.
+    /// The default colours of the layer with this index (0 = the first).
     #[must_use]
     pub fn default_for_layer(layer: usize) -> Self {
         BY_LAYER[layer % BY_LAYER.len()].gradient()
@@ -88,13 +87,13 @@ impl Gradient {
 mod tests {
     use super::*;
 
-    /// Perceived lightness, roughly: the eye's weights on gray.
+    /// Approximate perceived lightness.
     fn lightness([red, green, blue]: [u8; 3]) -> f64 {
         0.2126 * f64::from(red) + 0.7152 * f64::from(green) + 0.0722 * f64::from(blue)
     }
 
     #[test]
-    fn every_set_is_sound_and_its_marks_stand_out() {
+    fn every_set_is_valid_and_has_contrast() {
         for set in BY_LAYER.iter().chain(&COATS) {
             let gradient = set.gradient();
             assert_eq!(gradient.check(), Ok(()), "{}", set.name);
@@ -104,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn the_edge_of_a_mark_looks_halfway_between_ground_and_mark() {
+    fn the_edge_of_a_mark_is_halfway_between_ground_and_mark() {
         for set in BY_LAYER.iter().chain(&COATS) {
             let [_, outside, inside, _] = set.stops;
             let straight = Gradient { stops: vec![outside, inside], bends: vec![] };
@@ -113,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_layer_more_does_not_change_the_ground() {
+    fn another_layer_does_not_change_the_ground() {
         for layer in 1..12 {
             let [first, later] = [0, layer].map(|k| Gradient::default_for_layer(k).colour(0.0));
             assert_eq!(first, later, "layer {layer}");

@@ -1,4 +1,4 @@
-//! A gradient by look-up.
+//! Lookup tables of gradients.
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -6,34 +6,33 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::Gradient;
 use crate::grid::to_u16;
 
-/// A gradient by look-up: one colour for each 16-bit step of the pattern.
+/// The lookup table of a gradient: one colour for each 16-bit value of the pattern.
 ///
-/// A value is first brought to the nearest step, as `--pattern` writes it, so that the picture is a
-/// function of the written pattern; at the steps the colours are the gradient's own.
+/// A value is first rounded to 16 bits, as `--pattern` writes it, so the picture is a function of the written pattern. At these
+/// values the colours are exactly those of the gradient.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     colours: Arc<Vec<[u8; 3]>>,
 }
 
-/// The tables that were worked out last, the newest at the end. Who paints a growth moment by moment asks for the same ones
-/// hundreds of times, and to work one out takes longer than to paint a small picture: a film of 150² px took 24 s without
-/// this and takes 1 s.
-static LAST: Mutex<VecDeque<(Gradient, Table)>> = Mutex::new(VecDeque::new());
-/// More than the layers of most documents; 200 kB each.
-const KEPT: usize = 32;
+/// The most recent tables, the newest last. A film uses the same tables for hundreds of frames, and computing one takes longer
+/// than painting a small picture: a film of 150² px took 24 s without this cache and takes 1 s with it.
+static CACHE: Mutex<VecDeque<(Gradient, Table)>> = Mutex::new(VecDeque::new());
+/// Number of cached tables, more than the layers of most documents; 200 kB each.
+const CACHED: usize = 32;
 
 impl Table {
-    /// That of `gradient`.
-    pub(super) fn of(gradient: &Gradient) -> Self {
-        let last = || LAST.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = last().iter().find(|(of, _)| of == gradient).map(|(_, table)| table.clone());
-        // Not held while it is worked out: whoever helps with that may want a table himself.
+    /// The table of `gradient`, from the cache or computed.
+    pub(super) fn cached(gradient: &Gradient) -> Self {
+        let cache = || CACHE.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = cache().iter().find(|(cached, _)| cached == gradient).map(|(_, table)| table.clone());
+        // The lock is not held during the computation: rayon may run another job on this thread that needs a table.
         known.unwrap_or_else(|| {
-            let table = Self { colours: Arc::new(gradient.worked_out()) };
-            let mut last = last();
-            last.push_back((gradient.clone(), table.clone()));
-            while last.len() > KEPT {
-                last.pop_front();
+            let table = Self { colours: Arc::new(gradient.computed_table()) };
+            let mut cache = cache();
+            cache.push_back((gradient.clone(), table.clone()));
+            while cache.len() > CACHED {
+                cache.pop_front();
             }
             table
         })
@@ -51,24 +50,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_kept_is_what_is_worked_out() {
-        // Twice each, and more than are kept.
-        for colour in (0..=2 * KEPT as u8).chain(0..=2 * KEPT as u8) {
+    fn a_cached_table_equals_a_computed_one() {
+        // Each twice, and more than the cache holds.
+        for colour in (0..=2 * CACHED as u8).chain(0..=2 * CACHED as u8) {
             let mut gradient = Gradient::default_for_layer(0);
             gradient.stops[0].colour[1] = colour;
             for _ in 0..2 {
-                assert!(*Table::of(&gradient).colours == gradient.worked_out());
+                assert!(*Table::cached(&gradient).colours == gradient.computed_table());
             }
         }
-        assert!(LAST.lock().unwrap().len() <= KEPT);
+        assert!(CACHE.lock().unwrap().len() <= CACHED);
     }
 
     #[test]
-    fn gradients_that_differ_in_a_bend_alone_have_tables_of_their_own() {
+    fn gradients_that_differ_only_in_a_bend_have_different_tables() {
         let straight = Gradient::default_for_layer(1);
         let mut bent = straight.clone();
         bent.bends = vec![crate::colour::Bend([0.42, 0.0, 0.58, 1.0])];
-        assert!(Table::of(&straight) != Table::of(&bent));
-        assert!(*Table::of(&bent).colours == bent.worked_out());
+        assert!(Table::cached(&straight) != Table::cached(&bent));
+        assert!(*Table::cached(&bent).colours == bent.computed_table());
     }
 }

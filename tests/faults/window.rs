@@ -41,8 +41,11 @@ fn a_document_that_cannot_be_saved_stays_unsaved_and_its_file_whole() {
         assert!(hand.window.state().session().is_changed());
         hand.key(Modifiers::COMMAND, Key::S);
         let said = notice(&hand);
-        let remedy =
-            if full { "the disk is full; free some space" } else { "is not permitted; choose another folder" };
+        let remedy = if full {
+            "the disk is full; free some space"
+        } else {
+            "is not permitted; choose another folder"
+        };
         assert!(said.contains("a.dapple") && said.contains(remedy), "{said}");
         assert!(hand.window.state().session().is_changed(), "it is not saved");
         assert!(files(&folder.path().join("disk")) == before);

@@ -38,9 +38,9 @@ fn nothing_is_written_over_the_document_by_another_name() {
 #[test]
 fn a_missing_folder_is_told_before_anything_is_written() {
     let folder = Folder::with(&spots());
-    folder.refuses("grow a.dapple -o no/a.png", 1, &["no/a.png", "no folder"]);
+    folder.refuses("grow a.dapple -o no/a.png", 1, &["no/a.png", "does not exist"]);
     for option in ["--pattern no/p.png", "--labels no/l.png", "--report no/r.json"] {
-        folder.refuses(&format!("grow a.dapple -o a.png {option}"), 1, &["no/", "no folder"]);
+        folder.refuses(&format!("grow a.dapple -o a.png {option}"), 1, &["no/", "does not exist"]);
     }
     folder.refuses("grow a.dapple -o a.gif", 1, &["a.gif", ".png"]);
     folder.refuses("grow a.dapple -o . --labels l.png", 1, &["folder"]);

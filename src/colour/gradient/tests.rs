@@ -1,8 +1,7 @@
 use super::*;
 use proptest::prelude::*;
 
-/// The same thing written down once more, slow and from the definitions: Ottosson's matrices in his own
-/// direct form, std's powers, an easing by halving.
+/// A slow reference from the definitions: Ottosson's matrices in his own form, std's powers, easing by bisection.
 mod reference {
     use super::*;
 
@@ -108,7 +107,7 @@ fn assert_table_follows_reference(gradient: &Gradient) {
 fn the_table_follows_a_slow_reference_at_every_step() {
     let gradients = [
         (vec![stop(0.0, CREAM), stop(1.0, BROWN)], vec![Bend([0.42, 0.0, 0.58, 1.0])]),
-        // Hard steps, at the ends too, and a stop that nothing shows.
+        // Hard steps, also at the ends, and a stop without effect.
         (
             vec![
                 stop(0.0, [255, 0, 0]),
@@ -121,7 +120,7 @@ fn the_table_follows_a_slow_reference_at_every_step() {
             ],
             vec![],
         ),
-        // As steep as can be, and overshooting out of what sRGB can show.
+        // As steep as possible, and overshooting the range of sRGB.
         (
             vec![stop(0.2, [0, 255, 0]), stop(0.6, [255, 0, 255]), stop(0.61, BROWN), stop(0.9, CREAM)],
             vec![Bend([1.0, 0.0, 0.0, 1.0]), Bend([0.0, 3.0, 1.0, -2.0]), Bend([0.0, 1.0, 0.0, 1.0])],
@@ -133,7 +132,7 @@ fn the_table_follows_a_slow_reference_at_every_step() {
 }
 
 #[test]
-fn beyond_the_stops_the_end_colour_holds() {
+fn outside_of_the_stops_the_colour_is_constant() {
     let gradient = Gradient { stops: vec![stop(0.25, CREAM), stop(0.75, BROWN)], bends: vec![] };
     for v in [f32::NEG_INFINITY, -1.0, 0.0, 0.25, f32::NAN] {
         assert_eq!(gradient.colour(v), CREAM, "{v}");
@@ -145,7 +144,7 @@ fn beyond_the_stops_the_end_colour_holds() {
 }
 
 #[test]
-fn of_two_stops_at_one_place_the_later_one_holds_from_there_on() {
+fn two_stops_at_one_value_are_a_hard_step() {
     let stops = vec![stop(0.0, CREAM), stop(0.5, CREAM), stop(0.5, BROWN), stop(1.0, BROWN)];
     let gradient = Gradient { stops, bends: vec![] };
     for (v, colour) in [(0.499_99, CREAM), (0.5, BROWN), (0.500_01, BROWN)] {
@@ -165,7 +164,7 @@ fn halfway_from_black_to_white_is_the_gray_of_half_the_lightness() {
 }
 
 #[test]
-fn what_is_wrong_with_a_gradient_is_named() {
+fn the_error_names_the_problem() {
     let wrong = |stops: &[f32], bends: &[[f64; 4]]| {
         let stops = stops.iter().map(|&at| stop(at, CREAM)).collect();
         let gradient = Gradient { stops, bends: bends.iter().copied().map(Bend).collect() };
@@ -180,7 +179,7 @@ fn what_is_wrong_with_a_gradient_is_named() {
     assert!(wrong(&[0.0, 0.6, 0.5], &[]).starts_with("`stops[2].at` is 0.5, less than the 0.6"));
     assert!(
         wrong(&[0.0, 1.0], &[straight; 2])
-            .starts_with("2 `bends` for 2 `stops`; allowed is at most one a gap, 1")
+            .starts_with("2 `bends` for 2 `stops`; allowed is at most one between two stops, 1")
     );
     assert!(wrong(&[0.0, 1.0], &[[1.2, 0.0, 1.0, 1.0]]).starts_with("`bends[0]` is [1.2, 0.0, 1.0, 1.0]"));
     assert!(wrong(&[0.0, 1.0], &[[0.0, f64::INFINITY, 1.0, 1.0]]).starts_with("`bends[0]`"));
@@ -188,7 +187,7 @@ fn what_is_wrong_with_a_gradient_is_named() {
 
 proptest! {
     #[test]
-    fn many_colours_at_once_are_the_same_as_one_by_one(values in prop::collection::vec(any::<f32>(), 0..9)) {
+    fn several_colours_at_once_equal_single_ones(values in prop::collection::vec(any::<f32>(), 0..9)) {
         let stops = vec![stop(0.1, CREAM), stop(0.4, BROWN), stop(0.9, CREAM)];
         let gradient = Gradient { stops, bends: vec![Bend([0.42, 0.0, 0.58, 1.0])] };
         let single: Vec<_> = values.iter().map(|v| gradient.colour(*v)).collect();
@@ -196,7 +195,7 @@ proptest! {
     }
 
     #[test]
-    fn any_colour_comes_back_from_oklab_unchanged(colour: [u8; 3]) {
+    fn any_colour_is_unchanged_by_oklab(colour: [u8; 3]) {
         let gradient = Gradient { stops: vec![stop(0.0, colour), stop(1.0, colour)], bends: vec![] };
         prop_assert_eq!(gradient.colour(0.4), colour);
     }

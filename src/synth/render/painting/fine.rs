@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
-use crate::colour::{Fine, painter};
+use crate::colour::{FineTable, painter};
 use crate::export::png::Samples;
 use crate::synth::render::painting::{Band, Painting};
 
 /// The colours of each layer, and that of the ground.
 pub(crate) struct Colours {
-    layers: Vec<Fine>,
+    layers: Vec<FineTable>,
     /// Where nothing paints.
     ground: [f32; 4],
 }
@@ -21,8 +21,9 @@ impl Colours {
         let ground = shown.map_or([1.0; 3], |layer| {
             painting.gradients[layer].colour(0.0).map(|channel| f64::from(channel) / 255.0)
         });
-        let layer =
-            |gradient| if transparent { Fine::over(gradient, ground) } else { Fine::opaque(gradient) };
+        let layer = |gradient| {
+            if transparent { FineTable::over(gradient, ground) } else { FineTable::opaque(gradient) }
+        };
         let [red, green, blue] = ground.map(|channel| channel as f32);
         let opacity = if transparent { 0.0 } else { 1.0 };
         Self { layers: painting.gradients.iter().map(layer).collect(), ground: [red, green, blue, opacity] }
