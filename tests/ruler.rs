@@ -3,7 +3,7 @@
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::grid::{Edges, Field};
 use dapple::internals::marks::{Ellipse, turn};
-use dapple::internals::measure::{self, Canvas, Directions, Picture, Reason};
+use dapple::internals::measure::{self, Directions, Picture, Reason, Target};
 use proptest::prelude::*;
 
 /// How a mark's edge looks; all have 0.5 on it.
@@ -221,15 +221,14 @@ fn errors_of_spots_are_those_between_the_marks_and_the_map() {
         })
     };
     let region_of = |[x, _]: [f64; 2]| usize::from(x >= 120.0);
-    let canvas = Canvas {
-        size: field.extent(),
-        edges,
+    let target = Target {
+        bounds: field.grid().bounds_px(),
         regions: 3,
         region_of: &region_of,
         covered: &|_| false,
         wanted: &wanted,
     };
-    let errors = measure::spot_errors(&spots, &canvas);
+    let errors = measure::spot_errors(&spots, &target);
     assert_eq!(errors[2], measure::SpotErrors::default());
     assert_eq!(errors[0].marks + errors[1].marks, 120);
     for error in &errors[..2] {
@@ -246,7 +245,7 @@ fn errors_of_spots_are_those_between_the_marks_and_the_map() {
         Attributes::Spots(spots) => Attributes::Spots(Spots { aspect: 0.9, spacing: None, ..spots }),
         other => other,
     };
-    let errors = measure::spot_errors(&spots, &Canvas { wanted: &rounder, ..canvas });
+    let errors = measure::spot_errors(&spots, &Target { wanted: &rounder, ..target });
     assert_eq!((errors[0].angle, errors[0].spacing), (None, None));
     assert!((errors[0].got.unwrap().spacing.unwrap() - 24.0).abs() < 0.05);
 }
@@ -259,15 +258,14 @@ fn cut_marks_are_neighbours_but_not_measured() {
     assert!(whole < spots.len());
     let wanted =
         |_: [f64; 2]| Attributes::Spots(Spots { area: 150.0, aspect: 0.6, angle: 20.0, spacing: Some(24.0) });
-    let canvas = Canvas {
-        size: field.extent(),
-        edges: Edges::Closed,
+    let target = Target {
+        bounds: field.grid().bounds_px(),
         regions: 1,
         region_of: &|_| 0,
         covered: &|_| false,
         wanted: &wanted,
     };
-    let errors = measure::spot_errors(&spots, &canvas);
+    let errors = measure::spot_errors(&spots, &target);
     assert_eq!(errors[0].marks, whole);
     // What is cut has its centre pulled inwards, and the hull it makes leaves some long edges inside.
     assert!(errors[0].spacing.unwrap().abs() < 0.03, "{errors:?}");
@@ -281,15 +279,14 @@ fn errors_of_stripes_are_those_between_the_field_and_the_map() {
         Attributes::Stripes(Stripes { width: 6.0, angle, wavelength: None })
     };
     let region_of = |[x, _]: [f64; 2]| usize::from(x >= 120.0);
-    let canvas = Canvas {
-        size: field.extent(),
-        edges: Edges::Closed,
+    let target = Target {
+        bounds: field.grid().bounds_px(),
         regions: 2,
         region_of: &region_of,
         covered: &|_| false,
         wanted: &wanted,
     };
-    let errors = measure::stripe_errors(&field, 0.5, &canvas);
+    let errors = measure::stripe_errors(&field, 0.5, &target);
     for (error, turned) in errors.iter().zip([5.0, -4.0]) {
         assert!((error.width.unwrap() - 1.0 / 6.0).abs() < 0.015, "{error:?}");
         assert!((error.angle.unwrap() - turned).abs() < 0.15, "{error:?}");
@@ -304,7 +301,7 @@ fn rings_follow_their_tangents() {
         (0.5 + 0.5 * ((x - 100.0).hypot(y - 100.0) * std::f64::consts::TAU / 12.0).cos()) as f32
     });
     let directions = Directions::measure(&rings, 12.0);
-    let places = directions.ask(|[x, y]| {
+    let places = directions.at_centers(|[x, y]| {
         let (dx, dy) = (x - 100.0, y - 100.0);
         let double = 2.0 * (dy.atan2(dx) + std::f64::consts::FRAC_PI_2);
         (usize::from(dx.hypot(dy) > 25.0), [double.cos(), double.sin()])
@@ -336,7 +333,7 @@ fn a_picture_is_told_to_be_spots_or_stripes() {
 
 #[test]
 fn what_is_no_texture_is_told_why() {
-    let judge = |field: &Field| measure::spot_texture(field, &measure::census(field, 0.5), [0.0, 1.0]);
+    let judge = |field: &Field| measure::check_spot_texture(field, &measure::census(field, 0.5), [0.0, 1.0]);
     let with = |ellipses: &[Ellipse]| draw([240, 249], Edges::Wrap, Profile::Firm, ellipses);
     let even: Vec<Ellipse> =
         graded().iter().map(|e| Ellipse::from_area(e.center, 130.0, 0.6, e.angle)).collect();
@@ -374,8 +371,8 @@ fn what_is_no_texture_is_told_why() {
     let lines = stripes([240, 240], false, 6.0, 0.0, 12.0);
     assert!(judge(&Field { edges: Edges::Wrap, ..lines.clone() }).is_err());
     let found = measure::stripes(&lines, 0.5);
-    assert_eq!(measure::stripe_texture(&lines, found.as_ref(), [0.0, 1.0]), Ok(()));
+    assert_eq!(measure::check_stripe_texture(&lines, found.as_ref(), [0.0, 1.0]), Ok(()));
     let dots = draw([240, 240], Edges::Wrap, Profile::Firm, &graded());
     let found = measure::stripes(&dots, 0.5);
-    assert!(measure::stripe_texture(&dots, found.as_ref(), [0.0, 1.0]).is_err(), "{found:?}");
+    assert!(measure::check_stripe_texture(&dots, found.as_ref(), [0.0, 1.0]).is_err(), "{found:?}");
 }

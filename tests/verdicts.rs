@@ -135,5 +135,5 @@ fn what_was_stopped_early_is_unsettled() {
     // What has not settled because it ran away is told as that.
     let high = Field::flat(side, side, Edges::Wrap, 9.0);
     assert_eq!(spots.judge(&high, false, LEAST).unwrap_err().kind(), "left-range");
-    assert!(measure::formed(&engine.marks(), [0.0, 1.0]).is_ok());
+    assert!(measure::check_formed(&engine.marks(), [0.0, 1.0]).is_ok());
 }

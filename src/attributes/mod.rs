@@ -1,4 +1,4 @@
-//! Marks → numbers: the one ruler for what is drawn and for what has grown.
+//! Marks → numbers: drawn and grown marks are measured alike.
 
 pub mod columns;
 pub mod regions;
@@ -12,7 +12,7 @@ pub use spread::Spread;
 
 use serde::{Deserialize, Serialize};
 
-/// What a set of spots looks like.
+/// Mean attributes of a set of spots.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Spots {
     /// Mean area of a spot, px².
@@ -21,12 +21,12 @@ pub struct Spots {
     pub aspect: f64,
     /// Axial mean of the major axes, degrees in [0, 180), weighted by 1 − aspect.
     pub angle: f64,
-    /// Mean length of the Delaunay edges between neighbours, px; `None` = free, what the system gives.
+    /// Mean length of the Delaunay edges between neighbours, px; `None` = free: the spacing that the system has by itself.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spacing: Option<f64>,
 }
 
-/// What a set of stripes looks like.
+/// Mean attributes of a set of stripes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stripes {
     /// Mean width of a stripe, px.
@@ -49,7 +49,7 @@ pub enum Attributes {
 }
 
 impl Attributes {
-    /// The same pattern with all lengths multiplied by `factor` (and areas by its square).
+    /// The attributes of the same pattern with all lengths multiplied by `factor` (and areas by its square).
     #[must_use]
     pub fn scaled(self, factor: f64) -> Self {
         match self {

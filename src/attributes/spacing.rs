@@ -15,10 +15,10 @@ pub struct Edge {
     pub hull: bool,
 }
 
-/// Edges over this many times the median join no neighbours.
+/// Edges longer than this many times the median do not join neighbours.
 pub const LONGEST: f64 = 2.0;
 
-/// A place of the triangulation that remembers which point it is.
+/// A point of the triangulation with its index.
 struct Site {
     position: Point2<f64>,
     index: usize,
@@ -141,10 +141,10 @@ fn wrapped(sites: &[([f64; 2], usize)], tile: [f64; 2]) -> Vec<Edge> {
     if sites.is_empty() || !tile.iter().all(|side| *side > 0.0 && side.is_finite()) {
         return Vec::new();
     }
-    let grain = (tile[0] * tile[1] / sites.len() as f64).sqrt();
+    let mean_distance = (tile[0] * tile[1] / sites.len() as f64).sqrt();
     let surely = 1.01 * (tile[0] * tile[0] + tile[1] * tile[1]).sqrt();
-    // Random points leave circles of some 2–3 grains at most, so four are nearly always enough.
-    wrapped_within(sites, tile, (4.0 * grain).min(surely), surely)
+    // Random points leave empty circles of some 2–3 mean distances at most, so four are nearly always enough.
+    wrapped_within(sites, tile, (4.0 * mean_distance).min(surely), surely)
         .or_else(|| wrapped_within(sites, tile, surely, surely))
         .unwrap_or_default()
 }
@@ -171,9 +171,8 @@ fn wrapped_within(
         }
     }
     let mesh = triangulate(all);
-    // Every edge has one copy whose middle is in a window of the tile's size. The window stands at an odd
-    // place, since middles on its border could be lost or counted twice to rounding, and those of lattices
-    // like to be on the tile's.
+    // Every edge has one copy whose middle is in a window of the tile's size. The window is shifted a little: middles on
+    // its border could be lost or counted twice by rounding, and those of lattices often lie on the tile's border.
     let corner = [-0.001_877_31 * margin, -0.001_331_79 * margin];
     let mut edges = Vec::new();
     for edge in mesh.undirected_edges() {

@@ -1,4 +1,4 @@
-//! Ellipses → what a set of spots looks like.
+//! Ellipses → mean attributes of a set of spots.
 
 use super::{Spots, axial_mean, spacing::mean_spacing};
 use crate::marks::Ellipse;
@@ -45,7 +45,7 @@ mod tests {
     }
 
     #[test]
-    fn a_round_ellipse_has_no_say_in_the_direction() {
+    fn a_round_ellipse_does_not_change_the_mean_direction() {
         let spots =
             Spots::measure(&[ellipse([0.0, 0.0], [4.0, 2.0], 170.0), ellipse([30.0, 0.0], [6.0, 6.0], 77.0)])
                 .unwrap();

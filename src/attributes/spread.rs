@@ -1,17 +1,17 @@
-//! How much the spots of a set differ from each other: the same ruler for drawn and for grown ones.
+//! How much the spots of a set vary: drawn and grown ones are measured alike.
 
 use serde::{Deserialize, Serialize};
 
 use super::{axial_mean, spacing::neighbour_lengths};
 use crate::marks::{Ellipse, turn};
 
-/// How much spots vary about their means; 0 = all alike. Standard deviations are those of the set itself (Σ ÷ n).
+/// How much spots vary about their means; 0 = all the same. Standard deviations are those of the set itself (Σ ÷ n).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Spread {
     /// Coefficient of variation of the area: standard deviation ÷ mean.
     pub area: f64,
     /// Root mean square turn of the major axes from their axial mean, degrees, weighted by 1 − aspect. Directions
-    /// that are all as frequent have 90/√3 = 52°.
+    /// that are uniformly distributed have 90/√3 = 52°.
     pub angle: f64,
     /// Standard deviation of minor ÷ major radius.
     pub aspect: f64,
@@ -19,11 +19,11 @@ pub struct Spread {
     pub spacing: f64,
 }
 
-/// The spread of directions of which none is more frequent, 90/√3 degrees.
-const ALL_WAYS: f64 = 51.961_524_227_066_32;
+/// The spread of uniformly distributed directions, 90/√3 degrees.
+const UNIFORM: f64 = 51.961_524_227_066_32;
 
 impl Spread {
-    /// All alike.
+    /// No variation.
     pub const ZERO: Self = Self { area: 0.0, angle: 0.0, aspect: 0.0, spacing: 0.0 };
 
     /// How much a set of ellipses varies.
@@ -39,7 +39,7 @@ impl Spread {
         }
     }
 
-    /// Does nothing vary, but for rounding?
+    /// Whether nothing varies, except for rounding.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.named().iter().all(|(_, value)| *value < 1e-6)
@@ -51,7 +51,7 @@ impl Spread {
         [("area", self.area), ("angle", self.angle), ("aspect", self.aspect), ("spacing", self.spacing)]
     }
 
-    /// Each number of both, put together by `join`.
+    /// The numbers of both, combined one by one by `join`.
     #[must_use]
     pub fn with(&self, other: &Self, join: impl Fn(f64, f64) -> f64) -> Self {
         Self {
@@ -93,7 +93,7 @@ pub fn scatter(angles: impl IntoIterator<Item = (f64, f64)>) -> f64 {
     if total <= 0.0 {
         return 0.0;
     }
-    let Some((mean, _)) = axial_mean(angles.iter().copied()) else { return ALL_WAYS };
+    let Some((mean, _)) = axial_mean(angles.iter().copied()) else { return UNIFORM };
     let square = |(angle, weight): &(f64, f64)| weight * turn(*angle, mean) * turn(*angle, mean);
     (angles.iter().map(square).sum::<f64>() / total).sqrt()
 }
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn a_round_ellipse_has_no_say_in_the_scatter_of_directions() {
+    fn a_round_ellipse_does_not_change_the_scatter_of_directions() {
         let pair = [ellipse(0.0, 50.0, 0.4, 10.0), ellipse(9.0, 50.0, 0.4, 30.0)];
         let with_round = [pair[0], pair[1], ellipse(20.0, 50.0, 1.0, 80.0)];
         assert!((Spread::measure(&pair).angle - Spread::measure(&with_round).angle).abs() < 1e-6);
@@ -135,11 +135,11 @@ mod tests {
     }
 
     #[test]
-    fn directions_that_cancel_point_all_ways() {
-        assert_eq!(scatter([(40.0, 1.0), (130.0, 1.0)]), ALL_WAYS);
+    fn directions_that_cancel_count_as_uniform() {
+        assert_eq!(scatter([(40.0, 1.0), (130.0, 1.0)]), UNIFORM);
         let even =
             scatter((0..180).map(|degree| (f64::from(degree) + if degree == 0 { 1e-3 } else { 0.0 }, 1.0)));
-        assert!((even - ALL_WAYS).abs() < 0.1, "{even}");
+        assert!((even - UNIFORM).abs() < 0.1, "{even}");
     }
 
     #[test]

@@ -1,10 +1,10 @@
-//! Lines → what a set of stripes looks like.
+//! Lines → mean attributes of a set of stripes.
 
 use super::{Stripes, axial_mean};
 use crate::marks::Line;
 
 impl Stripes {
-    /// Stripe ÷ period: what share of the way from one stripe to the next is covered.
+    /// Width ÷ period: the share of the distance from one stripe to the next that is covered, 0..1.
     #[must_use]
     pub fn duty(&self) -> f64 {
         self.wavelength.map_or(0.5, |wavelength| self.width / wavelength)
@@ -13,7 +13,7 @@ impl Stripes {
     /// The attributes of a set of lines; `None` of none.
     ///
     /// The width is the plain mean, the angle the axial mean weighted by length (0 where the directions
-    /// cancel). Lines do not say how far apart they are meant to stand.
+    /// cancel). Lines have no wavelength: how far apart they are meant to be is not drawn.
     #[must_use]
     pub fn measure(lines: &[Line]) -> Option<Self> {
         if lines.is_empty() {

@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 
 use super::{Error, say};
 use crate::grid::{Edges, Field};
-use crate::measure::{Picture, picture};
+use crate::measure::{Picture, level_between_phases, picture};
 use crate::synth::memory;
 
 /// Attributes of the spots or stripes in a picture.
@@ -128,7 +128,7 @@ pub fn measure_in(
     if high - low < LEAST_SPAN {
         return Err(MeasureError::Blank { path: path.to_owned(), span: (high - low).max(0.0) });
     }
-    let level = if pattern && low < 0.5 && high > 0.5 { 0.5 } else { between_phases(&field.values) };
+    let level = if pattern && low < 0.5 && high > 0.5 { 0.5 } else { level_between_phases(&field.values) };
     let above = field.values.iter().filter(|value| **value > level).count();
     let light = 2 * above <= field.values.len();
     let level = if light == invert {
@@ -146,44 +146,6 @@ fn lightness(image: &DynamicImage) -> Field {
     let (width, height) = (luma.width() as usize, luma.height() as usize);
     let values = luma.into_raw().into_iter().map(|value| f32::from(value) / 65535.0).collect();
     Field { width, height, cell: [1.0, 1.0], edges: Edges::Closed, values }
-}
-
-/// The level half way between the medians of the two phases, which Otsu's threshold tells apart: on a picture
-/// of two tones exactly half of the contrast, wherever between them the threshold fell.
-///
-/// N. Otsu, "A threshold selection method from gray-level histograms", IEEE Trans. SMC 9 (1979): the threshold
-/// at which ω₀·ω₁·(μ₁ − μ₀)² is largest.
-fn between_phases(values: &[f32]) -> f32 {
-    const BINS: usize = 4096;
-    let mut counts = vec![0_u64; BINS];
-    for value in values {
-        counts[((value * BINS as f32) as usize).min(BINS - 1)] += 1;
-    }
-    let total = values.len() as f64;
-    let sum: f64 = counts.iter().enumerate().map(|(bin, count)| bin as f64 * *count as f64).sum();
-    let (mut below, mut sum_below, mut best, mut split) = (0.0, 0.0, -1.0, 0);
-    for (bin, count) in counts.iter().enumerate() {
-        below += *count as f64;
-        sum_below += bin as f64 * *count as f64;
-        let above = total - below;
-        if below > 0.0 && above > 0.0 {
-            let apart = (sum - sum_below) / above - sum_below / below;
-            if below * above * apart * apart > best {
-                (best, split) = (below * above * apart * apart, bin);
-            }
-        }
-    }
-    let lower = counts[..=split].iter().sum::<u64>();
-    let upper = values.len() as u64 - lower;
-    let rank = |wanted: u64| {
-        let mut seen = 0;
-        let reached = counts.iter().position(|count| {
-            seen += count;
-            seen > wanted
-        });
-        (reached.unwrap_or(BINS - 1) as f32 + 0.5) / BINS as f32
-    };
-    0.5 * (rank(lower / 2) + rank(lower + upper / 2))
 }
 
 /// The object of `measure --json` (`docs/format.md`): only keys that apply.

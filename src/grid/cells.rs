@@ -52,6 +52,12 @@ impl Grid {
         Bounds { size: self.size.map(|n| n as f64), edges: self.edges }
     }
 
+    /// The canvas, px, with its edges.
+    #[must_use]
+    pub fn bounds_px(&self) -> Bounds {
+        Bounds { size: self.to_px(self.bounds().size), edges: self.edges }
+    }
+
     /// Where a place on the grid lies on the canvas, px.
     #[must_use]
     pub fn to_px(&self, place: [f64; 2]) -> [f64; 2] {

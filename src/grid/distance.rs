@@ -1,37 +1,34 @@
-//! How far it is to the nearest of some cells, and which one that is.
+//! Distance transform: from each cell of a grid to the nearest of some cells, and which one that is.
 //!
-//! d²(x, y) = min over (x′, y′) covered of ((x − x′)·w)² + ((y − y′)·h)², of cells w × h px: first along the columns,
+//! d²(x, y) = min over covered (x′, y′) of ((x − x′)·w)² + ((y − y′)·h)², of cells w × h px: first along the columns,
 //! then the lower envelope of one parabola a column along each row.
 //!
 //! Felzenszwalb & Huttenlocher, "Distance transforms of sampled functions", Theory of Computing 8 (2012); exact.
 
 use rayon::prelude::*;
 
-use crate::grid::Edges;
+use super::cells::Grid;
+use super::edges::Edges;
 
-/// Columns and rows from each of `nx` × `ny` cells of `cell` px to the nearest that is `covered`, row by row. On a
-/// wrapped canvas the way may lead across the border. `None` where none is covered.
+/// [columns, rows] from each cell of `grid` to the nearest one that is `covered`, row by row. On a wrapped grid the
+/// shortest way may lead across the border. `None` where no cell is covered.
 #[must_use]
-pub fn nearest(
-    covered: &[bool],
-    [nx, ny]: [usize; 2],
-    cell: [f64; 2],
-    edges: Edges,
-) -> Option<Vec<[i32; 2]>> {
+pub fn nearest(covered: &[bool], grid: &Grid) -> Option<Vec<[i32; 2]>> {
     if !covered.contains(&true) {
         return None;
     }
+    let ([nx, ny], edges) = (grid.size, grid.edges);
     let down = along_columns(covered, [nx, ny], edges);
     let mut offsets = vec![[0; 2]; nx * ny];
     let rows = offsets.par_chunks_mut(nx).zip(down.par_chunks(nx));
-    rows.for_each_init(Vec::new, |envelope, (row, down)| along_row(row, down, cell, edges, envelope));
+    rows.for_each_init(Vec::new, |envelope, (row, down)| along_row(row, down, grid.cell, edges, envelope));
     Some(offsets)
 }
 
-/// Length of such a way, px.
+/// Length of such an offset, px.
 #[must_use]
-pub fn length([columns, rows]: [i32; 2], cell: [f64; 2]) -> f64 {
-    let [x, y] = [f64::from(columns) * cell[0], f64::from(rows) * cell[1]];
+pub fn length([columns, rows]: [i32; 2], grid: &Grid) -> f64 {
+    let [x, y] = grid.to_px([columns, rows].map(f64::from));
     (x * x + y * y).sqrt()
 }
 
@@ -41,7 +38,7 @@ const NONE: i32 = i32::MAX;
 /// Rows to the nearest covered cell of the same column.
 fn along_columns(covered: &[bool], [nx, ny]: [usize; 2], edges: Edges) -> Vec<i32> {
     let mut down = vec![NONE; nx * ny];
-    // Twice round where the far end is next to the near one.
+    // Two rounds where the last row is next to the first.
     let rounds = if edges == Edges::Wrap { 2 * ny as i32 } else { ny as i32 };
     for x in 0..nx {
         for upward in [false, true] {
@@ -106,31 +103,31 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The same, of all covered cells.
-    fn slow(covered: &[bool], [nx, ny]: [usize; 2], cell: [f64; 2], edges: Edges) -> Vec<f64> {
-        let (nx, ny) = (nx as i32, ny as i32);
-        let around: &[i32] = if edges == Edges::Wrap { &[-1, 0, 1] } else { &[0] };
+    /// The same distances, by trying all covered cells.
+    fn slow(covered: &[bool], grid: &Grid) -> Vec<f64> {
+        let [nx, ny] = grid.size.map(|n| n as i32);
+        let around: &[i32] = if grid.edges == Edges::Wrap { &[-1, 0, 1] } else { &[0] };
         let to = |x: i32, y: i32| {
             let all = (0..nx * ny).filter(|i| covered[*i as usize]).flat_map(|i| {
                 let shifts = around.iter().flat_map(|j| around.iter().map(move |i| [*i, *j]));
                 shifts.map(move |[sx, sy]| [i % nx + sx * nx - x, i / nx + sy * ny - y])
             });
-            all.map(|offset| length(offset, cell)).fold(f64::INFINITY, f64::min)
+            all.map(|offset| length(offset, grid)).fold(f64::INFINITY, f64::min)
         };
         (0..nx * ny).map(|i| to(i % nx, i / nx)).collect()
     }
 
     #[test]
     fn nothing_covered_is_nowhere_near() {
-        assert_eq!(nearest(&[false; 6], [3, 2], [1.0; 2], Edges::Wrap), None);
+        assert_eq!(nearest(&[false; 6], &Grid::unit([3, 2], Edges::Wrap)), None);
     }
 
     #[test]
     fn across_the_border_of_a_tile_it_is_nearer() {
         let covered = [true, false, false, false, false];
-        let closed = nearest(&covered, [5, 1], [1.0; 2], Edges::Closed).unwrap();
+        let closed = nearest(&covered, &Grid::unit([5, 1], Edges::Closed)).unwrap();
         assert_eq!(closed.iter().map(|offset| offset[0]).collect::<Vec<_>>(), [0, -1, -2, -3, -4]);
-        let wrap = nearest(&covered, [5, 1], [1.0; 2], Edges::Wrap).unwrap();
+        let wrap = nearest(&covered, &Grid::unit([5, 1], Edges::Wrap)).unwrap();
         assert_eq!(wrap.iter().map(|offset| offset[0]).collect::<Vec<_>>(), [0, -1, -2, 2, 1]);
     }
 
@@ -144,11 +141,11 @@ mod tests {
                 state >> 28 == 0
             }).collect();
             prop_assume!(covered.contains(&true));
-            let cell = [long, 1.0];
-            let found = nearest(&covered, [nx, ny], cell, edges).unwrap();
-            let slow = slow(&covered, [nx, ny], cell, edges);
+            let grid = Grid { size: [nx, ny], cell: [long, 1.0], edges };
+            let found = nearest(&covered, &grid).unwrap();
+            let slow = slow(&covered, &grid);
             for (i, (offset, slow)) in found.iter().zip(slow).enumerate() {
-                prop_assert!((length(*offset, cell) - slow).abs() < 1e-9, "{} {:?} {}", i, offset, slow);
+                prop_assert!((length(*offset, &grid) - slow).abs() < 1e-9, "{} {:?} {}", i, offset, slow);
                 let to = [(i % nx) as i32 + offset[0], (i / nx) as i32 + offset[1]];
                 let to = to[1].rem_euclid(ny as i32) as usize * nx + to[0].rem_euclid(nx as i32) as usize;
                 prop_assert!(covered[to]);

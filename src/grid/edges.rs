@@ -59,6 +59,15 @@ impl Bounds {
         self.edges == Edges::Wrap || (0..2).all(|axis| (0.0..=self.size[axis]).contains(&point[axis]))
     }
 
+    /// The point inside or on the border that stands for `point`: the nearest one, on a tile the image of the point itself.
+    #[must_use]
+    pub fn inside(&self, point: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| match self.edges {
+            Edges::Wrap => point[axis].rem_euclid(self.size[axis]),
+            Edges::Closed => point[axis].clamp(0.0, self.size[axis]),
+        })
+    }
+
     /// The point inside that stands for `point`: mirrored at closed edges, carried round on a tile.
     #[must_use]
     pub fn folded(&self, point: [f64; 2]) -> [f64; 2] {
@@ -87,6 +96,8 @@ mod tests {
         assert_eq!(seen(Edges::Closed), [2, 1, 0, 0, 1, 2, 2, 1, 0]);
         assert_eq!(seen(Edges::Wrap), [0, 1, 2, 0, 1, 2, 0, 1, 2]);
         let folded = |edges| Bounds { size: [3.0, 2.0], edges }.folded([-0.5, 2.5]);
+        let inside = |edges| Bounds { size: [3.0, 2.0], edges }.inside([-0.5, 2.5]);
+        assert_eq!((inside(Edges::Closed), inside(Edges::Wrap)), ([0.0, 2.0], [2.5, 0.5]));
         assert_eq!(folded(Edges::Closed), [0.5, 1.5]);
         assert_eq!(folded(Edges::Wrap), [2.5, 0.5]);
     }

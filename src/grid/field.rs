@@ -27,7 +27,7 @@ impl Field {
         Self { width, height, cell: [1.0, 1.0], edges, values: vec![value; width * height] }
     }
 
-    /// A field made by asking `f` at each cell's centre, in px.
+    /// A field whose values are those of `f` at each cell's centre, px.
     pub fn from_fn(
         [width, height]: [usize; 2],
         cell: [f64; 2],
@@ -69,8 +69,8 @@ impl Field {
     }
 }
 
-/// The 16-bit step nearest to a pattern value: 0..1 becomes 0..65535; values outside are taken as the end,
-/// no number as 0. Written patterns and colours both go by it.
+/// The 16-bit step nearest to a pattern value: 0..1 becomes 0..65535. Values outside become the nearer end, NaN becomes 0.
+/// Patterns and colours are written with it.
 #[must_use]
 pub fn to_u16(value: f32) -> u16 {
     // In f64 the half is added exactly; the cast rounds down and turns NaN into 0.

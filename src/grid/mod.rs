@@ -9,8 +9,10 @@ mod domain;
 mod edges;
 mod field;
 pub mod resample;
+mod union_find;
 
 pub use cells::Grid;
 pub use domain::Domain;
 pub use edges::{Bounds, Edges};
 pub use field::{Field, to_u16};
+pub use union_find::UnionFind;

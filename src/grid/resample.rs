@@ -20,13 +20,13 @@ use crate::grid::{Edges, Field};
 /// √3 − 2.
 const POLE: f32 = -0.267_949_2;
 
-/// Terms of a starting sum: |z|¹⁴ < 10⁻⁸, below what f32 can tell.
+/// Terms of a starting sum: |z|¹⁴ < 10⁻⁸, below the precision of f32.
 const HORIZON: usize = 14;
 
 /// The smooth surface through a field's values.
 ///
 /// Holds one f32 a cell. It is exact at the cells' centres (to rounding), has continuous second derivatives,
-/// and errs by O(cell⁴) in between.
+/// and has an error of O(cell⁴) in between.
 #[derive(Clone, Debug)]
 pub struct Spline {
     width: usize,
@@ -80,7 +80,7 @@ impl Spline {
 
     /// Rows `rows` of the field that this surface gives on `width` × `height` cells over the same extent.
     ///
-    /// Large outputs can be made band by band; a band holds the same bits as those rows of the whole.
+    /// Large outputs can be made in bands of rows; a band holds the same bits as those rows of the whole.
     #[must_use]
     pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
         let columns = self.columns(width);
@@ -96,7 +96,7 @@ impl Spline {
         Columns(taps(self.width, width))
     }
 
-    /// Writes row `y` of `height` at `columns`; `line` is room to work in, kept from row to row.
+    /// Writes row `y` of `height` at `columns`; `line` is a buffer that is reused from row to row.
     pub fn row(&self, y: usize, height: usize, columns: &Columns, line: &mut Vec<f32>, out: &mut [f32]) {
         line.resize(self.width + 2 * PAD, 0.0);
         self.line((y as f64 + 0.5) * self.height as f64 / height as f64 - 0.5, line);
@@ -124,11 +124,11 @@ impl Spline {
     }
 }
 
-/// Where a row is read: for each value the first of its four coefficients, and their weights.
+/// Where a row is read: for each value the index of the first of its four coefficients, and their weights.
 #[derive(Clone, Debug)]
 pub struct Columns(Vec<(usize, [f32; 4])>);
 
-/// Cells beyond the border that a reading between the outermost centre and the border asks for.
+/// Cells beyond the border that are read between the outermost centre and the border.
 const PAD: usize = 2;
 
 /// The first of the four cells that matter at `position` (in cells from the first centre), and their weights.
@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn a_constant_stays_what_it_is() {
+    fn a_constant_field_stays_constant() {
         for edges in [Edges::Closed, Edges::Wrap] {
             let out = resample(&Field::flat(5, 3, edges, 0.7), 64, 37);
             assert!(out.values.iter().all(|value| (value - 0.7).abs() < 3e-7), "{edges:?}");

@@ -53,7 +53,7 @@ mod tests {
     }
 
     #[test]
-    fn an_ellipse_made_from_its_numbers_has_them() {
+    fn an_ellipse_from_an_area_has_that_area_aspect_and_angle() {
         let ellipse = Ellipse::from_area([1.0, 2.0], 300.0, 0.4, 30.0);
         assert!((ellipse.area() - 300.0).abs() < 1e-9);
         assert!((ellipse.aspect() - 0.4).abs() < 1e-12);

@@ -1,4 +1,4 @@
-//! A line: a piece of a stripe, drawn.
+//! A line: a drawn piece of a stripe.
 
 use super::axial;
 

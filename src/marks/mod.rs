@@ -1,11 +1,13 @@
-//! Marks, drawn or measured: ellipses and lines; and how points become one.
+//! Marks, drawn or measured: ellipses and lines, fitted to points.
 
 mod ellipse;
 pub mod fit;
 mod line;
+mod moments;
 
 pub use ellipse::Ellipse;
 pub use line::Line;
+pub use moments::Moments;
 
 /// An ellipse or a line, drawn or measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +28,7 @@ impl Mark {
         }
     }
 
-    /// The same `by` so many px along x and y.
+    /// The mark moved `by` px along x and y.
     #[must_use]
     pub fn shifted(&self, by: [f64; 2]) -> Self {
         let shift = |point: [f64; 2]| [point[0] + by[0], point[1] + by[1]];
@@ -37,14 +39,14 @@ impl Mark {
     }
 }
 
-/// The axial angle in [0, 180) that any finite `degrees` stands for.
+/// Any finite angle, degrees, as an axial one: reduced to [0, 180).
 #[must_use]
 pub fn axial(degrees: f64) -> f64 {
     let angle = degrees.rem_euclid(180.0);
     if angle >= 180.0 { 0.0 } else { angle }
 }
 
-/// How far the axial angle `a` lies from `b`, degrees in −90..90.
+/// The difference of two axial angles, `a` − `b`, degrees in −90..90.
 #[must_use]
 pub fn turn(a: f64, b: f64) -> f64 {
     axial(a - b + 90.0) - 90.0

@@ -22,7 +22,7 @@ const SIGMA: f64 = 0.05;
 /// Blocks to a ρ: J varies slowly and is kept on blocks of cells.
 const BLOCKS: f64 = 3.0;
 
-/// Places with less than this share of the mean energy have no direction.
+/// Blocks with less than this share of the mean energy have no direction.
 const FLOOR: f64 = 1e-3;
 
 /// Local directions on a grid of blocks.
@@ -50,8 +50,8 @@ pub struct Deviation {
 impl Directions {
     /// Local directions of `field`, whose stripes repeat after about `wavelength` px.
     ///
-    /// σ = 0.05 and ρ = 0.3 wavelengths, σ at least one cell. Gradients within 2σ of a closed border, where
-    /// the mirror would bend them, do not count. Memory: some 100 bytes a block, of which 3 × 3 cover ρ².
+    /// σ = 0.05 and ρ = 0.3 wavelengths, σ at least one cell. Gradients within 2σ of a closed border, which
+    /// mirrored values would distort, are left out. Memory: some 100 bytes a block, of which 3 × 3 cover ρ².
     #[must_use]
     pub fn measure(field: &Field, wavelength: f64) -> Self {
         let size = [field.width, field.height];
@@ -92,13 +92,13 @@ impl Directions {
         sum / self.vectors.len() as f64
     }
 
-    /// What `of` says of each place (px, a block's centre), in their order, found on all threads.
-    pub fn ask<T: Send>(&self, of: impl Fn([f64; 2]) -> T + Sync) -> Vec<T> {
-        (0..self.vectors.len()).into_par_iter().map(|k| of(self.place(k))).collect()
+    /// `value` at the centre of each block, px, in the order of the blocks; evaluated in parallel.
+    pub fn at_centers<T: Send>(&self, value: impl Fn([f64; 2]) -> T + Sync) -> Vec<T> {
+        (0..self.vectors.len()).into_par_iter().map(|k| value(self.center(k))).collect()
     }
 
     /// By region, how the directions deviate from the wanted ones; `None` in one without any direction.
-    /// `places` holds, in the order of [`Self::ask`], the region and (cos 2θ, sin 2θ) of the direction θ wanted.
+    /// `places` holds, in the order of [`Self::at_centers`], the region and (cos 2θ, sin 2θ) of the direction θ wanted.
     #[must_use]
     pub fn deviations(&self, places: &[(usize, [f64; 2])], regions: usize) -> Vec<Option<Deviation>> {
         // Of each place: the double-angle vector of its deviation, and coherence · deviation².
@@ -138,14 +138,14 @@ impl Directions {
         sums.into_iter().map(|sum| (sum != [0.0, 0.0]).then(|| mean(sum))).collect()
     }
 
-    fn place(&self, k: usize) -> [f64; 2] {
+    fn center(&self, k: usize) -> [f64; 2] {
         let (x, y) = ((k % self.columns) as f64, (k / self.columns) as f64);
         [(x + 0.5) * self.block[0], (y + 0.5) * self.block[1]]
     }
 }
 
-/// Gaussian weights to four standard deviations (in cells) that sum to 1; or, to the derivative, that measure
-/// the slope of a ramp right.
+/// Weights of a Gaussian out to four standard deviations (in cells), with the sum 1; or of its derivative, such that a
+/// ramp has its own slope.
 fn gaussian(sigma: f64, derivative: bool) -> Vec<f32> {
     let reach = (4.0 * sigma).ceil() as isize;
     let at = |i: isize| i as f64 / sigma;
@@ -207,8 +207,7 @@ fn row_sum(row: &[f32], x: usize, weights: &[f32], edges: Edges) -> f32 {
     weights.iter().enumerate().map(|(k, weight)| weight * at(k)).sum()
 }
 
-/// Blocks blurred by a Gaussian of `spread` blocks along x and y; nothing comes from beyond a closed border
-/// but what is there already (the mirror).
+/// Blocks blurred by a Gaussian of `spread` blocks along x and y. Beyond a closed border they are mirrored.
 fn blur(blocks: &[[f64; 3]], [columns, rows]: [usize; 2], spread: [f64; 2], edges: Edges) -> Vec<[f64; 3]> {
     let pass = |blocks: &[[f64; 3]], weights: &[f32], across: bool| -> Vec<[f64; 3]> {
         let reach = (weights.len() / 2) as isize;

@@ -6,26 +6,24 @@ use super::stripes::{tallies, wavelength};
 use crate::attributes::spacing::{Edge, LONGEST, edges, trimmed, trimmed_mean};
 use crate::attributes::spread::{deviation, scatter, variation};
 use crate::attributes::{Attributes, Spots, Spread, Stripes, axial_mean};
-use crate::grid::{Edges, Field};
+use crate::grid::{Bounds, Domain, Edges, Field};
 use crate::marks::{axial, turn};
 
-/// The canvas that a layer covers and its regions. Places are px.
-pub struct Canvas<'a> {
-    /// Width and height, px.
-    pub size: [f64; 2],
-    /// What lies beyond its border.
-    pub edges: Edges,
+/// What a layer was to show: regions, and the attributes wanted at each place. Places are px.
+pub struct Target<'a> {
+    /// The canvas with its edges.
+    pub bounds: Bounds,
     /// How many regions there are.
     pub regions: usize,
     /// The region of a place, below `regions`.
     pub region_of: &'a (dyn Fn([f64; 2]) -> usize + Sync),
-    /// Do the marks of another layer cover a place? Spots with one between them are no neighbours.
+    /// Whether the marks of another layer cover a place. Spots with such a mark between them are not neighbours.
     pub covered: &'a (dyn Fn([f64; 2]) -> bool + Sync),
     /// The region map: what is wanted at a place.
     pub wanted: &'a (dyn Fn([f64; 2]) -> Attributes + Sync),
 }
 
-/// How the spots of a region differ from what was asked.
+/// How the spots of a region differ from what was wanted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SpotErrors {
     /// Whole marks whose centre is in the region.
@@ -43,12 +41,12 @@ pub struct SpotErrors {
     pub angle: Option<f64>,
     /// got ÷ wanted − 1; `None` where the spacing is free or no edge counts.
     pub spacing: Option<f64>,
-    /// How much the marks vary about the region map, which has no part in it: of area ÷ wanted, aspect − wanted, the
+    /// How much the marks vary about the region map: the spread of area ÷ wanted, aspect − wanted, the
     /// turn from the wanted direction, edge ÷ wanted spacing.
     pub spread: Option<Spread>,
 }
 
-/// How the stripes of a region differ from what was asked.
+/// How the stripes of a region differ from what was wanted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StripeErrors {
     /// Width, coherence-weighted direction and distance; `None` without stripes.
@@ -78,53 +76,46 @@ fn mean(values: impl IntoIterator<Item = f64>) -> Option<f64> {
 /// `spots` are all of the layer's, cut ones too: only whole ones are measured, but all are neighbours. Where
 /// the map holds no spots nothing is compared.
 #[must_use]
-pub fn spot_errors(spots: &[Spot], canvas: &Canvas) -> Vec<SpotErrors> {
-    let mut marks: Vec<Vec<(&Spot, Spots)>> = vec![Vec::new(); canvas.regions];
+pub fn spot_errors(spots: &[Spot], target: &Target) -> Vec<SpotErrors> {
+    let mut marks: Vec<Vec<(&Spot, Spots)>> = vec![Vec::new(); target.regions];
     for spot in spots.iter().filter(|spot| spot.whole) {
         let center = spot.ellipse.center;
-        if let Attributes::Spots(wanted) = (canvas.wanted)(center) {
-            marks[(canvas.region_of)(center)].push((spot, wanted));
+        if let Attributes::Spots(wanted) = (target.wanted)(center) {
+            marks[(target.region_of)(center)].push((spot, wanted));
         }
     }
-    let neighbours = neighbours(spots, canvas);
+    let neighbours = neighbours(spots, target);
     marks.iter().zip(neighbours).map(|(marks, edges)| compare(marks, &edges)).collect()
 }
 
 /// By region, the edges that count: length and spacing wanted.
-fn neighbours(spots: &[Spot], canvas: &Canvas) -> Vec<Vec<(f64, Option<f64>)>> {
+fn neighbours(spots: &[Spot], target: &Target) -> Vec<Vec<(f64, Option<f64>)>> {
     let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
-    let tile = (canvas.edges == Edges::Wrap).then_some(canvas.size);
-    let mut found = vec![Vec::new(); canvas.regions];
+    let tile = (target.bounds.edges == Edges::Wrap).then_some(target.bounds.size);
+    let mut found = vec![Vec::new(); target.regions];
     for edge in edges(&centers, tile).iter().filter(|edge| !edge.hull) {
-        if is_parted(edge, centers[edge.ends[0]], canvas) {
+        if is_separated(edge, centers[edge.ends[0]], target) {
             continue;
         }
-        let Attributes::Spots(wanted) = (canvas.wanted)(edge.middle) else { continue };
+        let Attributes::Spots(wanted) = (target.wanted)(edge.middle) else { continue };
         if wanted.spacing.is_none_or(|spacing| edge.length <= LONGEST * spacing) {
-            found[(canvas.region_of)(edge.middle)].push((edge.length, wanted.spacing));
+            found[(target.region_of)(edge.middle)].push((edge.length, wanted.spacing));
         }
     }
     found
 }
 
-/// Rings of points in the circle between the ends of an edge at which it is asked whether a mark stands there.
+/// Rings of points in the circle between the ends of an edge that are tested for a mark of another layer.
 const RINGS: usize = 4;
 
-/// Does another layer's mark stand between the ends of an edge, one of which is `from`: in the circle that has the edge
-/// as its diameter?
-fn is_parted(edge: &Edge, from: [f64; 2], canvas: &Canvas) -> bool {
-    let half = [0, 1].map(|axis| {
-        let way = edge.middle[axis] - from[axis];
-        let side = canvas.size[axis];
-        if canvas.edges == Edges::Wrap { way - side * (way / side).round() } else { way }
-    });
-    let fold = |v: f64, side: f64| match canvas.edges {
-        Edges::Wrap => v.rem_euclid(side),
-        Edges::Closed => v.clamp(0.0, side),
-    };
+/// Whether another layer's mark lies between the ends of an edge, one of which is `from`: in the circle that has the edge
+/// as its diameter.
+fn is_separated(edge: &Edge, from: [f64; 2], target: &Target) -> bool {
+    let bounds = &target.bounds;
+    let half = bounds.shortest([0, 1].map(|axis| edge.middle[axis] - from[axis]));
     let covered = |x: f64, y: f64| {
         let away = [x * half[0] - y * half[1], x * half[1] + y * half[0]];
-        (canvas.covered)([0, 1].map(|axis| fold(edge.middle[axis] + away[axis], canvas.size[axis])))
+        (target.covered)(bounds.inside([0, 1].map(|axis| edge.middle[axis] + away[axis])))
     };
     let ring = |ring: usize| {
         let points = (6 * ring).max(1);
@@ -182,7 +173,7 @@ fn compare(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> SpotErrors
     }
 }
 
-/// The ruler of [`Spread::measure`] on what remains when the region map is taken away.
+/// As [`Spread::measure`], about the region map instead of the means.
 fn vary(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> Spread {
     let turned = |(spot, wanted): &(&Spot, Spots)| {
         (turn(spot.ellipse.major_angle(), wanted.angle), 1.0 - spot.ellipse.aspect())
@@ -199,12 +190,12 @@ fn vary(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> Spread {
     }
 }
 
-/// What is asked for in a region, summed up.
+/// Sums of what is wanted in a region.
 #[derive(Clone, Copy, Default)]
 struct Asked {
     count: f64,
     width: f64,
-    /// Not a number where none is asked for.
+    /// NaN where none is wanted.
     wavelength: f64,
     double: [f64; 2],
 }
@@ -221,37 +212,37 @@ impl Asked {
 }
 
 /// px² of each region that no other layer's marks cover.
-fn free(field: &Field, canvas: &Canvas) -> Vec<f64> {
-    let mut free = vec![0.0; canvas.regions];
-    for cell in 0..field.values.len() {
-        let [x, y] = [cell % field.width, cell / field.width].map(|at| at as f64 + 0.5);
-        let place = [x * field.cell[0], y * field.cell[1]];
-        if !(canvas.covered)(place) {
-            free[(canvas.region_of)(place)] += field.cell[0] * field.cell[1];
+fn free(field: &Field, target: &Target) -> Vec<f64> {
+    let mut free = vec![0.0; target.regions];
+    let grid = field.grid();
+    for cell in 0..grid.cells() {
+        let place = grid.center_px(cell);
+        if !(target.covered)(place) {
+            free[(target.region_of)(place)] += field.cell[0] * field.cell[1];
         }
     }
     free
 }
 
-/// Errors of a layer of stripes, by region: of what is above `level` in `field`, which covers the canvas.
+/// Errors of a layer of stripes, by region: of what is above `level` in `field`, which covers the target.
 #[must_use]
-pub fn stripe_errors(field: &Field, level: f32, canvas: &Canvas) -> Vec<StripeErrors> {
-    let tallies = tallies(field, level, canvas.regions, canvas.region_of);
+pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeErrors> {
+    let tallies = tallies(field, level, target.regions, target.region_of);
     let contour: f64 = tallies.iter().map(|tally| tally.contour).sum();
     if contour <= 0.0 {
-        return vec![StripeErrors::default(); canvas.regions];
+        return vec![StripeErrors::default(); target.regions];
     }
     let directions = Directions::measure(field, wavelength(field, contour));
-    let asked = directions.ask(|place| {
-        let wanted = (canvas.wanted)(place);
+    let asked = directions.at_centers(|place| {
+        let wanted = (target.wanted)(place);
         let double = (2.0 * wanted.angle()).to_radians();
-        ((canvas.region_of)(place), [libm::cos(double), libm::sin(double)], wanted)
+        ((target.region_of)(place), [libm::cos(double), libm::sin(double)], wanted)
     });
     let places: Vec<(usize, [f64; 2])> = asked.iter().map(|(region, double, _)| (*region, *double)).collect();
-    let turns = directions.deviations(&places, canvas.regions);
-    let angles = directions.means(&places, canvas.regions);
-    let free = free(field, canvas);
-    let mut sums = vec![Asked::default(); canvas.regions];
+    let turns = directions.deviations(&places, target.regions);
+    let angles = directions.means(&places, target.regions);
+    let free = free(field, target);
+    let mut sums = vec![Asked::default(); target.regions];
     for (region, [c, s], wanted) in &asked {
         if let Attributes::Stripes(wanted) = wanted {
             let sum = &mut sums[*region];
@@ -265,7 +256,7 @@ pub fn stripe_errors(field: &Field, level: f32, canvas: &Canvas) -> Vec<StripeEr
         let angle = angles[k];
         let width = (tallies[k].contour > 0.0).then(|| 2.0 * tallies[k].area / tallies[k].contour);
         let wanted = sums[k].mean();
-        // Only where a distance is asked for: of others it is twice the width.
+        // Only where a wavelength is wanted; elsewhere it is twice the width.
         let asked = wanted.and_then(|wanted| wanted.wavelength);
         let wavelength =
             asked.filter(|_| tallies[k].contour > 0.0).map(|_| 2.0 * free[k] / tallies[k].contour);
@@ -278,5 +269,5 @@ pub fn stripe_errors(field: &Field, level: f32, canvas: &Canvas) -> Vec<StripeEr
             angle_rms: turns[k].map(|deviation| deviation.rms),
         }
     };
-    (0..canvas.regions).map(region).collect()
+    (0..target.regions).map(region).collect()
 }

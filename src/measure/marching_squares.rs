@@ -1,70 +1,7 @@
-//! One square between four nodes: what of it is above the level, exactly, for values that vary linearly along
-//! its sides (marching squares).
+//! Marching squares: the parts of a square between four nodes that are above the level, exact for values that vary
+//! linearly along its sides.
 
-/// ∫1, ∫x, ∫y, ∫x², ∫xy, ∫y² over a region: px², px³, px⁴.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Moments {
-    pub(super) area: f64,
-    pub(super) x: f64,
-    pub(super) y: f64,
-    pub(super) xx: f64,
-    pub(super) xy: f64,
-    pub(super) yy: f64,
-}
-
-impl Moments {
-    pub(super) fn add(&mut self, other: &Self) {
-        self.area += other.area;
-        self.x += other.x;
-        self.y += other.y;
-        self.xx += other.xx;
-        self.xy += other.xy;
-        self.yy += other.yy;
-    }
-
-    /// Of the same region `dx`, `dy` further.
-    pub(super) fn moved(&self, [dx, dy]: [f64; 2]) -> Self {
-        Self {
-            area: self.area,
-            x: self.x + dx * self.area,
-            y: self.y + dy * self.area,
-            xx: self.xx + dx * (2.0 * self.x + dx * self.area),
-            xy: self.xy + dx * self.y + dy * (self.x + dx * self.area),
-            yy: self.yy + dy * (2.0 * self.y + dy * self.area),
-        }
-    }
-
-    /// Of the rectangle [x0, x1] × [y0, y1].
-    pub(super) fn rectangle([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> Self {
-        let (w, h) = (x1 - x0, y1 - y0);
-        let area = w * h;
-        let (x, y) = (0.5 * (x0 + x1), 0.5 * (y0 + y1));
-        Self {
-            area,
-            x: area * x,
-            y: area * y,
-            xx: area * (x * x + w * w / 12.0),
-            xy: area * x * y,
-            yy: area * (y * y + h * h / 12.0),
-        }
-    }
-
-    /// Of a polygon, by Green's theorem; positive where its corners go from +x towards +y.
-    fn polygon(corners: &[[f64; 2]]) -> Self {
-        let mut sum = Self::default();
-        for (k, [x0, y0]) in corners.iter().enumerate() {
-            let [x1, y1] = corners[(k + 1) % corners.len()];
-            let cross = x0 * y1 - x1 * y0;
-            sum.area += cross / 2.0;
-            sum.x += cross * (x0 + x1) / 6.0;
-            sum.y += cross * (y0 + y1) / 6.0;
-            sum.xx += cross * (x0 * x0 + x0 * x1 + x1 * x1) / 12.0;
-            sum.xy += cross * (2.0 * x0 * y0 + x0 * y1 + x1 * y0 + 2.0 * x1 * y1) / 24.0;
-            sum.yy += cross * (y0 * y0 + y0 * y1 + y1 * y1) / 12.0;
-        }
-        sum
-    }
-}
+use crate::marks::Moments;
 
 /// A part of a square that is above the level.
 #[derive(Clone, Copy, Debug)]
@@ -90,7 +27,7 @@ pub(super) fn parts([x, y]: [f64; 2], [w, h]: [f64; 2], v: [f64; 4], mut part: i
         let t = v[a] / (v[a] - v[b]);
         [0, 1].map(|axis| corners[a][axis] + t * (corners[b][axis] - corners[a][axis]))
     };
-    let mut hand = |polygon: &[[f64; 2]], contour: f64, corner: usize, across: Option<usize>| {
+    let mut emit = |polygon: &[[f64; 2]], contour: f64, corner: usize, across: Option<usize>| {
         part(Part { moments: Moments::polygon(polygon).moved([x, y]), contour, corner, across });
     };
     let saddle = inside[0] == inside[2] && inside[1] == inside[3];
@@ -98,7 +35,7 @@ pub(super) fn parts([x, y]: [f64; 2], [w, h]: [f64; 2], v: [f64; 4], mut part: i
     if saddle && !joined {
         for k in (0..4).filter(|k| inside[*k]) {
             let (before, behind) = (crossing(k + 3), crossing(k));
-            hand(&[before, corners[k], behind], distance(before, behind), k, None);
+            emit(&[before, corners[k], behind], distance(before, behind), k, None);
         }
         return;
     }
@@ -118,12 +55,12 @@ pub(super) fn parts([x, y]: [f64; 2], [w, h]: [f64; 2], v: [f64; 4], mut part: i
             (n, crossings) = (n + 1, crossings + 1);
         }
     }
-    // From the first inside corner on, the walk leaves and enters by turns: each pair of crossings is a line.
+    // From the first inside corner on, the outline leaves and enters alternately: each pair of crossings is a line.
     let mut contour = distance(ends[0], ends[1]);
     if saddle {
         contour += distance(ends[2], ends[3]);
     }
-    hand(&polygon[..n], contour, first, saddle.then_some((first + 2) % 4));
+    emit(&polygon[..n], contour, first, saddle.then_some((first + 2) % 4));
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
@@ -168,24 +105,5 @@ mod tests {
         assert_eq!((joined[0].corner, joined[0].across), (1, Some(3)));
         let cut = 2.0 * 0.5 / 9.0;
         assert!((joined[0].moments.area - (1.0 - cut)).abs() < 1e-15);
-    }
-
-    #[test]
-    fn a_polygon_and_a_rectangle_have_the_same_moments_wherever_they_lie() {
-        let (x, y) = ([3.0, 5.5], [-2.0, -1.0]);
-        let polygon = Moments::polygon(&[[3.0, -2.0], [5.5, -2.0], [5.5, -1.0], [3.0, -1.0]]);
-        let moved = Moments::rectangle([0.0, 2.5], [0.0, 1.0]).moved([3.0, -2.0]);
-        for other in [polygon, moved] {
-            let rectangle = Moments::rectangle(x, y);
-            let pairs = [
-                (rectangle.area, other.area),
-                (rectangle.x, other.x),
-                (rectangle.y, other.y),
-                (rectangle.xx, other.xx),
-                (rectangle.xy, other.xy),
-                (rectangle.yy, other.yy),
-            ];
-            assert!(pairs.iter().all(|(a, b)| (a - b).abs() < 1e-12), "{pairs:?}");
-        }
     }
 }

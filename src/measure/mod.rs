@@ -1,28 +1,29 @@
 //! Field → marks and stripe statistics, in the words of `docs/format.md`.
 //!
 //! ```text
-//!  Field ─▶ nodes (a finer grid, by splines) ─▶ square (what of each square is inside, exactly)
-//!                                                ├─▶ spots    areas, moments, whole or cut ─┐
-//!                                                └─▶ stripes  width = 2 · area ÷ contour   ─┼─▶ errors, verdict
+//!  Field ─▶ supersampled grid (by splines) ─▶ marching squares (exact area above the level in each square)
+//!                                              ├─▶ spots    areas, moments, whole or cut   ─┐
+//!                                              └─▶ stripes  width = 2 · area ÷ contour     ─┼─▶ errors, texture check
 //!        directions (structure tensor) ─────────────────────────────────────────────────────┘
 //! ```
 //!
-//! All results are px and degrees of the canvas, whatever the field's cell is. Nothing depends on the number
-//! of threads: the finer grid is cut into the same stretches of rows for any, and sums are taken in their order.
+//! All results are px and degrees of the canvas, whatever the field's cell size is. Nothing depends on the number
+//! of threads: the supersampled grid is always cut into the same bands of rows, and sums are taken in their order.
 
 mod directions;
 mod errors;
 mod marching_squares;
+mod otsu;
 mod picture;
 mod spots;
 mod stripes;
 mod supersampled_grid;
-mod union_find;
-mod verdict;
+mod texture_check;
 
 pub use directions::{Deviation, Directions};
-pub use errors::{Canvas, SpotErrors, StripeErrors, spot_errors, stripe_errors};
+pub use errors::{SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};
+pub use otsu::level_between_phases;
 pub use picture::{Picture, picture};
 pub use spots::{Census, Spot, census, spots};
 pub use stripes::{StripeStatistics, stripes, widths};
-pub use verdict::{Reason, formed, spot_texture, stripe_texture};
+pub use texture_check::{Reason, check_formed, check_spot_texture, check_stripe_texture};

@@ -1,4 +1,4 @@
-//! A picture of spots or stripes, measured without knowing which.
+//! Measures a picture of spots or stripes without being told which.
 
 use super::spots::{Census, Spot, census};
 use super::stripes::{StripeStatistics, stripes};
@@ -35,9 +35,9 @@ const LONG: f64 = 2.5;
 /// Ellipses fill their own moments' ellipse; bands, even short ones, do not.
 const ROUND: f64 = 0.97;
 
-/// Spots or stripes above `level`? `None` where it is neither: nothing there, or only noise.
+/// Measures the spots or stripes above `level`. `None` where there are neither: nothing is above it, or only noise.
 ///
-/// Stripes, where more than half of the area is in bands: regions that are long (contour² ÷ (4π·area) above
+/// They are stripes where more than half of the area is in bands: regions that are long (contour² ÷ (4π·area) above
 /// 2.5) or endless, and no ellipses.
 #[must_use]
 pub fn picture(field: &Field, level: f32) -> Option<Picture> {

@@ -2,11 +2,10 @@
 
 use std::f64::consts::PI;
 
-use crate::grid::{Edges, Field};
-use crate::marks::{Ellipse, axial};
-use crate::measure::marching_squares::{Moments, parts};
-use crate::measure::supersampled_grid::Nodes;
-use crate::measure::union_find::Pieces;
+use crate::grid::{Edges, Field, UnionFind};
+use crate::marks::{Ellipse, Moments, axial};
+use crate::measure::marching_squares::parts;
+use crate::measure::supersampled_grid::SupersampledGrid;
 
 /// A connected region above the level.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,12 +15,12 @@ pub struct Spot {
     pub ellipse: Ellipse,
     /// It touches no closed edge and is not endless: all of it was measured.
     pub whole: bool,
-    /// It meets itself across a wrapped border: a stripe round the tile, no ellipse.
+    /// It meets itself across a wrapped border: a stripe round the tile, not an ellipse.
     pub endless: bool,
     /// Length of its outline, holes included, without the frame, px.
     pub contour: f64,
     /// Area ÷ (π·r₁·r₂), where 2√λ are the radii of an ellipse of second moments λ: 1 for an ellipse, 0.955
-    /// for a rectangle, below 0.93 for what has merged or is bent.
+    /// for a rectangle, below 0.93 for merged or bent marks.
     pub fill: f64,
     /// Its highest value.
     pub peak: f32,
@@ -32,15 +31,15 @@ pub struct Spot {
 pub struct Census {
     /// In reading order of their first row.
     pub spots: Vec<Spot>,
-    /// Regions under 2 cells of the field, or under 5 % of the usual area (that at which half of all that is
-    /// inside has been reached).
+    /// Regions under 2 cells of the field, or under 5 % of the usual area: that of the region at which half of the total
+    /// area is reached, counted from the smallest.
     pub specks: usize,
 }
 
 /// A region of fewer cells of the field than this is a speck: noise, or a corner of something at the border.
 const SPECK_CELLS: f64 = 2.0;
 
-/// So is one of less than this share of the area that half of all that is inside has reached.
+/// A region of less than this share of the area at which half of the total area is reached is a speck too.
 const SPECK_SHARE: f64 = 0.05;
 
 /// The regions above `level`, specks left out; see [`census`].
@@ -62,16 +61,16 @@ pub fn spots(field: &Field, level: f32) -> Vec<Spot> {
 pub fn census(field: &Field, level: f32) -> Census {
     let coarse = regions(field, level, 1);
     let cell = field.cell[0] * field.cell[1];
-    // What is cut may be small without its marks being so, and what is tiny is a speck.
+    // Cut regions may be small though their marks are not, and tiny ones are specks.
     let counts = |region: &&Region| region.moments.area > SPECK_CELLS * cell && !region.touches;
     let mut areas: Vec<f64> = coarse.iter().filter(counts).map(|region| region.moments.area / cell).collect();
     areas.sort_by(f64::total_cmp);
-    // Without any, two nodes a cell show what may be between the cells.
+    // Without any, two nodes a cell show what may lie between the cells.
     let factor = areas.get(areas.len() / 10).map_or(2, |small| factor(*small));
-    sift(&regions(field, level, factor), field)
+    without_specks(&regions(field, level, factor), field)
 }
 
-/// Nodes a cell (each way) that measure regions of `area` cells well.
+/// Nodes a cell (each way) for regions of `area` cells.
 ///
 /// With nodes h cells apart, chords and linear crossings cost an area A of the order h² ÷ A; 0.0012 of that was
 /// found to leave errors under 0.1 % (`tests/ruler.rs`).
@@ -79,7 +78,7 @@ fn factor(area: f64) -> usize {
     ((1.0 / (0.0012 * area)).sqrt().ceil() as usize).clamp(2, 8)
 }
 
-/// What is known of a region once all rows were seen.
+/// Sums over a region.
 #[derive(Clone, Copy, Debug)]
 struct Region {
     moments: Moments,
@@ -97,17 +96,17 @@ const NOTHING: Region = Region {
     endless: false,
 };
 
-/// Not inside.
+/// The label of nodes that are not inside.
 const OUT: u32 = u32::MAX;
 
-/// Gathers regions while rows of nodes come by.
-struct Gatherer<'a> {
+/// Collects regions row by row of nodes.
+struct Collector<'a> {
     xs: &'a [f64],
     level: f32,
     edges: Edges,
     /// Is the first row the border of the field?
     top: bool,
-    pieces: Pieces,
+    sets: UnionFind,
     known: Vec<Region>,
     /// The row above: its y, values and labels.
     y: f64,
@@ -117,33 +116,33 @@ struct Gatherer<'a> {
 }
 
 fn regions(field: &Field, level: f32, factor: usize) -> Vec<Region> {
-    let nodes = Nodes::new(field, factor);
-    let gatherer = |top| Gatherer {
+    let nodes = SupersampledGrid::new(field, factor);
+    let collector = |top| Collector {
         xs: &nodes.xs,
         level,
         edges: field.edges,
         top,
-        pieces: Pieces::default(),
+        sets: UnionFind::default(),
         known: Vec::new(),
         y: 0.0,
         values: Vec::new(),
         labels: Vec::new(),
         first: Vec::new(),
     };
-    let stretches = nodes.stretches(|ys, values, top| {
-        let mut gatherer = gatherer(top);
+    let bands = nodes.bands(|ys, values, top| {
+        let mut collector = collector(top);
         for (y, values) in ys.iter().zip(values.chunks_exact(nodes.xs.len())) {
-            gatherer.row(*y, values);
+            collector.row(*y, values);
         }
-        gatherer
+        collector
     });
-    let mut stretches = stretches.into_iter();
-    let Some(mut all) = stretches.next() else { return Vec::new() };
-    stretches.for_each(|stretch| all.append(stretch));
+    let mut bands = bands.into_iter();
+    let Some(mut all) = bands.next() else { return Vec::new() };
+    bands.for_each(|band| all.append(band));
     all.finish(field.extent())
 }
 
-impl Gatherer<'_> {
+impl Collector<'_> {
     fn row(&mut self, y: f64, values: &[f32]) {
         let labels = self.label(values);
         if self.values.is_empty() {
@@ -160,26 +159,26 @@ impl Gatherer<'_> {
         self.labels = labels;
     }
 
-    /// Goes on with what was gathered of the rows below, from the last row of this on.
+    /// Appends the band below, whose first row is the last of this one.
     fn append(&mut self, mut below: Self) {
         let offset = self.known.len() as u32;
         for piece in 0..below.known.len() as u32 {
-            self.pieces.add();
-            let (root, shift) = below.pieces.find(piece);
-            self.pieces.join(offset + root, offset + piece, shift);
-            if piece == root && below.pieces.is_endless(root) {
-                self.pieces.close(offset + root);
+            self.sets.add();
+            let (root, shift) = below.sets.find(piece);
+            self.sets.join(offset + root, offset + piece, shift);
+            if piece == root && below.sets.is_endless(root) {
+                self.sets.mark_endless(offset + root);
             }
         }
         self.known.append(&mut below.known);
         for (above, below) in self.labels.iter().zip(&below.first).filter(|(above, _)| **above != OUT) {
-            self.pieces.join(*above, offset + below, [0, 0]);
+            self.sets.join(*above, offset + below, [0, 0]);
         }
         let moved = |label: &u32| if *label == OUT { OUT } else { offset + label };
         self.labels = below.labels.iter().map(moved).collect();
     }
 
-    /// Gives each inside node of a row a piece: its left neighbour's, the one's above, or a new one.
+    /// Labels each inside node of a row: with its left neighbour's label, that of the node above, or a new one.
     fn label(&mut self, values: &[f32]) -> Vec<u32> {
         let mut labels = vec![OUT; values.len()];
         let (mut left, mut peak) = (OUT, f32::NEG_INFINITY);
@@ -189,38 +188,42 @@ impl Gatherer<'_> {
                 if left == OUT {
                     left = if above == OUT { self.begin() } else { above };
                 } else if above != OUT && above != left {
-                    self.pieces.join(above, left, [0, 0]);
+                    self.sets.join(above, left, [0, 0]);
                 }
                 labels[i] = left;
                 peak = peak.max(*value);
             } else if left != OUT {
-                self.reach(left, peak);
+                self.raise_peak(left, peak);
                 (left, peak) = (OUT, f32::NEG_INFINITY);
             }
         }
         if left != OUT {
-            self.reach(left, peak);
+            self.raise_peak(left, peak);
         }
         let ends = [labels[0], labels[labels.len() - 1]];
         match self.edges {
             Edges::Closed => self.touch(&ends),
-            Edges::Wrap if ends[0] != OUT => self.pieces.join(ends[1], ends[0], [1, 0]),
+            Edges::Wrap if ends[0] != OUT => {
+                self.sets.join(ends[1], ends[0], [1, 0]);
+            }
             Edges::Wrap => {}
         }
         labels
     }
 
-    fn reach(&mut self, piece: u32, peak: f32) {
-        let region = &mut self.known[piece as usize];
+    /// Takes a value into the peak of a label's region.
+    fn raise_peak(&mut self, label: u32, peak: f32) {
+        let region = &mut self.known[label as usize];
         region.peak = region.peak.max(peak);
     }
 
+    /// A new label.
     fn begin(&mut self) -> u32 {
         self.known.push(NOTHING);
-        self.pieces.add()
+        self.sets.add()
     }
 
-    /// These nodes are on a border: on a closed one, what they belong to is cut.
+    /// Marks the regions of nodes on a closed border as cut.
     fn touch(&mut self, labels: &[u32]) {
         if self.edges == Edges::Closed {
             for label in labels.iter().filter(|label| **label != OUT) {
@@ -255,7 +258,7 @@ impl Gatherer<'_> {
                 region.moments.add(&part.moments);
                 region.contour += part.contour;
                 if let Some(across) = part.across {
-                    self.pieces.join(four[part.corner], four[across], [0, 0]);
+                    self.sets.join(four[part.corner], four[across], [0, 0]);
                 }
             });
         }
@@ -264,7 +267,7 @@ impl Gatherer<'_> {
         }
     }
 
-    /// Squares from node `from` on, in the strip that ends at `y`, that are all inside.
+    /// Adds squares from node `from` on, in the strip that ends at `y`, that are all inside.
     fn fill(&mut self, from: usize, x: [f64; 2], y: f64) {
         let region = &mut self.known[self.labels[from] as usize];
         region.moments.add(&Moments::rectangle(x, [self.y, y]));
@@ -275,26 +278,26 @@ impl Gatherer<'_> {
         self.touch(&last);
         if self.edges == Edges::Wrap {
             for (low, high) in last.iter().zip(&self.first).filter(|(low, _)| **low != OUT) {
-                self.pieces.join(*low, *high, [0, 1]);
+                self.sets.join(*low, *high, [0, 1]);
             }
         }
-        let mut whole = vec![NOTHING; self.pieces.len()];
-        for piece in 0..self.pieces.len() {
-            let (root, [across, down]) = self.pieces.find(piece as u32);
+        let mut whole = vec![NOTHING; self.sets.len()];
+        for piece in 0..self.sets.len() {
+            let (root, [across, down]) = self.sets.find(piece as u32);
             let (seen, region) = (&self.known[piece], &mut whole[root as usize]);
             region.moments.add(&seen.moments.moved([f64::from(across) * width, f64::from(down) * height]));
             region.contour += seen.contour;
             region.peak = region.peak.max(seen.peak);
             region.touches |= seen.touches;
-            region.endless = self.pieces.is_endless(root);
+            region.endless = self.sets.is_endless(root);
         }
         whole.retain(|region| region.moments.area > 0.0);
         whole
     }
 }
 
-/// Regions → spots, without the specks.
-fn sift(regions: &[Region], field: &Field) -> Census {
+/// The spots among regions, and the number of specks.
+fn without_specks(regions: &[Region], field: &Field) -> Census {
     let mut areas: Vec<f64> = regions.iter().map(|region| region.moments.area).collect();
     areas.sort_by(f64::total_cmp);
     let half = 0.5 * areas.iter().sum::<f64>();
@@ -313,9 +316,8 @@ fn sift(regions: &[Region], field: &Field) -> Census {
 }
 
 fn spot(region: &Region, field: &Field) -> Spot {
-    let Moments { area, x, y, xx, xy, yy } = region.moments;
-    let [cx, cy] = [x / area, y / area];
-    let [xx, xy, yy] = [xx / area - cx * cx, xy / area - cx * cy, yy / area - cy * cy];
+    let area = region.moments.area;
+    let ([cx, cy], [xx, xy, yy]) = region.moments.central();
     // Eigenvalues of the covariance: those of an ellipse are r² ÷ 4.
     let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
     let apart = (half * half + xy * xy).sqrt();

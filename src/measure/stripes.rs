@@ -3,7 +3,7 @@
 use super::directions::Directions;
 use crate::grid::Field;
 use crate::measure::marching_squares::parts;
-use crate::measure::supersampled_grid::Nodes;
+use crate::measure::supersampled_grid::SupersampledGrid;
 
 /// What the stripes of a field look like.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,7 +12,7 @@ pub struct StripeStatistics {
     pub width: f64,
     /// Coherence-weighted axial mean of the direction along the stripes, degrees in [0, 180).
     pub angle: f64,
-    /// How far places agree on that direction, 0..1: 1 = straight parallel stripes.
+    /// Resultant length of the local directions, 0..1: 1 = straight parallel stripes.
     pub alignment: f64,
     /// Mean coherence of the structure tensor, 0..1: 1 = each place has one clear direction.
     pub coherence: f64,
@@ -22,7 +22,7 @@ pub struct StripeStatistics {
     pub share: f64,
 }
 
-/// Area and contour length that were found in one place or region.
+/// Area and contour length of a square or a region.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Tally {
     pub(super) area: f64,
@@ -51,7 +51,7 @@ pub fn stripes(field: &Field, level: f32) -> Option<StripeStatistics> {
     })
 }
 
-/// What stripes with so much contour repeat after, px.
+/// Wavelength of stripes with this contour length, px.
 pub(super) fn wavelength(field: &Field, contour: f64) -> f64 {
     let [width, height] = field.extent();
     2.0 * width * height / contour
@@ -70,7 +70,7 @@ pub fn widths(
     tallies.iter().map(|tally| (tally.contour > 0.0).then(|| 2.0 * tally.area / tally.contour)).collect()
 }
 
-/// Nodes across a stripe: that many read widths to 0.1 % (`tests/ruler.rs`).
+/// Nodes across a stripe: with so many, widths are exact to 0.1 % (`tests/ruler.rs`).
 const ACROSS: f64 = 12.0;
 /// Nodes a cell each way at most: they are enough for stripes of four cells.
 const FACTOR: f64 = 3.0;
@@ -96,9 +96,9 @@ fn tallied(
     region_of: impl Fn([f64; 2]) -> usize + Sync,
     factor: usize,
 ) -> Vec<Tally> {
-    let nodes = Nodes::new(field, factor);
+    let nodes = SupersampledGrid::new(field, factor);
     let n = nodes.xs.len();
-    let stretches = nodes.stretches(|ys, values, _| {
+    let bands = nodes.bands(|ys, values, _| {
         let mut tallies = vec![Tally::default(); regions];
         for (ys, rows) in ys.windows(2).zip(values.chunks_exact(n).collect::<Vec<_>>().windows(2)) {
             let edge = |i: usize| [rows[0][i], rows[0][i + 1], rows[1][i + 1], rows[1][i]];
@@ -111,8 +111,8 @@ fn tallied(
         tallies
     });
     let mut tallies = vec![Tally::default(); regions];
-    for stretch in stretches {
-        for (tally, more) in tallies.iter_mut().zip(stretch) {
+    for band in bands {
+        for (tally, more) in tallies.iter_mut().zip(band) {
             tally.area += more.area;
             tally.contour += more.contour;
         }
@@ -120,7 +120,7 @@ fn tallied(
     tallies
 }
 
-/// Hands over the middle, area and contour length of each square of a strip that is not all outside.
+/// Calls `found` with the middle, area and contour length of each square of a strip that is not all outside.
 fn strip(
     xs: &[f64],
     [top, bottom]: [f64; 2],

@@ -1,29 +1,30 @@
-//! The finer grid on which a level line is followed: `factor` × `factor` nodes a cell, and a frame.
+//! The supersampled grid on which a level line is followed: `factor` × `factor` nodes a cell, and a border of nodes.
 //!
 //! Nodes stand at the centres of the parts of a cell. Squares between neighbouring nodes must cover the canvas
-//! exactly, so the grid is completed up to the border: on a closed field by the outermost nodes once more, on
-//! the border itself (the mirror: nothing changes across it); on a wrapped one by the first node once more
-//! behind the last.
+//! exactly, so the grid is completed up to the border of the canvas: on a closed field by repeating the outermost nodes
+//! on the border itself (values are mirrored there, so nothing changes across it); on a wrapped one by repeating the
+//! first node after the last.
 
 use rayon::prelude::*;
 
 use crate::grid::resample::Spline;
 use crate::grid::{Edges, Field};
 
-/// Never more nodes than this on the finer grid; a 4096² field gets 4 × 4 a cell at most.
+/// The most nodes of a supersampled grid; a 4096² field gets 4 × 4 a cell at most.
 const MOST_NODES: f64 = 3e8;
 
-/// Nodes of a stretch.
-const STRETCH: usize = 1 << 17;
+/// Nodes of a band.
+const BAND: usize = 1 << 17;
 
-pub(super) struct Nodes<'a> {
+/// A field read at `factor` × `factor` nodes a cell.
+pub(super) struct SupersampledGrid<'a> {
     field: &'a Field,
     factor: usize,
     /// Positions of a row's nodes, px.
     pub(super) xs: Vec<f64>,
 }
 
-impl<'a> Nodes<'a> {
+impl<'a> SupersampledGrid<'a> {
     /// The grid with `factor` nodes a cell each way, or as many as fit.
     pub(super) fn new(field: &'a Field, factor: usize) -> Self {
         let cells = (field.width * field.height).max(1) as f64;
@@ -32,10 +33,11 @@ impl<'a> Nodes<'a> {
         Self { field, factor, xs }
     }
 
-    /// Does `work` on stretches of rows, on all threads: it is given their ys (px), their values and whether they are
-    /// the topmost; the last row is the first of the next stretch. Gives what came of them, in their order; stretches are cut alike whatever the
-    /// number of threads.
-    pub(super) fn stretches<T: Send>(&self, work: impl Fn(&[f64], &[f32], bool) -> T + Sync) -> Vec<T> {
+    /// Does `work` on bands of rows, on all threads, and gives the results in the order of the bands.
+    ///
+    /// `work` takes the rows' ys (px), their values and whether the band is the topmost. The last row of a band is also the
+    /// first of the next. Bands are the same for any number of threads.
+    pub(super) fn bands<T: Send>(&self, work: impl Fn(&[f64], &[f32], bool) -> T + Sync) -> Vec<T> {
         let field = self.field;
         let (width, height) = (field.width * self.factor, field.height * self.factor);
         if width == 0 || height == 0 {
@@ -47,49 +49,50 @@ impl<'a> Nodes<'a> {
             let columns = spline.columns(width);
             (spline, columns)
         });
-        // The row of nodes that the frame's row `i` repeats.
+        // The row of nodes that row `i` of the completed grid repeats.
         let row = |i: usize| match field.edges {
             Edges::Closed => i.saturating_sub(1).min(height - 1),
             Edges::Wrap => i % height,
         };
-        let long = (STRETCH / self.xs.len()).max(16);
-        let firsts: Vec<usize> = (0..ys.len() - 1).step_by(long).collect();
-        let stretch = |first: usize| {
-            let last = (first + long).min(ys.len() - 1);
-            let mut framed = vec![0.0; (last + 1 - first) * self.xs.len()];
+        let rows = (BAND / self.xs.len()).max(16);
+        let firsts: Vec<usize> = (0..ys.len() - 1).step_by(rows).collect();
+        let band = |first: usize| {
+            let last = (first + rows).min(ys.len() - 1);
+            let mut completed = vec![0.0; (last + 1 - first) * self.xs.len()];
             let (mut line, mut values) = (Vec::new(), vec![0.0; width]);
-            for (i, framed) in (first..=last).zip(framed.chunks_exact_mut(self.xs.len())) {
+            for (i, completed) in (first..=last).zip(completed.chunks_exact_mut(self.xs.len())) {
                 let y = row(i);
                 match &spline {
                     Some((spline, columns)) => {
                         spline.row(y, height, columns, &mut line, &mut values);
-                        self.frame(&values, framed);
+                        self.complete(&values, completed);
                     }
-                    None => self.frame(&field.values[y * width..(y + 1) * width], framed),
+                    None => self.complete(&field.values[y * width..(y + 1) * width], completed),
                 }
             }
-            work(&ys[first..=last], &framed, first == 0)
+            work(&ys[first..=last], &completed, first == 0)
         };
-        firsts.into_par_iter().map(stretch).collect()
+        firsts.into_par_iter().map(band).collect()
     }
 
-    fn frame(&self, values: &[f32], framed: &mut [f32]) {
+    /// A row of nodes with those on the border.
+    fn complete(&self, values: &[f32], completed: &mut [f32]) {
         let n = values.len();
         match self.field.edges {
             Edges::Closed => {
-                framed[1..=n].copy_from_slice(values);
-                framed[0] = values[0];
-                framed[n + 1] = values[n - 1];
+                completed[1..=n].copy_from_slice(values);
+                completed[0] = values[0];
+                completed[n + 1] = values[n - 1];
             }
             Edges::Wrap => {
-                framed[..n].copy_from_slice(values);
-                framed[n] = values[0];
+                completed[..n].copy_from_slice(values);
+                completed[n] = values[0];
             }
         }
     }
 }
 
-/// Where `n` nodes `step` px apart stand, and those that complete them.
+/// Positions of `n` nodes `step` px apart, and of those on the border.
 fn places(n: usize, step: f64, edges: Edges) -> Vec<f64> {
     let centre = |i: usize| (i as f64 + 0.5) * step;
     match edges {
@@ -106,10 +109,10 @@ mod tests {
     use super::*;
 
     fn rows(field: &Field, factor: usize) -> (Vec<f64>, Vec<f64>, Vec<Vec<f32>>) {
-        let nodes = Nodes::new(field, factor);
+        let nodes = SupersampledGrid::new(field, factor);
         let (mut ys, mut all) = (Vec::new(), Vec::new());
-        let stretches = nodes.stretches(|ys, values, top| (ys.to_vec(), values.to_vec(), top));
-        for (some, values, top) in stretches {
+        let bands = nodes.bands(|ys, values, top| (ys.to_vec(), values.to_vec(), top));
+        for (some, values, top) in bands {
             let again = usize::from(!top);
             ys.extend_from_slice(&some[again..]);
             all.extend(values.chunks(nodes.xs.len()).skip(again).map(<[f32]>::to_vec));

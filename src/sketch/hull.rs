@@ -1,6 +1,6 @@
 //! The convex hull of a stroke, and its measures.
 
-use crate::marks::{Ellipse, fit};
+use crate::marks::{Ellipse, Moments, fit};
 
 /// A convex polygon, corners in turn.
 #[derive(Clone, Debug)]
@@ -41,26 +41,13 @@ impl Hull {
     }
 
     /// The ellipse with the hull's second moments; `None` of a hull without area.
-    ///
-    /// With w = x₁y₂ − x₂y₁ of each side: A = Σ w/2, x̄ = Σ w·(x₁ + x₂)/6A,
-    /// ∫x² = Σ w·(x₁² + x₁x₂ + x₂²)/12, ∫xy = Σ w·(2x₁y₁ + x₁y₂ + x₂y₁ + 2x₂y₂)/24.
     pub(super) fn ellipse(&self) -> Option<Ellipse> {
+        // Coordinates relative to a corner keep the precision of small hulls.
         let origin = self.corners[0];
-        let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
-        for (a, b) in self.sides() {
-            let w = self.cross(a, b);
-            let [x1, y1] = [a[0] - origin[0], a[1] - origin[1]];
-            let [x2, y2] = [b[0] - origin[0], b[1] - origin[1]];
-            area += 0.5 * w;
-            first[0] += w * (x1 + x2) / 6.0;
-            first[1] += w * (y1 + y2) / 6.0;
-            second[0] += w * (x1 * x1 + x1 * x2 + x2 * x2) / 12.0;
-            second[1] += w * (2.0 * x1 * y1 + x1 * y2 + x2 * y1 + 2.0 * x2 * y2) / 24.0;
-            second[2] += w * (y1 * y1 + y1 * y2 + y2 * y2) / 12.0;
-        }
-        let [x, y] = first.map(|sum| sum / area);
-        let [xx, xy, yy] = second.map(|sum| sum / area);
-        fit::ellipse_from_moments([origin[0] + x, origin[1] + y], [xx - x * x, xy - x * y, yy - y * y])
+        let relative: Vec<[f64; 2]> =
+            self.corners.iter().map(|[x, y]| [x - origin[0], y - origin[1]]).collect();
+        let ([x, y], covariance) = Moments::polygon(&relative).central();
+        fit::ellipse_from_moments([origin[0] + x, origin[1] + y], covariance)
     }
 
     fn sides(&self) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
@@ -68,7 +55,7 @@ impl Hull {
         self.corners.iter().copied().zip(next.copied())
     }
 
-    /// Cross product of two corners, seen from the first one: small numbers keep their digits.
+    /// Cross product of two corners relative to the first one, which keeps the precision of small hulls.
     fn cross(&self, a: [f64; 2], b: [f64; 2]) -> f64 {
         cross(self.corners[0], a, b)
     }
@@ -126,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn points_without_extent_or_meaning_have_no_hull() {
+    fn points_without_extent_or_not_finite_have_no_hull() {
         assert!(Hull::new(&[]).is_none());
         assert!(Hull::new(&[[1.0, 2.0]; 5]).is_none());
         assert!(Hull::new(&[[1.0, 2.0], [f64::NAN, 0.0]]).is_none());

@@ -1,7 +1,7 @@
-//! Strokes → marks: what a hand drew.
+//! Strokes → marks: ellipses and lines drawn by hand.
 //!
-//! A freehand stroke is a list of points where the pen was. [`recognise`] says what a person would call it:
-//! a closed outline is an ellipse, an open stroke a line.
+//! A freehand stroke is a list of pen positions. [`recognise`] classifies it as a person would: a closed outline is an
+//! ellipse, an open stroke a line.
 
 mod hull;
 mod outline;
@@ -13,17 +13,17 @@ use hull::Hull;
 use path::Path;
 
 /// A fitted ellipse whose area or length lies outside this range of ratios to that of the outline's hull is
-/// not what was drawn. Fits of the outlines in the tests lie in 0.78..1.2: a hull cuts the gap off an
+/// rejected. Fits of the outlines in the tests lie in 0.78..1.2: a hull cuts the gap off an
 /// open C, and wraps round the jitter and around all rounds of a scribble.
 const PLAUSIBLE: std::ops::Range<f64> = 0.7..1.4;
 
 /// The mark that a freehand stroke stands for: an ellipse if it is closed, a line (of `width`, px) if open.
 ///
-/// `points` are in px, in the order drawn; how fast the pen went does not matter. Closed is what comes back
-/// near its start, runs over it, goes round several times or lacks a small piece, and encloses something;
-/// a blob hatched over to and fro is closed too. A line retraced to and fro is a line, and so is anything
-/// straight, bent, wavy or hooked: its direction is that of the total least squares line, its length that
-/// of its extent along it.
+/// `points` are in px, in the order drawn; how fast the pen moved does not matter. A stroke is
+/// closed where it comes back near its start, overshoots it, goes round several times or lacks a small piece, and encloses
+/// an area; a blob that is filled by hatching is closed too. A line that is drawn over several times is a line, and so
+/// is any straight, bent, wavy or hooked stroke: it has the direction of the total least squares line, and the length of its
+/// extent along it.
 ///
 /// `None` where the stroke has no extent or a coordinate is not a finite number.
 #[must_use]
@@ -39,15 +39,15 @@ pub fn recognise(points: &[[f64; 2]], width: f64) -> Option<Mark> {
     fit::line(&path.points, width).map(Mark::Line)
 }
 
-/// The ellipse that a closed outline (px) stands for, all of it and however it is drawn; a rectangle becomes the one with
-/// its second moments. `None` where it encloses nothing or a coordinate is not a finite number.
+/// The ellipse of a closed outline, px; a rectangle becomes the one with its second moments. `None` where it encloses
+/// nothing or a coordinate is not a finite number.
 #[must_use]
-pub fn enclosed(points: &[[f64; 2]]) -> Option<Ellipse> {
+pub fn fit_outline(points: &[[f64; 2]]) -> Option<Ellipse> {
     let hull = Hull::new(points)?;
     ellipse(&Path::new(points, hull.diameter()).points)
 }
 
-/// The ellipse of an outline: the direct least squares one, or, where that has gone astray, the one with the
+/// The ellipse of an outline: the direct least squares one, or, where that is not plausible, the one with the
 /// second moments of the outline's hull.
 fn ellipse(outline: &[[f64; 2]]) -> Option<Ellipse> {
     let rough = Hull::new(outline)?.ellipse()?;

@@ -1,9 +1,9 @@
-//! Is a stroke closed, and which part of it is the outline.
+//! Finds out whether a stroke is closed, and which part of it is the outline.
 //!
-//! A person sees an outline where a stroke comes back to where it was, having enclosed most of what it
-//! spans. So each part of the stroke, from point i to point j, is asked: how wide is its gap, how much does
-//! it enclose, how far does it turn; the best part is the outline, and what sticks out of it (the hook at a
-//! start, the tail of an overshoot) is left out.
+//! A person sees an outline where a stroke comes back to an earlier point and encloses most of the area that it
+//! spans. So each part of the stroke, from point i to point j, is rated by the width of its gap, the area that it
+//! encloses and how far it turns. The best part is the outline; the rest (the hook at a start, the tail of an
+//! overshoot) is left out.
 
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
@@ -55,16 +55,16 @@ pub(super) fn find(path: &Path, hull: &Hull) -> Option<RangeInclusive<usize>> {
     best.map(|(_, outline)| outline)
 }
 
-/// What is asked of the hull for each part.
+/// Measures of the hull that each part is compared with.
 struct Measures {
     area: f64,
     perimeter: f64,
 }
 
-/// Gap ÷ breadth of the part from `i` to `j`; `None` where it is no outline.
+/// Gap ÷ breadth of the part from `i` to `j`; `None` where it is not an outline.
 fn gap_of_outline(path: &Path, i: usize, j: usize, hull: &Measures) -> Option<f64> {
     let (gap, length, turns) = (path.gap(i, j), path.length(i, j), path.turns(i, j));
-    // A jerk of the pen may look like a turn, but it has no length.
+    // Jitter of the pen may look like a turn, but it has no length.
     let rounds = turns.min(length / hull.perimeter).round().max(1.0);
     let area = path.area(i, j) / rounds;
     if area < ENCLOSED * hull.area || area <= 0.0 {
@@ -84,8 +84,8 @@ fn radii(area: f64, perimeter: f64) -> [f64; 2] {
     [0.5 * (sum + difference), 0.5 * (sum - difference)]
 }
 
-/// Whether an area was hatched over: no thin hull, and a path that goes to and fro within it so often that,
-/// even smoothed, it is 1.2 times as long as the hull's outline. The hatched blobs of the tests have 1.29
+/// Whether an area was filled by hatching: the hull is not thin, and the path within it is, even smoothed, at least 1.2
+/// times as long as the hull's outline. The hatched blobs of the tests have 1.29
 /// and more; open strokes whose hull is as fat, like a half circle, have 0.9 at most.
 pub(super) fn is_hatched(path: &Path, hull: &Hull) -> bool {
     let fat = hull.area() >= 0.45 * PI / 4.0 * hull.diameter() * hull.diameter();

@@ -1,4 +1,4 @@
-//! A stroke as an evenly spaced path, whatever the pen's speed.
+//! A stroke as an evenly spaced path, independent of the pen's speed.
 
 use super::hull::distance;
 
@@ -6,7 +6,7 @@ use super::hull::distance;
 /// around small marks, coarser ones cut the tips of thin ellipses.
 const FINENESS: f64 = 40.0;
 
-/// Points are dealt out over at most this length, in steps; a longer scribble gets longer steps.
+/// The most steps of a path; a longer scribble has longer steps.
 const MOST_STEPS: f64 = 400.0;
 
 /// Rounds of (¼, ½, ¼) that smooth a path: a Gaussian of some 4 % of the diameter, so that a mark of 8 px
@@ -21,7 +21,7 @@ const REACH: usize = 2;
 pub(super) struct Path {
     /// Points on the stroke, in equal steps along it: what marks are fitted to.
     pub(super) points: Vec<[f64; 2]>,
-    /// The same points, smoothed: what is looked at to tell a closed stroke from an open one.
+    /// The same points, smoothed: used to tell a closed stroke from an open one.
     smooth: Vec<[f64; 2]>,
     /// Of the smooth path from its first point to each: length, px.
     length: Vec<f64>,
@@ -40,7 +40,7 @@ impl Path {
             smooth = smoothed(&smooth);
         }
         let mut path = Self { points, smooth, length: vec![0.0], swept: vec![0.0], turned: vec![0.0] };
-        path.add_up();
+        path.accumulate();
         path
     }
 
@@ -66,12 +66,12 @@ impl Path {
         (0.5 * (self.swept[j] - self.swept[i] + back)).abs()
     }
 
-    /// How far the smooth path turns from `i` to `j`, all to one side, turns of 360°.
+    /// The net turning of the smooth path from `i` to `j`, turns of 360°.
     pub(super) fn turns(&self, i: usize, j: usize) -> f64 {
         (self.turned[j] - self.turned[i]).abs()
     }
 
-    fn add_up(&mut self) {
+    fn accumulate(&mut self) {
         let (o, mut length, mut swept, mut turned) = (self.smooth[0], 0.0, 0.0, 0.0);
         let mut heading = None;
         for (i, pair) in self.smooth.windows(2).enumerate() {
@@ -102,8 +102,8 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// The points that lie at least `step` from the one kept before, and the last one: where a pen rests or
-/// crawls, its jitter is no path.
+/// The points that lie at least `step` from the one kept before, and the last one: the jitter of a pen that rests or
+/// moves slowly is left out.
 fn thinned(points: &[[f64; 2]], step: f64) -> Vec<[f64; 2]> {
     let mut kept: Vec<[f64; 2]> = Vec::new();
     for &point in points {
@@ -111,7 +111,7 @@ fn thinned(points: &[[f64; 2]], step: f64) -> Vec<[f64; 2]> {
             kept.push(point);
         }
     }
-    // The very end counts, however near.
+    // The end itself is always kept.
     if let Some(&end) = points.last()
         && kept.last() != Some(&end)
     {
@@ -157,7 +157,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_path_is_evenly_spaced_however_the_pen_went() {
+    fn a_path_is_evenly_spaced_at_any_speed_of_the_pen() {
         // Slow at first, then in one leap, round a corner.
         let mut points: Vec<_> = (0..200).map(|i| [f64::from(i) * 0.05, 0.0]).collect();
         points.extend([[30.0, 0.0], [30.0, 40.0]]);

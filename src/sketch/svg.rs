@@ -1,7 +1,7 @@
-//! An SVG → marks: ellipses and lines as a hand would have drawn them.
+//! SVG → marks: shapes become the ellipses and lines that the same shapes drawn by hand would become.
 //!
-//! Shapes are taken as they are seen: transforms applied, in px of the canvas. What is closed becomes the ellipse that
-//! a pen's closed stroke would become, what is open the line (or, where it all but closes, the ellipse).
+//! Transforms are applied; the results are in px of the canvas. A closed shape becomes an ellipse as a closed stroke does,
+//! an open one a line (or, where it is nearly closed, an ellipse).
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use usvg::roxmltree::{self, Node as Element};
 use usvg::tiny_skia_path::{PathSegment, Point, Transform};
 use usvg::{ImageHrefResolver, Node, Options, Tree};
 
-use super::{enclosed, recognise};
+use super::{fit_outline, recognise};
 use crate::marks::{Mark, fit};
 
 /// Namespace of the labels that Inkscape gives layers.
@@ -18,7 +18,7 @@ const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 pub const DPI: f64 = 96.0;
 /// Points along a curved segment.
 const FINENESS: u16 = 32;
-/// Marks that an SVG may hold, at most; a sketch has dozens.
+/// The most marks of an SVG; a sketch has dozens.
 const MOST: usize = 100_000;
 
 /// What was read from an SVG.
@@ -26,9 +26,9 @@ const MOST: usize = 100_000;
 pub struct Drawing {
     /// Width and height, px.
     pub size: [f64; 2],
-    /// Its top-level groups, and first, under an empty name, what is in none.
+    /// Its top-level groups. The first, with an empty name, holds the shapes outside groups.
     pub groups: Vec<Group>,
-    /// What could not be read: its kind, and how many.
+    /// Kinds of elements that could not be read, and how many of each.
     pub unread: BTreeMap<&'static str, usize>,
 }
 
@@ -47,24 +47,24 @@ pub enum SvgError {
     /// Not XML, or cut short.
     #[error("is no SVG: {}; allowed: a plain SVG file, such as drawing programs save", shown(.0))]
     NotXml(roxmltree::Error),
-    /// Something else than text.
+    /// Not text.
     #[error("is no SVG: it is not UTF-8 text; allowed: a plain (not compressed) SVG file in UTF-8")]
     NotText,
-    /// Sound XML, no sound SVG.
+    /// Valid XML, but not a valid SVG.
     #[error("cannot be read as SVG: {}; open it in a drawing program and save it as plain SVG", shown(.0))]
     NotSvg(usvg::Error),
-    /// Groups in groups in groups.
+    /// Groups are nested too deep.
     #[error("has groups nested {found} deep; allowed: {DEEPEST}; ungroup it in a drawing program")]
     TooDeep {
         /// How deep.
         found: usize,
     },
-    /// No sketch.
+    /// More shapes than a sketch has.
     #[error("holds more than {MOST} shapes; allowed: a sketch of at most so many")]
     TooMany,
 }
 
-/// What a reader says, as it may stand in a message: it quotes the file, names of any length and what acts on a terminal.
+/// The message of an XML reader, cut to a length and without control characters: it quotes the file.
 fn shown(error: &dyn std::error::Error) -> String {
     const LONGEST: usize = 200;
     let said = error.to_string();
@@ -74,19 +74,19 @@ fn shown(error: &dyn std::error::Error) -> String {
     format!("{start}{cut}")
 }
 
-/// Elements in elements, at most: reading them takes stack.
+/// The deepest nesting of elements: the readers are recursive and would overflow the stack.
 const DEEPEST: usize = 200;
 
 /// Reads an SVG, with `dpi` px an inch.
 ///
 /// # Errors
-/// Where it is none, or no sketch.
+/// Where it is not an SVG, or holds too much for a sketch.
 pub fn read(bytes: &[u8], dpi: f64) -> Result<Drawing, SvgError> {
     let text = std::str::from_utf8(bytes).map_err(|_| SvgError::NotText)?;
-    depth(text)?;
+    check_depth(text)?;
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..roxmltree::ParsingOptions::default() };
     let xml = roxmltree::Document::parse_with_options(text, options).map_err(SvgError::NotXml)?;
-    // No picture is fetched from anywhere.
+    // Pictures are not loaded, neither embedded nor linked ones.
     let none =
         ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
     let options = Options { image_href_resolver: none, dpi: DPI as f32, ..Options::default() };
@@ -95,13 +95,13 @@ pub fn read(bytes: &[u8], dpi: f64) -> Result<Drawing, SvgError> {
     let size = [tree.size().width(), tree.size().height()].map(|side| f64::from(side) * scale);
     let mut reader = Reader { scale, labels: labels(&xml), drawing: Drawing { size, ..Drawing::default() } };
     reader.count_unread(&xml);
-    reader.top(tree.root())?;
+    reader.top_level(tree.root())?;
     reader.drawing.groups.retain(|group| !group.marks.is_empty());
     Ok(reader.drawing)
 }
 
-/// Refuses what is nested too deep, before anything walks down into it.
-fn depth(text: &str) -> Result<(), SvgError> {
+/// Refuses elements that are nested too deep, before a recursive reader sees them.
+fn check_depth(text: &str) -> Result<(), SvgError> {
     let (mut depth, mut deepest) = (0_usize, 0);
     for tag in text.split('<').skip(1) {
         let tag = tag.split('>').next().unwrap_or_default();
@@ -115,7 +115,7 @@ fn depth(text: &str) -> Result<(), SvgError> {
     if deepest > DEEPEST { Err(SvgError::TooDeep { found: deepest }) } else { Ok(()) }
 }
 
-/// What groups are called, by id.
+/// The labels of groups, by id.
 fn labels(xml: &roxmltree::Document) -> BTreeMap<String, String> {
     let groups = xml.descendants().filter(|element| element.tag_name().name() == "g");
     groups
@@ -136,7 +136,7 @@ impl Reader {
         *self.drawing.unread.entry(kind).or_default() += 1;
     }
 
-    /// Kinds that leave no path.
+    /// Counts elements that give no path.
     fn count_unread(&mut self, xml: &roxmltree::Document) {
         let hidden = ["defs", "symbol", "clipPath", "mask", "pattern", "marker"];
         let shown =
@@ -151,8 +151,8 @@ impl Reader {
         }
     }
 
-    /// Groups at the top; a lone nameless one around everything is passed through.
-    fn top(&mut self, mut root: &usvg::Group) -> Result<(), SvgError> {
+    /// Reads the top-level groups; a single nameless group around everything is skipped.
+    fn top_level(&mut self, mut root: &usvg::Group) -> Result<(), SvgError> {
         while let [Node::Group(only)] = root.children()
             && only.id().is_empty()
         {
@@ -161,7 +161,7 @@ impl Reader {
         self.drawing.groups.push(Group::default());
         let mut nameless = 0;
         for node in root.children() {
-            // A shape that is turned or shifted comes in a nameless group of its own.
+            // usvg puts a transformed shape into a nameless group of its own.
             let group = match node {
                 Node::Group(group) if !group.id().is_empty() || group.children().len() > 1 => group,
                 node => {
@@ -212,7 +212,7 @@ impl Reader {
             let width = stroke.unwrap_or(0.0);
             let mark = if closed {
                 let line = || fit::line(&drawn.points, width).filter(|_| stroke.is_some()).map(Mark::Line);
-                enclosed(&drawn.points).map(Mark::Ellipse).or_else(line)
+                fit_outline(&drawn.points).map(Mark::Ellipse).or_else(line)
             } else {
                 recognise(&drawn.points, width)
             };
@@ -246,7 +246,7 @@ fn strokes(path: &usvg::tiny_skia_path::Path, transform: Transform, scale: f64) 
         let from = *stroke.points.last().unwrap_or(&[0.0; 2]);
         match segment {
             PathSegment::LineTo(point) => stroke.points.push(place(point)),
-            // A parabola is the cubic with handles two thirds of the way to its own.
+            // A quadratic curve is the cubic with handles two thirds of the way to its own.
             PathSegment::QuadTo(a, end) => {
                 let (a, end) = (place(a), place(end));
                 let near = |p: [f64; 2]| [0, 1].map(|axis| p[axis] + 2.0 / 3.0 * (a[axis] - p[axis]));

@@ -4,33 +4,31 @@ use crate::folder::{AREA, ASPECT, Folder, SPACING, document, hexagon, spots, str
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::grid::{Edges, Field};
 use dapple::internals::marks::turn;
-use dapple::internals::measure::{self, Canvas, SpotErrors, StripeErrors};
+use dapple::internals::measure::{self, SpotErrors, StripeErrors, Target};
 use serde_json::{Value, json};
 
 /// Errors of the spots of a written pattern in each of its halves, left and right.
 fn spot_errors(pattern: &Field, wanted: Spots) -> Vec<SpotErrors> {
     let half = pattern.extent()[0] / 2.0;
-    let canvas = Canvas {
-        size: pattern.extent(),
-        edges: pattern.edges,
+    let target = Target {
+        bounds: pattern.grid().bounds_px(),
         regions: 2,
         region_of: &|[x, _]| usize::from(x >= half),
         covered: &|_| false,
         wanted: &|_| Attributes::Spots(wanted),
     };
-    measure::spot_errors(&measure::spots(pattern, 0.5), &canvas)
+    measure::spot_errors(&measure::spots(pattern, 0.5), &target)
 }
 
 fn stripe_errors(pattern: &Field, wanted: Stripes) -> StripeErrors {
-    let canvas = Canvas {
-        size: pattern.extent(),
-        edges: pattern.edges,
+    let target = Target {
+        bounds: pattern.grid().bounds_px(),
         regions: 1,
         region_of: &|_| 0,
         covered: &|_| false,
         wanted: &|_| Attributes::Stripes(wanted),
     };
-    measure::stripe_errors(pattern, 0.5, &canvas)[0]
+    measure::stripe_errors(pattern, 0.5, &target)[0]
 }
 
 #[track_caller]

@@ -3,8 +3,8 @@
 use dapple::document::Line;
 use dapple::document::{Document, Layer, Options as Choices, Seeding, Stroke};
 use dapple::internals::attributes::{Attributes, Stripes};
-use dapple::internals::grid::{Edges, Field};
-use dapple::internals::measure::{self, Canvas, StripeErrors};
+use dapple::internals::grid::{Bounds, Edges, Field};
+use dapple::internals::measure::{self, StripeErrors, Target};
 use dapple::internals::synth::grow;
 use dapple::internals::synth::{Measured, Options};
 
@@ -73,15 +73,14 @@ fn stripes_radiate_from_initiators_in_regular_order() {
         let angle = out[1].atan2(out[0]).to_degrees() + 90.0;
         Attributes::Stripes(Stripes { width: 8.0, angle: angle.rem_euclid(180.0), wavelength: None })
     };
-    let canvas = Canvas {
-        size: [300.0; 2],
-        edges: Edges::Closed,
+    let target = Target {
+        bounds: Bounds { size: [300.0; 2], edges: Edges::Closed },
         regions: 1,
         region_of: &|_| 0,
         covered: &|_| false,
         wanted: &wanted,
     };
-    let error = measure::stripe_errors(&pattern, 0.5, &canvas)[0];
+    let error = measure::stripe_errors(&pattern, 0.5, &target)[0];
     assert!(error.width.unwrap().abs() < 0.01 && error.angle_rms.unwrap() < 4.0, "{error:?}");
     // The period is twice the width: along a way outwards stripes and gaps alternate.
     let dark = |k: usize| pattern.values[(145 + 16 * k) * 300 + 145 - 4 * k] > 0.5;

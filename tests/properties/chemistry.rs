@@ -5,7 +5,7 @@ use crate::cases;
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::grid::{Edges, Field};
 use dapple::internals::learn;
-use dapple::internals::measure::{Reason, formed};
+use dapple::internals::measure::{Reason, check_formed};
 use dapple::internals::rd::{Growth, Maps, Parameters, System};
 use dapple::internals::synth::Training;
 use proptest::prelude::*;
@@ -125,8 +125,8 @@ proptest! {
     ) {
         let (width, place) = (values.len(), place.index(values.len()));
         let mut field = Field { width, height: 1, cell: [1.0, 1.0], edges: Edges::Wrap, values };
-        prop_assert!(formed(&field, USUAL) != Err(Reason::NotFinite));
+        prop_assert!(check_formed(&field, USUAL) != Err(Reason::NotFinite));
         field.values[place] = bad;
-        prop_assert_eq!(formed(&field, USUAL), Err(Reason::NotFinite));
+        prop_assert_eq!(check_formed(&field, USUAL), Err(Reason::NotFinite));
     }
 }

@@ -6,7 +6,7 @@ use std::time::Instant;
 use dapple::document::Document;
 use dapple::internals::attributes::Attributes;
 use dapple::internals::grid::{Field, to_u16};
-use dapple::internals::measure::{self, Canvas, Spot};
+use dapple::internals::measure::{self, Spot, Target};
 use dapple::internals::synth::grow;
 use dapple::internals::synth::plan::sketch_targets;
 use dapple::internals::synth::{GrownLayer, Options, Training};
@@ -127,9 +127,8 @@ impl Outcome {
             return;
         }
         let layout = *map.layout();
-        let canvas = Canvas {
-            size: layout.size,
-            edges: layout.edges,
+        let target = Target {
+            bounds: layout.bounds(),
             regions: layout.len(),
             region_of: &|point| layout.index(layout.region_of(point)),
             covered: &|_| false,
@@ -139,10 +138,10 @@ impl Outcome {
         let mut regions = if self.spots {
             let marks = measure::spots(pattern, 0.5);
             self.failures.extend(verdict::of_spots(&marks, &map));
-            spots(&marks, &canvas)
+            spots(&marks, &target)
         } else {
             self.failures.extend(verdict::of_stripes(pattern, &layout, document.layers[index].options.duty));
-            stripes(pattern, &canvas)
+            stripes(pattern, &target)
         };
         for (k, region) in regions.iter_mut().enumerate() {
             (region.layer, region.place) = (index, layout.place(k));
@@ -151,10 +150,10 @@ impl Outcome {
     }
 }
 
-fn spots(marks: &[Spot], canvas: &Canvas) -> Vec<Region> {
-    let errors = measure::spot_errors(marks, canvas);
+fn spots(marks: &[Spot], target: &Target) -> Vec<Region> {
+    let errors = measure::spot_errors(marks, target);
     let whole: Vec<Spot> = marks.iter().copied().filter(|mark| mark.whole).collect();
-    let of_whole = measure::spot_errors(&whole, canvas);
+    let of_whole = measure::spot_errors(&whole, target);
     let regions = errors.iter().zip(of_whole).map(|(found, whole)| {
         let mut errors = [None; ATTRIBUTES.len()];
         let values = [found.area, found.spacing, whole.spacing, found.aspect, found.angle];
@@ -165,8 +164,8 @@ fn spots(marks: &[Spot], canvas: &Canvas) -> Vec<Region> {
     regions.collect()
 }
 
-fn stripes(pattern: &Field, canvas: &Canvas) -> Vec<Region> {
-    let regions = measure::stripe_errors(pattern, 0.5, canvas).into_iter().map(|found| {
+fn stripes(pattern: &Field, target: &Target) -> Vec<Region> {
+    let regions = measure::stripe_errors(pattern, 0.5, target).into_iter().map(|found| {
         let mut errors = [None; ATTRIBUTES.len()];
         let values = [found.width, found.angle, found.angle_rms];
         errors[ATTRIBUTES.len() - values.len()..].copy_from_slice(&values);

@@ -1,4 +1,4 @@
-//! Between two region maps.
+//! Interpolation between two region maps.
 
 use super::RegionGrid;
 use super::map::{ROUND, RegionMap};
@@ -9,7 +9,7 @@ impl RegionMap {
     /// The map on the way from this one (`share` 0) to `other` (1), region by region, on the canvas of this one: area,
     /// spacing, width and wavelength by ratio (a + (b − a)·share of their logarithms), the aspect by difference, the
     /// angle the short way round; where only one of the two has a direction, that one. A spacing is free where one of
-    /// the two is. With other columns or rows, the regions are those of the finer. All marks are alike.
+    /// the two is. With other columns or rows, the regions are those of the finer. The result has no spread.
     ///
     /// `None` where one has spots and the other stripes.
     #[must_use]
@@ -22,7 +22,7 @@ impl RegionMap {
             blend(&self.at(center), &other.at(center), share)
         };
         let attributes: Option<Vec<Attributes>> = (0..layout.len()).map(between).collect();
-        Some(Self::even(layout, attributes?.into_iter()))
+        Some(Self::from_attributes(layout, attributes?.into_iter()))
     }
 }
 
@@ -104,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn between_spots_and_stripes_there_is_nothing() {
+    fn spots_and_stripes_cannot_be_blended() {
         let line = Mark::Line(Line { from: [5.0, 5.0], to: [50.0, 5.0], width: 6.0 });
         let stripes = RegionMap::from_marks(&[line], [100.0, 80.0], [1, 1], Edges::Closed).expect("a line");
         assert!(stripes.blended(&spots([4.0, 2.0], 0.0, [1, 1]), 0.5).is_none());

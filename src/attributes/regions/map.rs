@@ -10,19 +10,19 @@ use crate::marks::{Ellipse, Line, Mark, axial};
 /// Above this mean aspect a region has no direction of its own (`docs/format.md`, *region map*).
 pub(super) const ROUND: f64 = 0.9;
 
-/// A region needs as many marks for their differences to be meant.
+/// Fewer marks than this have no spread: their differences may be accidental.
 pub const MARKS_OF_A_SPREAD: usize = 6;
 
 /// Below this squared length a sum of unit double-angle vectors has cancelled: rounding leaves some 1e-32.
 const CANCELLED: f64 = 1e-24;
 
-/// Why marks make no region map.
+/// Why there is no region map of some marks.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum RegionsError {
-    /// There is nothing to take attributes from.
+    /// There are no marks.
     #[error("no marks: draw at least one ellipse or line")]
     NoMarks,
-    /// Ellipses and lines in one set.
+    /// There are both ellipses and lines.
     #[error("{ellipses} ellipses and {lines} lines: a layer holds ellipses or lines, not both")]
     Mixed {
         /// How many ellipses.
@@ -30,7 +30,7 @@ pub enum RegionsError {
         /// How many lines.
         lines: usize,
     },
-    /// A canvas that cannot be cut.
+    /// The canvas has no extent or no regions.
     #[error(
         "a canvas of {size:?} px in {grid:?} regions: both sides must be above 0, and at least [1, 1] regions"
     )]
@@ -42,7 +42,7 @@ pub enum RegionsError {
     },
 }
 
-/// One region: what was drawn in it and what it stands for.
+/// One region: the attributes of the marks drawn in it, and those that the map has there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Region {
     /// How many marks have their centre in it.
@@ -68,8 +68,8 @@ pub struct RegionMap {
 }
 
 impl RegionMap {
-    /// The map in which every region of `layout` has these attributes, all of one kind, and all marks are alike.
-    pub(super) fn even(layout: RegionGrid, attributes: impl Iterator<Item = Attributes>) -> Self {
+    /// The map in which the regions of `layout` have these attributes, all of one kind, without spread.
+    pub(super) fn from_attributes(layout: RegionGrid, attributes: impl Iterator<Item = Attributes>) -> Self {
         let region = |filled: Attributes| {
             let double = (2.0 * filled.angle()).to_radians();
             let direction = [libm::cos(double), libm::sin(double)];
@@ -186,23 +186,23 @@ impl RegionMap {
         })
     }
 
-    /// Is no variation wanted anywhere?
+    /// Whether no region has a spread.
     #[must_use]
-    pub fn is_even(&self) -> bool {
+    pub fn is_without_spread(&self) -> bool {
         self.regions.iter().all(|region| region.spread.is_zero())
     }
 
-    /// The same map with this spread in all regions, whatever was drawn.
+    /// The same map with this spread in all regions, instead of the drawn one.
     #[must_use]
-    pub fn varied_by(mut self, spread: Spread) -> Self {
+    pub fn with_spread(mut self, spread: Spread) -> Self {
         self.regions.iter_mut().for_each(|region| region.spread = spread);
         self.spread_is_given = true;
         self
     }
 
-    /// The same map with stripes that cover this share of the way from one to the next, 0..1.
+    /// The same map with stripes of this duty cycle: width ÷ wavelength, 0..1.
     #[must_use]
-    pub fn covering(mut self, duty: f64) -> Self {
+    pub fn with_duty(mut self, duty: f64) -> Self {
         for region in &mut self.regions {
             if let Attributes::Stripes(stripes) = &mut region.filled {
                 stripes.wavelength = Some(stripes.width / duty);
@@ -211,19 +211,19 @@ impl RegionMap {
         self
     }
 
-    /// Was the spread given by [`Self::varied_by`], and not drawn?
+    /// Whether the spread was given by [`Self::with_spread`], not drawn.
     #[must_use]
     pub fn spread_is_given(&self) -> bool {
         self.spread_is_given
     }
 
-    /// (cos 2θ, sin 2θ) of the angle θ that [`Self::at`] has there: the same without a transcendental.
+    /// (cos 2θ, sin 2θ) of the angle θ that [`Self::at`] has there, found without a transcendental function.
     #[must_use]
     pub fn double_angle_at(&self, point: [f64; 2]) -> [f64; 2] {
         self.blend_directions(&self.layout.corners(point))
     }
 
-    /// Gives each region with a free spacing the one (px) that `spacing` finds for its spots.
+    /// Gives each region with a free spacing the one (px) that `spacing` returns for its spots.
     pub fn fill_free_spacing(&mut self, mut spacing: impl FnMut(&Spots) -> f64) {
         for region in &mut self.regions {
             let angle = angle_of(region.direction);
@@ -237,7 +237,7 @@ impl RegionMap {
 
     /// The same map with these spacings, px, by region; `None` = as it is.
     #[must_use]
-    pub fn spaced_by(&self, spacings: &[Option<f64>]) -> Self {
+    pub fn with_spacings(&self, spacings: &[Option<f64>]) -> Self {
         let mut map = self.clone();
         for (region, given) in map.regions.iter_mut().zip(spacings) {
             if let (Attributes::Spots(spots), Some(given)) = (&mut region.filled, given) {
@@ -286,7 +286,7 @@ impl RegionMap {
     }
 }
 
-/// Those marks that `pick` takes, with a centre, sorted into regions.
+/// The marks for which `pick` gives a centre and a value, by region.
 fn gather<T>(
     layout: &RegionGrid,
     marks: &[Mark],

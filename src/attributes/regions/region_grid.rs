@@ -1,6 +1,6 @@
-//! Where the regions lie: columns × rows equal rectangles of the canvas.
+//! The grid of regions: columns × rows equal rectangles of the canvas.
 
-use crate::grid::Edges;
+use crate::grid::{Bounds, Edges};
 
 /// A canvas cut into columns × rows equal rectangles.
 ///
@@ -16,6 +16,12 @@ pub struct RegionGrid {
 }
 
 impl RegionGrid {
+    /// The canvas, px, with its edges.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        Bounds { size: self.size, edges: self.edges }
+    }
+
     /// Number of regions.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -75,7 +81,7 @@ impl RegionGrid {
         step(0) * step(0) + step(1) * step(1)
     }
 
-    /// Of the regions that `holds`, the one nearest to `place`; ties go to the smaller row, then the
+    /// Of the regions for which `holds` is true, the one nearest to `place`; ties go to the smaller row, then the
     /// smaller column.
     pub fn nearest(&self, place: [usize; 2], mut holds: impl FnMut(usize) -> bool) -> Option<usize> {
         (0..self.len())
@@ -86,7 +92,7 @@ impl RegionGrid {
     /// The regions between whose centres a point (px) lies, by index, with their bilinear weights (sum 1).
     ///
     /// Beyond the outer centres the point is clamped (`Closed`) or the other side follows (`Wrap`). One
-    /// region may stand several times. Anything known at region centres is interpolated with these.
+    /// region may be listed several times. Any quantity known at region centres is interpolated with these weights.
     #[must_use]
     pub fn corners(&self, point: [f64; 2]) -> [(usize, f64); 4] {
         let [(left, right, fx), (upper, lower, fy)] = [0, 1].map(|axis| self.between(axis, point[axis]));
@@ -113,7 +119,7 @@ impl RegionGrid {
             }
             Edges::Wrap => {
                 let low = t.floor();
-                // On the canvas at most the border's half region is out of range; beyond it is rare and slow.
+                // On the canvas only the half region at the border is out of range; points beyond are rare.
                 let on_tile = if (0.0..=last).contains(&low) { low } else { low.rem_euclid(n as f64) };
                 let first = on_tile as usize;
                 (first, if first + 1 == n { 0 } else { first + 1 }, t - low)

@@ -79,7 +79,7 @@ fn few_points_have_the_spacing_that_the_format_defines() {
 }
 
 #[test]
-fn points_that_coincide_or_are_not_finite_are_no_trouble() {
+fn points_that_coincide_or_are_not_finite_are_left_out() {
     assert_eq!(mean_spacing(&[[1.0, 1.0]; 5]), None);
     assert_eq!(mean_spacing(&[[1.0, 1.0], [1.0, 1.0], [4.0, 5.0]]), Some(5.0));
     assert_eq!(mean_spacing(&[[f64::NAN, 1.0], [0.0, 0.0], [1e-200, 6.0], [f64::INFINITY, 0.0]]), Some(6.0));

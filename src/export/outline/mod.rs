@@ -9,7 +9,6 @@ mod draw;
 pub mod dxf;
 mod fit;
 mod hatch;
-mod labels;
 pub mod path;
 mod route;
 mod shapes;

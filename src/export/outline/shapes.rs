@@ -3,10 +3,10 @@
 use kurbo::{BezPath, ParamCurveArclen, Shape as _};
 use rayon::prelude::*;
 
-use super::labels::Labels;
 use super::path::is_on_border;
 use super::trace::{Ring, Traced};
 use super::{Shape, Smallest, fit};
+use crate::grid::UnionFind;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
@@ -112,17 +112,17 @@ fn extent(path: &BezPath, size: [f64; 2], wraps: bool) -> Extent {
 /// The extent of each part together with what it is connected to across a wrapped border.
 fn whole_sizes(traced: &Traced, parts: &BTreeMap<u32, Part>, extents: &[Extent]) -> BTreeMap<u32, Extent> {
     let most = parts.keys().chain(traced.seams.iter().flatten()).copied().max().unwrap_or(0);
-    let mut joined = Labels::new(most + 1);
+    let mut joined = UnionFind::new(most as usize + 1);
     for [a, b] in &traced.seams {
-        joined.join(*a, *b);
+        joined.join(*a, *b, [0, 0]);
     }
     let mut sums: BTreeMap<u32, Extent> = BTreeMap::new();
     for (part, Part { ring, .. }) in parts {
-        let sum = sums.entry(joined.find(*part)).or_default();
+        let sum = sums.entry(joined.find(*part).0).or_default();
         sum.area += extents[*ring].area.abs();
         sum.perimeter += extents[*ring].perimeter;
     }
-    parts.keys().map(|part| (*part, sums[&joined.find(*part)])).collect()
+    parts.keys().map(|part| (*part, sums[&joined.find(*part).0])).collect()
 }
 
 /// Decides whether to keep a part: it is kept if it is large enough and the part around it is kept. So an island takes its

@@ -7,9 +7,8 @@
 
 use kurbo::Point;
 
-use super::labels::Labels;
 use crate::export::Stopped;
-use crate::grid::Edges;
+use crate::grid::{Edges, UnionFind};
 use std::ops::Range;
 
 /// Stands for "no crossing".
@@ -106,7 +105,7 @@ struct Tracer {
     /// The points on the horizontal edges of the row above.
     upper: Vec<u32>,
     points: Vec<Crossing>,
-    labels: Labels,
+    labels: UnionFind,
     seams: Vec<[u32; 2]>,
 }
 
@@ -131,7 +130,7 @@ impl Tracer {
             top: Row::default(),
             upper,
             points: Vec::new(),
-            labels: Labels::default(),
+            labels: UnionFind::default(),
             seams: Vec::new(),
         }
     }
@@ -171,11 +170,11 @@ impl Tracer {
             let mut label = (x > 0 && inside[x - 1] == inside[x]).then(|| labels[x - 1]);
             if let Some(above) = self.above.as_ref().filter(|above| above.inside[x] == inside[x]) {
                 label = Some(match label {
-                    Some(left) => self.labels.join(left, above.labels[x]),
+                    Some(left) => self.labels.join(left, above.labels[x], [0, 0]),
                     None => above.labels[x],
                 });
             }
-            labels.push(label.unwrap_or_else(|| self.labels.new_label()));
+            labels.push(label.unwrap_or_else(|| self.labels.add()));
         }
         Row { y, values: nodes, inside, labels }
     }
@@ -233,7 +232,7 @@ impl Tracer {
             } else {
                 [above.labels[x + 1], below.labels[x]]
             };
-            self.labels.join(ends[0], ends[1]);
+            self.labels.join(ends[0], ends[1], [0, 0]);
         }
         for from in (0..4).filter(|edge| enters(*edge)) {
             // The next edge clockwise turns around the outside corner, the previous one around the inside corner.
@@ -276,12 +275,12 @@ impl Tracer {
                 points.pop();
             }
             if points.len() > 2 {
-                let sides = self.points[first].sides.map(|label| self.labels.find(label));
+                let sides = self.points[first].sides.map(|label| self.labels.find(label).0);
                 rings.push(Ring { points, sides });
             }
         }
-        let seams = self.seams.iter().map(|pair| pair.map(|label| self.labels.find(label))).collect();
-        Traced { rings, seams, outside: self.labels.find(0) }
+        let seams = self.seams.iter().map(|pair| pair.map(|label| self.labels.find(label).0)).collect();
+        Traced { rings, seams, outside: self.labels.find(0).0 }
     }
 }
 

@@ -22,7 +22,7 @@ const FLAT: f64 = 1e-10;
 /// with their mean taken away and their covariance made the unit matrix: a thin ellipse is fitted as well as
 /// a round one, and S₃ = n·1.
 ///
-/// `radii[0]` of the answer is the major one. `None` where the points do not settle an ellipse: fewer than
+/// `radii[0]` of the answer is the major one. `None` where the points do not determine an ellipse: fewer than
 /// five different ones, all on a line, not finite, or spread like a parabola.
 #[must_use]
 pub fn ellipse(points: &[[f64; 2]]) -> Option<Ellipse> {

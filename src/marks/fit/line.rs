@@ -7,7 +7,7 @@ use crate::marks::Line;
 ///
 /// It runs through the mean of the points in the direction θ of their largest variance,
 /// tan 2θ = 2·cxy / (cxx − cyy), and ends where the outermost points project to; `from` is the end nearer to
-/// the first point. `width` (px) is handed through. `None` where the points have no extent or are not
+/// the first point. `width` (px) is that of the line. `None` where the points have no extent or are not
 /// finite numbers.
 #[must_use]
 pub fn line(points: &[[f64; 2]], width: f64) -> Option<Line> {

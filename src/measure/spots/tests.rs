@@ -86,9 +86,9 @@ fn nothing_and_no_number_are_no_spots() {
 }
 
 #[test]
-fn what_runs_through_all_stretches_of_rows_is_one_region() {
+fn what_runs_through_all_bands_of_rows_is_one_region() {
     for (edges, endless) in [(Edges::Closed, false), (Edges::Wrap, true)] {
-        // Long enough for several stretches of rows at any number of nodes a cell.
+        // Long enough for several bands of rows at any number of nodes a cell.
         let bar = |[x, _]: [f64; 2]| if (100.0..140.0).contains(&x) { 1.0 } else { 0.0 };
         let field = Field::from_fn([300, 3000], [1.0, 1.0], edges, bar);
         let spots = spots(&field, 0.5);

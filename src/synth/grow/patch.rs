@@ -89,7 +89,7 @@ impl Patch {
     /// # Errors
     /// Why it is no texture; what has run away or died is told as such, whether it settled or not.
     pub fn judge(&self, marks: &Field, settled: bool, least: f64) -> Result<Sample, Reason> {
-        measure::formed(marks, USUAL)?;
+        measure::check_formed(marks, USUAL)?;
         if !settled {
             return Err(Reason::Unsettled);
         }
@@ -106,7 +106,7 @@ impl Patch {
 /// Means over the whole spots of a patch.
 fn spots(marks: &Field, level: f64) -> Result<Sample, Reason> {
     let census = measure::census(marks, level as f32);
-    measure::spot_texture(marks, &census, USUAL)?;
+    measure::check_spot_texture(marks, &census, USUAL)?;
     let whole: Vec<&Spot> = census.spots.iter().filter(|spot| spot.whole).collect();
     let n = whole.len() as f64;
     let mean = |value: &dyn Fn(&Spot) -> f64| whole.iter().map(|spot| value(spot)).sum::<f64>() / n;
@@ -127,7 +127,7 @@ fn spots(marks: &Field, level: f64) -> Result<Sample, Reason> {
 /// Means over a patch of stripes.
 fn stripes(system: System, marks: &Field) -> Result<Sample, Reason> {
     let found = measure::stripes(marks, 0.5);
-    measure::stripe_texture(marks, found.as_ref(), USUAL)?;
+    measure::check_stripe_texture(marks, found.as_ref(), USUAL)?;
     let found = found.ok_or(Reason::TooFewStripes { wavelengths: 0.0, least: 1.0 })?;
     Ok(Sample {
         extent: marks.extent()[0] / found.wavelength,

@@ -39,14 +39,14 @@ const FINER: f64 = 1.5;
 #[must_use]
 pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
     if plan.lookup.system.is_striped() {
-        let mut errors = plan.on_canvas(|canvas| measure::stripe_errors(pattern, 0.5, canvas));
+        let mut errors = plan.on_canvas(|target| measure::stripe_errors(pattern, 0.5, target));
         if let Some(curves) = plan.curves() {
             errors.iter_mut().enumerate().for_each(|(index, errors)| curves.correct(index, errors));
         }
         return Measured::Stripes(errors);
     }
     let marks = measure::spots(pattern, 0.5);
-    Measured::Spots { errors: plan.on_canvas(|canvas| measure::spot_errors(&marks, canvas)), marks }
+    Measured::Spots { errors: plan.on_canvas(|target| measure::spot_errors(&marks, target)), marks }
 }
 
 impl Measured {
@@ -163,7 +163,7 @@ impl Ruler {
             }
             Self::Stripes(wanted) => {
                 let widths =
-                    plan.on_canvas(|canvas| measure::widths(pattern, 0.5, canvas.regions, canvas.region_of));
+                    plan.on_canvas(|target| measure::widths(pattern, 0.5, target.regions, target.region_of));
                 let got = |(index, got): (usize, Option<f64>)| match plan.curves() {
                     Some(curves) => Some(curves.width(index, got?)),
                     None => got,

@@ -31,7 +31,6 @@ impl Corrected {
     pub fn lay_out(self, surroundings: Surroundings, seed: u64) -> Result<Plan, LayOutError> {
         let Self { mut lookup, corrections } = self;
         let Surroundings { mut obstacles, spots } = surroundings;
-        let edges = lookup.map.layout().edges;
         let arrangement = match &lookup.start {
             Start::Curves { kind, broken } => {
                 let curves = lay_curves(&lookup, &obstacles, *kind, *broken, seed)?;
@@ -46,7 +45,7 @@ impl Corrected {
                     if !has_room(&lookup, &obstacles) {
                         return Err(LayOutError::NoRoom);
                     }
-                    obstacles = with_rim(&obstacles, lookup.grid, edges);
+                    obstacles = with_rim(&obstacles, &lookup.grid_of_cells());
                 }
                 let (arrangement, notes) = arrange_pinned(&lookup, &obstacles, marks);
                 lookup.remarks.iter_mut().zip(notes).for_each(|(remarks, note)| remarks.extend(note));

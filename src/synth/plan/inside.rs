@@ -47,7 +47,7 @@ pub(super) fn look_up(training: &Training, map: &RegionMap, beneath: &Lookup) ->
         Attributes::Spots(Spots { spacing, .. }) => spacing,
         Attributes::Stripes(_) => None,
     });
-    let map = map.spaced_by(&spacings.collect::<Vec<_>>());
+    let map = map.with_spacings(&spacings.collect::<Vec<_>>());
     let layout = map.layout();
     let room = |place| room(&map.at(layout.center(place)), &beneath.map.at(layout.center(place)));
     let room = map.regions().map(|(place, _)| room(place)).fold(1.0, f64::min);

@@ -2,7 +2,7 @@
 
 use crate::grid::Field;
 use crate::marks::Line;
-use crate::measure::Canvas;
+use crate::measure::Target;
 use crate::rd::Maps;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::offset::Correction;
@@ -87,11 +87,10 @@ impl Plan {
     }
 
     /// Calls `measure` with the canvas that patterns are compared to: its regions, and what is wanted where.
-    pub fn on_canvas<T>(&self, measure: impl FnOnce(&Canvas) -> T) -> T {
+    pub fn on_canvas<T>(&self, measure: impl FnOnce(&Target) -> T) -> T {
         let layout = self.lookup.map.layout();
-        measure(&Canvas {
-            size: layout.size,
-            edges: layout.edges,
+        measure(&Target {
+            bounds: layout.bounds(),
             regions: layout.len(),
             region_of: &|point| layout.index(layout.region_of(point)),
             covered: &|point| self.is_taken(point),

@@ -9,7 +9,6 @@
 
 use crate::attributes::Attributes;
 use crate::attributes::regions::RegionGrid;
-use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, turn};
 use crate::rd::{self, GuideLine, Hindrance, placeable};
 use crate::synth::plan::layer_lookup::Lookup;
@@ -154,10 +153,7 @@ impl Counts {
 /// The vector from `b` to `a`, px; on a tile the shortest.
 #[must_use]
 pub fn displacement(a: [f64; 2], b: [f64; 2], layout: &RegionGrid) -> [f64; 2] {
-    [0, 1].map(|axis| {
-        let (way, side) = (a[axis] - b[axis], layout.size[axis]);
-        if layout.edges == Edges::Wrap { way - side * (way / side).round() } else { way }
-    })
+    layout.bounds().shortest([a[0] - b[0], a[1] - b[1]])
 }
 
 /// The centre of the part of an ellipse that lies on the canvas, px.
@@ -174,9 +170,7 @@ pub fn visible_center(ellipse: &Ellipse, layout: &RegionGrid) -> [f64; 2] {
             [ellipse.radii[0] * radius * libm::cos(way), ellipse.radii[1] * radius * libm::sin(way)];
         [ellipse.center[0] + along * c - across * s, ellipse.center[1] + along * s + across * c]
     };
-    let on = |point: &[f64; 2]| {
-        layout.edges == Edges::Wrap || (0..2).all(|axis| (0.0..=layout.size[axis]).contains(&point[axis]))
-    };
+    let on = |point: &[f64; 2]| layout.bounds().contains(*point);
     let all = (0..RINGS).flat_map(|ring| (0..POINTS).map(move |k| (ring, k)));
     let inside: Vec<[f64; 2]> = all.map(|(ring, k)| point(ring, k)).filter(on).collect();
     let mean = |axis: usize| inside.iter().map(|point| point[axis]).sum::<f64>() / inside.len() as f64;

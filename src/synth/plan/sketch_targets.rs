@@ -57,11 +57,11 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Reg
     let layer = &document.layers[index];
     let map = match layer.options.spread {
         SpreadChoice::Drawn => map,
-        SpreadChoice::Given(spread) => map.varied_by(spread),
+        SpreadChoice::Given(spread) => map.with_spread(spread),
     };
     let apart = layer.system.is_known(|system| system.is_striped() && system.free_spacing)
         || layer.options.duty < Options::DUTY;
-    Ok(if apart { map.covering(layer.options.duty) } else { map })
+    Ok(if apart { map.with_duty(layer.options.duty) } else { map })
 }
 
 /// The marks of layer `index` on a canvas of `size` px: at their places on the document's own, and where that is stretched,

@@ -6,7 +6,7 @@
 
 use crate::attributes::{Attributes, Stripes};
 use crate::marks::Ellipse;
-use crate::measure::{Canvas, Spot, spot_errors, stripe_errors};
+use crate::measure::{Spot, Target, spot_errors, stripe_errors};
 use crate::rd::{Maps, initial_marks, nuclei};
 use crate::synth::plan::laid_out::Plan;
 
@@ -40,7 +40,7 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
             break;
         }
         let spots = spots_at(plan, &points);
-        for (pitch, found) in pitch.iter_mut().zip(plan.on_canvas(|canvas| spot_errors(&spots, canvas))) {
+        for (pitch, found) in pitch.iter_mut().zip(plan.on_canvas(|target| spot_errors(&spots, target))) {
             *pitch = corrected(*pitch, found.spacing);
         }
     }
@@ -52,14 +52,14 @@ fn crowding(plan: &Plan, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
     // What covers them counts later.
     let maps = Maps { obstacles: Vec::new(), ..plan.maps(pitch) };
     let crests = initial_marks(plan.lookup.system, &maps, seed);
-    plan.on_canvas(|canvas| {
+    plan.on_canvas(|target| {
         let own = |point: [f64; 2]| {
             let wavelength = plan.lookup.system.spacing(&plan.lookup.lattice.at(point).parameters(1.0))
                 * plan.lookup.px_a_cell();
             Attributes::Stripes(Stripes { width: 1.0, angle: 0.0, wavelength: Some(wavelength) })
         };
-        let canvas = Canvas { wanted: &own, covered: &|_| false, ..*canvas };
-        stripe_errors(&crests, 0.5, &canvas).iter().map(|error| error.wavelength).collect()
+        let target = Target { wanted: &own, covered: &|_| false, ..*target };
+        stripe_errors(&crests, 0.5, &target).iter().map(|error| error.wavelength).collect()
     })
 }
 

@@ -53,7 +53,7 @@ const MOST_JITTER: f64 = 1.2;
 /// The spots of `plan` one by one; `None` where none differs from its neighbours, and none is pinned.
 pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
     let Lookup { system, map, .. } = &plan.lookup;
-    if system.is_striped() || map.is_even() && plan.pinned_spots().is_empty() {
+    if system.is_striped() || map.is_without_spread() && plan.pinned_spots().is_empty() {
         return None;
     }
     let regions = map.layout().len();
@@ -70,7 +70,7 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
             return Some(laid.varied(plan, &pitch));
         }
         let spots = spots_at(plan, &laid.places);
-        let found = plan.on_canvas(|canvas| spot_errors(&spots, canvas));
+        let found = plan.on_canvas(|target| spot_errors(&spots, target));
         for (index, found) in found.iter().enumerate() {
             pitch[index] = corrected(pitch[index], found.spacing);
             let asked = plan.lookup.spread(index).spacing;

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::attributes::regions::RegionGrid;
+use crate::grid::Field;
 use crate::grid::resample::Spline;
-use crate::grid::{Edges, Field};
 use crate::marks::Line;
 use crate::measure::Spot;
 use crate::synth::grow::refine::Measured;
@@ -108,9 +108,7 @@ pub fn covered(lines: &[Line], layout: &RegionGrid, pattern: &Field) -> Vec<f64>
             let t = (k as f64 + 0.5) / POINTS as f64;
             [0, 1].map(|axis| line.from[axis] + t * (line.to[axis] - line.from[axis]))
         });
-        let on = |point: &[f64; 2]| {
-            layout.edges == Edges::Wrap || (0..2).all(|axis| (0.0..=layout.size[axis]).contains(&point[axis]))
-        };
+        let on = |point: &[f64; 2]| layout.bounds().contains(*point);
         let points: Vec<[f64; 2]> = points.filter(on).collect();
         let covered = points.iter().filter(|point| surface.at(**point) >= 0.5).count();
         covered as f64 / points.len().max(1) as f64

@@ -86,7 +86,7 @@ fn five_points_of_a_circle_give_the_circle() {
 }
 
 #[test]
-fn points_that_settle_no_ellipse_give_none() {
+fn points_that_determine_no_ellipse_give_none() {
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     assert_eq!(ellipse(&[]), None);
     assert_eq!(ellipse(&square), None);

@@ -62,7 +62,7 @@ pub fn open(
             ends.extend([grid.center_px(place); 2]);
         }
     }
-    let Some(to) = nearest(curve, grid.size, grid.cell, grid.edges) else {
+    let Some(to) = nearest(curve, grid) else {
         return Gaps { opened: cut, ends };
     };
     let opened = (0..curve.len())
@@ -76,6 +76,7 @@ pub fn open(
 
 /// `count` of the `cells`, far from each other.
 fn places(cells: &[usize], grid: &Grid, count: usize, rng: &mut impl Rng) -> Vec<usize> {
+    let bounds = grid.bounds_px();
     let mut places: Vec<usize> = Vec::with_capacity(count);
     for _ in 0..count {
         let mut best = (f64::NEG_INFINITY, cells[0]);
@@ -83,15 +84,7 @@ fn places(cells: &[usize], grid: &Grid, count: usize, rng: &mut impl Rng) -> Vec
             let cell = cells[rng.random_range(0..cells.len())];
             let apart = |other: &usize| {
                 let [a, b] = [grid.center_px(cell), grid.center_px(*other)];
-                let [x, y] = [0, 1].map(|axis| {
-                    let side = grid.size[axis] as f64 * grid.cell[axis];
-                    let straight = (a[axis] - b[axis]).abs();
-                    if grid.edges == crate::grid::Edges::Wrap {
-                        straight.min(side - straight)
-                    } else {
-                        straight
-                    }
-                });
+                let [x, y] = bounds.shortest([a[0] - b[0], a[1] - b[1]]);
                 x * x + y * y
             };
             let nearest = places.iter().map(apart).fold(f64::INFINITY, f64::min);
@@ -115,7 +108,7 @@ fn cut_along(place: usize, grid: &Grid, half: f64, members: &dyn Fn(usize) -> bo
         let so_far = known[&cell];
         for step in STEPS {
             let Some((next, _)) = grid.step(cell, step).filter(|(next, _)| members(*next)) else { continue };
-            let along = so_far + crate::grid::distance::length(step, grid.cell);
+            let along = so_far + crate::grid::distance::length(step, grid);
             if along <= half && known.get(&next).is_none_or(|known| along < known - 1e-9) {
                 known.insert(next, along);
                 left.push(next);

@@ -23,10 +23,10 @@ const NARROW: f64 = 0.5;
 
 /// Lays a web between the obstacles of `request`.
 pub fn lay(request: &CurveRequest, grid: &Grid, regions: usize) -> Result<Curves, CurvesError> {
-    let away = nearest(request.obstacles, grid.size, grid.cell, grid.edges);
+    let away = nearest(request.obstacles, grid);
     let away = away.ok_or(CurvesError::Nothing("span a web between"))?;
     let px = grid.px_a_cell();
-    let distance: Vec<f64> = away.iter().map(|way| (length(*way, grid.cell) - 0.5 * px).max(0.0)).collect();
+    let distance: Vec<f64> = away.iter().map(|way| (length(*way, grid) - 0.5 * px).max(0.0)).collect();
     let mut copies = Copies::connect(request.obstacles, grid);
     let whole = between(&away, grid, &copies);
     let all = whole.iter().filter(|set| **set).count();
@@ -54,8 +54,8 @@ pub fn lay(request: &CurveRequest, grid: &Grid, regions: usize) -> Result<Curves
             100.0 * share
         ));
     }
-    let to = nearest(&middle, grid.size, grid.cell, grid.edges).ok_or(CurvesError::Single)?;
-    let off: Vec<f32> = to.iter().map(|way| ((length(*way, grid.cell) / px) as f32 - 0.5).max(0.0)).collect();
+    let to = nearest(&middle, grid).ok_or(CurvesError::Single)?;
+    let off: Vec<f32> = to.iter().map(|way| ((length(*way, grid) / px) as f32 - 0.5).max(0.0)).collect();
     let blocked: Vec<bool> = (0..grid.cells())
         .map(|cell| distance[cell] < HALO * width(cell) || f64::from(off[cell]) * px > LANE * width(cell))
         .collect();

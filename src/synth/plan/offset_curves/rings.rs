@@ -39,11 +39,11 @@ pub fn lay(
     regions: usize,
     region_of: &dyn Fn([f64; 2]) -> usize,
 ) -> Result<Curves, CurvesError> {
-    let away = nearest(request.obstacles, grid.size, grid.cell, grid.edges);
+    let away = nearest(request.obstacles, grid);
     let away = away.ok_or(CurvesError::Nothing("ring"))?;
     let px = grid.px_a_cell();
     // A covered cell's edge is half a cell before its middle.
-    let distance: Vec<f64> = away.iter().map(|way| (length(*way, grid.cell) - 0.5 * px).max(0.0)).collect();
+    let distance: Vec<f64> = away.iter().map(|way| (length(*way, grid) - 0.5 * px).max(0.0)).collect();
     let copies = Copies::connect(request.obstacles, grid);
     let room = room(grid, &between(&away, grid, &copies), &distance);
     let width = |cell: usize| f64::from(request.width[cell]);
@@ -94,7 +94,7 @@ fn place(room: f64) -> f64 {
 
 /// Half the distance between the two marks whose middle is nearest to each cell, px.
 fn room(grid: &Grid, middle: &[bool], distance: &[f64]) -> Vec<f64> {
-    let Some(to) = nearest(middle, grid.size, grid.cell, grid.edges) else {
+    let Some(to) = nearest(middle, grid) else {
         return vec![f64::INFINITY; grid.cells()];
     };
     let at = |cell: usize| grid.step(cell, to[cell]).map_or(f64::INFINITY, |(at, _)| distance[at]);

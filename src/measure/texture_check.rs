@@ -1,4 +1,4 @@
-//! Is this a texture, and if not, why: what may be learnt from.
+//! Checks whether a grown field is a texture that may be learnt from, and if not, why.
 
 use super::spots::{Census, Spot};
 use super::stripes::StripeStatistics;
@@ -15,26 +15,26 @@ pub enum Reason {
     NoPattern {
         /// Highest − lowest value.
         range: f32,
-        /// What it takes.
+        /// The least range of a pattern.
         least: f32,
     },
-    /// A value is far beyond what the system can hold: the growth ran away.
-    #[error("a value is {value}, far out of the usual {} to {}", usual[0], usual[1])]
+    /// A value is far beyond the range of the system: the growth diverged.
+    #[error("a value is {value}, far outside the usual {} to {}", usual[0], usual[1])]
     LeftRange {
         /// The value that is farthest out.
         value: f32,
-        /// What ground and marks usually are.
+        /// Usual values of the ground and of the middle of a mark.
         usual: [f32; 2],
     },
-    /// It was still changing when its time was up.
-    #[error("did not settle: still forming when its time was up")]
+    /// It was still changing when its time was over.
+    #[error("did not settle: still forming when its time was over")]
     Unsettled,
     /// Too few whole spots to take means over.
     #[error("too few spots: {marks} whole ones, at least {least} are needed")]
     TooFew {
         /// Whole spots.
         marks: usize,
-        /// What it takes.
+        /// The least number.
         least: usize,
     },
     /// Too few stripes side by side to take means over.
@@ -42,7 +42,7 @@ pub enum Reason {
     TooFewStripes {
         /// Wavelengths along a side.
         wavelengths: f64,
-        /// What it takes.
+        /// The least number.
         least: f64,
     },
     /// The spots are smaller than the grid resolves.
@@ -80,7 +80,7 @@ pub enum Reason {
 }
 
 impl Reason {
-    /// All that [`Self::kind`] can say.
+    /// All values of [`Self::kind`].
     pub const KINDS: [&'static str; 7] =
         ["unsettled", "no-pattern", "touching", "too-few", "too-small", "irregular", "left-range"];
 
@@ -94,7 +94,7 @@ impl Reason {
             Self::NoPattern { .. } => no_pattern,
             Self::TooFew { .. } | Self::TooFewStripes { .. } => too_few,
             Self::TooSmall { .. } => too_small,
-            // What runs all ways is a labyrinth, what fills nearly all has grown together.
+            // Stripes in all directions are a labyrinth; what fills nearly everything has grown together.
             Self::Merged { .. } | Self::NoDirection { .. } => touching,
             Self::OneSided { share } => {
                 if *share > 0.5 {
@@ -108,10 +108,10 @@ impl Reason {
     }
 }
 
-/// Values that span less than this share of the usual have formed nothing: dead or fading patterns were seen below
+/// Values that span less than this share of the usual range are no pattern: dead or fading ones were seen below
 /// it (`facts.md` 10).
 const LEAST_RANGE: f32 = 0.1;
-/// Values farther out than this many times the usual span have run away. Settled marks were seen within a tenth
+/// Values farther out than this many times the usual span have diverged. Settled marks were seen within a tenth
 /// of it, Turing's spots of 2 cells, which feed on a dead cell, at 2.2 times beyond.
 const BEYOND: f32 = 1.0;
 /// Fewer whole spots give no mean worth learning.
@@ -132,12 +132,12 @@ const SPREAD: f64 = 0.15;
 /// ±15°.
 const COHERENCE: f64 = 0.7;
 
-/// Has anything formed, and stayed within what the system can hold? `usual` are the values of ground and of the
+/// Checks that a pattern has formed, within the range of the system. `usual` are the values of the ground and of the
 /// middle of a mark.
 ///
 /// # Errors
 /// The first [`Reason`] that applies.
-pub fn formed(field: &Field, usual: [f32; 2]) -> Result<(), Reason> {
+pub fn check_formed(field: &Field, usual: [f32; 2]) -> Result<(), Reason> {
     if !field.values.iter().all(|value| value.is_finite()) {
         return Err(Reason::NotFinite);
     }
@@ -152,12 +152,12 @@ pub fn formed(field: &Field, usual: [f32; 2]) -> Result<(), Reason> {
     if range >= least { Ok(()) } else { Err(Reason::NoPattern { range, least }) }
 }
 
-/// Is a field whose spots all have the same parameters a texture of spots? `usual` as for [`formed`].
+/// Checks that a field whose spots all have the same parameters is a texture of spots. `usual` as for [`check_formed`].
 ///
 /// # Errors
 /// The first [`Reason`] that applies.
-pub fn spot_texture(field: &Field, census: &Census, usual: [f32; 2]) -> Result<(), Reason> {
-    formed(field, usual)?;
+pub fn check_spot_texture(field: &Field, census: &Census, usual: [f32; 2]) -> Result<(), Reason> {
+    check_formed(field, usual)?;
     let whole: Vec<&Spot> = census.spots.iter().filter(|spot| spot.whole).collect();
     let sum = |chosen: &dyn Fn(&&Spot) -> bool| -> f64 {
         census.spots.iter().filter(chosen).map(|spot| spot.ellipse.area()).sum()
@@ -183,16 +183,16 @@ pub fn spot_texture(field: &Field, census: &Census, usual: [f32; 2]) -> Result<(
     if spread > SPREAD { Err(Reason::TooIrregular { spread }) } else { Ok(()) }
 }
 
-/// Is a field a texture of stripes? `usual` as for [`formed`].
+/// Checks that a field is a texture of stripes. `usual` as for [`check_formed`].
 ///
 /// # Errors
 /// The first [`Reason`] that applies.
-pub fn stripe_texture(
+pub fn check_stripe_texture(
     field: &Field,
     found: Option<&StripeStatistics>,
     usual: [f32; 2],
 ) -> Result<(), Reason> {
-    formed(field, usual)?;
+    check_formed(field, usual)?;
     let Some(found) = found else { return Err(Reason::OneSided { share: all_or_nothing(field) }) };
     if !(0.15..=0.85).contains(&found.share) {
         return Err(Reason::OneSided { share: found.share });
