@@ -19,7 +19,7 @@ pub struct Naive {
 }
 
 impl Naive {
-    /// Goes on from where `growth` is: isotropic Turing spots of `size` × `size` cells, `rate` everywhere.
+    /// Starts from the state of `growth`: isotropic Turing spots of `size` × `size` cells, `rate` everywhere.
     pub fn beside(growth: &Growth, size: usize, rate: f32) -> Self {
         let rows = |cells: &Vec<f32>| cells.chunks(size).map(<[f32]>::to_vec).collect::<Vec<_>>();
         let concentrations = growth.concentrations();

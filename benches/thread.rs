@@ -1,5 +1,5 @@
-//! What stands around the growth, from the plan to the picture: laying nuclei, the
-//! ruler, resampling, colours, PNG. See README.md.
+//! The steps around the growth, from the plan to the picture: laying nuclei, measuring, resampling, colours, PNG. See
+//! README.md.
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};

@@ -90,7 +90,7 @@ fn an_incomplete_question_is_used_wrongly() {
     used_wrongly(&["lookup", "--batch", "in.csv", "-o", "out.csv", "--width", "5"], &["--width"]);
 }
 
-/// What `dapple bench --quick --json` with these arguments tells.
+/// What `dapple bench --quick --json` with these arguments prints.
 fn benched(arguments: &[&str]) -> Value {
     let output = dapple().args(["bench", "--quick", "--json"]).args(arguments).assert().success();
     assert!(output.get_output().stderr.is_empty());
@@ -164,7 +164,7 @@ fn a_reader_that_goes_away_is_no_error() {
     }
 }
 
-/// A pipe that nobody reads any more.
+/// A pipe whose reading end is closed.
 fn closed_pipe() -> std::io::PipeWriter {
     let (reader, writer) = std::io::pipe().unwrap();
     drop(reader);

@@ -19,7 +19,7 @@ fn table(path: &Path) -> Vec<Vec<String>> {
     text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect()
 }
 
-/// What stands in a column, each once.
+/// The values of a column, each once.
 fn distinct(table: &[Vec<String>], column: usize) -> BTreeSet<&str> {
     table[1..].iter().map(|line| line[column].as_str()).collect()
 }

@@ -80,7 +80,7 @@ fn shown(frames: image::Frames) -> Vec<Vec<u8>> {
         .collect()
 }
 
-/// What is painted of a GIF over what stands there, by hand: LZW of variable width, transparent px stay (CompuServe 1990,
+/// Decodes the frames of a GIF independently of the library that wrote it: LZW of variable width, transparent px stay (CompuServe 1990,
 /// appendix F).
 fn painted(bytes: &[u8], over: Option<&[u8]>) -> Vec<Vec<u8>> {
     let word = |at: usize| usize::from(u16::from_le_bytes([bytes[at], bytes[at + 1]]));

@@ -1,4 +1,4 @@
-//! The ruler: what is drawn with known numbers is measured back.
+//! Measuring: marks that are painted with known attributes are measured with the same attributes.
 
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::grid::{Edges, Field};

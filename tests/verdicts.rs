@@ -1,4 +1,4 @@
-//! The verdict on patterns that were really grown: what is no texture is told for what it is.
+//! The verdict on patterns that were really grown: what is no texture is rejected with the right reason.
 
 use dapple::internals::grid::{Edges, Field, Grid};
 use dapple::internals::learn::Parameters;
@@ -132,7 +132,7 @@ fn what_was_stopped_early_is_unsettled() {
     engine.advance((side * side) as u64 * 20);
     assert!(engine.growing());
     assert_eq!(spots.judge(&engine.marks(), engine.settled(), LEAST), Err(Reason::Unsettled));
-    // What has not settled because it ran away is told as that.
+    // A pattern that has not settled because it ran away is reported as run away.
     let high = Field::flat(side, side, Edges::Wrap, 9.0);
     assert_eq!(spots.judge(&high, false, LEAST).unwrap_err().kind(), "left-range");
     assert!(measure::check_formed(&engine.marks(), [0.0, 1.0]).is_ok());

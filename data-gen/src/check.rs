@@ -1,18 +1,18 @@
-//! What a plan may say: each quantity with its unit and its range.
+//! Checks a plan: each quantity with its unit and its range.
 
 use dapple::internals::rd::SweepQuantity;
 use dapple::internals::synth::Patch;
 
 use super::plan::{MOST_RUNS, Plan, Range, Scale, Set};
 
-/// Cells along the side of a patch: more would take the night and gigabytes.
+/// Largest side of a patch, cells: larger patches would take hours and gigabytes.
 const MOST_CELLS: usize = 4096;
-/// Spots, or wavelengths, that a patch may be made for: the mean over fewer says nothing.
+/// Range of the spots, or wavelengths, of a patch: the mean over fewer is too uncertain.
 const GROWN: [f64; 2] = [6.0, 10_000.0];
-/// Seeds that a plan can have: what every reader of JSON holds exactly.
+/// Largest seed of a plan: every reader of JSON holds it exactly.
 const MOST_SEED: u64 = 1 << 53;
 
-/// Is this a plan that can be run?
+/// Checks that this plan can be run.
 pub fn check(plan: &Plan) -> Result<(), String> {
     if plan.sets.is_empty() {
         return Err("the plan has no sets".to_owned());

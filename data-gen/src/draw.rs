@@ -1,4 +1,4 @@
-//! Run i of a set: its seed and its parameters, the same whatever other runs there are.
+//! Run i of a set: its seed and its parameters, which do not depend on other runs.
 
 use dapple::internals::learn::Parameters;
 use rand::{RngExt, SeedableRng};
@@ -45,13 +45,13 @@ impl Set {
 
     /// The parameters at shares (0..1) of the way through size, packing, stretch and direction.
     ///
-    /// Packing runs along one line, as it is asked for: from the lowest level to the highest with the ratio at its
-    /// lowest, then from the lowest ratio to the highest. Two numbers that vary by themselves would give each
-    /// density many times over, and the mean of them is no answer.
+    /// Packing is one parameter: from the lowest level to the highest with the ratio at its lowest, then from the lowest
+    /// ratio to the highest. If both varied independently, many pairs would give the same density, and their mean would
+    /// not be a valid answer.
     pub fn parameters_at(&self, [size, packing, stretch, direction]: [f64; 4]) -> Parameters {
         let s = &self.sweep;
         let [stretch, direction] = [s.stretch.at(stretch), s.direction.at(direction)];
-        // Laws of scale, good to some ten per cent: where to draw, not what is learnt.
+        // Laws of scale, good to some ten per cent: they choose what to simulate, not what is looked up.
         let rate = self.system.definition().laws.rate;
         if let Some(width) = &s.width {
             let (width, ratio) = (width.at(size), s.ratio.as_ref().map(|ratio| ratio.at(packing)));
@@ -84,7 +84,7 @@ impl Set {
 ///
 /// xᵢ = frac(o + (i + 1)·α), αⱼ = φ^−(j+1), φ the positive root of φ^(d+1) = φ + 1
 ///
-/// It leaves fewer holes than random numbers do, and goes on without end. M. Roberts, "The unreasonable
+/// It leaves fewer holes than random numbers do, and can be continued without end. M. Roberts, "The unreasonable
 /// effectiveness of quasirandom sequences" (2018).
 fn point(index: u64, dimensions: usize, seed: u64) -> Vec<f64> {
     let mut root = 2.0;

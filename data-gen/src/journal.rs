@@ -1,12 +1,12 @@
-//! The journal of a sweep: a line a finished run, so that one that was stopped goes on where it was.
+//! The journal of a sweep: one line for each finished run, so that a sweep that was stopped continues where it was.
 //!
 //! ```text
 //!  {"format":"dapple sweep journal","version":1,"dapple":"0.1.0","shard":"1/1","plan":{…}}
-//!  SET,INDEX,VERDICT,LINE       LINE as it stands in the file of rows or of rejected runs
+//!  SET,INDEX,VERDICT,LINE       LINE as in the file of rows or of rejected runs
 //! ```
 //!
-//! A line is written in one go when its run is done. Where that was cut short, what follows the last end of line is
-//! dropped, and its run is run again.
+//! A line is written at once when its run is done. Where that was interrupted, the text after the last end of line is
+//! dropped, and its run is repeated.
 
 use std::collections::BTreeSet;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -33,14 +33,14 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Opens the journal of `shard` of `plan` in `folder`, or begins one. Gives the runs that it holds.
+    /// Opens the journal of `shard` of `plan` in `folder`, or begins one. Returns the runs that it holds.
     pub fn open(folder: &Path, shard: Shard, plan: &Plan) -> Result<(Self, Vec<Record>), String> {
         let path = folder.join(shard.journal());
         let failed = |error: std::io::Error| format!("{}: {error}", path.display());
         let mut options = OpenOptions::new();
         let mut file =
             options.read(true).write(true).create(true).truncate(false).open(&path).map_err(failed)?;
-        // Where the file system has no locks, whoever starts a sweep twice is on his own.
+        // Where the file system has no locks, a sweep that is started twice is not detected.
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(format!("{}: another sweep is writing it; let it end, or stop it", path.display()));
         }
@@ -81,13 +81,13 @@ impl Journal {
         };
         let before = file.stream_position().map_err(failed)?;
         file.write_all(line.as_bytes()).map_err(|error| {
-            // Other runs are still under way: theirs must not follow half a line.
+            // Other runs are still in progress: their lines must not follow half a line.
             let _ = file.set_len(before).and_then(|()| file.seek(SeekFrom::Start(before)));
             failed(error)
         })
     }
 
-    /// Takes it away: what it holds stands elsewhere now.
+    /// Deletes it: the files of the training set hold its runs now.
     pub fn remove(self) -> Result<(), String> {
         drop(self.file);
         std::fs::remove_file(&self.path).map_err(|error| format!("{}: {error}", self.path.display()))
@@ -121,7 +121,7 @@ impl Part {
         let (first, rest) = first_line(&text);
         let found = parsed(path, first)?;
         let shard: Shard = found["shard"].as_str().unwrap_or_default().parse().map_err(failed)?;
-        let plan = Plan::of(&found["plan"]).map_err(failed)?;
+        let plan = Plan::from_json(&found["plan"]).map_err(failed)?;
         if let Some(difference) = difference(&found, &header(shard, &plan)?) {
             return Err(failed(format!("written by another program ({difference}); sweep again")));
         }
@@ -154,7 +154,7 @@ fn parsed(path: &Path, header: &str) -> Result<Value, String> {
     }
 }
 
-/// The first place where two headers differ, in words: what there is, what should be.
+/// The first place where two headers differ, in words: what was found and what was expected.
 pub fn difference(found: &Value, expected: &Value) -> Option<String> {
     match (found, expected) {
         (Value::Object(a), Value::Object(b)) => {

@@ -1,6 +1,6 @@
-//! The sweep, ahead of time: parameters → simulation → measured attributes (or a rejection with its reason) →
-//! rows in `training/`. And the trial: how well what grows matches what was drawn; and the
-//! route: how well what grows fast matches what grows slowly.
+//! The sweep, run ahead of time: parameters → simulation → measured attributes (or a rejection with its reason) →
+//! rows in `training/`. The trial: how well textures match what was drawn. The route: how well patterns grown over coarse
+//! grids match those grown by plain steps. The tables: what constants were chosen by.
 //!
 //! ```text
 //!  plan.json ─▶ plan ─▶ draw ─▶ run ─▶ journal (a shard's) ─┐
@@ -36,13 +36,13 @@ use clap::Parser;
 enum Command {
     /// Run the simulations of the training sets; write their rows, what was rejected and a manifest
     ///
-    /// A sweep that is stopped goes on where it was when it is started again.
+    /// A sweep that is stopped continues where it was when it is started again.
     Sweep(sweep::Args),
     /// Make the files of parts that were swept with --shard
     Merge(merge::Args),
     /// Print the built-in plan: what is swept, over which ranges, and why
     Plan,
-    /// Grow all examples and many random sketches; tell how far they are from what was drawn
+    /// Grow all examples and many random sketches; print how far they are from what was drawn
     Trial(trial::Args),
     /// Compare patterns grown over coarse grids with the same grown by plain steps to the end
     Route(route::Args),
@@ -68,15 +68,14 @@ pub fn main() -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
-            // If stderr is closed there is nobody left to tell.
+            // If stderr is closed the message is lost.
             let _ = writeln!(std::io::stderr(), "error: {error}");
             ExitCode::FAILURE
         }
     }
 }
 
-/// Writes a line to stdout; unlike `println!`, does not panic where nobody reads it. A reader who has seen enough is no
-/// failure.
+/// Writes a line to stdout; unlike `println!`, does not panic where stdout is closed, which is no failure.
 fn say(line: &str) -> Result<(), String> {
     let mut stdout = std::io::stdout().lock();
     match writeln!(stdout, "{line}").and_then(|()| stdout.flush()) {

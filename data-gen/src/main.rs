@@ -1,4 +1,4 @@
-//! The program: all of it stands in the library, where tests reach it.
+//! The program: all of it is in the library, where tests can call it.
 
 fn main() -> std::process::ExitCode {
     data_gen::main()

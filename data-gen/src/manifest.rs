@@ -13,7 +13,7 @@ const VERSION: u64 = 1;
 
 /// The manifest of `set`, whose runs are `records`. Nothing of it depends on when, where or in how many parts they ran.
 pub fn manifest(plan: &Plan, set: &Set, records: &[Record]) -> Result<Value, String> {
-    let tally = Tally::of(records);
+    let tally = Tally::count_records(records);
     let rejected: Map<String, Value> =
         Reason::KINDS.iter().map(|kind| ((*kind).to_owned(), json!(tally.count(kind)))).collect();
     Ok(json!({
@@ -42,7 +42,7 @@ fn command(set: &Set) -> Result<String, String> {
         Some(planned) if *planned == (Set { runs: planned.runs, ..set.clone() }) => {
             format!("{sweep} --set {} --runs {}", set.name, set.runs)
         }
-        // Where the plan lay does not matter: it stands below.
+        // The path of the plan does not matter: the plan itself is below.
         _ => format!("{sweep} --plan PLAN.json -o DIR   # PLAN.json: what stands here under \"plan\""),
     })
 }

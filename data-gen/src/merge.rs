@@ -1,4 +1,4 @@
-//! Parts of a sweep that were run apart → the files of all.
+//! Parts of a sweep that were run separately → the files of all.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -26,7 +26,7 @@ pub fn command(args: &Args) -> Result<(), String> {
 }
 
 /// Joins all parts whose journals lie in these folders, and writes the files into `output`. The journals stay.
-/// Gives a sentence a set.
+/// Returns a sentence for each set.
 pub fn merge(folders: &[PathBuf], output: &Path) -> Result<Vec<String>, String> {
     let mut parts = Vec::new();
     for folder in folders {
@@ -42,7 +42,7 @@ pub fn merge(folders: &[PathBuf], output: &Path) -> Result<Vec<String>, String> 
     let plan = first.plan.clone();
     let records: Vec<Record> = parts.into_iter().flat_map(|part| part.records).collect();
     let told = |(number, name): (usize, &String)| {
-        let tally = Tally::of(records.iter().filter(|record| record.set == number));
+        let tally = Tally::count_records(records.iter().filter(|record| record.set == number));
         format!("{name}: {} runs: {tally}", tally.all())
     };
     let told = plan.sets.iter().map(|set| &set.name).enumerate().map(told).collect();
@@ -64,7 +64,7 @@ fn journals(folder: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(paths)
 }
 
-/// Are these the parts of one sweep, each there once and whole?
+/// Checks that these are the parts of one sweep, each once and complete.
 fn check(parts: &[Part]) -> Result<(), String> {
     let Some(first) = parts.first() else { return Ok(()) };
     let mut by_part: BTreeMap<u64, &Part> = BTreeMap::new();

@@ -12,7 +12,7 @@ use serde_json::Value;
 
 /// The plan of `training/`.
 pub const BUILT_IN: &str = include_str!("../plan.json");
-/// What stands under `format` in a plan.
+/// The value of `format` in a plan.
 const FORMAT: &str = "dapple sweep plan";
 /// The version that is read and written.
 const VERSION: u64 = 1;
@@ -165,14 +165,14 @@ impl Plan {
         Self::parse(&text, &file)
     }
 
-    /// The plan that stands in `text`; `file` is its name in messages.
+    /// Parses the plan in `text`; `file` is its name in messages.
     pub fn parse(text: &str, file: &str) -> Result<Self, String> {
         let value: Value = serde_json::from_str(text).map_err(|error| format!("{file}: {error}"))?;
-        Self::of(&value).map_err(|problem| format!("{file}: {}", shown(&problem)))
+        Self::from_json(&value).map_err(|problem| format!("{file}: {}", shown(&problem)))
     }
 
     /// The plan that this is.
-    pub fn of(value: &Value) -> Result<Self, String> {
+    pub fn from_json(value: &Value) -> Result<Self, String> {
         let format = value.get("format").and_then(Value::as_str);
         if format != Some(FORMAT) {
             return Err(format!("this is no plan of a sweep: it has no \"format\": \"{FORMAT}\""));

@@ -22,7 +22,7 @@ pub struct Args {
     output: PathBuf,
 }
 
-/// Methods with their colours, which are told apart by the colour-blind too (Okabe & Ito, 2008), and on white as on
+/// Methods with their colours, which colour-blind readers can distinguish too (Okabe & Ito, 2008), on white as on
 /// black.
 const METHODS: [(&str, &str); 5] = [
     ("nearest neighbour", "#cc79a7"),
@@ -97,7 +97,7 @@ fn legend() -> String {
     svg + &words([8.0, 38.0], "start", 11, note)
 }
 
-/// `text` at a place; `anchor` says which end of it lies there.
+/// `text` at a place; `anchor` says which end of the text is there.
 fn words([x, y]: [f64; 2], anchor: &str, size: u32, text: &str) -> String {
     format!(
         "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" font-size=\"{size}\" fill=\"{GREY}\">{text}</text>\n"

@@ -18,7 +18,7 @@ pub struct Tally {
 
 impl Tally {
     /// Of these runs.
-    pub fn of<'a>(records: impl IntoIterator<Item = &'a Record>) -> Self {
+    pub fn count_records<'a>(records: impl IntoIterator<Item = &'a Record>) -> Self {
         let mut tally = Self::default();
         for record in records {
             tally.add(record.verdict);
@@ -71,7 +71,7 @@ impl Bar {
             .with_message(before.to_string())
             .with_position(before.all())
             .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        // The time left is told from what is done now, not from what was.
+        // The time left is estimated from the runs of this start, not from earlier ones.
         bar.reset_eta();
         Self { bar, tally: Mutex::new(before) }
     }

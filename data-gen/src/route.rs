@@ -1,5 +1,5 @@
-//! The fast route against the long one: the same seeds and grids, grown over coarse grids until settled, and by plain
-//! Euler steps on the planned grid alone to the end.
+//! Compares the fast route with the long one: the same seeds and grids, grown over coarse grids until settled, and by plain
+//! Euler steps on the planned grid alone.
 
 use dapple::internals::attributes::Attributes;
 use dapple::internals::grid::{Edges, Field};
@@ -42,9 +42,9 @@ struct Patch {
 const MARKS: f64 = 92.0;
 /// Mean differences allowed over the seeds: %, %, %, %, degrees.
 const BOUNDS: [f64; 5] = [1.0, 1.0, 1.0, 1.0, 0.3];
-/// What they are differences of, as JSON names them: in %, the angle in degrees.
+/// Their names in JSON: differences in %, of the angle in degrees.
 const NAMES: [&str; 5] = ["marks", "area_or_width", "spacing_or_wavelength", "aspect", "angle"];
-/// Above this aspect a direction means nothing.
+/// Rounder spots have no direction.
 const ROUND: f64 = 0.85;
 
 fn patches() -> Vec<Patch> {
@@ -75,7 +75,7 @@ fn patches() -> Vec<Patch> {
     patches
 }
 
-/// One seed: what both routes give.
+/// The results of both routes for one seed.
 struct Pair {
     /// Differences of marks, area (width), spacing, aspect, %; of the angle, degrees.
     differences: [Option<f64>; 5],
@@ -83,7 +83,7 @@ struct Pair {
     settled: bool,
 }
 
-/// Compares, prints the table, gives whether all means are within bounds.
+/// Compares and prints the table. Returns whether all means are within bounds.
 pub fn run(args: &Args) -> Result<bool, String> {
     if let Some(threads) = args.threads {
         rayon::ThreadPoolBuilder::new()
@@ -125,7 +125,7 @@ fn told_as_json(seeds: u64) -> Result<bool, String> {
     let mut told = Vec::new();
     for patch in patches() {
         let pairs = patch.pairs(seeds)?;
-        let summary = Summary::of(&pairs);
+        let summary = Summary::from_pairs(&pairs);
         good &= summary.good;
         told.push(patch.json(&pairs, &summary));
     }
@@ -142,7 +142,7 @@ struct Summary {
 }
 
 impl Summary {
-    fn of(pairs: &[Pair]) -> Self {
+    fn from_pairs(pairs: &[Pair]) -> Self {
         let differences = [0, 1, 2, 3, 4].map(|k: usize| {
             let of_seeds: Vec<f64> = pairs.iter().filter_map(|pair| pair.differences[k]).collect();
             let mean = of_seeds.iter().sum::<f64>() / of_seeds.len() as f64;
@@ -211,9 +211,9 @@ impl Patch {
         patch.measure(marks).map_err(|reason| reason.to_string())
     }
 
-    /// Prints a line, gives whether it is within bounds.
+    /// Prints a line. Returns whether it is within bounds.
     fn tell(&self, pairs: &[Pair]) -> Result<bool, String> {
-        let Summary { differences, steps, good } = Summary::of(pairs);
+        let Summary { differences, steps, good } = Summary::from_pairs(pairs);
         let cells = differences.map(|found| {
             found.map_or("–".to_owned(), |[mean, largest]| format!("{mean:+.2} / {largest:.2}"))
         });
@@ -266,10 +266,10 @@ mod tests {
             settled: true,
         };
         let pairs = [pair(1.5, None), pair(-0.5, Some(0.4))];
-        let summary = Summary::of(&pairs);
+        let summary = Summary::from_pairs(&pairs);
         assert_eq!(summary.differences[1], Some([0.5, 1.5]));
         // The mean turn, of the one seed that has a direction, is over its bound.
-        assert!(!summary.good && Summary::of(&[pair(0.9, None)]).good);
+        assert!(!summary.good && Summary::from_pairs(&[pair(0.9, None)]).good);
         let told = patches()[0].json(&pairs, &summary);
         assert_eq!(told["differences"]["area_or_width"], json!({"mean": 0.5, "largest": 1.5, "bound": 1.0}));
         assert_eq!(told["seeds"][1]["differences"]["angle"], json!(0.4));

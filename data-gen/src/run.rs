@@ -6,10 +6,10 @@ use dapple::internals::synth::{Patch, Sample, Watch};
 
 use crate::plan::Set;
 
-/// The verdict on a run that can be learnt from; on others it is one of [`Reason::KINDS`].
+/// The verdict on an accepted run; on others it is one of [`Reason::KINDS`].
 pub const ACCEPTED: &str = "accepted";
 
-/// What came of a run.
+/// The result of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Record {
     /// The number of its set in the plan.

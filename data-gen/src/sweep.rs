@@ -59,7 +59,7 @@ pub fn command(args: &Args) -> Result<(), String> {
     }
 }
 
-/// Runs all that is not yet in the journal, writes the files, and takes the journal away. Gives how many it ran.
+/// Runs all that is not yet in the journal, writes the files, and deletes the journal. Returns how many it ran.
 pub fn whole(plan: &Plan, folder: &Path) -> Result<u64, String> {
     let Swept { journal, records, ran } = sweep(plan, folder, Shard::WHOLE)?;
     files::write(folder, plan, records)?;
@@ -67,7 +67,7 @@ pub fn whole(plan: &Plan, folder: &Path) -> Result<u64, String> {
     Ok(ran)
 }
 
-/// Runs all of a part that is not yet in its journal. Gives how many it ran.
+/// Runs all of a part that is not yet in its journal. Returns how many it ran.
 pub fn part(plan: &Plan, folder: &Path, shard: Shard) -> Result<u64, String> {
     Ok(sweep(plan, folder, shard)?.ran)
 }
@@ -90,7 +90,7 @@ fn sweep(plan: &Plan, folder: &Path, shard: Shard) -> Result<Swept, String> {
         let done: BTreeSet<u64> = before.iter().map(|record| record.index).collect();
         let left: Vec<u64> =
             (0..planned.runs).filter(|index| shard.holds(*index) && !done.contains(index)).collect();
-        let bar = Bar::new(&planned.name, shard.count(planned.runs), Tally::of(before));
+        let bar = Bar::new(&planned.name, shard.count(planned.runs), Tally::count_records(before));
         let (start, new) = (Instant::now(), Mutex::new(Vec::new()));
         let result = each(&left, |index| {
             let (verdict, line) = run(planned, index)?;
@@ -103,7 +103,7 @@ fn sweep(plan: &Plan, folder: &Path, shard: Shard) -> Result<Swept, String> {
         bar.clear();
         result?;
         records.append(&mut new.into_inner().map_err(|_| "a run failed".to_owned())?);
-        let tally = Tally::of(records.iter().filter(|record| record.set == set));
+        let tally = Tally::count_records(records.iter().filter(|record| record.set == set));
         crate::say(&summary(&planned.name, &tally, left.len() as u64, start.elapsed()))?;
         ran += left.len() as u64;
     }

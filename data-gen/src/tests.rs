@@ -32,7 +32,7 @@ fn tiny() -> Value {
 }
 
 fn plan() -> Plan {
-    Plan::of(&tiny()).unwrap()
+    Plan::from_json(&tiny()).unwrap()
 }
 
 fn folder() -> TempDir {
@@ -103,7 +103,7 @@ fn a_manifest_tells_columns_units_ranges_plan_counts_and_the_command() {
     // The plan in it makes the same files, and no more.
     assert!(manifest["command"].as_str().unwrap().contains("--plan PLAN.json"));
     let again = folder();
-    whole(&Plan::of(&manifest["plan"]).unwrap(), again.path()).unwrap();
+    whole(&Plan::from_json(&manifest["plan"]).unwrap(), again.path()).unwrap();
     let expected = files.iter().filter(|(name, _)| name.starts_with("meinhardt-spots-mine"));
     assert!(self::files(again.path()).iter().eq(expected));
 }
@@ -201,7 +201,7 @@ fn what_is_missing_or_double_is_not_merged() {
     let mut other = tiny();
     other["sets"][0]["seed"] = json!(40);
     std::fs::remove_file(&journal).unwrap();
-    part(&Plan::of(&other).unwrap(), two.path(), Shard { part: 2, of: 2 }).unwrap();
+    part(&Plan::from_json(&other).unwrap(), two.path(), Shard { part: 2, of: 2 }).unwrap();
     let error = merge(&[path(&one), path(&two)], output.path()).unwrap_err();
     assert!(error.contains("meinhardt-spots-mine.seed is 40 there, 10 here"), "{error}");
 }
@@ -270,7 +270,7 @@ fn a_wrong_range_is_told_by_set_key_value_and_what_is_allowed() {
     wrong(both, &[FIRST, "sweep.level.share: it is missing"]);
     let mut turing = Plan::built_in().unwrap();
     turing.sets[0].sweep.ratio.as_mut().unwrap().range = [3.8, 8.0];
-    let error = Plan::of(&serde_json::to_value(&turing).unwrap()).unwrap_err();
+    let error = Plan::from_json(&serde_json::to_value(&turing).unwrap()).unwrap_err();
     assert!(error.contains("sweep.ratio.range: 8 is not 3.8, all that the program grows"), "{error}");
 }
 

@@ -1,4 +1,4 @@
-//! Sweeps that are killed, on full disks, with nobody to read what they tell.
+//! Sweeps that are killed, on full disks, with their output closed.
 //!
 //! `DAPPLE_KILLS` says how many kills (4), `DAPPLE_SEED` which (1).
 #![cfg(unix)]
@@ -52,7 +52,7 @@ fn number(name: &str, usual: u64) -> u64 {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
 }
 
-/// The exit code and what stands on stderr.
+/// The exit code and the text on stderr.
 fn told(command: &mut Command) -> (Option<i32>, String) {
     let output = command.output().unwrap();
     (output.status.code(), String::from_utf8(output.stderr).unwrap())
@@ -182,7 +182,7 @@ fn a_sweep_on_a_full_disk_is_told_and_goes_on_when_there_is_room() {
     assert!(found == files(&bench.path().join("whole")), "{:?}", found.keys());
 }
 
-/// Tells a line on stderr, past the test harness, which would hide it.
+/// Writes a line to stderr directly: the test harness would hide it.
 fn say(line: &str) {
     let _ = std::io::stderr().write_all(format!("{line}\n").as_bytes());
 }

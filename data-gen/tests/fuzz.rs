@@ -2,10 +2,10 @@
 
 #[path = "../../tests/fuzz/mutations.rs"]
 mod mutations;
+#[path = "../../tests/fuzz/bodies/refusal.rs"]
+mod refusal;
 #[path = "../../tests/fuzz/bodies/sweep.rs"]
 mod sweep;
-#[path = "../../tests/fuzz/bodies/told.rs"]
-mod told;
 
 use mutations::Seeds;
 use proptest::test_runner::{Config, TestRunner};
@@ -13,7 +13,7 @@ use std::path::Path;
 
 #[test]
 fn any_plan_or_journal_is_read_or_refused() {
-    let seeds = Seeds::of(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/fuzz"), "sweep");
+    let seeds = Seeds::for_target(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/fuzz"), "sweep");
     for (name, bytes) in &seeds.files {
         println!("{name}");
         sweep::holds(bytes);

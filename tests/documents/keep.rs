@@ -52,7 +52,7 @@ fn seeds_that_do_nothing_are_refused() {
     let thin = lined(json!({"seeding": "initiators", "duty": 0.3}));
     let allowed = "\"noise\". Thin stripes begin from noise alone; a duty of 0.5 (50 %) lets you choose";
     refused(&thin, place, "\"initiators\"", allowed);
-    // What a freehand stroke is, is known once it is fitted.
+    // The kind of a freehand stroke is known once it is fitted.
     let mut document = spots;
     document["layers"][0]["strokes"] =
         json!([{"kind": "freehand", "points": [[10, 10], [30, 8], [40, 25], [25, 40], [8, 30], [10, 11]]}]);

@@ -1,4 +1,4 @@
-//! Documents: what may stand in a `.dapple` file, and what each wrong one is told.
+//! Documents: what a `.dapple` file may hold, and the message about each wrong one.
 
 use assert_cmd::Command;
 use dapple::document::Edges;

@@ -91,7 +91,7 @@ fn stripes_have_no_spread() {
         document["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);
         refused(&document, place, found, allowed);
     }
-    // What a freehand stroke is, is known once it is fitted.
+    // The kind of a freehand stroke is known once it is fitted.
     let mut document = with("/layers/0/options", json!({"spread": 0.2}));
     document["layers"][0]["strokes"] = json!([{"kind": "freehand", "points": [[1, 1], [30, 2], [60, 1]]}]);
     let error =
@@ -136,7 +136,7 @@ fn spots_have_no_duty() {
     let allowed = "0.5. Only stripes have a duty; spots are as far apart as they are drawn";
     let place = "layers[0].options.duty";
     refused(&with("/layers/0/options", json!({"duty": 0.3})), place, "0.3", allowed);
-    // What a freehand stroke is, is known once it is fitted.
+    // The kind of a freehand stroke is known once it is fitted.
     let mut document = with("/layers/0/options", json!({"duty": 0.3}));
     document["layers"][0]["strokes"] =
         json!([{"kind": "freehand", "points": [[20, 20], [40, 20], [40, 40], [20, 40], [20, 21]]}]);

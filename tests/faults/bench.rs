@@ -78,7 +78,7 @@ impl Bench {
     }
 }
 
-/// The exit code, and what stands on stderr.
+/// The exit code and the text on stderr.
 pub fn told(output: &Output) -> (Option<i32>, String) {
     (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
 }
@@ -105,7 +105,7 @@ pub fn is_part(name: &str) -> bool {
     name.split('/').any(|part| part.starts_with(".dapple-") && part.ends_with(".part"))
 }
 
-/// Tells a line on stderr, past the test harness, which would hide it.
+/// Writes a line to stderr directly: the test harness would hide it.
 pub fn say(line: &str) {
     let _ = std::io::stderr().write_all(format!("{line}\n").as_bytes());
 }

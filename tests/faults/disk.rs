@@ -1,4 +1,4 @@
-//! No room, no right to write, no folder: told with the remedy, exit code 1, and all that was there still is.
+//! A full disk, no permission to write, no folder: the message says what to do, exit code 1, and existing files stay.
 
 use std::fs;
 
@@ -45,7 +45,7 @@ fn write_old(bench: &Bench) {
     bench.write("out/m/a_Height.png", "old");
 }
 
-/// Runs all writers; asserts that each fails with these words and changes nothing, in the folder or beside it.
+/// Runs all writers; asserts that each fails with these words and changes nothing, in the folder or outside it.
 fn all_refuse(bench: &Bench, words: &[&str]) {
     let (before, beside) = (files(&bench.path("out")), bench.path("here.png"));
     for writer in WRITERS {

@@ -229,7 +229,7 @@ fn files_that_are_written_when_the_program_is_killed_are_old_or_new_and_whole() 
     assert!(all.killed > 0 && all.writing > 0);
 }
 
-/// Takes away what was left by the run before.
+/// Removes what the previous run left.
 fn clear_parts(out: &Path) {
     for name in files(out).keys().filter(|name| is_part(name)) {
         let _ = fs::remove_file(out.join(name));

@@ -61,7 +61,7 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
         command.arg(name);
     }
     let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
-    // A line is told when a document begins.
+    // A line is printed when a document begins.
     let mut samples = Vec::new();
     let mut said = Vec::new();
     for line in BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok) {
@@ -78,7 +78,7 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
     let most = |part: &[f64]| part.iter().copied().fold(0.0, f64::max);
     let parts: Vec<f64> = samples.chunks(many.div_ceil(10)).map(most).collect();
     let told: Vec<String> = parts.iter().map(|part| format!("{part:.0}")).collect();
-    // Past the test harness: it is what is reported.
+    // Directly, past the test harness: this is the figure that docs/faults.md reports.
     say(&format!("{many} documents, {grown} grown: MB at most in each tenth: {}", told.join(" ")));
     let (first, last) = (most(&samples[..many / 3]), most(&samples[2 * many / 3..]));
     assert!(last <= first + SLACK, "it grew from {first:.1} to {last:.1} MB: {told:?}");

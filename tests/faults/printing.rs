@@ -1,4 +1,4 @@
-//! Standard output that is full or that nobody reads.
+//! Standard output that is full or closed.
 
 use std::fs::File;
 use std::process::Stdio;

@@ -1,6 +1,6 @@
 //! The fuzz targets as plain tests: what holds for any bytes is tried on all seeds, and on damaged ones.
 //!
-//! `docs/fuzzing.md` tells how the same bodies are run by libFuzzer, led by coverage, for as long as one likes.
+//! `docs/fuzzing.md` says how libFuzzer runs the same bodies, guided by coverage.
 
 #[path = "bodies/document.rs"]
 mod document;
@@ -17,10 +17,10 @@ mod palette;
 mod picture;
 #[path = "bodies/questions.rs"]
 mod questions;
+#[path = "bodies/refusal.rs"]
+mod refusal;
 #[path = "bodies/svg.rs"]
 mod svg;
-#[path = "bodies/told.rs"]
-mod told;
 #[path = "bodies/training.rs"]
 mod training;
 
@@ -30,7 +30,7 @@ use std::path::Path;
 
 /// Tries `holds` on each seed of `target`, then on so many damaged ones.
 fn tried(target: &str, cases: u32, holds: fn(&[u8])) {
-    let seeds = Seeds::of(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fuzz"), target);
+    let seeds = Seeds::for_target(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fuzz"), target);
     for (name, bytes) in &seeds.files {
         println!("{name}");
         holds(bytes);

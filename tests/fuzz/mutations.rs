@@ -1,4 +1,4 @@
-//! The seeds of a fuzz target, and what becomes of them: the same kinds of damage that libFuzzer does.
+//! The seeds of a fuzz target, and mutations of them: the same kinds of damage that libFuzzer does.
 
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -11,9 +11,9 @@ enum Damage {
     Byte(Index, u8),
     /// Some bytes are lost.
     Cut(Index, usize),
-    /// Some bytes stand there several times.
+    /// Some bytes are repeated.
     Repeat(Index, usize, usize),
-    /// A word of the dictionary stands there too.
+    /// A word of the dictionary is inserted.
     Word(Index, Index),
     /// The rest is that of another seed.
     Splice(Index, Index, Index),
@@ -28,7 +28,7 @@ pub struct Seeds {
 
 impl Seeds {
     /// Those of `target`, from the folder of the fuzz targets.
-    pub fn of(folder: &Path, target: &str) -> Self {
+    pub fn for_target(folder: &Path, target: &str) -> Self {
         let entries = std::fs::read_dir(folder.join("corpus").join(target)).expect("the target has seeds");
         let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("a seed").path()).collect();
         paths.sort();

@@ -1,6 +1,6 @@
 //! The same texture tomorrow: what was grown once grows again, whatever takes the steps, from documents of any age.
 //!
-//! `REGENERATE=1 cargo test --test golden -- --nocapture` writes anew what has changed, and tells what; docs/golden.md
+//! `REGENERATE=1 cargo test --test golden -- --nocapture` rewrites what has changed, and prints it; docs/golden.md
 //! says when that is right.
 
 mod bytes;

@@ -12,7 +12,7 @@ pub fn renews() -> bool {
     std::env::var_os("REGENERATE").is_some_and(|value| value == "1")
 }
 
-/// Writes a golden file, and tells what is new in it.
+/// Writes a golden file, and prints what is new in it.
 pub fn renew(name: &str, bytes: &[u8], changed: &str) {
     std::fs::write(golden(name), bytes).unwrap();
     println!("tests/golden/{name}: {changed}");

@@ -1,7 +1,7 @@
-//! What the golden documents have when they are grown to the end: the same attributes, within what a seed changes.
+//! The attributes of the golden documents when they are grown to the end: those stored, within what a seed changes.
 //!
-//! Not to the bit: solvers and training sets get better, and where each mark ends hangs on the last bit of the first
-//! step. The numbers are those of the ruler that everything is measured by, region by region.
+//! Not to the bit: solvers and training sets get better, and where each mark ends depends on the last bit of the first
+//! step. The numbers are those of the report, region by region.
 
 use crate::renew::{golden, renew, renews, text};
 use crate::textures::{document, names};
@@ -110,7 +110,7 @@ fn compare(at: &str, stored: &Value, grown: &Value) -> Vec<String> {
     }
 }
 
-/// Every value that is not to the digit as it was, for whoever renews.
+/// Every value that has changed by a digit, printed when the sheets are renewed.
 fn changes(stored: &Value, grown: &Value, at: &str, told: &mut Vec<String>) {
     match (stored, grown) {
         (Value::Array(old), Value::Array(new)) if old.len() == new.len() => {

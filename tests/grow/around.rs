@@ -42,7 +42,7 @@ struct Labels {
 const SCALE: f64 = 2.0;
 
 impl Labels {
-    fn of(document: &Value) -> (Self, Folder) {
+    fn grow(document: &Value) -> (Self, Folder) {
         let folder = Folder::with(document);
         folder.grow("--scale 2 --labels l.png --report r.json");
         let ([side, _], values) = folder.gray8("l.png");
@@ -131,7 +131,7 @@ fn width_is_met(folder: &Folder, layer: usize) {
 #[test]
 fn rings_close_round_every_mark_and_touch_none() {
     for edges in ["closed", "wrap"] {
-        let (labels, folder) = Labels::of(&layers(edges, 31.0, &[around(4.0, 0.0)]));
+        let (labels, folder) = Labels::grow(&layers(edges, 31.0, &[around(4.0, 0.0)]));
         let marks = labels.marks();
         assert!(marks.len() > 9, "{}", marks.len());
         let outside = labels.pieces(|value| value != 2).into_iter().max_by_key(Vec::len).unwrap();
@@ -147,7 +147,7 @@ fn rings_close_round_every_mark_and_touch_none() {
 #[test]
 fn broken_rings_are_open_by_the_share_that_was_asked() {
     let area = |broken: f64| {
-        let (labels, folder) = Labels::of(&layers("wrap", 31.0, &[around(4.0, broken)]));
+        let (labels, folder) = Labels::grow(&layers("wrap", 31.0, &[around(4.0, broken)]));
         assert!(labels.keeps_apart(1, 2));
         width_is_met(&folder, 1);
         let outside = labels.pieces(|value| value != 2).into_iter().max_by_key(Vec::len).unwrap();
@@ -165,7 +165,7 @@ fn broken_rings_are_open_by_the_share_that_was_asked() {
 fn a_net_is_one_web_as_wide_as_it_was_drawn() {
     for edges in ["closed", "wrap"] {
         for (spacing, width) in [(26.0, 5.0), (34.0, 3.5)] {
-            let (labels, folder) = Labels::of(&layers(edges, spacing, &[net(width)]));
+            let (labels, folder) = Labels::grow(&layers(edges, spacing, &[net(width)]));
             let pieces = labels.pieces(|value| value == 2);
             assert_eq!(pieces.len(), 1, "{edges} {spacing} {width}");
             assert!(labels.keeps_apart(1, 2), "{edges} {spacing} {width}");
@@ -180,7 +180,7 @@ fn a_tile_of_one_spot_has_a_web_too() {
     let document = json!({"format": "dapple", "version": 1, "size": [60, 60], "edges": "wrap",
         "layers": [{"strokes": spot}, {"strokes": [{"kind": "line", "from": [5, 5], "to": [20, 5], "width": 4}],
         "after": "net"}]});
-    let (labels, folder) = Labels::of(&document);
+    let (labels, folder) = Labels::grow(&document);
     assert_eq!([labels.pieces(|value| value == 2).len(), labels.pieces(|value| value == 0).len()], [1, 1]);
     width_is_met(&folder, 1);
 }
@@ -194,7 +194,7 @@ fn widths_follow_the_regions() {
         ]);
         let mut document = layers("closed", 31.0, &[json!({"strokes": lines, "after": after})]);
         document["regions"] = json!([2, 1]);
-        let (labels, folder) = Labels::of(&document);
+        let (labels, folder) = Labels::grow(&document);
         width_is_met(&folder, 1);
         if after == "net" {
             assert_eq!(labels.pieces(|value| value == 2).len(), 1);
@@ -205,7 +205,7 @@ fn widths_follow_the_regions() {
 #[test]
 fn the_same_document_has_the_same_bytes_and_another_seed_other_gaps() {
     let mut document = layers("wrap", 31.0, &[around(4.0, 0.3)]);
-    let bytes = |document: &Value| Labels::of(document).0.values;
+    let bytes = |document: &Value| Labels::grow(document).0.values;
     let first = bytes(&document);
     assert!(first == bytes(&document));
     document["layers"][1]["seed"] = json!(77);
@@ -219,7 +219,7 @@ fn spots_find_their_place_between_rosettes() {
         {"kind": "ellipse", "center": [59, 50], "radii": [2, 2]},
         {"kind": "ellipse", "center": [50, 59], "radii": [2, 2]}
     ]});
-    let (labels, _) = Labels::of(&layers("wrap", 40.0, &[around(4.0, 0.3), dots]));
+    let (labels, _) = Labels::grow(&layers("wrap", 40.0, &[around(4.0, 0.3), dots]));
     assert!(labels.keeps_apart(1, 2) && labels.keeps_apart(1, 3) && labels.keeps_apart(2, 3));
     assert!(labels.pieces(|value| value == 3).len() > 20);
 }
@@ -278,7 +278,7 @@ fn rings_of_stripes_run_along_them() {
     let stripes = json!([{"kind": "line", "from": [20, 55], "to": [90, 55], "width": 18}]);
     let document = json!({"format": "dapple", "version": 1, "size": [110, 110], "edges": "wrap",
         "layers": [{"strokes": stripes}, {"strokes": line(4.0), "after": "around"}]});
-    let (labels, folder) = Labels::of(&document);
+    let (labels, folder) = Labels::grow(&document);
     assert!(labels.keeps_apart(1, 2));
     width_is_met(&folder, 1);
     let field = {

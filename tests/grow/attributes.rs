@@ -1,4 +1,4 @@
-//! What grows has the numbers of what was drawn, read off the written pattern with the library's ruler.
+//! Textures have the attributes of what was drawn, measured on the written pattern.
 
 use crate::folder::{AREA, ASPECT, Folder, SPACING, document, hexagon, spots, stripes};
 use dapple::internals::attributes::{Attributes, Spots, Stripes};

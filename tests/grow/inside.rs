@@ -1,4 +1,4 @@
-//! A layer inside another: the other is neither painted nor labelled; sparse spots are told by all commands.
+//! A layer inside another: the other is neither painted nor labelled; all commands report sparse spots.
 
 use crate::folder::{Folder, document};
 use dapple::document::Edges;

@@ -45,7 +45,7 @@ fn interrupt(mut child: Child) -> (Option<i32>, String) {
     (output.status.code(), String::from_utf8(output.stderr).unwrap())
 }
 
-/// Whether the program has set its handler and then worked for a while; only Linux tells.
+/// Whether the program has set its handler and then worked for a while; only Linux shows this.
 #[cfg(target_os = "linux")]
 fn is_growing(id: u32) -> bool {
     let read = |name: &str| std::fs::read_to_string(format!("/proc/{id}/{name}")).unwrap_or_default();

@@ -21,7 +21,7 @@ fn off(plan: &Plan, spots: &[Spot]) -> Vec<f64> {
     distances(plan.pinned_spots(), plan.lookup.map.layout(), spots)
 }
 
-/// Ten spots as a hand draws them: unevenly, of all sizes, two of them cut by the edge.
+/// Ten spots as a user draws them: uneven, of several sizes, two of them cut by the edge.
 fn drawn() -> Vec<Ellipse> {
     let ellipse =
         |x: f64, y: f64, r: f64, q: f64, angle: f64| Ellipse { center: [x, y], radii: [r, q], angle };

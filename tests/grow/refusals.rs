@@ -1,4 +1,4 @@
-//! What cannot be grown is told beforehand, in one line, and nothing is written.
+//! Documents that cannot be grown are refused at once, in one line, and nothing is written.
 
 use crate::folder::{Folder, document, spots};
 use serde_json::json;

@@ -165,7 +165,7 @@ fn what_was_drawn_unlike_grows_unlike_and_the_report_says_how_much() {
         turn(region["got"]["angle"].as_f64().unwrap(), region["asked"]["angle"].as_f64().unwrap()).abs()
             < 1.0
     );
-    // Told to be even, they are: but for what was drawn, if that is kept.
+    // Even if asked to be, except for drawn spots that are kept.
     varied["layers"][0]["options"] = json!({"spread": 0, "keep": false});
     folder.write("a.dapple", &varied.to_string());
     folder.grow("--pattern even.png --report even.json");

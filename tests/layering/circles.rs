@@ -10,8 +10,8 @@ use crate::scan::{Scan, scan};
 use crate::sources::{is_test, module, sources};
 
 /// The rooms that are checked.
-const CHECKED: [&str; 9] =
-    ["grid", "marks", "attributes", "sketch", "measure", "export", "document", "editor", "app"];
+const CHECKED: [&str; 10] =
+    ["grid", "marks", "attributes", "sketch", "measure", "export", "document", "editor", "app", "rd"];
 /// The stages of `synth`: each knows only the ones before it.
 const STAGES: [&str; 4] = ["plan", "grow", "render", "report"];
 

@@ -1,4 +1,4 @@
-//! Layers: what grows next meets the frozen marks beneath as it was told.
+//! Layers: each meets the fixed marks beneath as its `after` says.
 
 mod between;
 mod inside;

@@ -1,4 +1,4 @@
-//! Spots farther apart than one run puts them, in one layer: sown at their places, and told so.
+//! Spots farther apart than the system puts them by itself, in one layer: laid at their places, with a note.
 
 use super::{cascade, grown, spots};
 use dapple::document::Edges;

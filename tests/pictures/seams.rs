@@ -90,7 +90,7 @@ fn seamless_examples_have_no_seam_in_any_map() {
     has_no_seams(&found);
 }
 
-/// A sketch that a hand might draw, other for each `number`.
+/// A sketch as a user might draw it, a different one for each `number`.
 fn sketch(number: u64) -> Value {
     let mut state = number.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
     let mut random = |low: f64, high: f64| {

@@ -16,7 +16,7 @@ static TRAINING: LazyLock<Training> = LazyLock::new(Training::default);
 /// What ground and the middle of a mark are.
 const USUAL: [f32; 2] = [0.0, 1.0];
 
-fn told(p: &learn::Parameters, pitch: f32) -> Parameters {
+fn cell_parameters(p: &learn::Parameters, pitch: f32) -> Parameters {
     Parameters {
         rate: p.rate as f32,
         ratio: p.ratio.unwrap_or(1.0) as f32,
@@ -72,7 +72,7 @@ proptest! {
         seed in any::<u64>(),
     ) {
         let answer = TRAINING.set(system).unwrap().ask(&wanted).unwrap();
-        let maps = Maps::uniform([nx, ny], edges, told(&answer.parameters, answer.pitch as f32));
+        let maps = Maps::uniform([nx, ny], edges, cell_parameters(&answer.parameters, answer.pitch as f32));
         let mut growth = Growth::new(system, &maps, seed);
         prop_assert!(sound(&growth), "at the beginning");
         for _ in 0..8 {
@@ -95,8 +95,8 @@ fn any_parameters() -> impl Strategy<Value = (System, Parameters)> {
     )
         .prop_map(|(system, spacing, ratio, stretch, direction, pitch)| {
             let unit = learn::Parameters { rate: 1.0, ratio: Some(ratio), stretch, direction, level: None };
-            let own = system.spacing(&told(&unit, pitch as f32)) / spacing;
-            (system, told(&learn::Parameters { rate: own * own, ..unit }, pitch as f32))
+            let own = system.spacing(&cell_parameters(&unit, pitch as f32)) / spacing;
+            (system, cell_parameters(&learn::Parameters { rate: own * own, ..unit }, pitch as f32))
         })
 }
 

@@ -1,4 +1,4 @@
-//! Documents of every kind of layer, system and option, as a hand might draw them, and far stranger.
+//! Documents of every kind of layer, system and option, as users might draw them, and far stranger ones.
 
 use crate::cases;
 use dapple::document::Edges;

@@ -1,4 +1,4 @@
-//! What holds for whatever is drawn, asked or set, tried on what chance comes up with.
+//! Properties of all documents, parameters and maps, tested on random ones.
 //!
 //! `PROPTEST_CASES=5000 cargo test --test properties` tries more.
 
@@ -12,7 +12,7 @@ mod tensors;
 
 use proptest::test_runner::Config;
 
-/// So many cases, or as many as the environment asks for.
+/// This many cases, or as many as `PROPTEST_CASES` says.
 fn cases(usual: u32) -> Config {
     let asked = std::env::var("PROPTEST_CASES").ok().and_then(|text| text.parse().ok());
     Config { failure_persistence: None, ..Config::with_cases(asked.unwrap_or(usual)) }

@@ -1,4 +1,4 @@
-//! A window and the hand that works in it.
+//! A window and the simulated user that works in it.
 
 use std::f64::consts::TAU;
 use std::path::PathBuf;
@@ -121,7 +121,7 @@ impl Hand {
         self.drag(&[point, point]);
     }
 
-    /// Draws round an ellipse as a hand does: once round, in some 60 points.
+    /// Draws an ellipse as a freehand stroke: once around, in some 60 points.
     pub fn draw_round(&mut self, center: [f64; 2], radii: [f64; 2], degrees: f64) {
         let (sin, cos) = degrees.to_radians().sin_cos();
         let path: Vec<[f64; 2]> = (0..=60)

@@ -86,7 +86,7 @@ fn act(session: &mut Session, deed: &Deed) {
         Deed::Remove(index) => session.remove(&some(session, *index).into_iter().collect::<Vec<_>>()),
         Deed::Nudge(by) => session.nudge(*by),
         Deed::Replace(index, mark) => {
-            // Only by its own kind: a hand cannot make a line of an ellipse.
+            // Only by its own kind: a user cannot turn an ellipse into a line.
             if let Some(place) = some(session, *index)
                 && std::mem::discriminant(&session.mark(place).unwrap()) == std::mem::discriminant(mark)
             {
@@ -178,7 +178,7 @@ proptest! {
     }
 }
 
-/// What a hand does in the window.
+/// What a user does in the window.
 #[derive(Clone, Debug)]
 enum Move {
     Drag([f64; 2], [f64; 2]),

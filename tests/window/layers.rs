@@ -354,7 +354,7 @@ fn what_lies_beneath_is_not_grown_again_and_is_seen_under_the_canvas() {
     assert_eq!(grown.layers[0].marks.values, below);
     assert_eq!(hand.window.state().growth().reused, 1);
     assert!(hand.window.state().has_underlay());
-    // Thawed, nothing lies under it any more.
+    // Unfrozen, nothing is shown under it any more.
     hand.press("Thaw layer 1");
     assert!(!hand.window.state().has_underlay());
 }

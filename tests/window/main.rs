@@ -1,4 +1,4 @@
-//! The window, driven by pointer and keys as a hand would.
+//! The window, driven by pointer and keys as by a user.
 #![cfg(feature = "app")]
 
 mod access;

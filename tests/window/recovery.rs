@@ -20,7 +20,7 @@ fn window(folder: &Path, file: Option<&Path>) -> Hand {
     with(start, vec2(1280.0, 800.0), Theme::Light)
 }
 
-/// What lies in the slots.
+/// The files in the recovery folder.
 fn slots(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = fs::read_dir(folder.join("recovery")) else { return Vec::new() };
     let files = entries.map(|entry| entry.unwrap().path());

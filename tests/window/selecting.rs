@@ -54,7 +54,7 @@ fn handles_resize_and_turn() {
     hand.drag(&[[220.0, 200.0], [230.0, 200.0], [250.0, 200.0]]);
     let ellipse = hand.ellipses()[0];
     assert!((ellipse.radii[0] - 50.0).abs() < 0.2 && (ellipse.radii[1] - 10.0).abs() < 0.2, "{ellipse:?}");
-    // The handle that turns stands off the end by 22 points.
+    // The handle that turns is 22 points beyond the end.
     let off = 22.0 / f64::from((hand.at([1.0, 0.0]) - hand.at([0.0, 0.0])).x);
     hand.drag(&[[250.0 + off, 200.0], [240.0, 240.0], [200.0, 300.0]]);
     assert!((hand.ellipses()[0].angle - 90.0).abs() < 0.5, "{:?}", hand.ellipses()[0]);

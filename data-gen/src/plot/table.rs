@@ -1,6 +1,6 @@
 //! The table of `dapple learn`, sorted into panels.
 
-/// What stands in the table about one quantity.
+/// The rows of the table about one quantity.
 #[derive(Debug)]
 pub struct Panel {
     /// The system.

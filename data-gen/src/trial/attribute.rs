@@ -8,7 +8,7 @@ pub struct Attribute {
     pub unit: &'static str,
     /// An error of 1 in that unit.
     pub factor: f64,
-    /// Median and 95th percentile of |error| at most, in that unit; `None` where it only is told.
+    /// Bounds of the median and 95th percentile of |error|, in that unit; `None` where it is only printed.
     pub bounds: Option<[f64; 2]>,
     /// Is it of spots or of stripes?
     pub spots: bool,

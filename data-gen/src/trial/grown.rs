@@ -99,7 +99,7 @@ impl Task {
     }
 }
 
-/// The pattern as whoever reads the written picture finds it.
+/// The pattern as read back from the written picture.
 fn written(layer: &GrownLayer, size: [u32; 2]) -> Field {
     let [width, height] = size.map(|side| side as usize);
     let mut pattern = layer.pattern().field(width, height);

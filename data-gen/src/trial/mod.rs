@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!  examples/*.dapple ─┐
-//!                     ├─▶ grown ─▶ the pattern picture ─▶ ruler, verdict ─▶ statistics ─▶ table, JSON, pictures
+//!                     ├─▶ grown ─▶ the pattern picture ─▶ measured, judged ─▶ statistics ─▶ table, JSON, pictures
 //!  sketches (seed)  ──┘
 //! ```
 //!
@@ -57,7 +57,7 @@ pub struct Args {
     json: Option<PathBuf>,
 }
 
-/// Grows and measures all, and prints the table. Gives whether all bounds hold and nothing failed.
+/// Grows and measures all, and prints the table. Returns whether all bounds hold and nothing failed.
 pub fn run(args: &Args) -> Result<bool, String> {
     let tasks = tasks(args)?;
     if let Some(folder) = &args.out {

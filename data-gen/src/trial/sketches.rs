@@ -29,7 +29,7 @@ const SIDES: [f64; 2] = [384.0, 640.0];
 /// Sketches thrown away at most before one is kept; a few dozen are usual.
 const TRIES: usize = 100_000;
 
-/// Sketch `index` of those that `seed` stands for, the same whatever others there are.
+/// Sketch `index` for `seed`; it does not depend on other sketches.
 ///
 /// # Errors
 /// None of very many attempts stayed within the ranges.

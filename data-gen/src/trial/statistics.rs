@@ -15,7 +15,7 @@ pub struct Summary {
 
 impl Summary {
     /// Of the sizes of `errors`; `None` of none.
-    pub fn of(errors: impl IntoIterator<Item = f64>) -> Option<Self> {
+    pub fn from_errors(errors: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut sizes: Vec<f64> = errors.into_iter().map(f64::abs).collect();
         sizes.sort_by(f64::total_cmp);
         let at = |share| percentile(&sizes, share);
@@ -23,7 +23,7 @@ impl Summary {
     }
 }
 
-/// The number that the share 0..1 of `sorted` lies below: linear between the two nearest, the first at share 0
+/// The quantile of `sorted` at a share 0..1: linear between the two nearest, the first at share 0
 /// and the last at 1 (R. J. Hyndman & Y. Fan, "Sample quantiles in statistical packages", 1996, type 7).
 pub fn percentile(sorted: &[f64], share: f64) -> Option<f64> {
     let last = sorted.len().checked_sub(1)?;
@@ -49,8 +49,8 @@ mod tests {
 
     #[test]
     fn a_summary_is_of_sizes_not_of_signs() {
-        let summary = Summary::of([-3.0, 1.0, -2.0]).unwrap();
+        let summary = Summary::from_errors([-3.0, 1.0, -2.0]).unwrap();
         assert_eq!((summary.count, summary.median, summary.max), (3, 2.0, 3.0));
-        assert_eq!(Summary::of([]), None);
+        assert_eq!(Summary::from_errors([]), None);
     }
 }

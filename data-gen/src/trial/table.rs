@@ -26,7 +26,7 @@ pub fn table(outcomes: &[Outcome]) -> (String, bool) {
             for (group, (name, chosen)) in GROUPS.iter().enumerate() {
                 let errors = regions(outcomes).filter(|(outcome, _)| chosen(outcome));
                 let errors = errors.filter_map(|(_, region)| region.errors[k]);
-                let Some(summary) = Summary::of(errors) else { continue };
+                let Some(summary) = Summary::from_errors(errors) else { continue };
                 let held = line(&mut text, attribute, name, summary);
                 good &= held || group + 1 < GROUPS.len();
             }
@@ -90,7 +90,7 @@ fn failures(text: &mut String, outcomes: &[Outcome]) -> bool {
 }
 
 fn times(text: &mut String, outcomes: &[Outcome]) {
-    if let Some(summary) = Summary::of(outcomes.iter().map(|outcome| outcome.seconds)) {
+    if let Some(summary) = Summary::from_errors(outcomes.iter().map(|outcome| outcome.seconds)) {
         let Summary { median, p95, max, .. } = summary;
         let _ = writeln!(
             text,

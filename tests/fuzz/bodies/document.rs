@@ -1,4 +1,4 @@
-//! Documents: what is read is written and read back as it was, and what would be grown can be told.
+//! Documents: what is read is written and read back unchanged, and can be planned or is refused.
 
 use dapple::document::Document;
 use dapple::internals::synth::plan::Targets;
@@ -6,7 +6,7 @@ use dapple::internals::synth::{Training, memory};
 use std::sync::LazyLock;
 
 use crate::kept::comes_back;
-use crate::told::told;
+use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.dapple";
 
@@ -21,7 +21,7 @@ pub fn holds(bytes: &[u8]) {
             comes_back(&document);
             is_planned(&document);
         }
-        Err(error) => told(&error.to_string(), FILE),
+        Err(error) => assert_readable(&error.to_string(), FILE),
     }
 }
 
@@ -38,7 +38,7 @@ fn is_planned(document: &Document) {
         let size = document.size.map(f64::from);
         let targets = match Targets::read(document, index, FILE, size, beneath.as_ref()) {
             Ok(targets) => targets,
-            Err(error) => return told(&error.to_string(), FILE),
+            Err(error) => return assert_readable(&error.to_string(), FILE),
         };
         let plan = match targets.look_up(&TRAINING) {
             Ok(plan) => plan,

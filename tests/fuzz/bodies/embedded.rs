@@ -6,7 +6,7 @@ use dapple::internals::export::png_text::SIGNATURE;
 use std::io::Cursor;
 
 use crate::kept::comes_back;
-use crate::told::told;
+use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.png";
 
@@ -28,7 +28,7 @@ fn restored(png: &[u8]) {
             assert!(sides.iter().all(|side| (1..=limits::MAX_SIDE).contains(side)), "{extent:?}");
         }
         Ok(None) => {}
-        Err(error) => told(&error.to_string(), FILE),
+        Err(error) => assert_readable(&error.to_string(), FILE),
     }
 }
 

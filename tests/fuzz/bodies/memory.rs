@@ -1,4 +1,4 @@
-//! An allocator that holds no more than a small machine has free: whoever asks for more ends the run.
+//! An allocator with a limit, as on a small machine: an allocation beyond it ends the run.
 //!
 //! A few bytes that make a reader ask for gigabytes are a fault, even where the system would hand them out.
 

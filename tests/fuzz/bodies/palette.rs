@@ -2,7 +2,7 @@
 
 use dapple::document::palette::Palette;
 
-use crate::told::told;
+use crate::refusal::assert_readable;
 
 /// Whatever `bytes` are, they are a palette or none.
 pub fn holds(bytes: &[u8]) {
@@ -13,7 +13,7 @@ pub fn holds(bytes: &[u8]) {
                     Palette::parse_json(&palette.to_json(), "own.json").expect("what is written is read");
                 assert_eq!(read, palette);
             }
-            Err(error) => told(&error.to_string(), "bad.json"),
+            Err(error) => assert_readable(&error.to_string(), "bad.json"),
         }
     }
     // As a file's bytes are read: GIMP writes no declaration of its encoding.
@@ -23,6 +23,6 @@ pub fn holds(bytes: &[u8]) {
             assert_eq!(read.colours.stops, palette.colours.stops);
             assert_eq!(read.to_gpl(), palette.to_gpl(), "what is read is written as it was");
         }
-        Err(error) => told(&error.to_string(), "bad.gpl"),
+        Err(error) => assert_readable(&error.to_string(), "bad.gpl"),
     }
 }

@@ -6,7 +6,7 @@ use image::ImageReader;
 use std::io::Cursor;
 use std::path::Path;
 
-use crate::told::told;
+use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.png";
 /// px that are measured: more are only read, as time goes by them.
@@ -27,7 +27,7 @@ pub fn holds(bytes: &[u8]) {
                 assert!(px < BOMB, "{px} px were unpacked from {} bytes", bytes.len());
                 fits(&found, px as f64);
             }
-            Err(error) => told(&error.to_string(), FILE),
+            Err(error) => assert_readable(&error.to_string(), FILE),
         }
     }
 }

@@ -4,7 +4,7 @@ use dapple::cli::lookup::answer_table;
 use dapple::internals::synth::Training;
 use std::sync::LazyLock;
 
-use crate::told::told;
+use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.csv";
 /// Questions that are answered; more are asked the same way.
@@ -19,7 +19,7 @@ pub fn holds(bytes: &[u8]) {
     }
     match answer_table(&TRAINING, FILE, bytes) {
         Ok(table) => answered(&table),
-        Err(error) => told(&error.to_string(), FILE),
+        Err(error) => assert_readable(&error.to_string(), FILE),
     }
 }
 

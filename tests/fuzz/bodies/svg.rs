@@ -5,7 +5,7 @@ use dapple::internals::sketch::svg::{DPI, read};
 use dapple::internals::synth::import::document_of;
 
 use crate::kept::comes_back;
-use crate::told::told;
+use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.svg";
 
@@ -23,6 +23,6 @@ pub fn holds(bytes: &[u8]) {
     }
     match document_of(bytes, DPI, FILE) {
         Ok((document, _)) => comes_back(&document),
-        Err(error) => told(&error.to_string(), FILE),
+        Err(error) => assert_readable(&error.to_string(), FILE),
     }
 }

@@ -4,7 +4,7 @@ use data_gen::journal::Part;
 use data_gen::plan::Plan;
 use std::path::Path;
 
-use crate::told::told;
+use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.json";
 
@@ -14,7 +14,7 @@ pub fn holds(bytes: &[u8]) {
         match Plan::parse(text, FILE) {
             Ok(plan) => {
                 let value = serde_json::to_value(&plan).expect("a plan is written");
-                assert_eq!(Plan::of(&value).expect("what is written is read"), plan);
+                assert_eq!(Plan::from_json(&value).expect("what is written is read"), plan);
                 for set in &plan.sets {
                     for run in [0, set.runs - 1] {
                         let drawn = set.parameters_of(run);
@@ -23,7 +23,7 @@ pub fn holds(bytes: &[u8]) {
                     }
                 }
             }
-            Err(error) => told(&error, FILE),
+            Err(error) => assert_readable(&error, FILE),
         }
     }
     match Part::parse(Path::new("bad.journal"), bytes) {
@@ -33,6 +33,6 @@ pub fn holds(bytes: &[u8]) {
                 assert!(record.index < set.runs && part.shard.holds(record.index), "{record:?}");
             }
         }
-        Err(error) => told(&error, "bad.journal"),
+        Err(error) => assert_readable(&error, "bad.journal"),
     }
 }

@@ -4,7 +4,7 @@ use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::learn::{TrainingSet, write_rows};
 use dapple::internals::rd::System;
 
-use crate::told::told;
+use crate::refusal::assert_readable;
 
 const FILE: &str = "rows.csv";
 
@@ -17,7 +17,7 @@ pub fn holds(bytes: &[u8]) {
             comes_back(&set);
             answers(&set);
         }
-        Err(error) => told(&error.to_string(), FILE),
+        Err(error) => assert_readable(&error.to_string(), FILE),
     }
 }
 

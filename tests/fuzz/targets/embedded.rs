@@ -6,7 +6,7 @@ mod kept;
 mod embedded;
 #[path = "../bodies/memory.rs"]
 mod memory;
-#[path = "../bodies/told.rs"]
-mod told;
+#[path = "../bodies/refusal.rs"]
+mod refusal;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| embedded::holds(bytes));

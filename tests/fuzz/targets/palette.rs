@@ -4,7 +4,7 @@
 mod memory;
 #[path = "../bodies/palette.rs"]
 mod palette;
-#[path = "../bodies/told.rs"]
-mod told;
+#[path = "../bodies/refusal.rs"]
+mod refusal;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| palette::holds(bytes));

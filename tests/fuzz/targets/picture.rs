@@ -4,7 +4,7 @@
 mod memory;
 #[path = "../bodies/picture.rs"]
 mod picture;
-#[path = "../bodies/told.rs"]
-mod told;
+#[path = "../bodies/refusal.rs"]
+mod refusal;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| picture::holds(bytes));

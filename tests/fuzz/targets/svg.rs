@@ -6,7 +6,7 @@ mod kept;
 mod memory;
 #[path = "../bodies/svg.rs"]
 mod svg;
-#[path = "../bodies/told.rs"]
-mod told;
+#[path = "../bodies/refusal.rs"]
+mod refusal;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| svg::holds(bytes));

@@ -2,8 +2,8 @@
 
 #[path = "../bodies/memory.rs"]
 mod memory;
-#[path = "../bodies/told.rs"]
-mod told;
+#[path = "../bodies/refusal.rs"]
+mod refusal;
 #[path = "../bodies/training.rs"]
 mod training;
 

@@ -1,4 +1,4 @@
-//! What may be asked: the ranges that issue and table name, of the numbers that the ruler reads off a sketch.
+//! The ranges of the trial, of the attributes that are measured on a sketch.
 
 use dapple::document::Document;
 use dapple::document::Edges;
@@ -24,7 +24,7 @@ pub const LOOSER: f64 = 1.5;
 /// Above this aspect there is no direction to differ in.
 const ROUND: f64 = 0.9;
 
-/// Whether what the ruler reads off all regions of `document` lies within the ranges.
+/// Whether the attributes of all regions of `document` are within the ranges.
 pub fn within(document: &Document) -> bool {
     let Ok(map) = sketch_targets::region_map(document, 0, &document.name) else { return false };
     let own = |index: usize| map.region(map.layout().place(index)).own;

@@ -127,7 +127,7 @@ fn turned([x, y]: [f64; 2], by: f64) -> [f64; 2] {
     [c * x - s * y, s * x + c * y]
 }
 
-/// Whether two spots nearly touch: a point of one's outline, or its middle, lies in the other.
+/// Whether two spots nearly touch: a point of the outline of one, or its centre, is inside the other.
 fn touch(a: &Ellipse, b: &Ellipse) -> bool {
     const POINTS: u32 = 32;
     let apart = [a.center[0] - b.center[0], a.center[1] - b.center[1]];
