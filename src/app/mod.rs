@@ -40,7 +40,7 @@ pub use action::{Action, Page, Tab};
 pub use alternatives::{Alternative, Alternatives, small};
 pub use canvas::tool::Tool;
 pub use cloud::{Cloud, Points};
-pub use exporting::{Choices, Made, Shows, Sight, Size, What};
+pub use exporting::{Choices, ExportKind, FinishedPreview, PictureContent, PreviewImages, Size};
 pub use growth::{Growth, Phase};
 pub use notice::Notice;
 pub use pages::New;

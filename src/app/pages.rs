@@ -8,16 +8,16 @@ use super::units::{Ruler, Units};
 use crate::document::{Document, limits};
 use crate::grid::Edges;
 
-/// What a new document shall be.
+/// The properties of a new document.
 #[derive(Clone, Debug, PartialEq)]
 pub struct New {
     /// Width and height, px.
     pub size: [u32; 2],
     /// Columns and rows.
     pub regions: [u32; 2],
-    /// A seamless tile?
+    /// Whether it is a seamless tile.
     pub seamless: bool,
-    /// Dots an inch.
+    /// Resolution, dots per inch.
     pub dpi: f64,
 }
 
@@ -27,19 +27,19 @@ impl Default for New {
     }
 }
 
-/// What a page with an answer was answered.
+/// The answer to a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
     /// Yes; the first choice.
     Yes,
     /// No; the second choice.
     No,
-    /// Never mind.
+    /// Cancel.
     Cancel,
 }
 
 impl New {
-    /// Can it be asked for?
+    /// Whether all values are within their limits.
     #[must_use]
     pub fn is_allowed(&self) -> bool {
         self.size.iter().all(|side| SIDES.contains(side))
@@ -118,7 +118,7 @@ pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
     choice(ui, "Save", Some("Don't save"))
 }
 
-/// What this is, and whence.
+/// Version, papers, licence.
 pub fn about(ui: &mut Ui) {
     ui.set_width(460.0);
     ui.heading("dapple");
@@ -126,7 +126,7 @@ pub fn about(ui: &mut Ui) {
     ui.add_space(6.0);
     ui.label(
         "Draw a few spots or stripes; dapple grows a texture with their size, shape, spacing and direction. \
-         Nothing is painted in: two substances react and spread until a pattern stands.",
+         The pattern is computed: two substances react and diffuse until they settle.",
     );
     ui.add_space(6.0);
     ui.label(RichText::new("The papers").strong());
@@ -140,10 +140,10 @@ pub fn about(ui: &mut Ui) {
         ui.label(paper);
     }
     ui.add_space(6.0);
-    ui.weak("Licensed under MIT or Apache-2.0, as you like.");
+    ui.weak("Licensed under MIT or Apache-2.0, at your choice.");
 }
 
-/// How to begin.
+/// First steps.
 pub fn hint(ui: &mut Ui) -> Option<Action> {
     ui.set_width(400.0);
     let mut action = None;
@@ -151,8 +151,8 @@ pub fn hint(ui: &mut Ui) -> Option<Action> {
     ui.add_space(4.0);
     for (number, text) in [
         "Draw a few round or oval spots on the canvas, each with one stroke.",
-        "Watch the texture grow beside it: spots of that size, shape and spacing, all over.",
-        "Draw other spots in another region, and it changes from here to there.",
+        "Watch the texture grow beside it: spots of that size, shape and spacing, everywhere.",
+        "Draw other spots in another region: the texture changes gradually between them.",
     ]
     .iter()
     .enumerate()

@@ -1,4 +1,4 @@
-//! The window's state, and what the rest of the program and the tests may read of it.
+//! The window's state, and accessors for the rest of the program and the tests.
 //!
 //! ```text
 //!  start ─▶ frame ─▶ panels ─▶ actions ─▶ dispatch ─▶ edit, files, export, … change the state
@@ -66,15 +66,15 @@ pub struct Window {
     alternatives: Alternatives,
     colour: ColourPanel,
     result_panel: ResultPanel,
-    /// One over the other, instead of side by side.
+    /// Whether the texture is shown over the sketch, instead of beside it.
     over: bool,
-    /// Where the curtain hangs, 0..1.
+    /// The position of the divider between them, 0..1.
     curtain: f32,
-    /// Do the views move together?
+    /// Whether sketch and texture are zoomed and panned together.
     linked: bool,
-    /// The revision that is growing.
+    /// The revision that was grown last, or is growing.
     grown: Option<u64>,
-    /// Was a menu open in the last frame?
+    /// Whether a menu was open in the last frame.
     menu_open: bool,
     title: String,
     trace: Trace,
@@ -93,7 +93,7 @@ impl Window {
         &self.session
     }
 
-    /// How far the growth is.
+    /// The state of the growth.
     #[must_use]
     pub fn phase(&self) -> &Phase {
         &self.growth.phase
@@ -105,26 +105,26 @@ impl Window {
         &self.growth
     }
 
-    /// Where a px of the canvas, which is shown in `room`, is seen.
+    /// The screen position of a point of the canvas, px, that is shown in `room`.
     #[must_use]
     pub fn screen(&self, room: Rect, point: [f64; 2]) -> Pos2 {
         self.canvas.view.to_screen(room, point)
     }
 
-    /// Shows no more how long something took: for pictures that shall be alike.
+    /// Hides how long the growth took, for reproducible snapshots.
     pub fn hide_times(&mut self) {
         if let Phase::Settled(took) = &mut self.growth.phase {
             *took = Duration::ZERO;
         }
     }
 
-    /// What has settled.
+    /// The texture that has settled.
     #[must_use]
     pub fn settled(&self) -> Option<&Texture> {
         self.growth.texture.as_ref()
     }
 
-    /// What came of it, region by region: known while the column shows it.
+    /// The results by region; computed while the result tab is shown.
     #[must_use]
     pub fn results(&self) -> &Results {
         &self.results
@@ -148,25 +148,25 @@ impl Window {
         &self.cloud
     }
 
-    /// Where the sketch and the texture are looked at: the px in the middle, and points a px.
+    /// The views of sketch and texture: the centre, px, and the zoom, points per px.
     #[must_use]
     pub fn views(&self) -> [([f64; 2], f32); 2] {
         [self.canvas.view, self.texture.view].map(|view| (view.center, view.zoom))
     }
 
-    /// Does what has grown of frozen layers lie under the canvas?
+    /// Whether the texture of frozen layers is shown under the canvas.
     #[must_use]
     pub fn has_underlay(&self) -> bool {
         self.canvas.underlay.is_there()
     }
 
-    /// Does a picture lie under the canvas?
+    /// Whether there is a picture under the canvas.
     #[must_use]
     pub fn has_reference(&self) -> bool {
         self.canvas.reference.is_there()
     }
 
-    /// What has to be said.
+    /// The messages that are shown.
     #[must_use]
     pub fn notices(&self) -> &[Notice] {
         self.notices.all()
@@ -178,7 +178,7 @@ impl Window {
         Ruler { units: self.settings.units, dpi: self.session.document().dpi }
     }
 
-    /// Another document was opened.
+    /// Opens another document.
     fn begin(&mut self, session: Session) {
         self.session = session;
         self.files.restored = None;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use assert_cmd::Command;
-use dapple::app::{Made, Settings, Start, What};
+use dapple::app::{ExportKind, FinishedPreview, Settings, Start};
 use dapple::document::Document;
 use egui::accesskit::Role;
 use egui::{ColorImage, Key, Modifiers, Theme, vec2};
@@ -48,7 +48,7 @@ fn take(hand: &mut Hand, list: &str, text: &str) {
 }
 
 /// What is seen, once it is made.
-fn seen(hand: &mut Hand) -> Arc<Made> {
+fn seen(hand: &mut Hand) -> Arc<FinishedPreview> {
     hand.until("a preview", |window| window.previewed().is_some());
     hand.window.state().previewed().unwrap()
 }
@@ -332,7 +332,7 @@ fn one_document_becomes_another_in_a_film() {
         {"strokes": [{"kind": "ellipse", "center": [40, 40], "radii": [7, 6], "angle": 80}]}]}"#;
     Document::parse(text, "other").unwrap().write(&other).unwrap();
     open(&mut hand, "Film");
-    hand.press("The way to another document");
+    hand.press("The change into another document");
     hand.press("Choose a document…");
     hand.type_path("File", &other);
     hand.type_into("Length", "0.3");
@@ -357,7 +357,7 @@ fn what_cannot_be_made_says_why_and_what_to_do() {
         {"strokes": [{"kind": "line", "from": [10, 10], "to": [80, 60], "width": 6}]}]}"#;
     Document::parse(text, "other").unwrap().write(&other).unwrap();
     open(&mut hand, "Film");
-    hand.press("The way to another document");
+    hand.press("The change into another document");
     hand.press("Choose a document…");
     hand.type_path("File", &other);
     hand.press("Make the film");
@@ -394,7 +394,7 @@ fn the_dialog_begins_as_it_was_left_also_in_the_next_session() {
     let mut again = with(start(), vec2(1280.0, 800.0), Theme::Light);
     again.key(Modifiers::COMMAND, Key::E);
     let choices = again.window.state().choices().unwrap().clone();
-    assert_eq!(choices.what, What::Outlines);
+    assert_eq!(choices.what, ExportKind::Outlines);
     assert!(choices.outlines.hatch && choices.picture.transparent);
     assert_eq!(choices.picture.format.name(), "WebP");
 }

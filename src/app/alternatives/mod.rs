@@ -1,4 +1,4 @@
-//! Other textures that fit the same sketch: small pictures to choose from. While they are not shown nothing is done.
+//! Other textures that fit the same sketch. They are grown in the background while they are shown.
 
 mod series;
 #[cfg(test)]
@@ -19,25 +19,25 @@ use crate::synth::{Grown, Training};
 use series::{Job, Series};
 use variants::{Variant, variants};
 
-/// One of them.
+/// An alternative.
 pub struct Alternative {
-    /// Stays the same as long as it is there.
+    /// Its id; it never changes.
     pub id: u64,
-    /// What is different about it, in a few words.
+    /// What differs from the sketch, in a few words.
     pub name: String,
-    /// And in a sentence.
+    /// The same in a sentence.
     pub help: String,
-    /// All of it.
+    /// Its document.
     pub document: Document,
-    /// Does it stay when the sketch changes?
+    /// Whether it stays when the sketch changes.
     pub kept: bool,
-    /// What has grown, once it has.
+    /// The grown texture, once there is one.
     pub grown: Option<Arc<Grown>>,
-    /// Its small picture, once there is one.
+    /// Its picture, once there is one.
     pub picture: Option<Arc<ColorImage>>,
     /// Why it cannot be grown.
     pub failed: Option<String>,
-    /// Is the picture one of other colours?
+    /// Whether the picture was painted with other colours.
     stale: bool,
     texture: Option<TextureHandle>,
 }
@@ -57,15 +57,15 @@ impl Alternative {
     }
 }
 
-/// All of them.
+/// The alternatives.
 pub struct Alternatives {
-    /// Are they shown?
+    /// Whether they are shown.
     pub shown: bool,
     /// In the order in which they stand: what is kept, the sketch as it was when they began, the others.
     pub all: Vec<Alternative>,
     training: Arc<Training>,
     series: Option<Series>,
-    /// Was growing them given up?
+    /// Whether the user stopped growing them.
     stopped: bool,
     /// The document they were last compared with.
     followed: Option<Arc<Document>>,

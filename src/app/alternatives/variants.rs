@@ -9,19 +9,19 @@ use crate::synth::plan::sketch_targets;
 
 /// How many other seeds are offered.
 const SEEDS: u64 = 4;
-/// A looser spread is so many times the drawn one.
+/// Factor of a looser spread, to the drawn one.
 const LOOSER: f64 = 1.6;
-/// And at least this.
+/// The smallest looser spread.
 const LOOSE: Spread = Spread { area: 0.2, angle: 10.0, aspect: 0.06, spacing: 0.14 };
 
-/// A document and what is different about it.
+/// A document, and what differs in it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variant {
-    /// In a few words.
+    /// The difference, in a few words.
     pub name: String,
-    /// In a sentence.
+    /// The difference, in a sentence.
     pub help: String,
-    /// It.
+    /// The document.
     pub document: Document,
 }
 
@@ -41,15 +41,19 @@ pub fn variants(document: &Document, grown: &Grown, layer: usize) -> Vec<Variant
     all
 }
 
-/// The same from another seed: where all chance comes from.
+/// The same document with another seed.
 fn seeded(document: &Document, step: u64) -> Variant {
     let seed = document.seed.wrapping_add(step);
     let mut other = Document { seed, ..document.clone() };
     for layer in &mut other.layers {
-        // One that does not follow the document's.
+        // A seed of its own does not follow the document's.
         layer.seed = layer.seed.map(|seed| seed.wrapping_add(step));
     }
-    Variant::new(format!("Seed {seed}"), "Another seed: the same, but different", other)
+    Variant::new(
+        format!("Seed {seed}"),
+        "Another seed: the same kind of texture, with other positions and shapes",
+        other,
+    )
 }
 
 fn is_spotted(document: &Document, layer: usize) -> bool {
@@ -78,7 +82,7 @@ fn other_system(document: &Document, grown: &Grown, layer: usize) -> Option<Vari
     fits.then(|| Variant::new(name, help, other))
 }
 
-/// Spots that differ less from each other, and more.
+/// Spots that differ less from each other, and spots that differ more.
 fn spreads(document: &Document, layer: usize) -> Vec<Variant> {
     let Some(of) = document.layers.get(layer).filter(|_| is_spotted(document, layer)) else {
         return Vec::new();
@@ -91,17 +95,17 @@ fn spreads(document: &Document, layer: usize) -> Vec<Variant> {
     };
     let mut all = Vec::new();
     if !drawn.is_zero() {
-        all.push(Variant::new("Even", "Stricter: all spots of a region alike", given(Spread::ZERO)));
+        all.push(Variant::new("Even", "All spots of a region are alike", given(Spread::ZERO)));
     }
     let looser = limited(drawn.with(&LOOSE, |drawn, least| (LOOSER * drawn).max(least)));
     if of.options.spread != SpreadChoice::Given(looser) {
-        let help = "Looser: spots that differ more in size, shape, direction and distance";
+        let help = "Spots that differ more in size, shape, direction and spacing";
         all.push(Variant::new("Looser", help, given(looser)));
     }
     all
 }
 
-/// What a document may say.
+/// The spread within the limits of documents.
 fn limited(spread: Spread) -> Spread {
     Spread {
         area: spread.area.min(limits::SPREAD_AREA.high),
@@ -111,7 +115,7 @@ fn limited(spread: Spread) -> Spread {
     }
 }
 
-/// How much the spots of a layer differ by now, the most of all regions.
+/// The largest spread of a layer's regions.
 fn spread(document: &Document, layer: usize) -> Option<Spread> {
     let map = sketch_targets::region_map(document, layer, "").ok()?;
     let spreads = map.regions().map(|(_, region)| region.spread);

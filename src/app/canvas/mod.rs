@@ -30,10 +30,10 @@ use ink::Ink;
 use tool::Tool;
 use view::View;
 
-/// Seconds in which a recognised stroke fades away.
+/// A stroke that was recognised fades within this time, seconds.
 const FADE: f64 = 0.7;
 
-/// What lies over the sketch on request.
+/// What is shown over the sketch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Overlays {
     /// The region grid.
@@ -42,32 +42,32 @@ pub struct Overlays {
     pub analysis: bool,
 }
 
-/// The canvas' own state: nothing of it is saved.
+/// The state of the canvas; nothing of it is saved in documents.
 pub struct Canvas {
-    /// The tool at hand.
+    /// The current tool.
     pub tool: Tool,
-    /// What new marks are made with.
+    /// The size of new marks.
     pub nib: Nib,
-    /// Which part is seen.
+    /// Which part is shown.
     pub view: View,
-    /// What lies over it.
+    /// What is shown over it.
     pub overlays: Overlays,
-    /// The place under the pointer, px.
+    /// The position of the pointer, px.
     pub pointer: Option<[f64; 2]>,
-    /// What is seen in the sketch.
+    /// The analysed sketch.
     pub analysis: Analysis,
-    /// In what lengths are told.
+    /// The unit in which lengths are shown.
     pub units: Units,
-    /// A picture beneath.
+    /// The reference picture under it.
     pub reference: Reference,
-    /// What has grown beneath the layer at hand.
+    /// The texture of frozen layers under it.
     pub underlay: Underlay,
-    /// Its widget, once it was shown.
+    /// The id of its widget, once it was shown.
     pub id: Option<Id>,
-    /// Has it the keys because the pointer was on it? Then nobody needs to be shown where they go.
+    /// Whether it got the keyboard focus by a click; then the focus is not highlighted.
     by_pointer: bool,
     gesture: Option<Gesture>,
-    /// Strokes that were recognised, and when.
+    /// Strokes that were recognised, and when, seconds.
     fading: Vec<(Vec<[f64; 2]>, f64)>,
 }
 
@@ -92,22 +92,22 @@ impl Default for Canvas {
 }
 
 impl Canvas {
-    /// Is the pen down?
+    /// Whether a gesture changes the document.
     #[must_use]
     pub fn is_busy(&self) -> bool {
         self.gesture.as_ref().is_some_and(|gesture| !matches!(gesture, Gesture::Pan))
     }
 
-    /// The mark that would be there if the pen went up now.
+    /// The mark that a release of the pointer would add now.
     #[must_use]
-    pub fn in_the_making(&self) -> Option<Mark> {
+    pub fn pending_mark(&self) -> Option<Mark> {
         match self.gesture.as_ref()? {
             Gesture::Pen(points) => recognise(points, self.nib.width),
             gesture => gesture.preview(&self.nib),
         }
     }
 
-    /// Lets go of what is being drawn.
+    /// Cancels the gesture and undoes what it changed. Gives whether there was one.
     pub fn cancel(&mut self, session: &mut Session) -> bool {
         let held = self.gesture.take().is_some();
         if held {
@@ -116,7 +116,7 @@ impl Canvas {
         held
     }
 
-    /// Shows the canvas in `room` and lets the hand work on it.
+    /// Shows the canvas in `room`; gestures change the document.
     pub fn ui(&mut self, ui: &mut Ui, room: Rect, session: &mut Session) -> Response {
         let response = ui.interact(room, ui.scope_id().with("sketch"), Sense::drag());
         self.id = Some(response.id);
@@ -134,10 +134,10 @@ impl Canvas {
         }
         self.pointer = response.hover_pos().map(|at| self.view.to_canvas(room, at));
         if ui.input(egui::InputState::multi_touch).is_some() {
-            // Two fingers move the view; what the first one began was not meant.
+            // Two fingers move the view: the gesture of the first one is cancelled.
             self.cancel(session);
         } else {
-            self.hand(ui, &response, room, session);
+            self.gesture(ui, &response, room, session);
         }
         let grabbed = matches!(self.gesture, Some(Gesture::Pan));
         navigate(ui, &response, room, &mut self.view, grabbed);
@@ -146,7 +146,7 @@ impl Canvas {
         response
     }
 
-    fn hand(&mut self, ui: &Ui, response: &Response, room: Rect, session: &mut Session) {
+    fn gesture(&mut self, ui: &Ui, response: &Response, room: Rect, session: &mut Session) {
         let (modifiers, space) = ui.input(|input| (input.modifiers, input.key_down(Key::Space)));
         let zoom = f64::from(self.view.zoom);
         let view = self.view;
@@ -164,7 +164,7 @@ impl Canvas {
             }
         }
         if let Some(gesture) = &mut self.gesture {
-            // All the places the pointer was at since the last frame, not just the last one.
+            // All positions since the last frame, not only the last one.
             let path = ui.input(|input| moves(&input.events));
             for at in path {
                 gesture.advance(session, hand(at));
@@ -220,7 +220,7 @@ impl Canvas {
             self.analysis.paint(&ink, session, session.active_layer, colours);
         }
         self.selection(&ink, session, colours);
-        self.in_hand(ui, &ink, Ruler { units: self.units, dpi: session.document().dpi }, colours);
+        self.paint_gesture(ui, &ink, Ruler { units: self.units, dpi: session.document().dpi }, colours);
         fade(ui, &ink, &mut self.fading, colours);
         if response.has_focus() && !self.by_pointer {
             painter.rect_stroke(
@@ -236,7 +236,7 @@ impl Canvas {
         let fill = if self.overlays.analysis { 0.10 } else { 0.82 };
         for (place, mark) in session.marks() {
             let colour = colours.ink(place.layer);
-            let [body, outline] = self.presence(session, place.layer);
+            let [body, outline] = self.opacity(session, place.layer);
             if session.selection.contains(place) {
                 let outline = Stroke::new(2.0, colours.accent);
                 ink.mark(&mark, colour.gamma_multiply(0.6 * fill), outline);
@@ -247,9 +247,9 @@ impl Canvas {
         }
     }
 
-    /// How much of a layer's marks is seen: of their body, and of their outline. Those at hand are seen in full, the
-    /// others stand back; hidden ones still grow, unpainted, and so are outlines.
-    fn presence(&self, session: &Session, layer: usize) -> [f32; 2] {
+    /// The opacity of a layer's marks: fill and outline. The active layer is opaque, the others are paler; hidden layers
+    /// are outlines only.
+    fn opacity(&self, session: &Session, layer: usize) -> [f32; 2] {
         if !session.document().layers[layer].visible {
             [0.0, 0.45]
         } else if layer < session.frozen() {
@@ -287,8 +287,8 @@ impl Canvas {
         }
     }
 
-    /// What the hand is about to make.
-    fn in_hand(&self, ui: &Ui, ink: &Ink, ruler: Ruler, colours: &Palette) {
+    /// Paints the gesture under way.
+    fn paint_gesture(&self, ui: &Ui, ink: &Ink, ruler: Ruler, colours: &Palette) {
         match &self.gesture {
             Some(Gesture::Pen(points)) => {
                 let width = (self.nib.width as f32 * ink.view.zoom).clamp(1.5, 3.0);
@@ -310,7 +310,7 @@ impl Canvas {
     }
 }
 
-/// Strokes that were recognised fade away.
+/// Paints the strokes that were recognised, while they fade.
 fn fade(ui: &Ui, ink: &Ink, fading: &mut Vec<(Vec<[f64; 2]>, f64)>, colours: &Palette) {
     let now = ui.input(|input| input.time);
     fading.retain(|(_, since)| now - since < FADE);
@@ -323,7 +323,7 @@ fn fade(ui: &Ui, ink: &Ink, fading: &mut Vec<(Vec<[f64; 2]>, f64)>, colours: &Pa
     }
 }
 
-/// The places that the pointer went to before it was released: a slow frame may hold moves that came after.
+/// The positions of the pointer before it was released: a slow frame may hold later moves as well.
 fn moves(events: &[egui::Event]) -> Vec<egui::Pos2> {
     let place = |event: &egui::Event| match event {
         egui::Event::PointerMoved(at) => Some(*at),
@@ -333,7 +333,7 @@ fn moves(events: &[egui::Event]) -> Vec<egui::Pos2> {
     events.iter().take_while(|event| !released(event)).filter_map(place).collect()
 }
 
-/// How large it would be, beside the pointer.
+/// Shows the size of the new mark beside the pointer.
 fn label(ink: &Ink, mark: &Mark, at: egui::Pos2, ruler: Ruler, colours: &Palette) {
     let text = match mark {
         Mark::Ellipse(ellipse) => ruler.area(ellipse.area()),
@@ -345,7 +345,7 @@ fn label(ink: &Ink, mark: &Mark, at: egui::Pos2, ruler: Ruler, colours: &Palette
     ink.painter.galley(rect.min + vec2(5.0, 2.0), galley, Color32::PLACEHOLDER);
 }
 
-/// The borders between regions; on a seamless canvas its own border too.
+/// Paints the borders between regions; on a seamless canvas its own border as well.
 fn grid(ink: &Ink, session: &Session, colours: &Palette) {
     let document = session.document();
     let size = document.size.map(f64::from);

@@ -1,4 +1,4 @@
-//! What shall be exported, and how; what of it is remembered.
+//! The choices of an export.
 
 use std::path::PathBuf;
 
@@ -11,9 +11,9 @@ use crate::export::outline::{Ends, Hatch, Smallest, Style};
 use crate::export::picture::QUALITY;
 use crate::synth::render::clip::{Clip, FASTEST_GIF, RATES};
 
-/// What is written.
+/// The kind of an export.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum What {
+pub enum ExportKind {
     /// A picture.
     #[default]
     Picture,
@@ -21,30 +21,30 @@ pub enum What {
     Material,
     /// The outlines of the marks.
     Outlines,
-    /// A clip.
+    /// A film.
     Film,
 }
 
-/// What a picture shows.
+/// The content of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Shows {
+pub enum PictureContent {
     /// The colours.
     #[default]
     Texture,
-    /// 0 = ground, ½ = a mark's edge.
+    /// The pattern: 0 = ground, ½ = a mark's edge.
     Pattern,
-    /// Which layer's mark covers a px.
+    /// The label of each px: the layer whose mark covers it.
     Labels,
-    /// All chemicals.
+    /// The concentrations of all chemicals.
     Concentrations,
 }
 
-/// How large the export shall be.
+/// The size of an export.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
-    /// More texture with features of the same size, px; `None` = the canvas.
+    /// The canvas to grow, px, with marks of the same size; `None` = the document's.
     pub canvas: Option<[u32; 2]>,
-    /// The same texture with so many times the px along each side.
+    /// Px of the picture per px of the canvas, along each side.
     pub scale: u32,
 }
 
@@ -57,7 +57,7 @@ impl Default for Size {
 impl Size {
     /// Width and height of the picture of `document`, px.
     #[must_use]
-    pub fn of(&self, document: &Document) -> [u64; 2] {
+    pub fn in_px(&self, document: &Document) -> [u64; 2] {
         self.canvas.unwrap_or(document.size).map(|side| u64::from(side) * u64::from(self.scale))
     }
 
@@ -72,84 +72,84 @@ impl Size {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Picture {
     /// What it shows.
-    pub shows: Shows,
+    pub shows: PictureContent,
     /// Its format.
     pub format: Format,
-    /// 16 bit a colour?
+    /// Whether colours have 16 bit per channel, instead of 8.
     pub deep: bool,
-    /// Can one see through the ground?
+    /// Whether the ground is transparent.
     pub transparent: bool,
     /// Quality of a JPEG, 1 to 100.
     pub quality: u8,
-    /// Does a PNG hold the document?
+    /// Whether a PNG holds the document.
     pub document: bool,
 }
 
 /// How a material is written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// How far marks stand above the ground, px, by layer; the last for all further ones.
+    /// Height of the marks above the ground by layer, px; the last value holds for all further layers.
     pub relief: Vec<f64>,
     /// Roughness of the ground, then of the marks by layer.
     pub roughness: Vec<f64>,
-    /// 16 bit a colour?
+    /// Whether colours have 16 bit per channel, instead of 8.
     pub deep: bool,
-    /// Can one see through the ground?
+    /// Whether the ground is transparent.
     pub transparent: bool,
 }
 
 /// How outlines are written. Lengths are in `units`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlines {
-    /// DXF instead of SVG?
+    /// Whether the format is DXF, instead of SVG.
     pub dxf: bool,
-    /// The pattern value that they follow.
+    /// The pattern value of the contours.
     pub level: f64,
-    /// In what.
+    /// The unit of lengths.
     pub units: Units,
-    /// Areas?
+    /// Whether areas are filled.
     pub fill: bool,
-    /// Strokes?
+    /// Whether there are strokes along the contours.
     pub stroke: bool,
-    /// Parallel strokes?
+    /// Whether areas are hatched.
     pub hatch: bool,
-    /// Their distance.
+    /// Spacing of the hatch.
     pub spacing: f64,
-    /// Their direction, degrees.
+    /// Direction of the hatch, degrees.
     pub angle: f64,
     /// Width of strokes.
     pub pen: f64,
-    /// The narrowest island or hole.
+    /// Islands and holes that are narrower are left out.
     pub width: f64,
-    /// The smallest.
+    /// Islands and holes of a smaller area are left out.
     pub area: f64,
-    /// Are strokes cut at the canvas' edge?
+    /// Whether strokes end at the edge of the canvas, instead of running along it.
     pub cut: bool,
-    /// Is a short way looked for?
+    /// Whether paths are ordered to shorten the way of the pen.
     pub ordered: bool,
 }
 
 /// How a film is written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
-    /// Its kind.
+    /// Its format.
     pub kind: Kind,
-    /// Does the document become another, instead of growing?
+    /// Whether the document changes into another one, instead of growing.
     pub change: bool,
     /// The other document.
     pub to: Option<PathBuf>,
-    /// How long, how large, how fast.
+    /// Length, size and speed.
     pub clip: Clip,
 }
 
 /// All choices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choices {
-    /// What is written.
-    pub what: What,
-    /// How large; films have sides of their own.
+    /// The kind of an export.
+    pub what: ExportKind,
+    /// The size; films have their own.
     pub size: Size,
-    /// The layer that pattern or outlines are of alone.
+    /// The only layer of the pattern or the outlines; `None` = all.
     pub layer: Option<usize>,
     /// A picture.
     pub picture: Picture,
@@ -164,11 +164,11 @@ pub struct Choices {
 impl Default for Choices {
     fn default() -> Self {
         Self {
-            what: What::Picture,
+            what: ExportKind::Picture,
             size: Size::default(),
             layer: None,
             picture: Picture {
-                shows: Shows::Texture,
+                shows: PictureContent::Texture,
                 format: Format::Png,
                 deep: false,
                 transparent: false,
@@ -208,17 +208,17 @@ impl Choices {
         Self { size, ..Self::default() }
     }
 
-    /// The ending of its file; `None` = a folder.
+    /// The ending of the file; `None` = a folder.
     #[must_use]
     pub fn ending(&self) -> Option<&'static str> {
         match self.what {
-            What::Picture => {
+            ExportKind::Picture => {
                 let fits = Format::ENDINGS.iter().find(|(_, format)| *format == self.picture.format);
                 Some(fits.map_or("png", |(ending, _)| *ending))
             }
-            What::Material => None,
-            What::Outlines => Some(if self.outlines.dxf { "dxf" } else { "svg" }),
-            What::Film => match self.film.kind {
+            ExportKind::Material => None,
+            ExportKind::Outlines => Some(if self.outlines.dxf { "dxf" } else { "svg" }),
+            ExportKind::Film => match self.film.kind {
                 Kind::Gif => Some("gif"),
                 Kind::Apng => Some("apng"),
                 Kind::Folder => None,
@@ -226,11 +226,12 @@ impl Choices {
         }
     }
 
-    /// Takes only what goes together.
-    pub fn settle(&mut self) {
+    /// Changes choices that do not go together.
+    pub fn make_consistent(&mut self) {
         let picture = &mut self.picture;
         if !picture.format.holds(picture.content()) {
-            picture.format = if picture.shows == Shows::Concentrations { Format::Exr } else { Format::Png };
+            picture.format =
+                if picture.shows == PictureContent::Concentrations { Format::Exr } else { Format::Png };
         }
         picture.transparent &= picture.format.has_opacity();
         picture.deep &= picture.format.is_deep();
@@ -244,7 +245,7 @@ impl Choices {
     }
 }
 
-/// px of relief at most.
+/// Largest relief, px.
 pub const RELIEF: f64 = 1e4;
 
 /// The formats of pictures, in the order of the dialog.
@@ -253,21 +254,21 @@ pub const FORMATS: [Format; 5] = [Format::Png, Format::Tiff, Format::Exr, Format
 pub const KINDS: [Kind; 3] = [Kind::Gif, Kind::Apng, Kind::Folder];
 
 impl Picture {
-    /// What its format must be fit for.
+    /// What its format must be able to hold.
     #[must_use]
     pub fn content(&self) -> crate::export::Content {
         use crate::export::Content;
         match self.shows {
-            Shows::Texture => Content::Colours,
-            Shows::Pattern => Content::Numbers,
-            Shows::Labels => Content::Labels,
-            Shows::Concentrations => Content::Channels,
+            PictureContent::Texture => Content::Colours,
+            PictureContent::Pattern => Content::Numbers,
+            PictureContent::Labels => Content::Labels,
+            PictureContent::Concentrations => Content::Channels,
         }
     }
 }
 
 impl Outlines {
-    /// In what the file's lengths are, with `dpi` px an inch.
+    /// The unit of the file's lengths, with `dpi` px per inch.
     #[must_use]
     pub fn unit(&self, dpi: f64) -> Unit {
         match self.units {
@@ -276,7 +277,7 @@ impl Outlines {
         }
     }
 
-    /// How they are drawn, lengths in px.
+    /// The style, lengths in px.
     #[must_use]
     pub fn style(&self, dpi: f64) -> Style {
         let px = 1.0 / self.unit(dpi).per_px();
@@ -290,7 +291,7 @@ impl Outlines {
         }
     }
 
-    /// What is left out, px.
+    /// The limits below which islands and holes are left out, px.
     #[must_use]
     pub fn smallest(&self, dpi: f64) -> Smallest {
         let px = 1.0 / self.unit(dpi).per_px();

@@ -1,25 +1,25 @@
-//! The dialog: what and how on the left, what it will be on the right.
+//! The export dialog: choices on the left, a preview on the right.
 
 use std::sync::Arc;
 
 use egui::{Align, Button, ComboBox, Layout, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, vec2};
 
-use super::pages::{About, Said};
-use super::preview::{Made, Preview};
+use super::pages::{DialogAction, ExportContext};
+use super::preview::{FinishedPreview, Preview};
 use super::view::View;
-use super::{Choices, What, pages};
+use super::{Choices, ExportKind, pages};
 use crate::app::pages::{Answer, choice};
 use crate::export::material::Map;
 use crate::synth::estimate::told;
 
-/// Points of the column of choices.
+/// Width of the column of choices, points.
 const COLUMN: f32 = 336.0;
 
 /// The dialog.
 pub struct Dialog {
-    /// What is chosen.
+    /// The choices.
     pub choices: Choices,
-    /// What it will be.
+    /// The preview.
     pub preview: Preview,
     view: View,
 }
@@ -32,12 +32,12 @@ impl Dialog {
     }
 
     /// Shows it.
-    pub fn ui(&mut self, ui: &mut Ui, about: &About) -> Option<Said> {
-        self.preview.follow(ui.ctx(), about.order, about.grown, about.threads);
+    pub fn ui(&mut self, ui: &mut Ui, context: &ExportContext) -> Option<DialogAction> {
+        self.preview.follow(ui.ctx(), context.request, context.grown, context.threads);
         let screen = ui.ctx().content_rect().size();
         let size = (screen - vec2(92.0, 92.0)).min(vec2(920.0, 620.0));
         ui.set_width(size.x);
-        // Enter that ends the typing of a number is no answer yet.
+        // Enter that ends the typing of a number does not close the dialog.
         let enter = ui.input(|input| input.key_pressed(egui::Key::Enter))
             && ui.memory(|memory| memory.focused().is_none());
         self.head(ui);
@@ -48,29 +48,29 @@ impl Dialog {
         let left = Rect::from_min_size(top, vec2(COLUMN, height));
         let right = Rect::from_min_max(top + vec2(COLUMN + 18.0, 0.0), all.max);
         let mut said = None;
-        // Placed by hand, so that the dialog is as large whatever is in it.
+        // A fixed rectangle: the size of the dialog does not depend on its content.
         let mut column = ui.new_child(UiBuilder::new().max_rect(left));
         let area = ScrollArea::vertical().auto_shrink([false; 2]).max_height(height);
         area.show(&mut column, |ui| {
             ui.set_max_width(COLUMN - 14.0);
-            said = pages::page(ui, &mut self.choices, about);
+            said = pages::page(ui, &mut self.choices, context);
         });
-        self.right(&mut ui.new_child(UiBuilder::new().max_rect(right)), about);
+        self.right(&mut ui.new_child(UiBuilder::new().max_rect(right)), context);
         ui.add_space(4.0);
         ui.separator();
         ui.horizontal(|ui| {
             ui.vertical(|ui| {
                 ui.set_width((size.x - 260.0).max(200.0));
-                ui.label(RichText::new(self.takes(about)).small().weak());
+                ui.label(RichText::new(self.summary(context)).small().weak());
             });
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| match choice(ui, "Export…", None) {
-                Some(Answer::Yes) => said = Some(Said::Export),
-                Some(_) => said = Some(Said::Cancel),
+                Some(Answer::Yes) => said = Some(DialogAction::Export),
+                Some(_) => said = Some(DialogAction::Cancel),
                 None => {}
             });
         });
         if enter && said.is_none() {
-            said = Some(Said::Export);
+            said = Some(DialogAction::Export);
         }
         said.map(|said| self.checked(said))
     }
@@ -91,23 +91,26 @@ impl Dialog {
         });
     }
 
-    /// A film that becomes nothing is asked what.
-    fn checked(&self, said: Said) -> Said {
+    /// Where a film lacks its other document, asks for that first.
+    fn checked(&self, said: DialogAction) -> DialogAction {
         let film = &self.choices.film;
-        let lacks = self.choices.what == What::Film && film.change && film.to.is_none();
-        if said == Said::Export && lacks { Said::Other } else { said }
+        let lacks = self.choices.what == ExportKind::Film && film.change && film.to.is_none();
+        if said == DialogAction::Export && lacks { DialogAction::ChooseOther } else { said }
     }
 
-    /// What it will be.
-    fn right(&mut self, ui: &mut Ui, about: &About) {
+    /// The preview.
+    fn right(&mut self, ui: &mut Ui, context: &ExportContext) {
         let room = ui.max_rect();
-        let fresh = self.preview.of(about.order).is_some();
-        let made =
-            self.preview.latest().filter(|made| made.order.choices.what == about.order.choices.what).cloned();
+        let fresh = self.preview.finished(context.request).is_some();
+        let made = self
+            .preview
+            .latest()
+            .filter(|made| made.request.choices.what == context.request.choices.what)
+            .cloned();
         let foot = 30.0;
         let picture = Rect::from_min_max(room.min, room.max - vec2(0.0, foot + 4.0));
         let under = Rect::from_min_max(room.min + vec2(0.0, room.height() - foot), room.max);
-        match (&made, self.preview.failure(about.order)) {
+        match (&made, self.preview.failure(context.request)) {
             (_, Some(why)) => {
                 ui.scope_builder(UiBuilder::new().max_rect(picture.shrink(12.0)), |ui| {
                     ui.colored_label(ui.visuals().error_fg_color, why);
@@ -119,25 +122,34 @@ impl Dialog {
             (None, None) => self.nothing(ui, picture),
         }
         ui.scope_builder(UiBuilder::new().max_rect(under), |ui| {
-            ui.horizontal_centered(|ui| self.foot(ui, about, made.as_ref(), fresh));
+            ui.horizontal_centered(|ui| self.foot(ui, context, made.as_ref(), fresh));
         });
     }
 
     fn nothing(&self, ui: &Ui, room: Rect) {
         let fill = ui.visuals().faint_bg_color;
         ui.painter().rect_filled(room, 4.0, fill);
-        let text =
-            if self.preview.progress().is_some() { "It is being made …" } else { "Nothing to be seen yet" };
+        let text = if self.preview.progress().is_some() {
+            "Making the preview …"
+        } else {
+            "There is no preview yet"
+        };
         let font = egui::FontId::proportional(14.0);
         let colour = ui.visuals().weak_text_color();
         ui.painter().text(room.center(), egui::Align2::CENTER_CENTER, text, font, colour);
     }
 
-    fn foot(&mut self, ui: &mut Ui, about: &About, made: Option<&Arc<Made>>, fresh: bool) {
+    fn foot(
+        &mut self,
+        ui: &mut Ui,
+        context: &ExportContext,
+        made: Option<&Arc<FinishedPreview>>,
+        fresh: bool,
+    ) {
         if let Some(progress) = self.preview.progress() {
             let width = (ui.available_width() - 90.0).max(60.0);
             ui.add(ProgressBar::new(progress).desired_width(width).desired_height(8.0));
-            if ui.small_button("Stop").on_hover_text("Give the preview up").clicked() {
+            if ui.small_button("Stop").on_hover_text("Cancel the preview").clicked() {
                 self.preview.stop();
             }
             ui.ctx().request_repaint_after(std::time::Duration::from_millis(100));
@@ -145,17 +157,18 @@ impl Dialog {
         }
         match made.filter(|_| fresh) {
             None => {
-                let waits = about.growing && !about.order.is_film() && about.order.options().size.is_none();
-                let lacks = about.order.choices.film.change && about.order.choices.film.to.is_none();
-                let can = !(about.order.is_film() && lacks);
-                let text = if about.order.is_film() { "Make the film" } else { "Show it" };
-                let explained = "Makes all of it, to be looked at before it is written";
+                let waits =
+                    context.growing && !context.request.is_film() && context.request.options().size.is_none();
+                let lacks = context.request.choices.film.change && context.request.choices.film.to.is_none();
+                let can = !(context.request.is_film() && lacks);
+                let text = if context.request.is_film() { "Make the film" } else { "Show it" };
+                let explained = "Makes the whole export, to look at it before it is written";
                 let button = ui.add_enabled(can && !waits, Button::new(text)).on_hover_text(explained);
                 if button.clicked() {
-                    self.preview.make(ui.ctx(), about.order, about.grown, about.threads);
+                    self.preview.make(ui.ctx(), context.request, context.grown, context.threads);
                 }
                 if waits {
-                    ui.weak("The texture still grows.");
+                    ui.weak("The texture is still growing.");
                 }
             }
             Some(made) if !made.frames().is_empty() => self.view.player(ui, made),
@@ -166,7 +179,7 @@ impl Dialog {
                 }
                 let [width, height] = pictures.first().map_or([0; 2], |(_, image)| image.size);
                 if !made.whole {
-                    ui.label(RichText::new(format!("seen smaller: {width} × {height} px")).small().weak());
+                    ui.label(RichText::new(format!("reduced: {width} × {height} px")).small().weak());
                 }
             }
         }
@@ -190,61 +203,62 @@ impl Dialog {
         });
     }
 
-    /// What it takes, or took.
-    fn takes(&self, about: &About) -> String {
-        let order = about.order;
-        let mut said = Vec::new();
-        let [width, height] = order.choices.size.of(&order.document);
-        if !order.is_film() {
-            let mm = |px: u64| px as f64 * 25.4 / (order.document.dpi * f64::from(order.choices.size.scale));
-            said.push(format!("{width} × {height} px, {:.1} × {:.1} mm", mm(width), mm(height)));
+    /// Size, time and memory of the export.
+    fn summary(&self, context: &ExportContext) -> String {
+        let request = context.request;
+        let mut parts = Vec::new();
+        let [width, height] = request.choices.size.in_px(&request.document);
+        if !request.is_film() {
+            let mm =
+                |px: u64| px as f64 * 25.4 / (request.document.dpi * f64::from(request.choices.size.scale));
+            parts.push(format!("{width} × {height} px, {:.1} × {:.1} mm", mm(width), mm(height)));
         }
-        match self.preview.of(order) {
+        match self.preview.finished(request) {
             Some(made) => {
-                said.extend(made.told.clone());
+                parts.extend(made.told.clone());
                 if made.whole {
                     let files = if made.files.len() > 1 {
                         format!(" in {} files", made.files.len())
                     } else {
                         String::new()
                     };
-                    said.push(format!("{}{files}", size_of(made.bytes)));
+                    parts.push(format!("{}{files}", size_of(made.bytes)));
                 }
             }
-            None if !self.preview.is_ready(order, about.grown) => match self.preview.needs(order) {
+            None if !self.preview.is_ready(request, context.grown) => match self.preview.needs(request) {
                 Some(needs) => {
-                    let times = if order.is_film() { 2.0 } else { 1.0 };
+                    let times = if request.is_film() { 2.0 } else { 1.0 };
                     let memory = size_of(needs.bytes as u64);
-                    said.push(format!(
+                    parts.push(format!(
                         "growing it takes {} and {memory} of memory",
                         told(times * needs.seconds)
                     ));
                 }
-                None => said.push("it is grown in the background".to_owned()),
+                None => parts.push("it will be grown in the background".to_owned()),
             },
             None => {}
         }
-        said.join("  ·  ")
+        parts.join("  ·  ")
     }
 }
 
 /// The kinds of exports.
-const KINDS: [(What, &str, &str); 4] = [
-    (What::Picture, "Picture", "PNG, TIFF, OpenEXR, JPEG or WebP"),
+const KINDS: [(ExportKind, &str, &str); 4] = [
+    (ExportKind::Picture, "Picture", "PNG, TIFF, OpenEXR, JPEG or WebP"),
     (
-        What::Material,
+        ExportKind::Material,
         "Material",
         "Height, normals, roughness, occlusion, colours and a glTF plane, in a folder",
     ),
-    (What::Outlines, "Outlines", "SVG or DXF, for drawing programs, plotters and cutters"),
+    (ExportKind::Outlines, "Outlines", "SVG or DXF, for drawing programs, plotters and cutters"),
     (
-        What::Film,
+        ExportKind::Film,
         "Film",
-        "The growth, or the way to another document, as GIF, animated PNG or single pictures",
+        "The growth, or the change into another document, as GIF, animated PNG or single pictures",
     ),
 ];
 
-/// Bytes in a word or two.
+/// A number of bytes in a suitable unit.
 fn size_of(bytes: u64) -> String {
     match bytes as f64 {
         b if b < 1e4 => format!("{b:.0} bytes"),

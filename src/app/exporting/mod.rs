@@ -1,27 +1,27 @@
-//! What has grown → files, in the background: pictures, materials, outlines, films.
+//! Export in the background: pictures, materials, outlines, films.
 //!
 //! ```text
-//!  choices ─▶ order ─▶ (grown) ─▶ files in a passing folder ─▶ read back: the preview
-//!               │                         │ copied, where all of it was made
+//!  choices ─▶ request ─▶ (grown) ─▶ files in a temporary folder ─▶ read back: the preview
+//!               │                         │ copied, where the preview is the whole export
 //!               └─────────▶ files ◀───────┘
 //! ```
 
 pub mod choices;
 mod dialog;
 mod job;
-mod order;
+mod outline_picture;
 mod pages;
 mod preview;
-mod raster;
-mod sight;
+mod preview_images;
+mod request;
 mod view;
 
-pub use choices::{Choices, Film, Outlines, Shows, Size, What};
+pub use choices::{Choices, ExportKind, Film, Outlines, PictureContent, Size};
 pub use dialog::Dialog;
-pub use order::Order;
-pub use pages::{About, Said};
-pub use preview::Made;
-pub use sight::Sight;
+pub use pages::{DialogAction, ExportContext};
+pub use preview::FinishedPreview;
+pub use preview_images::PreviewImages;
+pub use request::ExportRequest;
 
 use std::fs::{self, File};
 use std::io;
@@ -31,11 +31,11 @@ use std::sync::Arc;
 use crate::export::{self, Stopped, motion};
 use crate::synth::{Grown, Watch};
 use job::Job;
-use order::Pending;
+use request::Pending;
 
 /// An export that is being written.
 pub struct Exporting {
-    /// Where to: a file or a folder.
+    /// The file or the folder that is written.
     pub path: PathBuf,
     job: Job<Option<String>>,
 }
@@ -46,40 +46,40 @@ impl Exporting {
     #[must_use]
     pub fn new(
         path: &Path,
-        order: Order,
-        made: Option<Arc<Made>>,
+        request: ExportRequest,
+        made: Option<Arc<FinishedPreview>>,
         grown: Option<Arc<Grown>>,
         threads: Option<usize>,
     ) -> Self {
-        let made = made.filter(|made| made.order == order && made.whole);
-        let writing = match (order.is_film() && made.is_none(), made.is_some() || grown.is_some()) {
+        let made = made.filter(|made| made.request == request && made.whole);
+        let writing = match (request.is_film() && made.is_none(), made.is_some() || grown.is_some()) {
             (true, _) => 0.5,
             (false, true) => 1.0,
             (false, false) => 0.1,
         };
         let to = path.to_owned();
-        let work = move |watch: &Watch| write(&to, &order, made.as_deref(), grown.as_ref(), watch);
+        let work = move |watch: &Watch| write(&to, &request, made.as_deref(), grown.as_ref(), watch);
         Self { path: path.to_owned(), job: Job::start(threads, writing, || {}, work) }
     }
 
-    /// The share of it that is done, 0..1.
+    /// The share that is done, 0..1.
     #[must_use]
     pub fn progress(&self) -> f32 {
         self.job.progress()
     }
 
-    /// Gives it up; nothing is left behind.
+    /// Cancels it; no files are left.
     pub fn cancel(&self) {
         self.job.cancel();
     }
 
-    /// Was it given up?
+    /// Whether it was cancelled.
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
         self.job.is_cancelled()
     }
 
-    /// What came of it, once it is over; what is to be told of it.
+    /// Once it has ended: a message about what was written, or the error.
     #[must_use]
     pub fn outcome(&self) -> Option<Result<Option<String>, String>> {
         self.job.outcome()
@@ -88,34 +88,34 @@ impl Exporting {
 
 fn write(
     path: &Path,
-    order: &Order,
-    made: Option<&Made>,
+    request: &ExportRequest,
+    made: Option<&FinishedPreview>,
     grown: Option<&Arc<Grown>>,
     watch: &Watch,
 ) -> Result<Option<String>, String> {
-    check(path, order)?;
+    check(path, request)?;
     if let Some(made) = made {
-        copied(path, order, made)?.keep()?;
+        copied(path, request, made)?.keep()?;
         return Ok(made.told.clone());
     }
     let began = path.is_dir();
     let written = (|| {
-        let grown = if order.is_film() { None } else { Some(order.grow(grown, watch)?) };
-        let written = order.write(grown.as_deref(), path, order.size(), watch)?;
+        let grown = if request.is_film() { None } else { Some(request.grow(grown, watch)?) };
+        let written = request.write(grown.as_deref(), path, request.size(), watch)?;
         written.pending.keep()?;
         Ok(written.told)
     })();
-    if written.is_err() && !began && order.choices.what == What::Material {
-        // Only where it is empty.
+    if written.is_err() && !began && request.choices.what == ExportKind::Material {
+        // Removes it only where it is empty.
         let _ = fs::remove_dir(path);
     }
     written
 }
 
-/// Looks whether it can be written there, before the work is done.
-fn check(path: &Path, order: &Order) -> Result<(), String> {
-    let checked = match (order.choices.what, order.choices.ending()) {
-        (What::Film, _) => motion::Kind::from_path(path).map(drop),
+/// Checks before the work whether it can be written there.
+fn check(path: &Path, request: &ExportRequest) -> Result<(), String> {
+    let checked = match (request.choices.what, request.choices.ending()) {
+        (ExportKind::Film, _) => motion::Kind::from_path(path).map(drop),
         (_, Some(ending)) => {
             let fits: &[&str] = match ending {
                 "tif" => &["tif", "tiff"],
@@ -136,10 +136,10 @@ fn check(path: &Path, order: &Order) -> Result<(), String> {
     checked.map_err(|error| error.to_string())
 }
 
-/// The files of the preview, once more.
-fn copied(path: &Path, order: &Order, made: &Made) -> Result<Pending, String> {
-    if let Some(film) = made.film.as_ref().filter(|_| order.choices.ending().is_none()) {
-        // Frames that were written are what is written.
+/// Copies the files of the preview.
+fn copied(path: &Path, request: &ExportRequest, made: &FinishedPreview) -> Result<Pending, String> {
+    if let Some(film) = made.film.as_ref().filter(|_| request.choices.ending().is_none()) {
+        // The frames of the preview are written again.
         let written = motion::write(path, motion::Kind::Folder, film, |show| {
             let frame = |file: &PathBuf| image::open(file).map_err(io::Error::other);
             made.files.iter().try_for_each(|file| show(frame(file)?.into_rgb8().as_raw()))
@@ -147,7 +147,7 @@ fn copied(path: &Path, order: &Order, made: &Made) -> Result<Pending, String> {
         let written = written.map_err(|error| error.to_string())?;
         return Ok(Pending::Film(written, film.clone()));
     }
-    if order.choices.ending().is_none() && !path.is_dir() {
+    if request.choices.ending().is_none() && !path.is_dir() {
         fs::create_dir(path)
             .map_err(|error| format!("{}: the folder cannot be made: {error}", path.display()))?;
     }
@@ -157,7 +157,7 @@ fn copied(path: &Path, order: &Order, made: &Made) -> Result<Pending, String> {
             Ok::<(), Stopped>(())
         })
     };
-    let places = order.places(path, &made.files);
+    let places = request.places(path, &made.files);
     let files = made.files.iter().zip(places).map(copy).collect::<Result<_, _>>();
     files.map(Pending::Files).map_err(|error| error.to_string())
 }

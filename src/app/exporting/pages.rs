@@ -9,48 +9,48 @@ use std::sync::Arc;
 
 use egui::{Checkbox, ComboBox, DragValue, Grid, Role, Ui, WidgetInfo, WidgetText, vec2};
 
-use super::{Choices, Order, What};
+use super::{Choices, ExportKind, ExportRequest};
 use crate::app::fields::sides;
 use crate::app::units::{Ruler, Units};
 use crate::synth::Grown;
 
-/// What the dialog is about.
-pub struct About<'a> {
-    /// What would be exported now.
-    pub order: &'a Order,
-    /// What has settled.
+/// What the dialog works with.
+pub struct ExportContext<'a> {
+    /// What would be exported with the current choices.
+    pub request: &'a ExportRequest,
+    /// The texture that has settled.
     pub grown: Option<&'a Arc<Grown>>,
-    /// Does it still grow?
+    /// Whether it is still growing.
     pub growing: bool,
-    /// Threads that it may take.
+    /// The number of threads to use; `None` = all cores.
     pub threads: Option<usize>,
-    /// In what lengths of the canvas are told.
+    /// The unit of lengths on the canvas.
     pub units: Units,
 }
 
-/// What was said to it.
+/// What the user asks the dialog for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Said {
-    /// Choose where, and write.
+pub enum DialogAction {
+    /// Choose a file, and write it.
     Export,
-    /// Choose the document that this one shall become.
-    Other,
-    /// Never mind.
+    /// Choose the document that a film ends with.
+    ChooseOther,
+    /// Close the dialog.
     Cancel,
 }
 
-/// The choices of what is chosen.
-pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) -> Option<Said> {
+/// The choices for the chosen kind.
+pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) -> Option<DialogAction> {
     match choices.what {
-        What::Picture => picture::page(ui, choices, about),
-        What::Material => material::page(ui, choices, about),
-        What::Outlines => outlines::page(ui, choices, about),
-        What::Film => return film::page(ui, choices, about),
+        ExportKind::Picture => picture::page(ui, choices, context),
+        ExportKind::Material => material::page(ui, choices, context),
+        ExportKind::Outlines => outlines::page(ui, choices, context),
+        ExportKind::Film => return film::page(ui, choices, context),
     }
     None
 }
 
-/// Names in a column, what is chosen beside them.
+/// A grid with a column for names and one for values.
 fn rows(ui: &mut Ui, name: &str, inside: impl FnOnce(&mut Ui)) {
     let grid = Grid::new(name).num_columns(2).min_col_width(92.0).spacing(vec2(14.0, 10.0));
     grid.show(ui, inside);
@@ -61,19 +61,19 @@ fn named(ui: &mut Ui, text: &str, explained: &str) {
     ui.label(text).on_hover_text(explained);
 }
 
-/// A row with yes or no.
+/// A checkbox.
 fn yes(ui: &mut Ui, text: &str, on: &mut bool, enabled: bool, explained: &str) {
     ui.add_enabled(enabled, Checkbox::new(on, text))
         .on_hover_text(explained)
         .on_disabled_hover_text(explained);
 }
 
-/// A number to be typed or dragged.
+/// A field for a number. Gives whether it changed.
 fn number(ui: &mut Ui, name: &str, field: DragValue) -> bool {
     ui.add(field.update_while_editing(false)).accessible_name(name).changed()
 }
 
-/// One of several.
+/// A list of options. Gives whether another one was chosen.
 fn one_of<T: PartialEq + Copy>(
     ui: &mut Ui,
     name: &str,
@@ -93,18 +93,18 @@ fn one_of<T: PartialEq + Copy>(
     *value != before
 }
 
-/// How large the canvas and the picture are.
-fn size(ui: &mut Ui, choices: &mut Choices, about: &About) {
+/// The size of the canvas and of the picture.
+fn size(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
     let size = &mut choices.size;
-    let document = &about.order.document;
-    named(ui, "Texture", "As you see it, or grown afresh on another canvas");
+    let document = &context.request.document;
+    named(ui, "Texture", "As it is shown, or grown again on another canvas");
     ui.vertical(|ui| {
         let more = size.canvas.is_some();
-        if ui.radio(!more, "This texture").on_hover_text("What you see").clicked() {
+        if ui.radio(!more, "This texture").on_hover_text("The texture that is shown").clicked() {
             size.canvas = None;
         }
         let explained =
-            "A larger or smaller canvas with marks of the same size; the regions stretch. It is grown afresh.";
+            "A larger or smaller canvas with marks of the same size; the regions are stretched. It is grown again.";
         if ui.radio(more, "More texture").on_hover_text(explained).clicked() {
             size.canvas = Some(document.size.map(|side| 2 * side));
         }
@@ -114,19 +114,19 @@ fn size(ui: &mut Ui, choices: &mut Choices, about: &About) {
         named(ui, "Canvas", "Its width and height");
         ui.horizontal(|ui| {
             let names = ["Width of the export", "Height of the export"];
-            sides(ui, canvas, Ruler { units: about.units, dpi: document.dpi }, 16..=16_384, names)
+            sides(ui, canvas, Ruler { units: context.units, dpi: document.dpi }, 16..=16_384, names)
         });
         ui.end_row();
     }
-    named(ui, "Scale", "So many times the px along each side, sharp at any size");
+    named(ui, "Scale", "Factor for the number of px along each side; sharp at any size");
     let field = DragValue::new(&mut size.scale).range(1..=64).speed(0.05).suffix("×");
     number(ui, "Scale", field);
     ui.end_row();
 }
 
-/// The layer that is written alone.
-fn layer(ui: &mut Ui, choices: &mut Choices, about: &About, all: &str, explained: &str) {
-    let layers = &about.order.document.layers;
+/// The choice of a single layer.
+fn layer(ui: &mut Ui, choices: &mut Choices, context: &ExportContext, all: &str, explained: &str) {
+    let layers = &context.request.document.layers;
     choices.layer = choices.layer.filter(|layer| *layer < layers.len());
     if layers.len() < 2 {
         choices.layer = None;

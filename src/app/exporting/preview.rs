@@ -1,5 +1,5 @@
-//! What the export will be, made before it is asked for: the same files, written into a folder of the system's for
-//! passing things and read back. Where all of it was made, the export copies those files.
+//! The preview: the files of the export, written into a temporary folder and read back. Where it is the whole export,
+//! the export copies those files.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,10 +7,10 @@ use std::sync::Arc;
 
 use egui::{ColorImage, Context};
 
-use super::What;
+use super::ExportKind;
 use super::job::Job;
-use super::order::{Order, Pending};
-use super::sight::Sight;
+use super::preview_images::PreviewImages;
+use super::request::{ExportRequest, Pending};
 use crate::document::Document;
 use crate::export::TemporaryFolder;
 use crate::export::material::name;
@@ -18,68 +18,68 @@ use crate::export::motion::Film;
 use crate::synth::estimate::{Needs, Task};
 use crate::synth::{Grown, Training, Watch};
 
-/// Px that a preview has at most; a larger picture is seen smaller.
+/// Largest number of px of a preview; larger pictures are reduced.
 const MOST: f64 = 4.2e6;
-/// Px of the longer side of outlines.
+/// Longer side of a picture of outlines, px.
 const DRAWN: usize = 1024;
-/// Px of a canvas whose outlines are not looked for unasked.
+/// Outlines of a larger canvas are previewed only on request, px.
 const LARGE: f64 = 1.7e7;
 
-/// What was made.
-pub struct Made {
-    /// Of what.
-    pub order: Order,
-    /// Is it all of the export, or a smaller picture of it?
+/// A preview that is finished.
+pub struct FinishedPreview {
+    /// What is exported.
+    pub request: ExportRequest,
+    /// Whether it is the whole export, or a reduced one.
     pub whole: bool,
-    /// What is seen of it.
-    pub sight: Sight,
-    /// What is to be told of it.
+    /// Its pictures or frames.
+    pub images: PreviewImages,
+    /// A message about it.
     pub told: Option<String>,
     /// Bytes of its files.
     pub bytes: u64,
-    /// What has grown; a film keeps nothing.
+    /// The grown texture; `None` for films.
     pub grown: Option<Arc<Grown>>,
     /// Its files, in order.
     pub files: Vec<PathBuf>,
-    /// What its film is like.
+    /// The properties of a film.
     pub film: Option<Film>,
-    /// Where the files lie; they go with it.
+    /// The temporary folder; it is deleted with the preview.
     _folder: TemporaryFolder,
 }
 
-/// What is made, and what was.
+/// The preview that is being made, and the last finished one.
 #[derive(Default)]
 pub struct Preview {
-    job: Option<(Order, Job<Made>)>,
-    made: Option<Arc<Made>>,
-    /// What could not be made, and why.
-    failed: Option<(Order, String)>,
+    job: Option<(ExportRequest, Job<FinishedPreview>)>,
+    made: Option<Arc<FinishedPreview>>,
+    /// The request that failed, and why.
+    failed: Option<(ExportRequest, String)>,
     needs: Option<(Document, Option<Needs>)>,
     asking: Option<(Document, Job<Option<Needs>>)>,
 }
 
 impl Preview {
-    /// Follows the choices: makes what is made at once, and reckons what the rest takes.
+    /// Updates it after changed choices: makes quick previews at once, and estimates time and memory for the others.
     pub fn follow(
         &mut self,
         ctx: &Context,
-        order: &Order,
+        request: &ExportRequest,
         settled: Option<&Arc<Grown>>,
         threads: Option<usize>,
     ) {
         self.listen();
-        if self.job.as_ref().is_some_and(|(of, _)| of != order) {
+        if self.job.as_ref().is_some_and(|(of, _)| of != request) {
             self.job = None;
         }
-        if !self.is_of(order) && self.is_quick(order, settled) {
-            self.make(ctx, order, settled, threads);
+        if !self.is_known(request) && self.is_quick(request, settled) {
+            self.make(ctx, request, settled, threads);
         }
-        let grown = self.sized(order);
+        let grown = self.sized(request);
         let known = self.needs.as_ref().is_some_and(|(of, _)| *of == grown)
             || self.asking.as_ref().is_some_and(|(of, _)| *of == grown);
-        if !known && !self.is_ready(order, settled) {
-            let (wake, document, size) = (ctx.clone(), order.document.clone(), grown.size);
-            let scale = order.choices.size.scale;
+        if !known && !self.is_ready(request, settled) {
+            let (wake, document, size) = (ctx.clone(), request.document.clone(), grown.size);
+            let scale = request.choices.size.scale;
             let work = move |_: &Watch| {
                 let task = Task { document: &document, size, source: "the sketch", scale };
                 Ok(Needs::of(&task, Training::built_in()))
@@ -88,8 +88,8 @@ impl Preview {
         }
     }
 
-    fn sized(&self, order: &Order) -> Document {
-        Document { size: order.options().size.unwrap_or(order.document.size), ..order.document.clone() }
+    fn sized(&self, request: &ExportRequest) -> Document {
+        Document { size: request.options().size.unwrap_or(request.document.size), ..request.document.clone() }
     }
 
     fn listen(&mut self) {
@@ -110,120 +110,134 @@ impl Preview {
         }
     }
 
-    /// Is it made, being made, or known not to be possible?
-    fn is_of(&self, order: &Order) -> bool {
-        self.job.is_some() || self.of(order).is_some() || self.failure(order).is_some()
+    /// Whether the preview of this request is finished, being made, or has failed.
+    fn is_known(&self, request: &ExportRequest) -> bool {
+        self.job.is_some() || self.finished(request).is_some() || self.failure(request).is_some()
     }
 
-    /// What was made of this order.
+    /// The finished preview of this request.
     #[must_use]
-    pub fn of(&self, order: &Order) -> Option<&Arc<Made>> {
-        self.made.as_ref().filter(|made| made.order == *order)
+    pub fn finished(&self, request: &ExportRequest) -> Option<&Arc<FinishedPreview>> {
+        self.made.as_ref().filter(|made| made.request == *request)
     }
 
-    /// Why nothing could be made of this order.
+    /// Why the preview of this request failed.
     #[must_use]
-    pub fn failure(&self, order: &Order) -> Option<&str> {
-        self.failed.as_ref().filter(|(of, _)| of == order).map(|(_, why)| why.as_str())
+    pub fn failure(&self, request: &ExportRequest) -> Option<&str> {
+        self.failed.as_ref().filter(|(of, _)| of == request).map(|(_, why)| why.as_str())
     }
 
-    /// What was made last, of whatever order.
+    /// The last finished preview, of any request.
     #[must_use]
-    pub fn latest(&self) -> Option<&Arc<Made>> {
+    pub fn latest(&self) -> Option<&Arc<FinishedPreview>> {
         self.made.as_ref()
     }
 
-    /// Has it grown already?
+    /// Whether nothing has to be grown for this request.
     #[must_use]
-    pub fn is_ready(&self, order: &Order, settled: Option<&Arc<Grown>>) -> bool {
-        !order.is_film() && self.grown(order, settled).is_some()
+    pub fn is_ready(&self, request: &ExportRequest, settled: Option<&Arc<Grown>>) -> bool {
+        !request.is_film() && self.grown(request, settled).is_some()
     }
 
-    /// What has grown already for this order.
+    /// A grown texture that can be used for this request.
     #[must_use]
-    pub fn grown(&self, order: &Order, settled: Option<&Arc<Grown>>) -> Option<Arc<Grown>> {
+    pub fn grown(&self, request: &ExportRequest, settled: Option<&Arc<Grown>>) -> Option<Arc<Grown>> {
         let here = self.made.as_ref().and_then(|made| made.grown.as_ref());
-        here.into_iter().chain(settled).find(|grown| order.takes(grown)).cloned()
+        here.into_iter().chain(settled).find(|grown| request.takes(grown)).cloned()
     }
 
-    fn is_quick(&self, order: &Order, settled: Option<&Arc<Grown>>) -> bool {
-        let [width, height] = order.size().map(|side| side as f64);
-        let drawn = order.choices.what == What::Outlines;
-        self.is_ready(order, settled) && !(drawn && width * height > LARGE)
+    fn is_quick(&self, request: &ExportRequest, settled: Option<&Arc<Grown>>) -> bool {
+        let [width, height] = request.size().map(|side| side as f64);
+        let drawn = request.choices.what == ExportKind::Outlines;
+        self.is_ready(request, settled) && !(drawn && width * height > LARGE)
     }
 
-    /// Makes it.
+    /// Starts to make the preview.
     pub fn make(
         &mut self,
         ctx: &Context,
-        order: &Order,
+        request: &ExportRequest,
         settled: Option<&Arc<Grown>>,
         threads: Option<usize>,
     ) {
-        let grown = self.grown(order, settled);
-        let writing = match (order.is_film(), grown.is_some()) {
+        let grown = self.grown(request, settled);
+        let writing = match (request.is_film(), grown.is_some()) {
             (true, _) => 0.5,
             (false, true) => 1.0,
             (false, false) => 0.1,
         };
-        let (wake, work) = (ctx.clone(), order.clone());
+        let (wake, work) = (ctx.clone(), request.clone());
         let job = Job::start(
             threads,
             writing,
             move || wake.request_repaint(),
-            move |watch| made(work, grown.as_ref(), watch),
+            move |watch| make_preview(work, grown.as_ref(), watch),
         );
         self.failed = None;
-        self.job = Some((order.clone(), job));
+        self.job = Some((request.clone(), job));
     }
 
-    /// Gives up what is being made.
+    /// Cancels the preview that is being made.
     pub fn stop(&mut self) {
         if let Some((_, job)) = &self.job {
             job.cancel();
         }
     }
 
-    /// How far it is, where something is being made.
+    /// The share that is done, 0..1, while a preview is being made.
     #[must_use]
     pub fn progress(&self) -> Option<f32> {
         self.job.as_ref().map(|(_, job)| job.progress())
     }
 
-    /// What growing for this order takes; `None` where it is not known, or cannot be planned.
+    /// Time and memory to grow it; `None` where they are not known, or it cannot be planned.
     #[must_use]
-    pub fn needs(&self, order: &Order) -> Option<Needs> {
-        let grown = self.sized(order);
+    pub fn needs(&self, request: &ExportRequest) -> Option<Needs> {
+        let grown = self.sized(request);
         self.needs.as_ref().filter(|(of, _)| *of == grown).and_then(|(_, needs)| *needs)
     }
 }
 
-/// Writes it for the eye.
-fn made(order: Order, grown: Option<&Arc<Grown>>, watch: &Watch) -> Result<Made, String> {
-    let folder = TemporaryFolder::new().map_err(|error| format!("no preview can be kept: {error}"))?;
-    let grown = if order.is_film() { None } else { Some(order.grow(grown, watch)?) };
-    let size = seen(&order);
-    let file = match order.choices.ending() {
-        Some(ending) => folder.path().join(name(&order.title)).with_extension(ending),
+/// Writes the files and reads them back.
+fn make_preview(
+    request: ExportRequest,
+    grown: Option<&Arc<Grown>>,
+    watch: &Watch,
+) -> Result<FinishedPreview, String> {
+    let folder = TemporaryFolder::new().map_err(|error| format!("the preview cannot be stored: {error}"))?;
+    let grown = if request.is_film() { None } else { Some(request.grow(grown, watch)?) };
+    let size = preview_size(&request);
+    let file = match request.choices.ending() {
+        Some(ending) => folder.path().join(name(&request.title)).with_extension(ending),
         None => folder.path().join("folder"),
     };
-    let written = order.write(grown.as_deref(), &file, size, watch)?;
+    let written = request.write(grown.as_deref(), &file, size, watch)?;
     let film = if let Pending::Film(_, film) = &written.pending { Some(film.clone()) } else { None };
     written.pending.keep()?;
     let files = if file.is_dir() { listed(&file)? } else { vec![file] };
     let bytes = files.iter().filter_map(|file| fs::metadata(file).ok()).map(|file| file.len()).sum();
     let seconds = film.as_ref().map_or(0.0, |film| 1.0 / f64::from(film.fps));
-    let sight = match &written.drawing {
-        Some(drawing) => Sight::Pictures(vec![(String::new(), drawing.picture(DRAWN))]),
-        None => Sight::of(&order, &files, seconds)?,
+    let images = match &written.drawing {
+        Some(drawing) => PreviewImages::Pictures(vec![(String::new(), drawing.picture(DRAWN))]),
+        None => PreviewImages::read(&request, &files, seconds)?,
     };
-    let whole = size == order.size() || film.is_some() || written.drawing.is_some();
-    Ok(Made { whole, sight, told: written.told, bytes, grown, files, film, order, _folder: folder })
+    let whole = size == request.size() || film.is_some() || written.drawing.is_some();
+    Ok(FinishedPreview {
+        whole,
+        images,
+        told: written.told,
+        bytes,
+        grown,
+        files,
+        film,
+        request,
+        _folder: folder,
+    })
 }
 
-/// The size at which pictures are made for the eye.
-fn seen(order: &Order) -> [usize; 2] {
-    let size = order.size();
+/// The size of pictures in the preview, px.
+fn preview_size(request: &ExportRequest) -> [usize; 2] {
+    let size = request.size();
     let px = size[0] as f64 * size[1] as f64;
     let smaller = (MOST / px).sqrt().min(1.0);
     if smaller < 1.0 { size.map(|side| ((side as f64 * smaller) as usize).max(1)) } else { size }
@@ -236,16 +250,16 @@ fn listed(folder: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(files)
 }
 
-impl Made {
-    /// Its pictures; none where it is a film.
+impl FinishedPreview {
+    /// Its pictures and their names; none for films.
     #[must_use]
     pub fn pictures(&self) -> &[(String, ColorImage)] {
-        if let Sight::Pictures(pictures) = &self.sight { pictures } else { &[] }
+        if let PreviewImages::Pictures(pictures) = &self.images { pictures } else { &[] }
     }
 
-    /// Its frames; none where it is no film.
+    /// The frames of a film, and how long each is shown, seconds.
     #[must_use]
     pub fn frames(&self) -> &[(ColorImage, f64)] {
-        if let Sight::Film(frames) = &self.sight { frames } else { &[] }
+        if let PreviewImages::Film(frames) = &self.images { frames } else { &[] }
     }
 }

@@ -1,4 +1,4 @@
-//! What the preview looks like on the screen: the picture over a checkerboard, whole or px by px; a film that plays.
+//! The preview on the screen: a picture over a checkerboard, fitted or at actual size; a film that plays.
 
 use std::sync::Arc;
 
@@ -7,40 +7,46 @@ use egui::{
     TextureOptions, Ui, Vec2, WidgetInfo, accesskit::Role, pos2, vec2,
 };
 
-use super::preview::Made;
+use super::preview::FinishedPreview;
 use crate::app::theme::Palette;
 
-/// Points of a square of the checkerboard.
+/// Side of a square of the checkerboard, points.
 const SQUARE: f32 = 8.0;
 
-/// What is looked at, and how.
+/// What is shown, and how.
 #[derive(Default)]
 pub struct View {
-    /// Which of several pictures.
+    /// The name of the picture that is shown.
     pub chosen: String,
-    /// A px of the picture is one of the screen.
+    /// Whether a px of the picture is shown as a px of the screen.
     pub close: bool,
-    /// The middle of what is seen then, 0..1.
+    /// The centre of the visible part in that case, 0..1.
     middle: Vec2,
-    /// What the texture shows: of what, which picture or frame, and whether px by px.
+    /// What the texture holds: which preview, which picture or frame, whether not interpolated.
     held: Option<(usize, usize, bool)>,
     texture: Option<TextureHandle>,
-    /// Seconds since the film began.
+    /// The time in the film, seconds.
     pub time: f64,
-    /// Does it play?
+    /// Whether the film plays.
     pub plays: bool,
     checker: Option<TextureHandle>,
 }
 
 impl View {
-    /// Begins anew, with a film that plays.
+    /// A view of a whole picture, or a film that plays.
     #[must_use]
     pub fn new() -> Self {
         Self { plays: true, middle: vec2(0.5, 0.5), ..Self::default() }
     }
 
-    fn show(&mut self, ui: &Ui, made: &Arc<Made>, (index, image): (usize, &ColorImage), scale: f32) {
-        // Px are seen as they are, unless several of them share one of the screen.
+    fn show(
+        &mut self,
+        ui: &Ui,
+        made: &Arc<FinishedPreview>,
+        (index, image): (usize, &ColorImage),
+        scale: f32,
+    ) {
+        // Interpolates only where several px share one px of the screen.
         let sharp = scale * ui.pixels_per_point() >= 1.0;
         let what = (Arc::as_ptr(made) as usize, index, sharp);
         if self.held == Some(what) {
@@ -54,8 +60,8 @@ impl View {
         }
     }
 
-    /// Shows it in `room`, pale where it is not what is asked for by now.
-    pub fn ui(&mut self, ui: &mut Ui, room: Rect, made: &Arc<Made>, fresh: bool) -> Response {
+    /// Shows the preview in `room`, paler where it is not up to date (`fresh`).
+    pub fn ui(&mut self, ui: &mut Ui, room: Rect, made: &Arc<FinishedPreview>, fresh: bool) -> Response {
         let frames = made.frames();
         let (index, image) = if frames.is_empty() {
             let pictures = made.pictures();
@@ -88,13 +94,13 @@ impl View {
         let what = if frames.is_empty() { "Preview" } else { "Preview of the film" };
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, what));
         response.on_hover_text_at_pointer(if self.close {
-            "Click to see all of it; drag to move"
+            "Click to show all of it; drag to move"
         } else {
-            "Click to see it px by px"
+            "Click to show it at actual size"
         })
     }
 
-    /// The middle of what is seen, so that no more of the room stays empty than must.
+    /// The centre of the visible part, limited so that the room is filled as far as possible.
     fn within(&self, room: Rect, seen: Vec2) -> Vec2 {
         let side = |middle: f32, room: f32, seen: f32| {
             let half = (room / seen / 2.0).min(0.5);
@@ -124,7 +130,7 @@ impl View {
         painter.rect_stroke(shown, 0.0, Stroke::new(1.0, border), StrokeKind::Outside);
     }
 
-    /// The frame that is seen now.
+    /// The index of the current frame.
     fn frame(&mut self, ui: &Ui, frames: &[(ColorImage, f64)]) -> usize {
         let length: f64 = frames.iter().map(|(_, seconds)| seconds).sum();
         if self.plays {
@@ -144,8 +150,8 @@ impl View {
         shown.unwrap_or(frames.len().saturating_sub(1))
     }
 
-    /// What stands under a film: play, and where it is.
-    pub fn player(&mut self, ui: &mut Ui, made: &Made) {
+    /// The controls of a film: play, and the time.
+    pub fn player(&mut self, ui: &mut Ui, made: &FinishedPreview) {
         let length: f64 = made.frames().iter().map(|(_, seconds)| seconds).sum();
         let text = if self.plays { "Pause film" } else { "Play film" };
         if ui.small_button(text).clicked() {

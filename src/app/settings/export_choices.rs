@@ -2,7 +2,7 @@
 
 use super::file::Entries;
 use crate::app::exporting::choices::{
-    Choices, FORMATS, Film, KINDS, Material, Outlines, Picture, RELIEF, Shows, What,
+    Choices, ExportKind, FORMATS, Film, KINDS, Material, Outlines, Picture, PictureContent, RELIEF,
 };
 use crate::app::units::Units;
 use crate::export::Format;
@@ -52,7 +52,7 @@ pub fn read(entries: &Entries) -> Choices {
         film: film(entries).unwrap_or(first.film),
         ..Choices::default()
     };
-    read.settle();
+    read.make_consistent();
     read
 }
 
@@ -60,10 +60,17 @@ fn list(values: &[f64]) -> String {
     values.iter().map(f64::to_string).collect::<Vec<_>>().join(" ")
 }
 
-fn picture(entries: &Entries) -> Option<(What, Picture)> {
+fn picture(entries: &Entries) -> Option<(ExportKind, Picture)> {
     let [what, shows, format, deep, clear, quality, document] = entries.numbers("export")?;
-    let what = [What::Picture, What::Material, What::Outlines, What::Film].get(what as usize).copied()?;
-    let all = [Shows::Texture, Shows::Pattern, Shows::Labels, Shows::Concentrations];
+    let what = [ExportKind::Picture, ExportKind::Material, ExportKind::Outlines, ExportKind::Film]
+        .get(what as usize)
+        .copied()?;
+    let all = [
+        PictureContent::Texture,
+        PictureContent::Pattern,
+        PictureContent::Labels,
+        PictureContent::Concentrations,
+    ];
     let shows = all.get(shows as usize).copied()?;
     Some((
         what,

@@ -73,7 +73,7 @@ impl Window {
         }
     }
 
-    /// Carries out an action that changes what is shown, and with what the user draws.
+    /// Carries out an action that changes what is shown, or the tool.
     fn perform_view(&mut self, ui: &Ui, action: Action) {
         match action {
             Action::Tool(tool) => self.canvas.tool = tool,
@@ -174,15 +174,15 @@ impl Window {
         }
     }
 
-    /// The new document that was described.
+    /// Opens a new document.
     pub(super) fn create(&mut self, new: &pages::New) {
         self.begin(Session::open(new.document(), None));
     }
 
-    /// Closes for good.
+    /// Closes the window.
     pub(super) fn close(&mut self, ui: &Ui) {
         self.files.closing = true;
-        // What is there is saved, or nobody wants it.
+        // The document is saved, or the user chose not to.
         self.recovery.stop();
         ui.send_viewport_cmd(ViewportCommand::Close);
     }

@@ -88,7 +88,7 @@ impl Window {
     }
 
     pub(super) fn another_seed(&mut self) {
-        // Neighbouring seeds share nothing (see `Document::layer_seed`).
+        // Consecutive seeds are independent (see `Document::layer_seed`).
         self.session.edit(|document| document.seed = document.seed.wrapping_add(1));
     }
 

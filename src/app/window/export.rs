@@ -1,4 +1,4 @@
-//! The export from the window's side: asked, chosen, written, told.
+//! Export: the dialog, the file, the message when it is written.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -7,41 +7,43 @@ use egui::{Id, Modal, Ui};
 
 use super::Window;
 use crate::app::chooser::Purpose;
-use crate::app::exporting::{About, Said};
-use crate::app::exporting::{Choices, Dialog, Exporting, Film, Made, Order, Size, What};
+use crate::app::exporting::{
+    Choices, Dialog, ExportKind, ExportRequest, Exporting, Film, FinishedPreview, Size,
+};
+use crate::app::exporting::{DialogAction, ExportContext};
 use crate::synth::Grown;
 
 impl Window {
-    /// Asks what shall be exported.
+    /// Opens the export dialog.
     pub(super) fn ask_export(&mut self) {
         let size = self.files.restored.unwrap_or_default();
         let choices = Choices { size, layer: None, ..self.settings.export.clone() };
         self.files.export = Some(Dialog::new(choices));
     }
 
-    /// What the export dialog shows, once it is made.
+    /// The preview of the export dialog, once it is finished.
     #[must_use]
-    pub fn previewed(&self) -> Option<Arc<Made>> {
+    pub fn previewed(&self) -> Option<Arc<FinishedPreview>> {
         let dialog = self.files.export.as_ref()?;
-        dialog.preview.of(&self.order(&dialog.choices)).cloned()
+        dialog.preview.finished(&self.request(&dialog.choices)).cloned()
     }
 
-    /// What the export dialog is set to.
+    /// The choices in the export dialog.
     #[must_use]
     pub fn choices(&self) -> Option<&Choices> {
         self.files.export.as_ref().map(|dialog| &dialog.choices)
     }
 
-    fn order(&self, choices: &Choices) -> Order {
-        Order { document: self.session.finished(), choices: choices.clone(), title: self.stem() }
+    fn request(&self, choices: &Choices) -> ExportRequest {
+        ExportRequest { document: self.session.finished(), choices: choices.clone(), title: self.stem() }
     }
 
-    /// What files of this document are called.
+    /// The file name of exports, without an ending.
     fn stem(&self) -> String {
         let title = self.session.title();
         match self.session.path.as_deref().and_then(Path::file_stem) {
             Some(stem) => stem.to_string_lossy().into_owned(),
-            // Names of documents may hold what a file's cannot.
+            // Names of documents may hold characters that file names cannot.
             None => title.replace(['/', '\\', ':', '\0'], " "),
         }
     }
@@ -53,23 +55,24 @@ impl Window {
     /// Shows the dialog.
     pub(super) fn export_ui(&mut self, ui: &Ui) {
         let Some(mut dialog) = self.files.export.take() else { return };
-        dialog.choices.settle();
-        let order = self.order(&dialog.choices);
+        dialog.choices.make_consistent();
+        let request = self.request(&dialog.choices);
         let grown = self.grown();
-        let about = About {
-            order: &order,
+        let context = ExportContext {
+            request: &request,
             grown: grown.as_ref(),
             growing: self.growth.is_growing(),
             threads: self.settings.threads,
             units: self.settings.units,
         };
         let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
-        let shown = Modal::new(Id::unique("export")).frame(frame).show(ui.ctx(), |ui| dialog.ui(ui, &about));
-        let said = if shown.should_close() { Some(Said::Cancel) } else { shown.inner };
+        let shown =
+            Modal::new(Id::unique("export")).frame(frame).show(ui.ctx(), |ui| dialog.ui(ui, &context));
+        let said = if shown.should_close() { Some(DialogAction::Cancel) } else { shown.inner };
         match said {
-            Some(Said::Cancel) => return,
-            Some(Said::Export) => self.choose_export(ui, &dialog.choices),
-            Some(Said::Other) => self.choose(ui, Purpose::Become, ""),
+            Some(DialogAction::Cancel) => return,
+            Some(DialogAction::Export) => self.choose_export(ui, &dialog.choices),
+            Some(DialogAction::ChooseOther) => self.choose(ui, Purpose::Become, ""),
             None => {}
         }
         self.files.export = Some(dialog);
@@ -94,16 +97,16 @@ impl Window {
                 self.choose(ui, Purpose::Export(endings), &name);
             }
             None => {
-                let kind = if choices.what == What::Material { "material" } else { "frames" };
+                let kind = if choices.what == ExportKind::Material { "material" } else { "frames" };
                 self.choose(ui, Purpose::ExportInto, &format!("{stem}-{kind}"));
             }
         }
     }
 
-    /// Exports what the dialog says to `path`; the choices are remembered.
+    /// Exports to `path` with the choices of the dialog, and remembers them.
     pub(super) fn export_chosen(&mut self, path: &Path) {
         let Some(dialog) = self.files.export.take() else { return };
-        let order = self.order(&dialog.choices);
+        let request = self.request(&dialog.choices);
         self.settings.export = Choices {
             size: Size::default(),
             layer: None,
@@ -112,12 +115,12 @@ impl Window {
         };
         self.settings.write();
         let grown = self.grown();
-        let made = dialog.preview.of(&order).cloned();
-        let grown = dialog.preview.grown(&order, grown.as_ref());
-        self.exporting = Some(Exporting::new(path, order, made, grown, self.settings.threads));
+        let made = dialog.preview.finished(&request).cloned();
+        let grown = dialog.preview.grown(&request, grown.as_ref());
+        self.exporting = Some(Exporting::new(path, request, made, grown, self.settings.threads));
     }
 
-    /// The other document that a film ends with.
+    /// Sets the document that a film ends with.
     pub(super) fn become_chosen(&mut self, path: PathBuf) {
         if let Some(dialog) = &mut self.files.export {
             dialog.choices.film.to = Some(path);
@@ -125,11 +128,11 @@ impl Window {
         }
     }
 
-    /// Writes the texture to `path`, of a canvas of `canvas` px or the document's, with `scale` times the px.
+    /// Writes the texture to `path`: of a canvas of `canvas` px (`None` = the document's), with `scale` times the px.
     pub fn export(&mut self, path: &Path, canvas: Option<[u32; 2]>, scale: u32) {
-        let order = self.order(&Choices::plain(Size { canvas, scale }));
-        let grown = self.grown().filter(|grown| order.takes(grown));
-        self.exporting = Some(Exporting::new(path, order, None, grown, self.settings.threads));
+        let request = self.request(&Choices::plain(Size { canvas, scale }));
+        let grown = self.grown().filter(|grown| request.takes(grown));
+        self.exporting = Some(Exporting::new(path, request, None, grown, self.settings.threads));
     }
 
     /// Cancels the export that is being written.
@@ -139,7 +142,7 @@ impl Window {
         }
     }
 
-    /// Takes in what became of the export.
+    /// Shows a message once the export has ended.
     pub(super) fn listen_to_export(&mut self, ui: &Ui) {
         let Some(job) = &self.exporting else { return };
         let Some(outcome) = job.outcome() else {

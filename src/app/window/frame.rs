@@ -1,4 +1,4 @@
-//! One frame: the panels are shown, what they ask for is done, and what changed is grown and kept.
+//! One frame: shows the panels, carries out their actions, then grows and keeps what changed.
 
 use std::time::{Duration, Instant};
 
@@ -63,21 +63,21 @@ impl Window {
         self.keep_unsaved();
         self.note_layout(ui);
         if self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused() {
-            // Between two pictures the bar moves on.
+            // The progress bar moves between two pictures.
             ui.ctx().request_repaint_after(Duration::from_millis(100));
         }
         self.menu_open = ui.any_popup_open();
         self.entitle(ui);
     }
 
-    /// What the keys ask for.
+    /// The actions of the keys.
     fn keys(&mut self, ui: &Ui) -> Vec<Action> {
-        // A page over the window has all keys.
+        // A page over the window gets all keys.
         if self.files.is_asking() || self.page.is_some() {
             return Vec::new();
         }
         let focused = ui.memory(egui::Memory::focused);
-        // An open menu takes Escape and the arrows itself.
+        // An open menu handles Escape and the arrows itself.
         let canvas = focused.is_none_or(|id| self.canvas.id == Some(id)) && !self.menu_open;
         let keys = !ui.text_edit_focused() && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
         let mut actions = shortcuts::asked(ui.ctx(), keys, canvas);
@@ -85,13 +85,13 @@ impl Window {
             && (self.canvas.cancel(&mut self.session) || self.cancel_colour());
         if cancelled {
             ui.ctx().stop_dragging();
-            // Before the canvas sees that the toolkit lets go of the pointer.
+            // Before the canvas sees that the drag has stopped.
             actions.retain(|action| *action != Action::Escape);
         }
         actions
     }
 
-    /// A focused button takes Space, Enter and the arrows; letters are free.
+    /// Whether a focused widget is a button: it handles Space, Enter and the arrows, but no letters.
     fn is_button(&self, ui: &Ui, id: egui::Id) -> bool {
         ui.ctx()
             .read_response(id)
@@ -204,7 +204,7 @@ impl Window {
         }
     }
 
-    /// Views that move together: the one that was moved takes the other along.
+    /// Where the views are linked, moves the other one as well.
     fn link(&mut self, before: [View; 2]) {
         if !self.linked || self.over || self.texture.tiled {
             return;
@@ -216,13 +216,13 @@ impl Window {
         }
     }
 
-    /// Grows what was drawn; makes it a step that can be undone once the hand rests.
+    /// Grows what was drawn, and makes it a step that can be undone once the pointer is released.
     fn grow_what_changed(&mut self, ui: &Ui) {
         let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
         if !busy {
             self.session.commit();
         }
-        // While the hand still moves, every growth gets as far as its first picture.
+        // During a gesture, each growth is left running until its first picture.
         let in_time = !busy || !self.growth.is_growing() || self.growth.first_picture.is_some();
         if in_time && self.grown != Some(self.session.revision()) {
             self.grown = Some(self.session.revision());
@@ -244,7 +244,7 @@ impl Window {
     }
 }
 
-/// Why it cannot be grown, where the texture would be.
+/// Shows why the document cannot be grown, in place of the texture.
 fn failed(ui: &mut Ui, room: Rect, why: &str) {
     let rect = Rect::from_center_size(room.center(), vec2((room.width() - 60.0).min(380.0), 150.0));
     ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {

@@ -38,7 +38,7 @@ impl Window {
     /// Keeps unsaved work against a crash.
     pub(super) fn keep_unsaved(&mut self) {
         self.trace.marks(self.session.marks().count());
-        let pending = self.recovery.is_due().then(|| self.canvas.in_the_making()).flatten();
+        let pending = self.recovery.is_due().then(|| self.canvas.pending_mark()).flatten();
         match self.recovery.update(&self.session, pending) {
             Some(Ok(took)) => self.trace.event("kept", took),
             Some(Err(why)) => self.notices.wrong(format!(

@@ -1,4 +1,4 @@
-//! What the window begins with.
+//! Opening the window.
 
 use std::path::PathBuf;
 
@@ -23,14 +23,14 @@ use crate::editor::recovery::Recovery;
 use crate::editor::session::Session;
 use crate::editor::task::{Spawn, Tasks};
 
-/// With what the window begins.
+/// What the window starts with.
 #[derive(Default)]
 pub struct Start {
     /// The document to open.
     pub file: Option<PathBuf>,
-    /// What is remembered.
+    /// The settings.
     pub settings: Settings,
-    /// Where unsaved work is kept; `None` = nowhere.
+    /// The folder where unsaved work is kept; `None` = it is not kept.
     pub recovery: Option<PathBuf>,
     /// Whether files are chosen with the system's own dialogs.
     pub native_dialogs: bool,
@@ -39,7 +39,7 @@ pub struct Start {
 }
 
 impl Window {
-    /// A window, with what it begins with.
+    /// A window with a document from a file, or an empty one.
     #[must_use]
     pub fn new(ctx: &Context, start: Start) -> Self {
         theme::apply(ctx);

@@ -2,7 +2,7 @@
 
 use egui::{Button, DragValue, Ui};
 
-use super::{About, Said};
+use super::{DialogAction, ExportContext};
 use super::{named, number, one_of, rows, yes};
 use crate::app::exporting::choices::KINDS;
 use crate::app::exporting::{Choices, Film};
@@ -10,16 +10,18 @@ use crate::export::motion::Kind;
 use crate::synth::render::clip::{Clip, FASTEST_GIF, RATES, SIDE, SIDES};
 
 /// The choices.
-pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) -> Option<Said> {
+pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) -> Option<DialogAction> {
     let film = &mut choices.film;
     let mut said = None;
     rows(ui, "film", |ui| {
-        named(ui, "Shows", "What happens in it");
+        named(ui, "Shows", "What the film shows");
         ui.vertical(|ui| {
             ui.radio_value(&mut film.change, false, "The growth")
-                .on_hover_text("From the first traces to what has settled");
-            let explained = "This document becomes another one: its marks grow, turn, move, split and vanish";
-            ui.radio_value(&mut film.change, true, "The way to another document").on_hover_text(explained);
+                .on_hover_text("From the beginning to the settled texture");
+            let explained =
+                "This document changes into another one: its marks grow, turn, move, split and vanish";
+            ui.radio_value(&mut film.change, true, "The change into another document")
+                .on_hover_text(explained);
         });
         ui.end_row();
         if film.change {
@@ -28,14 +30,14 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) -> Option<Said> {
             let text = name
                 .map_or_else(|| "Choose a document…".to_owned(), |name| name.to_string_lossy().into_owned());
             if ui.add(Button::new(text)).clicked() {
-                said = Some(Said::Other);
+                said = Some(DialogAction::ChooseOther);
             }
             ui.end_row();
         }
         named(
             ui,
             "Format",
-            "GIF is understood everywhere; animated PNG has all colours; single pictures are for cutting",
+            "GIF can be shown everywhere; animated PNG has all colours; single pictures are for video editing",
         );
         let texts = KINDS.map(|kind| {
             let text = match kind {
@@ -47,7 +49,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) -> Option<Said> {
         });
         one_of(ui, "Format of the film", &mut film.kind, &texts, |_| true);
         ui.end_row();
-        times(ui, film, about);
+        times(ui, film, context);
         if film.kind != Kind::Folder {
             end(ui, &mut film.clip);
         }
@@ -55,12 +57,12 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) -> Option<Said> {
     said
 }
 
-/// How large and how fast.
-fn times(ui: &mut Ui, film: &mut Film, about: &About) {
+/// Size and speed.
+fn times(ui: &mut Ui, film: &mut Film, context: &ExportContext) {
     let clip = &mut film.clip;
-    let canvas = about.order.document.size;
+    let canvas = context.request.document.size;
     let usual = SIDE.min(canvas[0].max(canvas[1]));
-    named(ui, "Longer side", "Of a frame");
+    named(ui, "Longer side", "Longer side of a frame");
     let mut side = clip.side.unwrap_or(usual);
     let field = DragValue::new(&mut side).range(SIDES).suffix(" px");
     if number(ui, "Longer side", field) {
@@ -77,15 +79,15 @@ fn times(ui: &mut Ui, film: &mut Film, about: &About) {
     ui.end_row();
 }
 
-/// What it does at its end.
+/// What happens at the end.
 fn end(ui: &mut Ui, clip: &mut Clip) {
-    named(ui, "At the end", "What the film does then");
+    named(ui, "At the end", "What the film does at its end");
     let mut again = !clip.once;
-    yes(ui, "begins again", &mut again, true, "Otherwise it stays at the last frame");
+    yes(ui, "begins again", &mut again, true, "Otherwise it stops at the last frame");
     clip.once = !again;
     ui.end_row();
     if again {
-        named(ui, "Hold", "So much longer the last frame is seen");
+        named(ui, "Hold", "How much longer the last frame is shown");
         let field = DragValue::new(&mut clip.hold).range(0.0..=60.0).speed(0.05).max_decimals(2);
         number(ui, "Hold", field.suffix(" s"));
         ui.end_row();

@@ -2,15 +2,15 @@
 
 use egui::{DragValue, Ui};
 
-use super::About;
+use super::ExportContext;
 use super::{layer, named, number, rows, size, yes};
 use crate::app::exporting::{Choices, Outlines};
 use crate::app::units::Units;
 use crate::export::outline::Hatch;
 
 /// The choices.
-pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) {
-    let dpi = about.order.document.dpi * f64::from(choices.size.scale);
+pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
+    let dpi = context.request.document.dpi * f64::from(choices.size.scale);
     rows(ui, "outlines", |ui| {
         named(ui, "Format", "SVG for drawing programs; DXF (release 12) for cutters and CAD");
         ui.horizontal(|ui| {
@@ -21,7 +21,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) {
         layer(
             ui,
             choices,
-            about,
+            context,
             "All that are shown",
             "A group for each layer that is shown, or one layer alone",
         );
@@ -29,12 +29,12 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) {
         named(
             ui,
             "Level",
-            "The pattern value that they follow: 0.5 = the marks' edges, less = outside, more = inside",
+            "The pattern value of the contours: 0.5 = the marks' edges, less = outside, more = inside",
         );
         let field = DragValue::new(&mut outlines.level).range(0.01..=0.99).speed(0.005).max_decimals(3);
         number(ui, "Level", field);
         ui.end_row();
-        named(ui, "Units", "In what lengths are, in the file and here");
+        named(ui, "Units", "The unit of lengths, in the file and here");
         ui.horizontal(|ui| {
             let before = outlines.units;
             ui.radio_value(&mut outlines.units, Units::Mm, "mm")
@@ -45,11 +45,11 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) {
         ui.end_row();
         style(ui, outlines, dpi);
         smallest(ui, outlines);
-        size(ui, choices, about);
+        size(ui, choices, context);
     });
 }
 
-/// Lengths stay what they are where their unit changes.
+/// Converts lengths to the new unit.
 fn convert(outlines: &mut Outlines, before: Units, dpi: f64) {
     if outlines.units == before {
         return;
@@ -76,7 +76,7 @@ fn style(ui: &mut Ui, outlines: &mut Outlines, dpi: f64) {
     });
     ui.end_row();
     if outlines.hatch {
-        named(ui, "Hatch", "How far its strokes stand apart, and their direction, from right towards down");
+        named(ui, "Hatch", "Spacing of its strokes, and their direction, from right towards down");
         let finest = Hatch::FINEST * outlines.unit(dpi).per_px();
         ui.horizontal(|ui| {
             let field = DragValue::new(&mut outlines.spacing).range(finest..=1e4).speed(0.02).max_decimals(3);
@@ -92,23 +92,29 @@ fn style(ui: &mut Ui, outlines: &mut Outlines, dpi: f64) {
         number(ui, "Pen", field.suffix(unit));
         ui.end_row();
     }
-    named(ui, "At the edge", "Strokes of marks that reach over the canvas");
+    named(ui, "At the edge", "Strokes of marks that reach over the edge of the canvas");
     ui.horizontal(|ui| {
         ui.radio_value(&mut outlines.cut, false, "closed").on_hover_text("They run along the edge");
         ui.add_enabled_ui(!outlines.fill, |ui| {
-            let radio = ui.radio_value(&mut outlines.cut, true, "cut").on_hover_text("They end there");
-            radio.on_disabled_hover_text("Areas must be closed: take the fill away first");
+            let radio = ui.radio_value(&mut outlines.cut, true, "cut").on_hover_text("They end at the edge");
+            radio.on_disabled_hover_text("Areas must be closed: switch off the fill first");
         });
     });
     ui.end_row();
-    named(ui, "Order", "In which paths are drawn");
-    yes(ui, "a short way for the pen", &mut outlines.ordered, true, "Otherwise as they are found");
+    named(ui, "Order", "The order in which paths are drawn");
+    yes(
+        ui,
+        "a short way for the pen",
+        &mut outlines.ordered,
+        true,
+        "Otherwise in the order in which they are found",
+    );
     ui.end_row();
 }
 
 fn smallest(ui: &mut Ui, outlines: &mut Outlines) {
     let unit = unit(outlines);
-    named(ui, "Leave out", "Islands and holes that are narrower, or smaller, than this; 0 = none");
+    named(ui, "Leave out", "Leaves out islands and holes that are narrower, or smaller in area; 0 = none");
     ui.horizontal(|ui| {
         ui.weak("under");
         let field = DragValue::new(&mut outlines.width).range(0.0..=1e4).speed(0.02).max_decimals(3);

@@ -2,53 +2,54 @@
 
 use egui::{Slider, Ui, WidgetInfo};
 
-use super::About;
+use super::ExportContext;
 use super::{layer, named, one_of, rows, size, yes};
 use crate::app::exporting::choices::FORMATS;
-use crate::app::exporting::{Choices, Shows};
+use crate::app::exporting::{Choices, PictureContent};
 use crate::export::Format;
 
 /// The choices.
-pub fn page(ui: &mut Ui, choices: &mut Choices, about: &About) {
+pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
     rows(ui, "picture", |ui| {
-        named(ui, "Shows", "What the picture is of");
+        named(ui, "Shows", "The content of the picture");
         let texts = [
-            (Shows::Texture, "The texture"),
-            (Shows::Pattern, "The pattern, 0 to 1"),
-            (Shows::Labels, "Labels, a number a layer"),
-            (Shows::Concentrations, "Concentrations"),
+            (PictureContent::Texture, "The texture"),
+            (PictureContent::Pattern, "The pattern, 0 to 1"),
+            (PictureContent::Labels, "Labels, a number a layer"),
+            (PictureContent::Concentrations, "Concentrations"),
         ];
         let texts = texts.map(|(shows, text)| (shows, text.to_owned()));
         one_of(ui, "Shows", &mut choices.picture.shows, &texts, |_| true);
         ui.end_row();
-        if choices.picture.shows == Shows::Pattern {
+        if choices.picture.shows == PictureContent::Pattern {
             let explained = "The pattern of the layer that painted each px, or of one layer alone";
-            layer(ui, choices, about, "The one on top", explained);
+            layer(ui, choices, context, "The one on top", explained);
         }
-        named(ui, "Format", "Numbers are only written where nothing is lost");
+        named(ui, "Format", "Numbers can only be written in lossless formats");
         let formats = FORMATS.map(|format| (format, format.name().to_owned()));
         let content = choices.picture.content();
         one_of(ui, "Format", &mut choices.picture.format, &formats, |format| format.holds(content));
         ui.end_row();
-        size(ui, choices, about);
-        if choices.picture.shows == Shows::Texture {
+        size(ui, choices, context);
+        if choices.picture.shows == PictureContent::Texture {
             colours(ui, choices);
         }
         if choices.picture.format == Format::Png {
-            named(ui, "Document", "What the PNG holds beside its px");
-            let explained = "The PNG can be opened here and grown again; who has it has your sketch, too";
+            named(ui, "Document", "What the PNG holds besides the picture");
+            let explained =
+                "The PNG can be opened here and grown again; it then contains your sketch as well";
             yes(ui, "kept in the picture", &mut choices.picture.document, true, explained);
             ui.end_row();
         }
     });
     ui.add_space(6.0);
-    ui.weak(told(choices));
+    ui.weak(note(choices));
 }
 
 fn colours(ui: &mut Ui, choices: &mut Choices) {
     let picture = &mut choices.picture;
     if picture.format.is_deep() {
-        named(ui, "Depth", "Bits of each colour: more for later changes of the colours");
+        named(ui, "Depth", "Bits per channel: 16 where colours will be edited later");
         ui.horizontal(|ui| {
             ui.radio_value(&mut picture.deep, false, "8 bit");
             ui.radio_value(&mut picture.deep, true, "16 bit");
@@ -56,29 +57,31 @@ fn colours(ui: &mut Ui, choices: &mut Choices) {
         ui.end_row();
     }
     if picture.format == Format::Jpeg {
-        named(ui, "Quality", "Higher is larger and truer");
+        named(ui, "Quality", "Higher: a larger file with fewer artefacts");
         let slider = ui.add(Slider::new(&mut picture.quality, 1..=100));
         slider.widget_info(|| WidgetInfo::slider(true, f64::from(picture.quality), "Quality"));
         ui.end_row();
     } else {
-        named(ui, "Ground", "What lies between the marks");
-        let explained = "One sees through the ground; laid over its colour again, it is the same picture";
+        named(ui, "Ground", "The surface between the marks");
+        let explained = "Makes the ground transparent; over its own colour, the picture is the same";
         yes(ui, "transparent", &mut picture.transparent, true, explained);
         ui.end_row();
     }
 }
 
-fn told(choices: &Choices) -> &'static str {
+fn note(choices: &Choices) -> &'static str {
     match (choices.picture.shows, choices.picture.format) {
-        (Shows::Texture, Format::Exr) => "32 bit a channel, colours as light.",
-        (Shows::Texture, Format::Tiff) => "Not compressed, not changed.",
-        (Shows::Texture, Format::Png | Format::Webp) => "Nothing is lost.",
-        (Shows::Texture, Format::Jpeg) => "Small; fine edges blur.",
-        (Shows::Pattern, Format::Exr) => "0 = ground, 0.5 = a mark's edge, 1 = its middle; 32 bit.",
-        (Shows::Pattern, _) => "0 = ground, half = a mark's edge, white = its middle; 16 bit.",
-        (Shows::Labels, _) => "0 = none, 1 = the lowest layer, and so on: looks black to the eye.",
-        (Shows::Concentrations, _) => {
-            "A channel a chemical of each layer, as the solver left it. It is grown once more."
+        (PictureContent::Texture, Format::Exr) => "32 bit per channel, linear light.",
+        (PictureContent::Texture, Format::Tiff) => "Not compressed, lossless.",
+        (PictureContent::Texture, Format::Png | Format::Webp) => "Lossless.",
+        (PictureContent::Texture, Format::Jpeg) => "A small file; fine edges are blurred.",
+        (PictureContent::Pattern, Format::Exr) => "0 = ground, 0.5 = a mark's edge, 1 = its centre; 32 bit.",
+        (PictureContent::Pattern, _) => {
+            "Black = ground, middle gray = a mark's edge, white = its centre; 16 bit."
+        }
+        (PictureContent::Labels, _) => "0 = none, 1 = the lowest layer, and so on: the picture looks black.",
+        (PictureContent::Concentrations, _) => {
+            "A channel for each chemical of each layer, as computed by the solver. It is grown again."
         }
     }
 }

@@ -1,25 +1,25 @@
-//! Outlines → a picture of them, for the eye: the very paths that are written.
+//! Outlines → a picture of them: the same paths that are written.
 
 use egui::{Color32, ColorImage};
 
 use crate::export::outline::path::flattened;
 use crate::export::outline::{BezPath, Group, Shape};
 
-/// Outlines as they are written.
-pub struct Drawing {
+/// Outlines, as they are written.
+pub struct OutlinePicture {
     /// The canvas, px.
     pub size: [f64; 2],
-    /// What is drawn.
+    /// The paths, by colour.
     pub groups: Vec<Group>,
-    /// The width of strokes, px; `None` = lines without one.
+    /// The width of strokes, px; `None` = hairlines.
     pub pen: Option<f64>,
 }
 
-/// Rows a px: areas are sampled so finely from top to bottom, exactly from left to right.
+/// Samples per px in y; in x, coverage is exact.
 const FINENESS: usize = 4;
 
-impl Drawing {
-    /// The drawing on white paper, its longer side `side` px.
+impl OutlinePicture {
+    /// The outlines on white, the longer side `side` px.
     #[must_use]
     pub fn picture(&self, side: usize) -> ColorImage {
         let scale = side as f64 / self.size[0].max(self.size[1]);
@@ -31,7 +31,7 @@ impl Drawing {
             paper.fill(&areas.map(|path| flat(path, scale)).collect::<Vec<_>>());
             paper.ink(group.colour);
             paper.cover = vec![0.0; size[0] * size[1]];
-            // What is thinner than a px is a px, and paler.
+            // Strokes thinner than a px are drawn one px wide and paler.
             let width = self.pen.map_or(1.0, |pen| pen * scale);
             for stroke in &group.strokes {
                 paper.stroke(&flat(stroke, scale), width);
@@ -50,13 +50,13 @@ fn flat(path: &BezPath, scale: f64) -> Vec<[f64; 2]> {
 
 struct Paper {
     size: [usize; 2],
-    /// How much of each px is covered, 0..1.
+    /// The coverage of each px, 0..1.
     cover: Vec<f32>,
     image: Vec<[f32; 3]>,
 }
 
 impl Paper {
-    /// Covers what the rings enclose, by the even-odd rule.
+    /// Covers the inside of the rings, by the even-odd rule.
     fn fill(&mut self, rings: &[Vec<[f64; 2]>]) {
         let [width, height] = self.size;
         let lines = height * FINENESS;
@@ -110,7 +110,7 @@ impl Paper {
         }
     }
 
-    /// Inks what is covered.
+    /// Paints the covered px.
     fn ink(&mut self, colour: [u8; 3]) {
         for (px, cover) in self.image.iter_mut().zip(&self.cover) {
             let cover = cover.min(1.0);

@@ -1,11 +1,11 @@
-//! A document and choices → what has grown → files, by the very functions of the command line.
+//! A document and choices → a grown texture → files, by the same functions as the command line.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::choices::{Choices, Shows, What};
-use super::raster::Drawing;
+use super::choices::{Choices, ExportKind, PictureContent};
+use super::outline_picture::OutlinePicture;
 use crate::app::growth::essence;
 use crate::document::{Document, Extent, embedded};
 use crate::export::maps::Surface;
@@ -21,27 +21,27 @@ use crate::synth::render::outlining::{Outlining, outlines};
 use crate::synth::render::painting::{Channel, Making, Painting, Style, concentrations};
 use crate::synth::{Grown, Options, Training, Watch};
 
-/// What shall be exported.
+/// What is to be exported.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Order {
+pub struct ExportRequest {
     /// The document.
     pub document: Document,
-    /// How.
+    /// The choices.
     pub choices: Choices,
-    /// What its files are called.
+    /// The name of its files, without an ending.
     pub title: String,
 }
 
-/// Files that do not have their names yet.
+/// Files that are written under temporary names.
 pub enum Pending {
-    /// Some, all or none.
+    /// Files; either all are kept or none.
     Files(Vec<Prepared>),
     /// A film.
     Film(PreparedFilm, motion::Film),
 }
 
 impl Pending {
-    /// Gives them their names.
+    /// Renames them to their final names.
     ///
     /// # Errors
     /// What went wrong, with the file's name and the remedy.
@@ -58,43 +58,43 @@ impl Pending {
 pub struct Written {
     /// The files.
     pub pending: Pending,
-    /// What is to be told of it.
+    /// A message about it.
     pub told: Option<String>,
-    /// Outlines as they were written.
-    pub drawing: Option<Drawing>,
+    /// The outlines that were written.
+    pub drawing: Option<OutlinePicture>,
 }
 
-/// A message of a step.
-fn told(error: impl std::error::Error) -> String {
+/// The message of an error.
+fn message(error: impl std::error::Error) -> String {
     error.to_string()
 }
 
-impl Order {
-    /// How it is grown.
+impl ExportRequest {
+    /// The options with which it is grown.
     #[must_use]
     pub fn options(&self) -> Options<'static> {
-        let pictured = self.choices.what == What::Picture;
+        let pictured = self.choices.what == ExportKind::Picture;
         Options {
             size: self.choices.size.other(&self.document),
-            concentrations: pictured && self.choices.picture.shows == Shows::Concentrations,
+            concentrations: pictured && self.choices.picture.shows == PictureContent::Concentrations,
             source: "the sketch",
             ..Options::default()
         }
     }
 
-    /// Is it a film? These grow by themselves.
+    /// Whether it is a film. Films are grown frame by frame.
     #[must_use]
     pub fn is_film(&self) -> bool {
-        self.choices.what == What::Film
+        self.choices.what == ExportKind::Film
     }
 
     /// Width and height, px, of its pictures.
     #[must_use]
     pub fn size(&self) -> [usize; 2] {
-        self.choices.size.of(&self.document).map(|side| side as usize)
+        self.choices.size.in_px(&self.document).map(|side| side as usize)
     }
 
-    /// Can what has `grown` be taken as it is?
+    /// Whether a `grown` texture can be exported as it is.
     #[must_use]
     pub fn takes(&self, grown: &Grown) -> bool {
         let wanted = self.options();
@@ -105,7 +105,7 @@ impl Order {
             && essence(&grown.document) == essence(&self.document)
     }
 
-    /// Grows it, where it has not `grown` already.
+    /// Grows it, unless `grown` can be used.
     ///
     /// # Errors
     /// Why it cannot be grown.
@@ -114,14 +114,14 @@ impl Order {
             return Ok(Arc::clone(grown));
         }
         let grown = grow(&self.document, &Options { watch: *watch, ..self.options() });
-        grown.map(Arc::new).map_err(told)
+        grown.map(Arc::new).map_err(message)
     }
 
     fn extent(&self) -> Extent {
         Extent { size: self.choices.size.other(&self.document), scale: self.choices.size.scale }
     }
 
-    /// Writes it to `path`, pictures with `size` px: as large as they are to be, or smaller.
+    /// Writes it to `path`, pictures with `size` px: their full size, or a smaller one for the preview.
     ///
     /// # Errors
     /// What went wrong, with the file's name and the remedy.
@@ -134,10 +134,12 @@ impl Order {
     ) -> Result<Written, String> {
         let Some(grown) = grown else { return self.film(path, watch) };
         let files = match self.choices.what {
-            What::Picture => self.picture(grown, path, size, watch).map(|file| vec![file]).map_err(told)?,
-            What::Material => self.material(grown, path, size, watch)?,
-            What::Outlines => return self.outlines(grown, path, watch).map_err(told),
-            What::Film => return self.film(path, watch),
+            ExportKind::Picture => {
+                self.picture(grown, path, size, watch).map(|file| vec![file]).map_err(message)?
+            }
+            ExportKind::Material => self.material(grown, path, size, watch)?,
+            ExportKind::Outlines => return self.outlines(grown, path, watch).map_err(message),
+            ExportKind::Film => return self.film(path, watch),
         };
         Ok(Written { pending: Pending::Files(files), told: None, drawing: None })
     }
@@ -152,10 +154,10 @@ impl Order {
         let choices = self.choices.picture;
         let dpi = self.document.dpi * f64::from(self.choices.size.scale);
         let channel = match choices.shows {
-            Shows::Texture => Channel::Texture,
-            Shows::Pattern => Channel::Pattern(self.choices.layer),
-            Shows::Labels => Channel::Labels,
-            Shows::Concentrations => return concentrations(grown, path, size, dpi, watch),
+            PictureContent::Texture => Channel::Texture,
+            PictureContent::Pattern => Channel::Pattern(self.choices.layer),
+            PictureContent::Labels => Channel::Labels,
+            PictureContent::Concentrations => return concentrations(grown, path, size, dpi, watch),
         };
         let texts =
             if choices.document { embedded::embedded(&self.document, self.extent()) } else { Vec::new() };
@@ -199,7 +201,7 @@ impl Order {
         let surface = Surface { relief, roughness: choices.roughness.clone() };
         let making = Making { surface, scale, edges: self.document.edges };
         let painting = Painting::sized(&self.document, grown, size);
-        painting.material(folder, &set, &making, watch).map_err(told)
+        painting.material(folder, &set, &making, watch).map_err(message)
     }
 
     fn outlines(&self, grown: &Grown, path: &Path, watch: &Watch) -> Result<Written, ExportError> {
@@ -233,7 +235,7 @@ impl Order {
         Ok(Written {
             pending: Pending::Files(vec![file]),
             told: Some(travel.text(unit)),
-            drawing: Some(Drawing { size, groups, pen }),
+            drawing: Some(OutlinePicture { size, groups, pen }),
         })
     }
 
@@ -244,24 +246,26 @@ impl Order {
             let other = Document::read(to).map_err(|error| crate::app::notice::with_causes(&error))?;
             let there = to.display().to_string();
             let from = (&self.document, self.title.as_str());
-            let morph = Morph::new(from, (&other, &there), Training::built_in(), watch).map_err(told)?;
+            let morph = Morph::new(from, (&other, &there), Training::built_in(), watch).map_err(message)?;
             choices.clip.of_change([&self.document, &other], &morph, path, choices.kind, watch)
         } else {
             let options = Options { source: "the sketch", watch: *watch, ..Options::default() };
             let scene = Scene { document: &self.document, options };
             choices.clip.of_growth(&scene, path, choices.kind)
         };
-        let (film, told_of) = made.map_err(told)?;
-        let [width, height] = told_of.size;
-        let told = format!("{} frames of {width} × {height} px", told_of.frames);
-        Ok(Written { pending: Pending::Film(film, told_of), told: Some(told), drawing: None })
+        let (film, summary) = made.map_err(message)?;
+        let [width, height] = summary.size;
+        let told = format!("{} frames of {width} × {height} px", summary.frames);
+        Ok(Written { pending: Pending::Film(film, summary), told: Some(told), drawing: None })
     }
 
-    /// Where its files lie, written to `path`: those of `files` that a preview made.
+    /// The final paths of the `files` of a preview, where the export is written to `path`.
     #[must_use]
     pub fn places(&self, path: &Path, files: &[PathBuf]) -> Vec<PathBuf> {
         match self.choices.what {
-            What::Material => files.iter().filter_map(|file| Some(path.join(file.file_name()?))).collect(),
+            ExportKind::Material => {
+                files.iter().filter_map(|file| Some(path.join(file.file_name()?))).collect()
+            }
             _ => vec![path.to_owned()],
         }
     }

@@ -1,4 +1,4 @@
-//! Written files → what is seen of them.
+//! Written files → images for the preview.
 
 use std::fs::File;
 use std::io::BufReader;
@@ -8,32 +8,32 @@ use egui::{Color32, ColorImage};
 use image::codecs::{gif::GifDecoder, png::PngDecoder};
 use image::{AnimationDecoder, DynamicImage, RgbaImage, imageops};
 
-use super::choices::What;
-use super::order::Order;
+use super::choices::ExportKind;
+use super::request::ExportRequest;
 use crate::export::Format;
 use crate::export::motion::Kind;
 
-/// Bytes that the frames of a film take at most; larger ones are seen smaller.
+/// Largest memory of the frames of a film, bytes; larger frames are reduced.
 const MOST: usize = 128 << 20;
 
-/// What is seen of an export.
-pub enum Sight {
-    /// Pictures, each with its name; the name of a lone one is empty.
+/// The images of an export.
+pub enum PreviewImages {
+    /// Pictures and their names; the name of a single one is empty.
     Pictures(Vec<(String, ColorImage)>),
-    /// The frames of a film, and for how many seconds each is seen.
+    /// The frames of a film, and how long each is shown, seconds.
     Film(Vec<(ColorImage, f64)>),
 }
 
-impl Sight {
-    /// Reads back what was written for `order`: `files` in order.
+impl PreviewImages {
+    /// Reads the `files` that were written for `request`.
     ///
     /// # Errors
     /// What cannot be read.
-    pub fn of(order: &Order, files: &[impl AsRef<Path>], seconds: f64) -> Result<Self, String> {
-        let choices = &order.choices;
+    pub fn read(request: &ExportRequest, files: &[impl AsRef<Path>], seconds: f64) -> Result<Self, String> {
+        let choices = &request.choices;
         match choices.what {
-            What::Film => frames(choices.film.kind, files, seconds).map(Self::Film),
-            What::Picture if choices.picture.format == Format::Exr => {
+            ExportKind::Film => frames(choices.film.kind, files, seconds).map(Self::Film),
+            ExportKind::Picture if choices.picture.format == Format::Exr => {
                 light(files[0].as_ref()).map(Self::Pictures)
             }
             _ => {
@@ -78,7 +78,7 @@ fn frames(kind: Kind, files: &[impl AsRef<Path>], seconds: f64) -> Result<Vec<(C
         };
         frames.push((image, seconds));
     };
-    // A film of unknown length: about as many frames as there may be.
+    // The number of frames is not known: assumes a usual one.
     let usual = 80;
     let mut take = |found: image::Frames| {
         for frame in found {
@@ -107,7 +107,7 @@ fn frames(kind: Kind, files: &[impl AsRef<Path>], seconds: f64) -> Result<Vec<(C
     Ok(frames.into_iter().map(|(frame, seconds)| (image(frame), seconds)).collect())
 }
 
-/// An OpenEXR: colours as they look, or each channel between its least and its most.
+/// An OpenEXR picture: colours in sRGB, or each channel scaled between its minimum and maximum.
 fn light(file: &Path) -> Result<Vec<(String, ColorImage)>, String> {
     let image = exr::prelude::read_first_flat_layer_from_file(file).map_err(|error| error.to_string())?;
     let layer = &image.layer_data;
@@ -145,7 +145,7 @@ fn light(file: &Path) -> Result<Vec<(String, ColorImage)>, String> {
     Ok(channels.into_iter().map(gray).collect())
 }
 
-/// Light as it stands in a picture of 8 bit (IEC 61966-2-1).
+/// Linear light as 8-bit sRGB (IEC 61966-2-1).
 fn to_srgb(light: f32) -> u8 {
     let value = if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
     (255.0 * value.clamp(0.0, 1.0)).round() as u8
