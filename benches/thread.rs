@@ -3,12 +3,12 @@
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
-use dapple::cli::bench::cases::Case;
 use dapple::internals::colour::{Gradient, Painted, paint};
 use dapple::internals::export::png;
 use dapple::internals::grid::Field;
 use dapple::internals::grid::resample::Spline;
 use dapple::internals::measure;
+use dapple::internals::rd::benchmark::Case;
 use dapple::internals::rd::{Growth, nuclei};
 use std::hint::black_box;
 use std::time::Duration;

@@ -12,7 +12,7 @@
 #[path = "../naive.rs"]
 mod naive;
 
-use dapple::cli::bench::cases::Case;
+use dapple::internals::rd::benchmark::Case;
 use dapple::internals::rd::selling::Tensor;
 use dapple::internals::rd::{Growth, Maps, System};
 use naive::Naive;

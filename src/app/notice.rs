@@ -6,6 +6,8 @@ use std::thread;
 
 use egui::{Align2, Area, Context, Frame, Id, Label, Order, RichText, vec2};
 
+pub use crate::document::with_causes;
+
 use super::theme::Palette;
 
 /// Notices that are not put away yet.
@@ -136,18 +138,4 @@ fn show_folder(place: &Path) {
     command.arg(folder);
     // Where there is no such program, the notice still says where it is.
     thread::spawn(move || command.status());
-}
-
-/// A message and those of its causes, on one line.
-pub fn with_causes(error: &dyn std::error::Error) -> String {
-    let mut text = error.to_string();
-    let mut cause = error.source();
-    while let Some(error) = cause {
-        let said = error.to_string();
-        if !text.ends_with(&said) {
-            text = format!("{text}: {said}");
-        }
-        cause = error.source();
-    }
-    text
 }

@@ -1,13 +1,12 @@
 //! `dapple bench`: how fast this machine is.
 
-pub mod cases;
 mod kernels;
 mod machine;
 mod pictures;
 mod report;
 
 use super::{Error, interrupted, say, values};
-use cases::Case;
+use crate::rd::benchmark::Case;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use kernels::{Crews, Effort};
 use report::Report;

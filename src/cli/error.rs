@@ -1,4 +1,4 @@
-//! Why a command could not do what was asked.
+//! Errors of commands.
 
 use crate::document::DocumentError;
 use crate::export::ExportError;
@@ -6,10 +6,10 @@ use crate::synth::GrowError;
 use std::io;
 use std::path::PathBuf;
 
-/// Why a command could not do what was asked.
+/// Why a command failed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The document.
+    /// The document is invalid or cannot be read.
     #[error(transparent)]
     Document(#[from] DocumentError),
     /// Stdout is closed or full.
@@ -22,27 +22,27 @@ pub enum Error {
         file: String,
         /// `read` or `written`.
         done: &'static str,
-        /// What the system said.
+        /// The system's error.
         source: io::Error,
     },
-    /// Arguments that contradict each other.
+    /// Invalid or contradictory arguments.
     #[error("{0}")]
     Usage(String),
-    /// What is read would be written over.
+    /// An output would overwrite an input.
     #[error("{name} and {output}: found {file} twice; allowed: two files", file = file.display())]
     WriteOver {
-        /// What the file that is read is called in the usage.
+        /// The name of the input in the usage.
         name: String,
-        /// The option that names what is written.
+        /// The option that names the output.
         output: &'static str,
         /// The file.
         file: PathBuf,
     },
-    /// It was built without the window.
+    /// The program was built without the window.
     #[cfg(not(feature = "app"))]
     #[error("{file}: this dapple was built without its window; allowed: dapple grow {file} -o OUT.png")]
     NoWindow {
-        /// The document.
+        /// The document is invalid or cannot be read.
         file: String,
     },
     /// Some pictures of a sheet were not grown.
@@ -50,46 +50,46 @@ pub enum Error {
     Tiles {
         /// The sheet, which was written.
         sheet: String,
-        /// Pictures that it has places for.
+        /// Number of pictures on the sheet.
         all: usize,
-        /// One line for each that is missing.
+        /// One line for each missing picture.
         why: Vec<String>,
     },
     /// Some documents of a batch were not grown.
     #[error("{} of {all} pictures were not grown:\n  {}", why.len(), why.join("\n  "))]
     Batch {
-        /// Pictures that were asked for.
+        /// Number of requested pictures.
         all: usize,
-        /// One line for each that is missing.
+        /// One line for each missing picture.
         why: Vec<String>,
     },
     /// Ctrl-C.
     #[error("interrupted")]
     Interrupted,
-    /// A step said why.
+    /// The error of a step.
     #[error(transparent)]
     Step(Box<dyn std::error::Error + Send + Sync>),
 }
 
 impl Error {
-    /// Wraps what a step said.
+    /// Wraps the error of a step.
     pub fn step(error: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
         Self::Step(error.into())
     }
 
-    /// Wraps why nothing was grown.
+    /// Wraps the error of a growth.
     #[must_use]
     pub fn grown(error: GrowError) -> Self {
         if matches!(error, GrowError::Cancelled(_)) { Self::Interrupted } else { Self::step(error) }
     }
 
-    /// Wraps why a picture was not written.
+    /// Wraps the error of an export.
     #[must_use]
     pub fn exported(error: ExportError) -> Self {
         if matches!(error, ExportError::Cancelled { .. }) { Self::Interrupted } else { Self::step(error) }
     }
 
-    /// 1 could not; 2 used wrongly; 130 interrupted.
+    /// 1 failed; 2 invalid usage; 130 interrupted.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
@@ -99,37 +99,22 @@ impl Error {
         }
     }
 
-    /// Whether the reader of our output went away.
+    /// Whether the reader of standard output has closed it.
     #[must_use]
     pub fn is_broken_pipe(&self) -> bool {
         matches!(self, Self::Output(error) if error.kind() == io::ErrorKind::BrokenPipe)
-    }
-
-    /// The message and those of its causes, on one line.
-    #[must_use]
-    pub fn with_causes(&self) -> String {
-        let mut text = self.to_string();
-        let mut cause = std::error::Error::source(self);
-        while let Some(error) = cause {
-            let said = error.to_string();
-            // A transparent or a repeating error is not said twice.
-            if !text.ends_with(&said) {
-                text = format!("{text}: {said}");
-            }
-            cause = error.source();
-        }
-        text
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::with_causes;
 
     #[test]
-    fn causes_are_told_in_order() {
+    fn causes_follow_in_order() {
         let source = io::Error::other("disk full");
         let error = Error::File { file: "a".into(), done: "written", source };
-        assert_eq!(error.with_causes(), "a: cannot be written: disk full");
+        assert_eq!(with_causes(&error), "a: cannot be written: disk full");
     }
 }

@@ -1,7 +1,8 @@
 //! `dapple film`: a growth, or the way from one document to another, as a clip.
 
 use super::estimate::Estimate;
-use super::grow::{check_apart, progress::Bar};
+use super::paths::check_apart;
+use super::progress::Bar;
 use super::{Error, values};
 use crate::document::Document;
 use crate::export::motion::Kind;

@@ -5,10 +5,11 @@ mod look;
 mod material;
 mod outlines;
 mod pictures;
-pub(super) mod progress;
 
 use super::estimate::Estimate;
-use super::sheet::Thumb;
+use super::paths::same_place;
+use super::progress::Bar;
+use super::sheet::Thumbnail;
 use super::{Error, values};
 use crate::document;
 use crate::document::{Document, Extent};
@@ -17,7 +18,6 @@ use crate::synth::estimate::Task;
 use crate::synth::grow;
 use crate::synth::report::{LayerReport, Report, report};
 use crate::synth::{Options, Training, Watch};
-use progress::Bar;
 use serde::Serialize;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -132,7 +132,7 @@ impl Args {
         let named = named.into_iter().filter_map(|(name, path)| Some((name, path?)));
         let paths: Vec<_> = named.chain(material.iter().map(|path| ("--material", path))).collect();
         for (i, (name, path)) in paths.iter().enumerate() {
-            if let Some((other, _)) = paths[..i].iter().find(|(_, other)| place(other) == place(path)) {
+            if let Some((other, _)) = paths[..i].iter().find(|(_, other)| same_place(other, path)) {
                 if *other == "FILE" {
                     let (name, file) = (other.to_string(), path.to_path_buf());
                     return Err(Error::WriteOver { name, output: paths[i].0, file });
@@ -145,40 +145,6 @@ impl Args {
         }
         Ok(())
     }
-}
-
-/// Refuses to write over what is read.
-///
-/// # Errors
-/// [`Error::WriteOver`].
-pub(super) fn check_apart(name: &str, input: &Path, output: &Path) -> Result<(), Error> {
-    if place(input) == place(output) {
-        let (name, file) = (name.to_owned(), output.to_owned());
-        return Err(Error::WriteOver { name, output: "--output", file });
-    }
-    Ok(())
-}
-
-/// Refuses to write among the training sets, which would be learnt from.
-///
-/// # Errors
-/// [`Error::Usage`] that names the file.
-pub(super) fn check_not_among(training: Option<&Path>, output: &Path) -> Result<(), Error> {
-    let folder_of = |path: &Path| place(path).parent().map(Path::to_owned);
-    if training.is_some_and(|training| folder_of(output) == folder_of(&training.join("any"))) {
-        return Err(Error::Usage(format!(
-            "--output: found {}, a file among those of --training; allowed: another folder",
-            output.display()
-        )));
-    }
-    Ok(())
-}
-
-/// Where a path leads, so that `a.png` and `./a.png` are one; a file need not be there yet.
-pub(super) fn place(path: &Path) -> PathBuf {
-    let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
-    let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
-    path.canonicalize().unwrap_or_else(|_| folder.join(path.file_name().unwrap_or_default()))
 }
 
 /// Grows one document or many.
@@ -201,7 +167,7 @@ struct Source<'a> {
 }
 
 /// Grows one document; gives its small picture where one is wanted.
-fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<Thumb>, Error> {
+fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<Thumbnail>, Error> {
     args.check_outputs()?;
     // What is wrong with a name is told even where the document is wrong too.
     check_targets(args)?;
@@ -263,7 +229,7 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
             super::note(&drawn.text());
         }
     }
-    Ok(thumb.map(|side| Thumb::of(&document, &grown, side)))
+    Ok(thumb.map(|side| Thumbnail::new(&document, &grown, side)))
 }
 
 /// `-` stands for stdout.

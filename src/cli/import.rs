@@ -32,7 +32,7 @@ pub struct Args {
 /// # Errors
 /// Where the SVG cannot be read, holds no marks, or the document cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
-    super::grow::check_apart("IN.svg", &args.file, &args.output)?;
+    super::paths::check_apart("IN.svg", &args.file, &args.output)?;
     export::check_ending(&args.output, &["dapple"]).map_err(Error::step)?;
     let imported = import(&args.file, args.dpi).map_err(|error| match error {
         ImportError::Unreadable { file, source } => Error::File { file, done: "read", source },

@@ -71,7 +71,7 @@ struct Setting<'a> {
 /// A training set cannot be read, or the table not be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     if let Some(output) = &args.output {
-        super::grow::check_not_among(args.training.as_deref(), output)?;
+        super::paths::check_not_in_training(args.training.as_deref(), output)?;
         export::check_file(output).map_err(Error::step)?;
     }
     if let Some(threads) = args.threads {

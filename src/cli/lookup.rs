@@ -96,8 +96,8 @@ impl Args {
 pub fn run(args: &Args) -> Result<(), Error> {
     let training = Training::from_folder(args.training.clone());
     if let (Some(table), Some(output)) = (&args.batch, &args.output) {
-        super::grow::check_apart("--batch", table, output)?;
-        super::grow::check_not_among(args.training.as_deref(), output)?;
+        super::paths::check_apart("--batch", table, output)?;
+        super::paths::check_not_in_training(args.training.as_deref(), output)?;
         export::check_file(output).map_err(Error::step)?;
         return run_batch(&training, table, output);
     }

@@ -1,16 +1,10 @@
 //! `dapple measure IMAGE`: the attributes of the spots or stripes in a picture.
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, Seek};
-use std::path::{Path, PathBuf};
-
-use image::DynamicImage;
-use serde_json::{Map, Value, json};
-
 use super::{Error, say};
-use crate::grid::{Edges, Field};
-use crate::measure::{Picture, level_between_phases, picture};
-use crate::synth::memory;
+use crate::measure::Picture;
+use crate::synth::measured_picture::measure_file;
+use serde_json::{Map, Value, json};
+use std::path::PathBuf;
 
 /// Attributes of the spots or stripes in a picture.
 #[derive(Debug, clap::Args)]
@@ -25,127 +19,13 @@ pub struct Args {
     pub json: bool,
 }
 
-/// Why a picture could not be measured.
-#[derive(Debug, thiserror::Error)]
-pub enum MeasureError {
-    /// It cannot be read.
-    #[error("{path}: cannot be read as a picture: {}", said(source))]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// What the reader says.
-        source: image::ImageError,
-    },
-    /// It says that it has more px than there is memory for.
-    #[error(
-        "{path}: {}×{} px need about {:.1} GB of memory to be measured, {:.1} GB are free; allowed: a smaller part of it",
-        size[0], size[1], needed / 1e9, free / 1e9
-    )]
-    TooLarge {
-        /// The file.
-        path: PathBuf,
-        /// Width and height, px.
-        size: [usize; 2],
-        /// Bytes needed.
-        needed: f64,
-        /// Bytes free.
-        free: f64,
-    },
-    /// It is all of one lightness.
-    #[error(
-        "{path}: neither spots nor stripes: lightness spans {span:.3} of 1, at least {LEAST_SPAN} is needed"
-    )]
-    Blank {
-        /// The file.
-        path: PathBuf,
-        /// Highest − lowest lightness.
-        span: f32,
-    },
-    /// It has contrast, but no marks.
-    #[error(
-        "{path}: neither spots nor stripes: nothing above 2 px, only noise, or no whole spot; try --invert"
-    )]
-    Neither {
-        /// The file.
-        path: PathBuf,
-    },
-}
-
-/// Bytes a px that are held at most while a picture is read and measured. Measured 13–14 at 1024²–4096² px with a spot in
-/// 1024 px.
-const HELD: f64 = 16.0;
-/// Less contrast than this is compression noise.
-const LEAST_SPAN: f32 = 0.05;
-
-/// What a reader of pictures says, on one line: some end it, and what stands in the file they quote as it is.
-fn said(error: &image::ImageError) -> String {
-    let shown = |c: char| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c };
-    error.to_string().trim_end().chars().map(shown).collect()
-}
-
-/// Measures the picture and prints what it has.
+/// Measures the picture and prints the attributes.
 ///
 /// # Errors
-/// Where the picture cannot be read or has neither spots nor stripes.
+/// The picture cannot be read, or has neither spots nor stripes.
 pub fn run(args: &Args) -> Result<(), Error> {
-    let found = measure(&args.image, args.invert).map_err(Error::step)?;
+    let found = measure_file(&args.image, args.invert).map_err(Error::step)?;
     say(&if args.json { format!("{}\n", as_json(&found)) } else { as_text(&found) })
-}
-
-fn measure(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
-    let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
-    let file = File::open(path).map_err(|error| unreadable(error.into()))?;
-    measure_in(BufReader::new(file), path, invert)
-}
-
-/// What the picture in `stream` has; `path` is its name in messages.
-///
-/// # Errors
-/// Where it cannot be read as a picture or has neither spots nor stripes.
-pub fn measure_in(
-    mut stream: impl BufRead + Seek,
-    path: &Path,
-    invert: bool,
-) -> Result<Picture, MeasureError> {
-    let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
-    let head = image::ImageReader::new(&mut stream).with_guessed_format();
-    let head = head.map_err(|error| unreadable(error.into()))?;
-    let (width, height) = head.into_dimensions().map_err(unreadable)?;
-    // A few bytes can say anything: what they say is not begun before it is known to fit.
-    if let Err(error) = memory::check_picture([width as usize, height as usize], HELD) {
-        let memory::TooLargePicture { size, needed, free } = error;
-        return Err(MeasureError::TooLarge { path: path.to_owned(), size, needed, free });
-    }
-    stream.rewind().map_err(|error| unreadable(error.into()))?;
-    let reader = image::ImageReader::new(stream).with_guessed_format();
-    let reader = reader.map_err(|error| unreadable(error.into()))?;
-    let image = reader.decode().map_err(unreadable)?;
-    // A 16-bit gray picture is one that `grow --pattern` writes: its 0.5 is the marks' edge.
-    let pattern = matches!(image, DynamicImage::ImageLuma16(_));
-    let mut field = lightness(&image);
-    let low = field.values.iter().copied().fold(1.0, f32::min);
-    let high = field.values.iter().copied().fold(0.0, f32::max);
-    if high - low < LEAST_SPAN {
-        return Err(MeasureError::Blank { path: path.to_owned(), span: (high - low).max(0.0) });
-    }
-    let level = if pattern && low < 0.5 && high > 0.5 { 0.5 } else { level_between_phases(&field.values) };
-    let above = field.values.iter().filter(|value| **value > level).count();
-    let light = 2 * above <= field.values.len();
-    let level = if light == invert {
-        field.values.iter_mut().for_each(|value| *value = 1.0 - *value);
-        1.0 - level
-    } else {
-        level
-    };
-    picture(&field, level).ok_or_else(|| MeasureError::Neither { path: path.to_owned() })
-}
-
-/// The picture's luma as the file has it, 0..1; what is transparent counts as its colour.
-fn lightness(image: &DynamicImage) -> Field {
-    let luma = image.to_luma16();
-    let (width, height) = (luma.width() as usize, luma.height() as usize);
-    let values = luma.into_raw().into_iter().map(|value| f32::from(value) / 65535.0).collect();
-    Field { width, height, cell: [1.0, 1.0], edges: Edges::Closed, values }
 }
 
 /// The object of `measure --json` (`docs/format.md`): only keys that apply.
@@ -200,131 +80,5 @@ fn as_text(found: &Picture) -> String {
             "stripes     {marks}\nwidth       {:.2} px\nangle       {:.1}°\nwavelength  {:.2} px\ncoherence   {:.2}\n",
             got.width, got.angle, got.wavelength, got.coherence,
         ),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn written(name: &str, picture: &DynamicImage) -> (tempfile::TempDir, PathBuf) {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join(name);
-        picture.save(&path).unwrap();
-        (folder, path)
-    }
-
-    /// Ellipses of radii 9 and 6 along 30° on a lattice of 32 px, `out` → tone.
-    fn dots(tone: impl Fn(f64) -> f64) -> image::ImageBuffer<image::Luma<u16>, Vec<u16>> {
-        image::ImageBuffer::from_fn(256, 256, |x, y| {
-            let near = |x: u32| (f64::from(x) + 0.5).rem_euclid(32.0) - 16.0;
-            let (sin, cos) = 30_f64.to_radians().sin_cos();
-            let (x, y) = (near(x), near(y));
-            let out = ((x * cos + y * sin) / 9.0).hypot((y * cos - x * sin) / 6.0);
-            image::Luma([(65535.0 * tone(out)) as u16])
-        })
-    }
-
-    #[test]
-    fn a_pattern_is_measured_at_its_half_and_a_dark_picture_by_its_tones() {
-        let soft = |out: f64| (0.5 + 0.7 * (1.0 - out)).clamp(0.0, 1.0);
-        let ink = |out: f64| 0.9 - 0.6 * (0.5 + 3.0 * (1.0 - out)).clamp(0.0, 1.0);
-        let colour = DynamicImage::ImageLuma16(dots(ink)).to_rgb8();
-        for (name, image) in [
-            ("pattern.png", DynamicImage::ImageLuma16(dots(soft))),
-            ("ink.png", DynamicImage::ImageRgb8(colour.clone())),
-            ("ink.bmp", DynamicImage::ImageRgb8(colour)),
-        ] {
-            let (_folder, path) = written(name, &image);
-            let Picture::Spots { marks, got, .. } = measure(&path, false).unwrap() else { panic!("{name}") };
-            assert_eq!(marks, 64, "{name}");
-            assert!((got.area / (54.0 * std::f64::consts::PI) - 1.0).abs() < 0.01, "{name} {got:?}");
-            assert!((got.aspect - 2.0 / 3.0).abs() < 0.005, "{name} {got:?}");
-            assert!((got.angle - 30.0).abs() < 0.3, "{name} {got:?}");
-            let lattice = 32.0 * (2.0 + 2.0_f64.sqrt()) / 3.0;
-            assert!((got.spacing.unwrap() / lattice - 1.0).abs() < 0.03, "{name} {got:?}");
-        }
-    }
-
-    #[test]
-    fn inverted_the_ground_is_the_mark() {
-        let disc = |out: f64| (0.5 + 0.7 * (1.0 - out)).clamp(0.0, 1.0);
-        let (_folder, path) = written("net.png", &DynamicImage::ImageLuma16(dots(disc)));
-        let Picture::Stripes { marks, .. } = measure(&path, true).unwrap() else { panic!() };
-        assert_eq!(marks, 1);
-    }
-
-    #[test]
-    fn stripes_of_a_picture_have_width_wavelength_and_direction() {
-        let image = image::ImageBuffer::from_fn(200, 300, |x, y| {
-            let (sin, cos) = 20_f64.to_radians().sin_cos();
-            let across = (f64::from(y) + 0.5) * cos - (f64::from(x) + 0.5) * sin;
-            let inside = 3.0 - (across.rem_euclid(18.0) - 9.0).abs();
-            image::Luma([(40.0 + 180.0 * (0.5 + inside).clamp(0.0, 1.0)) as u8])
-        });
-        let (_folder, path) = written("stripes.png", &DynamicImage::ImageLuma8(image));
-        let Picture::Stripes { got, .. } = measure(&path, false).unwrap() else { panic!() };
-        assert!((got.width - 6.0).abs() < 0.06, "{got:?}");
-        assert!((got.wavelength - 18.0).abs() < 0.3, "{got:?}");
-        assert!((got.angle - 20.0).abs() < 0.2, "{got:?}");
-        assert!(got.coherence > 0.9, "{got:?}");
-    }
-
-    /// A gray TIFF that says it has so many px, and no more.
-    fn head_of_tiff(width: u32, height: u32) -> Vec<u8> {
-        let mut bytes = b"II*\0\x08\0\0\0".to_vec();
-        let tags =
-            [(256, width), (257, height), (258, 8), (259, 1), (262, 1), (273, 8), (278, height), (279, 1)];
-        bytes.extend_from_slice(&(tags.len() as u16).to_le_bytes());
-        for (tag, value) in tags {
-            // A LONG, one of it.
-            for number in [tag | 4 << 16, 1, value] {
-                bytes.extend_from_slice(&u32::to_le_bytes(number));
-            }
-        }
-        bytes.extend_from_slice(&[0; 4]);
-        bytes
-    }
-
-    #[test]
-    fn a_picture_that_says_it_is_larger_than_memory_is_refused_before_it_is_unpacked() {
-        let bytes = head_of_tiff(1_000_000, 1_000_000);
-        let error = measure_in(std::io::Cursor::new(bytes), Path::new("bomb.tiff"), false).unwrap_err();
-        let told = error.to_string();
-        assert!(told.starts_with("bomb.tiff: 1000000×1000000 px need about 16000.0 GB of memory"), "{told}");
-    }
-
-    /// Found by fuzzing: the reader of JPEGs ends its message with a new line.
-    #[test]
-    fn what_is_wrong_with_a_picture_is_said_on_one_line() {
-        let mut bytes = std::io::Cursor::new(Vec::new());
-        let picture = DynamicImage::new_luma8(16, 16);
-        picture.write_to(&mut bytes, image::ImageFormat::Jpeg).unwrap();
-        let whole = bytes.into_inner();
-        for length in 3..whole.len() {
-            let cut = std::io::Cursor::new(&whole[..length]);
-            let told = measure_in(cut, Path::new("a.jpg"), false).unwrap_err().to_string();
-            assert!(!told.contains(char::is_control), "{told:?}");
-        }
-    }
-
-    #[test]
-    fn what_has_neither_says_so() {
-        let blank = DynamicImage::ImageLuma8(image::ImageBuffer::from_pixel(50, 50, image::Luma([7])));
-        let (_folder, path) = written("blank.png", &blank);
-        assert!(matches!(measure(&path, false), Err(MeasureError::Blank { .. })));
-        let mut state = 1_u32;
-        let noise = image::ImageBuffer::from_fn(200, 200, |_, _| {
-            state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            image::Luma([(state >> 24) as u8])
-        });
-        let (_folder, path) = written("noise.png", &DynamicImage::ImageLuma8(noise));
-        assert!(
-            matches!(measure(&path, false), Err(MeasureError::Neither { .. })),
-            "{:?}",
-            measure(&path, false)
-        );
-        let none = measure(Path::new("no such picture.png"), false).unwrap_err().to_string();
-        assert!(none.starts_with("no such picture.png: cannot be read"), "{none}");
     }
 }

@@ -3,7 +3,7 @@
 //! Exit codes: 0 done; 1 could not (file, growth); 2 used wrongly; 130 interrupted. What is asked for goes to
 //! stdout, errors and progress go to stderr.
 
-pub mod bench;
+mod bench;
 mod check;
 #[cfg(test)]
 mod documented;
@@ -16,13 +16,16 @@ mod interrupt;
 mod learn;
 pub mod lookup;
 mod manual;
-pub mod measure;
+mod measure;
+mod paths;
+mod progress;
 mod sheet;
 mod values;
 
 pub use error::Error;
 pub use interrupt::{install, interrupted};
 
+use crate::document::with_causes;
 use crate::rd::Solver;
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
@@ -151,7 +154,7 @@ fn finish(result: Result<(), Error>) -> ExitCode {
         return ExitCode::SUCCESS;
     }
     // If stderr is closed there is nobody left to tell.
-    let _ = writeln!(io::stderr(), "error: {}", error.with_causes());
+    let _ = writeln!(io::stderr(), "error: {}", with_causes(&error));
     ExitCode::from(error.exit_code())
 }
 

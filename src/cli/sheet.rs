@@ -5,11 +5,12 @@ mod layout;
 mod paper;
 mod text;
 
-pub(super) use contact::{Contact, Thumb, write};
+pub(super) use contact::{Contact, Thumbnail, write};
 
-use super::grow::{check_apart, progress};
+use super::paths::check_apart;
+use super::progress;
 use super::{Error, values};
-use crate::document::Document;
+use crate::document::{Document, with_causes};
 use crate::export::{self, Content, picture};
 use crate::synth::grow;
 use crate::synth::render::painting::Painting;
@@ -69,7 +70,7 @@ struct Entry {
 impl Entry {
     fn read(path: &Path) -> Self {
         let file = path.display().to_string();
-        let document = Document::read(path).map_err(|error| Error::from(error).with_causes());
+        let document = Document::read(path).map_err(|error| with_causes(&error));
         let named = document.as_ref().ok().map(|document| document.name.trim().to_owned());
         let stem = || path.file_stem().map_or_else(|| file.clone(), |stem| stem.to_string_lossy().into());
         let name = named.filter(|name| !name.is_empty()).unwrap_or_else(stem);
@@ -176,7 +177,7 @@ fn fill(
             let done = index * args.seeds + picture;
             bar.set_message(format!("{} of {all}: {}", done + 1, entry.name));
             let show = |stage: Stage, share: f64| {
-                let share = progress::of_the_whole(stage, share);
+                let share = progress::overall(stage, share);
                 bar.set_position((STEPS * (done as f64 + share)) as u64);
             };
             let watch = Watch { progress: &show, cancelled: &cancelled };
@@ -188,7 +189,7 @@ fn fill(
                     return Err(Error::Interrupted);
                 }
                 Err(error) => {
-                    let reason = error.with_causes();
+                    let reason = with_causes(&error);
                     refuse(paper, pen, &reason, spot, at);
                     missing.push(told(entry, picture, args.seeds, &reason));
                 }

@@ -4,7 +4,7 @@ use palette::{FromColor, LinSrgb, Oklab, Srgb};
 use rayon::prelude::*;
 use thiserror::Error;
 
-use super::{Bend, Table};
+use super::Bend;
 
 /// A colour at a pattern value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,12 +134,6 @@ impl Gradient {
         let [p, q, r] = [from, stop, to].map(|i| f64::from(self.stops[i].at));
         let share = if dot(c) > 0.0 { dot(b) / dot(c) } else { (q - p) / (r - p) };
         if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) }
-    }
-
-    /// The lookup table of its colours, from a cache if possible.
-    #[must_use]
-    pub fn table(&self) -> Table {
-        Table::cached(self)
     }
 
     /// The colours of all 65536 values of a 16-bit picture of a pattern.

@@ -21,9 +21,17 @@ static CACHE: Mutex<VecDeque<(Gradient, Table)>> = Mutex::new(VecDeque::new());
 /// Number of cached tables, more than the layers of most documents; 200 kB each.
 const CACHED: usize = 32;
 
+impl Gradient {
+    /// The lookup table of its colours, from a cache if possible.
+    #[must_use]
+    pub fn table(&self) -> Table {
+        Table::cached(self)
+    }
+}
+
 impl Table {
     /// The table of `gradient`, from the cache or computed.
-    pub(super) fn cached(gradient: &Gradient) -> Self {
+    fn cached(gradient: &Gradient) -> Self {
         let cache = || CACHE.lock().unwrap_or_else(PoisonError::into_inner);
         let known = cache().iter().find(|(cached, _)| cached == gradient).map(|(_, table)| table.clone());
         // The lock is not held during the computation: rayon may run another job on this thread that needs a table.

@@ -64,6 +64,7 @@
 //! | `"initiators"` | the drawn lines alone, and no tensor: stripes radiate from them in regular order, as in Turk's "Regular Stripe Patterns" and Phan & Grimm, figure 11 |
 
 mod builder;
+mod causes;
 mod choices;
 mod colours;
 pub mod embedded;
@@ -86,6 +87,7 @@ pub use crate::colour::{Gradient, PRESETS, Preset};
 pub use crate::grid::Edges;
 pub use crate::marks::{Ellipse, Line};
 pub use crate::rd::{Seeding, System};
+pub use causes::with_causes;
 pub use choices::{After, Kind, SystemChoice};
 pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_picture, in_stream, open};

@@ -1,6 +1,7 @@
 //! Parameters → field: reaction and diffusion.
 
 mod bells;
+pub mod benchmark;
 mod by_ratio;
 mod chemicals;
 mod coefficients;

@@ -3,6 +3,7 @@
 pub mod estimate;
 pub mod grow;
 pub mod import;
+pub mod measured_picture;
 pub mod memory;
 mod options;
 pub mod plan;

@@ -27,7 +27,7 @@ pub const ADDRESSES: [(&str, &[&str]); 30] = [
         "image",
         &[
             "src/export/",
-            "src/cli/measure.rs",
+            "src/synth/measured_picture.rs",
             "src/app/examples.rs",
             "src/app/exporting/",
             "src/app/reference.rs",
@@ -38,7 +38,7 @@ pub const ADDRESSES: [(&str, &[&str]); 30] = [
     ("nalgebra", &["src/marks/", "src/learn/", "src/rd/"]),
     ("open", &["src/app/"]),
     ("palette", &["src/colour/", "src/export/downscale.rs"]),
-    ("png", &["src/export/", "src/cli/measure.rs"]),
+    ("png", &["src/export/"]),
     ("rfd", &["src/app/chooser.rs"]),
     (
         "serde_json",

@@ -1,9 +1,9 @@
 //! Cell updates a second: the plain solver on one thread, the fast one on one and on many, in turn.
 
-use super::cases::{Case, Start};
 use super::go_on;
 use crate::cli::Error;
 use crate::rd::Growth;
+use crate::rd::benchmark::{Case, Start};
 use rayon::ThreadPool;
 use std::time::{Duration, Instant};
 

@@ -1,22 +1,22 @@
-//! What this machine is, and how busy.
+//! This machine: processor, cores, load.
 
 use crate::rd::Solver;
-use std::fs::read_to_string;
+use sysinfo::{CpuRefreshKind, RefreshKind, System};
 
 /// The machine that was measured.
 #[derive(Clone, Debug)]
 pub struct Machine {
-    /// The processor's name, or its kind where the system does not tell.
+    /// The processor's name, or its architecture if the system does not give a name.
     pub processor: String,
     /// Cores that this program may use.
     pub cores: usize,
-    /// The widest vectors that the fast solver uses here: `avx512`, `avx2`, `neon` or `baseline`; `plain` where it was told
-    /// to use the plain solver.
+    /// The widest vectors that the fast solver uses here: `avx512`, `avx2`, `neon` or `baseline`; `plain` if the plain solver was
+    /// chosen.
     pub instructions: &'static str,
 }
 
 impl Machine {
-    /// This one.
+    /// The machine that runs this program.
     pub fn here() -> Self {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         Self { processor: processor(), cores, instructions: Solver::chosen().name() }
@@ -24,15 +24,15 @@ impl Machine {
 }
 
 fn processor() -> String {
-    let listed = read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let named = listed.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
-    named.map_or_else(|| std::env::consts::ARCH.to_owned(), |(_, name)| name.trim().to_owned())
+    let system = System::new_with_specifics(RefreshKind::nothing().with_cpu(CpuRefreshKind::nothing()));
+    let name = system.ok().and_then(|system| Some(system.cpus().first()?.brand().trim().to_owned()));
+    name.filter(|name| !name.is_empty()).unwrap_or_else(|| std::env::consts::ARCH.to_owned())
 }
 
-/// Processes that ran or waited to run, averaged over the last minute; this program's threads are among them.
-/// `None` where the system does not tell.
+/// Processes running or waiting to run, averaged over the last minute, including this program's threads.
+/// `None` if the system has no such figure.
 pub fn load() -> Option<f64> {
-    read_to_string("/proc/loadavg").ok()?.split_whitespace().next()?.parse().ok()
+    System::load_average().ok().map(|load| load.one)
 }
 
 #[cfg(test)]

@@ -119,8 +119,8 @@ impl Report {
 
 #[cfg(test)]
 mod tests {
-    use super::super::cases::Case;
     use super::*;
+    use crate::rd::benchmark::Case;
     use std::time::Duration;
 
     fn report() -> Report {

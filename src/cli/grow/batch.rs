@@ -1,9 +1,10 @@
 //! Many documents, or one from many seeds, into a folder: one that fails does not stop the others.
 
-use super::{Args, Error, Source, grow_one, place};
+use super::{Args, Error, Source, grow_one};
 use crate::cli::estimate::Estimate;
+use crate::cli::paths::same_place;
 use crate::cli::sheet::{self, Contact};
-use crate::document::Document;
+use crate::document::{Document, with_causes};
 use crate::export::{self, material};
 use crate::synth::Training;
 use crate::synth::estimate;
@@ -126,8 +127,7 @@ fn tasks(args: &Args, folder: &Path) -> Result<Vec<Task>, Error> {
             None => stem(file),
         };
         if let Some(other) = files[..index].iter().find(|other| named(other) == named(file)) {
-            let same =
-                if place(other) == place(file) { "one file twice" } else { "one name for two pictures" };
+            let same = if same_place(other, file) { "one file twice" } else { "one name for two pictures" };
             return Err(Error::Usage(format!(
                 "FILE: found {} and {}, {same}; allowed: documents of different names",
                 other.display(),
@@ -166,7 +166,7 @@ fn tell_time(args: &Args, tasks: &[Task], training: &Training) {
 
 /// Why one is missing, with its name once.
 fn told(task: &Task, error: &Error) -> String {
-    let (file, reason) = (task.file.display().to_string(), error.with_causes());
+    let (file, reason) = (task.file.display().to_string(), with_causes(error));
     let file = if reason.contains(&file) { String::new() } else { format!("{file}: ") };
     let seed = task.seed.map_or_else(String::new, |seed| format!("seed {seed}: "));
     format!("{seed}{file}{reason}")

@@ -13,14 +13,14 @@ use crate::synth::render::painting::Painting;
 use std::path::Path;
 
 /// A small picture.
-pub struct Thumb {
+pub struct Thumbnail {
     size: [usize; 2],
     rgb: Vec<u8>,
 }
 
-impl Thumb {
+impl Thumbnail {
     /// What has `grown`, `side` px along its longer side.
-    pub fn of(document: &Document, grown: &Grown, side: usize) -> Self {
+    pub fn new(document: &Document, grown: &Grown, side: usize) -> Self {
         let size = fitted(grown.size, side);
         let fine = size.map(|side| FINER * side);
         Self { size, rgb: export::downscale(&Painting::sized(document, grown, fine).rgb(), fine, size) }
@@ -31,7 +31,7 @@ impl Thumb {
 pub struct Contact {
     title: String,
     side: usize,
-    pictures: Vec<(String, Thumb)>,
+    pictures: Vec<(String, Thumbnail)>,
 }
 
 impl Contact {
@@ -41,7 +41,7 @@ impl Contact {
     }
 
     /// Puts another at the end.
-    pub fn add(&mut self, name: String, picture: Thumb) {
+    pub fn add(&mut self, name: String, picture: Thumbnail) {
         self.pictures.push((name, picture));
     }
 
@@ -57,7 +57,7 @@ impl Contact {
 /// Where it cannot be written; where it would be too large.
 pub fn write(contact: &Contact, output: &Path) -> Result<(), Error> {
     let pen = Pen::for_pictures_of(contact.side);
-    let shape = |(_, thumb): &(String, Thumb)| Shape { picture: thumb.size, name: pen.line };
+    let shape = |(_, thumb): &(String, Thumbnail)| Shape { picture: thumb.size, name: pen.line };
     let shapes: Vec<Shape> = contact.pictures.iter().map(shape).collect();
     let columns = super::layout::columns(shapes.len(), 1);
     let layout = Layout::new(&shapes, columns, contact.side, 1, 0);

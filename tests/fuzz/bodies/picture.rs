@@ -1,7 +1,7 @@
 //! Pictures to be measured: whatever they claim to be, they have spots, stripes or neither, in px of their size.
 
-use dapple::cli::measure::measure_in;
 use dapple::internals::measure::Picture;
+use dapple::internals::synth::measured_picture::measure_stream;
 use image::ImageReader;
 use std::io::Cursor;
 use std::path::Path;
@@ -22,7 +22,7 @@ pub fn holds(bytes: &[u8]) {
         return;
     }
     for invert in [false, true] {
-        match measure_in(Cursor::new(bytes), Path::new(FILE), invert) {
+        match measure_stream(Cursor::new(bytes), Path::new(FILE), invert) {
             Ok(found) => {
                 assert!(px < BOMB, "{px} px were unpacked from {} bytes", bytes.len());
                 fits(&found, px as f64);

@@ -1,42 +1,41 @@
-//! What is stepped: each system with round, long and longer tensors.
+//! Cases that `dapple bench` and the benches step: each system with tensors of different aspect.
 
 use crate::grid::{Domain, Edges};
 use crate::rd::{Growth, Maps, Parameters, System};
 use std::f64::consts::TAU;
 
-/// A system and how unlike in different directions its chemicals spread.
+/// A system and the anisotropy of its diffusion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
     /// The system.
     pub system: System,
-    /// Minor ÷ major axis of the tensor: 1 = isotropic; below, it turns from place to place.
+    /// Minor ÷ major axis of the tensor: 1 = isotropic; below 1, its direction varies over the grid.
     pub stretch: f32,
 }
 
-/// Concentrations of a pattern of 256 × 256 cells without a seam.
+/// Concentrations of a seamless pattern of 256 × 256 cells.
 #[derive(Clone, Debug)]
 pub struct Start(Vec<Vec<f32>>);
 
-/// Cells along each side of a [`Start`]: grown in a tenth of a second, and a divisor of the usual sizes.
+/// Cells along each side of a [`Start`]: grown in 0.1 s, and a divisor of the usual sizes.
 const SIDE: usize = 256;
-/// Steps of a start: noise is gone and no concentration is at rest yet.
+/// Steps of a [`Start`]: the noise has decayed, and nothing has settled yet.
 const STEPS: u64 = 64;
 
 impl Case {
-    /// All that are measured.
+    /// All cases.
     pub const ALL: [Self; 9] = {
         let [a, b, c] = [System::TURING_SPOTS, System::MEINHARDT_SPOTS, System::MEINHARDT_STRIPES];
-        let of = Self::of;
         [
-            of(a, 1.0),
-            of(a, 0.5),
-            of(a, 0.3),
-            of(b, 1.0),
-            of(b, 0.5),
-            of(b, 0.3),
-            of(c, 1.0),
-            of(c, 0.5),
-            of(c, 0.3),
+            Self::new(a, 1.0),
+            Self::new(a, 0.5),
+            Self::new(a, 0.3),
+            Self::new(b, 1.0),
+            Self::new(b, 0.5),
+            Self::new(b, 0.3),
+            Self::new(c, 1.0),
+            Self::new(c, 0.5),
+            Self::new(c, 0.3),
         ]
     };
 
@@ -52,8 +51,8 @@ impl Case {
         if self.stretch < 1.0 { format!("aspect-{}", self.stretch) } else { "isotropic".to_owned() }
     }
 
-    /// Parameters at usual rates (`docs/facts.md` A, B, C: spots of some 40 cells, wavelengths of 13); the tensor
-    /// turns so that every direction occurs, and without a seam.
+    /// Parameters with usual rates (`docs/facts.md` A, B, C: spots of about 40 cells, wavelengths of 13). The direction of the
+    /// tensor varies seamlessly over all directions.
     #[must_use]
     pub fn maps(&self, size: usize) -> Maps {
         let rate = self.system.definition().usual_rate;
@@ -68,7 +67,7 @@ impl Case {
         maps
     }
 
-    /// A pattern on its way.
+    /// A developing pattern.
     #[must_use]
     pub fn start(&self) -> Start {
         let round = Self { stretch: 1.0, ..*self };
@@ -77,8 +76,7 @@ impl Case {
         Start(growth.concentrations())
     }
 
-    /// A growth on `maps` that goes on from `start`, laid side by side as often as it takes. `None` where `start` is
-    /// another system's.
+    /// A growth on `maps` that continues from `start`, tiled as often as needed. `None` if `start` belongs to another system.
     #[must_use]
     pub fn growth(&self, start: &Start, maps: &Maps) -> Option<Growth> {
         let tiled = |cells: &Vec<f32>| {
@@ -92,7 +90,7 @@ impl Case {
         Growth::resumed(self.system, maps, &concentrations)
     }
 
-    const fn of(system: System, stretch: f32) -> Self {
+    const fn new(system: System, stretch: f32) -> Self {
         Self { system, stretch }
     }
 }
