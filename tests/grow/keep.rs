@@ -236,7 +236,7 @@ fn among(
     let mut engine = Engine::new(&plan, 1);
     settle(&mut engine, &Watch::NONE).unwrap();
     let size = (12.0 * spacing) as usize;
-    off(&plan, &measure::spots(&engine.look(&plan, size, size), 0.5))
+    off(&plan, &measure::spots(&engine.pattern(&plan, size, size), 0.5))
 }
 
 /// Nine pairs so many spacings apart, along or across.

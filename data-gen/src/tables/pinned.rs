@@ -56,7 +56,7 @@ impl Spots {
         let mut engine = Engine::new(&plan, 1);
         settle(&mut engine, &Watch::NONE).map_err(|e| e.to_string())?;
         let size = (12.0 * spacing) as usize;
-        let spots = measure::spots(&engine.look(&plan, size, size), 0.5);
+        let spots = measure::spots(&engine.pattern(&plan, size, size), 0.5);
         Ok(distances(plan.pinned_spots(), plan.lookup.map.layout(), &spots))
     }
 

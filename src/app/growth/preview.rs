@@ -28,7 +28,7 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
     // At the system's own distance: correcting the spacing takes several times as long.
     let maps = plan.unpitched_maps();
     let mut engine = Engine::from_maps(plan.lookup.system, maps, document.layer_seed(index));
-    if !engine.begins() {
+    if !engine.can_start() {
         return None;
     }
     engine.advance(UPDATES);

@@ -165,7 +165,7 @@ impl Cascade<'_> {
         let layer = index + 1;
         watch.step(Stage::Plan, 0.5)?;
         let mut engine = Engine::new(&plan, document.layer_seed(index));
-        if !engine.begins() {
+        if !engine.can_start() {
             return Err(GrowError::NoRoom { layer });
         }
         watch.step(Stage::Plan, 1.0)?;

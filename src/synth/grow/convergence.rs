@@ -1,92 +1,92 @@
-//! When a pattern is settled.
+//! Convergence: when a pattern has settled.
 //!
 //! The criteria ([`crate::rd::Convergence`]) were tuned on patches of 90 spots and 10 wavelengths grown to T = 200, and on
-//! canvases whose regions differ. Changes fall by a half from look to look while spots form; then they stay: spots drift
+//! canvases whose regions differ. Changes fall by a half from check to check while spots form; then they stay: spots drift
 //! along gradients and even out their distances, forks of stripes heal, ever more slowly. From there on the mean area is
 //! within 0.3 % (Turing 0.5 %, width of stripes 2 %) of its limit, and the direction within 0.5°.
 
 use crate::rd::System;
 
-/// Time between two looks.
+/// Normalised time between two checks.
 const EVERY: f64 = 2.5;
-/// Time between two looks at a correction.
+/// Normalised time between two checks where only the errors of a coarser grid are corrected.
 const OFTEN: f64 = 1.0;
-/// From look to look what is still forming falls to below this share, drift stays above it.
+/// The change of a pattern that still forms falls below this share from check to check; that of drift stays above.
 const FALLING: f64 = 0.8;
-/// Steps that are taken at most on one grid: a canvas that needs more has no business to take the night.
+/// Step limit per grid. A canvas that needs more would take hours.
 const STEPS: u64 = 150_000;
-/// Change a unit of time that is rest by any measure.
-const REST: f64 = 0.0003;
+/// A change a unit of time below which any pattern has settled.
+const NEGLIGIBLE: f64 = 0.0003;
 
 /// Time after which stripes from segments are as wide as others; at T = 30 there are blots where segments met.
 const HEALED: f64 = 100.0;
 
-/// Watches a pattern on one grid come to rest.
+/// Monitors a pattern on one grid until it has settled.
 #[derive(Clone, Debug)]
-pub struct Rest {
+pub struct ConvergenceMonitor {
     system: System,
     /// Steps that make up a unit of time.
     unit: f64,
-    /// Does anything begin on this grid?
+    /// Do marks begin on this grid?
     begins: bool,
-    /// What the drift that counts as rest is multiplied by.
+    /// Factor of the drift that counts as settled.
     slack: f64,
-    /// Not asked before.
+    /// Normalised time before which it is not settled.
     earliest: f64,
     before: Vec<f32>,
     last: f64,
-    looks: u64,
+    checks: u64,
 }
 
-/// What a look found.
+/// The result of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// It still forms.
     Forming,
-    /// It has come to rest.
+    /// It has settled.
     Settled,
-    /// It has not, in the time that it was given.
+    /// It has not settled within its time.
     GivenUp,
 }
 
-impl Rest {
-    /// Begins to watch `marks`, as they are before the first of the steps of which `unit` make up a unit of time.
+impl ConvergenceMonitor {
+    /// Starts from `marks`, before the first step; `unit` steps are a unit of normalised time.
     #[must_use]
     pub fn new(system: System, unit: f64, begins: bool, marks: Vec<f32>) -> Self {
         let earliest = system.definition().convergence.earliest;
-        Self { system, unit, begins, slack: 1.0, earliest, before: marks, last: f64::INFINITY, looks: 0 }
+        Self { system, unit, begins, slack: 1.0, earliest, before: marks, last: f64::INFINITY, checks: 0 }
     }
 
-    /// The same among frozen marks, which push what stands beside them on for long: lone spots in lanes between three
-    /// others drift by up to 0.007 a unit of time when their areas have long come to rest.
+    /// The same among obstacles, which push the marks beside them for long: lone spots in lanes between three obstacles
+    /// drift by up to 0.007 a unit of time when their areas have long settled.
     #[must_use]
-    pub fn among_frozen(self) -> Self {
+    pub fn among_obstacles(self) -> Self {
         Self { slack: 2.0, ..self }
     }
 
-    /// The same where the marks must find together first, if they are `scattered`.
+    /// The same for stripes that start from `scattered` segments, which must join first.
     #[must_use]
-    pub fn healing(self, scattered: bool) -> Self {
+    pub fn joining(self, scattered: bool) -> Self {
         if scattered { Self { earliest: HEALED, ..self } } else { self }
     }
 
-    /// The steps after which to look next.
+    /// The number of steps at which to check next.
     #[must_use]
-    pub fn next(&self) -> u64 {
+    pub fn next_check(&self) -> u64 {
         let every = if self.begins { EVERY } else { OFTEN };
-        let steps = ((self.looks + 1) as f64 * every * self.unit).ceil() as u64;
-        steps.clamp(self.looks + 1, STEPS.max(self.looks + 1))
+        let steps = ((self.checks + 1) as f64 * every * self.unit).ceil() as u64;
+        steps.clamp(self.checks + 1, STEPS.max(self.checks + 1))
     }
 
-    /// Steps that this grid takes if all goes well.
+    /// Steps that are expected on a grid.
     #[must_use]
     pub fn expected(system: System, unit: f64, begins: bool) -> f64 {
         let criterion = system.definition().convergence;
         (unit * if begins { 1.3 * criterion.earliest } else { criterion.corrected }).min(STEPS as f64)
     }
 
-    /// Looks at `marks` after `steps` steps. Cells that do not count are left out.
-    pub fn look(&mut self, marks: Vec<f32>, counts: &[bool], steps: u64) -> Verdict {
+    /// Checks `marks` after `steps` steps. Cells that do not count are left out.
+    pub fn check(&mut self, marks: Vec<f32>, counts: &[bool], steps: u64) -> Verdict {
         let criterion = self.system.definition().convergence;
         let time = steps as f64 / self.unit;
         let every = if self.begins { EVERY } else { OFTEN };
@@ -94,8 +94,8 @@ impl Rest {
         let steady = change < self.slack * criterion.drift && change > FALLING * self.last;
         let corrected = !self.begins && time >= criterion.corrected && change < criterion.still;
         (self.before, self.last) = (marks, change);
-        self.looks += 1;
-        if corrected || time >= self.earliest && (steady || change < REST) {
+        self.checks += 1;
+        if corrected || time >= self.earliest && (steady || change < NEGLIGIBLE) {
             return Verdict::Settled;
         }
         if time >= criterion.latest || steps >= STEPS || !change.is_finite() {
@@ -105,7 +105,7 @@ impl Rest {
     }
 }
 
-/// Σ|after − before| ÷ Σ after over what is not ground.
+/// Σ|after − before| ÷ Σ after over the cells that count.
 fn change(before: &[f32], after: &[f32], counts: &[bool]) -> f64 {
     let (mut moved, mut total) = (0.0f64, 0.0f64);
     for ((b, a), counts) in before.iter().zip(after).zip(counts) {
@@ -121,21 +121,21 @@ fn change(before: &[f32], after: &[f32], counts: &[bool]) -> f64 {
 mod tests {
     use super::*;
 
-    /// The verdicts on a mark that changes by `change(look)` of itself from look to look, one time unit of ten steps
+    /// The verdicts on a mark that changes by `change(check)` of itself from check to check, one time unit of ten steps
     /// each, until one is not [`Verdict::Forming`]; gives it with its time.
     fn watched(begins: bool, change: impl Fn(usize) -> f32) -> (Verdict, f64) {
         let mut mark = 1.0f32;
-        let mut rest = Rest::new(System::MEINHARDT_SPOTS, 10.0, begins, vec![mark, 0.0]);
-        for look in 0..1_000 {
-            mark *= 1.0 + change(look);
-            let steps = rest.next();
-            // What does not count may do what it likes.
-            let verdict = rest.look(vec![mark, look as f32], &[true, false], steps);
+        let mut monitor = ConvergenceMonitor::new(System::MEINHARDT_SPOTS, 10.0, begins, vec![mark, 0.0]);
+        for check in 0..1_000 {
+            mark *= 1.0 + change(check);
+            let steps = monitor.next_check();
+            // The second cell does not count.
+            let verdict = monitor.check(vec![mark, check as f32], &[true, false], steps);
             if verdict != Verdict::Forming {
                 return (verdict, steps as f64 / 10.0);
             }
         }
-        panic!("watched for ever");
+        panic!("never settled");
     }
 
     #[test]

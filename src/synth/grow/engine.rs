@@ -1,16 +1,16 @@
-//! Growing as a value: advanced a little at a time, looked at, left.
+//! Growth of one layer as a value that is advanced in small parts.
 //!
 //! ```text
 //!  coarsest grid ──▶ settled ──▶ next finer ──▶ settled ──▶ … ──▶ the planned grid ──▶ settled
-//!       begun          what was formed is brought over; what was too small for the coarser grid begins
+//!      start          formed marks are prolongated; marks too small for the coarser grid start here
 //! ```
 //!
-//! The same pattern comes out however it was advanced and whether it was looked at. To pause, do not advance; to
-//! cancel, drop it. It has no threads of its own.
+//! The pattern does not depend on how the engine was advanced, nor on whether it was read in between. To pause, do not
+//! advance; to cancel, drop it. It has no threads of its own.
 
 use crate::grid::{Domain, Field};
 use crate::rd::{Growth, InitialConditions, Maps, System, prolongate, with_obstacle_state};
-use crate::synth::grow::convergence::{Rest, Verdict};
+use crate::synth::grow::convergence::{ConvergenceMonitor, Verdict};
 use crate::synth::grow::multigrid_levels;
 use crate::synth::grow::multigrid_levels::Work;
 use crate::synth::grow::pattern::Pattern;
@@ -33,28 +33,30 @@ pub struct Engine {
     position_control: Option<PositionControl>,
     /// From the coarsest to the planned one.
     grids: Vec<[usize; 2]>,
-    stage: Stage,
-    /// Cell updates that were to be expected on the grids before this one.
-    passed: f64,
+    level: Level,
+    /// Cell updates that were expected on the coarser grids.
+    expected_before: f64,
     /// Cell updates done.
     updates: u64,
-    /// The progress told last.
+    /// The last progress.
     progress: f64,
-    /// Has each grid settled so far?
+    /// Has every grid settled so far?
     settled: bool,
     done: bool,
 }
 
 /// Growth on one grid.
 #[derive(Clone, Debug)]
-struct Stage {
-    level: usize,
+struct Level {
+    /// Its index, 0 = the coarsest.
+    index: usize,
     /// Parameters on this grid; `None` on the planned one.
     coarse: Option<Maps>,
     growth: Growth,
+    /// Cells that count for convergence.
     counts: Vec<bool>,
-    rest: Rest,
-    /// Cell updates to be expected on this grid, as one that the pattern needs to settle on.
+    monitor: ConvergenceMonitor,
+    /// Cell updates expected until it settles.
     expected: f64,
 }
 
@@ -90,7 +92,7 @@ impl Engine {
         Self::starting_from(system, maps, start, largest)
     }
 
-    /// Growth of `maps` from `seed`.
+    /// Growth with the parameters `maps`, from `seed`.
     #[must_use]
     pub fn from_maps(system: System, maps: Maps, seed: u64) -> Self {
         let start = InitialConditions::new(system, &maps, seed);
@@ -98,18 +100,18 @@ impl Engine {
         Self::starting_from(system, maps, start, largest)
     }
 
-    /// Marks of up to `largest` cells may be formed on grids that smaller ones are too small for.
+    /// Marks of up to `largest` cells may be formed on grids that are too coarse for smaller ones.
     fn starting_from(system: System, maps: Maps, start: InitialConditions, largest: f64) -> Self {
         let grids = multigrid_levels::grids(system, &maps, largest);
-        let stage = stage(system, &maps, &start, &grids, 0, None);
+        let level = start_level(system, &maps, &start, &grids, 0, None);
         Self {
             system,
             maps,
             start,
             position_control: None,
             grids,
-            stage,
-            passed: 0.0,
+            level,
+            expected_before: 0.0,
             progress: 0.0,
             updates: 0,
             settled: true,
@@ -117,48 +119,54 @@ impl Engine {
         }
     }
 
-    /// Growth of `plan` from what `before` has grown, where that is a grid of `plan` too; for a sketch that was
-    /// changed a little. What comes out depends on `before`: another pattern than that of a new engine.
+    /// Growth of `plan` from the pattern of `before` (a warm start), where both have its grid: for a sketch that has changed
+    /// a little. The result depends on `before`, and differs from that of a new engine.
     #[must_use]
     pub fn warm(plan: &Plan, seed: u64, before: &Self) -> Option<Self> {
         let mut engine = Self::new(plan, seed);
-        let grid = before.grids[before.stage.level];
+        let grid = before.grids[before.level.index];
         let level = engine.grids.iter().position(|other| *other == grid)?;
         if engine.system != before.system || engine.maps.grid.edges != before.maps.grid.edges {
             return None;
         }
-        let saved = before.stage.growth.concentrations();
-        engine.stage =
-            stage(engine.system, &engine.maps, &engine.start, &engine.grids, level, Some((grid, saved)));
+        let saved = before.level.growth.concentrations();
+        engine.level = start_level(
+            engine.system,
+            &engine.maps,
+            &engine.start,
+            &engine.grids,
+            level,
+            Some((grid, saved)),
+        );
         // Nothing begins here, but all of it may change.
-        engine.stage.counts.fill(true);
-        let unit = unit(&engine.stage.growth, 1.0);
-        engine.stage.rest = Rest::new(engine.system, unit, true, engine.marks().values);
+        engine.level.counts.fill(true);
+        let unit = unit(&engine.level.growth, 1.0);
+        engine.level.monitor = ConvergenceMonitor::new(engine.system, unit, true, engine.marks().values);
         Some(engine)
     }
 
-    /// Is there a place for anything to begin?
+    /// Is there a place where marks can start?
     #[must_use]
-    pub fn begins(&self) -> bool {
+    pub fn can_start(&self) -> bool {
         self.start.has_marks()
             && (self.maps.obstacles.is_empty() || self.maps.obstacles.iter().any(|taken| !taken))
     }
 
-    /// Goes on for about `updates` cell updates, at least a step; gives whether it is still growing.
+    /// Advances by about `updates` cell updates, at least a step. Returns whether it is still growing.
     ///
-    /// Also returns early when it comes to a finer grid.
+    /// Returns early where a finer grid starts.
     pub fn advance(&mut self, updates: u64) -> bool {
-        let level = self.stage.level;
+        let level = self.level.index;
         let [nx, ny] = self.grids[level];
         let cells = (nx * ny) as u64;
         let mut left = updates;
-        while !self.done && self.stage.level == level {
-            let growth = &mut self.stage.growth;
-            let steps = (left / cells).max(1).min(self.stage.rest.next() - growth.steps());
+        while !self.done && self.level.index == level {
+            let growth = &mut self.level.growth;
+            let steps = (left / cells).max(1).min(self.level.monitor.next_check() - growth.steps());
             growth.advance(steps);
             self.updates += steps * cells;
-            if growth.steps() == self.stage.rest.next() {
-                self.look_whether_settled();
+            if growth.steps() == self.level.monitor.next_check() {
+                self.check_convergence();
             }
             left = left.saturating_sub(steps * cells);
             if left < cells {
@@ -169,61 +177,61 @@ impl Engine {
         !self.done
     }
 
-    fn look_whether_settled(&mut self) {
+    fn check_convergence(&mut self) {
         let marks = self.marks().values;
-        let stage = &mut self.stage;
-        let verdict = stage.rest.look(marks, &stage.counts, stage.growth.steps());
+        let current = &mut self.level;
+        let verdict = current.monitor.check(marks, &current.counts, current.growth.steps());
         if verdict == Verdict::Forming {
-            return self.bring_back();
+            return self.correct_positions();
         }
         self.settled &= verdict == Verdict::Settled;
-        if stage.level + 1 == self.grids.len() {
+        if current.index + 1 == self.grids.len() {
             self.done = true;
             return;
         }
-        self.passed += stage.expected;
-        let formed = (self.grids[stage.level], stage.growth.concentrations());
-        let level = stage.level + 1;
-        self.stage = self::stage(self.system, &self.maps, &self.start, &self.grids, level, Some(formed));
+        self.expected_before += current.expected;
+        let formed = (self.grids[current.index], current.growth.concentrations());
+        let next = current.index + 1;
+        self.level = start_level(self.system, &self.maps, &self.start, &self.grids, next, Some(formed));
     }
 
-    /// Moves back what is to stay where it was drawn.
-    fn bring_back(&mut self) {
+    /// Moves pinned marks towards their places.
+    fn correct_positions(&mut self) {
         let Some(control) = &self.position_control else { return };
-        let maps = self.stage.coarse.as_ref().unwrap_or(&self.maps);
-        let warps = control.warps(&self.stage.growth.marks(maps), maps);
+        let maps = self.level.coarse.as_ref().unwrap_or(&self.maps);
+        let warps = control.warps(&self.level.growth.marks(maps), maps);
         if !warps.is_empty() {
-            self.stage.growth.warp(maps, &warps);
+            self.level.growth.warp(maps, &warps);
         }
     }
 
-    /// Cell updates that make up `time` of normalised time on the grid it is on.
+    /// Cell updates of `time` of normalised time on the current grid.
     #[must_use]
     pub fn updates_in(&self, time: f64) -> u64 {
-        let [nx, ny] = self.grids[self.stage.level];
-        self.stage.growth.steps_in(time) * (nx * ny) as u64
+        let [nx, ny] = self.grids[self.level.index];
+        self.level.growth.steps_in(time) * (nx * ny) as u64
     }
 
-    /// Steps of the grid it is on that make up a unit of normalised time.
+    /// Steps of a unit of normalised time on the current grid.
     #[must_use]
     pub fn steps_in_unit(&self) -> f64 {
-        unit(&self.stage.growth, 1.0)
+        unit(&self.level.growth, 1.0)
     }
 
-    /// Cell updates still to be expected.
+    /// Cell updates still expected.
     #[must_use]
     pub fn updates_left(&self) -> f64 {
         if self.done {
             return 0.0;
         }
         let cells = |grid: &[usize; 2]| (grid[0] * grid[1]) as f64;
-        let here = cells(&self.grids[self.stage.level]);
-        let left = (self.stage.expected - self.stage.growth.steps() as f64 * here).max(0.0);
-        let finer: f64 = self.grids[self.stage.level + 1..].iter().map(cells).sum();
-        left + finer * self.stage.expected / here
+        let here = cells(&self.grids[self.level.index]);
+        let left = (self.level.expected - self.level.growth.steps() as f64 * here).max(0.0);
+        let finer: f64 = self.grids[self.level.index + 1..].iter().map(cells).sum();
+        left + finer * self.level.expected / here
     }
 
-    /// How far it is, 0..1; never falls.
+    /// The share that is done, 0..1; never falls.
     #[must_use]
     pub fn progress(&self) -> f64 {
         self.progress
@@ -233,15 +241,16 @@ impl Engine {
         if self.done {
             return 1.0;
         }
-        let [nx, ny] = self.grids[self.stage.level];
-        let here = self.stage.growth.steps() as f64 * (nx * ny) as f64;
-        let ahead: f64 = self.grids[self.stage.level + 1..].iter().map(|[nx, ny]| (nx * ny) as f64).sum();
+        let [nx, ny] = self.grids[self.level.index];
+        let here = self.level.growth.steps() as f64 * (nx * ny) as f64;
+        let ahead: f64 = self.grids[self.level.index + 1..].iter().map(|[nx, ny]| (nx * ny) as f64).sum();
         // A finer grid takes about as many steps as this one.
-        let ahead = ahead * self.stage.expected / (nx * ny) as f64;
-        (self.passed + here.min(self.stage.expected)) / (self.passed + self.stage.expected + ahead)
+        let ahead = ahead * self.level.expected / (nx * ny) as f64;
+        (self.expected_before + here.min(self.level.expected))
+            / (self.expected_before + self.level.expected + ahead)
     }
 
-    /// Has it settled? False where it still grows, or was given up.
+    /// Has it settled? False while it grows, and where it was given up.
     #[must_use]
     pub fn settled(&self) -> bool {
         self.done && self.settled
@@ -253,54 +262,54 @@ impl Engine {
         !self.done
     }
 
-    /// The grid it is on, of how many: 1, 2, …
+    /// The current grid (1 = the coarsest), of how many.
     #[must_use]
     pub fn level(&self) -> [usize; 2] {
-        [self.stage.level + 1, self.grids.len()]
+        [self.level.index + 1, self.grids.len()]
     }
 
-    /// Steps taken, counted as such of the planned grid: cell updates ÷ its cells.
+    /// Steps taken, as many as the same work is on the planned grid: cell updates ÷ its cells.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.updates.div_ceil(self.maps.grid.cells() as u64)
     }
 
-    /// The concentration that shows the marks as a share of the local peak, on the grid it is on.
+    /// The concentration that shows the marks as a share of the local peak, on the current grid.
     #[must_use]
     pub fn marks(&self) -> Field {
-        self.stage.growth.marks(self.stage.coarse.as_ref().unwrap_or(&self.maps))
+        self.level.growth.marks(self.level.coarse.as_ref().unwrap_or(&self.maps))
     }
 
-    /// The concentrations of each chemical, on the grid it is on.
+    /// The concentrations of each chemical, on the current grid.
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
-        self.stage.growth.concentrations()
+        self.level.growth.concentrations()
     }
 
-    /// The pattern as far as it has grown, at `width` × `height` px. `plan` is that of the engine.
+    /// The pattern as it is now, at `width` × `height` px. `plan` is that of the engine.
     #[must_use]
-    pub fn look(&self, plan: &Plan, width: usize, height: usize) -> Field {
+    pub fn pattern(&self, plan: &Plan, width: usize, height: usize) -> Field {
         Pattern::new(&plan.lookup, &plan.levelled(self.marks())).field(width, height)
     }
 }
 
-/// Steps a unit of time, `pace` times those where the reactions are slowest.
+/// Steps of a unit of normalised time, `pace` times those where the reactions are slowest.
 fn unit(growth: &Growth, pace: f64) -> f64 {
     pace * growth.steps_in(1_000.0) as f64 / 1_000.0
 }
 
-/// Growth on grid `level`: of what was `formed` on another, and of what begins here.
-fn stage(
+/// Starts growth on grid `index`: of what was `formed` on another grid, and of marks that start here.
+fn start_level(
     system: System,
     maps: &Maps,
     start: &InitialConditions,
     grids: &[[usize; 2]],
-    level: usize,
+    index: usize,
     formed: Option<([usize; 2], Vec<Vec<f32>>)>,
-) -> Stage {
-    let grid = grids[level];
+) -> Level {
+    let grid = grids[index];
     let area = |[nx, ny]: [usize; 2]| maps.grid.cells() as f64 / (nx * ny) as f64;
-    let (coarse, lost) = match level + 1 < grids.len() {
+    let (coarse, lost) = match index + 1 < grids.len() {
         true => {
             let (coarse, lost) = multigrid_levels::coarse(system, maps, grid);
             (Some(coarse), lost)
@@ -335,10 +344,11 @@ fn stage(
     let concentrations = with_obstacle_state(system, here, concentrations);
     let growth = Growth::resumed(system, here, &concentrations).expect("made for this system on this grid");
     let unit = unit(&growth, pace);
-    let rest = Rest::new(system, unit, begins, growth.marks(here).values).healing(start.starts_scattered());
-    let rest = if here.obstacles.contains(&true) { rest.among_frozen() } else { rest };
-    let expected = Rest::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
-    Stage { level, coarse, growth, counts, rest, expected }
+    let monitor = ConvergenceMonitor::new(system, unit, begins, growth.marks(here).values)
+        .joining(start.starts_scattered());
+    let monitor = if here.obstacles.contains(&true) { monitor.among_obstacles() } else { monitor };
+    let expected = ConvergenceMonitor::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
+    Level { index, coarse, growth, counts, monitor, expected }
 }
 
 #[cfg(test)]

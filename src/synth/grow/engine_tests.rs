@@ -162,5 +162,5 @@ fn a_warm_one_goes_on_from_what_has_grown_where_the_grids_agree() {
     let total: f32 = before.marks().values.iter().sum();
     assert!(warm.settled() && moved < 0.1 * total, "{moved} of {total}");
     assert!(Engine::warm(&planned(200.0), 3, &before).is_none());
-    assert_eq!([before.look(&plan, 50, 40).width, warm.look(&plan, 320, 280).width], [50, 320]);
+    assert_eq!([before.pattern(&plan, 50, 40).width, warm.pattern(&plan, 320, 280).width], [50, 320]);
 }
