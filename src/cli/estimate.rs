@@ -1,7 +1,7 @@
 //! How long it will take, told before it begins.
 
 use crate::synth::Training;
-use crate::synth::estimate::{Needs, Task, told};
+use crate::synth::estimate::{Needs, Task, in_words};
 use std::io::Write;
 
 /// What takes longer than this is told, seconds.
@@ -30,7 +30,7 @@ impl Estimate<'_> {
         let (mut seconds, mut tried) = (0.0, 0.0);
         for task in tasks.iter().step_by(every) {
             // What cannot be grown says why when it is its turn.
-            if let Some(found) = Needs::of(task, self.training) {
+            if let Some(found) = Needs::estimate(task, self.training) {
                 seconds += found.seconds;
                 tried += task.px()[1];
             }
@@ -44,7 +44,7 @@ impl Estimate<'_> {
     pub fn tell_seconds(&self, seconds: f64) {
         if !self.quiet && seconds > LONG {
             // Nobody left to tell is no reason to fail.
-            let _ = writeln!(std::io::stderr(), "note: this will take {}", told(seconds));
+            let _ = writeln!(std::io::stderr(), "note: this will take {}", in_words(seconds));
         }
     }
 }

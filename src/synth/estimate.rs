@@ -1,12 +1,11 @@
-//! How long a growth will take and what it needs, told before it begins.
+//! The time and the memory that a growth needs, estimated before it begins.
 //!
 //! ```text
 //! seconds = Σ updates ÷ speed  +  px of the canvas · layers · RULER · painting  +  px of the picture · painting
 //! ```
 //!
-//! Cell updates to be expected are the engine's own figure; their speed and that of painting a px are tried on this
-//! machine as it is now, on a canvas of the same texture that is no larger than `TRIAL`: features keep their size, so
-//! that both are as they will be.
+//! The engine gives the expected cell updates. Their speed, and that of painting a px, are measured on this machine on a
+//! canvas of the same texture that is no larger than `TRIAL`: marks keep their size, so that both are as they will be.
 
 use crate::document::Document;
 use crate::export::png;
@@ -20,16 +19,16 @@ use crate::synth::render::painting::Painting;
 use crate::synth::training::Training;
 use std::time::{Duration, Instant};
 
-/// px of the canvas that is tried; what is not larger is tried as it is.
+/// px of the largest canvas that speeds are measured on.
 const TRIAL: f64 = 600.0 * 600.0;
-/// How long the speed of the steps is tried: long enough for all threads to wake.
-const STINT: Duration = Duration::from_millis(40);
-/// Steps between two looks at the clock.
+/// How long the speed of the steps is measured: long enough for all threads to wake.
+const DURATION: Duration = Duration::from_millis(40);
+/// Steps between two readings of the clock.
 const STEPS: u64 = 8;
-/// Sides of the picture that is painted to see how long a px takes.
+/// Sides of the picture that is painted to measure the time of a px.
 const PAINTED: [usize; 2] = [256, 256];
-/// Measuring what has grown takes so many times as long as painting it. Not tuned by itself: with it, what is said is 0.5
-/// to 1 of what four examples of 2000² to 6000² px took, the least where spots are sparse.
+/// The time of measuring a pattern ÷ the time of painting it. Not tuned by itself: with it, the estimates of four examples of
+/// 2000² to 6000² px are 0.5 to 1 of the time taken, the least where spots are sparse.
 const RULER: f64 = 1.0;
 
 /// A document to be grown, and how large.
@@ -38,7 +37,7 @@ pub struct Task<'a> {
     pub document: &'a Document,
     /// The canvas that is asked for, px.
     pub size: [u32; 2],
-    /// What messages call it.
+    /// What messages call it, such as its path.
     pub source: &'a str,
     /// px along a side of the picture for one of the canvas.
     pub scale: u32,
@@ -53,7 +52,7 @@ impl Task<'_> {
     }
 }
 
-/// What a growth takes.
+/// What a growth needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Needs {
     /// Time on this machine, as busy as it is now.
@@ -63,9 +62,9 @@ pub struct Needs {
 }
 
 impl Needs {
-    /// Of one growth. `None` where it cannot be planned, or does not fit into memory: the growth itself says why.
+    /// Estimates one growth. `None` where it cannot be planned, or does not fit into memory: growing it says why.
     #[must_use]
-    pub fn of(task: &Task, training: &Training) -> Option<Self> {
+    pub fn estimate(task: &Task, training: &Training) -> Option<Self> {
         let Task { document, source, size, .. } = *task;
         let [canvas, picture] = task.px();
         let times = (canvas / TRIAL).max(1.0);
@@ -81,7 +80,7 @@ impl Needs {
             needs.bytes = needs.bytes.max(memory::needed(system, size.map(f64::from), whole));
             let plan = lookup.rough(Vec::new());
             let engine = Engine::new(&plan, document.layer_seed(index));
-            needs.seconds += times * taken(&engine, system) * engine.updates_left() / speed(&plan)?;
+            needs.seconds += times * share_needed(&engine, system) * engine.updates_left() / speed(&plan)?;
             needs.seconds += painted(document, &plan, &engine) * (canvas * RULER + picture);
             beneath = Some(plan.lookup);
         }
@@ -90,7 +89,7 @@ impl Needs {
 }
 
 /// Cell updates needed ÷ cell updates expected.
-fn taken(engine: &Engine, system: System) -> f64 {
+fn share_needed(engine: &Engine, system: System) -> f64 {
     let cost = system.definition().cost;
     if engine.level()[1] == 1 { cost.updates_on_one_grid } else { cost.updates }
 }
@@ -105,27 +104,27 @@ fn speed(plan: &Plan) -> Option<f64> {
     growth.advance(STEPS);
     let started = Instant::now();
     let mut steps = 0;
-    while started.elapsed() < STINT {
+    while started.elapsed() < DURATION {
         growth.advance(STEPS);
         steps += STEPS;
     }
     Some((steps * cells as u64) as f64 / started.elapsed().as_secs_f64().max(1e-6))
 }
 
-/// Seconds that a px takes to be painted and written.
+/// Seconds of painting and encoding a px.
 fn painted(document: &Document, plan: &Plan, engine: &Engine) -> f64 {
     // Once for the whole texture: pattern and colours of the layer.
     let painting = Painting::growing(document, &Snapshot { beneath: &[], plan, engine }, PAINTED);
     let started = Instant::now();
     let rgb = painting.rgb();
-    // Into nothing; if that fails it takes no time either.
+    // Discarded: only the time counts.
     let _ = png::rgb8(std::io::sink(), PAINTED, None, &rgb);
     started.elapsed().as_secs_f64() / (PAINTED[0] * PAINTED[1]) as f64
 }
 
-/// Such as `about 40 s`: two digits at most.
+/// A time in words, such as `about 40 s`: two digits at most.
 #[must_use]
-pub fn told(seconds: f64) -> String {
+pub fn in_words(seconds: f64) -> String {
     let coarse = |value: f64| if value < 10.0 { value.round() } else { (value / 5.0).round() * 5.0 };
     match seconds {
         s if s < 90.0 => format!("about {:.0} s", coarse(s)),
@@ -139,8 +138,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_time_is_told_in_round_numbers() {
-        let times = [6.4, 41.0, 119.0, 1000.0, 7200.0].map(told);
+    fn times_are_in_round_numbers() {
+        let times = [6.4, 41.0, 119.0, 1000.0, 7200.0].map(in_words);
         assert_eq!(times, ["about 6 s", "about 40 s", "about 2 min", "about 15 min", "about 2.0 h"]);
     }
 }

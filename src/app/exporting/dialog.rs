@@ -10,7 +10,7 @@ use super::view::View;
 use super::{Choices, ExportKind, pages};
 use crate::app::pages::{Answer, choice};
 use crate::export::material::Map;
-use crate::synth::estimate::told;
+use crate::synth::estimate::in_words;
 
 /// Width of the column of choices, points.
 const COLUMN: f32 = 336.0;
@@ -231,7 +231,7 @@ impl Dialog {
                     let memory = size_of(needs.bytes as u64);
                     parts.push(format!(
                         "growing it takes {} and {memory} of memory",
-                        told(times * needs.seconds)
+                        in_words(times * needs.seconds)
                     ));
                 }
                 None => parts.push("it will be grown in the background".to_owned()),

@@ -82,7 +82,7 @@ impl Preview {
             let scale = request.choices.size.scale;
             let work = move |_: &Watch| {
                 let task = Task { document: &document, size, source: "the sketch", scale };
-                Ok(Needs::of(&task, Training::built_in()))
+                Ok(Needs::estimate(&task, Training::built_in()))
             };
             self.asking = Some((grown, Job::start(threads, 0.0, move || wake.request_repaint(), work)));
         }

@@ -318,15 +318,15 @@ fn start_level(
     };
     let here = coarse.as_ref().unwrap_or(maps);
     let coarser = formed.as_ref().map(|(from, _)| area(*from) / area(grid));
-    let Work { kept, counts, begins, pace } = multigrid_levels::work(system, here, &lost, coarser);
+    let Work { taken, counts, begins, pace } = multigrid_levels::work(system, here, &lost, coarser);
     let fresh = |concentrations: Option<Vec<Vec<f32>>>| {
         let afresh = start.on(here, &|cell| lost.get(cell).copied().unwrap_or(false));
         match concentrations {
             None => afresh,
             Some(mut formed) => {
                 for (formed, afresh) in formed.iter_mut().zip(&afresh) {
-                    for ((formed, afresh), kept) in formed.iter_mut().zip(afresh).zip(&kept) {
-                        *formed = kept * *formed + (1.0 - kept) * afresh;
+                    for ((formed, afresh), taken) in formed.iter_mut().zip(afresh).zip(&taken) {
+                        *formed = taken * *formed + (1.0 - taken) * afresh;
                     }
                 }
                 formed
@@ -338,7 +338,7 @@ fn start_level(
         Some((from, formed)) => {
             let fine =
                 formed.iter().map(|chemical| prolongate(chemical, from, grid, maps.grid.edges)).collect();
-            if kept.iter().all(|kept| *kept == 1.0) { fine } else { fresh(Some(fine)) }
+            if taken.iter().all(|taken| *taken == 1.0) { fine } else { fresh(Some(fine)) }
         }
     };
     let concentrations = with_obstacle_state(system, here, concentrations);

@@ -1,4 +1,4 @@
-//! Growing a document.
+//! Grown layers, and why a document does not grow.
 
 use crate::document::{Document, DocumentError};
 use crate::grid::Field;
@@ -34,15 +34,15 @@ impl GrowError {
 /// A grown layer.
 #[derive(Clone)]
 pub struct GrownLayer {
-    /// What was planned.
+    /// How it was planned.
     pub plan: Plan,
     /// Steps taken.
     pub steps: u64,
-    /// Whether the pattern came to rest within the time it was given.
+    /// Whether the pattern settled within its time.
     pub settled: bool,
-    /// What the looked-up levels were multiplied by, by region.
+    /// Factors of the looked-up levels, by region.
     pub correction: Vec<f64>,
-    /// What was measured at the canvas' size, by region.
+    /// What was measured, by region.
     pub measured: Measured,
     /// The concentration that shows the marks as a share of the local peak, on the grid.
     pub marks: Field,
@@ -66,16 +66,16 @@ pub struct Grown {
     pub size: [u32; 2],
     /// Its layers, the lowest first.
     pub layers: Vec<GrownLayer>,
-    /// What it was grown from.
+    /// The document that was grown.
     pub document: Document,
-    /// And how.
+    /// The options that it was grown with.
     pub settings: Settings,
 }
 
 /// Why a document was not grown.
 #[derive(Debug, thiserror::Error)]
 pub enum GrowError {
-    /// What was drawn cannot be grown.
+    /// The document is not valid.
     #[error(transparent)]
     Document(#[from] DocumentError),
     /// Its parameters could not be looked up.
@@ -84,7 +84,7 @@ pub enum GrowError {
     /// It does not fit into memory.
     #[error(transparent)]
     TooLarge(#[from] TooLarge),
-    /// It was asked to stop.
+    /// It was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
     /// The marks beneath leave no place for any of its own.

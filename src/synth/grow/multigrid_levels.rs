@@ -1,13 +1,13 @@
-//! Coarse grids under the planned one.
+//! Multigrid levels: coarse grids under the planned one.
 //!
-//! Steps to settle go with a spot's area in cells. So a pattern is formed where its marks are as small, in cells, as
-//! the grid can hold, and then brought to finer grids, where it only has to give up what the coarse one did to it.
-//! Where marks differ in size, the large ones are formed on coarse grids that the small ones are too small for; these
-//! begin on the first grid that holds them.
+//! The steps that a pattern needs to settle grow with the area of its spots in cells. So it is formed on the coarsest grid
+//! that resolves its marks, and then prolongated to finer grids, where only the errors of the coarse one are corrected.
+//! Where marks differ in size, the large ones are formed on grids that are too coarse for the small ones; these start on
+//! the first grid that resolves them.
 //!
 //! The cells that marks need ([`Resolution`]) were tuned on patches of 86 spots and 10 wavelengths, against plain Euler
-//! on 48 cells a spot and 8 a stripe to T ≥ 120: coarser than this, what the grid does to area, aspect and angle outlives
-//! the time saved.
+//! on 48 cells a spot and 8 a stripe to T ≥ 120: on coarser grids, correcting area, aspect and angle takes longer than the
+//! coarse grid saves.
 
 use rayon::prelude::*;
 
@@ -15,25 +15,25 @@ use crate::grid::Domain;
 use crate::rd::{Maps, Resolution, System};
 use crate::synth::plan::mark_cells::resolving_cells;
 
-/// Marks on the coarsest grid that holds the smallest, ÷ `enough`: some room for what the laws of area leave out.
-const ROOM: f64 = 1.09;
-/// A grid less coarse than this along a side is not worth its own steps.
+/// Cells of the smallest marks on the coarsest grid ÷ `enough`: a margin for the error of the area laws.
+const MARGIN: f64 = 1.09;
+/// A grid that is less coarse than this along a side does not save steps.
 const WORTH: f64 = 1.3;
 /// How much coarser the next grid is along a side.
 const NEXT: f64 = 2.0;
 /// Cells that a coarse grid has at least along either side.
 const LEAST_SIDE: f64 = 12.0;
-/// A place formed on a coarser grid needs corrections until its marks have this many times `enough` cells there.
+/// Marks formed on a coarser grid are corrected unless they had this many times `enough` cells there.
 const EXACT: f64 = 8.0;
 
 /// Grids from the coarsest to that of `maps`: none that would hold only marks of more than `most` cells.
 #[must_use]
 pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
     if maps.curves.is_some() {
-        // What is told by cell, on which side of a curve it lies, no coarser grid can tell.
+        // A coarser grid cannot resolve on which side of a curve a cell lies.
         return vec![maps.grid.size];
     }
-    let enough = system.definition().resolution.enough * ROOM;
+    let enough = system.definition().resolution.enough * MARGIN;
     let least = maps.parameters.iter().map(|p| resolving_cells(system, p)).fold(f64::INFINITY, f64::min);
     let mut factors = vec![1.0];
     let first = (least / enough).sqrt();
@@ -53,21 +53,21 @@ pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
     factors.iter().rev().map(grid).collect()
 }
 
-/// What is to be done on one grid.
+/// The work on one grid.
 #[derive(Clone, Debug)]
 pub struct Work {
-    /// By cell: the share of what a coarser grid formed that is taken over; empty on the coarsest.
-    pub kept: Vec<f32>,
-    /// By cell: whether something still forms or is corrected here. What is finished, or too small here, does not
-    /// count when it is asked whether the pattern still changes.
+    /// By cell: the share that is taken from the coarser grid; empty on the coarsest.
+    pub taken: Vec<f32>,
+    /// By cell: whether something still forms or is corrected here. Cells of finished marks, and of marks that are too
+    /// small here, do not count for convergence.
     pub counts: Vec<bool>,
-    /// Does anything begin here?
+    /// Do marks start here?
     pub begins: bool,
-    /// Normalised times are counted where the reactions are this slow, ÷ the slowest rate on the grid.
+    /// Normalised time is counted where the reactions are this slow, ÷ the slowest rate on the grid.
     pub pace: f64,
 }
 
-/// The parameters to grow on `grid`: where marks are too small for it, larger ones; whether a cell is such a one.
+/// The parameters on `grid`, larger where marks are too small for it; and whether a cell is such a place.
 #[must_use]
 pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>) {
     let least = system.definition().resolution.least;
@@ -89,9 +89,9 @@ pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>
     (coarse, lost)
 }
 
-/// What is to be done on a grid whose parameters are `maps`; the next coarser has cells `coarser` times the area.
+/// The work on a grid whose parameters are `maps`; cells of the next coarser grid have `coarser` times the area.
 ///
-/// `lost` says where marks are too small for this one.
+/// `lost` are the cells where marks are too small for this grid.
 #[must_use]
 pub fn work(system: System, maps: &Maps, lost: &[bool], coarser: Option<f64>) -> Work {
     let Resolution { least, enough, .. } = system.definition().resolution;
@@ -100,11 +100,11 @@ pub fn work(system: System, maps: &Maps, lost: &[bool], coarser: Option<f64>) ->
         let t = ((cells - least) / (enough - least)).clamp(0.0, 1.0);
         (t * t * (3.0 - 2.0 * t)) as f32
     };
-    let kept: Vec<f32> =
+    let taken: Vec<f32> =
         coarser.map_or_else(Vec::new, |area| cells.iter().map(|cells| share(cells / area)).collect());
     let slowest = maps.parameters.iter().map(|p| p.rate).fold(f32::INFINITY, f32::min);
     let is_lost = |cell: usize| lost.get(cell).copied().unwrap_or(false);
-    let begins = |cell: usize| kept.get(cell).is_none_or(|kept| *kept < 0.5) && !is_lost(cell);
+    let begins = |cell: usize| taken.get(cell).is_none_or(|taken| *taken < 0.5) && !is_lost(cell);
     let any = (0..cells.len()).any(begins);
     let mut pace = 0.0f64;
     let counts = (0..cells.len())
@@ -123,5 +123,5 @@ pub fn work(system: System, maps: &Maps, lost: &[bool], coarser: Option<f64>) ->
             coarse < EXACT * enough
         })
         .collect();
-    Work { kept, counts, begins: any, pace: if pace > 0.0 { pace } else { 1.0 } }
+    Work { taken, counts, begins: any, pace: if pace > 0.0 { pace } else { 1.0 } }
 }

@@ -10,19 +10,19 @@ use crate::synth::grow::engine::Engine;
 use crate::synth::grow::settle::settle;
 use crate::synth::watch::{Cancelled, Watch};
 
-/// Marks fields run from 0, the ground, to 1, the middle of a mark.
-const USUAL: [f32; 2] = [0.0, 1.0];
+/// Values of a marks field: 0 on the ground, 1 in the middle of a mark.
+const RANGE: [f32; 2] = [0.0, 1.0];
 
 /// What to grow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Patch {
     /// The system.
     pub system: System,
-    /// What it is told, in cells.
+    /// Its parameters, in cells.
     pub parameters: learn::Parameters,
     /// Spots that the patch holds, or wavelengths along a side.
     pub extent: f64,
-    /// Where its marks begin.
+    /// Seed of the initial conditions.
     pub seed: u64,
 }
 
@@ -61,7 +61,7 @@ impl Patch {
         }
     }
 
-    /// Grows it: the marks as a share of the local peak, and whether they came to rest in the time given.
+    /// Grows it: the marks as a share of the local peak, and whether they settled within their time.
     ///
     /// # Errors
     /// [`Cancelled`].
@@ -84,12 +84,12 @@ impl Patch {
         }
     }
 
-    /// Judges what [`Self::grow`] gave: what may be learnt from holds `least` whole spots or wavelengths.
+    /// Measures what [`Self::grow`] gave, if it may be learnt from: settled, with at least `least` whole spots or wavelengths.
     ///
     /// # Errors
-    /// Why it is no texture; what has run away or died is told as such, whether it settled or not.
+    /// Why it is no texture. A pattern that diverged or died is reported as such, whether it settled or not.
     pub fn judge(&self, marks: &Field, settled: bool, least: f64) -> Result<Sample, Reason> {
-        measure::check_formed(marks, USUAL)?;
+        measure::check_formed(marks, RANGE)?;
         if !settled {
             return Err(Reason::Unsettled);
         }
@@ -106,7 +106,7 @@ impl Patch {
 /// Means over the whole spots of a patch.
 fn spots(marks: &Field, level: f64) -> Result<Sample, Reason> {
     let census = measure::census(marks, level as f32);
-    measure::check_spot_texture(marks, &census, USUAL)?;
+    measure::check_spot_texture(marks, &census, RANGE)?;
     let whole: Vec<&Spot> = census.spots.iter().filter(|spot| spot.whole).collect();
     let n = whole.len() as f64;
     let mean = |value: &dyn Fn(&Spot) -> f64| whole.iter().map(|spot| value(spot)).sum::<f64>() / n;
@@ -127,7 +127,7 @@ fn spots(marks: &Field, level: f64) -> Result<Sample, Reason> {
 /// Means over a patch of stripes.
 fn stripes(system: System, marks: &Field) -> Result<Sample, Reason> {
     let found = measure::stripes(marks, 0.5);
-    measure::check_stripe_texture(marks, found.as_ref(), USUAL)?;
+    measure::check_stripe_texture(marks, found.as_ref(), RANGE)?;
     let found = found.ok_or(Reason::TooFewStripes { wavelengths: 0.0, least: 1.0 })?;
     Ok(Sample {
         extent: marks.extent()[0] / found.wavelength,
@@ -148,7 +148,7 @@ mod tests {
         learn::Parameters { rate: 3.0, ratio: Some(15.0), stretch: 0.6, direction: 30.0, level: Some(0.5) };
 
     #[test]
-    fn a_patch_holds_as_many_spots_as_were_ordered() {
+    fn a_patch_holds_as_many_spots_as_asked() {
         let patch = Patch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 24.0, seed: 3 };
         let (marks, settled) = patch.grow(&Watch::NONE).unwrap();
         let sample = patch.measure(&marks).unwrap();

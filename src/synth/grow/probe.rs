@@ -1,16 +1,16 @@
-//! Probes: before the canvas is grown, a small seamless patch of the looked-up parameters tells how far they are off.
+//! Probes: before the canvas is grown, a small seamless patch is grown to measure the error of the looked-up parameters.
 //!
-//! What a canvas grows cannot correct its parameters: its regions hold few marks, and every growth others (`facts.md`
-//! K). A patch holds two hundred of one kind. From what was asked, x, and what `n` patches showed, m, comes the offset
-//! that the map has around there, and what is asked instead:
+//! The canvas itself cannot correct its parameters: its regions hold few marks, and other ones in every growth (`facts.md`
+//! K). A patch holds two hundred of one kind. From the question x and the means m of `n` patches follow the offset of the
+//! training set there, and the corrected question:
 //!
 //! ```text
 //! δ = g · mean(mₖ − xₖ)      x₊ = x − δ      g = σ² ÷ (σ² + ν²/n),  σ² = s² − ν₀²
 //! ```
 //!
-//! s is the scatter of the training rows about the question, ν₀ that of rows alike (chance alone), ν that of probes.
-//! Nothing is grown where s is small enough for the eye, or no more than chance: a full training set is believed, one
-//! that is thin, or asked at its edge, is corrected.
+//! s is the scatter of the training rows about the question, ν₀ that of equal rows (chance alone), ν that of probes. Nothing
+//! is grown where s is too small to be seen, or no more than chance: a full training set is trusted; one with few rows, or
+//! asked at its edge, is corrected.
 
 use rayon::prelude::*;
 
@@ -29,24 +29,24 @@ use crate::synth::watch::{Cancelled, Watch};
 
 /// Spots on a probe.
 const SPOTS: f64 = 200.0;
-/// Spots on the patches of the training sets, whose scatter [`chance`] states.
+/// Spots on the patches of the training sets, which the scatter of equal rows is about.
 const TRAINED: f64 = 80.0;
-/// Wavelengths along its side, and of the training sets'.
+/// Wavelengths along the side of a probe, and of the patches of the training sets.
 const WAVELENGTHS: f64 = 20.0;
 /// Probes at most.
 const GROWTHS: usize = 2;
-/// Gains below this are not worth a growth.
+/// Gains below this do not justify a growth.
 const WORTH: f64 = 0.5;
-/// Where the first probe's marks begin.
+/// Seed of the first probe; the next ones count up.
 const SEED: u64 = 0x5eed;
 
 /// Why probing ended without a result.
 #[derive(Debug, thiserror::Error)]
 pub enum ProbeError {
-    /// The training set cannot be asked.
+    /// The training set cannot be read.
     #[error(transparent)]
     Plan(#[from] PlanError),
-    /// It was asked to stop.
+    /// It was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
 }
@@ -54,7 +54,7 @@ pub enum ProbeError {
 /// When to probe.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum When {
-    /// Where the training set is less sure than a probe would be.
+    /// Where a probe would be more certain than the training set.
     #[default]
     Unsure,
     /// Always, twice; for comparisons.
@@ -82,7 +82,7 @@ pub fn correct(
 /// Probes each of the questions `wanted` (px) on grids of `cell` px a cell. Equal questions are probed once.
 ///
 /// # Errors
-/// The training set cannot be asked; or [`Cancelled`].
+/// The training set cannot be read; or [`Cancelled`].
 pub fn probed(
     training: &Training,
     system: System,
@@ -114,15 +114,15 @@ fn probed_one(
     when: When,
     watch: &Watch,
 ) -> Result<Correction, ProbeError> {
-    // Larger marks would only cost more: what is found scales.
+    // The result scales with the size of the marks, and larger ones cost more.
     let cell = exact_cell(system, wanted, cell);
     let watch = &Watch { progress: &|_, _| {}, cancelled: watch.cancelled };
     let open = ask(training, system, wanted, cell)?;
     if open.pitch > 1.0 {
-        // Their law is as sure as a probe.
+        // Spots that stand alone follow a law that is as sure as a probe.
         return Ok(Correction::default());
     }
-    // What cannot be reached is not what is corrected to.
+    // Corrected towards what can be reached.
     let goal = open.nearest;
     let scatter = scatter(&open);
     let mut found = Correction::default();
@@ -148,7 +148,7 @@ fn probed_one(
     Ok(found)
 }
 
-/// A patch of what was answered, measured in cells; or why it was no texture.
+/// Attributes (cells) of a patch with the answered parameters; or why it is no texture.
 fn grown(
     system: System,
     answer: &Answer,
@@ -161,7 +161,7 @@ fn grown(
     Ok(patch.measure(&marks).map(|sample| sample.attributes))
 }
 
-/// The standard deviation that the training rows have about an answer.
+/// The standard deviation of the training rows about an answer.
 fn scatter(answer: &Answer) -> Offset {
     // The interval is that of 90 %.
     let half = |name: &str, ln: bool| {
@@ -183,16 +183,16 @@ fn scatter(answer: &Answer) -> Offset {
     }
 }
 
-/// Is there an attribute that is not known well enough, and that a probe would tell?
+/// Is there an attribute that is not known well enough, and that a probe would measure?
 fn worth(system: System, scatter: Offset, gain: Offset) -> bool {
     let missing = scatter.zip(Offset::from(system.definition().tolerated), |scatter, tolerated| {
         f64::from(u8::from(scatter > tolerated))
     });
-    let told = missing.zip(gain, |missing, gain| missing * gain);
-    [told.size, told.spacing, told.elongation, told.turn].iter().any(|gain| *gain >= WORTH)
+    let gains = missing.zip(gain, |missing, gain| missing * gain);
+    [gains.size, gains.spacing, gains.elongation, gains.turn].iter().any(|gain| *gain >= WORTH)
 }
 
-/// How much of what `growths` probes show is believed, by attribute.
+/// The share of the offset of `growths` probes that is applied, by attribute.
 fn gain(system: System, answer: &Answer, scatter: Offset, growths: usize, when: When) -> Offset {
     if when == When::Always {
         return Offset { size: 1.0, spacing: 1.0, elongation: 1.0, turn: 1.0 };
@@ -202,7 +202,7 @@ fn gain(system: System, answer: &Answer, scatter: Offset, growths: usize, when: 
     let share = |scatter: f64, chance: f64| {
         let probes = chance * chance * shrunk / growths as f64;
         let map = (scatter * scatter - chance * chance).max(0.0);
-        // Beyond its rows the set says nothing about how sure it is.
+        // Beyond its rows the set does not know its own error.
         let map = if answer.coverage == Coverage::Inside { map } else { map.max(chance * chance) };
         if chance > 0.0 { map / (map + probes) } else { 0.0 }
     };

@@ -1,7 +1,7 @@
-//! Measuring what has grown, and moving the level until the areas (widths) are those asked for.
+//! Measures the pattern, and corrects its levels until areas (widths) are those that were asked for.
 //!
-//! Size, shape and spacing are in the concentrations; the last per cents of area come from where the edge is
-//! drawn: one level a region, interpolated between regions (`facts.md` K).
+//! Size, shape and spacing are in the concentrations; the last per cents of area come from the level of the edge: one level
+//! a region, interpolated between regions (`facts.md` K).
 
 use crate::attributes::Attributes;
 use crate::grid::Field;
@@ -10,7 +10,7 @@ use crate::synth::grow::pattern::Pattern;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::watch::{Cancelled, Stage, Watch};
 
-/// What was measured, by region.
+/// What was measured on a layer, by region.
 #[derive(Clone, Debug)]
 pub enum Measured {
     /// A layer of spots.
@@ -26,13 +26,13 @@ pub enum Measured {
 
 /// Measurements and corrections at most.
 const ROUNDS: usize = 4;
-/// Areas and widths nearer than this to what was asked are left alone: half of what the ruler can tell.
+/// Areas and widths nearer than this to what was asked are not corrected: half the error of the measurement.
 const NEAR: f64 = 0.001;
-/// What the level may be multiplied by. Farther off, the parameters are wrong, and a level would hide it.
+/// Factors of the level are kept in this range. Beyond it the parameters are wrong, and a level would hide that.
 const CORRECTIONS: [f64; 2] = [0.6, 1.5];
 
-/// Points that the ruler is given for a cell of the grid along each side, where the canvas has more px than that: a
-/// spot of 48 cells then has 108, of which it reads the area to 0.1 %.
+/// Measured points a cell of the grid along each side, where the canvas has more px than that: a spot of 48 cells then has
+/// 108 points, from which its area is measured to 0.1 %.
 const FINER: f64 = 1.5;
 
 /// Measures `pattern`, a field of the canvas of `plan`, against what was asked.
@@ -77,9 +77,7 @@ impl Measured {
     }
 }
 
-/// Corrects the levels of `pattern`, whose canvas is `size` px; gives what was measured at the end.
-///
-/// Without `correct` it only measures.
+/// Corrects the levels of `pattern`, whose canvas is `size` px, and measures the result. Without `correct` it only measures.
 ///
 /// # Errors
 /// [`Cancelled`].
@@ -93,7 +91,7 @@ pub fn refine(
     let size = [0, 1].map(|axis| size[axis].min((FINER * plan.lookup.grid[axis] as f64).ceil() as usize));
     watch.step(Stage::Refine, 0.0)?;
     let concentration = pattern.concentration(size);
-    let ruler = Ruler::of(plan);
+    let ruler = Ruler::new(plan);
     let (mut errors, mut found) = ruler.errors(plan, &pattern.levelled(&concentration, size));
     // d ln size / d ln level, by region; better known after the first correction.
     let mut slope = vec![plan.lookup.system.definition().level_slope; errors.len()];
@@ -114,9 +112,9 @@ pub fn refine(
             let (Some(old), Some(new)) = (errors[i], new[i]) else { continue };
             let moved = libm::log(pattern.correction[i] / before[i]);
             if moved.abs() > 1e-4 {
-                let seen = (libm::log1p(new) - libm::log1p(old)) / moved;
-                // A region's neighbours move it too; a slope of the wrong sign would run away.
-                slope[i] = seen.clamp(2.0 * slope[i], 0.5 * slope[i]);
+                let found_slope = (libm::log1p(new) - libm::log1p(old)) / moved;
+                // Neighbouring regions change it, too; a slope of the wrong sign would diverge.
+                slope[i] = found_slope.clamp(2.0 * slope[i], 0.5 * slope[i]);
             }
         }
         (errors, found) = (new, measured);
@@ -124,16 +122,16 @@ pub fn refine(
     Ok(found.unwrap_or_else(|| measured(plan, &pattern.levelled(&concentration, size))))
 }
 
-/// What is looked at while levels move.
+/// What is measured while levels are corrected.
 enum Ruler {
-    /// All that is told of spots.
+    /// All attributes of spots.
     Spots,
-    /// Only widths, against these by region: directions take longer, and hardly change.
+    /// Only widths of stripes, compared to these by region: directions take longer, and hardly change.
     Stripes(Vec<f64>),
 }
 
 impl Ruler {
-    fn of(plan: &Plan) -> Self {
+    fn new(plan: &Plan) -> Self {
         if !plan.lookup.system.is_striped() {
             return Self::Spots;
         }
@@ -175,6 +173,6 @@ impl Ruler {
     }
 }
 
-/// Points a region along each side at which its width is asked: even, so that the mean of what is bilinear about the
-/// centre is exact.
+/// Points a region along each side at which the wanted width is sampled: an even number, so that the mean of a function
+/// that is bilinear about the centre is exact.
 const POINTS: usize = 16;
