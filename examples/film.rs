@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Frames are as far apart as they look: most of them show the time in which spots appear.
     let clip = Clip { seconds: 2.0, fps: 10, ..Clip::default() };
     let scene = Scene { document: &document, options: Options::default() };
-    let (prepared, film) = clip.of_growth(&scene, &path, FilmKind::from_path(&path)?)?;
+    let (prepared, film) = clip.film_growth(&scene, &path, FilmKind::from_path(&path)?)?;
     prepared.keep()?;
     println!("{}: {} frames of {} × {} px", path.display(), film.frames, film.size[0], film.size[1]);
     Ok(())

@@ -103,14 +103,14 @@ pub fn run(args: &Args) -> Result<(), Error> {
             unlike @ MorphError::Unlike { .. } => Error::step(unlike),
         })?;
         estimate.tell_seconds(morph.seconds());
-        args.clip().of_change([&document, other], &morph, &args.output, kind, &watch)
+        args.clip().film_change([&document, other], &morph, &args.output, kind, &watch)
     } else {
         // It is grown twice: once to see how much each moment changes.
         estimate.tell(&[Task { document: &document, size: document.size, source: &source, scale: 1 }], 2.0);
         let refine = args.no_refine.then_some(false);
         let options = Options { refine, source: &source, training: &training, watch, ..Options::default() };
         let scene = Scene { document: &document, options };
-        args.clip().of_growth(&scene, &args.output, kind)
+        args.clip().film_growth(&scene, &args.output, kind)
     };
     bar.clear();
     let (prepared, _) = written.map_err(told)?;

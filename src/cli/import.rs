@@ -43,7 +43,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         super::say(&format!("{:#}\n", read(args, &imported)))?;
     } else if !args.quiet {
         // Nobody left to tell is no reason to fail.
-        let _ = writeln!(std::io::stderr(), "note: {}: {}", args.file.display(), imported.told);
+        let _ = writeln!(std::io::stderr(), "note: {}: {}", args.file.display(), imported.summary);
     }
     Ok(())
 }

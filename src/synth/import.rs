@@ -1,4 +1,4 @@
-//! An SVG → a document with what is drawn in it.
+//! SVG → a document with the marks that are drawn in it.
 
 use crate::document::{Document, Kind, Layer, Stroke, limits};
 use crate::marks::{Ellipse, Line, Mark};
@@ -12,7 +12,7 @@ pub use crate::sketch::svg::DPI;
 /// Why an SVG did not become a document.
 #[derive(Debug, thiserror::Error)]
 pub enum ImportError {
-    /// It could not be read.
+    /// The file could not be read.
     #[error("{file}: cannot be read: {source}")]
     Unreadable {
         /// The file.
@@ -20,7 +20,7 @@ pub enum ImportError {
         /// Why.
         source: std::io::Error,
     },
-    /// It is none.
+    /// It is not an SVG.
     #[error("{file}: {source}")]
     Svg {
         /// The file.
@@ -28,7 +28,7 @@ pub enum ImportError {
         /// What is wrong with it.
         source: SvgError,
     },
-    /// Its canvas.
+    /// Its canvas is too large.
     #[error("{file}: its canvas has {found} px; allowed: sides of 1 to {most} px; choose another --dpi", most = limits::MAX_SIDE)]
     Size {
         /// The file.
@@ -36,51 +36,51 @@ pub enum ImportError {
         /// Width × height.
         found: String,
     },
-    /// No marks in it.
+    /// It holds no marks.
     #[error(
         "{file}: holds no marks{unread}; allowed: ellipses, circles, lines, rectangles and paths on its canvas"
     )]
     Nothing {
         /// The file.
         file: String,
-        /// What it holds instead.
+        /// What else it holds, in words.
         unread: String,
     },
-    /// More groups than a document has layers.
+    /// It has more groups than a document has layers.
     #[error("{file}: its groups make {found} layers; allowed: {most}", most = limits::MAX_LAYERS)]
     Layers {
         /// The file.
         file: String,
-        /// How many.
+        /// Their number.
         found: usize,
     },
 }
 
-/// A document, and what is to be told of it.
+/// A document read from an SVG.
 #[derive(Clone, Debug)]
 pub struct Imported {
     /// The document.
     pub document: Document,
-    /// Such as `3 marks in 1 layers on 200 × 100 px; not read: 1 × text`.
-    pub told: String,
-    /// What was left out.
+    /// A summary, such as `3 marks in 1 layers on 200 × 100 px; not read: 1 × text`.
+    pub summary: String,
+    /// What was not read.
     pub unread: Unread,
 }
 
-/// What an SVG holds that is no mark, and how often.
+/// Counts of what an SVG holds that is no mark, by kind.
 pub type Unread = BTreeMap<&'static str, usize>;
 
-/// Such as `; not read: 2 × text`.
-fn told_unread(unread: &Unread) -> String {
+/// In words, such as `; not read: 2 × text`.
+fn unread_in_words(unread: &Unread) -> String {
     let unread: Vec<String> = unread.iter().map(|(kind, count)| format!("{count} × {kind}")).collect();
     if unread.is_empty() { String::new() } else { format!("; not read: {}", unread.join(", ")) }
 }
 
-/// The document of the SVG in `bytes`, and what could not be read of it; `file` gives it its name.
+/// Reads the SVG in `bytes` as a document named like `file`, and counts what was not read.
 ///
 /// # Errors
-/// Where it is no SVG, or one that no document can be made of.
-pub fn document_of(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, Unread), ImportError> {
+/// [`ImportError`].
+pub fn read_svg(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, Unread), ImportError> {
     let drawing =
         svg::read(bytes, dpi).map_err(|source| ImportError::Svg { file: file.to_owned(), source })?;
     document(drawing, dpi, file)
@@ -93,12 +93,13 @@ pub fn document_of(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, Unre
 pub fn import(path: &Path, dpi: f64) -> Result<Imported, ImportError> {
     let file = path.display().to_string();
     let bytes = bytes(path).map_err(|source| ImportError::Unreadable { file: file.clone(), source })?;
-    let (document, unread) = document_of(&bytes, dpi, &file)?;
+    let (document, unread) = read_svg(&bytes, dpi, &file)?;
     let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
     let layers = document.layers.len();
     let [width, height] = document.size;
-    let told = format!("{marks} marks in {layers} layers on {width} × {height} px{}", told_unread(&unread));
-    Ok(Imported { document, told, unread })
+    let summary =
+        format!("{marks} marks in {layers} layers on {width} × {height} px{}", unread_in_words(&unread));
+    Ok(Imported { document, summary, unread })
 }
 
 fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
@@ -108,7 +109,7 @@ fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
 }
 
 fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unread), ImportError> {
-    // What is a rounding error above whole px is whole.
+    // Rounding errors above whole px are cut.
     let sides = drawing.size.map(|side| (side - 1e-3).ceil().max(1.0));
     if sides.iter().any(|side| *side > limits::MAX_SIDE as f64) {
         let found = format!("{:.0} × {:.0}", sides[0], sides[1]);
@@ -122,7 +123,7 @@ fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unr
         off += group.marks.len() - marks.len();
         let (lines, ellipses): (Vec<Stroke>, Vec<Stroke>) =
             marks.into_iter().partition(|stroke| stroke.kind() == Some(Kind::Line));
-        // A layer holds one kind.
+        // A layer holds one kind of marks.
         let both = !lines.is_empty() && !ellipses.is_empty();
         for (strokes, kind) in [(ellipses, "spots"), (lines, "lines")] {
             if !strokes.is_empty() {
@@ -141,7 +142,7 @@ fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unr
     }
     let unread = drawing.unread;
     if layers.is_empty() {
-        return Err(ImportError::Nothing { file: file.to_owned(), unread: told_unread(&unread) });
+        return Err(ImportError::Nothing { file: file.to_owned(), unread: unread_in_words(&unread) });
     }
     if layers.len() > limits::MAX_LAYERS {
         return Err(ImportError::Layers { file: file.to_owned(), found: layers.len() });
@@ -153,7 +154,7 @@ fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unr
     Ok((document, unread))
 }
 
-/// A mark as a document may hold it; `None` where it lies off the canvas.
+/// A mark as a stroke within the limits of documents; `None` where it lies off the canvas.
 fn stroke(mark: &Mark, size: [u32; 2]) -> Option<Stroke> {
     let thickness = limits::Range::thickness(size);
     let thick = |length: f64| rounded(length).clamp(thickness.low, thickness.high);
@@ -184,7 +185,7 @@ fn stroke(mark: &Mark, size: [u32; 2]) -> Option<Stroke> {
     fits.then_some(stroke)
 }
 
-/// To a thousandth of a px: an SVG's numbers are no finer.
+/// Rounds to a thousandth of a px: numbers in an SVG are no finer.
 fn rounded(number: f64) -> f64 {
     (number * 1000.0).round() / 1000.0
 }

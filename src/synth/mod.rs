@@ -1,4 +1,4 @@
-//! The thread: a document in, a grown texture out.
+//! Documents → grown textures: planned, grown, painted and reported layer by layer.
 
 pub mod estimate;
 pub mod grow;

@@ -85,7 +85,7 @@ impl Grown {
     /// The texture ready to be painted, with `scale` times the px along each side.
     #[must_use]
     pub fn painting(&self, scale: u32) -> Painting<'_> {
-        Painting::of(&self.document, self, scale as usize)
+        Painting::new(&self.document, self, scale as usize)
     }
 
     /// The colours of the canvas: red, green, blue a px, row by row from the top.

@@ -55,7 +55,7 @@ fn outlined(document: &Document, grown: &Grown, level: f64) -> Vec<Group> {
 
 /// Which layer's mark covers each px, at `scale` times the px.
 fn labels(document: &Document, grown: &Grown, scale: usize) -> Vec<u8> {
-    let painting = Painting::of(document, grown, scale);
+    let painting = Painting::new(document, grown, scale);
     let mut labels = vec![0; painting.size[0] * painting.size[1]];
     painting.band(0..painting.size[1]).labels(&mut labels);
     labels

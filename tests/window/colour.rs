@@ -319,7 +319,8 @@ fn is_painted(hand: &Hand) -> bool {
         return false;
     };
     let rgb =
-        dapple::internals::synth::render::painting::Painting::of(&window.document(), &texture.grown, 1).rgb();
+        dapple::internals::synth::render::painting::Painting::new(&window.document(), &texture.grown, 1)
+            .rgb();
     picture.image.pixels.iter().zip(rgb.chunks_exact(3)).all(|(px, rgb)| px.to_array()[..3] == *rgb)
 }
 

@@ -247,11 +247,11 @@ impl ExportRequest {
             let there = to.display().to_string();
             let from = (&self.document, self.title.as_str());
             let morph = Morph::new(from, (&other, &there), Training::built_in(), watch).map_err(message)?;
-            choices.clip.of_change([&self.document, &other], &morph, path, choices.kind, watch)
+            choices.clip.film_change([&self.document, &other], &morph, path, choices.kind, watch)
         } else {
             let options = Options { source: "the sketch", watch: *watch, ..Options::default() };
             let scene = Scene { document: &self.document, options };
-            choices.clip.of_growth(&scene, path, choices.kind)
+            choices.clip.film_growth(&scene, path, choices.kind)
         };
         let (film, summary) = made.map_err(message)?;
         let [width, height] = summary.size;

@@ -36,7 +36,7 @@ impl Picture {
 
     /// Of what has settled.
     pub(super) fn settled(texture: &Texture) -> Self {
-        let mut painting = Painting::of(&texture.document, &texture.grown, 1);
+        let mut painting = Painting::new(&texture.document, &texture.grown, 1);
         painting.size = fitting(painting.size, [LONGEST; 2]);
         Self::of(&painting, &texture.document, true)
     }

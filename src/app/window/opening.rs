@@ -16,7 +16,7 @@ impl Window {
             Ok(imported) => {
                 self.begin(Session::open_unsaved(imported.document, Document::default(), None));
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
-                let told = format!("{name}: {}", imported.told);
+                let told = format!("{name}: {}", imported.summary);
                 // What was left out stays until it is read.
                 if imported.unread.is_empty() { self.notices.done(told) } else { self.notices.wrong(told) }
             }

@@ -41,7 +41,7 @@ pub fn prepare(
     extent: Extent,
     watch: &Watch,
 ) -> Result<Vec<Prepared>, Error> {
-    let painting = Painting::of(document, grown, extent.scale as usize);
+    let painting = Painting::new(document, grown, extent.scale as usize);
     let refined = grown.settings.refine.unwrap_or(document.growth.refine);
     let style = args.look.style_of(document, refined, extent);
     let mut prepared = asked(args)

@@ -1,4 +1,4 @@
-//! A clip in a file: of a growth, or of one document that becomes another.
+//! A film in a file: of a growth, or of one document that becomes another.
 
 use std::path::Path;
 
@@ -10,18 +10,18 @@ use crate::synth::render::film::{FilmError, Scene, Takes, fitted, palette};
 use crate::synth::render::morph::Morph;
 use crate::synth::watch::Watch;
 
-/// px of the longer side of a frame, unless it is said: clips are looked at small.
+/// px of the longer side of a frame by default: films are watched small.
 pub const SIDE: u32 = 480;
-/// Sides that a frame can have, px.
+/// Allowed sides of a frame, px.
 pub const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
-/// Frames a second that a film can have.
+/// Allowed frames a second.
 pub const RATES: std::ops::RangeInclusive<u16> = 1..=120;
-/// Hundredths of a second are what a GIF counts in, and browsers take one for ten.
+/// Most frames a second of a GIF: it counts in hundredths of a second, and browsers show one as ten.
 pub const FASTEST_GIF: u16 = 50;
 /// Frames of the longest film.
 const MOST: f64 = 20_000.0;
 
-/// How a clip shall be.
+/// Settings of a film.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clip {
     /// px of the longer side of a frame; `None` = the canvas's, at most [`SIDE`].
@@ -30,9 +30,9 @@ pub struct Clip {
     pub seconds: f64,
     /// Frames a second.
     pub fps: u16,
-    /// Whether it stays at the last frame instead of beginning again.
+    /// Whether it stays at the last frame instead of repeating.
     pub once: bool,
-    /// Seconds that the last frame is shown longer before it begins again.
+    /// Seconds that the last frame is held before it repeats.
     pub hold: f64,
 }
 
@@ -42,7 +42,7 @@ impl Default for Clip {
     }
 }
 
-/// Why there is no clip.
+/// Why there is no film.
 #[derive(Debug, thiserror::Error)]
 pub enum ClipError {
     /// More frames a second than a GIF shows.
@@ -60,10 +60,10 @@ pub enum ClipError {
         /// Frames.
         frames: f64,
     },
-    /// The growth.
+    /// The growth failed.
     #[error(transparent)]
     Grow(#[from] GrowError),
-    /// The file.
+    /// The file cannot be written.
     #[error(transparent)]
     Export(#[from] ExportError),
 }
@@ -85,7 +85,7 @@ impl Clip {
         Ok(frames as usize)
     }
 
-    /// What is told of a film of these documents before its first frame.
+    /// The header of a film of these documents: everything but its frames.
     #[must_use]
     pub fn film(&self, documents: &[&Document], frames: usize) -> Film {
         let canvas = documents[0].size;
@@ -100,28 +100,27 @@ impl Clip {
         }
     }
 
-    /// Films a growth, which is grown twice: once to see how much each moment changes. The film does not have its name
-    /// yet.
+    /// Films a growth into a temporary file. It is grown twice: once to measure how much each moment changes.
     ///
     /// # Errors
     /// [`ClipError`].
-    pub fn of_growth(
+    pub fn film_growth(
         &self,
         scene: &Scene,
         path: &Path,
         kind: Kind,
     ) -> Result<(PreparedFilm, Film), ClipError> {
-        let takes = Takes::of(scene, self.frames(kind)?)?;
+        let takes = Takes::record(scene, self.frames(kind)?)?;
         let film = self.film(&[scene.document], takes.frames());
         let prepared = written(path, kind, &film, &|show| takes.play(scene, film.size, show))?;
         Ok((prepared, film))
     }
 
-    /// Films the way from the first of these documents to the other. The film does not have its name yet.
+    /// Films how the first of these documents becomes the other, into a temporary file.
     ///
     /// # Errors
     /// [`ClipError`].
-    pub fn of_change(
+    pub fn film_change(
         &self,
         documents: [&Document; 2],
         morph: &Morph,
@@ -136,10 +135,10 @@ impl Clip {
     }
 }
 
-/// What shows all frames, one after the other.
+/// Shows all frames in order.
 type Play<'a> = &'a dyn Fn(motion::Show) -> Result<(), FilmError>;
 
-/// Writes the film, which does not have its name yet.
+/// Writes the film to a temporary file.
 fn written(path: &Path, kind: Kind, film: &Film, play: Play) -> Result<PreparedFilm, ClipError> {
     let mut failed: Option<GrowError> = None;
     let written = motion::write(path, kind, film, |show| match play(show) {

@@ -1,13 +1,13 @@
-//! A growth as a film: frames as far apart as they look.
+//! A film of a growth, with equal visible change between its frames.
 //!
 //! ```text
-//!  grown once, seen small ──▶ how much each moment changes ──▶ the moments of the frames ──▶ grown again, painted there
+//!  grown once, painted small ──▶ change at each moment ──▶ moments of the frames ──▶ grown again, painted at these
 //! ```
 //!
-//! With x(t) the small pictures, red, green and blue, C(t) = Σ |x(tᵢ) − x(tᵢ₋₁)| over the moments up to t is how much has
-//! been seen to change. Frame k of n shows the first moment at which C ≥ C(end)·k/(n − 1): nothing happens for long at
-//! first, then all at once, and at last hardly anything again, and a film in steps of time shows little but the last. No
-//! frame is kept: a growth is the same each time.
+//! With x(t) the small pictures, red, green and blue, C(t) = Σ |x(tᵢ) − x(tᵢ₋₁)| over the moments up to t is the visible
+//! change. Frame k of n shows the first moment at which C ≥ C(end)·k/(n − 1): patterns change little at first, then quickly,
+//! then slowly for long, so that frames at equal times would show little but the end. No frame is stored: a growth is the
+//! same each time.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -20,8 +20,7 @@ use crate::synth::options::Options;
 use crate::synth::render::painting::{Painting, gradient_of};
 use crate::synth::watch::{Stage, Watch};
 
-/// Normalised time from moment to moment: a growth takes 20–100 of it on its coarsest grid, where most of what is seen
-/// happens within 10.
+/// Normalised time between two moments: a growth takes 20–100 of it on its coarsest grid, and changes most within 10.
 const EVERY: f64 = 0.1;
 /// px of the longer side of the small pictures.
 const SMALL: usize = 96;
@@ -38,33 +37,33 @@ pub struct Scene<'a> {
 /// Why a film ended early.
 #[derive(Debug, thiserror::Error)]
 pub enum FilmError {
-    /// The growth.
+    /// The growth failed.
     #[error(transparent)]
     Grow(#[from] GrowError),
-    /// Whoever takes the frames.
+    /// The function that takes the frames stopped.
     #[error(transparent)]
     Stopped(#[from] Stopped),
 }
 
-/// Takes a frame: red, green, blue a px.
+/// Called with each frame: red, green, blue a px.
 pub type Show<'a> = &'a mut dyn FnMut(&[u8]) -> Result<(), Stopped>;
 
-/// A scene that has been seen once: what has grown, and which moments are frames.
+/// A scene that has grown once, with the moments of its frames.
 pub struct Takes {
     grown: Grown,
     frames: Vec<Moment>,
 }
 
-/// A look at a growth.
+/// A moment of a growth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Moment {
-    /// Which growth: a layer may take two.
+    /// Which growth: a layer may be grown twice.
     growth: usize,
-    /// Which look at it.
+    /// Which snapshot of it.
     look: usize,
 }
 
-/// Counts the looks.
+/// Counts snapshots.
 #[derive(Default)]
 struct Clock {
     layer: usize,
@@ -73,7 +72,7 @@ struct Clock {
 }
 
 impl Clock {
-    /// The moment of this look; and whether its layer began anew.
+    /// The moment of this snapshot; and whether its layer started again.
     fn tick(&mut self, look: &Snapshot) -> (Moment, bool) {
         let (layer, steps) = (look.beneath.len(), look.engine.steps());
         let again = layer == self.layer && steps < self.steps;
@@ -88,24 +87,24 @@ impl Clock {
     }
 }
 
-/// What has been seen of a growth.
+/// The visible change of a growth.
 #[derive(Default)]
-struct Seen {
-    /// The moments, with how much has been seen to change up to each.
+struct Change {
+    /// The moments, with the change up to each.
     moments: Vec<(Moment, u64)>,
-    /// How many moments there were, and the picture, when the layer began.
+    /// The number of moments and the picture at the start of the layer.
     begun: (usize, Vec<u8>),
     last: Vec<u8>,
 }
 
-impl Seen {
+impl Change {
     fn changed(&self) -> u64 {
         self.moments.last().map_or(0, |(_, changed)| *changed)
     }
 
-    fn see(&mut self, moment: Moment, again: bool, picture: Vec<u8>) {
+    fn add(&mut self, moment: Moment, again: bool, picture: Vec<u8>) {
         if again {
-            // What stood there is not what will stand there.
+            // The first growth of the layer is not shown.
             self.moments.truncate(self.begun.0);
             self.last.clone_from(&self.begun.1);
         } else if moment.look == 0 {
@@ -116,7 +115,7 @@ impl Seen {
         self.last = picture;
     }
 
-    /// The moments of `frames` frames, the last of which is that of the `settled` picture and not among them.
+    /// The moments of `frames` frames, except for the last one, which is the `settled` picture.
     fn spread(&self, frames: usize, settled: &[u8]) -> Vec<Moment> {
         let all = self.changed() + difference(&self.last, settled);
         let ways = frames.max(2) as u64 - 1;
@@ -128,7 +127,7 @@ impl Seen {
     }
 }
 
-/// Σ|b − a|; nothing where there is no picture before.
+/// Σ|b − a|; 0 where there is no picture before.
 fn difference(a: &[u8], b: &[u8]) -> u64 {
     a.iter().zip(b).map(|(a, b)| u64::from(a.abs_diff(*b))).sum()
 }
@@ -138,13 +137,13 @@ impl Takes {
     ///
     /// # Errors
     /// See [`GrowError`].
-    pub fn of(scene: &Scene, frames: usize) -> Result<Self, GrowError> {
+    pub fn record(scene: &Scene, frames: usize) -> Result<Self, GrowError> {
         let Scene { document, options } = *scene;
         let small = fitted(options.size.unwrap_or(document.size), SMALL);
-        let (mut clock, mut seen) = (Clock::default(), Seen::default());
+        let (mut clock, mut seen) = (Clock::default(), Change::default());
         let grown = grow_seen(document, &options, EVERY, &mut |look| {
             let (moment, again) = clock.tick(look);
-            seen.see(moment, again, Painting::growing(document, look, small).rgb());
+            seen.add(moment, again, Painting::growing(document, look, small).rgb());
         })?;
         let settled = Painting::sized(document, &grown, small).rgb();
         let frames = seen.spread(frames, &settled);
@@ -181,7 +180,7 @@ impl Takes {
                     shown += 1;
                 }
                 (watch.progress)(Stage::Write, shown as f64 / self.frames() as f64);
-                // What is left of the growth has been seen.
+                // The rest of the growth is not shown.
                 over.store(stopped.is_some() || shown == self.frames.len(), Ordering::Relaxed);
             })
             .map(drop),
@@ -207,7 +206,7 @@ pub fn fitted(canvas: [u32; 2], side: usize) -> [usize; 2] {
     canvas.map(|length| ((f64::from(length) / longest * side as f64).round() as usize).max(1))
 }
 
-/// A picture of `size` px: one smaller than the canvas is painted finer and averaged, so that thin marks do not flicker.
+/// A picture of `size` px. One smaller than the canvas is painted finer and averaged, so that thin marks do not flicker.
 pub(crate) fn painted<'a>(
     paint: &dyn Fn([usize; 2]) -> Painting<'a>,
     canvas: [u32; 2],
@@ -221,11 +220,11 @@ pub(crate) fn painted<'a>(
     downscale(&paint(fine).rgb(), fine, size)
 }
 
-/// Times finer at most that a small picture is painted.
+/// Small pictures are painted at most so many times finer.
 const FINEST: usize = 3;
 
-/// Up to `most` colours that films of these documents need: evenly along the colours of their visible layers, and on the
-/// way from the first document's to the last's.
+/// Up to `most` colours for films of these documents: evenly along the colours of their visible layers, and between those
+/// of the first and the last document.
 #[must_use]
 pub fn palette(documents: &[&Document], most: usize) -> Vec<[u8; 3]> {
     let tables = |document: &Document| {
@@ -251,10 +250,10 @@ pub fn palette(documents: &[&Document], most: usize) -> Vec<[u8; 3]> {
     colours
 }
 
-/// Colours on the way from one document's to another's.
+/// Colours between those of two documents.
 const STATIONS: usize = 8;
 
-/// A colour on the way from `a` to `b`.
+/// The colour that is `share` of the way from `a` to `b`.
 pub(crate) fn mixed(a: [u8; 3], b: [u8; 3], share: f64) -> [u8; 3] {
     [0, 1, 2].map(|i| ((1.0 - share) * f64::from(a[i]) + share * f64::from(b[i])).round() as u8)
 }
@@ -268,24 +267,24 @@ mod tests {
     }
 
     #[test]
-    fn frames_are_as_far_apart_as_they_look() {
-        let mut seen = Seen::default();
+    fn frames_differ_equally() {
+        let mut seen = Change::default();
         for (look, value) in [0, 0, 0, 10, 20, 60, 90, 98].into_iter().enumerate() {
-            seen.see(moment(0, look), false, vec![value]);
+            seen.add(moment(0, look), false, vec![value]);
         }
         let frames = seen.spread(6, &[100]);
         assert_eq!(frames, [0, 4, 5, 5, 6].map(|look| moment(0, look)));
     }
 
     #[test]
-    fn a_layer_that_begins_anew_is_seen_once() {
-        let mut seen = Seen::default();
-        seen.see(moment(0, 0), false, vec![0]);
-        seen.see(moment(0, 1), false, vec![10]);
-        seen.see(moment(1, 0), false, vec![10]);
-        seen.see(moment(1, 1), false, vec![90]);
-        seen.see(moment(2, 0), true, vec![12]);
-        seen.see(moment(2, 1), false, vec![30]);
+    fn a_layer_that_starts_again_is_shown_once() {
+        let mut seen = Change::default();
+        seen.add(moment(0, 0), false, vec![0]);
+        seen.add(moment(0, 1), false, vec![10]);
+        seen.add(moment(1, 0), false, vec![10]);
+        seen.add(moment(1, 1), false, vec![90]);
+        seen.add(moment(2, 0), true, vec![12]);
+        seen.add(moment(2, 1), false, vec![30]);
         let growths: Vec<_> =
             seen.moments.iter().map(|(moment, changed)| (moment.growth, *changed)).collect();
         assert_eq!(growths, [(0, 0), (0, 10), (2, 12), (2, 30)]);

@@ -1,14 +1,13 @@
-//! From one document to another, without a cut.
+//! Morphing: one document becomes another.
 //!
-//! A(p) is what the marks of a document say, as a region map p ↦ attributes. The grown state of the first is carried on
-//! while what it is told goes from A₀ to A₁ (`RegionMap::blended`) along the smooth step s = t²(3 − 2t), one frame at a
-//! time:
+//! A(p) are the attributes that the marks of a document ask for at p. The grown state of the first document is simulated on
+//! while its attributes go from A₀ to A₁ (`RegionMap::blended`) along the smooth step s = t²(3 − 2t), frame by frame:
 //!
 //! ```text
 //!  state ──▶ parameters of A₀ + s·(A₁ − A₀) ──▶ some steps ──▶ a frame, and the next state
 //! ```
 //!
-//! Nothing is laid anew: marks grow, turn, move, split and vanish as their system lets them.
+//! Marks are not placed again: they grow, turn, move, split and vanish by themselves.
 
 use crate::attributes::regions::RegionMap;
 use crate::document::{After, Document};
@@ -29,15 +28,15 @@ use crate::synth::training::Training;
 use crate::synth::watch::{Stage, Watch};
 use std::time::Instant;
 
-/// Normalised time of the whole way: spots that are told to stand elsewhere drift for 100 to 300.
+/// Normalised time of the morph: spots drift for 100 to 300 to new places.
 const TIME: f64 = 400.0;
-/// The share of the frames that are on the way; the rest settles.
-const ON_THE_WAY: f64 = 0.8;
+/// The share of the frames in which the attributes change; in the rest the pattern settles.
+const CHANGING: f64 = 0.8;
 
 /// Why one document cannot become another.
 #[derive(Debug, thiserror::Error)]
 pub enum MorphError {
-    /// The two do not fit.
+    /// The two documents do not fit.
     #[error("{from} cannot become {to}: {what}")]
     Unlike {
         /// The first document.
@@ -47,12 +46,12 @@ pub enum MorphError {
         /// What differs, and the remedy.
         what: String,
     },
-    /// The first does not grow, or the other cannot be planned.
+    /// The first document does not grow, or the other cannot be planned.
     #[error(transparent)]
     Grow(#[from] GrowError),
 }
 
-/// A document on its way to another.
+/// The state of a morph.
 #[derive(Clone)]
 pub struct Morph<'a> {
     documents: [&'a Document; 2],
@@ -61,15 +60,15 @@ pub struct Morph<'a> {
     maps: [RegionMap; 2],
     cell: f64,
     state: Vec<Vec<f32>>,
-    /// Seconds of a unit of normalised time, as the growth of the first took them.
+    /// Seconds of a unit of normalised time, measured while the first document grew.
     pace: f64,
 }
 
-/// A document with its name in messages.
+/// A document and its name in messages.
 pub type Named<'a> = (&'a Document, &'a str);
 
 impl<'a> Morph<'a> {
-    /// Grows the first document, the state from which the way to `to` begins.
+    /// Grows the first document: the state from which the morph to `to` starts.
     ///
     /// # Errors
     /// [`MorphError`]; documents of several layers, of other sizes or edges, of ellipses and lines are refused.
@@ -96,7 +95,7 @@ impl<'a> Morph<'a> {
         let system = |choice, map: &RegionMap| Ok(look_up(training, choice, map)?.system);
         let of = |choice, map| system(choice, map).map_err(|error: PlanError| GrowError::from(error));
         let systems = [of(choices[0], &maps[0])?, of(choices[1], &maps[1])?];
-        // What grows the first by choice grows the other too where that leaves it open.
+        // A system chosen in one document is taken for the other where that is "auto".
         let auto = choices.map(|choice| choice == crate::document::SystemChoice::Auto);
         let system = match (systems[0] == systems[1], auto) {
             (true, _) | (false, [false, true]) => systems[0],
@@ -120,7 +119,7 @@ impl<'a> Morph<'a> {
         Ok(morph)
     }
 
-    /// The plan at `share` of the way, 0..1.
+    /// The plan at `share` of the morph, 0..1.
     fn plan(&self, share: f64) -> Result<Plan, GrowError> {
         let [from, to] = &self.maps;
         let map = from.blended(to, share).expect("of one kind, as was checked");
@@ -140,7 +139,7 @@ impl<'a> Morph<'a> {
         Ok(())
     }
 
-    /// Seconds that the way will take on this machine, as the growth of the first document did.
+    /// Estimated seconds of the morph on this machine.
     #[must_use]
     pub fn seconds(&self) -> f64 {
         TIME * self.pace
@@ -157,7 +156,7 @@ impl<'a> Morph<'a> {
         watch: &Watch,
         show: Show,
     ) -> Result<(), FilmError> {
-        let moving = ((frames as f64 * ON_THE_WAY).ceil() - 1.0).max(1.0);
+        let moving = ((frames as f64 * CHANGING).ceil() - 1.0).max(1.0);
         for frame in 0..frames {
             if (watch.cancelled)() {
                 return Err(Stopped::Cancelled.into());
@@ -173,7 +172,7 @@ impl<'a> Morph<'a> {
         Ok(())
     }
 
-    /// Lets the state follow `plan` for some time.
+    /// Simulates the state with the parameters of `plan` for some normalised time.
     fn advance(&mut self, plan: &Plan, time: f64) -> Result<Field, GrowError> {
         let maps = plan.unpitched_maps();
         let state = with_obstacle_state(self.system, &maps, std::mem::take(&mut self.state));
@@ -193,7 +192,7 @@ impl<'a> Morph<'a> {
     fn paint(&self, plan: &Plan, marks: &Field, share: f64, size: [usize; 2]) -> Vec<u8> {
         let canvas = self.documents[0].size;
         let [mut from, to] = self.documents.map(|document| {
-            painted(&|size| Painting::of_marks(document, plan, marks.clone(), size), canvas, size)
+            painted(&|size| Painting::from_marks(document, plan, marks.clone(), size), canvas, size)
         });
         for (a, b) in from.chunks_exact_mut(3).zip(to.chunks_exact(3)) {
             a.copy_from_slice(&mixed([a[0], a[1], a[2]], [b[0], b[1], b[2]], share));
@@ -202,7 +201,7 @@ impl<'a> Morph<'a> {
     }
 }
 
-/// What keeps one document from becoming another, whatever its marks.
+/// Why one document cannot become another, whatever its marks.
 fn difference(from: &Document, to: &Document) -> Option<String> {
     for document in [from, to] {
         let [layer] = &document.layers[..] else {

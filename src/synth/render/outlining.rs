@@ -15,8 +15,8 @@ use crate::synth::watch::{Stage, Watch};
 /// The pattern value at which a layer's colour is taken: well inside a mark, short of its middle.
 const COLOUR_AT: f32 = 0.75;
 
-/// Traced values a cell of the grid that was grown on, along each side, at least: with fewer, the smallest spots lose
-/// half a per cent of their area.
+/// Traced values a cell of the grid along each side, at least: with fewer, the smallest spots lose half a per cent of
+/// their area.
 const A_CELL: f64 = 2.0;
 
 /// What is outlined, and how.
@@ -26,7 +26,7 @@ pub struct Outlining {
     pub size: [usize; 2],
     /// The pattern value that the outlines follow: ½ = the marks' edges.
     pub level: f64,
-    /// The layer that is outlined alone; `None` = all that are shown.
+    /// The only layer that is outlined; `None` = all that are visible.
     pub only: Option<usize>,
     /// What is left out.
     pub smallest: Smallest,
@@ -34,14 +34,13 @@ pub struct Outlining {
     pub style: Style,
 }
 
-/// The outlines of what `document` has `grown`, a group for each layer that is shown.
+/// The outlines of what `document` has `grown`, a group for each visible layer.
 ///
-/// The hatch of a seamless document is the nearest that is seamless, too.
-///
-/// A layer's marks end where those of the layers beneath begin, as in its picture.
+/// A layer's marks end at those of the layers beneath, as in its picture. The hatch of a seamless document is the nearest
+/// one that is seamless, too.
 ///
 /// # Errors
-/// [`Stopped::Cancelled`] where `watch` does not want them any more.
+/// [`Stopped::Cancelled`].
 pub fn outlines(
     document: &Document,
     grown: &Grown,
@@ -61,7 +60,7 @@ pub fn outlines(
             .collect();
         let done = |share: f64| (index as f64 + share) / patterns.len() as f64;
         let step = |share: f64| watch.step(Stage::Write, done(share)).map_err(|_| Stopped::Cancelled);
-        let shapes = of_layer(document, &patterns[index], &beneath, wanted, &step)?;
+        let shapes = layer_shapes(document, &patterns[index], &beneath, wanted, &step)?;
         let layer = &document.layers[index];
         let name = if layer.name.is_empty() { format!("layer {}", index + 1) } else { layer.name.clone() };
         layers.push((name, gradient_of(layer, index).colour(COLOUR_AT), shapes));
@@ -72,12 +71,12 @@ pub fn outlines(
         style.hatch = style.hatch.map(|hatch| hatch.seamless(size));
     }
     let drawn = draw(layers, size, &style);
-    // The way through a million strokes takes a while; whoever has stopped meanwhile gets no file.
+    // Ordering a million strokes takes seconds, in which it may have been cancelled.
     watch.step(Stage::Write, 1.0).map_err(|_| Stopped::Cancelled)?;
     Ok(drawn)
 }
 
-fn of_layer(
+fn layer_shapes(
     document: &Document,
     pattern: &Pattern,
     beneath: &[&Pattern],
@@ -97,7 +96,7 @@ fn of_layer(
             *value -= level;
         }
         for layer in beneath {
-            // Outside where either says so.
+            // Outside the mark, or inside one beneath.
             for (value, taken) in values.iter_mut().zip(layer.rows(rows.clone(), width, height)) {
                 *value = value.min(level - taken);
             }

@@ -1,4 +1,4 @@
-//! Grown layers → the texture's px, its pattern, its labels: the same for a file and for a window.
+//! Grown layers → pictures of the texture, its pattern and its labels, for files and for the window.
 
 mod concentrations;
 mod fine;
@@ -24,7 +24,7 @@ use crate::synth::plan::Plan;
 use crate::synth::plan::inside::is_replaced;
 use crate::synth::watch::{Stage, Watch};
 
-/// What is painted, at the size of the pictures.
+/// Patterns and colours of all layers, for pictures of one size.
 pub struct Painting<'a> {
     /// Width and height, px.
     pub size: [usize; 2],
@@ -32,14 +32,14 @@ pub struct Painting<'a> {
     tables: Vec<Table>,
     gradients: Vec<Gradient>,
     visible: Vec<bool>,
-    /// Which stand only for the places of the next, and cover nothing.
+    /// Layers that only give their places to the next one, and cover nothing.
     replaced: Vec<bool>,
 }
 
 impl<'a> Painting<'a> {
     /// What `document` has `grown`, with `scale` times the px along each side.
     #[must_use]
-    pub fn of(document: &Document, grown: &'a Grown, scale: usize) -> Self {
+    pub fn new(document: &Document, grown: &'a Grown, scale: usize) -> Self {
         Self::sized(document, grown, grown.size.map(|side| side as usize * scale))
     }
 
@@ -56,15 +56,15 @@ impl<'a> Painting<'a> {
         let mut layers: Vec<_> = snapshot.beneath.iter().map(GrownLayer::pattern).collect();
         layers.push(Pattern::new(&snapshot.plan.lookup, &snapshot.plan.levelled(snapshot.engine.marks())));
         let mut painting = Self::with(document, size, layers);
-        // What grows is seen although the next layer will stand in its place.
+        // The growing layer is shown although the next one will replace it.
         let top = painting.layers.len() - 1;
         painting.visible[top] = document.layers[top].visible;
         painting
     }
 
-    /// One layer of which `marks` are as a growth gives them, in the colours of the lowest of `document`, at `size` px.
+    /// The concentration `marks` of one layer, in the colours of the lowest of `document`, at `size` px.
     #[must_use]
-    pub fn of_marks(document: &Document, plan: &'a Plan, marks: Field, size: [usize; 2]) -> Self {
+    pub fn from_marks(document: &Document, plan: &'a Plan, marks: Field, size: [usize; 2]) -> Self {
         Self::with(document, size, vec![Pattern::new(&plan.lookup, &plan.levelled(marks))])
     }
 
@@ -122,10 +122,10 @@ impl<'a> Painting<'a> {
         rgb
     }
 
-    /// Writes a picture of `channel` to `path`, in the format of its ending; it does not have its name yet.
+    /// Writes a picture of `channel`, in the format of the ending of `path`, to a temporary file.
     ///
     /// # Errors
-    /// Where the file cannot be written, or `watch` does not want it any more.
+    /// The file cannot be written; or it was cancelled.
     pub fn prepare(
         &self,
         path: &Path,
@@ -134,14 +134,14 @@ impl<'a> Painting<'a> {
         watch: &Watch,
     ) -> Result<Prepared, ExportError> {
         let format = style.check(path, channel, self.size)?;
-        let told = |rows: &Range<usize>| {
+        let step = |rows: &Range<usize>| {
             let done = rows.start as f64 / self.size[1] as f64;
             watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)
         };
         if let (Format::Exr, Channel::Pattern(only)) = (format, channel) {
             return export::prepare(path, |out| {
                 exr::write(out, self.size, &["Y".to_owned()], Some(style.dpi), |rows, planes| {
-                    told(&rows)?;
+                    step(&rows)?;
                     self.band(rows).values(only, &mut planes[0]);
                     Ok(())
                 })
@@ -150,12 +150,12 @@ impl<'a> Painting<'a> {
         let samples = style.samples(format, channel);
         let texts = if format == Format::Png { &style.texts[..] } else { &[] };
         let header = Header { dpi: Some(style.dpi), texts, ..Header::new(self.size, samples) };
-        // Plain 8-bit colours have a way of their own, which is faster.
+        // Plain 8-bit colours are painted by a faster function.
         let fine = channel == Channel::Texture && samples != Samples::Rgb8;
-        let colours = fine.then(|| fine::Colours::of(self, style.transparent));
+        let colours = fine.then(|| fine::Colours::new(self, style.transparent));
         export::prepare(path, |out| {
             picture::write(out, format, style.quality, header, |rows, bytes| {
-                told(&rows)?;
+                step(&rows)?;
                 let band = self.band(rows);
                 match (channel, &colours) {
                     (Channel::Texture, None) => band.paint(bytes),
@@ -172,15 +172,15 @@ impl<'a> Painting<'a> {
 /// How a picture is written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {
-    /// px an inch.
+    /// Resolution, px an inch.
     pub dpi: f64,
-    /// Whether colours have 16 bit.
+    /// Whether colours have 16 bits.
     pub deep: bool,
-    /// Whether the ground can be seen through.
+    /// Whether the ground is transparent.
     pub transparent: bool,
     /// Quality of a JPEG, 1 to 100.
     pub quality: u8,
-    /// Texts beside the px of a PNG: [`crate::document::embedded::embedded`].
+    /// Texts stored in a PNG: [`crate::document::embedded::embedded`].
     pub texts: Vec<(&'static str, String)>,
 }
 
@@ -191,7 +191,7 @@ impl Default for Style {
 }
 
 impl Style {
-    /// Looks whether a picture of `channel` and `size` px can be written to `path` like this, before the work is done.
+    /// Checks that a picture of `channel` and `size` px can be written to `path` in this style; returns its format.
     ///
     /// # Errors
     /// What is wrong with the path or its format, and the remedy.
@@ -229,7 +229,7 @@ impl Style {
 pub enum Channel {
     /// The texture: red, green, blue, 8 bit each.
     Texture,
-    /// The pattern of one layer, or of the layer that painted each px: 16-bit gray.
+    /// The pattern of one layer, or of the layer that is visible at each px: 16-bit gray.
     Pattern(Option<usize>),
     /// Which layer's mark covers each px: 8 bit.
     Labels,
@@ -241,11 +241,11 @@ pub(crate) fn gradient_of(layer: &Layer, index: usize) -> Gradient {
     own.unwrap_or_else(|| Gradient::default_for_layer(index))
 }
 
-/// Some rows of the pictures: the pattern of each layer there.
+/// Some rows of the pictures.
 pub struct Band<'a> {
     painting: &'a Painting<'a>,
     patterns: Vec<Field>,
-    /// Where each was free to grow: the marks of those beneath are frozen.
+    /// Where each layer was free to grow: not where there are marks of those beneath.
     free: Vec<Vec<bool>>,
 }
 
@@ -263,14 +263,13 @@ impl Band<'_> {
             .collect()
     }
 
-    /// Its colours: red, green, blue a px.
+    /// The colours: red, green, blue a px.
     pub fn paint(&self, rgb: &mut [u8]) {
         let rows = self.patterns.first().map_or(0, |pattern| pattern.height);
         paint_rows(&self.painted(), self.painting.size[0], 0..rows, rgb);
     }
 
-    /// The pattern of layer `only`, or of the layer that painted each px; ground where none did. 16 bit, big end
-    /// first.
+    /// The pattern of layer `only`, or of the layer that is visible at each px; 0 where there is none. 16 bits, big-endian.
     pub fn pattern(&self, only: Option<usize>, gray: &mut [u8]) {
         let painted = self.painted();
         for (px, two) in gray.chunks_exact_mut(2).enumerate() {
@@ -280,7 +279,7 @@ impl Band<'_> {
         }
     }
 
-    /// The same, not rounded.
+    /// The same values, not rounded.
     pub fn values(&self, only: Option<usize>, values: &mut [f32]) {
         let painted = self.painted();
         for (px, value) in values.iter_mut().enumerate() {

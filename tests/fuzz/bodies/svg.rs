@@ -2,7 +2,7 @@
 
 use dapple::internals::marks::Mark;
 use dapple::internals::sketch::svg::{DPI, read};
-use dapple::internals::synth::import::document_of;
+use dapple::internals::synth::import::read_svg;
 
 use crate::kept::comes_back;
 use crate::refusal::assert_readable;
@@ -21,7 +21,7 @@ pub fn holds(bytes: &[u8]) {
             assert!(numbers.iter().all(|number| number.is_finite()), "{mark:?}");
         }
     }
-    match document_of(bytes, DPI, FILE) {
+    match read_svg(bytes, DPI, FILE) {
         Ok((document, _)) => comes_back(&document),
         Err(error) => assert_readable(&error.to_string(), FILE),
     }

@@ -10,10 +10,10 @@ use crate::synth::watch::{Stage, Watch};
 
 /// Writes the concentrations of `grown` (grown with [`crate::synth::Options::concentrations`]) at `size` px: a channel a
 /// chemical, called `LAYER.CHEMICAL` by the layer's name and its letter in the equations. Values are the solver's own,
-/// read between its cells by cubic splines. The file does not have its name yet.
+/// interpolated by cubic splines. Writes a temporary file.
 ///
 /// # Errors
-/// Where the file cannot be written, or `watch` does not want it any more.
+/// The file cannot be written; or it was cancelled.
 pub fn concentrations(
     grown: &Grown,
     path: &Path,

@@ -1,4 +1,4 @@
-//! Colours of more than 8 bit, and with opacity.
+//! Colours with more than 8 bits, and with opacity.
 
 use rayon::prelude::*;
 
@@ -9,13 +9,13 @@ use crate::synth::render::painting::{Band, Painting};
 /// The colours of each layer, and that of the ground.
 pub(crate) struct Colours {
     layers: Vec<FineTable>,
-    /// Where nothing paints.
+    /// Where no layer is visible.
     ground: [f32; 4],
 }
 
 impl Colours {
-    /// Those of `painting`; without the ground where it is to be `transparent`.
-    pub fn of(painting: &Painting, transparent: bool) -> Self {
+    /// The colours of `painting`; the ground has none where it is `transparent`.
+    pub fn new(painting: &Painting, transparent: bool) -> Self {
         let shown = painting.visible.iter().rposition(|visible| *visible);
         let shown = shown.or(painting.gradients.len().checked_sub(1));
         let ground = shown.map_or([1.0; 3], |layer| {
@@ -31,7 +31,7 @@ impl Colours {
 }
 
 impl Band<'_> {
-    /// Its colours, as `samples`, which are colours.
+    /// The colours, in the format of `samples`.
     pub(crate) fn paint_fine(&self, colours: &Colours, samples: Samples, bytes: &mut [u8]) {
         let painted = self.painted();
         let deep = matches!(samples, Samples::Rgb16 | Samples::Rgba16);
@@ -67,7 +67,7 @@ impl Band<'_> {
     }
 }
 
-/// The nearest of 256 steps.
+/// Rounds to 8 bits.
 pub(crate) fn to_u8(value: f32) -> u8 {
     (255.0 * value.clamp(0.0, 1.0)).round() as u8
 }

@@ -13,14 +13,14 @@ use crate::synth::render::painting::Painting;
 use crate::synth::render::painting::fine::{Colours, to_u8};
 use crate::synth::watch::{Stage, Watch};
 
-/// px that a band has about: little beside the picture, enough for all threads.
+/// px of a band: few compared to the picture, enough for all threads.
 const BAND_PX: usize = 1 << 20;
 /// How far, in heights of the relief, a mark still shades its surroundings: 6 % of the sky's light there.
 const REACH: f64 = 4.0;
-/// px of the farthest that occlusion looks.
+/// The largest radius of occlusion, px.
 const FARTHEST: usize = 96;
 
-/// What a material is written with.
+/// Settings of a material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Making {
     /// Heights, in px of the canvas, and roughness.
@@ -31,13 +31,13 @@ pub struct Making {
     pub edges: Edges,
 }
 
-/// Rows that are made at once of pictures so wide.
+/// Rows of a band of pictures so wide.
 fn rows_a_band(width: usize) -> usize {
     (BAND_PX / width.max(1)).max(16)
 }
 
 impl Making {
-    /// px that shading reaches, of `layers` layers.
+    /// Radius of the shading of `layers` layers, px.
     fn radius(&self, layers: usize) -> usize {
         let [low, high] = self.scaled().range(layers);
         ((REACH * (high - low)).ceil() as usize).clamp(1, FARTHEST)
@@ -49,9 +49,8 @@ impl Making {
         Surface { relief, ..self.surface.clone() }
     }
 
-    /// Bytes that are held while pictures `width` px wide of `layers` layers are written: with the rim, two patterns a
-    /// layer and three values a px, without it what the maps are made of and their bytes, of 16 bit at most, and what the
-    /// nine writers hold. Measured 0.12 GB at 4096², 0.13 at 8192², of which 0.03 are the program.
+    /// Bytes held while pictures `width` px wide of `layers` layers are written: two patterns a layer and three values a px
+    /// with the rim; values and bytes (16 bits at most) of the maps without it; and the buffers of the nine writers. Measured 0.12 GB at 4096², 0.13 at 8192², of which 0.03 are the program.
     #[must_use]
     pub fn held(&self, width: usize, layers: usize) -> f64 {
         let rows = rows_a_band(width);
@@ -62,10 +61,10 @@ impl Making {
 }
 
 impl Painting<'_> {
-    /// Writes all maps of `set` and a glTF plane into `folder`, which is there; none has its name yet.
+    /// Writes all maps of `set` and a glTF plane into the existing `folder`, as temporary files.
     ///
     /// # Errors
-    /// Where a file cannot be written, or `watch` does not want it any more.
+    /// A file cannot be written; or it was cancelled.
     pub fn material(
         &self,
         folder: &Path,
@@ -76,7 +75,7 @@ impl Painting<'_> {
         let surface = making.scaled();
         let radius = making.radius(self.layers.len());
         let maps = set.maps();
-        let colours = Colours::of(self, set.transparent);
+        let colours = Colours::new(self, set.transparent);
         let mut prepared = write(folder, set, rows_a_band(self.size[0]), |rows, bands| {
             let done = rows.start as f64 / self.size[1] as f64;
             watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
@@ -117,7 +116,7 @@ impl Painting<'_> {
         let mut patterns: Vec<Vec<f32>> = vec![Vec::new(); shown.len()];
         let beyond = rows.start as isize - rim as isize..(rows.end + rim) as isize;
         let wanted: Vec<usize> = beyond.map(|y| edges.index(y, height)).collect();
-        // Rows that follow each other are made together.
+        // Consecutive rows are made together.
         for run in wanted.chunk_by(|a, b| a + 1 == *b) {
             let run = run[0]..run[run.len() - 1] + 1;
             for (pattern, layer) in patterns.iter_mut().zip(&shown) {
@@ -138,7 +137,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Makes `rows` of all `maps`.
+    /// Computes `rows` of all `maps`.
     fn band(&self, rows: Range<usize>, maps: &[Map], bands: &mut [Vec<u8>]) {
         let width = self.painting.size[0];
         let radius = self.radius;
