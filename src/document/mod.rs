@@ -157,7 +157,7 @@ impl Document {
     /// The default is yes with one region. With several regions, the region map may ask for something else where a mark
     /// lies; and irregular spots differ from drawn ellipses.
     #[must_use]
-    pub fn keeps(&self, index: usize) -> bool {
+    pub fn keeps_marks(&self, index: usize) -> bool {
         let Some(Layer { options, after, .. }) = self.layers.get(index) else { return false };
         let usual = self.regions == [1, 1] && options.irregular == 0.0;
         // The lowest layer has nothing beneath it to come after.
@@ -202,7 +202,7 @@ pub struct Layer {
 impl Layer {
     /// The system that is asked for: irregular spots want one that grows such.
     #[must_use]
-    pub fn choice(&self) -> SystemChoice {
+    pub fn wanted_system(&self) -> SystemChoice {
         let irregular = System::first(|system| system.irregular).filter(|_| self.options.irregular > 0.0);
         irregular.map_or(self.system, SystemChoice::Of)
     }
@@ -234,7 +234,7 @@ pub struct Options {
     pub broken: f64,
     /// How irregular its spots are, 0–1.
     pub irregular: f64,
-    /// Whether the drawn marks are among those that grow; `None` = see [`Document::keeps`].
+    /// Whether the drawn marks are among those that grow; `None` = see [`Document::keeps_marks`].
     pub keep: Option<bool>,
     /// What its stripes begin from.
     pub seeding: Seeding,

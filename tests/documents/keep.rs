@@ -15,7 +15,7 @@ fn marks_are_kept_in_one_region_unless_the_document_says_otherwise() {
     let keeps = |options: Value, regions: Value| {
         let mut document = with("/layers/0/options", options);
         document["regions"] = regions;
-        accepted(&document).keeps(0)
+        accepted(&document).keeps_marks(0)
     };
     assert!(keeps(json!({}), json!([1, 1])) && !keeps(json!({}), json!([2, 1])));
     assert!(keeps(json!({"keep": true}), json!([2, 1])) && !keeps(json!({"keep": false}), json!([1, 1])));
@@ -78,7 +78,7 @@ fn where_the_layer_beneath_says_where_marks_grow_none_are_kept() {
     };
     let allowed = "false. The marks of the layer beneath say where these grow";
     refused(&second("inside", json!({"keep": true})), "layers[1].options.keep", "true", allowed);
-    assert!(accepted(&second("between", json!({"keep": true}))).keeps(1));
-    assert!(!accepted(&second("inside", json!({}))).keeps(1));
-    assert!(!accepted(&second("inside", json!({"keep": false}))).keeps(1));
+    assert!(accepted(&second("between", json!({"keep": true}))).keeps_marks(1));
+    assert!(!accepted(&second("inside", json!({}))).keeps_marks(1));
+    assert!(!accepted(&second("inside", json!({"keep": false}))).keeps_marks(1));
 }

@@ -258,7 +258,7 @@ fn options_of_stripes() {
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Initiators);
     hand.press("Begins from: default");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Noise);
-    let kept = hand.document().keeps(1);
+    let kept = hand.document().keeps_marks(1);
     hand.press("Keep marks");
     assert_eq!(hand.document().layers[1].options.keep, Some(!kept));
     hand.press("Keep marks: default");

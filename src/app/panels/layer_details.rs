@@ -214,7 +214,7 @@ fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Opti
         OptionKey::Duty => share(ui, name, &mut options.duty, &limits::DUTY),
         OptionKey::Broken => share(ui, name, &mut options.broken, &limits::BROKEN),
         OptionKey::Keep => {
-            let mut keep = session.document().keeps(session.active_layer);
+            let mut keep = session.document().keeps_marks(session.active_layer);
             let field = ui.checkbox(&mut keep, "as drawn").accessible_name(name);
             if field.changed() {
                 options.keep = Some(keep);

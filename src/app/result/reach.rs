@@ -266,7 +266,7 @@ mod tests {
 
     fn planned_alone(training: &Training, document: &Document) -> Lookup {
         let map = sketch_targets::region_map(document, 0, "").unwrap();
-        look_up(training, document.layers[0].choice(), &map).unwrap()
+        look_up(training, document.layers[0].wanted_system(), &map).unwrap()
     }
 
     fn document(strokes: Vec<Stroke>, system: SystemChoice) -> Document {

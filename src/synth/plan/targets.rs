@@ -61,7 +61,7 @@ impl<'a> Targets<'a> {
                 return Err(problem.in_file(source));
             }
             Place::Inside(beneath)
-        } else if document.keeps(index) || layer.options.seeding == Seeding::Initiators {
+        } else if document.keeps_marks(index) || layer.options.seeding == Seeding::Initiators {
             Place::Free(marks_on(document, index, source, size)?)
         } else {
             Place::Free(Vec::new())
@@ -78,7 +78,7 @@ impl<'a> Targets<'a> {
         let options = &layer.options;
         let lookup = match place {
             Place::Free(marks) => {
-                let lookup = look_up(training, layer.choice(), &map)?;
+                let lookup = look_up(training, layer.wanted_system(), &map)?;
                 Lookup { irregular: options.irregular, start: Start::Free(marks), ..lookup }
             }
             Place::Inside(beneath) => inside::look_up(training, &map, beneath)?,

@@ -91,7 +91,7 @@ impl<'a> Morph<'a> {
                     .to_owned(),
             ));
         }
-        let choices = [from, to].map(|(document, _)| document.layers[0].choice());
+        let choices = [from, to].map(|(document, _)| document.layers[0].wanted_system());
         let system = |choice, map: &RegionMap| Ok(look_up(training, choice, map)?.system);
         let of = |choice, map| system(choice, map).map_err(|error: PlanError| GrowError::from(error));
         let systems = [of(choices[0], &maps[0])?, of(choices[1], &maps[1])?];
