@@ -2,8 +2,8 @@
 
 use egui::{DragValue, Ui};
 
-use super::units::Ruler;
 use crate::document::limits;
+use crate::editor::units::Ruler;
 
 /// Sides that a canvas can have here, px.
 pub const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;

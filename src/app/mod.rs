@@ -36,6 +36,7 @@ mod window;
 
 pub use crate::editor::selection::{Place, Selection};
 pub use crate::editor::session::Session;
+pub use crate::editor::units::{Ruler, Units};
 pub use action::{Action, Page, Tab};
 pub use alternatives::{Alternative, Alternatives, small};
 pub use canvas::tool::Tool;
@@ -46,7 +47,6 @@ pub use notice::Notice;
 pub use pages::New;
 pub use result::{Outcome, Reach, RegionResult, Results, Verdict};
 pub use settings::{Layout, Settings};
-pub use units::{Ruler, Units};
 pub use window::{Start, Window};
 
 use std::path::PathBuf;

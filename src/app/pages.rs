@@ -4,12 +4,12 @@ use egui::{Button, Checkbox, Grid, RichText, Ui, vec2};
 
 use super::action::{Action, Page};
 use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, pair, resolution, sides};
-use super::units::{Ruler, Units};
 use crate::document::{Document, limits};
+use crate::editor::units::{Ruler, Units};
 use crate::grid::Edges;
 
 /// The properties of a new document.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct New {
     /// Width and height, px.
     pub size: [u32; 2],

@@ -6,8 +6,8 @@ use egui::{Checkbox, DragValue, Grid, RichText, ThemePreference, Ui, vec2};
 
 use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, pair, resolution, sides};
 use super::settings::Settings;
-use super::units::{Ruler, Units};
 use crate::document::limits;
+use crate::editor::units::{Ruler, Units};
 
 /// The page. What is changed counts at once.
 pub fn page(ui: &mut Ui, settings: &mut Settings) {

@@ -1,21 +1,21 @@
-//! What is remembered between two sessions: recent files, preferences, how the window lies. One line a thing.
+//! What is remembered from one session to the next: recent files, preferences, window placement.
 
 mod export_choices;
-mod file;
 mod layout;
 
-pub use file::{Entries, folder};
 pub use layout::Layout;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use directories::BaseDirs;
 use egui::ThemePreference;
 
 use super::exporting::Choices;
 use super::pages::New;
-use super::units::Units;
 use crate::editor::path_encoding;
+use crate::editor::settings_file::{self, Entries};
+use crate::editor::units::Units;
 
 /// Recent files that are remembered.
 const RECENT: usize = 10;
@@ -27,22 +27,22 @@ pub struct Settings {
     pub recent: Vec<PathBuf>,
     /// Light, dark, or as the system.
     pub theme: ThemePreference,
-    /// Was the first hint read?
+    /// Whether the first hint was read.
     pub hint_seen: bool,
-    /// In what lengths are told and typed.
+    /// The unit in which lengths are shown and typed.
     pub units: Units,
-    /// Threads that grow; `None` = as many as there are cores, but for one that is left to the window.
+    /// Number of threads that grow; `None` = one less than there are cores, which is left to the window.
     pub threads: Option<usize>,
-    /// What a new document is, unless it is said.
+    /// The initial values for a new document.
     pub new: New,
-    /// With what the next export dialog begins.
+    /// The initial choices of the export dialog.
     pub export: Choices,
-    /// How the window lies.
+    /// Placement of the window and what it shows.
     pub layout: Layout,
-    /// What was wrong with the file, to be told once.
-    pub trouble: Option<String>,
+    /// Why the file could not be read: a message to be shown once.
+    pub error: Option<String>,
     file: Option<PathBuf>,
-    /// As last read or written: what differs was changed here, not by another window.
+    /// The values as last read or written: those that differ now were changed by this window.
     base: Entries,
 }
 
@@ -57,7 +57,7 @@ impl Default for Settings {
             new: New::default(),
             export: Choices::default(),
             layout: Layout::default(),
-            trouble: None,
+            error: None,
             file: None,
             base: Entries::default(),
         }
@@ -65,79 +65,59 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Reads the user's; without a place for them, nothing is remembered.
+    /// Reads the user's settings; without a folder for them, nothing is remembered.
     #[must_use]
     pub fn of_user() -> Self {
-        folder().map_or_else(Self::default, |folder| Self::at(&folder.join("settings")))
+        folder().map_or_else(Self::default, |folder| Self::read(&folder.join("settings")))
     }
 
-    /// Reads a file. One that is damaged is put aside.
+    /// Reads a file. One that is damaged is renamed.
     #[must_use]
-    pub fn at(file: &Path) -> Self {
-        let (entries, trouble) = file::read(file);
-        let mut settings = Self { file: Some(file.to_owned()), trouble, ..Self::default() };
+    pub fn read(file: &Path) -> Self {
+        let (entries, error) = settings_file::read(file);
+        let mut settings = Self { file: Some(file.to_owned()), error, ..Self::default() };
         settings.take_in(&entries);
         settings.base = settings.entries();
         settings
     }
 
     fn take_in(&mut self, entries: &Entries) {
-        self.recent = entries.all("recent").map(path_encoding::decode).take(RECENT).collect();
-        let one = |key| entries.one(key);
-        self.theme = match one("theme") {
+        self.recent = recent(entries);
+        self.theme = match entries.get::<String>("theme").as_deref() {
             Some("light") => ThemePreference::Light,
             Some("dark") => ThemePreference::Dark,
             _ => ThemePreference::System,
         };
-        self.hint_seen = one("hint") == Some("seen");
-        self.units = if one("units") == Some("mm") { Units::Mm } else { Units::Px };
-        self.threads = one("threads").and_then(|number| number.parse().ok()).filter(|threads| *threads > 0);
-        self.new = New::default();
-        if let Some([width, height, columns, rows, seamless, dpi]) = entries.numbers("new") {
-            let new = New {
-                size: [width, height].map(|side| side as u32),
-                regions: [columns, rows].map(|regions| regions as u32),
-                seamless: seamless != 0.0,
-                dpi,
-            };
-            self.new = if new.is_allowed() { new } else { New::default() };
-        }
+        self.hint_seen = entries.get("hint_seen").unwrap_or_default();
+        self.units = entries.get("units").unwrap_or_default();
+        self.threads = entries.get("threads").filter(|threads| *threads > 0);
+        let new = entries.fields("new", &New::default());
+        self.new = if new.is_allowed() { new } else { New::default() };
         self.export = export_choices::read(entries);
         self.layout.take_in(entries);
     }
 
-    /// What differs from what a first start finds.
+    /// The values that differ from the defaults.
     fn entries(&self) -> Entries {
         let mut entries = Entries::default();
-        for path in &self.recent {
-            entries.add("recent", path_encoding::encode(path));
-        }
-        match self.theme {
-            ThemePreference::Light => entries.add("theme", "light"),
-            ThemePreference::Dark => entries.add("theme", "dark"),
-            ThemePreference::System => {}
-        }
-        if self.hint_seen {
-            entries.add("hint", "seen");
-        }
-        if self.units == Units::Mm {
-            entries.add("units", "mm");
-        }
-        if let Some(threads) = self.threads {
-            entries.add("threads", threads.to_string());
-        }
-        if self.new != New::default() {
-            let New { size, regions, seamless, dpi } = &self.new;
-            let ([width, height], [columns, rows]) = (size, regions);
-            let seamless = u8::from(*seamless);
-            entries.add("new", format!("{width} {height} {columns} {rows} {seamless} {dpi}"));
-        }
-        export_choices::tell(&self.export, &mut entries);
-        self.layout.tell(&mut entries);
+        let recent: Vec<String> = self.recent.iter().map(|path| path_encoding::encode(path)).collect();
+        entries.set("recent", &recent, &Vec::new());
+        let theme = match self.theme {
+            ThemePreference::Light => "light",
+            ThemePreference::Dark => "dark",
+            ThemePreference::System => "system",
+        };
+        entries.set("theme", &theme, &"system");
+        entries.set("hint_seen", &self.hint_seen, &false);
+        entries.set("units", &self.units, &Units::default());
+        entries.set("threads", &self.threads, &None);
+        entries.set("new", &self.new, &New::default());
+        export_choices::write(&self.export, &mut entries);
+        self.layout.write(&mut entries);
         entries
     }
 
-    /// Remembers a document.
+    /// Adds a document to the recent ones.
     pub fn remember(&mut self, path: &Path) {
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         self.update(|settings| {
@@ -147,13 +127,12 @@ impl Settings {
         });
     }
 
-    /// Forgets the documents.
+    /// Forgets the recent documents.
     pub fn forget(&mut self) {
         self.update(|settings| settings.recent.clear());
     }
 
-    /// Writes down what was changed here; what other windows changed stays. That this fails is no reason to disturb
-    /// anybody.
+    /// Writes what this window changed; what other windows changed stays. Failing to write is not reported.
     pub fn write(&mut self) {
         self.update(|_| {});
     }
@@ -163,19 +142,32 @@ impl Settings {
             change(self);
             return;
         };
-        let _one_at_a_time = file::lock(&file);
-        let (theirs, _) = file::read(&file);
-        // Another window may have remembered others in the meantime.
-        self.recent = theirs.all("recent").map(path_encoding::decode).take(RECENT).collect();
-        let known = self.base.clone().with("recent", &theirs);
+        let _lock = settings_file::lock(&file);
+        let (theirs, _) = settings_file::read(&file);
+        // Another window may have added recent documents in the meantime.
+        self.recent = recent(&theirs);
+        let base = self.base.clone().with("recent", &theirs);
         change(self);
         let mine = self.entries();
-        let merged = theirs.clone().changed(&known, &mine);
+        let merged = theirs.clone().with_changes(&base, &mine);
         if merged != theirs {
-            file::write(&file, &merged);
+            settings_file::write(&file, &merged);
         }
         self.base = mine;
     }
+}
+
+fn recent(entries: &Entries) -> Vec<PathBuf> {
+    let paths = entries.get::<Vec<String>>("recent").unwrap_or_default();
+    paths.iter().map(|path| path_encoding::decode(path)).take(RECENT).collect()
+}
+
+/// The folder of the user's settings and recovery files; `None` where the system has none.
+#[must_use]
+pub fn folder() -> Option<PathBuf> {
+    let base = BaseDirs::new()?;
+    // On Windows the roaming folder: settings follow the user.
+    Some(base.data_dir().join("dapple"))
 }
 
 #[cfg(test)]

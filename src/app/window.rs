@@ -36,11 +36,11 @@ use super::result::Results;
 use super::settings::Settings;
 use super::texture::TextureView;
 use super::trace::Trace;
-use super::units::Ruler;
 use crate::document::Document;
 use crate::editor::recovery::Recovery;
 use crate::editor::session::Session;
 use crate::editor::task::Tasks;
+use crate::editor::units::Ruler;
 use files::Files;
 
 /// The window.

@@ -9,5 +9,7 @@ pub mod path_encoding;
 pub mod recovery;
 pub mod selection;
 pub mod session;
+pub mod settings_file;
 pub mod shape;
 pub mod task;
+pub mod units;

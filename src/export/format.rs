@@ -3,7 +3,8 @@
 use std::path::Path;
 
 /// A format that pictures are written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Format {
     /// 8 and 16 bit, with or without opacity; may contain the document.
     Png,

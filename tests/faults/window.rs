@@ -88,9 +88,9 @@ fn preferences_that_cannot_be_written_disturb_nobody_and_stay_whole() {
     let file = disk.join("settings");
     fs::write(&file, "hint seen\ntheme dark\n").unwrap();
     mounted.fill(0);
-    let mut settings = Settings::at(&file);
+    let mut settings = Settings::read(&file);
     settings.remember(&folder.path().join("a.dapple"));
     settings.write();
     assert_eq!(fs::read_to_string(&file).unwrap(), "hint seen\ntheme dark\n");
-    assert!(Settings::at(&file).trouble.is_none());
+    assert!(Settings::read(&file).trouble.is_none());
 }

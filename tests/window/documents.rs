@@ -132,12 +132,12 @@ fn a_new_document_has_the_size_and_the_regions_that_were_asked_for() {
 fn files_that_were_opened_are_remembered_the_latest_first() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("settings");
-    let start = Start { settings: Settings::at(&file), ..Start::default() };
+    let start = Start { settings: Settings::read(&file), ..Start::default() };
     let mut hand = with(start, vec2(1280.0, 800.0), Theme::Light);
     for name in ["zebra", "tiger"] {
         drop_file(&mut hand, &example(name));
     }
-    let names: Vec<String> = Settings::at(&file)
+    let names: Vec<String> = Settings::read(&file)
         .recent
         .iter()
         .map(|path| path.file_stem().unwrap().to_string_lossy().into())

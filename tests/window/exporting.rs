@@ -379,7 +379,8 @@ fn the_dialog_begins_as_it_was_left_also_in_the_next_session() {
     let file = folder.path().join("settings");
     let document = folder.path().join("a.dapple");
     Document::parse(SMALL, "small").unwrap().write(&document).unwrap();
-    let start = || Start { settings: Settings::at(&file), file: Some(document.clone()), ..Start::default() };
+    let start =
+        || Start { settings: Settings::read(&file), file: Some(document.clone()), ..Start::default() };
     let mut first = with(start(), vec2(1280.0, 800.0), Theme::Light);
     first.until_settled();
     open(&mut first, "Picture");

@@ -10,7 +10,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use crate::hand::{Hand, hand, with};
 
 fn at(file: &std::path::Path) -> Hand {
-    let start = Start { settings: Settings::at(file), ..Start::default() };
+    let start = Start { settings: Settings::read(file), ..Start::default() };
     with(start, vec2(1280.0, 800.0), Theme::Light)
 }
 
@@ -39,7 +39,7 @@ fn preferences_are_remembered() {
     hand.type_into("Resolution of new documents", "254");
     hand.press("tiles without a seam");
     hand.press("Close");
-    let settings = Settings::at(&file);
+    let settings = Settings::read(&file);
     assert_eq!((settings.theme, settings.units), (ThemePreference::Dark, Units::Mm));
     assert_eq!(settings.threads, Some(1));
     let new = New { size: [118, 512], regions: [2, 4], seamless: true, dpi: 254.0 };
@@ -50,7 +50,7 @@ fn preferences_are_remembered() {
 fn a_new_document_is_as_preferred() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("settings");
-    let mut settings = Settings::at(&file);
+    let mut settings = Settings::read(&file);
     settings.new = New { size: [640, 320], regions: [4, 1], seamless: true, dpi: 72.0 };
     settings.write();
     let mut hand = at(&file);

@@ -15,7 +15,7 @@ const RESTORE: &str = "Restore";
 /// A window that keeps its unsaved work in `folder`. Dropped without a word, it is as if it had been killed.
 fn window(folder: &Path, file: Option<&Path>) -> Hand {
     let recovery = Some(folder.join("recovery"));
-    let settings = Settings::at(&folder.join("settings"));
+    let settings = Settings::read(&folder.join("settings"));
     let start = Start { file: file.map(Path::to_owned), settings, recovery, ..Start::default() };
     with(start, vec2(1280.0, 800.0), Theme::Light)
 }
@@ -230,13 +230,13 @@ fn the_window_lies_as_it_was_left() {
     hand.press("One over the other");
     hand.press("Colour");
     hand.window.state_mut().leave();
-    let layout = Settings::at(&folder.path().join("settings")).layout;
+    let layout = Settings::read(&folder.path().join("settings")).layout;
     let wanted = Layout { tab: Tab::Colour, over: true, linked: false, analysis: true, ..Layout::default() };
     assert_eq!(Layout { size: None, position: None, ..layout }, wanted);
     let mut again = window(folder.path(), None);
     assert!(again.window.query_by_label("Region grid").is_none(), "Colour is open");
     again.window.state_mut().leave();
-    let layout = Settings::at(&folder.path().join("settings")).layout;
+    let layout = Settings::read(&folder.path().join("settings")).layout;
     assert_eq!(Layout { size: None, position: None, ..layout }, wanted);
 }
 

@@ -19,8 +19,8 @@ use egui::{
 use super::reference::Reference;
 use super::theme::Palette;
 use super::underlay::Underlay;
-use super::units::{Ruler, Units};
 use crate::editor::session::Session;
+use crate::editor::units::{Ruler, Units};
 use crate::grid::Edges;
 use crate::marks::Mark;
 use crate::sketch::recognise;

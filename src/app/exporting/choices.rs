@@ -2,8 +2,10 @@
 
 use std::path::PathBuf;
 
-use crate::app::units::Units;
+use serde::{Deserialize, Serialize};
+
 use crate::document::Document;
+use crate::editor::units::Units;
 use crate::export::Format;
 use crate::export::motion::Kind;
 use crate::export::outline::svg::Unit;
@@ -12,7 +14,8 @@ use crate::export::picture::QUALITY;
 use crate::synth::render::clip::{Clip, FASTEST_GIF, RATES};
 
 /// The kind of an export.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum ExportKind {
     /// A picture.
     #[default]
@@ -26,7 +29,8 @@ pub enum ExportKind {
 }
 
 /// The content of a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum PictureContent {
     /// The colours.
     #[default]
@@ -69,7 +73,7 @@ impl Size {
 }
 
 /// How a picture is written.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Picture {
     /// What it shows.
     pub shows: PictureContent,
@@ -86,7 +90,7 @@ pub struct Picture {
 }
 
 /// How a material is written.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Material {
     /// Height of the marks above the ground by layer, px; the last value holds for all further layers.
     pub relief: Vec<f64>,
@@ -99,7 +103,7 @@ pub struct Material {
 }
 
 /// How outlines are written. Lengths are in `units`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Outlines {
     /// Whether the format is DXF, instead of SVG.
     pub dxf: bool,

@@ -11,7 +11,7 @@ use egui::{Checkbox, ComboBox, DragValue, Grid, Role, Ui, WidgetInfo, WidgetText
 
 use super::{Choices, ExportKind, ExportRequest};
 use crate::app::fields::sides;
-use crate::app::units::{Ruler, Units};
+use crate::editor::units::{Ruler, Units};
 use crate::synth::Grown;
 
 /// What the dialog works with.

@@ -9,11 +9,11 @@ use crate::app::canvas::tool::Tool;
 use crate::app::canvas::{Canvas, Nib};
 use crate::app::fields::{DPI, REGIONS, SEAMLESS, SIDES, pair, resolution, sides};
 use crate::app::reference::Reference;
-use crate::app::units::Ruler;
 use crate::attributes::Attributes;
 use crate::document::{Document, limits};
 use crate::editor::edit::Edit;
 use crate::editor::session::Session;
+use crate::editor::units::Ruler;
 use crate::grid::Edges;
 
 /// What the tab shows.

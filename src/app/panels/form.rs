@@ -2,7 +2,7 @@
 
 use egui::{Button, Grid, Rect, RichText, Ui, vec2};
 
-use crate::app::units::Ruler;
+use crate::editor::units::Ruler;
 
 /// Preset widths of lines, px: evenly over those that grow within seconds.
 const WIDTHS: [f64; 4] = [4.0, 8.0, 12.0, 16.0];

@@ -4,11 +4,11 @@ use egui::{Button, DragValue, RichText, Ui};
 
 use super::form::{presets, rows};
 use crate::app::action::Action;
-use crate::app::units::Ruler;
 use crate::editor::edit::Edit;
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
+use crate::editor::units::Ruler;
 use crate::marks::{Ellipse, Line, Mark};
 
 /// Shows them. A number that is changed gives the marks that replace the selected ones.

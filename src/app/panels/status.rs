@@ -5,7 +5,7 @@ use egui::{Align, Layout, ProgressBar, RichText, Ui};
 use crate::app::action::Action;
 use crate::app::canvas::Canvas;
 use crate::app::exporting::Exporting;
-use crate::app::units::Ruler;
+use crate::editor::units::Ruler;
 
 /// Shows the line.
 pub fn status(ui: &mut Ui, canvas: &Canvas, ruler: Ruler, exporting: Option<&Exporting>) -> Option<Action> {

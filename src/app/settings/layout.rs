@@ -1,31 +1,31 @@
-//! How the window lies on the screen and what it shows.
+//! Placement of the window on the screen and what it shows.
 
-use super::file::Entries;
 use crate::app::Tab;
+use crate::editor::settings_file::Entries;
 
-/// The smallest and largest side that is believed, points.
+/// The smallest and largest side that is accepted, points.
 const SIDES: std::ops::RangeInclusive<f32> = 200.0..=20_000.0;
 
-/// How the window lies, and what it shows.
+/// Placement of the window, and what it shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
-    /// Left upper corner of the window with its frame, where the platform tells; points.
+    /// Left upper corner of the window with its frame, points; `None` where the platform does not say.
     pub position: Option<[f32; 2]>,
-    /// Width and height within the frame, while it does not fill the screen; points.
+    /// Width and height within the frame when it is not maximised, points.
     pub size: Option<[f32; 2]>,
-    /// Does it fill the screen?
+    /// Whether it fills the screen.
     pub maximised: bool,
-    /// What the column shows.
+    /// The tab of the right column.
     pub tab: Tab,
-    /// One over the other, instead of side by side.
+    /// Whether sketch and texture lie one over the other, instead of side by side.
     pub over: bool,
-    /// Where the curtain hangs, 0..1.
+    /// Position of the curtain between them, 0..1.
     pub curtain: f32,
-    /// Do the views move together?
+    /// Whether the views move together.
     pub linked: bool,
-    /// Is the region grid shown?
+    /// Whether the region grid is shown.
     pub regions: bool,
-    /// Is shown what is seen in the sketch?
+    /// Whether the analysis of the sketch is shown.
     pub analysis: bool,
 }
 
@@ -46,50 +46,45 @@ impl Default for Layout {
 }
 
 impl Layout {
-    /// Takes in what the settings say.
+    /// Takes the values from the settings; what is missing or out of range gets its default.
     pub fn take_in(&mut self, entries: &Entries) {
-        *self = Self::default();
-        if let Some([width, height]) = entries.numbers("size").map(|size| size.map(|side| side as f32))
-            && SIDES.contains(&width)
-            && SIDES.contains(&height)
-        {
-            self.size = Some([width, height]);
-        }
-        self.position = entries.numbers("position").map(|corner| corner.map(|at| at as f32));
-        let is = |key: &str, value: &str| entries.one(key) == Some(value);
-        self.maximised = is("maximised", "yes");
-        let tab = Tab::ALL.into_iter().find(|tab| is("tab", &tab.name().to_lowercase()));
-        self.tab = tab.unwrap_or_default();
-        self.over = is("over", "yes");
-        self.linked = !is("linked", "no");
-        self.regions = !is("grid", "no");
-        self.analysis = is("analysis", "yes");
-        self.curtain = entries.numbers("curtain").map_or(0.5, |[share]| share.clamp(0.0, 1.0) as f32);
+        let default = Self::default();
+        let is = |name: &str, default: bool| entries.get(name).unwrap_or(default);
+        let tab = entries.get::<String>("tab");
+        let named = |tab: &Tab, name: &str| tab.name().to_lowercase() == name;
+        *self = Self {
+            position: entries.get("position"),
+            size: entries.get("size").filter(|size: &[f32; 2]| size.iter().all(|side| SIDES.contains(side))),
+            maximised: is("maximised", default.maximised),
+            tab: Tab::ALL
+                .into_iter()
+                .find(|one| tab.as_ref().is_some_and(|tab| named(one, tab)))
+                .unwrap_or_default(),
+            over: is("over", default.over),
+            curtain: entries.get("curtain").map_or(default.curtain, |share: f32| share.clamp(0.0, 1.0)),
+            linked: is("linked", default.linked),
+            regions: is("regions", default.regions),
+            analysis: is("analysis", default.analysis),
+        };
     }
 
-    /// Says what differs from what a first start finds.
-    pub fn tell(&self, entries: &mut Entries) {
-        for (key, pair) in [("position", self.position), ("size", self.size)] {
-            if let Some([x, y]) = pair {
-                entries.add(key, format!("{x:.0} {y:.0}"));
-            }
-        }
-        if self.tab != Tab::default() {
-            entries.add("tab", self.tab.name().to_lowercase());
-        }
-        for (key, value, usual) in [
-            ("maximised", self.maximised, false),
-            ("over", self.over, false),
-            ("linked", self.linked, true),
-            ("grid", self.regions, true),
-            ("analysis", self.analysis, false),
-        ] {
-            if value != usual {
-                entries.add(key, if value { "yes" } else { "no" });
-            }
-        }
-        if (self.curtain - 0.5).abs() > 1e-3 {
-            entries.add("curtain", format!("{:.3}", self.curtain));
-        }
+    /// Writes the values that differ from the defaults.
+    pub fn write(&self, entries: &mut Entries) {
+        let default = Self::default();
+        // Whole points and thousandths: what a window manager rounds is no change.
+        let rounded = |pair: [f32; 2]| pair.map(f32::round);
+        entries.set("position", &self.position.map(rounded), &None);
+        entries.set("size", &self.size.map(rounded), &None);
+        entries.set("maximised", &self.maximised, &default.maximised);
+        entries.set("tab", &self.tab.name().to_lowercase(), &default.tab.name().to_lowercase());
+        entries.set("over", &self.over, &default.over);
+        entries.set("curtain", &thousandths(self.curtain), &thousandths(default.curtain));
+        entries.set("linked", &self.linked, &default.linked);
+        entries.set("regions", &self.regions, &default.regions);
+        entries.set("analysis", &self.analysis, &default.analysis);
     }
+}
+
+fn thousandths(share: f32) -> f64 {
+    (f64::from(share) * 1000.0).round() / 1000.0
 }

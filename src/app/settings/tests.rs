@@ -1,5 +1,5 @@
 use super::*;
-use crate::app::Tab;
+use crate::app::{ExportKind, PictureContent, Tab};
 
 fn somewhere() -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
@@ -10,7 +10,7 @@ fn somewhere() -> (tempfile::TempDir, PathBuf) {
 #[test]
 fn everything_is_remembered() {
     let (_folder, file) = somewhere();
-    let mut settings = Settings::at(&file);
+    let mut settings = Settings::read(&file);
     settings.theme = ThemePreference::Dark;
     settings.hint_seen = true;
     settings.units = Units::Mm;
@@ -28,21 +28,21 @@ fn everything_is_remembered() {
         analysis: true,
     };
     settings.remember(Path::new("/a/b\n%.dapple"));
-    let again = Settings::at(&file);
+    let again = Settings::read(&file);
     assert_eq!(again.recent, [Path::new("/a/b\n%.dapple")]);
     assert_eq!(again.entries(), settings.entries());
     assert_eq!((again.layout, again.new), (settings.layout.clone(), settings.new.clone()));
     settings.theme = ThemePreference::System;
     settings.layout = Layout::default();
     settings.write();
-    let again = Settings::at(&file);
+    let again = Settings::read(&file);
     assert_eq!((again.theme, again.layout), (ThemePreference::System, Layout::default()), "and back again");
 }
 
 #[test]
 fn two_windows_do_not_overwrite_what_the_other_one_changed() {
     let (_folder, file) = somewhere();
-    let (mut one, mut two) = (Settings::at(&file), Settings::at(&file));
+    let (mut one, mut two) = (Settings::read(&file), Settings::read(&file));
     one.remember(Path::new("/one"));
     two.theme = ThemePreference::Dark;
     two.write();
@@ -50,13 +50,13 @@ fn two_windows_do_not_overwrite_what_the_other_one_changed() {
     one.remember(Path::new("/more"));
     two.remember(Path::new("/two"));
     two.write();
-    let now = Settings::at(&file);
+    let now = Settings::read(&file);
     assert_eq!(now.recent, [Path::new("/two"), Path::new("/more"), Path::new("/one")]);
     assert_eq!((now.theme, now.units), (ThemePreference::Dark, Units::Mm));
     // What one forgets is forgotten, and what it never touched stays as the other one left it.
     one.forget();
     one.write();
-    let now = Settings::at(&file);
+    let now = Settings::read(&file);
     assert!(now.recent.is_empty());
     assert_eq!(now.theme, ThemePreference::Dark);
 }
@@ -67,10 +67,10 @@ fn many_windows_at_once_lose_nothing() {
     std::thread::scope(|scope| {
         for window in 0..RECENT {
             let file = &file;
-            scope.spawn(move || Settings::at(file).remember(&PathBuf::from(format!("/{window}"))));
+            scope.spawn(move || Settings::read(file).remember(&PathBuf::from(format!("/{window}"))));
         }
     });
-    let mut recent = Settings::at(&file).recent;
+    let mut recent = Settings::read(&file).recent;
     recent.sort();
     assert_eq!(recent, (0..RECENT).map(|window| PathBuf::from(format!("/{window}"))).collect::<Vec<_>>());
 }
@@ -79,40 +79,90 @@ fn many_windows_at_once_lose_nothing() {
 fn what_a_newer_version_remembers_stays() {
     let (_folder, file) = somewhere();
     fs::create_dir_all(file.parent().unwrap()).unwrap();
-    fs::write(&file, "brush soft\ntheme light\nbrush hard\n").unwrap();
-    let mut settings = Settings::at(&file);
+    fs::write(&file, r#"{"brush": ["soft", "hard"], "theme": "light"}"#).unwrap();
+    let mut settings = Settings::read(&file);
     settings.theme = ThemePreference::Dark;
     settings.write();
-    assert_eq!(fs::read_to_string(&file).unwrap(), "brush soft\nbrush hard\ntheme dark\n");
+    let text = fs::read_to_string(&file).unwrap();
+    let wanted = "{\n  \"brush\": [\n    \"soft\",\n    \"hard\"\n  ],\n  \"theme\": \"dark\"\n}\n";
+    assert_eq!(text, wanted);
 }
 
 #[test]
-fn a_damaged_file_is_put_aside_and_told() {
+fn a_damaged_file_is_renamed_and_reported() {
     let (_folder, file) = somewhere();
     fs::create_dir_all(file.parent().unwrap()).unwrap();
-    for bytes in [&b"theme dark\n\xff\xfe"[..], b"theme dark\0\0\0"] {
-        fs::write(&file, bytes).unwrap();
-        let settings = Settings::at(&file);
-        assert!(settings.trouble.unwrap().contains("damaged"));
-        assert_eq!(settings.theme, ThemePreference::System);
-        assert_eq!(fs::read(file.with_extension("damaged")).unwrap(), bytes);
-        assert!(Settings::at(&file).trouble.is_none(), "told once");
-    }
+    fs::write(&file, b"theme dark\n\xff\xfe").unwrap();
+    let settings = Settings::read(&file);
+    assert!(settings.error.unwrap().contains("settings.damaged"));
+    assert_eq!(settings.theme, ThemePreference::System);
+    assert!(Settings::read(&file).error.is_none(), "reported once");
 }
 
 #[test]
-fn nonsense_is_passed_over() {
+fn a_file_of_an_earlier_version_is_read_and_written_as_json() {
+    let (_folder, file) = somewhere();
+    fs::create_dir_all(file.parent().unwrap()).unwrap();
+    let old = "analysis yes\ncurtain 0.250\nexport 1 2 3 1 0 87 0\nexport-film 2 640 2.5 12 1 0.5\n\
+        export-material 1 0 0.9 0.25 0.5\nexport-outlines 1 0 0 1 1 0 1 0.4 2 30 0.5 0.1 0.2\n\
+        export-relief 4 -2\ngrid no\nhint seen\nlinked no\nmaximised yes\nnew 300 200 3 1 1 150.5\nover yes\n\
+        position -20 40\nrecent /a/b%0A%25.dapple\nrecent /c d.dapple\nsize 900 700\ntab colour\ntheme dark\n\
+        threads 3\nunits mm\n";
+    fs::write(&file, old).unwrap();
+    let mut settings = Settings::read(&file);
+    assert!(settings.error.is_none());
+    assert_eq!(settings.recent, [Path::new("/a/b\n%.dapple"), Path::new("/c d.dapple")]);
+    assert_eq!((settings.theme, settings.hint_seen), (ThemePreference::Dark, true));
+    assert_eq!((settings.units, settings.threads), (Units::Mm, Some(3)));
+    assert_eq!(settings.new, New { size: [300, 200], regions: [3, 1], seamless: true, dpi: 150.5 });
+    let export = &settings.export;
+    assert_eq!((export.what, export.picture.shows), (ExportKind::Material, PictureContent::Labels));
+    assert_eq!((export.picture.quality, export.picture.deep, export.picture.document), (87, true, false));
+    assert_eq!(export.material.relief, [4.0, -2.0]);
+    assert_eq!(export.material.roughness, [0.9, 0.25, 0.5]);
+    let outlines = &export.outlines;
+    assert!(outlines.dxf && !outlines.fill && outlines.stroke && outlines.hatch && !outlines.cut);
+    assert_eq!((outlines.units, outlines.level, outlines.angle), (Units::Px, 0.4, 30.0));
+    assert_eq!((outlines.spacing, outlines.pen, outlines.width, outlines.area), (2.0, 0.5, 0.1, 0.2));
+    assert_eq!((export.film.clip.side, export.film.clip.fps, export.film.clip.once), (Some(640), 12, true));
+    let layout = Layout {
+        position: Some([-20.0, 40.0]),
+        size: Some([900.0, 700.0]),
+        maximised: true,
+        tab: Tab::Colour,
+        over: true,
+        curtain: 0.25,
+        linked: false,
+        regions: false,
+        analysis: true,
+    };
+    assert_eq!(settings.layout, layout);
+    let before = settings.entries();
+    settings.theme = ThemePreference::Light;
+    settings.write();
+    assert!(fs::read_to_string(&file).unwrap().starts_with('{'));
+    settings = Settings::read(&file);
+    settings.theme = ThemePreference::Dark;
+    assert_eq!(settings.entries(), before);
+}
+
+#[test]
+fn values_that_make_no_sense_get_their_default() {
     let (_folder, file) = somewhere();
     fs::create_dir_all(file.parent().unwrap()).unwrap();
     let lines =
         "threads none\nthreads\nnew 1 1 1\nsize 0 inf\nposition a b\ncurtain 7\ntab Other\nunits feet\n\n x";
-    fs::write(&file, lines).unwrap();
-    let settings = Settings::at(&file);
-    assert!(settings.trouble.is_none());
-    assert_eq!(settings.layout, Layout { curtain: 1.0, ..Layout::default() });
-    assert_eq!((settings.threads, settings.units, settings.new), (None, Units::Px, New::default()));
+    let json = r#"{"threads": -1, "new": {"size": [1, 1]}, "size": [0, 9], "position": ["a"], "curtain": 7,
+        "tab": "Other", "units": "feet", "theme": 3}"#;
+    for text in [lines, json] {
+        fs::write(&file, text).unwrap();
+        let settings = Settings::read(&file);
+        assert!(settings.error.is_none());
+        assert_eq!(settings.layout, Layout { curtain: 1.0, ..Layout::default() });
+        assert_eq!((settings.threads, settings.units, settings.new), (None, Units::Px, New::default()));
+    }
     for cut in 0..lines.len() {
         fs::write(&file, &lines[..cut]).unwrap();
-        assert!(Settings::at(&file).trouble.is_none());
+        assert!(Settings::read(&file).error.is_none());
     }
 }

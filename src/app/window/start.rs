@@ -85,8 +85,8 @@ impl Window {
             trace: Trace::asked(),
         };
         window.restore_layout();
-        for trouble in window.settings.trouble.take().into_iter().chain(errors) {
-            window.notices.wrong(trouble);
+        for error in window.settings.error.take().into_iter().chain(errors) {
+            window.notices.wrong(error);
         }
         if let Some(file) = start.file {
             window.open(&file);

@@ -17,7 +17,8 @@ pub const FORMATS: [&str; 3] = ["gif", "png", "apng"];
 pub const COLOURS: usize = 255;
 
 /// The format of a film.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// Graphics Interchange Format, version 89a: 255 colours for all frames, durations in hundredths of a second.
     Gif,

@@ -22,7 +22,7 @@ pub const FASTEST_GIF: u16 = 50;
 const MOST: f64 = 20_000.0;
 
 /// Settings of a film.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Clip {
     /// px of the longer side of a frame; `None` = the canvas's, at most [`SIDE`].
     pub side: Option<u32>,

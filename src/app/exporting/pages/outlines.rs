@@ -5,7 +5,7 @@ use egui::{DragValue, Ui};
 use super::ExportContext;
 use super::{layer, named, number, rows, size, yes};
 use crate::app::exporting::{Choices, Outlines};
-use crate::app::units::Units;
+use crate::editor::units::Units;
 use crate::export::outline::Hatch;
 
 /// The choices.

@@ -6,8 +6,9 @@ use super::{error, named, sign};
 use crate::app::action::Action;
 use crate::app::result::{RegionResult, Verdict};
 use crate::app::theme::Palette;
-use crate::app::units::{Ruler, three_digits as digits};
+use crate::app::units::three_digits as digits;
 use crate::attributes::Attributes;
+use crate::editor::units::Ruler;
 use crate::marks::axial;
 use crate::synth::report::RegionReport;
 

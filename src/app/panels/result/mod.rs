@@ -13,8 +13,8 @@ use crate::app::action::Action;
 use crate::app::growth::{Growth, Phase};
 use crate::app::result::{self, LayerResult, Results, Verdict};
 use crate::app::theme::Palette;
-use crate::app::units::Ruler;
 use crate::editor::session::Session;
+use crate::editor::units::Ruler;
 
 /// Side of a sign in text, points.
 const SIGN: f32 = 14.0;
