@@ -92,5 +92,5 @@ fn preferences_that_cannot_be_written_disturb_nobody_and_stay_whole() {
     settings.remember(&folder.path().join("a.dapple"));
     settings.write();
     assert_eq!(fs::read_to_string(&file).unwrap(), "hint seen\ntheme dark\n");
-    assert!(Settings::read(&file).trouble.is_none());
+    assert!(Settings::read(&file).error.is_none());
 }
