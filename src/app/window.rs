@@ -10,7 +10,6 @@ mod export;
 mod files;
 mod frame;
 mod layers;
-mod opening;
 mod palettes;
 mod placement;
 mod recovery;
@@ -91,6 +90,12 @@ impl Window {
     #[must_use]
     pub fn session(&self) -> &Session {
         &self.session
+    }
+
+    /// Whether a file is being read or written.
+    #[must_use]
+    pub fn is_busy_with_files(&self) -> bool {
+        self.files.is_busy()
     }
 
     /// The state of the growth.
@@ -180,6 +185,7 @@ impl Window {
 
     /// Opens another document.
     fn begin(&mut self, session: Session) {
+        self.finish_saving();
         self.session = session;
         self.files.restored = None;
         self.recovery.document_opened();

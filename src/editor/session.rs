@@ -175,9 +175,9 @@ impl Session {
         self.document != self.saved
     }
 
-    /// Records that the current document was saved to `path`.
-    pub fn mark_saved(&mut self, path: &Path) {
-        self.saved = self.document.clone();
+    /// Records that `document`, an earlier state or the current one, was saved to `path`.
+    pub fn mark_saved(&mut self, document: Document, path: &Path) {
+        self.saved = document;
         self.path = Some(path.to_owned());
     }
 

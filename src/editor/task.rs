@@ -172,14 +172,18 @@ impl<T> Task<T> {
         Ending(self.thread.take())
     }
 
-    /// Waits for the end of the work and returns the messages that were not received yet.
-    pub fn join(mut self) -> Vec<T> {
-        let messages = self.messages.iter().collect();
+    /// Waits for the end of the work; its messages can be received afterwards.
+    pub fn wait(&mut self) {
         if let Some(thread) = self.thread.take() {
             // A panic has closed the channel: the receiver knows that no result came.
             drop(thread.join());
         }
-        messages
+    }
+
+    /// Waits for the end of the work and returns the messages that were not received yet.
+    pub fn join(mut self) -> Vec<T> {
+        self.wait();
+        self.messages.iter().collect()
     }
 }
 

@@ -52,9 +52,16 @@ pub fn begun(mut start: Start, size: Vec2, theme: Theme) -> Hand {
 }
 
 impl Hand {
-    /// A few frames.
+    /// A few frames; files that are being read or written by then are waited for.
+    #[track_caller]
     pub fn rest(&mut self) {
         self.window.run_steps(4);
+        let began = Instant::now();
+        while self.window.state().is_busy_with_files() {
+            assert!(began.elapsed() < Duration::from_secs(60), "a file is read or written for ever");
+            thread::sleep(Duration::from_millis(1));
+            self.window.run_steps(4);
+        }
     }
 
     /// What is drawn.

@@ -5,32 +5,36 @@ use std::path::{Path, PathBuf};
 use egui::{Align2, Color32, FontId, Id, Key, Modal, Ui, ViewportCommand};
 
 use super::Window;
-use super::opening::is_palette;
 use crate::app::action::{Action, Page};
 use crate::app::chooser::{Choice, Chooser, Purpose};
 use crate::app::examples::{EXAMPLES, GALLERY};
 use crate::app::exporting::{Dialog, Size};
 use crate::app::notice::with_causes;
 use crate::app::pages::{self, Answer, New};
+use crate::app::reading::{self, Content, Dropped, Inspecting, Reading};
+use crate::app::saving::Saving;
 use crate::app::{preferences, recovery, shortcuts};
-use crate::document::{Document, in_picture, open};
+use crate::document::Document;
 use crate::editor::session::Session;
-use crate::export::has_ending;
 
 /// What is asked about files.
 pub struct Files {
     native: bool,
     chooser: Option<Chooser>,
     new: Option<New>,
-    /// What is to be done once the unsaved changes are saved, or not.
+    /// The action that waits for the answer to the question about unsaved changes.
     unsaved: Option<Action>,
-    /// What is to be done once it is saved.
+    /// The action that waits for the end of a save.
     after_saving: Option<Action>,
+    /// The file that is being read, and the session's revision when that began.
+    reading: Option<(u64, Reading)>,
+    inspecting: Option<Inspecting>,
+    saving: Option<Saving>,
     /// What is being asked about an export.
     pub(super) export: Option<Dialog>,
     /// How large the picture was from which the document was restored.
     pub(super) restored: Option<Size>,
-    /// The window may go.
+    /// Whether the window may close without a question.
     pub closing: bool,
 }
 
@@ -44,13 +48,22 @@ impl Files {
             new: None,
             unsaved: None,
             after_saving: None,
+            reading: None,
+            inspecting: None,
+            saving: None,
             export: None,
             restored: None,
             closing: false,
         }
     }
 
-    /// Is something being asked?
+    /// Whether a file is being read or written.
+    #[must_use]
+    pub fn is_busy(&self) -> bool {
+        self.reading.is_some() || self.inspecting.is_some() || self.saving.is_some()
+    }
+
+    /// Whether something is being asked.
     #[must_use]
     pub fn is_asking(&self) -> bool {
         self.chooser.as_ref().is_some_and(Chooser::is_ours)
@@ -61,32 +74,64 @@ impl Files {
 }
 
 impl Window {
-    /// Opens a document, the document in a picture, or a drawing; where it cannot be read, says why and keeps what there
-    /// is. What does not come from a document's file has no file yet.
+    /// Reads a document, the document in a picture, or a drawing beside the window, and opens it then.
     pub(super) fn open(&mut self, path: &Path) {
-        if has_ending(path, "svg") {
-            self.import(path);
-            return;
-        }
-        let pictured = !has_ending(path, "dapple") && in_picture(path).is_ok_and(|found| found.is_some());
-        match open(path) {
-            Ok((document, extent)) if pictured => {
-                self.begin(Session::open(document, None));
-                self.files.restored = Some(Size { canvas: extent.size, scale: extent.scale });
-                let name = path.file_name().unwrap_or_default().to_string_lossy();
-                self.notices.done(format!("{name} held its document. Saving it asks for a new name."));
-            }
-            Ok((document, _)) => {
-                self.settings.remember(path);
-                self.begin(Session::open(document, Some(path.to_owned())));
-            }
-            Err(error) => self.notices.wrong(with_causes(&error)),
+        match reading::read(path, &self.tasks) {
+            Ok(task) => self.files.reading = Some((self.session.revision(), task)),
+            Err(error) => self.notices.wrong(error.to_string()),
         }
     }
 
-    /// Does it at once, or asks first where unsaved changes would be lost.
+    fn listen_to_reading(&mut self) {
+        let Some((revision, task)) = &mut self.files.reading else { return };
+        let (revision, read) = (*revision, task.poll());
+        if read.is_none() && !task.has_ended() {
+            return;
+        }
+        self.files.reading = None;
+        match read {
+            None => self.notices.wrong("Reading the file failed inside dapple; please report it."),
+            Some((_, Err(why))) => self.notices.wrong(why),
+            // Something was drawn in the meantime.
+            Some((path, Ok(_))) if revision != self.session.revision() && self.has_unsaved() => {
+                self.files.unsaved = Some(Action::OpenFile(path));
+            }
+            Some((path, Ok(content))) => self.show(&path, content),
+        }
+    }
+
+    /// Opens what was read. Only a document's own file is saved to again.
+    fn show(&mut self, path: &Path, content: Content) {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        match content {
+            Content::Document(document) => {
+                self.settings.remember(path);
+                self.begin(Session::open(document, Some(path.to_owned())));
+            }
+            Content::Picture(document, extent) => {
+                self.begin(Session::open(document, None));
+                self.files.restored = Some(Size { canvas: extent.size, scale: extent.scale });
+                self.notices.done(format!("{name} held its document. Saving it asks for a new name."));
+            }
+            Content::Drawing(imported) => {
+                self.begin(Session::open_unsaved(imported.document, Document::default(), None));
+                let text = format!("{name}: {}", imported.summary);
+                // What was left out stays until the user has put the notice away.
+                if imported.unread.is_empty() { self.notices.done(text) } else { self.notices.wrong(text) }
+            }
+        }
+    }
+
+    fn has_unsaved(&self) -> bool {
+        self.session.is_changed() && !self.session.finished().layers.is_empty()
+    }
+
+    /// Carries out an action at once, or asks first where unsaved changes would be lost. A save that is being done is
+    /// waited for.
     pub(super) fn unless_unsaved(&mut self, ui: &Ui, action: Action) {
-        if self.session.is_changed() && !self.session.finished().layers.is_empty() {
+        if self.files.saving.is_some() {
+            self.files.after_saving = Some(action);
+        } else if self.has_unsaved() {
             self.files.unsaved = Some(action);
         } else {
             self.go_on(ui, action);
@@ -151,19 +196,45 @@ impl Window {
             self.save_as(ui);
             return;
         };
-        match document.write(&path) {
+        if let Some(saving) = &mut self.files.saving {
+            // Two saves at a time could end in the wrong order.
+            saving.again = Some(path);
+            return;
+        }
+        self.files.saving = Some(Saving::start(&path, self.session.document(), document, &self.tasks));
+    }
+
+    fn listen_to_saving(&mut self, ui: &Ui) {
+        let Some(outcome) = self.files.saving.as_mut().and_then(Saving::poll) else { return };
+        let Some(mut saving) = self.files.saving.take() else { return };
+        let saved = self.saved(&saving, outcome);
+        if let (true, Some(path)) = (saved, saving.again.take()) {
+            self.save(ui, Some(path));
+        } else if let Some(action) = self.files.after_saving.take().filter(|_| saved) {
+            self.unless_unsaved(ui, action);
+        }
+    }
+
+    fn saved(&mut self, saving: &Saving, outcome: Result<(), String>) -> bool {
+        match outcome {
             Ok(()) => {
-                self.session.mark_saved(&path);
-                self.settings.remember(&path);
-                self.notices.done(format!("Saved as {}", path.display()));
-                if let Some(action) = self.files.after_saving.take() {
-                    self.go_on(ui, action);
-                }
+                self.session.mark_saved(saving.document.clone(), &saving.path);
+                self.settings.remember(&saving.path);
+                self.notices.done(format!("Saved as {}", saving.path.display()));
+                true
             }
-            Err(error) => {
-                self.files.after_saving = None;
-                self.notices.wrong(with_causes(&error));
+            Err(why) => {
+                self.notices.wrong(why);
+                false
             }
+        }
+    }
+
+    /// Waits for a save that is being done: the session is about to go.
+    pub(super) fn finish_saving(&mut self) {
+        if let Some(mut saving) = self.files.saving.take() {
+            let outcome = saving.wait();
+            self.saved(&saving, outcome);
         }
     }
 
@@ -186,27 +257,26 @@ impl Window {
         }
     }
 
-    /// Takes in what threads and the window system have to tell.
+    /// Receives what tasks and the window system send.
     pub(super) fn listen(&mut self, ui: &Ui) {
         if let Err(why) = self.canvas.reference.listen(ui.ctx()) {
             self.notices.wrong(why);
         }
         self.listen_to_export(ui);
+        self.listen_to_reading();
+        self.listen_to_dropped(ui);
+        self.listen_to_saving(ui);
         let close = ui.input(|input| input.viewport().close_requested());
-        if close
-            && !self.files.closing
-            && self.session.is_changed()
-            && !self.session.finished().layers.is_empty()
-        {
+        if close && !self.files.closing && (self.files.saving.is_some() || self.has_unsaved()) {
             ui.send_viewport_cmd(ViewportCommand::CancelClose);
-            self.files.unsaved = Some(Action::Quit);
+            self.unless_unsaved(ui, Action::Quit);
         } else if close {
             self.recovery.stop();
         }
     }
 
-    /// Files that were dropped: documents are opened, pictures lie under the canvas.
-    pub(super) fn dropped(&mut self, ui: &Ui) -> Vec<Action> {
+    /// Takes files that are dropped, and says what can be dropped while some are held over the window.
+    pub(super) fn dropped(&mut self, ui: &Ui) {
         let (files, hovering) = ui.input(|input| {
             let paths = input.raw.dropped_files.iter().map(|file| file.path().to_owned());
             (paths.collect::<Vec<_>>(), !input.raw.hovered_files.is_empty())
@@ -225,39 +295,36 @@ impl Window {
                 Color32::WHITE,
             );
         }
-        let mut actions = Vec::new();
-        for path in files {
-            let ending =
-                path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
-            if ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp", "gif"].contains(&ending.as_str()) {
-                actions.extend(self.picture_dropped(path));
-            } else if ending == "gpl" || ending == "json" && is_palette(&path) {
-                self.open_palette(&path);
-            } else if ending == "svg" {
-                actions.push(Action::OpenFile(path));
-            } else if let Err(error) = Document::read(&path) {
-                // Reported before any question about the open document.
-                self.notices.wrong(with_causes(&error));
-            } else {
-                actions.push(Action::OpenFile(path));
-            }
+        if files.is_empty() {
+            return;
         }
-        actions
+        match reading::inspect(files, &self.tasks) {
+            Ok(task) => self.files.inspecting = Some(task),
+            Err(error) => self.notices.wrong(error.to_string()),
+        }
     }
 
-    /// A picture that holds its document restores it; another lies under the canvas.
-    fn picture_dropped(&mut self, path: PathBuf) -> Option<Action> {
-        match in_picture(&path) {
-            Ok(Some(_)) => return Some(Action::OpenFile(path)),
-            Ok(None) => {
-                self.load_reference(&path);
-                let name = path.file_name().unwrap_or_default().to_string_lossy();
-                let text = "holds no document: it lies under the canvas, to draw over";
-                self.notices.done(format!("{name} {text}"));
-            }
-            Err(error) => self.notices.wrong(with_causes(&error)),
+    fn listen_to_dropped(&mut self, ui: &Ui) {
+        let Some(task) = &mut self.files.inspecting else { return };
+        let found = task.poll();
+        if found.is_none() && !task.has_ended() {
+            return;
         }
-        None
+        self.files.inspecting = None;
+        for (path, kind) in found.into_iter().flatten() {
+            match kind {
+                Dropped::Document => self.unless_unsaved(ui, Action::OpenFile(path)),
+                Dropped::Palette => self.open_palette(&path),
+                Dropped::Reference => {
+                    self.load_reference(&path);
+                    let name = path.file_name().unwrap_or_default().to_string_lossy();
+                    let text = "holds no document: it lies under the canvas, to draw over";
+                    self.notices.done(format!("{name} {text}"));
+                }
+                // Reported before any question about the open document.
+                Dropped::Unreadable(why) => self.notices.wrong(why),
+            }
+        }
     }
 
     /// Pages over the window.

@@ -31,7 +31,7 @@ impl Window {
             self.results.follow(ui.ctx(), self.growth.texture.as_ref());
         }
         let mut actions = self.keys(ui);
-        actions.extend(self.dropped(ui));
+        self.dropped(ui);
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
         Panel::top("menu").frame(bar).show(ui, |ui| actions.extend(self.menu(ui)));
         Panel::bottom("status").frame(bar).exact_size(28.0).show(ui, |ui| {

@@ -79,8 +79,9 @@ impl Window {
         });
     }
 
-    /// The window goes: what is remembered is written down.
+    /// The window closes: waits for a save that is being done, and writes the settings.
     pub fn leave(&mut self) {
+        self.finish_saving();
         self.settings.write();
     }
 }

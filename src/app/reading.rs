@@ -1,0 +1,134 @@
+//! Reads the files that are opened or dropped, beside the window.
+
+use std::path::{Path, PathBuf};
+
+use super::notice::with_causes;
+use crate::document::palette::Palette;
+use crate::document::{Document, Extent, in_picture, open};
+use crate::editor::task::{StartError, Task, Tasks, Worker};
+use crate::export::has_ending;
+use crate::synth::import::{DPI, Imported, import};
+
+/// Endings of pictures that can lie under the canvas.
+const PICTURES: [&str; 8] = ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp", "gif"];
+
+/// What a file holds that is to be opened.
+pub enum Content {
+    /// A document.
+    Document(Document),
+    /// The document in a picture, and how large the picture is.
+    Picture(Document, Extent),
+    /// A drawing, imported.
+    Drawing(Imported),
+}
+
+/// What a dropped file is.
+pub enum Dropped {
+    /// To be opened.
+    Document,
+    /// Colours for the active layer.
+    Palette,
+    /// A picture to draw over.
+    Reference,
+    /// None of these: why.
+    Unreadable(String),
+}
+
+/// A file that is being read.
+pub type Reading = Task<(PathBuf, Result<Content, String>)>;
+/// Dropped files that are being looked at.
+pub type Inspecting = Task<Vec<(PathBuf, Dropped)>>;
+
+/// Reads a document, the document in a picture, or a drawing.
+///
+/// # Errors
+/// Where no thread can be started.
+pub fn read(path: &Path, tasks: &Tasks) -> Result<Reading, StartError> {
+    let path = path.to_owned();
+    tasks.start("reading a file", move |worker: &Worker<_>| {
+        let content = content(&path);
+        worker.send((path, content));
+    })
+}
+
+/// Finds out what dropped files are.
+///
+/// # Errors
+/// Where no thread can be started.
+pub fn inspect(paths: Vec<PathBuf>, tasks: &Tasks) -> Result<Inspecting, StartError> {
+    tasks.start("reading a file", move |worker: &Worker<_>| {
+        let kinds = paths.into_iter().map(|path| {
+            let kind = kind(&path);
+            (path, kind)
+        });
+        worker.send(kinds.collect());
+    })
+}
+
+fn content(path: &Path) -> Result<Content, String> {
+    if has_ending(path, "svg") {
+        return import(path, DPI).map(Content::Drawing).map_err(|error| with_causes(&error));
+    }
+    let is_picture = !has_ending(path, "dapple") && in_picture(path).is_ok_and(|found| found.is_some());
+    let (document, extent) = open(path).map_err(|error| with_causes(&error))?;
+    Ok(if is_picture { Content::Picture(document, extent) } else { Content::Document(document) })
+}
+
+fn kind(path: &Path) -> Dropped {
+    let is = |ending: &&str| has_ending(path, ending);
+    let found = if PICTURES.iter().any(is) {
+        in_picture(path).map(|found| if found.is_some() { Dropped::Document } else { Dropped::Reference })
+    } else if is(&"gpl") || is(&"json") && is_palette(path) {
+        Ok(Dropped::Palette)
+    } else if is(&"svg") {
+        Ok(Dropped::Document)
+    } else {
+        Document::read(path).map(|_| Dropped::Document)
+    };
+    found.unwrap_or_else(|error| Dropped::Unreadable(with_causes(&error)))
+}
+
+/// Whether a .json holds a palette rather than a document. One that calls itself a palette is one, also where it cannot
+/// be read: the error then says what is wrong with the palette.
+fn is_palette(path: &Path) -> bool {
+    let says_so = || std::fs::read_to_string(path).is_ok_and(|text| text.contains("dapple palette"));
+    Palette::read(path).is_ok() || Document::read(path).is_err_and(|_| says_so())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    const DOCUMENT: &str = r#"{"format": "dapple", "version": 1, "size": [96, 96], "layers": [{"strokes": [
+        {"kind": "ellipse", "center": [30, 30], "radii": [8, 5], "angle": 30}]}]}"#;
+
+    #[test]
+    fn dropped_files_are_told_apart_by_what_they_hold() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            fs::write(&path, text).unwrap();
+            path
+        };
+        assert!(matches!(kind(&write("a.dapple", DOCUMENT)), Dropped::Document));
+        assert!(matches!(kind(&write("a.json", DOCUMENT)), Dropped::Document));
+        assert!(matches!(kind(&write("b.json", r#"{"format": "dapple palette"}"#)), Dropped::Palette));
+        assert!(matches!(kind(&write("a.gpl", "")), Dropped::Palette));
+        assert!(matches!(kind(&write("a.SVG", "")), Dropped::Document));
+        assert!(matches!(kind(&write("a.txt", "")), Dropped::Unreadable(_)));
+        let picture = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/examples/zebra.png");
+        assert!(matches!(kind(&picture), Dropped::Reference));
+        assert!(matches!(kind(&folder.path().join("nowhere.dapple")), Dropped::Unreadable(_)));
+    }
+
+    #[test]
+    fn a_file_is_read_on_a_thread_of_its_own() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.dapple");
+        fs::write(&path, DOCUMENT).unwrap();
+        let read = read(&path, &Tasks::default()).unwrap().join();
+        let [(from, Ok(Content::Document(document)))] = &read[..] else { panic!("one document") };
+        assert_eq!((from, document.size), (&path, [96, 96]));
+    }
+}
