@@ -2,10 +2,10 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{self, Receiver, TryRecvError};
-use std::thread;
 
-use egui::{Button, Context, Key, ScrollArea, TextEdit, Ui, vec2};
+use egui::{Button, Key, ScrollArea, TextEdit, Ui, vec2};
+
+use crate::editor::task::{StartError, Task, Tasks, Worker};
 
 /// What the file is wanted for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,7 +89,8 @@ pub enum Choice {
 pub struct Chooser {
     /// What for.
     pub purpose: Purpose,
-    system: Option<Receiver<Option<PathBuf>>>,
+    /// The system's dialog; without one, our own is shown.
+    system: Option<Task<Option<PathBuf>>>,
     folder: PathBuf,
     name: String,
     entries: Vec<(String, bool)>,
@@ -99,14 +100,15 @@ pub struct Chooser {
 }
 
 impl Chooser {
-    /// Begins where `at` lies; `native` = with the system's dialog where there is one.
+    /// Begins in the folder of `at`. `native` starts the system's dialog; without it, or where the system has none, our
+    /// own dialog is shown.
     #[must_use]
-    pub fn new(purpose: Purpose, at: Option<&Path>, name: &str, native: bool, ctx: &Context) -> Self {
+    pub fn new(purpose: Purpose, at: Option<&Path>, name: &str, native: Option<&Tasks>) -> Self {
         let folder = at.and_then(Path::parent).filter(|folder| folder.is_dir()).map(Path::to_owned);
         let folder = folder.or_else(|| std::env::current_dir().ok()).unwrap_or_else(|| PathBuf::from("."));
         let folder = folder.canonicalize().unwrap_or(folder);
-        let system =
-            (native && has_system_dialog()).then(|| system_dialog(purpose, &folder, name, ctx.clone()));
+        let native = native.filter(|_| has_system_dialog());
+        let system = native.and_then(|tasks| system_dialog(purpose, &folder, name, tasks).ok());
         let mut chooser = Self {
             purpose,
             system,
@@ -120,7 +122,7 @@ impl Chooser {
         chooser
     }
 
-    /// Is it our own dialog?
+    /// Whether it is our own dialog.
     #[must_use]
     pub fn is_ours(&self) -> bool {
         self.system.is_none()
@@ -128,10 +130,11 @@ impl Chooser {
 
     /// What the system's dialog says by now.
     pub fn listen(&mut self) -> Choice {
-        match self.system.as_ref().map(Receiver::try_recv) {
-            None | Some(Err(TryRecvError::Empty)) => Choice::Waiting,
-            Some(Ok(Some(path))) => Choice::Chosen(self.with_ending(path)),
-            Some(Ok(None) | Err(TryRecvError::Disconnected)) => Choice::Nothing,
+        let Some(task) = &mut self.system else { return Choice::Waiting };
+        match task.poll() {
+            Some(Some(path)) => Choice::Chosen(self.with_ending(path)),
+            None if !task.has_ended() => Choice::Waiting,
+            Some(None) | None => Choice::Nothing,
         }
     }
 
@@ -285,16 +288,20 @@ fn has_system_dialog() -> bool {
     std::env::var_os("DBUS_SESSION_BUS_ADDRESS").is_some() || bus().is_some_and(|bus| bus.exists())
 }
 
-fn system_dialog(purpose: Purpose, folder: &Path, name: &str, ctx: Context) -> Receiver<Option<PathBuf>> {
+fn system_dialog(
+    purpose: Purpose,
+    folder: &Path,
+    name: &str,
+    tasks: &Tasks,
+) -> Result<Task<Option<PathBuf>>, StartError> {
     let dialog = rfd::FileDialog::new().set_title(purpose.title()).set_directory(folder).set_file_name(name);
     let dialog = match purpose.endings() {
         [] => dialog,
         endings => dialog.add_filter(endings[0], endings),
     };
     let name = name.to_owned();
-    let (tell, chosen) = mpsc::channel();
-    thread::spawn(move || {
-        let path = match purpose {
+    tasks.start("the file dialog", move |worker: &Worker<_>| {
+        worker.send(match purpose {
             // A folder of its own in the one that was picked, where that is not empty.
             Purpose::ExportInto => dialog.pick_folder().map(|folder| {
                 let empty = fs::read_dir(&folder).is_ok_and(|mut inside| inside.next().is_none());
@@ -302,10 +309,6 @@ fn system_dialog(purpose: Purpose, folder: &Path, name: &str, ctx: Context) -> R
             }),
             _ if purpose.writes() => dialog.save_file(),
             _ => dialog.pick_file(),
-        };
-        // The window may have gone.
-        let _ = tell.send(path);
-        ctx.request_repaint();
-    });
-    chosen
+        });
+    })
 }

@@ -5,6 +5,7 @@ use egui::{
 };
 
 use super::action::Action;
+use crate::editor::task::{Task, Tasks, Worker};
 
 /// An example.
 pub struct Example {
@@ -89,17 +90,21 @@ pub const GALLERY: &[Example] = documents![
     "turk-3-upper-right-reticulation",
 ];
 
-/// The pictures, once they were shown.
+/// The pictures of the examples; they are decoded beside the window when the page is first shown.
 #[derive(Default)]
-pub struct Gallery(Vec<TextureHandle>);
+pub struct Gallery {
+    textures: Vec<TextureHandle>,
+    loading: Option<Task<(usize, ColorImage)>>,
+}
 
 impl Gallery {
-    /// The menu. Gives what is chosen.
-    pub fn ui(&mut self, ui: &mut Ui) -> Option<Action> {
-        if self.0.is_empty() {
-            self.0 = EXAMPLES.iter().chain(GALLERY).map(|example| load(ui, example)).collect();
+    /// Shows the page; returns the example that is chosen. Pictures that are not decoded yet are empty.
+    pub fn ui(&mut self, ui: &mut Ui, tasks: &Tasks) -> Option<Action> {
+        if self.textures.is_empty() {
+            self.load(ui, tasks);
         }
-        let (examples, gallery) = self.0.split_at(EXAMPLES.len());
+        self.listen();
+        let (examples, gallery) = self.textures.split_at(EXAMPLES.len());
         let height = (ui.ctx().content_rect().height() - 190.0).clamp(200.0, 700.0);
         let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
         let shown = scroll.show(ui, |ui| {
@@ -110,6 +115,45 @@ impl Gallery {
             example.or(cards(ui, GALLERY, gallery))
         });
         shown.inner
+    }
+
+    /// Whether pictures are being decoded.
+    #[must_use]
+    pub fn is_loading(&self) -> bool {
+        self.loading.is_some()
+    }
+
+    fn load(&mut self, ui: &Ui, tasks: &Tasks) {
+        let all = || EXAMPLES.iter().chain(GALLERY).enumerate();
+        let empty = |example: &Example| {
+            ui.ctx().load_texture(
+                example.name,
+                ColorImage::filled([1, 1], ui.visuals().faint_bg_color),
+                TextureOptions::LINEAR,
+            )
+        };
+        self.textures = all().map(|(_, example)| empty(example)).collect();
+        let work = move |worker: &Worker<_>| {
+            for (index, example) in all().take_while(|_| !worker.is_cancelled()) {
+                worker.send((index, picture(example)));
+            }
+        };
+        self.loading = tasks.start("the pictures of the examples", work).ok();
+        if self.loading.is_none() {
+            // Without a thread the window waits for them.
+            for (index, example) in all() {
+                self.textures[index].set(picture(example), TextureOptions::LINEAR);
+            }
+        }
+    }
+
+    fn listen(&mut self) {
+        while let Some((index, image)) = self.loading.as_mut().and_then(Task::poll) {
+            self.textures[index].set(image, TextureOptions::LINEAR);
+        }
+        if self.loading.as_ref().is_some_and(Task::has_ended) {
+            self.loading = None;
+        }
     }
 }
 
@@ -151,9 +195,8 @@ fn card(ui: &mut Ui, example: &Example, texture: &TextureHandle) -> bool {
 /// Side of a picture, points.
 const SIDE: f32 = 104.0;
 
-fn load(ui: &Ui, example: &Example) -> TextureHandle {
+fn picture(example: &Example) -> ColorImage {
     let picture = image::load_from_memory(example.picture).unwrap_or_default().into_rgb8();
     let size = [picture.width() as usize, picture.height() as usize];
-    let image = ColorImage::from_rgb(size, picture.as_raw());
-    ui.ctx().load_texture(example.name, image, TextureOptions::LINEAR)
+    ColorImage::from_rgb(size, picture.as_raw())
 }

@@ -1,8 +1,6 @@
 //! What has to be said: read, copied, put away.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::thread;
 
 use egui::{Align2, Area, Context, Frame, Id, Label, Order, RichText, vec2};
 
@@ -124,18 +122,8 @@ impl Notices {
     }
 }
 
-/// Has the system show where `place` lies.
+/// Opens the folder of `place` in the system's file manager. Where that fails, the notice still says where it is.
 fn show_folder(place: &Path) {
     let folder = if place.is_dir() { place } else { place.parent().unwrap_or(place) };
-    let program = if cfg!(windows) {
-        "explorer"
-    } else if cfg!(target_os = "macos") {
-        "open"
-    } else {
-        "xdg-open"
-    };
-    let mut command = Command::new(program);
-    command.arg(folder);
-    // Where there is no such program, the notice still says where it is.
-    thread::spawn(move || command.status());
+    let _ = open::that_detached(folder);
 }

@@ -22,12 +22,12 @@ pub struct Saving {
 impl Saving {
     /// Writes `finished` to `path`; `document` is what it was made from.
     #[must_use]
-    pub fn start(path: &Path, document: &Document, finished: Document, tasks: &Tasks) -> Self {
+    pub fn start(path: &Path, document: &Document, finished: &Document, tasks: &Tasks) -> Self {
         let (file, copy) = (path.to_owned(), finished.clone());
         let work = move |worker: &Worker<_>| worker.send(write(&copy, &file));
         let task = tasks.start("saving", work).ok();
         // Without a thread the window waits: the work is saved all the same.
-        let outcome = task.is_none().then(|| write(&finished, path));
+        let outcome = task.is_none().then(|| write(finished, path));
         Self { path: path.to_owned(), document: document.clone(), again: None, task, outcome }
     }
 
@@ -80,7 +80,7 @@ mod tests {
     fn a_save_that_is_dropped_at_once_is_finished() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.dapple");
-        drop(Saving::start(&path, &document(), document(), &Tasks::default()));
+        drop(Saving::start(&path, &document(), &document(), &Tasks::default()));
         assert_eq!(Document::read(&path).unwrap(), document());
     }
 
@@ -90,10 +90,10 @@ mod tests {
         let tasks = Tasks::default().with_spawn(Spawn(|_, _| Err(std::io::Error::other("none left"))));
         for tasks in [tasks, Tasks::default()] {
             let path = folder.path().join("a.dapple");
-            Saving::start(&path, &document(), document(), &tasks).wait().unwrap();
+            Saving::start(&path, &document(), &document(), &tasks).wait().unwrap();
             assert_eq!(Document::read(&path).unwrap(), document());
             let nowhere = folder.path().join("nowhere/a.dapple");
-            let why = Saving::start(&nowhere, &document(), document(), &tasks).wait().unwrap_err();
+            let why = Saving::start(&nowhere, &document(), &document(), &tasks).wait().unwrap_err();
             assert!(why.contains("a.dapple"), "{why}");
         }
     }

@@ -95,7 +95,7 @@ impl Window {
     /// Whether a file is being read or written.
     #[must_use]
     pub fn is_busy_with_files(&self) -> bool {
-        self.files.is_busy()
+        self.files.is_busy() || self.gallery.is_loading()
     }
 
     /// The state of the growth.

@@ -15,8 +15,9 @@ use super::growth::{Growth, Texture, essence};
 use super::result::layer_of;
 use crate::document::{Document, Layer};
 use crate::editor::session::Session;
+use crate::editor::task::{StartError, Task, Tasks};
 use crate::synth::{Grown, Training};
-use series::{Job, Series};
+use series::{Job, News};
 use variants::{Variant, variants};
 
 /// An alternative.
@@ -64,7 +65,8 @@ pub struct Alternatives {
     /// In the order in which they stand: what is kept, the sketch as it was when they began, the others.
     pub all: Vec<Alternative>,
     training: Arc<Training>,
-    series: Option<Series>,
+    /// The one that is growing, and the task that grows one after the other.
+    series: Option<(Option<u64>, Task<News>)>,
     /// Whether the user stopped growing them.
     stopped: bool,
     /// The document they were last compared with.
@@ -95,17 +97,24 @@ impl Alternatives {
         *self = Self { shown: self.shown, ids: self.ids, ..Self::new(Arc::clone(&self.training)) };
     }
 
-    /// Goes along with what is drawn and grown; never waits. While a hand is `busy` nothing is begun.
-    pub fn follow(&mut self, ctx: &Context, session: &Session, growth: &Growth, busy: bool) {
+    /// Follows the sketch and its growth; never waits. While the user draws (`busy`) nothing is begun. Returns an error
+    /// once where no thread can be started.
+    pub fn follow(
+        &mut self,
+        tasks: &Tasks,
+        session: &Session,
+        growth: &Growth,
+        busy: bool,
+    ) -> Option<StartError> {
         self.listen();
         if !self.shown {
             self.series = None;
-            return;
+            return None;
         }
         let Some(texture) = &growth.texture else {
             // What is drawn comes first.
             self.series = None;
-            return;
+            return None;
         };
         let same = self.followed.as_ref().is_some_and(|followed| Arc::ptr_eq(followed, &texture.document));
         if !same && !busy {
@@ -113,37 +122,33 @@ impl Alternatives {
             self.compare(texture, layer_of(session, session.active_layer).unwrap_or(0));
         }
         if self.series.is_none() && !self.stopped && !busy {
-            self.begin(ctx);
+            return self.begin(tasks).err();
         }
+        None
     }
 
     fn listen(&mut self) {
-        let mut over = false;
-        if let Some(series) = &self.series {
-            loop {
-                match series.news.try_recv() {
-                    Ok(news) => {
-                        let found = self.all.iter_mut().find(|one| one.id == news.id);
-                        if let Some(one) = found {
-                            one.stale = false;
-                            one.texture = None;
-                            match news.outcome {
-                                Ok((grown, picture)) => {
-                                    (one.grown, one.picture) = (Some(grown), Some(picture));
-                                }
-                                Err(why) => one.failed = Some(why),
-                            }
-                        }
-                    }
-                    Err(error) => {
-                        over = error == std::sync::mpsc::TryRecvError::Disconnected;
-                        break;
-                    }
+        while let Some(news) = self.series.as_mut().and_then(|(_, task)| task.poll()) {
+            self.receive(news);
+        }
+        if self.series.as_ref().is_some_and(|(_, task)| task.has_ended()) {
+            self.series = None;
+        }
+    }
+
+    fn receive(&mut self, news: News) {
+        match (news, &mut self.series) {
+            (News::Begun(id), Some((growing, _))) => *growing = Some(id),
+            (News::Begun(_), None) => {}
+            (News::Done { id, outcome }, _) => {
+                let Some(one) = self.all.iter_mut().find(|one| one.id == id) else { return };
+                one.stale = false;
+                one.texture = None;
+                match outcome {
+                    Ok((grown, picture)) => (one.grown, one.picture) = (Some(grown), Some(picture)),
+                    Err(why) => one.failed = Some(why),
                 }
             }
-        }
-        if over {
-            self.series = None;
         }
     }
 
@@ -215,8 +220,8 @@ impl Alternatives {
         }
     }
 
-    /// Grows what is not there yet.
-    fn begin(&mut self, ctx: &Context) {
+    /// Grows what is not there yet. Where no thread can be started, it stops until the user asks for more.
+    fn begin(&mut self, tasks: &Tasks) -> Result<(), StartError> {
         let beneath = self.all.iter().find(|one| !one.kept).and_then(|one| one.grown.clone());
         let job = |one: &Alternative| Job {
             id: one.id,
@@ -225,8 +230,18 @@ impl Alternatives {
             grown: one.grown.is_some(),
         };
         let jobs: Vec<Job> = self.all.iter().filter(|one| one.is_wanted()).map(job).collect();
-        if !jobs.is_empty() {
-            self.series = Some(Series::begin(jobs, &self.training, ctx));
+        if jobs.is_empty() {
+            return Ok(());
+        }
+        match series::start(jobs, &self.training, tasks) {
+            Ok(task) => {
+                self.series = Some((None, task));
+                Ok(())
+            }
+            Err(error) => {
+                self.stopped = true;
+                Err(error)
+            }
         }
     }
 
@@ -251,8 +266,8 @@ impl Alternatives {
     /// How much of this one has grown, while it grows, 0..1.
     #[must_use]
     pub fn progress(&self, id: u64) -> Option<f32> {
-        let (growing, share) = self.series.as_ref()?.progress();
-        (growing == id).then_some(share)
+        let (growing, task) = self.series.as_ref()?;
+        (*growing == Some(id)).then(|| task.progress() as f32)
     }
 
     /// Is it the one that is open?

@@ -2,13 +2,12 @@
 
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread;
 
-use egui::{ColorImage, Context};
+use egui::ColorImage;
 
 use crate::document::Document;
+use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::synth::render::painting::Painting;
 use crate::synth::{GrowError, Grown, Options, Stage, Training, Watch, regrow};
 
@@ -27,59 +26,41 @@ pub(super) struct Job {
     pub grown: bool,
 }
 
-/// What came of a job.
-pub(super) struct News {
-    pub id: u64,
-    pub outcome: Result<(Arc<Grown>, Arc<ColorImage>), String>,
+/// What the thread sends.
+pub(super) enum News {
+    /// It began with this job.
+    Begun(u64),
+    /// What came of a job.
+    Done { id: u64, outcome: Result<(Arc<Grown>, Arc<ColorImage>), String> },
 }
 
-/// What is being grown.
-pub(super) struct Series {
-    pub news: Receiver<News>,
-    progress: Arc<AtomicU64>,
-    cancelled: Arc<AtomicBool>,
+/// Starts growing `jobs`, one after the other.
+///
+/// # Errors
+/// Where no thread can be started.
+pub(super) fn start(
+    jobs: Vec<Job>,
+    training: &Arc<Training>,
+    tasks: &Tasks,
+) -> Result<Task<News>, StartError> {
+    let training = Arc::clone(training);
+    tasks.start("alternatives", move |worker| Growing { worker, training: &training }.run(&jobs))
 }
 
-impl Drop for Series {
-    fn drop(&mut self) {
-        self.cancelled.store(true, Ordering::Relaxed);
-    }
+struct Growing<'a> {
+    worker: &'a Worker<News>,
+    training: &'a Training,
 }
 
-impl Series {
-    /// Begins.
-    pub fn begin(jobs: Vec<Job>, training: &Arc<Training>, ctx: &Context) -> Self {
-        let (tell, news) = mpsc::channel();
-        let (progress, cancelled) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicBool::new(false)));
-        let series = Self { news, progress: Arc::clone(&progress), cancelled: Arc::clone(&cancelled) };
-        let worker = Worker { tell, progress, cancelled, training: Arc::clone(training), ctx: ctx.clone() };
-        // Without a thread there are no alternatives; all else works.
-        drop(thread::Builder::new().name("alternatives".to_owned()).spawn(move || worker.run(jobs)));
-        series
-    }
-
-    /// What is being grown, and the share of it that is done, 0..1.
-    pub fn progress(&self) -> (u64, f32) {
-        let told = self.progress.load(Ordering::Relaxed);
-        (told >> 16, (told & 0xffff) as f32 / 65_535.0)
-    }
-}
-
-struct Worker {
-    tell: Sender<News>,
-    progress: Arc<AtomicU64>,
-    cancelled: Arc<AtomicBool>,
-    training: Arc<Training>,
-    ctx: Context,
-}
-
-impl Worker {
-    fn run(&self, jobs: Vec<Job>) {
+impl Growing<'_> {
+    fn run(&self, jobs: &[Job]) {
         // Half of the cores: the window has the others.
         let cores = thread::available_parallelism().map_or(1, usize::from);
         let pool = rayon::ThreadPoolBuilder::new().num_threads((cores / 2).max(1)).build();
         for job in jobs {
-            let work = || panic::catch_unwind(AssertUnwindSafe(|| self.work(&job)));
+            self.worker.send(News::Begun(job.id));
+            // A fault in one of them leaves the others.
+            let work = || panic::catch_unwind(AssertUnwindSafe(|| self.work(job)));
             let worked = match &pool {
                 Ok(pool) => pool.install(work),
                 Err(_) => work(),
@@ -90,29 +71,26 @@ impl Worker {
                 Ok(Err(error)) => Err(error.to_string()),
                 Err(_) => Err("growing it failed inside dapple; please report the document".to_owned()),
             };
-            // The window may want others by now.
-            let _ = self.tell.send(News { id: job.id, outcome });
-            self.ctx.request_repaint();
+            self.worker.send(News::Done { id: job.id, outcome });
         }
     }
 
     fn work(&self, job: &Job) -> Result<(Arc<Grown>, Arc<ColorImage>), GrowError> {
         let progress = |stage, share: f64| {
-            let all = match stage {
+            self.worker.set_progress(match stage {
                 Stage::Plan => 0.05 * share,
                 Stage::Grow => 0.05 + 0.85 * share,
                 Stage::Refine | Stage::Write => 0.9 + 0.1 * share,
-            };
-            self.progress.store(job.id << 16 | (65_535.0 * all) as u64, Ordering::Relaxed);
+            });
         };
-        let cancelled = || self.cancelled.load(Ordering::Relaxed);
+        let cancelled = || self.worker.is_cancelled();
         let watch = Watch { progress: &progress, cancelled: &cancelled };
         watch.step(Stage::Plan, 0.0)?;
         let grown = match &job.known {
             Some(known) if job.grown => Arc::clone(known),
             known => {
                 let options =
-                    Options { source: "the sketch", training: &self.training, watch, ..Options::default() };
+                    Options { source: "the sketch", training: self.training, watch, ..Options::default() };
                 Arc::new(regrow(&job.document, &options, known.as_deref())?)
             }
         };

@@ -7,12 +7,11 @@ mod points;
 pub use points::Points;
 
 use std::sync::Arc;
-use std::sync::mpsc::{self, Receiver};
-use std::thread;
 
 use egui::{ComboBox, Context, Id, Ui, Window as Floating, vec2};
 
 use super::result::RegionResult;
+use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::rd::System;
 use crate::synth::Training;
 
@@ -27,7 +26,7 @@ pub struct Cloud {
     /// The quantities along x and y: names of attributes or parameters; `None` = the default.
     axes: [Option<&'static str>; 2],
     points: Option<Arc<Points>>,
-    pending: Option<Receiver<Option<Points>>>,
+    pending: Option<Task<Option<Points>>>,
     failed: bool,
     /// Counts the requests: each resets the visible range of the plot.
     question: u64,
@@ -35,27 +34,24 @@ pub struct Cloud {
 
 impl Cloud {
     /// Computes the cloud of a region that was grown with `system`, in the background.
+    ///
+    /// # Errors
+    /// Where no thread can be started.
     pub fn ask(
         &mut self,
-        ctx: &Context,
+        tasks: &Tasks,
         asked: RegionId,
         system: System,
         region: &RegionResult,
         training: &Arc<Training>,
-    ) {
-        let (tell, pending) = mpsc::channel();
-        let (ctx, training) = (ctx.clone(), Arc::clone(training));
-        let report = region.report.clone();
-        // Without a thread the cloud stays empty.
-        drop(thread::Builder::new().name("cloud".to_owned()).spawn(move || {
-            // The window may have gone.
-            let _ = tell.send(Points::for_region(&training, system, &report));
-            ctx.request_repaint();
-        }));
+    ) -> Result<(), StartError> {
+        let (training, report) = (Arc::clone(training), region.report.clone());
+        let work = move |worker: &Worker<_>| worker.send(Points::for_region(&training, system, &report));
+        self.pending = Some(tasks.start("the training cloud", work)?);
         self.question += 1;
         self.failed = false;
-        self.pending = Some(pending);
         self.asked = Some(asked);
+        Ok(())
     }
 
     /// Another document is open.
@@ -71,10 +67,13 @@ impl Cloud {
 
     /// Shows the cloud where there is one; never waits.
     pub fn ui(&mut self, ctx: &Context) {
-        if let Some(points) = self.pending.as_ref().and_then(|pending| pending.try_recv().ok()) {
-            self.failed = points.is_none();
-            self.points = points.map(Arc::new);
-            self.pending = None;
+        if let Some(task) = &mut self.pending {
+            let points = task.poll();
+            if points.is_some() || task.has_ended() {
+                self.points = points.flatten().map(Arc::new);
+                self.failed = self.points.is_none();
+                self.pending = None;
+            }
         }
         let Some((_, [column, row])) = self.asked else { return };
         let mut open = true;

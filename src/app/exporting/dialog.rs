@@ -33,7 +33,7 @@ impl Dialog {
 
     /// Shows it.
     pub fn ui(&mut self, ui: &mut Ui, context: &ExportContext) -> Option<DialogAction> {
-        self.preview.follow(ui.ctx(), context.request, context.grown, context.threads);
+        self.preview.follow(context.tasks, context.request, context.grown, context.threads);
         let screen = ui.ctx().content_rect().size();
         let size = (screen - vec2(92.0, 92.0)).min(vec2(920.0, 620.0));
         ui.set_width(size.x);
@@ -165,7 +165,7 @@ impl Dialog {
                 let explained = "Makes the whole export, to look at it before it is written";
                 let button = ui.add_enabled(can && !waits, Button::new(text)).on_hover_text(explained);
                 if button.clicked() {
-                    self.preview.make(ui.ctx(), context.request, context.grown, context.threads);
+                    self.preview.make(context.tasks, context.request, context.grown, context.threads);
                 }
                 if waits {
                     ui.weak("The texture is still growing.");

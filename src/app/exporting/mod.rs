@@ -28,6 +28,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::editor::task::Tasks;
 use crate::export::{self, Stopped, motion};
 use crate::synth::{Grown, Watch};
 use job::Job;
@@ -50,6 +51,7 @@ impl Exporting {
         made: Option<Arc<FinishedPreview>>,
         grown: Option<Arc<Grown>>,
         threads: Option<usize>,
+        tasks: &Tasks,
     ) -> Self {
         let made = made.filter(|made| made.request == request && made.whole);
         let writing = match (request.is_film() && made.is_none(), made.is_some() || grown.is_some()) {
@@ -59,7 +61,7 @@ impl Exporting {
         };
         let to = path.to_owned();
         let work = move |watch: &Watch| write(&to, &request, made.as_deref(), grown.as_ref(), watch);
-        Self { path: path.to_owned(), job: Job::start(threads, writing, || {}, work) }
+        Self { path: path.to_owned(), job: Job::start(tasks, threads, writing, work) }
     }
 
     /// The share that is done, 0..1.
@@ -80,8 +82,7 @@ impl Exporting {
     }
 
     /// Once it has ended: a message about what was written, or the error.
-    #[must_use]
-    pub fn outcome(&self) -> Option<Result<Option<String>, String>> {
+    pub fn outcome(&mut self) -> Option<Result<Option<String>, String>> {
         self.job.outcome()
     }
 }

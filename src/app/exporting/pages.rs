@@ -11,6 +11,7 @@ use egui::{Checkbox, ComboBox, DragValue, Grid, Role, Ui, WidgetInfo, WidgetText
 
 use super::{Choices, ExportKind, ExportRequest};
 use crate::app::fields::sides;
+use crate::editor::task::Tasks;
 use crate::editor::units::{Ruler, Units};
 use crate::synth::Grown;
 
@@ -22,6 +23,8 @@ pub struct ExportContext<'a> {
     pub grown: Option<&'a Arc<Grown>>,
     /// Whether it is still growing.
     pub growing: bool,
+    /// Starts the threads.
+    pub tasks: &'a Tasks,
     /// The number of threads to use; `None` = all cores.
     pub threads: Option<usize>,
     /// The unit of lengths on the canvas.

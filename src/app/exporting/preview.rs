@@ -5,13 +5,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use egui::{ColorImage, Context};
+use egui::ColorImage;
 
 use super::ExportKind;
 use super::job::Job;
 use super::preview_images::PreviewImages;
 use super::request::{ExportRequest, Pending};
 use crate::document::Document;
+use crate::editor::task::Tasks;
 use crate::export::TemporaryFolder;
 use crate::export::material::name;
 use crate::export::motion::Film;
@@ -62,7 +63,7 @@ impl Preview {
     /// Updates it after changed choices: makes quick previews at once, and estimates time and memory for the others.
     pub fn follow(
         &mut self,
-        ctx: &Context,
+        tasks: &Tasks,
         request: &ExportRequest,
         settled: Option<&Arc<Grown>>,
         threads: Option<usize>,
@@ -72,19 +73,19 @@ impl Preview {
             self.job = None;
         }
         if !self.is_known(request) && self.is_quick(request, settled) {
-            self.make(ctx, request, settled, threads);
+            self.make(tasks, request, settled, threads);
         }
         let grown = self.sized(request);
         let known = self.needs.as_ref().is_some_and(|(of, _)| *of == grown)
             || self.asking.as_ref().is_some_and(|(of, _)| *of == grown);
         if !known && !self.is_ready(request, settled) {
-            let (wake, document, size) = (ctx.clone(), request.document.clone(), grown.size);
+            let (document, size) = (request.document.clone(), grown.size);
             let scale = request.choices.size.scale;
             let work = move |_: &Watch| {
                 let task = Task { document: &document, size, source: "the sketch", scale };
                 Ok(Needs::estimate(&task, Training::built_in()))
             };
-            self.asking = Some((grown, Job::start(threads, 0.0, move || wake.request_repaint(), work)));
+            self.asking = Some((grown, Job::start(tasks, threads, 0.0, work)));
         }
     }
 
@@ -94,7 +95,7 @@ impl Preview {
 
     fn listen(&mut self) {
         if let Some((of, outcome)) =
-            self.job.as_ref().and_then(|(of, job)| Some((of.clone(), job.outcome()?)))
+            self.job.as_mut().and_then(|(of, job)| Some((of.clone(), job.outcome()?)))
         {
             let given_up = self.job.take().is_some_and(|(_, job)| job.is_cancelled());
             match outcome {
@@ -104,7 +105,7 @@ impl Preview {
             }
         }
         if let Some((of, needs)) =
-            self.asking.as_ref().and_then(|(of, job)| Some((of.clone(), job.outcome()?)))
+            self.asking.as_mut().and_then(|(of, job)| Some((of.clone(), job.outcome()?)))
         {
             (self.needs, self.asking) = (Some((of, needs.ok().flatten())), None);
         }
@@ -155,7 +156,7 @@ impl Preview {
     /// Starts to make the preview.
     pub fn make(
         &mut self,
-        ctx: &Context,
+        tasks: &Tasks,
         request: &ExportRequest,
         settled: Option<&Arc<Grown>>,
         threads: Option<usize>,
@@ -166,13 +167,8 @@ impl Preview {
             (false, true) => 1.0,
             (false, false) => 0.1,
         };
-        let (wake, work) = (ctx.clone(), request.clone());
-        let job = Job::start(
-            threads,
-            writing,
-            move || wake.request_repaint(),
-            move |watch| make_preview(work, grown.as_ref(), watch),
-        );
+        let work = request.clone();
+        let job = Job::start(tasks, threads, writing, move |watch| make_preview(work, grown.as_ref(), watch));
         self.failed = None;
         self.job = Some((request.clone(), job));
     }

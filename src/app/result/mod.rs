@@ -7,14 +7,10 @@ pub use reach::Reach;
 pub use verdict::Verdict;
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{self, Receiver, Sender};
-use std::thread;
-
-use egui::Context;
 
 use super::growth::Texture;
 use crate::editor::session::Session;
+use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::rd::System;
 use crate::synth::report::{self, RegionReport};
 use crate::synth::{Grown, Training};
@@ -58,17 +54,10 @@ enum News {
     Complete,
 }
 
-/// The computation under way.
+/// The computation under way; without a task, no thread could be started.
 struct Job {
     grown: Arc<Grown>,
-    news: Receiver<News>,
-    cancelled: Arc<AtomicBool>,
-}
-
-impl Drop for Job {
-    fn drop(&mut self) {
-        self.cancelled.store(true, Ordering::Relaxed);
-    }
+    task: Option<Task<News>>,
 }
 
 /// The latest result and the one that is computed.
@@ -81,21 +70,34 @@ pub struct Results {
 }
 
 impl Results {
-    /// Receives results and starts to compute those of a new texture; never waits.
-    pub fn follow(&mut self, ctx: &Context, texture: Option<&Texture>) {
-        while let Some(news) = self.job.as_ref().and_then(|job| job.news.try_recv().ok()) {
+    /// Receives results and starts to compute those of a new texture; never waits. Returns an error once where no
+    /// thread can be started.
+    pub fn follow(&mut self, tasks: &Tasks, texture: Option<&Texture>) -> Option<StartError> {
+        while let Some(news) = self.job.as_mut().and_then(|job| job.task.as_mut()?.poll()) {
             self.take(news);
         }
         let Some(texture) = texture else {
             self.job = None;
-            return;
+            return None;
         };
         let same = |grown: &Arc<Grown>| Arc::ptr_eq(grown, &texture.grown);
         let known = self.job.as_ref().is_some_and(|job| same(&job.grown))
             || self.outcome.as_ref().is_some_and(|outcome| outcome.complete && same(&outcome.grown));
         if !known {
-            self.job = Some(begin(&texture.grown, &self.training, ctx.clone()));
+            return self.begin(&texture.grown, tasks).err();
         }
+        None
+    }
+
+    fn begin(&mut self, grown: &Arc<Grown>, tasks: &Tasks) -> Result<(), StartError> {
+        let (textured, training) = (Arc::clone(grown), Arc::clone(&self.training));
+        let started = tasks.start("the result", move |worker| work(&textured, &training, worker));
+        let (task, outcome) = match started {
+            Ok(task) => (Some(task), Ok(())),
+            Err(error) => (None, Err(error)),
+        };
+        self.job = Some(Job { grown: Arc::clone(grown), task });
+        outcome
     }
 
     fn take(&mut self, news: News) {
@@ -153,26 +155,7 @@ pub fn on_desk(session: &Session, layer: usize) -> Option<usize> {
     drawn.map(|(index, _)| index).nth(layer)
 }
 
-fn begin(grown: &Arc<Grown>, training: &Arc<Training>, ctx: Context) -> Job {
-    let (tell, news) = mpsc::channel();
-    let cancelled = Arc::new(AtomicBool::new(false));
-    let job = Job { grown: Arc::clone(grown), news, cancelled: Arc::clone(&cancelled) };
-    let (grown, training) = (Arc::clone(grown), Arc::clone(training));
-    let work = move || {
-        let say = |news| {
-            // The window may want something else by now.
-            let _ = tell.send(news);
-            ctx.request_repaint();
-        };
-        work(&grown, &training, &cancelled, &say);
-        drop::<Sender<News>>(tell);
-    };
-    // Without a thread there is no result to be seen; all else works.
-    drop(thread::Builder::new().name("result".to_owned()).spawn(work));
-    job
-}
-
-fn work(grown: &Grown, training: &Training, cancelled: &AtomicBool, say: &dyn Fn(News)) {
+fn work(grown: &Grown, training: &Training, worker: &Worker<News>) {
     let layers: Vec<LayerResult> = grown
         .layers
         .iter()
@@ -192,17 +175,17 @@ fn work(grown: &Grown, training: &Training, cancelled: &AtomicBool, say: &dyn Fn
         regions.filter(|(_, region)| !region.report.beyond.is_empty()).map(|(index, _)| index).collect()
     };
     let wanted: Vec<Vec<usize>> = layers.iter().map(beyond).collect();
-    say(News::Layers(layers));
+    worker.send(News::Layers(layers));
     let plans: Vec<_> = grown.layers.iter().map(|layer| &layer.plan.lookup).collect();
     for (layer, regions) in wanted.into_iter().enumerate() {
         for region in regions {
-            if cancelled.load(Ordering::Relaxed) {
+            if worker.is_cancelled() {
                 return;
             }
             if let Some(reach) = reach::reach(training, &grown.document, &plans, layer, region) {
-                say(News::Reach { layer, region, reach });
+                worker.send(News::Reach { layer, region, reach });
             }
         }
     }
-    say(News::Complete);
+    worker.send(News::Complete);
 }

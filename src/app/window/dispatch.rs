@@ -25,19 +25,19 @@ impl Window {
             | Action::Quit => self.unless_unsaved(ui, action),
             Action::Discard(id) => self.discard(&id),
             Action::ForgetRecent => self.settings.forget(),
-            Action::Save => self.save(ui, None),
-            Action::SaveAs => self.save_as(ui),
+            Action::Save => self.save(None),
+            Action::SaveAs => self.save_as(),
             Action::Export => self.ask_export(),
             Action::CancelExport => self.cancel_export(),
-            Action::OpenPalette => self.choose_palette(ui),
-            Action::SavePalette => self.save_palette_as(ui),
+            Action::OpenPalette => self.choose_palette(),
+            Action::SavePalette => self.save_palette_as(),
             Action::Page(page) => self.turn_to(page),
             Action::Alternatives(shown) => self.alternatives.shown = shown,
             Action::ToggleAlternatives => self.alternatives.shown = !self.alternatives.shown,
             Action::TakeAlternative(id) => self.take_alternative(id),
             Action::KeepAlternative(id, kept) => self.alternatives.keep(id, kept),
             Action::StopAlternatives(stopped) => self.alternatives.stop(stopped),
-            Action::Cloud(asked) => self.show_cloud(ui, asked),
+            Action::Cloud(asked) => self.show_cloud(asked),
             Action::Pause => self.growth.pause(!self.growth.is_paused()),
             Action::Stop => self.growth.stop(),
             Action::Grow => self.growth.again(&self.session.finished()),
@@ -52,18 +52,18 @@ impl Window {
             Action::Redo => self.session.redo(),
             Action::Cut => {
                 self.copy(ui);
-                self.delete();
+                self.session.delete_selected();
             }
             Action::Copy => self.copy(ui),
             Action::Paste(text) => self.paste(&text),
             Action::Duplicate => self.duplicate(),
-            Action::Delete => self.delete(),
+            Action::Delete => self.session.delete_selected(),
             Action::SelectAll => self.select_all(),
             Action::Escape => self.escape(),
             Action::Next(step) => self.select_next(step),
             Action::Nudge(by) => self.session.nudge(by),
-            Action::Turn(by) => self.change_each(|mark, center| shape::turned(mark, by, center)),
-            Action::Scale(by) => self.change_each(|mark, center| shape::scaled(mark, by, center)),
+            Action::Turn(by) => self.session.change_each(|mark, center| shape::turned(mark, by, center)),
+            Action::Scale(by) => self.session.change_each(|mark, center| shape::scaled(mark, by, center)),
             Action::Insert(ellipse) => self.insert(ellipse),
             Action::AnotherSeed => self.another_seed(),
             Action::Edit(edit) => self.edit(edit),
@@ -87,7 +87,7 @@ impl Window {
             }
             Action::Regions(shown) => self.canvas.overlays.regions = shown,
             Action::Analysis(shown) => self.canvas.overlays.analysis = shown,
-            Action::ChooseReference => self.choose_reference(ui),
+            Action::ChooseReference => self.choose_reference(),
             Action::ShowReference(shown) => self.canvas.reference.shown = shown,
             Action::ReferenceOpacity(opacity) => self.canvas.reference.opacity = opacity,
             Action::RemoveReference => self.canvas.reference.clear(),
@@ -151,12 +151,15 @@ impl Window {
         self.session.commit();
     }
 
-    fn show_cloud(&mut self, ui: &Ui, asked: Option<(usize, [usize; 2])>) {
+    fn show_cloud(&mut self, asked: Option<(usize, [usize; 2])>) {
         self.cloud.asked = None;
         let Some((layer, place)) = asked else { return };
         let Some(of) = self.results.outcome().and_then(|outcome| outcome.layers.get(layer)) else { return };
         if let Some(region) = of.regions.iter().find(|region| region.report.place == place) {
-            self.cloud.ask(ui.ctx(), (layer, place), of.system, region, &self.results.training);
+            let training = &self.results.training;
+            if let Err(error) = self.cloud.ask(&self.tasks, (layer, place), of.system, region, training) {
+                self.notices.wrong(error.to_string());
+            }
         }
     }
 

@@ -62,6 +62,7 @@ impl Window {
             request: &request,
             grown: grown.as_ref(),
             growing: self.growth.is_growing(),
+            tasks: &self.tasks,
             threads: self.settings.threads,
             units: self.settings.units,
         };
@@ -71,14 +72,14 @@ impl Window {
         let said = if shown.should_close() { Some(DialogAction::Cancel) } else { shown.inner };
         match said {
             Some(DialogAction::Cancel) => return,
-            Some(DialogAction::Export) => self.choose_export(ui, &dialog.choices),
-            Some(DialogAction::ChooseOther) => self.choose(ui, Purpose::Become, ""),
+            Some(DialogAction::Export) => self.choose_export(&dialog.choices),
+            Some(DialogAction::ChooseOther) => self.choose(Purpose::Become, ""),
             None => {}
         }
         self.files.export = Some(dialog);
     }
 
-    fn choose_export(&mut self, ui: &Ui, choices: &Choices) {
+    fn choose_export(&mut self, choices: &Choices) {
         let stem = self.stem();
         match choices.ending() {
             Some(ending) => {
@@ -94,11 +95,11 @@ impl Window {
                     _ => &["gif"],
                 };
                 let name = format!("{stem}.{}", endings[0]);
-                self.choose(ui, Purpose::Export(endings), &name);
+                self.choose(Purpose::Export(endings), &name);
             }
             None => {
                 let kind = if choices.what == ExportKind::Material { "material" } else { "frames" };
-                self.choose(ui, Purpose::ExportInto, &format!("{stem}-{kind}"));
+                self.choose(Purpose::ExportInto, &format!("{stem}-{kind}"));
             }
         }
     }
@@ -117,7 +118,7 @@ impl Window {
         let grown = self.grown();
         let made = dialog.preview.finished(&request).cloned();
         let grown = dialog.preview.grown(&request, grown.as_ref());
-        self.exporting = Some(Exporting::new(path, request, made, grown, self.settings.threads));
+        self.exporting = Some(Exporting::new(path, request, made, grown, self.settings.threads, &self.tasks));
     }
 
     /// Sets the document that a film ends with.
@@ -132,7 +133,7 @@ impl Window {
     pub fn export(&mut self, path: &Path, canvas: Option<[u32; 2]>, scale: u32) {
         let request = self.request(&Choices::plain(Size { canvas, scale }));
         let grown = self.grown().filter(|grown| request.takes(grown));
-        self.exporting = Some(Exporting::new(path, request, None, grown, self.settings.threads));
+        self.exporting = Some(Exporting::new(path, request, None, grown, self.settings.threads, &self.tasks));
     }
 
     /// Cancels the export that is being written.
@@ -144,7 +145,7 @@ impl Window {
 
     /// Shows a message once the export has ended.
     pub(super) fn listen_to_export(&mut self, ui: &Ui) {
-        let Some(job) = &self.exporting else { return };
+        let Some(job) = &mut self.exporting else { return };
         let Some(outcome) = job.outcome() else {
             ui.ctx().request_repaint_after(std::time::Duration::from_millis(100));
             return;

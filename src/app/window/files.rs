@@ -142,9 +142,9 @@ impl Window {
     fn go_on(&mut self, ui: &Ui, action: Action) {
         match action {
             Action::New => self.files.new = Some(self.settings.new.clone()),
-            Action::Open => self.choose(ui, Purpose::Open, ""),
+            Action::Open => self.choose(Purpose::Open, ""),
             Action::OpenFile(path) => self.open(&path),
-            Action::Import => self.choose(ui, Purpose::Import, ""),
+            Action::Import => self.choose(Purpose::Import, ""),
             Action::Example(name) => self.open_example(name),
             Action::Restore(id) => self.restore(&id),
             Action::Quit => self.close(ui),
@@ -165,27 +165,28 @@ impl Window {
         }
     }
 
-    pub(super) fn choose(&mut self, ui: &Ui, purpose: Purpose, name: &str) {
+    pub(super) fn choose(&mut self, purpose: Purpose, name: &str) {
         let at = self.session.path.clone();
-        self.files.chooser = Some(Chooser::new(purpose, at.as_deref(), name, self.files.native, ui.ctx()));
+        self.files.chooser =
+            Some(Chooser::new(purpose, at.as_deref(), name, self.files.native.then_some(&self.tasks)));
     }
 
-    pub(super) fn choose_reference(&mut self, ui: &Ui) {
-        self.choose(ui, Purpose::Reference, "");
+    pub(super) fn choose_reference(&mut self) {
+        self.choose(Purpose::Reference, "");
     }
 
-    pub(super) fn save_as(&mut self, ui: &Ui) {
+    pub(super) fn save_as(&mut self) {
         let name = self
             .session
             .path
             .as_deref()
             .and_then(Path::file_name)
             .map(|name| name.to_string_lossy().into_owned());
-        self.choose(ui, Purpose::Save, &name.unwrap_or_else(|| "untitled.dapple".to_owned()));
+        self.choose(Purpose::Save, &name.unwrap_or_else(|| "untitled.dapple".to_owned()));
     }
 
     /// Saves to `path`, or where it was saved before, or asks where.
-    pub(super) fn save(&mut self, ui: &Ui, path: Option<PathBuf>) {
+    pub(super) fn save(&mut self, path: Option<PathBuf>) {
         let document = self.session.finished();
         if document.layers.is_empty() {
             self.notices.wrong("There is nothing to save yet: draw at least one mark.");
@@ -193,7 +194,7 @@ impl Window {
             return;
         }
         let Some(path) = path.or_else(|| self.session.path.clone()) else {
-            self.save_as(ui);
+            self.save_as();
             return;
         };
         if let Some(saving) = &mut self.files.saving {
@@ -201,7 +202,7 @@ impl Window {
             saving.again = Some(path);
             return;
         }
-        self.files.saving = Some(Saving::start(&path, self.session.document(), document, &self.tasks));
+        self.files.saving = Some(Saving::start(&path, self.session.document(), &document, &self.tasks));
     }
 
     fn listen_to_saving(&mut self, ui: &Ui) {
@@ -209,7 +210,7 @@ impl Window {
         let Some(mut saving) = self.files.saving.take() else { return };
         let saved = self.saved(&saving, outcome);
         if let (true, Some(path)) = (saved, saving.again.take()) {
-            self.save(ui, Some(path));
+            self.save(Some(path));
         } else if let Some(action) = self.files.after_saving.take().filter(|_| saved) {
             self.unless_unsaved(ui, action);
         }
@@ -245,10 +246,10 @@ impl Window {
         }
     }
 
-    fn chosen(&mut self, ui: &Ui, purpose: Purpose, path: PathBuf) {
+    fn chosen(&mut self, purpose: Purpose, path: PathBuf) {
         match purpose {
             Purpose::Open | Purpose::Import => self.open(&path),
-            Purpose::Save => self.save(ui, Some(path)),
+            Purpose::Save => self.save(Some(path)),
             Purpose::Export(_) | Purpose::ExportInto => self.export_chosen(&path),
             Purpose::Become => self.become_chosen(path),
             Purpose::Palette => self.open_palette(&path),
@@ -356,7 +357,7 @@ impl Window {
                 Page::Hint => action = pages::hint(ui),
                 Page::Examples => {
                     ui.heading("Examples");
-                    action = self.gallery.ui(ui);
+                    action = self.gallery.ui(ui, &self.tasks);
                 }
                 Page::Shortcuts => {
                     ui.set_width(620.0);
@@ -396,7 +397,7 @@ impl Window {
             }
             Choice::Chosen(path) => {
                 self.files.chooser = None;
-                self.chosen(ui, purpose, path);
+                self.chosen(purpose, path);
             }
         }
     }
@@ -429,7 +430,7 @@ impl Window {
             match answer {
                 Answer::Yes => {
                     self.files.after_saving = Some(action);
-                    self.save(ui, None);
+                    self.save(None);
                 }
                 Answer::No => self.go_on(ui, action),
                 Answer::Cancel => {}

@@ -10,6 +10,7 @@ use crate::app::canvas::view::View;
 use crate::app::growth::Phase;
 use crate::app::theme::Palette;
 use crate::app::{panels, shortcuts, texture};
+use crate::editor::task::StartError;
 
 impl Window {
     /// Shows a whole frame.
@@ -28,7 +29,8 @@ impl Window {
         self.canvas.underlay.follow(ui, &self.session, &self.growth);
         self.listen(ui);
         if self.tab == Tab::Result {
-            self.results.follow(ui.ctx(), self.growth.texture.as_ref());
+            let error = self.results.follow(&self.tasks, self.growth.texture.as_ref());
+            self.report(error);
         }
         let mut actions = self.keys(ui);
         self.dropped(ui);
@@ -46,7 +48,8 @@ impl Window {
         // Before the canvas: it must see the marks that a field has changed.
         asked.into_iter().for_each(|action| self.perform(ui, action));
         let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
-        self.alternatives.follow(ui.ctx(), &self.session, &self.growth, busy);
+        let error = self.alternatives.follow(&self.tasks, &self.session, &self.growth, busy);
+        self.report(error);
         if self.alternatives.shown {
             let strip = Panel::bottom("alternatives").frame(bar).resizable(false).exact_size(panels::HEIGHT);
             strip.show(ui, |ui| {
@@ -68,6 +71,13 @@ impl Window {
         }
         self.menu_open = ui.any_popup_open();
         self.entitle(ui);
+    }
+
+    /// Reports that a thread could not be started.
+    fn report(&mut self, error: Option<StartError>) {
+        if let Some(error) = error {
+            self.notices.wrong(error.to_string());
+        }
     }
 
     /// The actions of the keys.

@@ -2,8 +2,6 @@
 
 use std::path::Path;
 
-use egui::Ui;
-
 use super::Window;
 use crate::app::action::Tab;
 use crate::app::chooser::Purpose;
@@ -12,15 +10,15 @@ use crate::document::palette::Palette;
 use crate::editor::edit::Edit;
 
 impl Window {
-    pub(super) fn choose_palette(&mut self, ui: &Ui) {
-        self.choose(ui, Purpose::Palette, "");
+    pub(super) fn choose_palette(&mut self) {
+        self.choose(Purpose::Palette, "");
     }
 
-    pub(super) fn save_palette_as(&mut self, ui: &Ui) {
+    pub(super) fn save_palette_as(&mut self) {
         let name = self.session.layer_name(self.session.active_layer);
         // Names of layers may hold what a file's cannot.
         let name = name.replace(['/', '\\', ':', '\0'], " ");
-        self.choose(ui, Purpose::PaletteTo, &format!("{name}.json"));
+        self.choose(Purpose::PaletteTo, &format!("{name}.json"));
     }
 
     /// The layer at hand takes the colours of a file; where it cannot be read, says why and keeps its own.

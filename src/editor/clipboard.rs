@@ -1,0 +1,141 @@
+//! Copy, paste and duplicate; selecting and changing several marks. The clipboard holds a document as text.
+
+use crate::document::{Document, DocumentError, Layer};
+use crate::editor::selection::{Place, Selection};
+use crate::editor::session::Session;
+use crate::editor::shape;
+use crate::marks::Mark;
+
+impl Session {
+    /// The selected marks as a document of their own; `None` where nothing is selected.
+    #[must_use]
+    pub fn copy(&self) -> Option<String> {
+        let source = self.document();
+        let selected = |layer: usize| {
+            let strokes = source.layers[layer].strokes.iter().enumerate();
+            strokes.filter(move |(stroke, _)| self.selection.contains(Place { layer, stroke: *stroke }))
+        };
+        let layers = (0..source.layers.len()).map(|layer| {
+            let strokes = selected(layer).map(|(_, stroke)| stroke.clone()).collect();
+            Layer { strokes, ..source.layers[layer].clone() }
+        });
+        let layers: Vec<Layer> = layers.filter(|layer| !layer.strokes.is_empty()).collect();
+        (!layers.is_empty()).then(|| Document { layers, ..source.clone() }.to_json())
+    }
+
+    /// Adds the marks of a document in `text`, moved by `by` px, and selects them.
+    ///
+    /// # Errors
+    /// Where the text is no document.
+    pub fn paste(&mut self, text: &str, by: [f64; 2]) -> Result<(), DocumentError> {
+        let pasted = Self::open(Document::parse(text, "the clipboard")?, None);
+        let marks: Vec<Mark> = pasted.marks().map(|(_, mark)| shape::moved(&mark, by)).collect();
+        self.add(&marks);
+        Ok(())
+    }
+
+    /// Adds a copy of each selected mark, moved by `by` px as far as all copies stay on the canvas, and selects the
+    /// copies.
+    pub fn duplicate(&mut self, by: [f64; 2]) {
+        let marks: Vec<(Place, Mark)> = self.selected().collect();
+        let by = self.limit_move(&marks, by);
+        let copies: Vec<Mark> = marks.iter().map(|(_, mark)| shape::moved(mark, by)).collect();
+        if !copies.is_empty() {
+            self.add(&copies);
+        }
+    }
+
+    /// Removes the selected marks.
+    pub fn delete_selected(&mut self) {
+        let places: Vec<Place> = self.selection.places().collect();
+        self.remove(&places);
+    }
+
+    /// Selects all editable marks.
+    pub fn select_all(&mut self) {
+        self.selection = Selection::new(self.editable_marks().map(|(place, _)| place));
+    }
+
+    /// Selects the editable mark `step` places after the first selected one, around the end. Returns whether there is
+    /// any.
+    pub fn select_next(&mut self, step: isize) -> bool {
+        let places: Vec<Place> = self.editable_marks().map(|(place, _)| place).collect();
+        if places.is_empty() {
+            return false;
+        }
+        let current = self.selection.places().next();
+        let index = current.and_then(|current| places.iter().position(|place| *place == current));
+        let n = places.len() as isize;
+        let next =
+            index.map_or(if step > 0 { 0 } else { n - 1 }, |index| (index as isize + step).rem_euclid(n));
+        let place = places[next as usize];
+        self.selection = Selection::new([place]);
+        self.active_layer = place.layer;
+        true
+    }
+
+    /// Changes each selected mark; `change` gets the mark and its centre.
+    pub fn change_each(&mut self, change: impl Fn(&Mark, [f64; 2]) -> Mark) {
+        let marks: Vec<(Place, Mark)> = self.selected().collect();
+        let changed: Vec<_> =
+            marks.iter().map(|(place, mark)| (*place, change(mark, shape::center(mark)))).collect();
+        self.replace(&changed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::marks::Ellipse;
+
+    fn spot(x: f64) -> Mark {
+        Mark::Ellipse(Ellipse { center: [x, 50.0], radii: [12.0, 8.0], angle: 0.0 })
+    }
+
+    /// The x coordinates of the selected marks, px.
+    fn selected(session: &Session) -> Vec<f64> {
+        session.selected().map(|(_, mark)| mark.center()[0]).collect()
+    }
+
+    fn three() -> Session {
+        let mut session = Session::default();
+        session.add(&[spot(20.0), spot(60.0), spot(100.0)]);
+        session
+    }
+
+    #[test]
+    fn copied_marks_are_pasted_into_another_document() {
+        let mut session = three();
+        session.selection = Selection::new([0, 2].map(|stroke| Place { layer: 0, stroke }));
+        let text = session.copy().unwrap();
+        let mut other = Session::default();
+        other.paste(&text, [5.0, 0.0]).unwrap();
+        assert_eq!(selected(&other), [25.0, 105.0]);
+        assert!(other.paste("a shopping list", [0.0; 2]).is_err());
+        other.selection.clear();
+        assert_eq!(other.copy(), None);
+    }
+
+    #[test]
+    fn copies_stay_on_the_canvas_and_are_selected() {
+        let mut session = Session::default();
+        session.add(&[spot(500.0)]);
+        session.duplicate([30.0, 0.0]);
+        assert_eq!((selected(&session), session.marks().count()), (vec![512.0], 2));
+        session.delete_selected();
+        assert_eq!((session.marks().count(), session.selection.len()), (1, 0));
+    }
+
+    #[test]
+    fn the_next_mark_is_selected_around_the_end() {
+        let mut session = three();
+        session.select_all();
+        assert_eq!(session.selection.len(), 3);
+        session.selection.clear();
+        assert!(session.select_next(-1));
+        assert_eq!(selected(&session), [100.0]);
+        assert!(session.select_next(1));
+        assert_eq!(selected(&session), [20.0]);
+        assert!(!Session::default().select_next(1));
+    }
+}
