@@ -1,8 +1,7 @@
-//! Asking a training set.
+//! What a training set answers, and which questions it takes.
 
 use super::coverage::{Coverage, Judgement};
-use super::training_set::Map;
-use super::{Note, Parameters, TrainingSet};
+use super::{Note, Parameters};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
 
@@ -141,46 +140,4 @@ pub(super) fn checked(attributes: &Attributes) -> Result<Attributes, AskError> {
             wavelength: stripes.wavelength.map(|wavelength| length("wavelength", wavelength)).transpose()?,
         }),
     })
-}
-
-impl TrainingSet {
-    /// The parameters that give `wanted` (lengths in cells, angles any finite degrees).
-    ///
-    /// A question beyond the rows is moved to the nearest place within them first, so the parameters are
-    /// always ones that grow a texture like those of the set; `coverage`, `nearest` and `notes` tell.
-    ///
-    /// # Errors
-    /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
-    pub fn ask(&self, wanted: &Attributes) -> Result<Answer, AskError> {
-        let reached = match (&self.map, &checked(wanted)?) {
-            (Map::Spots(map), Attributes::Spots(spots)) => map.ask(spots),
-            (Map::Stripes(map), Attributes::Stripes(stripes)) => map.ask(stripes),
-            (Map::Spots(_), _) => return Err(self.other_kind("area, aspect, angle and perhaps spacing")),
-            (Map::Stripes(_), _) => return Err(self.other_kind("width, angle and perhaps wavelength")),
-        };
-        Ok(Answer {
-            parameters: reached.parameters,
-            pitch: 1.0,
-            predicted: reached.prediction.attributes,
-            interval: reached.prediction.interval,
-            coverage: reached.judgement.coverage,
-            nearest: reached.nearest,
-            notes: reached.judgement.notes,
-        })
-    }
-
-    fn other_kind(&self, takes: &'static str) -> AskError {
-        AskError::OtherKind { system: self.system().name, takes }
-    }
-
-    /// What `parameters` grow, as far as the rows tell.
-    ///
-    /// Meant for parameters like those of the rows; far from them it is the nearest rows' line, clamped.
-    #[must_use]
-    pub fn predict(&self, parameters: &Parameters) -> Prediction {
-        match &self.map {
-            Map::Spots(map) => map.predict(parameters),
-            Map::Stripes(map) => map.predict(parameters),
-        }
-    }
 }

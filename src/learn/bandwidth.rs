@@ -6,7 +6,7 @@
 
 use rayon::prelude::*;
 
-use super::local::Local;
+use super::local::{Images, Local, Sample};
 use crate::learn::weighted_line::Line;
 
 /// Neighbours a feature that may be chosen. Fewer than 8 may be two rows and their mirror images: good on average,
@@ -19,8 +19,17 @@ const QUESTIONS: usize = 64;
 /// where the map bends more than on average, and a question takes less time.
 const NEARLY: f64 = 1.02;
 
+impl Local {
+    /// Standardises `rows`. How many neighbours are asked is chosen by leaving rows out.
+    pub fn new(rows: Vec<Sample>, images: Images) -> Self {
+        let local = Self::with_neighbours(rows, images, 0);
+        let neighbours = chosen(&local);
+        local.asking(neighbours)
+    }
+}
+
 /// The number of neighbours (not a feature, but in all) by which the rows of `local` answer best for each other.
-pub(super) fn chosen(local: &Local) -> usize {
+fn chosen(local: &Local) -> usize {
     let most = local.samples_of_others();
     let counts: Vec<usize> =
         CANDIDATES.iter().map(|each| each * local.dims()).filter(|count| *count <= most).collect();
@@ -63,7 +72,7 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64;
 
-    use super::super::local::{AS_IT_IS, Sample};
+    use super::super::local::AS_IT_IS;
     use super::*;
     use crate::learn::small_vector::Point;
 

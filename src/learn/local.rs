@@ -12,10 +12,8 @@
 //! A row stands for its mirror images too. They are not stored: the distance of a question to a row's image is that
 //! of the question's image to the row.
 
-use super::bandwidth;
 use super::tree::{Near, Nearest, Place, Tree};
 use crate::learn::small_vector::{MOST, Point};
-use crate::learn::weighted_line::{Fit, Line};
 
 /// A known point of the map: features → outputs. The last two of each are a double-angle vector.
 #[derive(Clone, Copy, Debug)]
@@ -62,14 +60,7 @@ pub(super) fn varies(values: impl Iterator<Item = f64>) -> bool {
 
 impl Local {
     /// Standardises `rows`, so that the components of the vector share one scale: distance does not depend on
-    /// direction. How many neighbours are asked is chosen by leaving rows out.
-    pub fn new(rows: Vec<Sample>, images: Images) -> Self {
-        let mut local = Self::with_neighbours(rows, images, 0);
-        local.neighbours = bandwidth::chosen(&local);
-        local
-    }
-
-    /// The same with so many neighbours.
+    /// direction. `neighbours` are asked; [`super::bandwidth`] chooses how many.
     pub fn with_neighbours(rows: Vec<Sample>, images: Images, neighbours: usize) -> Self {
         let (dims, outputs) = rows.first().map_or((0, 0), |row| (row.at.len(), row.gives.len()));
         let scale = scales(rows.iter().map(|row| &row.at.padded), dims, images);
@@ -126,6 +117,11 @@ impl Local {
             .flat_map(move |row| (0..images).map(move |image| Near::new(0.0, row, image)))
     }
 
+    /// The same with another number of neighbours.
+    pub fn asking(self, neighbours: usize) -> Self {
+        Self { neighbours, ..self }
+    }
+
     /// k of the bandwidth.
     pub fn neighbours(&self) -> usize {
         self.neighbours
@@ -171,18 +167,6 @@ impl Local {
     /// The sample nearest to `q`, if there is any but those of the row `without`.
     pub fn nearest(&self, q: &Point, without: Option<usize>) -> Option<Sample> {
         self.near(&self.standardised(q), 1, without).first().map(|near| self.sample(*near))
-    }
-
-    /// The line at `q`, as if the row `without` were not there.
-    pub fn line(&self, q: &Point, without: Option<usize>) -> Line {
-        let q = self.standardised(q);
-        Line::through(self, &q, &self.near(&q, self.neighbours, without))
-    }
-
-    /// The answer at `q`, as if the row `without` were not there; within what the rows give.
-    pub fn fit(&self, q: &Point, without: Option<usize>) -> Fit {
-        let fit = self.line(q, without).fit();
-        Fit { value: self.clamped(fit.value), ..fit }
     }
 
     /// Outputs within what the rows give.

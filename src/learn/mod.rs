@@ -20,6 +20,7 @@
 //! rows are, and the answer says so ([`Coverage`]).
 
 mod answer;
+mod ask;
 mod bandwidth;
 mod coordinates;
 mod coverage;

@@ -147,3 +147,17 @@ impl Line {
         Fit { value, deviation }
     }
 }
+
+impl Local {
+    /// The line at `q`, as if the row `without` were not there.
+    pub fn line(&self, q: &Point, without: Option<usize>) -> Line {
+        let q = self.standardised(q);
+        Line::through(self, &q, &self.near(&q, self.neighbours(), without))
+    }
+
+    /// The answer at `q`, as if the row `without` were not there; within what the rows give.
+    pub fn fit(&self, q: &Point, without: Option<usize>) -> Fit {
+        let fit = self.line(q, without).fit();
+        Fit { value: self.clamped(fit.value), ..fit }
+    }
+}

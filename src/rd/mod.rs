@@ -40,6 +40,7 @@ pub use definition::{
 };
 pub use growth::{Growth, initial_marks};
 pub use initial_conditions::{InitialConditions, nuclei, with_obstacle_state};
+pub use kinetics::{Kinetics, Spreading};
 pub use line_noise::GuideLine;
 pub use local_warp::LocalWarp;
 pub use maps::{GuideCurves, Maps, Parameters};
@@ -48,4 +49,5 @@ pub use prolongation::prolongate;
 pub use seeding::Seeding;
 pub use shepard::interpolate_parameters;
 pub use solver::Solver;
+pub use vector::Number;
 pub use wavefront::{Instructions, Tiling};

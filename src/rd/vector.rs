@@ -8,7 +8,28 @@ pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// The same value in all lanes.
+    #[must_use]
     fn of(value: f32) -> Self;
+
+    /// The larger of both; `self` where they are equal or one is not a number.
+    #[must_use]
+    fn larger(self, other: Self) -> Self;
+
+    /// The smaller of both; `self` where they are equal or one is not a number.
+    #[must_use]
+    fn smaller(self, other: Self) -> Self;
+
+    /// The absolute value.
+    #[must_use]
+    fn absolute(self) -> Self;
+
+    /// A soft step at `threshold`: 0 at `half_width` below it, 1 at `half_width` above it, linear between.
+    #[must_use]
+    #[inline(always)]
+    fn soft_step(self, threshold: Self, half_width: Self) -> Self {
+        let rise = Self::of(0.5) + (self - threshold) / (half_width + half_width);
+        rise.smaller(Self::of(1.0)).larger(Self::of(0.0))
+    }
 
     /// `least` where below it; anything else, not-a-number included, as it is.
     #[must_use]
@@ -24,6 +45,21 @@ impl Number for f32 {
     #[inline(always)]
     fn at_least(self, least: f32) -> Self {
         if self < least { least } else { self }
+    }
+
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+
+    #[inline(always)]
+    fn absolute(self) -> Self {
+        self.abs()
     }
 }
 
@@ -66,6 +102,23 @@ impl Number for Four {
             *lane = lane.at_least(least);
         }
         Self(lanes)
+    }
+
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
+        Self([a.larger(e), b.larger(f), c.larger(g), d.larger(h)])
+    }
+
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
+        Self([a.smaller(e), b.smaller(f), c.smaller(g), d.smaller(h)])
+    }
+
+    #[inline(always)]
+    fn absolute(self) -> Self {
+        Self(self.0.map(f32::absolute))
     }
 }
 
@@ -119,7 +172,7 @@ mod x86 {
     /// [`super::super::wavefront`] enters only on them: what every `unsafe` below relies on.
     macro_rules! register {
         ($name:ident, $register:ty, $width:literal, $splat:ident, $load:ident, $store:ident, $max:ident,
-         $less:expr, $($operation:ident $method:ident $intrinsic:ident),*) => {
+         $min:ident, $absolute:expr, $less:expr, $($operation:ident $method:ident $intrinsic:ident),*) => {
             #[doc = concat!(stringify!($width), " numbers.")]
             #[derive(Clone, Copy)]
             pub struct $name($register);
@@ -136,6 +189,25 @@ mod x86 {
                     // The second operand comes back where neither is greater, and where one is not a number.
                     // SAFETY: the processor has such registers.
                     Self(unsafe { $max($splat(least), self.0) })
+                }
+
+                #[inline(always)]
+                fn larger(self, other: Self) -> Self {
+                    // As for `at_least`: `self` comes back where neither is greater.
+                    // SAFETY: the processor has such registers.
+                    Self(unsafe { $max(other.0, self.0) })
+                }
+
+                #[inline(always)]
+                fn smaller(self, other: Self) -> Self {
+                    // SAFETY: the processor has such registers.
+                    Self(unsafe { $min(other.0, self.0) })
+                }
+
+                #[inline(always)]
+                fn absolute(self) -> Self {
+                    // SAFETY: the processor has such registers.
+                    Self(unsafe { $absolute(self.0) })
                 }
             }
 
@@ -174,14 +246,19 @@ mod x86 {
 
     register!(
         Eight, __m256, 8, _mm256_set1_ps, _mm256_loadu_ps, _mm256_storeu_ps, _mm256_max_ps,
+        _mm256_min_ps, |this| _mm256_andnot_ps(_mm256_set1_ps(-0.0), this),
         |this, a, b, other| _mm256_blendv_ps(other, this, _mm256_cmp_ps::<_CMP_LT_OQ>(a, b)),
         Add add _mm256_add_ps, Sub sub _mm256_sub_ps, Mul mul _mm256_mul_ps, Div div _mm256_div_ps
     );
     register!(
         Sixteen, __m512, 16, _mm512_set1_ps, _mm512_loadu_ps, _mm512_storeu_ps, _mm512_max_ps,
+        _mm512_min_ps, |this| _mm512_abs_ps(this),
         |this, a, b, other| _mm512_mask_blend_ps(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b), other, this),
         Add add _mm512_add_ps, Sub sub _mm512_sub_ps, Mul mul _mm512_mul_ps, Div div _mm512_div_ps
     );
 }
 #[cfg(target_arch = "x86_64")]
 pub use x86::{Eight, Sixteen};
+
+#[cfg(test)]
+mod tests;

@@ -260,10 +260,12 @@ mod tests {
     use super::super::plane::RowLayout;
     use super::super::selling::Tensor;
     use super::*;
+    use crate::rd::kinetics::Spreading;
     use crate::rd::systems::meinhardt_lines::MeinhardtLines;
     use crate::rd::systems::meinhardt_spots::MeinhardtSpots;
     use crate::rd::systems::meinhardt_stripes::MeinhardtStripes;
     use crate::rd::systems::turing_spots::{TuringSpots, TuringSpotsWithDecayNoise};
+    use crate::rd::vector::Number;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
@@ -288,6 +290,34 @@ mod tests {
             Coefficients::new(grid, false, |i| i, |i| [between([0.01, 0.05], 0.03, i)]),
             0.01,
         )
+    }
+
+    /// Two pairs of chemicals, each chemical with a tensor of its own, that share a reaction with absolute values, maxima
+    /// and a soft step whose height decays with time: what systems of pairs need.
+    #[derive(Clone, Copy, Debug)]
+    struct Pairs {
+        height: f32,
+    }
+
+    impl Kinetics<4> for Pairs {
+        const SPREAD: [Spreading; 4] = [
+            Spreading::Tensor { tensor: 0, mobility: 0 },
+            Spreading::Tensor { tensor: 1, mobility: 1 },
+            Spreading::Tensor { tensor: 2, mobility: 0 },
+            Spreading::Tensor { tensor: 3, mobility: 1 },
+        ];
+
+        fn at(&self, time: f64) -> Self {
+            Self { height: self.height * libm::exp(-0.5 * time) as f32 }
+        }
+
+        #[inline(always)]
+        fn react<V: Number>(&self, [a, b, c, d]: [V; 4]) -> [V; 4] {
+            let (one, two) = (a - b, c - d);
+            let differing = one.larger(two).absolute() - one.smaller(two).absolute();
+            let made = V::of(self.height) * differing.soft_step(V::of(0.05), V::of(0.2));
+            [made - a, made - b, made - c, made - d]
+        }
     }
 
     fn noise<const N: usize>(grid: RowLayout) -> [Plane; N] {
@@ -356,6 +386,7 @@ mod tests {
         for edges in [Edges::Closed, Edges::Wrap] {
             let grid = RowLayout { nx, ny, edges };
             for thinnest in [0.3, 0.6, 1.0] {
+                agree::<4, _>(Pairs { height: 0.8 }, grid, thinnest, tilings);
                 agree::<2, _>(TuringSpots, grid, thinnest, tilings);
                 agree::<2, _>(MeinhardtSpots, grid, thinnest, tilings);
                 agree::<5, _>(MeinhardtStripes, grid, thinnest, tilings);
@@ -363,6 +394,21 @@ mod tests {
                 agree::<3, _>(TuringSpotsWithDecayNoise, grid, thinnest, tilings);
             }
         }
+    }
+
+    #[test]
+    fn a_reaction_that_changes_with_time_is_asked_at_the_time_of_each_step() {
+        let problem = uneven(RowLayout { nx: 40, ny: 24, edges: Edges::Wrap }, 0.4, Pairs::TENSORS);
+        let mut planes = [noise::<4>(problem.grid), noise::<4>(problem.grid)];
+        for height in [0.8, 0.8 * libm::exp(-0.5 * STEP) as f32] {
+            let [old, new] = &mut planes;
+            explicit::step::<4, Pairs>(&problem, &Pairs { height }, old, new);
+            planes.swap(0, 1);
+        }
+        let tiling = Tiling { levels: 2, bands: 1 };
+        let instructions = Instructions::best();
+        assert!(bits(&planes[0]) == fast::<4, _>(&problem, &Pairs { height: 0.8 }, 2, tiling, instructions));
+        assert_eq!(Pairs::TENSORS, 4);
     }
 
     #[test]

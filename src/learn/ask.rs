@@ -1,0 +1,48 @@
+//! Asking a training set.
+
+use super::Parameters;
+use super::answer::{Answer, AskError, Prediction, checked};
+use super::training_set::{Map, TrainingSet};
+use crate::attributes::Attributes;
+
+impl TrainingSet {
+    /// The parameters that give `wanted` (lengths in cells, angles any finite degrees).
+    ///
+    /// A question beyond the rows is moved to the nearest place within them first, so the parameters are
+    /// always ones that grow a texture like those of the set; `coverage`, `nearest` and `notes` tell.
+    ///
+    /// # Errors
+    /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
+    pub fn ask(&self, wanted: &Attributes) -> Result<Answer, AskError> {
+        let reached = match (&self.map, &checked(wanted)?) {
+            (Map::Spots(map), Attributes::Spots(spots)) => map.ask(spots),
+            (Map::Stripes(map), Attributes::Stripes(stripes)) => map.ask(stripes),
+            (Map::Spots(_), _) => return Err(self.other_kind("area, aspect, angle and perhaps spacing")),
+            (Map::Stripes(_), _) => return Err(self.other_kind("width, angle and perhaps wavelength")),
+        };
+        Ok(Answer {
+            parameters: reached.parameters,
+            pitch: 1.0,
+            predicted: reached.prediction.attributes,
+            interval: reached.prediction.interval,
+            coverage: reached.judgement.coverage,
+            nearest: reached.nearest,
+            notes: reached.judgement.notes,
+        })
+    }
+
+    fn other_kind(&self, takes: &'static str) -> AskError {
+        AskError::OtherKind { system: self.system().name, takes }
+    }
+
+    /// What `parameters` grow, as far as the rows tell.
+    ///
+    /// Meant for parameters like those of the rows; far from them it is the nearest rows' line, clamped.
+    #[must_use]
+    pub fn predict(&self, parameters: &Parameters) -> Prediction {
+        match &self.map {
+            Map::Spots(map) => map.predict(parameters),
+            Map::Stripes(map) => map.predict(parameters),
+        }
+    }
+}
