@@ -5,7 +5,7 @@ mod machine;
 mod pictures;
 mod report;
 
-use super::{Error, interrupted, say, values};
+use super::{Error, interrupted, print, values};
 use crate::rd::benchmark::Case;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use kernels::{Crews, Effort};
@@ -77,7 +77,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     bar.clear();
     measured?;
     report.end();
-    if args.json { say(&format!("{:#}\n", report.json())) } else { say(&report.text()) }
+    if args.json { print(&format!("{:#}\n", report.json())) } else { print(&report.text()) }
 }
 
 fn fill(

@@ -55,7 +55,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
             "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers});
         text = format!("{found:#}\n");
     }
-    super::say(&text)
+    super::print(&text)
 }
 
 /// What would be grown on a layer, and for each region that has marks what was asked and what is expected.

@@ -1,4 +1,4 @@
-//! What the guides show must work: every command in them is understood by the command line.
+//! The commands in the guides must be valid: the command line parses every one of them.
 
 use super::Cli;
 use clap::Parser;
@@ -18,8 +18,8 @@ fn guides() -> Vec<(String, String)> {
     paths.iter().map(|path| (path.display().to_string(), read(path))).collect()
 }
 
-/// The commands of dapple in a guide's fenced blocks and in the first column of its tables, without what a shell makes of
-/// them. Those that stand for many (`[--json]`, `FILE…`) are none.
+/// The dapple commands in a guide's fenced blocks and in the first column of its tables, without shell syntax. Patterns such as
+/// `[--json]` or `FILE…` are left out.
 fn commands(text: &str) -> Vec<String> {
     let (mut found, mut fenced) = (Vec::new(), false);
     for line in text.lines() {
@@ -41,11 +41,11 @@ fn commands(text: &str) -> Vec<String> {
 }
 
 #[test]
-fn every_command_in_the_guides_is_understood() {
+fn every_command_in_the_guides_is_valid() {
     let mut tried = 0;
     for (guide, text) in guides() {
         for command in commands(&text) {
-            // The bare name of a command is a word, not a call.
+            // The name of a command alone is not a call.
             if !command.contains(' ') {
                 continue;
             }

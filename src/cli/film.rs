@@ -1,4 +1,4 @@
-//! `dapple film`: a growth, or the way from one document to another, as a clip.
+//! `dapple film`: a growth, or the change from one document to another, as a film.
 
 use super::estimate::Estimate;
 use super::paths::check_apart;
@@ -14,7 +14,7 @@ use crate::synth::{Options, Training, Watch};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
-/// What to film, and how.
+/// Arguments of `dapple film`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// The document to film while it grows
@@ -23,28 +23,28 @@ pub struct Args {
     /// Where to write the film: .gif, .png or .apng (animated PNG), or a new folder for numbered PNG
     #[arg(short, long, value_name = "OUT.gif")]
     pub output: PathBuf,
-    /// Do not grow the document but turn it into this one
+    /// Change the document into this one instead of growing it
     #[arg(long, value_name = "OTHER.dapple")]
     pub to: Option<PathBuf>,
     /// The longer side of a frame, px [default: the canvas's, at most 480]
     #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(16..=8192))]
     pub side: Option<u32>,
-    /// How long it is, without the hold at the end
+    /// Duration without the hold at the end, seconds
     #[arg(long, value_name = "S", default_value_t = 4.0, value_parser = values::positive)]
     pub seconds: f64,
     /// Frames a second
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(1..=120))]
     pub fps: u16,
-    /// Stay at the last frame [default: begin again]
+    /// Stop at the last frame [default: repeat]
     #[arg(long)]
     pub once: bool,
-    /// Show the last frame so many seconds longer before it begins again
+    /// Extra seconds for the last frame before the film repeats
     #[arg(long, value_name = "S", default_value_t = 1.5, value_parser = values::seconds)]
     pub hold: f64,
     /// Use this seed instead of the document's
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Take the parameters as looked up; do not correct them by what has grown
+    /// Use the parameters as looked up; do not correct them by what has grown
     #[arg(long, conflicts_with = "to")]
     pub no_refine: bool,
     /// Use the training sets in this folder instead of those built in
@@ -59,13 +59,13 @@ pub struct Args {
 }
 
 impl Args {
-    /// What kind of film it is, where all can be as it is asked for.
+    /// Checks the arguments; returns the kind of film.
     fn check(&self) -> Result<Kind, Error> {
         for (name, file) in [("FILE", Some(&self.file)), ("--to", self.to.as_ref())] {
             file.map_or(Ok(()), |file| check_apart(name, file, &self.output))?;
         }
         let kind = Kind::from_path(&self.output).map_err(Error::step)?;
-        self.clip().frames(kind).map_err(told)?;
+        self.clip().frames(kind).map_err(film_error)?;
         Ok(kind)
     }
 
@@ -75,17 +75,17 @@ impl Args {
     }
 }
 
-/// Films a growth, or the way from one document to another.
+/// Films a growth, or the change from one document to another.
 ///
 /// # Errors
-/// Where a document is not valid or cannot be grown, the two do not fit, or the film cannot be written.
+/// A document is invalid or cannot be grown, the two do not fit together, or the film cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     let kind = args.check()?;
     let document = Document::read(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     let other = args.to.as_deref().map(Document::read).transpose()?;
     if let Some(threads) = args.threads {
-        // Fails only where the pool exists already, and nothing has used it yet.
+        // Fails only if the pool exists already; nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     }
     let cancelled = super::install();
@@ -102,23 +102,24 @@ pub fn run(args: &Args) -> Result<(), Error> {
             MorphError::Grow(error) => Error::grown(error),
             unlike @ MorphError::Unlike { .. } => Error::step(unlike),
         })?;
-        estimate.tell_seconds(morph.seconds());
+        estimate.announce_seconds(morph.seconds());
         args.clip().film_change([&document, other], &morph, &args.output, kind, &watch)
     } else {
-        // It is grown twice: once to see how much each moment changes.
-        estimate.tell(&[Task { document: &document, size: document.size, source: &source, scale: 1 }], 2.0);
+        // It is grown twice, first to measure how much each moment changes.
+        estimate
+            .announce(&[Task { document: &document, size: document.size, source: &source, scale: 1 }], 2.0);
         let refine = args.no_refine.then_some(false);
         let options = Options { refine, source: &source, training: &training, watch, ..Options::default() };
         let scene = Scene { document: &document, options };
         args.clip().film_growth(&scene, &args.output, kind)
     };
     bar.clear();
-    let (prepared, _) = written.map_err(told)?;
+    let (prepared, _) = written.map_err(film_error)?;
     prepared.keep().map_err(Error::step)
 }
 
-/// What went wrong, as this command tells it.
-fn told(error: ClipError) -> Error {
+/// The error of this command for an error of the film.
+fn film_error(error: ClipError) -> Error {
     match error {
         wrong @ (ClipError::TooFast(_) | ClipError::Frames { .. }) => Error::Usage(wrong.to_string()),
         ClipError::Grow(error) => Error::grown(error),

@@ -1,4 +1,4 @@
-//! `dapple grow`: a document → its texture.
+//! `dapple grow`: document → texture.
 
 mod batch;
 mod look;
@@ -27,16 +27,16 @@ use std::time::Instant;
 /// Most different notes of a layer that are listed on a terminal.
 const MOST_NOTES: usize = 8;
 
-/// What to grow, how, and where to write it.
+/// Arguments of `dapple grow`.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Args {
-    /// The document to grow, or a PNG that dapple wrote: the same picture grows again
+    /// The document to grow, or a PNG written by dapple, which grows the same picture again
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// More documents to grow: --output is then the folder for their pictures
     #[arg(value_name = "FILE")]
     pub more: Vec<PathBuf>,
-    /// Grow it from N seeds, its own and those after it, into the folder --output, with a sheet of them all
+    /// Grow the document with N seeds, its own and the next ones, into the folder --output, with a sheet of all pictures
     #[arg(long, value_name = "N", value_parser = values::count)]
     pub variations: Option<usize>,
     /// Where to write the picture (.png, .tif, .exr, .jpg, .webp) or its outlines (.svg, .dxf); for many pictures a folder
@@ -73,7 +73,7 @@ pub struct Args {
     /// Also write what was asked and what has grown, as JSON; - prints it
     #[arg(long, value_name = "R.json")]
     pub report: Option<PathBuf>,
-    /// Take the parameters as looked up; do not correct them by what has grown
+    /// Use the parameters as looked up; do not correct them by what has grown
     #[arg(long)]
     pub no_refine: bool,
     /// Use the training sets in this folder instead of those built in
@@ -91,7 +91,7 @@ pub struct Args {
 }
 
 impl Args {
-    /// Refuses a layer that the document does not have.
+    /// Checks that the document has the layer --layer.
     fn check_layer(&self, document: &Document) -> Result<(), Error> {
         let layers = document.layers.len();
         match self.layer {
@@ -105,17 +105,17 @@ impl Args {
         }
     }
 
-    /// Refuses to write two things to one file, or to write over the document, and a layer of nothing.
+    /// Checks that all outputs are different files, that none is the document, and that --layer has an output.
     ///
     /// # Errors
-    /// [`Error::Usage`] or [`Error::WriteOver`] that names the file.
+    /// [`Error::Usage`] or [`Error::WriteOver`] with the file's name.
     pub fn check_outputs(&self) -> Result<(), Error> {
         if let Some(layer) = self.layer
             && self.pattern.is_none()
-            && !outlines::asked(self)
+            && !outlines::requested(self)
         {
             return Err(Error::Usage(format!(
-                "--layer: found {layer} without what it is for; allowed: with --pattern, --svg, --dxf or -o OUT.svg"
+                "--layer: found {layer} without an output for one layer; allowed: with --pattern, --svg, --dxf or -o OUT.svg"
             )));
         }
         let named = [
@@ -150,26 +150,26 @@ impl Args {
 /// Grows one document or many.
 ///
 /// # Errors
-/// Where a document is not valid, cannot be grown, or a file cannot be written.
+/// A document is invalid or cannot be grown, or a file cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
-    if batch::asked(args) {
+    if batch::is_requested(args) {
         return batch::run(args);
     }
     let training = Training::from_folder(args.training.clone());
-    grow_one(args, &Source { training: &training, thumb: None }).map(drop)
+    grow_one(args, &Source { training: &training, thumbnail: None }).map(drop)
 }
 
-/// What documents are grown with.
+/// The common inputs of all growths of a command.
 struct Source<'a> {
     training: &'a Training,
-    /// px of the longer side of a small picture that is wanted, too.
-    thumb: Option<usize>,
+    /// Longer side of the thumbnail to return, px; `None` = no thumbnail.
+    thumbnail: Option<usize>,
 }
 
-/// Grows one document; gives its small picture where one is wanted.
-fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<Thumbnail>, Error> {
+/// Grows one document; returns its thumbnail if requested.
+fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Option<Thumbnail>, Error> {
     args.check_outputs()?;
-    // What is wrong with a name is told even where the document is wrong too.
+    // Wrong file names are reported before errors of the document.
     check_targets(args)?;
     let (document, was) = document::open(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
@@ -180,7 +180,7 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
     pictures::check(args, size)?;
     args.material.check_memory(size[0], document.layers.len(), extent)?;
     if let Some(threads) = args.threads {
-        // Fails only where the pool exists already, and nothing has used it yet.
+        // Fails only if the pool exists already; nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     }
     let cancelled = super::install();
@@ -197,10 +197,10 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
         training,
         watch,
     };
-    if thumb.is_none() {
+    if thumbnail.is_none() {
         let size = extent.size.unwrap_or(document.size);
         let task = Task { document: &document, size, source: &source, scale: extent.scale };
-        Estimate { training, quiet: args.quiet }.tell(&[task], 1.0);
+        Estimate { training, quiet: args.quiet }.announce(&[task], 1.0);
     }
     let grown = grow(&document, &options).map_err(Error::grown)?;
     let prepared = pictures::prepare(args, &document, &grown, extent, &watch);
@@ -221,7 +221,7 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
     // Either all files get their names or none does: every file is complete on disk before the first is renamed.
     prepared.into_iter().try_for_each(export::Prepared::keep).map_err(Error::step)?;
     if args.report.as_deref().is_some_and(is_stdout) {
-        super::say(&report.text()?)?;
+        super::print(&report.text()?)?;
     }
     if !args.quiet {
         notes(&report.report.layers).iter().for_each(|line| super::note(line));
@@ -229,15 +229,15 @@ fn grow_one(args: &Args, Source { training, thumb }: &Source) -> Result<Option<T
             super::note(&drawn.text());
         }
     }
-    Ok(thumb.map(|side| Thumbnail::new(&document, &grown, side)))
+    Ok(thumbnail.map(|side| Thumbnail::new(&document, &grown, side)))
 }
 
-/// `-` stands for stdout.
+/// Whether the path is `-`, which means stdout.
 fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Looks whether all files can be written, before the work is done.
+/// Checks whether all files can be written, before the work is done.
 fn check_targets(args: &Args) -> Result<(), Error> {
     let pictures = Format::ENDINGS.iter().map(|(ending, _)| *ending);
     let endings: Vec<_> = pictures.chain(export::outline::FORMATS).collect();

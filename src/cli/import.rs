@@ -1,13 +1,12 @@
-//! `dapple import`: an SVG → a document with what is drawn in it.
+//! `dapple import`: SVG → document with its shapes as marks.
 
 use super::{Error, values};
 use crate::export;
 use crate::synth::import::{DPI, ImportError, Imported, import};
 use serde_json::{Value, json};
-use std::io::Write;
 use std::path::PathBuf;
 
-/// What to read, and where to write it.
+/// Arguments of `dapple import`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// The drawing: its ellipses, circles, lines, rectangles and paths become marks, its groups layers
@@ -22,7 +21,7 @@ pub struct Args {
     /// Print what was read as one JSON object
     #[arg(long)]
     pub json: bool,
-    /// Do not tell what was read
+    /// Do not print a note about what was read
     #[arg(short, long)]
     pub quiet: bool,
 }
@@ -30,7 +29,7 @@ pub struct Args {
 /// Reads the SVG and writes the document.
 ///
 /// # Errors
-/// Where the SVG cannot be read, holds no marks, or the document cannot be written.
+/// The SVG cannot be read or has no marks, or the document cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     super::paths::check_apart("IN.svg", &args.file, &args.output)?;
     export::check_ending(&args.output, &["dapple"]).map_err(Error::step)?;
@@ -40,16 +39,15 @@ pub fn run(args: &Args) -> Result<(), Error> {
     })?;
     imported.document.write(&args.output)?;
     if args.json {
-        super::say(&format!("{:#}\n", read(args, &imported)))?;
+        super::print(&format!("{:#}\n", summary(args, &imported)))?;
     } else if !args.quiet {
-        // Nobody left to tell is no reason to fail.
-        let _ = writeln!(std::io::stderr(), "note: {}: {}", args.file.display(), imported.summary);
+        super::note(&format!("{}: {}", args.file.display(), imported.summary));
     }
     Ok(())
 }
 
 /// What was read, as JSON.
-fn read(args: &Args, Imported { document, unread, .. }: &Imported) -> Value {
+fn summary(args: &Args, Imported { document, unread, .. }: &Imported) -> Value {
     let layers =
         document.layers.iter().map(|layer| json!({"name": layer.name, "marks": layer.strokes.len()}));
     let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();

@@ -1,4 +1,4 @@
-//! Ctrl-C: the first asks to stop, the second stops at once.
+//! Ctrl-C: the first asks the program to stop, the second ends it at once.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -8,15 +8,14 @@ const EXIT_CODE: i32 = 130;
 
 static FLAG: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
-/// The flag that Ctrl-C (also SIGTERM, SIGHUP) sets; long work looks at it, stops and cleans up after itself.
+/// The flag that Ctrl-C (also SIGTERM, SIGHUP) sets; long work checks it, stops and cleans up.
 ///
-/// From the first call on a second Ctrl-C ends the program at once, with exit code 130. Further calls give the
-/// same flag.
+/// From the first call on, a second Ctrl-C ends the program at once with exit code 130. All calls return the same flag.
 pub fn install() -> Arc<AtomicBool> {
     let flag = FLAG.get_or_init(|| {
         let flag = Arc::new(AtomicBool::new(false));
         let seen = Arc::clone(&flag);
-        // Where no handler can be set, Ctrl-C keeps its usual meaning: the program ends.
+        // If no handler can be set, Ctrl-C ends the program as usual.
         let _ = ctrlc::set_handler(move || {
             if seen.swap(true, Ordering::SeqCst) {
                 std::process::exit(EXIT_CODE);
@@ -38,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn there_is_one_flag_for_all() {
+    fn all_calls_return_the_same_flag() {
         assert!(Arc::ptr_eq(&install(), &install()));
         assert!(!interrupted());
     }

@@ -1,4 +1,4 @@
-//! `dapple learn`: how good the training sets are, against other ways to use them and against what then grows.
+//! `dapple learn`: the errors of the training sets, for several methods, in parameters and in grown textures.
 
 mod bounds;
 mod held_out;
@@ -9,7 +9,7 @@ mod table;
 mod targets;
 mod way;
 
-use super::{Error, say, values};
+use super::{Error, print, values};
 use crate::document::SystemChoice;
 use crate::export;
 use crate::rd::System;
@@ -21,42 +21,42 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
-/// What to compare.
+/// Arguments of `dapple learn`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Only this system: turing-spots, meinhardt-spots, meinhardt-stripes, meinhardt-lines
     #[arg(long, value_name = "S", value_parser = values::system)]
     pub system: Option<SystemChoice>,
-    /// Random targets a system that are grown, and rows that are held out, at most
+    /// Number of random targets to grow for each system, and most rows to hold out
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub targets: u32,
     /// Use the training sets in this folder instead of those built in
     #[arg(long, value_name = "DIR")]
     pub training: Option<PathBuf>,
-    /// Only errors in parameters; nothing is grown
+    /// Compare parameters only; grow nothing
     #[arg(long)]
     pub no_simulation: bool,
-    /// Refine by two growths of a patch even where the training set is sure
+    /// Always refine by two growths of a patch, even if the training set is certain
     #[arg(long)]
     pub always_probe: bool,
-    /// Draws the targets, and where their spots begin
+    /// Seed of the random targets and of their growths
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
     /// Threads to use [default: all cores]
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
-    /// Print one JSON object instead, once all is compared
+    /// Print one JSON object at the end instead of tables
     #[arg(long)]
     pub json: bool,
-    /// Also write the table
+    /// Also write the table as CSV
     #[arg(short, long, value_name = "TABLE.csv")]
     pub output: Option<PathBuf>,
 }
 
-/// What every part of the comparison needs.
+/// The common inputs of all comparisons.
 struct Setting<'a> {
     training: &'a Training,
-    /// Targets and questions a system.
+    /// Targets and questions for each system.
     targets: usize,
     seed: u64,
     when: When,
@@ -65,17 +65,17 @@ struct Setting<'a> {
     watch: &'a Watch<'a>,
 }
 
-/// Compares, prints the table, writes it.
+/// Compares the methods, prints the tables and writes the CSV.
 ///
 /// # Errors
-/// A training set cannot be read, or the table not be written.
+/// A training set cannot be read, or the table cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
     if let Some(output) = &args.output {
         super::paths::check_not_in_training(args.training.as_deref(), output)?;
         export::check_file(output).map_err(Error::step)?;
     }
     if let Some(threads) = args.threads {
-        // Fails only where the pool exists already, and nothing has used it yet.
+        // Fails only if the pool exists already; nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     }
     let cancelled = super::install();
@@ -94,20 +94,20 @@ pub fn run(args: &Args) -> Result<(), Error> {
         if args.system.is_none_or(|only| only == SystemChoice::Of(system)) {
             let of_system = compared(&setting, system)?;
             if !args.json {
-                say(&table::text(system, &of_system))?;
+                print(&table::text(system, &of_system))?;
             }
             outcomes.extend(of_system);
         }
     }
     if args.json {
-        say(&format!("{:#}\n", json::outcomes(&outcomes)))?;
+        print(&format!("{:#}\n", json::outcomes(&outcomes)))?;
     }
     let Some(path) = &args.output else { return Ok(()) };
     let csv = table::csv(&outcomes);
     export::save(path, |stream| Ok(stream.write_all(csv.as_bytes())?)).map_err(Error::step)
 }
 
-/// All that is told of one system.
+/// The outcomes of one system.
 fn compared(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error> {
     let mut outcomes = held_out::outcomes(setting, system)?;
     if setting.grow {
@@ -116,9 +116,9 @@ fn compared(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error> {
     Ok(outcomes)
 }
 
-/// A bar on a terminal; nothing elsewhere.
+/// A progress bar, drawn on terminals only.
 fn bar(message: String, steps: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:40} {bar:30} {pos}/{len}  {elapsed} gone, {eta} left");
+    let style = ProgressStyle::with_template("{msg:40} {bar:30} {pos}/{len}  {elapsed} elapsed, {eta} left");
     let bar = ProgressBar::new(steps as u64).with_message(message);
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

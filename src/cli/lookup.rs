@@ -1,18 +1,18 @@
-//! `dapple lookup`: attributes → the parameters that give them, from the training sets alone.
+//! `dapple lookup`: attributes → parameters, from the training sets alone.
 
 mod answer;
 mod batch;
 
-use super::{Error, say, values};
+use super::{Error, print, values};
 use crate::attributes::{Attributes, Spots};
 use crate::document::{Kind, SystemChoice};
 use crate::export;
 use crate::synth::Training;
-use answer::Looked;
+use answer::LookupReport;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// What to look up.
+/// Arguments of `dapple lookup`.
 #[derive(clap::Args, Debug)]
 #[command(
     override_usage = "dapple lookup --system S --area A --aspect R --angle D [--spacing L] [--training DIR] [--json]
@@ -38,7 +38,7 @@ pub struct Args {
     /// Mean width of a stripe, px
     #[arg(long, value_name = "W", value_parser = values::positive, conflicts_with_all = ["area", "aspect", "spacing"])]
     pub width: Option<f64>,
-    /// Which share of the way from one line to the next each covers, 0.2 to 0.5, of meinhardt-lines [default: 0.5]
+    /// Stripe width ÷ period of meinhardt-lines, 0.2 to 0.5 [default: 0.5]
     #[arg(long, value_name = "Q", value_parser = values::duty, requires = "width")]
     pub duty: Option<f64>,
     /// Look up each row of a table: columns system,area,aspect,angle,spacing,width,duty
@@ -47,7 +47,7 @@ pub struct Args {
         conflicts_with_all = ["system", "area", "aspect", "angle", "spacing", "width", "duty", "json"]
     )]
     pub batch: Option<PathBuf>,
-    /// Where to write the answers to a table
+    /// Where to write the table with the answers
     #[arg(short, long, value_name = "OUT.csv", requires = "batch")]
     pub output: Option<PathBuf>,
     /// Use the training sets in this folder instead of those built in
@@ -59,10 +59,10 @@ pub struct Args {
 }
 
 impl Args {
-    /// The one question that the arguments ask; `None` with `--batch`.
+    /// The question in the arguments; `None` with `--batch`.
     ///
     /// # Errors
-    /// [`Error::Usage`] where the system needs other attributes.
+    /// [`Error::Usage`] if the system needs other attributes.
     pub fn question(&self) -> Result<Option<(SystemChoice, Attributes)>, Error> {
         let Some(system) = self.system else { return Ok(None) };
         let usage = |needs: &str| Error::Usage(format!("--system {}: it needs {needs}", system.name()));
@@ -92,7 +92,7 @@ impl Args {
 /// Looks up parameters.
 ///
 /// # Errors
-/// Where the question is incomplete or a file cannot be read or written.
+/// The question is incomplete, or a file cannot be read or written.
 pub fn run(args: &Args) -> Result<(), Error> {
     let training = Training::from_folder(args.training.clone());
     if let (Some(table), Some(output)) = (&args.batch, &args.output) {
@@ -101,15 +101,15 @@ pub fn run(args: &Args) -> Result<(), Error> {
         export::check_file(output).map_err(Error::step)?;
         return run_batch(&training, table, output);
     }
-    // clap demands a system where there is no batch.
+    // clap requires a system unless there is a batch.
     let Some((system, wanted)) = args.question()? else {
         return Err(Error::Usage("--system is missing".into()));
     };
-    let looked = Looked::up(&training, system, &wanted)?;
-    if args.json { say(&format!("{:#}\n", looked.json())) } else { say(&looked.text()) }
+    let looked = LookupReport::new(&training, system, &wanted)?;
+    if args.json { print(&format!("{:#}\n", looked.json())) } else { print(&looked.text()) }
 }
 
-/// Answers each row of `table`, all or none.
+/// Answers all rows of `table`, or none if one is invalid.
 fn run_batch(training: &Training, table: &Path, output: &Path) -> Result<(), Error> {
     let file = table.display().to_string();
     let bytes =
@@ -118,16 +118,17 @@ fn run_batch(training: &Training, table: &Path, output: &Path) -> Result<(), Err
     export::save(output, |stream| Ok(stream.write_all(&answered)?)).map_err(Error::step)
 }
 
-/// The table in `bytes`, each row with its answer; `file` is its name in messages.
+/// The table in `bytes` with the answer in each row; `file` is its name in messages. (It stays in the command line because cells
+/// are parsed as the options are.)
 ///
 /// # Errors
-/// The first row that is no question, with line and column; a training set that cannot be read.
+/// The first invalid row, with line and column; a training set that cannot be read.
 pub fn answer_table(training: &Training, file: &str, bytes: &[u8]) -> Result<Vec<u8>, Error> {
     let questions = batch::read(file, bytes).map_err(Error::step)?;
     let looked = questions
         .rows
         .iter()
-        .map(|row| Looked::up(training, row.system, &row.wanted))
+        .map(|row| LookupReport::new(training, row.system, &row.wanted))
         .collect::<Result<Vec<_>, _>>()?;
     Ok(batch::answered(&questions, &looked))
 }

@@ -1,13 +1,13 @@
-//! `dapple completions`, `dapple man`: what shells and readers of manuals want to know, from the one table of arguments.
+//! `dapple completions` and `dapple man`: shell completions and manual pages, generated from the arguments.
 
-use super::{Cli, Error, say};
+use super::{Cli, Error, print};
 use crate::export;
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Whose completions.
+/// Arguments of `dapple completions`.
 #[derive(clap::Args, Debug)]
 pub struct CompletionsArgs {
     /// The shell
@@ -15,10 +15,10 @@ pub struct CompletionsArgs {
     pub shell: Shell,
 }
 
-/// Which pages.
+/// Arguments of `dapple man`.
 #[derive(clap::Args, Debug)]
 pub struct ManArgs {
-    /// The page of this command [default: that of dapple itself]
+    /// Print the page of this command [default: the page of dapple itself]
     #[arg(value_name = "COMMAND")]
     pub command: Option<String>,
     /// Write all pages into this folder instead: dapple.1, dapple-grow.1, …
@@ -26,20 +26,20 @@ pub struct ManArgs {
     pub output: Option<PathBuf>,
 }
 
-/// Prints what a shell completes the command line by.
+/// Prints the completion script for a shell.
 ///
 /// # Errors
-/// Where stdout is closed.
+/// Stdout is closed.
 pub fn completions(args: &CompletionsArgs) -> Result<(), Error> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut Cli::command(), "dapple", &mut script);
-    say(&String::from_utf8_lossy(&script))
+    print(&String::from_utf8_lossy(&script))
 }
 
 /// Prints a page of the manual, or writes them all.
 ///
 /// # Errors
-/// An unknown command; where the pages cannot be written.
+/// An unknown command; the pages cannot be written.
 pub fn man(args: &ManArgs) -> Result<(), Error> {
     let mut root = Cli::command();
     root.build();
@@ -59,13 +59,13 @@ pub fn man(args: &ManArgs) -> Result<(), Error> {
         let names: Vec<_> = pages().skip(1).map(Command::get_name).collect();
         return Err(Error::Usage(format!("COMMAND: found {name}; allowed: {}", names.join(", "))));
     };
-    say(&page(&root, command)?)
+    print(&page(&root, command)?)
 }
 
 /// Such as `dapple-grow`.
 fn title(root: &Command, command: &Command) -> String {
-    let (name, of) = (command.get_name(), root.get_name());
-    if name == of { name.to_owned() } else { format!("{of}-{name}") }
+    let (name, program) = (command.get_name(), root.get_name());
+    if name == program { name.to_owned() } else { format!("{program}-{name}") }
 }
 
 fn page(root: &Command, command: &Command) -> Result<String, Error> {
@@ -75,7 +75,7 @@ fn page(root: &Command, command: &Command) -> Result<String, Error> {
     Ok(in_ascii(&String::from_utf8_lossy(&page)))
 }
 
-/// The same in escapes that every troff knows; not every one is told the encoding of its input.
+/// The page with escapes instead of other characters than ASCII, as not every troff knows the encoding of its input.
 fn in_ascii(page: &str) -> String {
     let escaped = |c: char| if c.is_ascii() { c.to_string() } else { format!("\\[u{:04X}]", u32::from(c)) };
     page.chars().map(escaped).collect()

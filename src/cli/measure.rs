@@ -1,6 +1,6 @@
 //! `dapple measure IMAGE`: the attributes of the spots or stripes in a picture.
 
-use super::{Error, say};
+use super::{Error, print};
 use crate::measure::Picture;
 use crate::synth::measured_picture::measure_file;
 use serde_json::{Map, Value, json};
@@ -25,7 +25,7 @@ pub struct Args {
 /// The picture cannot be read, or has neither spots nor stripes.
 pub fn run(args: &Args) -> Result<(), Error> {
     let found = measure_file(&args.image, args.invert).map_err(Error::step)?;
-    say(&if args.json { format!("{}\n", as_json(&found)) } else { as_text(&found) })
+    print(&if args.json { format!("{}\n", as_json(&found)) } else { as_text(&found) })
 }
 
 /// The object of `measure --json` (`docs/format.md`): only keys that apply.

@@ -1,7 +1,7 @@
-//! The command line: one file a command. Without one it opens the window.
+//! The command line: one file for each command. Without a command it opens the window.
 //!
-//! Exit codes: 0 done; 1 could not (file, growth); 2 used wrongly; 130 interrupted. What is asked for goes to
-//! stdout, errors and progress go to stderr.
+//! Exit codes: 0 success; 1 failure (file, growth); 2 invalid usage; 130 interrupted. Results go to stdout, errors, notes and
+//! progress to stderr.
 
 mod bench;
 mod check;
@@ -50,19 +50,19 @@ enum Command {
     Film(film::Args),
     /// Grow many documents and lay their pictures out on one sheet
     Sheet(sheet::Args),
-    /// Make a document of what is drawn in an SVG
+    /// Make a document from the shapes in an SVG
     Import(import::Args),
-    /// Look up the parameters that give spots or stripes of certain attributes
+    /// Look up the parameters for spots or stripes with given attributes
     Lookup(lookup::Args),
     /// Measure the spots or stripes in a picture
     Measure(measure::Args),
-    /// Tell whether a document is valid, and what is in it
+    /// Check a document and list its content
     Check(check::Args),
-    /// Tell how good the training sets are, against other methods and against what then grows
+    /// Compare the training sets with other methods and with grown textures
     Learn(learn::Args),
     /// Measure how fast this machine is
     Bench(bench::Args),
-    /// Print what a shell completes dapple's command line by
+    /// Print the completion script for a shell
     Completions(manual::CompletionsArgs),
     /// Print dapple's manual page, or write those of all commands
     Man(manual::ManArgs),
@@ -84,7 +84,7 @@ pub fn main() -> ExitCode {
                 let code = u8::try_from(error.exit_code()).unwrap_or(2);
                 match error.print() {
                     Err(why) if code == 0 => finish(Err(Error::Output(why))),
-                    // If stderr is closed there is nobody left to tell.
+                    // If stderr is closed, the message is lost.
                     _ => ExitCode::from(code),
                 }
             }
@@ -108,8 +108,8 @@ fn run(command: Command) -> Result<(), Error> {
     }
 }
 
-/// What takes the steps, where `DAPPLE_SOLVER` names it: the bits are the same, and so it is no option of a command but
-/// something to test with, or to go round a processor's fault.
+/// Chooses the solver named by the environment variable `DAPPLE_SOLVER`. All solvers give the same bits, so this is not an option
+/// of commands but a means for tests, and for working around a processor's fault.
 fn choose_solver() -> Result<(), Error> {
     let Some(name) = std::env::var_os("DAPPLE_SOLVER").filter(|name| !name.is_empty()) else { return Ok(()) };
     let name = name.to_string_lossy();
@@ -118,10 +118,10 @@ fn choose_solver() -> Result<(), Error> {
     }
     let names: Vec<_> = Solver::available().into_iter().map(Solver::name).collect();
     let allowed = names.join(", ");
-    Err(Error::Usage(format!("DAPPLE_SOLVER: found {name}; allowed: {allowed}, which this machine has")))
+    Err(Error::Usage(format!("DAPPLE_SOLVER: found {name}; allowed on this machine: {allowed}")))
 }
 
-/// Whether a lone argument is a document to open rather than a command.
+/// Whether a single argument is a document to open, not a command.
 fn is_document(argument: &OsString) -> bool {
     let path = Path::new(argument);
     let command = |name| Cli::command().get_subcommands().any(|command| command.get_name() == name);
@@ -130,7 +130,7 @@ fn is_document(argument: &OsString) -> bool {
     !named && (path.extension().is_some_and(|extension| extension == "dapple") || path.is_file())
 }
 
-/// Opens the window, with a document if one is named.
+/// Opens the window, with a document if one is given.
 #[cfg(feature = "app")]
 fn window(file: Option<&OsString>) -> Result<(), Error> {
     crate::app::run(file.map(Into::into)).map_err(Error::step)
@@ -139,30 +139,30 @@ fn window(file: Option<&OsString>) -> Result<(), Error> {
 /// Built without the window.
 #[cfg(not(feature = "app"))]
 fn window(file: Option<&OsString>) -> Result<(), Error> {
-    say(&Cli::command().render_help().to_string())?;
+    print(&Cli::command().render_help().to_string())?;
     match file {
         None => Ok(()),
         Some(file) => Err(Error::NoWindow { file: file.to_string_lossy().into_owned() }),
     }
 }
 
-/// Tells how it went, once and on stderr, and gives the exit code.
+/// Writes the error to stderr, if any, and returns the exit code.
 fn finish(result: Result<(), Error>) -> ExitCode {
     let Err(error) = result else { return ExitCode::SUCCESS };
     if error.is_broken_pipe() {
-        // Whoever reads our output, such as `head`, has seen enough.
+        // The reader of stdout, such as `head`, has ended: not an error.
         return ExitCode::SUCCESS;
     }
-    // If stderr is closed there is nobody left to tell.
+    // If stderr is closed, the message is lost.
     let _ = writeln!(io::stderr(), "error: {}", with_causes(&error));
     ExitCode::from(error.exit_code())
 }
 
-/// Writes `text` to stdout; unlike `print!`, does not panic where nobody reads it.
+/// Writes `text` to stdout. Unlike `print!` it does not panic if stdout is closed.
 ///
 /// # Errors
-/// Where stdout is closed or full.
-pub fn say(text: &str) -> Result<(), Error> {
+/// Stdout is closed or full.
+pub fn print(text: &str) -> Result<(), Error> {
     let mut stdout = io::stdout().lock();
     stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(Error::Output)
 }

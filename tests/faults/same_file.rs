@@ -96,7 +96,7 @@ fn nothing_is_written_among_the_training_sets() {
         "learn --no-simulation --training sets -o sets/meinhardt-stripes.csv",
         "lookup --batch in.csv --training ./sets -o sets/new.csv",
     ] {
-        bench.refuses(command, 2, &["among those of --training", "another folder"]);
+        bench.refuses(command, 2, &["in the folder of --training", "another folder"]);
     }
     assert_eq!(bench.bytes("sets/meinhardt-stripes.csv"), b"old");
 }

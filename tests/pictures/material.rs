@@ -111,7 +111,7 @@ fn twice_the_scale_is_the_same_surface() {
 fn what_is_no_surface_is_told() {
     let folder = Folder::with(&tile());
     folder.refuses("grow a.dapple --material set --relief x", 2, &["--relief", "such as 6"]);
-    folder.refuses("grow a.dapple --material set --roughness 2", 2, &["--roughness", "0 (a mirror)"]);
+    folder.refuses("grow a.dapple --material set --roughness 2", 2, &["--roughness", "0 (mirror)"]);
     folder.refuses("grow a.dapple --material none/set", 1, &["none"]);
     folder.refuses("grow a.dapple --material a.dapple", 2, &["a.dapple", "folder"]);
     folder.refuses("grow a.dapple", 2, &["--output"]);

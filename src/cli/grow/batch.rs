@@ -1,4 +1,4 @@
-//! Many documents, or one from many seeds, into a folder: one that fails does not stop the others.
+//! Many documents, or one with many seeds, into a folder. A failure does not stop the other growths.
 
 use super::{Args, Error, Source, grow_one};
 use crate::cli::estimate::Estimate;
@@ -11,11 +11,11 @@ use crate::synth::estimate;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// px of the longer side of a picture on the contact sheet.
-const THUMB: usize = 256;
+/// Longer side of a picture on the contact sheet, px.
+const THUMBNAIL: usize = 256;
 
-/// Is more than one picture asked for?
-pub fn asked(args: &Args) -> bool {
+/// Whether more than one picture is requested.
+pub fn is_requested(args: &Args) -> bool {
     !args.more.is_empty() || args.variations.is_some()
 }
 
@@ -26,21 +26,21 @@ struct Task {
     seed: Option<u64>,
 }
 
-/// Grows them all into the folder.
+/// Grows all pictures into the folder.
 ///
 /// # Errors
-/// What is asked for wrongly, before anything is grown; [`Error::Batch`] where some were not grown.
+/// Invalid arguments, before anything is grown; [`Error::Batch`] if some pictures were not grown.
 pub fn run(args: &Args) -> Result<(), Error> {
     let folder = check(args)?;
     let tasks = tasks(args, folder)?;
     export::make_folder(folder).map_err(Error::step)?;
     let training = Training::from_folder(args.training.clone());
-    tell_time(args, &tasks, &training);
-    let mut contact = args.variations.map(|_| Contact::new(stem(&args.file), THUMB));
+    announce_time(args, &tasks, &training);
+    let mut contact = args.variations.map(|_| Contact::new(stem(&args.file), THUMBNAIL));
     let mut why = Vec::new();
     for (index, task) in tasks.iter().enumerate() {
         if !args.quiet && tasks.len() > 1 {
-            // Nobody left to tell is no reason to fail.
+            // If stderr is closed, the line is lost.
             let _ =
                 writeln!(std::io::stderr(), "{} of {}: {}", index + 1, tasks.len(), task.output.display());
         }
@@ -52,15 +52,15 @@ pub fn run(args: &Args) -> Result<(), Error> {
             seed: task.seed,
             ..args.clone()
         };
-        let source = Source { training: &training, thumb: contact.as_ref().map(|_| THUMB) };
+        let source = Source { training: &training, thumbnail: contact.as_ref().map(|_| THUMBNAIL) };
         match grow_one(&one, &source) {
-            Ok(thumb) => {
-                if let (Some(contact), Some(thumb)) = (&mut contact, thumb) {
-                    contact.add(format!("seed {}", task.seed.unwrap_or_default()), thumb);
+            Ok(thumbnail) => {
+                if let (Some(contact), Some(thumbnail)) = (&mut contact, thumbnail) {
+                    contact.add(format!("seed {}", task.seed.unwrap_or_default()), thumbnail);
                 }
             }
             Err(Error::Interrupted) => return Err(Error::Interrupted),
-            Err(error) => why.push(told(task, &error)),
+            Err(error) => why.push(reason(task, &error)),
         }
     }
     if let Some(contact) = contact.filter(|contact| !contact.is_empty()) {
@@ -74,7 +74,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     if why.is_empty() { Ok(()) } else { Err(Error::Batch { all, why }) }
 }
 
-/// The folder that all goes into, where nothing is asked for that goes into one file.
+/// Checks the arguments; returns the output folder.
 fn check(args: &Args) -> Result<&Path, Error> {
     let single = [
         ("--pattern", args.pattern.is_some()),
@@ -86,20 +86,20 @@ fn check(args: &Args) -> Result<&Path, Error> {
         ("--layer", args.layer.is_some()),
     ];
     if let Some((name, _)) = single.iter().find(|(_, found)| *found) {
-        return Err(Error::Usage(format!("{name}: goes with one FILE and without --variations")));
+        return Err(Error::Usage(format!("{name}: allowed with one FILE and without --variations")));
     }
     if args.variations.is_some() && !args.more.is_empty() {
         return Err(Error::Usage(
-            "--variations: goes with one FILE; dapple sheet --seeds lays many out".to_owned(),
+            "--variations: allowed with one FILE; for several, see dapple sheet --seeds".to_owned(),
         ));
     }
     if args.variations.is_some() && args.material.material.is_some() {
         return Err(Error::Usage(
-            "--material: goes without --variations, which would all have its name".to_owned(),
+            "--material: not allowed with --variations, as all would write the same files".to_owned(),
         ));
     }
     let Some(folder) = args.output.as_deref() else {
-        return Err(Error::Usage("--output: names the folder that the pictures go into".to_owned()));
+        return Err(Error::Usage("--output: missing; it names the folder for the pictures".to_owned()));
     };
     if folder.is_file() || folder.extension().is_some_and(|ending| ending != "d") && !folder.is_dir() {
         let found = folder.display();
@@ -140,15 +140,15 @@ fn tasks(args: &Args, folder: &Path) -> Result<Vec<Task>, Error> {
     Ok(files.into_iter().map(task).collect())
 }
 
-/// The document's name without folder and ending.
+/// The file name without folder and ending.
 fn stem(file: &Path) -> String {
     file.file_stem().map_or_else(|| "texture".to_owned(), |stem| stem.to_string_lossy().into_owned())
 }
 
-fn tell_time(args: &Args, tasks: &[Task], training: &Training) {
+fn announce_time(args: &Args, tasks: &[Task], training: &Training) {
     let mut documents = Vec::new();
     for task in tasks {
-        // One that cannot be read says so when it is its turn.
+        // A document that cannot be read gives its error later.
         if let Ok(document) = Document::read(&task.file) {
             documents.push((document, task.file.display().to_string()));
         }
@@ -161,13 +161,13 @@ fn tell_time(args: &Args, tasks: &[Task], training: &Training) {
             estimate::Task { document, size, source, scale }
         })
         .collect();
-    Estimate { training, quiet: args.quiet }.tell(&tasks, 1.0);
+    Estimate { training, quiet: args.quiet }.announce(&tasks, 1.0);
 }
 
-/// Why one is missing, with its name once.
-fn told(task: &Task, error: &Error) -> String {
-    let (file, reason) = (task.file.display().to_string(), with_causes(error));
-    let file = if reason.contains(&file) { String::new() } else { format!("{file}: ") };
+/// Why a picture is missing, with the file's name once.
+fn reason(task: &Task, error: &Error) -> String {
+    let (file, message) = (task.file.display().to_string(), with_causes(error));
+    let file = if message.contains(&file) { String::new() } else { format!("{file}: ") };
     let seed = task.seed.map_or_else(String::new, |seed| format!("seed {seed}: "));
-    format!("{seed}{file}{reason}")
+    format!("{seed}{file}{message}")
 }

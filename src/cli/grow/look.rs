@@ -1,14 +1,14 @@
-//! How the picture of a growth is written.
+//! Options for the picture of a growth.
 
 use crate::document::embedded::embedded;
 use crate::document::{Document, Extent};
 use crate::export::picture::QUALITY;
 use crate::synth::render::painting::Style;
 
-/// How to write the picture.
+/// Options for the picture.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Look {
-    /// Let one see through the ground; laid over the ground's colour again, it is the same picture
+    /// Make the ground transparent; over the ground's colour, the picture looks the same as without this option
     #[arg(long)]
     pub transparent: bool,
     /// Bits of each colour: 8 or, in .png and .tif, 16 (.exr has 32)
@@ -17,13 +17,13 @@ pub struct Look {
     /// Quality of a .jpg, 1 to 100
     #[arg(long, value_name = "Q", default_value_t = QUALITY, value_parser = clap::value_parser!(u8).range(1..=100))]
     pub quality: u8,
-    /// Leave the document out of the PNG; with it, `dapple grow OUT.png` grows the same again
+    /// Do not store the document in the PNG; with it, `dapple grow OUT.png` grows the same picture again
     #[arg(long)]
     pub no_document: bool,
 }
 
 impl Look {
-    /// The same without what a picture holds beside its px.
+    /// The style without px an inch and texts.
     pub fn style(&self) -> Style {
         Style {
             deep: self.depth == "16",
@@ -33,8 +33,8 @@ impl Look {
         }
     }
 
-    /// How a picture of `document` is written; `refined` as it was grown.
-    pub fn style_of(&self, document: &Document, refined: bool, extent: Extent) -> Style {
+    /// The style for a picture of `document`; `refined`: whether the growth was refined.
+    pub fn style_for(&self, document: &Document, refined: bool, extent: Extent) -> Style {
         let dpi = document.dpi * f64::from(extent.scale);
         if self.no_document {
             return Style { dpi, ..self.style() };

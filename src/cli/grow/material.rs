@@ -1,4 +1,4 @@
-//! `--material`: a set of maps for engines.
+//! `--material`: maps for rendering engines.
 
 use crate::cli::Error;
 use crate::document::{Document, Extent};
@@ -9,22 +9,22 @@ use crate::synth::render::painting::{Making, Painting, Style};
 use crate::synth::{Watch, memory};
 use std::path::{Path, PathBuf};
 
-/// px of relief at most: more than any canvas is wide.
-const MOST_RELIEF: f64 = 1e5;
+/// Largest relief, px: more than the widest canvas.
+const MAX_RELIEF: f64 = 1e5;
 
-/// What the maps of a material are made of.
+/// Options for a material.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Material {
     /// Also write a material into this folder: base colour, height, normals, roughness, occlusion, a plane (docs/materials.md)
     #[arg(long, value_name = "DIR")]
     pub material: Option<PathBuf>,
-    /// How far marks stand above the ground, px; below 0 they are hollows. One a layer, the last for all further ones
+    /// Height of the marks above the ground, px; negative for hollows. One for each layer, the last for all further layers
     #[arg(
         long, value_name = "PX,…", requires = "material", value_delimiter = ',', default_value = "6",
         allow_hyphen_values = true, value_parser = relief
     )]
     pub relief: Vec<f64>,
-    /// Roughness of the ground and of the marks, 0 to 1. One a layer, the last for all further ones
+    /// Roughness of the ground and of the marks, 0 to 1. One for each layer, the last for all further layers
     #[arg(
         long, value_name = "GROUND,MARKS,…", requires = "material", value_delimiter = ',',
         default_value = "0.8,0.5", value_parser = roughness
@@ -33,17 +33,17 @@ pub struct Material {
 }
 
 fn relief(text: &str) -> Result<f64, String> {
-    let number = text.trim().parse::<f64>().ok().filter(|number| number.abs() <= MOST_RELIEF);
-    number.ok_or_else(|| format!("allowed: numbers from -{MOST_RELIEF} to {MOST_RELIEF}, such as 6 or 6,-2"))
+    let number = text.trim().parse::<f64>().ok().filter(|number| number.abs() <= MAX_RELIEF);
+    number.ok_or_else(|| format!("allowed: numbers from -{MAX_RELIEF} to {MAX_RELIEF}, such as 6 or 6,-2"))
 }
 
 fn roughness(text: &str) -> Result<f64, String> {
     let number = text.trim().parse::<f64>().ok().filter(|number| (0.0..=1.0).contains(number));
-    number.ok_or_else(|| "allowed: numbers from 0 (a mirror) to 1 (chalk), such as 0.8,0.5".to_owned())
+    number.ok_or_else(|| "allowed: numbers from 0 (mirror) to 1 (chalk), such as 0.8,0.5".to_owned())
 }
 
 impl Material {
-    /// Looks whether the set can be written, before the work is done.
+    /// Checks whether the maps can be written, before the work is done.
     pub fn check(&self, size: [usize; 2]) -> Result<(), Error> {
         let Some(folder) = &self.material else { return Ok(()) };
         if folder.exists() && !folder.is_dir() {
@@ -64,7 +64,7 @@ impl Material {
         Ok(())
     }
 
-    /// Looks whether what is held of `layers` layers while the set is written fits into memory.
+    /// Checks whether the data of `layers` layers fits into memory while the maps are written.
     pub fn check_memory(&self, width: usize, layers: usize, extent: Extent) -> Result<(), Error> {
         if self.material.is_none() {
             return Ok(());
@@ -81,7 +81,7 @@ impl Material {
         }
     }
 
-    /// The files of the set of the document `file`.
+    /// The files of the material of the document `file`.
     pub fn files(&self, file: &Path) -> Vec<PathBuf> {
         let Some(folder) = &self.material else { return Vec::new() };
         let named = set_name(file);
@@ -90,7 +90,7 @@ impl Material {
         maps.chain(plane).map(|file| folder.join(file)).collect()
     }
 
-    /// Writes the set, named like the document's file; no map has its name yet.
+    /// Writes the maps under temporary names; their final names begin with the name of the document's file.
     pub fn prepare(
         &self,
         painting: &Painting,
@@ -117,7 +117,7 @@ impl Material {
     }
 }
 
-/// What a document's material is called.
+/// The name of a document's material.
 fn set_name(file: &Path) -> String {
     name(&file.file_stem().unwrap_or_default().to_string_lossy())
 }
@@ -127,7 +127,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_that_are_no_surface_are_refused() {
+    fn invalid_reliefs_and_roughnesses_are_refused() {
         assert_eq!((relief("-2.5"), roughness("0")), (Ok(-2.5), Ok(0.0)));
         for wrong in ["", "nan", "inf", "1e9", "x"] {
             assert!(relief(wrong).is_err() && roughness(wrong).is_err(), "{wrong}");

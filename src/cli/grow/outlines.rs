@@ -11,20 +11,20 @@ use crate::synth::{Grown, Watch, memory};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// What is wanted of outlines.
+/// Options for outlines.
 #[derive(clap::Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Outlines (-o OUT.svg, -o OUT.dxf, --svg, --dxf)")]
 pub struct OutlineArgs {
-    /// Also write the outlines of the marks as SVG, a group a layer
+    /// Also write the outlines of the marks as SVG, one group for each layer
     #[arg(long, value_name = "OUT.svg")]
     pub svg: Option<PathBuf>,
-    /// Also write the outlines of the marks as DXF (release 12), a layer a layer
+    /// Also write the outlines of the marks as DXF (release 12), one DXF layer for each layer
     #[arg(long, value_name = "OUT.dxf")]
     pub dxf: Option<PathBuf>,
     /// The pattern value that outlines follow, above 0, below 1 [default: 0.5, the marks' edges]
     #[arg(long, value_name = "P", value_parser = values::level)]
     pub level: Option<f64>,
-    /// What lengths are written in and given in here: mm (by the document's dpi) or px [default: mm]
+    /// The unit of lengths in the file and in these options: mm (by the document's dpi) or px [default: mm]
     #[arg(long, value_name = "mm|px", value_parser = values::unit)]
     pub units: Option<values::Units>,
     /// fill, stroke, hatch:SPACING or hatch:SPACING:ANGLE (degrees); several with commas [default: fill]
@@ -42,13 +42,13 @@ pub struct OutlineArgs {
     /// Strokes of marks at the canvas' edge: closed along it, or cut there [default: closed]
     #[arg(long, value_name = "closed|cut", value_parser = values::ends)]
     pub edges: Option<Ends>,
-    /// Draw paths as they are found instead of looking for a short way
+    /// Draw paths in the order found instead of searching a short route
     #[arg(long)]
     pub no_order: bool,
 }
 
 impl OutlineArgs {
-    /// The first option that says how outlines are drawn.
+    /// The first given option for outlines.
     fn given(&self) -> Option<&'static str> {
         let given = [
             ("--level", self.level.is_some()),
@@ -90,23 +90,23 @@ impl OutlineArgs {
     }
 }
 
-/// Whether a file is to hold outlines rather than a picture.
+/// Whether a file is one of outlines, not a picture.
 pub fn holds_outlines(path: &Path) -> bool {
     FORMATS.iter().any(|ending| has_ending(path, ending))
 }
 
-/// The files of outlines that are asked for.
+/// The requested files of outlines.
 fn files(args: &Args) -> Vec<&Path> {
     let output = args.output.as_ref().filter(|path| holds_outlines(path));
     output.into_iter().chain(&args.outlines.svg).chain(&args.outlines.dxf).map(PathBuf::as_path).collect()
 }
 
-/// Whether there are any.
-pub fn asked(args: &Args) -> bool {
+/// Whether outlines are requested.
+pub fn requested(args: &Args) -> bool {
     !files(args).is_empty()
 }
 
-/// Refuses what contradicts itself before anything grows.
+/// Checks the options before anything grows.
 pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Error> {
     let OutlineArgs { svg, dxf, edges, .. } = &args.outlines;
     for (path, ending) in [(svg, "svg"), (dxf, "dxf")] {
@@ -114,7 +114,7 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
             export::check_ending(path, &[ending]).map_err(Error::step)?;
         }
     }
-    if !asked(args) {
+    if !requested(args) {
         return match args.outlines.given() {
             Some(option) => Err(Error::Usage(format!(
                 "{option}: found without outlines; allowed: with --svg, --dxf or -o OUT.svg"
@@ -127,7 +127,9 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
     let style = args.outlines.style(1.0 / unit.per_px());
     if style.fill && *edges == Some(Ends::Cut) {
         let allowed = "allowed: --edges cut with --style stroke or hatch:SPACING";
-        return Err(Error::Usage(format!("--edges: found cut with areas, which must be closed; {allowed}")));
+        return Err(Error::Usage(format!(
+            "--edges: found cut with filled areas, which must be closed; {allowed}"
+        )));
     }
     match style.hatch {
         Some(hatch) if hatch.spacing < Hatch::FINEST => {
@@ -143,7 +145,7 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
             let size = extent.size.unwrap_or(document.size).map(f64::from);
             // Px of the canvas.
             let each = document.layers.iter().map(|layer| strokes(layer, size, hatch.spacing / scale));
-            let needed = A_STROKE * each.sum::<f64>();
+            let needed = BYTES_PER_STROKE * each.sum::<f64>();
             memory::check_export("so dense a hatch", needed, "hatch with a larger spacing")
                 .map_err(Error::step)
         }
@@ -151,12 +153,12 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
     }
 }
 
-/// Bytes that a stroke of a hatch takes while the way through them is looked for: three times the path, the places where
-/// it may begin, and its visit. Measured 490, of 1.4 million strokes on 4096².
-const A_STROKE: f64 = 700.0;
+/// Bytes that a stroke of a hatch takes while its route is searched: three times the path, its possible starts, and its visit.
+/// Measured: 490, with 1.4 million strokes on 4096² px.
+const BYTES_PER_STROKE: f64 = 700.0;
 
-/// About how many strokes a hatch of a layer's marks has, all in px of the canvas: marks cover at most half of it, and
-/// strokes are on the average no shorter than the smallest drawn mark is wide.
+/// Estimated number of hatch strokes in a layer's marks; lengths are px of the canvas. Marks cover at most half of it, and strokes
+/// are on average at least as long as the narrowest drawn mark is wide.
 fn strokes(layer: &Layer, size: [f64; 2], spacing: f64) -> f64 {
     let widths = layer.strokes.iter().map(|stroke| match stroke {
         Stroke::Ellipse(ellipse) => 2.0 * ellipse.radii[0].min(ellipse.radii[1]),
@@ -203,7 +205,7 @@ impl Drawn {
     }
 }
 
-/// Writes the outlines that were asked for, which do not have their names yet.
+/// Writes the requested outlines under temporary names.
 pub fn prepare(
     args: &Args,
     document: &Document,

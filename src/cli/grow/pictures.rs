@@ -1,4 +1,4 @@
-//! The pictures of a growth: the texture, the pattern, the labels, the concentrations, a material.
+//! The pictures of a growth: texture, pattern, labels, concentrations, material.
 
 use super::Args;
 use super::outlines::holds_outlines;
@@ -9,8 +9,8 @@ use crate::synth::render::painting::{Channel, Painting, concentrations};
 use crate::synth::{Grown, Watch, memory};
 use std::path::Path;
 
-/// The pictures of a px each that were asked for.
-fn asked(args: &Args) -> impl Iterator<Item = (&Path, Channel)> {
+/// The requested pictures of the canvas.
+fn requested(args: &Args) -> impl Iterator<Item = (&Path, Channel)> {
     let only = args.layer.map(|layer| layer as usize - 1);
     let pictures = [
         (args.output.as_deref().filter(|path| !holds_outlines(path)), Channel::Texture),
@@ -20,10 +20,10 @@ fn asked(args: &Args) -> impl Iterator<Item = (&Path, Channel)> {
     pictures.into_iter().filter_map(|(path, channel)| Some((path?, channel)))
 }
 
-/// Looks whether all pictures that were asked for can be written at `size` px, before the work is done.
+/// Checks whether all requested pictures can be written at `size` px, before the work is done.
 pub fn check(args: &Args, size: [usize; 2]) -> Result<(), Error> {
     let style = args.look.style();
-    for (path, channel) in asked(args) {
+    for (path, channel) in requested(args) {
         let format = style.check(path, channel, size).map_err(Error::step)?;
         memory::check_picture(size, format.writer_bytes_per_px()).map_err(Error::step)?;
     }
@@ -33,7 +33,7 @@ pub fn check(args: &Args, size: [usize; 2]) -> Result<(), Error> {
     args.material.check(size)
 }
 
-/// Writes all pictures that were asked for, none of which has its name yet.
+/// Writes all requested pictures under temporary names.
 pub fn prepare(
     args: &Args,
     document: &Document,
@@ -43,8 +43,8 @@ pub fn prepare(
 ) -> Result<Vec<Prepared>, Error> {
     let painting = Painting::new(document, grown, extent.scale as usize);
     let refined = grown.settings.refine.unwrap_or(document.growth.refine);
-    let style = args.look.style_of(document, refined, extent);
-    let mut prepared = asked(args)
+    let style = args.look.style_for(document, refined, extent);
+    let mut prepared = requested(args)
         .map(|(path, channel)| painting.prepare(path, channel, &style, watch).map_err(Error::exported))
         .collect::<Result<Vec<_>, _>>()?;
     if let Some(path) = &args.concentrations {

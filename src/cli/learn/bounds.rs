@@ -1,9 +1,9 @@
-//! How large errors may be, once a set is full.
+//! The allowed errors of complete training sets.
 
 use super::way::Way;
 use crate::rd::{Bounds, System};
 
-/// What is allowed of what grows anew.
+/// The allowed errors of new growths.
 pub fn bounds(system: System, way: Way) -> Bounds {
     let bounds = system.definition().error_bounds;
     match way {

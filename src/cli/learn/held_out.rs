@@ -1,4 +1,4 @@
-//! Errors in parameters: rows that were held out are asked for, with more and more others to learn from.
+//! Errors in parameters: held-out rows are looked up in training sets of increasing size.
 
 use super::outcome::{Of, Outcome};
 use super::way::Way;
@@ -10,10 +10,10 @@ use crate::rd::System;
 use crate::synth::Training;
 use rayon::prelude::*;
 
-/// Rows to learn from, beside all.
+/// Sizes of the reduced training sets.
 const SIZES: [usize; 4] = [30, 100, 300, 1_000];
 
-/// Each way with each number of rows.
+/// The outcome of each way with each number of rows.
 pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error> {
     let set = setting.training.set(system).map_err(Error::step)?;
     let folds = folds(set.rows(), &SIZES, setting.targets);
@@ -32,7 +32,7 @@ pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error
     Ok(outcomes)
 }
 
-/// The rows that are asked for; of a way that grows patches for each, a fifth.
+/// The rows to look up; a fifth of them for the way that grows patches for each.
 fn questions(fold: &Fold, way: Way) -> Vec<learn::Row> {
     match way {
         Way::Refined => evenly(&fold.questions, fold.questions.len().div_ceil(5)),
@@ -50,7 +50,7 @@ fn outcome(
 ) -> Result<Outcome, Error> {
     let errors_of = |row: &learn::Row| {
         setting.watch.step(crate::synth::Stage::Grow, 0.0).map_err(|_| Error::Interrupted)?;
-        // Rows are told in cells.
+        // Rows are in cells.
         let got = way.parameters(training, system, &row.attributes, 1.0, setting.when, setting.watch)?;
         done();
         Ok(learn::Error::of_parameters(&got, &row.parameters))

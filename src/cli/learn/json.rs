@@ -1,10 +1,10 @@
-//! Outcomes, as JSON.
+//! Outcomes as JSON.
 
 use super::outcome::{Of, Outcome, verdict};
 use crate::learn::Errors;
 use serde_json::{Map, Value, json};
 
-/// `{"outcomes": [...]}`, one a line of the printed table, with the numbers as they are and the bounds that hold for them.
+/// `{"outcomes": [...]}`, one for each line of the printed table, with unrounded numbers and their bounds.
 pub fn outcomes(outcomes: &[Outcome]) -> Value {
     json!({"outcomes": outcomes.iter().map(outcome).collect::<Vec<_>>()})
 }
@@ -12,18 +12,18 @@ pub fn outcomes(outcomes: &[Outcome]) -> Value {
 fn outcome(outcome: &Outcome) -> Value {
     let errors = |errors: &Errors| {
         let Errors { quantity, unit, count, median, p95 } = errors;
-        let mut told = Map::new();
+        let mut entry = Map::new();
         for (key, value) in [("unit", json!(unit)), ("count", json!(count)), ("median", json!(median))] {
-            told.insert(key.to_owned(), value);
+            entry.insert(key.to_owned(), value);
         }
-        told.insert("p95".to_owned(), json!(p95));
+        entry.insert("p95".to_owned(), json!(p95));
         if let Some([median, p95]) = outcome.bound(quantity) {
-            told.insert("allowed".to_owned(), json!({"median": median, "p95": p95}));
-            told.insert("verdict".to_owned(), json!(verdict(outcome.holds(errors))));
+            entry.insert("allowed".to_owned(), json!({"median": median, "p95": p95}));
+            entry.insert("verdict".to_owned(), json!(verdict(outcome.holds(errors))));
         }
-        ((*quantity).to_owned(), Value::Object(told))
+        ((*quantity).to_owned(), Value::Object(entry))
     };
-    let mut told = json!({
+    let mut entry = json!({
         "system": outcome.system.name(),
         "errors": outcome.of.name(),
         "method": outcome.way.name(),
@@ -33,10 +33,10 @@ fn outcome(outcome: &Outcome) -> Value {
         "quantities": outcome.errors.iter().map(errors).collect::<Map<_, _>>(),
     });
     if outcome.of == Of::Grown {
-        told["failed"] = json!(outcome.failed);
+        entry["failed"] = json!(outcome.failed);
         if let holds @ Some(_) = outcome.none_failed() {
-            told["verdict"] = json!(verdict(holds));
+            entry["verdict"] = json!(verdict(holds));
         }
     }
-    told
+    entry
 }

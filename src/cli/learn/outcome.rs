@@ -1,4 +1,4 @@
-//! How well one way did.
+//! The outcome of one way.
 
 use super::bounds::bounds;
 use super::way::Way;
@@ -10,12 +10,12 @@ use crate::rd::System;
 pub enum Of {
     /// The parameters found for rows that were held out, against theirs.
     Parameters,
-    /// What grows anew, against what was asked.
+    /// The attributes of new growths, against those asked for.
     Grown,
 }
 
 impl Of {
-    /// In the table.
+    /// Its name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Parameters => "parameters",
@@ -24,7 +24,7 @@ impl Of {
     }
 }
 
-/// How well a way did with so many rows to learn from.
+/// The errors of one way with a training set of some size.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// The system.
@@ -33,38 +33,38 @@ pub struct Outcome {
     pub of: Of,
     /// The way.
     pub way: Way,
-    /// Rows that were learnt from.
+    /// Rows in the training set.
     pub rows: usize,
-    /// Whether that was all there are.
+    /// Whether these are all rows.
     pub all: bool,
-    /// Questions.
+    /// Number of questions.
     pub asked: usize,
-    /// Those that were refused or grew no texture, in words.
+    /// The questions that were refused or grew no texture, with reasons.
     pub failed: Vec<String>,
     /// Errors of the others, by quantity.
     pub errors: Vec<Errors>,
 }
 
 impl Outcome {
-    /// Median and 95th percentile that are allowed of this quantity; only all rows are bound by anything.
+    /// The allowed median and 95th percentile of a quantity; only training sets with all rows have bounds.
     pub fn bound(&self, quantity: &str) -> Option<[f64; 2]> {
         let bounds = if self.all && self.of == Of::Grown { bounds(self.system, self.way) } else { &[] };
         bounds.iter().find(|(bound, _)| *bound == quantity).map(|(_, allowed)| *allowed)
     }
 
-    /// Whether the errors are as small as allowed; `None` where nothing is said.
+    /// Whether the errors are as small as allowed; `None` if there is no bound.
     pub fn holds(&self, errors: &Errors) -> Option<bool> {
         self.bound(errors.quantity).map(|[median, p95]| errors.median <= median && errors.p95 <= p95)
     }
 
-    /// Whether nothing failed; `None` where nothing is said.
+    /// Whether nothing failed; `None` if there is no bound.
     pub fn none_failed(&self) -> Option<bool> {
         let bound = self.all && self.of == Of::Grown && !bounds(self.system, self.way).is_empty();
         bound.then_some(self.failed.is_empty())
     }
 }
 
-/// `ok`, `MISSED`, or nothing where nothing is said.
+/// `ok`, `MISSED`, or nothing if there is no bound.
 pub fn verdict(holds: Option<bool>) -> &'static str {
     match holds {
         Some(true) => "ok",

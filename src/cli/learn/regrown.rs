@@ -1,4 +1,4 @@
-//! Errors in attributes: random targets are looked up, grown anew and measured.
+//! Errors in attributes: random targets are looked up, grown and measured.
 
 use super::outcome::{Of, Outcome};
 use super::targets::{Target, targets};
@@ -14,21 +14,21 @@ use crate::synth::plan::{cell_for, free_spacing};
 use crate::synth::{Patch, Training};
 use rayon::prelude::*;
 
-/// Spots that a patch holds.
+/// Spots on a patch.
 const SPOTS: f64 = 160.0;
 /// Wavelengths along the side of a patch of stripes.
 const WAVELENGTHS: f64 = 20.0;
-/// Rows to learn from, beside all.
+/// Rows of the reduced training set.
 const FEW: usize = 100;
-/// Ways whose parameters are grown.
+/// The ways whose parameters are grown.
 const WAYS: [Way; 3] = [Way::Learnt(Method::ScaleLaw), Way::REGRESSION, Way::Refined];
-/// Measurements at most while the level moves, and the share of itself by which a size may stay off: as `grow` has it.
+/// Most measurements while the level is corrected, and the allowed relative error of the size, as in `grow`.
 const ROUNDS: usize = 5;
 const NEAR: f64 = 0.001;
-/// What the level may be multiplied by.
+/// Range of the level's correction factor.
 const CORRECTIONS: [f64; 2] = [0.6, 1.5];
 
-/// Each way with few rows and with all.
+/// The outcome of each way with few rows and with all.
 pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error> {
     let mut targets = targets(system, setting.targets, setting.seed);
     if !system.is_striped() && !system.description().free_spacing {
@@ -62,10 +62,10 @@ pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error
     Ok(outcomes.into_iter().flatten().collect())
 }
 
-/// The errors of what grows for a target; or why nothing does, with what was asked.
+/// The errors of a growth for a target; or why it failed, with the target.
 type Found = Result<Vec<learn::Error>, String>;
 
-/// What each of the ways gives for a target.
+/// The result of each way for a target.
 fn regrown(
     setting: &Setting,
     system: System,
@@ -75,7 +75,7 @@ fn regrown(
     let cell = cell_for(system, &target.wanted);
     let wanted = target.wanted.scaled(1.0 / cell);
     let failed = |why: String| format!("{}: {why}", described(&target.wanted));
-    // A patch that was not corrected is the one before.
+    // A patch with the same parameters as the one before need not be grown again.
     let mut last: Option<(Patch, Field)> = None;
     let mut found = Vec::with_capacity(WAYS.len());
     for way in WAYS {
@@ -116,14 +116,14 @@ fn described(wanted: &Attributes) -> String {
     }
 }
 
-/// What stands on a patch, cells, with its level multiplied by `correction`; or why it is no texture.
+/// The attributes on a patch, cells, with its level multiplied by `correction`; or why it is not a texture.
 fn measured(patch: &Patch, marks: &Field, correction: f64) -> Result<Attributes, String> {
     let mut parameters = patch.parameters;
     parameters.level = parameters.level.map(|level| level * correction);
     let attributes =
         Patch { parameters, ..*patch }.measure(marks).map_err(|reason| reason.to_string())?.attributes;
     if let (Attributes::Stripes(stripes), true) = (attributes, correction != 1.0) {
-        // Their edge lies at ½, and their direction does not depend on it.
+        // Their edge is at ½; their direction does not depend on it.
         let found = measure::stripes(marks, (0.5 * correction) as f32);
         let width = found.map_or(stripes.width, |found| found.width);
         return Ok(Attributes::Stripes(Stripes { width, ..stripes }));
@@ -131,7 +131,7 @@ fn measured(patch: &Patch, marks: &Field, correction: f64) -> Result<Attributes,
     Ok(attributes)
 }
 
-/// The same at the level at which the size is the one that was asked for.
+/// As [`measured`], at the level that gives the wanted size.
 fn levelled(patch: &Patch, marks: &Field, wanted: &Attributes) -> Result<Attributes, String> {
     let off = |got: &Attributes| match (got, wanted) {
         (Attributes::Spots(got), Attributes::Spots(wanted)) => libm::log(got.area / wanted.area),
@@ -140,7 +140,7 @@ fn levelled(patch: &Patch, marks: &Field, wanted: &Attributes) -> Result<Attribu
     };
     let mut correction = 1.0;
     let mut got = measured(patch, marks, correction)?;
-    // d ln size / d ln level, to begin with: of a Gaussian bell, of a sinusoidal stripe (`synth::refine`).
+    // The first estimate of d ln size / d ln level: that of a Gaussian bell, or of a sinusoidal stripe (`synth::grow::refine`).
     let stripes = patch.system.is_striped();
     let mut slope = if stripes { -2.0 / std::f64::consts::PI } else { -1.44 };
     for _ in 1..ROUNDS {
@@ -166,7 +166,7 @@ mod tests {
     use crate::synth::Watch;
 
     #[test]
-    fn a_level_is_found_at_which_spots_are_as_large_as_asked() {
+    fn the_level_gives_the_wanted_area() {
         let parameters =
             Parameters { rate: 3.0, ratio: Some(15.0), stretch: 0.6, direction: 30.0, level: Some(0.5) };
         let patch = Patch { system: System::MEINHARDT_SPOTS, parameters, extent: 16.0, seed: 3 };
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn a_level_is_found_at_which_stripes_are_as_wide_as_asked() {
+    fn the_level_gives_the_wanted_width() {
         let parameters = Parameters { rate: 25.0, ratio: None, stretch: 0.5, direction: 30.0, level: None };
         let patch = Patch { system: System::MEINHARDT_STRIPES, parameters, extent: 5.0, seed: 3 };
         let (marks, _) = patch.grow(&Watch::NONE).unwrap();

@@ -1,15 +1,15 @@
-//! Outcomes, for people and for machines.
+//! Outcomes as text and as CSV.
 
 use super::outcome::{Of, Outcome, verdict};
 use crate::learn::Errors;
 use crate::rd::System;
 use std::fmt::Write;
 
-/// The columns of the table for machines; `docs/learning.md` says what they hold.
+/// The columns of the CSV, described in `docs/learning.md`.
 const COLUMNS: &str =
     "system,errors,method,rows,all,quantity,unit,count,median,p95,median_bound,p95_bound,verdict";
 
-/// One line an error, and one for the targets that failed.
+/// One line for each error, and one for the failed targets.
 pub fn csv(outcomes: &[Outcome]) -> String {
     let mut text = format!("{COLUMNS}\n");
     for outcome in outcomes {
@@ -55,11 +55,11 @@ pub fn text(system: System, outcomes: &[Outcome]) -> String {
     text + "\n"
 }
 
-/// A line an outcome.
+/// One line for each outcome.
 fn lines(of: Of, outcomes: &[&Outcome]) -> String {
     let mut heads: Vec<(&str, &str)> = Vec::new();
     for errors in outcomes.iter().flat_map(|outcome| &outcome.errors) {
-        // What never varies in a set is no achievement.
+        // Quantities that never vary in a training set are left out.
         if errors.p95 > 1e-9 && !heads.iter().any(|(quantity, _)| *quantity == errors.quantity) {
             heads.push((errors.quantity, errors.unit));
         }
@@ -89,7 +89,7 @@ fn figures(errors: &Errors) -> String {
     format!("{:.digits$} / {:.digits$}", errors.median, errors.p95)
 }
 
-/// Which bounds hold, and what failed although all rows were learnt from.
+/// Which bounds are met, and what failed, for complete training sets.
 fn verdicts(outcomes: &[Outcome]) -> String {
     let mut text = String::new();
     for outcome in outcomes.iter().filter(|outcome| outcome.none_failed().is_some()) {
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_for_machines_has_every_column() {
+    fn a_csv_line_has_every_column() {
         let table = csv(&[
             outcome(Of::Parameters, true, 1.0, &[]),
             outcome(Of::Grown, false, 1.0, &[]),
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn what_holds_and_what_was_missed_is_said_with_the_numbers() {
+    fn verdicts_show_the_numbers() {
         let told = text(System::MEINHARDT_STRIPES, &[outcome(Of::Grown, true, 1.5, &["width 3 px: why"])]);
         assert!(told.contains("width         1.50 / 2.50   allowed 2 / 6 %        ok\n"), "{told}");
         assert!(

@@ -1,4 +1,4 @@
-//! Attributes to ask for: anything in the ranges that a system is to reach.
+//! Random targets in the ranges that a system must reach.
 
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::rd::System;
@@ -16,31 +16,36 @@ const WIDTH: [f64; 2] = [3.0, 40.0];
 /// Stripe ÷ period, of lines.
 const DUTY: [f64; 2] = [0.2, 0.5];
 
-/// Something to ask for, px.
+/// A target, px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Target {
-    /// What is wanted; of Turing's spots without spacing.
+    /// The wanted attributes; without spacing for Turing's spots.
     pub wanted: Attributes,
-    /// Where its marks begin.
+    /// The seed of its growth.
     pub seed: u64,
 }
 
-/// `count` targets: sizes and densities even on a logarithmic scale, aspects and angles as they are.
+/// `count` targets: sizes and densities uniform on a logarithmic scale, aspects and angles uniform.
 pub fn targets(system: System, count: usize, seed: u64) -> Vec<Target> {
     let mut rng = Pcg64::seed_from_u64(seed);
     (0..count)
         .map(|_| {
-            let mut even = |[low, high]: [f64; 2]| low + (high - low) * rng.random::<f64>();
-            let mut log = |range: [f64; 2]| libm::exp(even(range.map(libm::log)));
+            let mut uniform = |[low, high]: [f64; 2]| low + (high - low) * rng.random::<f64>();
+            let mut log = |range: [f64; 2]| libm::exp(uniform(range.map(libm::log)));
             let wanted = if system.is_striped() {
                 let width = log(WIDTH);
-                let duty = system.description().free_spacing.then(|| even(DUTY));
+                let duty = system.description().free_spacing.then(|| uniform(DUTY));
                 let wavelength = duty.map(|duty| width / duty);
-                Attributes::Stripes(Stripes { width, angle: even([0.0, 180.0]), wavelength })
+                Attributes::Stripes(Stripes { width, angle: uniform([0.0, 180.0]), wavelength })
             } else {
                 let (area, density) = (log(AREA), log(DENSITY));
                 let spacing = system.description().free_spacing.then(|| (area / density).sqrt());
-                Attributes::Spots(Spots { area, aspect: even(ASPECT), angle: even([0.0, 180.0]), spacing })
+                Attributes::Spots(Spots {
+                    area,
+                    aspect: uniform(ASPECT),
+                    angle: uniform([0.0, 180.0]),
+                    spacing,
+                })
             };
             Target { wanted, seed: rng.random() }
         })

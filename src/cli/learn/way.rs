@@ -12,7 +12,7 @@ use crate::synth::{Training, Watch, plan};
 pub enum Way {
     /// From the rows alone.
     Learnt(Method),
-    /// By local regression, corrected by growths of a patch; what then has grown is levelled. As `dapple grow` does.
+    /// By local regression, corrected by growths of a patch; the level of the growth is then corrected. As `dapple grow` does.
     Refined,
 }
 
@@ -20,7 +20,7 @@ impl Way {
     /// What `dapple grow --no-refine` does.
     pub const REGRESSION: Self = Self::Learnt(Method::LocalRegression);
 
-    /// What it is called.
+    /// Its name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Learnt(method) => method.name(),
@@ -28,7 +28,7 @@ impl Way {
         }
     }
 
-    /// The parameters, in cells, that give `wanted` (px) on a grid of `cell` px a cell.
+    /// The parameters, in cells, for `wanted` (px) on a grid of `cell` px a cell.
     pub fn parameters(
         self,
         training: &Training,
@@ -57,8 +57,8 @@ impl Way {
         }
     }
 
-    /// Why the answer for `wanted` is none: it lies outside what was learnt, or was moved there. `None` where it is
-    /// one, or where the way knows no limits.
+    /// Why there is no answer for `wanted`: it is outside of the training set, or was moved into it. `None` if there is an answer,
+    /// or if the way has no limits.
     pub fn refusal(
         self,
         training: &Training,

@@ -1,4 +1,4 @@
-//! One answer, for people and for machines.
+//! One answer, as text and as JSON.
 
 use crate::attributes::Attributes;
 use crate::cli::Error;
@@ -9,21 +9,21 @@ use crate::synth::{LookedUp, Training};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
-/// A question and its answer; lengths are px, parameters those of a grid of `cell` px a cell.
-pub(super) struct Looked {
+/// A question and its answer. Lengths are px, parameters are for a grid of `cell` px a cell.
+pub(super) struct LookupReport {
     pub system: System,
     pub asked: Attributes,
     pub cell: f64,
     pub answer: Answer,
-    /// What there is to say about it.
+    /// Notes about the answer.
     pub notes: Vec<String>,
 }
 
-impl Looked {
-    /// Looks up the parameters that give `wanted` (px).
+impl LookupReport {
+    /// Looks up the parameters for `wanted` (px).
     ///
     /// A spacing that is left free is the one that `grow` takes then.
-    pub fn up(training: &Training, choice: SystemChoice, wanted: &Attributes) -> Result<Self, Error> {
+    pub fn new(training: &Training, choice: SystemChoice, wanted: &Attributes) -> Result<Self, Error> {
         let system = choice.system().or_else(|| System::first(|system| system.free_spacing));
         let system = system.expect("a system grows spots of any spacing");
         let LookedUp { cell, free_spacing, answer, .. } =
@@ -33,7 +33,7 @@ impl Looked {
         Ok(Self { system, asked: *wanted, cell, answer, notes })
     }
 
-    /// The parameters by name, the size of a cell last.
+    /// The parameters by name, and at the end the size of a cell.
     pub fn parameters(&self) -> Vec<(&'static str, f64)> {
         let mut named = self.answer.parameters.named();
         if self.answer.pitch > 1.0 {
@@ -62,7 +62,7 @@ impl Looked {
         })
     }
 
-    /// The same for people.
+    /// The answer as text.
     pub fn text(&self) -> String {
         let list = |named: Vec<(&'static str, f64)>| {
             let words: Vec<String> =
@@ -93,7 +93,7 @@ impl Looked {
     }
 }
 
-/// The attributes that apply, by name.
+/// The attributes by name, without those that do not apply.
 fn named(attributes: &Attributes) -> Vec<(&'static str, f64)> {
     match attributes {
         Attributes::Spots(spots) => {
@@ -135,9 +135,10 @@ mod tests {
     #[test]
     fn json_has_the_keys_of_the_format() {
         let training = Training::default();
-        let json = Looked::up(&training, SystemChoice::Of(System::MEINHARDT_SPOTS), &spots(Some(60.0)))
-            .unwrap()
-            .json();
+        let json =
+            LookupReport::new(&training, SystemChoice::Of(System::MEINHARDT_SPOTS), &spots(Some(60.0)))
+                .unwrap()
+                .json();
         assert_eq!(
             keys(&json),
             ["system", "asked", "parameters", "predicted", "interval", "coverage", "nearest", "notes"]
@@ -150,8 +151,9 @@ mod tests {
         assert!(json["notes"].is_array());
 
         let stripes = Attributes::Stripes(Stripes { width: 10.0, angle: 30.0, wavelength: None });
-        let json =
-            Looked::up(&training, SystemChoice::Of(System::MEINHARDT_STRIPES), &stripes).unwrap().json();
+        let json = LookupReport::new(&training, SystemChoice::Of(System::MEINHARDT_STRIPES), &stripes)
+            .unwrap()
+            .json();
         assert_eq!(keys(&json["parameters"]), ["rate", "stretch", "direction", "cell"]);
         assert_eq!(keys(&json["nearest"]), ["width", "angle"]);
     }
@@ -160,7 +162,7 @@ mod tests {
     fn the_same_pattern_twice_as_large_has_the_same_parameters_in_cells_twice_as_large() {
         let training = Training::default();
         let up = |wanted: Attributes| {
-            Looked::up(&training, SystemChoice::Of(System::MEINHARDT_SPOTS), &wanted).unwrap()
+            LookupReport::new(&training, SystemChoice::Of(System::MEINHARDT_SPOTS), &wanted).unwrap()
         };
         let (small, large) = (up(spots(Some(60.0))), up(spots(Some(60.0)).scaled(2.0)));
         assert!((large.cell / small.cell - 2.0).abs() < 1e-9);
@@ -174,7 +176,7 @@ mod tests {
     #[test]
     fn a_free_spacing_is_left_out_of_what_was_asked_and_noted() {
         let looked =
-            Looked::up(&Training::default(), SystemChoice::Of(System::MEINHARDT_SPOTS), &spots(None))
+            LookupReport::new(&Training::default(), SystemChoice::Of(System::MEINHARDT_SPOTS), &spots(None))
                 .unwrap();
         assert_eq!(keys(&looked.json()["asked"]), ["area", "aspect", "angle"]);
         assert!(looked.text().contains("note:       spacing is free: "), "{}", looked.text());
@@ -186,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_for_people_are_short() {
+    fn numbers_in_texts_are_short() {
         assert_eq!([1.0 / 3.0, 150.0, 1e-300, 0.0].map(brief), ["0.3333", "150", "1e-300", "0"]);
     }
 }

@@ -1,6 +1,6 @@
-//! A table of questions, and the same table with their answers.
+//! A table of questions → the table with their answers.
 
-use super::answer::Looked;
+use super::answer::LookupReport;
 use crate::attributes::{Attributes, Spots};
 use crate::cli::values;
 use crate::document::{Kind, SystemChoice};
@@ -14,16 +14,16 @@ const COLUMNS: [&str; 7] = ["system", "area", "aspect", "angle", "spacing", "wid
 const ANSWERS: [&str; 9] =
     ["rate", "ratio", "stretch", "direction", "level", "pitch", "cell", "coverage", "note"];
 
-/// What is wrong with a table.
+/// Why a table is invalid.
 #[derive(Debug, PartialEq, thiserror::Error)]
 pub(super) enum BatchError {
-    /// It is no table.
+    /// It is not a valid table.
     #[error("{file}, line {line}: {problem}")]
     Table { file: String, line: u64, problem: String },
-    /// Its first line.
+    /// Its header is wrong.
     #[error("{file}, line 1: {problem}; allowed: the columns {}, in any order", COLUMNS.join(","))]
     Columns { file: String, problem: String },
-    /// A value.
+    /// A value is wrong.
     #[error("{file}, line {line}, column {column}: found '{value}'; {allowed}")]
     Value { file: String, line: u64, column: &'static str, value: String, allowed: String },
 }
@@ -35,7 +35,7 @@ pub(super) struct Questions {
     pub rows: Vec<Question>,
 }
 
-/// A row of it.
+/// A row of a table of questions.
 #[derive(Debug)]
 pub(super) struct Question {
     record: StringRecord,
@@ -44,7 +44,7 @@ pub(super) struct Question {
     pub wanted: Attributes,
 }
 
-/// A row on its way to a question.
+/// A row that is being parsed.
 struct Row<'a> {
     file: &'a str,
     header: &'a StringRecord,
@@ -63,7 +63,7 @@ impl Row<'_> {
         }
     }
 
-    /// What stands in a column; nothing where there is no such column.
+    /// The text in a column; empty if there is no such column.
     fn text(&self, column: &str) -> &str {
         let place = self.header.iter().position(|name| name == column);
         place.and_then(|place| self.record.get(place)).unwrap_or_default()
@@ -79,7 +79,7 @@ impl Row<'_> {
 
     fn empty(&self, columns: &[&'static str], of: &str) -> Result<(), BatchError> {
         match columns.iter().find(|column| !self.text(column).is_empty()) {
-            Some(column) => Err(self.wrong(column, format!("allowed: nothing, it is no attribute of {of}"))),
+            Some(column) => Err(self.wrong(column, format!("allowed: empty, as {of} do not have it"))),
             None => Ok(()),
         }
     }
@@ -112,7 +112,7 @@ impl Row<'_> {
     }
 }
 
-/// Reads and checks a table; `file` stands in errors.
+/// Reads and checks a table; `file` is its name in errors.
 pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Questions, BatchError> {
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
     let broken = |error: &csv::Error| BatchError::Table {
@@ -144,7 +144,7 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Questions, BatchError> {
     Ok(Questions { header, rows })
 }
 
-/// The reader's words without its place, which our own message begins with.
+/// The reader's message without the line, which our own message begins with.
 fn problem(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
@@ -155,8 +155,8 @@ fn problem(error: &csv::Error) -> String {
     }
 }
 
-/// The table with the answers' columns.
-pub(super) fn answered(questions: &Questions, looked: &[Looked]) -> Vec<u8> {
+/// The table with the columns of the answers.
+pub(super) fn answered(questions: &Questions, looked: &[LookupReport]) -> Vec<u8> {
     let mut writer = Writer::from_writer(Vec::new());
     let header = questions.header.iter().chain(ANSWERS).collect::<StringRecord>();
     // Writing to memory, in rows of one length, cannot fail.
@@ -189,10 +189,10 @@ mod tests {
     fn table(text: &str) -> Vec<Vec<String>> {
         let questions = read("q.csv", text.as_bytes()).unwrap();
         let training = Training::default();
-        let looked: Vec<Looked> = questions
+        let looked: Vec<LookupReport> = questions
             .rows
             .iter()
-            .map(|row| Looked::up(&training, row.system, &row.wanted).unwrap())
+            .map(|row| LookupReport::new(&training, row.system, &row.wanted).unwrap())
             .collect();
         let out = answered(&questions, &looked);
         let mut reader = ReaderBuilder::new().has_headers(false).from_reader(out.as_slice());
