@@ -1,4 +1,4 @@
-//! The system that `"auto"` takes.
+//! The system of a layer whose `system` is `"auto"`.
 
 use crate::attributes::Attributes;
 use crate::attributes::regions::RegionMap;
@@ -7,11 +7,11 @@ use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lookup::{ask, cell_for, free_spacing};
 use crate::synth::training::Training;
 
-/// What is asked counts as met where area, spacing and aspect together are nearer than this.
+/// Spots count as reached where area, spacing and aspect together differ by less than this.
 const MET: f64 = 0.05;
 
-/// Lines take stripes, those whose wavelength is asked take stripes of any wavelength. Ellipses take spots of any spacing,
-/// unless these miss what is asked and another system meets it.
+/// Lines take a system of stripes; those with a wavelength take one with any wavelength. Ellipses take a system of spots with
+/// any spacing, unless it misses what is asked and another one reaches it.
 pub(super) fn choose_system(training: &Training, map: &RegionMap) -> Result<System, PlanError> {
     let spotted = System::ALL.into_iter().filter(|system| !system.is_striped());
     let (free, others): (Vec<_>, Vec<_>) = spotted.partition(|system| system.description().free_spacing);

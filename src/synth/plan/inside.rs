@@ -1,8 +1,8 @@
 //! `after: "inside"`: a smaller mark at each place of the layer beneath, which itself is not shown.
 //!
-//! The ground of Meinhardt's system is inert: spots stand where they were laid and nowhere else (`facts.md` G). So the
-//! centroids of the marks beneath are where the new ones begin, with parameters for their own area, aspect and angle at
-//! the spacing of the layer beneath. Nothing of that layer is frozen for them.
+//! The ground of Meinhardt's system is inert: spots stand where they began and nowhere else (`facts.md` G). So the
+//! new marks begin at the centroids of those beneath, with parameters for their own area, aspect and angle at the spacing of
+//! the layer beneath. Its marks are no obstacles for them.
 
 use crate::attributes::regions::{RegionGrid, RegionMap};
 use crate::attributes::{Attributes, Spots};

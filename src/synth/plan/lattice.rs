@@ -1,4 +1,4 @@
-//! Parameters between the regions.
+//! Parameters between the regions, on a lattice.
 //!
 //! Attributes are bilinear between region centres, parameters are not: they are looked up on a lattice a few
 //! times finer than the regions and interpolated in the coordinates in which the map is near-linear
@@ -43,8 +43,7 @@ impl Node {
         }
     }
 
-    /// What is to be added for a spot whose rate and stretch are e to these powers times larger, turned by so many
-    /// degrees.
+    /// The change for a spot whose rate and stretch are larger by e to these powers, and which is turned by `turn` degrees.
     #[must_use]
     pub fn offset(&self, ln_rate: f64, ln_stretch: f64, turn: f64) -> [f64; 3] {
         let [c, s] = self.shape;
@@ -54,7 +53,7 @@ impl Node {
         [ln_rate, long * libm::cos(double) - c, long * libm::sin(double) - s]
     }
 
-    /// Itself with [`Self::offset`]s added.
+    /// The node with an [`Self::offset`] added.
     #[must_use]
     pub fn plus(&self, [ln_rate, c, s]: [f64; 3]) -> Self {
         Self { ln_rate: self.ln_rate + ln_rate, shape: [self.shape[0] + c, self.shape[1] + s], ..*self }

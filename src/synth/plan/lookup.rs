@@ -1,4 +1,4 @@
-//! Attributes in px → parameters in cells: how large a cell is, and what the training sets say.
+//! Attributes in px → parameters in cells: the size of a cell, and questions to the training sets.
 
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::learn::{Answer, Note};
@@ -6,15 +6,15 @@ use crate::rd::System;
 use crate::synth::plan::error::PlanError;
 use crate::synth::training::Training;
 
-/// px a cell below which a pattern could not be seen on the canvas anyway.
+/// Smallest cell, px: finer patterns could not be seen on the canvas.
 const FINEST: f64 = 0.35;
 /// area ÷ spacing² of spots whose spacing is free: what Meinhardt's system packs at its smallest ratio, where its spots are
 /// evenest.
 const FREE_DENSITY: f64 = 0.12;
 
-/// Spots sparser than what is reached by less than this are as good as met.
-const NOTICED: f64 = 0.02;
-/// From this pitch on spots among sparse ones are laid apart: they stand alone at their usual level.
+/// Spots that are sparser than what can be reached by less than this share count as reached.
+const TOLERANCE: f64 = 0.02;
+/// From this pitch on spots on a canvas with sparse ones stand alone, at the level of single spots.
 const ALONE: f64 = 1.7;
 
 /// Looks up attributes (px) for a grid of so many px a cell.
@@ -49,7 +49,7 @@ pub fn exact_cell(system: System, wanted: &Attributes, cell: f64) -> f64 {
 }
 
 /// Looks up attributes (px) for a grid of `cell` px a cell. The answer's attributes are px, its parameters
-/// those of the grid. Spots sparser than any that their system packs by itself are laid farther apart, if they can.
+/// those of the grid. Spots sparser than any that their system packs by itself begin farther apart, if they can.
 ///
 /// # Errors
 /// The training set cannot be read, or does not take such attributes.
@@ -61,9 +61,8 @@ pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) 
     Ok(on_grid(apart.unwrap_or(answer), cell, exact))
 }
 
-/// As [`ask`], on a canvas where some spots are laid apart: others are, too, where they have the room. On the way from
-/// dense regions to sparse ones parameters else went through those of the sparsest that one run packs, which take twenty
-/// times the steps.
+/// As [`ask`], on a canvas where some spots stand alone: others do, too, where they have the room. Otherwise the parameters
+/// between dense and sparse regions would be those of the sparsest packed spots, which take twenty times the steps.
 pub(crate) fn ask_among_sparse(
     training: &Training,
     system: System,
@@ -78,8 +77,8 @@ pub(crate) fn ask_among_sparse(
     }
 }
 
-/// As [`ask`], for spots that are laid at given places: as spots that stand alone where these are far enough apart for
-/// it. `room` is the share of the spacing, 0..1, that is left to them where the places suit their shape least.
+/// As [`ask`], for spots at given places: as spots that stand alone where these are far enough apart. `room` is the share of
+/// the spacing, 0..1, that is left to them in the direction in which the places suit their shape least.
 ///
 /// # Errors
 /// As [`ask`].
@@ -113,10 +112,10 @@ fn is_sparser(asked: &Attributes, reached: &Attributes) -> bool {
         Attributes::Spots(Spots { area, spacing: Some(spacing), .. }) => Some(area / (spacing * spacing)),
         _ => None,
     };
-    packing(asked).zip(packing(reached)).is_some_and(|(asked, reached)| asked < (1.0 - NOTICED) * reached)
+    packing(asked).zip(packing(reached)).is_some_and(|(asked, reached)| asked < (1.0 - TOLERANCE) * reached)
 }
 
-/// Spacing, px, that the system gives such spots by itself.
+/// The spacing of such spots, px, where it is left to the system.
 #[must_use]
 pub fn free_spacing(training: &Training, system: System, spots: &Spots) -> f64 {
     let free = Attributes::Spots(Spots { spacing: None, ..*spots });

@@ -1,4 +1,4 @@
-//! Cells taken by the marks of the layers beneath: stripes keep clear of them, and need room between them.
+//! Obstacle mask: the cells taken by the marks of the layers beneath. Stripes keep clear of them, and need room between them.
 
 use rayon::prelude::*;
 

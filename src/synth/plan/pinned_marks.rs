@@ -36,7 +36,7 @@ impl PinnedMark {
         let place = lookup.map.region_of(drawn.center);
         let mut most = most(lookup.system, &wanted);
         if lookup.map.spread_is_given() {
-            // The spread that was asked for bounds the drawn spots, too.
+            // The spread that was asked for limits the drawn spots, too.
             most = most.with(&lookup.map.region(place).spread, f64::min);
         }
         let larger = 1.0 + DEVIATIONS * most.area;

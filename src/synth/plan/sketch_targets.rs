@@ -1,4 +1,4 @@
-//! A layer's strokes → its marks → the region map.
+//! Sketch targets: the strokes of a layer → its marks → the region map of what is wanted.
 
 use crate::attributes::regions::RegionMap;
 use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
@@ -42,7 +42,7 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
     }
 }
 
-/// The region map of layer `index` on the document's own canvas, with the spread and the duty that its options say.
+/// The region map of layer `index` on the document's own canvas, with the spread and the duty of its options.
 ///
 /// # Errors
 /// As [`marks`].
@@ -64,8 +64,7 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Reg
     Ok(if apart { map.with_duty(layer.options.duty) } else { map })
 }
 
-/// The marks of layer `index` on a canvas of `size` px: at their places on the document's own, and where that is stretched,
-/// at the stretched places; no larger or smaller for it.
+/// The marks of layer `index` on a canvas of `size` px: their places stretch with the canvas, their sizes do not.
 ///
 /// # Errors
 /// As [`marks`].

@@ -1,8 +1,9 @@
-//! How far apart spots and lines begin, so that they end as far apart as asked.
+//! Spacing correction: how far apart spots and lines begin, so that they end as far apart as asked.
 //!
-//! Spots keep the places they begin at but for a per cent of the spacing, so the spacing can be measured before
-//! anything has grown: the nuclei are laid, measured as `docs/format.md` defines *spacing*, and laid again. So do lines:
-//! their crests are measured. What a system makes of its own distance is in the training rows, so that these are what is compared to.
+//! Spots move from their first places by a per cent of the spacing only, so the spacing can be measured before anything has
+//! grown: the nuclei are placed, measured as `docs/format.md` defines *spacing*, and placed again. The same holds for the
+//! crests of lines. How patterns differ from the distance of their system is in the training rows, so that the distances of
+//! the first places are compared to what was looked up.
 
 use crate::attributes::{Attributes, Stripes};
 use crate::marks::Ellipse;
@@ -10,24 +11,23 @@ use crate::measure::{Spot, Target, spot_errors, stripe_errors};
 use crate::rd::{Maps, initial_marks, nuclei};
 use crate::synth::plan::laid_out::Plan;
 
-/// Rounds of laying nuclei before they are laid to stay; a third changes nothing that the noise of a dozen spots would
-/// not hide.
+/// Rounds of correction. A third one changes less than the noise of a dozen spots.
 pub const ROUNDS: usize = 2;
-/// How far the pitch may leave the system's own: beyond it spots die or split (`pitch` 0.8 and 1.3 were tried).
+/// Range of the pitch ÷ the system's own: beyond it spots die or split (`pitch` 0.8 and 1.3 were tried).
 const PITCHES: [f64; 2] = [0.88, 1.2];
-/// Nuclei above which regions are so full that the law alone meets the spacing to a per cent.
+/// With more nuclei the law alone meets the spacing to a per cent.
 pub const MANY: usize = 20_000;
 
-/// What the system's own pitch is multiplied by, by region.
+/// Factors of the system's own pitch, by region.
 #[must_use]
 pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
     let layout = plan.lookup.map.layout();
     let mut pitch = vec![1.0; layout.len()];
     if plan.lookup.system.is_striped() {
-        // The wavelength of the others is their own.
+        // Other stripes have the wavelength of their system.
         let rounds = if plan.lookup.system.description().free_spacing { ROUNDS } else { 0 };
         for _ in 0..rounds {
-            let errors = crowding(plan, &pitch, seed);
+            let errors = wavelength_errors(plan, &pitch, seed);
             for (pitch, error) in pitch.iter_mut().zip(errors) {
                 *pitch = corrected(*pitch, error);
             }
@@ -47,9 +47,9 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
     pitch
 }
 
-/// By region, by how much farther apart the lines begin than the system's own distance (got ÷ own − 1).
-fn crowding(plan: &Plan, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
-    // What covers them counts later.
+/// By how much farther apart than the system's own distance the lines begin (got ÷ own − 1), by region.
+fn wavelength_errors(plan: &Plan, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
+    // Without the obstacles: only distances count here.
     let maps = Maps { obstacles: Vec::new(), ..plan.maps(pitch) };
     let crests = initial_marks(plan.lookup.system, &maps, seed);
     plan.on_canvas(|target| {
@@ -63,13 +63,13 @@ fn crowding(plan: &Plan, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
     })
 }
 
-/// The pitch that makes up for this error of the spacing (got ÷ wanted − 1).
+/// The pitch that compensates for this error of the spacing (got ÷ wanted − 1).
 #[must_use]
 pub fn corrected(pitch: f64, error: Option<f64>) -> f64 {
     error.map_or(pitch, |error| (pitch / (1.0 + error)).clamp(PITCHES[0], PITCHES[1]))
 }
 
-/// Spots of which only the places, cells, count.
+/// Spots at these places (cells), to measure distances; sizes and shapes do not matter.
 #[must_use]
 pub fn spots_at(plan: &Plan, places: &[[f64; 2]]) -> Vec<Spot> {
     let spot = |center: [f64; 2]| {

@@ -9,16 +9,15 @@ use crate::rd::{SpotLimits, System, Variation};
 /// The spread that will be grown instead of one that was asked, and why it differs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limited {
-    /// What can be had.
+    /// The spread that can be reached.
     pub spread: Spread,
-    /// What cannot, in words and numbers.
+    /// Why it differs, in words and numbers.
     pub notes: Vec<String>,
 }
 
-/// The aspects between which spots vary: below, the tensors reach too far; above, even the roundest are not.
+/// Range of the aspects of single spots: below, the stencils of the tensors reach too far; above, no grown spot is rounder.
 pub const ASPECTS: [f64; 2] = [0.27, 0.99];
-/// Aspects that vary on both sides of their mean by at most d have a standard deviation of at most this share of d:
-/// some nearer than the farthest there must be.
+/// Standard deviation of aspects that differ from their mean by at most d, ÷ d.
 const WITHIN: f64 = 0.6;
 /// area ÷ spacing² where the spacing is not known.
 const USUAL_DENSITY: f64 = 0.12;
@@ -44,30 +43,29 @@ pub fn most(system: System, wanted: &Spots) -> Spread {
         area: (SPREAD_AREA.high - most_area[1] * (packing - most_area[0]).max(0.0)).max(0.0),
         angle: (turn[0] * libm::pow(turn[1] / length, turn[2])).min(SPREAD_ANGLE.high),
         aspect: room,
-        // What long spots have by themselves, they may have.
+        // Never less than what long spots have by themselves.
         spacing: uneven.max(least_spacing(wanted)),
     }
 }
 
-/// Coefficient of variation of the distances of spots of which none was told to differ: the farther apart along their
-/// direction, the longer they are.
+/// Coefficient of variation of the distances of equal spots: long spots stand farther apart along their direction.
 ///
 /// A ring of neighbours drawn out by 1/√ρ along and √ρ across, of which the share [`STRETCHED`] is left, and [`EVEN`] on
 /// top: 0.12, 0.15, 0.17–0.19, 0.22, 0.24 were measured at aspect 0.8, 0.7, 0.6, 0.5, 0.4.
 fn least_spacing(wanted: &Spots) -> f64 {
-    const WAYS: usize = 64;
-    let squares = (0..WAYS).map(|k| {
-        let c = libm::cos(PI * k as f64 / WAYS as f64);
+    const DIRECTIONS: usize = 64;
+    let squares = (0..DIRECTIONS).map(|k| {
+        let c = libm::cos(PI * k as f64 / DIRECTIONS as f64);
         c * c / wanted.aspect + (1.0 - c * c) * wanted.aspect
     });
     let (sum, square) = squares.fold((0.0, 0.0), |(sum, square), one| (sum + one.sqrt(), square + one));
-    let (mean, square) = (sum / WAYS as f64, square / WAYS as f64);
+    let (mean, square) = (sum / DIRECTIONS as f64, square / DIRECTIONS as f64);
     let stretched = STRETCHED * STRETCHED * (square / (mean * mean) - 1.0).max(0.0);
     (stretched + EVEN * EVEN).sqrt()
 }
 
-/// What of `asked` can be had of spots that are `wanted` on the mean. That they vary more by themselves is told where it
-/// was `given` as a number.
+/// The part of the spread `asked` that spots can have which are `wanted` on the mean. That they vary more by themselves is
+/// noted where the spread was `given` as a number.
 #[must_use]
 pub fn limited(system: System, wanted: &Spots, asked: &Spread, given: bool) -> Limited {
     let most = most(system, wanted);
@@ -78,23 +76,23 @@ pub fn limited(system: System, wanted: &Spots, asked: &Spread, given: bool) -> L
     {
         let shown =
             |value: f64| if name == "angle" { format!("{value:.0}°") } else { format!("{value:.2}") };
-        let (said, most_said, least_said) = (shown(asked), shown(most), shown(least));
-        if asked > most && said != most_said {
+        let (asked_shown, most_shown, least_shown) = (shown(asked), shown(most), shown(least));
+        if asked > most && asked_shown != most_shown {
             let why =
                 if name == "aspect" { "which fits around their mean" } else { "which keeps them apart" };
             notes.push(format!(
-                "the {name} of spots varies by {said}, more than the {most_said} {why}; growing at {most_said}"
+                "the {name} of spots varies by {asked_shown}, more than the {most_shown} {why}; growing at {most_shown}"
             ));
-        } else if given && asked > 0.0 && asked < least && said != least_said {
+        } else if given && asked > 0.0 && asked < least && asked_shown != least_shown {
             notes.push(format!(
-                "the {name} of spots varies by {said}, less than the {least_said} that such spots have by themselves"
+                "the {name} of spots varies by {asked_shown}, less than the {least_shown} that such spots have by themselves"
             ));
         }
     }
     Limited { spread: asked.with(&most, f64::min), notes }
 }
 
-/// How much spots vary of which none was told to differ, but for their spacing; measured on patches of 130 and 200.
+/// How much equal spots vary by themselves, except in their spacing; measured on patches of 130 and 200.
 ///
 /// Shape and direction are one vector −ln aspect · (cos 2θ, sin 2θ), whose noise is the same for all aspects.
 #[must_use]
@@ -109,7 +107,7 @@ pub fn by_itself(system: System, wanted: &Spots) -> Spread {
     }
 }
 
-/// Standard deviation that is to be added for a total of `asked` where there is `own`.
+/// Standard deviation to be added to `own` for a total of `asked`.
 #[must_use]
 pub fn beyond(asked: f64, own: f64) -> f64 {
     (asked * asked - own * own).max(0.0).sqrt()
