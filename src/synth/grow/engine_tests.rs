@@ -1,4 +1,4 @@
-//! The engine: what it promises to whoever drives it.
+//! The engine: the pattern does not depend on how it is advanced or read.
 
 use super::*;
 use crate::document::Document;

@@ -136,7 +136,7 @@ impl Counts {
             ),
         ];
         let lost: usize = reasons.iter().map(|(n, ..)| n).sum();
-        let said: Vec<String> = reasons
+        let parts: Vec<String> = reasons
             .iter()
             .filter(|(n, ..)| *n > 0)
             .map(
@@ -146,7 +146,7 @@ impl Counts {
             )
             .collect();
         let kept = self.drawn - lost;
-        (lost > 0).then(|| format!("{kept} of {} drawn marks kept: {}", self.drawn, said.join(", ")))
+        (lost > 0).then(|| format!("{kept} of {} drawn marks kept: {}", self.drawn, parts.join(", ")))
     }
 }
 

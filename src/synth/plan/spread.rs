@@ -35,7 +35,7 @@ pub struct Varied {
 
 /// Rounds of repulsion after which spots have the room that they need.
 const ROOM_ROUNDS: usize = 30;
-/// Pushed apart from this distance on, in pitches: the first ring of neighbours, as where spots are laid.
+/// Spots nearer than this are pushed apart, in pitches: the first ring of neighbours, as for nuclei.
 const ROOM_REACH: f64 = 1.25;
 /// Once jittered, only spots nearer than this share of the pitch are pushed apart, in so many rounds. Nearer ones merge
 /// or die: of 200 dense spots (area/spacing² 0.19) five were lost at 0.75, none at 0.85.
@@ -61,15 +61,15 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
     let mut jitter = vec![Jitter::default(); regions];
     if plan.places().is_some() {
         // Given places are not corrected.
-        return Some(Laid::new(plan, &pitch, &jitter, seed).varied(plan, &pitch));
+        return Some(Placed::new(plan, &pitch, &jitter, seed).varied(plan, &pitch));
     }
     let mut round = 0;
     loop {
-        let laid = Laid::new(plan, &pitch, &jitter, seed);
-        if round == ROUNDS || laid.places.len() > MANY {
-            return Some(laid.varied(plan, &pitch));
+        let placed = Placed::new(plan, &pitch, &jitter, seed);
+        if round == ROUNDS || placed.places.len() > MANY {
+            return Some(placed.varied(plan, &pitch));
         }
-        let spots = spots_at(plan, &laid.places);
+        let spots = spots_at(plan, &placed.places);
         let found = plan.on_canvas(|target| spot_errors(&spots, target));
         for (index, found) in found.iter().enumerate() {
             pitch[index] = corrected(pitch[index], found.spacing);
@@ -104,7 +104,7 @@ impl Jitter {
 }
 
 /// Spots in their places, cells.
-struct Laid {
+struct Placed {
     maps: Maps,
     places: Vec<[f64; 2]>,
     /// How the parameters of each differ from those of its region.
@@ -113,7 +113,7 @@ struct Laid {
     own: Vec<Parameters>,
 }
 
-impl Laid {
+impl Placed {
     fn new(plan: &Plan, pitch: &[f64], jitter: &[Jitter], seed: u64) -> Self {
         let lookup = &plan.lookup;
         let maps = plan.maps(pitch);

@@ -153,9 +153,9 @@ mod tests {
     fn that_long_spots_stand_unevenly_is_told_where_a_number_was_given() {
         let asked = Spread { spacing: 0.1, ..Spread::ZERO };
         let notes = |given| limited(System::MEINHARDT_SPOTS, &spots(0.5, 0.1), &asked, given).notes;
-        let told =
+        let note =
             "the spacing of spots varies by 0.10, less than the 0.21 that such spots have by themselves";
-        assert_eq!((notes(true), notes(false)), (vec![told.to_owned()], Vec::new()));
+        assert_eq!((notes(true), notes(false)), (vec![note.to_owned()], Vec::new()));
     }
 
     #[test]

@@ -21,7 +21,7 @@ const COVERED: f64 = 0.9;
 pub struct Stayed {
     /// Drawn marks of the region.
     pub drawn: usize,
-    /// Those that were kept.
+    /// Those that were pinned.
     pub kept: usize,
     /// Of these, how many are off: spots by more than a quarter of their radius √(r₁r₂), lines of which less than nine
     /// tenths lie in a stripe.
@@ -37,7 +37,7 @@ impl Stayed {
         self.farthest = self.farthest.max(far);
     }
 
-    /// What there is to say, of lines or of spots.
+    /// A note on lines or spots that are off.
     #[must_use]
     pub fn note(&self, lines: bool) -> Option<String> {
         let Self { kept, off, farthest, .. } = self;

@@ -13,7 +13,7 @@ use crate::synth::plan::inside;
 use crate::synth::report::pinned;
 use crate::synth::report::pinned::Stayed;
 
-/// What there is to say about a region of a grown layer. Lengths are px.
+/// The report of a region of a grown layer. Lengths are px.
 #[derive(Clone, Debug)]
 pub struct RegionReport {
     /// Column and row.
@@ -24,7 +24,7 @@ pub struct RegionReport {
     pub asked: Attributes,
     /// Does the direction of its stripes mean anything? Lines round marks, or between them, run as these let them.
     pub directed: bool,
-    /// What the simulation was told, by name; in cells, with `cell`, px a cell.
+    /// Parameters of the simulation by name, in cells; and `cell`, px a cell.
     pub parameters: Vec<(&'static str, f64)>,
     /// What the rows say that grows.
     pub predicted: Attributes,
@@ -39,7 +39,7 @@ pub struct RegionReport {
     pub kept: Option<Stayed>,
     /// What cannot be reached, and where the nearest lies.
     pub beyond: Vec<Note>,
-    /// All that there is to say, as sentences; those of `beyond` among them.
+    /// All notes as sentences, including those of `beyond`.
     pub notes: Vec<String>,
 }
 
