@@ -38,7 +38,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         let targets = Targets::read(&document, index, &source, size, beneath.as_ref())?;
         let plan = targets.look_up(&training).map_err(|error| Error::grown(error.into()))?;
         text += &reach(&plan, index);
-        let too_large = memory::check(plan.system, size, plan.grid).err();
+        let too_large = memory::check(plan.system, size, plan.grid.size).err();
         let mut notes: Vec<String> =
             too_large.iter().map(|error| format!("cannot be grown on this machine: {error}")).collect();
         notes.extend(beneath.as_ref().and_then(|beneath| plan.expected_room(beneath)));
@@ -76,14 +76,14 @@ fn layer_json(layer: &Layer, plan: &Lookup, notes: &[String]) -> Value {
     let drawn: Map<String, Value> =
         counts(layer).into_iter().map(|(name, n)| (name.replace(' ', "_"), json!(n))).collect();
     json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible, "drawn": drawn,
-        "system": plan.system.name(), "cell": plan.px_a_cell(), "grid": plan.grid, "regions": regions,
+        "system": plan.system.name(), "cell": plan.px_a_cell(), "grid": plan.grid.size, "regions": regions,
         "notes": notes})
 }
 
 /// What would be grown, and for each region what was asked and what cannot be met.
 fn reach(plan: &Lookup, index: usize) -> String {
     let layout = plan.map.layout();
-    let [nx, ny] = plan.grid;
+    let [nx, ny] = plan.grid.size;
     let mut text = format!(
         "layer {}: grown by {} on {nx} × {ny} cells of {:.2} px\n",
         index + 1,

@@ -75,7 +75,7 @@ impl Needs {
             let targets = Targets::read(document, index, source, size.map(side), beneath.as_ref()).ok()?;
             let lookup = targets.look_up(training).ok()?;
             let system = lookup.system;
-            let whole = lookup.grid.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
+            let whole = lookup.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
             memory::check(system, size.map(f64::from), whole).ok()?;
             needs.bytes = needs.bytes.max(memory::needed(system, size.map(f64::from), whole));
             let plan = lookup.rough(Vec::new());

@@ -22,8 +22,8 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
     let size = document.size.map(f64::from);
     let below = beneath.last().map(|layer| &layer.plan.lookup);
     let lookup = Targets::read(document, index, "", size, below).ok()?.look_up(training).ok()?;
-    memory::check(lookup.system, size, lookup.grid).ok()?;
-    let obstacles = obstacles(document, beneath, lookup.grid);
+    memory::check(lookup.system, size, lookup.grid.size).ok()?;
+    let obstacles = obstacles(document, beneath, lookup.grid.size);
     let plan = lookup.rough(obstacles);
     // At the system's own distance: correcting the spacing takes several times as long.
     let maps = plan.unpitched_maps();

@@ -118,8 +118,8 @@ impl Cascade<'_> {
         watch.step(Stage::Plan, 0.0)?;
         let targets = Targets::read(document, index, source, size, below.map(|layer| &layer.plan.lookup))?;
         let lookup = targets.look_up(training)?;
-        memory::check(lookup.system, size, lookup.grid)?;
-        let obstacles = obstacles(document, beneath, lookup.grid);
+        memory::check(lookup.system, size, lookup.grid.size)?;
+        let obstacles = obstacles(document, beneath, lookup.grid.size);
         let spots = below.map_or(&[][..], |layer| layer.measured.spots());
         let seed = document.layer_seed(index);
         let plan = self.corrected(lookup)?.lay_out(Surroundings { obstacles, spots }, seed);

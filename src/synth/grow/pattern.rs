@@ -33,7 +33,7 @@ impl<'a> Pattern<'a> {
     /// Cells along x and y of the planned grid.
     #[must_use]
     pub fn grid(&self) -> [usize; 2] {
-        self.lookup.grid
+        self.lookup.grid.size
     }
 
     /// The concentration as a share of the local peak, at `width` × `height` px: the input of [`Self::levelled`].

@@ -88,7 +88,8 @@ pub fn refine(
     correct: bool,
     watch: &Watch,
 ) -> Result<Measured, Cancelled> {
-    let size = [0, 1].map(|axis| size[axis].min((FINER * plan.lookup.grid[axis] as f64).ceil() as usize));
+    let size =
+        [0, 1].map(|axis| size[axis].min((FINER * plan.lookup.grid.size[axis] as f64).ceil() as usize));
     watch.step(Stage::Refine, 0.0)?;
     let concentration = pattern.concentration(size);
     let ruler = Ruler::new(plan);

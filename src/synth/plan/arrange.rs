@@ -45,7 +45,7 @@ impl Corrected {
                     if !has_room(&lookup, &obstacles) {
                         return Err(LayOutError::NoRoom);
                     }
-                    obstacles = with_rim(&obstacles, &lookup.grid_of_cells());
+                    obstacles = with_rim(&obstacles, &lookup.grid);
                 }
                 let (arrangement, notes) = arrange_pinned(&lookup, &obstacles, marks);
                 lookup.remarks.iter_mut().zip(notes).for_each(|(remarks, note)| remarks.extend(note));
@@ -102,7 +102,7 @@ fn lay_curves(
     broken: f64,
     seed: u64,
 ) -> Result<Curves, LayOutError> {
-    let grid = lookup.grid_of_cells();
+    let grid = lookup.grid;
     let nothing = vec![false; grid.cells()];
     let obstacles = if obstacles.is_empty() { &nothing } else { obstacles };
     let width = line_widths(&lookup.map, &grid);

@@ -1,6 +1,6 @@
 //! Last stage of a plan: ready to grow.
 
-use crate::grid::Field;
+use crate::grid::{Domain, Field};
 use crate::marks::Line;
 use crate::measure::Target;
 use crate::rd::Maps;
@@ -81,9 +81,8 @@ impl Plan {
 
     /// Have marks of the layers beneath taken this place, px?
     fn is_taken(&self, point: [f64; 2]) -> bool {
-        let Lookup { cell, grid, .. } = &self.lookup;
-        let cell = |axis: usize| ((point[axis] / cell[axis]).max(0.0) as usize).min(grid[axis] - 1);
-        self.obstacles.get(cell(1) * grid[0] + cell(0)).copied().unwrap_or(false)
+        let grid = &self.lookup.grid;
+        self.obstacles.get(grid.cell_at(grid.to_cells(point))).copied().unwrap_or(false)
     }
 
     /// Calls `measure` with the canvas that patterns are compared to: its regions, and what is wanted where.
@@ -101,9 +100,9 @@ impl Plan {
     /// The concentration `marks` as a share of the peak nearby, where lines run along curves.
     #[must_use]
     pub fn levelled(&self, mut marks: Field) -> Field {
-        let on_plan = [marks.width, marks.height] == self.lookup.grid;
+        let on_plan = [marks.width, marks.height] == self.lookup.grid.size;
         if let Some(curves) = self.curves().filter(|_| on_plan) {
-            let grid = self.lookup.grid_of_cells();
+            let grid = self.lookup.grid;
             marks.values = curves.levelled(&marks.values, &grid, &line_widths(&self.lookup.map, &grid));
         }
         marks

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::document::SystemChoice;
-use crate::grid::Grid;
+use crate::grid::{Domain, Grid};
 use crate::learn::Answer;
 use crate::marks::Mark;
 use crate::rd::{Maps, Parameters, Seeding, System};
@@ -41,10 +41,8 @@ pub struct Lookup {
     pub system: System,
     /// What is wanted where; free spacings filled in. Its canvas is the one that is grown.
     pub map: RegionMap,
-    /// px a cell, along x and y.
-    pub cell: [f64; 2],
-    /// Cells along x and y.
-    pub grid: [usize; 2],
+    /// The grid over the canvas.
+    pub grid: Grid,
     /// Parameters (in cells) at every place.
     pub lattice: Lattice,
     /// What was looked up for each region, lengths in px but parameters in cells.
@@ -119,10 +117,11 @@ impl Lookup {
         ask: Ask,
     ) -> Result<Self, PlanError> {
         let wanted = wanted(&map);
-        let size = map.layout().size;
-        let grid = size.map(|side| ((side / cell).round() as usize).max(8));
-        let exact = [size[0] / grid[0] as f64, size[1] / grid[1] as f64];
-        let cell = (exact[0] * exact[1]).sqrt();
+        let layout = map.layout();
+        let size = layout.size.map(|side| ((side / cell).round() as usize).max(8));
+        let exact = [0, 1].map(|axis| layout.size[axis] / size[axis] as f64);
+        let grid = Grid { size, cell: exact, edges: layout.edges };
+        let cell = grid.px_a_cell();
 
         let answers = wanted.iter().map(|wanted| ask(wanted, cell)).collect::<Result<Vec<_>, _>>()?;
         let mut remarks = vec![Vec::new(); wanted.len()];
@@ -136,19 +135,7 @@ impl Lookup {
         }
         let lattice = Lattice::looked_up(&map, cell, &vec![Offset::default(); wanted.len()], ask)?;
         let (irregular, seeding) = (0.0, Seeding::Noise);
-        Ok(Self {
-            system,
-            map,
-            cell: exact,
-            grid,
-            lattice,
-            answers,
-            remarks,
-            irregular,
-            seeding,
-            start,
-            spreads,
-        })
+        Ok(Self { system, map, grid, lattice, answers, remarks, irregular, seeding, start, spreads })
     }
 
     /// The same with marks that stay where they were drawn, px.
@@ -175,19 +162,13 @@ impl Lookup {
     /// px a cell; cells are nearly square.
     #[must_use]
     pub fn px_a_cell(&self) -> f64 {
-        (self.cell[0] * self.cell[1]).sqrt()
-    }
-
-    /// The grid over the canvas.
-    #[must_use]
-    pub fn grid_of_cells(&self) -> Grid {
-        Grid { size: self.grid, cell: self.cell, edges: self.map.layout().edges }
+        self.grid.px_a_cell()
     }
 
     /// A point of the grid, cells, on the canvas, px.
     #[must_use]
     pub fn to_px(&self, at: [f64; 2]) -> [f64; 2] {
-        [at[0] * self.cell[0], at[1] * self.cell[1]]
+        self.grid.to_px(at)
     }
 
     /// Points of the grid, cells, on the canvas, px.
@@ -199,7 +180,7 @@ impl Lookup {
     /// Points of the canvas, px, on the grid, cells.
     #[must_use]
     pub fn all_to_cells(&self, at: &[[f64; 2]]) -> Vec<[f64; 2]> {
-        at.iter().map(|at| [0, 1].map(|axis| at[axis] / self.cell[axis])).collect()
+        at.iter().map(|at| self.grid.to_cells(*at)).collect()
     }
 
     /// How much the spots of region `index` will vary.
@@ -234,19 +215,19 @@ impl Lookup {
     /// region of `map`; `obstacles` are the cells taken by marks beneath, empty = none.
     #[must_use]
     pub fn maps(&self, pitch: &[f64], obstacles: &[bool]) -> Maps {
-        let [nx, ny] = self.grid;
+        let cells = self.grid.cells();
         let uniform = self.lattice.nodes.len() == 1 && pitch.len() == 1;
         let parameters = if uniform {
-            vec![self.with_tensor_of_seeding(self.lattice.nodes[0].parameters(pitch[0])); nx * ny]
+            vec![self.with_tensor_of_seeding(self.lattice.nodes[0].parameters(pitch[0])); cells]
         } else {
             let at = |cell: usize| {
-                let point = self.to_px([(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5]);
+                let point = self.grid.center_px(cell);
                 let pitch = self.between_regions(pitch, point);
                 self.with_tensor_of_seeding(self.lattice.at(point).parameters(pitch))
             };
-            (0..nx * ny).into_par_iter().map(at).collect()
+            (0..cells).into_par_iter().map(at).collect()
         };
-        Maps { obstacles: obstacles.to_vec(), ..Maps::new(self.grid_of_cells(), parameters) }
+        Maps { obstacles: obstacles.to_vec(), ..Maps::new(self.grid, parameters) }
     }
 
     /// Parameters without a tensor where the seeding makes the direction of stripes.

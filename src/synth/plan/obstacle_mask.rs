@@ -18,7 +18,7 @@ pub fn with_rim(obstacles: &[bool], grid: &Grid) -> Vec<bool> {
 /// Do the stripes fit anywhere between the obstacles: is a place as far from these as half a stripe is wide?
 #[must_use]
 pub fn has_room(lookup: &Lookup, obstacles: &[bool]) -> bool {
-    let grid = lookup.grid_of_cells();
+    let grid = lookup.grid;
     let Some(ways) = nearest(obstacles, &grid) else { return true };
     (0..grid.cells()).into_par_iter().any(|cell| {
         let Attributes::Stripes(wanted) = lookup.map.at(grid.center_px(cell)) else { return false };

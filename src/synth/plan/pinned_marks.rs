@@ -67,8 +67,8 @@ impl PinnedMark {
     pub fn among_others(&self, lookup: &Lookup, pitch: &[f64]) -> rd::PinnedSpot {
         let (_, own) = own_parameters(lookup, self.drawn.center, pitch, &self.deviation);
         let at = [0, 1].map(|axis| {
-            let end = lookup.grid[axis] as f64 * (1.0 - 1e-12);
-            (self.drawn.center[axis] / lookup.cell[axis]).clamp(0.0, end)
+            let end = lookup.grid.size[axis] as f64 * (1.0 - 1e-12);
+            (self.drawn.center[axis] / lookup.grid.cell[axis]).clamp(0.0, end)
         });
         rd::PinnedSpot { at, own, near: nearest(lookup, self.drawn.center) }
     }

@@ -148,9 +148,8 @@ impl Placed {
         let Self { maps, places, offsets, own } = self;
         let lookup = &plan.lookup;
         let largest = largest_mark(lookup.system, &maps);
-        let nx = lookup.grid[0];
         let vary = |cell: usize, offset: [f64; 3]| {
-            let point = lookup.to_px([(cell % nx) as f64 + 0.5, (cell / nx) as f64 + 0.5]);
+            let point = lookup.grid.center_px(cell);
             lookup.lattice.at(point).plus(offset).parameters(lookup.between_regions(pitch, point))
         };
         let parameters = rd::interpolate_parameters(lookup.system, &maps, &places, &own, &offsets, &vary);

@@ -129,7 +129,7 @@ impl<'a> Morph<'a> {
     fn begin(&mut self, watch: &Watch) -> Result<(), GrowError> {
         let plan = self.plan(0.0)?;
         let lookup = &plan.lookup;
-        memory::check(lookup.system, lookup.map.layout().size, lookup.grid)?;
+        memory::check(lookup.system, lookup.map.layout().size, lookup.grid.size)?;
         let mut engine = Engine::new(&plan, self.documents[0].layer_seed(0));
         let started = Instant::now();
         settle(&mut engine, watch)?;

@@ -72,7 +72,7 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         name: document.layers[index].name.clone(),
         system: lookup.system.name(),
         cell: lookup.px_a_cell(),
-        grid: lookup.grid,
+        grid: lookup.grid.size,
         steps: layer.steps,
         settled: layer.settled,
         regions: regions(document, index, layer),

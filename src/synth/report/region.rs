@@ -107,7 +107,7 @@ struct SpreadEntry {
 #[must_use]
 pub fn regions(document: &Document, index: usize, layer: &GrownLayer) -> Vec<RegionReport> {
     let plan = &layer.plan;
-    let [nx, ny] = plan.lookup.grid;
+    let [nx, ny] = plan.lookup.grid.size;
     let stayed = pinned::stayed(plan, &layer.measured, &|| layer.pattern().field(nx, ny));
     let mut remarks = plan.lookup.remarks.clone();
     if let (Some(places), Some(below)) = (plan.places(), index.checked_sub(1)) {

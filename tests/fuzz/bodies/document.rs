@@ -44,12 +44,12 @@ fn is_planned(document: &Document) {
             Ok(plan) => plan,
             Err(error) => return assert!(!error.to_string().is_empty()),
         };
-        assert!(plan.grid.iter().all(|cells| *cells > 0), "{:?}", plan.grid);
+        assert!(plan.grid.size.iter().all(|cells| *cells > 0), "{:?}", plan.grid.size);
         assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0);
         for answer in &plan.answers {
             assert!(answer.parameters.named().iter().all(|(_, value)| value.is_finite()), "{answer:?}");
         }
-        if let Err(error) = memory::check(plan.system, document.size.map(f64::from), plan.grid) {
+        if let Err(error) = memory::check(plan.system, document.size.map(f64::from), plan.grid.size) {
             assert!(error.needed.is_finite());
         }
         beneath = Some(plan);
