@@ -1,4 +1,4 @@
-//! Choosing a file: the system's own dialog where it has one, else ours.
+//! File dialogs: the system's where it has one, else our own.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,14 +7,14 @@ use egui::{Button, Key, ScrollArea, TextEdit, Ui, vec2};
 
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 
-/// What the file is wanted for.
+/// What a file is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// A document to open.
     Open,
     /// Where to save the document.
     Save,
-    /// Where to write an export: the endings that it may have, the usual one first.
+    /// Where to write an export: the allowed file name endings, the default first.
     Export(&'static [&'static str]),
     /// The folder to write an export into.
     ExportInto,
@@ -22,9 +22,9 @@ pub enum Purpose {
     Become,
     /// A drawing that becomes a document.
     Import,
-    /// A picture to lie under the canvas.
+    /// A picture to draw over.
     Reference,
-    /// Colours to take.
+    /// Colours for the active layer.
     Palette,
     /// Where to write colours.
     PaletteTo,
@@ -74,27 +74,27 @@ impl Purpose {
     }
 }
 
-/// What came of it.
+/// The state of a dialog.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Choice {
-    /// This one.
+    /// This file was chosen.
     Chosen(PathBuf),
-    /// None.
+    /// It was closed without a choice.
     Nothing,
-    /// It is still being chosen.
+    /// It is open.
     Waiting,
 }
 
-/// A file being chosen.
+/// A file dialog.
 pub struct Chooser {
-    /// What for.
+    /// What the file is for.
     pub purpose: Purpose,
     /// The system's dialog; without one, our own is shown.
     system: Option<Task<Option<PathBuf>>>,
     folder: PathBuf,
     name: String,
     entries: Vec<(String, bool)>,
-    /// The file that would be replaced: asked about once.
+    /// The existing file that the user was asked about: the next choice of it replaces it.
     replaces: Option<PathBuf>,
     fresh: bool,
 }
@@ -128,7 +128,7 @@ impl Chooser {
         self.system.is_none()
     }
 
-    /// What the system's dialog says by now.
+    /// The state of the system's dialog; never waits.
     pub fn listen(&mut self) -> Choice {
         let Some(task) = &mut self.system else { return Choice::Waiting };
         match task.poll() {
@@ -158,7 +158,7 @@ impl Chooser {
         self.list();
     }
 
-    /// Our own dialog's inside.
+    /// Shows the contents of our own dialog.
     pub fn ui(&mut self, ui: &mut Ui) -> Choice {
         ui.set_width(480.0);
         ui.heading(self.purpose.title());
@@ -244,7 +244,7 @@ impl Chooser {
         chosen
     }
 
-    /// The path that stands there: a whole one may be typed.
+    /// The path of the typed name, which may be a whole path.
     fn path(&self) -> PathBuf {
         self.with_ending(self.folder.join(self.name.trim()))
     }
@@ -279,7 +279,7 @@ impl Chooser {
     }
 }
 
-/// On Linux a dialog needs the session's bus; without one the call would come back silently.
+/// Whether the system has a file dialog. On Linux it needs the session bus; without one the call returns at once.
 fn has_system_dialog() -> bool {
     if !cfg!(target_os = "linux") {
         return true;

@@ -1,4 +1,4 @@
-//! Examples, as a menu of pictures.
+//! The examples: documents inside the program, shown as pictures to choose from.
 
 use egui::{
     Button, ColorImage, Grid, Image, Label, RichText, ScrollArea, TextureHandle, TextureOptions, Ui, vec2,
@@ -9,11 +9,11 @@ use crate::editor::task::{Task, Tasks, Worker};
 
 /// An example.
 pub struct Example {
-    /// Its file's name without the ending.
+    /// Its file name without the ending.
     pub name: &'static str,
     /// Its document.
     pub text: &'static str,
-    /// A picture of what grows from it.
+    /// A picture of its texture, PNG.
     pub picture: &'static [u8],
 }
 
@@ -27,7 +27,7 @@ macro_rules! documents {
     };
 }
 
-/// Drawn freely, in the order of the menu.
+/// Free examples, in the order of the page.
 pub const EXAMPLES: &[Example] = documents![
     "":
     "cheetah-run",
@@ -58,7 +58,7 @@ pub const EXAMPLES: &[Example] = documents![
     "tile-waves",
 ];
 
-/// Drawn after the figures of the papers.
+/// Examples drawn after figures of the papers.
 pub const GALLERY: &[Example] = documents![
     "gallery/":
     "phan-grimm-01a-turned-dots",
@@ -157,7 +157,7 @@ impl Gallery {
     }
 }
 
-/// Pictures in a row.
+/// Pictures a row.
 const COLUMNS: usize = 6;
 
 fn cards(ui: &mut Ui, examples: &[Example], textures: &[TextureHandle]) -> Option<Action> {

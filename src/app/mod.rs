@@ -1,4 +1,4 @@
-//! The window: draw, and it grows. All of the window toolkit lives in this room.
+//! The window, in which the texture grows while the sketch is drawn. Only this room knows the window toolkit.
 //!
 //! ```text
 //!  pointer, keys ─▶ canvas ─▶ session (document, selection, history) ─▶ growth (a thread) ─▶ texture
@@ -38,6 +38,7 @@ mod window;
 
 pub use crate::editor::selection::{Place, Selection};
 pub use crate::editor::session::Session;
+pub use crate::editor::task::Spawn;
 pub use crate::editor::units::{Ruler, Units};
 pub use action::{Action, Page, Tab};
 pub use alternatives::{Alternative, Alternatives, small};
@@ -55,22 +56,20 @@ use std::path::PathBuf;
 
 use egui::IconData;
 
-use crate::editor::task::Spawn;
-
-/// Why no window was opened.
+/// Why the window could not be opened.
 #[derive(Debug, thiserror::Error)]
 pub enum OpenError {
-    /// There is nothing to show it on.
+    /// There is no display.
     #[error("there is no display to open a window on; allowed without one: dapple grow FILE -o OUT.png")]
     NoDisplay,
-    /// The display or the graphics card does not do it.
+    /// The window system or the graphics card refused: why.
     #[error("the window could not be opened: {0}; without one: dapple grow FILE -o OUT.png")]
     Refused(String),
 }
 
-/// Opens the window, with a document if there is one, and stays until it is closed.
+/// Opens the window, with the document `file` if there is one, and returns when it is closed.
 ///
-/// `DAPPLE_TRACE=FILE` writes down how long each frame took.
+/// `DAPPLE_TRACE=FILE` writes the time of each frame to a file.
 ///
 /// # Errors
 /// Where there is no display.
@@ -78,7 +77,7 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
     if !has_display() {
         return Err(OpenError::NoDisplay);
     }
-    let settings = Settings::of_user();
+    let settings = Settings::for_user();
     let options = eframe::NativeOptions {
         viewport: window::placed(&settings.layout)
             .with_title("dapple")
@@ -99,13 +98,13 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
         .map_err(|error| OpenError::Refused(reason(&error.to_string())))
 }
 
-/// What the window system said, without the place in its source that it says first.
+/// The message of the window system without its source file and line.
 fn reason(said: &str) -> String {
     let after = said.rsplit_once(".rs:").and_then(|(_, place)| place.split_once(": "));
     after.map_or(said, |(_, reason)| reason).to_owned()
 }
 
-/// What the window manager shows; the picture is whole, so that the empty one never stands.
+/// The icon for the window manager. The picture is part of the program and can always be decoded.
 fn icon() -> IconData {
     eframe::icon_data::from_png_bytes(include_bytes!("../../assets/icon/dapple.png")).unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! What has to be said: read, copied, put away.
+//! Messages to the user, in the lower middle of the window.
 
 use std::path::{Path, PathBuf};
 
@@ -8,47 +8,46 @@ pub use crate::document::with_causes;
 
 use super::theme::Palette;
 
-/// Notices that are not put away yet.
+/// The notices that are shown.
 #[derive(Default)]
 pub struct Notices {
     all: Vec<Notice>,
-    /// When the last thing that was done was first seen, seconds.
+    /// When the last notice of success was first shown, seconds.
     seen: Option<f64>,
 }
 
-/// Something that has to be said.
+/// A message to the user.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Notice {
-    /// What.
+    /// The message.
     pub text: String,
-    /// Did something go wrong?
+    /// Whether it reports an error.
     pub wrong: bool,
-    /// The file or folder that it is about.
+    /// The file or folder that it is about, which *Show* opens.
     pub place: Option<PathBuf>,
 }
 
-/// Notices that are shown at most; the oldest go.
+/// Most notices at a time; the oldest are removed.
 const MOST: usize = 4;
-/// Seconds after which nobody needs to be told any more what was done.
+/// Seconds for which a notice of success is shown.
 const DONE: f64 = 4.0;
-/// The same where there is something to be looked at.
+/// The same where it has a file or folder to open.
 const WRITTEN: f64 = 15.0;
 
 impl Notices {
-    /// Something went wrong.
+    /// Reports an error; it stays until the user removes it.
     pub fn wrong(&mut self, text: impl Into<String>) {
         self.push(Notice { text: text.into(), wrong: true, place: None });
     }
 
-    /// Something was done.
+    /// Reports success; it replaces the last such notice.
     pub fn done(&mut self, text: impl Into<String>) {
-        // What was done is known by the next thing that is.
         self.all.retain(|notice| notice.wrong);
         self.seen = None;
         self.push(Notice { text: text.into(), wrong: false, place: None });
     }
 
-    /// A file or a folder was written.
+    /// Reports that a file or folder was written.
     pub fn written(&mut self, place: &Path, text: impl Into<String>) {
         self.done(text);
         if let Some(notice) = self.all.last_mut() {
@@ -64,13 +63,13 @@ impl Notices {
         }
     }
 
-    /// All of them, the oldest first.
+    /// All notices, the oldest first.
     #[must_use]
     pub fn all(&self) -> &[Notice] {
         &self.all
     }
 
-    /// Shows them in the lower middle.
+    /// Shows them.
     pub fn ui(&mut self, ctx: &Context) {
         if self.all.iter().any(|notice| !notice.wrong) {
             let now = ctx.time();
@@ -102,14 +101,11 @@ impl Notices {
                                 ctx.copy_text(notice.text.clone());
                             }
                             if let Some(place) = &notice.place
-                                && ui
-                                    .button("Show")
-                                    .on_hover_text("Show the folder in which it lies")
-                                    .clicked()
+                                && ui.button("Show").on_hover_text("Show its folder").clicked()
                             {
                                 show_folder(place);
                             }
-                            if ui.button("OK").on_hover_text("Put this notice away").clicked() {
+                            if ui.button("OK").on_hover_text("Remove this notice").clicked() {
                                 away = Some(index);
                             }
                         });

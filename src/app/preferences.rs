@@ -1,4 +1,4 @@
-//! How dapple shall be: for all documents, remembered.
+//! The page of preferences: settings for all documents.
 
 use std::thread;
 
@@ -9,7 +9,7 @@ use super::settings::Settings;
 use crate::document::limits;
 use crate::editor::units::{Ruler, Units};
 
-/// The page. What is changed counts at once.
+/// Shows the page. Changes take effect at once.
 pub fn page(ui: &mut Ui, settings: &mut Settings) {
     ui.set_width(430.0);
     ui.heading("Preferences");

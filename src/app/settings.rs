@@ -67,7 +67,7 @@ impl Default for Settings {
 impl Settings {
     /// Reads the user's settings; without a folder for them, nothing is remembered.
     #[must_use]
-    pub fn of_user() -> Self {
+    pub fn for_user() -> Self {
         folder().map_or_else(Self::default, |folder| Self::read(&folder.join("settings")))
     }
 

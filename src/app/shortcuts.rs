@@ -1,4 +1,4 @@
-//! Keys, and the page that lists them.
+//! Keyboard shortcuts, and the page that lists them.
 
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, ScrollArea, Ui, vec2};
 
@@ -9,15 +9,15 @@ use crate::editor::layer_action::LayerAction;
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = CTRL.plus(Modifiers::SHIFT);
 
-/// A key, what it does, and in which group of the page it stands.
+/// A keyboard shortcut.
 pub struct Shortcut {
     /// The keys.
     pub keys: KeyboardShortcut,
-    /// What it does.
+    /// Its action.
     pub action: fn() -> Action,
-    /// What is said of it.
+    /// Its description on the page.
     pub text: &'static str,
-    /// Its group.
+    /// Its group on the page.
     pub group: &'static str,
 }
 
@@ -31,7 +31,7 @@ const fn with(
     Shortcut { keys: KeyboardShortcut::new(modifiers, key), action, text, group }
 }
 
-/// All keys, in the order of the page.
+/// All shortcuts, in the order of the page.
 pub const SHORTCUTS: &[Shortcut] = &[
     with(CTRL, Key::N, "New document", "Document", || Action::New),
     with(CTRL, Key::O, "Open", "Document", || Action::Open),
@@ -90,7 +90,7 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(Modifiers::NONE, Key::F1, "This page", "Help", || Action::Page(Page::Shortcuts)),
 ];
 
-/// Arrows: which way.
+/// The arrow keys and their directions.
 const ARROWS: [(Key, [f64; 2]); 4] = [
     (Key::ArrowLeft, [-1.0, 0.0]),
     (Key::ArrowRight, [1.0, 0.0]),
@@ -98,11 +98,11 @@ const ARROWS: [(Key, [f64; 2]); 4] = [
     (Key::ArrowDown, [0.0, 1.0]),
 ];
 
-/// What the keys ask for. `canvas` = the canvas has the keys, or nobody; otherwise keys without Ctrl go to whoever
-/// has them.
+/// The actions of the pressed keys. `canvas`: the canvas or nothing has the focus; otherwise keys without Ctrl belong
+/// to the widget that has it. `arrows`: the arrow keys move marks.
 pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
     let mut actions = Vec::new();
-    // All of a text is selected, not all marks.
+    // Ctrl+A in a text field selects the text, not all marks.
     let typing = ctx.text_edit_focused();
     ctx.input_mut(|input| {
         if canvas {
@@ -115,7 +115,7 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
                 }
             }
         }
-        // Those with Shift first: without it they would take these too.
+        // Those with Shift first: a shortcut without Shift would match them too.
         let shift = |shortcut: &&Shortcut| shortcut.keys.modifiers.shift;
         let ordered = SHORTCUTS.iter().filter(shift).chain(SHORTCUTS.iter().filter(|one| !shift(one)));
         for shortcut in ordered {
@@ -143,14 +143,14 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
     actions
 }
 
-/// The keys of an action, as they are told on this system.
+/// The keys of an action, as this system writes them.
 #[must_use]
 pub fn told(ctx: &Context, action: &Action) -> Option<String> {
     let shortcut = SHORTCUTS.iter().find(|shortcut| (shortcut.action)() == *action)?;
     Some(spelled(ctx, shortcut.keys))
 }
 
-/// Keys as they stand on the keyboard.
+/// The text of a shortcut, such as `Ctrl+[`.
 fn spelled(ctx: &Context, keys: KeyboardShortcut) -> String {
     let sign = match keys.logical_key {
         Key::OpenBracket => "[",
@@ -167,7 +167,7 @@ fn spelled(ctx: &Context, keys: KeyboardShortcut) -> String {
     }
 }
 
-/// The page that lists them.
+/// Shows the page.
 pub fn page(ui: &mut Ui) {
     let columns = [&["Document", "View", "Layers", "Help"][..], &["Draw", "Edit", "Growth"]];
     ScrollArea::vertical().max_height(600.0).show(ui, |ui| {
@@ -187,7 +187,7 @@ pub fn page(ui: &mut Ui) {
     });
 }
 
-/// What stands in a group: what it does, and the first keys for it.
+/// The rows of a group: the description of each action and its first shortcut.
 fn rows(ui: &Ui, group: &str) -> Vec<(&'static str, String)> {
     let mut rows: Vec<(&str, String)> = Vec::new();
     for shortcut in SHORTCUTS.iter().filter(|shortcut| shortcut.group == group) {
@@ -200,7 +200,7 @@ fn rows(ui: &Ui, group: &str) -> Vec<(&'static str, String)> {
     rows
 }
 
-/// What is no single key.
+/// Gestures and keys that are no single shortcut.
 const OTHERS: &[(&str, &str, &str)] = &[
     ("View", "Zoom", "Ctrl + wheel, pinch"),
     ("View", "Pan", "wheel, middle button, Space + drag"),

@@ -1,10 +1,10 @@
-//! How long frames and growths took, for whoever asks by `DAPPLE_TRACE=FILE`: one line a frame.
+//! A log of the times of frames and growths, for measurements: `DAPPLE_TRACE=FILE` turns it on; one line a frame.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::time::{Duration, Instant};
 
-/// Writes it down, if somebody asked.
+/// Writes the log where it is turned on.
 pub struct Trace {
     out: Option<BufWriter<File>>,
     began: Instant,
@@ -13,25 +13,25 @@ pub struct Trace {
 }
 
 impl Trace {
-    /// To the file that `DAPPLE_TRACE` names.
+    /// Writes to the file that `DAPPLE_TRACE` names.
     #[must_use]
     pub fn asked() -> Self {
         let file = std::env::var_os("DAPPLE_TRACE").and_then(|path| File::create(path).ok());
         Self { out: file.map(BufWriter::new), began: Instant::now(), place: None, marks: 0 }
     }
 
-    /// A frame: our own work, all of it with drawing by the toolkit, whether something grew.
+    /// Logs a frame: the time of the window's own code, the time of the whole frame in seconds, whether something grew.
     pub fn frame(&mut self, own: Duration, all: Option<f32>, growing: bool) {
         let all = all.map_or(0.0, |seconds| 1e3 * seconds);
         self.line(&format!("frame,{:.3},{all:.3},{}", 1e3 * own.as_secs_f64(), u8::from(growing)));
     }
 
-    /// Something happened, and how long it took.
+    /// Logs an event and how long it took.
     pub fn event(&mut self, what: &str, took: Duration) {
         self.line(&format!("{what},{:.3}", 1e3 * took.as_secs_f64()));
     }
 
-    /// Where the canvas is now: its corner, and points on the screen a px.
+    /// Logs the position of the canvas: its upper left corner on the screen, points, and points a px.
     pub fn canvas(&mut self, corner: [f32; 2], zoom: f32) {
         if self.out.is_some() && self.place != Some((corner, zoom)) {
             self.place = Some((corner, zoom));
@@ -39,7 +39,7 @@ impl Trace {
         }
     }
 
-    /// How many marks there are now.
+    /// Logs the number of marks.
     pub fn marks(&mut self, marks: usize) {
         if self.out.is_some() && self.marks != marks {
             self.marks = marks;
@@ -49,7 +49,7 @@ impl Trace {
 
     fn line(&mut self, line: &str) {
         if let Some(out) = &mut self.out {
-            // A trace that cannot be written must not disturb what is traced.
+            // A log that cannot be written must not disturb the program.
             let _ = writeln!(out, "{:.3},{line}", 1e3 * self.began.elapsed().as_secs_f64());
             if !line.starts_with("frame") {
                 let _ = out.flush();

@@ -1,4 +1,4 @@
-//! What has grown of the frozen layers, dimmed under the strokes of the next.
+//! The texture of the frozen layers, dimmed under the strokes of the active layer.
 
 use std::sync::Arc;
 
@@ -8,23 +8,23 @@ use super::growth::{Growth, Picture, Texture, essence};
 use crate::document::Document;
 use crate::editor::session::Session;
 
-/// The longest side of the picture, px: it is dim, and lies under strokes.
+/// The longest side of the picture, px: enough for a dimmed background.
 const LONGEST: usize = 1024;
-/// How much of it is seen.
+/// Its opacity.
 const OPACITY: f32 = 0.42;
 
-/// The picture beneath the canvas.
+/// The picture under the canvas.
 #[derive(Default)]
 pub struct Underlay {
     texture: Option<TextureHandle>,
-    /// What is on it, and of which document.
+    /// The number of layers that it shows, and the document they belong to.
     painted: Option<(usize, Arc<Document>)>,
     /// The session's revision and number of frozen layers that it was last compared with.
     seen: Option<(u64, usize)>,
 }
 
 impl Underlay {
-    /// Brings it up to date with what is frozen and what has settled.
+    /// Updates it after layers were frozen or a texture has settled.
     pub fn follow(&mut self, ui: &Ui, session: &Session, growth: &Growth) {
         if session.frozen() == 0 {
             *self = Self::default();
@@ -59,13 +59,13 @@ impl Underlay {
         self.painted = Some((count, Arc::clone(&settled.document)));
     }
 
-    /// Is there something to be seen?
+    /// Whether there is a picture.
     #[must_use]
     pub fn is_there(&self) -> bool {
         self.texture.is_some()
     }
 
-    /// Paints it where the canvas is.
+    /// Paints it over the area of the canvas.
     pub fn paint(&self, painter: &Painter, paper: Rect) {
         if let Some(texture) = &self.texture {
             let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
@@ -74,7 +74,7 @@ impl Underlay {
     }
 }
 
-/// Do the lowest `count` layers of both documents grow alike on canvases that are alike?
+/// Whether the lowest `count` layers of both documents grow the same pattern.
 fn grows_alike(one: &Document, other: &Document, count: usize) -> bool {
     let lowest = |document: &Document| {
         let layers = document.layers.get(..count)?.to_vec();

@@ -1,10 +1,10 @@
-//! What can be chosen for a layer, and why the rest is greyed: [`crate::document::layer_rules`] for the panel.
+//! The choices for a layer, and why others are not possible: [`crate::document::layer_rules`] for the panel.
 
 use crate::document::layer_rules::{Beneath, Combination, Condition};
 use crate::document::{After, Kind, Layer, OptionKey, SystemChoice};
 use crate::editor::session::Session;
 
-/// Why layer `layer` cannot meet those beneath like this; `None` where it can.
+/// Why layer `layer` cannot have this `after`; `None` where it can.
 #[must_use]
 pub fn after_refusal(session: &Session, layer: usize, after: After) -> Option<&'static str> {
     Some(combination(session, layer)?.against_after(after)?.reason)
@@ -16,7 +16,7 @@ pub fn system_refusal(session: &Session, layer: usize, system: SystemChoice) -> 
     Some(combination(session, layer)?.against_system(system)?.reason)
 }
 
-/// Whether `layer`, whose marks are of `kind`, has this option at all.
+/// Whether `layer`, whose marks are of `kind`, has this option.
 #[must_use]
 pub fn has_option(layer: &Layer, kind: Option<Kind>, option: OptionKey) -> bool {
     let combination = Combination::new(layer, kind, Beneath::Unknown);
@@ -26,13 +26,13 @@ pub fn has_option(layer: &Layer, kind: Option<Kind>, option: OptionKey) -> bool 
         && combination.against_option(option).is_none_or(|rule| changeable(&rule.condition))
 }
 
-/// Why the option cannot be changed as the rest of `layer` is; `None` where it can.
+/// Why the option cannot be changed beside the other settings of `layer`; `None` where it can.
 #[must_use]
 pub fn option_refusal(layer: &Layer, kind: Option<Kind>, option: OptionKey) -> Option<&'static str> {
     Some(Combination::new(layer, kind, Beneath::Unknown).against_option(option)?.reason)
 }
 
-/// Layer `layer` as the rules see it.
+/// Layer `layer` with what the rules need to know of it.
 fn combination(session: &Session, layer: usize) -> Option<Combination> {
     let beneath = match session.beneath(layer) {
         None => Beneath::Nothing,

@@ -1,14 +1,14 @@
-//! What one does with a mark on the canvas: move, turn, stretch, hit, keep within bounds.
+//! Operations on a mark: move, turn, scale, hit test, keep within bounds.
 
 use crate::document::limits::MIN_LENGTH;
 use crate::marks::{Ellipse, Line, Mark};
 
-/// The smallest radius or width that the hand can make, px.
+/// The smallest radius or width of a drawn mark, px.
 pub const SMALLEST: f64 = 0.5;
-/// So far from the edge a middle is put that would lie beyond, px: more than rounding, less than anyone sees.
+/// Distance from the edge at which a centre beyond it is put, px: more than rounding, less than anyone sees.
 const ROUNDING: f64 = 1e-9;
 
-/// The middle of a mark, px.
+/// The centre of a mark, px.
 #[must_use]
 pub fn center(mark: &Mark) -> [f64; 2] {
     match mark {
@@ -17,7 +17,7 @@ pub fn center(mark: &Mark) -> [f64; 2] {
     }
 }
 
-/// The mark `by` px farther.
+/// The mark moved by `by` px.
 #[must_use]
 pub fn moved(mark: &Mark, by: [f64; 2]) -> Mark {
     match *mark {
@@ -52,7 +52,7 @@ pub fn turned(mark: &Mark, degrees: f64, pivot: [f64; 2]) -> Mark {
     }
 }
 
-/// The mark, all its lengths and its distance from `pivot` multiplied by `factor`.
+/// The mark with all its lengths and its distance from `pivot` multiplied by `factor`.
 #[must_use]
 pub fn scaled(mark: &Mark, factor: f64, pivot: [f64; 2]) -> Mark {
     let place = |p: [f64; 2]| [0, 1].map(|axis| pivot[axis] + factor * (p[axis] - pivot[axis]));
@@ -68,7 +68,7 @@ pub fn scaled(mark: &Mark, factor: f64, pivot: [f64; 2]) -> Mark {
     }
 }
 
-/// A point in a mark's own frame: along its angle, and across.
+/// A point in the frame of a mark with this centre and angle: coordinates along the angle and across it, px.
 #[must_use]
 pub fn into_frame(point: [f64; 2], center: [f64; 2], degrees: f64) -> [f64; 2] {
     let (sin, cos) = degrees.to_radians().sin_cos();
@@ -76,21 +76,21 @@ pub fn into_frame(point: [f64; 2], center: [f64; 2], degrees: f64) -> [f64; 2] {
     [cos * x + sin * y, cos * y - sin * x]
 }
 
-/// The way back from [`into_frame`].
+/// The inverse of [`into_frame`].
 #[must_use]
 pub fn out_of_frame(point: [f64; 2], center: [f64; 2], degrees: f64) -> [f64; 2] {
     let (sin, cos) = degrees.to_radians().sin_cos();
     [center[0] + cos * point[0] - sin * point[1], center[1] + sin * point[0] + cos * point[1]]
 }
 
-/// How far `point` is from the mark's body, px; 0 inside.
+/// Distance of `point` from the area of the mark, px; 0 inside. Outside an ellipse it is measured along the ray from
+/// its centre, which is exact enough for a pointer.
 #[must_use]
 pub fn distance(mark: &Mark, point: [f64; 2]) -> f64 {
     match mark {
         Mark::Ellipse(ellipse) => {
             let [x, y] = into_frame(point, ellipse.center, ellipse.angle);
             let share = (x / ellipse.radii[0]).hypot(y / ellipse.radii[1]);
-            // Along the ray from the centre: exact enough for a pointer.
             if share <= 1.0 { 0.0 } else { x.hypot(y) * (1.0 - 1.0 / share) }
         }
         Mark::Line(line) => {
@@ -103,7 +103,7 @@ pub fn distance(mark: &Mark, point: [f64; 2]) -> f64 {
     }
 }
 
-/// The mark as a document of `size` px may hold it: its middle on the canvas, no thicker than the canvas.
+/// The mark limited to a canvas of `size` px: its centre on the canvas, no thicker than the canvas.
 #[must_use]
 pub fn bounded(mark: &Mark, size: [u32; 2]) -> Mark {
     let thickest = f64::from(size[0].max(size[1]));
@@ -136,7 +136,7 @@ pub fn bounded(mark: &Mark, size: [u32; 2]) -> Mark {
     }
 }
 
-/// The smallest upright box around the marks: least and greatest corner, px. `None` of none.
+/// The bounding box of the marks: smallest and largest x and y, px. `None` without marks.
 #[must_use]
 pub fn extent<'a>(marks: impl IntoIterator<Item = &'a Mark>) -> Option<[[f64; 2]; 2]> {
     let mut found: Option<[[f64; 2]; 2]> = None;
@@ -175,7 +175,7 @@ mod tests {
     const ELLIPSE: Mark = Mark::Ellipse(Ellipse { center: [50.0, 40.0], radii: [20.0, 10.0], angle: 90.0 });
 
     #[test]
-    fn a_line_that_is_moved_over_the_edge_has_its_middle_on_the_canvas() {
+    fn a_line_that_is_moved_over_the_edge_has_its_centre_on_the_canvas() {
         for i in 0..20_000_u32 {
             // Ends with all their digits.
             let digits = |k: u32| f64::from(i.wrapping_mul(2_654_435_761).rotate_left(k)) / 7e6;
@@ -189,14 +189,14 @@ mod tests {
     }
 
     #[test]
-    fn a_point_is_in_an_ellipse_or_so_far_from_it() {
+    fn the_distance_of_a_point_from_an_ellipse_is_0_inside() {
         assert_eq!(distance(&ELLIPSE, [50.0, 59.0]), 0.0);
         assert!((distance(&ELLIPSE, [50.0, 65.0]) - 5.0).abs() < 1e-9);
         assert!((distance(&ELLIPSE, [63.0, 40.0]) - 3.0).abs() < 1e-9);
     }
 
     #[test]
-    fn a_box_around_a_turned_ellipse_touches_it() {
+    fn the_bounding_box_of_a_turned_ellipse_touches_it() {
         let [low, high] = extent([&ELLIPSE]).unwrap();
         for (found, expected) in low.iter().chain(&high).zip([40.0, 20.0, 60.0, 60.0]) {
             assert!((found - expected).abs() < 1e-9, "{low:?} {high:?}");
@@ -204,14 +204,14 @@ mod tests {
     }
 
     #[test]
-    fn a_mark_is_kept_on_the_canvas_by_its_middle() {
+    fn a_mark_is_limited_to_the_canvas_by_its_centre() {
         let line = Mark::Line(Line { from: [-30.0, 10.0], to: [10.0, 10.0], width: 900.0 });
         let Mark::Line(line) = bounded(&line, [100, 80]) else { panic!("a line stays a line") };
         assert_eq!((line.from, line.to, line.width), ([-20.0, 10.0], [20.0, 10.0], 100.0));
     }
 
     #[test]
-    fn turning_there_and_back_changes_nothing() {
+    fn turning_and_turning_back_changes_nothing() {
         let there = turned(&ELLIPSE, 33.0, [0.0, 0.0]);
         let Mark::Ellipse(back) = turned(&there, -33.0, [0.0, 0.0]) else { panic!() };
         assert!((back.center[0] - 50.0).abs() < 1e-9 && (back.angle - 90.0).abs() < 1e-9);

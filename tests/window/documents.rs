@@ -276,3 +276,33 @@ fn a_document_in_a_json_file_is_opened_and_a_palette_in_one_is_taken() {
     drop_file(&mut hand, &json);
     assert_eq!(hand.document(), Document::read(example("zebra")).unwrap());
 }
+
+#[test]
+fn a_window_that_goes_while_it_saves_has_saved() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("zebra.dapple");
+    fs::copy(example("zebra"), &path).unwrap();
+    let start = Start { file: Some(path.clone()), ..Start::default() };
+    let mut hand = with(start, vec2(1280.0, 800.0), Theme::Light);
+    hand.key(Modifiers::COMMAND, Key::A);
+    hand.key(Modifiers::NONE, Key::ArrowRight);
+    let moved = hand.document();
+    hand.window.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    hand.window.step();
+    drop(hand);
+    assert_eq!(Document::read(&path).unwrap(), moved);
+}
+
+#[test]
+fn what_is_changed_after_a_save_began_is_not_saved() {
+    let (mut hand, _folder, path) = hand_with(&Document::read(example("zebra")).unwrap());
+    hand.key(Modifiers::COMMAND, Key::A);
+    hand.key(Modifiers::NONE, Key::ArrowRight);
+    let moved = hand.document();
+    hand.window.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    hand.window.step();
+    hand.key(Modifiers::NONE, Key::ArrowRight);
+    assert_eq!(Document::read(&path).unwrap(), moved);
+    assert_ne!(hand.document(), moved);
+    assert!(hand.window.state().session().is_changed());
+}

@@ -3,11 +3,12 @@
 use std::fs;
 
 use assert_cmd::Command;
-use dapple::app::Phase;
+use dapple::app::{Phase, Spawn, Start};
 use dapple::document::Document;
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, Theme, vec2};
+use egui_kittest::kittest::Queryable;
 
-use crate::hand::{Hand, hand, hand_with};
+use crate::hand::{Hand, hand, hand_with, with};
 
 fn three_spots(hand: &mut Hand) {
     hand.draw_round([60.0, 60.0], [14.0, 9.0], 20.0);
@@ -172,4 +173,20 @@ fn an_export_at_another_size_runs_beside_and_can_be_given_up() {
     hand.press("Cancel");
     hand.until("given up", |window| window.notices().iter().any(|notice| notice.text.contains("given up")));
     assert!(!given_up.exists());
+}
+
+#[test]
+fn a_growth_thread_that_does_not_start_is_reported() {
+    let spawn = Spawn(|_, _| Err(std::io::Error::other("no thread left")));
+    let mut hand = with(Start { spawn, ..Start::default() }, vec2(1280.0, 800.0), Theme::Light);
+    three_spots(&mut hand);
+    let Phase::Failed(why) = hand.phase() else { panic!("{:?}", hand.phase()) };
+    assert!(why.contains("growth") && why.contains("no thread left"), "{why}");
+    assert!(hand.window.query_by_label_contains("no thread left").is_some(), "it is shown");
+    // The work can be saved all the same.
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dapple");
+    hand.key(Modifiers::COMMAND, Key::S);
+    hand.type_into("File", path.to_str().unwrap());
+    assert_eq!(Document::read(&path).unwrap(), hand.document());
 }

@@ -1,6 +1,6 @@
-//! The very first picture: where marks would begin, before anything is measured or corrected.
+//! The first picture of a growth: the marks at their starting places, before anything is measured or corrected.
 //!
-//! Laying out a growth takes as long as some hundred frames; a hand that has just lifted the pen shall not wait for it.
+//! Laying out a growth takes as long as a hundred frames or so; this picture is shown until then.
 
 use super::Picture;
 use crate::document::{After, Document};
@@ -8,11 +8,11 @@ use crate::synth::grow::obstacles::obstacles;
 use crate::synth::plan::Targets;
 use crate::synth::{Engine, GrownLayer, Snapshot, Training, memory};
 
-/// Cell updates before the picture is taken: ground and marks have parted.
+/// Cell updates before the picture is taken: enough for marks and ground to separate.
 const UPDATES: u64 = 100_000;
 
-/// The picture of the layer above those `beneath` that have grown; `None` where it takes their places or goes round them,
-/// which is laid out first, and where it cannot be grown (growing it will say why).
+/// The picture of the layer above those `beneath` that have grown; `None` where it grows inside or around them,
+/// which needs the full layout first, and where it cannot be grown (the growth then reports why).
 pub(super) fn preview(document: &Document, training: &Training, beneath: &[GrownLayer]) -> Option<Picture> {
     let index = beneath.len();
     let layer = document.layers.get(index)?;

@@ -1,4 +1,4 @@
-//! Documents in and out: new, open, save, drop, and what is asked on the way.
+//! New, open, save and drop files, with the questions on the way.
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ use crate::app::{preferences, recovery, shortcuts};
 use crate::document::Document;
 use crate::editor::session::Session;
 
-/// What is asked about files.
+/// Files that are read and written, and the dialogs about them.
 pub struct Files {
     native: bool,
     chooser: Option<Chooser>,
@@ -39,7 +39,7 @@ pub struct Files {
 }
 
 impl Files {
-    /// Files are chosen with the system's dialogs, or with ours.
+    /// `native`: files are chosen with the system's dialogs.
     #[must_use]
     pub fn new(native: bool) -> Self {
         Self {
@@ -138,7 +138,7 @@ impl Window {
         }
     }
 
-    /// Does what would lose unsaved changes.
+    /// Carries out an action that discards the open document.
     fn go_on(&mut self, ui: &Ui, action: Action) {
         match action {
             Action::New => self.files.new = Some(self.settings.new.clone()),
@@ -185,7 +185,7 @@ impl Window {
         self.choose(Purpose::Save, &name.unwrap_or_else(|| "untitled.dapple".to_owned()));
     }
 
-    /// Saves to `path`, or where it was saved before, or asks where.
+    /// Saves to `path`, else to the document's file, else asks for one.
     pub(super) fn save(&mut self, path: Option<PathBuf>) {
         let document = self.session.finished();
         if document.layers.is_empty() {
@@ -331,7 +331,7 @@ impl Window {
     /// Pages over the window.
     pub(super) fn over_all(&mut self, ui: &mut Ui) -> Vec<Action> {
         let mut actions = Vec::new();
-        // The key that ends the choosing of a file is no answer to the dialog behind it.
+        // The key that closes a file dialog is no answer to the dialog behind it.
         let choosing = self.files.chooser.is_some();
         self.choosing(ui);
         self.asking(ui);
@@ -405,7 +405,7 @@ impl Window {
     fn asking(&mut self, ui: &Ui) {
         let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
         let title = self.session.title();
-        // Enter that ends the typing of a number is no answer yet.
+        // Enter that ends the input of a number is no answer yet.
         let enter =
             ui.input(|input| input.key_pressed(Key::Enter)) && ui.memory(|memory| memory.focused().is_none());
         let units = self.settings.units;

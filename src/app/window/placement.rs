@@ -1,4 +1,4 @@
-//! Where the window lies on the screen and what it shows, from one session to the next.
+//! Placement of the window on the screen and what it shows, kept from one run to the next.
 
 use egui::{Ui, ViewportBuilder};
 
@@ -7,10 +7,10 @@ use crate::app::settings::Layout;
 
 /// Width and height of the first window, points.
 const SIZE: [f32; 2] = [1280.0, 800.0];
-/// So much of the window's upper edge must be on a screen, px of the screen.
+/// Length of the window's upper edge that must be on a screen, px of the screen.
 const SEEN: i32 = 60;
 
-/// The window as it lay, as far as the platform lets.
+/// The window with its last placement, as far as the platform allows.
 #[must_use]
 pub fn placed(layout: &Layout) -> ViewportBuilder {
     let builder = ViewportBuilder::default()
@@ -22,10 +22,10 @@ pub fn placed(layout: &Layout) -> ViewportBuilder {
     }
 }
 
-/// A window that would lie where there is no screen any more is brought to one.
+/// Moves a window that would be outside all screens to the first one.
 pub fn bring_into_view(cc: &eframe::CreationContext<'_>) {
     let Some(window) = cc.winit_window() else { return };
-    // Where the platform does not tell, it has placed the window itself.
+    // A platform that does not report the position has chosen it itself.
     let Ok(corner) = window.outer_position() else { return };
     let width = i32::try_from(window.outer_size().width).unwrap_or(i32::MAX);
     let seen = window.available_monitors().any(|monitor| {
@@ -40,7 +40,7 @@ pub fn bring_into_view(cc: &eframe::CreationContext<'_>) {
 }
 
 impl Window {
-    /// Shows what was shown last.
+    /// Restores what was shown last.
     pub(super) fn restore_layout(&mut self) {
         let layout = &self.settings.layout;
         self.tab = layout.tab;
@@ -51,7 +51,7 @@ impl Window {
         self.canvas.overlays.analysis = layout.analysis;
     }
 
-    /// Notes how the window lies; it is written down when it is left.
+    /// Records the placement in the settings, which are written when the window closes.
     pub(super) fn note_layout(&mut self, ui: &Ui) {
         let layout = &mut self.settings.layout;
         layout.tab = self.tab;
@@ -67,7 +67,7 @@ impl Window {
             }
             layout.maximised = viewport.maximized == Some(true);
             if layout.maximised {
-                // What it goes back to is what it was before.
+                // The size before it was maximised is kept.
                 return;
             }
             if let Some(inner) = viewport.inner_rect {
