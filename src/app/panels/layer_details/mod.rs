@@ -1,0 +1,157 @@
+//! How the active layer grows: how it meets the layers beneath, its system, its options.
+
+mod options;
+mod spread;
+
+use egui::{
+    Align, Button, ComboBox, DragValue, Grid, Label, Layout, Rect, RichText, ScrollArea, Ui, pos2, vec2,
+};
+
+use super::meets;
+use crate::app::action::Action;
+use crate::app::icons::Icon;
+use crate::document::limits::Range;
+use crate::document::{After, Layer, OptionKey, Options, SystemChoice};
+use crate::editor::edit::Edit;
+use crate::editor::layer_choices::{after_refusal, has_option, system_refusal};
+use crate::editor::session::Session;
+
+/// The largest share of the window's height that the details take; more is scrolled.
+const SHARE: f32 = 0.32;
+/// Width of the controls, points: leaves room for the reset button and a scroll bar on the right.
+const CONTROL: f32 = 110.0;
+/// Width of the list of systems, points.
+const SYSTEM: f32 = 138.0;
+
+/// Shows the details, or only their summary where they are not `unfolded`.
+pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Action> {
+    let mut edits = Vec::new();
+    let Some(layer) = session.document().layers.get(session.active_layer) else { return Vec::new() };
+    ui.horizontal(|ui| {
+        let button = Button::new(RichText::new("How it grows").strong()).frame_when_inactive(false);
+        let button = button.left_text(RichText::new("     ")).min_size(vec2(112.0, 24.0));
+        let fold = ui.add(button).accessible_name("How it grows");
+        let icon = if *unfolded { Icon::Unfolded } else { Icon::Folded };
+        let place = pos2(fold.rect.left() + 10.0, fold.rect.center().y);
+        let colour = ui.style().interact(&fold).text_color();
+        icon.paint(ui.painter(), Rect::from_center_size(place, vec2(16.0, 16.0)), colour);
+        if fold
+            .on_hover_text("How the active layer meets the layers beneath, its system, its options")
+            .clicked()
+        {
+            *unfolded = !*unfolded;
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.add(Label::new(RichText::new(summary(session, layer)).small().weak()).truncate());
+        });
+    });
+    if !*unfolded {
+        return Vec::new();
+    }
+    let highest = (SHARE * ui.content_rect().height()).round();
+    let area = ScrollArea::vertical().id_salt("details").max_height(highest).min_scrolled_height(highest);
+    area.show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 6.0;
+        edits.extend(meeting(ui, session, layer));
+        edits.extend(ui.horizontal(|ui| system(ui, session, layer)).inner);
+        Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
+            let kind = session.kind(session.active_layer);
+            for choice in OptionKey::ALL {
+                if has_option(layer, kind, choice) {
+                    edits.extend(options::option(ui, session, layer, choice));
+                }
+            }
+        });
+        if session.kind(session.active_layer).is_none() {
+            ui.weak("Its options are shown once it has a mark.");
+        }
+    });
+    edits.into_iter().map(Action::Edit).collect()
+}
+
+/// A summary in two or three words.
+fn summary(session: &Session, layer: &Layer) -> String {
+    let met = match session.beneath(session.active_layer) {
+        None => "lowest",
+        Some(_) => layer.after.name(),
+    };
+    let own = if layer.options == Options::default() { "" } else { ", own options" };
+    format!("{met}, {}{own}", layer.system.name())
+}
+
+/// How it meets the layers beneath: a picture of each way.
+fn meeting(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
+    let mut edit = None;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let lowest = session.beneath(session.active_layer).is_none();
+        for (_, after) in After::NAMES {
+            let refused = after_refusal(session, session.active_layer, after);
+            let chosen = if lowest { after == After::Between } else { layer.after == after };
+            if meets::button(ui, after, chosen, refused).clicked() {
+                edit = Some(Edit::LayerAfter(session.active_layer, after));
+            }
+        }
+    });
+    edit
+}
+
+/// The label of a system.
+fn system_name(system: SystemChoice) -> &'static str {
+    system.system().map_or("Automatic", |system| system.description().title)
+}
+
+/// The tooltip of a system.
+fn system_help(system: SystemChoice) -> &'static str {
+    const AUTO: &str = "The system that comes nearest to the drawn marks: lines grow stripes, ellipses spots";
+    system.system().map_or(AUTO, |system| system.description().help)
+}
+
+fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
+    let help = "The reaction-diffusion system that grows it";
+    ui.label("System").on_hover_text(help);
+    let mut chosen = layer.system;
+    let combo = ComboBox::from_id_salt("system").selected_text(system_name(chosen)).width(SYSTEM).truncate();
+    let combo = combo.show_ui(ui, |ui| {
+        for (_, system) in SystemChoice::NAMES {
+            let refused = system_refusal(session, session.active_layer, system);
+            ui.add_enabled_ui(refused.is_none(), |ui| {
+                ui.selectable_value(&mut chosen, system, system_name(system))
+                    .on_hover_text(system_help(system))
+                    .on_disabled_hover_text(refused.unwrap_or_default());
+            });
+        }
+    });
+    combo.response.accessible_name("System").on_hover_text(system_help(layer.system));
+    if reset(ui, "System", layer.system == SystemChoice::Auto) {
+        chosen = SystemChoice::Auto;
+    }
+    (chosen != layer.system).then_some(Edit::LayerSystem(session.active_layer, chosen))
+}
+
+/// The button that restores the default; an empty space where the value is the default.
+fn reset(ui: &mut Ui, name: &str, default: bool) -> bool {
+    if default {
+        ui.allocate_space(vec2(20.0, 20.0));
+        return false;
+    }
+    let button = Icon::Undo.sized_button(ui, &format!("{name}: default"), false, vec2(20.0, 22.0));
+    button.on_hover_text(format!("{name}: back to its default")).clicked()
+}
+
+/// A field for a share 0..1, shown in per cent.
+fn share(ui: &mut Ui, name: &str, value: &mut f64, range: &Range) -> egui::Response {
+    let mut percent = 100.0 * *value;
+    let field = DragValue::new(&mut percent)
+        .range(100.0 * range.low..=100.0 * range.high)
+        .speed(0.25)
+        .max_decimals(0)
+        .suffix(" %")
+        .update_while_editing(false);
+    let field = ui.add(field).accessible_name(name);
+    if field.changed() {
+        // Rounded to a tenth of a per cent, so that documents hold short numbers.
+        *value = ((10.0 * percent).round() / 1000.0).clamp(range.low, range.high);
+    }
+    field
+}

@@ -1,0 +1,93 @@
+//! The options of a layer: one row each.
+
+use egui::{ComboBox, Label, Ui};
+
+use super::{CONTROL, reset, share, spread};
+use crate::document::{Layer, OptionKey, Options, Seeding, limits};
+use crate::editor::edit::Edit;
+use crate::editor::layer_choices::option_refusal;
+use crate::editor::session::Session;
+
+pub(super) fn option(ui: &mut Ui, session: &Session, layer: &Layer, choice: OptionKey) -> Option<Edit> {
+    let (name, help) = described(choice);
+    let refused = option_refusal(layer, session.kind(session.active_layer), choice);
+    let enabled = refused.is_none();
+    let label = ui.add_enabled(enabled, Label::new(name)).on_hover_text(help);
+    label.on_disabled_hover_text(refused.unwrap_or_default());
+    let mut options = layer.options;
+    let shown = ui.add_enabled_ui(enabled, |ui| control(ui, session, choice, &mut options)).inner;
+    shown.on_hover_text(help).on_disabled_hover_text(refused.unwrap_or_default());
+    if reset(ui, name, choice.is_default(&layer.options)) {
+        choice.reset(&mut options);
+    }
+    ui.end_row();
+    if choice == OptionKey::Spread {
+        spread::numbers(ui, &mut options);
+    }
+    (options != layer.options).then_some(Edit::LayerOptions(session.active_layer, options))
+}
+
+/// The label of an option, and its tooltip.
+fn described(choice: OptionKey) -> (&'static str, &'static str) {
+    match choice {
+        OptionKey::Spread => (
+            "Variation",
+            "How much the spots differ from each other: as the drawn ones do (where a region has at least six), \
+             not at all, or by given numbers",
+        ),
+        OptionKey::Irregular => (
+            "Irregular",
+            "How irregular the shapes are: 0 % grows ellipses, 100 % beans, bars and drops. Only Turing's system does \
+             that",
+        ),
+        OptionKey::Keep => (
+            "Keep marks",
+            "Whether the drawn marks themselves are part of the texture. The default is yes where there is one region",
+        ),
+        OptionKey::Duty => (
+            "Share",
+            "Width of the stripes ÷ their period, 20 to 50 %: at 50 % the stripes are as wide as the gaps between them, \
+             below they are lines on wide ground",
+        ),
+        OptionKey::Seeding => (
+            "Begins from",
+            "Noise: stripes follow the drawn directions closely. Segments: short lines in the drawn direction, which \
+             grow into forked and wavy stripes. Drawn lines: stripes spread from them",
+        ),
+        OptionKey::Broken => {
+            ("Broken", "The share of each ring that is open, 0 to 60 %, in two to five gaps, as on a leopard")
+        }
+    }
+}
+
+fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Options) -> egui::Response {
+    let (name, _) = described(choice);
+    match choice {
+        OptionKey::Irregular => share(ui, name, &mut options.irregular, &limits::IRREGULAR),
+        OptionKey::Duty => share(ui, name, &mut options.duty, &limits::DUTY),
+        OptionKey::Broken => share(ui, name, &mut options.broken, &limits::BROKEN),
+        OptionKey::Keep => {
+            let mut keep = session.document().keeps_marks(session.active_layer);
+            let field = ui.checkbox(&mut keep, "as drawn").accessible_name(name);
+            if field.changed() {
+                options.keep = Some(keep);
+            }
+            field
+        }
+        OptionKey::Seeding => seeding(ui, &mut options.seeding),
+        OptionKey::Spread => spread::choice(ui, &mut options.spread),
+    }
+}
+
+fn seeding(ui: &mut Ui, seeding: &mut Seeding) -> egui::Response {
+    const READ: [(&str, Seeding); 3] =
+        [("Noise", Seeding::Noise), ("Segments", Seeding::Segments), ("Drawn lines", Seeding::Initiators)];
+    let now = READ.iter().find(|(_, one)| one == seeding).map_or("", |(name, _)| *name);
+    let combo = ComboBox::from_id_salt("seeding").selected_text(now).width(CONTROL).truncate();
+    let combo = combo.show_ui(ui, |ui| {
+        for (name, one) in READ {
+            ui.selectable_value(seeding, one, name);
+        }
+    });
+    combo.response.accessible_name("Begins from")
+}
