@@ -1,4 +1,4 @@
-//! Fields that several panels and pages have: the size of a canvas, its regions, its resolution.
+//! Fields that several panels and pages share: size of the canvas, regions, resolution.
 
 use egui::{DragValue, Ui};
 
@@ -8,18 +8,18 @@ use crate::editor::units::Ruler;
 /// Sides that a canvas can have here, px.
 pub const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 
-/// What regions are.
-pub const REGIONS: &str = "The canvas is cut into columns and rows. The marks in a region say what grows there; \
+/// The tooltip of regions.
+pub const REGIONS: &str = "The canvas is cut into columns and rows. The marks in a region set what grows there; \
                            between regions their size, shape and direction change smoothly.";
-/// What seamless means.
-pub const SEAMLESS: &str = "What leaves on one side comes in on the other: the texture can be laid side by side \
-                            without a seam.";
+/// The tooltip of *Seamless*.
+pub const SEAMLESS: &str = "The left edge continues at the right one, the top at the bottom: copies of the texture can be put \
+                            side by side without a seam.";
 
-/// What dots an inch are.
-pub const DPI: &str = "Dots an inch: how large a px is when it is printed, and a px in mm. What grows does not depend \
-                       on it.";
+/// The tooltip of the resolution.
+pub const DPI: &str =
+    "Dots per inch: the size of a px in print, and of a px in mm. The texture does not depend on it.";
 
-/// Width and height of a canvas side by side, px told as `ruler` does.
+/// Fields for width and height of a canvas, shown in the units of `ruler`. Gives whether one changed.
 pub fn sides(
     ui: &mut Ui,
     values: &mut [u32; 2],
@@ -38,7 +38,7 @@ pub fn sides(
     changed
 }
 
-/// Two whole numbers side by side.
+/// Fields for two whole numbers. Gives whether one changed.
 pub fn pair(
     ui: &mut Ui,
     values: &mut [u32; 2],

@@ -234,7 +234,7 @@ fn outlines_are_what_was_seen_by_the_eye_of_another_renderer() {
     let made = seen(&mut hand);
     let path = folder.path().join("x.svg");
     write(&mut hand, &path);
-    let told = made.told.clone().unwrap();
+    let told = made.message.clone().unwrap();
     assert!(told.contains("in the air"), "{told}");
     let options = usvg::Options::default();
     let tree = usvg::Tree::from_data(&fs::read(&path).unwrap(), &options).unwrap();

@@ -41,7 +41,7 @@ fn until_known(hand: &mut Hand) {
 
 fn known(window: &Window) -> bool {
     let texture = window.settled();
-    texture.is_some() && window.results().of(texture).is_some_and(|outcome| outcome.complete)
+    texture.is_some() && window.results().for_texture(texture).is_some_and(|outcome| outcome.complete)
 }
 
 #[test]

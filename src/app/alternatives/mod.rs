@@ -12,7 +12,7 @@ use std::sync::Arc;
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use super::growth::{Growth, Texture, essence};
-use super::result::layer_of;
+use super::result::finished_layer;
 use crate::document::{Document, Layer};
 use crate::editor::session::Session;
 use crate::editor::task::{StartError, Task, Tasks};
@@ -62,7 +62,7 @@ impl Alternative {
 pub struct Alternatives {
     /// Whether they are shown.
     pub shown: bool,
-    /// In the order in which they stand: what is kept, the sketch as it was when they began, the others.
+    /// In order: those that are kept, the sketch when they were made, the others.
     pub all: Vec<Alternative>,
     training: Arc<Training>,
     /// The one that is growing, and the task that grows one after the other.
@@ -112,14 +112,14 @@ impl Alternatives {
             return None;
         }
         let Some(texture) = &growth.texture else {
-            // What is drawn comes first.
+            // The sketch itself is grown first.
             self.series = None;
             return None;
         };
         let same = self.followed.as_ref().is_some_and(|followed| Arc::ptr_eq(followed, &texture.document));
         if !same && !busy {
             self.followed = Some(Arc::clone(&texture.document));
-            self.compare(texture, layer_of(session, session.active_layer).unwrap_or(0));
+            self.compare(texture, finished_layer(session, session.active_layer).unwrap_or(0));
         }
         if self.series.is_none() && !self.stopped && !busy {
             return self.begin(tasks).err();
@@ -152,12 +152,12 @@ impl Alternatives {
         }
     }
 
-    /// Is `texture` one of these? Else others are found for it.
+    /// Finds the alternative that `texture` is; if there is none, makes new alternatives for it.
     fn compare(&mut self, texture: &Texture, layer: usize) {
         let needed = essence(&texture.document);
         let one = self.all.iter().find(|one| essence(&one.document) == needed);
         self.taken = one.map(|one| one.id);
-        // One that is kept belongs to these if the others have the same marks.
+        // A kept one belongs to the current alternatives if they have the same marks.
         let belongs = one.is_some_and(|one| {
             let fits = |other: &Alternative| !other.kept && fits(&other.document, &one.document);
             !one.kept || self.all.iter().any(fits)
@@ -205,7 +205,7 @@ impl Alternatives {
         self.ids
     }
 
-    /// Gives those that are not kept the names and colours of `document`.
+    /// Sets the names and colours of `document` in the alternatives that are not kept.
     fn recolour(&mut self, document: &Document) {
         for one in self.all.iter_mut().filter(|one| !one.kept) {
             let mut other =
@@ -220,7 +220,7 @@ impl Alternatives {
         }
     }
 
-    /// Grows what is not there yet. Where no thread can be started, it stops until the user asks for more.
+    /// Grows the alternatives that have not grown yet. Where no thread can be started, it stops until the user asks for more.
     fn begin(&mut self, tasks: &Tasks) -> Result<(), StartError> {
         let beneath = self.all.iter().find(|one| !one.kept).and_then(|one| one.grown.clone());
         let job = |one: &Alternative| Job {
@@ -245,44 +245,44 @@ impl Alternatives {
         }
     }
 
-    /// Gives up growing them, or goes on.
+    /// Stops growing them, or resumes.
     pub fn stop(&mut self, stopped: bool) {
         self.stopped = stopped;
         self.series = None;
     }
 
-    /// Are some being grown?
+    /// Whether some are being grown.
     #[must_use]
     pub fn is_growing(&self) -> bool {
         self.series.is_some()
     }
 
-    /// Are some still to come, whether or not they are being grown?
+    /// Whether all have grown or have failed.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         !self.all.iter().any(Alternative::is_wanted)
     }
 
-    /// How much of this one has grown, while it grows, 0..1.
+    /// The progress of an alternative that is growing, 0..1.
     #[must_use]
     pub fn progress(&self, id: u64) -> Option<f32> {
         let (growing, task) = self.series.as_ref()?;
         (*growing == Some(id)).then(|| task.progress() as f32)
     }
 
-    /// Is it the one that is open?
+    /// Whether it is the open document.
     #[must_use]
     pub fn is_taken(&self, id: u64) -> bool {
         self.taken == Some(id)
     }
 
-    /// The one with this number.
+    /// The alternative with this id.
     #[must_use]
     pub fn get(&self, id: u64) -> Option<&Alternative> {
         self.all.iter().find(|one| one.id == id)
     }
 
-    /// Keeps it, or lets it go: then it stays as long as the others of its sketch do.
+    /// Keeps it when the sketch changes, or no longer.
     pub fn keep(&mut self, id: u64, kept: bool) {
         if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
             one.kept = kept;
@@ -290,7 +290,7 @@ impl Alternatives {
     }
 }
 
-/// Have both the same marks on the same canvas?
+/// Whether both have the same marks on the same canvas.
 fn fits(a: &Document, b: &Document) -> bool {
     let canvas = |of: &Document| (of.size, of.regions, of.edges);
     canvas(a) == canvas(b)
@@ -298,8 +298,8 @@ fn fits(a: &Document, b: &Document) -> bool {
         && a.layers.iter().zip(&b.layers).all(|(a, b)| a.strokes == b.strokes && a.after == b.after)
 }
 
-/// Replaces the open document by `document`, as one step that can be undone. Layers on which nothing is drawn yet stay where the marks
-/// are the same.
+/// Replaces the open document by `document`, as one step that can be undone. Empty layers are kept where the marks are
+/// the same.
 pub fn put(session: &mut Session, document: &Document) {
     session.commit();
     let same = fits(&session.finished(), document);
@@ -311,7 +311,7 @@ pub fn put(session: &mut Session, document: &Document) {
             for layer in layers.iter_mut().filter(|layer| !layer.strokes.is_empty()) {
                 if let Some(new) = new.next() {
                     let name = std::mem::take(&mut layer.name);
-                    // A name that was only made up for the file is not taken over.
+                    // A name that was generated for the file is not taken over.
                     *layer = if name.is_empty() { Layer { name, ..new } } else { new };
                 }
             }

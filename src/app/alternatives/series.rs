@@ -1,4 +1,4 @@
-//! Growing one alternative after the other on a thread of its own, while nothing else grows.
+//! Grows one alternative after the other on a thread of its own, while the sketch is not growing.
 
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
@@ -14,23 +14,23 @@ use crate::synth::{GrowError, Grown, Options, Stage, Training, Watch, regrow};
 /// The longest side of a small picture, px: twice the points it has on the screen.
 const LONGEST: u32 = 184;
 
-/// What is to be grown.
+/// An alternative to grow.
 pub(super) struct Job {
-    /// Whose picture it is.
+    /// The id of the alternative.
     pub id: u64,
-    /// What grows.
+    /// Its document.
     pub document: Document,
-    /// What is known of it: all of it, then it is only painted, or layers of another one.
+    /// A grown texture of this document, which is only painted, or of another one, whose layers are reused.
     pub known: Option<Arc<Grown>>,
-    /// Has `known` grown from this document, but for its colours?
+    /// Whether `known` was grown from this document, except for its colours.
     pub grown: bool,
 }
 
 /// What the thread sends.
 pub(super) enum News {
-    /// It began with this job.
+    /// A job has begun.
     Begun(u64),
-    /// What came of a job.
+    /// A job has ended.
     Done { id: u64, outcome: Result<(Arc<Grown>, Arc<ColorImage>), String> },
 }
 
@@ -59,7 +59,7 @@ impl Growing<'_> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads((cores / 2).max(1)).build();
         for job in jobs {
             self.worker.send(News::Begun(job.id));
-            // A fault in one of them leaves the others.
+            // A panic in one does not stop the others.
             let work = || panic::catch_unwind(AssertUnwindSafe(|| self.work(job)));
             let worked = match &pool {
                 Ok(pool) => pool.install(work),
@@ -99,7 +99,7 @@ impl Growing<'_> {
     }
 }
 
-/// A small picture of what `document` has `grown`.
+/// A small picture of a grown document.
 #[must_use]
 pub fn small(document: &Document, grown: &Grown) -> ColorImage {
     let longest = grown.size[0].max(grown.size[1]).max(1);

@@ -90,7 +90,7 @@ fn what_differs_can_be_even() {
 }
 
 #[test]
-fn a_layer_without_marks_stays_on_the_desk() {
+fn a_layer_without_marks_is_kept() {
     let mut drawn = document(vec![spot([60.0, 60.0])]);
     drawn.layers.insert(0, Layer::default());
     drawn.layers[1].name.clear();

@@ -46,12 +46,12 @@ impl Tool {
                  Alt-drag leaves a copy."
             }
             Self::Pen => {
-                "Draw freehand: when you release, a closed stroke becomes an ellipse, an open one a line."
+                "Draw as with a pen: a closed stroke becomes an ellipse, an open one a line, as the pen lifts."
             }
             Self::Ellipse => {
-                "Drag from corner to corner; Shift makes a circle. A click repeats the last ellipse."
+                "Drag from corner to corner; Shift makes a circle. A click repeats the last one."
             }
-            Self::Line => "Drag from end to end; Shift snaps to steps of 15°.",
+            Self::Line => "Drag from end to end; Shift keeps to steps of 15°.",
             Self::Eraser => "Drag over marks to delete them.",
             Self::Hand => "Drag the view. With any tool: drag with the middle button, or hold Space.",
         }

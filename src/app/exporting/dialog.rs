@@ -47,13 +47,13 @@ impl Dialog {
         let (all, _) = ui.allocate_exact_size(vec2(size.x, height), egui::Sense::hover());
         let left = Rect::from_min_size(top, vec2(COLUMN, height));
         let right = Rect::from_min_max(top + vec2(COLUMN + 18.0, 0.0), all.max);
-        let mut said = None;
+        let mut action = None;
         // A fixed rectangle: the size of the dialog does not depend on its content.
         let mut column = ui.new_child(UiBuilder::new().max_rect(left));
         let area = ScrollArea::vertical().auto_shrink([false; 2]).max_height(height);
         area.show(&mut column, |ui| {
             ui.set_max_width(COLUMN - 14.0);
-            said = pages::page(ui, &mut self.choices, context);
+            action = pages::page(ui, &mut self.choices, context);
         });
         self.right(&mut ui.new_child(UiBuilder::new().max_rect(right)), context);
         ui.add_space(4.0);
@@ -64,15 +64,15 @@ impl Dialog {
                 ui.label(RichText::new(self.summary(context)).small().weak());
             });
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| match choice(ui, "Export…", None) {
-                Some(Answer::Yes) => said = Some(DialogAction::Export),
-                Some(_) => said = Some(DialogAction::Cancel),
+                Some(Answer::Yes) => action = Some(DialogAction::Export),
+                Some(_) => action = Some(DialogAction::Cancel),
                 None => {}
             });
         });
-        if enter && said.is_none() {
-            said = Some(DialogAction::Export);
+        if enter && action.is_none() {
+            action = Some(DialogAction::Export);
         }
-        said.map(|said| self.checked(said))
+        action.map(|action| self.checked(action))
     }
 
     /// The kinds of exports.
@@ -92,10 +92,10 @@ impl Dialog {
     }
 
     /// Where a film lacks its other document, asks for that first.
-    fn checked(&self, said: DialogAction) -> DialogAction {
+    fn checked(&self, action: DialogAction) -> DialogAction {
         let film = &self.choices.film;
         let lacks = self.choices.what == ExportKind::Film && film.change && film.to.is_none();
-        if said == DialogAction::Export && lacks { DialogAction::ChooseOther } else { said }
+        if action == DialogAction::Export && lacks { DialogAction::ChooseOther } else { action }
     }
 
     /// The preview.
@@ -215,7 +215,7 @@ impl Dialog {
         }
         match self.preview.finished(request) {
             Some(made) => {
-                parts.extend(made.told.clone());
+                parts.extend(made.message.clone());
                 if made.whole {
                     let files = if made.files.len() > 1 {
                         format!(" in {} files", made.files.len())

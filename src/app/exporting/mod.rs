@@ -97,14 +97,14 @@ fn write(
     check(path, request)?;
     if let Some(made) = made {
         copied(path, request, made)?.keep()?;
-        return Ok(made.told.clone());
+        return Ok(made.message.clone());
     }
     let began = path.is_dir();
     let written = (|| {
         let grown = if request.is_film() { None } else { Some(request.grow(grown, watch)?) };
         let written = request.write(grown.as_deref(), path, request.size(), watch)?;
         written.pending.keep()?;
-        Ok(written.told)
+        Ok(written.message)
     })();
     if written.is_err() && !began && request.choices.what == ExportKind::Material {
         // Removes it only where it is empty.

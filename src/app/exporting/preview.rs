@@ -35,7 +35,7 @@ pub struct FinishedPreview {
     /// Its pictures or frames.
     pub images: PreviewImages,
     /// A message about it.
-    pub told: Option<String>,
+    pub message: Option<String>,
     /// Bytes of its files.
     pub bytes: u64,
     /// The grown texture; `None` for films.
@@ -221,7 +221,7 @@ fn make_preview(
     Ok(FinishedPreview {
         whole,
         images,
-        told: written.told,
+        message: written.message,
         bytes,
         grown,
         files,

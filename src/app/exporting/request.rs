@@ -59,13 +59,13 @@ pub struct Written {
     /// The files.
     pub pending: Pending,
     /// A message about it.
-    pub told: Option<String>,
+    pub message: Option<String>,
     /// The outlines that were written.
     pub drawing: Option<OutlinePicture>,
 }
 
 /// The message of an error.
-fn message(error: impl std::error::Error) -> String {
+fn text(error: impl std::error::Error) -> String {
     error.to_string()
 }
 
@@ -114,7 +114,7 @@ impl ExportRequest {
             return Ok(Arc::clone(grown));
         }
         let grown = grow(&self.document, &Options { watch: *watch, ..self.options() });
-        grown.map(Arc::new).map_err(message)
+        grown.map(Arc::new).map_err(text)
     }
 
     fn extent(&self) -> Extent {
@@ -135,13 +135,13 @@ impl ExportRequest {
         let Some(grown) = grown else { return self.film(path, watch) };
         let files = match self.choices.what {
             ExportKind::Picture => {
-                self.picture(grown, path, size, watch).map(|file| vec![file]).map_err(message)?
+                self.picture(grown, path, size, watch).map(|file| vec![file]).map_err(text)?
             }
             ExportKind::Material => self.material(grown, path, size, watch)?,
-            ExportKind::Outlines => return self.outlines(grown, path, watch).map_err(message),
+            ExportKind::Outlines => return self.outlines(grown, path, watch).map_err(text),
             ExportKind::Film => return self.film(path, watch),
         };
-        Ok(Written { pending: Pending::Files(files), told: None, drawing: None })
+        Ok(Written { pending: Pending::Files(files), message: None, drawing: None })
     }
 
     fn picture(
@@ -201,7 +201,7 @@ impl ExportRequest {
         let surface = Surface { relief, roughness: choices.roughness.clone() };
         let making = Making { surface, scale, edges: self.document.edges };
         let painting = Painting::sized(&self.document, grown, size);
-        painting.material(folder, &set, &making, watch).map_err(message)
+        painting.material(folder, &set, &making, watch).map_err(text)
     }
 
     fn outlines(&self, grown: &Grown, path: &Path, watch: &Watch) -> Result<Written, ExportError> {
@@ -234,7 +234,7 @@ impl ExportRequest {
         let pen = if choices.dxf { None } else { Some(choices.pen / unit.per_px()) };
         Ok(Written {
             pending: Pending::Files(vec![file]),
-            told: Some(travel.text(unit)),
+            message: Some(travel.text(unit)),
             drawing: Some(OutlinePicture { size, groups, pen }),
         })
     }
@@ -242,21 +242,21 @@ impl ExportRequest {
     fn film(&self, path: &Path, watch: &Watch) -> Result<Written, String> {
         let choices = &self.choices.film;
         let made = if choices.change {
-            let to = choices.to.as_ref().ok_or("Choose the document that this one shall become.")?;
+            let to = choices.to.as_ref().ok_or("Choose the document into which this one changes.")?;
             let other = Document::read(to).map_err(|error| crate::app::notice::with_causes(&error))?;
             let there = to.display().to_string();
             let from = (&self.document, self.title.as_str());
-            let morph = Morph::new(from, (&other, &there), Training::built_in(), watch).map_err(message)?;
+            let morph = Morph::new(from, (&other, &there), Training::built_in(), watch).map_err(text)?;
             choices.clip.film_change([&self.document, &other], &morph, path, choices.kind, watch)
         } else {
             let options = Options { source: "the sketch", watch: *watch, ..Options::default() };
             let scene = Scene { document: &self.document, options };
             choices.clip.film_growth(&scene, path, choices.kind)
         };
-        let (film, summary) = made.map_err(message)?;
+        let (film, summary) = made.map_err(text)?;
         let [width, height] = summary.size;
-        let told = format!("{} frames of {width} × {height} px", summary.frames);
-        Ok(Written { pending: Pending::Film(film, summary), told: Some(told), drawing: None })
+        let message = format!("{} frames of {width} × {height} px", summary.frames);
+        Ok(Written { pending: Pending::Film(film, summary), message: Some(message), drawing: None })
     }
 
     /// The final paths of the `files` of a preview, where the export is written to `path`.

@@ -134,23 +134,23 @@ impl Results {
 
     /// The result, if it is that of `texture`.
     #[must_use]
-    pub fn of(&self, texture: Option<&Texture>) -> Option<&Outcome> {
+    pub fn for_texture(&self, texture: Option<&Texture>) -> Option<&Outcome> {
         self.outcome()
             .filter(|outcome| texture.is_some_and(|texture| Arc::ptr_eq(&texture.grown, &outcome.grown)))
     }
 }
 
-/// Which layer of the finished document is number `layer` of the session; `None` where that is empty.
+/// The index in the finished document of a layer of the session; `None` where it is empty.
 #[must_use]
-pub fn layer_of(session: &Session, layer: usize) -> Option<usize> {
+pub fn finished_layer(session: &Session, layer: usize) -> Option<usize> {
     let layers = &session.document().layers;
     let drawn = |layer: &crate::document::Layer| !layer.strokes.is_empty();
     layers.get(layer).is_some_and(drawn).then(|| layers[..layer].iter().filter(|layer| drawn(layer)).count())
 }
 
-/// The way back from [`layer_of`].
+/// The index in the session of a layer of the finished document: the inverse of [`finished_layer`].
 #[must_use]
-pub fn on_desk(session: &Session, layer: usize) -> Option<usize> {
+pub fn session_layer(session: &Session, layer: usize) -> Option<usize> {
     let drawn = session.document().layers.iter().enumerate().filter(|(_, layer)| !layer.strokes.is_empty());
     drawn.map(|(index, _)| index).nth(layer)
 }

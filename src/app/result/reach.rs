@@ -45,13 +45,13 @@ pub fn reach(
     let index = first.map.layout().index(place);
     let mut asked = asked_in(first, place);
     let mut answer = first.answers[index].clone();
-    let from = Sketch::of(&document, layer, first.map.layout(), place)?;
+    let from = Sketch::of_region(&document, layer, first.map.layout(), place)?;
     for attempt in 0..TRIES {
         if answer.notes.iter().all(|note| !note.is_beyond()) {
-            let to = Sketch::of(&document, layer, first.map.layout(), place)?;
+            let to = Sketch::of_region(&document, layer, first.map.layout(), place)?;
             return (attempt > 0).then(|| to.reach(&from));
         }
-        let sketch = Sketch::of(&document, layer, first.map.layout(), place)?;
+        let sketch = Sketch::of_region(&document, layer, first.map.layout(), place)?;
         let farther = 1.0 + FARTHER * f64::from(attempt);
         sketch.toward(&asked, &answer, farther, first.map.layout(), place)?.write(&mut document, layer);
         let size = document.size.map(f64::from);
@@ -82,7 +82,7 @@ struct Sketch {
 }
 
 impl Sketch {
-    fn of(document: &Document, layer: usize, layout: &RegionGrid, place: [usize; 2]) -> Option<Self> {
+    fn of_region(document: &Document, layer: usize, layout: &RegionGrid, place: [usize; 2]) -> Option<Self> {
         let marks = sketch_targets::marks(document, layer, "").ok()?;
         let inside = |(_, mark): &(usize, Mark)| layout.region_of(mark.center()) == place;
         let duty = document.layers[layer].options.duty;

@@ -137,11 +137,11 @@ impl Window {
 
     /// Replaces a region's marks by the nearest ones that can be grown.
     fn draw_what_can_be_reached(&mut self, layer: usize, place: [usize; 2]) {
-        let outcome = self.results.of(self.growth.texture.as_ref());
+        let outcome = self.results.for_texture(self.growth.texture.as_ref());
         let regions = outcome.and_then(|outcome| outcome.layers.get(layer)).map(|layer| &layer.regions);
         let region = regions.and_then(|all| all.iter().find(|region| region.report.place == place));
         let reach = region.and_then(|region| region.reach.clone());
-        let Some((reach, layer)) = reach.zip(result::on_desk(&self.session, layer)) else { return };
+        let Some((reach, layer)) = reach.zip(result::session_layer(&self.session, layer)) else { return };
         self.session.commit();
         let at = |(stroke, mark): (usize, Mark)| (Place { layer, stroke }, mark);
         self.session.replace(&reach.marks.into_iter().map(at).collect::<Vec<_>>());

@@ -69,8 +69,8 @@ impl Window {
         let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
         let shown =
             Modal::new(Id::unique("export")).frame(frame).show(ui.ctx(), |ui| dialog.ui(ui, &context));
-        let said = if shown.should_close() { Some(DialogAction::Cancel) } else { shown.inner };
-        match said {
+        let action = if shown.should_close() { Some(DialogAction::Cancel) } else { shown.inner };
+        match action {
             Some(DialogAction::Cancel) => return,
             Some(DialogAction::Export) => self.choose_export(&dialog.choices),
             Some(DialogAction::ChooseOther) => self.choose(Purpose::Become, ""),
@@ -151,12 +151,12 @@ impl Window {
             return;
         };
         match outcome {
-            Ok(told) => {
-                let told = told.map(|told| format!("\n{told}")).unwrap_or_default();
-                self.notices.written(&job.path, format!("Written: {}{told}", job.path.display()));
+            Ok(message) => {
+                let message = message.map(|message| format!("\n{message}")).unwrap_or_default();
+                self.notices.written(&job.path, format!("Written: {}{message}", job.path.display()));
             }
             Err(_) if job.is_cancelled() => {
-                self.notices.done("The export was given up; nothing was written.");
+                self.notices.done("The export was cancelled; nothing was written.");
             }
             Err(why) => self.notices.wrong(why),
         }

@@ -12,7 +12,7 @@ use crate::synth::render::clip::{Clip, FASTEST_GIF, RATES, SIDE, SIDES};
 /// The choices.
 pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) -> Option<DialogAction> {
     let film = &mut choices.film;
-    let mut said = None;
+    let mut action = None;
     rows(ui, "film", |ui| {
         named(ui, "Shows", "What the film shows");
         ui.vertical(|ui| {
@@ -30,7 +30,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) -> Opti
             let text = name
                 .map_or_else(|| "Choose a document…".to_owned(), |name| name.to_string_lossy().into_owned());
             if ui.add(Button::new(text)).clicked() {
-                said = Some(DialogAction::ChooseOther);
+                action = Some(DialogAction::ChooseOther);
             }
             ui.end_row();
         }
@@ -54,7 +54,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) -> Opti
             end(ui, &mut film.clip);
         }
     });
-    said
+    action
 }
 
 /// Size and speed.

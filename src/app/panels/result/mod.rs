@@ -50,7 +50,7 @@ pub struct Shown<'a> {
 
 /// Shows the results of the active layer.
 pub fn result(ui: &mut Ui, shown: &Shown, panel: &mut ResultPanel) -> Vec<Action> {
-    let layer = result::layer_of(shown.session, shown.session.active_layer);
+    let layer = result::finished_layer(shown.session, shown.session.active_layer);
     let Some(outcome) = shown.results.outcome() else {
         ui.weak(waiting(shown));
         return Vec::new();
@@ -59,7 +59,7 @@ pub fn result(ui: &mut Ui, shown: &Shown, panel: &mut ResultPanel) -> Vec<Action
         ui.weak(if layer.is_some() { waiting(shown) } else { "Nothing is drawn on this layer." });
         return Vec::new();
     };
-    let is_current = shown.results.of(shown.growth.texture.as_ref()).is_some();
+    let is_current = shown.results.for_texture(shown.growth.texture.as_ref()).is_some();
     ui.horizontal(|ui| {
         ui.strong(&of_layer.name);
         ui.weak(of_layer.system.name()).on_hover_text("The reaction-diffusion system of this layer");

@@ -22,7 +22,7 @@ pub fn paint_signs(
     palette: &Palette,
 ) {
     let Some(outcome) = results.outcome() else { return };
-    let layer = result::layer_of(session, session.active_layer);
+    let layer = result::finished_layer(session, session.active_layer);
     let Some(layer) = layer.and_then(|layer| outcome.layers.get(layer)) else { return };
     let [columns, rows] = outcome.grown.document.regions.map(|n| n as f32);
     let paper = view.paper(room, outcome.grown.size);
