@@ -198,7 +198,7 @@ fn a_damaged_slot_is_told_and_does_not_hinder() {
     let mut hand = window(folder.path(), None);
     let notices = hand.window.state().notices().to_vec();
     assert_eq!(notices.len(), 2, "{notices:?}");
-    assert!(notices.iter().all(|notice| notice.wrong && notice.text.contains("kept aside")));
+    assert!(notices.iter().all(|notice| notice.wrong && notice.text.contains("was renamed")));
     assert!(folder.path().join("recovery/1-2-3.damaged").exists());
     assert!(folder.path().join("settings.damaged").exists());
     assert_eq!(is_offered(&hand), 0);
