@@ -1,4 +1,4 @@
-//! `dapple bench`: how fast this machine is.
+//! `dapple bench`: the speed of this machine.
 
 mod kernels;
 mod machine;
@@ -6,31 +6,32 @@ mod pictures;
 mod report;
 
 use super::{Error, interrupted, print, values};
+use crate::export::TemporaryFolder;
 use crate::rd::benchmark::Case;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use kernels::{Crews, Effort};
+use kernels::{Effort, Pools};
 use report::Report;
 use std::time::Duration;
 
-/// What to measure.
+/// Arguments of `dapple bench`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Answer in JSON
     #[arg(long)]
     pub json: bool,
-    /// Threads of the runs on many [default: all cores]
+    /// Threads of the runs with several threads [default: all cores]
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
-    /// Sides of the square grids to step, cells
+    /// Cells along each side of the grids
     #[arg(
         long, value_name = "N,N...", value_delimiter = ',', value_parser = values::grid_side,
         default_values_t = [256, 1024, 2048]
     )]
     pub size: Vec<usize>,
-    /// Measure only what has this in its name, such as turing-spots/isotropic or picture/
+    /// Measure only cases with this text in their names, such as turing-spots/isotropic or picture/
     #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
     pub only: String,
-    /// Fewer and shorter runs: rough numbers in a few seconds
+    /// Fewer and shorter runs, for rough numbers in a few seconds
     #[arg(long)]
     pub quick: bool,
 }
@@ -44,7 +45,7 @@ impl Args {
         }
     }
 
-    /// The cases and the documents that were asked for.
+    /// The requested cases and documents.
     fn chosen(&self) -> Result<(Vec<Case>, Vec<pictures::Example>), Error> {
         let mut names = Vec::new();
         let mut wanted = |name: String| {
@@ -63,17 +64,17 @@ impl Args {
     }
 }
 
-/// Measures this machine and tells what it found.
+/// Measures this machine and prints the results.
 ///
 /// # Errors
-/// [`Error::Interrupted`]; where nothing was asked for; where an example cannot be grown.
+/// [`Error::Interrupted`]; no case was requested; an example cannot be grown.
 pub fn run(args: &Args) -> Result<(), Error> {
     let (cases, examples) = args.chosen()?;
     super::install();
-    let crews = Crews::of(args.threads)?;
+    let pools = Pools::new(args.threads)?;
     let bar = Bar::new(cases.len() * args.size.len() + examples.len());
-    let mut report = Report::begin(crews.threads, args.effort());
-    let measured = fill(&mut report, args, &cases, &examples, &crews, &bar);
+    let mut report = Report::begin(pools.threads, args.effort());
+    let measured = fill(&mut report, args, &cases, &examples, &pools, &bar);
     bar.clear();
     measured?;
     report.end();
@@ -85,7 +86,7 @@ fn fill(
     args: &Args,
     cases: &[Case],
     examples: &[pictures::Example],
-    crews: &Crews,
+    pools: &Pools,
     bar: &Bar,
 ) -> Result<(), Error> {
     let effort = args.effort();
@@ -93,28 +94,28 @@ fn fill(
         let start = case.start();
         for &size in &args.size {
             bar.show(&format!("{}, {size}²", case.name()));
-            report.kernels.push(kernels::measure(case, &start, size, crews, effort)?);
+            report.kernels.push(kernels::measure(case, &start, size, pools, effort)?);
             bar.step();
         }
     }
     if examples.is_empty() {
         return Ok(());
     }
-    let folder = pictures::Folder::new()?;
+    let folder = TemporaryFolder::new().map_err(Error::step)?;
     for example in examples {
         bar.show(&example.label());
-        report.pictures.push(pictures::measure(example, &folder, crews, effort)?);
+        report.pictures.push(pictures::measure(example, folder.path(), pools, effort)?);
         bar.step();
     }
     Ok(())
 }
 
-/// Gives up where Ctrl-C was pressed.
-fn go_on() -> Result<(), Error> {
+/// [`Error::Interrupted`] if Ctrl-C was pressed.
+fn check_interrupt() -> Result<(), Error> {
     if interrupted() { Err(Error::Interrupted) } else { Ok(()) }
 }
 
-/// Shows on a terminal what is being measured.
+/// Shows the current measurement on a terminal.
 struct Bar(ProgressBar);
 
 impl Bar {

@@ -1,4 +1,4 @@
-//! `dapple check`: is a document valid, and what is in it.
+//! `dapple check`: checks a document and lists its content.
 
 use super::Error;
 use crate::attributes::{Attributes, Spread};
@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// What to check.
+/// Arguments of `dapple check`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// The document
@@ -22,10 +22,10 @@ pub struct Args {
     pub json: bool,
 }
 
-/// Reads a document and says what is in it, what would be grown, and what cannot be reached.
+/// Reads a document and prints its content, the planned growth, and attributes that cannot be reached.
 ///
 /// # Errors
-/// Where it is not valid, or a training set cannot be read.
+/// The document is invalid, or a training set cannot be read.
 pub fn run(args: &Args) -> Result<(), Error> {
     let document = Document::read(&args.file)?;
     let source = args.file.display().to_string();
@@ -136,7 +136,7 @@ fn described(wanted: &Attributes, bent: bool) -> String {
     }
 }
 
-/// Such as `, varied: area by 0.12, angle by 8°`; nothing where all are alike.
+/// Such as `, varied: area by 0.12, angle by 8°`; empty if all marks are alike.
 fn varied(spread: &Spread) -> String {
     let part = |(name, value): (&str, f64)| match name {
         "angle" => (value >= 0.05).then(|| format!("angle by {value:.1}°")),
@@ -172,14 +172,14 @@ fn marks(layer: &Layer) -> String {
     counted.collect::<Vec<_>>().join(", ")
 }
 
-/// How many of each kind were drawn, where there are any.
+/// The number of drawn strokes of each kind, without kinds that do not occur.
 fn counts(layer: &Layer) -> Vec<(&'static str, usize)> {
     let kinds = [(Some(Kind::Ellipse), "ellipse"), (Some(Kind::Line), "line"), (None, "freehand stroke")];
     let count = |kind| layer.strokes.iter().filter(|stroke| stroke.kind() == kind).count();
     kinds.into_iter().map(|(kind, name)| (name, count(kind))).filter(|(_, n)| *n > 0).collect()
 }
 
-/// A name without the characters that would act on a terminal.
+/// A name with control characters replaced.
 fn printable(name: &str) -> String {
     name.chars().map(|c| if c.is_control() { '�' } else { c }).collect()
 }

@@ -1,4 +1,4 @@
-//! `dapple sheet`: many documents → one picture with all of them, their names beneath.
+//! `dapple sheet`: many documents → one picture with all textures and their names.
 
 mod contact;
 mod layout;
@@ -22,31 +22,31 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use text::Pen;
 
-/// Pictures are painted with so many times the px of their thumbnails, then shrunk.
-pub(super) const FINER: usize = 3;
-/// Px of the largest sheet: 400 MB while it is made.
-const MOST_PX: usize = 1 << 27;
-/// Lines that a name may take.
+/// Pictures are painted with so many times the px of their thumbnails along each side, then scaled down.
+pub(super) const SUPERSAMPLING: usize = 3;
+/// Largest sheet, px: 400 MB while it is made.
+const MAX_PX: usize = 1 << 27;
+/// Most lines of a name.
 const NAME_LINES: usize = 3;
-/// Steps of the progress bar a picture.
+/// Steps of the progress bar for each picture.
 const STEPS: f64 = 100.0;
 
-/// What to grow, and how to lay it out.
+/// Arguments of `dapple sheet`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The documents to grow, in the order in which they are laid out
+    /// The documents to grow, in the order of the sheet
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
     /// Where to write the sheet
     #[arg(short, long, value_name = "SHEET.png")]
     pub output: PathBuf,
-    /// Documents in a row [default: as make the sheet a little wider than high]
+    /// Documents in a row [default: chosen for a sheet slightly wider than high]
     #[arg(long, value_name = "N", value_parser = values::count)]
     pub columns: Option<usize>,
     /// The longer side of each picture, px
     #[arg(long, value_name = "PX", default_value_t = 256, value_parser = clap::value_parser!(u32).range(32..=4096))]
     pub thumb: u32,
-    /// Grow each document from K seeds, side by side: its own and those after it
+    /// Grow each document with K seeds, side by side: its own and the next ones
     #[arg(long, value_name = "K", default_value = "1", value_parser = values::count)]
     pub seeds: usize,
     /// Use the training sets in this folder instead of those built in
@@ -60,7 +60,7 @@ pub struct Args {
     pub quiet: bool,
 }
 
-/// A document, or why there is none.
+/// A document, or why it cannot be read.
 struct Entry {
     file: String,
     name: String,
@@ -77,8 +77,8 @@ impl Entry {
         Self { file, name, document }
     }
 
-    /// How large its pictures are shown: as wide to high as the canvas.
-    fn picture(&self, thumb: usize) -> [usize; 2] {
+    /// Size of its pictures, px, with the proportions of the canvas.
+    fn picture_size(&self, thumb: usize) -> [usize; 2] {
         let Ok(document) = &self.document else { return [thumb; 2] };
         let longest = f64::from(document.size[0].max(document.size[1]));
         document.size.map(|side| ((f64::from(side) / longest * thumb as f64).round() as usize).max(1))
@@ -88,7 +88,7 @@ impl Entry {
         self.document.as_ref().map_or(0, |document| document.seed).wrapping_add(picture as u64)
     }
 
-    /// Grows picture number `picture`, `size` px: red, green, blue a px.
+    /// Grows picture number `picture` of `size` px: red, green, blue for each px.
     fn grow(
         &self,
         picture: usize,
@@ -100,7 +100,7 @@ impl Entry {
         let document = Document { seed: self.seed(picture), ..document.clone() };
         let options = Options { source: &self.file, training, watch: *watch, ..Options::default() };
         let grown = grow(&document, &options).map_err(Error::grown)?;
-        let fine = size.map(|side| FINER * side);
+        let fine = size.map(|side| SUPERSAMPLING * side);
         Ok(export::downscale(&Painting::sized(&document, &grown, fine).rgb(), fine, size))
     }
 }
@@ -108,12 +108,12 @@ impl Entry {
 /// Grows the documents and writes the sheet.
 ///
 /// # Errors
-/// Where the sheet cannot be written; where pictures are missing in it.
+/// The sheet cannot be written, or pictures are missing in it.
 pub fn run(args: &Args) -> Result<(), Error> {
     args.files.iter().try_for_each(|file| check_apart("FILE", file, &args.output))?;
     let format = export::check_content(&args.output, Content::Colours).map_err(Error::step)?;
     if let Some(threads) = args.threads {
-        // Fails only where the pool exists already, and nothing has used it yet.
+        // Fails only if the pool exists already; nothing has used it yet.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     }
     let entries: Vec<Entry> = args.files.iter().map(|file| Entry::read(file)).collect();
@@ -135,30 +135,30 @@ pub fn run(args: &Args) -> Result<(), Error> {
     Err(Error::Tiles { sheet, all: entries.len() * args.seeds, why: missing })
 }
 
-/// Where everything goes, and the lines of each name.
+/// The layout, and the lines of each name.
 fn lay_out(args: &Args, entries: &[Entry], pen: &Pen) -> Result<(Layout, Vec<Vec<String>>), Error> {
     let thumb = args.thumb as usize;
     let columns = args.columns.unwrap_or_else(|| layout::columns(entries.len(), args.seeds));
     let width = layout::width(thumb, args.seeds);
     let names: Vec<_> = entries.iter().map(|entry| pen.wrap(&entry.name, width, NAME_LINES)).collect();
     let shape = |(entry, lines): (&Entry, &Vec<String>)| Shape {
-        picture: entry.picture(thumb),
+        picture: entry.picture_size(thumb),
         name: lines.len() * pen.line,
     };
     let shapes: Vec<Shape> = entries.iter().zip(&names).map(shape).collect();
     let under = if args.seeds > 1 { pen.line } else { 0 };
     let layout = Layout::new(&shapes, columns, thumb, args.seeds, under);
     let [wide, high] = layout.size;
-    if wide.saturating_mul(high) > MOST_PX {
+    if wide.saturating_mul(high) > MAX_PX {
         return Err(Error::Usage(format!(
-            "the sheet would be {wide} × {high} px; allowed: {MOST_PX} px in all; take a smaller --thumb, fewer \
+            "the sheet would be {wide} × {high} px; allowed: {MAX_PX} px in all; choose a smaller --thumb, fewer \
              --seeds or fewer files"
         )));
     }
     Ok((layout, names))
 }
 
-/// Grows all pictures onto the paper; why some are missing, one line each.
+/// Grows all pictures onto the paper; returns why some are missing, one line each.
 fn fill(
     args: &Args,
     entries: &[Entry],
@@ -183,15 +183,15 @@ fn fill(
             let watch = Watch { progress: &show, cancelled: &cancelled };
             let at = [spot.pictures[picture], spot.top];
             match entry.grow(picture, spot.size, &training, &watch) {
-                Ok(rgb) => paper.lay(&rgb, spot.size, at),
+                Ok(rgb) => paper.place(&rgb, spot.size, at),
                 Err(Error::Interrupted) => {
                     bar.finish_and_clear();
                     return Err(Error::Interrupted);
                 }
                 Err(error) => {
                     let reason = with_causes(&error);
-                    refuse(paper, pen, &reason, spot, at);
-                    missing.push(told(entry, picture, args.seeds, &reason));
+                    draw_reason(paper, pen, &reason, spot, at);
+                    missing.push(missing_line(entry, picture, args.seeds, &reason));
                 }
             }
             if args.seeds > 1 && entry.document.is_ok() {
@@ -205,7 +205,7 @@ fn fill(
 }
 
 /// An empty tile with the reason in it.
-fn refuse(paper: &mut Paper, pen: &Pen, reason: &str, spot: &Spot, at: [usize; 2]) {
+fn draw_reason(paper: &mut Paper, pen: &Pen, reason: &str, spot: &Spot, at: [usize; 2]) {
     paper.fill(at, spot.size, paper::EMPTY);
     let inset = pen.line / 2;
     let [width, height] = spot.size.map(|side| side.saturating_sub(2 * inset));
@@ -215,7 +215,7 @@ fn refuse(paper: &mut Paper, pen: &Pen, reason: &str, spot: &Spot, at: [usize; 2
 }
 
 /// Why a picture is missing, with the file's name once.
-fn told(entry: &Entry, picture: usize, seeds: usize, reason: &str) -> String {
+fn missing_line(entry: &Entry, picture: usize, seeds: usize, reason: &str) -> String {
     let file = if reason.contains(&entry.file) { String::new() } else { format!("{}: ", entry.file) };
     let seed = if seeds > 1 && entry.document.is_ok() {
         format!("seed {}: ", entry.seed(picture))
@@ -232,6 +232,6 @@ fn bar(quiet: bool, all: usize) -> ProgressBar {
         ProgressBar::with_draw_target(Some(all as u64 * STEPS as u64), ProgressDrawTarget::stderr())
     };
     let style =
-        ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed} gone, {eta} left  {wide_msg}");
+        ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed} elapsed, {eta} left  {wide_msg}");
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

@@ -1,4 +1,4 @@
-//! Arguments → checked values; clap puts the argument's name and text before each message.
+//! Arguments → checked values; clap adds the argument's name and text to each message.
 
 use crate::attributes::Stripes;
 use crate::document::layer_rules::{Beneath, Combination};
@@ -11,7 +11,7 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     const ALLOWED: &str = "allowed: WIDTHxHEIGHT in px, such as 4096x4096";
     let (width, height) = text.split_once(['x', 'X', '×']).ok_or(ALLOWED)?;
     let side = |text: &str| {
-        // `+5` would be a number for Rust.
+        // Rust would accept `+5`.
         let side = text.bytes().all(|c| c.is_ascii_digit()).then(|| text.parse::<u64>().ok()).flatten();
         let side = side.ok_or_else(|| format!("found {text:?} for a side; {ALLOWED}"))?;
         let whole = u32::try_from(side).ok().filter(|side| (1..=limits::MAX_SIDE).contains(side));
@@ -20,7 +20,7 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     Ok([side(width)?, side(height)?])
 }
 
-/// A system by name; `auto` needs marks to choose by, and there are none on a command line.
+/// A system by name; not `auto`, which chooses by the marks of a document.
 pub(super) fn system(text: &str) -> Result<SystemChoice, String> {
     let named = SystemChoice::NAMES.iter().filter(|(_, system)| *system != SystemChoice::Auto);
     match named.clone().find(|(name, _)| *name == text) {
@@ -31,7 +31,7 @@ pub(super) fn system(text: &str) -> Result<SystemChoice, String> {
 
 /// A length (px) or an area (px²).
 pub(super) fn positive(text: &str) -> Result<f64, String> {
-    // Far above the area of the largest canvas, far below where squares overflow.
+    // Far above the area of the largest canvas, far below the overflow of squares.
     const MOST: f64 = 1e12;
     let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number <= MOST);
     number.ok_or_else(|| "allowed: a number above 0, at most 1e12".to_owned())
@@ -43,7 +43,7 @@ pub(super) fn aspect(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "allowed: minor / major radius, above 0, at most 1 (round)".to_owned())
 }
 
-/// Stripe ÷ period.
+/// Stripe width ÷ period.
 pub(super) fn duty(text: &str) -> Result<f64, String> {
     let limits::Range { low, high, .. } = limits::DUTY;
     let number = text.parse::<f64>().ok().filter(|number| (low..=high).contains(number));
@@ -76,7 +76,7 @@ pub(super) fn threads(text: &str) -> Result<usize, String> {
     number.ok_or_else(|| "allowed: a whole number from 1 to 1024".to_owned())
 }
 
-/// A time to wait.
+/// A duration.
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|number| (0.0..=600.0).contains(number));
     number.ok_or_else(|| "allowed: 0 to 600 seconds".to_owned())
@@ -88,7 +88,7 @@ pub(super) fn count(text: &str) -> Result<usize, String> {
     number.ok_or_else(|| "allowed: a whole number from 1 to 1000".to_owned())
 }
 
-/// Cells along each side of a grid to measure on. The largest takes some 3 GB.
+/// Cells along each side of a grid to benchmark. The largest takes about 3 GB.
 pub(super) fn grid_side(text: &str) -> Result<usize, String> {
     let number = text.parse::<usize>().ok().filter(|number| (16..=4096).contains(number));
     number.ok_or_else(|| "allowed: a whole number of cells from 16 to 4096".to_owned())
@@ -100,13 +100,13 @@ pub(super) fn dpi(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| format!("allowed: {}", limits::DPI))
 }
 
-/// A pattern value at which outlines are drawn.
+/// The pattern value that outlines follow.
 pub(super) fn level(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number < 1.0);
     number.ok_or_else(|| "allowed: a pattern value above 0 and below 1; 0.5 is the marks' edge".to_owned())
 }
 
-/// What outlines are measured in.
+/// The unit of lengths of outlines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Units {
     /// Millimetres.
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_that_are_none_are_refused() {
+    fn invalid_numbers_are_refused() {
         for wrong in ["nan", "inf", "-inf", "0", "-1", "1e999", ""] {
             assert!(positive(wrong).is_err(), "{wrong}");
             assert!(aspect(wrong).is_err(), "{wrong}");

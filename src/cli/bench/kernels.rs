@@ -1,6 +1,6 @@
-//! Cell updates a second: the plain solver on one thread, the fast one on one and on many, in turn.
+//! Cell updates a second of the plain solver on one thread and of the fast solver on one and on several threads, measured in turn.
 
-use super::go_on;
+use super::check_interrupt;
 use crate::cli::Error;
 use crate::rd::Growth;
 use crate::rd::benchmark::{Case, Start};
@@ -10,25 +10,25 @@ use std::time::{Duration, Instant};
 /// How long to measure.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// Times that each solver has its turn.
+    /// Number of turns of each solver.
     pub pairs: usize,
-    /// What one turn takes at least.
+    /// Shortest duration of a turn.
     pub at_least: Duration,
-    /// Times that each picture is made.
+    /// Number of growths of each picture.
     pub pictures: usize,
 }
 
-/// Those who compute.
-pub struct Crews {
+/// Thread pools.
+pub struct Pools {
     one: ThreadPool,
     all: ThreadPool,
-    /// Threads of the second.
+    /// Threads of the second pool.
     pub threads: usize,
 }
 
-impl Crews {
-    /// One of one thread and one of `threads`, or as many as there are cores.
-    pub fn of(threads: Option<usize>) -> Result<Self, Error> {
+impl Pools {
+    /// A pool of one thread and one of `threads`, or of as many as there are cores.
+    pub fn new(threads: Option<usize>) -> Result<Self, Error> {
         let pool = |threads: usize| {
             rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(Error::step)
         };
@@ -39,12 +39,12 @@ impl Crews {
     }
 
     /// Runs `work` on all threads.
-    pub fn together<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+    pub fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
         self.all.install(work)
     }
 }
 
-/// What was measured of one case at one size. Rates are cell updates a second (all chemicals of one cell, one step).
+/// The measurements of one case at one size. Rates are cell updates a second (all chemicals of a cell, one step).
 #[derive(Clone, Debug)]
 pub struct Kernel {
     /// The case.
@@ -63,10 +63,10 @@ pub struct Kernel {
     pub all_over_one: f64,
 }
 
-/// Steps of the fast solver come in multiples of this: it takes several in one sweep.
+/// Steps of the fast solver are multiples of this: it takes several steps in one sweep.
 const SWEEP: u64 = 16;
 
-/// Takes so many steps in its own way.
+/// Takes a number of steps.
 type Solver<'a> = &'a dyn Fn(&mut Growth, u64);
 
 /// Measures `case` at `size`.
@@ -77,19 +77,20 @@ pub fn measure(
     case: &Case,
     start: &Start,
     size: usize,
-    crews: &Crews,
+    pools: &Pools,
     effort: Effort,
 ) -> Result<Kernel, Error> {
     let growth = case.growth(start, &case.maps(size));
-    // A start made by the case itself always fits.
-    let mut growth = growth.ok_or_else(|| Error::Usage(format!("{}: another's start", case.name())))?;
-    let plain: Solver = &|growth, steps| crews.one.install(|| growth.advance_plain(steps));
-    let one: Solver = &|growth, steps| crews.one.install(|| growth.advance(steps));
-    let all: Solver = &|growth, steps| crews.all.install(|| growth.advance(steps));
+    // A start of the same case always fits.
+    let mut growth = growth
+        .ok_or_else(|| Error::Usage(format!("{}: the start belongs to another system", case.name())))?;
+    let plain: Solver = &|growth, steps| pools.one.install(|| growth.advance_plain(steps));
+    let one: Solver = &|growth, steps| pools.one.install(|| growth.advance(steps));
+    let all: Solver = &|growth, steps| pools.all.install(|| growth.advance(steps));
     let mut turns = Vec::with_capacity(3);
     for (solver, sweep) in [(plain, 1), (one, SWEEP), (all, SWEEP)] {
         let steps = steps_for(effort.at_least, sweep, |steps| {
-            go_on()?;
+            check_interrupt()?;
             Ok(seconds(|| solver(&mut growth, steps)))
         })?;
         turns.push((solver, steps));
@@ -97,7 +98,7 @@ pub fn measure(
     let mut rates = [const { Vec::new() }; 3];
     for _ in 0..effort.pairs {
         for ((solver, steps), rates) in turns.iter().zip(&mut rates) {
-            go_on()?;
+            check_interrupt()?;
             let updates = (size * size) as f64 * *steps as f64;
             rates.push(updates / seconds(|| solver(&mut growth, *steps)));
         }
@@ -115,20 +116,20 @@ pub fn measure(
     })
 }
 
-/// How many steps, in multiples of `sweep`, take at least so long. `run` gives the seconds that some steps take.
+/// The number of steps, a multiple of `sweep`, that takes at least `at_least`. `run` returns the duration of some steps, seconds.
 fn steps_for(
     at_least: Duration,
     sweep: u64,
     mut run: impl FnMut(u64) -> Result<f64, Error>,
 ) -> Result<u64, Error> {
     let wanted = at_least.as_secs_f64();
-    // The first run is never counted: it fetches all that is in memory.
+    // The first run is not counted: it fills the caches.
     run(sweep)?;
     let mut steps = sweep;
     loop {
         let taken = run(steps)?;
         if taken >= 0.25 * wanted {
-            // A tenth more, since the next may be faster.
+            // A tenth more, as the next run may be faster.
             let sweeps = (1.1 * wanted / taken * steps as f64 / sweep as f64).ceil() as u64;
             return Ok(sweep * sweeps.max(1));
         }
@@ -136,14 +137,14 @@ fn steps_for(
     }
 }
 
-/// How long `work` takes.
+/// The duration of `work`, seconds.
 pub fn seconds(work: impl FnOnce()) -> f64 {
     let started = Instant::now();
     work();
     started.elapsed().as_secs_f64()
 }
 
-/// The middle one; of an even number the mean of the middle two. NaN of none.
+/// The median; NaN of no numbers.
 pub fn median(mut numbers: Vec<f64>) -> f64 {
     numbers.sort_by(f64::total_cmp);
     let half = numbers.len() / 2;
@@ -166,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_are_found_that_take_long_enough() {
+    fn the_steps_take_long_enough() {
         for a_step in [1e-6, 0.003, 0.5] {
             let steps = steps_for(Duration::from_millis(100), 16, |steps| Ok(a_step * steps as f64)).unwrap();
             assert!(steps % 16 == 0 && a_step * steps as f64 >= 0.1);

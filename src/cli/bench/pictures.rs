@@ -1,21 +1,21 @@
-//! From a document to its picture, as `dapple grow` does it.
+//! The time from a document to its picture, as by `dapple grow`.
 
-use super::go_on;
-use super::kernels::{Crews, Effort, median, seconds};
+use super::check_interrupt;
+use super::kernels::{Effort, Pools, median, seconds};
 use crate::cli::{Cli, Command, Error, grow};
 use crate::document::Document;
 use clap::Parser;
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// A document that comes with the program.
+/// A built-in document.
 #[derive(Clone, Copy, Debug)]
 pub struct Example {
     name: &'static str,
     text: &'static str,
 }
 
-/// Spots that vary in everything, turning stripes, and large marks.
+/// Spots that vary in all attributes, stripes that turn, and large marks.
 pub const EXAMPLES: [Example; 3] = [
     Example { name: "cheetah-run", text: include_str!("../../../examples/cheetah-run.dapple") },
     Example { name: "zebra", text: include_str!("../../../examples/zebra.dapple") },
@@ -29,57 +29,35 @@ impl Example {
     }
 }
 
-/// What was measured of one document.
+/// The measurement of one document.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// Its name.
     pub document: &'static str,
     /// Width and height, px.
     pub size: [u32; 2],
-    /// Median time from the file of the document to that of the picture, on all threads.
+    /// Median time from reading the document to the written picture, on all threads, seconds.
     pub seconds: f64,
-}
-
-/// Where the pictures go. Goes itself when dropped.
-pub struct Folder(PathBuf);
-
-impl Folder {
-    /// A new folder among the temporary files.
-    ///
-    /// # Errors
-    /// Where none can be made.
-    pub fn new() -> Result<Self, Error> {
-        let path = std::env::temp_dir().join(format!("dapple-bench-{}", std::process::id()));
-        std::fs::create_dir(&path).map_err(|source| unwritable(&path, source))?;
-        Ok(Self(path))
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // A temporary file left behind is no reason to fail.
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
 }
 
 fn unwritable(path: &Path, source: std::io::Error) -> Error {
     Error::File { file: path.display().to_string(), done: "written", source }
 }
 
-/// Measures how long `dapple grow` takes, the start of the program left out.
+/// Measures the duration of `dapple grow`, without the start of the program.
 ///
 /// # Errors
-/// [`Error::Interrupted`]; what `grow` says.
-pub fn measure(example: &Example, folder: &Folder, crews: &Crews, effort: Effort) -> Result<Picture, Error> {
-    let document = folder.0.join(format!("{}.dapple", example.name));
+/// [`Error::Interrupted`]; the errors of `grow`.
+pub fn measure(example: &Example, folder: &Path, pools: &Pools, effort: Effort) -> Result<Picture, Error> {
+    let document = folder.join(format!("{}.dapple", example.name));
     std::fs::write(&document, example.text).map_err(|source| unwritable(&document, source))?;
     let size = Document::parse(example.text, example.name)?.size;
-    let args = grow_args(&document, &folder.0.join(format!("{}.png", example.name)))?;
+    let args = grow_args(&document, &folder.join(format!("{}.png", example.name)))?;
     let mut times = Vec::with_capacity(effort.pictures);
     for _ in 0..effort.pictures {
-        go_on()?;
+        check_interrupt()?;
         let mut grown = Ok(());
-        times.push(seconds(|| grown = crews.together(|| grow::run(&args))));
+        times.push(seconds(|| grown = pools.run(|| grow::run(&args))));
         grown?;
     }
     Ok(Picture { document: example.name, size, seconds: median(times) })

@@ -1,4 +1,4 @@
-//! What was measured, for people and for machines.
+//! The measurements, as text and as JSON.
 
 use super::kernels::{Effort, Kernel};
 use super::machine::{Machine, load};
@@ -6,7 +6,7 @@ use super::pictures::Picture;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// All that was measured.
+/// All measurements.
 pub struct Report {
     machine: Machine,
     threads: usize,
@@ -19,18 +19,18 @@ pub struct Report {
 }
 
 impl Report {
-    /// An empty one; looks how busy the machine is.
+    /// An empty report with the current load of the machine.
     pub fn begin(threads: usize, effort: Effort) -> Self {
         let (kernels, pictures) = (Vec::new(), Vec::new());
         Self { machine: Machine::here(), threads, effort, load: [load(), None], kernels, pictures }
     }
 
-    /// Looks once more how busy the machine is.
+    /// Adds the load of the machine at the end.
     pub fn end(&mut self) {
         self.load[1] = load();
     }
 
-    /// For machines: rates in cell updates a second, times in seconds.
+    /// As JSON: rates in cell updates a second, times in seconds.
     pub fn json(&self) -> Value {
         let kernel = |k: &Kernel| {
             json!({
@@ -61,7 +61,7 @@ impl Report {
         })
     }
 
-    /// For people.
+    /// As text.
     pub fn text(&self) -> String {
         let mut text = self.head();
         if !self.kernels.is_empty() {
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_tells_rates_ratios_and_times() {
+    fn the_table_shows_rates_ratios_and_times() {
         let text = report().text();
         for told in [
             "turing-spots",
@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn a_load_that_is_not_known_is_left_open() {
+    fn an_unknown_load_is_null() {
         let report = Report { load: [None, Some(1.5)], ..report() };
         assert_eq!(report.json()["load"], json!({"before": null, "after": 1.5}));
         assert!(report.text().contains("load unknown before, 1.50 after"));

@@ -1,9 +1,9 @@
-//! A contact sheet: one document from many seeds.
+//! A contact sheet: one document with many seeds.
 
 use super::layout::{Layout, Shape};
 use super::paper::Paper;
 use super::text::{self, Pen};
-use super::{FINER, MOST_PX};
+use super::{MAX_PX, SUPERSAMPLING};
 use crate::cli::Error;
 use crate::document::Document;
 use crate::export::{self, png};
@@ -19,15 +19,15 @@ pub struct Thumbnail {
 }
 
 impl Thumbnail {
-    /// What has `grown`, `side` px along its longer side.
+    /// A picture of a growth, `side` px along its longer side.
     pub fn new(document: &Document, grown: &Grown, side: usize) -> Self {
         let size = fitted(grown.size, side);
-        let fine = size.map(|side| FINER * side);
+        let fine = size.map(|side| SUPERSAMPLING * side);
         Self { size, rgb: export::downscale(&Painting::sized(document, grown, fine).rgb(), fine, size) }
     }
 }
 
-/// Small pictures with a name for each.
+/// Small pictures with their names.
 pub struct Contact {
     title: String,
     side: usize,
@@ -35,26 +35,26 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// Without a picture yet, each to be `side` px along its longer side.
+    /// An empty sheet for pictures of `side` px along their longer side.
     pub fn new(title: String, side: usize) -> Self {
         Self { title, side, pictures: Vec::new() }
     }
 
-    /// Puts another at the end.
+    /// Adds a picture at the end.
     pub fn add(&mut self, name: String, picture: Thumbnail) {
         self.pictures.push((name, picture));
     }
 
-    /// Has it no pictures?
+    /// Whether it has no pictures.
     pub fn is_empty(&self) -> bool {
         self.pictures.is_empty()
     }
 }
 
-/// Lays the pictures out, the title under the first, and writes the sheet.
+/// Lays the pictures out with their names and writes the sheet.
 ///
 /// # Errors
-/// Where it cannot be written; where it would be too large.
+/// The sheet cannot be written, or would be too large.
 pub fn write(contact: &Contact, output: &Path) -> Result<(), Error> {
     let pen = Pen::for_pictures_of(contact.side);
     let shape = |(_, thumb): &(String, Thumbnail)| Shape { picture: thumb.size, name: pen.line };
@@ -62,14 +62,14 @@ pub fn write(contact: &Contact, output: &Path) -> Result<(), Error> {
     let columns = super::layout::columns(shapes.len(), 1);
     let layout = Layout::new(&shapes, columns, contact.side, 1, 0);
     let [wide, high] = layout.size;
-    if wide.saturating_mul(high) > MOST_PX {
+    if wide.saturating_mul(high) > MAX_PX {
         return Err(Error::Usage(format!(
-            "the sheet would be {wide} × {high} px; allowed: {MOST_PX} px in all; take fewer --variations"
+            "the sheet would be {wide} × {high} px; allowed: {MAX_PX} px in all; choose fewer --variations"
         )));
     }
     let mut paper = Paper::blank(layout.size);
     for (spot, (name, thumb)) in layout.spots.iter().zip(&contact.pictures) {
-        paper.lay(&thumb.rgb, thumb.size, [spot.pictures[0], spot.top]);
+        paper.place(&thumb.rgb, thumb.size, [spot.pictures[0], spot.top]);
         let name = format!("{}, {name}", contact.title);
         for line in pen.wrap(&name, contact.side, 1) {
             pen.write(&mut paper, &line, spot.name, text::INK);

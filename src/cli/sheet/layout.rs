@@ -1,6 +1,6 @@
-//! Where the pictures and names of a sheet go.
+//! The layout of a sheet: positions of pictures and names.
 
-/// What one document needs.
+/// The space that one document needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
     /// Width and height of each of its pictures, px, at most the thumbnail's.
@@ -9,7 +9,7 @@ pub struct Shape {
     pub name: usize,
 }
 
-/// Where one document goes.
+/// The position of one document.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spot {
     /// Left edges of its pictures, px.
@@ -18,51 +18,51 @@ pub struct Spot {
     pub top: usize,
     /// Their width and height.
     pub size: [usize; 2],
-    /// Upper edge of what is written beneath each.
+    /// Upper edge of the seed's text beneath each.
     pub seeds: usize,
     /// The upper left corner of its name.
     pub name: [usize; 2],
 }
 
-/// Where everything goes.
+/// The positions of everything.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
     /// Width and height of the sheet, px.
     pub size: [usize; 2],
-    /// One a document.
+    /// One for each document.
     pub spots: Vec<Spot>,
 }
 
-/// Between documents, and around them all.
+/// The gap between documents, and around all of them, px.
 fn gap(thumb: usize) -> usize {
     (thumb / 12).max(4)
 }
 
-/// Between the pictures of one document.
+/// The gap between the pictures of one document, px.
 fn narrow_gap(thumb: usize) -> usize {
     (thumb / 48).max(2)
 }
 
-/// Between a picture and what is written beneath.
+/// The gap between a picture and the text beneath it, px.
 fn leading(thumb: usize) -> usize {
     thumb / 64
 }
 
-/// Px that a document with `seeds` pictures is wide.
+/// Width of a document with `seeds` pictures, px.
 pub fn width(thumb: usize, seeds: usize) -> usize {
     seeds * thumb + (seeds - 1) * narrow_gap(thumb)
 }
 
-/// How many of `documents` stand in a row unless it is said: the sheet is then about four wide to three high.
+/// Default number of documents in a row: the sheet is then about 4 : 3.
 pub fn columns(documents: usize, seeds: usize) -> usize {
-    // A picture with its name is some 1.2 times as high as wide.
+    // A picture with its name is about 1.2 times as high as wide.
     let columns = (1.2 * 4.0 / 3.0 * documents as f64 / seeds as f64).sqrt().round() as usize;
     columns.clamp(1, documents.max(1))
 }
 
 impl Layout {
-    /// Lays documents of these `shapes` out, `columns` in a row, each with `seeds` pictures and room of `under` px beneath
-    /// them. A row is as high as the highest in it.
+    /// Lays out documents of these `shapes`, `columns` in a row, each with `seeds` pictures and `under` px beneath them. A row is
+    /// as high as its highest document.
     pub fn new(shapes: &[Shape], columns: usize, thumb: usize, seeds: usize, under: usize) -> Self {
         let columns = columns.min(shapes.len()).max(1);
         let gap = gap(thumb);
@@ -77,7 +77,7 @@ impl Layout {
                 let picture = |index| left + index * (thumb + narrow_gap(thumb));
                 spots.push(Spot {
                     pictures: (0..seeds).map(picture).collect(),
-                    // Low pictures stand on the same line as high ones.
+                    // The lower edges of all pictures in a row are aligned.
                     top: top + highest - shape.picture[1],
                     size: shape.picture,
                     seeds: written,
@@ -103,7 +103,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn nothing_overlaps_and_nothing_hangs_over(
+        fn nothing_overlaps_and_everything_is_on_the_sheet(
             shapes in prop::collection::vec(shape(), 1..20), columns in 1..8usize, seeds in 1..4usize, under in 0..12usize
         ) {
             let layout = Layout::new(&shapes, columns, 64, seeds, under);
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sheet_is_a_little_wider_than_high() {
+    fn a_sheet_is_slightly_wider_than_high() {
         assert_eq!([1, 2, 4, 12, 24].map(|documents| columns(documents, 1)), [1, 2, 3, 4, 6]);
         assert_eq!(columns(24, 3), 4);
         assert_eq!(columns(1, 50), 1);

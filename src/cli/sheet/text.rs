@@ -1,31 +1,31 @@
-//! Writing on a sheet.
+//! Text on a sheet.
 
 use super::paper::Paper;
 use ab_glyph::{Font, FontRef, GlyphId, PxScale, ScaleFont, point};
 
-/// Names.
+/// The colour of names.
 pub const INK: [u8; 3] = [38, 36, 34];
-/// What matters less.
+/// The colour of seeds.
 pub const PALE: [u8; 3] = [138, 132, 124];
-/// What went wrong.
+/// The colour of errors.
 pub const RED: [u8; 3] = [158, 40, 28];
 
-/// Roboto Condensed; `assets/fonts/README.md` says where from.
+/// Roboto Condensed; its source is in `assets/fonts/README.md`.
 const FONT: &[u8] = include_bytes!("../../../assets/fonts/RobotoCondensed-Regular.ttf");
 
-/// Writes lines of one size.
+/// Draws text of one size.
 pub struct Pen {
     font: FontRef<'static>,
     scale: PxScale,
-    /// Px from line to line.
+    /// Line height, px.
     pub line: usize,
 }
 
 impl Pen {
-    /// One that writes as large as suits pictures of `thumb` px.
+    /// A pen with a text size for pictures of `thumb` px.
     pub fn for_pictures_of(thumb: usize) -> Self {
         let high = (thumb as f32 / 15.0).clamp(13.0, 48.0);
-        let font = FontRef::try_from_slice(FONT).expect("the font that is built in can be read");
+        let font = FontRef::try_from_slice(FONT).expect("the built-in font is valid");
         Self { font, scale: PxScale::from(high), line: (1.15 * high).round() as usize }
     }
 
@@ -34,13 +34,13 @@ impl Pen {
         text.chars().map(|letter| font.h_advance(self.glyph(letter))).sum()
     }
 
-    /// What the font does not have is a box, and what cannot be seen is a blank.
+    /// Characters missing in the font are boxes; control characters and white space are blanks.
     fn glyph(&self, letter: char) -> GlyphId {
         self.font.glyph_id(if letter.is_control() || letter.is_whitespace() { ' ' } else { letter })
     }
 
-    /// Breaks a text into at most `most` lines of `width` px, between words where it can; what does not fit is cut off
-    /// with an ellipsis.
+    /// Breaks a text into at most `most` lines of `width` px, between words if possible; what does not fit is replaced by an
+    /// ellipsis.
     pub fn wrap(&self, text: &str, width: usize, most: usize) -> Vec<String> {
         let fits = |line: &str| self.width(line) <= width as f32;
         let mut lines = vec![String::new()];
@@ -75,10 +75,10 @@ impl Pen {
         lines
     }
 
-    /// Writes one line, whose upper left corner is `at`.
+    /// Draws one line with its upper left corner at `at`.
     pub fn write(&self, paper: &mut Paper, text: &str, at: [usize; 2], colour: [u8; 3]) {
         let font = self.font.as_scaled(self.scale);
-        // Room above and below the letters alike.
+        // Equal space above and below the letters.
         let base = at[1] as f32 + 0.5 * (self.line as f32 + font.ascent() + font.descent());
         let mut x = at[0] as f32;
         for letter in text.chars() {
@@ -89,7 +89,7 @@ impl Pen {
             let corner = outline.px_bounds().min;
             let corner = [corner.x as i64, corner.y as i64];
             outline.draw(|across, down, share| {
-                paper.tint([corner[0] + i64::from(across), corner[1] + i64::from(down)], colour, share);
+                paper.blend([corner[0] + i64::from(across), corner[1] + i64::from(down)], colour, share);
             });
         }
     }
@@ -112,20 +112,20 @@ mod tests {
     }
 
     #[test]
-    fn what_is_too_long_is_cut() {
+    fn long_texts_are_cut_off() {
         let pen = Pen::for_pictures_of(64);
         let word = "hippopotamus".repeat(9);
         let lines = pen.wrap(&word, 60, 2);
         assert!(lines.len() == 2 && lines[1].ends_with('…'), "{lines:?}");
         assert!(lines.iter().all(|line| pen.width(line) <= 60.0), "{lines:?}");
         assert!(word.starts_with(&lines[0]));
-        // A letter a line at least, however narrow.
+        // At least one letter a line, however narrow.
         assert_eq!(pen.wrap("ab", 1, 9), ["a", "b"]);
         assert!(pen.wrap(&word, 60, 0).is_empty());
     }
 
     #[test]
-    fn letters_stand_in_their_line() {
+    fn letters_fit_into_their_line() {
         let pen = Pen::for_pictures_of(256);
         let mut paper = Paper::blank([200, 3 * pen.line]);
         let blank = paper.rgb[0];
