@@ -179,7 +179,7 @@ mod tests {
     fn measuring_gives_rates_of_each_solver() {
         let effort = Effort { pairs: 1, at_least: Duration::from_micros(10), pictures: 0 };
         let case = Case::ALL[1];
-        let found = measure(&case, &case.start(), 24, &Crews::of(Some(2)).unwrap(), effort).unwrap();
+        let found = measure(&case, &case.start(), 24, &Pools::new(Some(2)).unwrap(), effort).unwrap();
         for rate in [found.plain, found.one, found.all, found.fast_over_plain, found.all_over_one] {
             assert!(rate.is_finite() && rate > 0.0, "{found:?}");
         }
