@@ -1,4 +1,4 @@
-//! What a pattern grows on: the questions that a flat grid answers, and that a triangle surface can answer as well.
+//! What a pattern grows on: the interface of a flat grid that a triangle surface can have as well.
 //!
 //! A flat [`Grid`](super::Grid) implements [`Domain`] for lengths in cells. A surface would implement it with points
 //! of its triangles as places, vertices as cells, the square root of the mean cell area as its unit of length, and
@@ -37,8 +37,8 @@ pub trait Domain: Sync {
     fn neighbours(&self, cell: usize) -> impl Iterator<Item = usize>;
 
     /// Cells of the range `among` whose centres lie within `reach` of a place, with the way to each centre in the frame
-    /// of the place. Some that lie farther away may be among them; a cell that is seen several times across the
-    /// border is given each time.
+    /// of the place. Some that lie farther away may be among them; a cell of which several images across
+    /// the border are near is given several times.
     fn near(
         &self,
         place: Self::Place,

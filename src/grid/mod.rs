@@ -1,7 +1,7 @@
 //! Regular grids of cells: where cells are, which are near each other, numbers on them, and reading between them.
 //!
-//! [`Grid`] is the word for size, cell, edges and neighbourhood, [`Domain`] what of it a triangle surface could answer as
-//! well, [`Field`] numbers on a grid.
+//! [`Grid`] holds size, cell, edges and neighbourhood; [`Domain`] is the part of it that a triangle surface could implement
+//! as well; [`Field`] is numbers on a grid.
 
 mod cells;
 pub mod distance;

@@ -1,9 +1,9 @@
-//! Union-find: items that are joined into sets, on a tile with how many whole canvases apart they were seen.
+//! Union-find: items that are joined into sets. On a tile it also keeps how many whole canvases apart they were joined.
 //!
 //! R. E. Tarjan, "Efficiency of a good but not linear set union algorithm", J. ACM 22 (1975), with path compression. The
 //! root of a set is always its lowest item, so that results do not depend on the order of the joins.
 
-/// Items 0, 1, 2, … in sets. Each item points to another of its set, seen some whole canvases away.
+/// Items 0, 1, 2, … in sets. Each item points to another of its set, some whole canvases away.
 #[derive(Clone, Debug, Default)]
 pub struct UnionFind {
     parent: Vec<u32>,
@@ -112,7 +112,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn joined_items_know_how_far_apart_they_were_seen() {
+    fn joined_items_keep_how_far_apart_they_were_joined() {
         let mut sets = UnionFind::default();
         for _ in 0..4 {
             sets.add();

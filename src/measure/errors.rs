@@ -1,4 +1,4 @@
-//! What has grown against what was asked, region by region: the *error* of `docs/format.md`.
+//! Compares what has grown with what was wanted, region by region: the *error* of `docs/format.md`.
 
 use super::directions::Directions;
 use super::spots::Spot;
@@ -224,7 +224,7 @@ fn free(field: &Field, target: &Target) -> Vec<f64> {
     free
 }
 
-/// Errors of a layer of stripes, by region: of what is above `level` in `field`, which covers the target.
+/// Errors of a layer of stripes, by region: of what is above `level` in `field`, which covers the canvas.
 #[must_use]
 pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeErrors> {
     let tallies = tallies(field, level, target.regions, target.region_of);

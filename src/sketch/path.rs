@@ -13,7 +13,7 @@ const MOST_STEPS: f64 = 400.0;
 /// drawn with half a px of jitter still turns steadily.
 const ROUNDS: usize = 6;
 
-/// The heading at a point is that from the point so many steps before to the one as many after.
+/// The heading at a point is the direction from the point this many steps before to the point as many steps after.
 const REACH: usize = 2;
 
 /// A stroke, evenly spaced.
