@@ -171,7 +171,7 @@ fn an_export_at_another_size_runs_beside_and_can_be_given_up() {
     hand.window.state_mut().export(&given_up, Some([3000, 3000]), 1);
     hand.rest();
     hand.press("Cancel");
-    hand.until("given up", |window| window.notices().iter().any(|notice| notice.text.contains("given up")));
+    hand.until("cancelled", |window| window.notices().iter().any(|notice| notice.text.contains("cancelled")));
     assert!(!given_up.exists());
 }
 
