@@ -1,4 +1,4 @@
-//! The training sets: a question, and making a set ready for questions. See README.md.
+//! The training sets: answering a question, and reading a set. See README.md.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use dapple::internals::attributes::{Attributes, Spots, Stripes};

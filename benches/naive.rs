@@ -1,5 +1,5 @@
-//! Turing spots as one writes them the first time: rows of rows, `%` at every neighbour, one step after the other.
-//! What the plain solver is held against, so that being faster than the plain one means something.
+//! Turing spots in the simplest way: rows of rows, `%` at every neighbour, one step after the other. The plain solver is
+//! compared with it, to show that the plain solver is not slow itself.
 
 use dapple::internals::rd::Growth;
 

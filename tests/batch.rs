@@ -1,4 +1,4 @@
-//! Many documents at once, and what shells and readers of manuals ask for, through the real binary.
+//! Many documents at once, completions and manual pages, through the real binary.
 
 use assert_cmd::Command;
 use std::fs;

@@ -1,4 +1,4 @@
-//! The command line itself, through the real binary: exit codes, usage, and readers that go away.
+//! The command line itself, through the real binary: exit codes, usage, and closed pipes.
 
 use assert_cmd::Command;
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! What cannot be reached is said wherever a question is asked, in words and numbers, with lengths in px.
+//! Every command reports attributes that cannot be reached, in words and numbers, with lengths in px.
 
 use assert_cmd::Command;
 use serde_json::{Value, json};

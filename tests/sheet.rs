@@ -1,4 +1,4 @@
-//! `dapple sheet` through the real binary: what is on the sheet, and what happens where something cannot be.
+//! `dapple sheet` through the real binary: what is on the sheet, and what it shows for documents that cannot be grown.
 
 use assert_cmd::Command;
 use image::RgbImage;

@@ -1,6 +1,6 @@
-//! dapple's side of `compare`: does as many steps as each line of standard input says, and answers with the seconds.
+//! dapple's side of `compare`: takes as many steps as each line of standard input says, and prints the seconds.
 //!
-//! `peer CASE SIZE THREADS FOLDER` lays the problem out and writes it into FOLDER, raw little-endian f32 row by row,
+//! `peer CASE SIZE THREADS FOLDER` sets the problem up and writes it into FOLDER, raw little-endian f32 row by row,
 //! so that the other side computes the same:
 //!
 //! - `start-0`, `start-1`: concentrations; `after-0`, `after-1`: those 20 plain steps later

@@ -1,4 +1,4 @@
-//! The manifest beside each file of rows: what the columns are, what was swept, and how to do it again.
+//! The manifest of each file of rows: what the columns are, what was swept, and how to repeat it.
 
 use dapple::internals::measure::Reason;
 use serde_json::{Map, Value, json};

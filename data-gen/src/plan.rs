@@ -1,4 +1,4 @@
-//! What is swept, as data: `plan.json` is the plan of `training/`, and users bring plans of their own.
+//! The plan of a sweep: `plan.json` is the plan of `training/`; users can write their own.
 //!
 //! ```text
 //!  plan.json ─▶ parsed, checked ─▶ sets ─▶ run 0, 1, … of each: its seed and its parameters (`draw.rs`)

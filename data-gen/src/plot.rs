@@ -1,4 +1,4 @@
-//! The table of `dapple learn` as a picture: errors against the number of rows that were learnt from.
+//! The table of `dapple learn` as a picture: errors against the number of rows that the lookup used.
 
 mod axis;
 mod table;

@@ -1,4 +1,4 @@
-//! How far a sweep is: a bar on a terminal, a sentence at the end.
+//! Progress of a sweep: a bar on a terminal, a sentence at the end.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

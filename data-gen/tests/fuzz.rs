@@ -1,4 +1,4 @@
-//! The fuzz target of the sweep's files as a plain test: plans, as manifests hold them, and journals.
+//! The fuzz target of the sweep's files as an ordinary test: plans in manifests, and journals.
 
 #[path = "../../tests/fuzz/mutations.rs"]
 mod mutations;

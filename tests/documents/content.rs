@@ -1,4 +1,4 @@
-//! What is JSON but no document: keys, types, choices.
+//! JSON that is no document: keys, types, choices.
 
 use super::*;
 

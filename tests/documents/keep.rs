@@ -1,4 +1,4 @@
-//! What a layer's `options` may hold of marks that stay, and of what stripes begin from.
+//! The options `keep` and `seeding` of a layer.
 
 use super::*;
 use dapple::document::Seeding;

@@ -1,4 +1,4 @@
-//! What is not JSON.
+//! Text that is not JSON.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! What a layer's `options` may hold: the spread of its spots, the duty of its stripes.
+//! The options of a layer: the spread of its spots, the duty of its stripes.
 
 use super::*;
 use dapple::document::Spread;

@@ -1,4 +1,4 @@
-//! What is read, and the defaults.
+//! Valid documents, and the defaults.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! The documents that the guides show are documents.
+//! The documents in the guides are valid.
 
 use super::*;
 

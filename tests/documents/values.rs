@@ -1,4 +1,4 @@
-//! What is drawn or coloured as it may not be.
+//! Values of strokes and colours that are not allowed.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! A folder with something of each kind to read, and `dapple` that runs there.
+//! A folder with a file of each kind that dapple reads, and dapple run there.
 
 use std::collections::BTreeMap;
 use std::fs;

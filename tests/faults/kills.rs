@@ -1,5 +1,5 @@
-//! kill -9 at random moments while files are written over older ones: each is the old one or the new one, whole, and
-//! what was left behind goes with the next run.
+//! kill -9 at random moments while files are written over older ones: each is the complete old or new one, and the next
+//! run removes what was left behind.
 //!
 //! `DAPPLE_KILLS` says how many (8), `DAPPLE_SEED` which (1).
 

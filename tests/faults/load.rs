@@ -1,4 +1,4 @@
-//! Many documents in one process: the memory stays where it was.
+//! Many documents in one process: the memory does not grow.
 //!
 //! `DAPPLE_LOAD` says how many documents (60).
 

@@ -1,5 +1,5 @@
-//! What must not happen whatever happens: killed, no room, no right to write, the same file twice, broken training
-//! sets, a thousand documents. `.ci/faults` runs the long versions; docs/faults.md describes what was tried.
+//! Faults: kills, full disks, no permission to write, the same file twice, damaged training sets, a thousand documents.
+//! `.ci/faults` runs the long versions; docs/faults.md describes what was tried.
 #![cfg(unix)]
 
 mod bench;

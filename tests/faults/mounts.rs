@@ -1,4 +1,4 @@
-//! File systems that are small or must not be written. Only root may mount them; without, a test says so and is left out.
+//! File systems that are small or read-only. Only root may mount them; otherwise a test prints SKIPPED.
 
 use std::fs;
 use std::io::Write;

@@ -1,4 +1,4 @@
-//! What is read is not written over, and two things do not go into one file, by whatever way it is named.
+//! Inputs are not overwritten, and two outputs do not go into one file, however the file is named.
 
 use std::fs;
 use std::os::unix::fs::symlink;

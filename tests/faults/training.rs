@@ -1,4 +1,4 @@
-//! Training folders that are damaged, from another version, or not all there.
+//! Training folders that are damaged, from another version, or incomplete.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! The window where the disk is full: said, nothing lost, and saved as soon as there is room.
+//! The window where the disk is full: it says so, loses nothing, and saves as soon as there is room.
 
 use std::fs;
 use std::path::Path;

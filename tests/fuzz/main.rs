@@ -1,4 +1,4 @@
-//! The fuzz targets as plain tests: what holds for any bytes is tried on all seeds, and on damaged ones.
+//! The fuzz targets as ordinary tests, on all seeds and on damaged ones.
 //!
 //! `docs/fuzzing.md` says how libFuzzer runs the same bodies, guided by coverage.
 

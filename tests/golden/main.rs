@@ -1,4 +1,4 @@
-//! The same texture tomorrow: what was grown once grows again, whatever takes the steps, from documents of any age.
+//! Documents grow the same textures as before: with every solver, and from documents of every version.
 //!
 //! `REGENERATE=1 cargo test --test golden -- --nocapture` rewrites what has changed, and prints it; docs/golden.md
 //! says when that is right.

@@ -1,7 +1,7 @@
 //! Documents of every version, as they were written at the time: they open, mean the same, and grow.
 //!
-//! `versions/VERSION-WHAT.dapple`; those with a name in them are taken from this repository's history as they first stood
-//! there. They are never edited: a version that can no longer be read needs a migration, not another file.
+//! `versions/VERSION-WHAT.dapple`; those with a name in them are taken from this repository's history as they were first
+//! committed. They are never edited: a version that can no longer be read needs a migration, not another file.
 
 use crate::folder::Folder;
 use crate::renew::golden;

@@ -1,4 +1,4 @@
-//! Lines round the marks beneath, and as a web between them.
+//! Lines around the marks beneath, and as a web between them.
 
 use crate::folder::{AREA, Folder, SPACING, hexagon};
 use dapple::document::Edges;

@@ -1,4 +1,4 @@
-//! A folder of its own for each test, documents in it, and what `dapple` makes of them.
+//! A temporary folder for each test, with documents, and dapple run on them.
 
 use assert_cmd::Command;
 use dapple::internals::grid::{Edges, Field};

@@ -1,4 +1,4 @@
-//! What is drawn stays where it was drawn.
+//! Drawn marks that are kept grow where they were drawn.
 
 use crate::folder::{Folder, document};
 use dapple::document::Edges;

@@ -1,4 +1,4 @@
-//! Other seeds of stripes than noise.
+//! Stripes that begin from segments or initiators instead of noise.
 
 use dapple::document::Line;
 use dapple::document::{Document, Layer, Options as Choices, Seeding, Stroke};

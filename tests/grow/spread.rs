@@ -1,4 +1,4 @@
-//! Where drawn marks vary, so does what grows; and its means stay.
+//! Where drawn marks vary, grown ones vary as much, with the same means.
 
 use crate::folder::{Folder, document, hexagon, spots};
 use dapple::document::Edges;

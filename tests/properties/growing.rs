@@ -1,6 +1,6 @@
 //! Any valid document grows or says why not, within bounded time and memory.
 //!
-//! Memory is held by the allocator of this program (`tests/fuzz/bodies/memory.rs`), time by the count of steps.
+//! The allocator of this program (`tests/fuzz/bodies/memory.rs`) limits memory; the count of steps limits time.
 
 use crate::cases;
 use crate::documents::document;

@@ -1,4 +1,4 @@
-//! Who does not see the window hears it: every control has a name.
+//! Screen readers: every control has a name.
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};

@@ -1,4 +1,4 @@
-//! Documents in and out.
+//! Opening and saving documents.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! Drawing: strokes of the pointer become the marks that were meant.
+//! Drawing: strokes of the pointer become the intended marks.
 
 use egui::{Event, Key, Modifiers, PointerButton};
 

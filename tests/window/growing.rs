@@ -1,4 +1,4 @@
-//! It grows while one watches, and what has settled is what `dapple grow` writes.
+//! The texture grows while the user draws; once settled it is what `dapple grow` writes.
 
 use std::fs;
 

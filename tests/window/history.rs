@@ -1,4 +1,4 @@
-//! Undo and redo, whatever was done.
+//! Undo and redo of every action.
 
 use dapple::app::Session;
 use dapple::app::{Place, Selection};

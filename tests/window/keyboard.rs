@@ -1,4 +1,4 @@
-//! All of it without a pointer.
+//! The window can be used without a pointer.
 
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;

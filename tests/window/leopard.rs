@@ -1,4 +1,4 @@
-//! The walk through `docs/leopard.md`: from an empty canvas to a leopard. Its pictures are those of that page.
+//! The tutorial `docs/leopard.md`: from an empty canvas to a leopard. Its pictures are those of that page.
 
 use std::sync::Arc;
 

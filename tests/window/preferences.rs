@@ -1,4 +1,4 @@
-//! What is preferred counts at once, and is remembered.
+//! Preferences take effect at once, and are saved.
 
 use dapple::app::{New, Settings, Start, Units};
 use dapple::document::Ellipse;

@@ -1,4 +1,4 @@
-//! Unsaved work outlives the window, and two windows do not fight.
+//! Unsaved work survives a crash, and two windows do not disturb each other.
 
 use std::fs;
 use std::path::{Path, PathBuf};

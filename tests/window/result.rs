@@ -1,4 +1,4 @@
-//! What was asked and what has grown, and the way to what can be reached.
+//! The result: what was asked and what has grown, and marks changed to what can be reached.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! Looking: zoom, pan, together or apart, fingers.
+//! Views: zoom, pan, one over the other or side by side, touch.
 
 use dapple::document::Document;
 use egui::{

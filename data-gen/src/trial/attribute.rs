@@ -1,4 +1,4 @@
-//! What is compared: attributes of spots and stripes, their units and the bounds that hold for them.
+//! The attributes that are compared, of spots and stripes, with their units and bounds.
 
 /// A number that is compared region by region.
 pub struct Attribute {

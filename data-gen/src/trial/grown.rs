@@ -1,4 +1,4 @@
-//! One document: grown, brought to 16 bits as its pattern picture is, measured.
+//! One document: grown, rounded to 16 bits like its pattern picture, measured.
 
 use std::path::Path;
 use std::time::Instant;

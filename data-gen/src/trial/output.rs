@@ -1,4 +1,4 @@
-//! What came out, as files: documents, pictures, numbers.
+//! The results of the trial as files: documents, pictures, numbers.
 
 use std::io::Write;
 use std::path::Path;

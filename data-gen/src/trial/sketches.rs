@@ -1,7 +1,7 @@
-//! Random sketches as a hand would draw them: a handful of jittered marks a region, on a loose arrangement.
+//! Random sketches as users would draw them: a handful of jittered marks a region, loosely arranged.
 //!
-//! What is aimed at is not what is asked: that is what the ruler reads off the drawn marks. A sketch whose read
-//! attributes leave the [`RANGES`](ranges) is drawn again, so that the ranges hold for what is asked.
+//! The attributes asked are those measured on the drawn marks, not those that the sketch was generated from. A sketch whose
+//! measured attributes leave the [`RANGES`](ranges) is drawn again.
 
 mod lines;
 mod ranges;

@@ -1,4 +1,4 @@
-//! Did a texture grow at all, everywhere, and of single marks?
+//! Checks that a texture has grown, everywhere, and of single marks.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! What is kept of a document from file to file: all of it.
+//! A document that is written and read keeps all of its content.
 
 use dapple::document::Document;
 

@@ -1,4 +1,4 @@
-//! Pictures to be measured: whatever they claim to be, they have spots, stripes or neither, in px of their size.
+//! Pictures to be measured: they have spots, stripes or neither, in px of their size.
 
 use dapple::internals::measure::Picture;
 use dapple::internals::synth::measured_picture::measure_stream;

@@ -1,4 +1,4 @@
-//! SVG: whatever is in it, its marks are finite, and the document made of them is valid.
+//! SVG: its marks are finite, and the document made of them is valid.
 
 use dapple::internals::marks::Mark;
 use dapple::internals::sketch::svg::{DPI, read};

@@ -1,4 +1,4 @@
-//! The sweep's files: the plan that a manifest holds, and the journal of one that was stopped.
+//! The files of a sweep: the plan in a manifest, and the journal of a sweep that was stopped.
 
 use data_gen::journal::Part;
 use data_gen::plan::Plan;

@@ -1,4 +1,4 @@
-//! Training rows: what is read is written and read back, and whatever is asked gets numbers or a refusal.
+//! Training rows: what is read is written and read back unchanged, and every question gets numbers or a refusal.
 
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::learn::{TrainingSet, write_rows};
