@@ -1,8 +1,8 @@
-//! What makes spots irregular: a decay that differs from place to place, at the scale of the pattern.
+//! Irregular spots: the decay of a chemical differs from place to place, at the scale of the pattern.
 //!
 //! δ(x) = Σᵢ ±w(|x − xᵢ|/ρᵢ), w(r) = (1 − r²)², ρᵢ a share of the distance between spots at xᵢ: noise by sparse
 //! convolution (Lewis, "Algorithms for solid noise synthesis", SIGGRAPH 1989), as smooth as its kernel and of unit
-//! variance, by which β differs from 12 (`crate::rd::systems::turing_spots`). White noise, one number a cell, would average out over
+//! variance, that is added to the decay. White noise, one number a cell, would average out over
 //! large spots (`facts.md` G).
 
 use rand::{RngExt, SeedableRng};
@@ -46,7 +46,7 @@ impl Maps {
 
 /// Noise over the grid, row by row, of about unit variance.
 fn noise(system: System, maps: &Maps, seed: u64) -> Vec<f32> {
-    let bumps = thrown(system, maps, seed);
+    let bumps = random_kernels(system, maps, seed);
     let mut sum = vec![0.0f32; maps.grid.cells()];
     // Each band adds all kernels in their order, so that the sums are the same however many threads there are.
     let band = ROWS * maps.grid.size[0];
@@ -65,8 +65,8 @@ fn noise(system: System, maps: &Maps, seed: u64) -> Vec<f32> {
     sum
 }
 
-/// The kernels: thrown where they are densest, and kept as often as a place has fewer.
-fn thrown(system: System, maps: &Maps, seed: u64) -> Vec<Bump> {
+/// The kernels: placed at random with the largest density, and kept with the probability that a place needs.
+fn random_kernels(system: System, maps: &Maps, seed: u64) -> Vec<Bump> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let radii: Vec<f64> = maps.parameters.iter().map(|p| RADIUS * system.spacing(p)).collect();
     let least = radii.iter().copied().fold(f64::INFINITY, f64::min);

@@ -96,7 +96,7 @@ fn rows(band: usize, cells: usize, maps: &Maps) -> Range<isize> {
     first as isize..(first + cells / maps.grid.size[0]) as isize
 }
 
-/// Waves thrown over the grid.
+/// Waves at random places.
 fn waves(
     maps: &Maps,
     wavelength: Wavelength,

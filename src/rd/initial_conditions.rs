@@ -7,7 +7,7 @@ use crate::grid::Domain;
 use crate::rd::definition::System;
 use crate::rd::line_noise::GuideLine;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::{Laid, PinnedSpot, Places, lay, thinned};
+use crate::rd::nuclei::{LaidSpots, PinnedSpot, Places, lay, thinned};
 use crate::rd::nucleus::Nucleus;
 use crate::rd::seeding::{Seeding, segments};
 use crate::rd::start::Start;
@@ -17,7 +17,7 @@ use crate::rd::start::Start;
 #[must_use]
 pub fn nuclei(system: System, maps: &Maps, seed: u64, pinned: &[PinnedSpot]) -> Places {
     let fixed: Vec<Nucleus> = pinned.iter().map(|pinned| pinned.nucleus(system, maps)).collect();
-    let Some(Laid { inside, beyond }) = laid(system, maps, seed, &fixed) else {
+    let Some(LaidSpots { inside, beyond }) = laid(system, maps, seed, &fixed) else {
         return Places::default();
     };
     let at = |laid: Vec<Nucleus>| laid.iter().map(|nucleus| nucleus.at).collect();
@@ -25,7 +25,7 @@ pub fn nuclei(system: System, maps: &Maps, seed: u64, pinned: &[PinnedSpot]) -> 
 }
 
 /// Spots over the grid around those that are `fixed`; `None` for stripes and lines.
-fn laid(system: System, maps: &Maps, seed: u64, fixed: &[Nucleus]) -> Option<Laid> {
+fn laid(system: System, maps: &Maps, seed: u64, fixed: &[Nucleus]) -> Option<LaidSpots> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     (!system.is_striped()).then(|| lay(maps, &|p| system.spacing(p), fixed, &mut rng))
 }

@@ -20,12 +20,12 @@ pub struct Parameters {
     pub pitch: f32,
 }
 
-/// Up to here the pitch only makes up for how places come out, and all that is told in pitches goes with it.
+/// Up to here the pitch only corrects the spacing, and all lengths in pitches scale with it.
 const CORRECTED: f32 = 1.2;
 
 impl Parameters {
-    /// How many times farther apart than their own room spots are laid, ≥ 1: what is about a spot itself, its beginning
-    /// and its distance from walls, does not go with it.
+    /// How many times farther apart spots are laid than they need themselves, ≥ 1. The initial size of a spot and its
+    /// distance from walls do not scale with it.
     #[must_use]
     pub fn apart(&self) -> f64 {
         f64::from((self.pitch / CORRECTED).max(1.0))

@@ -23,8 +23,8 @@ use super::maps::{Maps, Parameters};
 use super::nucleus::Nucleus;
 use crate::grid::{Bounds, Domain, Edges};
 use boundary::Walls;
-use cell_list::{Buckets, distance2, relax};
-use density::Crowd;
+use cell_list::{CellList, distance2, relax};
+use density::SpotDensity;
 
 /// Darts closer than this share of the pitch are refused: at 0.70 the wanted density is 81 % of what random
 /// darts can reach, so that few darts are wasted.
@@ -38,42 +38,42 @@ const ROUNDS: usize = 30;
 const FRAME: f64 = 1.5;
 
 /// Points that were laid.
-pub struct Laid {
-    /// Those on the grid, the kept ones first.
+pub struct LaidSpots {
+    /// Those on the grid, the pinned ones first.
     pub inside: Vec<Nucleus>,
-    /// Beyond closed edges and on taken cells, those that keep the others from spreading over them.
+    /// Beyond closed edges and on obstacle cells, those that keep the others from spreading over them.
     pub beyond: Vec<Nucleus>,
 }
 
 /// Points over the whole grid whose neighbours stand `pitch(parameters)` cells apart.
 ///
 /// At closed edges as if the pattern went on beyond them: they are laid over a frame too, which is cut off. Those of
-/// `kept` stay where they are, on the grid; the others make room for them.
+/// `pinned` stay where they are, on the grid; the others make room for them.
 pub fn lay(
     maps: &Maps,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
-    kept: &[Nucleus],
+    pinned: &[Nucleus],
     rng: &mut impl Rng,
-) -> Laid {
-    let crowd = Crowd::of(maps, pitch);
+) -> LaidSpots {
+    let density = SpotDensity::new(maps, pitch);
     let Bounds { size, edges } = maps.grid.bounds();
-    let frame = if edges == Edges::Closed { (FRAME * crowd.largest).ceil() } else { 0.0 };
+    let frame = if edges == Edges::Closed { (FRAME * density.largest).ceil() } else { 0.0 };
     let space = Bounds { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
     let on_maps = |at: [f64; 2]| at.map(|v| v - frame);
     let nucleus = |at: [f64; 2]| Nucleus { at, ..Nucleus::at(maps, on_maps(at), pitch) };
-    let largest = kept.iter().map(|kept| kept.reach).fold(crowd.largest, f64::max);
-    let mut placed = Buckets::new(space, PUSH * largest);
+    let largest = pinned.iter().map(|pinned| pinned.reach).fold(density.largest, f64::max);
+    let mut placed = CellList::new(space, PUSH * largest);
     let posts = obstacles::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
-    kept.iter().for_each(|kept| placed.insert(Nucleus { at: kept.at.map(|v| v + frame), ..*kept }));
+    pinned.iter().for_each(|one| placed.insert(Nucleus { at: one.at.map(|v| v + frame), ..*one }));
     let fixed = placed.all.clone();
     let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
     let clear = if posts.is_empty() { Vec::new() } else { obstacles::clear(maps, pitch) };
     let is_clear = |at: [f64; 2]| clear.is_empty() || clear[maps.grid.cell_at(on_maps(at))];
     let spread =
-        |placed: &mut Buckets| obstacles::within(placed, &is_clear, |placed| relax(placed, PUSH, &moved));
+        |placed: &mut CellList| obstacles::within(placed, &is_clear, |placed| relax(placed, PUSH, &moved));
     if posts.is_empty() {
-        let wanted = crowd.wanted(frame).saturating_sub(crowd.in_the_room_of(kept, maps));
-        let likely = |at: [f64; 2]| crowd.densities[maps.grid.cell_at(on_maps(at))] / crowd.densest;
+        let wanted = density.wanted(frame).saturating_sub(density.displaced_by(pinned, maps));
+        let likely = |at: [f64; 2]| density.densities[maps.grid.cell_at(on_maps(at))] / density.densest;
         throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
         (0..ROUNDS).for_each(|_| relax(&mut placed, PUSH, &moved));
     } else {
@@ -90,7 +90,7 @@ pub fn lay(
     if !fixed.is_empty() {
         all.retain(|point| is_clear(point.at));
         // Where they were laid: those beyond closed edges are no images of those inside.
-        all = obstacles::with_room(&fixed[posts.len()..], all, Buckets::new(space, PUSH * largest));
+        all = obstacles::with_room(&fixed[posts.len()..], all, CellList::new(space, PUSH * largest));
     }
     all.iter_mut().for_each(|point| point.at = on_maps(point.at));
     let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
@@ -100,12 +100,12 @@ pub fn lay(
         inside.push(Nucleus::at(maps, size.map(|side| 0.5 * side), pitch));
     }
     beyond.extend(posts.into_iter().map(|post| Nucleus { at: on_maps(post.at), ..post }));
-    Laid { inside, beyond }
+    LaidSpots { inside, beyond }
 }
 
-/// Throws darts until `wanted` more points are placed, all over `size`, as `likely` as it says at a place, 0..1.
+/// Dart throwing: places `wanted` more points over `size`, with the probability `likely`, 0..1, at a place.
 fn throw(
-    placed: &mut Buckets,
+    placed: &mut CellList,
     wanted: usize,
     size: [f64; 2],
     likely: &dyn Fn([f64; 2]) -> f64,
@@ -143,7 +143,7 @@ pub fn thinned(laid: Vec<Nucleus>, maps: &Maps, crowded: &dyn Fn(&Nucleus) -> bo
         return roomy;
     }
     let largest = roomy.iter().chain(&rest).map(|nucleus| nucleus.reach).fold(0.0, f64::max);
-    let mut kept = Buckets::new(maps.grid.bounds(), PUSH * largest);
+    let mut kept = CellList::new(maps.grid.bounds(), PUSH * largest);
     roomy.into_iter().for_each(|nucleus| kept.insert(nucleus));
     for nucleus in rest {
         let mut free = true;

@@ -1,4 +1,4 @@
-//! Other beginnings of stripes than noise: a ground at rest with seeds on it.
+//! Initial conditions of stripes other than noise: seeds on a ground at rest.
 
 use std::f64::consts::TAU;
 
@@ -33,7 +33,7 @@ const CLEAR: f64 = 1.25;
 /// Half of their thickness, wavelengths: a cell of the coarsest grid, which has eight a wavelength.
 const THICKNESS: f64 = 0.0625;
 
-/// The segments for the grid of `maps`: `drawn` ones, and elsewhere as many thrown at random as there are to be.
+/// The segments for the grid of `maps`: `drawn` ones, and elsewhere random ones of the usual density.
 pub fn segments(
     maps: &Maps,
     drawn: &[GuideLine],

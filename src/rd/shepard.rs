@@ -1,9 +1,9 @@
-//! What is known of each spot to be, taken to every cell of the grid.
+//! Shepard interpolation: values of single spots, interpolated to every cell of the grid.
 //!
 //! v(x) = Σₖ wₖ vₖ ÷ Σₖ wₖ, wₖ = exp(−dₖ(x)² ÷ 2τ²), dₖ the distance from spot k in its own metric, in pitches
 //!
-//! Shepard's interpolation with a Gaussian: around a spot its own value, and half way to the next a smooth step, the
-//! sharper the smaller τ.
+//! The weights are Gaussians: around a spot its own value, and half way to the next a smooth step, the sharper the
+//! smaller τ.
 
 use std::ops::Range;
 

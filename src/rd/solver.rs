@@ -1,11 +1,11 @@
-//! What takes the steps: the widest instructions that the machine has, unless it was told otherwise. The bits are the
-//! same whatever does; `tests/golden` holds that through the whole thread.
+//! The solver: the widest instructions that the machine has, unless another was chosen. All give the same bits, as
+//! `tests/golden` checks.
 
 use std::sync::OnceLock;
 
 use super::wavefront::Instructions;
 
-/// What takes the steps of a growth.
+/// The solver of a growth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Solver {
     /// The plain twin, step by step and cell by cell; on one grid two to five times slower (`dapple bench`).
@@ -38,14 +38,14 @@ impl Solver {
         }
     }
 
-    /// What every growth of this program takes its steps with: what was chosen, else the fastest.
+    /// The solver of every growth of this program: the one that was chosen, else the fastest.
     #[must_use]
     pub fn chosen() -> Self {
         *CHOSEN.get_or_init(|| Self::Fast(Instructions::best()))
     }
 
-    /// Has every growth of this program take its steps with the solver of this name; gives whether that is so: not where
-    /// the machine has none of this name, and not where another has taken steps already.
+    /// Chooses the solver of this name for every growth of this program. `false` where the machine has none of this name,
+    /// or where another has been used already.
     #[must_use]
     pub fn choose(name: &str) -> bool {
         let Some(solver) = Self::available().into_iter().find(|solver| solver.name() == name) else {

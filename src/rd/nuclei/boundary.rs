@@ -1,6 +1,6 @@
 //! Spots at closed edges: on them or well off.
 
-use crate::rd::nuclei::cell_list::Buckets;
+use crate::rd::nuclei::cell_list::CellList;
 use crate::rd::nucleus::Nucleus;
 
 /// Spots nearer to a closed edge than this share of the pitch are put on it. Seen: farther off they grow a tail to it.
@@ -23,7 +23,7 @@ impl Walls {
     /// Near a wall a spot cannot keep its shape. One on the wall is half a spot, cut by the edge; nearer than [`HOLD`] it
     /// would be drawn out to the wall. So those that are near are moved, once and for all, and the others `relax` around
     /// them. The first `fixed` stay.
-    pub fn keep_off_walls(&self, placed: &mut Buckets, fixed: usize, mut relax: impl FnMut(&mut Buckets)) {
+    pub fn keep_off_walls(&self, placed: &mut CellList, fixed: usize, mut relax: impl FnMut(&mut CellList)) {
         let on_walls: Vec<[Option<f64>; 2]> =
             placed.all.iter().map(|point| [0, 1].map(|axis| self.wall_under(point, axis))).collect();
         for _ in 0..WALLED {

@@ -10,7 +10,7 @@ const FEW: usize = 128;
 
 /// One round of repulsion: points nearer than `reach` pitches push each other away. `nucleus` gives point i where it then
 /// stands.
-pub fn relax(placed: &mut Buckets, reach: f64, nucleus: &(dyn Fn(usize, [f64; 2]) -> Nucleus + Sync)) {
+pub fn relax(placed: &mut CellList, reach: f64, nucleus: &(dyn Fn(usize, [f64; 2]) -> Nucleus + Sync)) {
     let moved = |(index, point): (usize, &Nucleus)| {
         let mut shift = [0.0, 0.0];
         placed.near(point, reach, |other, delta| {
@@ -39,7 +39,7 @@ pub fn distance2(a: &Nucleus, b: &Nucleus, delta: [f64; 2]) -> f64 {
 }
 
 /// Points by place, so that neighbours are found without asking all.
-pub struct Buckets {
+pub struct CellList {
     /// Where the points lie, cells.
     space: Bounds,
     columns: usize,
@@ -49,7 +49,7 @@ pub struct Buckets {
     cells: Vec<Vec<u32>>,
 }
 
-impl Buckets {
+impl CellList {
     pub fn new(space: Bounds, reach: f64) -> Self {
         let count = |n: f64| ((n / reach) as usize).max(1);
         let (columns, rows) = (count(space.size[0]), count(space.size[1]));

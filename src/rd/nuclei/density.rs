@@ -1,4 +1,4 @@
-//! How many spots there will be, and where the most.
+//! How many spots there will be, and where they are densest.
 
 use rayon::prelude::*;
 
@@ -6,8 +6,8 @@ use crate::grid::Domain;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
 
-/// How crowded the grid will be.
-pub struct Crowd {
+/// The density of spots over the grid.
+pub struct SpotDensity {
     /// Points a cell, by cell.
     pub densities: Vec<f64>,
     /// Cells in a row.
@@ -17,8 +17,8 @@ pub struct Crowd {
     pub largest: f64,
 }
 
-impl Crowd {
-    pub fn of(maps: &Maps, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
+impl SpotDensity {
+    pub fn new(maps: &Maps, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
         let rows: Vec<(Vec<f64>, f64)> = maps
             .parameters
             .par_chunks(maps.grid.size[0])
@@ -59,11 +59,11 @@ impl Crowd {
         (rows.by_ref().map(row).sum::<f64>() + frame * ends).round().max(1.0) as usize
     }
 
-    /// Of these, as many as the room of `kept` is for: one each, if they are like those around them.
-    pub fn in_the_room_of(&self, kept: &[Nucleus], maps: &Maps) -> usize {
-        let rooms = kept.iter().map(|kept| {
-            let [xx, xy, yy] = kept.metric;
-            0.75f64.sqrt() / (xx * yy - xy * xy).sqrt() * self.densities[maps.grid.cell_at(kept.at)]
+    /// Of these, as many as the `pinned` ones displace: one each, if they are like those around them.
+    pub fn displaced_by(&self, pinned: &[Nucleus], maps: &Maps) -> usize {
+        let rooms = pinned.iter().map(|pinned| {
+            let [xx, xy, yy] = pinned.metric;
+            0.75f64.sqrt() / (xx * yy - xy * xy).sqrt() * self.densities[maps.grid.cell_at(pinned.at)]
         });
         rooms.sum::<f64>().round() as usize
     }

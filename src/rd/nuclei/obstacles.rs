@@ -2,7 +2,7 @@
 
 use crate::grid::Domain;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::cell_list::{Buckets, distance2};
+use crate::rd::nuclei::cell_list::{CellList, distance2};
 use crate::rd::nucleus::Nucleus;
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
@@ -10,13 +10,13 @@ use rayon::prelude::*;
 
 /// Posts stand this share of a pitch apart: so near that no spot slips in between.
 const APART: f64 = 0.9;
-/// Nearer to a taken cell than this share of a pitch no spot begins: half of its own length, and a gap. At 0.36 one in
+/// Nearer to an obstacle cell than this share of a pitch no spot begins: half of its own length, and a gap. At 0.36 one in
 /// some hundred touched.
 const CLEAR: f64 = 0.45;
 
-/// Puts posts on the taken cells, as many as keep others off, and gives them. However far spots stand apart from each
+/// Puts posts on the obstacle cells, as many as keep other spots off, and returns them. However far spots stand apart from each
 /// other, posts push no farther than a spot's own room.
-pub fn posts(maps: &Maps, placed: &mut Buckets, nucleus: &dyn Fn([f64; 2]) -> Nucleus) -> Vec<Nucleus> {
+pub fn posts(maps: &Maps, placed: &mut CellList, nucleus: &dyn Fn([f64; 2]) -> Nucleus) -> Vec<Nucleus> {
     for cell in (0..maps.obstacles.len()).filter(|cell| maps.obstacles[*cell]) {
         let post = nucleus(maps.grid.center(cell)).alone();
         let mut near = false;
@@ -33,7 +33,7 @@ pub fn posts(maps: &Maps, placed: &mut Buckets, nucleus: &dyn Fn([f64; 2]) -> Nu
 /// it 0.907); those that follow fill what opens when the first have spread.
 pub const FILLS: [f64; 2] = [0.777, 0.85];
 
-/// Which cells stand clear of the taken ones: by the system's own distances, however far spots are to stand apart.
+/// Which cells stand clear of the obstacles: by the system's own distances, however far spots are to stand apart.
 pub fn clear(maps: &Maps, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
     let own = |p: &Parameters| pitch(p) / f64::from(p.pitch);
     let cells = (0..maps.obstacles.len()).into_par_iter();
@@ -43,7 +43,7 @@ pub fn clear(maps: &Maps, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bo
 /// Places spots after the `posts` of `placed` wherever one is `clear` and `closest` pitches or more from all others,
 /// until no cell of the space of this `size` has room for another.
 pub fn fill(
-    placed: &mut Buckets,
+    placed: &mut CellList,
     posts: usize,
     size: [f64; 2],
     closest: f64,
@@ -73,7 +73,7 @@ pub fn fill(
 }
 
 /// Lets points `move_on`, but for those that would then no longer stand `clear`.
-pub fn within(placed: &mut Buckets, clear: &dyn Fn([f64; 2]) -> bool, move_on: impl FnOnce(&mut Buckets)) {
+pub fn within(placed: &mut CellList, clear: &dyn Fn([f64; 2]) -> bool, move_on: impl FnOnce(&mut CellList)) {
     let before: Vec<[f64; 2]> = placed.all.iter().map(|point| point.at).collect();
     move_on(placed);
     placed.moved(|index, point| if clear(point.at) { point.at } else { before[index] });
@@ -83,9 +83,9 @@ pub fn within(placed: &mut Buckets, clear: &dyn Fn([f64; 2]) -> bool, move_on: i
 /// at this.
 const SQUEEZED: f64 = 0.76;
 
-/// All of `kept`, and those of `others` that have room among those before them. `placed` holds none yet.
-pub fn with_room(kept: &[Nucleus], others: Vec<Nucleus>, mut placed: Buckets) -> Vec<Nucleus> {
-    kept.iter().for_each(|point| placed.insert(*point));
+/// All of `pinned`, and those of `others` that have room among those before them. `placed` holds none yet.
+pub fn with_room(pinned: &[Nucleus], others: Vec<Nucleus>, mut placed: CellList) -> Vec<Nucleus> {
+    pinned.iter().for_each(|point| placed.insert(*point));
     for point in others {
         let mut free = true;
         placed.near(&point, SQUEEZED, |other, delta| {
@@ -98,7 +98,7 @@ pub fn with_room(kept: &[Nucleus], others: Vec<Nucleus>, mut placed: Buckets) ->
     placed.all
 }
 
-/// Is `place` (cells of `maps`) clear of the taken cells?
+/// Is `place` (cells of `maps`) clear of the obstacle cells?
 pub fn is_clear(maps: &Maps, place: &Nucleus) -> bool {
     if maps.obstacles.is_empty() {
         return true;

@@ -3,7 +3,7 @@
 use crate::grid::Edges;
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::cell_list::{Buckets, distance2};
+use crate::rd::nuclei::cell_list::{CellList, distance2};
 use crate::rd::nuclei::{PUSH, obstacles};
 use crate::rd::nucleus::Nucleus;
 
@@ -40,7 +40,7 @@ pub fn placeable(system: System, maps: &Maps, spots: &[PinnedSpot]) -> Vec<Resul
     let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, maps)).collect();
     let clear: Vec<bool> = nuclei.iter().map(|nucleus| obstacles::is_clear(maps, nucleus)).collect();
     let largest = nuclei.iter().map(|nucleus| nucleus.reach).fold(1.0, f64::max);
-    let mut placed = Buckets::new(maps.grid.bounds(), PUSH * largest);
+    let mut placed = CellList::new(maps.grid.bounds(), PUSH * largest);
     nuclei.iter().zip(&clear).filter(|(_, clear)| **clear).for_each(|(nucleus, _)| placed.insert(*nucleus));
     let near: Vec<f64> =
         spots.iter().zip(&clear).filter(|(_, clear)| **clear).map(|(spot, _)| spot.near).collect();
@@ -53,7 +53,7 @@ pub fn placeable(system: System, maps: &Maps, spots: &[PinnedSpot]) -> Vec<Resul
 }
 
 /// Which of those placed are too near to which: nearer than the mean of what is `near` to each.
-fn crowded(placed: &Buckets, edges: Edges, near: &[f64]) -> Vec<Vec<usize>> {
+fn crowded(placed: &CellList, edges: Edges, near: &[f64]) -> Vec<Vec<usize>> {
     let mut crowded = vec![Vec::new(); placed.all.len()];
     for (i, point) in placed.all.iter().enumerate() {
         placed.near_by_index(point, PUSH, |other, delta| {
@@ -95,7 +95,7 @@ mod tests {
 
     const P: Parameters = Parameters { rate: 6.0, ratio: 20.0, stretch: 0.7, direction: 20.0, pitch: 1.0 };
 
-    fn kept(places: &[[f64; 2]]) -> Vec<PinnedSpot> {
+    fn pinned(places: &[[f64; 2]]) -> Vec<PinnedSpot> {
         places.iter().map(|at| PinnedSpot { at: *at, own: P, near: 0.6 }).collect()
     }
 
@@ -104,7 +104,7 @@ mod tests {
         let maps = Maps::uniform([200, 60], Edges::Closed, P);
         let pitch = System::MEINHARDT_SPOTS.spacing(&P);
         let row: Vec<[f64; 2]> = (0..7).map(|k| [20.0 + 0.55 * pitch * f64::from(k), 30.0]).collect();
-        let stays = placeable(System::MEINHARDT_SPOTS, &maps, &kept(&row));
+        let stays = placeable(System::MEINHARDT_SPOTS, &maps, &pinned(&row));
         let stays: Vec<bool> = stays.iter().map(Result::is_ok).collect();
         assert_eq!(stays, [true, false, true, false, true, false, true]);
     }
@@ -113,24 +113,24 @@ mod tests {
     fn a_spot_on_taken_cells_hinders_no_other() {
         let mut maps = Maps::uniform([80, 60], Edges::Closed, P);
         maps.obstacles = (0..80 * 60).map(|cell| cell % 80 < 20).collect();
-        let spots = kept(&[[10.0, 30.0], [21.0, 30.0], [50.0, 30.0]]);
+        let spots = pinned(&[[10.0, 30.0], [21.0, 30.0], [50.0, 30.0]]);
         let found = placeable(System::MEINHARDT_SPOTS, &maps, &spots);
         assert_eq!(found, [Err(Hindrance::Obstacle), Err(Hindrance::Obstacle), Ok(())]);
     }
 
     #[test]
     fn neighbours_are_seen_across_the_border_of_a_tile_alone() {
-        let spots = kept(&[[2.0, 30.0], [78.0, 30.0]]);
+        let spots = pinned(&[[2.0, 30.0], [78.0, 30.0]]);
         let stand = |edges| placeable(System::MEINHARDT_SPOTS, &Maps::uniform([80, 60], edges, P), &spots);
         assert_eq!(stand(Edges::Closed), [Ok(()), Ok(())]);
         assert_eq!(stand(Edges::Wrap), [Ok(()), Err(Hindrance::Neighbour)]);
     }
 
     #[test]
-    fn others_are_laid_around_those_that_are_kept() {
+    fn others_are_laid_around_pinned_spots() {
         let maps = Maps::uniform([160, 130], Edges::Closed, P);
         let system = System::MEINHARDT_SPOTS;
-        let spots = kept(&[[1.0, 50.0], [60.3, 61.7], [73.1, 70.2], [100.0, 100.0]]);
+        let spots = pinned(&[[1.0, 50.0], [60.3, 61.7], [73.1, 70.2], [100.0, 100.0]]);
         let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, &maps)).collect();
         let pitch = |p: &Parameters| system.spacing(p);
         for edges in [Edges::Closed, Edges::Wrap] {
@@ -140,8 +140,8 @@ mod tests {
             assert!(laid.iter().zip(&spots).all(|(laid, spot)| laid.at == spot.at));
             assert!(laid.len().abs_diff(free) * 12 <= free, "{} with, {free} without", laid.len());
             let near = laid[4..].iter().flat_map(|other| {
-                nuclei.iter().map(|kept| {
-                    distance2(kept, other, [other.at[0] - kept.at[0], other.at[1] - kept.at[1]]).sqrt()
+                nuclei.iter().map(|own| {
+                    distance2(own, other, [other.at[0] - own.at[0], other.at[1] - own.at[1]]).sqrt()
                 })
             });
             assert!(near.fold(f64::INFINITY, f64::min) > 0.75);

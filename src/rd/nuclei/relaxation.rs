@@ -4,13 +4,13 @@ use crate::grid::{Bounds, Edges};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::boundary::Walls;
-use crate::rd::nuclei::cell_list::{Buckets, relax};
+use crate::rd::nuclei::cell_list::{CellList, relax};
 use crate::rd::nuclei::{FRAME, PUSH};
 use crate::rd::nucleus::Nucleus;
 
 /// Where the points `laid` come to stand in `rounds` rounds of mutual repulsion, each with the pitch and the metric of
 /// its `own` parameters; those farther than `reach` pitches do not push each other. Those beyond the edges stay, and those
-/// that are kept.
+/// that are pinned.
 #[must_use]
 pub fn relax_places(
     system: System,
@@ -22,7 +22,7 @@ pub fn relax_places(
 ) -> Vec<[f64; 2]> {
     let at = &laid.inside;
     if at.is_empty() {
-        // Nobody is there to be pushed, and no reach to sort those beyond by.
+        // There is no spot to move, and no reach to sort those beyond by.
         return Vec::new();
     }
     let nucleus = |i: usize, at: [f64; 2]| Nucleus::new(&own[i], maps.grid.cell, at, system.spacing(&own[i]));
@@ -40,7 +40,7 @@ pub fn relax_places(
         i if i < own.len() => nucleus(i, to),
         i => beyond[i - own.len()],
     };
-    let mut placed = Buckets::new(space, PUSH.max(reach) * largest);
+    let mut placed = CellList::new(space, PUSH.max(reach) * largest);
     at.iter().enumerate().for_each(|(i, at)| placed.insert(nucleus(i, framed(*at))));
     beyond.iter().for_each(|point| placed.insert(*point));
     for _ in 0..rounds {
@@ -64,7 +64,7 @@ pub fn adjust_to_walls(system: System, maps: &Maps, places: Vec<[f64; 2]>) -> Ve
     let nucleus = |at: [f64; 2]| Nucleus::at(maps, at, &|p| system.spacing(p));
     let all: Vec<Nucleus> = places.into_iter().map(nucleus).collect();
     let largest = all.iter().map(|point| point.reach).fold(0.0, f64::max);
-    let mut placed = Buckets::new(bounds, largest);
+    let mut placed = CellList::new(bounds, largest);
     placed.replace(all);
     Walls { frame: 0.0, size: bounds.size }.keep_off_walls(&mut placed, 0, |_| ());
     placed.all.iter().map(|point| point.at).collect()
@@ -75,7 +75,7 @@ pub fn adjust_to_walls(system: System, maps: &Maps, places: Vec<[f64; 2]>) -> Ve
 pub struct Places {
     /// On the grid.
     pub inside: Vec<[f64; 2]>,
-    /// Beyond closed edges, and on taken cells.
+    /// Beyond closed edges, and on obstacle cells.
     pub beyond: Vec<[f64; 2]>,
     /// How many of those on the grid, the first, stay where they are.
     pub pinned: usize,
