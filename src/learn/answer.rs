@@ -8,24 +8,24 @@ use crate::marks::axial;
 /// Half the width of a 90 % interval in standard deviations of a normal distribution.
 pub(super) const Z90: f64 = 1.645;
 
-/// What a training set says about wanted attributes. All lengths are cells.
+/// The answer to wanted attributes. All lengths are cells.
 #[derive(Clone, Debug)]
 pub struct Answer {
-    /// What to tell the simulation.
+    /// The parameters of the simulation.
     pub parameters: Parameters,
-    /// How many times as far apart as their system puts them the spots are laid; 1 = as it does.
+    /// Spacing of the spots ÷ the spacing that the system gives them by itself; 1 = its own.
     pub pitch: f64,
-    /// What these parameters grow, as far as the rows tell; of spots always with their spacing, of lines with their
-    /// wavelength.
+    /// The attributes that these parameters are predicted to grow; of spots always with their spacing, of lines with
+    /// their wavelength.
     pub predicted: Attributes,
-    /// For each attribute the range that a patch grown like those of the set has in 90 of 100 cases.
+    /// The 90 % interval of each attribute, for a patch like those of the set.
     /// Angles are degrees about the predicted one and may leave 0..180.
     pub interval: Vec<(&'static str, [f64; 2])>,
-    /// How far the question lies from what was learnt.
+    /// How far the question lies from the rows.
     pub coverage: Coverage,
-    /// The nearest question that lies within; what was asked where that is inside.
+    /// The nearest question within the rows; the question itself where it is within.
     pub nearest: Attributes,
-    /// What there is to say about it.
+    /// Remarks for the user.
     pub notes: Vec<Note>,
 }
 
@@ -51,7 +51,7 @@ impl Answer {
     }
 }
 
-/// What parameters grow, as far as the rows tell. Lengths are cells.
+/// The attributes that parameters are predicted to grow. Lengths are cells.
 #[derive(Clone, Debug)]
 pub struct Prediction {
     /// The attributes; of spots always with their spacing.
@@ -68,7 +68,7 @@ impl Prediction {
     }
 }
 
-/// An answer in the making.
+/// An answer before it gets its pitch.
 pub(super) struct Reached {
     pub parameters: Parameters,
     pub prediction: Prediction,
@@ -87,14 +87,14 @@ pub enum AskError {
         /// The attributes that it takes.
         takes: &'static str,
     },
-    /// An attribute is no number of its kind.
+    /// The value of an attribute is out of its range.
     #[error("{attribute} {value} is not {allowed}")]
     Value {
         /// Its name.
         attribute: &'static str,
-        /// What it is.
+        /// Its value.
         value: f64,
-        /// What it may be.
+        /// The allowed values.
         allowed: &'static str,
     },
 }
@@ -130,7 +130,7 @@ fn checked_spots(spots: &Spots) -> Result<Spots, AskError> {
 /// `attributes` with their angle in [0, 180).
 ///
 /// # Errors
-/// [`AskError::Value`]: a number that is none of its kind.
+/// [`AskError::Value`]: a value out of its range.
 pub(super) fn checked(attributes: &Attributes) -> Result<Attributes, AskError> {
     Ok(match attributes {
         Attributes::Spots(spots) => Attributes::Spots(checked_spots(spots)?),

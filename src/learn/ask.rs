@@ -9,7 +9,7 @@ impl TrainingSet {
     /// The parameters that give `wanted` (lengths in cells, angles any finite degrees).
     ///
     /// A question beyond the rows is moved to the nearest place within them first, so the parameters are
-    /// always ones that grow a texture like those of the set; `coverage`, `nearest` and `notes` tell.
+    /// always ones that grow a texture like those of the set; `coverage`, `nearest` and `notes` say so.
     ///
     /// # Errors
     /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
@@ -35,9 +35,9 @@ impl TrainingSet {
         AskError::OtherKind { system: self.system().name, takes }
     }
 
-    /// What `parameters` grow, as far as the rows tell.
+    /// Predicts what `parameters` grow.
     ///
-    /// Meant for parameters like those of the rows; far from them it is the nearest rows' line, clamped.
+    /// Meant for parameters like those of the rows; far from them the regression of the nearest rows is clamped.
     #[must_use]
     pub fn predict(&self, parameters: &Parameters) -> Prediction {
         match &self.map {

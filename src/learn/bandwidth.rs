@@ -1,7 +1,7 @@
-//! How many neighbours a line is drawn through: as many as answer best for rows that are left out.
+//! The number of neighbours of the regression, chosen by cross validation.
 //!
-//! Few follow the curves of the map, many even out the noise of the rows; which matters more depends on how many
-//! rows there are and how noisy. (Atkeson, Moore & Schaal, Artificial Intelligence Review 11, 1997, §7.1: global
+//! Few neighbours follow the curvature of the map, many average out the noise of the rows; which matters more depends on
+//! the number of rows and their noise. (Atkeson, Moore & Schaal, Artificial Intelligence Review 11, 1997, §7.1: global
 //! tuning of a nearest-neighbour bandwidth by leave-one-out cross validation.)
 
 use rayon::prelude::*;
@@ -9,10 +9,10 @@ use rayon::prelude::*;
 use super::local::{Images, Local, Sample};
 use crate::learn::weighted_line::Line;
 
-/// Neighbours a feature that may be chosen. Fewer than 8 may be two rows and their mirror images: good on average,
-/// but no line.
+/// Neighbours per feature to choose from. Fewer than 8 may be two rows and their mirror images: good on average, but
+/// they do not define a linear map.
 pub(super) const CANDIDATES: [usize; 4] = [8, 14, 25, 45];
-/// Rows that are left out in turn, evenly taken. With twice as many the choice is the same or the next one.
+/// Rows that are left out in turn, at regular steps. With twice as many the choice is the same or the next one.
 const QUESTIONS: usize = 64;
 
 /// Mean squared errors up to this times the least are as good, and then fewer neighbours are better: they are nearer
@@ -28,7 +28,7 @@ impl Local {
     }
 }
 
-/// The number of neighbours (not a feature, but in all) by which the rows of `local` answer best for each other.
+/// The total number of neighbours with which the rows of `local` answer best for each other.
 fn chosen(local: &Local) -> usize {
     let most = local.samples_of_others();
     let counts: Vec<usize> =
@@ -51,7 +51,7 @@ fn errors(local: &Local, counts: &[usize]) -> Vec<f64> {
         .map(|question| {
             let row = question * rows.len() / questions;
             let q = local.standardised(&rows[row].at);
-            // One search serves all: the fewer neighbours are the first of the more.
+            // One search for all counts: a smaller set of neighbours is the beginning of a larger one.
             let near = local.near(&q, *most, Some(row));
             let error = |count: &usize| {
                 let value = Line::through(local, &q, &near[..*count]).value();
@@ -61,7 +61,7 @@ fn errors(local: &Local, counts: &[usize]) -> Vec<f64> {
             counts.iter().map(error).collect()
         })
         .collect();
-    // Added up in the order of the rows, whatever thread was first.
+    // Added up in the order of the rows, so that threads do not change the sum.
     (0..counts.len())
         .map(|i| of_each.iter().map(|errors| errors[i]).sum::<f64>() / questions as f64)
         .collect()
@@ -74,7 +74,7 @@ mod tests {
 
     use super::super::local::AS_IT_IS;
     use super::*;
-    use crate::learn::small_vector::Point;
+    use crate::learn::small_vector::SmallVector;
 
     /// 400 rows all over a box, and `f` there with noise up to ±`noise`.
     fn rows(f: impl Fn(&[f64; 3]) -> f64, noise: f64) -> Vec<Sample> {
@@ -83,7 +83,7 @@ mod tests {
             .map(|_| {
                 let at: [f64; 3] = std::array::from_fn(|_| rng.random());
                 let gives = f(&at) + noise * (2.0 * rng.random::<f64>() - 1.0);
-                Sample { at: Point::of(at), gives: Point::of([gives]) }
+                Sample { at: SmallVector::new(at), gives: SmallVector::new([gives]) }
             })
             .collect()
     }

@@ -1,11 +1,11 @@
 //! Attributes and parameters ↔ the coordinates in which the map between them is almost linear.
 //!
 //! Every law of scale is taken out beforehand (rate·A and A/L² hardly vary), so that what is left to
-//! learn is small and leaving the rows' range is benign.
+//! learn varies little, also beyond the range of the rows.
 
 use super::Parameters;
 use crate::attributes::{Spots, Stripes};
-use crate::learn::small_vector::Point;
+use crate::learn::small_vector::SmallVector;
 use crate::marks::axial;
 
 /// −ln(minor/major) along the double angle: an axis as a vector that vanishes for a circle.
@@ -36,19 +36,19 @@ pub(super) fn log_density(area: f64, spacing: f64) -> f64 {
     libm::log(area) - 2.0 * libm::log(spacing)
 }
 
-/// What is asked of a spot set: (ln A, ln(A/L²) where `density`, v).
-pub(super) fn spots_asked(log_area: f64, density: Option<f64>, v: [f64; 2]) -> Point {
-    Point::of(std::iter::once(log_area).chain(density).chain(v))
+/// The features of a question about spots: (ln A, ln(A/L²) where `density`, v).
+pub(super) fn spot_question(log_area: f64, density: Option<f64>, v: [f64; 2]) -> SmallVector {
+    SmallVector::new(std::iter::once(log_area).chain(density).chain(v))
 }
 
-/// What a spot set answers: (ln(rate·A), ln ratio, level, w).
-pub(super) fn spots_answered(spots: &Spots, p: &Parameters) -> Point {
+/// The outputs of an answer about spots: (ln(rate·A), ln ratio, level, w).
+pub(super) fn spot_answer(spots: &Spots, p: &Parameters) -> SmallVector {
     let [x, y] = elongation(p.stretch, p.direction);
     let ratio = libm::log(p.ratio.unwrap_or(1.0));
-    Point::of([libm::log(p.rate) + libm::log(spots.area), ratio, p.level.unwrap_or(0.5), x, y])
+    SmallVector::new([libm::log(p.rate) + libm::log(spots.area), ratio, p.level.unwrap_or(0.5), x, y])
 }
 
-/// The parameters that this answer, given for a spot of `log_area`, stands for.
+/// The parameters in the outputs `answered` for spots of area e^`log_area`.
 pub(super) fn spot_parameters(log_area: f64, answered: &[f64]) -> Parameters {
     let w = [answered[3], answered[4]];
     Parameters {
@@ -60,22 +60,22 @@ pub(super) fn spot_parameters(log_area: f64, answered: &[f64]) -> Parameters {
     }
 }
 
-/// What a spot set can be told: (ln rate, ln ratio, level, w), those left out that do not vary in it.
-pub(super) fn spots_told(p: &Parameters, ratio: bool, level: bool) -> Point {
-    let mut told = Point::of([libm::log(p.rate)]);
+/// The features of parameters of spots: (ln rate, ln ratio, level, w), those left out that do not vary in it.
+pub(super) fn spot_features(p: &Parameters, ratio: bool, level: bool) -> SmallVector {
+    let mut told = SmallVector::new([libm::log(p.rate)]);
     told.extend(ratio.then(|| libm::log(p.ratio.unwrap_or(1.0))));
     told.extend(level.then(|| p.level.unwrap_or(0.5)));
     told.extend(elongation(p.stretch, p.direction));
     told
 }
 
-/// What a spot set can be told, for all that a mirror leaves alone: (ln rate, ln ratio, level, |w|, |w| cos 4φ).
+/// The features of parameters of spots for outputs that a mirror does not change: (ln rate, ln ratio, level, |w|, |w| cos 4φ).
 ///
 /// Over the plane of w such a number has a kink at 0 (aspect ≈ e^−|w|), which a local line would cut off; over
 /// |w| it has none. cos 4φ: the grid's axes. And where w = 0, v points anywhere, so its mean says nothing
 /// about the aspect: isotropic Turing spots measure 0.88 and not 1.
-pub(super) fn spots_told_even(p: &Parameters, ratio: bool, level: bool) -> Point {
-    let mut told = spots_told(p, ratio, level);
+pub(super) fn spot_features_even(p: &Parameters, ratio: bool, level: bool) -> SmallVector {
+    let mut told = spot_features(p, ratio, level);
     let w = -libm::log(p.stretch);
     let n = told.len();
     told[n - 2] = w;
@@ -83,30 +83,31 @@ pub(super) fn spots_told_even(p: &Parameters, ratio: bool, level: bool) -> Point
     told
 }
 
-/// What then is seen that a mirror leaves alone: (ln(rate·A), ln(rate·L²), −ln(aspect)).
-pub(super) fn spots_seen_even(spots: &Spots, p: &Parameters) -> Point {
+/// The outputs for these that a mirror does not change: (ln(rate·A), ln(rate·L²), −ln(aspect)).
+pub(super) fn spot_outcomes_even(spots: &Spots, p: &Parameters) -> SmallVector {
     let rate = libm::log(p.rate);
     let log_spacing = libm::log(spots.spacing.unwrap_or(1.0));
-    Point::of([rate + libm::log(spots.area), rate + 2.0 * log_spacing, -libm::log(spots.aspect)])
+    SmallVector::new([rate + libm::log(spots.area), rate + 2.0 * log_spacing, -libm::log(spots.aspect)])
 }
 
-/// What is asked of a stripe set: (ln W, ln(W/λ) where `duty`, cos 4θ, sin 4θ).
+/// The features of a question about stripes: (ln W, ln(W/λ) where `duty`, cos 4θ, sin 4θ).
 ///
 /// The fourth harmonic: a grid looks the same after a quarter turn.
-pub(super) fn stripes_asked(log_width: f64, duty: Option<f64>, angle: f64) -> Point {
-    Point::of(std::iter::once(log_width).chain(duty).chain(harmonic(angle, 4.0)))
+pub(super) fn stripe_question(log_width: f64, duty: Option<f64>, angle: f64) -> SmallVector {
+    SmallVector::new(std::iter::once(log_width).chain(duty).chain(harmonic(angle, 4.0)))
 }
 
-/// What a stripe set answers: (ln(rate·W²), −ln stretch, ln ratio where it has one, cos 2Δ, sin 2Δ), Δ = direction −
+/// The outputs of an answer about stripes: (ln(rate·W²), −ln stretch, ln ratio where it has one, cos 2Δ, sin 2Δ), Δ = direction −
 /// angle.
-pub(super) fn stripes_answered(stripes: &Stripes, p: &Parameters) -> Point {
-    let mut answered = Point::of([libm::log(p.rate) + 2.0 * libm::log(stripes.width), -libm::log(p.stretch)]);
+pub(super) fn stripe_answer(stripes: &Stripes, p: &Parameters) -> SmallVector {
+    let mut answered =
+        SmallVector::new([libm::log(p.rate) + 2.0 * libm::log(stripes.width), -libm::log(p.stretch)]);
     answered.extend(p.ratio.map(libm::log));
     answered.extend(harmonic(p.direction - stripes.angle, 2.0));
     answered
 }
 
-/// The parameters that this answer, given for stripes of `log_width` and `angle`, stands for.
+/// The parameters in the outputs `answered` for stripes of width e^`log_width` and this angle.
 pub(super) fn stripe_parameters(log_width: f64, angle: f64, answered: &[f64]) -> Parameters {
     let n = answered.len();
     Parameters {
@@ -118,19 +119,19 @@ pub(super) fn stripe_parameters(log_width: f64, angle: f64, answered: &[f64]) ->
     }
 }
 
-/// What a stripe set can be told: (ln rate, ln ratio where it has one, −ln stretch where it varies, cos 4φ, sin 4φ).
-pub(super) fn stripes_told(p: &Parameters, stretch: bool) -> Point {
-    let mut told = Point::of([libm::log(p.rate)]);
+/// The features of parameters of stripes: (ln rate, ln ratio where it has one, −ln stretch where it varies, cos 4φ, sin 4φ).
+pub(super) fn stripe_features(p: &Parameters, stretch: bool) -> SmallVector {
+    let mut told = SmallVector::new([libm::log(p.rate)]);
     told.extend(p.ratio.map(libm::log));
     told.extend(stretch.then(|| -libm::log(p.stretch)));
     told.extend(harmonic(p.direction, 4.0));
     told
 }
 
-/// What then is seen: (ln(rate·W²), ln(rate·λ²) where it is free, cos 2Δ, sin 2Δ).
-pub(super) fn stripes_seen(stripes: &Stripes, p: &Parameters) -> Point {
+/// The outputs for these: (ln(rate·W²), ln(rate·λ²) where it is free, cos 2Δ, sin 2Δ).
+pub(super) fn stripe_outcomes(stripes: &Stripes, p: &Parameters) -> SmallVector {
     let rate = libm::log(p.rate);
-    let mut seen = Point::of([rate + 2.0 * libm::log(stripes.width)]);
+    let mut seen = SmallVector::new([rate + 2.0 * libm::log(stripes.width)]);
     seen.extend(stripes.wavelength.map(|wavelength| rate + 2.0 * libm::log(wavelength)));
     seen.extend(harmonic(p.direction - stripes.angle, 2.0));
     seen

@@ -1,17 +1,17 @@
-//! How far a question lies from what was learnt, and where the nearest reachable one is.
+//! How far a question lies from the rows, and the nearest question within them.
 
 use super::local::Local;
 use super::note::{Note, Quantity, Unit};
-use crate::learn::small_vector::Point;
+use crate::learn::small_vector::SmallVector;
 
-/// How far a question lies from what was learnt.
+/// How far a question lies from the rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Coverage {
     /// Among the rows.
     Inside,
     /// Just beyond them: good to a few per cent.
     Edge,
-    /// Beyond them; the answer is that for the nearest question within.
+    /// Beyond them; the answer is that of the nearest question within.
     Outside,
 }
 
@@ -39,13 +39,13 @@ const OF_A_ROW: f64 = 1.5;
 /// And this one-sided at the edge.
 const EDGE: f64 = 20.0;
 
-/// The span that one coordinate has in a set, and the words for leaving it.
+/// The range of one coordinate in a set, and the words for its ends.
 pub(super) struct Limit {
     /// The attribute.
     pub what: &'static str,
-    /// What its numbers are.
+    /// The unit of its numbers.
     pub unit: Unit,
-    /// What the system's lowest and highest coordinate are, in words.
+    /// The lowest and the highest coordinate in words.
     pub called: [&'static str; 2],
     /// Lowest and highest coordinate.
     pub span: [f64; 2],
@@ -55,7 +55,7 @@ pub(super) struct Limit {
 
 impl Limit {
     /// The span of `coordinates`.
-    pub fn of(
+    pub fn new(
         what: &'static str,
         unit: Unit,
         called: [&'static str; 2],
@@ -67,7 +67,7 @@ impl Limit {
     }
 }
 
-/// What has been found out about a question so far.
+/// The coverage of a question and the notes about it.
 pub(super) struct Judgement {
     pub coverage: Coverage,
     pub notes: Vec<Note>,
@@ -78,7 +78,7 @@ impl Judgement {
         Self { coverage: Coverage::Inside, notes: Vec::new() }
     }
 
-    /// Lowers the coverage for a coordinate that is `beyond` its limit by so much; whether it did.
+    /// Lowers the coverage for a coordinate that is `beyond` its limit by this much; returns whether it did.
     pub fn beyond(&mut self, beyond: f64) -> bool {
         let coverage = match beyond {
             b if b <= SLACK => Coverage::Inside,
@@ -89,7 +89,7 @@ impl Judgement {
         coverage != Coverage::Inside
     }
 
-    /// `value` within `limit`, with a note where that made a difference.
+    /// Clamps `value` to `limit`, with a note where it was outside.
     pub fn clamp(&mut self, limit: &Limit, value: f64) -> f64 {
         let [low, high] = limit.span;
         let within = value.clamp(low, high);
@@ -106,9 +106,9 @@ impl Judgement {
     pub fn within(
         &mut self,
         local: &Local,
-        at: &mut Point,
-        called: impl Fn(&Point) -> Vec<Quantity>,
-    ) -> Point {
+        at: &mut SmallVector,
+        called: impl Fn(&SmallVector) -> Vec<Quantity>,
+    ) -> SmallVector {
         let line = local.line(at, None);
         let one_sided = line.one_sided();
         let Some(row) = local.nearest(at, None).filter(|_| one_sided > INSIDE) else {
@@ -116,8 +116,9 @@ impl Judgement {
         };
         self.coverage = self.coverage.max(if one_sided <= EDGE { Coverage::Edge } else { Coverage::Outside });
         let question = *at;
-        let between =
-            |share: f64| Point::of(row.at.iter().zip(question.iter()).map(|(x, q)| x + (q - x) * share));
+        let between = |share: f64| {
+            SmallVector::new(row.at.iter().zip(question.iter()).map(|(x, q)| x + (q - x) * share))
+        };
         // The distance of the question from its neighbours' mean in their spread is √(one-sided − 1), which grows
         // almost evenly along the way: three looks at where it would reach the limit if it did.
         let off = |one_sided: f64| (one_sided - 1.0).max(0.0).sqrt() - (INSIDE - 1.0_f64).sqrt();

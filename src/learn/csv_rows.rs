@@ -100,7 +100,7 @@ fn places(system: &Description, file: &str, header: &StringRecord) -> Result<Vec
         .collect()
 }
 
-/// Text from a file as it may stand in a message: cut where it is long, and nothing in it that would act on a terminal.
+/// Text from a file for a message: cut where it is long, control characters escaped.
 #[must_use]
 pub fn shown(text: &str) -> String {
     const LONGEST: usize = 40;
@@ -111,7 +111,7 @@ pub fn shown(text: &str) -> String {
 
 /// The line, from 1, of a record in the file `bytes`.
 ///
-/// The csv reader's own count is that of the line where it began to look, which may be an empty one.
+/// The line number of the csv reader may be that of an empty line before the record.
 #[must_use]
 pub fn line_of(bytes: &[u8], position: Option<&csv::Position>) -> u64 {
     let Some(position) = position else { return 1 };

@@ -1,4 +1,4 @@
-//! What can be wrong with a training set.
+//! Errors of training sets.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ pub enum TrainingError {
     Open {
         /// The file or folder.
         path: PathBuf,
-        /// What the operating system said.
+        /// The error of the operating system.
         source: std::io::Error,
     },
     /// A folder has no file of this system.
@@ -26,37 +26,37 @@ pub enum TrainingError {
         /// The systems whose rows it has.
         others: Vec<&'static str>,
     },
-    /// The manifest beside a file says that this is not what was written.
+    /// The file does not agree with its manifest.
     #[error(
         "{file}: {problem}; sweep again with data-gen, or take this file away to learn from the rows as they are"
     )]
     Manifest {
         /// The manifest.
         file: String,
-        /// What it says, or what is wrong with it.
+        /// The problem.
         problem: String,
     },
-    /// The file is no table.
+    /// The file is not a CSV table.
     #[error("{file}, line {line}: {problem}")]
     Table {
         /// The file.
         file: String,
         /// Its line, from 1.
         line: u64,
-        /// What the reader said.
+        /// The message of the CSV reader.
         problem: String,
     },
-    /// A column is missing, unknown or there twice.
+    /// A column is missing, unknown or repeated.
     #[error("{file}, line 1: {problem}; the columns are {columns}, in any order")]
     Columns {
         /// The file.
         file: String,
-        /// Which column, and what about it.
+        /// The column and its problem.
         problem: String,
         /// The columns of this set.
         columns: String,
     },
-    /// A value is not what its column holds.
+    /// A value is not allowed in its column.
     #[error("{file}, line {line}, column {column}: '{value}' is not {allowed}")]
     Value {
         /// The file.
@@ -65,9 +65,9 @@ pub enum TrainingError {
         line: u64,
         /// The column's name.
         column: &'static str,
-        /// What stands there.
+        /// The value.
         value: String,
-        /// What may stand there.
+        /// The allowed values.
         allowed: &'static str,
     },
     /// There are not enough rows to learn from.
@@ -89,7 +89,7 @@ pub enum TrainingError {
         seed: u64,
         /// The set it was for.
         system: &'static str,
-        /// What is wrong with it.
+        /// The problem.
         problem: String,
     },
     /// The rows could not be written.

@@ -1,13 +1,13 @@
-//! How far answers are off.
+//! Errors of answers.
 
 use super::Parameters;
 use crate::attributes::Attributes;
 use crate::marks::turn;
 
-/// Directions of marks whose aspect, or stretch, is not below this say nothing.
+/// Directions of marks whose aspect or stretch is not below this have no meaning.
 const DIRECTED: f64 = 0.8;
 
-/// All quantities in the order in which they are told.
+/// All quantities in the order in which they are shown.
 const ORDER: [&str; 11] = [
     "rate",
     "ratio",
@@ -40,11 +40,11 @@ pub struct Errors {
     pub quantity: &'static str,
     /// `%` of what was wanted, `°`, or nothing for a plain difference.
     pub unit: &'static str,
-    /// Answers that count.
+    /// Number of answers.
     pub count: usize,
-    /// The middle one.
+    /// Median.
     pub median: f64,
-    /// 95 of 100 are no larger.
+    /// 95th percentile.
     pub p95: f64,
 }
 
@@ -61,7 +61,7 @@ fn turned(quantity: &'static str, got: f64, wanted: f64) -> Error {
 }
 
 impl Error {
-    /// Errors of parameters against those that were `told`: rate and ratio in %, stretch, direction where the stretch
+    /// Errors of parameters against the true ones, `told`: rate and ratio in %, stretch, direction where the stretch
     /// is below 0.8, level.
     #[must_use]
     pub fn of_parameters(got: &Parameters, told: &Parameters) -> Vec<Self> {

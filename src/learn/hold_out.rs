@@ -1,4 +1,4 @@
-//! Rows set apart to learn from, and rows to ask for.
+//! Hold-out split: rows to learn from, and rows to ask about.
 
 use crate::learn::Row;
 

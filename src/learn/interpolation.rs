@@ -12,7 +12,7 @@
 
 use super::local::{Local, Sample};
 use super::tree::Place;
-use crate::learn::small_vector::{MOST, Point};
+use crate::learn::small_vector::{MOST, SmallVector};
 
 /// Rows around a question among which its simplex is looked for, first and then.
 const AROUND: [usize; 2] = [60, 240];
@@ -22,18 +22,18 @@ const ROUNDING: f64 = 1e-9;
 const PIVOTS: usize = 2_000;
 
 /// The sample nearest to `q`, where there is one: features and outputs.
-pub(super) fn nearest(local: &Local, q: &Point) -> Option<Sample> {
+pub(super) fn nearest(local: &Local, q: &SmallVector) -> Option<Sample> {
     local.nearest(q, None)
 }
 
 /// What lies between the samples around `q` there; where there are none on one side, the nearest.
-pub(super) fn linear(local: &Local, q: &Point) -> Option<Sample> {
+pub(super) fn linear(local: &Local, q: &SmallVector) -> Option<Sample> {
     linear_in(local, q, local.dims(), |place, _| *place)
 }
 
 /// The same where the last two features are cos and sin of one angle: between places on a cylinder there are none that
 /// lie on it, so angles are told by the sine of how far they are from the question's.
-pub(super) fn linear_round_a_cylinder(local: &Local, q: &Point) -> Option<Sample> {
+pub(super) fn linear_round_a_cylinder(local: &Local, q: &SmallVector) -> Option<Sample> {
     let plain = local.dims() - 2;
     linear_in(local, q, plain + 1, |x, q| {
         let mut place = [0.0; MOST];
@@ -46,7 +46,7 @@ pub(super) fn linear_round_a_cylinder(local: &Local, q: &Point) -> Option<Sample
 /// The same in a `chart` of `dims` coordinates, which tells where a place lies for a question.
 fn linear_in(
     local: &Local,
-    q: &Point,
+    q: &SmallVector,
     dims: usize,
     chart: impl Fn(&Place, &Place) -> Place,
 ) -> Option<Sample> {
@@ -63,7 +63,7 @@ fn linear_in(
         let [_, y] = local.known(*near);
         gives.iter_mut().zip(y).for_each(|(sum, y)| *sum += weight * y);
     }
-    Some(Sample { at: *q, gives: Point::of(gives.into_iter().take(local.outputs())) })
+    Some(Sample { at: *q, gives: SmallVector::new(gives.into_iter().take(local.outputs())) })
 }
 
 /// The wᵢ of `points`, of which the first `dims` coordinates count; `None` where `q` is not between them.
@@ -178,9 +178,10 @@ mod tests {
 
     fn local(gives: impl Fn(&Place) -> f64) -> Local {
         let places = points(300, 3);
-        let rows = places
-            .iter()
-            .map(|x| Sample { at: Point::of(x[..3].iter().copied()), gives: Point::of([gives(x), 1.0]) });
+        let rows = places.iter().map(|x| Sample {
+            at: SmallVector::new(x[..3].iter().copied()),
+            gives: SmallVector::new([gives(x), 1.0]),
+        });
         Local::with_neighbours(rows.collect(), AS_IT_IS, 12)
     }
 
@@ -188,7 +189,7 @@ mod tests {
     fn a_plane_is_interpolated_exactly() {
         let plane = |x: &Place| 3.0 + 2.0 * x[0] - x[1] + 5.0 * x[2];
         for q in [[0.5, 0.5, 0.5, 0.0, 0.0], [0.2, 0.7, 0.4, 0.0, 0.0], [0.8, 0.25, 0.6, 0.0, 0.0]] {
-            let found = linear(&local(plane), &Point::of(q.into_iter().take(3))).unwrap();
+            let found = linear(&local(plane), &SmallVector::new(q.into_iter().take(3))).unwrap();
             assert!((found.gives[0] - plane(&q)).abs() < 1e-9, "{found:?}");
             assert!((found.gives[1] - 1.0).abs() < 1e-12);
         }
@@ -198,7 +199,7 @@ mod tests {
     fn beyond_the_rows_it_is_the_nearest_row() {
         let local = local(|x| x[0] * x[1]);
         for q in [[2.0, 0.5, 0.5], [-0.1, -0.1, -0.1], [0.001, 0.999, 1.2]] {
-            let q = Point::of(q);
+            let q = SmallVector::new(q);
             assert_eq!(linear(&local, &q).unwrap().gives, nearest(&local, &q).unwrap().gives);
         }
     }
@@ -212,13 +213,14 @@ mod tests {
 
     #[test]
     fn angles_are_interpolated_round_a_cylinder() {
-        let around = |i: usize, angle: f64| Point::of([0.1 * i as f64, libm::cos(angle), libm::sin(angle)]);
+        let around =
+            |i: usize, angle: f64| SmallVector::new([0.1 * i as f64, libm::cos(angle), libm::sin(angle)]);
         let rows = (0..200).map(|i| Sample {
             at: around(i % 10, 0.0314 * i as f64),
-            gives: Point::of([i as f64 % 10.0 + libm::sin(0.0314 * i as f64)]),
+            gives: SmallVector::new([i as f64 % 10.0 + libm::sin(0.0314 * i as f64)]),
         });
         let local = Local::with_neighbours(rows.collect(), AS_IT_IS, 12);
-        let q = Point::of([0.45, libm::cos(1.0), libm::sin(1.0)]);
+        let q = SmallVector::new([0.45, libm::cos(1.0), libm::sin(1.0)]);
         let found = linear_round_a_cylinder(&local, &q).unwrap();
         assert!((found.gives[0] - 4.5 - libm::sin(1.0)).abs() < 0.02, "{found:?}");
         assert_eq!(linear(&local, &q).unwrap().gives, nearest(&local, &q).unwrap().gives);

@@ -1,13 +1,13 @@
-//! Spots farther apart than their system puts them by itself: each stands alone.
+//! Isolated spots: farther apart than their system puts them by itself.
 //!
-//! The ground of Meinhardt's system is inert: no spot comes where none was laid, and one that has no neighbours stays as
-//! it is. So it is the same spot at any distance, and no rows are needed. Alone on a plane, a tensor of determinant 1
-//! only stretches it: aspect = stretch, angle = direction. At the ratio stated here
+//! Where the ground of a system is inert, spots appear only where they begin, and a spot without neighbours has the same
+//! shape at any distance: no rows are needed. A tensor of determinant 1 only stretches it: aspect = stretch, angle =
+//! direction. At the ratio of [`IsolatedSpots`]
 //!
 //! ```text
 //! A·rate = K · (ln l ÷ ln ½)^k · (1 − c·exp(−a·q − b·q²))     q = p − 1     p = L·√rate ÷ (S · (d₁ + d₂ · ln² stretch))
 //!
-//! A area, l level, L spacing; p pitch, how many times as far apart as by itself; S the system's own distance of places
+//! A area, l level, L spacing; p pitch, the spacing ÷ the system's own; S the system's own distance of places
 //! × √rate; d the mean Delaunay edge ÷ the distance of places
 //! ```
 
@@ -31,7 +31,7 @@ fn laid(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) -> [f64; 2
         let q = (pitch - 1.0).max(0.0);
         area * (1.0 - c * libm::exp(-a * q - b * q * q)) / spots.area
     };
-    // From spots alone on: neighbours take from the area, and that brings them nearer.
+    // Starts from spots without neighbours, which shrink the area and so the distance in pitches.
     let mut found = rate(f64::INFINITY);
     for _ in 0..16 {
         found = rate(pitch(found));
@@ -39,7 +39,7 @@ fn laid(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) -> [f64; 2
     [found, pitch(found)]
 }
 
-/// The highest level at which spots are roomy enough where only the share `room` of the spacing is left to them.
+/// The highest level at which spots have enough room where only the share `room` of the spacing is theirs.
 fn level(law: &IsolatedSpots, spots: &Spots, spacing: f64, room: f64) -> Option<f64> {
     let pitch = |level: f64| room * laid(law, spots, spacing, level)[1];
     let [mut high, mut low] = law.levels;
@@ -77,7 +77,7 @@ fn apart(law: &IsolatedSpots, map: &SpotMap, spots: &Spots, spacing: f64, room: 
     let mut judgement = Judgement::new();
     let area = libm::exp(judgement.clamp(&map.area, libm::log(spots.area)));
     let aspect = libm::exp(-judgement.clamp(&map.elongation, -libm::log(spots.aspect)));
-    // Rounder than any row is no farther than the rows.
+    // Spots rounder than any row are no extrapolation.
     let aspect = aspect.max(spots.aspect);
     let grown = Spots { area, aspect, spacing: Some(spacing), ..*spots };
     let level = level(law, &grown, spacing, room)?;

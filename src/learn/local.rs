@@ -13,24 +13,24 @@
 //! of the question's image to the row.
 
 use super::tree::{Near, Nearest, Place, Tree};
-use crate::learn::small_vector::{MOST, Point};
+use crate::learn::small_vector::{MOST, SmallVector};
 
 /// A known point of the map: features → outputs. The last two of each are a double-angle vector.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     /// The features, in their own units.
-    pub at: Point,
+    pub at: SmallVector,
     /// The outputs.
-    pub gives: Point,
+    pub gives: SmallVector,
 }
 
-/// By what a double-angle vector is multiplied, ±1: a row as it is first, then its mirror images.
+/// The signs by which a double-angle vector is multiplied: those of the row itself first, then of its mirror images.
 pub(super) type Images = &'static [[f64; 2]];
 
 /// No mirrors.
 pub(super) const AS_IT_IS: Images = &[[1.0, 1.0]];
 
-/// The known points, standardised, ready to be asked.
+/// The known points, standardised.
 pub(super) struct Local {
     rows: Vec<Sample>,
     /// Features of a row.
@@ -51,7 +51,7 @@ pub(super) struct Local {
     neighbours: usize,
 }
 
-/// Does a parameter vary among the rows, by a factor (or a share) of 2 % at least? Less is no feature.
+/// Whether a parameter varies among the rows, by 2 % at least. One that varies less is no feature.
 pub(super) fn varies(values: impl Iterator<Item = f64>) -> bool {
     let (low, high) =
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
@@ -60,13 +60,13 @@ pub(super) fn varies(values: impl Iterator<Item = f64>) -> bool {
 
 impl Local {
     /// Standardises `rows`, so that the components of the vector share one scale: distance does not depend on
-    /// direction. `neighbours` are asked; [`super::bandwidth`] chooses how many.
+    /// direction. `neighbours` take part in the regression; [`super::bandwidth`] chooses how many.
     pub fn with_neighbours(rows: Vec<Sample>, images: Images, neighbours: usize) -> Self {
         let (dims, outputs) = rows.first().map_or((0, 0), |row| (row.at.len(), row.gives.len()));
         let scale = scales(rows.iter().map(|row| &row.at.padded), dims, images);
-        let divided = |at: &Point| std::array::from_fn(|j| at.padded[j] / scale[j]);
+        let divided = |at: &SmallVector| std::array::from_fn(|j| at.padded[j] / scale[j]);
         let known: Vec<[Place; 2]> = rows.iter().map(|row| [divided(&row.at), row.gives.padded]).collect();
-        let ones = |len| Point::of(std::iter::repeat_n(1.0, len));
+        let ones = |len| SmallVector::new(std::iter::repeat_n(1.0, len));
         let signs = images.iter().map(|image| [dims, outputs].map(|len| ones(len).mirrored(*image).padded));
         let tree = Tree::new(known.iter().map(|[x, _]| *x));
         let mut local = Self {
@@ -150,7 +150,7 @@ impl Local {
     }
 
     /// A question in standardised features.
-    pub fn standardised(&self, q: &Point) -> Place {
+    pub fn standardised(&self, q: &SmallVector) -> Place {
         std::array::from_fn(|j| q.padded[j] / self.scale[j])
     }
 
@@ -165,12 +165,12 @@ impl Local {
     }
 
     /// The sample nearest to `q`, if there is any but those of the row `without`.
-    pub fn nearest(&self, q: &Point, without: Option<usize>) -> Option<Sample> {
+    pub fn nearest(&self, q: &SmallVector, without: Option<usize>) -> Option<Sample> {
         self.near(&self.standardised(q), 1, without).first().map(|near| self.sample(*near))
     }
 
-    /// Outputs within what the rows give.
-    pub fn clamped(&self, mut value: Point) -> Point {
+    /// Outputs clamped to those of the rows.
+    pub fn clamped(&self, mut value: SmallVector) -> SmallVector {
         for (value, [low, high]) in value.iter_mut().zip(&self.span) {
             *value = value.clamp(*low, *high);
         }
@@ -188,14 +188,14 @@ fn times(a: &Place, b: &Place) -> Place {
 /// Standard deviation of each of `len` numbers over rows and their mirror images; the last two, a vector, share one.
 fn scales<'a>(rows: impl ExactSizeIterator<Item = &'a Place> + Clone, len: usize, images: Images) -> Place {
     let (n, count) = (rows.len().max(1) as f64, images.len() as f64);
-    let mut mean = Point::of([0.0; MOST].into_iter().take(len));
+    let mut mean = SmallVector::new([0.0; MOST].into_iter().take(len));
     for row in rows.clone() {
         mean.padded.iter_mut().zip(row).for_each(|(mean, x)| *mean += x / n);
     }
-    // An image that mirrors cancels what it mirrors, or leaves it.
+    // The mean of a component over the mirror images is 0 or itself.
     let balance = [0, 1].map(|axis| images.iter().map(|image| image[axis]).sum::<f64>() / count);
     let mean = mean.mirrored(balance).padded;
-    let mut variance = Point::of([0.0; MOST].into_iter().take(len));
+    let mut variance = SmallVector::new([0.0; MOST].into_iter().take(len));
     for row in rows {
         for ((variance, x), mean) in variance.iter_mut().zip(row).zip(&mean) {
             *variance += (x - mean) * (x - mean) / n;
@@ -205,7 +205,7 @@ fn scales<'a>(rows: impl ExactSizeIterator<Item = &'a Place> + Clone, len: usize
         let shared = (*x + *y) / 2.0;
         (*x, *y) = (shared, shared);
     }
-    // What does not vary at all must not divide by zero; 1 leaves it without weight.
+    // No division by zero where nothing varies.
     variance.padded.map(|variance| if variance > 1e-18 { variance.sqrt() } else { 1.0 })
 }
 
@@ -238,9 +238,10 @@ mod tests {
     fn box_of(n: usize, f: impl Fn(&[f64]) -> Vec<f64>) -> Vec<Sample> {
         (0..n)
             .map(|i| {
-                let at =
-                    Point::of([0.819_172_5, 0.671_043_6, 0.549_700_5].map(|a| (0.5 + a * i as f64).fract()));
-                Sample { gives: Point::of(f(&at)), at }
+                let at = SmallVector::new(
+                    [0.819_172_5, 0.671_043_6, 0.549_700_5].map(|a| (0.5 + a * i as f64).fract()),
+                );
+                Sample { gives: SmallVector::new(f(&at)), at }
             })
             .collect()
     }
@@ -255,7 +256,7 @@ mod tests {
         let plane = |x: &[f64]| vec![1.0 + 2.0 * x[0] - 3.0 * x[1] + 40.0 * x[2], 7.0];
         let local = twelve(box_of(200, plane));
         for q in [[0.5, 0.5, 0.5], [0.1, 0.9, 0.3], [0.02, 0.02, 0.02]] {
-            let fit = local.fit(&Point::of(q), None);
+            let fit = local.fit(&SmallVector::new(q), None);
             assert!((fit.value[0] - plane(&q)[0]).abs() < 5e-4, "{q:?}: {}", fit.value[0]);
             assert_eq!(fit.value[1], 7.0);
             assert!(fit.deviation[0] < 1e-3 && fit.deviation[1] < 1e-12);
@@ -266,7 +267,7 @@ mod tests {
     fn an_answer_stays_within_what_was_seen() {
         let local = twelve(box_of(200, |x| vec![100.0 * x[0]]));
         let high = local.rows().iter().map(|s| s.gives[0]).fold(0.0, f64::max);
-        assert_eq!(local.fit(&Point::of([9.0, 0.5, 0.5]), None).value[0], high);
+        assert_eq!(local.fit(&SmallVector::new([9.0, 0.5, 0.5]), None).value[0], high);
     }
 
     #[test]
@@ -287,17 +288,20 @@ mod tests {
             row.gives[0] += if i % 2 == 0 { 0.1 } else { -0.1 };
         }
         let deviation =
-            Local::with_neighbours(rows, AS_IT_IS, 60).fit(&Point::of([0.5; 3]), None).deviation[0];
+            Local::with_neighbours(rows, AS_IT_IS, 60).fit(&SmallVector::new([0.5; 3]), None).deviation[0];
         assert!((0.09..0.13).contains(&deviation), "{deviation}");
     }
 
     #[test]
     fn rows_at_one_place_give_their_mean() {
         let rows = (0..30)
-            .map(|row| Sample { at: Point::of([2.0, 0.0, 0.0]), gives: Point::of([(row % 3) as f64]) })
+            .map(|row| Sample {
+                at: SmallVector::new([2.0, 0.0, 0.0]),
+                gives: SmallVector::new([(row % 3) as f64]),
+            })
             .collect();
         let value =
-            Local::with_neighbours(rows, AS_IT_IS, 12).fit(&Point::of([2.0, 0.0, 0.0]), None).value[0];
+            Local::with_neighbours(rows, AS_IT_IS, 12).fit(&SmallVector::new([2.0, 0.0, 0.0]), None).value[0];
         assert!((value - 1.0).abs() < 0.2, "{value}");
     }
 
@@ -305,16 +309,22 @@ mod tests {
     fn the_nearest_row_is_found() {
         let local = twelve(box_of(50, |x| vec![x[0]]));
         let at = local.rows()[17].at;
-        assert_eq!(local.nearest(&Point::of([at[0] + 1e-3, at[1], at[2] - 1e-3]), None).unwrap().at, at);
+        assert_eq!(
+            local.nearest(&SmallVector::new([at[0] + 1e-3, at[1], at[2] - 1e-3]), None).unwrap().at,
+            at
+        );
         assert_ne!(local.nearest(&at, Some(17)).unwrap().at, at);
     }
 
     #[test]
     fn a_row_stands_for_its_mirror_images() {
         let images: Images = &[[1.0, 1.0], [1.0, -1.0]];
-        let row = |a: f64, x: f64, y: f64| Sample { at: Point::of([a, x, y]), gives: Point::of([a, x, y]) };
+        let row = |a: f64, x: f64, y: f64| Sample {
+            at: SmallVector::new([a, x, y]),
+            gives: SmallVector::new([a, x, y]),
+        };
         let local = Local::with_neighbours(vec![row(0.0, 3.0, 1.0), row(1.0, 5.0, 2.0)], images, 4);
-        let near = local.near(&local.standardised(&Point::of([0.0, 3.0, -1.0])), 1, None);
+        let near = local.near(&local.standardised(&SmallVector::new([0.0, 3.0, -1.0])), 1, None);
         assert_eq!(near[0], Near::new(0.0, 0, 1));
         assert_eq!(*local.sample(near[0]).gives, [0.0, 3.0, -1.0]);
     }
@@ -336,12 +346,12 @@ mod tests {
         ) {
             let rows: Vec<Sample> = numbers
                 .chunks_exact(dims)
-                .map(|at| Sample { at: Point::of(at.iter().copied()), gives: Point::of([at[0]]) })
+                .map(|at| Sample { at: SmallVector::new(at.iter().copied()), gives: SmallVector::new([at[0]]) })
                 .collect();
             let images: Images =
                 if mirrors { &[[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] } else { AS_IT_IS };
             let local = Local::with_neighbours(rows, images, k);
-            let q = local.standardised(&Point::of(q.into_iter().take(dims)));
+            let q = local.standardised(&SmallVector::new(q.into_iter().take(dims)));
             prop_assert_eq!(local.near(&q, k, without), local.near_by_looking_at_all(&q, k, without));
             // And at a row itself, where ties are.
             if !local.known.is_empty() {

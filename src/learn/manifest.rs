@@ -1,5 +1,5 @@
-//! The manifest `SET.json` that data-gen writes beside the rows `SET.csv`: were all of them written, in a version that is
-//! known here? Rows without one are taken as they are.
+//! The manifest `SET.json` that data-gen writes beside the rows `SET.csv`: checks their number and version. Rows without a
+//! manifest are not checked.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -9,10 +9,10 @@ use serde_json::Value;
 use super::TrainingError;
 
 const FORMAT: &str = "dapple training set";
-/// The newest version of rows that is known here.
+/// The newest version that is supported.
 const VERSION: u64 = 1;
 
-/// What a manifest says.
+/// The content of a manifest.
 pub(super) struct Manifest {
     file: PathBuf,
     /// Rows that were written.
@@ -23,8 +23,8 @@ impl Manifest {
     /// The manifest of the rows `csv`; `None` where there is none.
     ///
     /// # Errors
-    /// It is damaged, of another kind, or of a version that is not known here.
-    pub fn of(csv: &Path) -> Result<Option<Self>, TrainingError> {
+    /// It is damaged, of another kind, or of a version that is not supported.
+    pub fn beside(csv: &Path) -> Result<Option<Self>, TrainingError> {
         let file = csv.with_extension("json");
         let wrong = |problem: String| TrainingError::Manifest { file: file.display().to_string(), problem };
         let bytes = match std::fs::read(&file) {
@@ -51,10 +51,10 @@ impl Manifest {
         Ok(Some(Self { file, rows }))
     }
 
-    /// Are these as many rows as were written?
+    /// Checks that these are as many rows as were written.
     ///
     /// # Errors
-    /// How many there are, and should be.
+    /// The number of rows and the expected number.
     pub fn check(&self, csv: &Path, rows: usize) -> Result<(), TrainingError> {
         if rows as u64 == self.rows {
             return Ok(());

@@ -1,4 +1,4 @@
-//! Other ways from attributes to parameters, to compare with.
+//! Other methods from attributes to parameters, for comparison.
 
 use super::answer::checked;
 use super::interpolation;
@@ -6,7 +6,7 @@ use super::training_set::Map;
 use super::{AskError, Parameters, TrainingSet};
 use crate::attributes::Attributes;
 
-/// A way from attributes to parameters.
+/// A method from attributes to parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Method {
     /// The parameters of the nearest row.
@@ -25,7 +25,7 @@ impl Method {
     pub const ALL: [Self; 4] =
         [Self::NearestNeighbour, Self::LinearInterpolation, Self::ScaleLaw, Self::LocalRegression];
 
-    /// What it is called.
+    /// Its name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -63,7 +63,7 @@ impl TrainingSet {
             (Method::LinearInterpolation, Map::Stripes(map), Attributes::Stripes(stripes)) => {
                 Ok(map.known(stripes, interpolation::linear_round_a_cylinder))
             }
-            // And whatever is of the other kind, which it refuses.
+            // Attributes of the other kind too, which it refuses.
             _ => Ok(self.ask(&wanted)?.parameters),
         }
     }

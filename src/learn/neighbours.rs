@@ -1,21 +1,21 @@
-//! Which rows an answer leans on: for who wants to see why.
+//! The rows that an answer is computed from, for display.
 
 use super::coordinates as to;
 use super::local::Local;
 use super::training_set::Map;
 use super::{Parameters, TrainingSet};
 use crate::attributes::Attributes;
-use crate::learn::small_vector::Point;
+use crate::learn::small_vector::SmallVector;
 use crate::marks::axial;
 
-/// A row that an answer leans on, as it is or as one of its mirror images.
+/// A row that an answer is computed from, as it is or as one of its mirror images.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Neighbour {
     /// Its number among the rows.
     pub row: usize,
     /// What was measured there, in cells.
     pub attributes: Attributes,
-    /// What had been set.
+    /// The parameters that were set.
     pub parameters: Parameters,
     /// Its weight in the regression, 0..1.
     pub weight: f64,
@@ -32,14 +32,14 @@ fn mirrored(angle: f64, [c, s]: [f64; 2]) -> f64 {
 }
 
 impl TrainingSet {
-    /// The rows that the answer to `asked` (lengths in cells) leans on, the nearest first. A question beyond the rows
+    /// The rows that the answer to `asked` (lengths in cells) is computed from, the nearest first. A question beyond the rows
     /// should be moved first: [`Answer::nearest`](super::Answer::nearest). Empty for attributes of the other kind.
     #[must_use]
     pub fn neighbours(&self, asked: &Attributes) -> Vec<Neighbour> {
         let near = match (&self.map, asked) {
             (Map::Spots(map), Attributes::Spots(spots)) => {
                 let v = to::elongation(spots.aspect, spots.angle);
-                map.near(&to::spots_asked(libm::log(spots.area), map.log_density(spots), v))
+                map.near(&to::spot_question(libm::log(spots.area), map.log_density(spots), v))
             }
             (Map::Stripes(map), Attributes::Stripes(stripes)) => map.near(stripes),
             _ => return Vec::new(),
@@ -66,8 +66,8 @@ impl TrainingSet {
 }
 
 impl Local {
-    /// Row, mirror image and weight of each sample that the line at `q` is laid through.
-    pub(super) fn weights(&self, q: &Point) -> Vec<(usize, [f64; 2], f64)> {
+    /// Row, mirror image and weight of each sample of the regression at `q`.
+    pub(super) fn weights(&self, q: &SmallVector) -> Vec<(usize, [f64; 2], f64)> {
         let q = self.standardised(q);
         let near = self.near(&q, self.neighbours(), None);
         let h = near.last().map_or(1.0, |last| last.squared().sqrt()).max(1e-9);

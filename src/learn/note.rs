@@ -1,8 +1,8 @@
-//! What there is to say about an answer, in words and numbers: about the system, not about its rows.
+//! Notes about answers, in words and numbers.
 
 use std::fmt;
 
-/// What the numbers of an attribute are.
+/// The unit of an attribute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// Cells of the grid, or px.
@@ -22,7 +22,7 @@ pub struct Quantity {
     pub attribute: &'static str,
     /// Its number.
     pub value: f64,
-    /// What that is.
+    /// Its unit.
     pub unit: Unit,
     /// Are lengths px? Else they are cells.
     px: bool,
@@ -63,7 +63,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// Something to be told about an answer; `Display` is the sentence.
+/// A note about an answer; `Display` is the sentence.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
     /// An attribute lies beyond what the system grows.
@@ -72,7 +72,7 @@ pub enum Note {
         asked: Quantity,
         /// What is grown instead.
         reached: Quantity,
-        /// What that is of the system, such as "the densest this system packs".
+        /// The limit in words, such as "the densest this system packs".
         called: &'static str,
     },
     /// Each attribute is reached, but not all at once.
@@ -82,7 +82,7 @@ pub enum Note {
         /// What is grown instead.
         reached: Vec<Quantity>,
     },
-    /// The spacing was left free: area ÷ spacing² that is taken.
+    /// The spacing was left free: area ÷ spacing² that is used.
     FreeSpacing(f64),
     /// Spots are laid farther apart than their system puts them.
     Apart {
@@ -90,13 +90,13 @@ pub enum Note {
         asked: Quantity,
         /// The least that the system packs by itself.
         sparsest: Quantity,
-        /// How many times as far apart as by themselves.
+        /// Spacing ÷ the system's own.
         pitch: f64,
     },
 }
 
 impl Note {
-    /// Does it tell that something cannot be reached?
+    /// Whether something cannot be reached.
     #[must_use]
     pub fn is_beyond(&self) -> bool {
         matches!(self, Self::Beyond { .. } | Self::Together { .. })

@@ -1,8 +1,8 @@
-//! One row of a training set: what was measured and what had been set.
+//! One row of a training set: measured attributes and the parameters that were set.
 
 use crate::attributes::Attributes;
 
-/// What a simulation is told, in units of its grid.
+/// Parameters of a simulation, in units of its grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
     /// Reaction rate ÷ √(Da·Db), 1/cell² (stripes: rate in the same units, 1/cell²).
@@ -45,6 +45,6 @@ pub struct Row {
     pub evenness: f64,
     /// What was measured, in cells; of spots always with their spacing.
     pub attributes: Attributes,
-    /// What had been set.
+    /// The parameters that were set.
     pub parameters: Parameters,
 }

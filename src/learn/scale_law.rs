@@ -1,4 +1,4 @@
-//! The laws of scale in closed form, as one would use them without a training set but for their constants.
+//! Laws of scale in closed form, with constants fitted to the rows.
 //!
 //! ```text
 //! spots    A/L² = C e^(S (l₀ − l)) / R      rate·A = K e^(S (l₀ − l)) / R      stretch = aspect   φ = θ

@@ -1,27 +1,27 @@
-//! A handful of coordinates, without a heap allocation for each of the thousands of rows.
+//! Up to five coordinates without a heap allocation.
 
 use std::ops::{Deref, DerefMut};
 
-/// Coordinates at most: the four that a spot set may be told plus a second component of the vector.
+/// Coordinates at most: the four features of spots plus a second component of the vector.
 pub(super) const MOST: usize = 5;
 
 /// Up to [`MOST`] coordinates; those beyond its length are 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Point {
+pub(super) struct SmallVector {
     /// All numbers, zeros at the end.
     pub padded: [f64; MOST],
     len: usize,
 }
 
-impl Point {
+impl SmallVector {
     /// The numbers in their order.
-    pub fn of(numbers: impl IntoIterator<Item = f64>) -> Self {
+    pub fn new(numbers: impl IntoIterator<Item = f64>) -> Self {
         let mut point = Self::default();
         point.extend(numbers);
         point
     }
 
-    /// Numbers at the end; those that find no place are a bug.
+    /// Appends numbers; more than [`MOST`] are a bug.
     pub fn extend(&mut self, numbers: impl IntoIterator<Item = f64>) {
         for number in numbers {
             debug_assert!(self.len < MOST, "more than {MOST} coordinates");
@@ -41,7 +41,7 @@ impl Point {
     }
 }
 
-impl Deref for Point {
+impl Deref for SmallVector {
     type Target = [f64];
 
     fn deref(&self) -> &[f64] {
@@ -49,7 +49,7 @@ impl Deref for Point {
     }
 }
 
-impl DerefMut for Point {
+impl DerefMut for SmallVector {
     fn deref_mut(&mut self) -> &mut [f64] {
         &mut self.padded[..self.len]
     }
@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn a_mirror_image_turns_the_last_two_numbers_and_leaves_the_padding_alone() {
-        let point = Point::of([1.0, 2.0, 3.0]);
+        let point = SmallVector::new([1.0, 2.0, 3.0]);
         assert_eq!(*point.mirrored([-1.0, 1.0]), [1.0, -2.0, 3.0]);
         assert_eq!(point.mirrored([1.0, -1.0]).padded, [1.0, 2.0, -3.0, 0.0, 0.0]);
     }

@@ -1,4 +1,4 @@
-//! Spots: attributes ↔ parameters, learnt from rows.
+//! Spots: attributes ↔ parameters, by regression.
 
 use super::answer::{Prediction, Reached, Z90};
 use super::coordinates as to;
@@ -7,7 +7,7 @@ use super::local::{AS_IT_IS, Images, Local, Sample, varies};
 use super::note::{Note, Quantity, Unit};
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Spots};
-use crate::learn::small_vector::Point;
+use crate::learn::small_vector::SmallVector;
 
 /// The mirror images of a row: (cos, sin) of a double angle under θ, −θ, 90° − θ and 90° + θ.
 ///
@@ -43,21 +43,21 @@ fn density(spots: &Spots) -> Option<f64> {
 
 /// How far ln A, ln(A/L²) and −ln(aspect) reach.
 fn limits<'a>(spots: impl Iterator<Item = &'a Spots> + Clone) -> [Limit; 3] {
-    let area = Limit::of(
+    let area = Limit::new(
         "area",
         Unit::Area,
         ["the smallest this system grows", "the largest this system grows"],
         libm::exp,
         spots.clone().map(|s| libm::log(s.area)),
     );
-    let density = Limit::of(
+    let density = Limit::new(
         "area/spacing²",
         Unit::Share,
         ["the sparsest this system packs", "the densest this system packs"],
         libm::exp,
         spots.clone().filter_map(density),
     );
-    let elongation = Limit::of(
+    let elongation = Limit::new(
         "aspect",
         Unit::Share,
         ["the roundest this system grows", "the longest this system grows"],
@@ -78,7 +78,7 @@ impl SpotMap {
             .collect();
         let ratio = varies(runs.iter().map(|(_, p)| libm::log(p.ratio.unwrap_or(1.0))));
         let level = varies(runs.iter().map(|(_, p)| p.level.unwrap_or(0.5)));
-        let local = |images, of: &(dyn Fn(&Spots, &Parameters) -> [Point; 2] + Sync)| {
+        let local = |images, of: &(dyn Fn(&Spots, &Parameters) -> [SmallVector; 2] + Sync)| {
             let samples = runs.iter().map(|(spots, parameters)| {
                 let [at, gives] = of(spots, parameters);
                 Sample { at, gives }
@@ -88,17 +88,18 @@ impl SpotMap {
         let asked = || {
             local(IMAGES, &|s, p| {
                 let density = density(s).filter(|_| ratio || level);
-                let at = to::spots_asked(libm::log(s.area), density, to::elongation(s.aspect, s.angle));
-                [at, to::spots_answered(s, p)]
+                let at = to::spot_question(libm::log(s.area), density, to::elongation(s.aspect, s.angle));
+                [at, to::spot_answer(s, p)]
             })
         };
         let told = || {
             local(IMAGES, &|s, p| {
-                [to::spots_told(p, ratio, level), Point::of(to::elongation(s.aspect, s.angle))]
+                [to::spot_features(p, ratio, level), SmallVector::new(to::elongation(s.aspect, s.angle))]
             })
         };
-        let even =
-            || local(AS_IT_IS, &|s, p| [to::spots_told_even(p, ratio, level), to::spots_seen_even(s, p)]);
+        let even = || {
+            local(AS_IT_IS, &|s, p| [to::spot_features_even(p, ratio, level), to::spot_outcomes_even(s, p)])
+        };
         let (asked, (told, even)) = rayon::join(asked, || rayon::join(told, even));
         let [area, density_limit, elongation] = limits(runs.iter().map(|(spots, _)| spots));
         let mut densities: Vec<f64> = runs.iter().filter_map(|(spots, _)| density(spots)).collect();
@@ -120,14 +121,14 @@ impl SpotMap {
         let e = -libm::log(spots.aspect);
         let e_reached = judgement.clamp(&self.elongation, e);
         let [c, s] = to::harmonic(spots.angle, 2.0);
-        let mut at = to::spots_asked(log_area, density, [e_reached * c, e_reached * s]);
+        let mut at = to::spot_question(log_area, density, [e_reached * c, e_reached * s]);
         let n = at.len();
         let mut nearest = Spots {
             area: if log_area == libm::log(spots.area) { spots.area } else { libm::exp(log_area) },
             aspect: if e_reached == e { spots.aspect } else { libm::exp(-e_reached) },
             ..*spots
         };
-        let called = |at: &Point| {
+        let called = |at: &SmallVector| {
             let mut named = vec![Quantity::new("area", libm::exp(at[0]), Unit::Area)];
             let density = || Quantity::new("area/spacing²", libm::exp(at[1]), Unit::Share);
             named.extend(self.dense().then(density));
@@ -201,14 +202,14 @@ impl SpotMap {
     }
 
     /// Row, mirror image and weight of what the answer at `at` leans on.
-    pub fn near(&self, at: &Point) -> Vec<(usize, [f64; 2], f64)> {
+    pub fn near(&self, at: &SmallVector) -> Vec<(usize, [f64; 2], f64)> {
         self.asked.weights(at)
     }
 
     /// The parameters for `spots` that `find` finds among the known points.
-    pub fn known(&self, spots: &Spots, find: impl Fn(&Local, &Point) -> Option<Sample>) -> Parameters {
+    pub fn known(&self, spots: &Spots, find: impl Fn(&Local, &SmallVector) -> Option<Sample>) -> Parameters {
         let v = to::elongation(spots.aspect, spots.angle);
-        let at = to::spots_asked(libm::log(spots.area), self.log_density(spots), v);
+        let at = to::spot_question(libm::log(spots.area), self.log_density(spots), v);
         let found = find(&self.asked, &at).unwrap_or(self.asked.rows()[0]);
         to::spot_parameters(found.at[0], &found.gives)
     }
@@ -216,12 +217,12 @@ impl SpotMap {
     /// What grows from parameters.
     pub fn predict(&self, p: &Parameters) -> Prediction {
         let log_rate = libm::log(p.rate);
-        let even = self.even.fit(&to::spots_told_even(p, self.ratio, self.level), None);
+        let even = self.even.fit(&to::spot_features_even(p, self.ratio, self.level), None);
         let [log_area, log_spacing] = [even.value[0] - log_rate, 0.5 * (even.value[1] - log_rate)];
         let [by_area, by_spacing] = [Z90 * even.deviation[0], 0.5 * Z90 * even.deviation[1]];
         let (e, by_e) = (even.value[2], Z90 * even.deviation[2]);
         let aspect = |e: f64| libm::exp(-e.max(0.0));
-        let fit = self.told.fit(&to::spots_told(p, self.ratio, self.level), None);
+        let fit = self.told.fit(&to::spot_features(p, self.ratio, self.level), None);
         let v = [fit.value[0], fit.value[1]];
         let by_v = Z90 * to::length([fit.deviation[0], fit.deviation[1]]) / std::f64::consts::SQRT_2;
         let directed = to::length(v) > 1e-9;

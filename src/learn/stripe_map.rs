@@ -7,7 +7,7 @@ use super::local::{Images, Local, Sample, varies};
 use super::note::{Quantity, Unit};
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Stripes};
-use crate::learn::small_vector::Point;
+use crate::learn::small_vector::SmallVector;
 use crate::marks::axial;
 
 /// The mirror images of a row. The grid looks the same under x ↔ y and under mirrors, so each row stands
@@ -29,7 +29,7 @@ pub(super) struct StripeMap {
 }
 
 /// The angle at a place, where 4θ is known: of the four it stands for the one nearest to `asked`.
-fn quarter(asked: f64, at: &Point) -> f64 {
+fn quarter(asked: f64, at: &SmallVector) -> f64 {
     let n = at.len();
     let quarter = 0.5 * to::axis([at[n - 2], at[n - 1]]);
     axial(asked + (quarter - asked + 45.0).rem_euclid(90.0) - 45.0)
@@ -45,7 +45,7 @@ impl StripeMap {
             })
             .collect();
         let stretch = varies(runs.iter().map(|(_, p)| libm::log(p.stretch)));
-        let local = |of: &dyn Fn(&Stripes, &Parameters) -> [Point; 2]| {
+        let local = |of: &dyn Fn(&Stripes, &Parameters) -> [SmallVector; 2]| {
             let samples = runs.iter().map(|(stripes, parameters)| {
                 let [at, gives] = of(stripes, parameters);
                 Sample { at, gives }
@@ -54,11 +54,11 @@ impl StripeMap {
         };
         let log_duty = |s: &Stripes| s.wavelength.map(|wavelength| libm::log(s.width / wavelength));
         let asked = local(&|s, p| {
-            [to::stripes_asked(libm::log(s.width), log_duty(s), s.angle), to::stripes_answered(s, p)]
+            [to::stripe_question(libm::log(s.width), log_duty(s), s.angle), to::stripe_answer(s, p)]
         });
-        let told = local(&|s, p| [to::stripes_told(p, stretch), to::stripes_seen(s, p)]);
+        let told = local(&|s, p| [to::stripe_features(p, stretch), to::stripe_outcomes(s, p)]);
         let duty = runs.iter().any(|(s, _)| s.wavelength.is_some()).then(|| {
-            Limit::of(
+            Limit::new(
                 "duty",
                 Unit::Share,
                 [
@@ -71,7 +71,7 @@ impl StripeMap {
         });
         let widths = runs.iter().map(|(stripes, _)| libm::log(stripes.width));
         Self {
-            width: Limit::of(
+            width: Limit::new(
                 "width",
                 Unit::Length,
                 ["the thinnest this system grows", "the widest this system grows"],
@@ -91,11 +91,11 @@ impl StripeMap {
         let log_width = judgement.clamp(&self.width, libm::log(stripes.width));
         let duty = self.duty.as_ref().map(|limit| judgement.clamp(limit, libm::log(stripes.duty())));
         let width = if log_width == libm::log(stripes.width) { stripes.width } else { libm::exp(log_width) };
-        let wavelength = |width: f64, at: &Point| self.duty.as_ref().map(|_| width / libm::exp(at[1]));
-        let mut at = to::stripes_asked(log_width, duty, stripes.angle);
+        let wavelength = |width: f64, at: &SmallVector| self.duty.as_ref().map(|_| width / libm::exp(at[1]));
+        let mut at = to::stripe_question(log_width, duty, stripes.angle);
         let mut nearest = Stripes { width, angle: stripes.angle, wavelength: wavelength(width, &at) };
-        let angle = |at: &Point| quarter(stripes.angle, at);
-        let called = |at: &Point| {
+        let angle = |at: &SmallVector| quarter(stripes.angle, at);
+        let called = |at: &SmallVector| {
             let mut named = vec![Quantity::new("width", libm::exp(at[0]), Unit::Length)];
             let duty = || Quantity::new("duty", libm::exp(at[1]), Unit::Share);
             named.extend(self.duty.as_ref().map(|_| duty()));
@@ -116,20 +116,24 @@ impl StripeMap {
     /// Row, mirror image and weight of what the answer to `stripes` leans on.
     pub fn near(&self, stripes: &Stripes) -> Vec<(usize, [f64; 2], f64)> {
         let duty = self.duty.as_ref().map(|_| libm::log(stripes.duty()));
-        self.asked.weights(&to::stripes_asked(libm::log(stripes.width), duty, stripes.angle))
+        self.asked.weights(&to::stripe_question(libm::log(stripes.width), duty, stripes.angle))
     }
 
     /// The parameters for `stripes` that `find` finds among the known points.
-    pub fn known(&self, stripes: &Stripes, find: impl Fn(&Local, &Point) -> Option<Sample>) -> Parameters {
+    pub fn known(
+        &self,
+        stripes: &Stripes,
+        find: impl Fn(&Local, &SmallVector) -> Option<Sample>,
+    ) -> Parameters {
         let duty = self.duty.as_ref().map(|_| libm::log(stripes.duty()));
-        let at = to::stripes_asked(libm::log(stripes.width), duty, stripes.angle);
+        let at = to::stripe_question(libm::log(stripes.width), duty, stripes.angle);
         let found = find(&self.asked, &at).unwrap_or(self.asked.rows()[0]);
         to::stripe_parameters(found.at[0], quarter(stripes.angle, &found.at), &found.gives)
     }
 
     /// What grows from parameters.
     pub fn predict(&self, p: &Parameters) -> Prediction {
-        let fit = self.told.fit(&to::stripes_told(p, self.stretch), None);
+        let fit = self.told.fit(&to::stripe_features(p, self.stretch), None);
         let log_width = 0.5 * (fit.value[0] - libm::log(p.rate));
         let by_width = 0.5 * Z90 * fit.deviation[0];
         let n = fit.value.len();

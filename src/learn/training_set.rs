@@ -79,7 +79,7 @@ impl TrainingSet {
     ) -> Result<Self, TrainingError> {
         let (mut rows, mut names) = (Vec::new(), Vec::new());
         for path in files_of(dir, system.name, known)? {
-            let manifest = Manifest::of(&path)?;
+            let manifest = Manifest::beside(&path)?;
             let name = path.display().to_string();
             let bytes =
                 std::fs::read(&path).map_err(|source| TrainingError::Open { path: path.clone(), source })?;

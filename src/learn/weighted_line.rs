@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::learn::local::Local;
-use crate::learn::small_vector::{MOST, Point};
+use crate::learn::small_vector::{MOST, SmallVector};
 use crate::learn::tree::{Near, Place};
 
 /// λ ÷ Σw: keeps a feature that hardly varies among the neighbours from tilting the answer; too small to
@@ -18,7 +18,7 @@ const UNKNOWNS: usize = MOST + 1;
 #[derive(Clone, Debug)]
 pub(super) struct Fit {
     /// The outputs.
-    pub value: Point,
+    pub value: SmallVector,
     /// Standard deviation of a new measurement about each output: scatter and the line's own uncertainty.
     pub deviation: Place,
 }
@@ -105,8 +105,8 @@ impl Line {
     }
 
     /// The outputs at the question.
-    pub fn value(&self) -> Point {
-        Point::of((0..self.outputs).map(|m| self.slopes[(0, m)]))
+    pub fn value(&self) -> SmallVector {
+        SmallVector::new((0..self.outputs).map(|m| self.slopes[(0, m)]))
     }
 
     /// Σkᵢ², the variance of the answer for neighbours of variance 1.
@@ -150,13 +150,13 @@ impl Line {
 
 impl Local {
     /// The line at `q`, as if the row `without` were not there.
-    pub fn line(&self, q: &Point, without: Option<usize>) -> Line {
+    pub fn line(&self, q: &SmallVector, without: Option<usize>) -> Line {
         let q = self.standardised(q);
         Line::through(self, &q, &self.near(&q, self.neighbours(), without))
     }
 
     /// The answer at `q`, as if the row `without` were not there; within what the rows give.
-    pub fn fit(&self, q: &Point, without: Option<usize>) -> Fit {
+    pub fn fit(&self, q: &SmallVector, without: Option<usize>) -> Fit {
         let fit = self.line(q, without).fit();
         Fit { value: self.clamped(fit.value), ..fit }
     }
