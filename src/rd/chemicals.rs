@@ -28,7 +28,7 @@ impl Clock {
 
 /// Concentrations that can be stepped.
 pub trait Chemicals: Debug + Send + Sync {
-    /// Each chemical, and what is kept beside them.
+    /// A plane for each chemical; after these, what a reaction needs beside them.
     fn planes(&self) -> &[Plane];
 
     /// The same, to be changed.

@@ -9,7 +9,7 @@ use super::plane::{LANES, Lanes, MARGIN, RowLayout};
 #[derive(Clone, Debug)]
 pub struct Coefficients<const C: usize> {
     groups: usize,
-    /// By group, row by row: which of the numbers are kept (bit k for number k), and where the first of them stands.
+    /// By group, row by row: the numbers that are stored (bit k for number k), and the index of the first of them.
     at: Vec<(u8, u32)>,
     packs: Vec<Lanes>,
 }
@@ -29,14 +29,14 @@ impl<'a> Numbers<'a> {
         self.at.len()
     }
 
-    /// Which of the numbers group `group` keeps, and these, in their order; then those of other groups.
+    /// The stored numbers of group `group` as bits, and these in their order, followed by those of other groups.
     #[must_use]
-    pub fn of(&self, group: usize) -> (u8, &'a [Lanes]) {
+    pub fn in_group(&self, group: usize) -> (u8, &'a [Lanes]) {
         let (used, first) = self.at[group];
         (used, &self.packs[first as usize..])
     }
 
-    /// Which of the numbers group `group` keeps, and where the first of these stands, the others after it.
+    /// The stored numbers of group `group` as bits, and a pointer to the first of these, which the others follow.
     ///
     /// # Safety
     /// `group` must be below [`Self::groups`].
@@ -55,8 +55,8 @@ impl<'a> Numbers<'a> {
 const ROWS: usize = 64;
 
 impl<const C: usize> Coefficients<C> {
-    /// Asks `of` for the numbers of each cell, which depend on what `key` knows of it (`y · nx + x`): once where that
-    /// is the same in neighbours. Numbers that are 0 in a whole group are left out, if `sparse`.
+    /// Computes the numbers of each cell by `of` from its `key` (of cell `y · nx + x`): once where neighbours have the same
+    /// key. Numbers that are 0 in a whole group are left out, if `sparse`.
     pub fn new<K: Copy + PartialEq>(
         grid: RowLayout,
         sparse: bool,
@@ -75,7 +75,7 @@ impl<const C: usize> Coefficients<C> {
         all
     }
 
-    /// The same but for what `change` makes of a cell's numbers.
+    /// The same with the numbers of each cell passed through `change`.
     #[must_use]
     pub fn with(&self, grid: RowLayout, change: impl Fn(usize, [f32; C]) -> [f32; C] + Sync) -> Self {
         let own = |cell: usize| self.cell(cell % grid.nx, cell / grid.nx);
@@ -96,13 +96,13 @@ impl<const C: usize> Coefficients<C> {
         }
     }
 
-    /// Which of the numbers group `group` of row `y` keeps, and these, in their order.
+    /// The stored numbers of group `group` of row `y` as bits, and these in their order.
     #[must_use]
-    pub fn of(&self, group: usize, y: usize) -> (u8, &[Lanes]) {
-        self.in_row(y).of(group)
+    pub fn in_group(&self, group: usize, y: usize) -> (u8, &[Lanes]) {
+        self.in_row(y).in_group(group)
     }
 
-    /// Where the numbers of a group stand: the same for groups that share them.
+    /// The index of the numbers of a group: the same for groups that share them.
     #[must_use]
     pub fn place(&self, group: usize, y: usize) -> u32 {
         self.at[y * self.groups + group].1
@@ -116,13 +116,13 @@ impl<const C: usize> Coefficients<C> {
     }
 
     /// Writes the numbers of row `y`, margins included: number k of all its cells from `rows[k · stride]` on, those
-    /// that no cell uses left out. Gives which are used.
+    /// that no cell uses left out. Returns which are used.
     pub fn row(&self, y: usize, rows: &mut [f32]) -> u8 {
         let stride = rows.len() / C;
         let row = self.in_row(y);
         let any = row.at.iter().fold(0, |any, (used, _)| any | used);
         for group in 0..self.groups {
-            let (used, packs) = row.of(group);
+            let (used, packs) = row.in_group(group);
             let mut kept = packs.iter();
             for k in (0..C).filter(|k| any & (1 << k) != 0) {
                 let numbers = if used & (1 << k) == 0 { None } else { kept.next() };
@@ -142,7 +142,7 @@ impl<const C: usize> Coefficients<C> {
     /// The numbers of one cell.
     #[must_use]
     pub fn cell(&self, x: usize, y: usize) -> [f32; C] {
-        let (used, packs) = self.of((MARGIN + x) / LANES, y);
+        let (used, packs) = self.in_group((MARGIN + x) / LANES, y);
         let mut kept = packs.iter();
         std::array::from_fn(|k| {
             if used & (1 << k) == 0 { 0.0 } else { kept.next().map_or(0.0, |lanes| lanes.0[x % LANES]) }

@@ -1,4 +1,4 @@
-//! A coarse grid that grows what a fine one would.
+//! Compensation of the error of a coarse grid.
 //!
 //! The stencil Σₖ wₖ(u(x + eₖ) + u(x − eₖ) − 2u(x)) spreads a wave of wave vector q less than the tensor D does:
 //! by the share 1 − (q·eₖ)²/12 along each offset. A spot of N cells is made of waves with qᵀDq ≈ κ²/N (det D = 1),
@@ -6,7 +6,7 @@
 //!
 //! D′ = D + κ²/(12 N) · (1 − 1/f²) · Σₖ wₖ (eₖᵀD⁻¹eₖ) eₖeₖᵀ
 //!
-//! on cells f times as long, spots have the size, shape and direction that the fine grid gives them.
+//! on cells f times as long, spots have the size, shape and direction that they have on the fine grid.
 //!
 //! κ² was tuned on patches of 86 spots of 12 (Turing: 21) cells against the same of 48, stretch 1, 0.6, 0.35.
 

@@ -17,7 +17,7 @@ pub type Reacting = fn(&Maps, RowLayout, Vec<Plane>) -> Option<Box<dyn Chemicals
 
 /// Everything that is particular to one system.
 pub struct Definition {
-    /// What the rest of the program needs to know of it.
+    /// The part that the rest of the program uses.
     pub description: Description,
     /// The names of its chemicals, in the order of [`super::Growth::concentrations`].
     pub chemicals: &'static [&'static str],
@@ -57,15 +57,15 @@ pub struct Definition {
     /// median.
     pub scatter: Scatter,
     /// Scatter that needs no correction: of sizes and spacings what levels and pitches correct on the canvas anyway; of
-    /// directions half of what a canvas of stripes scatters, or what the eye does not see.
+    /// directions half of what a canvas of stripes scatters, or an invisible amount.
     pub tolerated: Scatter,
     /// d ln size ÷ d ln level, about level ½.
     pub level_slope: f64,
     /// Limits of its spots; `None` of stripes.
     pub spots: Option<SpotLimits>,
-    /// What its growth costs.
+    /// The cost of a growth.
     pub cost: Cost,
-    /// What a sweep may vary.
+    /// The quantities that a sweep may vary.
     pub sweep: &'static [SweepQuantity],
     /// A rate at which its marks have a usual number of cells: for benchmarks and tests.
     pub usual_rate: f32,
@@ -165,7 +165,7 @@ pub enum Variation {
     },
 }
 
-/// What a growth costs.
+/// The cost of a growth.
 #[derive(Clone, Copy, Debug)]
 pub struct Cost {
     /// Bytes of memory a cell where parameters differ everywhere. Of spots: two chemicals twice (16), weights, mobilities
@@ -219,7 +219,7 @@ impl System {
         self.0
     }
 
-    /// What the rest of the program needs to know of it.
+    /// The part that the rest of the program uses.
     #[must_use]
     pub const fn description(self) -> &'static Description {
         &self.0.description

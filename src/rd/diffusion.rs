@@ -16,7 +16,7 @@ pub struct Diffusion {
 }
 
 impl Diffusion {
-    /// Asks `tensor` for each cell, as [`Coefficients::new`] does.
+    /// Computes the weights of the `tensor` of each cell, as [`Coefficients::new`] does.
     pub fn new<K: Copy + PartialEq>(
         grid: RowLayout,
         key: impl Fn(usize) -> K + Sync,

@@ -1,4 +1,4 @@
-//! Where stripes begin: noise that already has the wavelength and the direction of the stripes.
+//! Initial noise of stripes, with their wavelength and direction.
 //!
 //! n(x) = Σᵢ (1 − r²)² cos(2π (x − xᵢ)·nᵢ/λᵢ + φᵢ), r² = (along/A)² + (across/B)², with the direction of the
 //! stripes along and nᵢ across: sparse convolution with oriented waves.
@@ -49,8 +49,8 @@ pub fn noise(maps: &Maps, wavelength: Wavelength, kernels: Kernels, rng: &mut im
     sum
 }
 
-/// The phase of that noise over the grid, row by row, −π..π: 0 along a crest, however low the noise is there. What has
-/// crests where this is 0 has all of them alike, and they end only where two waves cancel each other.
+/// The phase of that noise over the grid, row by row, −π..π: 0 along a crest, however low the noise is there. Crests
+/// at phase 0 all have the same height, and end only where two waves cancel each other.
 ///
 /// φ(x) = atan2(Σᵢ ±(1 − r²)² sin(…), Σᵢ (1 − r²)² cos(…)): Tricard et al., "Procedural phasor noise", SIGGRAPH 2019.
 /// A wave has no sense of direction, nᵢ or −nᵢ being the same: ± takes that of the two which is nearer to the place's
@@ -150,8 +150,8 @@ impl Wave {
         Self { at, far: reach.map(|reach| reach * length), n: across(p), length, phase }
     }
 
-    /// Hands what it is under its window, and a quarter of a wave behind, to `sum` with each cell it reaches of the rows
-    /// `rows`, counted from the first of them.
+    /// Calls `sum` with each cell within reach in the rows `rows` (counted from the first of them), the value of the wave
+    /// under its window, and the same a quarter of a wave behind.
     fn add(&self, rows: Range<isize>, grid: &Grid, mut sum: impl FnMut(usize, f64, f64)) {
         let ([nx, ny], edges) = (grid.size, grid.edges);
         use std::f64::consts::TAU;

@@ -1,4 +1,4 @@
-//! Growth as a value: begun from parameters, advanced, looked at.
+//! Growth as a value: created from parameters, advanced step by step, read at any time.
 
 use rayon::prelude::*;
 
@@ -53,7 +53,7 @@ impl Growth {
         Self::resumed(system, maps, &concentrations).expect("a system begins with its own chemicals")
     }
 
-    /// Goes on from saved `concentrations` (as [`Self::concentrations`] gives them) instead of a fresh start.
+    /// Continues from saved `concentrations` (as [`Self::concentrations`] gives them) instead of a fresh start.
     ///
     /// `None` where their number or length does not fit the system and the grid.
     #[must_use]
@@ -87,7 +87,7 @@ impl Growth {
         self.problem.freeze(&frozen);
     }
 
-    /// Moves spots of the pattern that grows in `maps`. What is kept beside the chemicals stays where it is.
+    /// Moves spots of the pattern that grows in `maps`. Planes beside the chemicals are not moved.
     pub fn warp(&mut self, maps: &Maps, warps: &[LocalWarp]) {
         let grid = self.problem.grid;
         let count = self.system.chemicals().len();
@@ -176,7 +176,7 @@ impl Growth {
         }
     }
 
-    /// The concentrations of each chemical, row by row; not what is kept beside them, which does not change.
+    /// The concentrations of each chemical, row by row, without the planes beside them.
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
         let count = self.system.chemicals().len();

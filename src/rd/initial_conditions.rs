@@ -81,13 +81,13 @@ impl InitialConditions {
         Self { lines, seeding, ..self }
     }
 
-    /// Does any mark begin? Spots need a place.
+    /// Whether any mark begins. Spots need a place.
     #[must_use]
     pub fn has_marks(&self) -> bool {
         self.system.is_striped() || !self.places.is_empty()
     }
 
-    /// Do stripes begin in pieces that must grow together?
+    /// Whether stripes begin in pieces that must grow together.
     #[must_use]
     pub fn starts_scattered(&self) -> bool {
         self.seeding == Seeding::Segments
@@ -96,7 +96,7 @@ impl InitialConditions {
     /// The concentrations on the grid of `maps`, one vector a chemical.
     ///
     /// Where marks are smaller than the grid can hold (`lost`, by cell), `maps` holds larger ones, and only so
-    /// many of the spots begin as have room. Neighbours may die there; nothing else would be left of them.
+    /// many of the spots begin as have room. Neighbours may vanish there.
     #[must_use]
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
         let pitch = |p: &Parameters| self.system.spacing(p);

@@ -42,7 +42,7 @@ pub const fn tensors(spread: &[Spreading]) -> usize {
     count
 }
 
-/// The reaction of a system of `N` chemicals; its value holds what may change with time.
+/// The reaction of a system of `N` chemicals. The value holds the parameters that change with time.
 pub trait Kinetics<const N: usize>: Copy + Debug + Send + Sync + 'static {
     /// How each chemical spreads.
     const SPREAD: [Spreading; N];

@@ -1,4 +1,4 @@
-//! Stripes that are to run along given lines: the noise that they begin from has its crests there.
+//! Stripes along given lines: the initial noise gets its crests there.
 //!
 //! n′ = (1 − W) n + Σᵢ wᵢ A cos(2π dᵢ/λ) ÷ max(1, Σᵢ wᵢ), W = min(1, Σᵢ wᵢ), dᵢ the distance across line i and wᵢ 1 beside
 //! it, falling to 0 across and beyond its ends.
@@ -44,7 +44,7 @@ pub fn lead(noise: &mut [f32], maps: &Maps, lines: &[GuideLine], wavelength: Wav
     });
 }
 
-/// What the noise at a cell becomes: so much of it is replaced, by this wave and the one a quarter of a period behind.
+/// The wave that replaces the noise at a cell.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Led {
     /// W.
@@ -53,7 +53,7 @@ pub struct Led {
     pub wave: [f64; 2],
 }
 
-/// How the lines lead the noise at a cell, where `across` is a way across the stripes.
+/// The wave at a cell that the lines make; `across` is a direction across the stripes.
 pub fn led(
     maps: &Maps,
     lines: &[GuideLine],

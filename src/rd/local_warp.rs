@@ -15,7 +15,7 @@ use crate::rd::nucleus::Nucleus;
 /// A spot that is to be moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalWarp {
-    /// Where it stands, cells.
+    /// Its place, cells.
     pub at: [f64; 2],
     /// The parameters that it grows in.
     pub own: Parameters,
@@ -23,7 +23,7 @@ pub struct LocalWarp {
     pub by: [f64; 2],
 }
 
-/// What moves as one: a spot reaches to 0.2–0.28 pitches.
+/// Up to this distance, pitches, everything moves together: a spot reaches to 0.2–0.28 pitches.
 const INNER: f64 = 0.3;
 /// Beyond this nothing moves: half way to the nearest neighbours, and some.
 const OUTER: f64 = 0.6;

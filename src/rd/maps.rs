@@ -47,7 +47,7 @@ pub struct Maps {
     pub curves: Option<GuideCurves>,
 }
 
-/// Curves that lines begin along, and what keeps them there; by cell, row by row.
+/// Curves that lines begin along; by cell, row by row.
 #[derive(Clone, Debug)]
 pub struct GuideCurves {
     /// Cells to the nearest of them.

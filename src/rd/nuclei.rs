@@ -1,4 +1,4 @@
-//! Where spots begin: points one natural spacing apart.
+//! Where spots begin: points at the natural spacing of the system.
 //!
 //! Left to noise, a system needs most of its time to find its own spacing. Points that already keep it, in
 //! the metric of the local tensor, save that time and fix the number of spots; the system still moves, shapes
@@ -34,14 +34,14 @@ const PUSH: f64 = 1.25;
 /// Rounds of relaxation. Tuned by the spread of the spacing: 0.16 after darts, 0.085 after 30, 0.08 after 100.
 const ROUNDS: usize = 30;
 
-/// How far beyond closed edges spots are laid, in reaches of one pitch: what is pushed there does not reach the edge.
+/// Width of the frame beyond closed edges in which spots are placed, in reaches of one pitch.
 const FRAME: f64 = 1.5;
 
 /// Points that were laid.
 pub struct LaidSpots {
     /// Those on the grid, the pinned ones first.
     pub inside: Vec<Nucleus>,
-    /// Beyond closed edges and on obstacle cells, those that keep the others from spreading over them.
+    /// Points beyond closed edges and on obstacle cells, which push the others back.
     pub beyond: Vec<Nucleus>,
 }
 

@@ -1,4 +1,4 @@
-//! One chemical on the grid, with a margin so that a stencil may look beyond the border.
+//! One chemical on the grid, with a margin for stencils at the border.
 
 use bytemuck::{Pod, Zeroable, cast_slice, cast_slice_mut};
 

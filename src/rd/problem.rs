@@ -1,4 +1,4 @@
-//! A system with all its coefficients on a grid: what a solver steps.
+//! The coefficients of a system on a grid, as solvers use them.
 
 use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;

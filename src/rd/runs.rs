@@ -68,14 +68,14 @@ impl Runs {
 
     /// The runs of row `y` and of the rows after it, from the first group on; those of a row end with its last group.
     #[must_use]
-    pub fn of(&self, y: usize) -> &[Run] {
+    pub fn in_row(&self, y: usize) -> &[Run] {
         &self.runs[self.rows[y] as usize..]
     }
 }
 
 /// A run of one group, its end left open.
 fn alone(grid: RowLayout, group: usize, y: usize, weights: &Coefficients<{ OFFSETS.len() }>) -> Run {
-    let (used, packs) = weights.of(group, y);
+    let (used, packs) = weights.in_group(group, y);
     let unit = used == 0b11 && packs[..2].iter().all(|pack| pack.0 == [1.0; LANES]);
     let left = group * LANES < MARGIN + REACH;
     let right = (group + 1) * LANES + REACH > MARGIN + grid.nx;

@@ -108,9 +108,9 @@ pub fn waves(maps: &Maps, lines: &[GuideLine], wavelength: Wavelength) -> Vec<f3
     phase.into_par_iter().map(|phase| libm::cos(TAU * f64::from(phase)) as f32).collect()
 }
 
-/// φ up to which it is taken as the way to the line, not swept: where waves bend most, sweeps err most.
+/// φ up to which it is computed from the distance to the line: there sweeps are least accurate.
 const EXACT: f32 = 1.0;
-/// Rounds of four sweeps: one where nothing stands in the way, another for what comes round on a tile.
+/// Rounds of four sweeps: the second for waves across the border of a tile.
 const SWEEPS: usize = 2;
 
 /// One sweep over all cells, downwards or up, to the right or left.

@@ -22,9 +22,9 @@ const LEAST: f64 = -16.0;
 /// Rows that are made at once.
 const ROWS: usize = 16;
 
-/// Parameters of all cells of `maps`, made by `vary` from the cell's index and what is known there.
+/// Parameters of all cells of `maps`, computed by `vary` from the cell's index and the interpolated values.
 ///
-/// The spots stand at `places`, cells, in their `own` parameters; of each `known` is known.
+/// The spots are at `places`, cells, with their `own` parameters; `known` are the values at each.
 #[must_use]
 pub fn interpolate_parameters<const N: usize>(
     system: System,
@@ -53,7 +53,7 @@ pub fn interpolate_parameters<const N: usize>(
     made
 }
 
-/// Adds what a spot contributes to the cells of a range: wₖ and wₖ vₖ.
+/// Adds the contribution of a spot to the cells of a range: wₖ and wₖ vₖ.
 fn add<const N: usize>(
     sums: &mut [(f64, [f64; N])],
     cells: Range<usize>,

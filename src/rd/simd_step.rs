@@ -115,14 +115,14 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
         mobility: problem.mobility.in_row(y),
         rate: problem.rate.in_row(y),
     };
-    // What the unchecked loads and stores below rely on.
+    // The unchecked loads and stores below rely on this.
     let rows = from.iter().flatten().map(|row| row.len()).chain(to.iter().map(|row| row.len()));
     assert!(groups.start * LANES >= REACH && rows.min() >= Some(groups.end * LANES + REACH));
     assert!(
         row.weights.iter().chain([&row.mobility, &row.rate]).all(|numbers| numbers.groups() >= groups.end)
     );
     let mut first = groups.start;
-    for run in problem.runs.of(y) {
+    for run in problem.runs.in_row(y) {
         let part = first..groups.end.min(run.end as usize);
         if part.is_empty() {
             continue;
@@ -162,7 +162,7 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
     groups: Range<usize>,
     same: bool,
 ) {
-    // Pointers, since whoever writes through slices has to look up again where the others lie.
+    // Pointers: a write through one slice would make the compiler reload the addresses of the others.
     let mut rows = [[std::ptr::null(); 2 * REACH + 1]; N];
     let mut out = [std::ptr::null_mut(); N];
     for i in 0..N {
@@ -183,7 +183,7 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
             // SAFETY: `step_row` made sure that the rows reach beyond the groups by the stencil's reach on both
             // sides; `Lanes` hold LANES numbers.
             unsafe {
-                let mut u = [V::of(0.0); N];
+                let mut u = [V::splat(0.0); N];
                 for i in 0..N {
                     u[i] = V::load(rows[i][REACH].add(place));
                 }
@@ -210,7 +210,7 @@ unsafe fn number<V: Vector>(packs: *const Lanes, k: usize, lane: usize) -> V {
     unsafe { V::load(packs.add(k).cast::<f32>().add(lane)) }
 }
 
-/// What diffusion alone would do to the cells at `place` and after, mobility left out.
+/// The diffusion term of the cells at `place` and after, without mobility.
 #[inline(always)]
 unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
     row: &Row<N>,
@@ -219,7 +219,7 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
     coefficients: &Group<N>,
     u: &[V; N],
 ) -> [V; N] {
-    let mut spread = [V::of(0.0); N];
+    let mut spread = [V::splat(0.0); N];
     let lane = place % LANES;
     // SAFETY: asked for no more than the group uses.
     let weight = |k: usize| unsafe { number::<V>(coefficients.stencils[0].1, k, lane) };
@@ -232,9 +232,9 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
         if taps(SET).1 > 3 {
             sum = sum + weight(3);
         }
-        V::of(2.0) * sum
+        V::splat(2.0) * sum
     } else {
-        V::of(4.0)
+        V::splat(4.0)
     };
     for i in 0..N {
         let pair = |offset: [isize; 2]| {
@@ -243,10 +243,10 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
         };
         let (around, center) = match K::SPREAD[i] {
             Spreading::Still => continue,
-            Spreading::Tensor { .. } if SET == UNIT => (pair([1, 0]) + pair([0, 1]), V::of(4.0)),
+            Spreading::Tensor { .. } if SET == UNIT => (pair([1, 0]) + pair([0, 1]), V::splat(4.0)),
             Spreading::Tensor { tensor, .. } if SET == MIXED => {
                 let (used, packs) = coefficients.stencils[tensor];
-                let (mut sum, mut weights, mut kept) = (V::of(0.0), V::of(0.0), 0);
+                let (mut sum, mut weights, mut kept) = (V::splat(0.0), V::splat(0.0), 0);
                 for (k, offset) in OFFSETS.into_iter().enumerate() {
                     if used & (1 << k) != 0 {
                         // SAFETY: asked for no more than the group uses.
@@ -256,10 +256,10 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
                         kept += 1;
                     }
                 }
-                (sum, V::of(2.0) * weights)
+                (sum, V::splat(2.0) * weights)
             }
             Spreading::Tensor { .. } => {
-                // By hand: a loop is not always unrolled, and then its offsets are no constants.
+                // Unrolled by hand, so that the offsets are constants.
                 let (offset, taps) = const { taps(if SET < MIXED { SET } else { 0 }) };
                 let mut sum = weight(0) * pair(offset[0]) + weight(1) * pair(offset[1]);
                 if taps > 2 {
@@ -270,9 +270,9 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
                 }
                 (sum, center)
             }
-            _ if row.isotropic == [1.0, 1.0, 4.0] => (pair([1, 0]) + pair([0, 1]), V::of(4.0)),
+            _ if row.isotropic == [1.0, 1.0, 4.0] => (pair([1, 0]) + pair([0, 1]), V::splat(4.0)),
             _ => {
-                let [wx, wy, center] = row.isotropic.map(V::of);
+                let [wx, wy, center] = row.isotropic.map(V::splat);
                 (wx * pair([1, 0]) + wy * pair([0, 1]), center)
             }
         };
@@ -321,9 +321,9 @@ fn keep_inside<const N: usize, V: Vector>(
     // SAFETY: there are LANES columns, and `place % LANES + V::WIDTH` of them at most are asked for.
     let lane = unsafe { V::load(COLUMNS[place % LANES..].as_ptr()) };
     let first = (place - place % LANES) as isize - MARGIN as isize;
-    let x = lane + V::of((first + dx) as f32);
-    let there = own.where_less(x, V::of(0.0), there);
-    own.where_less(V::of(row.grid.nx as f32 - 1.0), x, there)
+    let x = lane + V::splat((first + dx) as f32);
+    let there = own.where_less(x, V::splat(0.0), there);
+    own.where_less(V::splat(row.grid.nx as f32 - 1.0), x, there)
 }
 
 /// Columns of a group, from its first.

@@ -1,4 +1,4 @@
-//! What the file of a system builds its initial concentrations from.
+//! The data from which a system builds its initial concentrations.
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;

@@ -1,15 +1,15 @@
-//! Numbers to compute with: one, or as many as the processor takes at once. A formula written for [`Number`] gives
+//! Numbers: single ones, and vectors of the processor. A formula written for [`Number`] gives
 //! the same bits for each of them: every operation is rounded by itself, none are fused.
 
 use std::ops::{Add, Div, Mul, Sub};
 
-/// What the formulas of kinetics and diffusion are written in.
+/// The number type of the formulas of kinetics and diffusion.
 pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// The same value in all lanes.
     #[must_use]
-    fn of(value: f32) -> Self;
+    fn splat(value: f32) -> Self;
 
     /// The larger of both; `self` where they are equal or one is not a number.
     #[must_use]
@@ -27,8 +27,8 @@ pub trait Number:
     #[must_use]
     #[inline(always)]
     fn soft_step(self, threshold: Self, half_width: Self) -> Self {
-        let rise = Self::of(0.5) + (self - threshold) / (half_width + half_width);
-        rise.smaller(Self::of(1.0)).larger(Self::of(0.0))
+        let rise = Self::splat(0.5) + (self - threshold) / (half_width + half_width);
+        rise.smaller(Self::splat(1.0)).larger(Self::splat(0.0))
     }
 
     /// `least` where below it; anything else, not-a-number included, as it is.
@@ -38,7 +38,7 @@ pub trait Number:
 
 impl Number for f32 {
     #[inline(always)]
-    fn of(value: f32) -> Self {
+    fn splat(value: f32) -> Self {
         value
     }
 
@@ -91,7 +91,7 @@ pub struct Four([f32; 4]);
 
 impl Number for Four {
     #[inline(always)]
-    fn of(value: f32) -> Self {
+    fn splat(value: f32) -> Self {
         Self([value; 4])
     }
 
@@ -179,7 +179,7 @@ mod x86 {
 
             impl Number for $name {
                 #[inline(always)]
-                fn of(value: f32) -> Self {
+                fn splat(value: f32) -> Self {
                     // SAFETY: the processor has such registers.
                     Self(unsafe { $splat(value) })
                 }

@@ -43,7 +43,7 @@ const SHARED: f64 = 0.06;
 const CELLS_A_BAND: usize = 8_192;
 
 impl Tiling {
-    /// What suits a grid on `threads` threads: the same bits come out of any.
+    /// The tiling for a grid on `threads` threads. All tilings give the same bits.
     #[must_use]
     pub fn suited(problem: &Problem, chemicals: usize, threads: usize) -> Self {
         let (grid, reach) = (problem.grid, problem.reach);
@@ -62,7 +62,7 @@ impl Tiling {
 /// The vector instructions to step with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Instructions {
-    /// What every machine of this kind has (SSE2, NEON).
+    /// The vector instructions of every machine of this architecture (SSE2, NEON).
     Baseline,
     /// AVX2.
     #[cfg(target_arch = "x86_64")]
@@ -105,8 +105,8 @@ impl Instructions {
 #[derive(Clone, Debug, Default)]
 pub struct Scratch(Vec<Vec<Vec<Lanes>>>);
 
-/// Takes a step by each of `kinetics`, on `bands` bands of rows, from `old` into `new` (whose contents do not matter). Instructions that the machine
-/// lacks are replaced by the baseline: the bits are the same.
+/// Takes a step by each of `kinetics`, on `bands` bands of rows, from `old` into `new` (whose contents do not matter).
+/// Instructions that the machine lacks are replaced by the baseline: the bits are the same.
 pub fn sweep<const N: usize, K: Kinetics<N>>(
     problem: &Problem,
     kinetics: &[K],
@@ -315,7 +315,7 @@ mod tests {
         fn react<V: Number>(&self, [a, b, c, d]: [V; 4]) -> [V; 4] {
             let (one, two) = (a - b, c - d);
             let differing = one.larger(two).absolute() - one.smaller(two).absolute();
-            let made = V::of(self.height) * differing.soft_step(V::of(0.05), V::of(0.2));
+            let made = V::splat(self.height) * differing.soft_step(V::splat(0.05), V::splat(0.2));
             [made - a, made - b, made - c, made - d]
         }
     }

@@ -8,7 +8,7 @@ const SNAP: f64 = 0.22;
 /// Others are held this far from it; nearer they grow a tail too.
 pub const HOLD: f64 = 0.42;
 
-/// Rounds of relaxation around those that stand so.
+/// Rounds of relaxation around them.
 const WALLED: usize = 10;
 
 /// Closed edges of a grid that has a frame around it, over which points are laid too.
@@ -49,7 +49,7 @@ impl Walls {
         self.walls(axis).into_iter().find(near).map(|(wall, _)| wall)
     }
 
-    /// Where a point that is on no wall may stand: on the side that it is on, as far off as it must.
+    /// The coordinate of a point that is on no wall, moved away from walls that are too near.
     fn held(&self, point: &Nucleus, axis: usize) -> f64 {
         let far = HOLD / point.pitches_to_wall(axis);
         let hold = |at: f64, (wall, inward): (f64, f64)| match (at - wall) * inward {

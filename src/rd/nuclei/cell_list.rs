@@ -8,8 +8,7 @@ use crate::rd::nucleus::Nucleus;
 /// Points that are not worth handing to another thread.
 const FEW: usize = 128;
 
-/// One round of repulsion: points nearer than `reach` pitches push each other away. `nucleus` gives point i where it then
-/// stands.
+/// One round of repulsion: points nearer than `reach` pitches push each other away. `nucleus` makes point i at its new place.
 pub fn relax(placed: &mut CellList, reach: f64, nucleus: &(dyn Fn(usize, [f64; 2]) -> Nucleus + Sync)) {
     let moved = |(index, point): (usize, &Nucleus)| {
         let mut shift = [0.0, 0.0];
@@ -121,7 +120,7 @@ impl CellList {
     }
 }
 
-/// The bucket that stands for bucket `i` of `n`, and where a coordinate of it is seen from there.
+/// The bucket whose image is bucket `i` of `n`, and the map of its coordinates to those of the image.
 fn image(i: isize, n: usize, edges: Edges, size: f64) -> (usize, impl Fn(f64) -> f64) {
     let beyond = if i < 0 {
         -1.0

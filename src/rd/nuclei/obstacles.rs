@@ -8,7 +8,7 @@ use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
-/// Posts stand this share of a pitch apart: so near that no spot slips in between.
+/// Distance of posts, pitches: so near that no spot fits in between.
 const APART: f64 = 0.9;
 /// Nearer to an obstacle cell than this share of a pitch no spot begins: half of its own length, and a gap. At 0.36 one in
 /// some hundred touched.

@@ -154,8 +154,8 @@ impl Kinetics<2> for MeinhardtSpots {
 
     #[inline(always)]
     fn react<V: Number>(&self, [a, b]: [V; 2]) -> [V; 2] {
-        let source = V::of(0.01) * a * a;
-        [source / b - V::of(P1) * a, source - V::of(P2) * b]
+        let source = V::splat(0.01) * a * a;
+        [source / b - V::splat(P1) * a, source - V::splat(P2) * b]
     }
 
     #[inline(always)]

@@ -131,10 +131,10 @@ impl Kinetics<5> for MeinhardtStripes {
 
     #[inline(always)]
     fn react<V: Number>(&self, [a, b, c, d, e]: [V; 5]) -> [V; 5] {
-        let [source, k_ab, k_c, k_de] = [0.01, K_AB, K_C, K_DE].map(V::of);
+        let [source, k_ab, k_c, k_de] = [0.01, K_AB, K_C, K_DE].map(V::splat);
         let from_a = source * a * a * e;
         let from_b = source * b * b * d;
-        let inverse = V::of(1.0) / c;
+        let inverse = V::splat(1.0) / c;
         [
             from_a * inverse - k_ab * a,
             from_b * inverse - k_ab * b,

@@ -144,7 +144,7 @@ impl Kinetics<2> for TuringSpots {
     #[inline(always)]
     fn react<V: Number>(&self, [a, b]: [V; 2]) -> [V; 2] {
         let ab = a * b;
-        [V::of(GROWTH) - ab, ab - b - V::of(BETA)]
+        [V::splat(GROWTH) - ab, ab - b - V::splat(BETA)]
     }
 
     #[inline(always)]
@@ -163,7 +163,7 @@ impl Kinetics<3> for TuringSpotsWithDecayNoise {
     #[inline(always)]
     fn react<V: Number>(&self, [a, b, beta]: [V; 3]) -> [V; 3] {
         let ab = a * b;
-        [V::of(GROWTH) - ab, ab - b - beta, V::of(0.0)]
+        [V::splat(GROWTH) - ab, ab - b - beta, V::splat(0.0)]
     }
 
     #[inline(always)]

@@ -17,7 +17,8 @@ fn computed<V: Vector>(a: &[f32], b: &[f32]) -> Vec<u32> {
         // SAFETY: the lengths of all lists are multiples of the widest vector's.
         unsafe {
             let (x, y) = (V::load(a[at..].as_ptr()), V::load(b[at..].as_ptr()));
-            let all = [x.at_least(0.25), x.larger(y), x.smaller(y), x.absolute(), x.soft_step(y, V::of(0.5))];
+            let all =
+                [x.at_least(0.25), x.larger(y), x.smaller(y), x.absolute(), x.soft_step(y, V::splat(0.5))];
             for (k, value) in all.into_iter().enumerate() {
                 value.store(results[k * a.len() + at..].as_mut_ptr());
             }
