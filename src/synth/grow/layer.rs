@@ -23,7 +23,7 @@ impl From<ProbeError> for GrowError {
 
 impl GrowError {
     /// Why layer number `layer` could not be laid out.
-    pub(crate) fn laying_out(layer: usize, error: LayOutError) -> Self {
+    pub(super) fn laying_out(layer: usize, error: LayOutError) -> Self {
         match error {
             LayOutError::NoRoom => Self::NoRoom { layer },
             LayOutError::Curves(reason) => Self::Curves { layer, reason },

@@ -63,7 +63,7 @@ pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) 
 
 /// As [`ask`], on a canvas where some spots stand alone: others do, too, where they have the room. Otherwise the parameters
 /// between dense and sparse regions would be those of the sparsest packed spots, which take twenty times the steps.
-pub(crate) fn ask_among_sparse(
+pub(super) fn ask_among_sparse(
     training: &Training,
     system: System,
     wanted: &Attributes,

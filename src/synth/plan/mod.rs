@@ -15,7 +15,7 @@ pub(crate) mod corrected;
 pub(crate) mod error;
 pub mod inside;
 pub(crate) mod laid_out;
-pub(crate) mod lattice;
+mod lattice;
 pub(crate) mod layer_lookup;
 pub(crate) mod looked_up;
 pub(crate) mod lookup;
@@ -28,7 +28,7 @@ pub mod pinned_marks;
 pub mod sketch_targets;
 pub mod spacing_correction;
 pub mod spread;
-pub(crate) mod spread_limits;
+mod spread_limits;
 mod targets;
 
 pub use arrange::Surroundings;

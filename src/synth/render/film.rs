@@ -207,7 +207,7 @@ pub fn fitted(canvas: [u32; 2], side: usize) -> [usize; 2] {
 }
 
 /// A picture of `size` px. One smaller than the canvas is painted finer and averaged, so that thin marks do not flicker.
-pub(crate) fn painted<'a>(
+pub(super) fn painted<'a>(
     paint: &dyn Fn([usize; 2]) -> Painting<'a>,
     canvas: [u32; 2],
     size: [usize; 2],
@@ -254,7 +254,7 @@ pub fn palette(documents: &[&Document], most: usize) -> Vec<[u8; 3]> {
 const STATIONS: usize = 8;
 
 /// The colour that is `share` of the way from `a` to `b`.
-pub(crate) fn mixed(a: [u8; 3], b: [u8; 3], share: f64) -> [u8; 3] {
+pub(super) fn mixed(a: [u8; 3], b: [u8; 3], share: f64) -> [u8; 3] {
     [0, 1, 2].map(|i| ((1.0 - share) * f64::from(a[i]) + share * f64::from(b[i])).round() as u8)
 }
 

@@ -236,7 +236,7 @@ pub enum Channel {
 }
 
 /// The colours of the layer with this index: its own, or the default set.
-pub(crate) fn gradient_of(layer: &Layer, index: usize) -> Gradient {
+pub(super) fn gradient_of(layer: &Layer, index: usize) -> Gradient {
     let own = layer.colours.as_ref().map(Colours::gradient);
     own.unwrap_or_else(|| Gradient::default_for_layer(index))
 }

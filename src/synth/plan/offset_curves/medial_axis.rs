@@ -59,7 +59,7 @@ pub fn lay(request: &CurveRequest, grid: &Grid, regions: usize) -> Result<Curves
     let blocked: Vec<bool> = (0..grid.cells())
         .map(|cell| distance[cell] < HALO * width(cell) || f64::from(off[cell]) * px > LANE * width(cell))
         .collect();
-    let curve = off.iter().zip(&blocked).map(|(off, kept)| *off < 1.0 && !kept).collect();
+    let curve = off.iter().zip(&blocked).map(|(off, blocked)| *off < 1.0 && !blocked).collect();
     let stretch_and_meeting = |cell: usize| {
         let widths = f64::from(off[cell]) * px / width(cell);
         (CurveKind::Web.stretch(), libm::exp(-widths * widths))

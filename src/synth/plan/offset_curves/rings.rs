@@ -59,7 +59,8 @@ pub fn lay(
     let mut blocked: Vec<bool> = (0..grid.cells())
         .map(|cell| f64::from(off[cell]) * px > LANE * width(cell) || narrow(cell) || between_rings(cell))
         .collect();
-    let mut curve: Vec<bool> = off.iter().zip(&blocked).map(|(off, kept)| *off < 1.0 && !kept).collect();
+    let mut curve: Vec<bool> =
+        off.iter().zip(&blocked).map(|(off, blocked)| *off < 1.0 && !blocked).collect();
     let mut remarks = Vec::new();
     check_room(request, grid, &has_own, &mut remarks)?;
     let mut ends = vec![(0.0, 0.0); regions];

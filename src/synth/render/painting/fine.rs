@@ -7,7 +7,7 @@ use crate::export::png::Samples;
 use crate::synth::render::painting::{Band, Painting};
 
 /// The colours of each layer, and that of the ground.
-pub(crate) struct Colours {
+pub(super) struct Colours {
     layers: Vec<FineTable>,
     /// Where no layer is visible.
     ground: [f32; 4],
@@ -32,7 +32,7 @@ impl Colours {
 
 impl Band<'_> {
     /// The colours, in the format of `samples`.
-    pub(crate) fn paint_fine(&self, colours: &Colours, samples: Samples, bytes: &mut [u8]) {
+    pub(super) fn paint_fine(&self, colours: &Colours, samples: Samples, bytes: &mut [u8]) {
         let painted = self.painted();
         let deep = matches!(samples, Samples::Rgb16 | Samples::Rgba16);
         let channels = if matches!(samples, Samples::Rgba8 | Samples::Rgba16) { 4 } else { 3 };
@@ -56,7 +56,7 @@ impl Band<'_> {
     }
 
     /// The opacity of each px.
-    pub(crate) fn opacity(&self, colours: &Colours, gray: &mut [u8]) {
+    pub(super) fn opacity(&self, colours: &Colours, gray: &mut [u8]) {
         let painted = self.painted();
         for (px, out) in gray.iter_mut().enumerate() {
             let colour = painter(&painted, px).map_or(colours.ground, |layer| {
@@ -68,6 +68,6 @@ impl Band<'_> {
 }
 
 /// Rounds to 8 bits.
-pub(crate) fn to_u8(value: f32) -> u8 {
+pub(super) fn to_u8(value: f32) -> u8 {
     (255.0 * value.clamp(0.0, 1.0)).round() as u8
 }
