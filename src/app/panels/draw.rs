@@ -17,7 +17,7 @@ use crate::editor::units::Ruler;
 use crate::grid::Edges;
 
 /// What the tab shows.
-pub struct Drawing<'a> {
+pub struct DrawState<'a> {
     /// The open document.
     pub session: &'a Session,
     /// The canvas: tool, size of new marks, overlays, reference picture, analysed regions.
@@ -31,8 +31,8 @@ pub struct Drawing<'a> {
 }
 
 /// Shows the tab.
-pub fn draw(ui: &mut Ui, shown: &Drawing) -> Vec<Action> {
-    let Drawing { session, canvas, ruler, .. } = *shown;
+pub fn draw(ui: &mut Ui, state: &DrawState) -> Vec<Action> {
+    let DrawState { session, canvas, ruler, .. } = *state;
     let mut actions = Vec::new();
     if session.selection.is_empty() {
         actions.extend(tool(ui, canvas.tool, canvas.nib, ruler));
@@ -41,7 +41,7 @@ pub fn draw(ui: &mut Ui, shown: &Drawing) -> Vec<Action> {
     }
     actions.extend(canvas_properties(ui, session.document(), ruler));
     region(ui, session, canvas, ruler);
-    actions.extend(overlays(ui, shown));
+    actions.extend(overlays(ui, state));
     actions
 }
 
@@ -146,7 +146,7 @@ fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
 }
 
 /// What is shown over and under the sketch, and how the views move.
-fn overlays(ui: &mut Ui, shown: &Drawing) -> Vec<Action> {
+fn overlays(ui: &mut Ui, state: &DrawState) -> Vec<Action> {
     let mut actions = Vec::new();
     let mut check = |ui: &mut Ui, mut on: bool, label: &str, help: &str, action: fn(bool) -> Action| {
         if ui.checkbox(&mut on, label).on_hover_text(help).changed() {
@@ -154,17 +154,17 @@ fn overlays(ui: &mut Ui, shown: &Drawing) -> Vec<Action> {
         }
     };
     heading(ui, "Shown");
-    check(ui, shown.canvas.overlays.regions, "Region grid", REGIONS, Action::Regions);
+    check(ui, state.canvas.overlays.regions, "Region grid", REGIONS, Action::Regions);
     let help = "Fitted marks with their axes, the edges between neighbours whose mean length is the spacing, and the \
                 mean mark of each region";
-    check(ui, shown.canvas.overlays.analysis, "What dapple sees", help, Action::Analysis);
-    if shown.session.document().edges == Edges::Wrap {
+    check(ui, state.canvas.overlays.analysis, "What dapple sees", help, Action::Analysis);
+    if state.session.document().edges == Edges::Wrap {
         let help = "To check that no seam is visible";
-        check(ui, shown.tiled, "Tiles, two by two", help, Action::Tiled);
+        check(ui, state.tiled, "Tiles, two by two", help, Action::Tiled);
     }
     let help = "Zooming and panning the sketch does the same to the texture";
-    check(ui, shown.linked, "Views move together", help, Action::Linked);
-    actions.extend(reference(ui, &shown.canvas.reference));
+    check(ui, state.linked, "Views move together", help, Action::Linked);
+    actions.extend(reference(ui, &state.canvas.reference));
     actions
 }
 

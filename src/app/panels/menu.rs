@@ -12,7 +12,7 @@ use crate::editor::session::Session;
 use crate::grid::Edges;
 
 /// What the menus show.
-pub struct Menus<'a> {
+pub struct MenuState<'a> {
     /// The open document.
     pub session: &'a Session,
     /// Recent documents and the theme.
@@ -32,22 +32,22 @@ pub struct Menus<'a> {
 }
 
 /// Shows the menus on the left and the document's name on the right.
-pub fn menu(ui: &mut Ui, shown: &Menus) -> Vec<Action> {
+pub fn menu(ui: &mut Ui, state: &MenuState) -> Vec<Action> {
     let mut actions = Vec::new();
     MenuBar::new().ui(ui, |ui| {
-        ui.menu_button("File", |ui| file(ui, shown, &mut actions));
-        ui.menu_button("Edit", |ui| edit(ui, shown, &mut actions));
-        ui.menu_button("Layer", |ui| layer(ui, shown, &mut actions));
-        ui.menu_button("View", |ui| view(ui, shown, &mut actions));
-        ui.menu_button("Growth", |ui| growth(ui, shown, &mut actions));
+        ui.menu_button("File", |ui| file(ui, state, &mut actions));
+        ui.menu_button("Edit", |ui| edit(ui, state, &mut actions));
+        ui.menu_button("Layer", |ui| layer(ui, state, &mut actions));
+        ui.menu_button("View", |ui| view(ui, state, &mut actions));
+        ui.menu_button("Growth", |ui| growth(ui, state, &mut actions));
         ui.menu_button("Help", |ui| {
             item(ui, "First steps", &Action::Page(Page::Hint), true, &mut actions);
             item(ui, "Keys", &Action::Page(Page::Shortcuts), true, &mut actions);
             item(ui, "About dapple", &Action::Page(Page::About), true, &mut actions);
         });
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let changed = if shown.session.is_changed() { "  (changed)" } else { "" };
-            ui.label(RichText::new(format!("{}{changed}", shown.session.title())).weak());
+            let changed = if state.session.is_changed() { "  (changed)" } else { "" };
+            ui.label(RichText::new(format!("{}{changed}", state.session.title())).weak());
         });
     });
     actions
@@ -70,11 +70,11 @@ fn check(ui: &mut Ui, text: &str, on: bool, action: &Action, actions: &mut Vec<A
     }
 }
 
-fn file(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
+fn file(ui: &mut Ui, state: &MenuState, actions: &mut Vec<Action>) {
     ui.set_min_width(210.0);
     item(ui, "New…", &Action::New, true, actions);
     item(ui, "Open…", &Action::Open, true, actions);
-    let recent = &shown.settings.recent;
+    let recent = &state.settings.recent;
     ui.add_enabled_ui(!recent.is_empty(), |ui| {
         ui.menu_button("Open recent", |ui| {
             for path in recent {
@@ -92,20 +92,20 @@ fn file(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
         });
     });
     item(ui, "Examples…", &Action::Page(Page::Examples), true, actions);
-    item(ui, "Recover unsaved work…", &Action::Page(Page::Recovery), shown.recovered > 0, actions);
+    item(ui, "Recover unsaved work…", &Action::Page(Page::Recovery), state.recovered > 0, actions);
     ui.separator();
     item(ui, "Save", &Action::Save, true, actions);
     item(ui, "Save as…", &Action::SaveAs, true, actions);
     item(ui, "Import SVG…", &Action::Import, true, actions);
-    item(ui, "Export…", &Action::Export, !shown.growth.is_empty(), actions);
+    item(ui, "Export…", &Action::Export, !state.growth.is_empty(), actions);
     ui.separator();
     item(ui, "Quit", &Action::Quit, true, actions);
 }
 
-fn edit(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
+fn edit(ui: &mut Ui, state: &MenuState, actions: &mut Vec<Action>) {
     ui.set_min_width(210.0);
-    let [undo, redo] = shown.session.can_undo_redo();
-    let some = !shown.session.selection.is_empty();
+    let [undo, redo] = state.session.can_undo_redo();
+    let some = !state.session.selection.is_empty();
     item(ui, "Undo", &Action::Undo, undo, actions);
     item(ui, "Redo", &Action::Redo, redo, actions);
     ui.separator();
@@ -125,24 +125,24 @@ fn edit(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
     item(ui, "Preferences…", &Action::Page(Page::Preferences), true, actions);
 }
 
-fn layer(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
+fn layer(ui: &mut Ui, state: &MenuState, actions: &mut Vec<Action>) {
     ui.set_min_width(230.0);
     for (text, action) in LayerAction::MENU {
-        item(ui, text, &Action::Layer(action), shown.session.allows(action), actions);
+        item(ui, text, &Action::Layer(action), state.session.allows(action), actions);
     }
 }
 
-fn view(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
+fn view(ui: &mut Ui, state: &MenuState, actions: &mut Vec<Action>) {
     ui.set_min_width(210.0);
-    check(ui, "One over the other", shown.over, &Action::Over(!shown.over), actions);
-    let wrap = shown.session.document().edges == Edges::Wrap;
+    check(ui, "One over the other", state.over, &Action::Over(!state.over), actions);
+    let wrap = state.session.document().edges == Edges::Wrap;
     ui.add_enabled_ui(wrap, |ui| {
-        check(ui, "Tiles, two by two", shown.tiled, &Action::Tiled(!shown.tiled), actions);
+        check(ui, "Tiles, two by two", state.tiled, &Action::Tiled(!state.tiled), actions);
     });
-    let overlays = shown.overlays;
+    let overlays = state.overlays;
     check(ui, "Region grid", overlays.regions, &Action::Regions(!overlays.regions), actions);
     check(ui, "What dapple sees", overlays.analysis, &Action::Analysis(!overlays.analysis), actions);
-    let alternatives = shown.alternatives;
+    let alternatives = state.alternatives;
     check(ui, "Alternatives", alternatives, &Action::Alternatives(!alternatives), actions);
     item(ui, "Reference picture…", &Action::ChooseReference, true, actions);
     ui.separator();
@@ -156,18 +156,18 @@ fn view(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
         ("Light", ThemePreference::Light),
         ("Dark", ThemePreference::Dark),
     ] {
-        let is_current = shown.settings.theme == theme;
+        let is_current = state.settings.theme == theme;
         if ui.radio(is_current, text).clicked() && !is_current {
             actions.push(Action::Theme(theme));
         }
     }
 }
 
-fn growth(ui: &mut Ui, shown: &Menus, actions: &mut Vec<Action>) {
+fn growth(ui: &mut Ui, state: &MenuState, actions: &mut Vec<Action>) {
     ui.set_min_width(180.0);
-    let text = if shown.growth.is_paused() { "Go on" } else { "Pause" };
-    item(ui, text, &Action::Pause, shown.growth.is_growing(), actions);
-    item(ui, "Stop", &Action::Stop, shown.growth.is_growing(), actions);
-    item(ui, "Grow again", &Action::Grow, !shown.growth.is_empty(), actions);
+    let text = if state.growth.is_paused() { "Go on" } else { "Pause" };
+    item(ui, text, &Action::Pause, state.growth.is_growing(), actions);
+    item(ui, "Stop", &Action::Stop, state.growth.is_growing(), actions);
+    item(ui, "Grow again", &Action::Grow, !state.growth.is_empty(), actions);
     item(ui, "Another seed", &Action::AnotherSeed, true, actions);
 }

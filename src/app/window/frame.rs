@@ -118,7 +118,7 @@ impl Window {
     }
 
     fn menu(&self, ui: &mut Ui) -> Vec<Action> {
-        let menus = panels::Menus {
+        let menus = panels::MenuState {
             session: &self.session,
             settings: &self.settings,
             growth: &self.growth,
@@ -138,13 +138,13 @@ impl Window {
         let content = |ui: &mut Ui| match self.tab {
             Tab::Draw => {
                 let (tiled, linked) = (self.texture.tiled, self.linked);
-                panels::draw(ui, &panels::Drawing { session, canvas, ruler, tiled, linked })
+                panels::draw(ui, &panels::DrawState { session, canvas, ruler, tiled, linked })
             }
             Tab::Colour => panels::colour(ui, session, &mut self.colour),
             Tab::Result => {
                 let pointer = canvas.pointer.or(self.texture.pointer);
                 let (growth, results) = (&self.growth, &self.results);
-                let shown = panels::Shown { session, growth, results, pointer, ruler };
+                let shown = panels::ResultState { session, growth, results, pointer, ruler };
                 panels::result(ui, &shown, &mut self.result_panel)
             }
         };

@@ -6,7 +6,7 @@ use egui::{
 };
 
 use super::grip::{arrows, deleted, rounded};
-use super::{ColourPanel, Held, hex, shown};
+use super::{ColourPanel, Drag, hex, shown};
 use crate::app::theme::Palette;
 use crate::colour::{Bend, Gradient};
 use crate::document::Colours;
@@ -116,7 +116,7 @@ fn add(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect) {
     let response = ui.interact(rect, ui.scope_id().with("bar"), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Add a stop"));
     let focused = response.has_focus();
-    if response.clicked() && panel.held.is_none() {
+    if response.clicked() && panel.drag.is_none() {
         let middle = || {
             let at = |stop: usize| colours.stops.get(stop).map(|stop| stop.at);
             0.5 * (at(panel.gap).unwrap_or(0.0) + at(panel.gap + 1).unwrap_or(1.0))
@@ -146,8 +146,8 @@ fn stop_id(ui: &Ui, index: usize) -> Id {
 /// The stops below the bar.
 fn stops(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, bar: Rect) {
     // While a stop is dragged, all keep the order and the names from before.
-    let held = panel.held.as_ref().and_then(|held| Some((&held.before, held.stop?)));
-    let (seen, moved) = held.map_or((colours.clone(), None), |(before, stop)| (before.clone(), Some(stop)));
+    let drag = panel.drag.as_ref().and_then(|drag| Some((&drag.before, drag.stop?)));
+    let (seen, moved) = drag.map_or((colours.clone(), None), |(before, stop)| (before.clone(), Some(stop)));
     let count = seen.stops.len();
     // The selected one is drawn last.
     let order = (0..count).filter(|i| *i != panel.stop).chain([panel.stop]).filter(|i| *i < count);
@@ -163,15 +163,15 @@ fn stops(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, ba
         if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged()) {
             if response.drag_started() || moved != Some(index) {
                 let offset = [ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer).x - x, 0.0];
-                panel.held =
-                    Some(Held { before: colours.clone(), stop: Some(index), offset, range: [0.0; 2] });
+                panel.drag =
+                    Some(Drag { before: colours.clone(), stop: Some(index), offset, range: [0.0; 2] });
                 response.request_focus();
             }
-            if let Some(held) = &panel.held {
-                x = (pointer.x - held.offset[0]).clamp(rect.left(), rect.right());
+            if let Some(drag) = &panel.drag {
+                x = (pointer.x - drag.offset[0]).clamp(rect.left(), rect.right());
                 off = count > 1 && (pointer.y - bar.center().y).abs() > OFF;
                 let at = rounded(f64::from((x - rect.left()) / rect.width()));
-                colours.clone_from(&held.before);
+                colours.clone_from(&drag.before);
                 if off {
                     colours.remove(index);
                 } else {
@@ -181,12 +181,12 @@ fn stops(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, ba
             }
         }
         if response.drag_stopped() && moved == Some(index) {
-            panel.held = None;
+            panel.drag = None;
             let chosen = panel.stop.min(colours.stops.len() - 1);
             panel.choose(chosen, colours);
             ui.memory_mut(|memory| memory.request_focus(stop_id(ui, chosen)));
         }
-        if panel.held.is_none() && moved.is_none() {
+        if panel.drag.is_none() && moved.is_none() {
             respond(ui, panel, colours, index, &response);
         }
         let chosen = moved.map_or(panel.stop == index, |moved| moved == index);

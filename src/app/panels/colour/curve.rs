@@ -6,7 +6,7 @@ use egui::{
 
 use super::bar::{gradient, line, transition};
 use super::grip::{arrows, deleted, rounded};
-use super::{ColourPanel, Held};
+use super::{ColourPanel, Drag};
 use crate::app::panels::form::heading;
 use crate::app::theme::Palette;
 use crate::colour::Bend;
@@ -39,7 +39,7 @@ pub fn curve(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
         pos2(all.right() - SPACE, all.top() + SPACE + HEIGHT),
     );
     let range =
-        panel.held.as_ref().filter(|held| held.stop.is_none()).map_or_else(|| range(bend), |held| held.range);
+        panel.drag.as_ref().filter(|drag| drag.stop.is_none()).map_or_else(|| range(bend), |drag| drag.range);
     strips(ui, colours, gap, room, range);
     paint(ui, room, bend, range);
     for handle in 0..2 {
@@ -139,20 +139,20 @@ fn handle(
     }
     let [mut x, mut y] = [x, y];
     if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged()) {
-        if response.drag_started() || panel.held.is_none() {
+        if response.drag_started() || panel.drag.is_none() {
             let origin = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
             let offset = [origin.x - at.x, origin.y - at.y];
-            panel.held = Some(Held { before: colours.clone(), stop: None, offset, range });
+            panel.drag = Some(Drag { before: colours.clone(), stop: None, offset, range });
         }
-        if let Some(held) = &panel.held {
-            let [dx, dy] = held.offset;
+        if let Some(drag) = &panel.drag {
+            let [dx, dy] = drag.offset;
             x = f64::from((pointer.x - dx - room.left()) / room.width());
             let up = f64::from((room.bottom() - pointer.y + dy) / room.height());
             y = range[0] + up * (range[1] - range[0]);
         }
     }
     if response.drag_stopped() {
-        panel.held = None;
+        panel.drag = None;
     }
     if response.gained_focus() {
         response.scroll_to_me(None);

@@ -22,7 +22,7 @@ pub struct ColourPanel {
     pub(super) stop: usize,
     /// The selected transition: from this stop to the next.
     pub(super) gap: usize,
-    held: Option<Held>,
+    drag: Option<Drag>,
     /// A colour that is being typed.
     hex: Option<String>,
     /// The colour of the picker, and its hue, saturation and value: gray alone would lose the hue.
@@ -34,7 +34,7 @@ pub struct ColourPanel {
 }
 
 /// A stop or a handle that is dragged.
-struct Held {
+struct Drag {
     /// The colours before the drag.
     before: Colours,
     /// The stop; `None` = a handle of the curve.
@@ -48,7 +48,7 @@ struct Held {
 impl ColourPanel {
     /// Ends a drag, if there is one. Gives whether there was.
     pub fn cancel(&mut self) -> bool {
-        self.held.take().is_some()
+        self.drag.take().is_some()
     }
 
     /// Limits the selection to existing stops and transitions.
@@ -73,9 +73,9 @@ pub fn colour(ui: &mut Ui, session: &Session, panel: &mut ColourPanel) -> Vec<Ac
     let mut colours = before.clone();
     panel.retain_existing(&colours);
     ui.label(RichText::new(format!("Colours of {}", session.layer_name(layer))).strong());
-    if panel.held.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
-        if let Some(held) = panel.held.take() {
-            colours = held.before;
+    if panel.drag.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
+        if let Some(drag) = panel.drag.take() {
+            colours = drag.before;
         }
         ui.ctx().stop_dragging();
     }

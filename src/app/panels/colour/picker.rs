@@ -10,10 +10,10 @@ use super::hex;
 use crate::app::theme::Palette;
 
 /// Shows it; `fresh`: it was just opened by a key and takes the keyboard focus.
-pub fn picker(ui: &mut Ui, held: &mut Option<([u8; 3], HsvaGamma)>, colour: &mut [u8; 3], fresh: bool) {
+pub fn picker(ui: &mut Ui, known: &mut Option<([u8; 3], HsvaGamma)>, colour: &mut [u8; 3], fresh: bool) {
     ui.set_width(200.0);
-    let known = held.filter(|(of, _)| of == colour).map(|(_, hsv)| hsv);
-    let mut hsv = known.unwrap_or_else(|| HsvaGamma::from(Hsva::from_srgb(*colour)));
+    let found = known.filter(|(of, _)| of == colour).map(|(_, hsv)| hsv);
+    let mut hsv = found.unwrap_or_else(|| HsvaGamma::from(Hsva::from_srgb(*colour)));
     hsv.a = 1.0;
     let before = hsv;
     let hue = hsv.h;
@@ -28,7 +28,7 @@ pub fn picker(ui: &mut Ui, held: &mut Option<([u8; 3], HsvaGamma)>, colour: &mut
         let [red, green, blue, _] = Color32::from(hsv).to_array();
         *colour = [red, green, blue];
     }
-    *held = Some((*colour, hsv));
+    *known = Some((*colour, hsv));
     ui.weak(hex(*colour));
 }
 

@@ -35,7 +35,7 @@ impl Default for ResultPanel {
 }
 
 /// What the tab shows.
-pub struct Shown<'a> {
+pub struct ResultState<'a> {
     /// The open document.
     pub session: &'a Session,
     /// The growth.
@@ -49,27 +49,27 @@ pub struct Shown<'a> {
 }
 
 /// Shows the results of the active layer.
-pub fn result(ui: &mut Ui, shown: &Shown, panel: &mut ResultPanel) -> Vec<Action> {
-    let layer = result::finished_layer(shown.session, shown.session.active_layer);
-    let Some(outcome) = shown.results.outcome() else {
-        ui.weak(waiting(shown));
+pub fn result(ui: &mut Ui, state: &ResultState, panel: &mut ResultPanel) -> Vec<Action> {
+    let layer = result::finished_layer(state.session, state.session.active_layer);
+    let Some(outcome) = state.results.outcome() else {
+        ui.weak(waiting(state));
         return Vec::new();
     };
     let Some((index, of_layer)) = layer.and_then(|layer| Some((layer, outcome.layers.get(layer)?))) else {
-        ui.weak(if layer.is_some() { waiting(shown) } else { "Nothing is drawn on this layer." });
+        ui.weak(if layer.is_some() { waiting(state) } else { "Nothing is drawn on this layer." });
         return Vec::new();
     };
-    let is_current = shown.results.for_texture(shown.growth.texture.as_ref()).is_some();
+    let is_current = state.results.for_texture(state.growth.texture.as_ref()).is_some();
     ui.horizontal(|ui| {
         ui.strong(&of_layer.name);
         ui.weak(of_layer.system.name()).on_hover_text("The reaction-diffusion system of this layer");
     });
     if !is_current {
-        ui.label(RichText::new(waiting(shown)).weak().small());
+        ui.label(RichText::new(waiting(state)).weak().small());
     }
     let grid = outcome.grown.document.regions.map(|n| n as usize);
     table::table(ui, of_layer, &mut panel.chosen);
-    let place = region(shown, of_layer, grid, panel.chosen);
+    let place = region(state, of_layer, grid, panel.chosen);
     ui.checkbox(&mut panel.signs, "Marks in the regions' corners").on_hover_text(
         "Disc with a tick: met. Diamond with a wave: near. Triangle with an exclamation mark: missed. Ring: nothing \
          was measured.",
@@ -78,14 +78,14 @@ pub fn result(ui: &mut Ui, shown: &Shown, panel: &mut ResultPanel) -> Vec<Action
         return Vec::new();
     };
     ui.separator();
-    detail::detail(ui, shown.ruler, region, index, is_current)
+    detail::detail(ui, state.ruler, region, index, is_current)
 }
 
 /// Why there are no results, or only those of the texture before.
-fn waiting(shown: &Shown) -> &'static str {
-    match shown.growth.phase {
+fn waiting(state: &ResultState) -> &'static str {
+    match state.growth.phase {
         Phase::Idle => "Nothing has grown yet.",
-        Phase::Growing(..) if shown.results.outcome().is_some() => {
+        Phase::Growing(..) if state.results.outcome().is_some() => {
             "Growing: these are the numbers of the texture before."
         }
         Phase::Growing(..) => "Growing: the numbers are shown once it has settled.",
@@ -96,10 +96,15 @@ fn waiting(shown: &Shown) -> &'static str {
 }
 
 /// The region under the pointer, else the chosen one, else the first of those with the worst result.
-fn region(shown: &Shown, layer: &LayerResult, grid: [usize; 2], chosen: Option<[usize; 2]>) -> [usize; 2] {
-    let size = shown.session.document().size.map(f64::from);
+fn region(
+    state: &ResultState,
+    layer: &LayerResult,
+    grid: [usize; 2],
+    chosen: Option<[usize; 2]>,
+) -> [usize; 2] {
+    let size = state.session.document().size.map(f64::from);
     let on_canvas = |at: &[f64; 2]| (0..2).all(|axis| (0.0..size[axis]).contains(&at[axis]));
-    if let Some(at) = shown.pointer.filter(on_canvas) {
+    if let Some(at) = state.pointer.filter(on_canvas) {
         return [0, 1].map(|axis| ((at[axis] / size[axis] * grid[axis] as f64) as usize).min(grid[axis] - 1));
     }
     let worst = layer.regions.iter().rev().max_by_key(|region| region.verdict);
