@@ -141,7 +141,7 @@ mod tests {
     #[test]
     fn the_table_shows_rates_ratios_and_times() {
         let text = report().text();
-        for told in [
+        for word in [
             "turing-spots",
             "aspect-0.5",
             "256²",
@@ -152,7 +152,7 @@ mod tests {
             "512 × 300 px",
             "0.25 s",
         ] {
-            assert!(text.contains(told), "{told} in\n{text}");
+            assert!(text.contains(word), "{word} in\n{text}");
         }
         assert!(text.lines().all(|line| line.chars().count() <= 120), "{text}");
     }

@@ -96,10 +96,10 @@ fn verdicts(outcomes: &[Outcome]) -> String {
         let _ = writeln!(text, "\n  {}, {} rows:", outcome.way.name(), outcome.rows);
         for errors in &outcome.errors {
             if let Some([median, p95]) = outcome.bound(errors.quantity) {
-                let (told, verdict) = (figures(errors), verdict(outcome.holds(errors)));
+                let (figures, verdict) = (figures(errors), verdict(outcome.holds(errors)));
                 let allowed = format!("{median} / {p95} {}", errors.unit);
                 let _ =
-                    writeln!(text, "    {:8}{told:>17}   allowed {allowed:14} {verdict}", errors.quantity);
+                    writeln!(text, "    {:8}{figures:>17}   allowed {allowed:14} {verdict}", errors.quantity);
             }
         }
         let failed = format!("{} of {}", outcome.failed.len(), outcome.asked);
@@ -161,10 +161,10 @@ mod tests {
 
     #[test]
     fn verdicts_show_the_numbers() {
-        let told = text(System::MEINHARDT_STRIPES, &[outcome(Of::Grown, true, 1.5, &["width 3 px: why"])]);
-        assert!(told.contains("width         1.50 / 2.50   allowed 2 / 6 %        ok\n"), "{told}");
+        let text = text(System::MEINHARDT_STRIPES, &[outcome(Of::Grown, true, 1.5, &["width 3 px: why"])]);
+        assert!(text.contains("width         1.50 / 2.50   allowed 2 / 6 %        ok\n"), "{text}");
         assert!(
-            told.contains(
+            text.contains(
                 "failed            1 of 10   allowed none           MISSED\n      width 3 px: why\n"
             )
         );

@@ -22,7 +22,7 @@ pub(super) struct LookupReport {
 impl LookupReport {
     /// Looks up the parameters for `wanted` (px).
     ///
-    /// A spacing that is left free is the one that `grow` takes then.
+    /// A free spacing is chosen as by `grow`.
     pub fn new(training: &Training, choice: SystemChoice, wanted: &Attributes) -> Result<Self, Error> {
         let system = choice.system().or_else(|| System::first(|system| system.free_spacing));
         let system = system.expect("a system grows spots of any spacing");

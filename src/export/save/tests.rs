@@ -54,14 +54,14 @@ fn a_writer_that_fails_or_is_cancelled_leaves_everything_as_it_was() {
 #[test]
 fn paths_that_cannot_be_written_give_an_error_with_the_remedy() {
     let folder = tempfile::tempdir().unwrap();
-    let told = |name: &str| {
+    let message = |name: &str| {
         let path = folder.path().join(name);
         let early = check_target(&path).unwrap_err().to_string();
         let late = save(&path, write_new).map_err(|error| error.to_string());
         (early, late)
     };
     let same = |name: &str| {
-        let (early, late) = told(name);
+        let (early, late) = message(name);
         assert_eq!(late, Err(early.clone()));
         early
     };
@@ -83,17 +83,17 @@ fn paths_that_cannot_be_written_give_an_error_with_the_remedy() {
 
 #[test]
 fn only_known_endings_are_allowed() {
-    let told = |path: &str| check_target(Path::new(path)).map_err(|error| error.to_string());
-    assert_eq!(told("a.png"), Ok(()));
-    assert_eq!(told("A.PNG"), Ok(()));
-    assert_eq!(["a.tif", "a.TIFF", "a.exr", "a.jpg", "a.jpeg", "a.WebP"].map(told), [const { Ok(()) }; 6]);
+    let message = |path: &str| check_target(Path::new(path)).map_err(|error| error.to_string());
+    assert_eq!(message("a.png"), Ok(()));
+    assert_eq!(message("A.PNG"), Ok(()));
+    assert_eq!(["a.tif", "a.TIFF", "a.exr", "a.jpg", "a.jpeg", "a.WebP"].map(message), [const { Ok(()) }; 6]);
     let gif = "cannot write 'a.gif': its name ends in .gif, which is not a format that dapple writes here; allowed: .png, .tif, .tiff, .exr, .jpg, .jpeg, .webp";
-    assert_eq!(told("a.gif"), Err(gif.to_owned()));
+    assert_eq!(message("a.gif"), Err(gif.to_owned()));
     let lossy = check_content(Path::new("a.jpg"), Content::Labels).unwrap_err().to_string();
     assert!(lossy.contains("JPEG") && lossy.ends_with("allowed: .png, .tif, .tiff"), "{lossy}");
     let none = "cannot write 'png': its name has no ending that names the format; allowed: .png, .tif, .tiff, .exr, .jpg, .jpeg, .webp";
-    assert_eq!(told("png"), Err(none.to_owned()));
-    assert!(told("").is_err());
+    assert_eq!(message("png"), Err(none.to_owned()));
+    assert!(message("").is_err());
 }
 
 #[cfg(unix)]
