@@ -208,12 +208,14 @@ pub struct System(&'static Definition);
 
 impl System {
     /// The system that `definition` describes.
+    #[doc(hidden)]
     #[must_use]
     pub const fn new(definition: &'static Definition) -> Self {
         Self(definition)
     }
 
     /// Everything that is particular to it.
+    #[doc(hidden)]
     #[must_use]
     pub const fn definition(self) -> &'static Definition {
         self.0

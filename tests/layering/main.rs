@@ -6,6 +6,7 @@ mod packages;
 mod rooms;
 mod scan;
 mod sources;
+mod systems;
 
 use std::process::Command;
 
