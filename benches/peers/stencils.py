@@ -1,4 +1,4 @@
-"""Steps in numba, written as someone who knows it well writes them: the same arithmetic as dapple's systems.
+"""Steps in well optimised numba: the same arithmetic as dapple's systems.
 
 Rows are padded, so that no neighbour needs a test or a modulus; two pairs of arrays take turns; rows go to the
 threads by prange; fastmath is on. The loop over a row is a function of its own that gets flat arrays and unsigned
