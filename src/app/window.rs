@@ -4,6 +4,7 @@
 //!  start ─▶ frame ─▶ panels ─▶ actions ─▶ dispatch ─▶ edit, files, export, … change the state
 //! ```
 
+mod dialogs;
 mod dispatch;
 mod edit;
 mod export;

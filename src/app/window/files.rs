@@ -1,31 +1,30 @@
-//! New, open, save and drop files, with the questions on the way.
+//! New, open, save and drop files.
 
 use std::path::{Path, PathBuf};
 
-use egui::{Align2, Color32, FontId, Id, Key, Modal, Ui, ViewportCommand};
+use egui::{Align2, Color32, FontId, Id, Ui, ViewportCommand};
 
 use super::Window;
-use crate::app::action::{Action, Page};
-use crate::app::chooser::{Choice, Chooser, Purpose};
+use crate::app::action::Action;
+use crate::app::chooser::{Chooser, Purpose};
 use crate::app::examples::{EXAMPLES, GALLERY};
 use crate::app::exporting::{Dialog, Size};
 use crate::app::notice::with_causes;
-use crate::app::pages::{self, Answer, New};
+use crate::app::pages::New;
 use crate::app::reading::{self, Content, Dropped, Inspecting, Reading};
 use crate::app::saving::Saving;
-use crate::app::{preferences, recovery, shortcuts};
 use crate::document::Document;
 use crate::editor::session::Session;
 
 /// Files that are read and written, and the dialogs about them.
 pub struct Files {
     native: bool,
-    chooser: Option<Chooser>,
-    new: Option<New>,
+    pub(super) chooser: Option<Chooser>,
+    pub(super) new: Option<New>,
     /// The action that waits for the answer to the question about unsaved changes.
-    unsaved: Option<Action>,
+    pub(super) unsaved: Option<Action>,
     /// The action that waits for the end of a save.
-    after_saving: Option<Action>,
+    pub(super) after_saving: Option<Action>,
     /// The file that is being read, and the session's revision when that began.
     reading: Option<(u64, Reading)>,
     inspecting: Option<Inspecting>,
@@ -139,7 +138,7 @@ impl Window {
     }
 
     /// Carries out an action that discards the open document.
-    fn go_on(&mut self, ui: &Ui, action: Action) {
+    pub(super) fn go_on(&mut self, ui: &Ui, action: Action) {
         match action {
             Action::New => self.files.new = Some(self.settings.new.clone()),
             Action::Open => self.choose(Purpose::Open, ""),
@@ -246,7 +245,7 @@ impl Window {
         }
     }
 
-    fn chosen(&mut self, purpose: Purpose, path: PathBuf) {
+    pub(super) fn chosen(&mut self, purpose: Purpose, path: PathBuf) {
         match purpose {
             Purpose::Open | Purpose::Import => self.open(&path),
             Purpose::Save => self.save(Some(path)),
@@ -325,120 +324,6 @@ impl Window {
                 // Reported before any question about the open document.
                 Dropped::Unreadable(why) => self.notices.wrong(why),
             }
-        }
-    }
-
-    /// Pages over the window.
-    pub(super) fn over_all(&mut self, ui: &mut Ui) -> Vec<Action> {
-        let mut actions = Vec::new();
-        // The key that closes a file dialog is no answer to the dialog behind it.
-        let choosing = self.files.chooser.is_some();
-        self.choosing(ui);
-        self.asking(ui);
-        if !choosing && self.files.chooser.is_none() {
-            self.export_ui(ui);
-        }
-        if let Some(page) = self.page
-            && !self.files.is_asking()
-        {
-            actions.extend(self.page_ui(ui, page));
-        }
-        self.notices.ui(ui.ctx());
-        actions
-    }
-
-    fn page_ui(&mut self, ui: &Ui, page: Page) -> Option<Action> {
-        let modal =
-            Modal::new(Id::unique("page")).frame(egui::Frame::window(&ui.global_style()).inner_margin(22));
-        let mut action = None;
-        let mut close = false;
-        let shown = modal.show(ui.ctx(), |ui| {
-            match page {
-                Page::Hint => action = pages::hint(ui),
-                Page::Examples => {
-                    ui.heading("Examples");
-                    action = self.gallery.ui(ui, &self.tasks);
-                }
-                Page::Shortcuts => {
-                    ui.set_width(620.0);
-                    ui.heading("Keys");
-                    shortcuts::page(ui);
-                }
-                Page::About => pages::about(ui),
-                Page::Recovery => action = recovery::page(ui, &self.recovery, &mut self.discard_asked),
-                Page::Preferences => preferences::page(ui, &mut self.settings),
-            }
-            if !matches!(page, Page::Hint | Page::Recovery) {
-                ui.add_space(6.0);
-                close = ui.button("Close").clicked();
-            }
-        });
-        if close || shown.should_close() {
-            action = Some(Action::Page(page));
-        }
-        action
-    }
-
-    fn choosing(&mut self, ui: &Ui) {
-        let Some(chooser) = &mut self.files.chooser else { return };
-        let mut choice = chooser.listen();
-        if chooser.is_ours() {
-            let shown = Modal::new(Id::unique("chooser"))
-                .frame(egui::Frame::window(&ui.global_style()).inner_margin(20))
-                .show(ui.ctx(), |ui| chooser.ui(ui));
-            choice = if shown.should_close() { Choice::Nothing } else { shown.inner };
-        }
-        let purpose = chooser.purpose;
-        match choice {
-            Choice::Waiting => {}
-            Choice::Nothing => {
-                self.files.chooser = None;
-                self.files.after_saving = None;
-            }
-            Choice::Chosen(path) => {
-                self.files.chooser = None;
-                self.chosen(purpose, path);
-            }
-        }
-    }
-
-    fn asking(&mut self, ui: &Ui) {
-        let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
-        let title = self.session.title();
-        // Enter that ends the input of a number is no answer yet.
-        let enter =
-            ui.input(|input| input.key_pressed(Key::Enter)) && ui.memory(|memory| memory.focused().is_none());
-        let units = self.settings.units;
-        let files = &mut self.files;
-        let modal = Modal::new(Id::unique("asking")).frame(frame);
-        let shown = if files.unsaved.is_some() {
-            modal.show(ui.ctx(), |ui| pages::unsaved(ui, &title))
-        } else if let Some(new) = &mut files.new {
-            modal.show(ui.ctx(), |ui| new.ui(ui, units))
-        } else {
-            return;
-        };
-        let answer = shown.inner.or(enter.then_some(Answer::Yes));
-        let answer = if shown.should_close() { Some(Answer::Cancel) } else { answer };
-        if let Some(answer) = answer {
-            self.answered(ui, answer);
-        }
-    }
-
-    fn answered(&mut self, ui: &Ui, answer: Answer) {
-        if let Some(action) = self.files.unsaved.take() {
-            match answer {
-                Answer::Yes => {
-                    self.files.after_saving = Some(action);
-                    self.save(None);
-                }
-                Answer::No => self.go_on(ui, action),
-                Answer::Cancel => {}
-            }
-        } else if let Some(new) = self.files.new.take()
-            && answer == Answer::Yes
-        {
-            self.create(&new);
         }
     }
 }
