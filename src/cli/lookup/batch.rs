@@ -272,7 +272,10 @@ mod tests {
             ("turing-spots,300,0.5,NaN,,", "column angle: found 'NaN'"),
             ("turing-spots,300,0.5,0,x,", "column spacing: found 'x'"),
             ("turing-spots,300,0.5,0,,4", "column width: found '4'; allowed: empty, as spots do not have it"),
-            ("meinhardt-stripes,300,,0,,4", "column area: found '300'; allowed: empty, as stripes do not have it"),
+            (
+                "meinhardt-stripes,300,,0,,4",
+                "column area: found '300'; allowed: empty, as stripes do not have it",
+            ),
             ("meinhardt-stripes,,,0,,", "column width: found ''"),
             ("meinhardt-stripes,4", "line 3: found 2 values; allowed: 6, as in line 1"),
         ] {
