@@ -80,7 +80,8 @@ fn a_document_that_cannot_be_grown_leaves_its_place_empty() {
     let options = ["--thumb", "64", "--columns", "3"];
     let outcome = sheet(&[&broken, &good, &alone], &output, &options).code(1).get_output().clone();
     let message = String::from_utf8(outcome.stderr).unwrap();
-    for word in ["error: 2 of 3", "sheet.png", "broken.dapple", "alone.dapple", "stripes have no places"] {
+    for word in ["error: 2 of 3", "sheet.png", "broken.dapple", "alone.dapple", "layer beneath grows stripes"]
+    {
         assert!(message.contains(word), "{word} in {message}");
     }
     let picture = read(&output);

@@ -165,8 +165,11 @@ fn refused(layers: Vec<Layer>, words: &[&str]) {
 fn what_makes_no_sense_inside_is_refused_with_the_reason() {
     let (large, small) = (spots(800.0, 0.9, 0.0, 62.0), spots(150.0, 0.6, 30.0, 30.0));
     let at = "layers[1].";
-    refused(vec![stripes(8.0, 30.0), inside(small.clone())], &["layers[1].after", "no places"]);
-    refused(vec![large.clone(), inside(stripes(8.0, 30.0))], &[at, "strokes", "lines", "inside"]);
+    refused(
+        vec![stripes(8.0, 30.0), inside(small.clone())],
+        &["layers[1].after", "the layer beneath grows stripes"],
+    );
+    refused(vec![large.clone(), inside(stripes(8.0, 30.0))], &["layers[1].after", "this layer holds lines"]);
     refused(vec![small.clone(), inside(large.clone())], &[at, "800 px²", "150 px²", "smaller"]);
     let turing = Layer { system: SystemChoice::Of(System::TURING_SPOTS), ..small.clone() };
     refused(vec![large, inside(turing)], &["layers[1].system", "meinhardt-spots"]);

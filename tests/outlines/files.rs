@@ -1,6 +1,7 @@
 //! The files: SVG by roxmltree and usvg, DXF by the crate of that name.
 
 use crate::bench::Bench;
+use crate::grown::enclosed;
 use dapple::internals::export::outline::svg::Unit;
 use dapple::internals::export::outline::{Smallest, Style, draw, dxf as writer, outline_field};
 use dapple::internals::grid::{Edges, Field};
@@ -62,8 +63,9 @@ fn styles_ends_and_sizes_are_as_asked() {
     let both = counts(&drawn("--style fill,hatch:2:30"));
     assert!(both[0] == areas && both[1] > 2 * areas, "{both:?}");
     assert_eq!(counts(&drawn("--min-area 100000")), [0, 0]);
-    let fewer = counts(&drawn("--level 0.97"))[0];
-    assert!(fewer > 0 && drawn("--level 0.97").len() < closed.len());
+    let area = |text: &str| enclosed(usvg::Tree::from_str(text, &usvg::Options::default()).unwrap().root());
+    let [usual, high] = [area(&drawn("")), area(&drawn("--level 0.97"))];
+    assert!(0.0 < high && high < 0.5 * usual, "{high} of {usual} px²");
     assert!(drawn("--style stroke --pen 0.25").contains("stroke-width=\"0.25\""));
 }
 

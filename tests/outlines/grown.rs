@@ -77,7 +77,7 @@ fn painted(groups: &[Group]) -> Vec<f64> {
 }
 
 /// px² that the paths of an SVG enclose: holes run the other way round.
-fn enclosed(group: &usvg::Group) -> f64 {
+pub fn enclosed(group: &usvg::Group) -> f64 {
     let each = |node: &Node| match node {
         Node::Group(group) => enclosed(group),
         Node::Path(path) => {
