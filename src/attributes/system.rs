@@ -1,6 +1,6 @@
 //! What is known of a reaction-diffusion system without its equations: its name, the attributes that it answers to, the
-//! options that it takes, its training rows. The file of each system fills it in; [`crate::learn`] and
-//! [`crate::document`] read it.
+//! options that it takes, its training rows. The file of each system fills it in; `learn` and
+//! `document` read it.
 
 use super::columns::{Column, SEED};
 
