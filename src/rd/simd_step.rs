@@ -6,6 +6,7 @@
 use std::ops::Range;
 
 use crate::rd::coefficients::Numbers;
+use crate::rd::diffusion::Diffusion;
 use crate::rd::kinetics::{Kinetics, Spreading, euler};
 use crate::rd::plane::{LANES, Lanes, MARGIN, RowLayout};
 use crate::rd::problem::Problem;
@@ -56,41 +57,57 @@ const fn taps(set: usize) -> ([[isize; 2]; 4], u32) {
 
 /// The coefficients of one row.
 #[derive(Clone, Copy)]
-struct Row<'a, const N: usize> {
+struct Row<'a> {
     y: usize,
     grid: RowLayout,
     /// Weights of the isotropic stencil along x, along y, and of the cell itself.
     isotropic: [f32; 3],
-    /// By number of the tensor; beyond the last one the first again.
-    weights: [Numbers<'a>; N],
+    /// Of the first tensor.
+    weights: Numbers<'a>,
     mobility: Numbers<'a>,
     rate: Numbers<'a>,
+    /// Read for the others alone.
+    tensors: &'a [Diffusion],
 }
 
 /// The coefficients of one group.
 #[derive(Clone, Copy)]
-struct Group<const N: usize> {
-    /// By number of the tensor the offsets in use, as bits, and a weight for each.
-    stencils: [(u8, *const Lanes); N],
+struct Group {
+    /// Its number.
+    number: usize,
+    /// The offsets that the first tensor uses, as bits; a weight for each.
+    used: u8,
+    weights: *const Lanes,
     /// As many as [`MOBILITIES`](crate::rd::kinetics::MOBILITIES).
     mobility: *const Lanes,
     /// One.
     rate: *const Lanes,
 }
 
-impl<const N: usize> Row<'_, N> {
+impl Row<'_> {
     /// # Safety
     /// The row must have that group.
     #[inline(always)]
-    unsafe fn group<K: Kinetics<N>>(&self, group: usize) -> Group<N> {
+    unsafe fn group(&self, group: usize) -> Group {
         // SAFETY: there is such a group, says the caller.
         unsafe {
-            let mut stencils = [self.weights[0].first(group); N];
-            for (stencil, weights) in stencils.iter_mut().zip(&self.weights).take(K::TENSORS).skip(1) {
-                *stencil = weights.first(group);
-            }
-            Group { stencils, mobility: self.mobility.first(group).1, rate: self.rate.first(group).1 }
+            let (used, weights) = self.weights.first(group);
+            let (mobility, rate) = (self.mobility.first(group).1, self.rate.first(group).1);
+            Group { number: group, used, weights, mobility, rate }
         }
+    }
+
+    /// The offsets in use and the weights of a tensor in the group of these coefficients.
+    ///
+    /// # Safety
+    /// The row of that tensor must have that group.
+    #[inline(always)]
+    unsafe fn stencil(&self, tensor: usize, coefficients: &Group) -> (u8, *const Lanes) {
+        if tensor == 0 {
+            return (coefficients.used, coefficients.weights);
+        }
+        // SAFETY: there is such a group, says the caller.
+        unsafe { self.tensors[tensor].weights.in_row(self.y).first(coefficients.number) }
     }
 }
 
@@ -108,19 +125,21 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
         y,
         grid,
         isotropic: problem.isotropic_weights(),
-        weights: std::array::from_fn(|t| {
-            let tensor = if t < K::TENSORS { t } else { 0 };
-            problem.tensors[tensor].weights.in_row(y)
-        }),
+        weights: problem.tensors[0].weights.in_row(y),
         mobility: problem.mobility.in_row(y),
         rate: problem.rate.in_row(y),
+        tensors: &problem.tensors,
     };
     // The unchecked loads and stores below rely on this.
     let rows = from.iter().flatten().map(|row| row.len()).chain(to.iter().map(|row| row.len()));
     assert!(groups.start * LANES >= REACH && rows.min() >= Some(groups.end * LANES + REACH));
     assert!(
-        row.weights.iter().chain([&row.mobility, &row.rate]).all(|numbers| numbers.groups() >= groups.end)
+        [row.weights.groups(), row.mobility.groups(), row.rate.groups()].iter().all(|n| *n >= groups.end)
     );
+    if K::TENSORS > 1 {
+        let others = || row.tensors.iter().map(|tensor| tensor.weights.in_row(y).groups());
+        assert!(row.tensors.len() >= K::TENSORS && others().all(|n| n >= groups.end));
+    }
     let mut first = groups.start;
     for run in problem.runs.in_row(y) {
         let part = first..groups.end.min(run.end as usize);
@@ -155,7 +174,7 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
 /// is false, nothing beyond a closed edge is within reach. `same`: all have the coefficients of the first.
 #[inline(always)]
 fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
-    row: Row<N>,
+    row: Row,
     kinetics: &K,
     from: &Window<N>,
     to: &mut [&mut [f32]; N],
@@ -172,11 +191,11 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
         out[i] = to[i].as_mut_ptr();
     }
     // SAFETY: `step_row` made sure that the row has these groups.
-    let mut coefficients = unsafe { row.group::<K>(groups.start) };
+    let mut coefficients = unsafe { row.group(groups.start) };
     for group in groups {
         if !same {
             // SAFETY: as above.
-            coefficients = unsafe { row.group::<K>(group) };
+            coefficients = unsafe { row.group(group) };
         }
         for lane in (0..LANES).step_by(V::WIDTH) {
             let place = group * LANES + lane;
@@ -213,16 +232,16 @@ unsafe fn number<V: Vector>(packs: *const Lanes, k: usize, lane: usize) -> V {
 /// The diffusion term of the cells at `place` and after, without mobility.
 #[inline(always)]
 unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
-    row: &Row<N>,
+    row: &Row,
     rows: &[[*const f32; 2 * REACH + 1]; N],
     place: usize,
-    coefficients: &Group<N>,
+    coefficients: &Group,
     u: &[V; N],
 ) -> [V; N] {
     let mut spread = [V::splat(0.0); N];
     let lane = place % LANES;
     // SAFETY: asked for no more than the group uses.
-    let weight = |k: usize| unsafe { number::<V>(coefficients.stencils[0].1, k, lane) };
+    let weight = |k: usize| unsafe { number::<V>(coefficients.weights, k, lane) };
     // 2 Σ wₖ, in the order of the offsets.
     let center = if SET < MIXED {
         let mut sum = weight(0) + weight(1);
@@ -239,13 +258,18 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
     for i in 0..N {
         let pair = |offset: [isize; 2]| {
             // SAFETY: as for `step_groups`, whose this is a part.
-            unsafe { neighbours::<N, V, EDGE>(row, place, &rows[i], offset, u[i]) }
+            unsafe { neighbours::<V, EDGE>(row, place, &rows[i], offset, u[i]) }
         };
         let (around, center) = match K::SPREAD[i] {
             Spreading::Still => continue,
             Spreading::Tensor { .. } if SET == UNIT => (pair([1, 0]) + pair([0, 1]), V::splat(4.0)),
             Spreading::Tensor { tensor, .. } if SET == MIXED => {
-                let (used, packs) = coefficients.stencils[tensor];
+                let (used, packs) = if K::TENSORS > 1 {
+                    // SAFETY: `step_row` made sure that every tensor has the group.
+                    unsafe { row.stencil(tensor, coefficients) }
+                } else {
+                    (coefficients.used, coefficients.weights)
+                };
                 let (mut sum, mut weights, mut kept) = (V::splat(0.0), V::splat(0.0), 0);
                 for (k, offset) in OFFSETS.into_iter().enumerate() {
                     if used & (1 << k) != 0 {
@@ -283,8 +307,8 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
 
 /// u(x + e) + u(x − e). What lies beyond a closed edge counts as the cell's `own`.
 #[inline(always)]
-unsafe fn neighbours<const N: usize, V: Vector, const EDGE: bool>(
-    row: &Row<N>,
+unsafe fn neighbours<V: Vector, const EDGE: bool>(
+    row: &Row,
     place: usize,
     rows: &[*const f32; 2 * REACH + 1],
     [dx, dy]: [isize; 2],
@@ -307,13 +331,7 @@ unsafe fn neighbours<const N: usize, V: Vector, const EDGE: bool>(
 /// Of the concentrations `there`, at an offset (dx, dy) from the cells `own`, puts the cells' own in the place of
 /// those beyond the border, so that nothing flows across it.
 #[inline(always)]
-fn keep_inside<const N: usize, V: Vector>(
-    row: &Row<N>,
-    place: usize,
-    [dx, dy]: [isize; 2],
-    own: V,
-    there: V,
-) -> V {
+fn keep_inside<V: Vector>(row: &Row, place: usize, [dx, dy]: [isize; 2], own: V, there: V) -> V {
     if !(0..row.grid.ny as isize).contains(&(row.y as isize + dy)) {
         return own;
     }
