@@ -14,6 +14,8 @@ pub struct Notices {
     all: Vec<Notice>,
     /// When the last notice of success was first shown, seconds.
     seen: Option<f64>,
+    /// Whether a notice has not been drawn yet.
+    unshown: bool,
 }
 
 /// A message to the user.
@@ -56,6 +58,7 @@ impl Notices {
     }
 
     fn push(&mut self, notice: Notice) {
+        self.unshown = true;
         self.all.retain(|other| *other != notice);
         self.all.push(notice);
         if self.all.len() > MOST {
@@ -69,8 +72,15 @@ impl Notices {
         &self.all
     }
 
+    /// Whether a notice has come since they were last drawn, so that another frame is needed.
+    #[must_use]
+    pub fn needs_frame(&self) -> bool {
+        self.unshown
+    }
+
     /// Shows them.
     pub fn ui(&mut self, ctx: &Context) {
+        self.unshown = false;
         if self.all.iter().any(|notice| !notice.wrong) {
             let now = ctx.time();
             let since = *self.seen.get_or_insert(now);

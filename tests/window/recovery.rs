@@ -215,6 +215,7 @@ fn where_nothing_can_be_kept_it_is_said_once() {
     hand.until("a notice", |window| !window.notices().is_empty());
     let notices = hand.window.state().notices().to_vec();
     assert!(notices[0].wrong && notices[0].text.contains("Save them yourself"), "{notices:?}");
+    hand.rest();
     hand.press("OK");
     hand.draw_round([250.0, 200.0], [40.0, 20.0], 30.0);
     hand.rest();

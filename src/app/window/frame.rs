@@ -69,6 +69,9 @@ impl Window {
             // The progress bar moves between two pictures.
             ui.ctx().request_repaint_after(Duration::from_millis(100));
         }
+        if self.notices.needs_frame() {
+            ui.ctx().request_repaint();
+        }
         self.menu_open = ui.any_popup_open();
         self.entitle(ui);
     }
