@@ -7,37 +7,48 @@ use crate::documents::document;
 use dapple::document::Document;
 use dapple::internals::synth::{GrowError, Grown, Options, grow};
 use proptest::prelude::*;
-use proptest::test_runner::TestRunner;
+use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use std::cell::Cell;
 
 /// Steps on the finest grid that a layer may take (`synth::settle`), and a few on the way there.
 const STEPS: u64 = 400_000;
 
-/// Share of the valid documents that must grow; some find no room, or nothing to go around.
+/// Share of the valid documents that must grow; some find no room, or nothing to go around. Of 600 random ones more than
+/// half grew.
 const GROWN: f64 = 0.5;
 
 #[test]
 fn any_valid_document_grows_or_says_why_not() {
-    let config = cases(16);
-    let (asked, grown) = (config.cases, Cell::new(0));
-    let outcome = TestRunner::new(config).run(&document(48, 2), |document| {
-        match grow(&document, &Options::default()) {
-            Ok(texture) => {
-                grown.set(grown.get() + 1);
-                sound(&document, &texture)
-            }
-            Err(GrowError::Cancelled(_)) => Err(TestCaseError::fail("nobody cancelled it")),
-            Err(error) => {
-                let message = error.to_string();
-                let readable = message.len() > 10 && !message.contains(char::is_control);
-                prop_assert!(readable, "{:?}", message);
-                Ok(())
-            }
+    grown_of(TestRunner::new(cases(16)));
+}
+
+/// The same documents in each run: of a few random ones less than half may grow by chance.
+#[test]
+fn most_valid_documents_grow() {
+    let config = cases(64);
+    let asked = config.cases;
+    let grown = grown_of(TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha)));
+    assert!(f64::from(grown) >= GROWN * f64::from(asked), "only {grown} of {asked} grew");
+}
+
+/// Grows random documents, checks what comes of each, and counts those that grew.
+fn grown_of(mut runner: TestRunner) -> u32 {
+    let grown = Cell::new(0);
+    let outcome = runner.run(&document(48, 2), |document| match grow(&document, &Options::default()) {
+        Ok(texture) => {
+            grown.set(grown.get() + 1);
+            sound(&document, &texture)
+        }
+        Err(GrowError::Cancelled(_)) => Err(TestCaseError::fail("nobody cancelled it")),
+        Err(error) => {
+            let message = error.to_string();
+            let readable = message.len() > 10 && !message.contains(char::is_control);
+            prop_assert!(readable, "{:?}", message);
+            Ok(())
         }
     });
     outcome.unwrap_or_else(|error| panic!("{error}"));
-    let grown = grown.get();
-    assert!(f64::from(grown) >= GROWN * f64::from(asked), "only {grown} of {asked} grew");
+    grown.get()
 }
 
 /// A grown texture has all layers, was grown within the limit of steps, and is finite everywhere.
