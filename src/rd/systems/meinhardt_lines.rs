@@ -3,10 +3,10 @@
 //! ∂a/∂t = s(0.01 a²/b − p₁a) + ∇·(Dₐ∇a)
 //! ∂b/∂t = s(0.01 a² − p₂b) + D_b∇²b
 //!
-//! The kinetics of [`crate::rd::systems::meinhardt_spots`], but only the activator feels the tensor: where it spreads farther along
-//! than across, spots grow together to lines along its long axis (`facts.md` D, "oriented thin stripes"). Between the
-//! lines a is next to nothing, and nothing begins there by itself: lines stand where they were begun. R = D_b/Dₐ sets
-//! how wide they are beside their distance.
+//! The kinetics of [`crate::rd::systems::meinhardt_spots`], but only the activator feels the tensor. Where it diffuses
+//! farther along than across, spots merge to lines along its long axis (`facts.md` D, "oriented thin stripes"). Between the
+//! lines a is almost 0 and no line appears by itself: lines stay where the initial conditions put them. R = D_b/Dₐ sets
+//! the ratio of width to spacing.
 
 use crate::attributes::columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
