@@ -2,7 +2,7 @@
 //!
 //!     cargo run --release --example sketch -- rosettes.png
 
-use dapple::document::{After, Colours, Document, Edges, Layer, Options, Stroke};
+use dapple::document::{After, Colours, Document, Edges, Layer, LayerOptions, Stroke};
 use std::env;
 use std::error::Error;
 
@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let rings = Layer::new([Stroke::line([30.0, 30.0], [60.0, 30.0], 4.0)])
         .with_name("rings")
         .with_after(After::Around)
-        .with_options(Options { broken: 0.25, ..Options::default() })
+        .with_options(LayerOptions { broken: 0.25, ..LayerOptions::default() })
         .with_colours(colours([0x2b, 0x1a, 0x10]));
 
     let document = Document::new([160, 160])

@@ -2,7 +2,7 @@
 
 use crate::attributes::Stripes;
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{Layer, Options, SystemChoice, limits};
+use crate::document::{Layer, LayerOptions, SystemChoice, limits};
 use crate::export::outline::Ends;
 use crate::marks::axial;
 
@@ -52,14 +52,15 @@ pub(super) fn duty(text: &str) -> Result<f64, String> {
 
 /// Why stripes of `system` cannot have this duty, and which they can; `None` where they can.
 pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<String> {
-    let layer = Layer { system, options: Options { duty, ..Options::default() }, ..Layer::default() };
+    let layer =
+        Layer { system, options: LayerOptions { duty, ..LayerOptions::default() }, ..Layer::default() };
     let problem = Combination::new(&layer, None, Beneath::Unknown).problem_on_reading("");
     problem.map(|problem| problem.allowed)
 }
 
 /// What is asked of stripes that `system` grows.
 pub(super) fn stripes(system: SystemChoice, width: f64, angle: f64, duty: Option<f64>) -> Stripes {
-    let duty = duty.unwrap_or(Options::DUTY);
+    let duty = duty.unwrap_or(LayerOptions::DUTY);
     let wavelength = system.is_known(|system| system.free_spacing).then_some(width / duty);
     Stripes { width, angle: axial(angle), wavelength }
 }

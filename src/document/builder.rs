@@ -2,7 +2,7 @@
 //!
 //! All types are plain structs with public fields and a [`Default`]; the methods here only make the common cases short.
 
-use crate::document::{After, Colours, Document, Layer, Options, Stop, Stroke, SystemChoice};
+use crate::document::{After, Colours, Document, Layer, LayerOptions, Stop, Stroke, SystemChoice};
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line};
 
@@ -61,12 +61,12 @@ impl Layer {
     /// A layer of these strokes, with all defaults: it grows between the marks beneath, by the system that suits it.
     ///
     /// ```
-    /// use dapple::document::{After, Layer, Options, Stroke};
+    /// use dapple::document::{After, Layer, LayerOptions, Stroke};
     ///
     /// // Rings around the marks beneath, 4 px wide; a third of each is open.
     /// let rings = Layer::new([Stroke::line([20.0, 20.0], [60.0, 20.0], 4.0)])
     ///     .with_after(After::Around)
-    ///     .with_options(Options { broken: 1.0 / 3.0, ..Options::default() });
+    ///     .with_options(LayerOptions { broken: 1.0 / 3.0, ..LayerOptions::default() });
     /// assert_eq!(rings.strokes.len(), 1);
     /// ```
     #[must_use]
@@ -94,7 +94,7 @@ impl Layer {
 
     /// With these options.
     #[must_use]
-    pub fn with_options(self, options: Options) -> Self {
+    pub fn with_options(self, options: LayerOptions) -> Self {
         Self { options, ..self }
     }
 
@@ -174,7 +174,7 @@ mod tests {
             .with_name("rings")
             .with_after(After::Around)
             .with_system(SystemChoice::Of(System::MEINHARDT_LINES))
-            .with_options(Options { broken: 0.3, ..Options::default() })
+            .with_options(LayerOptions { broken: 0.3, ..LayerOptions::default() })
             .with_colours(Colours::new([(0.0, [255; 3]), (1.0, [0; 3])]))
             .with_seed(9);
         let document = Document::new([120, 90])

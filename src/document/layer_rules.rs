@@ -12,7 +12,7 @@ use Condition::{Above, Grows, Lowest, Marks, NotTaken};
 use Kind::{Ellipse, Line};
 
 use crate::attributes::system::Description;
-use crate::document::{After, Kind, Layer, OptionKey, Options, Problem, SystemChoice};
+use crate::document::{After, Kind, Layer, LayerOptions, OptionKey, Problem, SystemChoice};
 
 /// A combination that cannot be grown.
 #[derive(Debug)]
@@ -85,7 +85,7 @@ pub struct Combination {
     /// The system that is asked for.
     pub system: SystemChoice,
     /// Its options.
-    pub options: Options,
+    pub options: LayerOptions,
 }
 
 /// A rule that is checked when a document is read.

@@ -194,7 +194,7 @@ pub struct Layer {
     /// What was drawn; at least one.
     pub strokes: Vec<Stroke>,
     /// Its options beyond the marks.
-    pub options: Options,
+    pub options: LayerOptions,
     /// Its colours; `None` = the default set of that layer.
     pub colours: Option<Colours>,
 }
@@ -217,7 +217,7 @@ impl Default for Layer {
             visible: true,
             seed: None,
             strokes: Vec::new(),
-            options: Options::default(),
+            options: LayerOptions::default(),
             colours: None,
         }
     }
@@ -225,7 +225,7 @@ impl Default for Layer {
 
 /// A layer's options beyond its marks; [`layer_rules`] says which of them go with which layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
+pub struct LayerOptions {
     /// How much its spots differ from each other.
     pub spread: SpreadChoice,
     /// Stripe ÷ period, 0.2–0.5.
@@ -240,12 +240,12 @@ pub struct Options {
     pub seeding: Seeding,
 }
 
-impl Options {
+impl LayerOptions {
     /// Width of the stripes ÷ their period where nothing else is said.
     pub const DUTY: f64 = 0.5;
 }
 
-impl Default for Options {
+impl Default for LayerOptions {
     fn default() -> Self {
         Self {
             spread: SpreadChoice::default(),

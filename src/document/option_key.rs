@@ -1,7 +1,7 @@
 //! The keys of a layer's `options`.
 
 use crate::document::choices::{SEEDINGS, name_in};
-use crate::document::{Options, SpreadChoice};
+use crate::document::{LayerOptions, SpreadChoice};
 
 /// One key of a layer's `options`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,8 +40,8 @@ impl OptionKey {
 
     /// Whether `options` give this key a value that not every layer allows: any but the default, and `keep` of `true`.
     #[must_use]
-    pub fn is_set(self, options: &Options) -> bool {
-        let default = Options::default();
+    pub fn is_set(self, options: &LayerOptions) -> bool {
+        let default = LayerOptions::default();
         match self {
             Self::Spread => options.spread != default.spread,
             Self::Irregular => options.irregular != default.irregular,
@@ -54,7 +54,7 @@ impl OptionKey {
 
     /// Whether `options` hold exactly the default of this key.
     #[must_use]
-    pub fn is_default(self, options: &Options) -> bool {
+    pub fn is_default(self, options: &LayerOptions) -> bool {
         match self {
             Self::Keep => options.keep.is_none(),
             _ => !self.is_set(options),
@@ -62,8 +62,8 @@ impl OptionKey {
     }
 
     /// Puts this key back to its default.
-    pub fn reset(self, options: &mut Options) {
-        let default = Options::default();
+    pub fn reset(self, options: &mut LayerOptions) {
+        let default = LayerOptions::default();
         match self {
             Self::Spread => options.spread = default.spread,
             Self::Irregular => options.irregular = default.irregular,
@@ -88,7 +88,7 @@ impl OptionKey {
 
     /// The value in `options`, as it stands in a message.
     #[must_use]
-    pub fn value(self, options: &Options) -> String {
+    pub fn value(self, options: &LayerOptions) -> String {
         match self {
             Self::Spread => match options.spread {
                 SpreadChoice::Drawn => "\"drawn\"".to_owned(),
@@ -112,16 +112,17 @@ mod tests {
 
     #[test]
     fn defaults_are_unset() {
-        let options = Options::default();
+        let options = LayerOptions::default();
         for key in OptionKey::ALL {
             assert!(key.is_default(&options) && !key.is_set(&options), "{}", key.name());
         }
-        assert_eq!(OptionKey::Duty.always_allowed(), Options::DUTY.to_string());
+        assert_eq!(OptionKey::Duty.always_allowed(), LayerOptions::DUTY.to_string());
     }
 
     #[test]
     fn a_reset_touches_one_key() {
-        let mut options = Options { duty: 0.3, irregular: 0.5, keep: Some(false), ..Options::default() };
+        let mut options =
+            LayerOptions { duty: 0.3, irregular: 0.5, keep: Some(false), ..LayerOptions::default() };
         OptionKey::Duty.reset(&mut options);
         assert!(OptionKey::Duty.is_default(&options));
         assert!(OptionKey::Irregular.is_set(&options) && !OptionKey::Keep.is_default(&options));

@@ -8,7 +8,7 @@ use crate::document::limits::Range;
 use crate::document::node::Node;
 use crate::document::strokes;
 use crate::document::{
-    After, Colours, Document, Growth, Layer, OptionKey, Options, Problem, SpreadChoice, Stop, Stroke,
+    After, Colours, Document, Growth, Layer, LayerOptions, OptionKey, Problem, SpreadChoice, Stop, Stroke,
     SystemChoice,
 };
 use crate::grid::Edges;
@@ -81,11 +81,11 @@ fn layer(node: &Node, index: usize, size: [u32; 2]) -> Result<Layer, Problem> {
     combination.problem_on_reading(&node.place()).map_or(Ok(layer), Err)
 }
 
-fn options(node: &Node) -> Result<Options, Problem> {
+fn options(node: &Node) -> Result<LayerOptions, Problem> {
     node.keys(&OptionKey::ALL.map(OptionKey::name))?;
-    let default = Options::default();
+    let default = LayerOptions::default();
     let number = |key, default, range| node.get(key).map_or(Ok(default), |node| node.number(range));
-    Ok(Options {
+    Ok(LayerOptions {
         spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))?,
         broken: number("broken", default.broken, &limits::BROKEN)?,
         duty: number("duty", default.duty, &limits::DUTY)?,

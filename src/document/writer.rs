@@ -1,7 +1,7 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of `docs/format.md`.
 
 use crate::document::{
-    Colours, Document, Layer, Options, Seeding, SpreadChoice, Stroke, choices, migrate, reader,
+    Colours, Document, Layer, LayerOptions, Seeding, SpreadChoice, Stroke, choices, migrate, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -42,13 +42,13 @@ fn layer(layer: &Layer) -> Value {
     Value::Object(map)
 }
 
-fn options(options: &Options) -> Value {
+fn options(options: &LayerOptions) -> Value {
     let mut map = Map::new();
     if let SpreadChoice::Given(spread) = &options.spread {
         let named = spread.named().map(|(name, value)| (name.to_owned(), number(value)));
         map.insert("spread".into(), Value::Object(Map::from_iter(named)));
     }
-    if options.duty != Options::DUTY {
+    if options.duty != LayerOptions::DUTY {
         map.insert("duty".into(), number(options.duty));
     }
     if options.broken > 0.0 {

@@ -1,6 +1,6 @@
 //! Changes of the document that panels ask for.
 
-use crate::document::{After, Colours, Document, Layer, Options, SystemChoice};
+use crate::document::{After, Colours, Document, Layer, LayerOptions, SystemChoice};
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -29,7 +29,7 @@ pub enum Edit {
     /// Set the system of a layer.
     LayerSystem(usize, SystemChoice),
     /// Set the options of a layer.
-    LayerOptions(usize, Options),
+    LayerOptions(usize, LayerOptions),
     /// Set the colours of layers; `None` = the default colours of each.
     Colours(Vec<usize>, Option<Colours>),
 }

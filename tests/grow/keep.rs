@@ -2,7 +2,7 @@
 
 use crate::folder::{Folder, document};
 use dapple::document::Edges;
-use dapple::document::{Document, Layer, Options as Choices, Stroke, SystemChoice};
+use dapple::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
 use dapple::internals::attributes::regions::RegionMap;
 use dapple::internals::marks::{Ellipse, Line, Mark, turn};
 use dapple::internals::measure::{self, Spot};
@@ -169,7 +169,7 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
         line([200.0, 60.0], [260.0, 90.0]),
         line([190.0, 170.0], [270.0, 185.0]),
     ];
-    let options = Choices { keep: keeps, ..Choices::default() };
+    let options = LayerOptions { keep: keeps, ..LayerOptions::default() };
     let layers = vec![Layer { strokes, options, ..Layer::default() }];
     Document { size: [300, 240], regions, layers, ..Document::default() }
 }

@@ -1,7 +1,7 @@
 //! Stripes that begin from segments or initiators instead of noise.
 
 use dapple::document::Line;
-use dapple::document::{Document, Layer, Options as Choices, Seeding, Stroke};
+use dapple::document::{Document, Layer, LayerOptions, Seeding, Stroke};
 use dapple::internals::attributes::{Attributes, Stripes};
 use dapple::internals::grid::{Bounds, Edges, Field};
 use dapple::internals::measure::{self, StripeErrors, Target};
@@ -13,7 +13,7 @@ fn grown(
     lines: &[Line],
     regions: [u32; 2],
     size: u32,
-    options: Choices,
+    options: LayerOptions,
     seed: u64,
 ) -> (Field, Vec<StripeErrors>) {
     let strokes = lines.iter().map(|line| Stroke::Line(*line)).collect();
@@ -25,8 +25,8 @@ fn grown(
     (layer.pattern().field(size as usize, size as usize), errors.clone())
 }
 
-fn seeded(seeding: Seeding) -> Choices {
-    Choices { seeding, keep: Some(false), ..Choices::default() }
+fn seeded(seeding: Seeding) -> LayerOptions {
+    LayerOptions { seeding, keep: Some(false), ..LayerOptions::default() }
 }
 
 /// A line through the middle of each region of `size` px, at these directions, degrees.

@@ -3,7 +3,7 @@
 use crate::folder::{Folder, document, hexagon, spots};
 use dapple::document::Edges;
 use dapple::document::Spread;
-use dapple::document::{Document, Layer, Options as Choices, SpreadChoice, Stroke, SystemChoice};
+use dapple::document::{Document, Layer, LayerOptions, SpreadChoice, Stroke, SystemChoice};
 use dapple::internals::marks::{Ellipse, turn};
 use dapple::internals::measure::SpotErrors;
 use dapple::internals::rd::System;
@@ -34,7 +34,11 @@ fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
     let layer = Layer {
         system: spots.system,
         strokes: vec![ellipse(200.0), ellipse(200.0 + spacing)],
-        options: Choices { spread: SpreadChoice::Given(spread), keep: Some(false), ..Choices::default() },
+        options: LayerOptions {
+            spread: SpreadChoice::Given(spread),
+            keep: Some(false),
+            ..LayerOptions::default()
+        },
         ..Layer::default()
     };
     let side = ((150.0 * 0.75f64.sqrt()).sqrt() * spacing) as u32;

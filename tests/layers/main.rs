@@ -5,7 +5,7 @@ mod inside;
 mod regrown;
 mod sparse;
 
-use dapple::document::{After, Document, Layer, Options as Choices, Stroke};
+use dapple::document::{After, Document, Layer, LayerOptions, Stroke};
 use dapple::document::{Ellipse, Line};
 use dapple::internals::grid::{Edges, Field};
 use dapple::internals::synth::grow;
@@ -18,7 +18,7 @@ fn spots(area: f64, aspect: f64, angle: f64, spacing: f64) -> Layer {
     let places = [[0.0, 0.0], [1.0, 0.0], [0.5, 1.0], [1.5, 1.0]];
     let stroke = |place| Stroke::Ellipse(Ellipse::from_area(center(place), area, aspect, angle));
     // The drawn marks are no part of what is counted here.
-    let options = Choices { keep: Some(false), ..Choices::default() };
+    let options = LayerOptions { keep: Some(false), ..LayerOptions::default() };
     Layer { strokes: places.map(stroke).into(), options, ..Layer::default() }
 }
 
@@ -26,7 +26,7 @@ fn spots(area: f64, aspect: f64, angle: f64, spacing: f64) -> Layer {
 fn stripes(width: f64, angle: f64) -> Layer {
     let [x, y] = [angle.to_radians().cos(), angle.to_radians().sin()].map(|part| 60.0 * part);
     let line = Line { from: [180.0 - x, 180.0 - y], to: [180.0 + x, 180.0 + y], width };
-    let options = Choices { keep: Some(false), ..Choices::default() };
+    let options = LayerOptions { keep: Some(false), ..LayerOptions::default() };
     Layer { strokes: vec![Stroke::Line(line)], options, ..Layer::default() }
 }
 

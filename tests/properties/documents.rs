@@ -4,7 +4,7 @@ use crate::cases;
 use dapple::document::Edges;
 use dapple::document::Spread;
 use dapple::document::{
-    After, Colours, Document, Growth, Kind, Layer, Options, SpreadChoice, Stop, Stroke, SystemChoice,
+    After, Colours, Document, Growth, Kind, Layer, LayerOptions, SpreadChoice, Stop, Stroke, SystemChoice,
     layer_rules,
 };
 use dapple::document::{Ellipse, Line};
@@ -56,7 +56,7 @@ fn spread() -> impl Strategy<Value = SpreadChoice> {
     prop_oneof![2 => Just(SpreadChoice::Drawn), 1 => given]
 }
 
-fn options() -> impl Strategy<Value = Options> {
+fn options() -> impl Strategy<Value = LayerOptions> {
     let seeding = prop::sample::select(vec![Seeding::Noise, Seeding::Segments, Seeding::Initiators]);
     let often = |usual: f64, range: std::ops::RangeInclusive<f64>| prop_oneof![2 => Just(usual), 1 => range];
     (
@@ -67,7 +67,7 @@ fn options() -> impl Strategy<Value = Options> {
         any::<Option<bool>>(),
         seeding,
     )
-        .prop_map(|(spread, duty, broken, irregular, keep, seeding)| Options {
+        .prop_map(|(spread, duty, broken, irregular, keep, seeding)| LayerOptions {
             spread,
             duty,
             broken,
@@ -101,7 +101,7 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
             1 => prop::sample::select(After::NAMES.map(|(_, after)| after).to_vec()),
         ];
         let chosen = (system, after, any::<bool>(), any::<Option<u64>>());
-        let options = prop_oneof![2 => Just(Options::default()), 3 => options()];
+        let options = prop_oneof![2 => Just(LayerOptions::default()), 3 => options()];
         ("\\PC{0,12}", chosen, strokes(size, kind), options, prop::option::of(colours())).prop_map(
             move |(name, (system, after, visible, seed), strokes, options, colours)| {
                 let mut layer = Layer { name, system, after, visible, seed, strokes, options, colours };

@@ -1,6 +1,6 @@
 //! How far stripes are from the drawn directions, by what they begin from.
 
-use dapple::document::{Document, Layer, Options as Choices, Seeding, Stroke};
+use dapple::document::{Document, Layer, LayerOptions, Seeding, Stroke};
 use dapple::internals::marks::Line;
 use dapple::internals::measure;
 use dapple::internals::synth::Measured;
@@ -20,7 +20,7 @@ const WAYS: [(&str, Seeding, bool); 4] = [
 pub fn print() -> Result<(), String> {
     say("| begins from | rms | mean | coherence | four regions, rms |")?;
     for (name, seeding, keep) in WAYS {
-        let options = Choices { seeding, keep: Some(keep), ..Choices::default() };
+        let options = LayerOptions { seeding, keep: Some(keep), ..LayerOptions::default() };
         let mut sums = [0.0; 4];
         for seed in 1..=6 {
             let [rms, mean, coherence] = grown(&[&[25.0 * seed as f64]], options, seed)?;
@@ -36,7 +36,7 @@ pub fn print() -> Result<(), String> {
 }
 
 /// Rms deviation, mean deviation in the first region, and coherence of stripes 8 px wide on 320 × 320 px.
-fn grown(directions: &[&[f64]], options: Choices, seed: u64) -> Result<[f64; 3], String> {
+fn grown(directions: &[&[f64]], options: LayerOptions, seed: u64) -> Result<[f64; 3], String> {
     let side = directions.len() as u32;
     let strokes = lines(directions).into_iter().map(Stroke::Line).collect();
     let layers_of_it = vec![Layer { strokes, options, ..Layer::default() }];

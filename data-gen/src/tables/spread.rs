@@ -1,6 +1,6 @@
 //! How much spots vary against how much was asked.
 
-use dapple::document::{Document, Layer, Options as Choices, SpreadChoice, Stroke, SystemChoice};
+use dapple::document::{Document, Layer, LayerOptions, SpreadChoice, Stroke, SystemChoice};
 use dapple::internals::attributes::Spread;
 use dapple::internals::grid::Edges;
 use dapple::internals::marks::Ellipse;
@@ -93,7 +93,11 @@ fn grown(spots: Spots, spread: Spread, seed: u64) -> Result<(SpotErrors, usize),
     let layer = Layer {
         system: spots.system,
         strokes: vec![ellipse(200.0), ellipse(200.0 + spacing)],
-        options: Choices { spread: SpreadChoice::Given(spread), keep: Some(false), ..Choices::default() },
+        options: LayerOptions {
+            spread: SpreadChoice::Given(spread),
+            keep: Some(false),
+            ..LayerOptions::default()
+        },
         ..Layer::default()
     };
     let side = ((150.0 * 0.75f64.sqrt()).sqrt() * spacing) as u32;

@@ -35,7 +35,7 @@ fn a_layer_of_either_kind_at_its_defaults_goes_with_any_layer_beneath() {
 fn every_rule_can_be_broken() {
     let mut never: Vec<&Rule> = RULES.iter().collect();
     let options = OptionKey::ALL.map(|option| {
-        let mut options = Options {
+        let mut options = LayerOptions {
             spread: SpreadChoice::Given(Spread::ZERO),
             irregular: 0.5,
             duty: 0.3,
@@ -48,7 +48,7 @@ fn every_rule_can_be_broken() {
         }
         options
     });
-    let thin = Options { duty: 0.3, seeding: Seeding::Segments, ..Options::default() };
+    let thin = LayerOptions { duty: 0.3, seeding: Seeding::Segments, ..LayerOptions::default() };
     for marks in [None, Some(Ellipse), Some(Line)] {
         for beneath in [Beneath::Nothing, Beneath::Grows(Line)] {
             for (_, after) in After::NAMES {
@@ -70,7 +70,7 @@ fn every_rule_can_be_broken() {
 #[test]
 fn a_problem_names_the_value_and_what_is_allowed() {
     let with = |options| Combination { options, ..alone(Some(Ellipse)) }.problem("layers[2]").unwrap();
-    let problem = with(Options { duty: 0.3, ..Options::default() });
+    let problem = with(LayerOptions { duty: 0.3, ..LayerOptions::default() });
     assert_eq!([problem.place.as_str(), problem.found.as_str()], ["layers[2].options.duty", "0.3"]);
     assert!(problem.allowed.starts_with("0.5. Only stripes"), "{problem}");
     let ring = Combination { after: After::Around, ..alone(Some(Line)) }.problem("layers[0]").unwrap();
@@ -78,7 +78,7 @@ fn a_problem_names_the_value_and_what_is_allowed() {
     assert!(ring.allowed.starts_with("between. The lowest layer"), "{ring}");
 }
 
-fn any_options() -> impl Strategy<Value = Options> {
+fn any_options() -> impl Strategy<Value = LayerOptions> {
     let given = (0.0..0.6f64, 0.0..45.0f64);
     let given = given.prop_map(|(area, angle)| SpreadChoice::Given(Spread { area, angle, ..Spread::ZERO }));
     let spread = prop_oneof![Just(SpreadChoice::Drawn), given];
@@ -87,7 +87,7 @@ fn any_options() -> impl Strategy<Value = Options> {
     let seeding = prop::sample::select(vec![Seeding::Noise, Seeding::Segments, Seeding::Initiators]);
     let keep = prop::option::of(any::<bool>());
     (spread, duty, share(), share(), keep, seeding).prop_map(
-        |(spread, duty, broken, irregular, keep, seeding)| Options {
+        |(spread, duty, broken, irregular, keep, seeding)| LayerOptions {
             spread,
             duty,
             broken,

@@ -2,7 +2,7 @@
 
 use crate::attributes::regions::RegionMap;
 use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
-use crate::document::{Document, DocumentError, Kind, Options, Problem, SpreadChoice, Stroke};
+use crate::document::{Document, DocumentError, Kind, LayerOptions, Problem, SpreadChoice, Stroke};
 use crate::marks::Mark;
 use crate::sketch::recognise;
 
@@ -60,7 +60,7 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Reg
         SpreadChoice::Given(spread) => map.with_spread(spread),
     };
     let apart = layer.system.is_known(|system| system.is_striped() && system.free_spacing)
-        || layer.options.duty < Options::DUTY;
+        || layer.options.duty < LayerOptions::DUTY;
     Ok(if apart { map.with_duty(layer.options.duty) } else { map })
 }
 

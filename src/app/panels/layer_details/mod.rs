@@ -11,7 +11,7 @@ use super::meets;
 use crate::app::action::Action;
 use crate::app::icons::Icon;
 use crate::document::limits::Range;
-use crate::document::{After, Layer, OptionKey, Options, SystemChoice};
+use crate::document::{After, Layer, LayerOptions, OptionKey, SystemChoice};
 use crate::editor::edit::Edit;
 use crate::editor::layer_choices::{after_refusal, has_option, system_refusal};
 use crate::editor::session::Session;
@@ -75,7 +75,7 @@ fn summary(session: &Session, layer: &Layer) -> String {
         None => "lowest",
         Some(_) => layer.after.name(),
     };
-    let own = if layer.options == Options::default() { "" } else { ", own options" };
+    let own = if layer.options == LayerOptions::default() { "" } else { ", own options" };
     format!("{met}, {}{own}", layer.system.name())
 }
 

@@ -3,7 +3,7 @@
 use egui::{ComboBox, Label, Ui};
 
 use super::{CONTROL, reset, share, spread};
-use crate::document::{Layer, OptionKey, Options, Seeding, limits};
+use crate::document::{Layer, LayerOptions, OptionKey, Seeding, limits};
 use crate::editor::edit::Edit;
 use crate::editor::layer_choices::option_refusal;
 use crate::editor::session::Session;
@@ -60,7 +60,7 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
     }
 }
 
-fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Options) -> egui::Response {
+fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut LayerOptions) -> egui::Response {
     let (name, _) = described(choice);
     match choice {
         OptionKey::Irregular => share(ui, name, &mut options.irregular, &limits::IRREGULAR),

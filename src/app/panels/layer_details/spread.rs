@@ -5,7 +5,7 @@ use egui::{ComboBox, DragValue, RichText, Ui};
 use super::{CONTROL, share};
 use crate::attributes::Spread;
 use crate::document::limits::Range;
-use crate::document::{Options, SpreadChoice, limits};
+use crate::document::{LayerOptions, SpreadChoice, limits};
 
 pub(super) fn choice(ui: &mut Ui, spread: &mut SpreadChoice) -> egui::Response {
     let (drawn, even) = (SpreadChoice::Drawn, SpreadChoice::Given(Spread::ZERO));
@@ -28,7 +28,7 @@ pub(super) fn choice(ui: &mut Ui, spread: &mut SpreadChoice) -> egui::Response {
 }
 
 /// The fields of a given spread.
-pub(super) fn numbers(ui: &mut Ui, options: &mut Options) {
+pub(super) fn numbers(ui: &mut Ui, options: &mut LayerOptions) {
     let SpreadChoice::Given(mut spread) = options.spread else { return };
     let before = spread;
     let rows: [(&str, &str, &mut f64, &Range); 4] = [
