@@ -151,8 +151,8 @@ pub fn hint(ui: &mut Ui) -> Option<Action> {
     ui.add_space(4.0);
     for (number, text) in [
         "Draw a few round or oval spots on the canvas, each with one stroke.",
-        "Watch the texture grow beside it: spots of that size, shape and spacing, all over.",
-        "Draw other spots in another region, and it changes from here to there.",
+        "The texture grows beside it: spots of this size, shape and spacing on the whole canvas.",
+        "Draw other spots in another region: the texture changes gradually between the two.",
     ]
     .iter()
     .enumerate()

@@ -101,7 +101,7 @@ fn empty(ui: &Ui, painter: &Painter, paper: Rect, phase: &Phase) {
 pub fn divider(ui: &mut Ui, room: Rect, share: &mut f32) -> Response {
     let x = room.left() + *share * room.width();
     let bar = Rect::from_center_size(pos2(x, room.center().y), vec2(16.0, room.height()));
-    let response = ui.interact(bar, Id::unique("curtain"), Sense::drag());
+    let response = ui.interact(bar, Id::unique("divider"), Sense::drag());
     response.widget_info(|| WidgetInfo::slider(true, f64::from(*share), "Sketch over texture"));
     if response.dragged() {
         *share = (*share + response.drag_delta().x / room.width()).clamp(0.0, 1.0);

@@ -97,7 +97,7 @@ fn pages() {
 }
 
 #[test]
-fn a_bad_file_is_told_as_a_notice() {
+fn a_bad_file_is_reported_in_a_notice() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("bad.dapple");
     std::fs::write(&file, "{\"format\": \"dapple\"").unwrap();
@@ -113,7 +113,7 @@ fn one_over_the_other_with_tiles() {
     hand.until_settled();
     hand.window.state_mut().hide_times();
     hand.press("One over the other");
-    see(&mut hand, "curtain-light");
+    see(&mut hand, "divider-light");
     hand.press("Side by side");
     hand.press("Two by two");
     see(&mut hand, "tiles-light");

@@ -43,15 +43,13 @@ impl Tool {
         match self {
             Self::Select => {
                 "Click a mark or drag a box around some; Shift adds. Drag to move, the handles resize and turn. \
-                 Alt-drag leaves a copy."
+                 Alt-drag makes a copy."
             }
-            Self::Pen => {
-                "Draw as with a pen: a closed stroke becomes an ellipse, an open one a line, as the pen lifts."
-            }
+            Self::Pen => "Draw with the pointer: a closed stroke becomes an ellipse, an open one a line.",
             Self::Ellipse => {
-                "Drag from corner to corner; Shift makes a circle. A click repeats the last one."
+                "Drag from corner to corner; Shift makes a circle. A click adds one like the last."
             }
-            Self::Line => "Drag from end to end; Shift keeps to steps of 15°.",
+            Self::Line => "Drag from end to end; Shift limits the angle to steps of 15°.",
             Self::Eraser => "Drag over marks to delete them.",
             Self::Hand => "Drag the view. With any tool: drag with the middle button, or hold Space.",
         }

@@ -64,7 +64,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
         ui.end_row();
     });
     ui.add_space(6.0);
-    ui.weak("Base colour, height, normals for OpenGL and Direct X, roughness, occlusion, packed maps, IDs and a glTF plane, named as engines expect.");
+    ui.weak("Base colour, height, normals for OpenGL and Direct X, roughness, occlusion, packed maps, IDs and a glTF plane, with the file names that game engines expect.");
 }
 
 /// The value of a layer: the last one for all further layers.

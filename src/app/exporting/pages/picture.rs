@@ -73,7 +73,7 @@ fn note(choices: &Choices) -> &'static str {
     match (choices.picture.shows, choices.picture.format) {
         (PictureContent::Texture, Format::Exr) => "32 bit per channel, linear light.",
         (PictureContent::Texture, Format::Tiff) => "Not compressed, lossless.",
-        (PictureContent::Texture, Format::Png | Format::Webp) => "Nothing is lost.",
+        (PictureContent::Texture, Format::Png | Format::Webp) => "Compressed, lossless.",
         (PictureContent::Texture, Format::Jpeg) => "A small file; fine edges are blurred.",
         (PictureContent::Pattern, Format::Exr) => "0 = ground, 0.5 = a mark's edge, 1 = its centre; 32 bit.",
         (PictureContent::Pattern, _) => {
