@@ -63,7 +63,7 @@ fn variations_are_seeds_and_a_sheet_of_them_all() {
 }
 
 #[test]
-fn what_goes_into_one_file_is_refused_for_many() {
+fn options_that_write_one_file_are_refused_for_several_documents() {
     let folder = TempDir::new().unwrap();
     let [a, b] = ["a", "b"].map(|name| document(folder.path(), name));
     let there = folder.path().join("a.png");
@@ -113,7 +113,7 @@ fn a_report_and_a_check_are_printed_as_json() {
 }
 
 #[test]
-fn every_command_is_completed_and_has_its_page() {
+fn every_command_has_completions_and_a_manual_page() {
     let folder = TempDir::new().unwrap();
     for shell in ["bash", "zsh", "fish", "powershell"] {
         let run = dapple().args(["completions", shell]).assert().success();

@@ -36,7 +36,7 @@ fn help_names_the_commands() {
 /// With nothing to open a window on.
 #[cfg(all(target_os = "linux", feature = "app"))]
 #[test]
-fn without_a_display_one_line_says_what_works_without() {
+fn without_a_display_one_line_says_which_commands_work() {
     for arguments in [&[][..], &["cheetah.dapple"]] {
         let mut dapple = dapple();
         for variable in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
@@ -50,14 +50,14 @@ fn without_a_display_one_line_says_what_works_without() {
 }
 
 #[test]
-fn an_unknown_command_is_used_wrongly() {
+fn an_unknown_command_is_a_usage_error() {
     used_wrongly(&["gorw"], &["gorw", "grow"]);
     used_wrongly(&["gorw", "a.dapple", "-o", "a.png"], &["gorw", "grow"]);
     used_wrongly(&["check"], &["<FILE>"]);
 }
 
 #[test]
-fn values_out_of_range_are_used_wrongly() {
+fn values_out_of_range_are_usage_errors() {
     let grow = |rest: &[&str], words: &[&str]| {
         used_wrongly(&[&["grow", "a.dapple", "-o", "a.png"], rest].concat(), words);
     };
@@ -72,7 +72,7 @@ fn values_out_of_range_are_used_wrongly() {
 }
 
 #[test]
-fn an_incomplete_question_is_used_wrongly() {
+fn an_incomplete_lookup_is_a_usage_error() {
     used_wrongly(&["lookup"], &["--system"]);
     used_wrongly(&["lookup", "--system", "auto"], &["turing-spots"]);
     used_wrongly(&["lookup", "--system", "turing-spots"], &["--area"]);
@@ -98,7 +98,7 @@ fn benched(arguments: &[&str]) -> Value {
 }
 
 #[test]
-fn bench_tells_machines_the_rates_of_each_case_and_size() {
+fn bench_json_has_the_rates_of_each_case_and_size() {
     let told = benched(&["--size", "64,48", "--threads", "2", "--only", "aspect-0.5"]);
     assert!(told["machine"]["processor"].is_string() && told["machine"]["cores"].is_u64(), "{told}");
     let instructions = told["machine"]["instructions"].as_str().unwrap();
@@ -119,7 +119,7 @@ fn bench_tells_machines_the_rates_of_each_case_and_size() {
 }
 
 #[test]
-fn bench_times_documents_to_their_pictures() {
+fn bench_times_documents_until_their_pictures_are_written() {
     let told = benched(&["--only", "picture/ladybird"]);
     let [picture] = &told["pictures"].as_array().unwrap()[..] else { panic!("{told}") };
     assert_eq!((&picture["document"], &picture["size"]), (&json!("ladybird"), &json!([512, 512])));
@@ -128,7 +128,7 @@ fn bench_times_documents_to_their_pictures() {
 }
 
 #[test]
-fn bench_for_people_is_a_table() {
+fn bench_without_json_prints_a_table() {
     let arguments = ["bench", "--quick", "--size", "32", "--only", "turing-spots/isotropic"];
     let output = dapple().args(arguments).assert().success().get_output().clone();
     let table = String::from_utf8(output.stdout).unwrap();
@@ -138,7 +138,7 @@ fn bench_for_people_is_a_table() {
 }
 
 #[test]
-fn a_bench_of_nothing_is_used_wrongly() {
+fn a_bench_without_cases_is_a_usage_error() {
     used_wrongly(&["bench", "--size", "0"], &["--size", "16 to 4096"]);
     used_wrongly(&["bench", "--size", "64,100000"], &["--size", "100000", "16 to 4096"]);
     used_wrongly(&["bench", "--size", "64x64"], &["--size", "64x64", "16 to 4096"]);
@@ -147,7 +147,7 @@ fn a_bench_of_nothing_is_used_wrongly() {
 }
 
 #[test]
-fn a_reader_that_goes_away_is_no_error() {
+fn a_closed_pipe_is_no_error() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.dapple");
     std::fs::write(&path, DOCUMENT).unwrap();

@@ -63,7 +63,7 @@ fn each_figure_has_a_document_and_each_document_a_figure() {
 }
 
 #[test]
-fn each_says_what_it_is_and_where_it_is_from() {
+fn each_figure_has_a_description_and_a_source() {
     for (file, _, document) in gallery() {
         let source = if file.starts_with("turk") { "(Turk 1991, fig. " } else { "(Phan & Grimm 2006, fig. " };
         let (what, figure) = document.name.split_once(source).expect("a source in its name");
@@ -80,7 +80,7 @@ fn each_says_what_it_is_and_where_it_is_from() {
 }
 
 #[test]
-fn each_is_written_as_the_program_writes_it() {
+fn each_document_is_formatted_as_the_program_writes_it() {
     for (file, path, document) in gallery() {
         let text = fs::read_to_string(path).expect("readable");
         assert!(text == document.to_json(), "{file} is not what Document::to_json gives");
@@ -98,7 +98,7 @@ fn each_layer_is_drawn_with_a_handful_of_marks_a_region() {
 }
 
 #[test]
-fn the_ways_to_meet_the_marks_beneath_are_shown() {
+fn every_relation_to_the_layers_beneath_is_shown() {
     let gallery = gallery();
     for (name, after) in After::NAMES {
         let shown = |(_, _, document): &(String, PathBuf, Document)| {

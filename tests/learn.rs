@@ -25,7 +25,7 @@ fn distinct(table: &[Vec<String>], column: usize) -> BTreeSet<&str> {
 }
 
 #[test]
-fn errors_in_parameters_are_told_of_every_system_and_method_and_fall_with_more_rows() {
+fn errors_in_parameters_are_listed_for_every_system_and_method_and_fall_with_more_rows() {
     let folder = tempfile::tempdir().unwrap();
     let output = learn(&["--no-simulation", "-o", "table.csv"], folder.path());
     assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));
@@ -72,7 +72,7 @@ fn errors_in_parameters_are_told_of_every_system_and_method_and_fall_with_more_r
 }
 
 #[test]
-fn what_grows_anew_is_held_to_the_bounds() {
+fn new_growths_are_compared_with_the_bounds() {
     let folder = tempfile::tempdir().unwrap();
     let arguments = ["--targets", "1", "--system", "turing-spots", "--seed", "3", "-o", "table.csv"];
     let output = learn(&arguments, folder.path());
@@ -120,7 +120,7 @@ fn json_has_the_numbers_of_the_table() {
 }
 
 #[test]
-fn a_folder_without_sets_is_told() {
+fn a_folder_without_sets_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     let output = learn(&["--no-simulation", "--training", "."], folder.path());
     assert_eq!(output.status.code(), Some(1));

@@ -170,7 +170,7 @@ fn the_last_frame_is_the_settled_texture_and_the_first_is_not() {
 }
 
 #[test]
-fn frames_are_about_as_far_apart_as_they_look() {
+fn frames_are_spaced_by_visible_change() {
     let folder = TempDir::new().unwrap();
     let (file, clip) = (document(&folder, "stripes", LINE), folder.path().join("clip"));
     film(&file, &clip, &SHORT).success();
@@ -199,7 +199,7 @@ fn the_same_document_gives_the_same_bytes_by_any_number_of_threads() {
 }
 
 #[test]
-fn a_gif_says_how_long_each_frame_is_seen_and_whether_it_begins_again() {
+fn a_gif_stores_the_duration_of_each_frame_and_whether_it_repeats() {
     let folder = TempDir::new().unwrap();
     let (file, clip) = (document(&folder, "spots", SPOT), folder.path().join("clip.gif"));
     film(&file, &clip, &[&SHORT[..], &["--hold", "2"]].concat()).success();
@@ -212,7 +212,7 @@ fn a_gif_says_how_long_each_frame_is_seen_and_whether_it_begins_again() {
 }
 
 #[test]
-fn an_animated_png_says_the_same_and_shows_its_first_frame_anywhere() {
+fn an_animated_png_stores_the_same_and_shows_its_first_frame_in_any_viewer() {
     let folder = TempDir::new().unwrap();
     let (file, clip, still) =
         (document(&folder, "spots", SPOT), folder.path().join("clip.png"), folder.path().join("clip"));
@@ -233,7 +233,7 @@ fn an_animated_png_says_the_same_and_shows_its_first_frame_anywhere() {
 }
 
 #[test]
-fn a_reader_sees_the_frames_of_an_animated_png_px_for_px() {
+fn a_reader_decodes_the_frames_of_an_animated_png_px_for_px() {
     let folder = TempDir::new().unwrap();
     let (file, clip, still) =
         (document(&folder, "spots", SPOT), folder.path().join("clip.png"), folder.path().join("clip"));
@@ -246,7 +246,7 @@ fn a_reader_sees_the_frames_of_an_animated_png_px_for_px() {
 }
 
 #[test]
-fn a_reader_sees_the_frames_of_a_gif_as_near_as_255_colours_come() {
+fn a_reader_decodes_the_frames_of_a_gif_as_exactly_as_255_colours_allow() {
     let folder = TempDir::new().unwrap();
     let (file, clip, still) =
         (document(&folder, "spots", SPOT), folder.path().join("clip.gif"), folder.path().join("clip"));
@@ -276,7 +276,7 @@ fn a_reader_sees_the_frames_of_a_gif_as_near_as_255_colours_come() {
 
 #[cfg(unix)]
 #[test]
-fn an_interrupted_film_says_so_and_leaves_nothing_behind() {
+fn an_interrupted_film_is_reported_and_leaves_nothing_behind() {
     for name in ["clip.gif", "clip.png", "clip"] {
         let folder = TempDir::new().unwrap();
         let file = document(&folder, "spots", SPOT);
@@ -312,7 +312,7 @@ fn an_interrupted_film_says_so_and_leaves_nothing_behind() {
 }
 
 #[test]
-fn one_document_becomes_another_without_a_cut() {
+fn a_morph_between_two_documents_is_smooth() {
     let folder = TempDir::new().unwrap();
     let a = document(&folder, "a", SPOT);
     let b = document(&folder, "b", &SPOT.replace("[7, 4]", "[4, 4]"));
@@ -326,7 +326,7 @@ fn one_document_becomes_another_without_a_cut() {
 }
 
 #[test]
-fn what_cannot_be_filmed_is_refused_with_the_remedy_and_leaves_nothing() {
+fn an_impossible_film_is_refused_with_the_remedy_and_leaves_nothing() {
     let folder = TempDir::new().unwrap();
     let (spots, stripes) = (document(&folder, "spots", SPOT), document(&folder, "stripes", LINE));
     let full = folder.path().join("full");

@@ -24,7 +24,7 @@ fn document(radius: f64, pitch: f64) -> Value {
 }
 
 #[test]
-fn what_cannot_be_reached_is_said_by_check_lookup_and_grow() {
+fn check_lookup_and_grow_report_what_cannot_be_reached() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("dense.dapple"), document(10.0, 22.0).to_string()).unwrap();
     let checked = text(&dapple(&["check", "dense.dapple"], folder.path()).stdout);
@@ -63,7 +63,7 @@ fn what_cannot_be_reached_is_said_by_check_lookup_and_grow() {
 }
 
 #[test]
-fn lengths_that_cannot_be_reached_are_told_in_px() {
+fn lengths_that_cannot_be_reached_are_reported_in_px() {
     let folder = tempfile::tempdir().unwrap();
     let question = |area: &str| {
         let arguments =

@@ -82,7 +82,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 150, ..ProptestConfig::default() })]
 
     #[test]
-    fn a_soft_ellipse_is_measured_back(
+    fn a_soft_ellipse_is_measured_as_it_was_drawn(
         area in 40.0..1500.0, aspect in 0.3..1.0, angle in 0.0..180.0, x in 50.0..60.0, y in 50.0..60.0,
     ) {
         let ellipse = Ellipse::from_area([x, y], area, aspect, angle);
@@ -95,7 +95,7 @@ proptest! {
     }
 
     #[test]
-    fn a_firm_ellipse_is_measured_back(
+    fn a_firm_ellipse_is_measured_as_it_was_drawn(
         area in 100.0..1500.0, aspect in 0.3..1.0, angle in 0.0..180.0, x in 50.0..60.0, y in 50.0..60.0,
     ) {
         let ellipse = Ellipse::from_area([x, y], area, aspect, angle);
@@ -108,7 +108,7 @@ proptest! {
 
     /// A printed edge is one pixel wide and blurs sharp tips: about 0.6 px² are missing whatever the size.
     #[test]
-    fn a_hard_ellipse_is_measured_back(
+    fn a_hard_ellipse_is_measured_as_it_was_drawn(
         area in 100.0..1500.0, aspect in 0.3..1.0, angle in 0.0..180.0, x in 50.0..60.0, y in 50.0..60.0,
     ) {
         let ellipse = Ellipse::from_area([x, y], area, aspect, angle);
@@ -122,7 +122,7 @@ proptest! {
     }
 
     #[test]
-    fn on_a_tile_an_ellipse_is_one_wherever_it_lies(
+    fn on_a_tile_an_ellipse_is_one_spot_at_any_place(
         area in 60.0..400.0, aspect in 0.4..0.9, angle in 0.0..180.0, x in 0.0..64.0, y in 0.0..48.0,
     ) {
         let ellipse = Ellipse::from_area([x, y], area, aspect, angle);
@@ -142,7 +142,7 @@ proptest! {
     }
 
     #[test]
-    fn stripes_are_measured_back(m in -9..=9_i32, n in 0..=9_i32, share in 0.3..0.6_f64, hard: bool) {
+    fn stripes_are_measured_as_they_were_drawn(m in -9..=9_i32, n in 0..=9_i32, share in 0.3..0.6_f64, hard: bool) {
         // m and n stripes fit across and down the tile, so that no frame cuts one lengthwise.
         prop_assume!((m, n) != (0, 0));
         let [k, l] = [f64::from(m) / 180.0, f64::from(n) / 160.0];
@@ -164,7 +164,7 @@ proptest! {
 }
 
 #[test]
-fn a_cut_ellipse_is_not_whole_and_has_what_can_be_seen() {
+fn a_cut_ellipse_is_not_whole_and_has_its_visible_area() {
     let ellipse = Ellipse { center: [40.0, 0.0], radii: [12.0, 8.0], angle: 0.0 };
     let field = draw([80, 60], Edges::Closed, Profile::Firm, &[ellipse]);
     let spots = measure::spots(&field, 0.5);
@@ -318,7 +318,7 @@ fn rings_follow_their_tangents() {
 }
 
 #[test]
-fn a_picture_is_told_to_be_spots_or_stripes() {
+fn a_picture_is_classified_as_spots_or_stripes() {
     let spots = draw([240, 249], Edges::Closed, Profile::Hard, &graded());
     assert!(matches!(measure::picture(&spots, 0.5), Some(Picture::Spots { .. })));
     for (width, angle) in [(4.0, 0.0), (6.0, 45.0), (20.0, 100.0)] {
@@ -332,7 +332,7 @@ fn a_picture_is_told_to_be_spots_or_stripes() {
 }
 
 #[test]
-fn what_is_no_texture_is_told_why() {
+fn a_field_without_a_texture_is_refused_with_a_reason() {
     let judge = |field: &Field| measure::check_spot_texture(field, &measure::census(field, 0.5), [0.0, 1.0]);
     let with = |ellipses: &[Ellipse]| draw([240, 249], Edges::Wrap, Profile::Firm, ellipses);
     let even: Vec<Ellipse> =

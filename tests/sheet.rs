@@ -59,7 +59,7 @@ fn each_document_has_its_picture_and_its_name() {
 }
 
 #[test]
-fn a_document_that_cannot_be_grown_leaves_its_place_empty() {
+fn the_place_of_a_document_that_cannot_be_grown_stays_empty() {
     let folder = TempDir::new().unwrap();
     let good = document(&folder, "good", [64, 64]);
     let broken = folder.path().join("broken.dapple");
@@ -119,7 +119,7 @@ fn the_number_of_threads_changes_no_byte() {
 }
 
 #[test]
-fn what_cannot_be_is_refused_before_anything_grows() {
+fn impossible_options_are_refused_before_anything_grows() {
     let folder = TempDir::new().unwrap();
     let file = document(&folder, "spots", [64, 64]);
     let output = folder.path().join("sheet.png");

@@ -57,7 +57,7 @@ fn spots_read_at_too_low_a_level_touch() {
 }
 
 #[test]
-fn stripes_are_no_spots_and_spots_no_stripes() {
+fn stripes_are_not_accepted_as_spots_nor_spots_as_stripes() {
     let stripes = patch(System::MEINHARDT_STRIPES, STRIPES);
     let (marks, settled) = stripes.grow(&Watch::NONE).unwrap();
     let spots = patch(System::MEINHARDT_SPOTS, SPOTS);
@@ -67,7 +67,7 @@ fn stripes_are_no_spots_and_spots_no_stripes() {
 }
 
 #[test]
-fn spots_just_too_dense_grow_into_one_another() {
+fn spots_that_are_slightly_too_dense_merge() {
     rejected(patch(System::MEINHARDT_SPOTS, Parameters { ratio: Some(8.0), ..SPOTS }), "touching");
 }
 
@@ -80,7 +80,7 @@ fn stripes_that_lost_their_direction_are_a_labyrinth() {
 }
 
 #[test]
-fn a_patch_too_small_for_what_was_ordered_holds_too_few() {
+fn a_patch_that_is_too_small_holds_too_few_marks() {
     let spots = Patch { extent: 12.0, ..patch(System::MEINHARDT_SPOTS, SPOTS) };
     let reason = rejected(spots, "too-few");
     assert_eq!(reason, Reason::TooFew { marks: 12, least: 20 });
@@ -110,7 +110,7 @@ fn spots_under_rates_that_vary_are_too_irregular() {
 }
 
 #[test]
-fn what_runs_away_has_left_its_range() {
+fn diverged_concentrations_are_reported() {
     // Spots of half a cell: in a cell without b nothing takes a away.
     let turing = Parameters { rate: 10.0, ratio: Some(3.8), level: Some(0.35), ..SPOTS };
     rejected(patch(System::TURING_SPOTS, turing), "left-range");
@@ -123,7 +123,7 @@ fn what_runs_away_has_left_its_range() {
 }
 
 #[test]
-fn what_was_stopped_early_is_unsettled() {
+fn a_growth_stopped_early_is_unsettled() {
     let spots = patch(System::MEINHARDT_SPOTS, SPOTS);
     let side = spots.side();
     let told = rd::Parameters { rate: 4.0, ratio: 12.0, stretch: 1.0, direction: 30.0, pitch: 1.0 };

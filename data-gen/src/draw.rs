@@ -108,7 +108,7 @@ mod tests {
     use crate::plan::Plan;
 
     #[test]
-    fn points_leave_no_holes() {
+    fn points_fill_the_range_evenly() {
         for dimensions in 1..=4 {
             let points: Vec<Vec<f64>> = (0..1_000).map(|i| point(i, dimensions, 7)).collect();
             for axis in 0..dimensions {

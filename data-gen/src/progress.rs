@@ -106,7 +106,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_became_of_a_set_is_told_with_the_reasons() {
+    fn the_summary_of_a_set_lists_the_reasons_of_rejected_runs() {
         let mut tally = Tally::default();
         assert_eq!(tally.to_string(), "0 accepted, 0 rejected");
         for verdict in [ACCEPTED, "too-small", "touching", ACCEPTED, "touching", ACCEPTED] {

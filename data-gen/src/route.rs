@@ -259,7 +259,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_numbers_for_machines_are_those_of_the_table() {
+    fn the_json_has_the_numbers_of_the_table() {
         let pair = |area: f64, turn: Option<f64>| Pair {
             differences: [Some(0.0), Some(area), None, Some(0.5), turn],
             steps: [1_000, 120],

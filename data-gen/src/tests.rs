@@ -76,7 +76,7 @@ fn a_sweep_writes_rows_rejected_runs_and_a_manifest_of_each_set_and_no_journal()
 }
 
 #[test]
-fn a_manifest_tells_columns_units_ranges_plan_counts_and_the_command() {
+fn a_manifest_lists_columns_units_ranges_plan_counts_and_the_command() {
     let files = plain();
     let manifest: Value = serde_json::from_str(&files["meinhardt-spots-mine.json"]).unwrap();
     assert_eq!(manifest["set"], "meinhardt-spots-mine");
@@ -121,7 +121,7 @@ fn the_manifest_of_a_built_in_set_names_the_command_that_makes_it() {
 }
 
 #[test]
-fn a_sweep_that_was_cut_short_goes_on_and_runs_nothing_twice() {
+fn an_interrupted_sweep_continues_and_repeats_no_run() {
     let whole_files = plain();
     let folder = folder();
     let journal = folder.path().join("sweep.journal");
@@ -171,7 +171,7 @@ fn the_files_are_the_same_for_any_number_of_threads_and_parts_in_any_order() {
 }
 
 #[test]
-fn what_is_missing_or_double_is_not_merged() {
+fn missing_or_duplicate_parts_are_not_merged() {
     let [one, two, output] = [folder(), folder(), folder()];
     let path = |folder: &TempDir| folder.path().to_owned();
     let refused = |folders: &[PathBuf], words: &[&str]| {
@@ -246,7 +246,7 @@ fn wrong(change: impl Fn(&mut Value), words: &[&str]) {
 const FIRST: &str = "set 'meinhardt-spots-mine', ";
 
 #[test]
-fn a_wrong_range_is_told_by_set_key_value_and_what_is_allowed() {
+fn an_invalid_range_is_reported_with_set_key_value_and_the_allowed_range() {
     let area = |key: &'static str, value: Value| {
         move |plan: &mut Value| plan["sets"][0]["sweep"]["area"][key] = value.clone()
     };
@@ -275,7 +275,7 @@ fn a_wrong_range_is_told_by_set_key_value_and_what_is_allowed() {
 }
 
 #[test]
-fn a_wrong_set_is_told_by_name_key_value_and_what_is_allowed() {
+fn an_invalid_set_is_reported_with_name_key_value_and_the_allowed_values() {
     let set = |key: &'static str, value: Value| move |plan: &mut Value| plan["sets"][0][key] = value.clone();
     wrong(set("runs", json!("many")), &[FIRST, "runs", "many"]);
     wrong(set("runs", json!(0)), &[FIRST, "runs: 0 is not from 1 to 1000000"]);
@@ -339,7 +339,7 @@ fn the_built_in_plan_has_the_seven_sets_and_as_many_runs_as_the_paper() {
 }
 
 #[test]
-fn the_sets_the_columns_and_the_reasons_stand_in_the_readme_beside_the_files() {
+fn the_readme_beside_the_files_lists_sets_columns_and_reasons() {
     let readme = include_str!("../../training/README.md");
     let plan = Plan::built_in().unwrap();
     let columns = plan.sets.iter().flat_map(|set| set.system.description().all_columns());
@@ -351,7 +351,7 @@ fn the_sets_the_columns_and_the_reasons_stand_in_the_readme_beside_the_files() {
 
 /// Found by fuzzing: what a plan or a journal holds was quoted as it is.
 #[test]
-fn what_is_quoted_of_a_plan_does_nothing_to_a_terminal_and_is_cut() {
+fn quoted_text_of_a_plan_is_escaped_and_shortened() {
     let long = "x".repeat(100_000);
     let escaped = "\u{7f}".repeat(100_000);
     for name in ["\u{1b}[2J", "turing-spots-\u{7f}", long.as_str(), escaped.as_str()] {

@@ -36,7 +36,7 @@ fn edit_plan(folder: &Path, runs: u64) {
 }
 
 #[test]
-fn a_plan_of_ones_own_is_printed_edited_swept_and_learnt_from() {
+fn a_changed_plan_is_swept_and_learnt_from() {
     let folder = tempfile::tempdir().unwrap();
     edit_plan(folder.path(), 40);
     let told =
@@ -50,7 +50,7 @@ fn a_plan_of_ones_own_is_printed_edited_swept_and_learnt_from() {
 }
 
 #[test]
-fn a_sweep_that_is_killed_goes_on_to_the_same_bytes() {
+fn a_killed_sweep_continues_to_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
     edit_plan(folder.path(), 60);
     data_gen(folder.path(), "sweep --plan my.json -o whole").assert().success();
@@ -102,7 +102,7 @@ fn parts_are_merged_to_the_bytes_of_the_whole() {
 }
 
 #[test]
-fn what_is_wrong_is_told_in_a_line_with_its_remedy() {
+fn errors_are_one_line_with_a_remedy() {
     let folder = tempfile::tempdir().unwrap();
     edit_plan(folder.path(), 5);
     let refuses = |arguments: &str, code: i32, words: &[&str]| {

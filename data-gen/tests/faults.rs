@@ -59,7 +59,7 @@ fn told(command: &mut Command) -> (Option<i32>, String) {
 }
 
 #[test]
-fn a_sweep_that_is_killed_again_and_again_comes_to_the_same_bytes() {
+fn a_sweep_that_is_killed_repeatedly_gives_the_same_bytes() {
     let (kills, seed) = (number("DAPPLE_KILLS", 4), number("DAPPLE_SEED", 1));
     let bench = bench();
     let began = Instant::now();
@@ -113,7 +113,7 @@ fn a_sweep_that_is_killed_again_and_again_comes_to_the_same_bytes() {
 }
 
 #[test]
-fn output_that_nobody_reads_or_that_is_full_is_no_panic() {
+fn a_closed_or_full_output_does_not_panic() {
     let bench = bench();
     for arguments in ["plan", "sweep --plan my.json -o a", "merge a -o b"] {
         let (reader, writer) = std::io::pipe().unwrap();
@@ -148,7 +148,7 @@ fn mounted(folder: &Path) -> bool {
 }
 
 #[test]
-fn a_sweep_on_a_full_disk_is_told_and_goes_on_when_there_is_room() {
+fn a_sweep_on_a_full_disk_is_reported_and_continues_once_there_is_room() {
     let bench = bench();
     let out = bench.path().join("out");
     if !mounted(&out) {

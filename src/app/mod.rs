@@ -119,7 +119,7 @@ mod tests {
     use super::reason;
 
     #[test]
-    fn what_the_window_system_says_is_told_without_its_source() {
+    fn messages_of_the_window_system_are_shown_without_their_source() {
         let said = "winit EventLoopError: os error at /home/a/winit/linux/mod.rs:788: Failed to open connection to X server";
         assert_eq!(reason(said), "Failed to open connection to X server");
         assert_eq!(reason("no OpenGL: 3.2 is needed"), "no OpenGL: 3.2 is needed");

@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn a_palette_of_gimp_is_read() {
+    fn a_gimp_palette_is_read() {
         let text = "GIMP Palette\r\nName: Earth tones\r\nColumns: 4\r\n# a remark\r\n\r\n244 227 193\tcream\r\n \
                     59  35  20 dark brown\r\n  0   0   0\r\n";
         let palette = Palette::parse(text).unwrap();
@@ -172,7 +172,7 @@ mod tests {
         }
 
         #[test]
-        fn no_text_makes_it_stumble(text in "(GIMP Palette\n)?\\PC{0,80}") {
+        fn no_text_makes_it_panic(text in "(GIMP Palette\n)?\\PC{0,80}") {
             let _ = Palette::parse(&text);
         }
     }

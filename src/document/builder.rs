@@ -168,7 +168,7 @@ mod tests {
     use crate::rd::System;
 
     #[test]
-    fn a_document_made_in_code_is_read_as_it_was_written() {
+    fn a_built_document_is_read_back_equal() {
         let spots = Layer::new([Ellipse { center: [30.0, 30.0], radii: [8.0, 5.0], angle: 20.0 }]);
         let rings = Layer::new([Stroke::line([20.0, 20.0], [60.0, 25.0], 4.0)])
             .with_name("rings")
@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_file_may_not_hold_is_found() {
+    fn the_builder_refuses_what_a_file_may_not_hold() {
         assert!(Document::new([64, 64]).check("x").unwrap_err().to_string().contains("layers"));
         let outside = Layer::new([Stroke::ellipse([100.0, 10.0], [4.0, 4.0], 0.0)]);
         let error = Document::new([64, 64]).with_layer(outside).check("x").unwrap_err().to_string();

@@ -123,7 +123,7 @@ mod tests {
 
     /// Found by fuzzing: the text in the picture was quoted unescaped.
     #[test]
-    fn what_is_quoted_of_a_picture_s_size_does_nothing_to_a_terminal() {
+    fn a_quoted_size_of_a_picture_is_escaped() {
         let document = r#"{"format": "dapple", "version": 1, "size": [64, 64], "layers": [{"strokes": [
             {"kind": "ellipse", "center": [32, 32], "radii": [6, 6]}]}]}"#;
         let texts = [(DOCUMENT, document.to_owned()), (GROWN, "{\u{1b}[2J\r\n".to_owned())];

@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_quoted_cannot_act_on_a_terminal() {
+    fn quoted_text_is_escaped() {
         let shown = quoted(&Value::from("a\u{1b}[31m\u{9b}\u{202e}b"));
         assert_eq!(shown, "\"a\\u001b[31m\\u{9b}\\u{202e}b\"");
         assert!(quoted(&Value::from("x".repeat(10_000))).chars().count() <= 61);

@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn the_ending_says_which_kind_of_file_it_is() {
+    fn the_file_ending_gives_the_kind_of_palette() {
         let folder = tempfile::tempdir().unwrap();
         let palette = Palette { name: "coat".to_owned(), colours: Colours::default_for_layer(0) };
         for name in ["a.json", "a.gpl", "A.GPL"] {
@@ -260,7 +260,7 @@ mod tests {
         }
 
         #[test]
-        fn gpl_keeps_colours_and_places(colours in any_colours()) {
+        fn gpl_keeps_colours_and_positions(colours in any_colours()) {
             let palette = Palette { name: "x y".to_owned(), colours };
             let read = Palette::parse_gpl(&palette.to_gpl(), "a.gpl").unwrap();
             prop_assert_eq!(read.name, palette.name);

@@ -99,7 +99,7 @@ mod tests {
     use crate::document::Document;
 
     #[test]
-    fn what_is_not_possible_changes_nothing() {
+    fn impossible_actions_change_nothing() {
         let mut session = Session::open(Document::default(), None);
         for (_, action) in LayerAction::MENU.into_iter().filter(|(_, action)| *action != LayerAction::Add) {
             assert!(!session.allows(action), "{action:?}");

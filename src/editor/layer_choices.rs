@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn the_lowest_layer_meets_nothing_and_is_told_so() {
+    fn the_lowest_layer_offers_no_relation_and_says_why() {
         let mut session = Session::open(Document::default(), None);
         session.edit(|document| {
             document.layers.push(Layer { strokes: vec![line()], ..Layer::default() });

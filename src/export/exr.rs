@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_written_is_an_error() {
+    fn unsupported_channels_are_an_error() {
         let refused = |size, names: &[&str], fill: fn() -> Result<(), Stopped>| {
             let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
             write(std::io::Cursor::new(Vec::new()), size, &names, None, |_, _| fill())

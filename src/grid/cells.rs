@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn places_and_cells_answer_each_other() {
+    fn a_cell_s_centre_lies_in_that_cell() {
         let grid = Grid { size: [5, 4], cell: [2.0, 3.0], edges: Edges::Closed };
         for cell in 0..grid.cells() {
             assert_eq!(grid.cell_at(grid.center(cell)), cell);
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn cells_near_a_place_are_those_that_asking_all_finds() {
+    fn cells_near_a_place_equal_those_of_a_full_search() {
         for edges in [Edges::Closed, Edges::Wrap] {
             let grid = Grid::unit([7, 5], edges);
             for (place, reach) in

@@ -118,12 +118,12 @@ mod tests {
     }
 
     #[test]
-    fn nothing_covered_is_nowhere_near() {
+    fn the_distance_without_covered_cells_is_infinite() {
         assert_eq!(nearest(&[false; 6], &Grid::unit([3, 2], Edges::Wrap)), None);
     }
 
     #[test]
-    fn across_the_border_of_a_tile_it_is_nearer() {
+    fn the_distance_is_measured_across_the_border_of_a_tile() {
         let covered = [true, false, false, false, false];
         let closed = nearest(&covered, &Grid::unit([5, 1], Edges::Closed)).unwrap();
         assert_eq!(closed.iter().map(|offset| offset[0]).collect::<Vec<_>>(), [0, -1, -2, -3, -4]);
@@ -133,7 +133,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn it_is_the_nearest_of_all(seed: u32, wrap: bool, nx in 1..14_usize, ny in 1..11_usize, long in 0.9..1.1) {
+        fn the_distance_is_that_to_the_nearest_covered_cell(seed: u32, wrap: bool, nx in 1..14_usize, ny in 1..11_usize, long in 0.9..1.1) {
             let edges = if wrap { Edges::Wrap } else { Edges::Closed };
             let mut state = seed;
             let covered: Vec<bool> = (0..nx * ny).map(|_| {

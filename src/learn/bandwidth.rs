@@ -96,18 +96,18 @@ mod tests {
     }
 
     #[test]
-    fn noisy_rows_of_a_plane_ask_for_more_neighbours() {
+    fn noisy_rows_of_a_plane_need_more_neighbours() {
         assert_eq!(chosen_by(|[x, y, z]| x + 2.0 * y - z, 0.5), (14, true));
     }
 
     #[test]
-    fn exact_rows_of_a_curved_map_ask_for_few() {
+    fn exact_rows_of_a_curved_map_need_few_neighbours() {
         let curved = |[x, y, z]: &[f64; 3]| libm::sin(6.0 * x) * libm::cos(5.0 * y) + z * z;
         assert_eq!(chosen_by(curved, 0.0), (8, false));
     }
 
     #[test]
-    fn a_choice_never_asks_for_more_samples_than_there_are() {
+    fn the_chosen_number_of_neighbours_is_at_most_the_number_of_samples() {
         for n in [1, 2, 7, 30] {
             let rows: Vec<Sample> = rows(|[x, ..]| *x, 0.1).into_iter().take(n).collect();
             assert!(Local::new(rows, AS_IT_IS).neighbours() < n.max(1));

@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn a_limit_is_named_with_its_numbers() {
+    fn a_note_names_the_limit_with_its_numbers() {
         let mut judgement = Judgement::new();
         judgement.clamp(&AREA, libm::log(0.5));
         judgement.clamp(&AREA, libm::log(20.0));

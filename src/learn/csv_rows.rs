@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn columns_may_stand_in_any_order() {
+    fn columns_may_be_in_any_order() {
         let text =
             "direction,seed,stretch,rate,coherence,angle,width,wavelengths\n10,7,0.5,0.4,0.9,-11,8,12\n";
         let row = read_rows(&STRIPES, "s.csv", text.as_bytes()).unwrap()[0];
@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_that_is_wrong_is_named_with_its_place() {
+    fn an_invalid_value_is_reported_with_its_place() {
         let with = |row: &str| message(&format!("{HEADER}\n\n\n{row}\n"));
         assert_eq!(
             with("2,9,-8,10,0.9,0.4,0.5,10"),
@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn a_column_that_is_wrong_is_named() {
+    fn an_invalid_column_is_reported() {
         assert!(message("").contains("the column 'seed' is missing"));
         assert!(message(&HEADER.replace("width", "widht")).contains("the column 'widht' is unknown"));
         assert!(message(&HEADER.replace(",stretch", "")).contains("the column 'stretch' is missing"));
@@ -287,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_written_short() {
+    fn numbers_are_written_in_their_shortest_form() {
         let seen = [0.1 + 0.2, 1.0, -0.0, 123_456.7, 0.000_012_345_678, 1e-9].map(six_digits);
         assert_eq!(seen, ["0.3", "1", "0", "123457", "0.0000123457", "0.000000001"]);
     }

@@ -126,7 +126,7 @@ mod tests {
     use crate::attributes::Spots;
 
     #[test]
-    fn errors_are_told_in_the_units_of_what_is_wrong() {
+    fn errors_have_the_unit_of_their_quantity() {
         let told =
             Parameters { rate: 2.0, ratio: Some(10.0), stretch: 0.5, direction: 178.0, level: Some(0.5) };
         let got = Parameters { rate: 1.9, ratio: Some(11.0), stretch: 0.6, direction: 3.0, level: Some(0.4) };
@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_are_summed_up_by_their_middle_and_their_tail() {
+    fn errors_are_summarised_by_median_and_95th_percentile() {
         let errors = (0..=100).map(|i| difference("level", f64::from(100 - i), 0.0));
         let expected = Errors { quantity: "level", unit: "", count: 101, median: 50.0, p95: 95.0 };
         assert_eq!(summaries(errors), [expected]);

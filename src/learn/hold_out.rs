@@ -41,7 +41,7 @@ mod tests {
     use crate::learn::laws::{MEASURED, turing};
 
     #[test]
-    fn no_row_is_learnt_from_and_asked_for() {
+    fn no_row_is_both_learnt_from_and_held_out() {
         let rows = turing(503, MEASURED);
         let folds = folds(&rows, &[30, 100, 300, 1_000], 40);
         assert_eq!(folds.iter().map(|fold| fold.rows.len()).collect::<Vec<_>>(), [30, 100, 300, 463]);

@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn beyond_the_rows_it_is_the_nearest_row() {
+    fn beyond_the_rows_the_nearest_row_is_the_answer() {
         let local = local(|x| x[0] * x[1]);
         for q in [[2.0, 0.5, 0.5], [-0.1, -0.1, -0.1], [0.001, 0.999, 1.2]] {
             let q = SmallVector::new(q);
@@ -205,14 +205,14 @@ mod tests {
     }
 
     #[test]
-    fn a_row_itself_is_given_back() {
+    fn a_question_at_a_row_gets_that_row() {
         let local = local(|x| libm::sin(9.0 * x[0]) + x[1]);
         let row = local.rows()[77];
         assert!((linear(&local, &row.at).unwrap().gives[0] - row.gives[0]).abs() < 1e-9);
     }
 
     #[test]
-    fn angles_are_interpolated_round_a_cylinder() {
+    fn angles_are_interpolated_on_a_cylinder() {
         let around =
             |i: usize, angle: f64| SmallVector::new([0.1 * i as f64, libm::cos(angle), libm::sin(angle)]);
         let rows = (0..200).map(|i| Sample {
@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_square_the_triangle_that_q_lies_in_is_taken() {
+    fn the_triangle_of_a_square_that_contains_the_question_is_used() {
         let corner = |x: f64, y: f64| [x, y, 0.0, 0.0, 0.0];
         // A kite whose short diagonal is the Delaunay edge.
         let kite = [corner(0.0, 0.0), corner(2.0, 1.0), corner(4.0, 0.0), corner(2.0, -1.0)];
@@ -252,7 +252,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn weights_are_a_mean_of_delaunay_neighbours_that_is_the_question(
+        fn the_weighted_mean_of_delaunay_neighbours_is_the_question(
             dims in 2..=MOST,
             numbers in proptest::collection::vec(0.0..1.0_f64, 40 * MOST),
             q in proptest::collection::vec(0.25..0.75_f64, MOST),

@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn spots_twenty_diameters_apart_have_their_area_and_no_neighbours() {
+    fn spots_twenty_diameters_apart_have_the_area_of_spots_without_neighbours() {
         let answer = asked(48.0, 0.5, 156.0).unwrap();
         assert!((answer.parameters.rate * 48.0 / ISOLATED.area - 1.0).abs() < 1e-6, "{answer:?}");
         assert_eq!((answer.parameters.stretch, answer.parameters.direction), (0.5, 160.0));
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn the_nearer_they_stand_the_smaller_their_peaks_until_they_are_too_near() {
+    fn closer_spots_are_read_at_lower_levels_until_they_are_too_close() {
         let found = [120.0, 28.0, 26.0, 20.0].map(|spacing| asked(48.0, 1.0, spacing).unwrap());
         let levels = found.each_ref().map(|answer| answer.parameters.level.unwrap());
         assert!(levels[0] == ISOLATED.levels[0] && levels[3] == ISOLATED.levels[1], "{levels:?}");
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn only_spots_with_a_spacing_and_an_inert_ground_stand_alone() {
+    fn only_spots_with_a_spacing_and_an_inert_ground_can_be_isolated() {
         let turing = TrainingSet::embedded(&TURING).unwrap();
         let spots = Spots { area: 48.0, aspect: 0.7, angle: 0.0, spacing: Some(200.0) };
         assert!(turing.ask_apart(&Attributes::Spots(spots), 1.0).unwrap().is_none());

@@ -218,7 +218,7 @@ mod tests {
 
     impl Local {
         /// The same by looking at every sample: what the tree is held to.
-        fn near_by_looking_at_all(&self, q: &Place, k: usize, without: Option<usize>) -> Vec<Near> {
+        fn nearest_by_full_search(&self, q: &Place, k: usize, without: Option<usize>) -> Vec<Near> {
             let rows = (0..self.rows.len()).filter(|row| without != Some(*row));
             let images = |row| (0..self.images.len()).map(move |image| (row, image));
             let mut near: Vec<Near> = rows
@@ -264,14 +264,14 @@ mod tests {
     }
 
     #[test]
-    fn an_answer_stays_within_what_was_seen() {
+    fn an_answer_stays_within_the_range_of_the_rows() {
         let local = twelve(box_of(200, |x| vec![100.0 * x[0]]));
         let high = local.rows().iter().map(|s| s.gives[0]).fold(0.0, f64::max);
         assert_eq!(local.fit(&SmallVector::new([9.0, 0.5, 0.5]), None).value[0], high);
     }
 
     #[test]
-    fn a_row_left_out_has_no_say() {
+    fn a_row_that_is_left_out_has_no_influence() {
         let mut rows = box_of(100, |x| vec![x[0]]);
         let (q, told) = (rows[40].at, rows[40].at[0]);
         rows[40].gives[0] = 50.0;
@@ -317,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn a_row_stands_for_its_mirror_images() {
+    fn a_row_represents_its_mirror_images_too() {
         let images: Images = &[[1.0, 1.0], [1.0, -1.0]];
         let row = |a: f64, x: f64, y: f64| Sample {
             at: SmallVector::new([a, x, y]),
@@ -336,7 +336,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_tree_finds_what_looking_at_all_finds_to_the_bit(
+        fn the_tree_finds_bit_for_bit_what_a_full_search_finds(
             dims in 3..=MOST,
             numbers in proptest::collection::vec(coordinate(), 5..400),
             q in proptest::collection::vec(prop_oneof![coordinate(), -1e9..1e9_f64], MOST),
@@ -352,11 +352,11 @@ mod tests {
                 if mirrors { &[[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] } else { AS_IT_IS };
             let local = Local::with_neighbours(rows, images, k);
             let q = local.standardised(&SmallVector::new(q.into_iter().take(dims)));
-            prop_assert_eq!(local.near(&q, k, without), local.near_by_looking_at_all(&q, k, without));
+            prop_assert_eq!(local.near(&q, k, without), local.nearest_by_full_search(&q, k, without));
             // And at a row itself, where ties are.
             if !local.known.is_empty() {
                 let [q, _] = local.known[k % local.known.len()];
-                prop_assert_eq!(local.near(&q, k, without), local.near_by_looking_at_all(&q, k, without));
+                prop_assert_eq!(local.near(&q, k, without), local.nearest_by_full_search(&q, k, without));
             }
         }
     }

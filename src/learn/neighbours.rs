@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn mirror_images_are_shown_where_they_lie() {
+    fn mirror_images_are_shown_at_their_own_places() {
         let set = TrainingSet::from_rows(&TURING, turing(60, MEASURED)).unwrap();
         let Attributes::Spots(spots) = set.rows()[3].attributes else { panic!() };
         for angle in [-spots.angle, 90.0 - spots.angle, 90.0 + spots.angle] {
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn attributes_of_the_other_kind_have_none() {
+    fn attributes_of_the_other_kind_have_no_neighbours() {
         let set = TrainingSet::from_rows(&TURING, turing(60, MEASURED)).unwrap();
         let stripes = crate::attributes::Stripes { width: 8.0, angle: 0.0, wavelength: None };
         assert!(set.neighbours(&Attributes::Stripes(stripes)).is_empty());

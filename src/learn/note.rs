@@ -166,7 +166,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_cannot_be_reached_is_said_of_the_system_with_its_numbers() {
+    fn a_note_says_what_the_system_cannot_reach_with_its_numbers() {
         let share = |value| Quantity::new("area/spacing²", value, Unit::Share);
         let note = Note::Beyond {
             asked: share(0.31),
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn lengths_are_told_in_px_once_a_cell_has_some() {
+    fn lengths_in_notes_are_converted_to_px() {
         let area = |value| Quantity::new("area", value, Unit::Area);
         let width = |value| Quantity::new("width", value, Unit::Length);
         let note =
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_in_sentences_are_short() {
+    fn numbers_in_notes_have_three_digits() {
         let seen: Vec<String> = [0.0, 1.0, 0.123_456, 12_345.0, 1e300, 3e-9].map(brief).into();
         assert_eq!(seen, ["0", "1", "0.123", "12300", "1e300", "3e-9"]);
     }

@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_law_of_rows_that_follow_it_is_found() {
+    fn the_constants_of_rows_that_follow_a_law_are_found() {
         let rows = meinhardt_by_level(400, EXACT);
         let law = Law::fitted(MEINHARDT.scaling, &rows);
         for row in &rows {

@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_mirror_image_turns_the_last_two_numbers_and_leaves_the_padding_alone() {
+    fn a_mirror_image_changes_the_last_two_numbers_and_not_the_padding() {
         let point = SmallVector::new([1.0, 2.0, 3.0]);
         assert_eq!(*point.mirrored([-1.0, 1.0]), [1.0, -2.0, 3.0]);
         assert_eq!(point.mirrored([1.0, -1.0]).padded, [1.0, 2.0, -3.0, 0.0, 0.0]);

@@ -49,7 +49,7 @@ fn the_law_of_turing_spots_is_learnt() {
 }
 
 #[test]
-fn the_law_of_meinhardt_spots_is_learnt_spacing_and_all() {
+fn the_law_of_meinhardt_spots_with_spacing_is_learnt() {
     for (noise, by) in [(EXACT, 0.01), (MEASURED, 0.02)] {
         let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, noise)).unwrap();
         for (area, ratio, angle) in [(40.0, 15.0, 20.0), (60.0, 30.0, 95.0), (120.0, 60.0, 150.0)] {
@@ -69,7 +69,7 @@ fn the_law_of_meinhardt_spots_is_learnt_spacing_and_all() {
 }
 
 #[test]
-fn a_set_whose_dense_end_is_reached_by_the_level_is_followed_round_its_corner() {
+fn a_set_that_reaches_high_densities_by_the_level_is_followed_where_ratio_and_level_change_over() {
     let set = TrainingSet::from_rows(&MEINHARDT, meinhardt_by_level(500, MEASURED)).unwrap();
     let corner = meinhardt_density(12.0);
     for share in [0.3, 0.6, 0.8, 0.95, 1.0, 1.05, 1.2, 1.4, 1.7] {
@@ -104,7 +104,7 @@ fn the_law_of_stripes_is_learnt() {
 }
 
 #[test]
-fn the_law_of_lines_is_learnt_and_a_duty_that_no_row_has_is_moved_to_the_nearest() {
+fn the_law_of_lines_is_learnt_and_a_duty_beyond_the_rows_is_moved_to_the_nearest() {
     let set = TrainingSet::from_rows(&LINES, lines(400, EXACT)).unwrap();
     let ask = |width, angle, duty: f64| {
         set.ask(&Attributes::Stripes(Stripes { width, angle, wavelength: Some(width / duty) })).unwrap()
@@ -149,7 +149,7 @@ fn a_mirrored_question_has_the_mirrored_answer() {
 }
 
 #[test]
-fn round_spots_ask_for_no_stretch_and_are_predicted_as_round_as_they_come() {
+fn round_spots_get_no_stretch_and_the_roundest_prediction() {
     let turing = TrainingSet::from_rows(&TURING, turing(500, MEASURED)).unwrap();
     let answer = turing.ask(&spots(60.0, 1.0, 0.0, None)).unwrap();
     assert!(answer.parameters.stretch > 0.97, "{:?}", answer.parameters);
@@ -189,7 +189,7 @@ fn intervals_hold_nine_of_ten_new_rows() {
 }
 
 #[test]
-fn a_question_beyond_the_rows_is_answered_for_the_nearest_within() {
+fn a_question_beyond_the_rows_gets_the_answer_to_the_nearest_one_within() {
     let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, EXACT)).unwrap();
     let [area, density, aspect] = [0, 1, 2].map(|i| set.reach()[i].1);
     // Denser than the densest, by a little and by a lot.
@@ -222,7 +222,7 @@ fn a_question_beyond_the_rows_is_answered_for_the_nearest_within() {
 }
 
 #[test]
-fn a_spacing_that_the_system_does_not_give_is_refused_in_words() {
+fn a_spacing_that_the_system_does_not_give_is_refused_with_a_message() {
     let set = TrainingSet::from_rows(&TURING, turing(500, MEASURED)).unwrap();
     let ask = |spacing| set.ask(&spots(60.0, 0.5, 0.0, Some(spacing))).unwrap();
     let natural = 2.1 * 60.0_f64.sqrt();
@@ -234,7 +234,7 @@ fn a_spacing_that_the_system_does_not_give_is_refused_in_words() {
 }
 
 #[test]
-fn a_free_spacing_is_the_middle_of_the_set_and_says_so() {
+fn a_free_spacing_gets_the_median_density_of_the_set_and_a_note() {
     let set = TrainingSet::from_rows(&MEINHARDT, meinhardt(500, EXACT)).unwrap();
     let answer = set.ask(&spots(60.0, 0.6, 40.0, None)).unwrap();
     assert_eq!(answer.coverage, Coverage::Inside);
@@ -244,7 +244,7 @@ fn a_free_spacing_is_the_middle_of_the_set_and_says_so() {
 }
 
 #[test]
-fn a_question_of_the_wrong_kind_is_an_error() {
+fn a_question_about_the_wrong_kind_of_marks_is_an_error() {
     let set = TrainingSet::from_rows(&TURING, turing(40, MEASURED)).unwrap();
     let stripes = Attributes::Stripes(Stripes { width: 8.0, angle: 0.0, wavelength: None });
     assert_eq!(

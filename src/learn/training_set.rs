@@ -181,7 +181,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_system_has_a_set_compiled_in() {
+    fn every_system_has_an_embedded_training_set() {
         for system in SYSTEMS {
             let set = TrainingSet::embedded(system).unwrap();
             assert_eq!(set.system().name, system.name);
@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn the_reach_is_that_of_the_rows() {
+    fn the_range_of_a_set_is_that_of_its_rows() {
         let set = TrainingSet::from_rows(&TURING, turing(60, MEASURED)).unwrap();
         let aspects = set.rows().iter().filter_map(|row| match row.attributes {
             crate::attributes::Attributes::Spots(spots) => Some(spots.aspect),

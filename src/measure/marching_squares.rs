@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn every_case_has_the_area_and_line_one_draws_by_hand() {
+    fn every_case_has_the_area_and_line_computed_by_hand() {
         let half = 0.5_f64.sqrt();
         for code in 1..15_u32 {
             let v = [0, 1, 2, 3].map(|k| if code >> k & 1 == 1 { 1.0 } else { -1.0 });

@@ -44,7 +44,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn of_two_tones_it_is_the_middle_however_many_there_are_of_each() {
+    fn the_threshold_of_two_tones_is_half_way_whatever_their_counts() {
         for many in [1, 10, 500] {
             let values: Vec<f32> = (0..1000).map(|i| if i < many { 0.2 } else { 0.8 }).collect();
             assert!((level_between_phases(&values) - 0.5).abs() < 1e-3, "{many}");

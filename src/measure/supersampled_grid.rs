@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn bands_do_not_show() {
+    fn bands_do_not_change_the_result() {
         let field = Field::from_fn([700, 900], [1.0, 1.0], Edges::Wrap, |[x, y]| (x + 1000.0 * y) as f32);
         let (_, ys, all) = rows(&field, 2);
         assert_eq!((ys.len(), all.len()), (1801, 1801));

@@ -56,7 +56,7 @@ mod tests {
     }
 
     #[test]
-    fn the_grid_itself_and_spots_of_many_cells_are_left_alone() {
+    fn nothing_is_compensated_on_the_planned_grid_or_for_spots_of_many_cells() {
         let p = spots(3.4, 0.5, 20.0);
         assert_eq!(System::MEINHARDT_SPOTS.compensated(&p, 1.0), p);
         let large = System::MEINHARDT_SPOTS.compensated(&spots(0.034, 0.5, 20.0), 4.0);
@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quarter_turn_turns_what_comes_out() {
+    fn a_quarter_turn_of_the_tensor_turns_the_result() {
         for direction in [0.0, 17.0, 45.0, 80.0] {
             let [a, b] = [direction, direction + 90.0]
                 .map(|angle| System::MEINHARDT_SPOTS.compensated(&spots(13.6, 0.4, angle), 4.0));

@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn it_has_unit_variance_and_no_mean_whatever_the_size_of_the_spots() {
+    fn noise_has_unit_variance_and_zero_mean_for_spots_of_any_size() {
         for rate in [0.3, 0.1, 0.03] {
             for edges in [Edges::Closed, Edges::Wrap] {
                 let noise = noise(System::TURING_SPOTS, &maps(rate, edges), 3);
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn a_coarser_grid_has_the_means_of_the_cells_under_its_own() {
+    fn a_coarser_grid_has_the_means_of_the_finer_cells() {
         let fine = maps(0.1, Edges::Closed).with_decay_noise(System::TURING_SPOTS, 1.0, 5);
         let coarse = fine.on_grid([60, 50]);
         for (cell, value) in coarse.decay_noise.iter().enumerate() {

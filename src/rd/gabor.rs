@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn crests_are_one_wavelength_apart_also_where_180_degrees_become_0() {
+    fn crests_are_one_wavelength_apart_also_where_directions_wrap_from_180_to_0_degrees() {
         for (left, right) in [(30.0, 20.0), (5.0, -5.0), (176.0, 190.0)] {
             // Seen along y, waves at 25° are 1/cos 25° = 1.1 times as long.
             let share = crossed(left, right);

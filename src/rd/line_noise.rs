@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn noise_is_led_along_a_line_and_left_alone_farther_off() {
+    fn noise_follows_a_line_and_is_unchanged_farther_away() {
         let p = Parameters { rate: 25.6, ratio: 1.0, stretch: 0.5, direction: 0.0, pitch: 1.0 };
         let maps = Maps::uniform([160, 120], Edges::Closed, p);
         let mut noise = vec![0.5f32; 160 * 120];

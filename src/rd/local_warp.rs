@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn a_spot_stands_where_it_was_moved_to_and_the_rest_as_it_was() {
+    fn a_moved_spot_is_at_its_new_place_and_everything_else_is_unchanged() {
         for (edges, at) in [(Edges::Closed, [30.0, 25.0]), (Edges::Wrap, [1.0, 25.0])] {
             let maps = Maps::uniform([60, 50], edges, P);
             let warp = LocalWarp { at, own: P, by: [1.3, -0.8] };
@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn cells_that_are_taken_stay_as_they_are() {
+    fn obstacle_cells_are_unchanged() {
         let mut maps = Maps::uniform([60, 50], Edges::Closed, P);
         maps.obstacles = (0..60 * 50).map(|cell| cell % 60 > 31).collect();
         let warp = LocalWarp { at: [30.0, 25.0], own: P, by: [1.0, 0.0] };

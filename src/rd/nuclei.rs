@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn as_many_are_placed_as_a_hexagonal_lattice_of_the_pitch_would_have() {
+    fn the_number_of_points_is_that_of_a_hexagonal_lattice_of_the_pitch() {
         for edges in [Edges::Closed, Edges::Wrap] {
             for stretch in [1.0, 0.4] {
                 let wanted = (240.0 * 200.0 / (14.0 * 14.0 * 0.866_025_4)) as usize + 1;
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn near_closed_edges_they_stand_on_them_or_well_off() {
+    fn near_closed_edges_points_are_on_the_edge_or_far_enough_from_it() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
         let maps = Maps::uniform([240, 200], Edges::Closed, p);
         let all = lay(&maps, &|_| 14.0, &[], &mut Pcg64Mcg::seed_from_u64(5)).inside;
@@ -217,7 +217,7 @@ mod tests {
     }
 
     #[test]
-    fn they_keep_their_distance_by_the_local_metric() {
+    fn distances_are_kept_in_the_local_metric() {
         for stretch in [1.0, 0.4] {
             let all = placed(Edges::Wrap, stretch);
             let closest = |a: &Nucleus| {

@@ -152,7 +152,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn margins_hold_what_lies_beyond_the_border() {
+    fn margins_hold_the_values_beyond_the_border() {
         for (nx, edges) in
             [(3, Edges::Wrap), (3, Edges::Closed), (16, Edges::Wrap), (21, Edges::Wrap), (21, Edges::Closed)]
         {

@@ -23,7 +23,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn a_constant_stays_what_it_is() {
+    fn a_constant_is_unchanged() {
         for edges in [Edges::Closed, Edges::Wrap] {
             let fine = prolongate(&[0.3; 35], [7, 5], [20, 11], edges);
             assert!(fine.len() == 220 && fine.iter().all(|value| (value - 0.3).abs() < 2e-7), "{edges:?}");
@@ -31,7 +31,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slope_stays_what_it_is_away_from_the_border() {
+    fn a_slope_is_unchanged_away_from_the_border() {
         let slope = |x: f64, y: f64| (2.0 + 0.5 * x - 0.25 * y) as f32;
         let at = |i: usize, n: usize| (i as f64 + 0.5) * 40.0 / n as f64;
         let coarse: Vec<f32> = (0..1600).map(|i| slope(at(i % 40, 40), at(i / 40, 40))).collect();

@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn waves_run_from_a_line_at_one_wavelength_a_period() {
+    fn waves_from_a_line_have_the_given_wavelength() {
         let maps = maps(160, 140, Edges::Closed);
         let line = GuideLine { from: [0.4, 0.5], to: [0.6, 0.5] };
         let waves = waves(&maps, &[line], &wavelength);
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn on_a_tile_waves_come_round_the_border() {
+    fn waves_cross_the_border_of_a_tile() {
         let line = [GuideLine { from: [0.0, 0.0], to: [0.0, 1.0] }];
         let [wrap, closed] =
             [Edges::Wrap, Edges::Closed].map(|edges| waves(&maps(128, 96, edges), &line, &wavelength));
@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn segments_are_as_many_and_as_long_as_is_told_and_clear_of_drawn_ones() {
+    fn segments_have_the_given_density_and_length_and_keep_away_from_drawn_lines() {
         let maps = maps(320, 320, Edges::Closed);
         let drawn = [GuideLine { from: [0.4, 0.4], to: [0.6, 0.5] }];
         let all = segments(&maps, &drawn, &wavelength, &mut Pcg64Mcg::seed_from_u64(1));
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn a_seeded_line_is_as_thick_as_is_told() {
+    fn a_seeded_line_has_the_given_thickness() {
         let maps = maps(100, 100, Edges::Closed);
         let seeded = seeded(&maps, &[GuideLine { from: [0.2, 0.5], to: [0.8, 0.5] }], &wavelength);
         let across: f32 = (0..100).map(|y| seeded[y * 100 + 50]).sum();

@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn weights_are_non_negative_and_give_the_tensor_back() {
+    fn weights_are_non_negative_and_sum_up_to_the_tensor() {
         for t in tensors() {
             let w = t.weights();
             let sum = |f: fn(f64, f64) -> f64| {

@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn a_spot_keeps_its_own_and_half_way_to_the_next_is_the_mean() {
+    fn a_spot_has_its_own_value_and_half_way_to_the_next_is_the_mean() {
         let maps = known(Edges::Closed, [[18.0, 20.0], [54.0, 20.0]], [2.0, 4.0]);
         let at = |x: f64| maps.at([x, 20.0]).rate;
         // A spot of this ratio reaches to a fifth of a pitch of 36 cells.
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn on_a_tile_it_goes_on_beyond_the_border_and_on_closed_edges_not() {
+    fn values_cross_the_border_of_a_tile_but_not_closed_edges() {
         let [wrap, closed] =
             [Edges::Wrap, Edges::Closed].map(|edges| known(edges, [[2.0, 20.0], [40.0, 20.0]], [2.0, 4.0]));
         assert!((wrap.at([70.5, 20.0]).rate - 2.0).abs() < 1e-3, "{:?}", wrap.at([70.5, 20.0]));

@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_solver_has_a_name_of_its_own_and_an_unknown_one_is_none() {
+    fn solver_names_are_unique_and_an_unknown_name_gives_none() {
         let names: Vec<&str> = Solver::available().into_iter().map(Solver::name).collect();
         assert!(names.len() >= 2 && names[0] == "plain", "{names:?}");
         assert!((1..names.len()).all(|i| !names[..i].contains(&names[i])), "{names:?}");

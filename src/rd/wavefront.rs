@@ -397,7 +397,7 @@ mod tests {
     }
 
     #[test]
-    fn a_reaction_that_changes_with_time_is_asked_at_the_time_of_each_step() {
+    fn a_reaction_that_changes_with_time_is_evaluated_at_the_time_of_each_step() {
         let problem = uneven(RowLayout { nx: 40, ny: 24, edges: Edges::Wrap }, 0.4, Pairs::TENSORS);
         let mut planes = [noise::<4>(problem.grid), noise::<4>(problem.grid)];
         for height in [0.8, 0.8 * libm::exp(-0.5 * STEP) as f32] {
@@ -412,7 +412,7 @@ mod tests {
     }
 
     #[test]
-    fn every_cut_and_every_instruction_set_gives_the_bits_of_the_plain_solver() {
+    fn every_tiling_and_every_instruction_set_gives_the_bits_of_the_plain_solver() {
         let tilings =
             [[1, 1], [1, 3], [3, 1], [4, 2], [7, 5]].map(|[levels, bands]| Tiling { levels, bands });
         for (nx, ny) in [(65, 33), (150, 41)] {
@@ -431,7 +431,7 @@ mod tests {
     }
 
     #[test]
-    fn grids_of_every_width_and_height_at_the_lanes_give_the_bits_of_the_plain_solver() {
+    fn grids_of_every_size_about_a_multiple_of_the_lanes_give_the_bits_of_the_plain_solver() {
         let tilings = [Tiling { levels: 3, bands: 2 }];
         for nx in 1..=2 * LANES + 3 {
             all_agree(nx, 5, &tilings);

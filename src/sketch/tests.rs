@@ -56,7 +56,7 @@ fn errors(kind: &Kind) -> [Vec<f64>; 4] {
 }
 
 #[test]
-fn the_ellipse_is_the_one_meant() {
+fn a_stroke_along_an_ellipse_gives_that_ellipse() {
     for kind in OUTLINES {
         let [area, aspect, centre, angle] = errors(kind);
         // (median, 95th percentile, name); the wobble of the hand itself is 2 % of the half length.
@@ -87,7 +87,7 @@ fn the_line_lies_along_the_stroke() {
 }
 
 #[test]
-fn a_slow_hand_draws_the_same_ellipse() {
+fn a_slowly_drawn_stroke_gives_the_same_ellipse() {
     // A thousand points on one quarter, twenty on the rest.
     let at = |turns: f64| {
         let (s, c) = (TAU * turns).sin_cos();

@@ -138,7 +138,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn times_are_in_round_numbers() {
+    fn estimated_times_are_round_numbers() {
         let times = [6.4, 41.0, 119.0, 1000.0, 7200.0].map(in_words);
         assert_eq!(times, ["about 6 s", "about 40 s", "about 2 min", "about 15 min", "about 2.0 h"]);
     }

@@ -19,14 +19,14 @@ fn a_newer_version_is_refused_with_a_message_that_says_so() {
 }
 
 #[test]
-fn a_newer_version_is_told_before_its_unknown_keys() {
+fn a_newer_version_is_reported_before_its_unknown_keys() {
     let mut document = with("/version", json!(3));
     document["wings"] = json!(2);
     assert!(error_of_text(&document.to_string()).contains("newer"));
 }
 
 #[test]
-fn a_version_that_is_none_is_refused() {
+fn an_invalid_version_is_refused() {
     let allowed = "a whole number from 1 to 18446744073709551615";
     for (version, shown) in [(json!(0), "0"), (json!(-1), "-1"), (json!(1.5), "1.5"), (json!("1"), "\"1\"")] {
         refused(&with("/version", version), "version", shown, allowed);
@@ -111,7 +111,7 @@ fn a_wrong_type_is_refused_everywhere() {
 }
 
 #[test]
-fn a_canvas_of_no_px_or_of_too_many_is_refused() {
+fn a_canvas_without_px_or_with_too_many_is_refused() {
     let allowed = "a whole number from 1 to 65536";
     refused(&with("/size", json!([0, 10])), "size[0]", "0", allowed);
     refused(&with("/size", json!([10, -4])), "size[1]", "-4", allowed);
@@ -121,7 +121,7 @@ fn a_canvas_of_no_px_or_of_too_many_is_refused() {
 }
 
 #[test]
-fn regions_are_1_to_64_and_no_more_than_the_px() {
+fn regions_are_1_to_64_and_at_most_the_number_of_px() {
     refused(&with("/regions", json!([0, 1])), "regions[0]", "0", "a whole number from 1 to 64");
     refused(&with("/regions", json!([1, 65])), "regions[1]", "65", "a whole number from 1 to 64");
     let mut small = with_stroke(&json!({"kind": "ellipse", "center": [1, 1], "radii": [1, 1]}));
@@ -131,7 +131,7 @@ fn regions_are_1_to_64_and_no_more_than_the_px() {
 }
 
 #[test]
-fn seeds_and_dpi_keep_to_their_bounds() {
+fn seeds_and_dpi_have_bounds() {
     let whole = "a whole number from 0 to 18446744073709551615";
     refused(&with("/seed", json!(-1)), "seed", "-1", whole);
     refused(&with("/seed", json!(0.5)), "seed", "0.5", whole);

@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn what_is_no_readable_file_is_refused() {
+fn a_file_that_cannot_be_read_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let error = Document::read(folder.path()).unwrap_err();
     assert!(matches!(error, DocumentError::Folder { .. }), "{error}");
@@ -13,7 +13,7 @@ fn what_is_no_readable_file_is_refused() {
 }
 
 #[test]
-fn what_is_no_utf8_is_refused_with_its_place() {
+fn a_file_that_is_not_utf8_is_refused_with_the_place() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("latin.dapple");
     std::fs::write(&path, b"{\n \"name\": \"J\xe4ger\"}").unwrap();
@@ -42,7 +42,7 @@ fn a_written_file_is_read_back_and_nothing_is_left_beside_it() {
 }
 
 #[test]
-fn what_could_not_be_read_is_not_written() {
+fn a_document_that_could_not_be_read_back_is_not_written() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.dapple");
     let mut document = accepted(&least());
@@ -56,7 +56,7 @@ fn what_could_not_be_read_is_not_written() {
 }
 
 #[test]
-fn a_document_is_written_to_be_read_by_people() {
+fn a_document_is_written_in_readable_form() {
     let mut document = accepted(&least());
     document.layers[0].colours =
         Some(Colours { stops: vec![Stop { at: 0.5, colour: [1, 2, 255] }], bends: vec![] });
@@ -98,7 +98,7 @@ fn check(path: &std::path::Path) -> assert_cmd::assert::Assert {
 }
 
 #[test]
-fn check_says_what_is_in_a_valid_document() {
+fn check_prints_the_content_of_a_valid_document() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.dapple");
     accepted(&with("/name", json!("cheetah"))).write(&path).unwrap();

@@ -11,7 +11,7 @@ fn lined(options: Value) -> Value {
 }
 
 #[test]
-fn marks_are_kept_in_one_region_unless_the_document_says_otherwise() {
+fn marks_are_kept_in_one_region_unless_the_document_sets_it() {
     let keeps = |options: Value, regions: Value| {
         let mut document = with("/layers/0/options", options);
         document["regions"] = regions;
@@ -23,7 +23,7 @@ fn marks_are_kept_in_one_region_unless_the_document_says_otherwise() {
 }
 
 #[test]
-fn what_stays_and_what_stripes_begin_from_is_written_as_it_was_read() {
+fn keep_and_seeding_are_written_as_they_were_read() {
     for options in [json!({}), json!({"keep": true}), json!({"keep": false, "seeding": "segments"})] {
         let document = accepted(&lined(options.clone()));
         assert_eq!(accepted(&serde_json::from_str(&document.to_json()).unwrap()), document);
@@ -37,7 +37,7 @@ fn what_stays_and_what_stripes_begin_from_is_written_as_it_was_read() {
 }
 
 #[test]
-fn what_is_neither_is_refused() {
+fn other_values_of_keep_and_seeding_are_refused() {
     let place = |key: &str| format!("layers[0].options.{key}");
     refused(&lined(json!({"keep": 1})), &place("keep"), "1", "true or false");
     let allowed = "noise, segments, initiators (did you mean segments?)";
@@ -67,7 +67,7 @@ fn seeds_that_do_nothing_are_refused() {
 }
 
 #[test]
-fn where_the_layer_beneath_says_where_marks_grow_none_are_kept() {
+fn no_marks_are_kept_where_the_layer_beneath_gives_the_places() {
     let second = |after: &str, options: Value| {
         let mut document = least();
         let layer = document["layers"][0].clone();

@@ -10,7 +10,7 @@ fn an_empty_file_is_refused() {
 }
 
 #[test]
-fn what_is_no_json_is_shown_with_line_and_column() {
+fn invalid_json_is_reported_with_line_and_column() {
     no_json("{\n  \"format\": dapple\n}", 2, 13, "dapple");
     no_json("{\n  \"größe\": 'x' }", 2, 12, "`'`");
     no_json("{\"format\": \"dapple\",}", 1, 21, "`}`");
@@ -47,7 +47,7 @@ fn a_number_beyond_all_floats_is_named() {
 }
 
 #[test]
-fn a_key_that_stands_twice_is_refused() {
+fn a_repeated_key_is_refused() {
     no_json("{\n\"format\": \"dapple\",\n\"seed\": 1, \"seed\": 2}", 3, 17, "the key \"seed\" twice");
     let message = error_of_text(r#"{"layers": [{"strokes": [{"kind": "line", "kind": "line"}]}]}"#);
     assert!(message.contains("the key \"kind\" twice"), "{message}");

@@ -21,7 +21,7 @@ fn a_spread_is_drawn_unless_it_is_given_as_a_number_or_an_object() {
 }
 
 #[test]
-fn what_was_read_is_written() {
+fn options_are_written_as_they_were_read() {
     for options in [
         json!({}),
         json!({"spread": 0}),
@@ -36,7 +36,7 @@ fn what_was_read_is_written() {
 }
 
 #[test]
-fn what_no_spread_is_is_refused() {
+fn invalid_spreads_are_refused() {
     let spread = |value: Value| with("/layers/0/options", json!({"spread": value}));
     let place = "layers[0].options.spread";
     let allowed = "\"drawn\", a number from 0 to 0.6 (the areas' coefficient of variation), or an object with \
@@ -122,7 +122,7 @@ fn a_duty_is_a_half_unless_it_is_given_and_is_written() {
 }
 
 #[test]
-fn what_no_duty_is_is_refused() {
+fn invalid_duties_are_refused() {
     let place = "layers[0].options.duty";
     for (value, found) in [(json!(0.19), "0.19"), (json!(0.51), "0.51"), (json!("thin"), "\"thin\"")] {
         refused(&lined("auto", json!({"duty": value})), place, found, "a number from 0.2 to 0.5");
@@ -148,7 +148,7 @@ fn spots_have_no_duty() {
 }
 
 #[test]
-fn spots_are_regular_unless_the_options_say_otherwise() {
+fn spots_are_regular_by_default() {
     for (options, irregular) in
         [(json!({}), 0.0), (json!({"irregular": 1}), 1.0), (json!({"irregular": 0.3}), 0.3)]
     {
@@ -163,7 +163,7 @@ fn spots_are_regular_unless_the_options_say_otherwise() {
 }
 
 #[test]
-fn what_cannot_be_irregular_is_refused() {
+fn irregular_is_refused_for_systems_without_irregular_spots() {
     let place = "layers[0].options.irregular";
     for (value, found) in [(json!(1.01), "1.01"), (json!(-0.5), "-0.5"), (json!("very"), "\"very\"")] {
         refused(

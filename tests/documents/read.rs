@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn the_least_document_has_the_defaults_of_the_format() {
+fn the_shortest_document_has_the_defaults_of_the_format() {
     let document = accepted(&least());
     let ellipse = Ellipse { center: [64.0, 64.0], radii: [12.0, 6.0], angle: 30.0 };
     let layer = Layer { name: "layer 1".into(), strokes: vec![Stroke::Ellipse(ellipse)], ..Layer::default() };
@@ -61,7 +61,7 @@ impl MapColours for Vec<Stop> {
 }
 
 #[test]
-fn a_byte_order_mark_is_passed_over() {
+fn a_byte_order_mark_is_skipped() {
     assert!(Document::parse(&format!("\u{feff}{}", least()), "x").is_ok());
 }
 
@@ -76,7 +76,7 @@ fn an_ellipse_may_reach_over_the_edge_but_its_centre_may_not() {
 }
 
 #[test]
-fn a_line_may_leave_the_canvas_but_its_middle_may_not() {
+fn a_line_may_leave_the_canvas_but_its_midpoint_may_not() {
     let line = |x: f64| with_stroke(&json!({"kind": "line", "from": [-100, 10], "to": [x, 10], "width": 6}));
     accepted(&line(120.0));
     let allowed = "a middle on the canvas, from [0, 0] to [512, 256]";
@@ -93,6 +93,6 @@ fn any_finite_angle_is_allowed() {
 }
 
 #[test]
-fn a_whole_number_may_be_written_with_a_fraction_of_nothing() {
+fn a_whole_number_may_be_written_with_a_fraction_of_zero() {
     assert_eq!(accepted(&with("/size", json!([512.0, 256.0]))).size, [512, 256]);
 }

@@ -37,7 +37,7 @@ fn a_line_of_no_width_is_refused() {
 }
 
 #[test]
-fn a_freehand_stroke_of_no_extent_is_refused() {
+fn a_freehand_stroke_without_extent_is_refused() {
     let points = |points: Value| with_stroke(&json!({"kind": "freehand", "points": points, "width": 6}));
     let place = "layers[0].strokes[0].points";
     refused(&points(json!([])), place, "0 points", "at least 2 points");
@@ -78,7 +78,7 @@ fn a_system_that_grows_other_marks_is_refused() {
 }
 
 #[test]
-fn no_layers_and_no_strokes_are_refused() {
+fn a_document_without_layers_or_strokes_is_refused() {
     refused(&with("/layers", json!([])), "layers", "no layers", "a list of 1 to 255 layers");
     refused(&with("/layers/0/strokes", json!([])), "layers[0].strokes", "no strokes", "at least one stroke");
     let layer = least()["layers"][0].clone();
@@ -121,7 +121,7 @@ fn two_stops_at_one_value_make_a_hard_step() {
 }
 
 #[test]
-fn bends_are_four_numbers_one_a_gap_at_most() {
+fn bends_are_four_numbers_each_at_most_one_for_each_gap() {
     let bends = |bends: Value| {
         let stops = json!([{"at": 0, "colour": "#000"}, {"at": 1, "colour": "#fff"}]);
         with("/layers/0/colours", json!({"stops": stops, "bends": bends}))

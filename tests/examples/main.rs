@@ -25,7 +25,7 @@ fn examples() -> Vec<(PathBuf, Document)> {
 }
 
 #[test]
-fn there_are_a_dozen_at_least_and_each_says_what_it_is() {
+fn there_are_at_least_a_dozen_examples_each_with_a_description() {
     let examples = examples();
     assert!(examples.len() >= 12, "{}", examples.len());
     for (path, document) in examples {
@@ -35,7 +35,7 @@ fn there_are_a_dozen_at_least_and_each_says_what_it_is() {
 }
 
 #[test]
-fn each_is_written_as_the_program_writes_it() {
+fn each_document_is_formatted_as_the_program_writes_it() {
     for (path, document) in examples() {
         let text = fs::read_to_string(&path).expect("readable");
         assert!(text == document.to_json(), "{} is not what Document::to_json gives", path.display());
@@ -55,7 +55,7 @@ fn each_region_holds_a_handful_of_marks() {
 }
 
 #[test]
-fn between_them_they_show_every_kind_of_document() {
+fn together_the_examples_use_every_kind_of_document() {
     let all: Vec<(Document, Vec<Mark>)> = examples()
         .into_iter()
         .map(|(_, document)| {

@@ -58,7 +58,7 @@ fn all_refuse(bench: &Bench, words: &[&str]) {
 }
 
 #[test]
-fn a_full_disk_is_told_and_loses_nothing() {
+fn a_full_disk_is_reported_and_loses_nothing() {
     let bench = Bench::new();
     let Some(mounted) = Mounted::on(&bench.path("out")) else { return };
     write_old(&bench);
@@ -96,7 +96,7 @@ fn a_disk_that_fills_up_while_a_file_is_written_loses_nothing() {
 }
 
 #[test]
-fn a_folder_that_must_not_be_written_is_told_and_loses_nothing() {
+fn a_read_only_folder_is_reported_and_loses_nothing() {
     let bench = Bench::new();
     let Some(mounted) = Mounted::on(&bench.path("out")) else { return };
     write_old(&bench);
@@ -110,7 +110,7 @@ fn a_folder_that_must_not_be_written_is_told_and_loses_nothing() {
 }
 
 #[test]
-fn a_folder_of_somebody_else_is_told_and_loses_nothing() {
+fn a_folder_of_another_user_is_reported_and_loses_nothing() {
     let bench = Bench::new();
     fs::create_dir(bench.path("out")).unwrap();
     write_old(&bench);
@@ -144,7 +144,7 @@ fn a_folder_of_somebody_else_is_told_and_loses_nothing() {
 }
 
 #[test]
-fn a_folder_that_is_missing_is_told() {
+fn a_missing_folder_is_reported() {
     let bench = Bench::new();
     for writer in WRITERS {
         let writer = writer.replace("OUT/", "no/way/").replace("OUT", "no");
@@ -154,7 +154,7 @@ fn a_folder_that_is_missing_is_told() {
 }
 
 #[test]
-fn a_file_where_a_folder_should_be_is_told() {
+fn a_file_in_the_place_of_a_folder_is_reported() {
     let bench = Bench::new();
     bench.write("file", "old");
     for writer in WRITERS {

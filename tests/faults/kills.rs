@@ -239,7 +239,7 @@ fn clear_parts(out: &Path) {
 }
 
 #[test]
-fn what_a_killed_run_left_goes_with_the_next_into_the_same_folder() {
+fn the_next_run_into_a_folder_removes_what_a_killed_one_left() {
     let bench = Bench::new();
     fs::create_dir(bench.path("out")).unwrap();
     let job = "grow a.dapple -o out/a.png --size 256x256 --scale 8";

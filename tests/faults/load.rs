@@ -88,7 +88,7 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
 #[cfg(target_os = "linux")]
 #[ignore = "other tests of this process would be measured too: .ci/faults runs it alone"]
 #[test]
-fn growing_again_and_again_takes_no_more_memory() {
+fn repeated_growth_takes_no_more_memory() {
     use dapple::document::Document;
     use dapple::internals::synth::Options;
     use dapple::internals::synth::grow;

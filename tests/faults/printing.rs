@@ -38,7 +38,7 @@ fn a_full_standard_output_is_an_error_in_one_line() {
 }
 
 #[test]
-fn readers_that_go_away_are_no_error_for_any_command() {
+fn a_closed_pipe_is_no_error_for_any_command() {
     let bench = Bench::new();
     bench.does("grow a.dapple -o a.png");
     for printer in PRINTERS {
@@ -51,7 +51,7 @@ fn readers_that_go_away_are_no_error_for_any_command() {
 }
 
 #[test]
-fn messages_that_nobody_reads_are_no_error() {
+fn a_closed_standard_error_is_no_error() {
     let bench = Bench::new();
     for (arguments, code) in
         [("grow a.dapple -o a.png", 0), ("import in.svg -o i.dapple", 0), ("check no.dapple", 1), ("gorw", 2)]
@@ -66,7 +66,7 @@ fn messages_that_nobody_reads_are_no_error() {
 /// With a display that is named and not there.
 #[cfg(all(target_os = "linux", feature = "app"))]
 #[test]
-fn a_display_that_is_not_there_is_told_with_the_remedy() {
+fn a_missing_display_is_reported_with_the_remedy() {
     let bench = Bench::new();
     for (variable, value) in [("DISPLAY", ":9876"), ("WAYLAND_DISPLAY", "wayland-9876")] {
         let mut command = bench.command("a.dapple");

@@ -6,7 +6,7 @@ use std::os::unix::fs::symlink;
 use crate::bench::Bench;
 
 #[test]
-fn what_is_read_is_not_written_over() {
+fn an_input_is_not_overwritten() {
     let bench = Bench::new();
     bench.does("grow a.dapple -o a.png");
     fs::create_dir(bench.path("sub")).unwrap();
@@ -43,7 +43,7 @@ fn what_is_read_is_not_written_over() {
 }
 
 #[test]
-fn a_file_of_two_names_keeps_what_the_other_name_holds() {
+fn a_file_with_two_names_is_not_overwritten_through_the_other_name() {
     let bench = Bench::new();
     bench.does("grow a.dapple -o a.png");
     fs::hard_link(bench.path("a.png"), bench.path("hard.png")).unwrap();
@@ -88,7 +88,7 @@ fn documents_of_a_batch_do_not_share_a_file() {
 }
 
 #[test]
-fn nothing_is_written_among_the_training_sets() {
+fn nothing_is_written_into_the_folder_of_training_sets() {
     let bench = Bench::new();
     fs::create_dir(bench.path("sets")).unwrap();
     bench.write("sets/meinhardt-stripes.csv", "old");

@@ -25,7 +25,7 @@ fn text(bench: &Bench, ending: &str) -> String {
 }
 
 #[test]
-fn a_table_that_is_damaged_is_told_by_its_place() {
+fn a_damaged_table_is_reported_with_the_place_of_the_damage() {
     let bench = bench();
     bench.does(LOOKUP);
     let whole = text(&bench, "csv");
@@ -50,7 +50,7 @@ fn a_table_that_is_damaged_is_told_by_its_place() {
 }
 
 #[test]
-fn a_manifest_that_is_damaged_or_of_another_version_is_told() {
+fn a_damaged_manifest_or_one_of_another_version_is_reported() {
     let bench = bench();
     let whole = text(&bench, "json");
     let says = |manifest: &str, words: &[&str]| {
@@ -73,7 +73,7 @@ fn a_manifest_that_is_damaged_or_of_another_version_is_told() {
 }
 
 #[test]
-fn a_folder_that_has_only_what_is_needed_serves_and_what_lacks_is_named() {
+fn a_folder_with_only_the_needed_sets_is_enough_and_a_missing_set_is_named() {
     let bench = bench();
     let grow = "grow a.dapple -o a.png --training sets";
     bench.refuses(

@@ -60,7 +60,7 @@ fn a_document_that_cannot_be_saved_stays_unsaved_and_its_file_whole() {
 }
 
 #[test]
-fn where_there_is_no_room_to_keep_unsaved_work_it_is_said_once_and_kept_when_there_is() {
+fn unsaved_work_without_room_on_the_disk_is_reported_once_and_kept_once_there_is_room() {
     let folder = tempfile::tempdir().unwrap();
     let disk = folder.path().join("disk");
     let Some(mounted) = Mounted::on(&disk) else { return };
@@ -81,7 +81,7 @@ fn where_there_is_no_room_to_keep_unsaved_work_it_is_said_once_and_kept_when_the
 }
 
 #[test]
-fn preferences_that_cannot_be_written_disturb_nobody_and_stay_whole() {
+fn preferences_that_cannot_be_written_are_no_error_and_stay_whole() {
     let folder = tempfile::tempdir().unwrap();
     let disk = folder.path().join("disk");
     let Some(mounted) = Mounted::on(&disk) else { return };

@@ -108,7 +108,7 @@ fn a_seamless_texture_of_irregular_spots_has_the_same_bytes_by_any_threads_and_s
 }
 
 #[test]
-fn the_solver_that_was_asked_for_takes_the_steps() {
+fn the_requested_solver_takes_the_steps() {
     let folder = Folder::with("");
     for solver in Solver::available() {
         let told =

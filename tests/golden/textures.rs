@@ -147,7 +147,7 @@ fn each_document_is_what_its_name_says() {
 }
 
 #[test]
-fn what_has_no_document_is_refused() {
+fn a_texture_without_a_document_is_refused() {
     for case in Case::all().into_iter().filter(|case| !exists(case.after, case.system)) {
         let (name, after) = (case.name(), case.after.unwrap());
         let like = golden_cases().into_iter().find(|like| like.after == case.after);

@@ -129,7 +129,7 @@ fn width_is_met(folder: &Folder, layer: usize) {
 }
 
 #[test]
-fn rings_close_round_every_mark_and_touch_none() {
+fn rings_enclose_every_mark_and_touch_none() {
     for edges in ["closed", "wrap"] {
         let (labels, folder) = Labels::grow(&layers(edges, 31.0, &[around(4.0, 0.0)]));
         let marks = labels.marks();
@@ -145,7 +145,7 @@ fn rings_close_round_every_mark_and_touch_none() {
 }
 
 #[test]
-fn broken_rings_are_open_by_the_share_that_was_asked() {
+fn broken_rings_are_open_by_the_requested_share() {
     let area = |broken: f64| {
         let (labels, folder) = Labels::grow(&layers("wrap", 31.0, &[around(4.0, broken)]));
         assert!(labels.keeps_apart(1, 2));
@@ -225,7 +225,7 @@ fn spots_find_their_place_between_rosettes() {
 }
 
 #[test]
-fn what_goes_round_nothing_is_refused() {
+fn rings_without_marks_beneath_are_refused() {
     for after in ["around", "net"] {
         let document = json!({"format": "dapple", "version": 1, "size": [90, 90],
             "layers": [{"strokes": line(4.0), "after": after}]});
@@ -236,7 +236,7 @@ fn what_goes_round_nothing_is_refused() {
 }
 
 #[test]
-fn what_rings_and_webs_are_not_drawn_with_is_refused() {
+fn rings_and_webs_refuse_what_lines_cannot_have() {
     let spots = json!(hexagon([60.0, 60.0], 30.0));
     for after in ["around", "net"] {
         let document = layers("wrap", 31.0, &[json!({"strokes": spots, "after": after})]);
@@ -255,7 +255,7 @@ fn what_rings_and_webs_are_not_drawn_with_is_refused() {
 }
 
 #[test]
-fn too_little_room_is_told_with_the_numbers() {
+fn too_little_room_is_reported_with_the_numbers() {
     for (upper, lines) in [(around(8.0, 0.0), "rings 8.0 px"), (net(12.0), "12.0 px")] {
         let folder = Folder::with(&layers("wrap", 26.0, &[upper]));
         folder.refuses("grow a.dapple -o a.png", 1, &["layer 2", lines, "need", "farther apart"]);

@@ -49,7 +49,7 @@ fn the_number_of_threads_changes_no_byte() {
 }
 
 #[test]
-fn a_seed_changes_the_texture_and_is_the_document_s_unless_told() {
+fn a_seed_changes_the_texture_and_defaults_to_that_of_the_document() {
     for mut document in [spots(), stripes()] {
         let folder = Folder::with(&document);
         let grown = |more: &str| {
@@ -93,7 +93,7 @@ fn training_sets_in_a_folder_are_those_built_in() {
 }
 
 #[test]
-fn a_folder_of_ones_own_ranges_is_used_instead_of_the_built_in_sets() {
+fn a_folder_of_training_sets_replaces_the_built_in_ones() {
     let mut document = spots();
     document["layers"][0]["system"] = json!("meinhardt-spots");
     let folder = Folder::with(&document);
@@ -122,7 +122,7 @@ fn a_folder_of_ones_own_ranges_is_used_instead_of_the_built_in_sets() {
 }
 
 #[test]
-fn a_broken_training_set_is_told_by_file_line_and_column() {
+fn a_damaged_training_set_is_reported_with_file_line_and_column() {
     let folder = Folder::with(&spots());
     copy_training(&folder);
     let name = "training/meinhardt-spots-size.csv";

@@ -43,7 +43,7 @@ fn the_layer_that_gives_the_places_is_neither_painted_nor_labelled() {
 }
 
 #[test]
-fn what_cannot_stand_inside_is_told_by_check_as_by_grow() {
+fn check_and_grow_report_marks_that_do_not_fit_inside() {
     let mut document = inside();
     document["layers"][1]["strokes"] = json!([ellipse([60.0, 60.0], [20.0, 20.0])]);
     let folder = Folder::with(&document);
@@ -56,7 +56,7 @@ fn what_cannot_stand_inside_is_told_by_check_as_by_grow() {
 }
 
 #[test]
-fn sparse_spots_are_told_by_lookup_check_and_grow_alike() {
+fn lookup_check_and_grow_report_sparse_spots_alike() {
     let sparse = [ellipse([100.0, 100.0], [4.0, 3.0]), ellipse([180.0, 100.0], [4.0, 3.0])];
     let folder = Folder::with(&document([400, 300], &json!(sparse)));
     let said = |arguments: &str| {

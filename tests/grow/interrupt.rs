@@ -96,7 +96,7 @@ fn a_growth_interrupted_between_two_pictures_leaves_neither() {
 }
 
 #[test]
-fn a_picture_that_was_there_outlives_an_interrupted_growth() {
+fn an_earlier_picture_is_kept_when_a_growth_is_interrupted() {
     let folder = Folder::with(&spots());
     folder.write("a.png", "not a picture, but mine");
     let mut child = start(&folder, "grow a.dapple -o a.png --quiet --scale 64");

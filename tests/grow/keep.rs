@@ -56,7 +56,7 @@ fn nearest(spots: &[Spot], to: [f64; 2]) -> Spot {
 }
 
 #[test]
-fn each_drawn_spot_has_a_grown_one_in_its_place_of_its_size_and_direction() {
+fn each_kept_spot_grows_in_its_place_with_its_size_and_direction() {
     for edges in [Edges::Closed, Edges::Wrap] {
         let layer = grown(&one_layer(&drawn(), edges));
         let off = off(&layer.plan, spots(&layer));
@@ -79,7 +79,7 @@ fn each_drawn_spot_has_a_grown_one_in_its_place_of_its_size_and_direction() {
 }
 
 #[test]
-fn around_kept_marks_the_region_has_what_was_drawn() {
+fn a_region_with_kept_marks_has_the_drawn_attributes() {
     for seed in [1, 2, 3] {
         let layer = grown(&Document { seed, size: [420, 400], ..one_layer(&drawn(), Edges::Wrap) });
         let Measured::Spots { errors, .. } = &layer.measured else { panic!("spots were drawn") };
@@ -110,7 +110,7 @@ fn marks_too_near_to_each_other_are_counted_and_as_many_stay_as_can() {
 }
 
 #[test]
-fn on_a_larger_canvas_they_stand_at_the_stretched_places_and_keep_their_size() {
+fn on_a_larger_canvas_kept_marks_are_at_scaled_places_with_their_size_unchanged() {
     let document = one_layer(&drawn(), Edges::Closed);
     let options = Options { size: Some([450, 480]), ..Options::default() };
     let grown = grow(&document, &options).unwrap();
@@ -121,7 +121,7 @@ fn on_a_larger_canvas_they_stand_at_the_stretched_places_and_keep_their_size() {
 }
 
 #[test]
-fn marks_are_kept_in_one_region_unless_told_otherwise() {
+fn marks_are_kept_by_default_only_if_there_is_one_region() {
     let mut document = one_layer(&drawn(), Edges::Closed);
     assert_eq!(grown(&document).plan.pinned_spots().len(), 10);
     document.regions = [2, 1];
@@ -136,7 +136,7 @@ fn marks_are_kept_in_one_region_unless_told_otherwise() {
 }
 
 #[test]
-fn a_mark_drawn_on_one_of_a_layer_beneath_is_not_kept_and_that_is_said() {
+fn a_mark_drawn_on_one_of_a_layer_beneath_is_not_kept_and_reported() {
     let ellipse = |center: [f64; 2], r: f64| json!({"kind": "ellipse", "center": center, "radii": [r, r]});
     let mut both = document([200, 160], &json!([]));
     both["layers"] = json!([
@@ -152,7 +152,7 @@ fn a_mark_drawn_on_one_of_a_layer_beneath_is_not_kept_and_that_is_said() {
 }
 
 #[test]
-fn what_is_kept_is_the_same_again_and_on_one_thread() {
+fn kept_marks_grow_the_same_again_and_on_one_thread() {
     let folder = Folder::new();
     one_layer(&drawn(), Edges::Closed).write(folder.path("a.dapple")).unwrap();
     folder.grow("--pattern p.png");
@@ -203,7 +203,7 @@ fn drawn_lines_lie_in_stripes_and_the_directions_are_no_worse_for_it() {
 }
 
 #[test]
-fn lines_that_no_stripes_can_follow_are_told() {
+fn lines_that_no_stripes_can_follow_are_reported() {
     let mut crossed = document([200, 160], &json!([]));
     let line = |from: [f64; 2], to: [f64; 2]| json!({"kind": "line", "from": from, "to": to, "width": 8});
     crossed["layers"][0]["strokes"] = json!([
@@ -256,7 +256,7 @@ fn pairs(aspect: f64, apart: f64, across: bool) -> impl Fn(f64) -> Vec<Mark> {
 }
 
 #[test]
-fn near_pairs_are_kept_and_held_where_they_were_drawn() {
+fn close_pairs_of_marks_are_kept_at_their_places() {
     for (packing, aspect, apart) in [(0.2, 0.5, 0.75), (0.12, 0.95, 0.65), (0.05, 0.8, 0.55)] {
         for across in [false, true] {
             let off = among(SystemChoice::Auto, packing, aspect, Edges::Wrap, &pairs(aspect, apart, across));

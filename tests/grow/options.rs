@@ -183,7 +183,7 @@ fn a_report_of_stripes_leaves_out_what_only_spots_have() {
 }
 
 #[test]
-fn without_refining_the_level_is_the_one_looked_up() {
+fn without_refinement_the_level_is_that_of_the_lookup() {
     let mut document = spots();
     let folder = Folder::with(&document);
     folder.grow("--report refined.json --pattern refined.png --no-document");
@@ -216,7 +216,7 @@ fn quiet_says_nothing() {
 }
 
 #[test]
-fn where_nothing_is_worth_a_note_nothing_is_said() {
+fn a_growth_without_notes_prints_nothing() {
     let folder = Folder::with(&spots());
     assert_eq!(folder.grow(""), "");
 }

@@ -4,13 +4,13 @@ use crate::folder::{Folder, document, spots};
 use serde_json::json;
 
 #[test]
-fn a_layer_that_is_not_there_is_used_wrongly() {
+fn a_missing_layer_is_a_usage_error() {
     let folder = Folder::with(&spots());
     folder.refuses("grow a.dapple -o a.png --pattern p.png --layer 2", 2, &["--layer", "2", "1 to 1"]);
 }
 
 #[test]
-fn nothing_is_written_over_the_document() {
+fn the_document_is_not_overwritten() {
     let folder = Folder::with(&spots());
     let before = folder.bytes("a.dapple");
     std::fs::create_dir(folder.path("sub")).unwrap();
@@ -29,14 +29,14 @@ fn nothing_is_written_over_the_document() {
 
 #[cfg(unix)]
 #[test]
-fn nothing_is_written_over_the_document_by_another_name() {
+fn the_document_is_not_overwritten_through_another_name() {
     let folder = Folder::with(&spots());
     std::os::unix::fs::symlink("a.dapple", folder.path("link.json")).unwrap();
     folder.refuses("grow a.dapple -o a.png --report link.json", 1, &["link.json", "two files"]);
 }
 
 #[test]
-fn a_missing_folder_is_told_before_anything_is_written() {
+fn a_missing_folder_is_reported_before_anything_is_written() {
     let folder = Folder::with(&spots());
     folder.refuses("grow a.dapple -o no/a.png", 1, &["no/a.png", "does not exist"]);
     for option in ["--pattern no/p.png", "--labels no/l.png", "--report no/r.json"] {
@@ -48,7 +48,7 @@ fn a_missing_folder_is_told_before_anything_is_written() {
 }
 
 #[test]
-fn what_does_not_fit_into_memory_is_told_with_the_numbers() {
+fn a_growth_beyond_the_free_memory_is_refused_with_the_numbers() {
     let dot = json!([{"kind": "ellipse", "center": [5, 5], "radii": [0.5, 0.5], "angle": 0}]);
     let folder = Folder::with(&document([300, 300], &dot));
     let before = folder.names();
@@ -64,7 +64,7 @@ fn what_does_not_fit_into_memory_is_told_with_the_numbers() {
 }
 
 #[test]
-fn a_stroke_that_is_neither_ellipse_nor_line_is_told_by_its_place() {
+fn a_stroke_that_is_neither_ellipse_nor_line_is_reported_with_its_place() {
     let ellipse = json!({"kind": "ellipse", "center": [50, 50], "radii": [6, 6], "angle": 0});
     let line = json!({"kind": "freehand", "points": [[10, 10], [30, 12], [60, 14]], "width": 5});
     let folder = Folder::with(&document([100, 100], &json!([ellipse, line])));

@@ -104,7 +104,7 @@ fn aspects_vary_as_asked() {
 }
 
 #[test]
-fn distances_vary_as_asked_beyond_what_they_do_by_themselves() {
+fn spacings_vary_as_asked_above_their_natural_variation() {
     for (spots, spacing) in [(ROUNDISH, 0.15), (ROUNDISH, 0.18), (SPARSE, 0.18)] {
         varies(spots, Spread { spacing, ..EVEN }, Spread { spacing: 0.02, ..EVEN });
     }
@@ -142,7 +142,7 @@ fn drawn_spread() -> Spread {
 }
 
 #[test]
-fn what_was_drawn_unlike_grows_unlike_and_the_report_says_how_much() {
+fn varied_drawn_marks_grow_varied_and_the_report_has_the_spread() {
     let mut varied = document([420, 360], &json!(pebbles()));
     let folder = Folder::with(&varied);
     assert_eq!(folder.grow("--pattern p.png --report r.json"), "");
@@ -197,7 +197,7 @@ fn without_a_spread_nothing_changes() {
 }
 
 #[test]
-fn what_cannot_vary_as_much_is_told() {
+fn a_spread_that_cannot_be_reached_is_reported() {
     let mut wild = document([128, 128], &json!(hexagon([60.0, 60.0], 30.0)));
     wild["layers"][0]["options"] = json!({"spread": {"angle": 45, "aspect": 0.2, "spacing": 0.1}});
     let folder = Folder::with(&wild);

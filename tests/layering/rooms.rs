@@ -152,7 +152,7 @@ mod the_scan_itself {
     }
 
     #[test]
-    fn catches_each_kind_of_trespass() {
+    fn finds_each_kind_of_forbidden_import() {
         let trespasses = [
             ("src/colour/mod.rs", "use crate::export::png;"),
             ("src/colour/deep/x.rs", "fn f() { super::super::super::export::g() }"),

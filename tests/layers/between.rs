@@ -99,7 +99,7 @@ fn stripes_grow_around_spots() {
 }
 
 #[test]
-fn three_layers_grow_one_between_the_other() {
+fn three_layers_grow_between_each_other() {
     let middle = spots(176.0, 0.875, 0.0, 36.0);
     assert_between("three", &[large(), middle, spots(28.3, 1.0, 0.0, 16.0)], Edges::Closed);
 }

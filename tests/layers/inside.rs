@@ -102,7 +102,7 @@ fn marks_of_any_smaller_size_and_shape_stand_at_their_places() {
 }
 
 #[test]
-fn turings_spots_give_places_too() {
+fn turings_spots_can_give_the_places_too() {
     let beneath = Layer { system: SystemChoice::Of(System::TURING_SPOTS), ..spots(800.0, 0.9, 0.0, 60.0) };
     let grown = grown(&cascade(Edges::Wrap, 2, vec![beneath, inside(spots(120.0, 0.6, 30.0, 30.0))]));
     assert_one_each(&grown, 1, Edges::Wrap, "Turing's");
@@ -121,7 +121,7 @@ fn marks_that_differ_keep_their_places() {
 }
 
 #[test]
-fn what_comes_next_keeps_away_from_the_small_marks_and_not_from_those_that_gave_the_places() {
+fn the_next_layer_keeps_away_from_the_small_marks_and_not_from_those_that_gave_the_places() {
     let layers = vec![
         spots(800.0, 0.9, 0.0, 62.0),
         inside(spots(150.0, 0.6, 30.0, 30.0)),
@@ -162,7 +162,7 @@ fn refused(layers: Vec<Layer>, words: &[&str]) {
 }
 
 #[test]
-fn what_makes_no_sense_inside_is_refused_with_the_reason() {
+fn impossible_layers_inside_others_are_refused_with_the_reason() {
     let (large, small) = (spots(800.0, 0.9, 0.0, 62.0), spots(150.0, 0.6, 30.0, 30.0));
     let at = "layers[1].";
     refused(

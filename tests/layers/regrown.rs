@@ -74,7 +74,7 @@ fn renamed_layers_are_not_grown_again_and_reports_have_their_new_names() {
 }
 
 #[test]
-fn layers_without_concentrations_are_grown_again_where_these_are_wanted() {
+fn layers_without_concentrations_are_grown_again_if_concentrations_are_requested() {
     let layers = vec![spots(850.0, 0.83, 30.0, 80.0)];
     let before = grown(&Document { size: [120, 120], ..cascade(Edges::Closed, 1, layers) });
     let wanted = Settings { concentrations: true, ..Settings::default() };

@@ -29,7 +29,7 @@ fn apart(diameters: f64, aspect: f64, edges: Edges) -> Document {
 }
 
 #[test]
-fn a_spacing_that_no_single_run_reaches_is_met() {
+fn a_spacing_beyond_that_of_the_system_is_met() {
     for edges in [Edges::Wrap, Edges::Closed] {
         for (diameters, aspect) in [(9.0, 1.0), (12.0, 0.5), (20.0, 0.35)] {
             assert_met(
@@ -56,7 +56,7 @@ fn only_some_regions_may_be_sparse() {
 }
 
 #[test]
-fn the_report_says_so() {
+fn the_report_has_a_note_about_sparse_spots() {
     let report = |document: &Document| serde_json::json!(report(document, "test", &grown(document), 0.0));
     let region = |document: &Document| report(document)["layers"][0]["regions"][0].clone();
     let sparse = region(&apart(9.0, 1.0, Edges::Wrap));

@@ -21,7 +21,7 @@ fn counts(text: &str) -> [usize; 2] {
 }
 
 #[test]
-fn an_svg_has_a_group_a_layer_in_mm_unless_told_otherwise() {
+fn an_svg_has_a_group_for_each_layer_and_is_in_mm_by_default() {
     let bench = Bench::new();
     let told = bench.does("grow a.dapple -o a.svg --no-refine --report r.json");
     assert!(told.contains("in the air"), "{told}");
@@ -46,7 +46,7 @@ fn an_svg_has_a_group_a_layer_in_mm_unless_told_otherwise() {
 }
 
 #[test]
-fn styles_ends_and_sizes_are_as_asked() {
+fn styles_ends_and_sizes_are_as_requested() {
     let bench = Bench::new();
     let drawn = |more: &str| {
         bench.does(&format!("grow a.dapple --svg b.svg --units px --no-refine --quiet {more}"));
@@ -92,7 +92,7 @@ fn a_dxf_is_read_by_a_library_that_did_not_write_it() {
 }
 
 #[test]
-fn a_dxf_keeps_areas_and_stands_upright() {
+fn a_dxf_keeps_areas_and_orientation() {
     // A disc in the upper left quarter.
     let field = Field::from_fn([64, 64], [1.0, 1.0], Edges::Closed, |[x, y]| {
         let r = ((x - 20.0) * (x - 20.0) + (y - 16.0) * (y - 16.0)).sqrt();
@@ -117,7 +117,7 @@ fn a_dxf_keeps_areas_and_stands_upright() {
 }
 
 #[test]
-fn what_contradicts_itself_is_refused_before_anything_grows() {
+fn contradictory_options_are_refused_before_anything_grows() {
     let bench = Bench::new();
     bench.refuses("grow a.dapple -o a.gif", 1, &["a.gif", ".webp, .svg, .dxf"]);
     bench.refuses("grow a.dapple", 2, &["--output"]);

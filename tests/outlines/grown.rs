@@ -180,7 +180,7 @@ fn along(points: &[[f64; 2]], axis: usize, place: f64) -> Vec<f64> {
 }
 
 #[test]
-fn the_hatch_of_a_tile_goes_on_across_its_seams() {
+fn the_hatch_of_a_tile_continues_across_its_seams() {
     let (document, grown) = grown("tile-petals");
     let side = f64::from(SIDE);
     let mut all = 0;

@@ -30,7 +30,7 @@ fn an_svg_becomes_a_document_that_grows() {
 }
 
 #[test]
-fn outlines_come_back_as_the_marks_that_were_grown() {
+fn outlines_are_imported_as_the_marks_that_were_grown() {
     let bench = Bench::new();
     bench.does("grow a.dapple -o a.svg --no-refine --units px --quiet");
     let told = bench.does("import a.svg -o b.dapple");
@@ -41,7 +41,7 @@ fn outlines_come_back_as_the_marks_that_were_grown() {
 }
 
 #[test]
-fn what_is_no_sketch_is_refused_with_a_remedy() {
+fn a_file_without_a_sketch_is_refused_with_a_remedy() {
     let bench = Bench::new();
     bench.write("bad.svg", "<svg");
     bench.write(

@@ -31,7 +31,7 @@ fn sixteen_bit_are_finer_and_round_to_eight() {
 }
 
 #[test]
-fn what_one_can_see_through_looks_the_same_on_its_ground() {
+fn a_transparent_picture_over_its_ground_looks_the_same() {
     let folder = Folder::with(&tile());
     folder.does("grow a.dapple -o a.png");
     for name in ["t.png", "t.webp", "t.tif"] {
@@ -61,7 +61,7 @@ fn what_one_can_see_through_looks_the_same_on_its_ground() {
 }
 
 #[test]
-fn numbers_go_into_files_without_losses_only() {
+fn numbers_are_written_to_lossless_formats_only() {
     let folder = Folder::with(&tile());
     folder.refuses("grow a.dapple -o a.gif", 1, &["a.gif", ".png, .tif, .tiff, .exr, .jpg, .jpeg, .webp"]);
     folder.refuses(

@@ -5,7 +5,7 @@ const MAPS: [&str; 9] =
     ["AmbientOcclusion", "BaseColor", "Height", "ID", "MaskMap", "NormalDX", "NormalGL", "ORM", "Roughness"];
 
 #[test]
-fn a_set_has_the_names_that_engines_know_and_needs_no_picture_beside_it() {
+fn a_set_has_the_file_names_of_game_engines_and_needs_no_picture() {
     let folder = Folder::with(&tile());
     folder.does("grow a.dapple --material set");
     let mut names: Vec<String> = MAPS.map(|map| format!("a_{map}.png")).to_vec();
@@ -23,7 +23,7 @@ fn a_set_has_the_names_that_engines_know_and_needs_no_picture_beside_it() {
 }
 
 #[test]
-fn another_reader_opens_the_plane_with_all_its_pictures() {
+fn another_gltf_reader_opens_the_plane_with_all_its_pictures() {
     let folder = Folder::with(&tile());
     for (more, mode) in
         [("", gltf::material::AlphaMode::Opaque), ("--transparent", gltf::material::AlphaMode::Blend)]
@@ -42,7 +42,7 @@ fn another_reader_opens_the_plane_with_all_its_pictures() {
 }
 
 #[test]
-fn marks_stand_up_or_are_hollows_and_normals_lean_away_from_what_is_high() {
+fn marks_are_raised_or_hollow_and_normals_point_away_from_high_places() {
     let folder = Folder::with(&tile());
     for (relief, sign) in [("5", 1.0), ("-5", -1.0)] {
         folder.does(&format!("grow a.dapple --material set --relief {relief} --pattern p.png"));
@@ -108,7 +108,7 @@ fn twice_the_scale_is_the_same_surface() {
 }
 
 #[test]
-fn what_is_no_surface_is_told() {
+fn invalid_surface_options_are_refused() {
     let folder = Folder::with(&tile());
     folder.refuses("grow a.dapple --material set --relief x", 2, &["--relief", "such as 6"]);
     folder.refuses("grow a.dapple --material set --roughness 2", 2, &["--roughness", "0 (mirror)"]);

@@ -16,7 +16,7 @@ fn a_picture_grows_again_from_itself_with_seed_size_and_scale() {
 }
 
 #[test]
-fn a_name_in_any_script_comes_back() {
+fn a_name_in_any_script_is_read_back() {
     let mut document = tile();
     document["name"] = json!("Flußpferd 河马 🦛");
     let folder = Folder::with(&document);
@@ -26,7 +26,7 @@ fn a_name_in_any_script_comes_back() {
 }
 
 #[test]
-fn a_picture_without_a_document_and_a_damaged_one_are_told() {
+fn a_picture_without_a_document_and_a_damaged_one_are_errors() {
     let folder = Folder::with(&tile());
     folder.does("grow a.dapple -o with.png");
     folder.does("grow a.dapple -o bare.png --no-document");

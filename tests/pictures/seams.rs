@@ -199,14 +199,14 @@ fn the_border_of_a_tile_is_a_line_like_all_others() {
 }
 
 #[test]
-fn one_px_that_is_missing_at_the_border_is_seen() {
+fn a_missing_px_at_the_border_is_detected() {
     let means = mean_ranks(|picture| picture.crop_imm(0, 0, picture.width() - 1, picture.height() - 1));
     println!("{means:?}");
     assert!(means.iter().all(|(_, rank)| *rank > HIGH), "{means:?}");
 }
 
 #[test]
-fn the_ruler_sees_a_seam() {
+fn the_measurement_detects_a_seam() {
     let ramp = image::RgbImage::from_fn(64, 64, |x, _| image::Rgb([4 * x as u8; 3]));
     let [most, largest] = ratios(&DynamicImage::ImageRgb8(ramp));
     assert!(most > 10.0 && largest > 10.0);

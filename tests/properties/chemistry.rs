@@ -65,7 +65,7 @@ proptest! {
     #![proptest_config(cases(60))]
 
     #[test]
-    fn concentrations_stay_finite_and_non_negative_for_whatever_is_answered(
+    fn concentrations_stay_finite_and_non_negative_for_any_answer(
         (system, wanted) in asked(),
         edges in edges(),
         [nx, ny] in [8..48_usize, 8..48_usize],
@@ -118,7 +118,7 @@ proptest! {
     }
 
     #[test]
-    fn one_value_that_is_not_finite_is_told_by_the_verdict(
+    fn one_value_that_is_not_finite_is_reported_by_the_verdict(
         values in prop::collection::vec(0.0..=1.0_f32, 16..400),
         bad in prop::sample::select(vec![f32::NAN, f32::INFINITY, f32::NEG_INFINITY]),
         place in any::<prop::sample::Index>(),

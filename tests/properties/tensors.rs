@@ -35,7 +35,7 @@ proptest! {
     }
 
     #[test]
-    fn a_tensor_that_growth_takes_is_kept_as_it_is(
+    fn an_allowed_tensor_is_represented_exactly(
         stretch in f64::from(MIN_STRETCH)..=1.0,
         degrees in 0.0..180.0_f64,
     ) {

@@ -44,7 +44,7 @@ fn every_control_has_a_name() {
 }
 
 #[test]
-fn the_canvas_says_what_is_on_it() {
+fn the_accessible_name_of_the_canvas_lists_its_marks() {
     let mut hand = hand();
     hand.key(Modifiers::SHIFT, Key::E);
     assert!(hand.window.query_by_label("Sketch canvas, 1 mark").is_some());

@@ -36,7 +36,7 @@ fn names(hand: &Hand) -> Vec<String> {
 }
 
 #[test]
-fn hidden_they_do_nothing() {
+fn hidden_alternatives_are_not_grown() {
     let (mut hand, _folder) = spots();
     hand.until_settled();
     hand.rest();
@@ -45,7 +45,7 @@ fn hidden_they_do_nothing() {
 }
 
 #[test]
-fn there_are_other_seeds_another_system_and_another_spread() {
+fn alternatives_have_other_seeds_another_system_and_another_spread() {
     let (mut hand, _folder) = spots();
     hand.key(Modifiers::NONE, Key::A);
     until_grown(&mut hand);
@@ -67,7 +67,7 @@ fn there_are_other_seeds_another_system_and_another_spread() {
 }
 
 #[test]
-fn what_is_taken_is_what_its_picture_showed() {
+fn a_chosen_alternative_grows_what_its_picture_showed() {
     for name in ["Seed 3", "Turing's spots", "Looser"] {
         let (mut hand, _folder) = spots();
         hand.key(Modifiers::NONE, Key::A);
@@ -94,7 +94,7 @@ fn what_is_taken_is_what_its_picture_showed() {
 }
 
 #[test]
-fn taking_one_leaves_the_others_there() {
+fn choosing_an_alternative_keeps_the_others() {
     let (mut hand, _folder) = spots();
     hand.key(Modifiers::NONE, Key::A);
     until_grown(&mut hand);
@@ -145,7 +145,7 @@ fn another_sketch_has_other_alternatives_and_keeps_what_is_starred() {
 }
 
 #[test]
-fn they_can_be_stopped_and_go_on() {
+fn alternatives_can_be_stopped_and_continued() {
     let (mut hand, _folder) = spots();
     hand.key(Modifiers::NONE, Key::A);
     hand.until("some growing", |window| window.alternatives().is_growing());
@@ -163,7 +163,7 @@ fn they_can_be_stopped_and_go_on() {
 }
 
 #[test]
-fn hiding_them_gives_up_growing() {
+fn hiding_the_alternatives_cancels_their_growth() {
     let (mut hand, _folder) = spots();
     hand.key(Modifiers::NONE, Key::A);
     hand.until("some growing", |window| window.alternatives().is_growing());
@@ -172,7 +172,7 @@ fn hiding_them_gives_up_growing() {
 }
 
 #[test]
-fn one_is_taken_and_kept_by_keys_alone() {
+fn an_alternative_is_chosen_and_starred_by_keys_alone() {
     let (mut hand, _folder) = spots();
     hand.key(Modifiers::NONE, Key::A);
     until_grown(&mut hand);

@@ -128,7 +128,7 @@ fn a_stop_is_added_by_a_click_and_removed_by_dragging_it_off() {
 }
 
 #[test]
-fn escape_lets_go_of_a_stop() {
+fn escape_cancels_the_drag_of_a_stop() {
     let (mut hand, _folder) = dyer(1);
     let before = hand.places();
     let pin = hand.place("Stop 3 of 4").center();
@@ -161,7 +161,7 @@ fn handles_bend_the_transition() {
 }
 
 #[test]
-fn all_goes_by_keys_alone() {
+fn colours_are_edited_by_keys_alone() {
     let (mut hand, _folder) = dyer(1);
     hand.focus("Stop 2 of 4");
     for key in [Key::ArrowRight, Key::ArrowRight, Key::ArrowUp] {
@@ -225,7 +225,7 @@ fn a_colour_is_typed() {
 }
 
 #[test]
-fn stops_are_swapped_and_all_is_reversed() {
+fn stops_are_swapped_and_the_gradient_is_reversed() {
     let (mut hand, _folder) = dyer(1);
     let before = hand.colours(0);
     hand.focus("Stop 1 of 4");
@@ -243,7 +243,7 @@ fn stops_are_swapped_and_all_is_reversed() {
 }
 
 #[test]
-fn a_preset_is_taken_and_says_where_it_comes_from() {
+fn a_preset_is_applied_and_shows_its_source() {
     let (mut hand, _folder) = dyer(1);
     let zebra = PRESETS.iter().find(|preset| preset.set.name == "zebra").unwrap();
     hand.window.get_by_label("Colours: zebra").scroll_to_me();
@@ -275,7 +275,7 @@ fn colours_are_copied_between_layers() {
 }
 
 #[test]
-fn palettes_go_out_and_come_in() {
+fn palettes_are_saved_and_opened() {
     let (mut hand, folder) = dyer(1);
     hand.reach("Colours: zebra");
     let zebra = hand.colours(0);
@@ -325,7 +325,7 @@ fn is_painted(hand: &Hand) -> bool {
 }
 
 #[test]
-fn the_picture_follows_while_a_stop_moves_and_nothing_grows_again() {
+fn the_picture_is_repainted_while_a_stop_moves_and_nothing_grows_again() {
     let (mut hand, _folder) = dyer(1);
     hand.until_settled();
     let growth = hand.window.state().growth().generation();
@@ -350,7 +350,7 @@ fn the_picture_follows_while_a_stop_moves_and_nothing_grows_again() {
 }
 
 #[test]
-fn colours_that_change_while_it_grows_do_not_begin_it_again() {
+fn a_change_of_colours_does_not_restart_the_growth() {
     let (mut hand, _folder) = dyer(1);
     hand.key(Modifiers::COMMAND, Key::R);
     hand.until("first picture", |window| window.growth().first_picture.is_some());
@@ -370,7 +370,7 @@ fn colours_that_change_while_it_grows_do_not_begin_it_again() {
 }
 
 #[test]
-fn the_bar_and_the_curve_show_what_the_library_says() {
+fn the_bar_and_the_curve_show_the_values_of_the_library() {
     let (mut hand, _folder) = dyer(1);
     hand.reach("Colours: tiger");
     hand.focus("Stop 2 of 4");

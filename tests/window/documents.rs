@@ -33,7 +33,7 @@ fn example(name: &str) -> PathBuf {
 }
 
 #[test]
-fn what_is_saved_is_opened_again() {
+fn a_saved_document_is_opened_unchanged() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = hand();
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
@@ -63,7 +63,7 @@ fn every_example_is_opened_and_saved_without_a_change() {
 }
 
 #[test]
-fn a_bad_file_that_is_dropped_is_told_and_loses_nothing() {
+fn an_invalid_file_that_is_dropped_is_reported_and_loses_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let bad = folder.path().join("bad.dapple");
     fs::write(&bad, r#"{"format": "dapple", "version": 1, "size": [64, -1], "layers": []}"#).unwrap();
@@ -79,7 +79,7 @@ fn a_bad_file_that_is_dropped_is_told_and_loses_nothing() {
 }
 
 #[test]
-fn a_document_that_is_dropped_is_opened_once_unsaved_work_is_answered_for() {
+fn a_dropped_document_is_opened_after_the_question_about_unsaved_work() {
     let mut hand = hand();
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
     let mine = hand.document();
@@ -93,7 +93,7 @@ fn a_document_that_is_dropped_is_opened_once_unsaved_work_is_answered_for() {
 }
 
 #[test]
-fn unsaved_work_can_be_saved_before_another_document_comes() {
+fn unsaved_work_can_be_saved_before_another_document_is_opened() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = hand();
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
@@ -107,7 +107,7 @@ fn unsaved_work_can_be_saved_before_another_document_comes() {
 }
 
 #[test]
-fn a_picture_that_is_dropped_lies_under_the_canvas() {
+fn a_dropped_picture_is_shown_under_the_canvas() {
     let picture = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/examples/zebra.png");
     let mut hand = hand();
     drop_file(&mut hand, &picture);
@@ -212,7 +212,7 @@ fn a_picture_that_holds_its_document_restores_it_without_a_file() {
 }
 
 #[test]
-fn unsaved_work_is_asked_about_before_a_picture_or_a_drawing_takes_its_place() {
+fn unsaved_work_is_asked_about_before_a_picture_or_a_drawing_replaces_it() {
     let folder = tempfile::tempdir().unwrap();
     let picture = pictured(folder.path(), &[]);
     let mut hand = hand();
@@ -227,7 +227,7 @@ fn unsaved_work_is_asked_about_before_a_picture_or_a_drawing_takes_its_place() {
 }
 
 #[test]
-fn a_picture_without_a_document_says_so_and_what_to_do() {
+fn a_picture_without_a_document_is_reported_with_a_remedy() {
     let folder = tempfile::tempdir().unwrap();
     let picture = pictured(folder.path(), &["--no-document"]);
     let mut hand = hand();
@@ -242,7 +242,7 @@ fn a_picture_without_a_document_says_so_and_what_to_do() {
 }
 
 #[test]
-fn an_svg_becomes_a_sketch_without_a_file_and_says_what_was_left_out() {
+fn an_svg_becomes_an_unsaved_sketch_with_a_notice_of_what_was_left_out() {
     let folder = tempfile::tempdir().unwrap();
     let drawing = folder.path().join("drawing.svg");
     fs::write(
@@ -268,7 +268,7 @@ fn an_svg_becomes_a_sketch_without_a_file_and_says_what_was_left_out() {
 }
 
 #[test]
-fn a_document_in_a_json_file_is_opened_and_a_palette_in_one_is_taken() {
+fn a_json_file_with_a_document_is_opened_and_one_with_a_palette_is_applied() {
     let folder = tempfile::tempdir().unwrap();
     let json = folder.path().join("zebra.json");
     fs::copy(example("zebra"), &json).unwrap();
@@ -278,7 +278,7 @@ fn a_document_in_a_json_file_is_opened_and_a_palette_in_one_is_taken() {
 }
 
 #[test]
-fn a_window_that_goes_while_it_saves_has_saved() {
+fn a_window_that_closes_during_a_save_completes_it() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("zebra.dapple");
     fs::copy(example("zebra"), &path).unwrap();
@@ -294,7 +294,7 @@ fn a_window_that_goes_while_it_saves_has_saved() {
 }
 
 #[test]
-fn what_is_changed_after_a_save_began_is_not_saved() {
+fn a_change_after_a_save_began_is_unsaved() {
     let (mut hand, _folder, path) = hand_with(&Document::read(example("zebra")).unwrap());
     hand.key(Modifiers::COMMAND, Key::A);
     hand.key(Modifiers::NONE, Key::ArrowRight);

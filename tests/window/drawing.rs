@@ -5,7 +5,7 @@ use egui::{Event, Key, Modifiers, PointerButton};
 use crate::hand::hand;
 
 #[test]
-fn a_round_stroke_becomes_an_ellipse_as_the_pen_lifts() {
+fn a_closed_stroke_becomes_an_ellipse_when_it_ends() {
     let mut hand = hand();
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
     let [ellipse] = hand.ellipses()[..] else { panic!("{:?}", hand.strokes()) };
@@ -27,7 +27,7 @@ fn an_open_stroke_becomes_a_line_as_wide_as_the_pen() {
 }
 
 #[test]
-fn a_click_of_the_pen_makes_nothing() {
+fn a_click_with_the_pen_adds_nothing() {
     let mut hand = hand();
     hand.click([100.0, 100.0]);
     assert!(hand.strokes().is_empty());
@@ -45,7 +45,7 @@ fn an_ellipse_is_dragged_from_corner_to_corner() {
 }
 
 #[test]
-fn shift_makes_a_circle_and_a_click_repeats_it() {
+fn shift_makes_a_circle_and_a_click_adds_one_like_it() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
     hand.drag_with(&[[100.0, 100.0], [120.0, 110.0], [160.0, 130.0]], Modifiers::SHIFT);
@@ -70,7 +70,7 @@ fn a_line_takes_one_of_the_four_widths() {
 }
 
 #[test]
-fn a_line_among_ellipses_opens_a_layer_of_its_own() {
+fn a_line_among_ellipses_adds_a_layer_for_lines() {
     let mut hand = hand();
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 0.0);
     hand.key(Modifiers::NONE, Key::L);
@@ -84,7 +84,7 @@ fn a_line_among_ellipses_opens_a_layer_of_its_own() {
 }
 
 #[test]
-fn the_eraser_takes_what_it_touches() {
+fn the_eraser_deletes_the_marks_it_touches() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
     for x in [100.0, 200.0, 300.0, 400.0] {
@@ -97,7 +97,7 @@ fn the_eraser_takes_what_it_touches() {
 }
 
 #[test]
-fn escape_lets_go_of_what_is_being_drawn() {
+fn escape_cancels_the_stroke_in_progress() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
     let [from, to] = [hand.at([100.0, 100.0]), hand.at([200.0, 200.0])];
@@ -112,7 +112,7 @@ fn escape_lets_go_of_what_is_being_drawn() {
 }
 
 #[test]
-fn where_the_pointer_goes_after_the_pen_was_lifted_is_no_part_of_the_stroke() {
+fn movement_after_the_button_is_released_is_no_part_of_the_stroke() {
     let mut hand = hand();
     let mut path = Vec::new();
     for i in 0..=40 {

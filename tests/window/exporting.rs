@@ -91,7 +91,7 @@ fn grown(folder: &Path, name: &str, options: &[&str]) -> PathBuf {
 }
 
 #[test]
-fn pictures_of_every_format_are_what_was_seen_and_what_the_command_line_writes() {
+fn pictures_of_every_format_equal_the_preview_and_those_of_the_command_line() {
     for (format, name, options) in [
         ("PNG", "x.png", &[][..]),
         ("TIFF", "x.tif", &[]),
@@ -116,7 +116,7 @@ fn pictures_of_every_format_are_what_was_seen_and_what_the_command_line_writes()
 }
 
 #[test]
-fn a_transparent_picture_of_16_bit_is_what_was_seen_and_an_exr_looks_like_it() {
+fn a_transparent_picture_of_16_bit_equals_the_preview_and_an_exr_looks_like_it() {
     let (mut hand, folder) = small();
     open(&mut hand, "Picture");
     hand.press("16 bit");
@@ -175,7 +175,7 @@ fn decoded_or_bytes(path: &Path) -> Vec<u8> {
 }
 
 #[test]
-fn larger_pictures_are_seen_smaller_and_written_whole() {
+fn larger_pictures_have_a_smaller_preview_and_are_written_in_full_size() {
     let (mut hand, folder) = small();
     open(&mut hand, "Picture");
     hand.type_into("Scale", "30");
@@ -202,7 +202,7 @@ fn more_texture_is_grown_for_the_preview_and_not_again_for_the_file() {
 }
 
 #[test]
-fn every_map_of_a_material_is_what_was_seen() {
+fn every_map_of_a_material_equals_its_preview() {
     let (mut hand, folder) = small();
     open(&mut hand, "Material");
     hand.type_into("Relief of spots", "9");
@@ -224,7 +224,7 @@ fn every_map_of_a_material_is_what_was_seen() {
 }
 
 #[test]
-fn outlines_are_what_was_seen_by_the_eye_of_another_renderer() {
+fn outlines_drawn_by_another_renderer_look_like_the_preview() {
     let (mut hand, folder) = small();
     open(&mut hand, "Outlines");
     hand.press("hatch");
@@ -281,7 +281,7 @@ fn strokes_are_cut_only_where_nothing_is_filled() {
 }
 
 #[test]
-fn lengths_stay_what_they_are_where_their_unit_changes() {
+fn lengths_are_converted_when_their_unit_changes() {
     let (mut hand, _folder) = small();
     open(&mut hand, "Outlines");
     hand.press("px");
@@ -291,7 +291,7 @@ fn lengths_stay_what_they_are_where_their_unit_changes() {
 }
 
 #[test]
-fn a_film_plays_before_it_is_written_and_is_the_same_then() {
+fn a_film_plays_in_the_preview_and_is_written_as_shown() {
     for (format, name) in [("GIF", "x.gif"), ("Animated PNG", "x.png"), ("Single PNG, in a folder", "frames")]
     {
         let (mut hand, folder) = small();
@@ -350,7 +350,7 @@ fn one_document_becomes_another_in_a_film() {
 }
 
 #[test]
-fn what_cannot_be_made_says_why_and_what_to_do() {
+fn an_impossible_export_is_reported_with_a_remedy() {
     let (mut hand, folder) = small();
     let other = folder.path().join("stripes.dapple");
     let text = r#"{"format": "dapple", "version": 1, "size": [96, 80], "layers": [
@@ -374,7 +374,7 @@ fn what_cannot_be_made_says_why_and_what_to_do() {
 }
 
 #[test]
-fn the_dialog_begins_as_it_was_left_also_in_the_next_session() {
+fn the_dialog_keeps_its_choices_also_in_the_next_session() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("settings");
     let document = folder.path().join("a.dapple");
@@ -401,7 +401,7 @@ fn the_dialog_begins_as_it_was_left_also_in_the_next_session() {
 }
 
 #[test]
-fn escape_leaves_the_dialog_and_cancelling_the_file_comes_back_to_it() {
+fn escape_closes_the_dialog_and_cancelling_the_file_dialog_returns_to_it() {
     let (mut hand, _folder) = small();
     open(&mut hand, "Picture");
     seen(&mut hand);

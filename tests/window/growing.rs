@@ -25,7 +25,7 @@ fn small() -> (Hand, tempfile::TempDir) {
 }
 
 #[test]
-fn what_has_settled_is_what_the_command_line_writes() {
+fn a_settled_texture_equals_the_one_of_the_command_line() {
     let mut hand = hand();
     three_spots(&mut hand);
     hand.until_settled();
@@ -53,7 +53,7 @@ fn what_has_settled_is_what_the_command_line_writes() {
 }
 
 #[test]
-fn growth_begins_in_the_frame_in_which_the_pen_lifts() {
+fn growth_begins_in_the_frame_in_which_the_stroke_ends() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
     let [from, to] = [hand.at([100.0, 100.0]), hand.at([130.0, 120.0])];
@@ -79,7 +79,7 @@ fn a_change_replaces_what_grows() {
 }
 
 #[test]
-fn a_paused_growth_stands_still_until_it_goes_on() {
+fn a_paused_growth_takes_no_step_until_it_is_continued() {
     let mut hand = hand();
     three_spots(&mut hand);
     hand.press("Pause");
@@ -157,7 +157,7 @@ fn an_empty_canvas_grows_nothing() {
 }
 
 #[test]
-fn an_export_at_another_size_runs_beside_and_can_be_given_up() {
+fn an_export_at_another_size_runs_in_the_background_and_can_be_cancelled() {
     let (mut hand, folder) = small();
     hand.until_settled();
     let path = folder.path().join("large.png");

@@ -124,7 +124,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
 
     #[test]
-    fn all_can_be_undone_and_done_again(deeds in prop::collection::vec(deed(), 1..40)) {
+    fn every_change_can_be_undone_and_redone(deeds in prop::collection::vec(deed(), 1..40)) {
         let mut session = Session::open(Document::default(), None);
         for deed in &deeds {
             act(&mut session, deed);
@@ -163,7 +163,7 @@ proptest! {
     }
 
     #[test]
-    fn one_step_back_and_forth_is_no_change(deeds in prop::collection::vec(deed(), 1..30)) {
+    fn undo_and_redo_of_one_step_change_nothing(deeds in prop::collection::vec(deed(), 1..30)) {
         let mut session = Session::open(Document::default(), None);
         for deed in &deeds {
             act(&mut session, deed);
@@ -219,7 +219,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 6, max_shrink_iters: 40, ..ProptestConfig::default() })]
 
     #[test]
-    fn whatever_the_hand_did_is_undone_step_by_step(moves in prop::collection::vec(moves(), 1..25)) {
+    fn any_sequence_of_actions_is_undone_step_by_step(moves in prop::collection::vec(moves(), 1..25)) {
         let mut hand = hand();
         let empty = hand.window.state().session().document().clone();
         for act in &moves {

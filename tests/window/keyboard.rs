@@ -28,7 +28,7 @@ fn a_sketch_is_made_by_keys_alone() {
 }
 
 #[test]
-fn letters_that_are_typed_into_a_field_take_no_tool() {
+fn letters_typed_into_a_field_select_no_tool() {
     let mut hand = hand();
     hand.key(Modifiers::SHIFT, Key::E);
     hand.press("Middle x");
@@ -39,7 +39,7 @@ fn letters_that_are_typed_into_a_field_take_no_tool() {
 }
 
 #[test]
-fn escape_puts_a_page_away() {
+fn escape_closes_a_page() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::F1);
     assert!(hand.window.query_by_label("Keys").is_some());
@@ -51,7 +51,7 @@ fn escape_puts_a_page_away() {
 }
 
 #[test]
-fn escape_closes_a_menu_and_keeps_what_is_selected() {
+fn escape_closes_a_menu_and_keeps_the_selection() {
     let mut hand = hand();
     hand.key(Modifiers::SHIFT, Key::E);
     hand.press("Edit");

@@ -71,7 +71,7 @@ fn the_rows_say_what_each_layer_holds_the_highest_first() {
 }
 
 #[test]
-fn a_row_takes_its_layer_to_hand_and_so_does_a_mark_on_the_canvas() {
+fn a_click_on_a_row_or_on_a_mark_activates_the_layer() {
     let mut hand = two();
     hand.press("Layer layer 1, 2 ellipses");
     assert_eq!(at_hand(&hand), 0);
@@ -83,7 +83,7 @@ fn a_row_takes_its_layer_to_hand_and_so_does_a_mark_on_the_canvas() {
 }
 
 #[test]
-fn layers_are_added_duplicated_and_deleted_and_all_of_it_is_undone() {
+fn layers_are_added_duplicated_and_deleted_and_every_step_can_be_undone() {
     let mut hand = two();
     hand.press("New layer");
     assert_eq!(rows(&hand)[0], "Layer layer 3, empty");
@@ -111,7 +111,7 @@ fn an_empty_layer_is_not_saved() {
 }
 
 #[test]
-fn layers_change_places_by_buttons_and_by_dragging_their_rows() {
+fn layers_are_moved_by_buttons_and_by_dragging_their_rows() {
     let mut hand = two();
     hand.press("Lower layer");
     assert_eq!(kinds(&hand), [false, true]);
@@ -170,7 +170,7 @@ fn a_double_click_on_a_row_names_it() {
 }
 
 #[test]
-fn a_hidden_layer_still_grows_but_the_hand_does_not_touch_it() {
+fn a_hidden_layer_grows_but_cannot_be_edited() {
     let mut hand = two();
     hand.press("Hide layer 1");
     assert!(!hand.document().layers[0].visible);
@@ -184,7 +184,7 @@ fn a_hidden_layer_still_grows_but_the_hand_does_not_touch_it() {
 }
 
 #[test]
-fn a_frozen_layer_is_left_alone_until_it_is_thawed() {
+fn a_frozen_layer_cannot_be_edited_until_it_is_thawed() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
     hand.drag(&[[80.0, 80.0], [120.0, 104.0]]);
@@ -209,7 +209,7 @@ fn a_frozen_layer_is_left_alone_until_it_is_thawed() {
 }
 
 #[test]
-fn how_it_meets_those_beneath_is_chosen_by_a_picture() {
+fn the_relation_to_the_layers_beneath_is_chosen_by_a_picture() {
     let mut hand = two();
     hand.press("How it grows");
     for (name, after) in [("Around", After::Around), ("Net", After::Net), ("Between", After::Between)] {
@@ -228,7 +228,7 @@ fn how_it_meets_those_beneath_is_chosen_by_a_picture() {
 }
 
 #[test]
-fn a_system_is_chosen_and_put_back() {
+fn a_system_is_chosen_and_reset() {
     let mut hand = two();
     hand.press("How it grows");
     choose(&mut hand, "System", "Meinhardt's lines");
@@ -294,7 +294,7 @@ fn options_of_spots() {
 }
 
 #[test]
-fn layers_are_worked_on_by_keys_alone() {
+fn layers_are_edited_by_keys_alone() {
     let mut hand = hand();
     hand.key(Modifiers::SHIFT, Key::E);
     hand.key(Modifiers::NONE, Key::F);
@@ -338,7 +338,7 @@ fn layers_are_worked_on_by_keys_alone() {
 }
 
 #[test]
-fn what_lies_beneath_is_not_grown_again_and_is_seen_under_the_canvas() {
+fn layers_beneath_are_not_grown_again_and_are_shown_under_the_canvas() {
     let mut hand = hand();
     hand.draw_round([60.0, 60.0], [14.0, 9.0], 20.0);
     hand.draw_round([100.0, 90.0], [13.0, 9.0], 25.0);

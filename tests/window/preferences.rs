@@ -47,7 +47,7 @@ fn preferences_are_remembered() {
 }
 
 #[test]
-fn a_new_document_is_as_preferred() {
+fn a_new_document_has_the_preferred_values() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("settings");
     let mut settings = Settings::read(&file);
@@ -66,7 +66,7 @@ fn a_new_document_is_as_preferred() {
 }
 
 #[test]
-fn lengths_are_told_and_typed_in_mm_by_the_documents_dpi() {
+fn lengths_are_shown_and_typed_in_mm_by_the_documents_dpi() {
     let mut hand = hand();
     hand.key(Modifiers::SHIFT, Key::E);
     preferences(&mut hand);
@@ -87,7 +87,7 @@ fn lengths_are_told_and_typed_in_mm_by_the_documents_dpi() {
 }
 
 #[test]
-fn a_number_that_is_looked_at_and_left_is_not_changed() {
+fn a_number_field_that_is_left_without_typing_changes_nothing() {
     let mut hand = hand();
     hand.draw_round([150.3, 200.7], [40.0, 21.3], 30.0);
     hand.key(Modifiers::COMMAND, Key::A);
@@ -136,7 +136,7 @@ fn any_number_of_threads_grows_the_same() {
 }
 
 #[test]
-fn every_control_of_the_page_has_a_name_and_the_keys_reach_it() {
+fn every_control_of_the_page_has_a_name_and_is_reached_by_keys() {
     let mut hand = hand();
     preferences(&mut hand);
     for role in [Role::RadioButton, Role::SpinButton, Role::CheckBox] {

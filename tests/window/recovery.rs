@@ -36,7 +36,7 @@ fn is_offered(hand: &Hand) -> usize {
 }
 
 #[test]
-fn what_was_drawn_before_a_crash_is_offered_once_and_restored() {
+fn a_sketch_from_before_a_crash_is_offered_once_and_restored() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = window(folder.path(), None);
     assert_eq!(is_offered(&hand), 0);
@@ -65,7 +65,7 @@ fn what_was_drawn_before_a_crash_is_offered_once_and_restored() {
 }
 
 #[test]
-fn what_was_restored_and_not_saved_outlives_the_next_crash_too() {
+fn restored_unsaved_work_survives_the_next_crash() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = window(folder.path(), None);
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
@@ -102,7 +102,7 @@ fn changes_of_a_file_come_back_with_the_file() {
 }
 
 #[test]
-fn what_is_saved_undone_or_not_wanted_is_not_kept() {
+fn saved_undone_or_discarded_work_is_not_kept() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = window(folder.path(), None);
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
@@ -127,7 +127,7 @@ fn what_is_saved_undone_or_not_wanted_is_not_kept() {
 }
 
 #[test]
-fn what_is_discarded_is_asked_for_twice_and_gone() {
+fn discarding_a_backup_asks_for_confirmation_and_deletes_it() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = window(folder.path(), None);
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
@@ -143,7 +143,7 @@ fn what_is_discarded_is_asked_for_twice_and_gone() {
 }
 
 #[test]
-fn several_can_be_decided_on_later_by_keys_alone() {
+fn several_backups_can_be_postponed_by_keys_alone() {
     let folder = tempfile::tempdir().unwrap();
     let mut windows = [window(folder.path(), None), window(folder.path(), None)];
     for (x, hand) in [150.0, 250.0].into_iter().zip(&mut windows) {
@@ -175,7 +175,7 @@ fn several_can_be_decided_on_later_by_keys_alone() {
 }
 
 #[test]
-fn a_living_window_is_not_offered_to_another() {
+fn the_backup_of_a_running_window_is_not_offered_to_another() {
     let folder = tempfile::tempdir().unwrap();
     let mut one = window(folder.path(), None);
     one.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
@@ -190,7 +190,7 @@ fn a_living_window_is_not_offered_to_another() {
 }
 
 #[test]
-fn a_damaged_slot_is_told_and_does_not_hinder() {
+fn a_damaged_backup_is_reported_and_the_window_opens() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir_all(folder.path().join("recovery")).unwrap();
     fs::write(folder.path().join("recovery/1-2-3.dapple"), "dapple recovery 1\nwhen 17\n\n{\"form").unwrap();
@@ -207,7 +207,7 @@ fn a_damaged_slot_is_told_and_does_not_hinder() {
 }
 
 #[test]
-fn where_nothing_can_be_kept_it_is_said_once() {
+fn a_backup_folder_that_cannot_be_written_is_reported_once() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("recovery"), "a file where a folder should be").unwrap();
     let mut hand = window(folder.path(), None);
@@ -223,7 +223,7 @@ fn where_nothing_can_be_kept_it_is_said_once() {
 }
 
 #[test]
-fn the_window_lies_as_it_was_left() {
+fn the_window_opens_with_its_last_size_and_position() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = window(folder.path(), None);
     hand.press("Views move together");
@@ -242,7 +242,7 @@ fn the_window_lies_as_it_was_left() {
 }
 
 #[test]
-fn a_window_without_a_folder_keeps_nothing() {
+fn a_window_without_a_backup_folder_writes_no_backups() {
     let mut hand = crate::hand::hand();
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
     hand.rest();

@@ -80,7 +80,7 @@ fn the_numbers_are_those_of_the_report() {
 }
 
 #[test]
-fn each_region_has_a_verdict_that_can_be_heard() {
+fn each_region_has_a_verdict_that_a_screen_reader_reads() {
     let (mut hand, ..) = hand_with(&spots(8.0, 30.0));
     hand.press("Result");
     until_known(&mut hand);
@@ -92,7 +92,7 @@ fn each_region_has_a_verdict_that_can_be_heard() {
 }
 
 #[test]
-fn what_cannot_be_reached_is_drawn_as_it_can_be_in_one_step() {
+fn marks_that_cannot_be_reached_are_changed_to_reachable_ones_in_one_step() {
     let before = spots(11.0, 26.0);
     let (mut hand, ..) = hand_with(&before);
     hand.press("Result");
@@ -130,7 +130,7 @@ fn what_cannot_be_reached_is_drawn_as_it_can_be_in_one_step() {
 }
 
 #[test]
-fn a_region_without_marks_leads_to_the_marks_that_it_takes_after() {
+fn a_region_without_marks_selects_the_marks_whose_attributes_it_takes() {
     let (mut hand, ..) = hand_with(&spots(11.0, 26.0));
     hand.press("Result");
     until_known(&mut hand);
@@ -173,7 +173,7 @@ fn a_region_is_chosen_by_keys_alone() {
 }
 
 #[test]
-fn nothing_is_worked_out_before_it_is_looked_at() {
+fn nothing_is_computed_before_it_is_shown() {
     let (mut hand, ..) = hand_with(&spots(8.0, 30.0));
     hand.until_settled();
     hand.rest();
@@ -183,14 +183,14 @@ fn nothing_is_worked_out_before_it_is_looked_at() {
 }
 
 #[test]
-fn an_empty_canvas_says_so() {
+fn the_result_of_an_empty_canvas_says_that_it_is_empty() {
     let mut hand = hand();
     hand.press(Tab::Result.name());
     assert!(hand.window.query_by_label("Nothing has grown yet.").is_some());
 }
 
 #[test]
-fn the_training_cloud_shows_the_question_and_who_answered() {
+fn the_training_cloud_shows_the_question_and_the_rows_of_the_answer() {
     let (mut hand, ..) = hand_with(&spots(8.0, 30.0));
     hand.press("Result");
     until_known(&mut hand);
@@ -212,7 +212,7 @@ fn the_training_cloud_shows_the_question_and_who_answered() {
 }
 
 #[test]
-fn another_document_brings_its_own_results() {
+fn another_document_has_its_own_results() {
     let (mut hand, ..) = hand_with(&spots(8.0, 30.0));
     hand.press("Result");
     until_known(&mut hand);

@@ -31,7 +31,7 @@ fn a_click_selects_one_and_shift_another() {
 }
 
 #[test]
-fn a_box_selects_what_it_holds() {
+fn a_box_selects_the_marks_inside_it() {
     let mut hand = row(&[100.0, 200.0, 300.0]);
     hand.drag(&[[60.0, 150.0], [150.0, 200.0], [240.0, 250.0]]);
     assert_eq!(selected(&hand), 2);
@@ -89,7 +89,7 @@ fn numbers_are_typed() {
 }
 
 #[test]
-fn copies_are_made_by_alt_by_key_and_over_the_clipboard() {
+fn marks_are_copied_by_alt_drag_by_key_and_by_the_clipboard() {
     let mut hand = row(&[100.0]);
     hand.drag_with(&[[100.0, 200.0], [150.0, 240.0], [200.0, 300.0]], Modifiers::ALT);
     assert_eq!(hand.ellipses().len(), 2);
@@ -113,7 +113,7 @@ fn copies_are_made_by_alt_by_key_and_over_the_clipboard() {
 }
 
 #[test]
-fn everything_selected_can_be_deleted_and_brought_back() {
+fn a_deleted_selection_can_be_restored() {
     let mut hand = row(&[100.0, 200.0, 300.0]);
     let before = hand.document();
     hand.key(Modifiers::COMMAND, Key::A);

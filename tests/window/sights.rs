@@ -64,7 +64,7 @@ fn a_sketch_beside_its_texture_in_the_dark() {
 }
 
 #[test]
-fn an_ellipse_that_is_selected_on_an_empty_desk() {
+fn a_selected_ellipse_in_a_new_document() {
     let mut hand = with(Start::default(), vec2(1280.0, 800.0), Theme::Dark);
     hand.key(Modifiers::NONE, Key::E);
     hand.drag(&[[100.0, 100.0], [220.0, 180.0]]);

@@ -23,7 +23,7 @@ fn wheel(hand: &mut Hand, at: [f64; 2], by: f32, modifiers: Modifiers) {
 }
 
 #[test]
-fn the_wheel_zooms_around_the_pointer_and_takes_the_texture_along() {
+fn the_wheel_zooms_around_the_pointer_in_both_views() {
     let mut hand = hand();
     let before = hand.at([100.0, 150.0]);
     wheel(&mut hand, [100.0, 150.0], 200.0, Modifiers::COMMAND);
@@ -42,7 +42,7 @@ fn the_wheel_zooms_around_the_pointer_and_takes_the_texture_along() {
 }
 
 #[test]
-fn a_mark_is_drawn_where_the_pen_is_at_any_zoom() {
+fn a_mark_is_drawn_at_the_pointer_at_any_zoom() {
     let mut hand = hand();
     wheel(&mut hand, [300.0, 300.0], 300.0, Modifiers::COMMAND);
     hand.key(Modifiers::NONE, Key::E);
@@ -86,7 +86,7 @@ fn two_fingers_move_the_view_and_draw_nothing() {
 }
 
 #[test]
-fn pointing_at_a_region_tells_its_attributes() {
+fn pointing_at_a_region_shows_its_attributes() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/turning-spots.dapple");
     let (mut hand, ..) = hand_with(&Document::read(file).unwrap());
     let there = hand.at([50.0, 400.0]);
@@ -97,7 +97,7 @@ fn pointing_at_a_region_tells_its_attributes() {
 }
 
 #[test]
-fn one_over_the_other_is_drawn_on_as_well() {
+fn the_sketch_under_the_texture_can_be_drawn_on() {
     let mut hand = hand();
     hand.press("One over the other");
     hand.draw_round([120.0, 200.0], [40.0, 20.0], 30.0);
@@ -105,7 +105,7 @@ fn one_over_the_other_is_drawn_on_as_well() {
 }
 
 #[test]
-fn a_window_with_unsaved_work_asks_before_it_closes() {
+fn a_window_with_unsaved_work_asks_before_closing() {
     let mut hand = hand();
     hand.draw_round([120.0, 200.0], [40.0, 20.0], 30.0);
     let root = hand.window.input_mut().viewports.entry(ViewportId::ROOT).or_default();

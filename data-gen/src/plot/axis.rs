@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_decade_is_as_long_as_the_next() {
+    fn all_decades_have_the_same_length() {
         let axis = Axis::over([1.0, 100.0].into_iter(), [0.0, 200.0], 0.0);
         assert_eq!([1.0, 10.0, 100.0, 0.0].map(|x| axis.at(x).round()), [0.0, 100.0, 200.0, 0.0]);
     }
@@ -63,7 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn one_number_alone_has_a_place() {
+    fn a_single_number_has_a_position() {
         let axis = Axis::over([3.0].into_iter(), [0.0, 1.0], 0.1);
         assert!((0.0..=1.0).contains(&axis.at(3.0)));
         assert!(Axis::over(std::iter::empty(), [0.0, 1.0], 0.1).at(3.0).is_finite());

@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_wrong_with_a_table_is_said_with_its_line() {
+    fn an_error_in_a_table_is_reported_with_its_line() {
         assert!(panels("").unwrap_err().contains("line 1: the column 'system' is missing"));
         let header = COLUMNS.join(",");
         let wrong = panels(&format!("{header}\na,parameters,LWR,30,rate,%,x,2\n")).unwrap_err();

@@ -48,7 +48,7 @@ mod tests {
     }
 
     #[test]
-    fn a_summary_is_of_sizes_not_of_signs() {
+    fn a_summary_takes_absolute_values() {
         let summary = Summary::from_errors([-3.0, 1.0, -2.0]).unwrap();
         assert_eq!((summary.count, summary.median, summary.max), (3, 2.0, 3.0));
         assert_eq!(Summary::from_errors([]), None);

@@ -214,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn stripes_are_half_empty_where_less_than_half_of_what_was_asked_is_stripe() {
+    fn stripes_are_half_empty_where_they_cover_less_than_half_of_the_requested_share() {
         let layout = RegionGrid { size: [160.0, 160.0], grid: [1, 1], edges: Edges::Wrap };
         let judged = |covered: f64, duty: f64| {
             let value = |[x, _]: [f64; 2]| {
@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn a_full_canvas_is_good_and_what_is_missing_or_merged_is_told() {
+    fn a_full_canvas_is_good_and_missing_or_merged_marks_are_reported() {
         assert_eq!(judged(|_| true, 6.0), []);
         let kinds = |failures: Vec<Failure>| failures.iter().map(Failure::kind).collect::<Vec<_>>();
         assert_eq!(kinds(judged(|_| false, 6.0)), ["blank", "half empty", "half empty"]);

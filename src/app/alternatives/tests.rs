@@ -74,7 +74,7 @@ fn stripes_have_other_seeds_alone() {
 }
 
 #[test]
-fn what_differs_can_be_even() {
+fn marks_that_vary_have_an_alternative_without_variation() {
     let mut drawn = document(vec![spot([60.0, 60.0])]);
     let spread = Spread { area: 0.3, ..Spread::ZERO };
     drawn.layers[0].options.spread = SpreadChoice::Given(spread);
@@ -107,7 +107,7 @@ fn a_layer_without_marks_is_kept() {
 }
 
 #[test]
-fn another_sketch_is_put_down_as_a_whole() {
+fn another_document_replaces_the_sketch_as_a_whole() {
     let mut session = Session::open(document(vec![spot([60.0, 60.0])]), None);
     let other = document(vec![spot([30.0, 60.0]), spot([90.0, 60.0])]);
     put(&mut session, &other);

@@ -336,7 +336,7 @@ mod tests {
     }
 
     #[test]
-    fn a_change_that_just_fails_goes_a_little_farther() {
+    fn a_change_that_narrowly_fails_is_increased() {
         let training = Training::default();
         let document = document(spots(2533.0, 0.2333, 110.0), SystemChoice::Of(System::TURING_SPOTS));
         let (before, after) = changed(&training, &document);
@@ -347,7 +347,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(24))]
         #[test]
-        fn for_any_spots_a_change_is_found(
+        fn a_reachable_change_is_found_for_any_spots(
             area in 60.0f64..3000.0,
             aspect in 0.2f64..1.0,
             packing in 0.03f64..0.7,

@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_comes_back_as_it_was_with_the_answers_beside() {
+    fn answers_are_added_as_columns_to_the_unchanged_table() {
         let rows = table(
             "\u{feff}angle,system,width,aspect,area,spacing\n30,meinhardt-stripes,8,,,\n -20 ,meinhardt-spots,,0.5,300,60\n5,turing-spots,,.6,200,\n",
         );
@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_value_is_named_with_its_place() {
+    fn an_invalid_value_is_named_with_its_place() {
         let with = |row: &str| message(&format!("system,area,aspect,angle,spacing,width\n\n{row}\n"));
         assert_eq!(
             with("turing-spots,-3,0.5,0,,"),

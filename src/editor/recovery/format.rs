@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_said() {
+    fn damaged_files_are_reported_with_the_reason() {
         for (text, said) in [
             ("dapple recovery 2", "ends too early"),
             ("dapple recovery 3\n{}\n\n{}", "newer"),

@@ -144,7 +144,7 @@ fn a_file_that_was_written_later_is_recognised() {
 }
 
 #[test]
-fn nothing_is_found_where_there_is_no_folder() {
+fn a_missing_folder_holds_no_backups() {
     let found = find(Path::new("/nowhere/at/all"));
     assert!(found.lost.is_empty() && found.errors.is_empty());
 }
@@ -162,7 +162,7 @@ fn outcome(recovery: &mut Recovery, session: &Session) -> Result<Duration, Strin
 }
 
 #[test]
-fn changes_in_quick_succession_are_all_kept_when_the_window_goes() {
+fn changes_in_quick_succession_are_all_kept_when_the_window_closes() {
     let folder = tempfile::tempdir().unwrap();
     let (mut recovery, _) = Recovery::new(Some(folder.path().to_owned()), Tasks::default());
     let mut session = Session::default();
@@ -175,7 +175,7 @@ fn changes_in_quick_succession_are_all_kept_when_the_window_goes() {
 }
 
 #[test]
-fn work_that_is_undone_is_kept_no_more() {
+fn undone_work_is_not_kept() {
     let folder = tempfile::tempdir().unwrap();
     let (mut recovery, _) = Recovery::new(Some(folder.path().to_owned()), Tasks::default());
     let mut session = Session::default();

@@ -199,7 +199,7 @@ units mm
     }
 
     #[test]
-    fn what_makes_no_sense_is_left_out_and_unknown_names_are_kept() {
+    fn invalid_values_are_left_out_and_unknown_names_are_kept() {
         let text =
             "threads none\nthreads\nnew 1 1 1\nsize 0 inf\ncurtain a\nover maybe\nbrush soft\nbrush hard\n x";
         assert_eq!(Value::Object(parse(text).unwrap()), json!({"brush": ["soft", "hard"], "": ["x"]}));

@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_cut_or_no_text_is_renamed_and_reported_once() {
+    fn a_truncated_or_binary_file_is_renamed_and_reported_once() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("settings");
         for bytes in [&b"theme dark\n\xff\xfe"[..], b"theme dark\0\0\0", b"{\"theme\": \"da", b"{} {}"] {

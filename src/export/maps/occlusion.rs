@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn a_tile_is_as_open_wherever_it_is_cut() {
+    fn the_occlusion_of_a_tile_does_not_depend_on_where_it_is_cut() {
         use std::f64::consts::TAU;
         let wave =
             |x: f64, y: f64| 3.0 * (TAU * x / 16.0).sin() * (TAU * y / 20.0).cos() + (TAU * x / 48.0).cos();
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn the_foot_of_a_wall_sees_what_the_integral_says() {
+    fn the_foot_of_a_wall_has_the_exact_occlusion() {
         // A wall of height 8 begins at x = 30; 4 px before it, radius 20.
         let open = open(|x, _| if x > 30.0 { 8.0 } else { 0.0 }, Edges::Closed, 20);
         let found = open[20 * 48 + 25];

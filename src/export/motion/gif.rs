@@ -117,7 +117,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_what_changes_is_written() {
+    fn only_changed_px_are_written() {
         let before = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
         let mut now = before;
         (now[5], now[10]) = (1, 1);

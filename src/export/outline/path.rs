@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn what_runs_along_the_border_is_cut_away() {
+    fn parts_along_the_border_are_removed() {
         // A half circle at the left border of a canvas.
         let arc = PathEl::CurveTo((4.0, 2.0).into(), (4.0, 8.0).into(), (0.0, 8.0).into());
         let from = PathEl::MoveTo((0.0, 2.0).into());

@@ -94,7 +94,7 @@ fn holes_belong_to_their_island_and_have_the_opposite_direction() {
 }
 
 #[test]
-fn what_is_too_small_is_left_out_with_what_lies_in_it() {
+fn too_small_shapes_are_left_out_with_their_contents() {
     let field = target(64, 24.0, 14.0, 5.0);
     let count = |width: f64, area: f64| {
         let shapes = outline_field(&field, 0.5, Smallest { width, area });

@@ -26,7 +26,7 @@ fn single_cells_are_diamonds_and_corners_do_not_join() {
 }
 
 #[test]
-fn a_fork_that_closes_below_is_one() {
+fn a_fork_that_closes_further_down_is_one_region() {
     let field = drawn(Edges::Closed, &[".......", ".#.#.#.", ".#.#.#.", ".#####.", "......."]);
     assert_eq!(seen(&field).len(), 1);
     let field = drawn(Edges::Closed, &[".....", ".###.", ".#.#.", ".###.", "....."]);
@@ -35,7 +35,7 @@ fn a_fork_that_closes_below_is_one() {
 }
 
 #[test]
-fn the_border_is_reached_by_the_mirror() {
+fn the_field_is_mirrored_at_the_border() {
     let field = drawn(Edges::Closed, &["##..", "##..", "....", "...#"]);
     // A square of side 2 less a rounded corner; a square of side 1 less one.
     assert_eq!(seen(&field), [(4.0 - 0.125, true, false), (1.0 - 0.125, true, false)]);
@@ -79,14 +79,14 @@ fn specks_are_counted_and_left_out() {
 }
 
 #[test]
-fn nothing_and_no_number_are_no_spots() {
+fn an_empty_field_and_nan_have_no_spots() {
     assert!(spots(&Field::flat(20, 20, Edges::Closed, 0.2), 0.5).is_empty());
     assert!(spots(&Field::flat(20, 20, Edges::Wrap, f32::NAN), 0.5).is_empty());
     assert!(spots(&Field::flat(0, 0, Edges::Closed, 1.0), 0.5).is_empty());
 }
 
 #[test]
-fn what_runs_through_all_bands_of_rows_is_one_region() {
+fn a_mark_across_all_bands_of_rows_is_one_region() {
     for (edges, endless) in [(Edges::Closed, false), (Edges::Wrap, true)] {
         // Long enough for several bands of rows at any number of nodes a cell.
         let bar = |[x, _]: [f64; 2]| if (100.0..140.0).contains(&x) { 1.0 } else { 0.0 };

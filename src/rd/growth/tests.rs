@@ -52,7 +52,7 @@ fn a_grown_pattern_is_stationary() {
 }
 
 #[test]
-fn resuming_goes_on_bit_for_bit() {
+fn a_resumed_growth_equals_an_uninterrupted_one_bit_for_bit() {
     for system in System::ALL {
         let (maps, mut growth) = small(system);
         growth.advance(40);
@@ -64,7 +64,7 @@ fn resuming_goes_on_bit_for_bit() {
 }
 
 #[test]
-fn frozen_cells_stay_as_they_are_and_are_felt() {
+fn frozen_cells_are_unchanged_and_affect_their_neighbours() {
     for system in System::ALL {
         let (_, mut growth) = small(system);
         growth.advance(50);
@@ -87,7 +87,7 @@ fn frozen_cells_stay_as_they_are_and_are_felt() {
 }
 
 #[test]
-fn no_concentration_of_turing_s_system_is_negative_where_a_step_overshoots() {
+fn concentrations_of_turings_system_stay_non_negative_where_a_step_overshoots() {
     // Found by tests/properties: room for one spot, at the largest rate that is looked up.
     let p = Parameters { rate: 0.38, ratio: 3.8, stretch: 0.3, direction: 0.7, pitch: 1.0 };
     let maps = Maps::uniform([8, 8], Edges::Wrap, p);

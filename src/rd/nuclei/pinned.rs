@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_row_too_near_to_each_other_every_other_one_stays() {
+    fn every_second_spot_of_a_row_that_is_too_dense_is_kept() {
         let maps = Maps::uniform([200, 60], Edges::Closed, P);
         let pitch = System::MEINHARDT_SPOTS.spacing(&P);
         let row: Vec<[f64; 2]> = (0..7).map(|k| [20.0 + 0.55 * pitch * f64::from(k), 30.0]).collect();
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn a_spot_on_taken_cells_hinders_no_other() {
+    fn a_spot_on_obstacle_cells_does_not_exclude_others() {
         let mut maps = Maps::uniform([80, 60], Edges::Closed, P);
         maps.obstacles = (0..80 * 60).map(|cell| cell % 80 < 20).collect();
         let spots = pinned(&[[10.0, 30.0], [21.0, 30.0], [50.0, 30.0]]);
@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn neighbours_are_seen_across_the_border_of_a_tile_alone() {
+    fn neighbours_across_the_border_count_only_on_a_tile() {
         let spots = pinned(&[[2.0, 30.0], [78.0, 30.0]]);
         let stand = |edges| placeable(System::MEINHARDT_SPOTS, &Maps::uniform([80, 60], edges, P), &spots);
         assert_eq!(stand(Edges::Closed), [Ok(()), Ok(())]);
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn others_are_laid_around_pinned_spots() {
+    fn other_spots_are_placed_around_pinned_spots() {
         let maps = Maps::uniform([160, 130], Edges::Closed, P);
         let system = System::MEINHARDT_SPOTS;
         let spots = pinned(&[[1.0, 50.0], [60.3, 61.7], [73.1, 70.2], [100.0, 100.0]]);

@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn where_nothing_stands_nothing_is_pushed() {
+    fn relaxation_without_points_gives_no_points() {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
         let maps = Maps::uniform([40, 40], Edges::Closed, p);
         let laid = Places { beyond: vec![[20.0, 20.0]], ..Places::default() };

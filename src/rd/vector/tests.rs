@@ -40,7 +40,7 @@ fn computed_avx512(a: &[f32], b: &[f32]) -> Vec<u32> {
 }
 
 #[test]
-fn every_vector_computes_the_bits_of_the_plain_number() {
+fn every_vector_type_computes_the_bits_of_plain_f32() {
     let a = values();
     let b: Vec<f32> = a.iter().cycle().skip(5).take(a.len()).copied().collect();
     let pairs = || a.iter().zip(&b);

@@ -35,7 +35,7 @@ fn is_line(mark: &Mark, from: [f64; 2], to: [f64; 2], width: f64) {
 }
 
 #[test]
-fn circles_ellipses_and_lines_are_what_they_say() {
+fn circles_ellipses_and_lines_are_read_exactly() {
     let marks = read_marks(
         r#"<circle cx="50" cy="60" r="20"/>
            <ellipse cx="200" cy="100" rx="30" ry="12" transform="rotate(30 200 100)"/>
@@ -98,7 +98,7 @@ fn what_cannot_be_read_is_counted_by_kind() {
 }
 
 #[test]
-fn what_is_no_svg_is_refused_with_a_reason() {
+fn a_file_that_is_not_svg_is_refused_with_a_reason() {
     for (text, reason) in [
         ("", "is no SVG"),
         ("hello", "is no SVG"),
@@ -116,7 +116,7 @@ fn what_is_no_svg_is_refused_with_a_reason() {
 
 /// Found by fuzzing: XML's reader quotes what it finds, whatever that does to a terminal, and however long it is.
 #[test]
-fn what_is_quoted_of_a_broken_svg_does_nothing_to_a_terminal() {
+fn quoted_text_of_a_broken_svg_is_escaped() {
     let told = |text: &str| read(text.as_bytes(), DPI).unwrap_err().to_string();
     for broken in ["<svg\u{0}", "<svg a\u{1b}[2J='1'/>", "<svg\u{7f}/>"] {
         let told = told(broken);

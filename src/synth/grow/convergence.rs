@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn what_begins_is_settled_when_its_change_no_longer_falls_but_not_before_its_time() {
+    fn a_new_pattern_has_settled_when_its_change_stops_falling_but_not_before_the_earliest_time() {
         assert_eq!(watched(true, |_| 0.005), (Verdict::Settled, 15.0));
         let (verdict, time) = watched(true, |look| 0.5 * 0.5f32.powi(look as i32));
         assert!(verdict == Verdict::Settled && time > 20.0, "{time}");
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn a_correction_is_short_and_falls_back_to_the_whole_time_where_it_does_not_fade() {
+    fn a_correction_is_short_unless_its_change_does_not_fall() {
         assert_eq!(watched(false, |_| 0.003), (Verdict::Settled, 4.0));
         let (verdict, time) = watched(false, |look| if look < 8 { 0.02 } else { 0.003 });
         assert_eq!((verdict, time), (Verdict::Settled, 9.0));
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn concentrations_that_are_no_numbers_end_the_growth() {
+    fn concentrations_that_are_nan_end_the_growth() {
         let (verdict, time) = watched(true, |look| if look == 3 { f32::NAN } else { 0.001 });
         assert_eq!((verdict, time), (Verdict::GivenUp, 10.0));
     }

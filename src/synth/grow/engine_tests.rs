@@ -43,7 +43,7 @@ fn finished(mut engine: Engine, budget: u64) -> Engine {
 }
 
 #[test]
-fn however_it_is_advanced_the_same_bits_come_out() {
+fn the_result_does_not_depend_on_the_steps_taken_at_a_time() {
     for system in System::ALL {
         let whole = finished(engine(system), u64::MAX);
         assert!(whole.level()[1] > 1, "{system:?} has one grid only");
@@ -54,7 +54,7 @@ fn however_it_is_advanced_the_same_bits_come_out() {
 }
 
 #[test]
-fn looking_changes_no_bit() {
+fn reading_the_state_changes_no_bit() {
     let seen = {
         let mut engine = engine(System::MEINHARDT_SPOTS);
         while engine.advance(200_000) {
@@ -69,7 +69,7 @@ fn looking_changes_no_bit() {
 }
 
 #[test]
-fn one_cancelled_and_begun_again_is_like_a_new_one() {
+fn a_growth_started_again_after_a_cancel_equals_a_new_one() {
     let mut left = engine(System::MEINHARDT_SPOTS);
     left.advance(1_000_000);
     drop(left);
@@ -84,7 +84,7 @@ fn one_cancelled_and_begun_again_is_like_a_new_one() {
 }
 
 #[test]
-fn a_copy_goes_on_like_the_one_it_was_taken_of() {
+fn a_copy_continues_like_its_original() {
     let mut one = engine(System::TURING_SPOTS);
     one.advance(3_000_000);
     let copy = one.clone();
@@ -133,7 +133,7 @@ fn marks_too_small_for_a_coarser_grid_have_one_grid() {
 }
 
 #[test]
-fn it_can_be_sent_to_another_thread() {
+fn an_engine_can_be_sent_to_another_thread() {
     fn sent<T: Send>(_: &T) {}
     sent(&engine(System::MEINHARDT_STRIPES));
 }
@@ -151,7 +151,7 @@ fn planned(area: f64) -> Plan {
 }
 
 #[test]
-fn a_warm_one_goes_on_from_what_has_grown_where_the_grids_agree() {
+fn a_warm_start_continues_from_the_grown_state_if_the_grids_agree() {
     let plan = planned(120.0);
     let before = finished(Engine::new(&plan, 3), u64::MAX);
     let warm = Engine::warm(&plan, 4, &before).expect("the same grid");

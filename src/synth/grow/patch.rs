@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_pattern_is_no_sample() {
+    fn a_patch_without_a_pattern_gives_no_sample() {
         let flat = Field::flat(40, 40, Edges::Wrap, 0.4);
         let patch = Patch { system: System::MEINHARDT_SPOTS, parameters: SPOTS, extent: 9.0, seed: 1 };
         assert!(matches!(patch.measure(&flat), Err(Reason::NoPattern { .. })));

@@ -235,18 +235,18 @@ mod tests {
     }
 
     #[test]
-    fn a_full_set_is_believed() {
+    fn a_complete_training_set_needs_no_correction() {
         assert_eq!(probed_by(&training(1, 1.0), When::Unsure).growths, 0);
     }
 
     #[test]
-    fn a_thin_set_is_corrected() {
+    fn a_small_training_set_is_corrected() {
         let all = TrainingSet::embedded(System::MEINHARDT_SPOTS.description()).unwrap().rows().len();
         assert!(probed_by(&training(all / 40, 1.0), When::Unsure).growths > 0);
     }
 
     #[test]
-    fn what_a_set_is_wrong_by_is_found_within_two_growths() {
+    fn the_error_of_a_set_is_found_within_two_growths() {
         let found = probed_by(&training(1, 1.1), When::Always);
         assert_eq!(found.growths, 2);
         assert!((found.offset.size + libm::log(1.1)).abs() < 0.02, "{found:?}");
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_questions_have_one_answer_and_a_cancelled_probe_ends() {
+    fn equal_questions_are_probed_once_and_a_cancelled_probe_ends() {
         let training = training(1, 1.0);
         let ask = |watch: &Watch| {
             probed(&training, System::MEINHARDT_SPOTS, &[WANTED, WANTED], 1.0, When::Always, watch)

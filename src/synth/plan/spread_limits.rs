@@ -122,14 +122,14 @@ mod tests {
     }
 
     #[test]
-    fn what_can_be_had_is_left_as_it_is() {
+    fn a_possible_spread_is_unchanged() {
         let asked = Spread { area: 0.3, angle: 10.0, aspect: 0.1, spacing: 0.15 };
         let limited = limited(System::MEINHARDT_SPOTS, &spots(0.7, 0.1), &asked, false);
         assert_eq!(limited, Limited { spread: asked, notes: Vec::new() });
     }
 
     #[test]
-    fn too_much_is_cut_and_said_in_numbers() {
+    fn too_large_a_spread_is_reduced_with_a_note_that_has_the_numbers() {
         let asked = Spread { area: 0.5, angle: 20.0, ..Spread::ZERO };
         let limited = limited(System::MEINHARDT_SPOTS, &spots(0.4, 0.2), &asked, false);
         assert!((limited.spread.area - 0.32).abs() < 1e-9 && (limited.spread.angle - 8.6).abs() < 0.1);
@@ -143,14 +143,14 @@ mod tests {
     }
 
     #[test]
-    fn spots_without_room_to_differ_are_even_and_nothing_is_said_of_rounding() {
+    fn spots_without_room_to_vary_are_equal_and_rounding_gives_no_note() {
         let asked = Spread { area: 1e-17, ..Spread::ZERO };
         let limited = limited(System::MEINHARDT_SPOTS, &spots(0.6, 0.45), &asked, false);
         assert_eq!(limited, Limited { spread: Spread::ZERO, notes: Vec::new() });
     }
 
     #[test]
-    fn that_long_spots_stand_unevenly_is_told_where_a_number_was_given() {
+    fn a_note_about_the_uneven_spacing_of_long_spots_needs_a_given_number() {
         let asked = Spread { spacing: 0.1, ..Spread::ZERO };
         let notes = |given| limited(System::MEINHARDT_SPOTS, &spots(0.5, 0.1), &asked, given).notes;
         let note =
@@ -159,14 +159,14 @@ mod tests {
     }
 
     #[test]
-    fn round_spots_stand_about_as_evenly_as_a_relaxed_lattice_and_long_ones_do_not() {
+    fn round_spots_are_spaced_as_evenly_as_a_relaxed_lattice_and_long_ones_are_not() {
         assert!((least_spacing(&spots(1.0, 0.1)) - EVEN).abs() < 1e-9);
         let [long, longer] = [0.6, 0.4].map(|aspect| least_spacing(&spots(aspect, 0.1)));
         assert!(long > 0.15 && longer > long && longer < 0.28, "{long} {longer}");
     }
 
     #[test]
-    fn what_is_there_already_needs_not_be_added() {
+    fn only_the_missing_part_of_a_spread_is_added() {
         assert_eq!((beyond(0.5, 0.3), beyond(0.1, 0.3)), (0.4, 0.0));
     }
 }

@@ -2,7 +2,7 @@ use super::*;
 use dapple::internals::synth::plan::sketch_targets;
 
 #[test]
-fn a_sketch_is_the_same_whatever_others_there_are() {
+fn a_sketch_does_not_depend_on_the_others() {
     let once = sketch(SEED, 5).unwrap();
     assert_eq!(once, sketch(SEED, 5).unwrap());
     assert_ne!(once.layers, sketch(SEED, 6).unwrap().layers);
@@ -31,7 +31,7 @@ fn a_hundred_sketches_are_valid_documents_within_the_ranges() {
 }
 
 #[test]
-fn what_leaves_the_ranges_is_told() {
+fn a_sketch_beyond_the_ranges_is_reported() {
     let good = sketch(SEED, 0).unwrap();
     let mut larger = good.clone();
     for stroke in &mut larger.layers[0].strokes {

@@ -156,7 +156,7 @@ mod tests {
     use super::error;
 
     #[test]
-    fn errors_are_short_and_signed() {
+    fn errors_have_a_sign_and_few_digits() {
         let told =
             [("area", 0.034), ("area", -0.001), ("aspect", -0.051), ("angle", 7.4)].map(|(a, e)| error(a, e));
         assert_eq!(told, ["+3 %", "0 %", "-0.05", "+7°"]);

@@ -19,7 +19,7 @@ fn spots_at(map: &RegionMap, point: [f64; 2]) -> Spots {
 }
 
 #[test]
-fn a_mark_belongs_to_the_region_of_its_centre_and_a_line_to_that_of_its_middle() {
+fn a_mark_belongs_to_the_region_of_its_centre_and_a_line_to_that_of_its_midpoint() {
     let marks = [spot([100.0, 10.0], 50.0, 0.5, 0.0), spot([99.0, 10.0], 70.0, 0.5, 0.0)];
     let map_of_spots = map(&marks, [2, 1], Edges::Closed);
     let areas: Vec<_> = map_of_spots.regions().map(|(place, region)| (place, region.marks)).collect();
@@ -146,7 +146,7 @@ fn a_resized_map_is_stretched_and_keeps_its_lengths() {
 }
 
 #[test]
-fn marks_that_make_no_map_are_told_why() {
+fn marks_that_make_no_map_are_refused_with_the_reason() {
     let line = Mark::Line(Line { from: [0.0; 2], to: [9.0; 2], width: 2.0 });
     let ellipse = spot([5.0; 2], 9.0, 1.0, 0.0);
     let of =
@@ -196,7 +196,7 @@ proptest! {
     }
 
     #[test]
-    fn the_map_stays_within_the_range_of_its_regions_and_its_two_ways_to_say_the_angle_agree(
+    fn the_map_stays_within_the_range_of_its_regions_and_both_forms_of_the_angle_agree(
         map in maps(), x in -400.0..700.0f64, y in -300.0..500.0f64,
     ) {
         let got = spots_at(&map, [x, y]);

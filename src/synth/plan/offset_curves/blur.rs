@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_the_same_everywhere_stays_and_a_point_is_spread_to_a_bell() {
+    fn a_constant_is_unchanged_and_a_point_becomes_a_bell() {
         for edges in [Edges::Closed, Edges::Wrap] {
             assert!(blurred(&[0.7; 30], [6, 5], edges, 2).iter().all(|v| (v - 0.7).abs() < 1e-6));
             let mut point = vec![0.0; 41 * 41];

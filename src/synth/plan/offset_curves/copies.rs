@@ -57,7 +57,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mark_across_the_border_is_one_and_its_copies_are_others() {
+    fn a_mark_across_the_border_is_one_mark_with_separate_copies() {
         let (set, grid) = cells(&["#...#", ".....", "..#..", "....."]);
         let copies = Copies::connect(&set, &grid);
         // Seen from the right end, the left end of the same mark is one canvas to the right.
@@ -67,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stripe_round_the_tile_is_its_own_copy() {
+    fn a_stripe_that_crosses_the_whole_tile_is_its_own_copy() {
         let (set, grid) = cells(&[".....", "#####", "....."]);
         let copies = Copies::connect(&set, &grid);
         assert_eq!(copies.identity(7, [0, 0]), copies.identity(5, [1, 0]));

@@ -35,7 +35,7 @@ fn pieces(set: &[bool], grid: &Grid) -> usize {
 const FOUR: [[f64; 2]; 4] = [[20.0, 20.0], [60.0, 22.0], [18.0, 58.0], [61.0, 60.0]];
 
 #[test]
-fn a_ring_runs_round_each_mark_along_its_outline() {
+fn each_mark_has_a_ring_along_its_outline() {
     let (grid, taken) = discs(80, Edges::Wrap, &FOUR, 8.0);
     let curves = lay(CurveKind::Rings, &grid, &taken, 4.0, 0.0).unwrap();
     assert_eq!(pieces(&curves.curve, &grid), 4);
@@ -60,7 +60,7 @@ fn broken_rings_are_pieces_and_another_seed_breaks_them_elsewhere() {
 }
 
 #[test]
-fn a_web_is_one_on_a_tile_and_between_walls() {
+fn a_web_is_connected_on_a_tile_and_between_closed_edges() {
     for edges in [Edges::Wrap, Edges::Closed] {
         let (grid, taken) = discs(80, edges, &FOUR, 8.0);
         let curves = lay(CurveKind::Web, &grid, &taken, 4.0, 0.0).unwrap();
@@ -80,7 +80,7 @@ fn marks_that_are_near_to_each_other_are_surrounded_together() {
 }
 
 #[test]
-fn what_has_no_room_or_nothing_to_go_round_is_refused() {
+fn curves_without_room_or_without_marks_are_refused() {
     let (grid, nothing) = discs(40, Edges::Wrap, &[], 1.0);
     for kind in [CurveKind::Rings, CurveKind::Web] {
         assert!(matches!(lay(kind, &grid, &nothing, 4.0, 0.0), Err(CurvesError::Nothing(_))));
@@ -94,7 +94,7 @@ fn what_has_no_room_or_nothing_to_go_round_is_refused() {
 }
 
 #[test]
-fn a_curve_is_levelled_to_the_peak_nearby() {
+fn the_level_of_a_curve_follows_the_nearby_peak() {
     let (grid, taken) = discs(80, Edges::Wrap, &FOUR, 8.0);
     let curves = lay(CurveKind::Web, &grid, &taken, 4.0, 0.0).unwrap();
     // A web twice as high on one side as on the other.

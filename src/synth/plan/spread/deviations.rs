@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn drawn_turns_cancel_under_the_weights_by_which_they_count() {
+    fn weighted_drawn_turns_cancel() {
         let scores = stratified(20, &mut Pcg64Mcg::seed_from_u64(1));
         let weights: Vec<f64> = (1..=20).map(|k| f64::from(k) / 20.0).collect();
         let turns = turns(scores.into_iter().map(|score| (score, 12.0)), weights.iter().copied());
