@@ -61,6 +61,8 @@ pub struct Definition {
     pub tolerated: Scatter,
     /// d ln size ÷ d ln level, about level ½.
     pub level_slope: f64,
+    /// Its laws of lines along curves; `None` where marks do not stay on the curves that they begin along.
+    pub along_curves: Option<LinesAlongCurves>,
     /// Limits of its spots; `None` of stripes.
     pub spots: Option<SpotLimits>,
     /// The cost of a growth.
@@ -82,6 +84,28 @@ pub struct Laws {
     /// Rate for marks of a size (area of a spot, width of a stripe, cells) at a ratio and a level. Rougher than the
     /// others; for choosing what to sweep.
     pub rate: fn(f64, f64, f64) -> f64,
+}
+
+/// Laws of lines that begin along curves around other marks, or between them.
+#[derive(Clone, Copy, Debug)]
+pub struct LinesAlongCurves {
+    /// R = D_b/Dₐ.
+    pub ratio: f64,
+    /// R where three lines meet.
+    pub ratio_at_junctions: f64,
+    /// Of a ring around each mark.
+    pub rings: CurveLaw,
+    /// Of one web between all marks.
+    pub web: CurveLaw,
+}
+
+/// Rate and tensor of lines along one kind of curve.
+#[derive(Clone, Copy, Debug)]
+pub struct CurveLaw {
+    /// √rate of a line one cell wide, its width measured at half of the local peak.
+    pub root_rate: f64,
+    /// Minor ÷ major axis of the activator's tensor along a line, √(slow ÷ fast).
+    pub stretch: f64,
 }
 
 /// How a system makes its spots irregular.

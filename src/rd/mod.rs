@@ -35,8 +35,8 @@ mod vector;
 mod wavefront;
 
 pub use definition::{
-    Bounds, Convergence, Cost, DecayNoise, Definition, ErrorBounds, Laws, Resolution, Scatter, SpotLimits,
-    SweepQuantity, System, Variation,
+    Bounds, Convergence, Cost, CurveLaw, DecayNoise, Definition, ErrorBounds, Laws, LinesAlongCurves,
+    Resolution, Scatter, SpotLimits, SweepQuantity, System, Variation,
 };
 pub use growth::{Growth, initial_marks};
 pub use initial_conditions::{InitialConditions, nuclei, with_obstacle_state};

@@ -11,7 +11,9 @@
 use crate::attributes::columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
 use crate::rd::chemicals::reacting;
-use crate::rd::definition::{Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, System};
+use crate::rd::definition::{
+    Convergence, Cost, CurveLaw, Definition, ErrorBounds, Laws, LinesAlongCurves, Resolution, Scatter, System,
+};
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::Reach;
@@ -55,6 +57,7 @@ static DEFINITION: Definition = Definition {
     begin,
     show: |chemicals, parameters, marks| show_peaks(peak, chemicals[0], parameters, marks),
     decay_noise: None,
+    along_curves: Some(ALONG_CURVES),
     obstacle: &OBSTACLE,
     obstacle_rim: 0.0,
     decay: meinhardt_spots::P2,
@@ -136,6 +139,19 @@ fn width(ratio: f32) -> f64 {
     14.8 * libm::pow(f64::from(ratio) / 10.0, -0.37)
 }
 
+/// Measured on rings and webs around grown spots (`facts.md` M).
+const ALONG_CURVES: LinesAlongCurves = LinesAlongCurves {
+    // From 20 on lines move towards the marks beneath and break where three meet; at 12 they split in wide gaps, and at 10
+    // they fill the gaps.
+    ratio: 15.0,
+    // The inhibitor of all three lines adds up: at a ratio of 15 they separate after T = 60.
+    ratio_at_junctions: 8.0,
+    // Webs in the open break into spots at 1 : 1.5, and widen where they bend at 1 : 10. The stronger the anisotropy, the
+    // more a bent line moves to the inner side of its bend: rings, which are held in their lane, move against their marks
+    // at 1 : 2.
+    rings: CurveLaw { root_rate: 12.5, stretch: 0.82 },
+    web: CurveLaw { root_rate: 15.8, stretch: 0.5 },
+};
 /// Noise whose crests have the distance and the direction of the lines. Lines mend less than stripes do: half as many end
 /// as with the kernels of stripes, and no more where they turn.
 const NOISE: Kernels = Kernels { reach: [8.0, 4.0], density: 0.6 };

@@ -54,6 +54,7 @@ static DEFINITION: Definition = Definition {
     begin,
     show: |chemicals, parameters, marks| show_peaks(peak, chemicals[0], parameters, marks),
     decay_noise: None,
+    along_curves: None,
     obstacle: &OBSTACLE,
     obstacle_rim: 0.0,
     decay: P2,

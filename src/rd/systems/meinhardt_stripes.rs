@@ -60,6 +60,7 @@ static DEFINITION: Definition = Definition {
         }
     },
     decay_noise: None,
+    along_curves: None,
     obstacle: &OBSTACLE,
     obstacle_rim: 0.0,
     decay: K_AB,

@@ -54,3 +54,18 @@ impl System {
         Self::ALL.into_iter().find(|system| property(system.description()))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_description_agrees_with_the_definition() {
+        for system in System::ALL {
+            let (description, definition) = (system.description(), system.definition());
+            assert_eq!(description.along_curves, definition.along_curves.is_some(), "{system:?}");
+            assert_eq!(description.irregular, definition.decay_noise.is_some(), "{system:?}");
+            assert_eq!(description.is_striped(), definition.spots.is_none(), "{system:?}");
+        }
+    }
+}

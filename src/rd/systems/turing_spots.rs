@@ -68,6 +68,7 @@ static DEFINITION: Definition = Definition {
     // two neighbours one in nine merges with the other, and without a higher rate the mean area would rise by 21 %, the
     // distance by 6 %; at half the deviation by 3 % and 1 %.
     decay_noise: Some(DecayNoise { deviation: 0.6, rate: 0.13 }),
+    along_curves: None,
     obstacle: &OBSTACLE,
     // Half of where the edges of its spots are kept.
     obstacle_rim: 0.25,

@@ -1,7 +1,7 @@
-//! `after: "around"` and `after: "net"`: lines round the marks beneath, or as one web between them.
+//! `after: "around"` and `after: "net"`: lines around the marks beneath, or one web of lines between them.
 //!
-//! They are Meinhardt's lines along curves that are laid once the layers beneath have grown. Only their width is drawn;
-//! their rate follows from it by one law, and the level sets the last per cents.
+//! The lines begin along curves that are computed once the layers beneath have grown. Only the width of the lines is
+//! drawn; their rate follows from it by one law, and the correction of the level removes the last per cents.
 
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots, Stripes};
@@ -10,9 +10,9 @@ use crate::learn::{self, Answer, Coverage};
 use crate::rd::System;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::layer_lookup::{Lookup, Start};
-use crate::synth::plan::offset_curves::{CurveKind, RATIO};
+use crate::synth::plan::offset_curves::CurveKind;
 
-/// The curves along which the lines of a layer run that meets those beneath like this; `None` where it has none.
+/// The curves along which the lines of a layer run; `None` where they follow no curves.
 #[must_use]
 pub fn curve_kind(after: After) -> Option<CurveKind> {
     match after {
@@ -22,19 +22,24 @@ pub fn curve_kind(after: After) -> Option<CurveKind> {
     }
 }
 
-/// Looks up lines that are as wide as `map` says, from one law. The share `broken` of each ring will be open.
+/// Looks up lines of the width in `map`, from one law. The share `broken` of each ring will be open.
 pub(super) fn look_up(kind: CurveKind, broken: f64, map: RegionMap) -> Result<Lookup, PlanError> {
+    let (system, laws) = System::ALL
+        .into_iter()
+        .find_map(|system| Some((system, system.definition().along_curves?)))
+        .expect("a system grows along curves");
+    let law = kind.law(&laws);
     let asked = |wanted: &Attributes, cell: f64| {
         let width = match wanted {
             Attributes::Stripes(stripes) => stripes.width,
             Attributes::Spots(spots) => spots.area.sqrt(),
         };
-        let root = kind.law() * cell / width;
+        let root = law.root_rate * cell / width;
         Ok(Answer {
             parameters: learn::Parameters {
                 rate: root * root,
-                ratio: Some(RATIO),
-                stretch: kind.stretch(),
+                ratio: Some(laws.ratio),
+                stretch: law.stretch,
                 direction: 0.0,
                 level: Some(0.5),
             },
@@ -46,12 +51,11 @@ pub(super) fn look_up(kind: CurveKind, broken: f64, map: RegionMap) -> Result<Lo
             pitch: 1.0,
         })
     };
-    let system = System::first(|system| system.along_curves).expect("a system grows along curves");
-    Lookup::new(system, map, Start::Curves { kind, broken }, &asked)
+    Lookup::new(system, map, Start::Curves { kind, laws, broken }, &asked)
 }
 
-/// Mean distance of spots, less their size, ÷ what lines between them need, below which most places have too little: the
-/// nearest of a spot's neighbours stands nearer than the mean. Below the second some have.
+/// (Mean spacing of the spots − their diameter) ÷ the distance that lines between them need. Below the first value most
+/// places have too little room, since the nearest neighbour of a spot is closer than the mean; below the second some have.
 const TIGHT: [f64; 2] = [1.1, 1.5];
 
 impl Lookup {

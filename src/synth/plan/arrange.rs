@@ -3,6 +3,7 @@
 use crate::grid::Domain;
 use crate::marks::{Ellipse, Line, Mark};
 use crate::measure::Spot;
+use crate::rd::LinesAlongCurves;
 use crate::synth::plan::corrected::Corrected;
 use crate::synth::plan::error::{LayOutError, PlanError};
 use crate::synth::plan::inside::places_inside;
@@ -32,8 +33,8 @@ impl Corrected {
         let Self { mut lookup, corrections } = self;
         let Surroundings { mut obstacles, spots } = surroundings;
         let arrangement = match &lookup.start {
-            Start::Curves { kind, broken } => {
-                let curves = lay_curves(&lookup, &obstacles, *kind, *broken, seed)?;
+            Start::Curves { kind, laws, broken } => {
+                let curves = lay_curves(&lookup, &obstacles, (*kind, *laws), *broken, seed)?;
                 for remarks in &mut lookup.remarks {
                     remarks.extend(curves.remarks.iter().cloned());
                 }
@@ -98,7 +99,7 @@ fn arrange_pinned(lookup: &Lookup, obstacles: &[bool], marks: &[Mark]) -> (Arran
 fn lay_curves(
     lookup: &Lookup,
     obstacles: &[bool],
-    kind: CurveKind,
+    (kind, laws): (CurveKind, LinesAlongCurves),
     broken: f64,
     seed: u64,
 ) -> Result<Curves, LayOutError> {
@@ -108,6 +109,6 @@ fn lay_curves(
     let width = line_widths(&lookup.map, &grid);
     let layout = *lookup.map.layout();
     let region_of = |point| layout.index(layout.region_of(point));
-    let request = CurveRequest { kind, obstacles, width: &width, broken, seed };
+    let request = CurveRequest { kind, laws, obstacles, width: &width, broken, seed };
     Ok(Curves::lay(&request, &grid, layout.len(), &region_of)?)
 }

@@ -8,7 +8,7 @@ use crate::document::SystemChoice;
 use crate::grid::{Domain, Grid};
 use crate::learn::Answer;
 use crate::marks::Mark;
-use crate::rd::{Maps, Parameters, Seeding, System};
+use crate::rd::{LinesAlongCurves, Maps, Parameters, Seeding, System};
 use crate::synth::plan::auto::choose_system;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
@@ -29,6 +29,8 @@ pub enum Start {
     Curves {
         /// Which curves.
         kind: CurveKind,
+        /// The laws of the system's lines along curves.
+        laws: LinesAlongCurves,
         /// The share of each ring that is open, 0..1.
         broken: f64,
     },

@@ -2,9 +2,10 @@
 
 use crate::grid::distance::{length, nearest};
 use crate::grid::{Domain, Grid};
+use crate::rd::LinesAlongCurves;
 use crate::synth::plan::offset_curves::copies::Copies;
 use crate::synth::plan::offset_curves::error::CurvesError;
-use crate::synth::plan::offset_curves::{CurveKind, CurveRequest, Curves, blur_radius, directions};
+use crate::synth::plan::offset_curves::{CurveRequest, Curves, blur_radius, directions};
 
 /// Distance between two marks ÷ the web's width that a web needs; nearer marks are surrounded together.
 pub const NEED: f64 = 1.8;
@@ -60,11 +61,13 @@ pub fn lay(request: &CurveRequest, grid: &Grid, regions: usize) -> Result<Curves
         .map(|cell| distance[cell] < HALO * width(cell) || f64::from(off[cell]) * px > LANE * width(cell))
         .collect();
     let curve = off.iter().zip(&blocked).map(|(off, blocked)| *off < 1.0 && !blocked).collect();
+    let LinesAlongCurves { ratio, ratio_at_junctions, web, .. } = request.laws;
     let stretch_and_meeting = |cell: usize| {
         let widths = f64::from(off[cell]) * px / width(cell);
-        (CurveKind::Web.stretch(), libm::exp(-widths * widths))
+        (web.stretch, libm::exp(-widths * widths))
     };
-    let directions = directions(&to, grid, blur_radius(request.width, grid), stretch_and_meeting);
+    let radius = blur_radius(request.width, grid);
+    let directions = directions(&to, grid, radius, [ratio, ratio_at_junctions], stretch_and_meeting);
     let inhibitor = vec![HELD; grid.cells()];
     let ends = vec![(0.0, 0.0); regions];
     Ok(Curves { distance: off, directions, blocked, inhibitor, curve, ends, remarks })

@@ -24,16 +24,9 @@ use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Stripes};
 use crate::grid::{Domain, Grid};
 use crate::measure::StripeErrors;
-use crate::rd::{GuideCurves, Maps, Parameters};
+use crate::rd::{CurveLaw, GuideCurves, LinesAlongCurves, Maps, Parameters};
 use blur::blurred;
 use rayon::prelude::*;
-
-/// D_b/Dₐ of such lines. From 20 on they lean towards the marks beneath and break where three meet; at 12 they split in
-/// wide gaps, and at 10 fill them.
-pub const RATIO: f64 = 15.0;
-/// The same where three lines meet, and the inhibitor of all of them comes together: at [`RATIO`] they part there
-/// after T = 60.
-const MEETING: f64 = 8.0;
 
 /// The curves that lines run along.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,32 +38,21 @@ pub enum CurveKind {
 }
 
 impl CurveKind {
-    /// √rate of lines one cell wide, by the ruler at half of the local peak.
+    /// The law of lines along these curves.
     #[must_use]
-    pub fn law(self) -> f64 {
+    pub fn law(self, laws: &LinesAlongCurves) -> CurveLaw {
         match self {
-            Self::Rings => 12.5,
-            Self::Web => 15.8,
+            Self::Rings => laws.rings,
+            Self::Web => laws.web,
         }
     }
 
-    /// Distance between two marks ÷ the width of the lines, that lines of their own need between them.
+    /// Distance that two marks need for lines between them ÷ the width of the lines.
     #[must_use]
     pub fn need(self) -> f64 {
         match self {
             Self::Rings => rings::OWN,
             Self::Web => medial_axis::NEED,
-        }
-    }
-
-    /// Minor ÷ major axis of the activator's tensor along a line, √(slow ÷ fast). Webs in the open break into spots at
-    /// 1 : 1.5, and widen where they bend at 1 : 10. The more of it, the more lines that bend are drawn to the inside:
-    /// rings, which have a lane to hold them, are drawn against their marks at 1 : 2.
-    #[must_use]
-    pub fn stretch(self) -> f64 {
-        match self {
-            Self::Rings => 0.82,
-            Self::Web => 0.5,
         }
     }
 }
@@ -105,12 +87,14 @@ struct Direction {
     ratio: f32,
 }
 
-/// What curves are laid for.
+/// The input of [`Curves::lay`].
 #[derive(Clone, Copy, Debug)]
 pub struct CurveRequest<'a> {
     /// Rings or a web.
     pub kind: CurveKind,
-    /// Which cells the marks beneath have taken.
+    /// The laws of lines along curves.
+    pub laws: LinesAlongCurves,
+    /// Which cells are covered by the marks beneath.
     pub obstacles: &'a [bool],
     /// Width of the lines wanted at each cell, px.
     pub width: &'a [f32],
@@ -177,15 +161,17 @@ impl Curves {
 }
 
 /// Directions and ratios from the vector (columns, rows) of each cell to the curve, or from it: lines run across it. Where
-/// vectors from all sides meet there is no direction. `stretch_and_meeting` gives the stretch at a cell, and how much lines
-/// meet there where they have no direction, 0..1.
+/// vectors from all sides meet there is no direction. `ratios` are D_b/Dₐ along a line and at junctions; `stretch_and_meeting`
+/// gives the stretch at a cell, and how close to a junction a cell without a direction is, 0..1.
 fn directions(
     ways: &[[i32; 2]],
     grid: &Grid,
     radius: usize,
+    ratios: [f64; 2],
     stretch_and_meeting: impl Fn(usize) -> (f64, f64) + Sync,
 ) -> Vec<Direction> {
-    // Cells beside a curve know its direction to 45° only, those farther away better.
+    let [ratio, at_junctions] = ratios;
+    // Cells beside a curve give its direction to 45° only; those farther away are more accurate.
     let far = (2 * radius.max(1)) as f64;
     let weighted = |[x, y]: [i32; 2]| {
         let [x, y] = [f64::from(x) * grid.cell[0], f64::from(y) * grid.cell[1]];
@@ -211,7 +197,7 @@ fn directions(
             Direction {
                 direction: (0.5 * libm::atan2(-s, -c)).to_degrees() as f32,
                 stretch: libm::pow(stretch, agreed) as f32,
-                ratio: (RATIO + (MEETING - RATIO) * (2.0 * meets).min(1.0)) as f32,
+                ratio: (ratio + (at_junctions - ratio) * (2.0 * meets).min(1.0)) as f32,
             }
         })
         .collect()

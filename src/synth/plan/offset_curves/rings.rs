@@ -2,11 +2,12 @@
 
 use crate::grid::distance::{length, nearest};
 use crate::grid::{Domain, Grid};
+use crate::rd::LinesAlongCurves;
 use crate::synth::plan::offset_curves::copies::Copies;
 use crate::synth::plan::offset_curves::error::CurvesError;
 use crate::synth::plan::offset_curves::gaps::{Gaps, open};
 use crate::synth::plan::offset_curves::medial_axis::between;
-use crate::synth::plan::offset_curves::{CurveKind, CurveRequest, Curves, blur_radius, directions};
+use crate::synth::plan::offset_curves::{CurveRequest, Curves, blur_radius, directions};
 
 /// Half the width of the lane in which a ring is free to grow ÷ its own width: cells beyond are blocked. It keeps rings where
 /// they are, and neighbours from taking each other's room; without it they shrink until they stand against their
@@ -81,9 +82,11 @@ pub fn lay(
     let inhibitor = (0..grid.cells())
         .map(|cell| if has_own(cell) { SIDES[usize::from(distance[cell] > at(cell))] } else { WALL })
         .collect();
-    let directions = directions(&away, grid, blur_radius(request.width, grid), |cell| {
-        let kind = if has_own(cell) { CurveKind::Rings } else { CurveKind::Web };
-        (kind.stretch(), if has_own(cell) { 0.0 } else { 1.0 })
+    let LinesAlongCurves { ratio, ratio_at_junctions, rings, web } = request.laws;
+    let radius = blur_radius(request.width, grid);
+    let directions = directions(&away, grid, radius, [ratio, ratio_at_junctions], |cell| {
+        let law = if has_own(cell) { rings } else { web };
+        (law.stretch, if has_own(cell) { 0.0 } else { 1.0 })
     });
     Ok(Curves { distance: off, directions, blocked, inhibitor, curve, ends, remarks })
 }

@@ -2,6 +2,7 @@
 
 use crate::grid::Edges;
 use crate::grid::{Domain, Grid};
+use crate::rd::System;
 use crate::synth::plan::offset_curves::copies::Copies;
 use crate::synth::plan::offset_curves::*;
 
@@ -24,7 +25,9 @@ fn discs(side: usize, edges: Edges, places: &[[f64; 2]], radius: f64) -> (Grid, 
 
 fn lay(kind: CurveKind, grid: &Grid, taken: &[bool], width: f32, broken: f64) -> Result<Curves, CurvesError> {
     let width = vec![width; grid.cells()];
-    Curves::lay(&CurveRequest { kind, obstacles: taken, width: &width, broken, seed: 3 }, grid, 1, &|_| 0)
+    let laws = System::ALL.into_iter().find_map(|system| system.definition().along_curves).unwrap();
+    let request = CurveRequest { kind, laws, obstacles: taken, width: &width, broken, seed: 3 };
+    Curves::lay(&request, grid, 1, &|_| 0)
 }
 
 fn pieces(set: &[bool], grid: &Grid) -> usize {
