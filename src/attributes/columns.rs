@@ -146,22 +146,35 @@ pub const SPOTS: [Column; 11] = [
     ),
 ];
 
+/// Of stripes and lines.
+const WAVELENGTHS: Column = column(
+    ColumnKind::Extent,
+    "wavelengths",
+    ["", "wavelengths along a side of the patch"],
+    [0.1, 1e6],
+    "a count of wavelengths from 0.1 to 1e6",
+);
+/// Of stripes and lines.
+const WIDTH: Column = column(
+    ColumnKind::Width,
+    "width",
+    ["cells", "2 × area ÷ contour length"],
+    [0.1, 1e5],
+    "a length from 0.1 to 1e5 cells",
+);
+/// Of stripes and lines.
+const COHERENCE: Column = column(
+    ColumnKind::Evenness,
+    "coherence",
+    ["", "mean coherence of the structure tensor"],
+    [0.0, 1.0],
+    "a coherence from 0 to 1",
+);
+
 /// The columns of a stripe set, after `seed`.
 pub const STRIPES: [Column; 7] = [
-    column(
-        ColumnKind::Extent,
-        "wavelengths",
-        ["", "wavelengths along a side of the patch"],
-        [0.1, 1e6],
-        "a count of wavelengths from 0.1 to 1e6",
-    ),
-    column(
-        ColumnKind::Width,
-        "width",
-        ["cells", "2 × area ÷ contour length"],
-        [0.1, 1e5],
-        "a length from 0.1 to 1e5 cells",
-    ),
+    WAVELENGTHS,
+    WIDTH,
     column(
         ColumnKind::Angle,
         "angle",
@@ -169,13 +182,7 @@ pub const STRIPES: [Column; 7] = [
         ANGLE,
         DEGREES,
     ),
-    column(
-        ColumnKind::Evenness,
-        "coherence",
-        ["", "mean coherence of the structure tensor"],
-        [0.0, 1.0],
-        "a coherence from 0 to 1",
-    ),
+    COHERENCE,
     column(
         ColumnKind::Rate,
         "rate",
@@ -201,20 +208,8 @@ pub const STRIPES: [Column; 7] = [
 
 /// The columns of a set of lines, after `seed`.
 pub const LINES: [Column; 9] = [
-    column(
-        ColumnKind::Extent,
-        "wavelengths",
-        ["", "wavelengths along a side of the patch"],
-        [0.1, 1e6],
-        "a count of wavelengths from 0.1 to 1e6",
-    ),
-    column(
-        ColumnKind::Width,
-        "width",
-        ["cells", "2 × area ÷ contour length"],
-        [0.1, 1e5],
-        "a length from 0.1 to 1e5 cells",
-    ),
+    WAVELENGTHS,
+    WIDTH,
     column(
         ColumnKind::Angle,
         "angle",
@@ -229,13 +224,7 @@ pub const LINES: [Column; 9] = [
         [0.1, 1e5],
         "a length from 0.1 to 1e5 cells",
     ),
-    column(
-        ColumnKind::Evenness,
-        "coherence",
-        ["", "mean coherence of the structure tensor"],
-        [0.0, 1.0],
-        "a coherence from 0 to 1",
-    ),
+    COHERENCE,
     column(
         ColumnKind::Rate,
         "rate",

@@ -34,9 +34,6 @@ pub enum SystemChoice {
     Of(System),
 }
 
-/// All keys of `options` that systems take.
-const SYSTEM_OPTIONS: [&str; 5] = ["spread", "keep", "duty", "irregular", "seeding"];
-
 impl SystemChoice {
     /// All of them with their names in documents and on the command line.
     pub const NAMES: [(&'static str, Self); 1 + System::ALL.len()] = {
@@ -81,12 +78,6 @@ impl SystemChoice {
     #[must_use]
     pub fn grows(self) -> Option<Kind> {
         self.system().map(|system| if system.is_striped() { Kind::Line } else { Kind::Ellipse })
-    }
-
-    /// The keys of `options` that it takes.
-    #[must_use]
-    pub fn option_keys(self) -> &'static [&'static str] {
-        self.system().map_or(&SYSTEM_OPTIONS, |system| system.description().option_keys)
     }
 }
 

@@ -313,7 +313,9 @@ impl Condition {
             Self::SystemWithout(kind, property) => {
                 layer.system.grows() == Some(*kind) && !layer.system.allows(property)
             }
-            Self::NotTaken(option) => !layer.system.option_keys().contains(&option.name()),
+            Self::NotTaken(option) => {
+                !layer.system.allows(|system| system.option_keys.contains(&option.name()))
+            }
             Self::Option(other) => other.is_set(&layer.options),
         }
     }

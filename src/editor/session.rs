@@ -83,11 +83,12 @@ impl Session {
         for (index, layer) in document.layers.iter_mut().enumerate() {
             tidy(layer, self.kind(index));
         }
-        document.layers.retain(|layer| !layer.strokes.is_empty());
-        if let Some(lowest) = document.layers.first_mut() {
+        let mut layers = document.layers.iter_mut().enumerate();
+        if let Some((index, lowest)) = layers.find(|(_, layer)| !layer.strokes.is_empty()) {
             lowest.after = After::Between;
-            lowest.options.broken = 0.0;
+            tidy(lowest, self.kind(index));
         }
+        document.layers.retain(|layer| !layer.strokes.is_empty());
         for (index, layer) in document.layers.iter_mut().enumerate() {
             if layer.name.is_empty() {
                 layer.name = format!("layer {}", index + 1);

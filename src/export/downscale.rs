@@ -21,7 +21,11 @@ pub fn downscale(rgb: &[u8], size: [usize; 2], smaller: [usize; 2]) -> Vec<u8> {
         Rgb([0, 1, 2].map(|channel| light[usize::from(rgb[px + channel])]))
     });
     let small = resize(&lit, side(smaller[0]), side(smaller[1]), FilterType::Triangle);
-    small.into_raw().into_iter().map(|value| (255.0 * encoded(f64::from(value))).round() as u8).collect()
+    small
+        .into_raw()
+        .into_iter()
+        .map(|value| (255.0 * srgb_from_linear(f64::from(value))).round() as u8)
+        .collect()
 }
 
 /// sRGB value → linear light, both 0..1.
@@ -30,7 +34,8 @@ fn linear(value: f64) -> f64 {
 }
 
 /// Linear light, clipped to 0..1 → sRGB value.
-fn encoded(light: f64) -> f64 {
+#[must_use]
+pub fn srgb_from_linear(light: f64) -> f64 {
     <Srgb as FromLinear<f64, f64>>::from_linear(light.clamp(0.0, 1.0))
 }
 

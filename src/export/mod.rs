@@ -23,7 +23,7 @@ mod temporary_folder;
 pub mod tiff;
 pub mod web;
 
-pub use downscale::downscale;
+pub use downscale::{downscale, srgb_from_linear};
 pub use format::{Content, Format};
 pub use save::{
     ExportError, Prepared, Unfinished, begin, check_content, check_ending, check_file, check_target,

@@ -10,7 +10,7 @@ use crate::attributes::system::{Description, Intervals, IsolatedSpots, MarkKind,
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
 
-/// Systems like those of the program, which this room does not know: what tests of rows need of them.
+/// Descriptions of systems for tests, similar to those of the program; `learn` may not import `rd`.
 const fn system(
     name: &'static str,
     marks: MarkKind,
@@ -52,7 +52,7 @@ pub(super) static TURING: Description = Description {
         &[file!("turing-spots-orientation"), file!("turing-spots-size")],
     )
 };
-/// Spots of any spacing, which also stand alone.
+/// Spots of any spacing, also isolated ones.
 pub(super) static MEINHARDT: Description = Description {
     isolated: Some(ISOLATED),
     ..system(
@@ -80,17 +80,17 @@ pub(super) static LINES: Description = Description {
 /// All of them.
 pub(super) static SYSTEMS: [&Description; 4] = [&TURING, &MEINHARDT, &STRIPES, &LINES];
 
-/// Of spots that stand alone.
+/// A law of isolated spots in round numbers, similar to that of Meinhardt's spots.
 pub(super) const ISOLATED: IsolatedSpots = IsolatedSpots {
     ratio: 15.0,
     levels: [0.5, 0.25],
-    area: 208.4,
-    foot: 1.03,
-    crowding: [0.389, 1.33, 1.45],
+    area: 200.0,
+    foot: 1.0,
+    crowding: [0.4, 1.3, 1.5],
     spacing: 36.0,
-    edges: [1.02, 0.06],
+    edges: [1.0, 0.05],
     pitches: [1.6, 1.0],
-    intervals: Intervals { area: 0.012, aspect: 0.012, angle: 0.8, spacing: 0.03 },
+    intervals: Intervals { area: 0.01, aspect: 0.01, angle: 1.0, spacing: 0.03 },
 };
 
 /// Scatter of area (relative), spacing (relative), aspect, angle (degrees, at aspect 0.5).

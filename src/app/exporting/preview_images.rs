@@ -10,8 +10,8 @@ use image::{AnimationDecoder, DynamicImage, RgbaImage, imageops};
 
 use super::choices::ExportKind;
 use super::request::ExportRequest;
-use crate::export::Format;
 use crate::export::motion::Kind;
+use crate::export::{Format, srgb_from_linear};
 
 /// Largest memory of the frames of a film, bytes; larger frames are reduced.
 const MOST: usize = 128 << 20;
@@ -145,8 +145,7 @@ fn light(file: &Path) -> Result<Vec<(String, ColorImage)>, String> {
     Ok(channels.into_iter().map(gray).collect())
 }
 
-/// Linear light as 8-bit sRGB (IEC 61966-2-1).
+/// Linear light as 8-bit sRGB.
 fn to_srgb(light: f32) -> u8 {
-    let value = if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
-    (255.0 * value.clamp(0.0, 1.0)).round() as u8
+    (255.0 * srgb_from_linear(f64::from(light))).round() as u8
 }

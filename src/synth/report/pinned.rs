@@ -26,7 +26,8 @@ pub struct Stayed {
     /// Of these, how many are off: spots by more than a quarter of their radius √(r₁r₂), lines of which less than nine
     /// tenths lie in a stripe.
     pub off: usize,
-    /// The farthest that a kept spot is off, ÷ its radius; of lines the largest share that lies in no stripe.
+    /// The farthest that a kept spot is off, ÷ its radius, infinite where no spot grew; of lines the largest share that
+    /// lies in no stripe.
     pub farthest: f64,
 }
 
@@ -47,9 +48,10 @@ impl Stayed {
                  others than the stripes' period, or oblique to these, cannot all be kept",
                 100.0 * farthest
             ),
+            false if farthest.is_infinite() => format!("{kept} drawn marks were to be kept, but nothing grew there"),
             false => format!(
                 "{off} of {kept} kept marks grew more than a quarter of their radius from where they were drawn, the \
-                 farthest {farthest:.1} radii: edges draw marks that are near to themselves, near neighbours push"
+                 farthest {farthest:.1} radii: closed edges attract marks near them, and close neighbours repel each other"
             ),
         })
     }
