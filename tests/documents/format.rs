@@ -208,6 +208,70 @@ fn what_commands_print_as_json_has_the_keys_on_the_page() {
     }
 }
 
+/// The words in backticks in a cell of the page.
+fn keys_in(cell: &str) -> BTreeSet<String> {
+    cell.split('`').skip(1).step_by(2).map(str::to_owned).collect()
+}
+
+/// The row of this key under a heading.
+fn meaning(heading: &str, key: &str) -> String {
+    let row = table(heading, "key | meaning").into_iter().find(|row| row[0] == key);
+    row.unwrap_or_else(|| panic!("{heading}: no {key}"))[1].clone()
+}
+
+#[test]
+fn the_json_of_import_has_the_keys_on_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="96" height="96"><circle cx="40" cy="40" r="9"/></svg>"#;
+    fs::write(folder.path().join("in.svg"), svg).unwrap();
+    let imported = printed(&["import", "in.svg", "-o", "a.dapple", "--json"], folder.path());
+    assert_eq!(object_keys(&imported), first_column("Import"));
+    assert_eq!(
+        object_keys(&imported["layers"][0]).into_iter().collect::<BTreeSet<_>>(),
+        keys_in(&meaning("Import", "layers"))
+    );
+}
+
+#[test]
+fn the_json_of_bench_has_the_keys_on_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let bench = |only: &str| {
+        printed(
+            &["bench", "--quick", "--json", "--size", "64", "--threads", "1", "--only", only],
+            folder.path(),
+        )
+    };
+    let kernels = bench("turing-spots/isotropic");
+    assert_eq!(object_keys(&kernels), first_column("Bench"));
+    let pictures = bench("picture/ladybird");
+    for (key, value) in [
+        ("machine", &kernels["machine"]),
+        ("load", &kernels["load"]),
+        ("kernels", &kernels["kernels"][0]),
+        ("pictures", &pictures["pictures"][0]),
+    ] {
+        let written: BTreeSet<String> = object_keys(value).into_iter().collect();
+        assert_eq!(keys_in(&meaning("Bench", key)), written, "{key}");
+    }
+}
+
+#[test]
+fn the_json_of_learn_has_the_keys_on_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = ["learn", "--targets", "1", "--seed", "3", "--system", "turing-spots", "--json"];
+    let learnt = printed(&arguments, folder.path());
+    assert_eq!(object_keys(&learnt), ["outcomes"]);
+    let (mut keys, mut quantities) = (BTreeSet::new(), BTreeSet::new());
+    for outcome in learnt["outcomes"].as_array().unwrap() {
+        keys.extend(object_keys(outcome));
+        quantities.extend(outcome["quantities"].as_object().unwrap().values().flat_map(object_keys));
+    }
+    assert_eq!(first_column("Learn").into_iter().collect::<BTreeSet<_>>(), keys);
+    let mut listed = keys_in(&meaning("Learn", "quantities"));
+    assert!(listed.remove("ok") && listed.remove("MISSED"));
+    assert_eq!(listed, quantities);
+}
+
 #[test]
 fn the_columns_of_a_table_of_questions_and_answers_are_those_on_the_page() {
     let columns =
