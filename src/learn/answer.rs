@@ -1,4 +1,4 @@
-//! What a training set answers, and which questions it takes.
+//! Answers of a training set, and errors in questions.
 
 use super::coverage::{Coverage, Judgement};
 use super::{Note, Parameters};
@@ -21,7 +21,7 @@ pub struct Answer {
     /// The 90 % interval of each attribute, for a patch like those of the set.
     /// Angles are degrees about the predicted one and may leave 0..180.
     pub interval: Vec<(&'static str, [f64; 2])>,
-    /// How far the question lies from the rows.
+    /// Whether the question lies within the range of the rows.
     pub coverage: Coverage,
     /// The nearest question within the rows; the question itself where it is within.
     pub nearest: Attributes,
@@ -30,8 +30,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// The same about a grid of `cell` px a cell: all lengths, which were cells, in px. Parameters stay those of
-    /// the grid.
+    /// The same answer with lengths converted from cells to px, at `cell` px a cell. Parameters stay those of the grid.
     #[must_use]
     pub fn in_px(mut self, cell: f64) -> Self {
         for (attribute, range) in &mut self.interval {
@@ -68,7 +67,7 @@ impl Prediction {
     }
 }
 
-/// An answer before it gets its pitch.
+/// An answer without its pitch.
 pub(super) struct Reached {
     pub parameters: Parameters,
     pub prediction: Prediction,
@@ -79,7 +78,7 @@ pub(super) struct Reached {
 /// Why a question cannot be asked.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AskError {
-    /// Stripes were asked of a spot set, or spots of a stripe set.
+    /// A question about stripes to a spot set, or about spots to a stripe set.
     #[error("{system} takes {takes}")]
     OtherKind {
         /// The set's system.
@@ -87,7 +86,7 @@ pub enum AskError {
         /// The attributes that it takes.
         takes: &'static str,
     },
-    /// The value of an attribute is out of its range.
+    /// The value of an attribute is out of range.
     #[error("{attribute} {value} is not {allowed}")]
     Value {
         /// Its name.

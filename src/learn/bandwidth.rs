@@ -9,18 +9,18 @@ use rayon::prelude::*;
 use super::local::{Images, Local, Sample};
 use crate::learn::weighted_line::Line;
 
-/// Neighbours per feature to choose from. Fewer than 8 may be two rows and their mirror images: good on average, but
-/// they do not define a linear map.
+/// Candidate numbers of neighbours per feature. Fewer than 8 may be two rows and their mirror images: good on average,
+/// but they do not define a linear map.
 pub(super) const CANDIDATES: [usize; 4] = [8, 14, 25, 45];
-/// Rows that are left out in turn, at regular steps. With twice as many the choice is the same or the next one.
+/// Number of rows that are left out in turn, at regular steps. Twice as many give the same choice or the next one.
 const QUESTIONS: usize = 64;
 
-/// Mean squared errors up to this times the least are as good, and then fewer neighbours are better: they are nearer
-/// where the map bends more than on average, and a question takes less time.
+/// Mean squared errors up to this multiple of the smallest count as equal; then fewer neighbours are preferred: they are
+/// closer where the map is more curved than on average, and a question takes less time.
 const NEARLY: f64 = 1.02;
 
 impl Local {
-    /// Standardises `rows`. How many neighbours are asked is chosen by leaving rows out.
+    /// Standardises `rows`. The number of neighbours is chosen by cross validation.
     pub fn new(rows: Vec<Sample>, images: Images) -> Self {
         let local = Self::with_neighbours(rows, images, 0);
         let neighbours = chosen(&local);
@@ -28,7 +28,7 @@ impl Local {
     }
 }
 
-/// The total number of neighbours with which the rows of `local` answer best for each other.
+/// The number of neighbours with the smallest error when rows of `local` are predicted from the others.
 fn chosen(local: &Local) -> usize {
     let most = local.samples_of_others();
     let counts: Vec<usize> =
@@ -39,8 +39,8 @@ fn chosen(local: &Local) -> usize {
     good.next().map_or(most, |(count, _)| *count)
 }
 
-/// Mean error of the answers for rows left out, by the number of neighbours: of each output the square of its
-/// error ÷ its standard deviation over the rows, added up.
+/// Mean error of the answers for rows left out, for each number of neighbours: the sum over the outputs of (error ÷
+/// standard deviation over the rows)².
 fn errors(local: &Local, counts: &[usize]) -> Vec<f64> {
     let rows = local.rows();
     let Some(most) = counts.iter().max() else { return Vec::new() };
@@ -88,7 +88,7 @@ mod tests {
             .collect()
     }
 
-    /// Neighbours a feature that such rows choose; and whether many answer better than few.
+    /// Neighbours per feature chosen for such rows; and whether many give smaller errors than few.
     fn chosen_by(f: impl Fn(&[f64; 3]) -> f64, noise: f64) -> (usize, bool) {
         let local = Local::new(rows(f, noise), AS_IT_IS);
         let errors = errors(&local, &[24, 135]);

@@ -1,7 +1,7 @@
 //! Attributes and parameters ↔ the coordinates in which the map between them is almost linear.
 //!
-//! Every law of scale is taken out beforehand (rate·A and A/L² hardly vary), so that what is left to
-//! learn varies little, also beyond the range of the rows.
+//! The laws of scale are factored out (rate·A and A/L² hardly vary), so that the quantities to learn vary little, also
+//! beyond the range of the rows.
 
 use super::Parameters;
 use crate::attributes::{Spots, Stripes};
@@ -60,27 +60,27 @@ pub(super) fn spot_parameters(log_area: f64, answered: &[f64]) -> Parameters {
     }
 }
 
-/// The features of parameters of spots: (ln rate, ln ratio, level, w), those left out that do not vary in it.
+/// The features of parameters of spots: (ln rate, ln ratio, level, w), without those that do not vary in the set.
 pub(super) fn spot_features(p: &Parameters, ratio: bool, level: bool) -> SmallVector {
-    let mut told = SmallVector::new([libm::log(p.rate)]);
-    told.extend(ratio.then(|| libm::log(p.ratio.unwrap_or(1.0))));
-    told.extend(level.then(|| p.level.unwrap_or(0.5)));
-    told.extend(elongation(p.stretch, p.direction));
-    told
+    let mut features = SmallVector::new([libm::log(p.rate)]);
+    features.extend(ratio.then(|| libm::log(p.ratio.unwrap_or(1.0))));
+    features.extend(level.then(|| p.level.unwrap_or(0.5)));
+    features.extend(elongation(p.stretch, p.direction));
+    features
 }
 
 /// The features of parameters of spots for outputs that a mirror does not change: (ln rate, ln ratio, level, |w|, |w| cos 4φ).
 ///
-/// Over the plane of w such a number has a kink at 0 (aspect ≈ e^−|w|), which a local line would cut off; over
-/// |w| it has none. cos 4φ: the grid's axes. And where w = 0, v points anywhere, so its mean says nothing
-/// about the aspect: isotropic Turing spots measure 0.88 and not 1.
+/// As a function of w such an output has a kink at 0 (aspect ≈ e^−|w|), which a local line would smooth; as a function of
+/// |w| it has none. cos 4φ is the influence of the grid's axes. Where w = 0, v has a random direction, so the mean of v is
+/// no estimate of the aspect: isotropic Turing spots measure 0.88 and not 1.
 pub(super) fn spot_features_even(p: &Parameters, ratio: bool, level: bool) -> SmallVector {
-    let mut told = spot_features(p, ratio, level);
+    let mut features = spot_features(p, ratio, level);
     let w = -libm::log(p.stretch);
-    let n = told.len();
-    told[n - 2] = w;
-    told[n - 1] = w * harmonic(p.direction, 4.0)[0];
-    told
+    let n = features.len();
+    features[n - 2] = w;
+    features[n - 1] = w * harmonic(p.direction, 4.0)[0];
+    features
 }
 
 /// The outputs for these that a mirror does not change: (ln(rate·A), ln(rate·L²), −ln(aspect)).
@@ -121,11 +121,11 @@ pub(super) fn stripe_parameters(log_width: f64, angle: f64, answered: &[f64]) ->
 
 /// The features of parameters of stripes: (ln rate, ln ratio where it has one, −ln stretch where it varies, cos 4φ, sin 4φ).
 pub(super) fn stripe_features(p: &Parameters, stretch: bool) -> SmallVector {
-    let mut told = SmallVector::new([libm::log(p.rate)]);
-    told.extend(p.ratio.map(libm::log));
-    told.extend(stretch.then(|| -libm::log(p.stretch)));
-    told.extend(harmonic(p.direction, 4.0));
-    told
+    let mut features = SmallVector::new([libm::log(p.rate)]);
+    features.extend(p.ratio.map(libm::log));
+    features.extend(stretch.then(|| -libm::log(p.stretch)));
+    features.extend(harmonic(p.direction, 4.0));
+    features
 }
 
 /// The outputs for these: (ln(rate·W²), ln(rate·λ²) where it is free, cos 2Δ, sin 2Δ).

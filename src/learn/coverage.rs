@@ -1,17 +1,17 @@
-//! How far a question lies from the rows, and the nearest question within them.
+//! Whether a question lies within the range of the rows, and the nearest question that does.
 
 use super::local::Local;
 use super::note::{Note, Quantity, Unit};
 use crate::learn::small_vector::SmallVector;
 
-/// How far a question lies from the rows.
+/// Whether a question lies within the range of the rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Coverage {
-    /// Among the rows.
+    /// Within the rows.
     Inside,
     /// Just beyond them: good to a few per cent.
     Edge,
-    /// Beyond them; the answer is that of the nearest question within.
+    /// Beyond them; the answer is that to the nearest question within.
     Outside,
 }
 
@@ -25,21 +25,20 @@ impl std::fmt::Display for Coverage {
     }
 }
 
-/// Beyond a limit by this much is still inside: ln units, 1.5 %, what a measurement cannot tell
-/// (facts: the noise floor of a region's area is 2.4 %, and a round grown spot measures 0.99, not 1).
+/// Up to this much beyond a limit a question still counts as inside: ln units, 1.5 %, below the error of a measurement
+/// (`facts.md`: the noise floor of a region's area is 2.4 %, and a round grown spot measures 0.99, not 1).
 const SLACK: f64 = 0.015;
-/// Beyond a limit by this much is its edge: ln units, 5 %, the error still called good.
+/// Up to this much beyond a limit a question counts as at the edge: ln units, 5 %, an acceptable error.
 const MARGIN: f64 = 0.05;
-/// Runs may lie this one-sided ([`Line::one_sided`](crate::learn::weighted_line::Line::one_sided)) about a question inside. Of rows left out and asked of
-/// the others 97 % are below, those above stand in the corners; a tenth of the set's width beyond a face
-/// reads 15 to 40.
+/// The largest one-sidedness ([`Line::one_sided`](crate::learn::weighted_line::Line::one_sided)) of the rows around a question inside. When rows are left out and predicted from the others,
+/// 97 % are below this and those above are in corners; a tenth of the set's width beyond a face it is 15 to 40.
 const INSIDE: f64 = 10.0;
-/// √(one-sided − 1) about a row, as a rule.
+/// The usual √(one-sidedness − 1) of the rows around a row.
 const OF_A_ROW: f64 = 1.5;
-/// And this one-sided at the edge.
+/// The largest one-sidedness at the edge.
 const EDGE: f64 = 20.0;
 
-/// The range of one coordinate in a set, and the words for its ends.
+/// The range of one coordinate in a set, and descriptions of its ends.
 pub(super) struct Limit {
     /// The attribute.
     pub what: &'static str,
@@ -101,8 +100,8 @@ impl Judgement {
         within
     }
 
-    /// The answer at `at`, which is moved towards its nearest row where the rows lie to one side of it, until
-    /// it is inside. `called` names what a place stands for.
+    /// The answer at `at`. If the rows lie to one side of it, `at` is first moved towards the nearest row until it is
+    /// inside. `called` converts a place to named quantities for notes.
     pub fn within(
         &mut self,
         local: &Local,
@@ -119,8 +118,8 @@ impl Judgement {
         let between = |share: f64| {
             SmallVector::new(row.at.iter().zip(question.iter()).map(|(x, q)| x + (q - x) * share))
         };
-        // The distance of the question from its neighbours' mean in their spread is √(one-sided − 1), which grows
-        // almost evenly along the way: three looks at where it would reach the limit if it did.
+        // The distance of the question from its neighbours' mean ÷ their spread is √(one-sidedness − 1), which grows
+        // almost linearly along the way: three steps of linear interpolation find where it reaches the limit.
         let off = |one_sided: f64| (one_sided - 1.0).max(0.0).sqrt() - (INSIDE - 1.0_f64).sqrt();
         let (mut inside, mut outside) = ((0.0, OF_A_ROW - (INSIDE - 1.0_f64).sqrt()), (1.0, off(one_sided)));
         let mut reached = None;
@@ -174,13 +173,13 @@ mod tests {
         let mut judgement = Judgement::new();
         judgement.clamp(&AREA, libm::log(0.5));
         judgement.clamp(&AREA, libm::log(20.0));
-        let told: Vec<String> = judgement.notes.iter().map(ToString::to_string).collect();
+        let notes: Vec<String> = judgement.notes.iter().map(ToString::to_string).collect();
         assert_eq!(
-            told[0],
+            notes[0],
             "area 0.5 cells is less than 1 cells, the smallest this system grows; growing at 1 cells"
         );
         assert_eq!(
-            told[1],
+            notes[1],
             "area 20 cells is more than 7.39 cells, the largest this system grows; growing at 7.39 cells"
         );
     }

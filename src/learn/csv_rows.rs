@@ -1,4 +1,4 @@
-//! Training rows ↔ CSV. One of the two places that know the file format; the other is `training/README.md`.
+//! Training rows ↔ CSV. The format is described in `training/README.md`.
 
 use std::io::Write;
 
@@ -40,13 +40,13 @@ fn numbers(system: &Description, row: &Row) -> Option<Vec<f64>> {
     system.columns.iter().map(|column| number(column.kind, row)).collect()
 }
 
-/// The row that has these numbers, which stand in the order of the columns of `system`.
+/// The row with these numbers, which are in the order of the columns of `system`.
 fn row(system: &Description, seed: u64, numbers: &[f64]) -> Row {
     let find = |kind| {
         let place = system.columns.iter().position(|column| column.kind == kind)?;
         numbers.get(place).copied()
     };
-    // `tests` hold that every system has these columns.
+    // Tests check that every system has these columns.
     let always = |kind| find(kind).unwrap_or_default();
     let angle = axial(always(ColumnKind::Angle));
     let attributes = match system.marks {
@@ -77,7 +77,7 @@ fn row(system: &Description, seed: u64, numbers: &[f64]) -> Row {
     }
 }
 
-/// Where each column (seed first) stands in the file.
+/// The position of each column (seed first) in the file.
 fn places(system: &Description, file: &str, header: &StringRecord) -> Result<Vec<usize>, TrainingError> {
     let names: Vec<&str> =
         std::iter::once(SEED.name).chain(system.columns.iter().map(|column| column.name)).collect();
@@ -100,7 +100,7 @@ fn places(system: &Description, file: &str, header: &StringRecord) -> Result<Vec
         .collect()
 }
 
-/// Text from a file for a message: cut where it is long, control characters escaped.
+/// Text from a file for a message: shortened, with control characters escaped.
 #[must_use]
 pub fn shown(text: &str) -> String {
     const LONGEST: usize = 40;
@@ -111,7 +111,7 @@ pub fn shown(text: &str) -> String {
 
 /// The line, from 1, of a record in the file `bytes`.
 ///
-/// The line number of the csv reader may be that of an empty line before the record.
+/// The csv reader may give the line number of an empty line before the record.
 #[must_use]
 pub fn line_of(bytes: &[u8], position: Option<&csv::Position>) -> u64 {
     let Some(position) = position else { return 1 };
@@ -157,8 +157,8 @@ pub(super) fn read_rows(system: &Description, file: &str, bytes: &[u8]) -> Resul
 
 /// Writes `rows` of `system` as CSV: a header, then a line a row.
 ///
-/// Numbers are rounded to six significant digits, far below the noise of any measurement, so that the
-/// same rows give the same bytes and rows that were read are written as they stood.
+/// Numbers are rounded to six significant digits, far below the noise of any measurement, so that the same rows give the
+/// same bytes and rows that were read are written unchanged.
 ///
 /// # Errors
 /// [`TrainingError::Row`] where a row is not one of this system or a
@@ -186,7 +186,7 @@ pub fn write_rows(system: &Description, rows: &[Row], mut out: impl Write) -> Re
     Ok(())
 }
 
-/// `value` to six significant digits, as short as they can be written.
+/// `value` with six significant digits, in its shortest form.
 #[must_use]
 pub fn six_digits(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);

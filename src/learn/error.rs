@@ -70,7 +70,7 @@ pub enum TrainingError {
         /// The allowed values.
         allowed: &'static str,
     },
-    /// There are not enough rows to learn from.
+    /// Too few rows to learn from.
     #[error("{file}: {rows} rows are too few to learn from; at least {needed} are needed")]
     TooFew {
         /// The file.

@@ -1,10 +1,10 @@
-//! Errors of answers.
+//! Differences between answers and true values.
 
 use super::Parameters;
 use crate::attributes::Attributes;
 use crate::marks::turn;
 
-/// Directions of marks whose aspect or stretch is not below this have no meaning.
+/// Directions are compared only below this aspect or stretch.
 const DIRECTED: f64 = 0.8;
 
 /// All quantities in the order in which they are shown.
@@ -61,15 +61,18 @@ fn turned(quantity: &'static str, got: f64, wanted: f64) -> Error {
 }
 
 impl Error {
-    /// Errors of parameters against the true ones, `told`: rate and ratio in %, stretch, direction where the stretch
-    /// is below 0.8, level.
+    /// Errors of parameters against the `expected` ones: rate and ratio in %, stretch, direction where the stretch is below 0.8,
+    /// level.
     #[must_use]
-    pub fn of_parameters(got: &Parameters, told: &Parameters) -> Vec<Self> {
-        let mut errors = vec![percent("rate", got.rate, told.rate)];
-        errors.extend(got.ratio.zip(told.ratio).map(|(got, told)| percent("ratio", got, told)));
-        errors.push(difference("stretch", got.stretch, told.stretch));
-        errors.extend((told.stretch < DIRECTED).then(|| turned("direction", got.direction, told.direction)));
-        errors.extend(got.level.zip(told.level).map(|(got, told)| difference("level", got, told)));
+    pub fn of_parameters(got: &Parameters, expected: &Parameters) -> Vec<Self> {
+        let mut errors = vec![percent("rate", got.rate, expected.rate)];
+        errors.extend(got.ratio.zip(expected.ratio).map(|(got, expected)| percent("ratio", got, expected)));
+        errors.push(difference("stretch", got.stretch, expected.stretch));
+        errors.extend(
+            (expected.stretch < DIRECTED).then(|| turned("direction", got.direction, expected.direction)),
+        );
+        errors
+            .extend(got.level.zip(expected.level).map(|(got, expected)| difference("level", got, expected)));
         errors
     }
 
@@ -127,10 +130,10 @@ mod tests {
 
     #[test]
     fn errors_have_the_unit_of_their_quantity() {
-        let told =
+        let expected =
             Parameters { rate: 2.0, ratio: Some(10.0), stretch: 0.5, direction: 178.0, level: Some(0.5) };
         let got = Parameters { rate: 1.9, ratio: Some(11.0), stretch: 0.6, direction: 3.0, level: Some(0.4) };
-        let errors = Error::of_parameters(&got, &told);
+        let errors = Error::of_parameters(&got, &expected);
         let named: Vec<_> = errors.iter().map(|error| (error.quantity, error.unit)).collect();
         let expected = [("rate", "%"), ("ratio", "%"), ("stretch", ""), ("direction", "°"), ("level", "")];
         assert_eq!(named, expected);
@@ -153,8 +156,8 @@ mod tests {
     fn quantities_keep_their_order_whichever_comes_first() {
         let errors =
             [turned("direction", 1.0, 2.0), difference("level", 1.0, 2.0), percent("rate", 1.0, 2.0)];
-        let told: Vec<_> = summaries(errors).iter().map(|errors| errors.quantity).collect();
-        assert_eq!(told, ["rate", "level", "direction"]);
+        let quantities: Vec<_> = summaries(errors).iter().map(|errors| errors.quantity).collect();
+        assert_eq!(quantities, ["rate", "level", "direction"]);
     }
 
     #[test]

@@ -1,27 +1,27 @@
-//! Hold-out split: rows to learn from, and rows to ask about.
+//! Hold-out split: rows to learn from, and rows to predict.
 
 use crate::learn::Row;
 
-/// Rows to learn from and rows that are asked for, none of which is among the former.
+/// Rows to learn from, and rows that are held out of them.
 #[derive(Clone, Debug)]
 pub struct Fold {
     /// To learn from.
     pub rows: Vec<Row>,
-    /// Whether that is all there is.
+    /// Whether these are all rows that are not held out.
     pub all: bool,
-    /// To ask for; the same in every fold.
+    /// The rows to predict; the same in every fold.
     pub questions: Vec<Row>,
 }
 
-/// `count` of `rows`, or all if there are fewer, evenly taken, so that each part of a sweep has its share.
+/// `count` of `rows`, or all if there are fewer, at even steps, so that each part of a sweep is represented.
 #[must_use]
 pub fn evenly(rows: &[Row], count: usize) -> Vec<Row> {
     let count = count.min(rows.len());
     (0..count).map(|i| rows[i * rows.len() / count]).collect()
 }
 
-/// A fifth of `rows` but at most `questions` of them are asked for; of the others each of `sizes` that is less than
-/// they are, and all, are learnt from. All are taken evenly.
+/// One split for each of `sizes` that is smaller than the number of rows to learn from, and one with all of these. A fifth
+/// of `rows`, at most `questions`, is held out. Rows are taken at even steps.
 #[must_use]
 pub fn folds(rows: &[Row], sizes: &[usize], questions: usize) -> Vec<Fold> {
     let count = questions.min(rows.len() / 5).max(1);

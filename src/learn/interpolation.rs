@@ -1,24 +1,24 @@
 //! Linear interpolation between scattered rows.
 //!
-//! Of all ways to make the question q a mean of rows xᵢ the one whose rows are nearest,
+//! Of all ways to write the question q as a weighted mean of rows xᵢ, the one with the nearest rows,
 //!
 //! ```text
 //! minimise Σ wᵢ |xᵢ − q|²   with   Σ wᵢ xᵢ = q,   Σ wᵢ = 1,   wᵢ ≥ 0
 //! ```
 //!
-//! has as its rows the corners of the Delaunay simplex that q lies in: |x|² lifts the triangulation to a lower convex
-//! hull (Brown, Information Processing Letters 9, 1979). So no triangulation of five dimensions is kept; a small linear
-//! programme (the simplex method in a tableau, Bland's rule) asks it one question.
+//! uses the corners of the Delaunay simplex that contains q: |x|² lifts the triangulation to a lower convex
+//! hull (Brown, Information Processing Letters 9, 1979). So no triangulation in five dimensions is stored; a small linear
+//! program for each question (simplex method in a tableau, Bland's rule) is enough.
 
 use super::local::{Local, Sample};
 use super::tree::Place;
 use crate::learn::small_vector::{MOST, SmallVector};
 
-/// Rows around a question among which its simplex is looked for, first and then.
+/// Number of nearest rows among which the simplex is searched: at first, and if it is not found.
 const AROUND: [usize; 2] = [60, 240];
-/// Numbers nearer to zero than this are rounding.
+/// Smaller numbers count as rounding errors.
 const ROUNDING: f64 = 1e-9;
-/// Pivots at most; some twenty are usual.
+/// Most pivots; some twenty are usual.
 const PIVOTS: usize = 2_000;
 
 /// The sample nearest to `q`, where there is one: features and outputs.
@@ -26,14 +26,14 @@ pub(super) fn nearest(local: &Local, q: &SmallVector) -> Option<Sample> {
     local.nearest(q, None)
 }
 
-/// What lies between the samples around `q` there; where there are none on one side, the nearest.
+/// The interpolated sample at `q`; the nearest sample where `q` is not between samples.
 pub(super) fn linear(local: &Local, q: &SmallVector) -> Option<Sample> {
     linear_in(local, q, local.dims(), |place, _| *place)
 }
 
-/// The same where the last two features are cos and sin of one angle: between places on a cylinder there are none that
-/// lie on it, so angles are told by the sine of how far they are from the question's.
-pub(super) fn linear_round_a_cylinder(local: &Local, q: &SmallVector) -> Option<Sample> {
+/// The same where the last two features are cos and sin of one angle: a mean of points on a cylinder does not lie on it,
+/// so angles are replaced by the sine of their difference from the question's.
+pub(super) fn linear_on_a_cylinder(local: &Local, q: &SmallVector) -> Option<Sample> {
     let plain = local.dims() - 2;
     linear_in(local, q, plain + 1, |x, q| {
         let mut place = [0.0; MOST];
@@ -43,7 +43,7 @@ pub(super) fn linear_round_a_cylinder(local: &Local, q: &SmallVector) -> Option<
     })
 }
 
-/// The same in a `chart` of `dims` coordinates, which tells where a place lies for a question.
+/// The same in `dims` coordinates, which `chart` computes from a place and the question.
 fn linear_in(
     local: &Local,
     q: &SmallVector,
@@ -66,7 +66,7 @@ fn linear_in(
     Some(Sample { at: *q, gives: SmallVector::new(gives.into_iter().take(local.outputs())) })
 }
 
-/// The wᵢ of `points`, of which the first `dims` coordinates count; `None` where `q` is not between them.
+/// The weights wᵢ of `points` by their first `dims` coordinates; `None` where `q` is not between them.
 pub(super) fn weights(points: &[Place], q: &Place, dims: usize) -> Option<Vec<f64>> {
     let mut tableau = Tableau::new(points, q, dims)?;
     for _ in 0..PIVOTS {
@@ -77,14 +77,14 @@ pub(super) fn weights(points: &[Place], q: &Place, dims: usize) -> Option<Vec<f6
     None
 }
 
-/// The programme: an equation a coordinate and Σ w = 1, each with an artificial unknown that is to vanish.
+/// The linear program: an equation for each coordinate and Σ w = 1, each with an artificial unknown that must become 0.
 struct Tableau {
     unknowns: usize,
     /// Coefficients of the unknowns; the right side last.
     equations: Vec<Vec<f64>>,
-    /// What a unit more of each unknown adds to the sum of the artificial ones, and to what is minimised.
+    /// The change of the sum of the artificial unknowns, and of the objective, for each unit of an unknown.
     costs: [Vec<f64>; 2],
-    /// Which unknown each equation gives; beyond the `unknowns` an artificial one.
+    /// The basic unknown of each equation; indices from `unknowns` on are artificial ones.
     basis: Vec<usize>,
 }
 
@@ -99,7 +99,7 @@ impl Tableau {
             if q[j] < low || q[j] > high {
                 return None;
             }
-            // Moved so that the right side is above zero, which spares pivots that lead nowhere.
+            // Shifted so that the right side is positive, which avoids degenerate pivots.
             let moved = |x: f64| x - low + 1.0;
             equations.push(points.iter().map(|x| moved(x[j])).chain([moved(q[j])]).collect());
         }
@@ -110,14 +110,14 @@ impl Tableau {
         Some(Self { unknowns, costs: [infeasible.collect(), far.chain([0.0]).collect()], equations, basis })
     }
 
-    /// The first unknown of which more is better: less of what is artificial, or as much but nearer rows.
+    /// The first unknown whose increase lowers the sum of the artificial ones, or leaves it and lowers the objective.
     fn entering(&self) -> Option<usize> {
         let [infeasible, far] = &self.costs;
         (0..self.unknowns)
             .find(|&i| infeasible[i] < -ROUNDING || infeasible[i] <= ROUNDING && far[i] < -ROUNDING)
     }
 
-    /// The equation that first forbids more of unknown `entering`; of several the one whose unknown comes first.
+    /// The equation that limits the increase of unknown `entering`; of several the one whose basic unknown comes first.
     fn leaving(&self, entering: usize) -> Option<usize> {
         let share = |row: usize| self.equations[row][self.unknowns] / self.equations[row][entering];
         (0..self.equations.len())
@@ -140,7 +140,7 @@ impl Tableau {
         self.basis[row] = entering;
     }
 
-    /// The unknowns; `None` where an artificial one has not vanished.
+    /// The unknowns; `None` where an artificial one is not 0.
     fn weights(&self) -> Option<Vec<f64>> {
         let mut weights = vec![0.0; self.unknowns];
         for (equation, unknown) in self.equations.iter().zip(&self.basis) {
@@ -221,7 +221,7 @@ mod tests {
         });
         let local = Local::with_neighbours(rows.collect(), AS_IT_IS, 12);
         let q = SmallVector::new([0.45, libm::cos(1.0), libm::sin(1.0)]);
-        let found = linear_round_a_cylinder(&local, &q).unwrap();
+        let found = linear_on_a_cylinder(&local, &q).unwrap();
         assert!((found.gives[0] - 4.5 - libm::sin(1.0)).abs() < 0.02, "{found:?}");
         assert_eq!(linear(&local, &q).unwrap().gives, nearest(&local, &q).unwrap().gives);
     }
@@ -237,7 +237,7 @@ mod tests {
         }
     }
 
-    /// Is the ball through the corners of a simplex empty of all other points? What Delaunay's means.
+    /// Whether the ball through the corners of a simplex holds no other point: the Delaunay property.
     fn ball_is_empty(points: &[Place], corners: &[usize], dims: usize) -> bool {
         // Centre c: 2 (xᵢ − x₀)·c = |xᵢ|² − |x₀|².
         let n = corners.len() - 1;

@@ -1,14 +1,14 @@
-//! Isolated spots: farther apart than their system puts them by itself.
+//! Isolated spots: farther apart than the natural spacing of their system.
 //!
-//! Where the ground of a system is inert, spots appear only where they begin, and a spot without neighbours has the same
-//! shape at any distance: no rows are needed. A tensor of determinant 1 only stretches it: aspect = stretch, angle =
+//! If the ground of a system is inert, spots appear only at initial marks, and a spot without neighbours has the same shape
+//! at any spacing: a law replaces the rows. A tensor of determinant 1 only stretches the spot: aspect = stretch, angle =
 //! direction. At the ratio of [`IsolatedSpots`]
 //!
 //! ```text
 //! A·rate = K · (ln l ÷ ln ½)^k · (1 − c·exp(−a·q − b·q²))     q = p − 1     p = L·√rate ÷ (S · (d₁ + d₂ · ln² stretch))
 //!
-//! A area, l level, L spacing; p pitch, the spacing ÷ the system's own; S the system's own distance of places
-//! × √rate; d the mean Delaunay edge ÷ the distance of places
+//! A area, l level, L spacing; p pitch, the spacing ÷ the natural spacing; S natural distance of initial places
+//! × √rate; d mean Delaunay edge ÷ distance of initial places
 //! ```
 
 use crate::attributes::system::IsolatedSpots;
@@ -21,7 +21,7 @@ use crate::learn::training_set::{Map, TrainingSet};
 use crate::learn::{AskError, Parameters};
 
 /// Rate and pitch of such spots at `level`. Lengths are cells.
-fn laid(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) -> [f64; 2] {
+fn rate_and_pitch(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) -> [f64; 2] {
     let area = law.area * libm::pow(libm::log(level) / libm::log(0.5), law.foot);
     let stretched = libm::log(spots.aspect);
     let own = law.spacing * (law.edges[0] + law.edges[1] * stretched * stretched);
@@ -31,7 +31,7 @@ fn laid(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) -> [f64; 2
         let q = (pitch - 1.0).max(0.0);
         area * (1.0 - c * libm::exp(-a * q - b * q * q)) / spots.area
     };
-    // Starts from spots without neighbours, which shrink the area and so the distance in pitches.
+    // Starts from spots without neighbours; these shrink the area, and so the distance in pitches.
     let mut found = rate(f64::INFINITY);
     for _ in 0..16 {
         found = rate(pitch(found));
@@ -39,9 +39,9 @@ fn laid(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) -> [f64; 2
     [found, pitch(found)]
 }
 
-/// The highest level at which spots have enough room where only the share `room` of the spacing is theirs.
+/// The highest level at which spots have enough room, of which only the share `room` of the spacing is available.
 fn level(law: &IsolatedSpots, spots: &Spots, spacing: f64, room: f64) -> Option<f64> {
-    let pitch = |level: f64| room * laid(law, spots, spacing, level)[1];
+    let pitch = |level: f64| room * rate_and_pitch(law, spots, spacing, level)[1];
     let [mut high, mut low] = law.levels;
     let [alone, merging] = law.pitches;
     if pitch(high) >= alone {
@@ -51,16 +51,16 @@ fn level(law: &IsolatedSpots, spots: &Spots, spacing: f64, room: f64) -> Option<
         return (pitch(low) >= merging).then_some(low);
     }
     for _ in 0..20 {
-        let middle = 0.5 * (low + high);
-        *if pitch(middle) >= alone { &mut low } else { &mut high } = middle;
+        let mean = 0.5 * (low + high);
+        *if pitch(mean) >= alone { &mut low } else { &mut high } = mean;
     }
     Some(low)
 }
 
 impl TrainingSet {
-    /// The parameters for spots `wanted` (lengths in cells) that are laid at their places farther apart than their system
-    /// would put them; `None` where they would stand too near for that, or the system's spots do not stand alone. In some
-    /// direction only the share `room` of the spacing, 0..1, is left to them: where the places suit their shape, 1.
+    /// The parameters for spots `wanted` (lengths in cells) at given places, farther apart than the natural spacing; `None`
+    /// if they are too close for that, or if the system has no isolated spots. In the direction with the least room only the
+    /// share `room` of the spacing, 0..1, is available; it is 1 where the places suit the shape of the spots.
     ///
     /// # Errors
     /// As [`Self::ask`].
@@ -81,7 +81,7 @@ fn apart(law: &IsolatedSpots, map: &SpotMap, spots: &Spots, spacing: f64, room: 
     let aspect = aspect.max(spots.aspect);
     let grown = Spots { area, aspect, spacing: Some(spacing), ..*spots };
     let level = level(law, &grown, spacing, room)?;
-    let [rate, pitch] = laid(law, &grown, spacing, level);
+    let [rate, pitch] = rate_and_pitch(law, &grown, spacing, level);
     let Judgement { coverage, mut notes } = judgement;
     let share = |density: f64| Quantity::new("area/spacing²", density, Unit::Share);
     notes.push(Note::Apart {
@@ -141,7 +141,7 @@ mod tests {
         let levels = found.each_ref().map(|answer| answer.parameters.level.unwrap());
         assert!(levels[0] == ISOLATED.levels[0] && levels[3] == ISOLATED.levels[1], "{levels:?}");
         assert!(levels.windows(2).all(|pair| pair[1] < pair[0]), "{levels:?}");
-        // Those between have just the pitch that they need.
+        // At spacings between these the pitch is exactly the required one.
         let enough = |answer: &Answer| (answer.pitch - ISOLATED.pitches[0]).abs() < 0.01;
         assert!(found[1..3].iter().all(enough) && found[3].pitch >= ISOLATED.pitches[1], "{found:?}");
         assert!(asked(48.0, 1.0, 12.0).is_none());

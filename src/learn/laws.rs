@@ -1,5 +1,5 @@
-//! Rows made from the laws of scale instead of simulations, so that the regression is tested against what
-//! is known. Noise as measured on patches of 60 spots.
+//! Rows computed from the laws of scale instead of simulations, so that the regression is tested against known values.
+//! Noise as measured on patches of 60 spots.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -122,7 +122,7 @@ pub(super) fn meinhardt_density(ratio: f64) -> f64 {
     0.094 * libm::pow(ratio / 15.0, -1.0)
 }
 
-/// The angle that the grid makes of a direction: pulled towards the axes, more for small spots.
+/// The angle measured for a direction: the grid pulls it towards the axes, more for small spots.
 pub(super) fn pulled(direction: f64, area: f64) -> f64 {
     axial(direction - 40.0 / area * libm::sin((4.0 * direction).to_radians()))
 }
@@ -154,7 +154,7 @@ pub(super) fn turing(n: u64, Noise(by_area, by_spacing, by_aspect, by_angle): No
                 attributes: Attributes::Spots(Spots {
                     area: area * (1.0 + by_area * scatter(rng)),
                     aspect: aspect * (1.0 + by_aspect * scatter(rng)),
-                    // A patch of isotropic spots points anywhere.
+                    // The mean direction of a patch of isotropic spots is random.
                     angle: axial(pulled(direction, area) + by_angle * scatter(rng) / (1.03 - stretch)),
                     spacing: Some(spacing * (1.0 + by_spacing * scatter(rng))),
                 }),
@@ -191,13 +191,13 @@ pub(super) fn meinhardt(n: u64, Noise(by_area, by_spacing, by_aspect, by_angle):
         .collect()
 }
 
-/// How much larger Meinhardt spots are, read at this level (facts B: 1.5 at 0.35, 2.5 at 0.2).
+/// How much larger Meinhardt spots are at this level (facts B: 1.5 at 0.35, 2.5 at 0.2).
 pub(super) fn growth_by_level(level: f64) -> f64 {
     libm::exp(2.8 * (0.5 - level))
 }
 
-/// `n` rows of a Meinhardt set in which the dense end is reached by the level: of ten rows seven have ratios
-/// from 12 at level 0.5, three the ratio 12 at levels from 0.27.
+/// `n` rows of a Meinhardt set in which high densities are reached by the level: of ten rows seven have ratios from 12 at
+/// level 0.5, three have the ratio 12 at levels from 0.27.
 pub(super) fn meinhardt_by_level(n: u64, noise: Noise) -> Vec<Row> {
     let mut rows = meinhardt(n, noise);
     for row in &mut rows {

@@ -9,8 +9,8 @@
 //! and the answer is β₀ of the line that minimises Σ wᵢ |yᵢ − β₀ − Bᵀ(xᵢ − q)/h|² + λ|B|².
 //! (Atkeson, Moore & Schaal, Artificial Intelligence Review 11, 1997, §4–5.) How large k is: [`super::bandwidth`].
 //!
-//! A row stands for its mirror images too. They are not stored: the distance of a question to a row's image is that
-//! of the question's image to the row.
+//! A row represents its mirror images too. They are not stored: the distance of a question to a row's image is that of the
+//! question's image to the row.
 
 use super::tree::{Near, Nearest, Place, Tree};
 use crate::learn::small_vector::{MOST, SmallVector};
@@ -41,7 +41,7 @@ pub(super) struct Local {
     scale: Place,
     /// Features ÷ scale and outputs, row by row.
     known: Vec<[Place; 2]>,
-    /// By what these are multiplied in each mirror image.
+    /// The factors of these for each mirror image.
     signs: Vec<[Place; 2]>,
     images: Images,
     tree: Tree,
@@ -51,7 +51,7 @@ pub(super) struct Local {
     neighbours: usize,
 }
 
-/// Whether a parameter varies among the rows, by 2 % at least. One that varies less is no feature.
+/// Whether a parameter varies among the rows by at least 2 %. One that varies less is no feature.
 pub(super) fn varies(values: impl Iterator<Item = f64>) -> bool {
     let (low, high) =
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
@@ -59,8 +59,8 @@ pub(super) fn varies(values: impl Iterator<Item = f64>) -> bool {
 }
 
 impl Local {
-    /// Standardises `rows`, so that the components of the vector share one scale: distance does not depend on
-    /// direction. `neighbours` take part in the regression; [`super::bandwidth`] chooses how many.
+    /// Standardises `rows`. Both components of the vector have one scale, so that distances do not depend on direction.
+    /// `neighbours` is the number of neighbours in the regression; [`super::bandwidth`] chooses it.
     pub fn with_neighbours(rows: Vec<Sample>, images: Images, neighbours: usize) -> Self {
         let (dims, outputs) = rows.first().map_or((0, 0), |row| (row.at.len(), row.gives.len()));
         let scale = scales(rows.iter().map(|row| &row.at.padded), dims, images);
@@ -105,12 +105,12 @@ impl Local {
         &self.rows
     }
 
-    /// Samples in all where a row is left out, mirror images among them.
+    /// The number of samples, mirror images included, if one row is left out.
     pub fn samples_of_others(&self) -> usize {
         self.rows.len().saturating_sub(1) * self.images.len()
     }
 
-    /// Every sample, as far as from itself.
+    /// Every sample, with distance 0.
     fn everything(&self) -> impl Iterator<Item = Near> + use<> {
         let images = self.images.len() as u32;
         (0..self.rows.len() as u32)
@@ -127,7 +127,7 @@ impl Local {
         self.neighbours
     }
 
-    /// By what mirror image number `image` is multiplied.
+    /// The factors of mirror image number `image`.
     pub fn image(&self, image: usize) -> [f64; 2] {
         self.images[image]
     }
@@ -217,7 +217,7 @@ mod tests {
     use super::*;
 
     impl Local {
-        /// The same by looking at every sample: what the tree is held to.
+        /// The same by a search through all samples, for comparison with the tree.
         fn nearest_by_full_search(&self, q: &Place, k: usize, without: Option<usize>) -> Vec<Near> {
             let rows = (0..self.rows.len()).filter(|row| without != Some(*row));
             let images = |row| (0..self.images.len()).map(move |image| (row, image));
@@ -273,16 +273,16 @@ mod tests {
     #[test]
     fn a_row_that_is_left_out_has_no_influence() {
         let mut rows = box_of(100, |x| vec![x[0]]);
-        let (q, told) = (rows[40].at, rows[40].at[0]);
+        let (q, own) = (rows[40].at, rows[40].at[0]);
         rows[40].gives[0] = 50.0;
         let local = Local::with_neighbours(rows, AS_IT_IS, 21);
-        assert!((local.fit(&q, Some(40)).value[0] - told).abs() < 1e-4);
-        assert!(local.fit(&q, None).value[0] > told + 1.0);
+        assert!((local.fit(&q, Some(40)).value[0] - own).abs() < 1e-4);
+        assert!(local.fit(&q, None).value[0] > own + 1.0);
     }
 
     #[test]
     fn scatter_is_measured() {
-        // ±0.1 by turns about a plane: standard deviation 0.1.
+        // Alternately +0.1 and −0.1 from a plane: standard deviation 0.1.
         let mut rows = box_of(400, |x| vec![x[0]]);
         for (i, row) in rows.iter_mut().enumerate() {
             row.gives[0] += if i % 2 == 0 { 0.1 } else { -0.1 };
@@ -353,7 +353,7 @@ mod tests {
             let local = Local::with_neighbours(rows, images, k);
             let q = local.standardised(&SmallVector::new(q.into_iter().take(dims)));
             prop_assert_eq!(local.near(&q, k, without), local.nearest_by_full_search(&q, k, without));
-            // And at a row itself, where ties are.
+            // At a row itself there are ties.
             if !local.known.is_empty() {
                 let [q, _] = local.known[k % local.known.len()];
                 prop_assert_eq!(local.near(&q, k, without), local.nearest_by_full_search(&q, k, without));

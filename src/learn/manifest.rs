@@ -51,7 +51,7 @@ impl Manifest {
         Ok(Some(Self { file, rows }))
     }
 
-    /// Checks that these are as many rows as were written.
+    /// Checks that the number of rows is the one that was written.
     ///
     /// # Errors
     /// The number of rows and the expected number.

@@ -11,8 +11,8 @@ use crate::attributes::Attributes;
 pub enum Method {
     /// The parameters of the nearest row.
     NearestNeighbour,
-    /// Barycentric between the rows around the question; where there are none on one side, the nearest row. What
-    /// Phan & Grimm (2006) fell back to.
+    /// Barycentric interpolation between the rows around the question; the nearest row where the question is not between
+    /// rows. The fallback of Phan & Grimm (2006).
     LinearInterpolation,
     /// The laws of scale in closed form, their constants fitted to the rows: `scale_law.rs`.
     ScaleLaw,
@@ -61,9 +61,9 @@ impl TrainingSet {
                 Ok(map.known(spots, interpolation::linear))
             }
             (Method::LinearInterpolation, Map::Stripes(map), Attributes::Stripes(stripes)) => {
-                Ok(map.known(stripes, interpolation::linear_round_a_cylinder))
+                Ok(map.known(stripes, interpolation::linear_on_a_cylinder))
             }
-            // Attributes of the other kind too, which it refuses.
+            // It refuses attributes of the other kind, too.
             _ => Ok(self.ask(&wanted)?.parameters),
         }
     }

@@ -1,4 +1,4 @@
-//! Rows → answers: which parameters give the attributes that were asked for.
+//! Training rows → answers: which parameters give the wanted attributes.
 //!
 //! `data-gen` grows a texture for each of many parameters, measures it and writes a row. A
 //! [`TrainingSet`] holds the rows of one system and answers with locally weighted regression
@@ -15,9 +15,9 @@
 //!          A area, L spacing, W width, λ wavelength, θ angle; φ direction
 //! ```
 //!
-//! All lengths here are cells of the simulation grid, because the grid's own error at small spots is
-//! part of what is learnt. A question beyond the rows is never extrapolated: it is moved to where the
-//! rows are, and the answer says so ([`Coverage`]).
+//! All lengths here are cells of the simulation grid, because the discretisation error at small spots is part of what is
+//! learnt. A question beyond the rows is never extrapolated: it is moved into their range, and the answer says so
+//! ([`Coverage`]).
 
 mod answer;
 mod ask;

@@ -24,7 +24,7 @@ pub struct Quantity {
     pub value: f64,
     /// Its unit.
     pub unit: Unit,
-    /// Are lengths px? Else they are cells.
+    /// Whether lengths are px instead of cells.
     px: bool,
 }
 
@@ -84,13 +84,13 @@ pub enum Note {
     },
     /// The spacing was left free: area ÷ spacing² that is used.
     FreeSpacing(f64),
-    /// Spots are laid farther apart than their system puts them.
+    /// Spots are placed farther apart than the natural spacing of their system.
     Apart {
         /// Area ÷ spacing² that was asked, and will grow.
         asked: Quantity,
-        /// The least that the system packs by itself.
+        /// The lowest natural density of the system.
         sparsest: Quantity,
-        /// Spacing ÷ the system's own.
+        /// Spacing ÷ the natural spacing.
         pitch: f64,
     },
 }
@@ -137,14 +137,17 @@ impl fmt::Display for Note {
             }
             Self::Apart { asked, sparsest, pitch } => {
                 let pitch = brief(*pitch);
-                let laid = format!(
-                    "each spot is laid at a place of its own, {pitch} times as far apart as the system puts them"
+                let placed = format!(
+                    "spots are placed one by one, {pitch} times as far apart as this system's natural spacing"
                 );
                 if asked.value < sparsest.value {
                     let sparsest = sparsest.number();
-                    write!(f, "{asked} is less than {sparsest}, the sparsest that one run packs: {laid}")
+                    write!(
+                        f,
+                        "{asked} is less than {sparsest}, the lowest natural density of this system: {placed}"
+                    )
                 } else {
-                    write!(f, "{laid}, like those of the sparser regions around it")
+                    write!(f, "{placed}, as in the sparser regions around")
                 }
             }
         }

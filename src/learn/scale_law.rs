@@ -24,7 +24,7 @@ pub(super) struct Law {
     size: f64,
     /// ln C.
     density: f64,
-    /// Do stripes have a ratio?
+    /// Whether stripes have a ratio.
     lines: bool,
     /// The lowest ratio of the rows; R is 1 where none have any.
     ratio: f64,
@@ -75,7 +75,7 @@ impl Law {
     pub fn spots(&self, density: Option<f64>, spots: &Spots) -> Parameters {
         let lowest = libm::log(self.ratio);
         let ratio = density.map_or(lowest, |density| (self.density - density).max(lowest));
-        // What the lowest ratio falls short of.
+        // The part that the lowest ratio does not reach.
         let missing = density.map_or(0.0, |density| density - (self.density - ratio)).max(0.0);
         let level = self.levels.map(|[high, low]| (high - missing / self.scaling.level).max(low));
         let lowered =
@@ -115,11 +115,11 @@ mod tests {
         for row in &rows {
             let Attributes::Spots(spots) = row.attributes else { panic!() };
             let density = spots.spacing.map(|spacing| libm::log(spots.area / (spacing * spacing)));
-            let (found, told) = (law.spots(density, &spots), row.parameters);
-            // The rows' own law has a term for small spots, which is 6 % at 20 cells.
-            assert!((found.rate / told.rate - 1.0).abs() < 0.08, "{found:?} {told:?}");
-            assert!((found.ratio.unwrap() / told.ratio.unwrap() - 1.0).abs() < 0.03);
-            assert!((found.level.unwrap() - told.level.unwrap()).abs() < 0.015);
+            let (found, own) = (law.spots(density, &spots), row.parameters);
+            // The law of the rows has a term for small spots, which is 6 % at 20 cells.
+            assert!((found.rate / own.rate - 1.0).abs() < 0.08, "{found:?} {own:?}");
+            assert!((found.ratio.unwrap() / own.ratio.unwrap() - 1.0).abs() < 0.03);
+            assert!((found.level.unwrap() - own.level.unwrap()).abs() < 0.015);
         }
         assert!((growth_by_level(0.3) - libm::exp(0.2 * MEINHARDT.scaling.level)).abs() < 0.03);
     }

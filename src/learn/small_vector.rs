@@ -2,7 +2,7 @@
 
 use std::ops::{Deref, DerefMut};
 
-/// Coordinates at most: the four features of spots plus a second component of the vector.
+/// Most coordinates: the four features of spots plus the second component of the vector.
 pub(super) const MOST: usize = 5;
 
 /// Up to [`MOST`] coordinates; those beyond its length are 0.
@@ -21,7 +21,7 @@ impl SmallVector {
         point
     }
 
-    /// Appends numbers; more than [`MOST`] are a bug.
+    /// Appends numbers, at most [`MOST`] in all.
     pub fn extend(&mut self, numbers: impl IntoIterator<Item = f64>) {
         for number in numbers {
             debug_assert!(self.len < MOST, "more than {MOST} coordinates");

@@ -19,12 +19,12 @@ pub(super) struct SpotMap {
     /// Attributes → parameters.
     asked: Local,
     /// Parameters → direction.
-    told: Local,
+    outcomes: Local,
     /// Parameters → area, spacing and aspect.
     even: Local,
-    /// Does the ratio vary in the set?
+    /// Whether the ratio varies in the set.
     ratio: bool,
-    /// Does the level?
+    /// Whether the level does.
     level: bool,
     /// ln A.
     pub area: Limit,
@@ -32,8 +32,8 @@ pub(super) struct SpotMap {
     pub density: Limit,
     /// −ln(aspect).
     pub elongation: Limit,
-    /// ln(A/L²) of the set's middle row: taken where the spacing is left free.
-    middle_density: f64,
+    /// The median ln(A/L²) of the set: used where the spacing is left free.
+    median_density: f64,
 }
 
 /// ln(A/L²) of measured spots, which always have a spacing.
@@ -41,7 +41,7 @@ fn density(spots: &Spots) -> Option<f64> {
     spots.spacing.map(|spacing| to::log_density(spots.area, spacing))
 }
 
-/// How far ln A, ln(A/L²) and −ln(aspect) reach.
+/// The ranges of ln A, ln(A/L²) and −ln(aspect).
 fn limits<'a>(spots: impl Iterator<Item = &'a Spots> + Clone) -> [Limit; 3] {
     let area = Limit::new(
         "area",
@@ -92,7 +92,7 @@ impl SpotMap {
                 [at, to::spot_answer(s, p)]
             })
         };
-        let told = || {
+        let outcomes = || {
             local(IMAGES, &|s, p| {
                 [to::spot_features(p, ratio, level), SmallVector::new(to::elongation(s.aspect, s.angle))]
             })
@@ -100,20 +100,20 @@ impl SpotMap {
         let even = || {
             local(AS_IT_IS, &|s, p| [to::spot_features_even(p, ratio, level), to::spot_outcomes_even(s, p)])
         };
-        let (asked, (told, even)) = rayon::join(asked, || rayon::join(told, even));
+        let (asked, (outcomes, even)) = rayon::join(asked, || rayon::join(outcomes, even));
         let [area, density_limit, elongation] = limits(runs.iter().map(|(spots, _)| spots));
         let mut densities: Vec<f64> = runs.iter().filter_map(|(spots, _)| density(spots)).collect();
         densities.sort_by(f64::total_cmp);
-        let middle_density = densities.get(densities.len() / 2).copied().unwrap_or(0.0);
-        Self { area, density: density_limit, elongation, middle_density, asked, told, even, ratio, level }
+        let median_density = densities.get(densities.len() / 2).copied().unwrap_or(0.0);
+        Self { area, density: density_limit, elongation, median_density, asked, outcomes, even, ratio, level }
     }
 
-    /// Is area/spacing² free in this set, rather than what the system gives?
+    /// Whether area/spacing² is free in this set; otherwise the system determines it.
     pub fn dense(&self) -> bool {
         self.ratio || self.level
     }
 
-    /// The parameters for `spots`, the question moved to where the rows are.
+    /// The parameters for `spots`, with the question moved into the range of the rows.
     pub fn ask(&self, spots: &Spots) -> Reached {
         let mut judgement = Judgement::new();
         let log_area = judgement.clamp(&self.area, libm::log(spots.area));
@@ -144,14 +144,14 @@ impl SpotMap {
             nearest.aspect = libm::exp(-to::length(v));
             nearest.angle = to::axis(v);
         } else if e < e_reached {
-            // Rounder than any row: their directions lie all around, so this is no extrapolation.
+            // Rounder than any row: the rows have all directions, so this is no extrapolation.
             (at[n - 2], at[n - 1]) = (e * c, e * s);
             answered = self.asked.clamped(self.asked.line(&at, None).value());
         }
         nearest.spacing = self.dense().then(|| (nearest.area / libm::exp(at[1])).sqrt());
         let mut parameters = to::spot_parameters(at[0], &answered);
         if parameters.stretch > 1.0 - 1e-9 {
-            // No direction: the one asked for as well as any.
+            // Without a direction the one asked for is as good as any.
             parameters.direction = spots.angle;
         }
         let prediction = self.predict(&parameters);
@@ -159,16 +159,16 @@ impl SpotMap {
         Reached { parameters, prediction, nearest: Attributes::Spots(nearest), judgement }
     }
 
-    /// ln(A/L²) within the set's; its middle where the spacing is free.
+    /// ln(A/L²) clamped to the range of the set; its median where the spacing is free.
     fn clamp_density(&self, spots: &Spots, judgement: &mut Judgement) -> f64 {
         if let Some(density) = density(spots) {
             return judgement.clamp(&self.density, density);
         }
-        judgement.notes.push(Note::FreeSpacing(libm::exp(self.middle_density)));
-        self.middle_density
+        judgement.notes.push(Note::FreeSpacing(libm::exp(self.median_density)));
+        self.median_density
     }
 
-    /// Where the system itself gives the spacing: is it the one that was asked for?
+    /// Where the system determines the spacing: notes a difference from the one that was asked for.
     fn judge_spacing(
         &self,
         spots: &Spots,
@@ -196,12 +196,12 @@ impl SpotMap {
         }
     }
 
-    /// ln(A/L²) of the spots, the set's middle where their spacing is free; `None` where the system gives it.
+    /// ln(A/L²) of the spots, the median of the set where their spacing is free; `None` where the system determines it.
     pub fn log_density(&self, spots: &Spots) -> Option<f64> {
-        self.dense().then(|| density(spots).unwrap_or(self.middle_density))
+        self.dense().then(|| density(spots).unwrap_or(self.median_density))
     }
 
-    /// Row, mirror image and weight of what the answer at `at` leans on.
+    /// Row, mirror image and weight of each sample that the answer at `at` uses.
     pub fn near(&self, at: &SmallVector) -> Vec<(usize, [f64; 2], f64)> {
         self.asked.weights(at)
     }
@@ -214,7 +214,7 @@ impl SpotMap {
         to::spot_parameters(found.at[0], &found.gives)
     }
 
-    /// What grows from parameters.
+    /// The attributes that grow with parameters.
     pub fn predict(&self, p: &Parameters) -> Prediction {
         let log_rate = libm::log(p.rate);
         let even = self.even.fit(&to::spot_features_even(p, self.ratio, self.level), None);
@@ -222,7 +222,7 @@ impl SpotMap {
         let [by_area, by_spacing] = [Z90 * even.deviation[0], 0.5 * Z90 * even.deviation[1]];
         let (e, by_e) = (even.value[2], Z90 * even.deviation[2]);
         let aspect = |e: f64| libm::exp(-e.max(0.0));
-        let fit = self.told.fit(&to::spot_features(p, self.ratio, self.level), None);
+        let fit = self.outcomes.fit(&to::spot_features(p, self.ratio, self.level), None);
         let v = [fit.value[0], fit.value[1]];
         let by_v = Z90 * to::length([fit.deviation[0], fit.deviation[1]]) / std::f64::consts::SQRT_2;
         let directed = to::length(v) > 1e-9;

@@ -10,8 +10,8 @@ use crate::attributes::{Attributes, Stripes};
 use crate::learn::small_vector::SmallVector;
 use crate::marks::axial;
 
-/// The mirror images of a row. The grid looks the same under x ↔ y and under mirrors, so each row stands
-/// for four; the features hold the fourth harmonic, in which two of them are the same.
+/// The mirror images of a row. The grid looks the same under x ↔ y and under mirrors, so each row represents
+/// four; in the fourth harmonic two of them are the same.
 const IMAGES: Images = &[[1.0, 1.0], [1.0, -1.0]];
 
 /// The map of a stripe set.
@@ -19,16 +19,16 @@ pub(super) struct StripeMap {
     /// Attributes → parameters.
     asked: Local,
     /// Parameters → attributes.
-    told: Local,
-    /// Does the stretch vary in the set?
+    outcomes: Local,
+    /// Whether the stretch varies in the set.
     stretch: bool,
     /// ln W.
     pub width: Limit,
-    /// ln(W/λ), where it is free: else each stripe is as wide as its gap.
+    /// ln(W/λ), where it is free; otherwise each stripe is as wide as its gap.
     pub duty: Option<Limit>,
 }
 
-/// The angle at a place, where 4θ is known: of the four it stands for the one nearest to `asked`.
+/// The angle at a place, of which 4θ is known: of the four possible angles the one nearest to `asked`.
 fn quarter(asked: f64, at: &SmallVector) -> f64 {
     let n = at.len();
     let quarter = 0.5 * to::axis([at[n - 2], at[n - 1]]);
@@ -56,7 +56,7 @@ impl StripeMap {
         let asked = local(&|s, p| {
             [to::stripe_question(libm::log(s.width), log_duty(s), s.angle), to::stripe_answer(s, p)]
         });
-        let told = local(&|s, p| [to::stripe_features(p, stretch), to::stripe_outcomes(s, p)]);
+        let outcomes = local(&|s, p| [to::stripe_features(p, stretch), to::stripe_outcomes(s, p)]);
         let duty = runs.iter().any(|(s, _)| s.wavelength.is_some()).then(|| {
             Limit::new(
                 "duty",
@@ -80,12 +80,12 @@ impl StripeMap {
             ),
             duty,
             asked,
-            told,
+            outcomes,
             stretch,
         }
     }
 
-    /// The parameters for `stripes`, the question moved to where the rows are.
+    /// The parameters for `stripes`, with the question moved into the range of the rows.
     pub fn ask(&self, stripes: &Stripes) -> Reached {
         let mut judgement = Judgement::new();
         let log_width = judgement.clamp(&self.width, libm::log(stripes.width));
@@ -113,7 +113,7 @@ impl StripeMap {
         Reached { parameters, prediction, nearest: Attributes::Stripes(nearest), judgement }
     }
 
-    /// Row, mirror image and weight of what the answer to `stripes` leans on.
+    /// Row, mirror image and weight of each sample that the answer to `stripes` uses.
     pub fn near(&self, stripes: &Stripes) -> Vec<(usize, [f64; 2], f64)> {
         let duty = self.duty.as_ref().map(|_| libm::log(stripes.duty()));
         self.asked.weights(&to::stripe_question(libm::log(stripes.width), duty, stripes.angle))
@@ -131,9 +131,9 @@ impl StripeMap {
         to::stripe_parameters(found.at[0], quarter(stripes.angle, &found.at), &found.gives)
     }
 
-    /// What grows from parameters.
+    /// The attributes that grow with parameters.
     pub fn predict(&self, p: &Parameters) -> Prediction {
-        let fit = self.told.fit(&to::stripe_features(p, self.stretch), None);
+        let fit = self.outcomes.fit(&to::stripe_features(p, self.stretch), None);
         let log_width = 0.5 * (fit.value[0] - libm::log(p.rate));
         let by_width = 0.5 * Z90 * fit.deviation[0];
         let n = fit.value.len();

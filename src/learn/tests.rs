@@ -1,4 +1,4 @@
-//! The whole room: laws that are known, learnt from their rows.
+//! Known laws of scale, learnt from rows that follow them.
 
 use proptest::prelude::*;
 
@@ -130,7 +130,7 @@ fn the_law_of_lines_is_learnt_and_a_duty_beyond_the_rows_is_moved_to_the_nearest
     assert!(note.starts_with("duty 0.1 is less than 0.18") && note.contains("growing at 0.18"), "{note}");
     let Attributes::Stripes(nearest) = answer.nearest else { panic!() };
     close(nearest.duty(), 0.185, 0.03);
-    // A wavelength that is left free is twice the width.
+    // A free wavelength is twice the width.
     let free = set.ask(&Attributes::Stripes(Stripes { width: 8.0, angle: 40.0, wavelength: None })).unwrap();
     assert_eq!(free.parameters, ask(8.0, 40.0, 0.5).parameters);
 }
@@ -174,11 +174,11 @@ fn intervals_hold_nine_of_ten_new_rows() {
             let (interval_name, [low, high]) = prediction.interval[at];
             assert_eq!(interval_name, name);
             let s = seen(&row.attributes);
-            let middle = 0.5 * (low + high);
+            let mean = 0.5 * (low + high);
             let value = match name {
                 "area" => s.area,
                 "aspect" => s.aspect,
-                "angle" => middle + turn(s.angle, middle),
+                "angle" => mean + turn(s.angle, mean),
                 _ => s.spacing.unwrap(),
             };
             low <= value && value <= high
@@ -211,7 +211,7 @@ fn a_question_beyond_the_rows_gets_the_answer_to_the_nearest_one_within() {
     assert_eq!(answer.coverage, Coverage::Outside);
     assert!(seen(&answer.nearest).area <= area[1] * 1.0001);
     close(seen(&answer.predicted).area, seen(&answer.nearest).area, 0.05);
-    // Longer than the longest.
+    // More elongated than any row.
     let answer = set.ask(&spots(60.0, 0.01, 0.0, None)).unwrap();
     assert!(answer.parameters.stretch > 0.29 && seen(&answer.nearest).aspect >= aspect[0] * 0.9999);
     assert!(
@@ -262,7 +262,7 @@ fn a_question_about_the_wrong_kind_of_marks_is_an_error() {
     }
 }
 
-/// Every number of an answer is finite and every parameter within its meaning.
+/// Asserts that every number of an answer is finite and every parameter within its range.
 fn sound(answer: &Answer) {
     let p = answer.parameters;
     assert!(p.named().iter().all(|(_, value)| value.is_finite()), "{p:?}");
@@ -282,7 +282,7 @@ fn sound(answer: &Answer) {
     }
 }
 
-/// Positive numbers from far below to far above what can be.
+/// Positive numbers far below and far above possible values.
 fn positive() -> impl Strategy<Value = f64> {
     prop_oneof![3.0..300.0_f64, (-300.0..300.0_f64).prop_map(|e| libm::pow(10.0, e)), Just(f64::MIN_POSITIVE)]
 }

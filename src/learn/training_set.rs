@@ -1,4 +1,4 @@
-//! The rows of one system, ready to be asked.
+//! The rows of one system, prepared for questions.
 
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -12,10 +12,10 @@ use super::stripe_map::StripeMap;
 use super::{Row, TrainingError};
 use crate::attributes::system::{Description, MarkKind, TrainingFile};
 
-/// A line in five dimensions, and a scatter about it, from fewer rows is a guess.
+/// Fewer rows do not determine a line in five dimensions and the scatter about it.
 const FEWEST_ROWS: usize = 30;
 
-/// The rows of one system, ready to be asked.
+/// The rows of one system, prepared for questions.
 pub struct TrainingSet {
     pub(super) system: &'static Description,
     pub(super) rows: Vec<Row>,
@@ -29,7 +29,7 @@ pub(super) enum Map {
     Stripes(Box<StripeMap>),
 }
 
-/// The files of `system` in the folder `dir`, by name; `known` are all systems there are.
+/// The files of `system` in the folder `dir`, by name; `known` are all existing systems.
 fn files_of(dir: &Path, system: &str, known: &[&'static Description]) -> Result<Vec<PathBuf>, TrainingError> {
     let unread = |source| TrainingError::Open { path: dir.to_owned(), source };
     let is_of = |stem: &str, system: &str| {
@@ -39,7 +39,7 @@ fn files_of(dir: &Path, system: &str, known: &[&'static Description]) -> Result<
     let (mut names, mut others) = (Vec::new(), Vec::new());
     for entry in std::fs::read_dir(dir).map_err(unread)? {
         let name = entry.map_err(unread)?.file_name();
-        // What has a name that is no text is not of ours.
+        // Files whose names are not UTF-8 do not belong to a training set.
         let Some(stem) = name.to_str().and_then(|name| name.strip_suffix(".csv")) else { continue };
         others.extend(known.iter().map(|other| other.name).filter(|other| is_of(stem, other)));
         if is_of(stem, system) {
@@ -56,7 +56,7 @@ fn files_of(dir: &Path, system: &str, known: &[&'static Description]) -> Result<
 }
 
 impl TrainingSet {
-    /// The set of `system` that is compiled in.
+    /// The embedded set of `system`.
     ///
     /// # Errors
     /// [`TrainingError`], only if the program was built from a broken file.
@@ -67,8 +67,7 @@ impl TrainingSet {
     }
 
     /// The set of `system` in the folder `dir`: the rows of `SYSTEM.csv` and of each `SYSTEM-*.csv`, in the order of
-    /// their names. `known` are all systems there are: where none of these files is there, the error names those that
-    /// have some.
+    /// their names. `known` are all existing systems: if no file is found, the error names the systems that have files.
     ///
     /// # Errors
     /// [`TrainingError`]: no such file, or a fault in one with file, line, column and value.
@@ -121,7 +120,7 @@ impl TrainingSet {
         })
     }
 
-    /// The set of `system` that these rows make.
+    /// The set of `system` with these rows.
     ///
     /// # Errors
     /// [`TrainingError::TooFew`], [`TrainingError::Row`].
@@ -155,7 +154,7 @@ impl TrainingSet {
         &self.rows
     }
 
-    /// The laws of scale with the constants of these rows, worked out when first asked for.
+    /// The laws of scale with the constants of these rows, computed at first use.
     pub(super) fn law(&self) -> &Law {
         self.law.get_or_init(|| Law::fitted(self.system.scaling, &self.rows))
     }

@@ -1,14 +1,14 @@
 //! The nearest of many points: a k-d tree (Bentley, Communications of the ACM 18(9), 1975), each node with the box
 //! of its points.
 //!
-//! The answer is that of looking at every point, bit for bit: distances are added up in the same order, a box is
-//! only passed over if its own distance, added up likewise, is larger than that of the last neighbour, and of
-//! points equally far those with the lower number count. Crates for this were looked at: they leave open which of
-//! several equally far points is found, and know no mirror images.
+//! The answer equals that of a search through all points, bit for bit: distances are summed in the same order, a box is
+//! skipped only if its own distance, summed likewise, is larger than that of the last neighbour, and of points at equal
+//! distance those with lower numbers are taken. Existing crates do not specify which of several points at equal distance is
+//! found, and do not support mirror images.
 
 use crate::learn::small_vector::MOST;
 
-/// Points that are looked at one by one. Tuned on 9,000 rows in 3 to 5 dimensions: 4 and 16 are a tenth slower.
+/// Points in a leaf. Tuned on 9,000 rows in 3 to 5 dimensions: 4 and 16 are a tenth slower.
 const LEAF: usize = 8;
 
 /// A place in standardised features, padded with zeros.
@@ -25,13 +25,13 @@ pub(super) fn squared(a: &Place, b: &Place) -> f64 {
 
 /// A sample that is near a question. Ordered: the nearer first, then the lower row, then the lower image.
 ///
-/// One number, so that sorting is quick: 64 bits of the squared distance, which are ordered as the distances are,
-/// none being negative; 32 of the row, 32 of the image.
+/// One number, for fast sorting: the 64 bits of the squared distance, which are ordered like the distances because none is
+/// negative; 32 bits of the row, 32 of the image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Near(u128);
 
 impl Near {
-    /// That image of that row, so far.
+    /// An image of a row at a distance.
     pub fn new(squared: f64, row: u32, image: u32) -> Self {
         Self(u128::from(squared.to_bits()) << 64 | u128::from(row) << 32 | u128::from(image))
     }
@@ -55,16 +55,16 @@ impl Near {
 /// The nearest samples so far, `most` at most.
 pub(super) struct Nearest {
     most: usize,
-    /// Up to twice as many, so that they are sorted out once for many that are found.
+    /// Up to twice as many, so that one selection serves many insertions.
     found: Vec<Near>,
-    /// None beyond this squared distance is among the nearest.
+    /// Points beyond this squared distance are not among the nearest.
     reach: f64,
 }
 
 impl Nearest {
-    /// None yet.
+    /// An empty list.
     pub fn new(most: usize) -> Self {
-        // Nothing is nearer than −1.
+        // No distance is below −1.
         let reach = if most == 0 { -1.0 } else { f64::INFINITY };
         Self { most, found: Vec::with_capacity(2 * most), reach }
     }
@@ -97,7 +97,7 @@ impl Nearest {
     }
 }
 
-/// Points, ready to be searched.
+/// Points, prepared for searching.
 pub(super) struct Tree {
     nodes: Vec<Node>,
     /// The points with their numbers, leaf by leaf.
@@ -120,7 +120,7 @@ impl Node {
         let mut sum = 0.0;
         for j in 0..MOST {
             let (low, high, q) = (self.low[j], self.high[j], q[j]);
-            // Comparisons instead of `max`, which looks for NaN: there is none.
+            // Comparisons are faster than `max`, which checks for NaN; there are none.
             let (below, above) = (low - q, q - high);
             let off = if below > above { below } else { above };
             let off = if off > 0.0 { off } else { 0.0 };
@@ -157,20 +157,20 @@ impl Tree {
             return;
         }
         let middle = (to - from) / 2;
-        // By number where equal, so that the tree is the same whatever the sorting does.
+        // Ties are broken by number, so that the tree does not depend on the sorting algorithm.
         part.select_nth_unstable_by(middle, |(a, i), (b, j)| a[widest].total_cmp(&b[widest]).then(i.cmp(j)));
         self.split(from, from + middle);
         self.nodes[node].second = Some(self.nodes.len());
         self.split(from + middle, to);
     }
 
-    /// Offers `nearest` each point that may be among the nearest to `q`, as such an image of its row, but not the
-    /// point `without`.
+    /// Adds to `nearest` each point that may be among the nearest to `q`, as this image of its row, except the point
+    /// `without`.
     pub fn search(&self, q: &Place, image: u32, without: Option<u32>, nearest: &mut Nearest) {
         if self.points.is_empty() {
             return;
         }
-        // Halves that are still to be looked at, the nearest last.
+        // Nodes that are still to be searched, the nearest last.
         let mut waiting = vec![(0, self.nodes[0].squared(q))];
         while let Some((mut node, far)) = waiting.pop() {
             if far > nearest.reach {

@@ -6,12 +6,12 @@ use crate::learn::local::Local;
 use crate::learn::small_vector::{MOST, SmallVector};
 use crate::learn::tree::{Near, Place};
 
-/// λ ÷ Σw: keeps a feature that hardly varies among the neighbours from tilting the answer; too small to
-/// be seen where it does vary (a line is recovered to 1e-6).
+/// λ ÷ Σw: limits the slope along a feature that hardly varies among the neighbours; negligible where it does vary (a line
+/// is recovered to 1e-6).
 const RIDGE: f64 = 1e-6;
 
-/// Unknowns of a line: β₀ and a slope a feature. A system with fewer features has zeros there, which the ridge
-/// keeps apart from all others.
+/// Unknowns of a line: β₀ and a slope for each feature. A system with fewer features has zeros there; the ridge keeps the
+/// matrix regular.
 const UNKNOWNS: usize = MOST + 1;
 
 /// An answer of the local line.
@@ -74,7 +74,7 @@ fn normal(
 impl Line {
     /// The line at `q` through the samples `near`, the nearest first, of which the last gives the bandwidth.
     pub fn through(local: &Local, q: &Place, near: &[Near]) -> Self {
-        // All neighbours at one place: any h gives them weight 1.
+        // If all neighbours are at one place, any h gives them weight 1.
         let h = near.last().map_or(1.0, |last| last.squared().sqrt()).max(1e-9);
         let equation = |near: &Near| {
             let [place, y] = local.known(*near);
@@ -94,7 +94,7 @@ impl Line {
         let (slopes, column) = match normal.cholesky() {
             Some(cholesky) => (cholesky.solve(&right), cholesky.solve(&first)),
             None => {
-                // Not positive definite in rounding: the mean instead of the line.
+                // Not positive definite because of rounding: the mean instead of the line.
                 let share = 1.0 / total.max(f64::MIN_POSITIVE);
                 let mut mean = SMatrix::<f64, UNKNOWNS, MOST>::zeros();
                 mean.row_mut(0).copy_from(&(right.row(0) * share));
@@ -117,19 +117,19 @@ impl Line {
         self.equations.iter().map(kernel).map(|kernel| kernel * kernel).sum()
     }
 
-    /// (Σw)²/Σw², the neighbours that count.
+    /// (Σw)²/Σw², the effective number of neighbours.
     fn effective(&self) -> f64 {
         self.total * self.total / self.squares
     }
 
-    /// How one-sided the neighbours lie about the question, Σkᵢ²·(Σw)²/Σw² with the line's equivalent
-    /// kernel k: 1 in their middle, 1 + (their mean's distance ÷ their spread)² elsewhere. On the face of a
-    /// box about 3, at the corner of four faces about 8.
+    /// How one-sided the neighbours are about the question, Σkᵢ²·(Σw)²/Σw² with the line's equivalent kernel k: 1 at their
+    /// mean, 1 + (distance from their mean ÷ their spread)² elsewhere. About 3 on the face of a box, about 8 at the corner
+    /// of four faces.
     pub fn one_sided(&self) -> f64 {
         self.leverage() * self.effective()
     }
 
-    /// The answer with all that is known about it.
+    /// The answer with its uncertainty.
     pub fn fit(&self) -> Fit {
         let value = self.value();
         let mut scatter = [0.0; MOST];
@@ -140,7 +140,7 @@ impl Line {
             }
         }
         let (effective, leverage) = (self.effective(), self.leverage());
-        // A slope a feature that is there at all.
+        // A slope for each feature in use.
         let unknowns = 1.0 + self.features as f64;
         let freedom = effective / (effective - unknowns).max(1.0);
         let deviation = scatter.map(|scatter| (scatter / self.total * freedom * (1.0 + leverage)).sqrt());

@@ -26,7 +26,7 @@ fn inside() -> Value {
 fn the_layer_that_gives_the_places_is_neither_painted_nor_labelled() {
     let folder = Folder::with(&inside());
     let told = folder.grow("--labels l.png --pattern p.png --layer 1 --report r.json");
-    assert!(told.contains("one mark at each place of \"places\", which is not shown"), "{told}");
+    assert!(told.contains("one mark inside each mark of \"places\", which is not shown"), "{told}");
     let labels = folder.gray8("l.png").1;
     assert!(labels.iter().all(|label| [0, 2].contains(label)) && labels.contains(&2));
     let picture = image::open(folder.path("a.png")).unwrap().into_rgb8();
@@ -69,7 +69,7 @@ fn lookup_check_and_grow_report_sparse_spots_alike() {
     for arguments in [lookup.as_str(), "check a.dapple", "grow a.dapple -o a.png"] {
         let said = said(arguments);
         assert!(
-            said.contains("the sparsest that one run packs: each spot is laid at a place of its own"),
+            said.contains("the lowest natural density of this system: spots are placed one by one"),
             "{said}"
         );
     }

@@ -101,7 +101,7 @@ fn marks_too_near_to_each_other_are_counted_and_as_many_stay_as_can() {
     document.write(folder.path("a.dapple")).unwrap();
     let said = folder.grow("--report r.json");
     assert!(
-        said.contains("10 of 12 drawn marks kept: 2 stand nearer to others than such spots can"),
+        said.contains("10 of 12 drawn marks kept: 2 are closer to others than such spots can be"),
         "{said}"
     );
     let region = folder.json("r.json")["layers"][0]["regions"][0].clone();
@@ -145,7 +145,7 @@ fn a_mark_drawn_on_one_of_a_layer_beneath_is_not_kept_and_reported() {
     ]);
     let folder = Folder::with(&both);
     let said = folder.grow("--report r.json");
-    let told = "2 of 3 drawn marks kept: 1 stands on a mark of a layer beneath, or too near";
+    let told = "2 of 3 drawn marks kept: 1 is on a mark of a layer beneath, or too close to one";
     assert!(said.contains(told), "{said}");
     let kept = folder.json("r.json")["layers"][1]["regions"][0]["kept"].clone();
     assert!(kept["farthest"].as_f64().unwrap() < 0.25, "{kept}");
@@ -214,7 +214,7 @@ fn lines_that_no_stripes_can_follow_are_reported() {
     let folder = Folder::with(&crossed);
     let said = folder.grow("--report r.json");
     let kept: Value = folder.json("r.json")["layers"][0]["regions"][0]["kept"].clone();
-    assert!(said.contains("drawn lines more than a tenth lies in no stripe"), "{said}");
+    assert!(said.contains("drawn lines lies outside of stripes"), "{said}");
     assert_eq!((&kept["drawn"], &kept["kept"]), (&json!(3), &json!(3)));
     assert!(kept["off"].as_u64().unwrap() >= 1, "{kept}");
 }

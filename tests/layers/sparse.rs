@@ -1,4 +1,4 @@
-//! Spots farther apart than the system puts them by itself, in one layer: laid at their places, with a note.
+//! Spots farther apart than the natural spacing of their system, in one layer: placed one by one, with a note.
 
 use super::{cascade, grown, spots};
 use dapple::document::Edges;
@@ -21,7 +21,7 @@ fn assert_met(grown: &Grown, of: &str) {
     }
 }
 
-/// Spots of 20 px² so many of their diameters apart, some forty of them.
+/// About forty spots of 20 px² at this spacing in diameters.
 fn apart(diameters: f64, aspect: f64, edges: Edges) -> Document {
     let spacing = diameters * (20.0 * 4.0 / std::f64::consts::PI).sqrt();
     let side = (6.0 * spacing).round() as u32;
@@ -51,7 +51,7 @@ fn only_some_regions_may_be_sparse() {
         Document { regions: [2, 1], ..cascade(Edges::Wrap, 2, vec![Layer { strokes, ..Layer::default() }]) };
     let grown = grown(&document);
     assert_met(&grown, "half sparse");
-    // Not through the parameters of the sparsest that one run packs, which take as many.
+    // Without the parameters for the lowest natural density, which take as many steps.
     assert!(grown.layers[0].steps < 5_000, "{} steps", grown.layers[0].steps);
 }
 
@@ -61,10 +61,7 @@ fn the_report_has_a_note_about_sparse_spots() {
     let region = |document: &Document| report(document)["layers"][0]["regions"][0].clone();
     let sparse = region(&apart(9.0, 1.0, Edges::Wrap));
     let note = sparse["notes"][0].as_str().expect("a note");
-    assert!(
-        note.contains("the sparsest that one run packs") && note.contains("a place of its own"),
-        "{note}"
-    );
+    assert!(note.contains("the lowest natural density") && note.contains("placed one by one"), "{note}");
     assert!(sparse["parameters"]["pitch"].as_f64().expect("a pitch") > 2.0, "{sparse}");
     let dense = region(&apart(4.0, 1.0, Edges::Wrap));
     assert!(

@@ -93,11 +93,12 @@ pub fn remarks(layout: &RegionGrid, places: &[[f64; 2]], grown: &[Spot], beneath
     // Where none is missing on the whole canvas, a mark may still have moved over the border of its region.
     let missing = grown.len() < places.len();
     let of_region = |[given, got]: [usize; 2]| {
-        let mut remarks =
-            vec![format!("one mark at each place of \"{beneath}\", which is not shown; the spacing is its")];
+        let mut remarks = vec![format!(
+            "one mark inside each mark of \"{beneath}\", which is not shown; they have the same spacing"
+        )];
         if missing && got < given {
             remarks.push(format!(
-                "{} of {given} places have no mark of their own: they are too near each other for such marks; \
+                "{} of {given} places have no mark inside: they are too close to each other for such marks; \
                  draw smaller ones",
                 given - got
             ));

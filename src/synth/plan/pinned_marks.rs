@@ -128,22 +128,22 @@ impl Counts {
     /// A remark on those that find no room.
     fn note(&self) -> Option<String> {
         let reasons = [
-            (self.neighbour, "nearer to another than such spots can", "nearer to others than such spots can"),
+            (
+                self.neighbour,
+                "closer to another than such spots can be",
+                "closer to others than such spots can be",
+            ),
             (
                 self.taken,
-                "on a mark of a layer beneath, or too near",
-                "on marks of a layer beneath, or too near",
+                "on a mark of a layer beneath, or too close to one",
+                "on marks of a layer beneath, or too close to one",
             ),
         ];
         let lost: usize = reasons.iter().map(|(n, ..)| n).sum();
         let parts: Vec<String> = reasons
             .iter()
             .filter(|(n, ..)| *n > 0)
-            .map(
-                |(n, one, more)| {
-                    if *n == 1 { format!("1 stands {one}") } else { format!("{n} stand {more}") }
-                },
-            )
+            .map(|(n, one, more)| if *n == 1 { format!("1 is {one}") } else { format!("{n} are {more}") })
             .collect();
         let kept = self.drawn - lost;
         (lost > 0).then(|| format!("{kept} of {} drawn marks kept: {}", self.drawn, parts.join(", ")))

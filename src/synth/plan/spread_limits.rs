@@ -85,7 +85,7 @@ pub fn limited(system: System, wanted: &Spots, asked: &Spread, given: bool) -> L
             ));
         } else if given && asked > 0.0 && asked < least && asked_shown != least_shown {
             notes.push(format!(
-                "the {name} of spots varies by {asked_shown}, less than the {least_shown} that such spots have by themselves"
+                "the {name} of spots varies by {asked_shown}, less than the {least_shown} by which such spots vary naturally"
             ));
         }
     }
@@ -154,7 +154,7 @@ mod tests {
         let asked = Spread { spacing: 0.1, ..Spread::ZERO };
         let notes = |given| limited(System::MEINHARDT_SPOTS, &spots(0.5, 0.1), &asked, given).notes;
         let note =
-            "the spacing of spots varies by 0.10, less than the 0.21 that such spots have by themselves";
+            "the spacing of spots varies by 0.10, less than the 0.21 by which such spots vary naturally";
         assert_eq!((notes(true), notes(false)), (vec![note.to_owned()], Vec::new()));
     }
 

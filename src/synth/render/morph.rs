@@ -87,7 +87,7 @@ impl<'a> Morph<'a> {
         let mut maps = [map(from)?, map(to)?];
         if maps[0].blended(&maps[1], 0.5).is_none() {
             return Err(unlike(
-                "one has spots and the other stripes, and nothing is half a spot; draw ellipses in both, or lines in both"
+                "one has spots and the other stripes: they cannot be blended; draw ellipses in both, or lines in both"
                     .to_owned(),
             ));
         }
@@ -211,7 +211,7 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
             ));
         };
         if layer.after != After::Between {
-            return Some(format!("its layer is laid {:?}; allowed: between", layer.after.name()));
+            return Some(format!("its layer has `after` {:?}; allowed: between", layer.after.name()));
         }
     }
     if from.size != to.size {

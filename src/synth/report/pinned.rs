@@ -44,8 +44,8 @@ impl Stayed {
         let Self { kept, off, farthest, .. } = self;
         (*off > 0).then(|| match lines {
             true => format!(
-                "of {off} of {kept} drawn lines more than a tenth lies in no stripe, of one {:.0} %: lines nearer to \
-                 others than the stripes' period, or oblique to these, cannot all be kept",
+                "more than a tenth of {off} of {kept} drawn lines lies outside of stripes, at most {:.0} %: lines closer to \
+                 others than the stripes' period, or oblique to them, cannot all be kept",
                 100.0 * farthest
             ),
             false if farthest.is_infinite() => format!("{kept} drawn marks were to be kept, but nothing grew there"),

@@ -24,12 +24,12 @@ pub enum CurvesError {
     },
     /// There is only one mark: a web runs between two.
     #[error(
-        "one mark beneath it on a closed canvas: a web runs between marks; draw those beneath smaller or nearer"
+        "one mark beneath it on a closed canvas: a web needs two marks or more; draw those beneath smaller or closer"
     )]
     Single,
     /// Marks from border to border cut the web. How many parts.
     #[error(
-        "the marks beneath cut the web into {0} parts: a web runs between marks that leave a way round them"
+        "the marks beneath cut the web into {0} parts: leave gaps between the marks, as a web must be connected"
     )]
     Parts(usize),
 }

@@ -131,7 +131,7 @@ fn check_room(
     }
     if share > 0.005 {
         remarks.push(format!(
-            "rings {width:.1} px wide want {need:.1} px between marks; {:.0} % of the outlines have less, and neighbours \
+            "rings {width:.1} px wide need {need:.1} px between marks; {:.0} % of the outlines have less, and neighbours \
              share a wall there",
             100.0 * share
         ));
