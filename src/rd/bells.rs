@@ -1,4 +1,4 @@
-//! Spots begin as bells on their nuclei.
+//! Initial spots: bells on their nuclei.
 
 use rayon::prelude::*;
 
@@ -9,7 +9,7 @@ use crate::grid::Domain;
 /// Rows of bells that are drawn at once.
 const ROWS: usize = 16;
 
-/// For each cell, 1 in the middle of a spot to be, falling to 0 away from it as a Gaussian of its metric.
+/// For each cell 1 at the centre of an initial spot, falling to 0 away from it as a Gaussian in its metric.
 #[must_use]
 pub fn bells(maps: &Maps, nuclei: &[Nucleus], radius: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<f32> {
     let radii: Vec<f64> = nuclei.iter().map(|nucleus| radius(&maps.at(nucleus.at))).collect();

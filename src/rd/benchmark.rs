@@ -17,7 +17,7 @@ pub struct Case {
 #[derive(Clone, Debug)]
 pub struct Start(Vec<Vec<f32>>);
 
-/// Cells along each side of a [`Start`]: grown in 0.1 s, and a divisor of the usual sizes.
+/// Cells along each side of a [`Start`]: quick to grow (0.1 s), and a divisor of the usual sizes.
 const SIDE: usize = 256;
 /// Steps of a [`Start`]: the noise has decayed, and nothing has settled yet.
 const STEPS: u64 = 64;

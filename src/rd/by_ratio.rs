@@ -1,4 +1,4 @@
-//! A function of the ratio over many cells: neighbours mostly share theirs.
+//! A function of the ratio over many cells, with a cache of one value: neighbours mostly have the same ratio.
 
 /// The last value of a function of the ratio.
 pub struct ByRatio {

@@ -1,5 +1,5 @@
-//! The concentrations of a growth with the reaction that steps them: generic over the number of chemicals behind one
-//! dynamic call a sweep.
+//! The concentrations of a growth with their reaction: generic over the number of chemicals, behind one dynamic call for
+//! each sweep.
 
 use std::fmt::Debug;
 
@@ -28,10 +28,10 @@ impl Clock {
 
 /// Concentrations that can be stepped.
 pub trait Chemicals: Debug + Send + Sync {
-    /// A plane for each chemical; after these, what a reaction needs beside them.
+    /// A plane for each chemical, then further planes that the reaction needs.
     fn planes(&self) -> &[Plane];
 
-    /// The same, to be changed.
+    /// The planes, mutable.
     fn planes_mut(&mut self) -> &mut [Plane];
 
     /// Takes `tiling.levels` steps by the fast solver.
@@ -71,7 +71,7 @@ pub fn reacting<const N: usize, K: Kinetics<N>>(
 #[derive(Clone, Debug)]
 struct Reacting<const N: usize, K> {
     kinetics: K,
-    /// As they are, and room for the next step.
+    /// The current planes, and those for the next step.
     planes: [[Plane; N]; 2],
 }
 

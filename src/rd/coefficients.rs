@@ -1,5 +1,5 @@
-//! Numbers of every cell that stay as they are while the pattern grows: [`LANES`] cells of a row together, and
-//! only once where neighbours are the same.
+//! Numbers of every cell that are constant while the pattern grows, for [`LANES`] cells of a row together; equal neighbours
+//! share them.
 
 use rayon::prelude::*;
 
@@ -43,7 +43,7 @@ impl<'a> Numbers<'a> {
     #[inline(always)]
     #[must_use]
     pub unsafe fn first(&self, group: usize) -> (u8, *const Lanes) {
-        // SAFETY: below their number, says the caller; every group's numbers were laid out before its place.
+        // SAFETY: the caller guarantees that `group` is in range; the numbers of every group were stored before its index.
         unsafe {
             let (used, first) = *self.at.get_unchecked(group);
             (used, self.packs.as_ptr().add(first as usize))
@@ -51,7 +51,7 @@ impl<'a> Numbers<'a> {
     }
 }
 
-/// Rows that are laid out side by side, on all threads, before they are joined.
+/// Rows that are computed in parallel before they are joined.
 const ROWS: usize = 64;
 
 impl<const C: usize> Coefficients<C> {
@@ -149,7 +149,7 @@ impl<const C: usize> Coefficients<C> {
         })
     }
 
-    /// Every group's numbers in use, each set of them once where neighbours share it.
+    /// The numbers in use, each set that neighbours share only once.
     pub fn groups_in_use(&self) -> impl Iterator<Item = (u8, &[Lanes])> {
         let mut before = None;
         self.at.iter().filter(move |at| before.replace(**at) != Some(**at)).map(|(used, first)| {
@@ -159,7 +159,7 @@ impl<const C: usize> Coefficients<C> {
     }
 }
 
-/// One row, places counted from its own beginning.
+/// One row; indices count from its beginning.
 struct Row {
     at: Vec<(u8, u32)>,
     packs: Vec<Lanes>,

@@ -1,7 +1,7 @@
 //! Compensation of the error of a coarse grid.
 //!
-//! The stencil Σₖ wₖ(u(x + eₖ) + u(x − eₖ) − 2u(x)) spreads a wave of wave vector q less than the tensor D does:
-//! by the share 1 − (q·eₖ)²/12 along each offset. A spot of N cells is made of waves with qᵀDq ≈ κ²/N (det D = 1),
+//! The stencil Σₖ wₖ(u(x + eₖ) + u(x − eₖ) − 2u(x)) damps a wave of wave vector q less than the tensor D does:
+//! by the factor 1 − (q·eₖ)²/12 along each offset. A spot of N cells is made of waves with qᵀDq ≈ κ²/N (det D = 1),
 //! for which (q·e)² averages to κ²/N · eᵀD⁻¹e. Grown with
 //!
 //! D′ = D + κ²/(12 N) · (1 − 1/f²) · Σₖ wₖ (eₖᵀD⁻¹eₖ) eₖeₖᵀ
@@ -15,8 +15,8 @@ use super::maps::Parameters;
 use super::selling::{OFFSETS, Tensor};
 
 impl System {
-    /// The parameters to grow on cells that cover `area` (f²) cells of the grid whose spots are wanted; `p` are
-    /// already in the coarse cells.
+    /// The parameters on coarse cells, each of which covers `area` (f²) cells of the planned grid; `p` are already in units of
+    /// the coarse cells.
     #[must_use]
     pub fn compensated(self, p: &Parameters, area: f64) -> Parameters {
         let share = self.definition().compensation / (12.0 * self.cells(p)) * (1.0 - 1.0 / area);

@@ -1,9 +1,8 @@
-//! Irregular spots: the decay of a chemical differs from place to place, at the scale of the pattern.
+//! Irregular spots: the decay of a chemical varies in space, at the scale of the pattern.
 //!
 //! δ(x) = Σᵢ ±w(|x − xᵢ|/ρᵢ), w(r) = (1 − r²)², ρᵢ a share of the distance between spots at xᵢ: noise by sparse
 //! convolution (Lewis, "Algorithms for solid noise synthesis", SIGGRAPH 1989), as smooth as its kernel and of unit
-//! variance, that is added to the decay. White noise, one number a cell, would average out over
-//! large spots (`facts.md` G).
+//! variance. It is added to the decay. White noise, one value for each cell, would average out over large spots (`facts.md` G).
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -15,7 +14,7 @@ use crate::rd::maps::Maps;
 
 /// Radius of a kernel ÷ distance between spots. Its half width is that of noise blurred by 0.075 of a wavelength.
 const RADIUS: f64 = 0.2;
-/// Kernels a squared radius.
+/// Number of kernels in a squared radius.
 const DENSITY: f64 = 2.5;
 /// Rows that are summed at once.
 const ROWS: usize = 16;
@@ -28,8 +27,8 @@ struct Bump {
 }
 
 impl Maps {
-    /// The same for spots of `system` that are `irregular`, 0 (not at all) to 1, with the same mean area. Left as it is
-    /// where the system has no irregular spots.
+    /// These maps for spots of `system` that are `irregular`, 0 (not at all) to 1, with the same mean area; unchanged if the
+    /// system has no irregular spots.
     #[must_use]
     pub fn with_decay_noise(mut self, system: System, irregular: f64, seed: u64) -> Self {
         if let Some(DecayNoise { deviation, rate }) = system.definition().decay_noise
@@ -48,7 +47,7 @@ impl Maps {
 fn noise(system: System, maps: &Maps, seed: u64) -> Vec<f32> {
     let bumps = random_kernels(system, maps, seed);
     let mut sum = vec![0.0f32; maps.grid.cells()];
-    // Each band adds all kernels in their order, so that the sums are the same however many threads there are.
+    // Each band sums all kernels in order, so that the sums do not depend on the number of threads.
     let band = ROWS * maps.grid.size[0];
     sum.par_chunks_mut(band).enumerate().for_each(|(index, sum)| {
         let first = index * band;
@@ -65,12 +64,12 @@ fn noise(system: System, maps: &Maps, seed: u64) -> Vec<f32> {
     sum
 }
 
-/// The kernels: placed at random with the largest density, and kept with the probability that a place needs.
+/// The kernels: placed at random with the highest density, then each kept with the ratio of the local density to it.
 fn random_kernels(system: System, maps: &Maps, seed: u64) -> Vec<Bump> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let radii: Vec<f64> = maps.parameters.iter().map(|p| RADIUS * system.spacing(p)).collect();
     let least = radii.iter().copied().fold(f64::INFINITY, f64::min);
-    // Over a frame beyond closed borders too, so that the noise does not fade there.
+    // Kernels are also placed in a frame beyond closed edges, so that the noise does not fade there.
     let frame = match maps.grid.edges {
         Edges::Wrap => 0.0,
         Edges::Closed => radii.iter().copied().fold(0.0, f64::max),

@@ -12,12 +12,12 @@ use super::start::Start;
 use crate::attributes::Spread;
 use crate::attributes::system::Description;
 
-/// From planes on a grid to chemicals that react.
+/// Combines planes on a grid with a reaction.
 pub type Reacting = fn(&Maps, RowLayout, Vec<Plane>) -> Option<Box<dyn Chemicals>>;
 
-/// Everything that is particular to one system.
+/// All properties of one system.
 pub struct Definition {
-    /// The part that the rest of the program uses.
+    /// The description for the rest of the program.
     pub description: Description,
     /// The names of its chemicals, in the order of [`super::Growth::concentrations`].
     pub chemicals: &'static [&'static str],
@@ -31,8 +31,8 @@ pub struct Definition {
     pub reacting: Reacting,
     /// Initial concentrations, one vector a chemical.
     pub begin: fn(&Start, &Maps) -> Vec<Vec<f32>>,
-    /// Writes how much of a mark each cell of a row shows, given the row of each chemical: 0 on the ground, 1 in the
-    /// middle of a mark with the parameters there.
+    /// Writes how much of a mark each cell of a row shows, given the row of each chemical: 0 on the ground, 1 at the centre
+    /// of a mark with the parameters there.
     pub show: fn(&[&[f32]], &[Parameters], &mut [f32]),
     /// How its spots are made irregular; `None` where they cannot be.
     pub decay_noise: Option<DecayNoise>,
@@ -50,14 +50,14 @@ pub struct Definition {
     pub compensation: f64,
     /// Cells that a mark needs.
     pub resolution: Resolution,
-    /// When a pattern counts as settled.
+    /// When a pattern has settled.
     pub convergence: Convergence,
     /// Scatter of patches of 80 spots (or 10 wavelengths) with the same parameters, from seed to seed: of 40 patches each
     /// at stretches of 0.35, 0.6 and 0.9 and three sizes or five ratios and levels (of lines 14 each of three ratios), the
     /// median.
     pub scatter: Scatter,
-    /// Scatter that needs no correction: of sizes and spacings what levels and pitches correct on the canvas anyway; of
-    /// directions half of what a canvas of stripes scatters, or an invisible amount.
+    /// Scatter that needs no correction by probes: sizes and spacings are corrected on the canvas by levels and pitches; the
+    /// value for directions is half of the scatter over a canvas of stripes, or an invisible amount.
     pub tolerated: Scatter,
     /// d ln size ÷ d ln level, about level ½.
     pub level_slope: f64,
@@ -122,7 +122,7 @@ pub struct DecayNoise {
 pub struct Resolution {
     /// Below this many cells a mark is not formed on a coarse grid.
     pub least: f64,
-    /// From this many on, what a coarse grid formed is taken over as it is.
+    /// From this many on the pattern of a coarse grid is used unchanged.
     pub enough: f64,
     /// Whether the thin side of long spots counts alone, since their hard edge pins to the grid.
     pub thin_side: bool,
@@ -133,16 +133,16 @@ pub struct Resolution {
     pub exact: [f64; 2],
 }
 
-/// When a pattern counts as settled: normalised times (`facts.md` 0) where the reactions are slowest.
+/// When a pattern has settled: normalised times (`facts.md` 0) where the reactions are slowest.
 #[derive(Clone, Copy, Debug)]
 pub struct Convergence {
-    /// Not checked before.
+    /// Earliest time of a check.
     pub earliest: f64,
-    /// Given up after.
+    /// Time limit.
     pub latest: f64,
     /// Relative change a unit of time that counts as steady drift.
     pub drift: f64,
-    /// Where only the errors of a coarser grid are corrected: not checked before.
+    /// Earliest time of a check where only the errors of a coarser grid are corrected.
     pub corrected: f64,
     /// Relative change a unit of time that counts as settled there.
     pub still: f64,
@@ -161,10 +161,10 @@ pub struct Scatter {
     pub turn: f64,
 }
 
-/// Limits of spots.
+/// Limits of the spots of a system.
 #[derive(Clone, Copy, Debug)]
 pub struct SpotLimits {
-    /// Spots merge nearer to each other than d = `[0]` + `[1]` · √(area ÷ spacing²) spacings.
+    /// Spots merge at distances below d = `[0]` + `[1]` · √(area ÷ spacing²) spacings.
     pub merging: [f64; 2],
     /// Coefficient of variation of the area, and deviation of −ln aspect · (cos 2θ, sin 2θ), of spots with the same
     /// parameters.
@@ -176,9 +176,9 @@ pub struct SpotLimits {
 /// How much spots can be made to vary without merging or losing their shape.
 #[derive(Clone, Copy, Debug)]
 pub enum Variation {
-    /// By this much at any density; its aspect is not read.
+    /// This spread at any density; its aspect is not used.
     Fixed(Spread),
-    /// The less, the denser they are.
+    /// Less at higher densities.
     ByDensity {
         /// area ÷ spacing² up to which the area may vary without limit, and by how much less for each unit more.
         area: [f64; 2],
@@ -238,14 +238,14 @@ impl System {
         Self(definition)
     }
 
-    /// Everything that is particular to it.
+    /// All its properties.
     #[doc(hidden)]
     #[must_use]
     pub const fn definition(self) -> &'static Definition {
         self.0
     }
 
-    /// The part that the rest of the program uses.
+    /// The description for the rest of the program.
     #[must_use]
     pub const fn description(self) -> &'static Description {
         &self.0.description

@@ -1,4 +1,4 @@
-//! The plain solver: one explicit Euler step after the other, row by row. The judge of the fast one.
+//! The plain solver: explicit Euler steps, row by row. The fast solver is tested against it.
 
 use super::kinetics::{Kinetics, MOBILITIES, Spreading, euler};
 use super::plane::{LANES, MARGIN, Plane};
@@ -19,7 +19,7 @@ pub fn step<const N: usize, K: Kinetics<N>>(
     let mut rate = vec![0.0; stride];
     let mut spread = vec![0.0; N * stride];
     for y in 0..problem.grid.ny {
-        // Rows are laid out anew only where they are not like the one before.
+        // Weights are computed again only for rows that differ from the previous one.
         let same = |alike: &dyn Fn(usize, usize) -> bool| y > 0 && alike(y, y - 1);
         for (stencil, tensor) in stencils.iter_mut().zip(&problem.tensors) {
             if !same(&|y, other| tensor.weights.alike(y, other)) {
@@ -67,7 +67,7 @@ impl Stencil {
     }
 }
 
-/// Takes the step of [`LANES`] cells of a row, its diffusion given.
+/// Steps [`LANES`] cells of a row, given their diffusion term.
 fn euler_lanes<const N: usize, K: Kinetics<N>>(
     kinetics: &K,
     from: &[&[f32]; N],
@@ -136,7 +136,7 @@ fn tensor_row(
     let sums = &mut spread[cells.clone()];
     let (own, center) = (shifted(0, 0), &center[cells.clone()]);
     if used == 0b11 && problem.tensors.len() == 1 {
-        // The five-point stencil, in one go, as the fast solver has it.
+        // The five-point stencil in one expression, as in the fast solver.
         let (east, west, south, north) = (shifted(1, 0), shifted(-1, 0), shifted(0, 1), shifted(0, -1));
         let (wx, wy) = (number(0), number(1));
         for x in 0..grid.nx {
@@ -164,8 +164,8 @@ fn tensor_row(
 
 /// The same at one cell; what lies beyond a closed edge counts as u(x) itself.
 ///
-/// Leaving out what crosses the edge is the natural boundary condition n·D∇u = 0. A mirror would demand
-/// n·∇u = 0, which a tensor that is oblique to the edge does not conserve: spots would slide along the edge.
+/// Omitting differences across the edge gives the natural boundary condition n·D∇u = 0. A mirror would give n·∇u = 0, which
+/// does not conserve u with a tensor oblique to the edge: spots would move along the edge.
 fn at_cell(problem: &Problem, tensor: usize, u: &Plane, [x, y]: [usize; 2]) -> f32 {
     let grid = problem.grid;
     let own = u.row(y)[x];

@@ -17,14 +17,14 @@ use crate::rd::line_noise::{GuideLine, Led, Reach, Wavelength, led};
 /// The kernels of the noise.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernels {
-    /// A and B, their reach along and across the stripes, in wavelengths. Longer ones make longer stripes with fewer
-    /// forks, but follow turning directions worse.
+    /// A and B, their reach along and across the stripes, in wavelengths. Longer kernels give longer stripes with fewer
+    /// forks, but follow changes of direction less closely.
     pub reach: [f64; 2],
-    /// How many there are a square wavelength; fewer leave gaps.
+    /// Kernels in a square wavelength; fewer leave gaps.
     pub density: f64,
 }
 
-/// Amplitude of the waves that lead [`phases`]; the deviation of the noise is 2.5.
+/// Amplitude of the waves along guide lines in [`phases`]; the standard deviation of the noise is 2.5.
 const LEADING: f64 = 4.0;
 
 /// Rows that are summed at once.
@@ -34,7 +34,7 @@ const ROWS_A_BAND: usize = 32;
 pub fn noise(maps: &Maps, wavelength: Wavelength, kernels: Kernels, rng: &mut impl Rng) -> Vec<f32> {
     let waves = waves(maps, wavelength, kernels, rng);
     let mut sum = vec![0.0f32; maps.grid.cells()];
-    // Each band adds all waves in their order, so that the sums are the same however many threads there are.
+    // Each band sums all waves in order, so that the sums do not depend on the number of threads.
     sum.par_chunks_mut(ROWS_A_BAND * maps.grid.size[0]).enumerate().for_each(|(band, sum)| {
         for wave in &waves {
             wave.add(rows(band, sum.len(), maps), &maps.grid, |cell, cos, _| sum[cell] += cos as f32);
@@ -53,8 +53,8 @@ pub fn noise(maps: &Maps, wavelength: Wavelength, kernels: Kernels, rng: &mut im
 /// at phase 0 all have the same height, and end only where two waves cancel each other.
 ///
 /// φ(x) = atan2(Σᵢ ±(1 − r²)² sin(…), Σᵢ (1 − r²)² cos(…)): Tricard et al., "Procedural phasor noise", SIGGRAPH 2019.
-/// A wave has no sense of direction, nᵢ or −nᵢ being the same: ± takes that of the two which is nearer to the place's
-/// own. The phase's sign means nothing, then. `lines` lead it within `reach`.
+/// The direction of a wave is axial, nᵢ and −nᵢ are equivalent: ± chooses the one closer to the direction at the place, so
+/// the sign of the phase has no meaning. The phase follows `lines` within `reach`.
 pub fn phases(
     maps: &Maps,
     wavelength: Wavelength,
@@ -107,7 +107,7 @@ fn waves(
     let densities: Vec<f64> =
         maps.parameters.iter().map(|p| density / (wavelength(p) * wavelength(p))).collect();
     let densest = densities.iter().copied().fold(0.0, f64::max);
-    // Thrown over a frame beyond closed borders too, so that the noise does not fade there.
+    // Waves are also placed in a frame beyond closed edges, so that the noise does not fade there.
     let frame = match maps.grid.edges {
         Edges::Wrap => 0.0,
         Edges::Closed => reach[0] * maps.parameters.iter().map(wavelength).fold(0.0, f64::max),
@@ -173,10 +173,10 @@ impl Wave {
             }
             let row = (row - rows.start) as usize * nx;
             let dy = y as f64 + 0.5 - self.at[1];
-            let middle = -b * dy / a;
-            let half = (middle * middle - (c * dy * dy - 1.0) / a).max(0.0).sqrt();
-            let begin = (self.at[0] - 0.5 + middle - half).ceil() as isize;
-            let mut columns = begin..(self.at[0] - 0.5 + middle + half).floor() as isize + 1;
+            let midpoint = -b * dy / a;
+            let half = (midpoint * midpoint - (c * dy * dy - 1.0) / a).max(0.0).sqrt();
+            let begin = (self.at[0] - 0.5 + midpoint - half).ceil() as isize;
+            let mut columns = begin..(self.at[0] - 0.5 + midpoint + half).floor() as isize + 1;
             if edges == Edges::Closed {
                 columns = columns.start.max(0)..columns.end.min(nx as isize);
             }
@@ -204,15 +204,15 @@ mod tests {
     const KERNELS: Kernels = Kernels { reach: [8.0, 4.0], density: 0.6 };
     const REACH: Reach = Reach { beyond: [0.0, 4.0], across: [0.4, 3.0] };
 
-    /// GuideCurves that each column of a grid crosses ÷ those that waves of 10 cells along x have, where directions go from
-    /// `left` to `right` degrees.
+    /// Crests that each column of a grid crosses ÷ those of waves of 10 cells along x, where directions change from `left` to
+    /// `right` degrees.
     fn crossed(left: f32, right: f32) -> f64 {
         const N: usize = 160;
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.35, direction: 0.0, pitch: 1.0 };
         let mut maps = Maps::uniform([N, N], Edges::Closed, p);
         for (cell, p) in maps.parameters.iter_mut().enumerate() {
             let share = (cell % N) as f32 / N as f32;
-            // As parameters have it: 0..180.
+            // Directions of parameters are 0..180.
             p.direction = (left + share * (right - left)).rem_euclid(180.0);
         }
         let phases = phases(&maps, &|_| 10.0, KERNELS, (&[], REACH), &mut Pcg64Mcg::seed_from_u64(1));
@@ -224,7 +224,7 @@ mod tests {
     #[test]
     fn crests_are_one_wavelength_apart_also_where_directions_wrap_from_180_to_0_degrees() {
         for (left, right) in [(30.0, 20.0), (5.0, -5.0), (176.0, 190.0)] {
-            // Seen along y, waves at 25° are 1/cos 25° = 1.1 times as long.
+            // Along y, waves at 25° are 1/cos 25° = 1.1 times as long.
             let share = crossed(left, right);
             assert!((0.82..1.08).contains(&share), "{left}° to {right}°: {share}");
         }

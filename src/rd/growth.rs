@@ -17,8 +17,7 @@ use super::solver::Solver;
 use super::wavefront::{Instructions, Scratch, Tiling};
 use crate::grid::{Domain, Field};
 
-/// dt·D·Σw that a step may not exceed. ½ is where it stops being monotone; 0.45 is what `facts.md` A found
-/// free of noise with reactions on top.
+/// Largest dt·D·Σw of a step. Diffusion stays monotone up to ½; with reactions 0.45 was found free of noise (`facts.md` A).
 const DIFFUSION_LIMIT: f32 = 0.45;
 
 /// A pattern being grown.
@@ -43,7 +42,7 @@ pub fn initial_marks(system: System, maps: &Maps, seed: u64) -> Field {
 }
 
 impl Growth {
-    /// Lays out the grid, its coefficients and the initial concentrations.
+    /// Computes the coefficients and the initial concentrations on the grid.
     ///
     /// # Panics
     /// Never for a system of [`System::ALL`]: each begins with the chemicals that it steps.
@@ -81,8 +80,7 @@ impl Growth {
         })
     }
 
-    /// Leaves the cells that `frozen` names (`y · nx + x`) as they are from now on, while their neighbours still see
-    /// them. Their concentrations must be such that the reaction stays finite.
+    /// Keeps the cells that `frozen` names (`y · nx + x`) constant from now on, while they still affect their neighbours. Their concentrations must be such that the reaction stays finite.
     pub fn freeze(&mut self, frozen: impl Fn(usize) -> bool + Sync) {
         self.problem.freeze(&frozen);
     }
@@ -120,7 +118,7 @@ impl Growth {
         }
     }
 
-    /// The same with the plain solver, bit for bit, slowly: what the fast one is tested and measured against.
+    /// The same with the plain solver, bit for bit but slower; the fast solver is tested and measured against it.
     pub fn advance_plain(&mut self, steps: u64) {
         for _ in 0..steps {
             let clock = self.clock();
@@ -151,8 +149,8 @@ impl Growth {
         self.steps as f64 * self.time_a_step
     }
 
-    /// The concentration that shows the marks, high inside them: 0 about the ground, 1 about the middle of a
-    /// mark that has the parameters there.
+    /// The concentration that shows the marks, high inside them: about 0 on the ground, about 1 at the centre of a
+    /// mark with the parameters there.
     #[must_use]
     pub fn marks(&self, maps: &Maps) -> Field {
         let nx = self.problem.grid.nx;
@@ -176,7 +174,7 @@ impl Growth {
         }
     }
 
-    /// The concentrations of each chemical, row by row, without the planes beside them.
+    /// The concentrations of each chemical, row by row, without the further planes.
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
         let count = self.system.chemicals().len();
@@ -184,7 +182,7 @@ impl Growth {
     }
 }
 
-/// Where the concentrations are those of the marks of other layers: on obstacle cells, and where these leak out.
+/// Cells whose concentrations belong to the marks of other layers: obstacle cells, and cells that these affect.
 fn masked(system: System, maps: &Maps) -> Vec<bool> {
     let rim = system.definition().obstacle_rim;
     if rim == 0.0 {

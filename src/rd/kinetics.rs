@@ -7,14 +7,14 @@ use super::vector::Number;
 /// How a chemical spreads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spreading {
-    /// By a tensor of each cell.
+    /// By a tensor for each cell.
     Tensor {
         /// The number of the tensor.
         tensor: usize,
         /// The number of the mobility that multiplies it.
         mobility: usize,
     },
-    /// Alike in all directions.
+    /// Isotropically.
     Isotropic {
         /// The number of the mobility.
         mobility: usize,
@@ -23,11 +23,11 @@ pub enum Spreading {
     Still,
 }
 
-/// Mobility numbers that a cell has. Systems with more tensors than these put the other factors into the tensors, which
-/// need no determinant of 1.
+/// Number of mobilities of a cell. Systems with more tensors include the other factors in the tensors, whose determinant
+/// need not be 1.
 pub const MOBILITIES: usize = 2;
 
-/// How many tensors these chemicals spread by.
+/// The number of tensors that these chemicals use.
 #[must_use]
 pub const fn tensors(spread: &[Spreading]) -> usize {
     let (mut count, mut index) = (0, 0);
@@ -46,7 +46,7 @@ pub const fn tensors(spread: &[Spreading]) -> usize {
 pub trait Kinetics<const N: usize>: Copy + Debug + Send + Sync + 'static {
     /// How each chemical spreads.
     const SPREAD: [Spreading; N];
-    /// How many tensors these are.
+    /// The number of tensors.
     const TENSORS: usize = tensors(&Self::SPREAD);
 
     /// The reaction at a normalised time (`facts.md` 0), counted from the beginning of the growth.
@@ -58,7 +58,7 @@ pub trait Kinetics<const N: usize>: Copy + Debug + Send + Sync + 'static {
     /// The change of the chemicals `u` at one point by reaction, per unit of time at unit rate.
     fn react<V: Number>(&self, u: [V; N]) -> [V; N];
 
-    /// The concentrations that a step may leave, given what it computed.
+    /// The computed concentrations, clamped to their allowed range.
     #[must_use]
     #[inline(always)]
     fn bounded<V: Number>(u: [V; N]) -> [V; N] {

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use crate::grid::{Bounds, Domain};
 use crate::rd::maps::{Maps, Parameters};
 
-/// A straight line along which a stripe is to run, in shares of the canvas' sides.
+/// A straight line along which a stripe should run, in shares of the canvas' sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GuideLine {
     /// One end.
@@ -21,7 +21,8 @@ pub struct GuideLine {
 
 /// Height of the wave ÷ the noise's deviation.
 const HEIGHT: f64 = 2.0;
-/// How far the noise is led along a line, in wavelengths: up to the first the wave is whole, at the second it ends.
+/// How far from a line the noise follows it, in wavelengths: up to the first distance the wave has its full amplitude, at the
+/// second it ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach {
     /// Beyond the ends of the line.

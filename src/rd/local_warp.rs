@@ -3,8 +3,8 @@
 //! c′(x) = c(x − w(d) Δ), w = 1 for d ≤ inner, 0 for d ≥ outer, smooth between; d the distance from the spot in its own
 //! metric, in pitches
 //!
-//! All chemicals move alike, so that the spot takes its surroundings along and only the ground between it and its
-//! neighbours is drawn out.
+//! All chemicals move in the same way, so that the spot moves together with its surroundings and only the ground between it
+//! and its neighbours is stretched.
 
 use crate::grid::resample::Spline;
 use crate::grid::{Domain, Field, Grid};
@@ -12,20 +12,20 @@ use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
 
-/// A spot that is to be moved.
+/// A spot to move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalWarp {
     /// Its place, cells.
     pub at: [f64; 2],
-    /// The parameters that it grows in.
+    /// The parameters at its place.
     pub own: Parameters,
-    /// How far it is to be moved, cells.
+    /// The displacement, cells.
     pub by: [f64; 2],
 }
 
 /// Up to this distance, pitches, everything moves together: a spot reaches to 0.2–0.28 pitches.
 const INNER: f64 = 0.3;
-/// Beyond this nothing moves: half way to the nearest neighbours, and some.
+/// Beyond this nothing moves: slightly more than half way to the nearest neighbours.
 const OUTER: f64 = 0.6;
 
 /// The cells of a chemical with these spots moved.
@@ -37,13 +37,13 @@ pub fn warped(system: System, maps: &Maps, chemical: &[f32], warps: &[LocalWarp]
     let mut cells = field.values;
     for (cell, [x, y]) in shifts {
         let from = maps.grid.center(cell);
-        // Between a steep spot and the ground the surface dips below it.
+        // The spline undershoots between a steep spot and the ground.
         cells[cell] = surface.at([from[0] - x, from[1] - y]).max(0.0);
     }
     cells
 }
 
-/// By how much the content of which cells moves.
+/// The cells whose content moves, with their displacements.
 fn shifts(system: System, maps: &Maps, warps: &[LocalWarp]) -> Vec<(usize, [f64; 2])> {
     let mut found: Vec<Option<[f64; 2]>> = vec![None; maps.grid.cells()];
     for LocalWarp { at, own, by } in warps {

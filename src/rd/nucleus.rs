@@ -35,14 +35,14 @@ impl Nucleus {
         Self { at, metric, reach: 1.05 * pitch / stretch.sqrt(), apart: p.apart() }
     }
 
-    /// The same with the room that its own spot needs, however far apart they are laid.
+    /// The same point with only the room that its own spot needs, also where spots are placed farther apart.
     #[must_use]
     pub fn alone(self) -> Self {
         let metric = self.metric.map(|part| part * self.apart * self.apart);
         Self { metric, reach: self.reach / self.apart, apart: 1.0, ..self }
     }
 
-    /// Pitches, of the room that it needs itself, that a cell of the shortest way to a wall across this axis is.
+    /// Length of one cell along the shortest way to a wall across this axis, in pitches of the room that its own spot needs.
     #[must_use]
     pub fn pitches_to_wall(&self, axis: usize) -> f64 {
         let [xx, xy, yy] = self.metric;

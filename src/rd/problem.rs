@@ -6,7 +6,7 @@ use super::kinetics::MOBILITIES;
 use super::plane::RowLayout;
 use super::runs::Runs;
 
-/// Coefficients of every cell, the time step already inside.
+/// Coefficients of every cell, multiplied by the time step.
 #[derive(Clone, Debug)]
 pub struct Problem {
     /// The cells.
@@ -23,7 +23,7 @@ pub struct Problem {
     pub rate: Coefficients<1>,
     /// The lowest of these, before any cell was frozen.
     pub slowest: f32,
-    /// Which cells are stepped alike.
+    /// Which cells are stepped in the same way.
     pub runs: Runs,
 }
 
@@ -50,9 +50,9 @@ impl Problem {
         [x, y, 2.0 * (x + y)]
     }
 
-    /// Leaves the cells that `frozen` names (`y · nx + x`) as they are from now on. Their neighbours still see them.
+    /// Keeps the cells that `frozen` names (`y · nx + x`) constant from now on. They still affect their neighbours.
     pub fn freeze(&mut self, frozen: &(impl Fn(usize) -> bool + Sync)) {
-        // A step adds 0 · what diffusion and reaction would do, which is 0 while that is finite.
+        // A step adds 0 × (diffusion and reaction), which is 0 as long as these are finite.
         self.mobility =
             self.mobility.with(self.grid, |cell, own| if frozen(cell) { [0.0; MOBILITIES] } else { own });
         self.rate = self.rate.with(self.grid, |cell, own| if frozen(cell) { [0.0] } else { own });

@@ -5,9 +5,9 @@ use crate::grid::{Edges, Field, Grid};
 
 /// A chemical on `from` cells, brought to `to` cells over the same canvas.
 ///
-/// Read off the cubic spline through the cells (`facts.md` I: linear does as well), but nowhere below the lowest
-/// concentration there is: what is positive stays positive, and Turing's b stays at 0 in its spots. Constants stay
-/// what they are, and linear fields away from the border, to rounding.
+/// Values of the cubic spline through the cells (`facts.md` I: linear interpolation is as good), but never below the lowest
+/// concentration: positive values stay positive, and Turing's b stays at 0 in its spots. Constants are unchanged, and linear
+/// fields away from the border, up to rounding.
 #[must_use]
 pub fn prolongate(cells: &[f32], from: [usize; 2], to: [usize; 2], edges: Edges) -> Vec<f32> {
     let lowest = cells.iter().copied().fold(f32::INFINITY, f32::min);

@@ -1,4 +1,4 @@
-//! Which groups of a row are stepped alike.
+//! Runs of groups in a row that are stepped in the same way.
 
 use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;
@@ -7,7 +7,7 @@ use super::plane::{LANES, MARGIN, RowLayout};
 use super::selling::{OFFSETS, REACH};
 use crate::grid::Edges;
 
-/// Groups of one row that are stepped alike.
+/// Consecutive groups of one row that are stepped in the same way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Run {
     /// The first group after it.
@@ -18,11 +18,11 @@ pub struct Run {
     pub unit: bool,
     /// Whether all their coefficients are those of the first.
     pub same: bool,
-    /// Whether something beyond a closed edge is within reach.
+    /// Whether the stencil reaches beyond a closed edge.
     pub edge: bool,
 }
 
-/// The runs of every row, once for rows that are alike.
+/// The runs of every row, stored once for equal rows.
 #[derive(Clone, Debug)]
 pub struct Runs {
     /// Where those of each row begin.
@@ -31,7 +31,7 @@ pub struct Runs {
 }
 
 impl Runs {
-    /// Looks for runs where these (one tensor or more) are the coefficients.
+    /// Finds the runs for these coefficients (one tensor or more).
     #[must_use]
     pub fn new(
         grid: RowLayout,
@@ -73,7 +73,7 @@ impl Runs {
     }
 }
 
-/// A run of one group, its end left open.
+/// A run that begins with one group; its end is set later.
 fn alone(grid: RowLayout, group: usize, y: usize, weights: &Coefficients<{ OFFSETS.len() }>) -> Run {
     let (used, packs) = weights.in_group(group, y);
     let unit = used == 0b11 && packs[..2].iter().all(|pack| pack.0 == [1.0; LANES]);

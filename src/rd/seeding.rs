@@ -17,18 +17,18 @@ pub enum Seeding {
     Noise,
     /// Short line segments of their direction at random places; they grow without a tensor (Phan & Grimm, V.1).
     Segments,
-    /// The drawn lines alone: stripes radiate from these in regular order, without a tensor (Turk, "Regular Stripe
+    /// The drawn lines alone: stripes form from these outwards in regular order, without a tensor (Turk, "Regular Stripe
     /// Patterns"; Phan & Grimm, figure 11).
     Initiators,
 }
 
-/// Segments a square wavelength (`facts.md` E).
+/// Segments in a square wavelength (`facts.md` E).
 const DENSITY: f64 = 0.5;
 /// Their length, wavelengths (`facts.md` E).
 const LENGTH: f64 = 2.0;
 /// Standard deviation of their directions, degrees (`facts.md` E).
 const JITTER: f64 = 5.0;
-/// Nearer to drawn lines than this their middles do not lie, wavelengths: they would cross these.
+/// Smallest distance of their midpoints from drawn lines, wavelengths: closer ones would cross these.
 const CLEAR: f64 = 1.25;
 /// Half of their thickness, wavelengths: a cell of the coarsest grid, which has eight a wavelength.
 const THICKNESS: f64 = 0.0625;
@@ -73,8 +73,8 @@ pub fn seeded(maps: &Maps, segments: &[GuideLine], wavelength: Wavelength) -> Ve
     let mut seeded = vec![0.0f32; grid.cells()];
     for segment in segments {
         let [low, high] = segment.box_of(&bounds);
-        let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
-        let thick = THICKNESS * wavelength(&maps.at(middle));
+        let midpoint = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+        let thick = THICKNESS * wavelength(&maps.at(midpoint));
         let margin = thick + 1.0;
         let corners = [low.map(|at| at - margin), high.map(|at| at + margin)];
         for (cell, _) in grid.within(corners, 0..grid.cells()) {
@@ -110,7 +110,7 @@ pub fn waves(maps: &Maps, lines: &[GuideLine], wavelength: Wavelength) -> Vec<f3
 
 /// φ up to which it is computed from the distance to the line: there sweeps are least accurate.
 const EXACT: f32 = 1.0;
-/// Rounds of four sweeps: the second for waves across the border of a tile.
+/// Rounds of four sweeps: the second is for waves across the border of a tile.
 const SWEEPS: usize = 2;
 
 /// One sweep over all cells, downwards or up, to the right or left.
@@ -132,7 +132,7 @@ fn sweep(phase: &mut [f32], steps: &[f32], grid: &Grid, down: bool, right: bool)
                 0.5 * (a + b + (2.0 * step * step - (a - b) * (a - b)).sqrt())
             };
             let cell = &mut phase[y * nx + x];
-            // Nothing has reached either neighbour: the difference is no number.
+            // Neither neighbour has a value yet: the difference of two infinities is NaN.
             if reached < *cell {
                 *cell = reached;
             }
@@ -191,8 +191,8 @@ mod tests {
         let ways = all[1..].iter().map(|segment| {
             let way = [0, 1].map(|axis| 320.0 * (segment.to[axis] - segment.from[axis]));
             assert!(((way[0] * way[0] + way[1] * way[1]).sqrt() - 32.0).abs() < 1e-6);
-            let middle = [0, 1].map(|axis| 160.0 * (segment.to[axis] + segment.from[axis]));
-            assert!(drawn[0].distance(middle, &maps.grid.bounds()) >= 20.0);
+            let midpoint = [0, 1].map(|axis| 160.0 * (segment.to[axis] + segment.from[axis]));
+            assert!(drawn[0].distance(midpoint, &maps.grid.bounds()) >= 20.0);
             libm::atan2(way[1], way[0]).to_degrees() - 30.0
         });
         let squares: f64 = ways.map(|off| off * off).sum();

@@ -6,7 +6,7 @@
 
 use super::maps::Parameters;
 
-/// The offsets that a tensor of stretch ≥ [`MIN_STRETCH`] can need, in cells (each with its opposite).
+/// The offsets for tensors of stretch ≥ [`MIN_STRETCH`], in cells (each with its opposite).
 pub const OFFSETS: [[isize; 2]; 8] = [[1, 0], [0, 1], [1, 1], [1, -1], [2, 1], [1, 2], [2, -1], [1, -2]];
 
 /// How far an offset reaches, cells.
@@ -55,7 +55,7 @@ impl Tensor {
         Self::oriented(1.0 / (stretch * stretch), 1.0, f64::from(p.direction))
     }
 
-    /// The same diffusion seen on cells that are `cell[0]` wide and `cell[1]` high (in any common unit).
+    /// The same diffusion on cells that are `cell[0]` wide and `cell[1]` high (in any common unit).
     #[must_use]
     pub fn on_cells(self, [x, y]: [f64; 2]) -> Self {
         let area = x * y;
@@ -70,7 +70,7 @@ impl Tensor {
 
     /// The weight of each of [`OFFSETS`]: non-negative, with Σ wₖ eₖeₖᵀ = this tensor.
     ///
-    /// A tensor too thin for the offsets is first made rounder, in steps of 1 %, until it fits.
+    /// A tensor that needs longer offsets is first made rounder, in steps of 1 %, until these offsets suffice.
     #[must_use]
     pub fn weights(mut self) -> [f32; OFFSETS.len()] {
         loop {

@@ -2,8 +2,8 @@
 //!
 //! v(x) = Σₖ wₖ vₖ ÷ Σₖ wₖ, wₖ = exp(−dₖ(x)² ÷ 2τ²), dₖ the distance from spot k in its own metric, in pitches
 //!
-//! The weights are Gaussians: around a spot its own value, and half way to the next a smooth step, the sharper the
-//! smaller τ.
+//! The weights are Gaussians: each spot has its own value around it, and half way to the next one is a smooth step, sharper
+//! for smaller τ.
 
 use std::ops::Range;
 
@@ -14,12 +14,12 @@ use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
 
-/// τ. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times the next one's. Of 0.15, 0.2, 0.25,
-/// 0.3 the first two gave each spot the area, aspect and direction drawn for it to 2 %; the smoother is taken.
+/// τ. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times the next one's. Of 0.15, 0.2, 0.25
+/// and 0.3 the first two gave each spot its area, aspect and direction to 2 %; the smoother one is used.
 const TAU: f64 = 0.2;
-/// Exponents below this are left out; the holes between spots have one of −8 at least.
+/// Contributions with exponents below this are omitted; in the holes between spots the largest exponent is at least −8.
 const LEAST: f64 = -16.0;
-/// Rows that are made at once.
+/// Rows that are computed at once.
 const ROWS: usize = 16;
 
 /// Parameters of all cells of `maps`, computed by `vary` from the cell's index and the interpolated values.
@@ -81,7 +81,7 @@ mod tests {
 
     const P: Parameters = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
 
-    /// What is known on 72 × 40 cells of spots at two places, as the rate.
+    /// Values of spots at two places, interpolated on 72 × 40 cells as the rate.
     fn known(edges: Edges, places: [[f64; 2]; 2], known: [f64; 2]) -> Maps {
         let maps = Maps::uniform([72, 40], edges, P);
         let vary = |_, [rate]: [f64; 1]| Parameters { rate: rate as f32, ..P };

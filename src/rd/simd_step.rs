@@ -1,7 +1,6 @@
 //! One step of a row, a [`Vector`] of cells at a time: bit for bit what [`crate::rd::explicit`] computes.
 //!
-//! All that is computed stays in registers. Cells whose stencils use the same offsets pay for no others: an offset
-//! of weight 0 would add exactly 0.
+//! Intermediate results stay in registers. Only the offsets in use are evaluated: an offset of weight 0 would add exactly 0.
 
 use std::ops::Range;
 
@@ -13,13 +12,13 @@ use crate::rd::problem::Problem;
 use crate::rd::selling::{OFFSETS, REACH};
 use crate::rd::vector::Vector;
 
-/// Rows y − REACH ..= y + REACH of each chemical, margins included. Those beyond a closed edge are never read for
-/// what they hold.
+/// Rows y − REACH ..= y + REACH of each chemical, margins included. The values of
+/// those beyond a closed edge are not used.
 pub type Window<'a, const N: usize> = [[&'a [f32]; 2 * REACH + 1]; N];
 
 /// The sets of [`OFFSETS`] that Selling's reduction ends with: the axes (isotropic diffusion and tensors along the
-/// axes), with a diagonal, or with a knight's move between; then what groups use where one becomes the other. The
-/// last offset of a shorter set is repeated.
+/// axes), with a diagonal, or with a knight's move between; then the unions that groups use where one set changes to another.
+/// The last offset of a shorter set is repeated.
 const SETS: [[usize; 4]; 12] = [
     [0, 1, 1, 1],
     [0, 1, 2, 2],
@@ -36,7 +35,7 @@ const SETS: [[usize; 4]; 12] = [
 ];
 /// Any other set: looked up while stepping.
 const MIXED: usize = SETS.len();
-/// The axes, with weights that are all 1: nothing is multiplied by them, which changes no bit.
+/// The axes, with weights that are all 1: the multiplications are omitted, which changes no bit.
 const UNIT: usize = MIXED + 1;
 /// The sets as bits.
 const BITS: [u8; SETS.len()] = {
@@ -89,7 +88,7 @@ impl Row<'_> {
     /// The row must have that group.
     #[inline(always)]
     unsafe fn group(&self, group: usize) -> Group {
-        // SAFETY: there is such a group, says the caller.
+        // SAFETY: the caller guarantees that the group exists.
         unsafe {
             let (used, weights) = self.weights.first(group);
             let (mobility, rate) = (self.mobility.first(group).1, self.rate.first(group).1);
@@ -106,7 +105,7 @@ impl Row<'_> {
         if tensor == 0 {
             return (coefficients.used, coefficients.weights);
         }
-        // SAFETY: there is such a group, says the caller.
+        // SAFETY: the caller guarantees that the group exists.
         unsafe { self.tensors[tensor].weights.in_row(self.y).first(coefficients.number) }
     }
 }
@@ -225,7 +224,7 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
 /// The group must keep that many numbers, and `lane` + `V::WIDTH` must not go beyond [`LANES`].
 #[inline(always)]
 unsafe fn number<V: Vector>(packs: *const Lanes, k: usize, lane: usize) -> V {
-    // SAFETY: within the pack, says the caller.
+    // SAFETY: the caller guarantees that this is within the group.
     unsafe { V::load(packs.add(k).cast::<f32>().add(lane)) }
 }
 
@@ -240,7 +239,7 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
 ) -> [V; N] {
     let mut spread = [V::splat(0.0); N];
     let lane = place % LANES;
-    // SAFETY: asked for no more than the group uses.
+    // SAFETY: no more numbers are read than the group stores.
     let weight = |k: usize| unsafe { number::<V>(coefficients.weights, k, lane) };
     // 2 Σ wₖ, in the order of the offsets.
     let center = if SET < MIXED {
@@ -273,7 +272,7 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
                 let (mut sum, mut weights, mut kept) = (V::splat(0.0), V::splat(0.0), 0);
                 for (k, offset) in OFFSETS.into_iter().enumerate() {
                     if used & (1 << k) != 0 {
-                        // SAFETY: asked for no more than the group uses.
+                        // SAFETY: no more numbers are read than the group stores.
                         let weight = unsafe { number::<V>(packs, kept, lane) };
                         sum = sum + weight * pair(offset);
                         weights = weights + weight;
@@ -328,14 +327,14 @@ unsafe fn neighbours<V: Vector, const EDGE: bool>(
     there + back
 }
 
-/// Of the concentrations `there`, at an offset (dx, dy) from the cells `own`, puts the cells' own in the place of
-/// those beyond the border, so that nothing flows across it.
+/// Replaces those of the concentrations `there`, at an offset (dx, dy) from the cells `own`, that lie beyond the border by
+/// the cells' own, so that nothing flows across it.
 #[inline(always)]
 fn keep_inside<V: Vector>(row: &Row, place: usize, [dx, dy]: [isize; 2], own: V, there: V) -> V {
     if !(0..row.grid.ny as isize).contains(&(row.y as isize + dy)) {
         return own;
     }
-    // Columns that far from 0 are exact in f32.
+    // Columns in this range are exact in f32.
     // SAFETY: there are LANES columns, and `place % LANES + V::WIDTH` of them at most are asked for.
     let lane = unsafe { V::load(COLUMNS[place % LANES..].as_ptr()) };
     let first = (place - place % LANES) as isize - MARGIN as isize;

@@ -1,5 +1,5 @@
-//! The solver: the widest instructions that the machine has, unless another was chosen. All give the same bits, as
-//! `tests/golden` checks.
+//! The solver: the widest vector instructions of the machine, unless another solver was chosen. All give the same bits;
+//! `tests/golden` checks this.
 
 use std::sync::OnceLock;
 
@@ -8,9 +8,9 @@ use super::wavefront::Instructions;
 /// The solver of a growth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Solver {
-    /// The plain twin, step by step and cell by cell; on one grid two to five times slower (`dapple bench`).
+    /// The plain solver, step by step and cell by cell; two to five times slower on the same grid (`dapple bench`).
     Plain,
-    /// Several steps a sweep, with these instructions.
+    /// The fast solver with these instructions.
     Fast(Instructions),
 }
 
@@ -18,7 +18,7 @@ pub enum Solver {
 static CHOSEN: OnceLock<Solver> = OnceLock::new();
 
 impl Solver {
-    /// Those this machine has, the fastest last.
+    /// Those that this machine supports, the fastest last.
     #[must_use]
     pub fn available() -> Vec<Self> {
         std::iter::once(Self::Plain).chain(Instructions::available().into_iter().map(Self::Fast)).collect()
@@ -44,8 +44,8 @@ impl Solver {
         *CHOSEN.get_or_init(|| Self::Fast(Instructions::best()))
     }
 
-    /// Chooses the solver of this name for every growth of this program. `false` where the machine has none of this name,
-    /// or where another has been used already.
+    /// Chooses the solver of this name for every growth of this program. `false` if the machine supports none of this name, or
+    /// if another has been used already.
     #[must_use]
     pub fn choose(name: &str) -> bool {
         let Some(solver) = Self::available().into_iter().find(|solver| solver.name() == name) else {

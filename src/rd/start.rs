@@ -9,7 +9,7 @@ use super::maps::{GuideCurves, Maps, Parameters};
 use super::nucleus::Nucleus;
 use super::seeding::Seeding;
 
-/// Where and from what marks begin.
+/// Initial marks of a growth.
 pub struct Start<'a> {
     /// The seed of its random numbers.
     pub seed: u64,
@@ -19,7 +19,7 @@ pub struct Start<'a> {
     pub lines: &'a [GuideLine],
     /// Curves along which lines begin; `None` = everywhere.
     pub curves: Option<&'a GuideCurves>,
-    /// What stripes begin from.
+    /// What stripes begin from: noise, segments or lines.
     pub seeding: Seeding,
 }
 
@@ -31,8 +31,8 @@ impl Start<'_> {
     }
 }
 
-/// The concentrations of `N` chemicals over the grid of `maps`: `fill` writes those of one row from `values`, one a cell,
-/// and the parameters of its cells.
+/// The concentrations of `N` chemicals over the grid of `maps`: `fill` writes those of one row from its `values`, one for
+/// each cell, and the parameters of its cells.
 pub fn by_row<const N: usize>(
     maps: &Maps,
     values: &[f32],

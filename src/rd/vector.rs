@@ -1,5 +1,5 @@
-//! Numbers: single ones, and vectors of the processor. A formula written for [`Number`] gives
-//! the same bits for each of them: every operation is rounded by itself, none are fused.
+//! Scalars and processor vectors behind one trait. A formula written for [`Number`] gives the same bits for each of them:
+//! every operation is rounded separately, none are fused.
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -11,11 +11,11 @@ pub trait Number:
     #[must_use]
     fn splat(value: f32) -> Self;
 
-    /// The larger of both; `self` where they are equal or one is not a number.
+    /// The larger of both; `self` where they are equal or one is NaN.
     #[must_use]
     fn larger(self, other: Self) -> Self;
 
-    /// The smaller of both; `self` where they are equal or one is not a number.
+    /// The smaller of both; `self` where they are equal or one is NaN.
     #[must_use]
     fn smaller(self, other: Self) -> Self;
 
@@ -31,7 +31,7 @@ pub trait Number:
         rise.smaller(Self::splat(1.0)).larger(Self::splat(0.0))
     }
 
-    /// `least` where below it; anything else, not-a-number included, as it is.
+    /// `least` where the value is below it; otherwise the value, also NaN.
     #[must_use]
     fn at_least(self, least: f32) -> Self;
 }
@@ -68,13 +68,13 @@ pub trait Vector: Number {
     /// How many.
     const WIDTH: usize;
 
-    /// Those from `from` on, which need not be aligned.
+    /// Loads the numbers at `from`, which need not be aligned.
     ///
     /// # Safety
     /// `WIDTH` numbers must be readable there.
     unsafe fn load(from: *const f32) -> Self;
 
-    /// Writes them from `to` on, which need not be aligned.
+    /// Stores the numbers at `to`, which need not be aligned.
     ///
     /// # Safety
     /// `WIDTH` numbers must be writable there.
@@ -85,7 +85,7 @@ pub trait Vector: Number {
     fn where_less(self, a: Self, b: Self, other: Self) -> Self;
 }
 
-/// Four numbers in a form that compilers make one vector of.
+/// Four numbers in a form that compilers turn into one vector.
 #[derive(Clone, Copy)]
 pub struct Four([f32; 4]);
 
@@ -127,13 +127,13 @@ impl Vector for Four {
 
     #[inline(always)]
     unsafe fn load(from: *const f32) -> Self {
-        // SAFETY: readable, says the caller.
+        // SAFETY: the caller guarantees that the numbers are readable.
         Self(unsafe { from.cast::<[f32; 4]>().read_unaligned() })
     }
 
     #[inline(always)]
     unsafe fn store(self, to: *mut f32) {
-        // SAFETY: writable, says the caller.
+        // SAFETY: the caller guarantees that the numbers are writable.
         unsafe { to.cast::<[f32; 4]>().write_unaligned(self.0) }
     }
 
@@ -168,8 +168,8 @@ mod x86 {
     use super::{Add, Div, Mul, Number, Sub, Vector};
     use std::arch::x86_64::*;
 
-    /// A register of AVX2 or AVX-512. Made only inside functions that are compiled for such processors, which
-    /// [`super::super::wavefront`] enters only on them: what every `unsafe` below relies on.
+    /// A register of AVX2 or AVX-512. It is created only inside functions compiled for such processors, which
+    /// [`super::super::wavefront`] calls only on them; every `unsafe` below relies on this.
     macro_rules! register {
         ($name:ident, $register:ty, $width:literal, $splat:ident, $load:ident, $store:ident, $max:ident,
          $min:ident, $absolute:expr, $less:expr, $($operation:ident $method:ident $intrinsic:ident),*) => {
@@ -180,33 +180,33 @@ mod x86 {
             impl Number for $name {
                 #[inline(always)]
                 fn splat(value: f32) -> Self {
-                    // SAFETY: the processor has such registers.
+                    // SAFETY: the processor supports these instructions.
                     Self(unsafe { $splat(value) })
                 }
 
                 #[inline(always)]
                 fn at_least(self, least: f32) -> Self {
-                    // The second operand comes back where neither is greater, and where one is not a number.
-                    // SAFETY: the processor has such registers.
+                    // The instruction returns the second operand where neither is greater, and where one is NaN.
+                    // SAFETY: the processor supports these instructions.
                     Self(unsafe { $max($splat(least), self.0) })
                 }
 
                 #[inline(always)]
                 fn larger(self, other: Self) -> Self {
-                    // As for `at_least`: `self` comes back where neither is greater.
-                    // SAFETY: the processor has such registers.
+                    // As for `at_least`: `self` is returned where neither is greater.
+                    // SAFETY: the processor supports these instructions.
                     Self(unsafe { $max(other.0, self.0) })
                 }
 
                 #[inline(always)]
                 fn smaller(self, other: Self) -> Self {
-                    // SAFETY: the processor has such registers.
+                    // SAFETY: the processor supports these instructions.
                     Self(unsafe { $min(other.0, self.0) })
                 }
 
                 #[inline(always)]
                 fn absolute(self) -> Self {
-                    // SAFETY: the processor has such registers.
+                    // SAFETY: the processor supports these instructions.
                     Self(unsafe { $absolute(self.0) })
                 }
             }
@@ -216,19 +216,19 @@ mod x86 {
 
                 #[inline(always)]
                 unsafe fn load(from: *const f32) -> Self {
-                    // SAFETY: readable, says the caller.
+                    // SAFETY: the caller guarantees that the numbers are readable.
                     Self(unsafe { $load(from) })
                 }
 
                 #[inline(always)]
                 unsafe fn store(self, to: *mut f32) {
-                    // SAFETY: writable, says the caller.
+                    // SAFETY: the caller guarantees that the numbers are writable.
                     unsafe { $store(to, self.0) }
                 }
 
                 #[inline(always)]
                 fn where_less(self, a: Self, b: Self, other: Self) -> Self {
-                    // SAFETY: the processor has such registers.
+                    // SAFETY: the processor supports these instructions.
                     Self(unsafe { $less(self.0, a.0, b.0, other.0) })
                 }
             }
@@ -237,7 +237,7 @@ mod x86 {
                 type Output = Self;
                 #[inline(always)]
                 fn $method(self, other: Self) -> Self {
-                    // SAFETY: the processor has such registers.
+                    // SAFETY: the processor supports these instructions.
                     Self(unsafe { $intrinsic(self.0, other.0) })
                 }
             })*

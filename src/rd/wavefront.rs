@@ -1,11 +1,10 @@
-//! The fast solver: several steps in one sweep over the grid, so that what a step leaves is still in the cache
-//! when the next one needs it; over all threads.
+//! The fast solver: several steps in one sweep over the grid, so that the result of a step is still in the cache when the
+//! next step reads it; multithreaded.
 //!
 //! Level l of a sweep is the pattern l steps on. While the sweep moves down, level l trails level l − 1 by the
-//! reach of the stencil, and the levels between the first and the last keep only the few rows that the next one
-//! looks at. Threads take bands of rows and step what they need of their neighbours' for themselves. However the
-//! grid is cut, every cell is computed from the same numbers in the same order: the bits are those of
-//! [`super::explicit`].
+//! reach of the stencil, and the levels between the first and the last keep only the few rows that the next one reads.
+//! Each thread steps a band of rows, and also the rows of neighbouring bands that it needs. For any tiling every cell is
+//! computed from the same numbers in the same order, so the bits are those of [`super::explicit`].
 
 use std::ops::Range;
 
@@ -22,24 +21,23 @@ use super::vector::{Four, Vector};
 use crate::grid::Edges;
 use crate::rd::simd_step::{Window, step_row};
 
-/// How a sweep is cut.
+/// How a sweep is divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tiling {
-    /// Steps a sweep, at least 1.
+    /// Steps in a sweep, at least 1.
     pub levels: usize,
     /// Bands of rows, at least 1.
     pub bands: usize,
 }
 
-/// Bytes that the rows between the levels and the coefficients may take of a core's second-level cache: as much as
-/// many processors have; tuned at 1024², 2048² and 6000² on one with 2 MB.
+/// Bytes of a core's second-level cache for the rows between the levels and the coefficients: many processors have this
+/// much; tuned at 1024², 2048² and 6000² on one with 2 MB.
 const CACHE: usize = 1 << 20;
-/// Steps a sweep at most: more gained nothing.
+/// Most steps in a sweep; more were no faster.
 const LEVELS: usize = 8;
-/// The share of rows that a band may step for itself though they are a neighbour's: what sharing the work out costs
-/// at most.
+/// Largest share of rows that a band steps although they belong to a neighbour: the cost of dividing the work.
 const SHARED: f64 = 0.06;
-/// Cells that a band must have at least to be worth handing to a thread: some 5 µs a step.
+/// Fewest cells in a band that is given to a thread: about 5 µs for each step.
 const CELLS_A_BAND: usize = 8_192;
 
 impl Tiling {
@@ -73,13 +71,13 @@ pub enum Instructions {
 }
 
 impl Instructions {
-    /// The widest this machine has.
+    /// The widest that this machine supports.
     #[must_use]
     pub fn best() -> Self {
         *Self::available().last().unwrap_or(&Self::Baseline)
     }
 
-    /// Whether this machine has them.
+    /// Whether this machine supports them.
     fn there(self) -> bool {
         match self {
             Self::Baseline => true,
@@ -90,7 +88,7 @@ impl Instructions {
         }
     }
 
-    /// Those this machine has, the widest last.
+    /// Those that this machine supports, the widest last.
     #[must_use]
     pub fn available() -> Vec<Self> {
         #[cfg(target_arch = "x86_64")]
@@ -101,7 +99,7 @@ impl Instructions {
     }
 }
 
-/// Rows of the levels between the first and the last of a band; kept from sweep to sweep.
+/// Rows of the levels between the first and the last of a band; reused by later sweeps.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch(Vec<Vec<Vec<Lanes>>>);
 
@@ -149,9 +147,9 @@ struct Band<'a, const N: usize, K> {
     kinetics: &'a [K],
     old: &'a [Plane; N],
     rows: Range<usize>,
-    /// Of each level between: `ring_rows` rows of each chemical.
+    /// For each intermediate level `ring_rows` rows of each chemical.
     rings: &'a mut Vec<Vec<Lanes>>,
-    /// Where the last level goes.
+    /// The output of the last level.
     new: [&'a mut [f32]; N],
 }
 
@@ -203,7 +201,7 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
         }
     }
 
-    /// Steps row `y` (counted on beyond the border where edges wrap) of one level.
+    /// Steps row `y` of one level; with wrapped edges `y` may lie beyond the border.
     #[inline(always)]
     fn row<V: Vector>(&mut self, level: usize, y: isize) {
         let (grid, reach) = (self.problem.grid, self.problem.reach);
@@ -217,7 +215,7 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
         };
         let (below, here) = self.rings.split_at_mut(level - 1);
         let source: &[f32] = below.last().map_or(&[], |ring| cast_slice(ring));
-        // Rows that the stencil does not reach, or beyond a closed edge, are named but not read.
+        // Rows that the stencil does not reach, or beyond a closed edge, are listed but not read.
         let mut from: Window<N> = [[&[]; 2 * REACH + 1]; N];
         for d in 0..ring_rows {
             let near = y - reach as isize + d as isize;

@@ -1,4 +1,4 @@
-//! Growth of every system: what comes out, and that nothing but seed and parameters changes it.
+//! Growth of every system: its pattern, and that only seed and parameters determine it.
 
 use super::*;
 use crate::grid::Edges;
@@ -30,7 +30,7 @@ fn every_system_grows_its_pattern_from_a_seed() {
         let lowest = marks.iter().copied().fold(f32::INFINITY, f32::min);
         let highest = marks.iter().copied().fold(f32::NEG_INFINITY, f32::max);
         assert!(cover.contains(&share), "{system:?} covers {share}");
-        // Where a line ends it is higher than along it.
+        // A line is higher at its end.
         let ends = if system == System::MEINHARDT_LINES { 1.3 } else { 1.15 };
         assert!((-0.1..0.15).contains(&lowest) && (0.85..ends).contains(&highest), "{lowest}..{highest}");
     }

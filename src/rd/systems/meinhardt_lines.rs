@@ -3,7 +3,7 @@
 //! ∂a/∂t = s(0.01 a²/b − p₁a) + ∇·(Dₐ∇a)
 //! ∂b/∂t = s(0.01 a² − p₂b) + D_b∇²b
 //!
-//! The kinetics of [`crate::rd::systems::meinhardt_spots`], but only the activator feels the tensor. Where it diffuses
+//! The kinetics of [`crate::rd::systems::meinhardt_spots`], but only the activator diffuses by the tensor. Where it diffuses
 //! farther along than across, spots merge to lines along its long axis (`facts.md` D, "oriented thin stripes"). Between the
 //! lines a is almost 0 and no line appears by itself: lines stay where the initial conditions put them. R = D_b/Dₐ sets
 //! the ratio of width to spacing.
@@ -75,7 +75,7 @@ static DEFINITION: Definition = Definition {
         },
     },
     compensation: 0.0,
-    // The grid takes 1.5 % of the width of a line of 5 cells, 3 % of 4. The training set reaches to widths of 9.
+    // Discretisation narrows a line of 5 cells by 1.5 %, one of 4 by 3 %. The training set reaches to widths of 9.
     resolution: Resolution {
         least: 9.0,
         enough: 11.0,
@@ -83,8 +83,8 @@ static DEFINITION: Definition = Definition {
         planned: [8.0, 5.0],
         exact: [14.0, 8.0],
     },
-    // Formed at T = 15. Where lines bend they drift without end, at 0.02 a unit of time, and where they meet one of them
-    // ends: from T = 15 to 60 their distance grew by 4 %, to 300 by 10 %.
+    // Formed at T = 15. Bent lines drift for ever, at 0.02 per unit of time, and where lines meet one of them ends: from T = 15
+    // to 60 their distance grew by 4 %, to 300 by 10 %.
     convergence: Convergence { earliest: 15.0, latest: 120.0, drift: 0.04, corrected: 4.0, still: 0.04 },
     scatter: Scatter { size: 0.01, spacing: 0.016, elongation: 0.0, turn: 0.42 },
     tolerated: Scatter { size: 0.03, spacing: 0.03, elongation: 0.0, turn: 1.0 },
@@ -119,17 +119,17 @@ impl Kinetics<2> for MeinhardtLines {
     }
 }
 
-/// a along the middle of a line. Fitted to straight lines at their own distance, R 10–36, within 2 %; where a line ends a
-/// is higher by up to a tenth.
+/// a on the centre line of a line. Fitted to straight lines at their natural distance, R 10–36, within 2 %; at the end of a
+/// line a is up to a tenth higher.
 fn peak(ratio: f32) -> f32 {
     2.23 * libm::powf(ratio / 10.0, 0.458)
 }
 
 /// Distance from line to line × √rate, the rate being s/√(DₐD_b) with Dₐ that across the lines.
 ///
-/// Lines stay where they begin, so that any distance is the system's own. At this one they leave the least ends: nearer
-/// ones (31 at all ratios) go out here and there, and lines of higher ratios, which are thinner at the same distance,
-/// break into pieces: at R = 60 and 38, 21 of them where R = 30 and 53 has 3.
+/// Lines stay where they begin, so that the system has no distance of its own. At this one the fewest lines end: some of
+/// closer ones (31 at all ratios) vanish, and lines of higher ratios, which are thinner at the same distance, break into
+/// pieces: 21 of them at R = 60 and distance 38, 3 at R = 30 and 53.
 fn wavelength(ratio: f32) -> f64 {
     32.0 * libm::pow(f64::from(ratio) / 12.0, 0.55)
 }
@@ -152,13 +152,13 @@ const ALONG_CURVES: LinesAlongCurves = LinesAlongCurves {
     rings: CurveLaw { root_rate: 12.5, stretch: 0.82 },
     web: CurveLaw { root_rate: 15.8, stretch: 0.5 },
 };
-/// Noise whose crests have the distance and the direction of the lines. Lines mend less than stripes do: half as many end
-/// as with the kernels of stripes, and no more where they turn.
+/// Noise whose crests have the distance and the direction of the lines. Lines repair fewer defects than stripes: with these
+/// kernels half as many end as with those of stripes, and no more where directions change.
 const NOISE: Kernels = Kernels { reach: [8.0, 4.0], density: 0.6 };
-/// The noise is led along lines over a long way.
+/// The noise follows guide lines over a long distance.
 const LEAD: Reach = Reach { beyond: [0.0, 4.0], across: [0.4, 3.0] };
-/// Standard deviation of the initial profile, a Gaussian, ÷ the width of the line it becomes: at half its height it is as
-/// wide.
+/// Standard deviation of the initial profile, a Gaussian, ÷ the width of the line it becomes: its width at
+/// half height is then that of the line.
 const PROFILE: f64 = 0.42;
 
 /// Along curves, or along the crests of oriented waves.
@@ -172,7 +172,8 @@ fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
     profiles(maps, &phases, |phase, p| phase / std::f64::consts::TAU * spacing(p))
 }
 
-/// A Gaussian profile across each line, given the distance from its middle, cells, of what is known of a cell.
+/// A Gaussian profile across each line. `distance` gives the distance from its centre line, cells, from the value of a cell
+/// in `known`.
 fn profiles(maps: &Maps, known: &[f32], distance: impl Fn(f64, &Parameters) -> f64 + Sync) -> Vec<Vec<f32>> {
     by_row(maps, known, |[a, b], known, parameters| {
         for (i, (known, p)) in known.iter().zip(parameters).enumerate() {
@@ -184,5 +185,5 @@ fn profiles(maps: &Maps, known: &[f32], distance: impl Fn(f64, &Parameters) -> f
     })
 }
 
-/// No activator, and as much inhibitor as between lines.
+/// No activator, and the inhibitor concentration between lines.
 const OBSTACLE: [f32; 2] = [0.0, 0.4];

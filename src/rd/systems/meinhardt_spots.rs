@@ -4,7 +4,7 @@
 //! ∂b/∂t = s(0.01 a²β − p₂b + p₃) + ∇·(D_b∇b)
 //!
 //! Meinhardt, "Models of biological pattern formation" (1982); in this form Turk (1991) and Phan & Grimm
-//! (2006), appendix B. A spot is a peak of a. R = D_b/Dₐ sets how far apart spots of one size stand.
+//! (2006), appendix B. A spot is a peak of a. R = D_b/Dₐ sets the spacing of spots of one size.
 
 use crate::attributes::columns;
 use crate::attributes::system::{Description, Intervals, IsolatedSpots, MarkKind, Scaling};
@@ -68,7 +68,7 @@ static DEFINITION: Definition = Definition {
             163.0 * libm::pow(12.0 / ratio, 0.89) * libm::exp(2.85 * (0.5 - level)) / area
         },
     },
-    // Of errors of 3 % in area, 3 % in aspect and 1° this leaves 0.9 %, 0.5 % and 0.4°.
+    // This reduces errors of 3 % in area, 3 % in aspect and 1° to 0.9 %, 0.5 % and 0.4°.
     compensation: 10.0,
     resolution: Resolution {
         least: 9.0,
@@ -82,8 +82,9 @@ static DEFINITION: Definition = Definition {
     tolerated: Scatter { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
     level_slope: -1.44,
     spots: Some(SpotLimits {
-        // Of nine pairs among others, round and long, along and across, all stayed two at 0.40, 0.50, 0.58, 0.64, 0.68
-        // where area ÷ spacing² was 0.03, 0.08, 0.12, 0.16, 0.2; by 0.02 nearer some merged, by 0.06 nearly all.
+        // Of nine pairs among other spots, round and long, along and across, none merged at distances of 0.40, 0.50, 0.58, 0.64
+        // and 0.68 spacings where area ÷ spacing² was 0.03, 0.08, 0.12, 0.16 and 0.2; closer by 0.02 some merged, by 0.06
+        // nearly all.
         merging: [0.23, 1.02],
         own_variation: [0.03, 0.005],
         variation: Variation::ByDensity {
@@ -92,7 +93,7 @@ static DEFINITION: Definition = Definition {
             // Of 600 spots one merged at 10° (length 0.8) and at 20° (0.63), none at 30° (0.56); a per cent did at
             // twice that.
             turn: [8.5, 0.8, 3.0],
-            // They push each other back from places that are more uneven.
+            // Spots at more uneven places repel each other back.
             spacing: 0.18,
         },
     }),
@@ -120,7 +121,8 @@ const ISOLATED: IsolatedSpots = IsolatedSpots {
     // Spots of ratio 12 split in two without end; those of 13, 14, 15, 20, 30 do not, and settle after 510, 600, 740,
     // 1,450 and 2,450 steps.
     ratio: 15.0,
-    // Read at the first where they have room; down to the second, where as large a spot is the foot of a smaller peak.
+    // The first level is used if they have room; down to the second otherwise, where a spot of the same size is the foot of a
+    // smaller peak.
     levels: [0.5, 0.25],
     // Measured 205–209 at 27–136 cells, stretch 0.3–1.
     area: 208.4,
@@ -130,7 +132,7 @@ const ISOLATED: IsolatedSpots = IsolatedSpots {
     crowding: [0.389, 1.33, 1.45],
     spacing: 36.0,
     edges: [1.02, 0.06],
-    // At the first a neighbour may stand a third nearer than the mean; below the second those merge.
+    // At the first pitch a neighbour may be a third closer than the mean; below the second such neighbours merge.
     pitches: [1.6, 1.0],
     // Grids of 27–136 cells a spot, stretch 0.3–1, five directions.
     intervals: Intervals { area: 0.012, aspect: 0.012, angle: 0.8, spacing: 0.03 },
@@ -144,10 +146,10 @@ pub struct MeinhardtSpots;
 const P1: f32 = 0.03;
 /// Decay of b.
 pub const P2: f32 = 0.04;
-/// a and b are no less. Far from any spot both decay for ever; without a bound a² and b leave what 32 bits hold, and
-/// a²/b has no value. So low that nothing is seen of it, and b so much above a that a²/b stays nothing.
+/// Lower bounds of a and b. Far from any spot both decay for ever; without bounds a² and b would underflow in 32 bits, and
+/// a²/b would be NaN. They are too low to be visible, and that of b is so far above that of a that a²/b stays negligible.
 const LEAST: [f32; 2] = [1e-17, 1e-12];
-// β = 1 and p₃ = 0: noise in β makes spots uneven, p₃ > 0 thins them out (`facts.md` B).
+// β = 1 and p₃ = 0: noise in β makes spots uneven, p₃ > 0 makes them sparser (`facts.md` B).
 
 impl Kinetics<2> for MeinhardtSpots {
     const SPREAD: [Spreading; 2] =
@@ -165,7 +167,7 @@ impl Kinetics<2> for MeinhardtSpots {
     }
 }
 
-/// a in the middle of a spot. Fitted to `facts.md` B, within 4 % for R 10–200.
+/// a at the centre of a spot. Fitted to `facts.md` B, within 4 % for R 10–200.
 fn peak(ratio: f32) -> f32 {
     3.3 * libm::powf(ratio / 10.0, 0.765)
 }
@@ -176,13 +178,12 @@ fn spacing(ratio: f32) -> f64 {
     36.0 + 0.045 * (r - 15.0)
 }
 
-/// Area of a spot at half its peak × rate. `facts.md` B: area · R is the same within 5 % for R 12–30, 13 % more
-/// at 50.
+/// Area of a spot at half its peak × rate. `facts.md` B: area · R is constant within 5 % for R 12–30, and 13 % larger at 50.
 fn area(ratio: f32) -> f64 {
     1960.0 / f64::from(ratio)
 }
 
-/// Radius of a bell to begin from ÷ spacing: about that of the spot it becomes.
+/// Radius of an initial bell ÷ spacing: about that of the spot it becomes.
 fn radius(ratio: f32) -> f64 {
     0.6 * libm::pow(f64::from(ratio), -0.45)
 }
@@ -192,7 +193,7 @@ pub fn mobilities(p: &Parameters) -> [f32; 2] {
     [1.0 / p.ratio.sqrt(), p.ratio.sqrt()]
 }
 
-/// a ÷ its value in the middle of a mark, which is `peak` of the ratio.
+/// a ÷ its value at the centre of a mark, which is `peak` of the ratio.
 pub fn show_peaks(peak: fn(f32) -> f32, a: &[f32], parameters: &[Parameters], marks: &mut [f32]) {
     let mut peak = ByRatio::new(peak);
     for ((mark, a), p) in marks.iter_mut().zip(a).zip(parameters) {
@@ -202,8 +203,8 @@ pub fn show_peaks(peak: fn(f32) -> f32, a: &[f32], parameters: &[Parameters], ma
 
 /// Bells on the nuclei (`facts.md` G).
 ///
-/// Where spots stand far apart, the ground has no a: out of their reach a decays as exp(−p₁/p₂·T), more slowly than b,
-/// and the ground would turn into pattern once a/b = 3, at T = 15.
+/// Where spots are far apart, the ground has no a: away from spots a decays as exp(−p₁/p₂·T), more slowly than b, and the
+/// ground would form a pattern once a/b = 3, at T = 15.
 fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
     let bells = bells(maps, start.nuclei, &|p| radius(p.ratio) / p.apart());
     by_row(maps, &bells, |[a, b], bells, parameters| {
@@ -215,5 +216,5 @@ fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
     })
 }
 
-/// No activator, and as much inhibitor as between spots.
+/// No activator, and the inhibitor concentration between spots.
 const OBSTACLE: [f32; 2] = [0.0, 0.4];

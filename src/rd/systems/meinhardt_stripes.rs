@@ -7,8 +7,8 @@
 //! ∂e/∂t = k_de(b − e) + D_d∇²e
 //!
 //! Meinhardt (1982); in this form Turk (1991) and Phan & Grimm (2006), appendix C. All reactions share one
-//! rate factor s, so that s/Dₐ alone sets the width. Only a and b feel the tensor: with d and e isotropic,
-//! stripes run along its long axis (`facts.md` E).
+//! rate factor s, so that s/Dₐ alone sets the width. Only a and b diffuse by the tensor: with d and e isotropic, stripes run
+//! along its long axis (`facts.md` E).
 
 use crate::attributes::columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
@@ -105,9 +105,9 @@ pub struct MeinhardtStripes;
 
 /// Decay of the activators.
 const K_AB: f32 = 0.04;
-/// Decay of the shared inhibitor. The published 0.06 (1.5 k_ab) bursts; 2 k_ab settles (`facts.md` C).
+/// Decay of the shared inhibitor. With the published 0.06 (1.5 k_ab) concentrations diverge; with 2 k_ab they settle (`facts.md` C).
 const K_C: f32 = 0.08;
-/// Exchange with the helpers.
+/// Exchange of d and e with the activators.
 const K_DE: f32 = 0.04;
 /// D_d/Dₐ. `facts.md` C: the wavelength hardly depends on it between 3 and 5; 5 is where its law was fitted.
 const RATIO: f32 = 5.0;
@@ -148,7 +148,7 @@ impl Kinetics<5> for MeinhardtStripes {
 
 /// Noise with the wavelength and the direction of the stripes.
 const NOISE: Kernels = Kernels { reach: [4.0, 1.8], density: 2.0 };
-/// Stripes mend what does not fit: the noise is led along lines over a short way.
+/// Stripes repair defects: the noise follows guide lines over a short distance.
 const LEAD: Reach = Reach { beyond: [0.0, 1.5], across: [0.4, 1.3] };
 
 fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
@@ -172,7 +172,7 @@ fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
     }
 }
 
-/// The ground at rest with a raised against b, and d against e, by `noise`.
+/// The ground at rest with a and d raised, b and e lowered by `noise`.
 fn ripples(noise: &[f32]) -> Vec<Vec<f32>> {
     let mut cells = REST.map(|c| vec![c; noise.len()]);
     for (i, noise) in noise.iter().enumerate() {

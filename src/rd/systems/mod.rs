@@ -21,7 +21,7 @@ macro_rules! embedded {
 pub(super) use embedded;
 
 impl System {
-    /// All systems, in the order in which they are offered.
+    /// All systems, in the order in which they are listed.
     pub const ALL: [Self; 4] =
         [Self::TURING_SPOTS, Self::MEINHARDT_SPOTS, Self::MEINHARDT_STRIPES, Self::MEINHARDT_LINES];
 

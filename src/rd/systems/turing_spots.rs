@@ -5,9 +5,9 @@
 //!
 //! Turing, "The chemical basis of morphogenesis" (1952); in this form Turk, "Generating textures on arbitrary
 //! surfaces using reaction-diffusion" (1991), and Phan & Grimm, "Sketching reaction-diffusion texture"
-//! (2006), appendix A. A spot is where b runs out. Its size and the spacing go together: area ≈ 0.22
-//! spacing². a stays above 2 in patterns; it is held at 0 as well, for at rates of 0.38 and more the first spots of a canvas
-//! with room for one or two can hold so much b that a step of a overshoots.
+//! (2006), appendix A. A spot is where b is used up. Its size and the spacing go together: area ≈ 0.22
+//! spacing². a stays above 2 in patterns; it is bounded by 0 as well, because at rates of 0.38 and more the first spots on a
+//! canvas with room for one or two can contain so much b that a step of a overshoots.
 
 use crate::attributes::columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
@@ -70,13 +70,13 @@ static DEFINITION: Definition = Definition {
     decay_noise: Some(DecayNoise { deviation: 0.6, rate: 0.13 }),
     along_curves: None,
     obstacle: &OBSTACLE,
-    // Half of where the edges of its spots are kept.
+    // Half of the distance at which the edges of spots are kept.
     obstacle_rim: 0.25,
     decay: 1.0,
     // `facts.md` A.
     reaction_limit: 0.045,
     laws: Laws { size: |_| AREA, spacing: |_| SPACING, rate: |area, _, _| 5.2 / area },
-    // Spots have a hard edge: this leaves a third of 6 % in area, and all of the error in aspect.
+    // Spots have a hard edge: this removes two thirds of an error of 6 % in area, and none of the error in aspect.
     compensation: 20.0,
     // Round spots of 48 cells kept 1.1 % of aspect from a grid of 21 cells a spot, and still from one of 25.
     resolution: Resolution {
@@ -87,15 +87,15 @@ static DEFINITION: Definition = Definition {
         exact: [120.0; 2],
     },
     convergence: Convergence { earliest: 20.0, latest: 150.0, drift: 0.008, corrected: 6.0, still: 0.02 },
-    // The largest elongation where spots have a direction: it scatters most.
+    // The scatter of the largest elongation.
     scatter: Scatter { size: 0.004, spacing: 0.0, elongation: 0.018, turn: 1.0 },
     tolerated: Scatter { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
     level_slope: -1.44,
     spots: Some(SpotLimits {
-        // Of 36 pairs 20 lost a spot at 0.7 spacings, three at 0.8.
+        // Of 36 pairs 20 lost a spot at a distance of 0.7 spacings, three at 0.8.
         merging: [0.85, 0.0],
         own_variation: [0.045, 0.055],
-        // Beyond, they lose shape (angle), and push each other back (spacing).
+        // Above this, spots lose their shape (angle) and repel each other back (spacing).
         variation: Variation::Fixed(crate::attributes::Spread {
             area: 0.6,
             angle: 25.0,
@@ -106,7 +106,7 @@ static DEFINITION: Definition = Definition {
     cost: Cost { bytes_a_cell: 95.0, updates: 0.62, updates_on_one_grid: 0.62 },
     sweep: &[
         sweep::AREA,
-        // It is grown at this ratio alone.
+        // The only ratio at which it is grown.
         SweepQuantity { name: "ratio", unit: "Da/Db", allowed: [3.8, 3.8] },
         sweep::LEVEL,
         sweep::STRETCH,
@@ -128,9 +128,9 @@ static DEFINITION: Definition = Definition {
 #[derive(Clone, Copy, Debug)]
 pub struct TuringSpots;
 
-/// Growth of a: 16, as printed.
+/// Growth of a: 16, as published.
 const GROWTH: f32 = 16.0;
-/// Decay of b, the same over the grid unless spots are to be irregular: [`TuringSpotsWithDecayNoise`].
+/// Decay of b, the same over the grid except for irregular spots: [`TuringSpotsWithDecayNoise`].
 const BETA: f32 = 12.0;
 
 /// Dₐ/D_b. `facts.md` A: well-formed spots at 3.6–4.0, roundest below 3.8.
@@ -154,7 +154,7 @@ impl Kinetics<2> for TuringSpots {
     }
 }
 
-/// a, b and β, which differs from place to place and stays as it is.
+/// a, b and β, which varies in space and is constant in time.
 #[derive(Clone, Copy, Debug)]
 pub struct TuringSpotsWithDecayNoise;
 
@@ -190,10 +190,10 @@ fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
     })
 }
 
-/// Radius of a bell to begin from ÷ spacing: about that of the spot it becomes.
+/// Radius of an initial bell ÷ spacing: about that of the spot it becomes.
 const RADIUS: f64 = 0.26;
 
-/// Where the concentration `a` lies between the ground (0) and the middle of a spot (1): a runs from 3.0 to
+/// The concentration `a` scaled from the ground (0) to the centre of a spot (1): a runs from 3.0 to
 /// 7.5 in settled patterns of 20 to 300 cells a spot.
 fn share(a: f32) -> f32 {
     (a - 3.0) / 4.5
@@ -202,5 +202,5 @@ fn share(a: f32) -> f32 {
 /// Area of a spot × rate (`facts.md` A).
 const AREA: f64 = 5.7;
 
-/// The middle of a spot, which keeps others away (`facts.md` G, cheetah).
+/// The state at the centre of a spot, which repels others (`facts.md` G, cheetah).
 const OBSTACLE: [f32; 2] = [7.3, 0.0];

@@ -1,9 +1,9 @@
-//! Every kind of number computes the bits of the plain one.
+//! Every vector type computes the same bits as plain f32.
 
 use super::*;
 use crate::rd::wavefront::Instructions;
 
-/// Values of every kind, zeros of both signs and no numbers among them: four of the widest vectors.
+/// Values of every kind, including zeros of both signs and NaN: four of the widest vectors.
 fn values() -> Vec<f32> {
     let special = [0.0, -0.0, 1.0, -1.0, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, f32::MIN_POSITIVE];
     (0..64).map(|i| if i % 3 == 0 { special[i / 3 % 8] } else { libm::sinf(i as f32 * 7.3) * 3.0 }).collect()
@@ -54,13 +54,13 @@ fn every_vector_type_computes_the_bits_of_plain_f32() {
         let found = match instructions {
             Instructions::Baseline => computed::<Four>(&a, &b),
             #[cfg(target_arch = "x86_64")]
-            // SAFETY: the processor has them.
+            // SAFETY: the processor supports them.
             Instructions::Avx2 => unsafe { computed_avx2(&a, &b) },
             #[cfg(target_arch = "x86_64")]
-            // SAFETY: the processor has them.
+            // SAFETY: the processor supports them.
             Instructions::Avx512 => unsafe { computed_avx512(&a, &b) },
         };
-        // Results that are not a number need not have the same bits.
+        // NaN results need not have the same bits.
         let same = |(plain, found): (&u32, &u32)| {
             plain == found || f32::from_bits(*plain).is_nan() && f32::from_bits(*found).is_nan()
         };

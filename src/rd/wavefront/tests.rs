@@ -18,7 +18,7 @@ use rand_pcg::Pcg64Mcg;
 /// Normalised time of a step.
 const STEP: f64 = 0.1;
 
-/// Coefficients that differ from cell to cell; so many tensors of stretches from `thinnest` to 1 in all directions.
+/// Coefficients that differ from cell to cell; `tensors` tensors with stretches from `thinnest` to 1 in all directions.
 fn uneven(grid: RowLayout, thinnest: f64, tensors: usize) -> Problem {
     let wave = |i: usize, f: f64| 0.5 + 0.5 * libm::sin(f * i as f64);
     let tensor = |number: usize, i: usize| {
@@ -39,7 +39,7 @@ fn uneven(grid: RowLayout, thinnest: f64, tensors: usize) -> Problem {
 }
 
 /// Two pairs of chemicals, each chemical with a tensor of its own, that share a reaction with absolute values, maxima
-/// and a soft step whose height decays with time: what systems of pairs need.
+/// and a soft step whose height decays with time, as in systems of pairs.
 #[derive(Clone, Copy, Debug)]
 struct Pairs {
     height: f32,
@@ -74,7 +74,7 @@ fn noise<const N: usize>(grid: RowLayout) -> [Plane; N] {
     })
 }
 
-/// The bits after `steps` of the plain solver.
+/// The bits after `steps` steps of the plain solver.
 fn plain<const N: usize, K: Kinetics<N>>(problem: &Problem, kinetics: &K, steps: usize) -> Vec<u32> {
     let mut planes = [noise::<N>(problem.grid), noise::<N>(problem.grid)];
     for step in 0..steps {
@@ -160,7 +160,7 @@ fn every_tiling_and_every_instruction_set_gives_the_bits_of_the_plain_solver() {
     }
 }
 
-/// Small enough for Miri, which looks over the unchecked loads and stores:
+/// Small enough for Miri, which checks the unchecked loads and stores:
 /// `MIRIFLAGS="-Zmiri-disable-isolation -Zmiri-ignore-leaks -Zmiri-tree-borrows" cargo +nightly miri test --lib -- rd::wavefront::tests::a_small`
 #[test]
 fn a_small_grid_gives_the_bits_of_the_plain_solver() {
