@@ -98,7 +98,7 @@ fn a_report_and_a_check_are_printed_as_json() {
     let printed = dapple().arg("check").arg(&a).assert().success().get_output().stdout.clone();
     let printed = String::from_utf8(printed).unwrap();
     let (number, grid) = (|value: &serde_json::Value| value.as_f64().unwrap(), &check["layers"][0]["grid"]);
-    for told in [
+    for shown in [
         format!("spots of {:.0} px²", number(&region["asked"]["area"])),
         format!("{} × {} cells of {:.2} px", grid[0], grid[1], number(&check["layers"][0]["cell"])),
         format!(
@@ -108,7 +108,7 @@ fn a_report_and_a_check_are_printed_as_json() {
         ),
         region["coverage"].as_str().unwrap().to_owned(),
     ] {
-        assert!(printed.contains(&told), "{told} in {printed}");
+        assert!(printed.contains(&shown), "{shown} in {printed}");
     }
 }
 
@@ -142,8 +142,8 @@ fn told_by(program: &str, arguments: &[&str]) -> Option<(bool, String)> {
         let _ = std::io::stderr().write_all(format!("SKIPPED: there is no {program} here\n").as_bytes());
         return None;
     };
-    let told = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    Some((output.status.success(), told.concat()))
+    let shown = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    Some((output.status.success(), shown.concat()))
 }
 
 #[test]
@@ -154,11 +154,11 @@ fn pages_have_nothing_that_troff_or_mandoc_warns_of() {
         let page = folder.path().join(&name);
         let page = page.to_str().unwrap();
         // Warnings alone: without -T they would come with the page.
-        if let Some((_, told)) = told_by("groff", &["-man", "-ww", "-z", page]) {
-            assert_eq!(told, "", "{name}");
+        if let Some((_, shown)) = told_by("groff", &["-man", "-ww", "-z", page]) {
+            assert_eq!(shown, "", "{name}");
         }
-        if let Some((fine, told)) = told_by("mandoc", &["-Tlint", "-Werror", page]) {
-            assert!(fine, "{name}: {told}");
+        if let Some((fine, shown)) = told_by("mandoc", &["-Tlint", "-Werror", page]) {
+            assert!(fine, "{name}: {shown}");
         }
     }
 }
@@ -179,15 +179,15 @@ fn bash_completes_commands_options_and_values() {
         );
         told_by("bash", &["-c", &asked])
     };
-    let Some((fine, told)) = completed(&["dapple"], "gr") else { return };
-    assert!(fine && told.trim() == "grow", "{told}");
+    let Some((fine, shown)) = completed(&["dapple"], "gr") else { return };
+    assert!(fine && shown.trim() == "grow", "{shown}");
     for (line, last, found) in [
         (&["dapple", "grow"][..], "--vari", "--variations"),
         (&["dapple", "film"], "--fp", "--fps"),
         (&["dapple", "completions"], "fi", "fish"),
     ] {
-        let (fine, told) = completed(line, last).unwrap();
-        assert!(fine && told.split_whitespace().any(|word| word == found), "{line:?} {last}: {told}");
+        let (fine, shown) = completed(line, last).unwrap();
+        assert!(fine && shown.split_whitespace().any(|word| word == found), "{line:?} {last}: {shown}");
     }
 }
 
@@ -198,8 +198,8 @@ fn zsh_and_fish_read_their_completions() {
         let script = folder.path().join(shell);
         let run = dapple().args(["completions", shell]).assert().success();
         fs::write(&script, &run.get_output().stdout).unwrap();
-        if let Some((fine, told)) = told_by(shell, &["-n", script.to_str().unwrap()]) {
-            assert!(fine && told.is_empty(), "{shell}: {told}");
+        if let Some((fine, shown)) = told_by(shell, &["-n", script.to_str().unwrap()]) {
+            assert!(fine && shown.is_empty(), "{shell}: {shown}");
         }
     }
 }

@@ -99,13 +99,13 @@ fn benched(arguments: &[&str]) -> Value {
 
 #[test]
 fn bench_json_has_the_rates_of_each_case_and_size() {
-    let told = benched(&["--size", "64,48", "--threads", "2", "--only", "aspect-0.5"]);
-    assert!(told["machine"]["processor"].is_string() && told["machine"]["cores"].is_u64(), "{told}");
-    let instructions = told["machine"]["instructions"].as_str().unwrap();
+    let printed = benched(&["--size", "64,48", "--threads", "2", "--only", "aspect-0.5"]);
+    assert!(printed["machine"]["processor"].is_string() && printed["machine"]["cores"].is_u64(), "{printed}");
+    let instructions = printed["machine"]["instructions"].as_str().unwrap();
     assert!(["avx512", "avx2", "neon", "baseline"].contains(&instructions));
-    assert_eq!((&told["threads"], &told["pictures"]), (&json!(2), &json!([])));
-    assert!(told["load"]["before"].is_f64() || cfg!(not(target_os = "linux")));
-    let kernels = told["kernels"].as_array().unwrap();
+    assert_eq!((&printed["threads"], &printed["pictures"]), (&json!(2), &json!([])));
+    assert!(printed["load"]["before"].is_f64() || cfg!(not(target_os = "linux")));
+    let kernels = printed["kernels"].as_array().unwrap();
     let names: Vec<String> =
         kernels.iter().map(|k| format!("{} {} {}", k["system"], k["diffusion"], k["size"])).collect();
     let expected = ["turing-spots", "meinhardt-spots", "meinhardt-stripes"]
@@ -120,11 +120,11 @@ fn bench_json_has_the_rates_of_each_case_and_size() {
 
 #[test]
 fn bench_times_documents_until_their_pictures_are_written() {
-    let told = benched(&["--only", "picture/ladybird"]);
-    let [picture] = &told["pictures"].as_array().unwrap()[..] else { panic!("{told}") };
+    let printed = benched(&["--only", "picture/ladybird"]);
+    let [picture] = &printed["pictures"].as_array().unwrap()[..] else { panic!("{printed}") };
     assert_eq!((&picture["document"], &picture["size"]), (&json!("ladybird"), &json!([512, 512])));
     assert!(picture["seconds"].as_f64().unwrap() > 0.0);
-    assert_eq!(told["kernels"], json!([]));
+    assert_eq!(printed["kernels"], json!([]));
 }
 
 #[test]

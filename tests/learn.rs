@@ -77,8 +77,11 @@ fn new_growths_are_compared_with_the_bounds() {
     let arguments = ["--targets", "1", "--system", "turing-spots", "--seed", "3", "-o", "table.csv"];
     let output = learn(&arguments, folder.path());
     assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));
-    let told = text(&output.stdout);
-    assert!(told.contains("random targets grown anew") && told.contains("allowed 1.5 / 5 %"), "{told}");
+    let printed = text(&output.stdout);
+    assert!(
+        printed.contains("random targets grown anew") && printed.contains("allowed 1.5 / 5 %"),
+        "{printed}"
+    );
     let table = table(&folder.path().join("table.csv"));
     let grown: Vec<&Vec<String>> = table.iter().filter(|line| line[1] == "grown").collect();
     let methods: BTreeSet<&str> = grown.iter().map(|line| line[2].as_str()).collect();
@@ -101,7 +104,7 @@ fn json_has_the_numbers_of_the_table() {
     );
     assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    let told = json["outcomes"].as_array().unwrap().iter().flat_map(|outcome| {
+    let printed = json["outcomes"].as_array().unwrap().iter().flat_map(|outcome| {
         let quantities = outcome["quantities"].as_object().unwrap().iter();
         quantities.map(move |(quantity, errors)| {
             let word = |key: &str| outcome[key].as_str().unwrap().to_owned();
@@ -115,7 +118,7 @@ fn json_has_the_numbers_of_the_table() {
     });
     let table: Vec<Vec<String>> =
         table(&folder.path().join("table.csv"))[1..].iter().map(|line| line[..10].to_vec()).collect();
-    assert_eq!(told.collect::<Vec<_>>(), table);
+    assert_eq!(printed.collect::<Vec<_>>(), table);
     assert!(table.len() > 12);
 }
 

@@ -97,10 +97,10 @@ fn spots_of_a_few_cells_are_too_small_for_the_grid() {
 #[test]
 fn spots_under_rates_that_vary_are_too_irregular() {
     let [nx, ny] = [160, 160];
-    let told = |rate: f32| rd::Parameters { rate, ratio: 12.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+    let output = |rate: f32| rd::Parameters { rate, ratio: 12.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
     let parameters = (0..nx * ny).map(|cell| {
         let across = (cell % nx) as f32 / nx as f32;
-        told(2.0 + 8.0 * (2.0 * across - 1.0).abs())
+        output(2.0 + 8.0 * (2.0 * across - 1.0).abs())
     });
     let maps = Maps::new(Grid::unit([nx, ny], Edges::Wrap), parameters.collect());
     let mut engine = Engine::from_maps(System::MEINHARDT_SPOTS, maps, 5);
@@ -126,8 +126,8 @@ fn diverged_concentrations_are_reported() {
 fn a_growth_stopped_early_is_unsettled() {
     let spots = patch(System::MEINHARDT_SPOTS, SPOTS);
     let side = spots.side();
-    let told = rd::Parameters { rate: 4.0, ratio: 12.0, stretch: 1.0, direction: 30.0, pitch: 1.0 };
-    let maps = Maps::uniform([side, side], Edges::Wrap, told);
+    let output = rd::Parameters { rate: 4.0, ratio: 12.0, stretch: 1.0, direction: 30.0, pitch: 1.0 };
+    let maps = Maps::uniform([side, side], Edges::Wrap, output);
     let mut engine = Engine::from_maps(System::MEINHARDT_SPOTS, maps, 5);
     engine.advance((side * side) as u64 * 20);
     assert!(engine.growing());

@@ -22,7 +22,7 @@ pub struct Args {
 
 /// Merges.
 pub fn command(args: &Args) -> Result<(), String> {
-    merge(&args.parts, &args.output)?.iter().try_for_each(|told| crate::say(told))
+    merge(&args.parts, &args.output)?.iter().try_for_each(|printed| crate::say(printed))
 }
 
 /// Joins all parts whose journals lie in these folders, and writes the files into `output`. The journals stay.
@@ -41,13 +41,13 @@ pub fn merge(folders: &[PathBuf], output: &Path) -> Result<Vec<String>, String> 
     check(&parts)?;
     let plan = first.plan.clone();
     let records: Vec<Record> = parts.into_iter().flat_map(|part| part.records).collect();
-    let told = |(number, name): (usize, &String)| {
+    let printed = |(number, name): (usize, &String)| {
         let tally = Tally::count_records(records.iter().filter(|record| record.set == number));
         format!("{name}: {} runs: {tally}", tally.all())
     };
-    let told = plan.sets.iter().map(|set| &set.name).enumerate().map(told).collect();
+    let printed = plan.sets.iter().map(|set| &set.name).enumerate().map(printed).collect();
     files::write(output, &plan, records)?;
-    Ok(told)
+    Ok(printed)
 }
 
 /// The journals in a folder, by name.

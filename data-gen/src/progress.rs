@@ -113,9 +113,9 @@ mod tests {
             tally.add(verdict);
         }
         assert_eq!(tally.to_string(), "3 accepted, 3 rejected (touching 2, too-small 1)");
-        let told = summary("a-set", &tally, 4, Duration::from_secs(2));
+        let output = summary("a-set", &tally, 4, Duration::from_secs(2));
         assert_eq!(
-            told,
+            output,
             "a-set: 6 runs (2 of them earlier) in 2.0 s, 2.0 a second: 3 accepted, 3 rejected (touching 2, too-small 1)"
         );
         assert!(

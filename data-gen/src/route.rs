@@ -92,7 +92,7 @@ pub fn run(args: &Args) -> Result<bool, String> {
             .map_err(|error| format!("cannot start {threads} threads: {error}"))?;
     }
     if args.json {
-        return told_as_json(args.seeds);
+        return print_json(args.seeds);
     }
     crate::say("differences, fast − long: mean over seeds / largest of a seed")?;
     crate::say(&format!(
@@ -104,13 +104,13 @@ pub fn run(args: &Args) -> Result<bool, String> {
         let pairs = patch.pairs(args.seeds)?;
         if args.each {
             for (seed, pair) in pairs.iter().enumerate() {
-                let told: Vec<String> =
+                let output: Vec<String> =
                     pair.differences.iter().flatten().map(|d| format!("{d:+.2}")).collect();
                 crate::say(&format!(
                     "    seed {seed}: {} steps for {}: {}",
                     pair.steps[1],
                     pair.steps[0],
-                    told.join(" ")
+                    output.join(" ")
                 ))?;
             }
         }
@@ -120,16 +120,16 @@ pub fn run(args: &Args) -> Result<bool, String> {
 }
 
 /// Compares all, prints the numbers of the table and those of each seed.
-fn told_as_json(seeds: u64) -> Result<bool, String> {
+fn print_json(seeds: u64) -> Result<bool, String> {
     let mut good = true;
-    let mut told = Vec::new();
+    let mut output = Vec::new();
     for patch in patches() {
         let pairs = patch.pairs(seeds)?;
         let summary = Summary::from_pairs(&pairs);
         good &= summary.good;
-        told.push(patch.json(&pairs, &summary));
+        output.push(patch.json(&pairs, &summary));
     }
-    crate::say(&format!("{:#}", json!({"patches": told, "good": good})))?;
+    crate::say(&format!("{:#}", json!({"patches": output, "good": good})))?;
     Ok(good)
 }
 
@@ -270,10 +270,13 @@ mod tests {
         assert_eq!(summary.differences[1], Some([0.5, 1.5]));
         // The mean turn, of the one seed that has a direction, is over its bound.
         assert!(!summary.good && Summary::from_pairs(&[pair(0.9, None)]).good);
-        let told = patches()[0].json(&pairs, &summary);
-        assert_eq!(told["differences"]["area_or_width"], json!({"mean": 0.5, "largest": 1.5, "bound": 1.0}));
-        assert_eq!(told["seeds"][1]["differences"]["angle"], json!(0.4));
-        assert_eq!((&told["long_steps"], &told["good"]), (&json!(1_000), &json!(false)));
-        assert!(told["differences"].get("spacing_or_wavelength").is_none());
+        let output = patches()[0].json(&pairs, &summary);
+        assert_eq!(
+            output["differences"]["area_or_width"],
+            json!({"mean": 0.5, "largest": 1.5, "bound": 1.0})
+        );
+        assert_eq!(output["seeds"][1]["differences"]["angle"], json!(0.4));
+        assert_eq!((&output["long_steps"], &output["good"]), (&json!(1_000), &json!(false)));
+        assert!(output["differences"].get("spacing_or_wavelength").is_none());
     }
 }

@@ -56,7 +56,7 @@ fn rejected(seed: u64, parameters: &Parameters, reason: &Reason) -> String {
 /// The header of the file of rows and that of the file of rejected runs.
 pub fn headers(set: &Set) -> [String; 2] {
     let rows: Vec<&str> = set.system.description().all_columns().map(|column| column.name).collect();
-    let told = set.parameters_of(0).named();
-    let told: Vec<&str> = told.iter().map(|(name, _)| *name).collect();
-    [rows.join(","), format!("seed,{},reason,detail", told.join(","))]
+    let output = set.parameters_of(0).named();
+    let output: Vec<&str> = output.iter().map(|(name, _)| *name).collect();
+    [rows.join(","), format!("seed,{},reason,detail", output.join(","))]
 }

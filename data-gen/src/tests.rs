@@ -164,8 +164,8 @@ fn the_files_are_the_same_for_any_number_of_threads_and_parts_in_any_order() {
     let paths: Vec<PathBuf> = folders.iter().map(|folder| folder.path().to_owned()).collect();
     for order in [paths.clone(), paths.into_iter().rev().collect()] {
         let output = folder();
-        let told = merge(&order, output.path()).unwrap();
-        assert!(told[0].starts_with("meinhardt-spots-mine: 5 runs: "), "{told:?}");
+        let printed = merge(&order, output.path()).unwrap();
+        assert!(printed[0].starts_with("meinhardt-spots-mine: 5 runs: "), "{printed:?}");
         assert_eq!(files(output.path()), expected);
     }
 }

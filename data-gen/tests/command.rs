@@ -39,9 +39,9 @@ fn edit_plan(folder: &Path, runs: u64) {
 fn a_changed_plan_is_swept_and_learnt_from() {
     let folder = tempfile::tempdir().unwrap();
     edit_plan(folder.path(), 40);
-    let told =
+    let message =
         data_gen(folder.path(), "sweep --plan my.json -o my-sets").assert().success().get_output().clone();
-    assert!(text(told.stdout).starts_with("meinhardt-spots-dense: 40 runs in "), "a summary");
+    assert!(text(message.stdout).starts_with("meinhardt-spots-dense: 40 runs in "), "a summary");
     let set = TrainingSet::load(&folder.path().join("my-sets"), System::MEINHARDT_SPOTS.description(), &[])
         .unwrap();
     assert!((30..=40).contains(&set.rows().len()));
@@ -67,11 +67,14 @@ fn a_killed_sweep_continues_to_the_same_bytes() {
     sweep.kill().unwrap();
     sweep.wait().unwrap();
     let before = lines().saturating_sub(1);
-    let told =
+    let message =
         data_gen(folder.path(), "sweep --plan my.json -o killed").assert().success().get_output().clone();
-    let told = text(told.stdout);
+    let message = text(message.stdout);
     // (it may have ended before it could be killed, and the journal with it)
-    assert!(before == 0 || told.contains(&format!("60 runs ({before} of them earlier)")), "{before}: {told}");
+    assert!(
+        before == 0 || message.contains(&format!("60 runs ({before} of them earlier)")),
+        "{before}: {message}"
+    );
     assert!(!journal.exists());
     for name in ["csv", "rejected.csv", "json"].map(|ending| format!("meinhardt-spots-dense.{ending}")) {
         let [whole, killed] =
@@ -86,12 +89,12 @@ fn parts_are_merged_to_the_bytes_of_the_whole() {
     edit_plan(folder.path(), 20);
     data_gen(folder.path(), "sweep --plan my.json -o whole").assert().success();
     for part in [2, 1] {
-        let told = data_gen(folder.path(), &format!("sweep --plan my.json -o parts --shard {part}/2"))
+        let message = data_gen(folder.path(), &format!("sweep --plan my.json -o parts --shard {part}/2"))
             .assert()
             .success()
             .get_output()
             .clone();
-        assert!(text(told.stdout).contains(&format!("sweep-{part}-of-2.journal")));
+        assert!(text(message.stdout).contains(&format!("sweep-{part}-of-2.journal")));
     }
     data_gen(folder.path(), "merge parts -o merged").assert().success();
     for name in ["csv", "rejected.csv", "json"].map(|ending| format!("meinhardt-spots-dense.{ending}")) {

@@ -53,7 +53,7 @@ fn number(name: &str, usual: u64) -> u64 {
 }
 
 /// The exit code and the text on stderr.
-fn told(command: &mut Command) -> (Option<i32>, String) {
+fn message(command: &mut Command) -> (Option<i32>, String) {
     let output = command.output().unwrap();
     (output.status.code(), String::from_utf8(output.stderr).unwrap())
 }
@@ -63,7 +63,7 @@ fn a_sweep_that_is_killed_repeatedly_gives_the_same_bytes() {
     let (kills, seed) = (number("DAPPLE_KILLS", 4), number("DAPPLE_SEED", 1));
     let bench = bench();
     let began = Instant::now();
-    assert_eq!(told(&mut data_gen(bench.path(), "sweep --plan my.json -o whole --threads 2")).0, Some(0));
+    assert_eq!(message(&mut data_gen(bench.path(), "sweep --plan my.json -o whole --threads 2")).0, Some(0));
     let whole_time = began.elapsed();
     let whole = files(&bench.path().join("whole"));
     let killed = bench.path().join("killed");
@@ -102,7 +102,7 @@ fn a_sweep_that_is_killed_repeatedly_gives_the_same_bytes() {
             fs::remove_dir_all(&killed).unwrap();
         }
     }
-    let (code, said) = told(&mut data_gen(bench.path(), "sweep --plan my.json -o killed"));
+    let (code, said) = message(&mut data_gen(bench.path(), "sweep --plan my.json -o killed"));
     assert_eq!(code, Some(0), "{said}");
     assert!(files(&killed) == whole);
     // Past the test harness: it is what is reported.
@@ -120,7 +120,7 @@ fn a_closed_or_full_output_does_not_panic() {
         drop(reader);
         if arguments.starts_with("merge") {
             let part = "sweep --plan my.json -o a --shard 1/1";
-            assert_eq!(told(data_gen(bench.path(), part).stdout(Stdio::null())).0, Some(0));
+            assert_eq!(message(data_gen(bench.path(), part).stdout(Stdio::null())).0, Some(0));
         }
         let mut piped = data_gen(bench.path(), arguments);
         let ran = piped.stdout(writer).stderr(Stdio::piped()).spawn().unwrap().wait_with_output().unwrap();
@@ -162,12 +162,12 @@ fn a_sweep_on_a_full_disk_is_reported_and_continues_once_there_is_room() {
     for blocks in [0, 1, 2, 3] {
         let length = filler.metadata().unwrap().len();
         filler.set_len(length - 4096 * blocks.min(1)).unwrap();
-        let (code, said) = told(&mut data_gen(bench.path(), sweep));
+        let (code, said) = message(&mut data_gen(bench.path(), sweep));
         outcomes.push((code, said));
     }
     drop(filler);
     fs::remove_file(out.join("filler")).unwrap();
-    let (code, said) = told(&mut data_gen(bench.path(), sweep));
+    let (code, said) = message(&mut data_gen(bench.path(), sweep));
     let found = files(&out);
     let _ = Command::new("umount").arg("-l").arg(&out).status();
     for (code, said) in &outcomes {
@@ -178,7 +178,7 @@ fn a_sweep_on_a_full_disk_is_reported_and_continues_once_there_is_room() {
     }
     assert_eq!(outcomes[0].0, Some(1), "{outcomes:?}");
     assert_eq!(code, Some(0), "{said}");
-    assert_eq!(told(&mut data_gen(bench.path(), "sweep --plan my.json -o whole")).0, Some(0));
+    assert_eq!(message(&mut data_gen(bench.path(), "sweep --plan my.json -o whole")).0, Some(0));
     assert!(found == files(&bench.path().join("whole")), "{:?}", found.keys());
 }
 

@@ -1,4 +1,4 @@
-//! Messages to the user, in the lower middle of the window.
+//! Messages to the user, at the bottom of the window, centred.
 
 use std::path::{Path, PathBuf};
 

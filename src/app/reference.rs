@@ -68,7 +68,7 @@ impl Reference {
         (self.texture, self.loading) = (None, None);
     }
 
-    /// Paints it in the middle of the canvas, as large as it fits.
+    /// Paints it at the centre of the canvas, as large as it fits.
     pub fn paint(&self, painter: &Painter, paper: Rect) {
         let Some(texture) = self.texture.as_ref().filter(|_| self.shown) else { return };
         let size = texture.size_vec2();

@@ -145,7 +145,7 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
 
 /// The keys of an action, as this system writes them.
 #[must_use]
-pub fn told(ctx: &Context, action: &Action) -> Option<String> {
+pub fn shortcut_text(ctx: &Context, action: &Action) -> Option<String> {
     let shortcut = SHORTCUTS.iter().find(|shortcut| (shortcut.action)() == *action)?;
     Some(spelled(ctx, shortcut.keys))
 }

@@ -51,7 +51,7 @@ fn line(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
         let found = format!("a line of length {} px", line.length());
         return Err(node.found(found, format!("\"from\" and \"to\" at least {MIN_LENGTH} px apart")));
     }
-    inside(node, "a line whose middle is", line.center(), size)?;
+    inside(node, "a line whose midpoint is", line.center(), size)?;
     Ok(Stroke::Line(line))
 }
 
@@ -76,7 +76,7 @@ fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     }
     let n = points.len() as f64;
     let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / n);
-    inside(&list, "a stroke whose middle is", mean, size)?;
+    inside(&list, "a stroke whose centre is", mean, size)?;
     Ok(Stroke::Freehand { points, width: width(node, size)? })
 }
 
@@ -90,6 +90,6 @@ fn inside(node: &Node, what: &str, [x, y]: [f64; 2], size: [u32; 2]) -> Result<(
     if Range::inside(size[0]).holds(x) && Range::inside(size[1]).holds(y) {
         return Ok(());
     }
-    let allowed = format!("a middle on the canvas, from [0, 0] to [{}, {}]", size[0], size[1]);
+    let allowed = format!("a centre on the canvas, from [0, 0] to [{}, {}]", size[0], size[1]);
     Err(node.found(format!("{what} [{x}, {y}]"), allowed))
 }

@@ -125,8 +125,12 @@ pub fn bounded(mark: &Mark, size: [u32; 2]) -> Mark {
             }
             let to_canvas = |line: Line, rim: f64| {
                 let by = [0, 1].map(|axis| {
-                    let (middle, side) = (line.center()[axis], f64::from(size[axis]));
-                    if (0.0..=side).contains(&middle) { 0.0 } else { middle.clamp(rim, side - rim) - middle }
+                    let (midpoint, side) = (line.center()[axis], f64::from(size[axis]));
+                    if (0.0..=side).contains(&midpoint) {
+                        0.0
+                    } else {
+                        midpoint.clamp(rim, side - rim) - midpoint
+                    }
                 });
                 line_moved(&line, by)
             };
@@ -180,8 +184,10 @@ mod tests {
             // Ends with all their digits.
             let digits = |k: u32| f64::from(i.wrapping_mul(2_654_435_761).rotate_left(k)) / 7e6;
             let line = Line { from: [digits(0), digits(5)], to: [digits(11), digits(19)], width: 2.0 };
-            let middle = line.center();
-            for by in [[-middle[0], -middle[1]], [512.0 - middle[0], 384.0 - middle[1]], [-900.0, 900.0]] {
+            let midpoint = line.center();
+            for by in
+                [[-midpoint[0], -midpoint[1]], [512.0 - midpoint[0], 384.0 - midpoint[1]], [-900.0, 900.0]]
+            {
                 let at = center(&bounded(&moved(&Mark::Line(line), by), [512, 384]));
                 assert!((0.0..=512.0).contains(&at[0]) && (0.0..=384.0).contains(&at[1]), "{line:?} {at:?}");
             }

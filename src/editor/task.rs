@@ -295,13 +295,13 @@ mod tests {
 
     #[test]
     fn a_dropped_task_is_cancelled() {
-        let (tell, told) = mpsc::channel();
+        let (tell, output) = mpsc::channel();
         let task = Tasks::default().start("waiting", move |worker: &Worker<()>| {
             worker.sleep_until(Instant::now() + Duration::from_secs(600));
             tell.send(worker.is_cancelled()).unwrap();
         });
         drop(task.unwrap());
-        assert!(told.recv().unwrap());
+        assert!(output.recv().unwrap());
     }
 
     #[test]

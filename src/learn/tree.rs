@@ -156,12 +156,12 @@ impl Tree {
         if to - from <= LEAF || width(widest) == 0.0 {
             return;
         }
-        let middle = (to - from) / 2;
+        let half = (to - from) / 2;
         // Ties are broken by number, so that the tree does not depend on the sorting algorithm.
-        part.select_nth_unstable_by(middle, |(a, i), (b, j)| a[widest].total_cmp(&b[widest]).then(i.cmp(j)));
-        self.split(from, from + middle);
+        part.select_nth_unstable_by(half, |(a, i), (b, j)| a[widest].total_cmp(&b[widest]).then(i.cmp(j)));
+        self.split(from, from + half);
         self.nodes[node].second = Some(self.nodes.len());
-        self.split(from + middle, to);
+        self.split(from + half, to);
     }
 
     /// Adds to `nearest` each point that may be among the nearest to `q`, as this image of its row, except the point

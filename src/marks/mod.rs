@@ -19,7 +19,7 @@ pub enum Mark {
 }
 
 impl Mark {
-    /// The centre of the ellipse, or the middle of the line, px.
+    /// The centre of the ellipse, or the midpoint of the line, px.
     #[must_use]
     pub fn center(&self) -> [f64; 2] {
         match self {

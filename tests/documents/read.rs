@@ -79,8 +79,8 @@ fn an_ellipse_may_reach_over_the_edge_but_its_centre_may_not() {
 fn a_line_may_leave_the_canvas_but_its_midpoint_may_not() {
     let line = |x: f64| with_stroke(&json!({"kind": "line", "from": [-100, 10], "to": [x, 10], "width": 6}));
     accepted(&line(120.0));
-    let allowed = "a middle on the canvas, from [0, 0] to [512, 256]";
-    refused(&line(20.0), "layers[0].strokes[0]", "a line whose middle is [-40, 10]", allowed);
+    let allowed = "a centre on the canvas, from [0, 0] to [512, 256]";
+    refused(&line(20.0), "layers[0].strokes[0]", "a line whose midpoint is [-40, 10]", allowed);
     let far = "layers[0].strokes[0].to[0]";
     refused(&line(1025.0), far, "1025.0", "a number from -512 to 1024 px");
 }

@@ -57,8 +57,8 @@ fn a_freehand_stroke_without_extent_is_refused() {
 #[test]
 fn a_freehand_stroke_beside_the_canvas_is_refused() {
     let stroke = with_stroke(&json!({"kind": "freehand", "points": [[-10, 5], [-20, 5]]}));
-    let allowed = "a middle on the canvas, from [0, 0] to [512, 256]";
-    refused(&stroke, "layers[0].strokes[0].points", "a stroke whose middle is [-15, 5]", allowed);
+    let allowed = "a centre on the canvas, from [0, 0] to [512, 256]";
+    refused(&stroke, "layers[0].strokes[0].points", "a stroke whose centre is [-15, 5]", allowed);
 }
 
 #[test]

@@ -57,7 +57,7 @@ impl Bench {
 
     /// What came of it.
     pub fn run(&self, arguments: &str) -> (Option<i32>, String) {
-        told(&self.command(arguments).output().unwrap())
+        printed(&self.command(arguments).output().unwrap())
     }
 
     #[track_caller]
@@ -79,7 +79,7 @@ impl Bench {
 }
 
 /// The exit code and the text on stderr.
-pub fn told(output: &Output) -> (Option<i32>, String) {
+pub fn printed(output: &Output) -> (Option<i32>, String) {
     (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
 }
 

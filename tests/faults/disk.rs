@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::bench::{Bench, files, say, told};
+use crate::bench::{Bench, files, printed, say};
 use crate::mounts::Mounted;
 
 /// All commands that write, with `OUT` for the folder that they write into.
@@ -128,7 +128,7 @@ fn a_folder_of_another_user_is_reported_and_loses_nothing() {
         let mut nobody = std::process::Command::new("setpriv");
         nobody.args(["--reuid=65534", "--regid=65534", "--clear-groups"]);
         nobody.current_dir(bench.folder()).arg(command.get_program()).args(command.get_args());
-        let ran = nobody.output().ok().map(|output| told(&output));
+        let ran = nobody.output().ok().map(|output| printed(&output));
         let Some((code, said)) = ran.filter(|(_, said)| !said.contains("setpriv:")) else {
             assert!(std::env::var_os("DAPPLE_MUST_MOUNT").is_none(), "setpriv is not permitted");
             say("SKIPPED a folder of somebody else: setpriv is not permitted; run it as root");

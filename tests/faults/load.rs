@@ -77,11 +77,11 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
     assert!(samples.len() == many && grown > 2 * many / 3, "{grown} of {many}: {}", said.join("\n"));
     let most = |part: &[f64]| part.iter().copied().fold(0.0, f64::max);
     let parts: Vec<f64> = samples.chunks(many.div_ceil(10)).map(most).collect();
-    let told: Vec<String> = parts.iter().map(|part| format!("{part:.0}")).collect();
+    let output: Vec<String> = parts.iter().map(|part| format!("{part:.0}")).collect();
     // Directly, past the test harness: this is the figure that docs/faults.md reports.
-    say(&format!("{many} documents, {grown} grown: MB at most in each tenth: {}", told.join(" ")));
+    say(&format!("{many} documents, {grown} grown: MB at most in each tenth: {}", output.join(" ")));
     let (first, last) = (most(&samples[..many / 3]), most(&samples[2 * many / 3..]));
-    assert!(last <= first + SLACK, "it grew from {first:.1} to {last:.1} MB: {told:?}");
+    assert!(last <= first + SLACK, "it grew from {first:.1} to {last:.1} MB: {output:?}");
 }
 
 /// Grows over and over in one process, as the window does.

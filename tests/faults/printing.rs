@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::process::Stdio;
 
-use crate::bench::{Bench, told};
+use crate::bench::{Bench, printed};
 
 /// All that prints.
 const PRINTERS: [&str; 14] = [
@@ -30,7 +30,7 @@ fn a_full_standard_output_is_an_error_in_one_line() {
     bench.does("grow a.dapple -o a.png");
     for printer in PRINTERS {
         let mut command = bench.command(printer);
-        let (code, said) = told(&command.stdout(full.try_clone().unwrap()).output().unwrap());
+        let (code, said) = printed(&command.stdout(full.try_clone().unwrap()).output().unwrap());
         assert_eq!(code, Some(1), "{printer}: {said}");
         assert!(said.starts_with("error: standard output: cannot be written"), "{printer}: {said}");
         assert_eq!(said.lines().count(), 1, "{printer}: {said}");
@@ -44,7 +44,7 @@ fn a_closed_pipe_is_no_error_for_any_command() {
     for printer in PRINTERS {
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
-        let (code, said) = told(&bench.command(printer).stdout(writer).output().unwrap());
+        let (code, said) = printed(&bench.command(printer).stdout(writer).output().unwrap());
         assert_eq!((code, said.as_str()), (Some(0), ""), "{printer}");
     }
     assert_eq!(bench.bytes("b.png"), bench.bytes("a.png"));
@@ -74,7 +74,7 @@ fn a_missing_display_is_reported_with_the_remedy() {
             command.env_remove(other);
         }
         command.env("XDG_RUNTIME_DIR", bench.folder()).env("HOME", bench.folder());
-        let (code, said) = told(&command.env(variable, value).output().unwrap());
+        let (code, said) = printed(&command.env(variable, value).output().unwrap());
         assert_eq!(code, Some(1), "{said}");
         assert!(
             said.contains("could not be opened") && said.contains("dapple grow FILE -o OUT.png"),

@@ -111,10 +111,10 @@ fn a_seamless_texture_of_irregular_spots_has_the_same_bytes_by_any_threads_and_s
 fn the_requested_solver_takes_the_steps() {
     let folder = Folder::with("");
     for solver in Solver::available() {
-        let told =
+        let shown =
             folder.dapple("bench --quick --json --size 32 --only turing-spots/isotropic", solver.name());
-        let told: Value = serde_json::from_slice(&told).unwrap();
-        assert_eq!(told["machine"]["instructions"], json!(solver.name()));
+        let shown: Value = serde_json::from_slice(&shown).unwrap();
+        assert_eq!(shown["machine"]["instructions"], json!(solver.name()));
     }
     let output = assert_cmd::Command::new(assert_cmd::cargo::cargo_bin!("dapple"))
         .args(["check", "a.dapple"])

@@ -43,12 +43,12 @@ fn sheet(document: &Document, name: &str) -> Value {
     let report = json!(report(document, name, &grown, 0.0));
     let layers = report["layers"].as_array().unwrap().iter().map(|layer| {
         let regions = layer["regions"].as_array().unwrap().iter().map(|region| {
-            let mut told = Map::from_iter([("region".to_owned(), region["region"].clone())]);
+            let mut output = Map::from_iter([("region".to_owned(), region["region"].clone())]);
             let got = region["got"].as_object().unwrap();
-            told.extend(got.iter().map(|(key, value)| (key.clone(), short(value))));
-            told.extend(region.get("marks").map(|marks| ("marks".to_owned(), marks.clone())));
-            told.extend(region.get("kept").map(|kept| ("kept".to_owned(), kept.clone())));
-            Value::Object(told)
+            output.extend(got.iter().map(|(key, value)| (key.clone(), short(value))));
+            output.extend(region.get("marks").map(|marks| ("marks".to_owned(), marks.clone())));
+            output.extend(region.get("kept").map(|kept| ("kept".to_owned(), kept.clone())));
+            Value::Object(output)
         });
         let regions: Vec<Value> = regions.collect();
         json!({"system": layer["system"], "settled": layer["settled"], "regions": regions})
@@ -111,18 +111,18 @@ fn compare(at: &str, stored: &Value, grown: &Value) -> Vec<String> {
 }
 
 /// Every value that has changed by a digit, printed when the sheets are renewed.
-fn changes(stored: &Value, grown: &Value, at: &str, told: &mut Vec<String>) {
+fn changes(stored: &Value, grown: &Value, at: &str, output: &mut Vec<String>) {
     match (stored, grown) {
         (Value::Array(old), Value::Array(new)) if old.len() == new.len() => {
             old.iter()
                 .zip(new)
                 .enumerate()
-                .for_each(|(i, (old, new))| changes(old, new, &format!("{at}[{i}]"), told));
+                .for_each(|(i, (old, new))| changes(old, new, &format!("{at}[{i}]"), output));
         }
         (Value::Object(old), Value::Object(new)) if old.keys().eq(new.keys()) => {
-            old.iter().for_each(|(key, old)| changes(old, &new[key], &format!("{at}.{key}"), told));
+            old.iter().for_each(|(key, old)| changes(old, &new[key], &format!("{at}.{key}"), output));
         }
-        _ if stored != grown => told.push(format!("{at} {stored} → {grown}")),
+        _ if stored != grown => output.push(format!("{at} {stored} → {grown}")),
         _ => {}
     }
 }
@@ -134,10 +134,10 @@ fn holds(names: &[String]) {
         let fresh = sheet(&document(name), name);
         if renews() {
             let stored = std::fs::read(golden(&file)).ok().and_then(|old| serde_json::from_slice(&old).ok());
-            let mut told = Vec::new();
-            changes(&stored.unwrap_or(Value::Null), &fresh, "", &mut told);
-            if !told.is_empty() {
-                renew(&file, format!("{fresh:#}\n").as_bytes(), &told.join("; "));
+            let mut output = Vec::new();
+            changes(&stored.unwrap_or(Value::Null), &fresh, "", &mut output);
+            if !output.is_empty() {
+                renew(&file, format!("{fresh:#}\n").as_bytes(), &output.join("; "));
             }
             continue;
         }

@@ -98,9 +98,9 @@ fn a_document_of_a_later_version_is_refused_with_the_remedy() {
         json!({"format": "dapple", "version": later, "size": [64, 64], "shape": "round", "layers": []});
     let error = Document::parse(&text.to_string(), "new.dapple").unwrap_err();
     assert!(matches!(error, DocumentError::Newer { .. }), "{error}");
-    let told = error.to_string();
+    let output = error.to_string();
     for word in ["new.dapple", &format!("version: found {later}"), "newer dapple reads it"] {
-        assert!(told.contains(word), "{word} in {told}");
+        assert!(output.contains(word), "{word} in {output}");
     }
     // And as users meet it.
     let folder = Folder::with(&text.to_string());
@@ -116,6 +116,6 @@ fn a_key_that_no_version_has_is_named_with_its_place() {
     let (_, document) = &all()[0];
     let mut text: Value = serde_json::from_str(&document.to_json()).unwrap();
     text["layers"][0]["softness"] = json!(1);
-    let told = Document::parse(&text.to_string(), "a.dapple").unwrap_err().to_string();
-    assert!(told.contains("layers[0]") && told.contains("softness"), "{told}");
+    let output = Document::parse(&text.to_string(), "a.dapple").unwrap_err().to_string();
+    assert!(output.contains("layers[0]") && output.contains("softness"), "{output}");
 }

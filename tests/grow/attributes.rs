@@ -108,12 +108,12 @@ fn irregular_spots_differ_in_shape_and_size_but_not_in_their_mean() {
         assert_eq!(layer["settled"], true);
         assert!(irregular == 0.0 || layer["system"] == "turing-spots", "{layer}");
         // What a picture of them shows is still spots.
-        let told = folder.measured("p.png");
-        assert_eq!(told["kind"], "spots");
+        let output = folder.measured("p.png");
+        assert_eq!(output["kind"], "spots");
         let spots = measure::spots(&folder.pattern("p.png", Edges::Closed), 0.5);
         let whole: Vec<_> = spots.iter().filter(|spot| spot.whole).collect();
         let fill = whole.iter().map(|spot| spot.fill).sum::<f64>() / whole.len() as f64;
-        (told["spread"]["area"].as_f64().unwrap(), fill, folder.bytes("p.png"))
+        (output["spread"]["area"].as_f64().unwrap(), fill, folder.bytes("p.png"))
     };
     let [even, half, full] = [0.0, 0.5, 1.0].map(&mut grown);
     assert!(even.0 < 0.1 && (0.1..0.3).contains(&half.0) && (0.3..0.65).contains(&full.0), "{even:?}");

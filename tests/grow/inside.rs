@@ -25,8 +25,8 @@ fn inside() -> Value {
 #[test]
 fn the_layer_that_gives_the_places_is_neither_painted_nor_labelled() {
     let folder = Folder::with(&inside());
-    let told = folder.grow("--labels l.png --pattern p.png --layer 1 --report r.json");
-    assert!(told.contains("one mark inside each mark of \"places\", which is not shown"), "{told}");
+    let printed = folder.grow("--labels l.png --pattern p.png --layer 1 --report r.json");
+    assert!(printed.contains("one mark inside each mark of \"places\", which is not shown"), "{printed}");
     let labels = folder.gray8("l.png").1;
     assert!(labels.iter().all(|label| [0, 2].contains(label)) && labels.contains(&2));
     let picture = image::open(folder.path("a.png")).unwrap().into_rgb8();

@@ -145,8 +145,8 @@ fn a_mark_drawn_on_one_of_a_layer_beneath_is_not_kept_and_reported() {
     ]);
     let folder = Folder::with(&both);
     let said = folder.grow("--report r.json");
-    let told = "2 of 3 drawn marks kept: 1 is on a mark of a layer beneath, or too close to one";
-    assert!(said.contains(told), "{said}");
+    let output = "2 of 3 drawn marks kept: 1 is on a mark of a layer beneath, or too close to one";
+    assert!(said.contains(output), "{said}");
     let kept = folder.json("r.json")["layers"][1]["regions"][0]["kept"].clone();
     assert!(kept["farthest"].as_f64().unwrap() < 0.25, "{kept}");
 }

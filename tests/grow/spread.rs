@@ -157,9 +157,9 @@ fn varied_drawn_marks_grow_varied_and_the_report_has_the_spread() {
     // The written picture has it too.
     let measured = folder.measured("p.png");
     for name in ["area", "aspect", "angle"] {
-        let [told, read] =
+        let [output, read] =
             [&region["spread"]["got"], &measured["spread"]].map(|from| from[name].as_f64().unwrap());
-        assert!((read / told - 1.0).abs() < 0.02, "{name}: {told} in the report, {read} in the picture");
+        assert!((read / output - 1.0).abs() < 0.02, "{name}: {output} in the report, {read} in the picture");
     }
     for (name, tolerance) in [("area", 0.005), ("spacing", 0.03)] {
         assert!(region["error"][name].as_f64().unwrap().abs() < tolerance, "{region}");

@@ -29,7 +29,7 @@ pub fn circles(files: &[(String, String)]) -> Vec<String> {
                 let mut members = circle.clone();
                 members.sort_unstable();
                 if !seen.contains(&members) {
-                    circles.push(told(&parent, &imports, &circle));
+                    circles.push(output(&parent, &imports, &circle));
                     seen.push(members);
                 }
             }
@@ -113,7 +113,7 @@ fn shortest_circle<'a>(imports: &'a Imports, start: &'a str) -> Option<Vec<&'a s
     None
 }
 
-fn told(parent: &Module, imports: &Imports, circle: &[&str]) -> String {
+fn output(parent: &Module, imports: &Imports, circle: &[&str]) -> String {
     let next = circle.iter().cycle().skip(1);
     let steps = circle.iter().zip(next).map(|(from, to)| {
         let places = &imports[*from][*to];

@@ -58,10 +58,10 @@ fn complaints(file: &str, source: &str) -> Vec<String> {
         let at_home = named.in_tests || places.iter().any(|place| file.starts_with(place));
         (!at_home).then(|| format!("{first} lives only in {}", places.join(", ")))
     };
-    let told = |named: &Named| {
+    let output = |named: &Named| {
         Some(format!("{file}:{}: `{}`: {}", named.line, named.path.join("::"), wrong(named)?))
     };
-    scan(source, &module).paths.iter().filter_map(told).collect()
+    scan(source, &module).paths.iter().filter_map(output).collect()
 }
 
 #[test]

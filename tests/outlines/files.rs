@@ -23,8 +23,8 @@ fn counts(text: &str) -> [usize; 2] {
 #[test]
 fn an_svg_has_a_group_for_each_layer_and_is_in_mm_by_default() {
     let bench = Bench::new();
-    let told = bench.does("grow a.dapple -o a.svg --no-refine --report r.json");
-    assert!(told.contains("in the air"), "{told}");
+    let printed = bench.does("grow a.dapple -o a.svg --no-refine --report r.json");
+    assert!(printed.contains("in the air"), "{printed}");
     let text = bench.text("a.svg");
     let xml = roxmltree::Document::parse(&text).unwrap();
     let root = xml.root_element();

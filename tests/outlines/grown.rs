@@ -163,13 +163,13 @@ fn complaints(name: &str) -> Vec<String> {
     let off: Vec<f64> = covered.iter().zip(&painted).map(|(a, b)| (a - b).abs()).collect();
     let cut = covered.iter().filter(|cover| (0.001..0.999).contains(*cover)).count().max(1);
     let [mean, most] = [off.iter().sum::<f64>() / cut as f64, off.iter().copied().fold(0.0, f64::max)];
-    let told =
+    let output =
         format!("{name}: cover of a px at an edge differs by {mean:.5} in the mean, {most:.3} at most");
-    println!("{told}");
+    println!("{output}");
     // Both are sampled, by 6 × 6 points here and by resvg on 4 lines a px: half a step of both is 1/12 + 1/8, at an edge
     // along the rows of all px.
     if mean > 0.1 || most > 0.25 {
-        complaints.push(told);
+        complaints.push(output);
     }
     complaints
 }

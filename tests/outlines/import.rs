@@ -12,9 +12,9 @@ const SKETCH: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="300" hei
 fn an_svg_becomes_a_document_that_grows() {
     let bench = Bench::new();
     bench.write("in.svg", SKETCH);
-    let told = bench.does("import in.svg -o in.dapple");
+    let output = bench.does("import in.svg -o in.dapple");
     for word in ["3 marks in 2 layers", "300 × 200 px", "1 × text", "1 × mark off the canvas"] {
-        assert!(told.contains(word), "{word} in {told}");
+        assert!(output.contains(word), "{word} in {output}");
     }
     let json: serde_json::Value =
         serde_json::from_str(&bench.prints("import in.svg -o in.dapple --json")).unwrap();
@@ -33,9 +33,9 @@ fn an_svg_becomes_a_document_that_grows() {
 fn outlines_are_imported_as_the_marks_that_were_grown() {
     let bench = Bench::new();
     bench.does("grow a.dapple -o a.svg --no-refine --units px --quiet");
-    let told = bench.does("import a.svg -o b.dapple");
+    let output = bench.does("import a.svg -o b.dapple");
     let document = Document::read(bench.path("b.dapple")).unwrap();
-    assert_eq!(document.size, [128, 96], "{told}");
+    assert_eq!(document.size, [128, 96], "{output}");
     assert_eq!(document.layers[0].name, "big spots");
     assert!(document.layers[0].strokes.len() > 8);
 }

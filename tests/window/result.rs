@@ -59,18 +59,18 @@ fn the_numbers_are_those_of_the_report() {
     let report: serde_json::Value = serde_json::from_str(&fs::read_to_string(&report).unwrap()).unwrap();
     let outcome = hand.window.state().results().outcome().unwrap();
     assert_eq!(report["layers"][0]["system"], outcome.layers[0].system.name());
-    for (region, told) in
+    for (region, output) in
         outcome.layers[0].regions.iter().zip(report["layers"][0]["regions"].as_array().unwrap())
     {
         let region = &region.report;
-        assert_eq!(told["region"], serde_json::json!(region.place));
+        assert_eq!(output["region"], serde_json::json!(region.place));
         for (name, value) in &region.error {
-            assert_eq!(told["error"][name], serde_json::json!(value), "{name}");
+            assert_eq!(output["error"][name], serde_json::json!(value), "{name}");
         }
         for (name, value) in &region.parameters {
-            assert_eq!(told["parameters"][name], serde_json::json!(value), "{name}");
+            assert_eq!(output["parameters"][name], serde_json::json!(value), "{name}");
         }
-        assert_eq!(told["notes"], serde_json::json!(region.notes));
+        assert_eq!(output["notes"], serde_json::json!(region.notes));
     }
     // And they are on the screen.
     let area = outcome.layers[0].regions[0].report.asked.scaled(1.0);

@@ -106,7 +106,7 @@ mod tests {
         let lines = "a,grown,LWR,30,area,%,1,2\na,grown,LWR,90,area,%,1,2\na,grown,law,30,area,%,1,2\n\
                      a,grown,LWR,30,aspect,,1,2\n";
         let panels = panels(&format!("{}\n{lines}", COLUMNS.join(","))).unwrap();
-        let told: Vec<_> = panels.iter().map(|p| (p.title.as_str(), p.curves.len(), p.rows())).collect();
-        assert_eq!(told, [("area, %", 2, vec![30.0, 90.0]), ("aspect", 1, vec![30.0])]);
+        let output: Vec<_> = panels.iter().map(|p| (p.title.as_str(), p.curves.len(), p.rows())).collect();
+        assert_eq!(output, [("area, %", 2, vec![30.0, 90.0]), ("aspect", 1, vec![30.0])]);
     }
 }

@@ -44,13 +44,13 @@ fn regions(outcomes: &[Outcome]) -> impl Iterator<Item = (&Outcome, &Region)> {
 }
 
 fn counts(text: &mut String, outcomes: &[Outcome], kind: &str, spots: bool) {
-    let told = GROUPS.map(|(name, chosen)| {
+    let output = GROUPS.map(|(name, chosen)| {
         let of_kind = outcomes.iter().filter(|outcome| outcome.spots == spots && chosen(outcome));
         let (documents, regions) =
             of_kind.fold((0, 0), |(documents, n), outcome| (documents + 1, n + outcome.regions.len()));
         format!("{name} {documents} documents with {regions} regions")
     });
-    let _ = writeln!(text, "{kind}: {}", told.join("; "));
+    let _ = writeln!(text, "{kind}: {}", output.join("; "));
     let _ = writeln!(
         text,
         "  {:24} {:9} {:>7} {:>8} {:>8} {:>8}  {:>14}",
@@ -77,10 +77,10 @@ fn failures(text: &mut String, outcomes: &[Outcome]) -> bool {
     let count = |kind: &str| {
         outcomes.iter().filter(|outcome| outcome.failures.iter().any(|f| f.kind() == kind)).count()
     };
-    let told: Vec<String> = KINDS.iter().map(|kind| format!("{kind} {}", count(kind))).collect();
+    let output: Vec<String> = KINDS.iter().map(|kind| format!("{kind} {}", count(kind))).collect();
     let unsettled = outcomes.iter().filter(|outcome| !outcome.settled).count();
     let _ =
-        writeln!(text, "documents that failed: {} (still moving at the end: {unsettled})", told.join(", "));
+        writeln!(text, "documents that failed: {} (still moving at the end: {unsettled})", output.join(", "));
     for outcome in outcomes {
         for failure in &outcome.failures {
             let _ = writeln!(text, "  {}: {failure}", outcome.name);

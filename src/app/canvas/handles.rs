@@ -70,19 +70,19 @@ fn of_ellipse(ellipse: &Ellipse, view: &View, room: Rect) -> Vec<(Handle, Pos2)>
 }
 
 fn of_line(line: &Line, view: &View, room: Rect) -> Vec<(Handle, Pos2)> {
-    let middle = view.to_screen(room, line.center());
+    let center = view.to_screen(room, line.center());
     let along = Vec2::angled(line.angle().to_radians() as f32);
     let ends = [line.from, line.to].map(|end| view.to_screen(room, end));
     let out = ends.map(|end| {
-        let away = end - middle;
-        if away.length() < NEAR { middle + NEAR * away.normalized() } else { end }
+        let away = end - center;
+        if away.length() < NEAR { center + NEAR * away.normalized() } else { end }
     });
     let side = (0.5 * line.width as f32 * view.zoom).max(NEAR);
     vec![
         (Handle::End(0), out[0]),
         (Handle::End(1), out[1]),
-        (Handle::Width, middle + along.rot90() * side),
-        (Handle::Turn, out[1] + (out[1] - middle).normalized() * OFF),
+        (Handle::Width, center + along.rot90() * side),
+        (Handle::Turn, out[1] + (out[1] - center).normalized() * OFF),
     ]
 }
 
@@ -126,9 +126,9 @@ pub fn pulled(
         Handle::Corner(side) => {
             // The opposite corner stays.
             let side = [f64::from(side.x), f64::from(side.y)];
-            let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+            let center = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
             let half = [0, 1].map(|axis| 0.5 * (high[axis] - low[axis]));
-            let pivot = [0, 1].map(|axis| middle[axis] - side[axis] * half[axis]);
+            let pivot = [0, 1].map(|axis| center[axis] - side[axis] * half[axis]);
             let along = |p: [f64; 2]| {
                 (0..2).map(|axis| (p[axis] - pivot[axis]) * side[axis] * half[axis]).sum::<f64>()
             };

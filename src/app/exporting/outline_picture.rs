@@ -64,7 +64,7 @@ impl Paper {
         for pair in rings.iter().flat_map(|ring| ring.windows(2)) {
             let ([x0, y0], [x1, y1]) =
                 if pair[0][1] < pair[1][1] { (pair[0], pair[1]) } else { (pair[1], pair[0]) };
-            // Lines lie in the middle of their rows.
+            // Lines are centred in their rows.
             let line = |y: f64| (y * FINENESS as f64 - 0.5).ceil().clamp(0.0, lines as f64) as usize;
             for (index, line) in crossings.iter_mut().enumerate().take(line(y1)).skip(line(y0)) {
                 let y = (index as f64 + 0.5) / FINENESS as f64;

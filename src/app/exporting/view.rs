@@ -21,7 +21,7 @@ pub struct View {
     /// Whether a px of the picture is shown as a px of the screen.
     pub close: bool,
     /// The centre of the visible part in that case, 0..1.
-    middle: Vec2,
+    center: Vec2,
     /// What the texture holds: which preview, which picture or frame, whether not interpolated.
     held: Option<(usize, usize, bool)>,
     texture: Option<TextureHandle>,
@@ -36,7 +36,7 @@ impl View {
     /// A view of a whole picture, or a film that plays.
     #[must_use]
     pub fn new() -> Self {
-        Self { plays: true, middle: vec2(0.5, 0.5), ..Self::default() }
+        Self { plays: true, center: vec2(0.5, 0.5), ..Self::default() }
     }
 
     fn show(
@@ -83,13 +83,13 @@ impl View {
             self.close = !self.close;
             if let Some(at) = response.interact_pointer_pos() {
                 let place = (at - (room.center() - seen / 2.0)) / seen;
-                self.middle = place.clamp(Vec2::ZERO, Vec2::splat(1.0));
+                self.center = place.clamp(Vec2::ZERO, Vec2::splat(1.0));
             }
         } else if response.dragged() && self.close {
-            self.middle = (self.middle - response.drag_delta() / seen).clamp(Vec2::ZERO, Vec2::splat(1.0));
+            self.center = (self.center - response.drag_delta() / seen).clamp(Vec2::ZERO, Vec2::splat(1.0));
         }
-        let middle = if self.close { self.within(room, seen) } else { vec2(0.5, 0.5) };
-        let rect = Rect::from_min_size(room.center() - middle * seen, seen);
+        let center = if self.close { self.within(room, seen) } else { vec2(0.5, 0.5) };
+        let rect = Rect::from_min_size(room.center() - center * seen, seen);
         self.paint(ui, room, rect, fresh);
         let what = if frames.is_empty() { "Preview" } else { "Preview of the film" };
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, what));
@@ -102,11 +102,11 @@ impl View {
 
     /// The centre of the visible part, limited so that the room is filled as far as possible.
     fn within(&self, room: Rect, seen: Vec2) -> Vec2 {
-        let side = |middle: f32, room: f32, seen: f32| {
+        let side = |center: f32, room: f32, seen: f32| {
             let half = (room / seen / 2.0).min(0.5);
-            middle.clamp(half, 1.0 - half)
+            center.clamp(half, 1.0 - half)
         };
-        vec2(side(self.middle.x, room.width(), seen.x), side(self.middle.y, room.height(), seen.y))
+        vec2(side(self.center.x, room.width(), seen.x), side(self.center.y, room.height(), seen.y))
     }
 
     fn paint(&mut self, ui: &Ui, room: Rect, rect: Rect, fresh: bool) {

@@ -113,8 +113,8 @@ fn canvas_properties(ui: &mut Ui, document: &Document, ruler: Ruler) -> Vec<Acti
 
 /// The attributes of the region under the pointer, or of the one in the centre.
 fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
-    let middle = session.document().size.map(|side| 0.5 * f64::from(side));
-    let at = canvas.pointer.unwrap_or(middle);
+    let center = session.document().size.map(|side| 0.5 * f64::from(side));
+    let at = canvas.pointer.unwrap_or(center);
     let Some((place, region)) = canvas.analysis.region(session.active_layer, at) else {
         return;
     };

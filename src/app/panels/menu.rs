@@ -54,7 +54,7 @@ pub fn menu(ui: &mut Ui, state: &MenuState) -> Vec<Action> {
 }
 
 fn item(ui: &mut Ui, text: &str, action: &Action, enabled: bool, actions: &mut Vec<Action>) {
-    let keys = shortcuts::told(ui.ctx(), action).unwrap_or_default();
+    let keys = shortcuts::shortcut_text(ui.ctx(), action).unwrap_or_default();
     let button = Button::new(text).shortcut_text(keys);
     if ui.add_enabled(enabled, button).clicked() {
         actions.push(action.clone());

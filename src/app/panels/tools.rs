@@ -19,7 +19,7 @@ pub fn tools(ui: &mut Ui, current: Tool, session: &Session) -> Option<Action> {
                 ui.add_space(4.0);
             }
             let button = tool.icon().sized_button(ui, tool.name(), tool == current, size);
-            let keys = shortcuts::told(ui.ctx(), &Action::Tool(tool)).unwrap_or_default();
+            let keys = shortcuts::shortcut_text(ui.ctx(), &Action::Tool(tool)).unwrap_or_default();
             let button = button.on_hover_ui(|ui| {
                 ui.strong(format!("{} ({keys})", tool.name()));
                 ui.label(tool.help());
@@ -34,7 +34,7 @@ pub fn tools(ui: &mut Ui, current: Tool, session: &Session) -> Option<Action> {
             [(Icon::Undo, "Undo", Action::Undo, undo), (Icon::Redo, "Redo", Action::Redo, redo)]
         {
             ui.add_enabled_ui(can, |ui| {
-                let keys = shortcuts::told(ui.ctx(), &action).unwrap_or_default();
+                let keys = shortcuts::shortcut_text(ui.ctx(), &action).unwrap_or_default();
                 let button = icon.sized_button(ui, name, false, size);
                 if button.on_hover_text(format!("{name} ({keys})")).clicked() {
                     chosen = Some(action);

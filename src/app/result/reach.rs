@@ -194,12 +194,14 @@ impl Sketch {
 
 /// The centres scaled by `by` about the centre of their region; `None` where they do not fit into it.
 fn spaced(centers: &[[f64; 2]], by: f64, layout: &RegionGrid, place: [usize; 2]) -> Option<Vec<[f64; 2]>> {
-    let middle = layout.center(place);
-    let mut moved: Vec<[f64; 2]> =
-        centers.iter().map(|at| [0, 1].map(|axis| middle[axis] + by * (at[axis] - middle[axis]))).collect();
+    let midpoint = layout.center(place);
+    let mut moved: Vec<[f64; 2]> = centers
+        .iter()
+        .map(|at| [0, 1].map(|axis| midpoint[axis] + by * (at[axis] - midpoint[axis])))
+        .collect();
     for axis in 0..2 {
         let side = layout.size[axis] / layout.grid[axis] as f64;
-        let [low, high] = [-0.5, 0.5].map(|half| middle[axis] + half * side);
+        let [low, high] = [-0.5, 0.5].map(|half| midpoint[axis] + half * side);
         let ends = moved
             .iter()
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], at| [l.min(at[axis]), h.max(at[axis])]);
@@ -247,10 +249,10 @@ fn described(from: &Sketch, to: &Sketch) -> String {
 /// Root mean square distance of the marks from their mean centre, px.
 fn extent(marks: &[(usize, Mark)]) -> f64 {
     let n = marks.len().max(1) as f64;
-    let middle = [0, 1].map(|axis| marks.iter().map(|(_, mark)| mark.center()[axis]).sum::<f64>() / n);
+    let midpoint = [0, 1].map(|axis| marks.iter().map(|(_, mark)| mark.center()[axis]).sum::<f64>() / n);
     let far = |(_, mark): &(usize, Mark)| {
         let center = mark.center();
-        (0..2).map(|axis| (center[axis] - middle[axis]) * (center[axis] - middle[axis])).sum::<f64>()
+        (0..2).map(|axis| (center[axis] - midpoint[axis]) * (center[axis] - midpoint[axis])).sum::<f64>()
     };
     (marks.iter().map(far).sum::<f64>() / n).sqrt().max(1e-9)
 }

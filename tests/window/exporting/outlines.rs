@@ -13,8 +13,8 @@ fn outlines_drawn_by_another_renderer_look_like_the_preview() {
     let made = seen(&mut hand);
     let path = folder.path().join("x.svg");
     write(&mut hand, &path);
-    let told = made.message.clone().unwrap();
-    assert!(told.contains("in the air"), "{told}");
+    let output = made.message.clone().unwrap();
+    assert!(output.contains("in the air"), "{output}");
     let options = usvg::Options::default();
     let tree = usvg::Tree::from_data(&fs::read(&path).unwrap(), &options).unwrap();
     let seen = &made.pictures()[0].1;

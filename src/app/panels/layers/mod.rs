@@ -77,7 +77,8 @@ fn buttons(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     ] {
         ui.add_enabled_ui(session.allows(action), |ui| {
             let action = Action::Layer(action);
-            let keys = shortcuts::told(ui.ctx(), &action).map_or(String::new(), |keys| format!(" ({keys})"));
+            let keys = shortcuts::shortcut_text(ui.ctx(), &action)
+                .map_or(String::new(), |keys| format!(" ({keys})"));
             let button = icon.sized_button(ui, name, false, vec2(27.0, 26.0));
             if button.on_hover_text(format!("{help}{keys}")).clicked() {
                 actions.push(action);

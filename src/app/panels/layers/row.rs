@@ -109,13 +109,13 @@ fn shown(ui: &mut Ui, session: &Session, layer: usize, actions: &mut Vec<Action>
 /// Shows how many marks a layer has, and of what kind; gives the left end of the number.
 fn mark_count(ui: &Ui, session: &Session, layer: usize, rest: Rect) -> f32 {
     let colours = Palette::current(ui.visuals());
-    let middle = pos2(rest.left() + 10.0, rest.center().y);
-    let icon = Rect::from_center_size(middle, vec2(16.0, 16.0));
+    let center = pos2(rest.left() + 10.0, rest.center().y);
+    let icon = Rect::from_center_size(center, vec2(16.0, 16.0));
     match session.kind(layer) {
         Some(Kind::Ellipse) => Icon::Ellipse.paint(ui.painter(), icon, colours.ink(layer)),
         Some(Kind::Line) => Icon::Line.paint(ui.painter(), icon, colours.ink(layer)),
         None => {
-            ui.painter().circle_stroke(middle, 3.0, Stroke::new(1.0, ui.visuals().weak_text_color()));
+            ui.painter().circle_stroke(center, 3.0, Stroke::new(1.0, ui.visuals().weak_text_color()));
         }
     }
     let text = match session.document().layers[layer].strokes.len() {

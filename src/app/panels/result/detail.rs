@@ -80,8 +80,8 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
             let (name, help) = named(attribute);
             ui.label(name).on_hover_text(help);
             let wanted = asked_at_marks(report, attribute).unwrap_or(*value);
-            let middle = format!("{} in the centre of the region", number(ruler, attribute, *value));
-            ui.label(number(ruler, attribute, wanted)).on_hover_text(middle);
+            let at_center = format!("{} in the centre of the region", number(ruler, attribute, *value));
+            ui.label(number(ruler, attribute, wanted)).on_hover_text(at_center);
             let found = got.iter().find(|(of, _)| of == attribute);
             ui.label(found.map_or("–".to_owned(), |(_, value)| number(ruler, attribute, *value)));
             let off = report.error.iter().find(|(of, _)| of == attribute);

@@ -157,8 +157,8 @@ mod tests {
 
     #[test]
     fn errors_have_a_sign_and_few_digits() {
-        let told =
+        let shown =
             [("area", 0.034), ("area", -0.001), ("aspect", -0.051), ("angle", 7.4)].map(|(a, e)| error(a, e));
-        assert_eq!(told, ["+3 %", "0 %", "-0.05", "+7°"]);
+        assert_eq!(shown, ["+3 %", "0 %", "-0.05", "+7°"]);
     }
 }
