@@ -10,7 +10,7 @@ pub struct Edge {
     /// px.
     pub length: f64,
     /// The point half way, px; inside the tile where there is one.
-    pub middle: [f64; 2],
+    pub midpoint: [f64; 2],
     /// Is it part of the convex hull? Never on a tile.
     pub hull: bool,
 }
@@ -128,7 +128,7 @@ fn edge_between((a, i): (Point2<f64>, usize), (b, j): (Point2<f64>, usize), hull
     Edge {
         ends: [i.min(j), i.max(j)],
         length: (dx * dx + dy * dy).sqrt(),
-        middle: [0.5 * (a.x + b.x), 0.5 * (a.y + b.y)],
+        midpoint: [0.5 * (a.x + b.x), 0.5 * (a.y + b.y)],
         hull,
     }
 }
@@ -171,14 +171,14 @@ fn wrapped_within(
         }
     }
     let mesh = triangulate(all);
-    // Every edge has one copy whose middle is in a window of the tile's size. The window is shifted a little: middles on
+    // Every edge has one copy whose midpoint is in a window of the tile's size. The window is shifted a little: midpoints on
     // its border could be lost or counted twice by rounding, and those of lattices often lie on the tile's border.
     let corner = [-0.001_877_31 * margin, -0.001_331_79 * margin];
     let mut edges = Vec::new();
     for edge in mesh.undirected_edges() {
         let [a, b] = edge.vertices().map(|vertex| (vertex.position(), vertex.data().index));
         let mut found = edge_between(a, b, false);
-        let inside = |k: usize| found.middle[k] >= corner[k] && found.middle[k] < corner[k] + tile[k];
+        let inside = |k: usize| found.midpoint[k] >= corner[k] && found.midpoint[k] < corner[k] + tile[k];
         if !(inside(0) && inside(1)) {
             continue;
         }
@@ -190,7 +190,7 @@ fn wrapped_within(
                 return None;
             }
         }
-        found.middle = [found.middle[0].rem_euclid(tile[0]), found.middle[1].rem_euclid(tile[1])];
+        found.midpoint = [found.midpoint[0].rem_euclid(tile[0]), found.midpoint[1].rem_euclid(tile[1])];
         edges.push(found);
     }
     edges.sort_by(|a, b| a.ends.cmp(&b.ends).then(a.length.total_cmp(&b.length)));

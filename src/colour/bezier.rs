@@ -158,8 +158,8 @@ mod tests {
         };
         let [mut low, mut high] = [0.0, 1.0];
         for _ in 0..200 {
-            let middle = 0.5 * (low + high);
-            if bernstein(x1, x2, middle) < x { low = middle } else { high = middle }
+            let midpoint = 0.5 * (low + high);
+            if bernstein(x1, x2, midpoint) < x { low = midpoint } else { high = midpoint }
         }
         bernstein(y1, y2, low)
     }
@@ -191,12 +191,12 @@ mod tests {
 
     #[test]
     fn the_steepest_bends_are_solved() {
-        // x'(t) is 0 at an end, at both ends, or in the middle.
+        // x'(t) is 0 at an end, at both ends, or in the midpoint.
         for bend in [[0.0, 0.0, 0.0, 1.0], [1.0, 0.0, 1.0, 1.0], [0.0, 0.3, 1.0, 0.7], [1.0, 0.0, 0.0, 1.0]] {
             for i in 1..1000 {
                 let x = f64::from(i) / 1000.0;
                 let (eased, slow) = (Bend(bend).ease(x), by_bisection(bend, x));
-                // In the middle of the last bend, t is only accurate to the cube root of the accuracy of x: 1e-5.
+                // Around the centre of the last bend, t is only accurate to the cube root of the accuracy of x: 1e-5.
                 assert!((eased - slow).abs() < 3e-5, "{bend:?} at {x}: {eased}, not {slow}");
             }
         }

@@ -9,7 +9,7 @@ use super::Bend;
 /// A colour at a pattern value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
-    /// The pattern value with this colour, 0..1 (0 = ground, 0.5 = the mark's edge, 1 = its middle).
+    /// The pattern value with this colour, 0..1 (0 = ground, 0.5 = the mark's edge, 1 = its centre).
     pub at: f32,
     /// Red, green, blue; 8-bit sRGB.
     pub colour: [u8; 3],
@@ -37,7 +37,7 @@ pub enum GradientError {
     NoStops,
     /// A stop outside 0..1.
     #[error(
-        "`stops[{stop}].at` is {at}; allowed is 0 to 1 (0 = ground, 0.5 = the mark's edge, 1 = its middle)"
+        "`stops[{stop}].at` is {at}; allowed is 0 to 1 (0 = ground, 0.5 = the mark's edge, 1 = its centre)"
     )]
     StopOutside {
         /// Index into `stops`.

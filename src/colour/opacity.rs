@@ -9,7 +9,7 @@
 //!
 //! a(C) is the smallest opacity with which a colour over G can give C: the largest over the channels of (C − G)/(1 − G) above G
 //! and (G − C)/G below. It is divided by its maximum, so the strongest colour of a mark is opaque. F contains nothing of the
-//! ground, so marks have no fringe of it on another ground. α never decreases towards the middle of a mark.
+//! ground, so marks have no fringe of it on another ground. α never decreases towards the centre of a mark.
 //!
 //! T. Porter, T. Duff, "Compositing Digital Images", SIGGRAPH 1984, for "over"; F is not multiplied by α.
 
@@ -104,7 +104,7 @@ mod tests {
             Gradient::default_for_layer(0),
             Gradient::default_for_layer(1),
             gradient(&[(0.0, [244, 227, 193]), (1.0, [59, 35, 20])], &[[0.42, 0.0, 0.58, 1.0]]),
-            // Dark, bright, dark like the ground: the middle of a ring is not transparent.
+            // Dark, bright, dark like the ground: the centre line of a ring is not transparent.
             gradient(&[(0.0, [20, 20, 20]), (0.5, [250, 200, 10]), (1.0, [20, 20, 20])], &[]),
             gradient(&[(0.0, [255; 3]), (0.48, [255; 3]), (0.52, [0; 3])], &[]),
         ]

@@ -1,6 +1,6 @@
 //! Colours from nature, chosen by eye on grown patterns; none was measured on an animal.
 //!
-//! All have the same structure. The ground darkens slightly towards the mark, and the mark towards its middle. Between 0.4 and
+//! All have the same structure. The ground darkens slightly towards the mark, and the mark towards its centre. Between 0.4 and
 //! 0.6 an S-shaped easing crosses the mark's edge: halfway at 0.5, so that a mark looks as large as it is measured, and wide
 //! enough to hide the px (a spot of radius 5 px has these values over about 1 px, one of 20 px over 4).
 
@@ -28,7 +28,7 @@ pub const BY_LAYER: [Set; 6] = [
     set("giraffe", CREAM, [0x9a5a2b, 0x74391a]),
     // The black of a leopard's rosettes.
     set("leopard", CREAM, [0x261e18, 0x120d0a]),
-    // The filled middle of a jaguar's rosettes: ochre, darker than its ground.
+    // The filled centre of a jaguar's rosettes: ochre, darker than its ground.
     set("jaguar", CREAM, [0xc98a3c, 0xa66a22]),
     // A tortoiseshell cat's red.
     set("tortoiseshell", CREAM, [0xb5532a, 0x8c3715]),

@@ -144,7 +144,7 @@ impl From<Line> for Stroke {
 }
 
 impl Colours {
-    /// Colours (red, green, blue, sRGB) at pattern values (0 = ground, 0.5 = a mark's edge, 1 = its middle), ascending,
+    /// Colours (red, green, blue, sRGB) at pattern values (0 = ground, 0.5 = a mark's edge, 1 = its centre), ascending,
     /// with straight transitions between them.
     ///
     /// ```

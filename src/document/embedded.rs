@@ -130,8 +130,8 @@ mod tests {
         let mut png = Vec::new();
         write(&mut png, Header { texts: &texts, ..Header::new([1, 1], Samples::Gray8) }, |_, _| Ok(()))
             .unwrap();
-        let told = in_stream(Cursor::new(png), "a.png").unwrap_err().to_string();
-        assert!(told.starts_with("a.png: dapple-grown: found {"), "{told}");
-        assert!(!told.contains(char::is_control), "{told:?}");
+        let message = in_stream(Cursor::new(png), "a.png").unwrap_err().to_string();
+        assert!(message.starts_with("a.png: dapple-grown: found {"), "{message}");
+        assert!(!message.contains(char::is_control), "{message:?}");
     }
 }

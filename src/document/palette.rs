@@ -24,7 +24,7 @@ pub struct Palette {
     pub colours: Colours,
 }
 
-/// Most colours of a palette that become stops: more cannot be told apart on a bar.
+/// Most colours of a palette that become stops: more cannot be distinguished on a bar.
 pub const MOST_STOPS: usize = 64;
 /// Largest palette that is read, bytes: 64 stops take 4 kB.
 const MAX_FILE: u64 = 1 << 20;

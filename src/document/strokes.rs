@@ -1,4 +1,4 @@
-//! Reading strokes: each has an extent, and its middle on the canvas.
+//! Reading strokes: each has an extent and its centre on the canvas.
 
 use crate::document::layer_rules::mixed_marks;
 use crate::document::limits::{MIN_LENGTH, Range};
@@ -41,7 +41,7 @@ fn ellipse(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     }))
 }
 
-/// The middle of a line is on the canvas; its ends may leave it.
+/// The midpoint of a line is on the canvas; its ends may lie outside.
 fn line(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "from", "to", "width"])?;
     let from = node.need("from", "[x, y] in px")?.numbers(size.map(Range::around))?;

@@ -299,8 +299,8 @@ mod tests {
             let whole = resample(&field, w, h);
             let spline = Spline::new(&field);
             if [w, h] != [width, height] {
-                let middle = h / 2;
-                let bands = [spline.rows(0..middle, w, h), spline.rows(middle..h, w, h)].concat();
+                let half = h / 2;
+                let bands = [spline.rows(0..half, w, h), spline.rows(half..h, w, h)].concat();
                 prop_assert_eq!(&bands, &whole.values);
             }
             let mut mirrored = field.clone();

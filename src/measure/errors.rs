@@ -30,7 +30,7 @@ pub struct SpotErrors {
     pub marks: usize,
     /// Means over them; `None` without any. The spacing is that of the edges that count.
     pub got: Option<Spots>,
-    /// Means of the region map at their centres (spacing: at the edges' middles).
+    /// Means of the region map at their centres (spacing: at the edges' midpoints).
     pub wanted: Option<Spots>,
     /// got ÷ wanted − 1.
     pub area: Option<f64>,
@@ -97,9 +97,9 @@ fn neighbours(spots: &[Spot], target: &Target) -> Vec<Vec<(f64, Option<f64>)>> {
         if is_separated(edge, centers[edge.ends[0]], target) {
             continue;
         }
-        let Attributes::Spots(wanted) = (target.wanted)(edge.middle) else { continue };
+        let Attributes::Spots(wanted) = (target.wanted)(edge.midpoint) else { continue };
         if wanted.spacing.is_none_or(|spacing| edge.length <= LONGEST * spacing) {
-            found[(target.region_of)(edge.middle)].push((edge.length, wanted.spacing));
+            found[(target.region_of)(edge.midpoint)].push((edge.length, wanted.spacing));
         }
     }
     found
@@ -112,10 +112,10 @@ const RINGS: usize = 4;
 /// as its diameter.
 fn is_separated(edge: &Edge, from: [f64; 2], target: &Target) -> bool {
     let bounds = &target.bounds;
-    let half = bounds.shortest([0, 1].map(|axis| edge.middle[axis] - from[axis]));
+    let half = bounds.shortest([0, 1].map(|axis| edge.midpoint[axis] - from[axis]));
     let covered = |x: f64, y: f64| {
         let away = [x * half[0] - y * half[1], x * half[1] + y * half[0]];
-        (target.covered)(bounds.inside([0, 1].map(|axis| edge.middle[axis] + away[axis])))
+        (target.covered)(bounds.inside([0, 1].map(|axis| edge.midpoint[axis] + away[axis])))
     };
     let ring = |ring: usize| {
         let points = (6 * ring).max(1);

@@ -11,7 +11,7 @@ pub(super) struct Part {
     pub(super) contour: f64,
     /// A corner that belongs to it: 0 upper left, then by +x, +y, −x.
     pub(super) corner: usize,
-    /// Another such corner, where the two are joined through the square's middle only.
+    /// Another such corner, where the two are joined through the square's centre only.
     pub(super) across: Option<usize>,
 }
 

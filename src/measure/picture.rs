@@ -1,4 +1,4 @@
-//! Measures a picture of spots or stripes without being told which.
+//! Measures a picture, and finds out whether it shows spots or stripes.
 
 use super::spots::{Census, Spot, census};
 use super::stripes::{StripeStatistics, stripes};

@@ -120,7 +120,7 @@ fn tallied(
     tallies
 }
 
-/// Calls `found` with the middle, area and contour length of each square of a strip that is not all outside.
+/// Calls `found` with the centre, area and contour length of each square of a strip that is not all outside.
 fn strip(
     xs: &[f64],
     [top, bottom]: [f64; 2],
@@ -128,11 +128,11 @@ fn strip(
     level: f32,
     mut found: impl FnMut([f64; 2], f64, f64),
 ) {
-    let (middle, height) = (0.5 * (top + bottom), bottom - top);
+    let (center, height) = (0.5 * (top + bottom), bottom - top);
     for (i, x) in xs.windows(2).enumerate() {
         let v = corners(i);
         let inside = v.iter().filter(|v| **v > level).count();
-        let place = [0.5 * (x[0] + x[1]), middle];
+        let place = [0.5 * (x[0] + x[1]), center];
         if inside == 4 {
             found(place, (x[1] - x[0]) * height, 0.0);
         } else if inside > 0 {

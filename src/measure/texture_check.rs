@@ -23,7 +23,7 @@ pub enum Reason {
     LeftRange {
         /// The value that is farthest out.
         value: f32,
-        /// Usual values of the ground and of the middle of a mark.
+        /// Usual values of the ground and of the centre of a mark.
         usual: [f32; 2],
     },
     /// It was still changing when its time was over.
@@ -133,7 +133,7 @@ const SPREAD: f64 = 0.15;
 const COHERENCE: f64 = 0.7;
 
 /// Checks that a pattern has formed, within the range of the system. `usual` are the values of the ground and of the
-/// middle of a mark.
+/// centre of a mark.
 ///
 /// # Errors
 /// The first [`Reason`] that applies.
@@ -203,7 +203,7 @@ pub fn check_stripe_texture(
     Ok(())
 }
 
-/// Share above the middle of a field in which no stripe has an edge.
+/// Share above the mid-range of a field in which no stripe has an edge.
 fn all_or_nothing(field: &Field) -> f64 {
     f64::from(u8::from(field.values.first().is_some_and(|value| *value > 0.5)))
 }

@@ -146,8 +146,8 @@ fn even(points: &[[f64; 2]], step: f64) -> Vec<[f64; 2]> {
 /// Each point moved to (¼, ½, ¼) of its neighbours and itself; the ends stay.
 fn smoothed(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut smooth = points.to_vec();
-    for (middle, three) in smooth[1..].iter_mut().zip(points.windows(3)) {
-        *middle = [0, 1].map(|axis| 0.25 * (three[0][axis] + three[2][axis]) + 0.5 * three[1][axis]);
+    for (point, three) in smooth[1..].iter_mut().zip(points.windows(3)) {
+        *point = [0, 1].map(|axis| 0.25 * (three[0][axis] + three[2][axis]) + 0.5 * three[1][axis]);
     }
     smooth
 }

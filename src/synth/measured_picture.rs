@@ -217,8 +217,11 @@ mod tests {
     fn a_picture_larger_than_memory_is_refused_before_it_is_decoded() {
         let bytes = head_of_tiff(1_000_000, 1_000_000);
         let error = measure_stream(std::io::Cursor::new(bytes), Path::new("bomb.tiff"), false).unwrap_err();
-        let told = error.to_string();
-        assert!(told.starts_with("bomb.tiff: 1000000×1000000 px need about 16000.0 GB of memory"), "{told}");
+        let message = error.to_string();
+        assert!(
+            message.starts_with("bomb.tiff: 1000000×1000000 px need about 16000.0 GB of memory"),
+            "{message}"
+        );
     }
 
     /// Found by fuzzing: the JPEG decoder's message ends with a line break.
@@ -230,8 +233,8 @@ mod tests {
         let whole = bytes.into_inner();
         for length in 3..whole.len() {
             let cut = std::io::Cursor::new(&whole[..length]);
-            let told = measure_stream(cut, Path::new("a.jpg"), false).unwrap_err().to_string();
-            assert!(!told.contains(char::is_control), "{told:?}");
+            let message = measure_stream(cut, Path::new("a.jpg"), false).unwrap_err().to_string();
+            assert!(!message.contains(char::is_control), "{message:?}");
         }
     }
 

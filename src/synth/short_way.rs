@@ -94,7 +94,7 @@ impl Grown {
         self.painting(1).rgb()
     }
 
-    /// The pattern of layer `index` (0 = the lowest) at the canvas' size: 0 = ground, 0.5 = a mark's edge, 1 = its middle.
+    /// The pattern of layer `index` (0 = the lowest) at the canvas' size: 0 = ground, 0.5 = a mark's edge, 1 = its centre.
     #[must_use]
     pub fn pattern(&self, index: usize) -> Option<Field> {
         let [width, height] = self.size.map(|side| side as usize);

@@ -197,8 +197,8 @@ fn without_refinement_the_level_is_that_of_the_lookup() {
     // The document can say the same.
     document["growth"] = json!({"refine": false});
     folder.write("a.dapple", &document.to_string());
-    folder.grow("--pattern told.png --no-document");
-    assert!(folder.bytes("told.png") == folder.bytes("looked_up.png"));
+    folder.grow("--pattern own.png --no-document");
+    assert!(folder.bytes("own.png") == folder.bytes("looked_up.png"));
 }
 
 #[test]

@@ -83,7 +83,7 @@ fn a_preset_is_applied_and_shows_its_source() {
     hand.window.run_steps(60);
     hand.window.get_by_label("Colours: zebra").hover();
     hand.window.run_steps(60);
-    assert!(hand.window.query_by_label(zebra.source).is_some(), "its source is told");
+    assert!(hand.window.query_by_label(zebra.source).is_some(), "its source is shown");
     hand.reach("Colours: zebra");
     assert_eq!(hand.colours(0), Colours::from(&zebra.set.gradient()));
     hand.reach("Default");

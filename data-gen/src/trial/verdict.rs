@@ -78,8 +78,8 @@ impl fmt::Display for Failure {
 const RANGE: f32 = 0.1;
 /// An ellipse fills 1 of the ellipse with its second moments, two grown together less.
 const FILL: f64 = 0.93;
-/// Several grown together are larger than this many of those wanted there; a web that touches a closed edge all
-/// round is told by nothing else.
+/// Several grown together are larger than this many of those wanted there; only this detects a web that touches a closed edge all
+/// around.
 const HUGE: f64 = 2.5;
 /// Share of the area that may be in marks that fill less.
 const BENT: f64 = 0.05;

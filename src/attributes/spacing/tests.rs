@@ -116,7 +116,7 @@ proptest! {
         let total = |edges: &[Edge]| edges.iter().map(|edge| edge.length).sum::<f64>();
         prop_assert!((total(&found) - total(&again)).abs() < 1e-6);
         for edge in found {
-            prop_assert!(edge.middle[0] >= 0.0 && edge.middle[0] <= 40.0);
+            prop_assert!(edge.midpoint[0] >= 0.0 && edge.midpoint[0] <= 40.0);
         }
     }
 
@@ -129,7 +129,7 @@ proptest! {
             copies.extend(points.iter().map(|p| [p[0] + 40.0 * shift[0], p[1] + 40.0 * shift[1]]));
         }
         let inside = |p: &[f64; 2]| p.iter().all(|x| (0.0..40.0).contains(x));
-        let slow: f64 = edges(&copies, None).iter().filter(|e| inside(&e.middle)).map(|e| e.length).sum();
+        let slow: f64 = edges(&copies, None).iter().filter(|e| inside(&e.midpoint)).map(|e| e.length).sum();
         let fast: f64 = edges(&points, Some([40.0, 40.0])).iter().map(|e| e.length).sum();
         prop_assert!((slow - fast).abs() < 1e-6, "{} {}", slow, fast);
     }

@@ -65,8 +65,8 @@ mod reference {
         };
         let [mut low, mut high] = [0.0, 1.0];
         for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if bernstein(x1, x2, middle) < x { low = middle } else { high = middle }
+            let midpoint = 0.5 * (low + high);
+            if bernstein(x1, x2, midpoint) < x { low = midpoint } else { high = midpoint }
         }
         bernstein(y1, y2, 0.5 * (low + high))
     }

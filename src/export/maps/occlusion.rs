@@ -141,8 +141,8 @@ mod tests {
     fn a_pit_is_darker_than_its_rim_and_a_dome_no_darker_than_its_foot() {
         let bump = |x: f64, y: f64| (-((x - 24.0).powi(2) + (y - 20.0).powi(2)) / 30.0).exp();
         let [pit, dome] = [-9.0, 9.0].map(|high| open(|x, y| high * bump(x, y), Edges::Wrap, 16));
-        let [middle, foot] = [20 * 48 + 24, 20 * 48 + 33];
-        assert!(pit[middle] < 0.6 && pit[middle] < pit[foot] - 0.2, "{} {}", pit[middle], pit[foot]);
-        assert!(dome[middle] > 0.99 && dome[foot] < 0.95, "{} {}", dome[middle], dome[foot]);
+        let [center, foot] = [20 * 48 + 24, 20 * 48 + 33];
+        assert!(pit[center] < 0.6 && pit[center] < pit[foot] - 0.2, "{} {}", pit[center], pit[foot]);
+        assert!(dome[center] > 0.99 && dome[foot] < 0.95, "{} {}", dome[center], dome[foot]);
     }
 }

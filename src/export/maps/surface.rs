@@ -3,7 +3,7 @@
 /// Height and roughness of a material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
-    /// Height of the middle of a mark above the ground, px, for each layer; negative for hollows. The last value holds for all
+    /// Height of the centre of a mark above the ground, px, for each layer; negative for hollows. The last value holds for all
     /// further layers.
     pub relief: Vec<f64>,
     /// Roughness of the ground, then of the marks of each layer, 0 = mirror, 1 = chalk. The last value holds for all further

@@ -107,11 +107,11 @@ fn turns(segment: &PathSeg) -> Vec<f64> {
 /// u where a segment reaches `v` between two parameters.
 fn u_at(point: impl Fn(f64) -> Point, [mut low, mut high]: [f64; 2], rises: bool, v: f64) -> f64 {
     for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if (point(middle).y < v) == rises {
-            low = middle;
+        let midpoint = 0.5 * (low + high);
+        if (point(midpoint).y < v) == rises {
+            low = midpoint;
         } else {
-            high = middle;
+            high = midpoint;
         }
     }
     point(0.5 * (low + high)).x

@@ -124,8 +124,8 @@ mod tests {
             let points = flattened(&circle(10.0), tolerance);
             assert_eq!(points.first(), points.last());
             for pair in points.windows(2) {
-                let middle = pair[0].midpoint(pair[1]);
-                assert!(middle.distance(Point::ORIGIN) > 9.99 - tolerance, "{tolerance}: {middle:?}");
+                let midpoint = pair[0].midpoint(pair[1]);
+                assert!(midpoint.distance(Point::ORIGIN) > 9.99 - tolerance, "{tolerance}: {midpoint:?}");
             }
         }
     }

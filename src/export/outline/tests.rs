@@ -73,11 +73,11 @@ fn cut_outlines_of_a_tile_continue_on_the_opposite_side() {
     assert_eq!(ends(0.0), ends(64.0));
 }
 
-/// Rings about the middle: mark, ground, mark.
+/// Rings about the centre: mark, ground, mark.
 fn target(size: usize, outer: f64, hole: f64, dot: f64) -> Field {
-    let middle = 0.5 * size as f64;
+    let center = 0.5 * size as f64;
     Field::from_fn([size; 2], [1.0, 1.0], Edges::Closed, |[x, y]| {
-        let r = ((x - middle) * (x - middle) + (y - middle) * (y - middle)).sqrt();
+        let r = ((x - center) * (x - center) + (y - center) * (y - center)).sqrt();
         let soft = |radius: f64| 1.0 / (1.0 + libm::exp(2.0 * (r - radius)));
         (soft(outer) - soft(hole) + soft(dot)) as f32
     })

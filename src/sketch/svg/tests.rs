@@ -117,12 +117,12 @@ fn a_file_that_is_not_svg_is_refused_with_a_reason() {
 /// Found by fuzzing: XML's reader quotes what it finds, whatever that does to a terminal, and however long it is.
 #[test]
 fn quoted_text_of_a_broken_svg_is_escaped() {
-    let told = |text: &str| read(text.as_bytes(), DPI).unwrap_err().to_string();
+    let message = |text: &str| read(text.as_bytes(), DPI).unwrap_err().to_string();
     for broken in ["<svg\u{0}", "<svg a\u{1b}[2J='1'/>", "<svg\u{7f}/>"] {
-        let told = told(broken);
-        assert!(told.starts_with("is no SVG: ") && !told.contains(char::is_control), "{told:?}");
+        let message = message(broken);
+        assert!(message.starts_with("is no SVG: ") && !message.contains(char::is_control), "{message:?}");
     }
-    let long = told(&format!("<svg><{}></svg>", "g".repeat(100_000)));
+    let long = message(&format!("<svg><{}></svg>", "g".repeat(100_000)));
     assert!(long.len() < 500 && long.contains("…; allowed: a plain SVG"), "{long}");
 }
 

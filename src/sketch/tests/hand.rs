@@ -133,7 +133,7 @@ pub const OUTLINES: &[Kind] = &[
     }),
 ];
 
-/// Closed, but with no ellipse that could be told to the per cent.
+/// Closed, but without an ellipse that is defined to a per cent.
 pub const BLOBS: &[Kind] = &[
     ("a spiral from within", |aspect, rng| {
         let turns = rng.random_range(2.0..5.0);

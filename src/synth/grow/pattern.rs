@@ -1,4 +1,4 @@
-//! The pattern: what has grown, on the canvas. 0 = ground, ½ = a mark's edge, 1 = the middle of a mark.
+//! The pattern: what has grown, on the canvas. 0 = ground, ½ = a mark's edge, 1 = the centre of a mark.
 
 use rayon::prelude::*;
 use std::ops::Range;

@@ -22,7 +22,7 @@ pub fn has_room(lookup: &Lookup, obstacles: &[bool]) -> bool {
     let Some(ways) = nearest(obstacles, &grid) else { return true };
     (0..grid.cells()).into_par_iter().any(|cell| {
         let Attributes::Stripes(wanted) = lookup.map.at(grid.center_px(cell)) else { return false };
-        // To the near side of the obstacle, not to the middle of its cell.
+        // To the near side of the obstacle, not to the centre of its cell.
         2.0 * length(ways[cell], &grid) - lookup.px_a_cell() >= wanted.width
     })
 }

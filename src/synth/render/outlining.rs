@@ -12,7 +12,7 @@ use crate::synth::plan::inside::is_replaced;
 use crate::synth::render::painting::gradient_of;
 use crate::synth::watch::{Stage, Watch};
 
-/// The pattern value at which a layer's colour is taken: well inside a mark, short of its middle.
+/// The pattern value at which a layer's colour is taken: well inside a mark, short of its centre.
 const COLOUR_AT: f32 = 0.75;
 
 /// Traced values a cell of the grid along each side, at least: with fewer, the smallest spots lose half a per cent of

@@ -106,7 +106,7 @@ fn colours_are_edited_by_keys_alone() {
 
     hand.focus("Add a stop");
     hand.key(Modifiers::NONE, Key::Enter);
-    assert_eq!(hand.places().len(), 4, "in the middle of the chosen way");
+    assert_eq!(hand.places().len(), 4, "at the midpoint of the chosen transition");
 
     hand.press("Straight");
     hand.focus("First handle");

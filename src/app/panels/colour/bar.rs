@@ -117,7 +117,7 @@ fn add(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect) {
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Add a stop"));
     let focused = response.has_focus();
     if response.clicked() && panel.drag.is_none() {
-        let middle = || {
+        let midpoint = || {
             let at = |stop: usize| colours.stops.get(stop).map(|stop| stop.at);
             0.5 * (at(panel.gap).unwrap_or(0.0) + at(panel.gap + 1).unwrap_or(1.0))
         };
@@ -125,7 +125,7 @@ fn add(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect) {
             response.interact_pointer_pos().filter(|_| !focused || response.is_pointer_button_down_on());
         let pointer =
             pointer.or_else(|| ui.input(|input| input.pointer.any_click()).then(|| response.hover_pos())?);
-        let at = pointer.map_or_else(middle, |at| f64::from((at.x - rect.left()) / rect.width()));
+        let at = pointer.map_or_else(midpoint, |at| f64::from((at.x - rect.left()) / rect.width()));
         let index = colours.insert(rounded(at));
         panel.choose(index, colours);
         ui.memory_mut(|memory| memory.request_focus(stop_id(ui, index)));

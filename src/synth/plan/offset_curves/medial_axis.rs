@@ -37,15 +37,15 @@ pub fn lay(request: &CurveRequest, grid: &Grid, regions: usize) -> Result<Curves
     let width = |cell: usize| f64::from(request.width[cell]);
     let near = |[cell, other]: [usize; 2]| distance[cell] + distance[other] < NEED * width(cell);
     join_near(&mut copies, &away, grid, &near);
-    let mut middle = between(&away, grid, &copies);
-    let left = middle.iter().filter(|set| **set).count();
+    let mut medial = between(&away, grid, &copies);
+    let left = medial.iter().filter(|set| **set).count();
     let share = 1.0 - left as f64 / all as f64;
     let mean = whole.iter().enumerate().filter(|(_, set)| **set).map(|(cell, _)| width(cell)).sum::<f64>();
     let mean = mean / all as f64;
     if share > NARROW {
         return Err(CurvesError::TooNarrow { lines: "webs", width: mean, need: NEED * mean, share });
     }
-    one_piece(&mut middle, grid)?;
+    one_piece(&mut medial, grid)?;
     let mut remarks = Vec::new();
     if share > 0.01 {
         remarks.push(format!(
@@ -55,7 +55,7 @@ pub fn lay(request: &CurveRequest, grid: &Grid, regions: usize) -> Result<Curves
             100.0 * share
         ));
     }
-    let to = nearest(&middle, grid).ok_or(CurvesError::Single)?;
+    let to = nearest(&medial, grid).ok_or(CurvesError::Single)?;
     let off: Vec<f32> = to.iter().map(|way| ((length(*way, grid) / px) as f32 - 0.5).max(0.0)).collect();
     let blocked: Vec<bool> = (0..grid.cells())
         .map(|cell| distance[cell] < HALO * width(cell) || f64::from(off[cell]) * px > LANE * width(cell))
@@ -105,11 +105,11 @@ fn pairs<'a>(away: &'a [[i32; 2]], grid: &'a Grid) -> impl Iterator<Item = Pair>
 
 /// The cells in the middle between two marks, or two copies of one.
 pub fn between(away: &[[i32; 2]], grid: &Grid, copies: &Copies) -> Vec<bool> {
-    let mut middle = vec![false; away.len()];
+    let mut medial = vec![false; away.len()];
     for pair in pairs(away, grid).filter(|pair| !pair.is_of_one_mark(copies)) {
-        pair.cells.iter().for_each(|cell| middle[*cell] = true);
+        pair.cells.iter().for_each(|cell| medial[*cell] = true);
     }
-    middle
+    medial
 }
 
 /// Joins marks that are too `near` to each other somewhere.
@@ -123,10 +123,10 @@ fn join_near(copies: &mut Copies, away: &[[i32; 2]], grid: &Grid, near: &dyn Fn(
 }
 
 /// Removes all pieces but the largest where the others are small.
-fn one_piece(middle: &mut [bool], grid: &Grid) -> Result<(), CurvesError> {
-    let pieces = Copies::connect(middle, grid);
-    let mut sizes = vec![0usize; middle.len()];
-    for cell in (0..middle.len()).filter(|cell| middle[*cell]) {
+fn one_piece(medial: &mut [bool], grid: &Grid) -> Result<(), CurvesError> {
+    let pieces = Copies::connect(medial, grid);
+    let mut sizes = vec![0usize; medial.len()];
+    for cell in (0..medial.len()).filter(|cell| medial[*cell]) {
         sizes[pieces.find(cell).0] += 1;
     }
     let all: usize = sizes.iter().sum();
@@ -135,7 +135,7 @@ fn one_piece(middle: &mut [bool], grid: &Grid) -> Result<(), CurvesError> {
     if parts > 1 {
         return Err(CurvesError::Parts(parts));
     }
-    for (cell, set) in middle.iter_mut().enumerate() {
+    for (cell, set) in medial.iter_mut().enumerate() {
         *set = *set && pieces.find(cell).0 == largest;
     }
     Ok(())

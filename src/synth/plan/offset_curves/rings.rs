@@ -16,14 +16,14 @@ const LANE: f64 = 0.8;
 /// The least half of a lane: below it no line lives.
 const NARROWEST: f64 = 0.7;
 /// Inhibitor that is held on the inner and the outer side of a ring. Round marks of 1 to 6 ring widths these keep it in
-/// the middle of its lane, open or closed, from T = 30 to 80; with as much on both sides it slides inwards.
+/// the centre of its lane, open or closed, from T = 30 to 80; with as much on both sides it moves inwards.
 const SIDES: [f32; 2] = [0.45, 0.2];
 /// The same on both sides of a wall that two marks share.
 const WALL: f32 = 0.3;
 
 /// Half the distance between two marks ÷ the width of their rings, below which these are one wall for both.
 const SHARED: f64 = 1.6;
-/// Between two rings that are nearer than this is a strip, so many widths to either side of the middle, where nothing
+/// Between two rings that are nearer than this is a strip, so many widths to either side of its centre line, where nothing
 /// grows: else one takes the other's room.
 const STRIP: [f64; 2] = [1.9, 0.1];
 /// Distance between two marks ÷ the width of rings at which each has its own.
@@ -43,7 +43,7 @@ pub fn lay(
     let away = nearest(request.obstacles, grid);
     let away = away.ok_or(CurvesError::Nothing("ring"))?;
     let px = grid.px_a_cell();
-    // A covered cell's edge is half a cell before its middle.
+    // The edge of a covered cell is half a cell before its centre.
     let distance: Vec<f64> = away.iter().map(|way| (length(*way, grid) - 0.5 * px).max(0.0)).collect();
     let copies = Copies::connect(request.obstacles, grid);
     let room = room(grid, &between(&away, grid, &copies), &distance);
@@ -91,14 +91,15 @@ pub fn lay(
     Ok(Curves { distance: off, directions, blocked, inhibitor, curve, ends, remarks })
 }
 
-/// Distance of a ring's middle from its mark, ÷ its width, where half the distance to the next mark is so many widths.
+/// Distance of a ring's centre line from its mark ÷ the width of the ring, where half the distance to the next mark is `room`
+/// widths.
 fn place(room: f64) -> f64 {
     if room < SHARED { room.max(LANE) } else { LANE }
 }
 
-/// Half the distance between the two marks whose middle is nearest to each cell, px.
-fn room(grid: &Grid, middle: &[bool], distance: &[f64]) -> Vec<f64> {
-    let Some(to) = nearest(middle, grid) else {
+/// Half the distance between the two marks whose medial axis is nearest to each cell, px.
+fn room(grid: &Grid, medial: &[bool], distance: &[f64]) -> Vec<f64> {
+    let Some(to) = nearest(medial, grid) else {
         return vec![f64::INFINITY; grid.cells()];
     };
     let at = |cell: usize| grid.step(cell, to[cell]).map_or(f64::INFINITY, |(at, _)| distance[at]);

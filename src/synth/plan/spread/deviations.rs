@@ -139,8 +139,8 @@ fn standardise(values: &mut [f64], weights: &[f64], spreads: &[f64], bounds: imp
     let squares = |values: &[f64]| mean(&values.iter().map(|v| v * v).collect::<Vec<_>>(), weights);
     let wanted = squares(spreads);
     for _ in 0..ROUNDS {
-        let middle = mean(values, weights);
-        values.iter_mut().for_each(|value| *value -= middle);
+        let average = mean(values, weights);
+        values.iter_mut().for_each(|value| *value -= average);
         let got = squares(values);
         // One spot alone has no variance.
         let factor = if got > 1e-12 * wanted { (wanted / got).sqrt().clamp(0.7, 1.4) } else { 0.0 };
@@ -149,8 +149,8 @@ fn standardise(values: &mut [f64], weights: &[f64], spreads: &[f64], bounds: imp
             *value = (*value * factor).clamp(low, high);
         }
     }
-    let middle = mean(values, weights);
-    values.iter_mut().for_each(|value| *value -= middle);
+    let average = mean(values, weights);
+    values.iter_mut().for_each(|value| *value -= average);
 }
 
 /// Areas ÷ the mean: logarithms from the scores, so that none is negative; mean 1, and the variation asked for.
