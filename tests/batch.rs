@@ -94,7 +94,7 @@ fn a_report_and_a_check_are_printed_as_json() {
     assert!((region["asked"]["area"].as_f64().unwrap() - 40.0 * std::f64::consts::PI).abs() < 1e-9);
     assert_eq!(check["layers"][0]["system"], report["layers"][0]["system"]);
     assert_eq!(check["layers"][0]["grid"], report["layers"][0]["grid"]);
-    // What is printed for people has the same numbers.
+    // The printed text has the same numbers.
     let printed = dapple().arg("check").arg(&a).assert().success().get_output().stdout.clone();
     let printed = String::from_utf8(printed).unwrap();
     let (number, grid) = (|value: &serde_json::Value| value.as_f64().unwrap(), &check["layers"][0]["grid"]);
@@ -135,8 +135,7 @@ fn every_command_has_completions_and_a_manual_page() {
     }
 }
 
-/// Whether a program of this name succeeds, and what it says. `None` where the machine has none: said on stderr, past
-/// the test harness.
+/// Whether a program of this name succeeds, with its output. `None` if it is not installed, which is reported on stderr.
 fn told_by(program: &str, arguments: &[&str]) -> Option<(bool, String)> {
     let Ok(output) = std::process::Command::new(program).args(arguments).output() else {
         let _ = std::io::stderr().write_all(format!("SKIPPED: there is no {program} here\n").as_bytes());
@@ -153,7 +152,7 @@ fn pages_have_nothing_that_troff_or_mandoc_warns_of() {
     for name in names(folder.path()) {
         let page = folder.path().join(&name);
         let page = page.to_str().unwrap();
-        // Warnings alone: without -T they would come with the page.
+        // With -T only warnings are printed, without the page.
         if let Some((_, shown)) = told_by("groff", &["-man", "-ww", "-z", page]) {
             assert_eq!(shown, "", "{name}");
         }

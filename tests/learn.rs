@@ -1,4 +1,4 @@
-//! `dapple learn`: the table of errors, as users get it.
+//! `dapple learn` through the real binary: the table of errors.
 
 use assert_cmd::Command;
 use std::collections::BTreeSet;
@@ -89,7 +89,7 @@ fn new_growths_are_compared_with_the_bounds() {
     let refined = |quantity: &str| {
         grown.iter().find(|line| line[2] == "LWR + refinement" && line[4] == "true" && line[5] == quantity)
     };
-    // The level brings the area to a tenth of a per cent.
+    // The level corrects the area to a tenth of a per cent.
     let area = refined("area").unwrap();
     assert!(area[8].parse::<f64>().unwrap() < 0.2 && area[12] == "ok", "{area:?}");
     assert_eq!(refined("failed").unwrap()[7..], ["0", "", "", "", "", "ok"]);

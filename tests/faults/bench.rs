@@ -1,4 +1,4 @@
-//! A folder with a file of each kind that dapple reads, and dapple run there.
+//! A temporary folder with a file of each kind that dapple reads, in which dapple is run.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -18,7 +18,7 @@ const DRAWING: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" width="96" heig
     <ellipse cx="30" cy="30" rx="8" ry="5"/><ellipse cx="60" cy="40" rx="8" ry="5"/></svg>"#;
 const QUESTIONS: &str = "system,width,angle\nmeinhardt-stripes,8,30\nmeinhardt-stripes,9,60\n";
 
-/// A folder that goes when it is dropped.
+/// A folder that is deleted when it is dropped.
 pub struct Bench(TempDir);
 
 impl Bench {
@@ -48,14 +48,14 @@ impl Bench {
         fs::read(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
-    /// `dapple` with these arguments, to be started in the folder.
+    /// The command `dapple` with these arguments in the folder.
     pub fn command(&self, arguments: &str) -> Command {
         let mut command = Command::new(assert_cmd::cargo::cargo_bin!("dapple"));
         command.current_dir(self.folder()).args(arguments.split_whitespace());
         command
     }
 
-    /// What came of it.
+    /// The output of the command.
     pub fn run(&self, arguments: &str) -> (Option<i32>, String) {
         printed(&self.command(arguments).output().unwrap())
     }
@@ -90,7 +90,7 @@ pub fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
             let name = format!("{within}{}", entry.file_name().to_string_lossy());
             match entry.path().is_dir() {
                 true => into(&entry.path(), &format!("{name}/"), found),
-                // It may have got its name in the meantime.
+                // It may have been renamed in the meantime.
                 false => drop(fs::read(entry.path()).map(|bytes| found.insert(name, bytes))),
             }
         }
@@ -100,7 +100,7 @@ pub fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     found
 }
 
-/// Is this the name of a file that is being written?
+/// Whether this is the name of a file that is being written.
 pub fn is_part(name: &str) -> bool {
     name.split('/').any(|part| part.starts_with(".dapple-") && part.ends_with(".part"))
 }

@@ -35,7 +35,7 @@ const NAMES: [&str; 17] = [
     "f.gif", "f.png", "s.png", "i.dapple", "t.csv", "e.csv",
 ];
 
-/// A file of each name, so that one can see what became of it.
+/// A file of each name, to check that it is unchanged.
 fn write_old(bench: &Bench) {
     for name in NAMES {
         bench.write(&format!("out/{name}"), "old");
@@ -64,7 +64,7 @@ fn a_full_disk_is_reported_and_loses_nothing() {
     write_old(&bench);
     mounted.fill(0);
     all_refuse(&bench, &["the disk is full; free some space, or choose another folder"]);
-    // Many documents: each says why.
+    // Of many documents each has its own message.
     let (code, said) = bench.run("grow a.dapple b.dapple -o out");
     assert_eq!((code, said.matches("the disk is full").count()), (Some(1), 2), "{said}");
     assert_eq!(bench.bytes("out/a.png"), b"old");
@@ -75,7 +75,7 @@ fn a_disk_that_fills_up_while_a_file_is_written_loses_nothing() {
     let bench = Bench::new();
     let Some(mounted) = Mounted::on(&bench.path("out")) else { return };
     write_old(&bench);
-    // Room for the beginning of each.
+    // Room for the beginning of each file.
     mounted.fill(1);
     let before = files(&bench.path("out"));
     for writer in [
@@ -124,7 +124,7 @@ fn a_folder_of_another_user_is_reported_and_loses_nothing() {
     let before = files(&bench.path("out"));
     for writer in WRITERS {
         let command = bench.command(&writer.replace("OUT", "out"));
-        // Rights do not hold for root.
+        // Permissions do not apply to root.
         let mut nobody = std::process::Command::new("setpriv");
         nobody.args(["--reuid=65534", "--regid=65534", "--clear-groups"]);
         nobody.current_dir(bench.folder()).arg(command.get_program()).args(command.get_args());

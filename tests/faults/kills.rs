@@ -17,13 +17,13 @@ use crate::bench::{Bench, files, is_part, say};
 
 type Files = BTreeMap<String, Vec<u8>>;
 
-/// A command that writes into `out`, and what it shall be written over.
+/// A command that writes into `out`, with the command that writes the older files.
 struct Job {
     old: &'static str,
     new: &'static str,
 }
 
-/// The first, which writes much, is killed half of the times.
+/// Half of the kills go to the first command, which writes most.
 const JOBS: [Job; 9] = [
     Job {
         old: "grow b.dapple -o out/a.png --pattern out/p.tif --labels out/l.png --concentrations out/c.exr --svg out/a.svg \
@@ -57,7 +57,7 @@ fn number(name: &str, usual: u64) -> u64 {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
 }
 
-/// The same files, with the report as if it had taken no time.
+/// The same files, with the times in the report set to 0.
 fn without_time(mut files: Files) -> Files {
     if let Some(bytes) = files.get_mut("r.json")
         && let Ok(mut report) = serde_json::from_slice::<serde_json::Value>(bytes)
@@ -82,7 +82,7 @@ struct Killing {
     random: Pcg64Mcg,
 }
 
-/// What became of the killed.
+/// Results of the kills.
 #[derive(Default)]
 struct Count {
     killed: u64,
@@ -117,12 +117,12 @@ impl Killing {
         Self { bench, old, new, course: Course { whole, writes: writes.unwrap_or(whole) }, random }
     }
 
-    /// Puts the old files back; what a killed run left stays.
+    /// Restores the old files; those that a killed run left stay.
     fn renew(&self) {
         for name in self.new.keys().filter(|name| !self.old.contains_key(*name)) {
             let _ = fs::remove_file(self.bench.path("out").join(name));
         }
-        // An empty folder may be where a film of frames shall be.
+        // A film of frames may have an empty folder at its path.
         let _ = fs::remove_dir(self.bench.path("out/frames"));
         for (name, bytes) in &self.old {
             fs::write(self.bench.path("out").join(name), bytes).unwrap();
@@ -200,10 +200,10 @@ fn files_that_are_written_when_the_program_is_killed_are_old_or_new_and_whole() 
         let random = Pcg64Mcg::seed_from_u64(seed + 1000 * index as u64);
         let mut killing = Killing::new(job, random);
         let mut count = Count::default();
-        // One that was over before it could be killed is tried again, though not for ever.
+        // A run that ended before the kill is repeated a limited number of times.
         let mut turn = 0;
         while count.killed < times && turn < 4 * times {
-            // What the last one left would be taken for this one's.
+            // Files that the previous run left would be counted for this one.
             clear_parts(&killing.bench.path("out"));
             killing.renew();
             killing.kill(job, turn % 2 == 0, &mut count);
@@ -219,7 +219,7 @@ fn files_that_are_written_when_the_program_is_killed_are_old_or_new_and_whole() 
         );
         let Count { killed, ended, writing, old, new } = count;
         let name: String = job.new.split_whitespace().take(4).collect::<Vec<_>>().join(" ");
-        // Past the test harness: it is what is reported.
+        // Directly to stderr: these numbers are reported.
         let times = format!("{killed:3} killed ({writing} while writing), {ended} ended before");
         say(&format!("{name:34} {times}; then {old} old files, {new} new"));
         all.killed += killed;
@@ -243,7 +243,7 @@ fn the_next_run_into_a_folder_removes_what_a_killed_one_left() {
     let bench = Bench::new();
     fs::create_dir(bench.path("out")).unwrap();
     let job = "grow a.dapple -o out/a.png --size 256x256 --scale 8";
-    // It may be over before it could be killed.
+    // It may have ended before the kill.
     for _ in 0..20 {
         let mut child = start(&bench, job);
         while child.try_wait().unwrap().is_none() && !is_writing(&bench.path("out")) {
@@ -258,7 +258,7 @@ fn the_next_run_into_a_folder_removes_what_a_killed_one_left() {
     assert!(is_writing(&bench.path("out")), "it was never caught");
     bench.does("import in.svg -o out/i.dapple");
     assert_eq!(parts(&bench.path("out")), 0);
-    // But not while it is being written: both come to their ends.
+    // But not while it is being written: both processes complete.
     fs::remove_file(bench.path("out/a.png")).unwrap_or_default();
     let mut child = start(&bench, job);
     while child.try_wait().unwrap().is_none() {

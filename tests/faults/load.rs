@@ -7,7 +7,7 @@ use std::process::Stdio;
 
 use crate::bench::{Bench, say};
 
-/// MB that memory may vary by: allocators keep what they had.
+/// Allowed growth of memory, MB: allocators keep freed memory.
 const SLACK: f64 = 12.0;
 
 /// Resident memory of a process, MB.
@@ -61,7 +61,7 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
         command.arg(name);
     }
     let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
-    // A line is printed when a document begins.
+    // A line is printed when a document is started.
     let mut samples = Vec::new();
     let mut said = Vec::new();
     for line in BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok) {
@@ -71,20 +71,20 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
             said.push(line);
         }
     }
-    // One that is refused, for want of room between its marks, is load too.
+    // Documents that are refused, because there is no room between their marks, count too.
     assert!(matches!(child.wait().unwrap().code(), Some(0 | 1)), "{}", said.join("\n"));
     let grown = std::fs::read_dir(bench.path("out")).unwrap().count();
     assert!(samples.len() == many && grown > 2 * many / 3, "{grown} of {many}: {}", said.join("\n"));
     let most = |part: &[f64]| part.iter().copied().fold(0.0, f64::max);
     let parts: Vec<f64> = samples.chunks(many.div_ceil(10)).map(most).collect();
     let output: Vec<String> = parts.iter().map(|part| format!("{part:.0}")).collect();
-    // Directly, past the test harness: this is the figure that docs/faults.md reports.
+    // Directly to stderr: docs/faults.md reports this number.
     say(&format!("{many} documents, {grown} grown: MB at most in each tenth: {}", output.join(" ")));
     let (first, last) = (most(&samples[..many / 3]), most(&samples[2 * many / 3..]));
     assert!(last <= first + SLACK, "it grew from {first:.1} to {last:.1} MB: {output:?}");
 }
 
-/// Grows over and over in one process, as the window does.
+/// Grows repeatedly in one process, as the window does.
 #[cfg(target_os = "linux")]
 #[ignore = "other tests of this process would be measured too: .ci/faults runs it alone"]
 #[test]
@@ -95,7 +95,7 @@ fn repeated_growth_takes_no_more_memory() {
     let (mut samples, mut grown) = (Vec::new(), 0);
     for index in 0..300 {
         let document = Document::parse(&document(index), "document").unwrap();
-        // Some find no room for their second layer.
+        // Some have no room for their second layer.
         grown += usize::from(grow(&document, &Options::default()).is_ok());
         samples.extend(memory(std::process::id()));
     }

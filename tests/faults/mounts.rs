@@ -7,12 +7,12 @@ use std::process::Command;
 
 use crate::bench::say;
 
-/// A file system in memory, of 1 MB; gone when it is dropped.
+/// A file system in memory, of 1 MB; unmounted when it is dropped.
 pub struct Mounted(PathBuf);
 
 impl Mounted {
-    /// Mounts it on `folder`, which is made. `None` where that is not permitted: said on stderr, past the test
-    /// harness, or with `DAPPLE_MUST_MOUNT` set a failure.
+    /// Creates `folder` and mounts it there. `None` if that is not permitted, which is reported on stderr; with
+    /// `DAPPLE_MUST_MOUNT` set the test fails.
     pub fn on(folder: &Path) -> Option<Self> {
         fs::create_dir_all(folder).unwrap();
         if mount(&["-t", "tmpfs", "-o", "size=1m", "tmpfs"], folder) {
@@ -24,7 +24,7 @@ impl Mounted {
         None
     }
 
-    /// Fills it up, but for so many blocks of 4096 bytes.
+    /// Fills it up, except for `blocks` blocks of 4096 bytes.
     pub fn fill(&self, blocks: usize) {
         let mut filler = fs::File::create(self.0.join("filler")).unwrap();
         while filler.write_all(&[7; 4096]).is_ok() {}
@@ -32,13 +32,13 @@ impl Mounted {
         filler.set_len(length - 4096 * blocks as u64).unwrap();
     }
 
-    /// Makes room again.
+    /// Deletes the filling.
     #[cfg(feature = "app")]
     pub fn make_room(&self) {
         fs::remove_file(self.0.join("filler")).unwrap();
     }
 
-    /// Nothing can be written from now on.
+    /// Makes it read-only.
     pub fn protect(&self) {
         assert!(mount(&["-o", "remount,ro"], &self.0), "it was mounted");
     }

@@ -5,7 +5,7 @@ use std::process::Stdio;
 
 use crate::bench::{Bench, printed};
 
-/// All that prints.
+/// All commands that print.
 const PRINTERS: [&str; 14] = [
     "--help",
     "grow --help",
@@ -63,7 +63,7 @@ fn a_closed_standard_error_is_no_error() {
     }
 }
 
-/// With a display that is named and not there.
+/// With a display that does not exist.
 #[cfg(all(target_os = "linux", feature = "app"))]
 #[test]
 fn a_missing_display_is_reported_with_the_remedy() {

@@ -29,7 +29,7 @@ fn an_input_is_not_overwritten() {
             "film b.dapple --to a.png -o OTHER",
             "sheet b.dapple a.png -o OTHER",
         ] {
-            // Written over what is read it could not be; two outputs of one name are asked for wrongly.
+            // Overwriting an input is impossible; two outputs of one name are a usage error.
             let code = if command.starts_with("grow b") { 2 } else { 1 };
             bench.refuses(&command.replace("OTHER", other), code, &["twice", "two files"]);
         }
@@ -79,7 +79,7 @@ fn documents_of_a_batch_do_not_share_a_file() {
     );
     bench.refuses("grow a.dapple -o out --variations 2 --material m", 2, &["--material", "--variations"]);
     assert!(!bench.path("out").exists() && !bench.path("m").exists());
-    // A picture that holds its document, and grows into the folder where it lies.
+    // A picture that contains its document, grown into its own folder.
     bench.does("grow a.dapple -o c.png");
     let before = bench.bytes("c.png");
     let (code, said) = bench.run("grow b.dapple c.png -o . --seed 7");

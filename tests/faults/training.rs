@@ -8,7 +8,7 @@ use crate::bench::Bench;
 const LOOKUP: &str = "lookup --system meinhardt-stripes --width 9 --angle 5 --training sets";
 const SET: &str = "sets/meinhardt-stripes-width";
 
-/// A bench with the sets of Meinhardt's stripes as data-gen wrote them.
+/// A test folder with the sets of Meinhardt's stripes as data-gen wrote them.
 fn bench() -> Bench {
     let bench = Bench::new();
     fs::create_dir(bench.path("sets")).unwrap();
@@ -37,7 +37,7 @@ fn a_damaged_table_is_reported_with_the_place_of_the_damage() {
     says("", &["line 1", "the column 'seed' is missing", "the columns are"]);
     says(&whole[..line(50) + 20], &["line 51"]);
     says(&whole[..line(1)], &["0 rows", "1500"]);
-    // Cut between two lines, or within the last number: only the manifest knows.
+    // Cut between two lines, or within the last number: only the manifest reveals it.
     says(&whole[..line(50)], &["holds 49 rows, and 1500 were written", "sweep again"]);
     says(&whole.replace("stretch", "strecth"), &["line 1", "'strecth' is unknown"]);
     let first = whole.lines().nth(1).unwrap();
@@ -67,7 +67,7 @@ fn a_damaged_manifest_or_one_of_another_version_is_reported() {
         &["version: found \"one\"", "allowed"],
     );
     says(&whole.replacen("\"accepted\"", "\"taken\"", 1), &["counts.accepted"]);
-    // Rows alone can be learnt from.
+    // Rows without a manifest are used.
     fs::remove_file(bench.path(&format!("{SET}.json"))).unwrap();
     bench.does(LOOKUP);
 }

@@ -1,4 +1,4 @@
-//! The window where the disk is full: it says so, loses nothing, and saves as soon as there is room.
+//! The window on a full disk: it reports the fault, loses nothing, and saves as soon as there is room.
 
 use std::fs;
 use std::path::Path;
@@ -15,7 +15,7 @@ fn window(start: Start) -> Hand {
     with(start, vec2(1280.0, 800.0), Theme::Light)
 }
 
-/// The text of the one notice there is, which says that something went wrong.
+/// The text of the only notice, which must be an error.
 #[track_caller]
 fn notice(hand: &Hand) -> String {
     let notices = hand.window.state().notices().to_vec();
@@ -70,7 +70,7 @@ fn unsaved_work_without_room_on_the_disk_is_reported_once_and_kept_once_there_is
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
     hand.until("a notice", |window| !window.notices().is_empty());
     assert!(notice(&hand).contains("the disk is full"), "{}", notice(&hand));
-    // It is seen from the next frame on.
+    // It is shown from the next frame on.
     hand.rest();
     hand.press("OK");
     mounted.make_room();

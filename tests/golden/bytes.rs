@@ -34,7 +34,8 @@ fn wrap() -> String {
     .to_string()
 }
 
-/// What a document becomes. The first has all that was grown, concentrations too; the others more kinds of files.
+/// Commands that write a document's outputs. The first writes all that was grown, also concentrations; the others write more
+/// kinds of files.
 const COMMANDS: [&str; 6] = [
     "grow a.dapple -o a.png --pattern p.png --labels l.png --concentrations c.exr --svg o.svg --dxf o.dxf \
      --material m --report r.json",
@@ -45,7 +46,7 @@ const COMMANDS: [&str; 6] = [
     "film a.dapple -o f.png --seconds 0.3 --fps 10 --side 64 --no-refine",
 ];
 
-/// What the document becomes by `commands`, by file; seconds left out.
+/// The files that `commands` write for the document, without seconds.
 fn outputs(document: &str, commands: &[&str], threads: usize, solver: &str) -> BTreeMap<String, Vec<u8>> {
     let folder = Folder::with(document);
     for command in commands {
@@ -62,7 +63,7 @@ fn outputs(document: &str, commands: &[&str], threads: usize, solver: &str) -> B
     files
 }
 
-/// Asserts that the outputs are those of `as_usual`.
+/// Asserts that the outputs equal those of `as_usual`.
 #[track_caller]
 fn same(as_usual: &BTreeMap<String, Vec<u8>>, others: &BTreeMap<String, Vec<u8>>, who: &str) {
     let differ: Vec<&String> = as_usual
@@ -73,8 +74,8 @@ fn same(as_usual: &BTreeMap<String, Vec<u8>>, others: &BTreeMap<String, Vec<u8>>
     assert!(differ.is_empty() && as_usual.len() == others.len(), "{who}: other bytes in {differ:?}");
 }
 
-/// Against one thread and the fastest solver: what `commands` make by other numbers of threads, and all that was grown by
-/// other solvers. Gives the names of the files.
+/// Compares the outputs with one thread and the fastest solver: those of all `commands` with other numbers of threads, and
+/// those of the first with other solvers. Returns the names of the files.
 fn any_threads_and_solvers(document: &str, commands: &[&str]) -> Vec<String> {
     let as_usual = outputs(document, commands, 1, "");
     for threads in [2, 4] {

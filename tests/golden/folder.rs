@@ -1,11 +1,11 @@
-//! A folder of its own for each growth, and all that `dapple` writes into it.
+//! A temporary folder for each growth, with all that `dapple` writes into it.
 
 use assert_cmd::Command;
 use std::collections::BTreeMap;
 use std::path::Path;
 use tempfile::TempDir;
 
-/// A folder that goes when it is dropped.
+/// A folder that is deleted when it is dropped.
 pub struct Folder(TempDir);
 
 impl Folder {
@@ -15,7 +15,7 @@ impl Folder {
         folder
     }
 
-    /// Runs `dapple` with these arguments, its steps taken by `solver`; what it printed.
+    /// Runs `dapple` with these arguments and this `solver`; returns its output.
     #[track_caller]
     pub fn dapple(&self, arguments: &str, solver: &str) -> Vec<u8> {
         let mut command = Command::new(assert_cmd::cargo::cargo_bin!("dapple"));
@@ -23,7 +23,7 @@ impl Folder {
         command.assert().success().get_output().stdout.clone()
     }
 
-    /// What `dapple` says when it refuses these arguments with code 1.
+    /// The message with which `dapple` refuses these arguments with code 1.
     #[track_caller]
     pub fn refused(&self, arguments: &str) -> String {
         let mut command = Command::new(assert_cmd::cargo::cargo_bin!("dapple"));

@@ -1,7 +1,7 @@
 //! Documents grow the same textures as before: with every solver, and from documents of every version.
 //!
-//! `REGENERATE=1 cargo test --test golden -- --nocapture` rewrites what has changed, and prints it; docs/golden.md
-//! says when that is right.
+//! `REGENERATE=1 cargo test --test golden -- --nocapture` rewrites changed files and prints the changes;
+//! docs/golden.md says when to do so.
 
 mod bytes;
 mod folder;

@@ -1,7 +1,7 @@
-//! The attributes of the golden documents when they are grown to the end: those stored, within what a seed changes.
+//! The attributes of the golden documents when they are grown to the end: the stored ones, within the variation by seeds.
 //!
-//! Not to the bit: solvers and training sets get better, and where each mark ends depends on the last bit of the first
-//! step. The numbers are those of the report, region by region.
+//! They are not compared bit for bit: solvers and training sets are improved, and the place of each mark depends on the last
+//! bit of the first step. The numbers are those of the report, region by region.
 
 use crate::renew::{golden, renew, renews, text};
 use crate::textures::{document, names};
@@ -12,8 +12,8 @@ use dapple::internals::synth::grow;
 use dapple::internals::synth::report::report;
 use serde_json::{Map, Value, json};
 
-/// What another value than the stored one may be off by: a share of it, or a difference. docs/golden.md says what six
-/// other seeds change: no more is allowed than the most of that, and less where few marks change much.
+/// Allowed difference from the stored value, relative or absolute. At most the largest change by six other seeds
+/// (docs/golden.md), and less where few marks change much.
 #[derive(Clone, Copy)]
 enum Allowed {
     Share(f64),
@@ -29,15 +29,15 @@ const ALLOWED: [(&str, Allowed); 8] = [
     ("aspect", Allowed::Difference(0.03)),
     ("angle", Allowed::Degrees(4.0)),
     ("marks", Allowed::Share(0.25)),
-    // Of the radius, that a kept mark is off its place; a quarter is promised.
+    // How far a kept mark is off its place, ÷ its radius; a quarter is allowed in documents.
     ("farthest", Allowed::Difference(0.1)),
 ];
-/// Marks more or less that are no difference where there are few.
+/// Difference in the number of marks that is always allowed.
 const FEW: f64 = 3.0;
-/// Of so round spots a direction is chance.
+/// Above this aspect the direction of spots is random.
 const ROUND: f64 = 0.75;
 
-/// What has grown on each layer, by region; numbers to four digits.
+/// The grown attributes of each layer, by region; numbers to four digits.
 fn sheet(document: &Document, name: &str) -> Value {
     let grown = grow(document, &Options { source: name, ..Options::default() }).unwrap();
     let report = json!(report(document, name, &grown, 0.0));
@@ -62,7 +62,7 @@ fn short(value: &Value) -> Value {
     json!((value * digits).round() / digits)
 }
 
-/// How far `grown` is off where that is too far; a value's place is `at`.
+/// The differences of `grown` that are too large; `at` is the place of the value.
 fn too_far(at: &str, key: &str, stored: &Value, grown: &Value) -> Option<String> {
     let Some((_, allowed)) = ALLOWED.iter().find(|(name, _)| *name == key) else {
         return (stored != grown).then(|| format!("{at}: stored {stored}, grown {grown}"));
@@ -79,7 +79,7 @@ fn too_far(at: &str, key: &str, stored: &Value, grown: &Value) -> Option<String>
     (off > most && !few).then(|| format!("{at}: stored {old}, grown {new}, off by {off:.3}, allowed {most}"))
 }
 
-/// What is too far off, anywhere in a sheet.
+/// All differences in a sheet that are too large.
 fn compare(at: &str, stored: &Value, grown: &Value) -> Vec<String> {
     match (stored, grown) {
         (Value::Array(old), Value::Array(new))
@@ -147,7 +147,7 @@ fn holds(names: &[String]) {
     assert!(wrong.is_empty(), "{}\nIf that is meant: REGENERATE=1", wrong.join("\n"));
 }
 
-// In halves, so that two cores share the work.
+// Two tests, which run in parallel.
 #[test]
 fn textures_of_one_layer_have_the_stored_attributes() {
     let one: Vec<String> = names().into_iter().filter(|name| document(name).layers.len() == 1).collect();

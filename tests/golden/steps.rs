@@ -5,7 +5,7 @@ use dapple::internals::grid::{Edges, Grid};
 use dapple::internals::rd::{Growth, Maps, Parameters, System};
 use std::fmt::Write;
 
-/// 48 × 40 oblong cells whose parameters all vary; by plain arithmetic, which is the same everywhere.
+/// 48 × 40 oblong cells whose parameters all vary; computed by plain arithmetic, which is the same on every machine.
 fn varying(system: System, edges: Edges) -> Maps {
     let rate = system.definition().usual_rate;
     let parameters = |cell: u16| {
@@ -28,7 +28,7 @@ fn fnv(values: &[f32]) -> u64 {
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
-/// A line a chemical: the hash of all cells, then a few of them as value and bits.
+/// A line for each chemical: the hash of all cells, then a few of them as value and bits.
 fn concentrations() -> String {
     let mut text =
         "# Concentrations on 48 x 40 cells after 20 steps, by system, edges, chemical: FNV-1a of the\n\

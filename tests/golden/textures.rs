@@ -1,10 +1,10 @@
-//! Documents for every system, kind of edge and way to meet a layer beneath, each with a picture of its first steps.
+//! Documents for every system, kind of edge and relation to a layer beneath, each with a picture of its first steps.
 //!
 //! `textures/NAME.dapple` is grown for a short time and painted; every px is that of `textures/NAME.png`. Short, because
-//! the last bit of the first step decides where marks end up: after long runs `sheets` compares attributes.
+//! the last bit of the first step determines the final places of marks: `sheets` compares attributes after long runs.
 //!
 //! Of the first four systems every combination has a document ([`COMPLETE`]). Of each later system those that
-//! [`sample`] chooses are enough: every pair of system, kind of edge and way to meet a layer beneath occurs once.
+//! [`sample`] chooses are enough: every pair of system, kind of edge and relation to a layer beneath occurs once.
 
 use crate::renew::{golden, kept, renew, renews};
 use dapple::document::Edges;
@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Normalised time that the top layer grows; spots are settled after 15 to 20 of it, stripes after 30.
+/// Normalised time for which the top layer grows; spots settle after 15 to 20, stripes after 30.
 const TIME: f64 = 2.0;
 
 /// Systems of which every combination has a document; later ones are sampled.
@@ -45,7 +45,7 @@ fn word(edges: Edges) -> &'static str {
 
 const ALL_EDGES: [Edges; 2] = [Edges::Closed, Edges::Wrap];
 
-/// What a top layer can be.
+/// A top layer.
 #[derive(Clone, Copy)]
 struct Case {
     after: Option<After>,
@@ -179,7 +179,7 @@ fn young(name: &str) -> ([usize; 2], Vec<u8>) {
     let (seen, mut rgb) = (AtomicBool::new(false), None);
     let watch = Watch { progress: &|_, _| {}, cancelled: &|| seen.load(Ordering::Relaxed) };
     let options = Options { refine: Some(false), source: name, watch, ..Options::default() };
-    // What is cancelled gives no texture.
+    // A cancelled growth gives no texture.
     let _ = grow_seen(&document, &options, TIME, &mut |look| {
         if look.beneath.len() + 1 == document.layers.len() && rgb.is_none() {
             rgb = Some(Painting::growing(&document, look, size).rgb());
@@ -196,7 +196,7 @@ fn png([width, height]: [usize; 2], rgb: &[u8]) -> Vec<u8> {
     bytes.into_inner()
 }
 
-/// How many px differ and by how much at most; `None` where none does.
+/// The number of px that differ and the largest difference; `None` if none does.
 fn differ(stored: Option<&image::RgbImage>, [width, height]: [usize; 2], rgb: &[u8]) -> Option<String> {
     let Some(stored) = stored else { return Some("is new".to_owned()) };
     if stored.dimensions() != (width as u32, height as u32) {
@@ -209,7 +209,7 @@ fn differ(stored: Option<&image::RgbImage>, [width, height]: [usize; 2], rgb: &[
     Some(format!("{} of {} px differ, by {most} of 255 at most", off.len(), width * height))
 }
 
-/// Grows each for a short time; gives what differs.
+/// Grows each for a short time; returns the differences.
 fn compare(names: &[String]) -> Vec<String> {
     let mut wrong = Vec::new();
     for name in names {

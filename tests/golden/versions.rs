@@ -1,4 +1,4 @@
-//! Documents of every version, as they were written at the time: they open, mean the same, and grow.
+//! Documents of every version, as they were written at the time: they open, keep their meaning, and grow.
 //!
 //! `versions/VERSION-WHAT.dapple`; those with a name in them are taken from this repository's history as they were first
 //! committed. They are never edited: a version that can no longer be read needs a migration, not another file.
@@ -45,7 +45,7 @@ fn a_document_of_every_version_is_kept() {
     }
 }
 
-/// Where `written` does not say what `read` did; what is left out of `read` is free.
+/// The places where `written` differs from `read`; keys that `read` does not have are not compared.
 fn lost(at: &str, read: &Value, written: &Value) -> Vec<String> {
     match (read, written) {
         (Value::Object(read), Value::Object(written)) => {
@@ -65,7 +65,7 @@ fn lost(at: &str, read: &Value, written: &Value) -> Vec<String> {
 fn what_a_document_of_version_1_says_is_kept_when_it_is_written() {
     for (file, document) in all() {
         let read: Value = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
-        // An older version may have said it in another way; the newest is written.
+        // An older version may have used another form; the newest is written.
         if read["version"].as_u64() == Some(newest()) {
             let written: Value = serde_json::from_str(&document.to_json()).unwrap();
             let lost = lost("", &read, &written);
@@ -102,7 +102,7 @@ fn a_document_of_a_later_version_is_refused_with_the_remedy() {
     for word in ["new.dapple", &format!("version: found {later}"), "newer dapple reads it"] {
         assert!(output.contains(word), "{word} in {output}");
     }
-    // And as users meet it.
+    // The same through the command line.
     let folder = Folder::with(&text.to_string());
     for command in ["check a.dapple", "grow a.dapple -o a.png", "film a.dapple -o a.gif"] {
         let message = folder.refused(command);

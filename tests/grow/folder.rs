@@ -13,7 +13,7 @@ pub const ASPECT: f64 = 4.0 / 7.0;
 /// Distance between neighbours of [`hexagon`], px.
 pub const SPACING: f64 = 26.0;
 
-/// A folder that goes when it is dropped.
+/// A folder that is deleted when it is dropped.
 pub struct Folder(TempDir);
 
 impl Folder {

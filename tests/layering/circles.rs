@@ -1,8 +1,8 @@
 //! No circle of imports within a room.
 //!
 //! Of two modules with the same parent, each with everything below it, only one may import from the other, directly or
-//! by way of further such modules. A parent and the modules below it may import from each other. Re-exports are
-//! resolved: who imports `crate::synth::Engine` imports from the file that defines it.
+//! through further such modules. A parent and the modules below it may import from each other. Re-exports are
+//! resolved: an import of `crate::synth::Engine` is one from the file that defines it.
 
 use std::collections::{BTreeMap, VecDeque};
 
@@ -60,7 +60,7 @@ impl House {
             for named in scan.paths.iter().filter(|named| !named.in_tests && named.path[0] == "crate") {
                 let Some(to) = self.resolve(&named.path[1..], 0) else { continue };
                 let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
-                // Between rooms, which `rooms` holds; or between a parent and what lies below it.
+                // Between rooms, which `rooms` checks; or between a parent and its modules.
                 if shared == 0 || shared == from.len() || shared == to.len() {
                     continue;
                 }
@@ -73,13 +73,12 @@ impl House {
         all
     }
 
-    /// The module of the file that defines what `path` (below the root) names; `None` where it is no file of the
-    /// program.
+    /// The module of the file that defines `path` (below the root); `None` if it is no file of the program.
     fn resolve(&self, path: &[String], depth: usize) -> Option<Module> {
         let known = (0..=path.len()).rev().find(|&end| self.files.contains_key(&path[..end]))?;
         let (_, scan) = &self.files[&path[..known]];
         let re_exported = path.get(known).and_then(|name| scan.bound.get(name));
-        // A name that stands for itself (an inline module), or re-exports in a circle.
+        // A name that refers to itself (an inline module), or re-exports in a circle.
         match re_exported.filter(|full| full[1..] != path[..=known] && depth < 16) {
             Some(full) => {
                 let path: Vec<String> = full[1..].iter().chain(&path[known + 1..]).cloned().collect();
@@ -158,7 +157,7 @@ mod the_check_itself {
         )
     }
 
-    /// The first lines only: what imports what.
+    /// The first lines of each complaint: the importing modules.
     fn in_short(files: &[(&str, &str)]) -> Vec<String> {
         found(files).iter().map(|circle| circle.lines().next().unwrap().to_owned()).collect()
     }

@@ -1,5 +1,5 @@
-//! Holds the arrows of the house (the map is at the head of `src/lib.rs`): which room may know which, no circles within
-//! a room, where each outside package lives, what may stand at the top of the tree.
+//! Checks the module structure (described at the head of `src/lib.rs`): which room may import from which, no circles within
+//! a room, where each outside package may be used, which files may be at the top of the tree.
 
 mod circles;
 mod packages;
@@ -12,7 +12,7 @@ use std::process::Command;
 
 use sources::root;
 
-/// What may stand at the top of the tree, beside dotfiles and licences.
+/// Entries allowed at the top of the tree, besides dotfiles and licences.
 const TOP: [&str; 13] = [
     "Cargo.toml",
     "Cargo.lock",

@@ -1,4 +1,4 @@
-//! Where each outside package may be named, and what a build brings along.
+//! Where each outside package may be used, and which packages a build contains.
 
 use std::fs;
 use std::path::PathBuf;
@@ -50,7 +50,7 @@ pub const ADDRESSES: [(&str, &[&str]); 30] = [
     ("tiff", &["src/export/"]),
     ("usvg", &["src/sketch/svg.rs"]),
 ];
-/// Packages that are as common as the language.
+/// Packages that may be used everywhere.
 const EVERYWHERE: [&str; 6] = ["libm", "rand", "rand_pcg", "rayon", "serde", "thiserror"];
 
 #[test]
@@ -90,7 +90,7 @@ fn every_address_is_used() {
     }
 }
 
-/// The names of all packages that a build compiles in; `None` where cargo cannot be run.
+/// The names of all packages in a build; `None` if cargo cannot be run.
 fn packages(build: &[&str]) -> Option<Vec<String>> {
     let cargo = std::env::var_os("CARGO").map_or_else(|| PathBuf::from(env!("CARGO")), PathBuf::from);
     let tree = ["tree", "-e", "normal,build", "--prefix", "none", "--offline", "--locked"];
@@ -105,9 +105,9 @@ fn packages(build: &[&str]) -> Option<Vec<String>> {
     Some(names.map(str::to_owned).collect())
 }
 
-/// What belongs to the window.
+/// Packages of the window.
 const OF_THE_WINDOW: [&str; 8] = ["egui", "eframe", "epaint", "winit", "wgpu", "glow", "rfd", "open"];
-/// What belongs to the command line.
+/// Packages of the command line.
 const OF_THE_COMMAND_LINE: [&str; 4] = ["clap", "ctrlc", "indicatif", "ab_glyph"];
 
 #[track_caller]

@@ -1,18 +1,18 @@
-//! Which room may know which, and words that only one place may hold.
+//! Which room may import from which, and words that may occur in one place only.
 
 use crate::packages::ADDRESSES;
 use crate::scan::{Named, scan, words};
 use crate::sources::{module, sources};
 
-/// Words; each knows only the ones before it.
+/// The ground: basic types; each imports only from the ones before it.
 const GROUND: [&str; 3] = ["grid", "marks", "attributes"];
-/// Know the ground, never each other.
+/// Import from the ground, not from each other.
 const STEPS: [&str; 6] = ["sketch", "measure", "learn", "rd", "colour", "export"];
-/// Know ground and steps; each knows only the ones before it.
+/// Import from ground and steps; each only from the ones before it.
 const THREAD: [&str; 2] = ["document", "synth"];
-/// Knows ground, steps and thread.
+/// Imports from ground, steps and thread.
 const BESIDE: &str = "editor";
-/// Know everything; nothing knows them, but the command line opens the window.
+/// Import from everything; nothing imports from them, except that the command line opens the window.
 const DOORS: [&str; 2] = ["cli", "app"];
 
 /// The window's package.
@@ -39,7 +39,7 @@ fn may_know(room: &str, other: &str) -> bool {
     }
 }
 
-/// What is wrong with the paths that `file` names.
+/// The forbidden paths in `file`.
 fn complaints(file: &str, source: &str) -> Vec<String> {
     let module = module(file);
     let wrong = |named: &Named| -> Option<String> {

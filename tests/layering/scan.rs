@@ -53,7 +53,7 @@ pub fn scan(source: &str, module: &[&str]) -> Scan {
         let stands_for = all.get(&path[0]).filter(|stands_for| stands_for[0] == "crate")?;
         Some(stands_for.iter().chain(&path[1..]).cloned().collect())
     };
-    // A name that the file binds to something of the crate is no package, even where a package has the same name.
+    // A name that the file binds to an item of the crate is no package, even if a package has the same name.
     for named in &mut found {
         if let Some(full) = expanded(&named.path) {
             named.path = full;
@@ -142,7 +142,7 @@ impl Reader {
         }
     }
 
-    /// What follows `use`, or a `{` or `,` within: `prefix` is what stands before the braces.
+    /// The part after `use`, or after a `{` or `,` within it: `prefix` is the path before the braces.
     fn use_tree(&mut self, prefix: &[String]) {
         let mut path = prefix.to_vec();
         let mut alias = None;

@@ -1,4 +1,4 @@
-//! Reaction-diffusion systems are named in their own files alone. Everywhere else a decision asks for a property.
+//! Reaction-diffusion systems are named only in their own files. Other code asks for properties of a system.
 
 use crate::sources::{is_test, module, sources};
 

@@ -1,4 +1,4 @@
-//! A folder of its own for each test.
+//! A temporary folder for each test.
 
 use assert_cmd::Command;
 use std::path::PathBuf;
@@ -39,14 +39,14 @@ impl Bench {
         command
     }
 
-    /// Runs `dapple` with these arguments; what it said on stderr.
+    /// Runs `dapple` with these arguments; returns stderr.
     #[track_caller]
     pub fn does(&self, arguments: &str) -> String {
         let output = self.dapple(arguments).assert().success().get_output().clone();
         String::from_utf8(output.stderr).unwrap()
     }
 
-    /// Runs `dapple` with these arguments; what it printed on stdout, where it said nothing else.
+    /// Runs `dapple` with these arguments; asserts that stderr is empty and returns stdout.
     #[track_caller]
     pub fn prints(&self, arguments: &str) -> String {
         let output = self.dapple(arguments).assert().success().get_output().clone();

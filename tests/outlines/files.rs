@@ -1,4 +1,4 @@
-//! The files: SVG by roxmltree and usvg, DXF by the crate of that name.
+//! The written files, read by other libraries: SVG by roxmltree and usvg, DXF by the crate dxf.
 
 use crate::bench::Bench;
 use crate::grown::enclosed;
@@ -8,7 +8,7 @@ use dapple::internals::grid::{Edges, Field};
 use dxf::entities::EntityType;
 use resvg::usvg::{self, Node};
 
-/// Numbers of the paths of an SVG: those that are filled, those that are strokes.
+/// The number of filled paths and of strokes in an SVG.
 fn counts(text: &str) -> [usize; 2] {
     let xml = roxmltree::Document::parse(text).unwrap();
     let path = |path: &roxmltree::Node| path.has_tag_name(("http://www.w3.org/2000/svg", "path"));
@@ -39,7 +39,7 @@ fn an_svg_has_a_group_for_each_layer_and_is_in_mm_by_default() {
     let outlines = &report["outlines"];
     assert_eq!(outlines["unit"], "mm");
     assert!(outlines["pen_up"].as_f64() < outlines["pen_up_unordered"].as_f64(), "{outlines}");
-    // The paths stand apart by fill rule, but are filled alike.
+    // The paths are separated by fill rule, but filled in the same way.
     let tree = usvg::Tree::from_str(&text, &usvg::Options::default()).unwrap();
     let [Node::Group(root)] = tree.root().children() else { panic!("no group") };
     assert!(root.has_children());

@@ -1,4 +1,4 @@
-//! Examples, grown small: what their outlines enclose, and how an SVG library paints them.
+//! Examples on small canvases: the area that their outlines enclose, and how an SVG library paints them.
 
 use dapple::document::Document;
 use dapple::internals::export::outline::path::{end, start};
@@ -69,14 +69,14 @@ fn read(groups: &[Group]) -> usvg::Tree {
     usvg::Tree::from_data(&text, &usvg::Options::default()).unwrap()
 }
 
-/// How much of each px the marks cover as resvg paints them, 0..1.
+/// The share of each px that the marks cover as painted by resvg, 0..1.
 fn painted(groups: &[Group]) -> Vec<f64> {
     let mut pixmap = Pixmap::new(SIDE, SIDE).unwrap();
     resvg::render(&read(groups), Transform::identity(), &mut pixmap.as_mut());
     pixmap.pixels().iter().map(|px| f64::from(px.alpha()) / 255.0).collect()
 }
 
-/// px² that the paths of an SVG enclose: holes run the other way round.
+/// px² that the paths of an SVG enclose: holes have the opposite direction.
 pub fn enclosed(group: &usvg::Group) -> f64 {
     let each = |node: &Node| match node {
         Node::Group(group) => enclosed(group),
@@ -142,7 +142,7 @@ fn complaints(name: &str) -> Vec<String> {
     for (index, layer) in document.layers.iter().enumerate() {
         let count = fine.iter().filter(|label| usize::from(**label) == index + 1).count();
         let wanted = count as f64 / samples;
-        // A layer that is not shown has no group and no px.
+        // A hidden layer has no group and no px.
         if wanted == 0.0 {
             continue;
         }
@@ -174,7 +174,7 @@ fn complaints(name: &str) -> Vec<String> {
     complaints
 }
 
-/// Where points lie along the border at `place` of an axis.
+/// The positions of points along the border at `place` of an axis.
 fn along(points: &[[f64; 2]], axis: usize, place: f64) -> Vec<f64> {
     points.iter().filter(|point| (point[axis] - place).abs() < 1e-6).map(|point| point[1 - axis]).collect()
 }
@@ -204,8 +204,8 @@ fn the_hatch_of_a_tile_continues_across_its_seams() {
             .collect();
         let mut met = 0;
         for axis in [0, 1] {
-            // Where a stroke ends at one side, another begins at the other; but that where a mark's edge meets the border,
-            // a stroke may be too short to be drawn.
+            // Where a stroke ends at one side, another begins at the opposite side, except that a stroke may be too short to be
+            // drawn where a mark's edge meets the border.
             let [low, high] = [0.0, side].map(|place| along(&ends, axis, place));
             let corners: Vec<f64> =
                 [0.0, side].iter().flat_map(|place| along(&knots, axis, *place)).collect();

@@ -1,4 +1,4 @@
-//! Outlines of what has grown: their area, how other libraries read them, and the command line that writes them.
+//! Outlines of grown textures: their area, how other libraries read them, and the command line that writes them.
 
 mod bench;
 mod files;

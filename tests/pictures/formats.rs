@@ -41,7 +41,7 @@ fn a_transparent_picture_over_its_ground_looks_the_same() {
             let [red, _, _, opacity] = px.0.map(f64::from);
             let over = (opacity * red + (255.0 - opacity) * 255.0) / 255.0;
             assert!((over - f64::from(seen.0[0])).abs() < 1.5, "{name}: {px:?} {seen:?}");
-            // Black marks on white: no gray rim.
+            // Black marks on white have no gray rim.
             assert!(red < 1.0, "{name}: {px:?}");
         }
         let opacity = |least: bool| {
@@ -99,7 +99,7 @@ fn patterns_and_concentrations_are_floating_point_by_name() {
     let chemicals = channels("c.exr");
     let names: Vec<&str> = chemicals.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["dots.a", "dots.b"]);
-    // The pattern rises with the first chemical: where one is highest, the other is.
+    // The pattern increases with the first chemical: both have their maximum at the same px.
     let highest =
         |values: &[f32]| (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap();
     assert_eq!(chemicals[0].1.len(), 240 * 192);

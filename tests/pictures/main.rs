@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use std::path::PathBuf;
 use tempfile::TempDir;
 
-/// A folder that goes when it is dropped, with `a.dapple` in it.
+/// A folder that is deleted when it is dropped, with `a.dapple` in it.
 struct Folder(TempDir);
 
 impl Folder {

@@ -65,7 +65,7 @@ fn marks_are_raised_or_hollow_and_normals_point_away_from_high_places() {
                 let at = |x, y| f64::from(height.get_pixel(x, y).0[0]) / 65535.0 * 5.0;
                 (at(x + dx, y + dy) - at(x - dx, y - dy)) / 2.0
             };
-            // Red leans against what rises to the right; green, up the picture, with what rises down the picture.
+            // Red decreases where the height rises to the right; green increases where the height rises downwards.
             let [red, green] = [0, 1].map(|channel| f64::from(normal.0[channel]) / 127.5 - 1.0);
             let (across, down) = (slope(1, 0), slope(0, 1));
             let length = (across * across + down * down + 1.0).sqrt();

@@ -34,7 +34,7 @@ fn percentile(sorted: &[u16], share: f64) -> f64 {
     f64::from(sorted[((sorted.len() - 1) as f64 * share).round() as usize])
 }
 
-/// 98th percentile across ÷ inside, and largest across ÷ inside; steps below one of 8 bit are none.
+/// 98th percentile across ÷ inside, and largest across ÷ inside; steps below one 8-bit value are ignored.
 fn ratios(picture: &DynamicImage) -> [f64; 2] {
     let [across, inside] = steps(picture);
     let ratio = |share| percentile(&across, share).max(257.0) / percentile(&inside, share).max(257.0);
@@ -133,9 +133,9 @@ fn random_tiles() -> &'static [(String, DynamicImage)] {
     &TILES
 }
 
-/// Numbers 1 to 20 of a stated generator, none left out: tiles of 180–330 px a side, whose border crosses some 15 to 60
-/// marks. How far the border's figure strays from the whole tile's by chance is seen by cutting the tile elsewhere: by
-/// 0.02 to 0.13 (standard deviation, normals), so that the bound of 1.25 is two deviations away and farther.
+/// Sketches 1 to 20 of the generator above, without selection: tiles of 180–330 px a side, whose border crosses about 15 to
+/// 60 marks. The random variation of the ratio was measured by cutting the tile elsewhere: a standard deviation of 0.02 to
+/// 0.13 (normals), so that the bound of 1.25 is at least two deviations away.
 #[test]
 fn twenty_random_tiles_have_no_seam_in_any_map() {
     let found: Vec<_> = random_tiles().iter().map(|(map, picture)| (map.clone(), ratios(picture))).collect();
@@ -188,7 +188,7 @@ fn mean_ranks(cut: impl Fn(&DynamicImage) -> DynamicImage + Sync) -> Vec<(&'stat
         .to_vec()
 }
 
-/// Three standard deviations above the mean of 40 ranks that are anywhere from 0 to 1.
+/// Three standard deviations above the mean of 40 ranks distributed uniformly from 0 to 1.
 const HIGH: f64 = 0.5 + 3.0 * 0.288_7 / 6.325;
 
 #[test]
