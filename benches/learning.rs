@@ -62,7 +62,7 @@ fn learning(criterion: &mut Criterion) {
     for (name, set, wanted) in &questions {
         group.bench_function(format!("ask {name}"), |bencher| bencher.iter(|| set.ask(black_box(wanted))));
     }
-    // Every number that a user may draw: inside, at the edge, round, in a corner, beyond.
+    // Attributes that a user may draw: inside, at the edge, round, in a corner, beyond.
     for (name, density, aspect) in
         [("round", 0.1, 1.0), ("in a corner", 0.021, 0.27), ("beyond", 0.9, 0.1), ("dense", 0.2, 0.5)]
     {

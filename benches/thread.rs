@@ -1,4 +1,4 @@
-//! The steps around the growth, from the plan to the picture: laying nuclei, measuring, resampling, colours, PNG. See
+//! The steps around the growth, from the plan to the picture: placing nuclei, measuring, resampling, colours, PNG. See
 //! README.md.
 
 use criterion::measurement::WallTime;
@@ -52,7 +52,7 @@ fn ruler(criterion: &mut Criterion) {
     pictures(criterion, &spots);
 }
 
-/// What is made of a grown field.
+/// Outputs of a grown field.
 fn pictures(criterion: &mut Criterion, pattern: &Field) {
     let mut resampling = group(criterion, "resample");
     resampling.bench_function("same size", |bencher| {
@@ -67,7 +67,7 @@ fn pictures(criterion: &mut Criterion, pattern: &Field) {
     let mut colours = group(criterion, "colour");
     let gradient = Gradient::default_for_layer(0);
     let table = gradient.table();
-    // The exact colours, px by px, are what the table is held against; an eighth of them is enough.
+    // The exact colours, px by px, for comparison with the table; an eighth of them is enough.
     let some = &pattern.values[..SIDE * SIDE / 8];
     colours.throughput(Throughput::Elements(some.len() as u64));
     colours.bench_function("exact", |bencher| {

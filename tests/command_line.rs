@@ -33,7 +33,7 @@ fn help_names_the_commands() {
     dapple().arg("--version").assert().success();
 }
 
-/// With nothing to open a window on.
+/// Without a display.
 #[cfg(all(target_os = "linux", feature = "app"))]
 #[test]
 fn without_a_display_one_line_says_which_commands_work() {
@@ -90,7 +90,7 @@ fn an_incomplete_lookup_is_a_usage_error() {
     used_wrongly(&["lookup", "--batch", "in.csv", "-o", "out.csv", "--width", "5"], &["--width"]);
 }
 
-/// What `dapple bench --quick --json` with these arguments prints.
+/// The output of `dapple bench --quick --json` with these arguments.
 fn benched(arguments: &[&str]) -> Value {
     let output = dapple().args(["bench", "--quick", "--json"]).args(arguments).assert().success();
     assert!(output.get_output().stderr.is_empty());

@@ -1,4 +1,4 @@
-//! The documents in `examples/gallery/`: one for each figure, valid, and written as the program writes.
+//! The documents in `examples/gallery/`: one for each figure, valid, and formatted as the program writes them.
 
 use std::fs;
 use std::path::PathBuf;

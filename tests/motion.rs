@@ -1,4 +1,4 @@
-//! `dapple film` through the real binary: what the frames show and how long, and what is refused.
+//! `dapple film` through the real binary: the frames and their durations, and refused options.
 
 use assert_cmd::Command;
 use image::AnimationDecoder;
@@ -32,7 +32,7 @@ fn frames(folder: &Path) -> Vec<Vec<u8>> {
     names.iter().map(|path| image::open(path).unwrap().into_rgb8().into_raw()).collect()
 }
 
-/// Type and data of each chunk of a PNG, read by hand.
+/// Type and data of each chunk of a PNG, parsed here.
 fn chunks(png: &[u8]) -> Vec<(&[u8], &[u8])> {
     let mut rest = &png[8..];
     let mut chunks = Vec::new();
@@ -44,7 +44,7 @@ fn chunks(png: &[u8]) -> Vec<(&[u8], &[u8])> {
     chunks
 }
 
-/// Delays, hundredths of a second, of a GIF's frames, and whether it begins again; read by hand.
+/// Delays, hundredths of a second, of a GIF's frames, and whether it repeats; parsed here.
 fn gif(bytes: &[u8]) -> (Vec<u16>, bool) {
     assert_eq!(&bytes[..6], b"GIF89a");
     let table = |flags: u8| if flags & 0x80 != 0 { 3 << ((flags & 7) + 1) } else { 0 };
@@ -71,7 +71,7 @@ fn gif(bytes: &[u8]) -> (Vec<u16>, bool) {
     (delays, again)
 }
 
-/// The frames of a GIF or an animated PNG as another library shows them: red, green, blue a px.
+/// The frames of a GIF or an animated PNG as decoded by another library: red, green, blue a px.
 fn shown(frames: image::Frames) -> Vec<Vec<u8>> {
     let frames = frames.collect_frames().unwrap();
     frames
@@ -95,7 +95,7 @@ fn painted(bytes: &[u8], over: Option<&[u8]>) -> Vec<Vec<u8>> {
             _ => (at + 11, Some(at)),
         };
         if bytes[at..at + 2] == [0x21, 0xf9] {
-            // Frames stay; the sixth byte is the colour that is none.
+            // Frames are not disposed; the sixth byte is the transparent colour.
             assert_eq!(bytes[at + 3] >> 2 & 7, 1);
             clear = (bytes[at + 3] & 1 == 1).then_some(bytes[at + 6]);
         }
@@ -256,7 +256,7 @@ fn a_reader_decodes_the_frames_of_a_gif_as_exactly_as_255_colours_allow() {
     let (seen, frames) = (painted(&bytes, None), frames(&still));
     assert_eq!(seen.len(), frames.len());
     let palette = &bytes[13..13 + 3 * 255];
-    // Green is seen best and blue least.
+    // Green has the largest weight and blue the smallest.
     let far = |a: &[u8], b: &[u8]| -> i32 {
         let parts = a.iter().zip(b).map(|(a, b)| i32::from(*a) - i32::from(*b));
         parts.zip([3, 6, 1]).map(|(part, weight)| weight * part * part).sum()
@@ -270,7 +270,7 @@ fn a_reader_decodes_the_frames_of_a_gif_as_exactly_as_255_colours_allow() {
         let off: f64 = seen.iter().zip(frame).map(|(a, b)| f64::from(a.abs_diff(*b))).sum();
         assert!(off < frame.len() as f64, "{} in the mean", off / frame.len() as f64);
     }
-    // When it begins again, nothing of its last frame is left.
+    // When it repeats, nothing of its last frame is left.
     assert!(seen[0] != seen[7] && painted(&bytes, Some(&seen[7])) == seen);
 }
 
@@ -294,7 +294,7 @@ fn an_interrupted_film_is_reported_and_leaves_nothing_behind() {
             let entries = fs::read_dir(folder.path()).unwrap();
             entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
         };
-        // Frames are being written; it must not have ended by then.
+        // Frames are being written; the program must not have ended yet.
         while !names().iter().any(|name| name.ends_with(".part")) {
             assert_eq!(child.try_wait().unwrap(), None, "it ended before it could be interrupted");
             std::thread::yield_now();

@@ -6,10 +6,10 @@ use dapple::internals::marks::{Ellipse, turn};
 use dapple::internals::measure::{self, Directions, Picture, Reason, Target};
 use proptest::prelude::*;
 
-/// How a mark's edge looks; all have 0.5 on it.
+/// The profile of a mark's edge; all are 0.5 on it.
 #[derive(Clone, Copy, Debug)]
 enum Profile {
-    /// 2^(−ρ²): as soft as a spot that fades out from its middle.
+    /// 2^(−ρ²): a spot that fades out from its centre.
     Soft,
     /// Nearly flat inside and outside, an edge of a third of the radius: as grown spots look.
     Firm,
@@ -17,7 +17,7 @@ enum Profile {
     Hard,
 }
 
-/// How far out a place is, in radii of the ellipse, across the border where `edges` wrap.
+/// The distance of a place from the centre in radii of the ellipse, across the border where `edges` wrap.
 fn radius(ellipse: &Ellipse, [x, y]: [f64; 2], size: [f64; 2], edges: Edges) -> f64 {
     let near = |d: f64, side: f64| match edges {
         Edges::Wrap => d - side * (d / side).round(),
@@ -152,7 +152,7 @@ proptest! {
         let mut field = stripes([180, 160], hard, width, angle, wavelength);
         field.edges = Edges::Wrap;
         let got = measure::stripes(&field, 0.5).unwrap();
-        // A printed edge is seen up to 0.09 px from where it is, now here, now there, which makes it longer.
+        // A printed edge is measured up to 0.09 px from its place, on alternating sides, which makes it longer.
         let (longer, off) = if hard { (0.015, 0.2) } else { (0.002, 0.0) };
         let tolerance = longer * width + off;
         prop_assert!((got.width - width).abs() < tolerance, "width {} {}", got.width, width);
@@ -236,7 +236,7 @@ fn errors_of_spots_are_those_between_the_marks_and_the_map() {
         assert!((error.aspect.unwrap() - 0.03).abs() < 0.003, "{error:?}");
         assert!((error.angle.unwrap() - 3.0).abs() < 0.05, "{error:?}");
         assert!((error.spacing.unwrap() + 0.04).abs() < 0.002, "{error:?}");
-        // They follow the map, so that nothing varies about it; but for what the grid leaves.
+        // They follow the map, so that nothing varies about it except for errors of the grid.
         let spread = error.spread.unwrap();
         assert!(spread.area < 0.005 && spread.angle < 0.3, "{spread:?}");
         assert!(spread.aspect < 0.005 && spread.spacing < 0.005, "{spread:?}");
@@ -267,7 +267,7 @@ fn cut_marks_are_neighbours_but_not_measured() {
     };
     let errors = measure::spot_errors(&spots, &target);
     assert_eq!(errors[0].marks, whole);
-    // What is cut has its centre pulled inwards, and the hull it makes leaves some long edges inside.
+    // The centre of a cut mark is moved inwards, so that some long edges are inside the hull.
     assert!(errors[0].spacing.unwrap().abs() < 0.03, "{errors:?}");
 }
 
@@ -308,7 +308,7 @@ fn rings_follow_their_tangents() {
     });
     let deviation = directions.deviations(&places, 2)[1].unwrap();
     assert!(deviation.mean.abs() < 0.05 && deviation.rms < 1.0, "{deviation:?}");
-    // As many one way as the other: no direction of their own, though each place has one.
+    // Directions cancel: there is no mean direction, though each place has one.
     let statistics = measure::stripes(&rings, 0.5).unwrap();
     assert!(statistics.alignment < 0.15 && statistics.coherence > 0.9, "{statistics:?}");
     assert!(

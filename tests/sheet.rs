@@ -1,4 +1,4 @@
-//! `dapple sheet` through the real binary: what is on the sheet, and what it shows for documents that cannot be grown.
+//! `dapple sheet` through the real binary: the content of the sheet, also for documents that cannot be grown.
 
 use assert_cmd::Command;
 use image::RgbImage;
@@ -28,7 +28,7 @@ fn read(path: &Path) -> RgbImage {
     image::open(path).unwrap().into_rgb8()
 }
 
-/// How many px are nearly this colour.
+/// The number of px close to this colour.
 fn count(picture: &RgbImage, colour: [u8; 3]) -> usize {
     let near = |px: &[u8; 3]| px.iter().zip(colour).all(|(a, b)| a.abs_diff(b) < 3);
     picture.pixels().filter(|px| near(&px.0)).count()

@@ -1,4 +1,4 @@
-//! The verdict on patterns that were really grown: what is no texture is rejected with the right reason.
+//! The verdict on grown patterns: those that are no texture are rejected with the right reason.
 
 use dapple::internals::grid::{Edges, Field, Grid};
 use dapple::internals::learn::Parameters;
@@ -7,7 +7,7 @@ use dapple::internals::rd::{self, Maps, System};
 use dapple::internals::synth::settle;
 use dapple::internals::synth::{Engine, Patch, Sample, Watch};
 
-/// Spots (or wavelengths along a side) ordered, and the least of them to learn from.
+/// Requested spots (or wavelengths along a side), and the fewest for a training row.
 const ORDERED: f64 = 24.0;
 const LEAST: f64 = 20.0;
 
@@ -73,7 +73,7 @@ fn spots_that_are_slightly_too_dense_merge() {
 
 #[test]
 fn stripes_that_lost_their_direction_are_a_labyrinth() {
-    // 1.3 cells a stripe: which way they run is up to the grid.
+    // 1.3 cells for each stripe: the grid determines their direction.
     let reason =
         rejected(patch(System::MEINHARDT_STRIPES, Parameters { rate: 1000.0, ..STRIPES }), "touching");
     assert!(matches!(reason, Reason::NoDirection { .. }), "{reason}");
@@ -111,10 +111,10 @@ fn spots_under_rates_that_vary_are_too_irregular() {
 
 #[test]
 fn diverged_concentrations_are_reported() {
-    // Spots of half a cell: in a cell without b nothing takes a away.
+    // Spots of half a cell: in a cell without b nothing consumes a.
     let turing = Parameters { rate: 10.0, ratio: Some(3.8), level: Some(0.35), ..SPOTS };
     rejected(patch(System::TURING_SPOTS, turing), "left-range");
-    // And whatever is no number.
+    // NaN is reported, too.
     let spots = patch(System::MEINHARDT_SPOTS, SPOTS);
     let (mut marks, settled) = spots.grow(&Watch::NONE).unwrap();
     marks.values[100] = f32::NAN;
@@ -132,7 +132,7 @@ fn a_growth_stopped_early_is_unsettled() {
     engine.advance((side * side) as u64 * 20);
     assert!(engine.growing());
     assert_eq!(spots.judge(&engine.marks(), engine.settled(), LEAST), Err(Reason::Unsettled));
-    // A pattern that has not settled because it ran away is reported as run away.
+    // A diverged pattern is reported as diverged, not as unsettled.
     let high = Field::flat(side, side, Edges::Wrap, 9.0);
     assert_eq!(spots.judge(&high, false, LEAST).unwrap_err().kind(), "left-range");
     assert!(measure::check_formed(&engine.marks(), [0.0, 1.0]).is_ok());

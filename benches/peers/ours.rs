@@ -1,4 +1,4 @@
-//! dapple's side of `compare`: takes as many steps as each line of standard input says, and prints the seconds.
+//! dapple's side of `compare`: takes the number of steps in each line of standard input, and prints the seconds.
 //!
 //! `peer CASE SIZE THREADS FOLDER` sets the problem up and writes it into FOLDER, raw little-endian f32 row by row,
 //! so that the other side computes the same:
@@ -84,7 +84,7 @@ fn make_uneven(maps: &mut Maps) {
     }
 }
 
-/// Writes the problem, as the head of this file says.
+/// Writes the problem as described at the head of this file.
 fn export(system: System, maps: &Maps, growth: &Growth, folder: &Path) -> Result<(), Box<dyn Error>> {
     let decay = if system == System::MEINHARDT_SPOTS { 0.04 } else { 1.0 };
     let slowest = maps.parameters.iter().map(|p| p.rate).fold(f32::INFINITY, f32::min);

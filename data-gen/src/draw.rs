@@ -51,7 +51,7 @@ impl Set {
     pub fn parameters_at(&self, [size, packing, stretch, direction]: [f64; 4]) -> Parameters {
         let s = &self.sweep;
         let [stretch, direction] = [s.stretch.at(stretch), s.direction.at(direction)];
-        // Laws of scale, good to some ten per cent: they choose what to simulate, not what is looked up.
+        // Laws of scale, good to some ten per cent: they choose what to simulate, and are not used in lookups.
         let rate = self.system.definition().laws.rate;
         if let Some(width) = &s.width {
             let (width, ratio) = (width.at(size), s.ratio.as_ref().map(|ratio| ratio.at(packing)));
@@ -84,7 +84,7 @@ impl Set {
 ///
 /// xᵢ = frac(o + (i + 1)·α), αⱼ = φ^−(j+1), φ the positive root of φ^(d+1) = φ + 1
 ///
-/// It leaves fewer holes than random numbers do, and can be continued without end. M. Roberts, "The unreasonable
+/// It has smaller holes than random numbers, and can be continued without end. M. Roberts, "The unreasonable
 /// effectiveness of quasirandom sequences" (2018).
 fn point(index: u64, dimensions: usize, seed: u64) -> Vec<f64> {
     let mut root = 2.0;

@@ -1,6 +1,6 @@
 //! The sweep, run ahead of time: parameters → simulation → measured attributes (or a rejection with its reason) →
 //! rows in `training/`. The trial: how well textures match what was drawn. The route: how well patterns grown over coarse
-//! grids match those grown by plain steps. The tables: what constants were chosen by.
+//! grids match those grown by plain steps. The tables: the measurements by which constants were chosen.
 //!
 //! ```text
 //!  plan.json ─▶ plan ─▶ draw ─▶ run ─▶ journal (a shard's) ─┐

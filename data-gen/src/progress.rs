@@ -85,13 +85,13 @@ impl Bar {
         }
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn clear(&self) {
         self.bar.finish_and_clear();
     }
 }
 
-/// What became of a set, in a sentence: `ran` runs of it in this time, the others before.
+/// The summary of a set in a sentence: `ran` runs in this time, the others before.
 pub fn summary(name: &str, tally: &Tally, ran: u64, time: Duration) -> String {
     let seconds = time.as_secs_f64();
     let speed =

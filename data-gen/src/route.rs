@@ -133,7 +133,7 @@ fn print_json(seeds: u64) -> Result<bool, String> {
     Ok(good)
 }
 
-/// What the seeds of a patch come to.
+/// The summary over the seeds of a patch.
 struct Summary {
     /// Mean and largest difference, where one means anything.
     differences: [Option<[f64; 2]>; 5],

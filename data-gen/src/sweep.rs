@@ -59,7 +59,7 @@ pub fn command(args: &Args) -> Result<(), String> {
     }
 }
 
-/// Runs all that is not yet in the journal, writes the files, and deletes the journal. Returns how many it ran.
+/// Runs what is not yet in the journal, writes the files, and deletes the journal. Returns the number of new runs.
 pub fn whole(plan: &Plan, folder: &Path) -> Result<u64, String> {
     let Swept { journal, records, ran } = sweep(plan, folder, Shard::WHOLE)?;
     files::write(folder, plan, records)?;
@@ -67,7 +67,7 @@ pub fn whole(plan: &Plan, folder: &Path) -> Result<u64, String> {
     Ok(ran)
 }
 
-/// Runs all of a part that is not yet in its journal. Returns how many it ran.
+/// Runs what of a part is not yet in its journal. Returns the number of new runs.
 pub fn part(plan: &Plan, folder: &Path, shard: Shard) -> Result<u64, String> {
     Ok(sweep(plan, folder, shard)?.ran)
 }
@@ -113,9 +113,8 @@ fn sweep(plan: &Plan, folder: &Path, shard: Shard) -> Result<Swept, String> {
 /// Does `work` with each of `items`, as many at a time as there are threads, each on one thread by itself; stops at
 /// the first that fails.
 ///
-/// Runs cost from milliseconds to half a minute: each thread takes the next when it is free. Were the threads of the
-/// pool shared with what runs inside (a patch is stepped and measured in parallel too), a thread that waits there would
-/// begin another run on top of its own, and another on top of that.
+/// Runs take from milliseconds to half a minute: each thread takes the next item when it is free. If the inner parallel work
+/// (stepping and measuring a patch) shared the same pool, a waiting thread would start another run within its own, and so on.
 fn each(items: &[u64], work: impl Fn(u64) -> Result<(), String> + Sync) -> Result<(), String> {
     let (next, failed) = (AtomicUsize::new(0), Mutex::new(None));
     let fail = |error: String| {

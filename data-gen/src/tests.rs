@@ -100,7 +100,7 @@ fn a_manifest_lists_columns_units_ranges_plan_counts_and_the_command() {
     areas.sort_by(f64::total_cmp);
     assert_eq!(columns[area]["range"], json!([areas[0], areas[areas.len() - 1]]));
 
-    // The plan in it makes the same files, and no more.
+    // The plan in it makes the same files only.
     assert!(manifest["command"].as_str().unwrap().contains("--plan PLAN.json"));
     let again = folder();
     whole(&Plan::from_json(&manifest["plan"]).unwrap(), again.path()).unwrap();
@@ -125,7 +125,7 @@ fn an_interrupted_sweep_continues_and_repeats_no_run() {
     let whole_files = plain();
     let folder = folder();
     let journal = folder.path().join("sweep.journal");
-    // As a killed sweep leaves it: some lines, the last of them torn.
+    // As a killed sweep leaves it: some lines, the last one incomplete.
     part(&plan(), folder.path(), Shard::WHOLE).unwrap();
     let full = std::fs::read_to_string(&journal).unwrap();
     let lines: Vec<&str> = full.lines().collect();
@@ -139,7 +139,7 @@ fn an_interrupted_sweep_continues_and_repeats_no_run() {
         assert!(kept.starts_with(&(lines[..whole_lines].join("\n") + "\n")));
         assert_eq!(kept.lines().count(), 8);
     }
-    // Torn within its first line: nothing was run yet.
+    // Incomplete first line: nothing was run yet.
     std::fs::write(&journal, &lines[0][..20]).unwrap();
     assert_eq!(whole(&plan(), folder.path()).unwrap(), 7);
     assert_eq!(files(folder.path()), whole_files);
@@ -186,7 +186,7 @@ fn missing_or_duplicate_parts_are_not_merged() {
     part(&plan(), two.path(), Shard { part: 2, of: 2 }).unwrap();
     let journal = two.path().join("sweep-2-of-2.journal");
     let full = std::fs::read_to_string(&journal).unwrap();
-    // A run short, and half of its line.
+    // A run is missing, and half of its line.
     std::fs::write(&journal, &full[..full.len() - 5]).unwrap();
     refused(&[path(&one), path(&two)], &["sweep-2-of-2.journal", "2 of 3 runs", "goes on"]);
     // A run twice.
@@ -234,7 +234,7 @@ fn two_sweeps_do_not_write_one_journal() {
     assert!(Part::read(&folder.path().join("sweep.journal")).unwrap().records.is_empty());
 }
 
-/// Asserts that [`tiny`], changed so, is refused with these words.
+/// Asserts that [`tiny`] with this change is refused with these words.
 #[track_caller]
 fn wrong(change: impl Fn(&mut Value), words: &[&str]) {
     let mut plan = tiny();

@@ -1,4 +1,4 @@
-//! JSON that is no document: keys, types, choices.
+//! JSON that is not a document: keys, types, choices.
 
 use super::*;
 

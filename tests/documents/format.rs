@@ -13,7 +13,7 @@ fn page() -> String {
     fs::read_to_string(path).expect("docs/format.md can be read")
 }
 
-/// The rows of the first table with these columns after a heading; their cells without backticks around them.
+/// The rows of the first table with these columns after a heading, without backticks around cells.
 fn table(heading: &str, columns: &str) -> Vec<Vec<String>> {
     let page = page();
     let (_, after) =
@@ -33,7 +33,7 @@ fn first_column(heading: &str) -> Vec<String> {
     table(heading, "key | meaning").into_iter().map(|row| row[0].clone()).collect()
 }
 
-/// Each object of a document: its heading, where it stands, a document that holds it with no more than required.
+/// Each object of a document: its heading, its place, and a document that contains it with only the required keys.
 fn objects() -> [(&'static str, &'static str, Value); 10] {
     let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
     let freehand = json!({"kind": "freehand", "points": [[10, 10], [40, 12], [80, 14]]});

@@ -3,7 +3,7 @@
 use super::*;
 use dapple::document::Seeding;
 
-/// The least document with a line instead, and these options.
+/// The shortest document with a line instead, and these options.
 fn lined(options: Value) -> Value {
     let mut document = with("/layers/0/options", options);
     document["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);

@@ -1,4 +1,4 @@
-//! Documents: what a `.dapple` file may hold, and the message about each wrong one.
+//! Documents: what a `.dapple` file may contain, and the message about each invalid one.
 
 use assert_cmd::Command;
 use dapple::document::Edges;
@@ -18,7 +18,7 @@ mod read;
 mod shown;
 mod values;
 
-/// A valid document as small as it gets.
+/// The shortest valid document.
 fn least() -> Value {
     json!({
         "format": "dapple", "version": 1, "size": [512, 256],
@@ -26,12 +26,12 @@ fn least() -> Value {
     })
 }
 
-/// The least document with `stroke` as its only one.
+/// The shortest document with `stroke` as its only one.
 fn with_stroke(stroke: &Value) -> Value {
     with("/layers/0/strokes", json!([stroke]))
 }
 
-/// The least document with another `value` at a JSON pointer, whose last key may be new.
+/// The shortest document with another `value` at a JSON pointer, whose last key may be new.
 fn with(pointer: &str, value: Value) -> Value {
     let mut document = least();
     let (parent, key) = pointer.rsplit_once('/').unwrap();
@@ -47,14 +47,14 @@ fn error_of_text(text: &str) -> String {
     Document::parse(text, "bad.dapple").unwrap_err().to_string()
 }
 
-/// Asserts that `document` is refused with a message of exactly this place, value and what is allowed.
+/// Asserts that `document` is refused with a message with exactly this place, value and allowed values.
 #[track_caller]
 fn refused(document: &Value, place: &str, found: &str, allowed: &str) {
     let message = error_of_text(&document.to_string());
     assert_eq!(message, format!("bad.dapple: {place}: found {found}; allowed: {allowed}"));
 }
 
-/// Asserts that `text` is refused at this line and column with a message that begins like this.
+/// Asserts that `text` is refused at this line and column with a message that begins with these words.
 #[track_caller]
 fn no_json(text: &str, line: usize, column: usize, found: &str) {
     let message = error_of_text(text);

@@ -87,7 +87,7 @@ proptest! {
         prop_assert_eq!(read.to_json(), text);
     }
 
-    /// Whatever happens to a file, it is read or refused, and the message is one line that names the file.
+    /// Any damaged file is read, or refused with one line that names the file.
     #[test]
     fn a_damaged_file_never_panics(
         document in document(),

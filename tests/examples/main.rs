@@ -1,4 +1,4 @@
-//! The documents in `examples/`: valid, drawn by hand, and written as the program writes.
+//! The documents in `examples/`: valid, with a handful of marks, and formatted as the program writes them.
 
 mod programs;
 

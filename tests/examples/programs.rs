@@ -1,4 +1,4 @@
-//! The programs in `examples/` run, and write what they say.
+//! The programs in `examples/` run and write their files.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Builds the examples, which `cargo test` has done already unless it was given the name of a test; gives their folder.
+/// Builds the examples, which `cargo test` without a test name has done already; returns their folder.
 fn built() -> PathBuf {
     let test = std::env::current_exe().expect("a test is a file");
     let profile = test.ancestors().nth(2).expect("it is in a folder of its profile");

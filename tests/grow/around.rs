@@ -5,7 +5,7 @@ use dapple::document::Edges;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 
-/// 150 px of spots, and above them what is drawn as `upper`.
+/// 150 px of spots, and above them the marks `upper`.
 fn layers(edges: &str, spacing: f64, upper: &[Value]) -> Value {
     let factor = spacing / SPACING;
     let mut strokes = hexagon([75.0, 75.0], 30.0);
@@ -59,7 +59,7 @@ impl Labels {
         })
     }
 
-    /// The pieces of what `belongs`, each by its px.
+    /// The connected pieces of the px that `belongs` selects.
     fn pieces(&self, belongs: impl Fn(u8) -> bool) -> Vec<Vec<usize>> {
         let mut seen: Vec<bool> = self.values.iter().map(|value| !belongs(*value)).collect();
         let mut pieces = Vec::new();
@@ -87,12 +87,12 @@ impl Labels {
         !self.wrap && piece.iter().any(on)
     }
 
-    /// Marks of the first layer that stand clear of closed edges.
+    /// Marks of the first layer that do not touch closed edges.
     fn marks(&self) -> Vec<Vec<usize>> {
         self.pieces(|value| value == 1).into_iter().filter(|piece| !self.touches_border(piece)).collect()
     }
 
-    /// The share of a mark's outline within 1.5 of its radii of which stands the second layer.
+    /// The share of a mark's outline that has the second layer within 1.5 of its radii.
     fn ringed(&self, mark: &[usize]) -> f64 {
         let reach = (1.5 * SCALE * (AREA / PI).sqrt()) as isize;
         let outline: Vec<&usize> =
@@ -111,7 +111,7 @@ impl Labels {
         outline.iter().filter(near).count() as f64 / outline.len() as f64
     }
 
-    /// Is it true of no px that it belongs to one of two layers and its neighbour to the other?
+    /// Whether no px of one of two layers has a neighbour of the other.
     fn keeps_apart(&self, a: u8, b: u8) -> bool {
         (0..self.values.len())
             .filter(|px| self.values[*px] == a)

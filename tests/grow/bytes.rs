@@ -1,4 +1,4 @@
-//! Same document and seed: same bytes. Another seed: others.
+//! The same document and seed give the same bytes, another seed gives others.
 
 use crate::folder::{ASPECT, Folder, hexagon, spots, stripes};
 use serde_json::{Value, json};
@@ -68,7 +68,7 @@ fn a_seed_changes_the_texture_and_defaults_to_that_of_the_document() {
     }
 }
 
-/// The sets as the repository has them, in the folder's `training`.
+/// The repository's sets, in the folder's `training`.
 fn copy_training(folder: &Folder) {
     std::fs::create_dir(folder.path("training")).unwrap();
     let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("training");
@@ -97,7 +97,7 @@ fn a_folder_of_training_sets_replaces_the_built_in_ones() {
     let mut document = spots();
     document["layers"][0]["system"] = json!("meinhardt-spots");
     let folder = Folder::with(&document);
-    // Only the runs of long spots, under a name of one's own.
+    // Only the runs of long spots, under another name.
     std::fs::create_dir(folder.path("my-sets")).unwrap();
     let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("training/meinhardt-spots-orientation.csv");
     let table = std::fs::read_to_string(from).unwrap();
@@ -113,7 +113,7 @@ fn a_folder_of_training_sets_replaces_the_built_in_ones() {
     };
     assert!((predicted("built_in.json", "") - ASPECT).abs() < 0.02);
     assert!(predicted("own.json", "--training my-sets") < 0.46);
-    // What is not in it is not taken from elsewhere.
+    // Missing sets are not taken from elsewhere.
     folder.refuses(
         "lookup --system turing-spots --area 60 --aspect 0.6 --angle 0 --training my-sets",
         1,

@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::folder::{Folder, document};
 use serde_json::{Value, json};
 
-/// Grows it within two minutes: a picture of the right size.
+/// Asserts that it grows within two minutes to a picture of the right size.
 #[track_caller]
 fn grows(document: &Value) {
     let folder = Folder::with(document);
@@ -20,7 +20,7 @@ fn grows(document: &Value) {
     assert!(folder.json("r.json")["layers"][0]["steps"].as_u64().unwrap() > 0);
 }
 
-/// Refuses it with one line that holds these words, and leaves nothing behind.
+/// Asserts that it is refused with one line that has these words, and that no file is left.
 #[track_caller]
 fn is_refused(document: &Value, words: &[&str]) {
     Folder::with(document).refuses("grow a.dapple -o a.png --pattern p.png --report r.json", 1, words);

@@ -40,7 +40,7 @@ impl Folder {
         std::fs::read(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
-    /// What is in it, hidden files too, in order.
+    /// Its entries, hidden files too, in order.
     pub fn names(&self) -> Vec<String> {
         let entries = std::fs::read_dir(self.0.path()).unwrap();
         let mut names: Vec<String> =
@@ -56,7 +56,7 @@ impl Folder {
         command
     }
 
-    /// Grows `a.dapple` into `a.png`, with these further arguments; what it said on stderr.
+    /// Grows `a.dapple` into `a.png`, with these further arguments; returns stderr.
     #[track_caller]
     pub fn grow(&self, more: &str) -> String {
         let output = self.dapple(&format!("grow a.dapple -o a.png {more}")).assert().success();
@@ -82,7 +82,7 @@ impl Folder {
         serde_json::from_slice(&self.bytes(name)).unwrap()
     }
 
-    /// What `dapple measure --json` says about a picture.
+    /// The output of `dapple measure --json` for a picture.
     #[track_caller]
     pub fn measured(&self, name: &str) -> Value {
         let output = self.dapple(&format!("measure {name} --json")).assert().success().get_output().clone();

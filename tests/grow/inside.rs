@@ -8,7 +8,7 @@ fn ellipse(center: [f64; 2], radii: [f64; 2]) -> Value {
     json!({"kind": "ellipse", "center": center, "radii": radii, "angle": 30})
 }
 
-/// Small marks in a hard black on white, inside large ones in red on green.
+/// Small black marks on white with hard edges, inside large red ones on green.
 fn inside() -> Value {
     let stops = |ground: &str, mark: &str| json!({"stops": [{"at": 0, "colour": ground}, {"at": 0.5, "colour": ground}, {"at": 0.5, "colour": mark}]});
     let large = [ellipse([60.0, 60.0], [13.0, 12.0]), ellipse([108.0, 60.0], [13.0, 12.0])];
@@ -32,7 +32,7 @@ fn the_layer_that_gives_the_places_is_neither_painted_nor_labelled() {
     let picture = image::open(folder.path("a.png")).unwrap().into_rgb8();
     let black_or_white = |px: &image::Rgb<u8>| px.0 == [0; 3] || px.0 == [255; 3];
     assert!(picture.pixels().all(black_or_white));
-    // By itself its pattern can still be had.
+    // The pattern of that layer alone can still be written.
     let large = dapple::internals::measure::spots(&folder.pattern("p.png", Edges::Wrap), 0.5);
     let report = folder.json("r.json");
     assert_eq!(report["layers"][0]["shown"], json!(false));

@@ -4,7 +4,7 @@ use crate::folder::{Folder, spots};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Far more than anything here takes, so that a program that hangs fails the test instead of hanging it.
+/// Time limit, so that a program that hangs fails the test.
 const DEADLINE: Duration = Duration::from_secs(60);
 
 fn start(folder: &Folder, arguments: &str) -> Child {
@@ -16,7 +16,7 @@ fn start(folder: &Folder, arguments: &str) -> Child {
         .unwrap()
 }
 
-/// Waits until the program has come so far; it must not have ended by then.
+/// Waits until `so_far` is true; the program must not have ended before.
 #[track_caller]
 fn wait_until(child: &mut Child, mut so_far: impl FnMut(u32) -> bool) {
     let started = Instant::now();
@@ -27,10 +27,10 @@ fn wait_until(child: &mut Child, mut so_far: impl FnMut(u32) -> bool) {
     }
 }
 
-/// Presses Ctrl-C, waits for the end, and gives exit code and message.
+/// Sends Ctrl-C, waits for the end, and returns exit code and message.
 #[track_caller]
 fn interrupt(mut child: Child) -> (Option<i32>, String) {
-    // Built into every shell, unlike the program of this name.
+    // The `kill` built into the shell, as the program may be missing.
     let sent = Command::new("sh").args(["-c", &format!("kill -INT {}", child.id())]).status().unwrap();
     assert!(sent.success());
     let started = Instant::now();

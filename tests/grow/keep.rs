@@ -69,10 +69,10 @@ fn each_kept_spot_grows_in_its_place_with_its_size_and_direction() {
             assert!((found.aspect() - mark.aspect()).abs() < 0.06, "{mark:?} grew as {found:?}");
             turned.push(turn(found.major_angle(), mark.angle).abs());
         }
-        // Where marks crowd they are smaller than they were drawn.
+        // Crowded marks are smaller than they were drawn.
         let mean = grown.iter().sum::<f64>() / grown.len() as f64;
         assert!(mean < 0.1 && grown.iter().all(|off| *off < 0.25), "{edges:?}: areas off by {grown:?}");
-        // Neighbours turn one mark in some by up to 7°, as they are turned by it.
+        // Neighbours turn some marks by up to 7°.
         let mean = turned.iter().sum::<f64>() / turned.len() as f64;
         assert!(mean < 3.0 && turned.iter().all(|turned| *turned < 9.0), "{edges:?}: turned by {turned:?}");
     }
@@ -93,7 +93,7 @@ fn a_region_with_kept_marks_has_the_drawn_attributes() {
 #[test]
 fn marks_too_near_to_each_other_are_counted_and_as_many_stay_as_can() {
     let mut marks = drawn();
-    // Between two neighbours, so that it alone has to go; and nearly on another.
+    // One between two neighbours, so that it alone is not kept; and one nearly on another.
     marks.push(Ellipse { center: [74.0, 71.0], ..marks[5] });
     marks.push(Ellipse { center: [168.0, 108.0], ..marks[5] });
     let document = Document { edges: Edges::Wrap, ..one_layer(&marks, Edges::Wrap) };
@@ -219,7 +219,8 @@ fn lines_that_no_stripes_can_follow_are_reported() {
     assert!(kept["off"].as_u64().unwrap() >= 1, "{kept}");
 }
 
-/// How far off `marks` grow among spots of 300 px² that are so near and so long, at 30°, on a canvas of 12 spacings.
+/// The distances of grown `marks` from their places, among spots of 300 px² with this density and aspect, at 30°, on a canvas
+/// of 12 spacings.
 fn among(
     system: SystemChoice,
     packing: f64,
@@ -239,7 +240,7 @@ fn among(
     off(&plan, &measure::spots(&engine.pattern(&plan, size, size), 0.5))
 }
 
-/// Nine pairs so many spacings apart, along or across.
+/// Nine pairs at this distance in spacings, along or across.
 fn pairs(aspect: f64, apart: f64, across: bool) -> impl Fn(f64) -> Vec<Mark> {
     let longer = if across { 1.0 / aspect } else { aspect };
     let (s, c) = (if across { 120.0f64 } else { 30.0 }).to_radians().sin_cos();

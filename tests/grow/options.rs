@@ -40,7 +40,7 @@ fn a_larger_size_is_more_of_the_same() {
     let areas = [&small, &large].map(|measured| measured["area"].as_f64().unwrap());
     assert!((areas[1] / areas[0] - 1.0).abs() < 0.03 && (areas[1] / AREA - 1.0).abs() < 0.02, "{areas:?}");
     let marks = [small, large].map(|measured| measured["marks"].as_f64().unwrap());
-    // 3.5 times the canvas, and less of it is border.
+    // 3.5 times the canvas, with a smaller share of border.
     assert!((3.3..6.0).contains(&(marks[1] / marks[0])), "{marks:?}");
 }
 
@@ -61,7 +61,7 @@ fn a_larger_scale_is_the_same_pattern_smoothly_finer() {
             worst = worst.max((nine - f64::from(*value) / 65535.0).abs());
         }
         assert!(worst < 0.03, "{worst}");
-        // Were px repeated, all steps would lie between the former px and none inside them.
+        // If px were only repeated, all steps would be between the former px and none inside them.
         let (mut inside, mut between) = (0.0, 0.0);
         for y in 0..3 * height {
             for x in 0..3 * width - 3 {
@@ -86,7 +86,7 @@ fn a_pattern_has_both_sides_of_a_mark_s_edge() {
             values.iter().filter(|value| within(**value)).count() as f64 / values.len() as f64
         };
         assert!(share(&|value| value < 16384) > 0.2 && share(&|value| value > 40000) > 0.02);
-        // Not clipped about the edge: hardly two px there are alike.
+        // Values are not clipped near the edge: hardly two px there are equal.
         let mut near: Vec<u16> =
             values.iter().copied().filter(|value| (16384..49152).contains(value)).collect();
         let all = near.len();
@@ -194,7 +194,7 @@ fn without_refinement_the_level_is_that_of_the_lookup() {
     assert!(error(&refined) < 0.002 && error(&looked_up) > error(&refined), "{refined} {looked_up}");
     assert!(folder.bytes("refined.png") != folder.bytes("looked_up.png"));
     assert_eq!(refined["parameters"]["rate"], looked_up["parameters"]["rate"]);
-    // The document can say the same.
+    // The document has the same option.
     document["growth"] = json!({"refine": false});
     folder.write("a.dapple", &document.to_string());
     folder.grow("--pattern own.png --no-document");
@@ -203,7 +203,7 @@ fn without_refinement_the_level_is_that_of_the_lookup() {
 
 #[test]
 fn quiet_says_nothing() {
-    // So small that what was learnt does not reach there, which is worth a note.
+    // Marks below the range of the training rows, which gives a note.
     let mut document = spots();
     document["size"] = json!([20, 20]);
     document["layers"][0]["strokes"] =

@@ -54,7 +54,7 @@ fn a_growth_beyond_the_free_memory_is_refused_with_the_numbers() {
     let before = folder.names();
     let arguments = "grow a.dapple -o a.png --size 65536x65536";
     let mut command = folder.dapple(arguments);
-    // The hours that it would take otherwise.
+    // Without the check it would take hours.
     let output = command.timeout(std::time::Duration::from_secs(60)).assert().code(1).get_output().clone();
     let message = String::from_utf8(output.stderr).unwrap();
     for word in ["65536×65536 px", "cells", "GB", "--size"] {

@@ -8,7 +8,7 @@ use dapple::internals::measure::{self, StripeErrors, Target};
 use dapple::internals::synth::grow;
 use dapple::internals::synth::{Measured, Options};
 
-/// What grows from lines 8 px wide.
+/// The document of lines 8 px wide.
 fn grown(
     lines: &[Line],
     regions: [u32; 2],
@@ -29,7 +29,7 @@ fn seeded(seeding: Seeding) -> LayerOptions {
     LayerOptions { seeding, keep: Some(false), ..LayerOptions::default() }
 }
 
-/// A line through the middle of each region of `size` px, at these directions, degrees.
+/// A line through the centre of each region of `size` px, at these directions, degrees.
 fn lines(directions: &[&[f64]], size: f64) -> Vec<Line> {
     let rows = directions.len() as f64;
     let line = |row: usize, column: usize, degrees: f64| {
@@ -82,7 +82,7 @@ fn stripes_radiate_from_initiators_in_regular_order() {
     };
     let error = measure::stripe_errors(&pattern, 0.5, &target)[0];
     assert!(error.width.unwrap().abs() < 0.01 && error.angle_rms.unwrap() < 4.0, "{error:?}");
-    // The period is twice the width: along a way outwards stripes and gaps alternate.
+    // The period is twice the width: stripes and gaps alternate outwards.
     let dark = |k: usize| pattern.values[(145 + 16 * k) * 300 + 145 - 4 * k] > 0.5;
     let light = |k: usize| pattern.values[(153 + 16 * k) * 300 + 143 - 4 * k] < 0.5;
     assert!((0..6).filter(|k| dark(*k)).count() >= 5 && (0..6).filter(|k| light(*k)).count() >= 5);

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 const EVEN: Spread = Spread::ZERO;
 
-/// Spots of 300 px² that are so long and so near (area ÷ spacing²), at 30°.
+/// Spots of 300 px² with this aspect and density (area ÷ spacing²), at 30°.
 #[derive(Clone, Copy)]
 struct Spots {
     system: SystemChoice,
@@ -27,7 +27,7 @@ const LONG: Spots = Spots { system: SystemChoice::Of(System::MEINHARDT_SPOTS), a
 const SPARSE: Spots = Spots { system: SystemChoice::Of(System::MEINHARDT_SPOTS), aspect: 0.7, packing: 0.05 };
 const TURING: Spots = Spots { system: SystemChoice::Of(System::TURING_SPOTS), aspect: 0.5, packing: 0.22 };
 
-/// Some 130 to 200 of them with this spread on a tile: what was measured, marks that have merged among them.
+/// 130 to 200 of them with this spread on a tile: what was measured, and the number of merged marks.
 fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
     let spacing = (300.0 / spots.packing).sqrt();
     let ellipse = |x: f64| Stroke::Ellipse(Ellipse::from_area([x, 200.0], 300.0, spots.aspect, 30.0));
@@ -50,7 +50,7 @@ fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
     (errors[0], merged)
 }
 
-/// What two patches have on the mean, and the worst errors of their means.
+/// The mean spread of two patches, and the largest errors of their means.
 fn spread_of(spots: Spots, asked: Spread) -> (Spread, [f64; 4]) {
     let mut got = EVEN;
     let mut worst = [0.0f64; 4];
@@ -65,7 +65,7 @@ fn spread_of(spots: Spots, asked: Spread) -> (Spread, [f64; 4]) {
     (got, worst)
 }
 
-/// Asserts that a spread asked for is there, to the tolerance, and that means are those of the drawing.
+/// Asserts that the spread is as asked, within the tolerance, and that the means are those of the drawing.
 #[track_caller]
 fn varies(spots: Spots, asked: Spread, tolerance: Spread) {
     let (got, [area, aspect, angle, spacing]) = spread_of(spots, asked);
@@ -74,7 +74,7 @@ fn varies(spots: Spots, asked: Spread, tolerance: Spread) {
     {
         assert!(tolerance == 0.0 || (got - asked).abs() <= tolerance, "{name}: asked {asked}, got {got}");
     }
-    // Turing's spots stand as near as they like, and are shaped by their neighbours.
+    // Turing's spots have their own spacing, and are shaped by their neighbours.
     let free = f64::from(u8::from(spots.system == SystemChoice::Of(System::TURING_SPOTS)));
     assert!(area < 0.003, "the mean area is off by {area}");
     assert!(aspect < 0.006 + 0.012 * free, "the mean aspect is off by {aspect}");
@@ -154,7 +154,7 @@ fn varied_drawn_marks_grow_varied_and_the_report_has_the_spread() {
     }
     assert!((got.area - asked.area).abs() < 0.03 && (got.aspect - asked.aspect).abs() < 0.01, "{region}");
     assert!((got.angle - asked.angle).abs() < 1.0, "{region}");
-    // The written picture has it too.
+    // The written picture has the same spread.
     let measured = folder.measured("p.png");
     for name in ["area", "aspect", "angle"] {
         let [output, read] =
@@ -169,7 +169,7 @@ fn varied_drawn_marks_grow_varied_and_the_report_has_the_spread() {
         turn(region["got"]["angle"].as_f64().unwrap(), region["asked"]["angle"].as_f64().unwrap()).abs()
             < 1.0
     );
-    // Even if asked to be, except for drawn spots that are kept.
+    // Without a spread all spots are equal, except for drawn spots that are kept.
     varied["layers"][0]["options"] = json!({"spread": 0, "keep": false});
     folder.write("a.dapple", &varied.to_string());
     folder.grow("--pattern even.png --report even.json");

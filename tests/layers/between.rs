@@ -1,4 +1,4 @@
-//! `between` keeps away from what is beneath, and each layer is as it was drawn.
+//! `between` keeps away from the marks beneath, and each layer has the drawn attributes.
 
 use super::{cascade, covered, grown, patterns, spots, stripes, try_grow};
 use dapple::document::Spread;
@@ -29,7 +29,7 @@ fn touching(patterns: &[Field]) -> usize {
 /// Above this aspect no direction is measured.
 const ROUND: f64 = 0.85;
 
-/// Every layer within 5 % of its area (width) and spacing, and within 3° of its angle.
+/// Asserts every layer within 5 % of its area (width) and spacing, and within 3° of its angle.
 fn assert_as_drawn(grown: &Grown, of: &str) {
     for (index, layer) in grown.layers.iter().enumerate() {
         let of = format!("{of}, layer {}", index + 1);

@@ -20,8 +20,8 @@ fn marks(grown: &Grown, layer: usize) -> &[Spot] {
     }
 }
 
-/// For each place of the layer beneath how many marks of the next stand nearest to it, and how far the farthest is from
-/// its place, in radii of the marks beneath; on `wrap` across the border too.
+/// For each mark of the layer beneath the number of marks of the next layer that are nearest to it, and the largest distance
+/// of these, in radii of the marks beneath; with `wrap` also across the border.
 fn hits(grown: &Grown, layer: usize, edges: Edges) -> (Vec<usize>, f64) {
     let side = grown.size.map(f64::from);
     let apart = |a: [f64; 2], b: [f64; 2]| {
@@ -51,7 +51,7 @@ fn assert_one_each(grown: &Grown, layer: usize, edges: Edges, of: &str) {
     assert!(farthest < 0.75, "{of}: {farthest} radii from its place");
 }
 
-/// Area, aspect, angle and spacing of a layer as drawn: 5 %, 3°.
+/// Asserts area, aspect, angle and spacing of a layer as drawn: within 5 %, 3°.
 #[track_caller]
 fn assert_as_drawn(grown: &Grown, layer: usize, of: &str) {
     let Measured::Spots { errors, .. } = &grown.layers[layer].measured else { panic!("spots") };

@@ -1,4 +1,4 @@
-//! Layers: each meets the fixed marks beneath as its `after` says.
+//! Layers: the relation of each to the marks beneath, by its `after`.
 
 mod between;
 mod inside;
@@ -17,7 +17,7 @@ fn spots(area: f64, aspect: f64, angle: f64, spacing: f64) -> Layer {
     let center = |[x, y]: [f64; 2]| [150.0 + x * spacing, 150.0 + y * high];
     let places = [[0.0, 0.0], [1.0, 0.0], [0.5, 1.0], [1.5, 1.0]];
     let stroke = |place| Stroke::Ellipse(Ellipse::from_area(center(place), area, aspect, angle));
-    // The drawn marks are no part of what is counted here.
+    // The drawn marks are not kept, as all marks are counted here.
     let options = LayerOptions { keep: Some(false), ..LayerOptions::default() };
     Layer { strokes: places.map(stroke).into(), options, ..Layer::default() }
 }
@@ -46,7 +46,7 @@ fn grown(document: &Document) -> Grown {
     try_grow(document).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The pattern of each layer, two points a px.
+/// The pattern of each layer, two points for each px.
 fn patterns(grown: &Grown) -> Vec<Field> {
     let [width, height] = grown.size.map(|side| 2 * side as usize);
     grown.layers.iter().map(|layer| layer.pattern().field(width, height)).collect()

@@ -15,7 +15,7 @@ fn document() -> Document {
     Document { size: [240, 240], ..cascade(Edges::Closed, 1, layers) }
 }
 
-/// `document` grown after `before`, and how many layers were.
+/// `document` grown after `before`, and the number of layers that were grown.
 fn after(document: &Document, before: &Grown) -> (Grown, usize) {
     let planned = AtomicUsize::new(0);
     let count = |stage: Stage, share: f64| {

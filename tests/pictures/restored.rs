@@ -9,7 +9,7 @@ fn a_picture_grows_again_from_itself_with_seed_size_and_scale() {
         folder.does("grow one.png -o two.png");
         assert!(folder.bytes("one.png") == folder.bytes("two.png"), "{more}");
     }
-    // What is asked for goes before what was.
+    // Options take precedence over the stored values.
     folder.does("grow one.png -o two.png --scale 1 --size 120x96");
     folder.does("grow a.dapple -o one.png");
     assert!(folder.bytes("one.png") == folder.bytes("two.png"));

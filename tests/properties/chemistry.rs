@@ -13,7 +13,7 @@ use std::sync::LazyLock;
 
 static TRAINING: LazyLock<Training> = LazyLock::new(Training::default);
 
-/// What ground and the middle of a mark are.
+/// Usual values of the ground and of the centre of a mark.
 const USUAL: [f32; 2] = [0.0, 1.0];
 
 fn cell_parameters(p: &learn::Parameters, pitch: f32) -> Parameters {
@@ -35,7 +35,7 @@ fn power(range: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
     range.prop_map(|x| libm::pow(10.0, x))
 }
 
-/// What may be asked of a system, in cells: far beyond what it was taught.
+/// Questions to a system, in cells: far beyond its training rows.
 fn question(system: System) -> BoxedStrategy<Attributes> {
     let spacing = prop::option::of(power(-1.0..3.0));
     if system.is_striped() {
@@ -56,7 +56,7 @@ fn asked() -> impl Strategy<Value = (System, Attributes)> {
         .prop_flat_map(|system| question(system).prop_map(move |wanted| (system, wanted)))
 }
 
-/// Finite and no less than nothing?
+/// Whether all are finite and non-negative.
 fn sound(growth: &Growth) -> bool {
     growth.concentrations().iter().flatten().all(|value| value.is_finite() && *value >= 0.0)
 }
@@ -82,11 +82,11 @@ proptest! {
     }
 }
 
-/// Parameters that nothing looked up: (system, parameters of a cell).
+/// Arbitrary parameters: (system, parameters of a cell).
 fn any_parameters() -> impl Strategy<Value = (System, Parameters)> {
     (
         prop::sample::select(System::ALL.to_vec()),
-        // Cells: from what a grid hardly shows to far more than it holds.
+        // Cells: from marks too small for a grid to marks larger than it.
         power(0.0..2.0),
         power(-4.0..4.0),
         power(-2.0..0.0),

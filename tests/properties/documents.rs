@@ -1,4 +1,4 @@
-//! Documents of every kind of layer, system and option, as users might draw them, and far stranger ones.
+//! Documents of every kind of layer, system and option, as users might draw them, and with random values.
 
 use crate::cases;
 use dapple::document::Edges;
@@ -105,7 +105,7 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
         ("\\PC{0,12}", chosen, strokes(size, kind), options, prop::option::of(colours())).prop_map(
             move |(name, (system, after, visible, seed), strokes, options, colours)| {
                 let mut layer = Layer { name, system, after, visible, seed, strokes, options, colours };
-                // What still does not go together (`after` with the marks) is refused when the document is grown.
+                // Remaining conflicts (`after` with the marks) are refused when the document is grown.
                 layer_rules::tidy(&mut layer, Some(kind));
                 layer
             },
@@ -113,7 +113,7 @@ fn layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     })
 }
 
-/// The lowest layer has no other beneath it that it could meet.
+/// The lowest layer has none beneath it to relate to.
 fn on_the_ground(mut layers: Vec<Layer>) -> Vec<Layer> {
     layers[0].after = After::Between;
     layers

@@ -22,7 +22,7 @@ fn any_valid_document_grows_or_says_why_not() {
     grown_of(TestRunner::new(cases(16)));
 }
 
-/// The same documents in each run: of a few random ones less than half may grow by chance.
+/// The same documents in each run: of a few random ones less than half might grow.
 #[test]
 fn most_valid_documents_grow() {
     let config = cases(64);
@@ -31,7 +31,7 @@ fn most_valid_documents_grow() {
     assert!(f64::from(grown) >= GROWN * f64::from(asked), "only {grown} of {asked} grew");
 }
 
-/// Grows random documents, checks what comes of each, and counts those that grew.
+/// Grows random documents, checks each result, and counts those that grew.
 fn grown_of(mut runner: TestRunner) -> u32 {
     let grown = Cell::new(0);
     let outcome = runner.run(&document(48, 2), |document| match grow(&document, &Options::default()) {

@@ -28,7 +28,7 @@ fn line() -> impl Strategy<Value = Mark> {
     })
 }
 
-/// A map of marks, all ellipses or all lines; the middle of a line may lie off the canvas.
+/// A map of marks, all ellipses or all lines; the midpoint of a line may lie outside the canvas.
 fn map() -> impl Strategy<Value = RegionMap> {
     let marks = prop_oneof![prop::collection::vec(ellipse(), 1..30), prop::collection::vec(line(), 1..30),];
     let edges = prop::sample::select(vec![Edges::Closed, Edges::Wrap]);
@@ -37,7 +37,7 @@ fn map() -> impl Strategy<Value = RegionMap> {
     })
 }
 
-/// The attributes that are blended as they are.
+/// The attributes that are blended linearly.
 fn plain(attributes: &Attributes) -> Vec<Option<f64>> {
     match attributes {
         Attributes::Spots(Spots { area, aspect, spacing, .. }) => vec![Some(*area), Some(*aspect), *spacing],

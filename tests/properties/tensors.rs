@@ -30,7 +30,7 @@ proptest! {
         let made = diffused(&weights);
         let determinant = made.xx * made.yy - made.xy * made.xy;
         prop_assert!(made.xx > 0.0 && made.yy > 0.0 && determinant > 0.0, "{:?} from {:?}", made, tensor);
-        // What is made rounder is made so about its own size.
+        // A tensor that is made rounder keeps its size.
         prop_assert!(((made.xx + made.yy) / (tensor.xx + tensor.yy) - 1.0).abs() < 1e-5);
     }
 

@@ -82,7 +82,7 @@ fn a_chosen_alternative_grows_what_its_picture_showed() {
         assert_eq!(small(&settled.document, &settled.grown).pixels, picture.pixels, "{name}");
         assert!(hand.window.state().alternatives().is_taken(id));
 
-        // Grown from nothing it is the same.
+        // A new growth gives the same.
         let shown = hand.window.state().growth().picture.as_ref().unwrap().image.clone();
         hand.press("Grow again");
         hand.until_settled();

@@ -16,7 +16,7 @@ use crate::hand::{Hand, hand_with};
 use crate::sights::picture;
 
 /// A small canvas with a spot or two layers of them, and the colours shown.
-fn dyer(layers: usize) -> (Hand, tempfile::TempDir) {
+fn with_layers(layers: usize) -> (Hand, tempfile::TempDir) {
     let layer = r#"{"strokes": [{"kind": "ellipse", "center": [60, 60], "radii": [14, 9], "angle": 20}]}"#;
     let layers = vec![layer; layers].join(",");
     let text = format!(r#"{{"format": "dapple", "version": 1, "size": [160, 160], "layers": [{layers}]}}"#);
@@ -26,26 +26,26 @@ fn dyer(layers: usize) -> (Hand, tempfile::TempDir) {
 }
 
 impl Hand {
-    /// The colours of a layer as the document has them.
+    /// The colours of a layer in the document.
     fn colours(&self, layer: usize) -> Colours {
         self.document().layers[layer].colours.clone().unwrap_or_else(|| Colours::default_for_layer(layer))
     }
 
-    /// Where the control is whose name begins so.
+    /// The rectangle of the control whose name begins with this.
     #[track_caller]
     fn place(&self, name: &str) -> Rect {
         let found = self.window.query_all_by_label_contains(name).next();
         found.unwrap_or_else(|| panic!("no {name}")).rect()
     }
 
-    /// Gives the keys to the control whose name begins so.
+    /// Focuses the control whose name begins with this.
     #[track_caller]
     fn focus(&mut self, name: &str) {
         self.window.query_all_by_label_contains(name).next().unwrap_or_else(|| panic!("no {name}")).focus();
         self.rest();
     }
 
-    /// Drags on the screen in a few steps; `then` before it lets go.
+    /// Drags on the screen in a few steps; calls `then` before the release.
     fn pull(&mut self, from: Pos2, to: Pos2, then: impl FnOnce(&mut Self)) {
         self.window.hover_at(from);
         self.window.step();
@@ -77,7 +77,7 @@ impl Hand {
 
 #[test]
 fn a_preset_is_applied_and_shows_its_source() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     let zebra = PRESETS.iter().find(|preset| preset.set.name == "zebra").unwrap();
     hand.window.get_by_label("Colours: zebra").scroll_to_me();
     hand.window.run_steps(60);
@@ -92,7 +92,7 @@ fn a_preset_is_applied_and_shows_its_source() {
 
 #[test]
 fn colours_are_copied_between_layers() {
-    let (mut hand, _folder) = dyer(2);
+    let (mut hand, _folder) = with_layers(2);
     assert_eq!(hand.window.state().session().active_layer, 1);
     hand.reach("Colours: tiger");
     let tiger = hand.colours(1);
@@ -109,7 +109,7 @@ fn colours_are_copied_between_layers() {
 
 #[test]
 fn palettes_are_saved_and_opened() {
-    let (mut hand, folder) = dyer(1);
+    let (mut hand, folder) = with_layers(1);
     hand.reach("Colours: zebra");
     let zebra = hand.colours(0);
     for name in ["p.json", "p.gpl"] {
@@ -145,7 +145,7 @@ fn colours_can_be_chosen_before_anything_is_drawn() {
     assert_eq!(hand.colours(0).stops[0].colour, [0xd8, 0x35, 0x2a]);
 }
 
-/// Is the texture on the screen what the library paints for the document as it is now?
+/// Whether the texture on the screen equals what the library paints for the current document.
 fn is_painted(hand: &Hand) -> bool {
     let window = hand.window.state();
     let (Some(texture), Some(picture)) = (window.settled(), window.growth().picture.as_ref()) else {
@@ -159,7 +159,7 @@ fn is_painted(hand: &Hand) -> bool {
 
 #[test]
 fn the_picture_is_repainted_while_a_stop_moves_and_nothing_grows_again() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     hand.until_settled();
     let growth = hand.window.state().growth().generation();
     let grown = hand.window.state().settled().unwrap().grown.clone();
@@ -184,7 +184,7 @@ fn the_picture_is_repainted_while_a_stop_moves_and_nothing_grows_again() {
 
 #[test]
 fn a_change_of_colours_does_not_restart_the_growth() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     hand.key(Modifiers::COMMAND, Key::R);
     hand.until("first picture", |window| window.growth().first_picture.is_some());
     let growth = hand.window.state().growth().generation();
@@ -204,7 +204,7 @@ fn a_change_of_colours_does_not_restart_the_growth() {
 
 #[test]
 fn every_control_of_the_colours_has_a_name() {
-    let (hand, _folder) = dyer(2);
+    let (hand, _folder) = with_layers(2);
     for role in [Role::Button, Role::Slider, Role::TextInput, Role::SpinButton] {
         for node in hand.window.query_all_by_role(role) {
             let name = node.accesskit_node().label().unwrap_or_default();

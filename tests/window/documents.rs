@@ -174,7 +174,7 @@ fn a_document_named_on_the_command_line_is_open() {
     assert_eq!(hand.document(), Document::read(example("zebra")).unwrap());
 }
 
-/// A PNG that dapple wrote, with or without what it was grown from.
+/// A PNG that dapple wrote, with or without its document.
 fn pictured(folder: &Path, options: &[&str]) -> PathBuf {
     let document = folder.join("small.dapple");
     let text = r#"{"format": "dapple", "version": 1, "size": [96, 80], "layers": [
@@ -198,14 +198,14 @@ fn a_picture_that_holds_its_document_restores_it_without_a_file() {
     assert!(!hand.window.state().has_reference());
     assert_eq!(hand.window.state().session().path, None);
 
-    // Saving asks for a name, and the picture stays a picture.
+    // Saving asks for a name, and the picture is not overwritten.
     hand.key(Modifiers::COMMAND, Key::S);
     let saved = folder.path().join("again.dapple");
     hand.type_into("File", saved.to_str().unwrap());
     assert!(Document::read(&saved).is_ok());
     assert_eq!(fs::read(&picture).unwrap(), before);
 
-    // The export begins as large as the picture was.
+    // The export begins with the size of the picture.
     hand.key(Modifiers::COMMAND, Key::E);
     let size = hand.window.state().choices().unwrap().size;
     assert_eq!((size.canvas, size.scale), (Some([120, 96]), 2));
@@ -260,7 +260,7 @@ fn an_svg_becomes_an_unsaved_sketch_with_a_notice_of_what_was_left_out() {
     let notices = hand.window.state().notices().to_vec();
     assert!(notices[0].text.contains("not read: 1 × text"), "{notices:?}");
 
-    // The same as `dapple import` makes of it.
+    // The same as the document of `dapple import`.
     let other = folder.path().join("cli.dapple");
     let mut import = assert_cmd::Command::new(assert_cmd::cargo::cargo_bin!("dapple"));
     import.arg("import").arg(&drawing).arg("-o").arg(&other).arg("-q").assert().success();

@@ -134,7 +134,7 @@ fn movement_after_the_button_is_released_is_no_part_of_the_stroke() {
         hand.window.hover_at(at);
         hand.window.step();
     }
-    // All in one frame, as when the machine is busy.
+    // All in one frame, as on a busy machine.
     hand.window.input_mut().events.extend([button(last, false), Event::PointerMoved(away)]);
     hand.window.step();
     hand.rest();

@@ -1,4 +1,4 @@
-//! The export dialog: what it shows is what it writes, and that is what `dapple grow` and `dapple film` write.
+//! The export dialog: the preview equals the written file, and that of `dapple grow` and `dapple film`.
 
 mod films;
 mod outlines;
@@ -27,13 +27,13 @@ fn small() -> (Hand, tempfile::TempDir) {
     (hand, folder)
 }
 
-/// Opens the dialog at one of its kinds.
+/// Opens the dialog at one of its pages.
 fn open(hand: &mut Hand, kind: &str) {
     hand.key(Modifiers::COMMAND, Key::E);
     hand.press(kind);
 }
 
-/// Takes one of a list.
+/// Chooses an entry of a list.
 fn take(hand: &mut Hand, list: &str, text: &str) {
     let begins = format!("{list}: ");
     let nodes = hand.window.query_all_by_role(Role::ComboBox);
@@ -51,13 +51,13 @@ fn take(hand: &mut Hand, list: &str, text: &str) {
     hand.rest();
 }
 
-/// What is seen, once it is made.
+/// The preview, once it is complete.
 fn seen(hand: &mut Hand) -> Arc<FinishedPreview> {
     hand.until("a preview", |window| window.previewed().is_some());
     hand.window.state().previewed().unwrap()
 }
 
-/// Writes it, and waits.
+/// Writes the file, and waits.
 fn write(hand: &mut Hand, path: &Path) {
     hand.press("Export…");
     let into = hand.window.query_by_role_and_label(Role::TextInput, "File").is_none();
@@ -68,7 +68,7 @@ fn write(hand: &mut Hand, path: &Path) {
     hand.press("OK");
 }
 
-/// By a reader of its own kind, not by what made the preview.
+/// Decoded by another reader than that of the preview.
 fn decoded(path: &Path) -> ColorImage {
     let image = image::open(path).unwrap().into_rgba8();
     ColorImage::from_rgba_unmultiplied([image.width() as usize, image.height() as usize], image.as_raw())
@@ -81,7 +81,7 @@ fn same(seen: &ColorImage, path: &Path) {
     assert!(seen.pixels == written.pixels, "{} is not what was seen", path.display());
 }
 
-/// What the command line writes of the same document.
+/// The file that the command line writes for the same document.
 fn grown(folder: &Path, name: &str, options: &[&str]) -> PathBuf {
     let path = folder.join(name);
     let dapple = assert_cmd::cargo::cargo_bin!("dapple");

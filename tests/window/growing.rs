@@ -16,7 +16,7 @@ fn three_spots(hand: &mut Hand) {
     hand.draw_round([55.0, 120.0], [14.0, 8.0], 15.0);
 }
 
-/// A small canvas grows quickly.
+/// A small canvas, which grows quickly.
 fn small() -> (Hand, tempfile::TempDir) {
     let text = r#"{"format": "dapple", "version": 1, "size": [160, 160], "layers": [
         {"strokes": [{"kind": "ellipse", "center": [60, 60], "radii": [14, 9], "angle": 20}]}]}"#;
@@ -42,7 +42,7 @@ fn a_settled_texture_equals_the_one_of_the_command_line() {
     Command::new(dapple).arg("grow").arg(&saved).arg("-o").arg(&grown).arg("-q").assert().success();
     assert_eq!(fs::read(&exported).unwrap(), fs::read(&grown).unwrap());
 
-    // And so are the px on the screen.
+    // So are the px on the screen.
     let shown = &hand.window.state().growth().picture.as_ref().unwrap().image;
     let mut reader =
         png::Decoder::new(std::io::BufReader::new(fs::File::open(&grown).unwrap())).read_info().unwrap();
@@ -85,7 +85,7 @@ fn a_paused_growth_takes_no_step_until_it_is_continued() {
     hand.press("Pause");
     let before = hand.phase().clone();
     assert!(matches!(before, Phase::Growing(..)));
-    // What was under way when it was asked to pause is let through.
+    // A state in progress at the pause may still arrive.
     hand.until("standing still", {
         let mut last = None;
         let mut still = 0;
@@ -123,7 +123,7 @@ fn a_line_among_ellipses_grows_on_a_layer_of_its_own() {
     hand.drag(&[[20.0, 140.0], [80.0, 150.0], [140.0, 140.0]]);
     hand.until_settled();
     assert_eq!(hand.window.state().settled().unwrap().grown.layers.len(), 2);
-    // What was taken over from the growth before is what grows from nothing.
+    // Layers reused from the previous growth equal those of a new growth.
     let shown = hand.window.state().growth().picture.as_ref().unwrap().image.clone();
     hand.press("Grow again");
     hand.until_settled();
@@ -183,7 +183,7 @@ fn a_growth_thread_that_does_not_start_is_reported() {
     let Phase::Failed(why) = hand.phase() else { panic!("{:?}", hand.phase()) };
     assert!(why.contains("growth") && why.contains("no thread left"), "{why}");
     assert!(hand.window.query_by_label_contains("no thread left").is_some(), "it is shown");
-    // The work can be saved all the same.
+    // The document can still be saved.
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.dapple");
     hand.key(Modifiers::COMMAND, Key::S);

@@ -1,4 +1,4 @@
-//! A window and the simulated user that works in it.
+//! A window with a simulated user.
 
 use std::f64::consts::TAU;
 use std::path::PathBuf;
@@ -13,12 +13,12 @@ use egui::{Key, Modifiers, Pos2, Rect, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
-/// A window of its own.
+/// A new window with the default size.
 pub struct Hand {
     pub window: Harness<'static, Window>,
 }
 
-/// A window of 1280 × 800 points whose first hint was read.
+/// A window of 1280 × 800 points after the first hint.
 pub fn hand() -> Hand {
     with(Start::default(), vec2(1280.0, 800.0), Theme::Light)
 }
@@ -32,13 +32,13 @@ pub fn hand_with(document: &Document) -> (Hand, tempfile::TempDir, PathBuf) {
     (with(start, vec2(1280.0, 800.0), Theme::Light), folder, path)
 }
 
-/// A window that begins with something.
+/// A window with these arguments.
 pub fn with(mut start: Start, size: Vec2, theme: Theme) -> Hand {
     start.settings.hint_seen = true;
     begun(start, size, theme)
 }
 
-/// A window as it is; the hint may be there.
+/// A window in its first state; it may show the hint.
 pub fn begun(mut start: Start, size: Vec2, theme: Theme) -> Hand {
     start.settings.theme = theme.into();
     let window = Harness::builder()
@@ -52,7 +52,7 @@ pub fn begun(mut start: Start, size: Vec2, theme: Theme) -> Hand {
 }
 
 impl Hand {
-    /// A few frames; files that are being read or written by then are waited for.
+    /// Runs a few frames, and waits for files that are being read or written.
     #[track_caller]
     pub fn rest(&mut self) {
         self.window.run_steps(4);
@@ -64,7 +64,7 @@ impl Hand {
         }
     }
 
-    /// What is drawn.
+    /// The document.
     pub fn document(&self) -> Document {
         self.window.state().document()
     }
@@ -86,12 +86,12 @@ impl Hand {
         self.strokes().into_iter().filter_map(line).collect()
     }
 
-    /// Where the canvas is.
+    /// The rectangle of the canvas.
     pub fn canvas(&self) -> Rect {
         self.window.get_by_role(Role::Canvas).rect()
     }
 
-    /// A px of the canvas on the screen: fitted, as [`dapple::app`] fits it.
+    /// The position on the screen of a px of the canvas, which is fitted as by [`dapple::app`].
     pub fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
         self.window.state().screen(self.canvas(), [x, y])
     }
@@ -149,7 +149,7 @@ impl Hand {
         self.rest();
     }
 
-    /// Presses a button that the column may have to be scrolled for.
+    /// Scrolls the column to a button if necessary, and presses it.
     #[track_caller]
     pub fn reach(&mut self, name: &str) {
         self.window.get_by_label(name).scroll_to_me();
@@ -168,7 +168,7 @@ impl Hand {
         self.key(Modifiers::NONE, Key::Enter);
     }
 
-    /// Types a path into the dialog for files, and takes it.
+    /// Types a path into the file dialog, and confirms it.
     pub fn type_path(&mut self, name: &str, path: &std::path::Path) {
         self.window.get_by_role_and_label(Role::TextInput, name).click();
         self.rest();
@@ -184,7 +184,7 @@ impl Hand {
         self.rest();
     }
 
-    /// Waits until `is` so; real time goes by.
+    /// Waits in real time until `is` is true.
     #[track_caller]
     pub fn until(&mut self, what: &str, mut is: impl FnMut(&Window) -> bool) {
         let began = Instant::now();
@@ -202,12 +202,12 @@ impl Hand {
         }
     }
 
-    /// How far the growth is.
+    /// The phase of the growth.
     pub fn phase(&self) -> &Phase {
         self.window.state().phase()
     }
 
-    /// Waits until what is drawn has settled.
+    /// Waits until the texture has settled.
     #[track_caller]
     pub fn until_settled(&mut self) {
         self.until("settled", |window| matches!(window.phase(), Phase::Settled(_)));

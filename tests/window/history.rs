@@ -47,7 +47,7 @@ fn deed() -> impl Strategy<Value = Deed> {
         4 => mark().prop_map(Deed::Add),
         1 => any::<usize>().prop_map(Deed::Remove),
         1 => [-90.0..90.0f64, -90.0..90.0f64].prop_map(Deed::Nudge),
-        // To the very edge.
+        // To the edge of the canvas.
         1 => [-900.0..900.0f64, -900.0..900.0f64].prop_map(Deed::Nudge),
         1 => (any::<usize>(), mark()).prop_map(|(i, mark)| Deed::Replace(i, mark)),
         1 => [1..5u32, 1..5u32].prop_map(Deed::Regions),
@@ -86,7 +86,7 @@ fn act(session: &mut Session, deed: &Deed) {
         Deed::Remove(index) => session.remove(&some(session, *index).into_iter().collect::<Vec<_>>()),
         Deed::Nudge(by) => session.nudge(*by),
         Deed::Replace(index, mark) => {
-            // Only by its own kind: a user cannot turn an ellipse into a line.
+            // Only by a mark of its own kind: a user cannot turn an ellipse into a line.
             if let Some(place) = some(session, *index)
                 && std::mem::discriminant(&session.mark(place).unwrap()) == std::mem::discriminant(mark)
             {
@@ -143,7 +143,7 @@ proptest! {
         while session.can_undo_redo()[1] {
             session.redo();
         }
-        // What was undone at the end of the deeds is done again beyond it.
+        // Steps that were undone at the end are redone after it.
         if !deeds.iter().any(|deed| matches!(deed, Deed::Undo)) {
             prop_assert_eq!(session.document(), &last);
         }
@@ -178,7 +178,7 @@ proptest! {
     }
 }
 
-/// What a user does in the window.
+/// An action of a user in the window.
 #[derive(Clone, Debug)]
 enum Move {
     Drag([f64; 2], [f64; 2]),

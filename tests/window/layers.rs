@@ -8,7 +8,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand};
 
-/// Two layers: two ellipses, and above them a line, which is at hand.
+/// Two layers: two ellipses, and above them a line, which is the active layer.
 fn two() -> Hand {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
@@ -24,7 +24,7 @@ fn at_hand(hand: &Hand) -> usize {
     hand.window.state().session().active_layer
 }
 
-/// The rows as they are said, from the top.
+/// The accessible names of the rows, from the top.
 fn rows(hand: &Hand) -> Vec<String> {
     let said = hand.window.query_all_by_role(Role::Button);
     let mut rows: Vec<(f32, String)> = said
@@ -52,7 +52,7 @@ fn choose(hand: &mut Hand, list: &str, item: &str) {
     hand.press(item);
 }
 
-/// Presses Tab until this button has the keys.
+/// Presses Tab until this button has the focus.
 fn tab_to(hand: &mut Hand, name: &str) {
     for _ in 0..80 {
         if hand.window.get_by_role_and_label(Role::Button, name).is_focused() {
@@ -142,7 +142,7 @@ fn a_name_is_typed_in_place() {
     hand.key(Modifiers::NONE, Key::Enter);
     assert_eq!(hand.document().layers[1].name, "stripes");
     assert_eq!(rows(&hand)[0], "Layer stripes, 1 line");
-    // Escape leaves it as it was.
+    // Escape discards the change.
     hand.key(Modifiers::NONE, Key::F2);
     hand.window.event(egui::Event::Text("other".to_owned()));
     hand.window.step();
@@ -192,13 +192,13 @@ fn a_frozen_layer_cannot_be_edited_until_it_is_thawed() {
     assert_eq!(rows(&hand), ["Layer layer 2, empty", "Layer layer 1, 1 ellipse, frozen"]);
     hand.drag(&[[200.0, 200.0], [220.0, 214.0]]);
     assert_eq!(hand.document().layers.iter().map(|layer| layer.strokes.len()).collect::<Vec<_>>(), [1, 1]);
-    // Neither the eraser nor select all takes what is frozen.
+    // Neither the eraser nor select all affects a frozen layer.
     hand.key(Modifiers::NONE, Key::X);
     hand.drag(&[[60.0, 92.0], [100.0, 92.0], [140.0, 92.0]]);
     hand.key(Modifiers::COMMAND, Key::A);
     hand.key(Modifiers::NONE, Key::Delete);
     assert_eq!(hand.ellipses().len(), 1);
-    // A click on it does, and so does its snowflake.
+    // A click on it unfreezes it, and so does its snowflake.
     hand.key(Modifiers::NONE, Key::V);
     hand.click([100.0, 92.0]);
     assert_eq!((at_hand(&hand), hand.window.state().session().frozen()), (0, 0));
@@ -219,7 +219,7 @@ fn the_relation_to_the_layers_beneath_is_chosen_by_a_picture() {
     // A layer of lines has no spots to stand inside others.
     hand.press("Meets: Inside");
     assert_eq!(hand.document().layers[1].after, After::Between);
-    // And the lowest meets nothing.
+    // The lowest layer has no relation to choose.
     hand.press("Layer layer 1, 2 ellipses");
     let net = hand.window.get_by_role_and_label(Role::Button, "Meets: Net");
     assert!(net.accesskit_node().is_disabled());
@@ -233,7 +233,7 @@ fn a_system_is_chosen_and_reset() {
     hand.press("How it grows");
     choose(&mut hand, "System", "Meinhardt's lines");
     assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES));
-    // What grows spots is greyed.
+    // Systems that grow spots are disabled.
     hand.window.get_by_role_and_label(Role::ComboBox, "System").click();
     hand.rest();
     let spots = hand.window.get_by_role_and_label(Role::Button, "Turing's spots");
@@ -286,7 +286,7 @@ fn options_of_spots() {
     assert_eq!([spread.area, spread.spacing, spread.aspect, spread.angle], [0.3, 0.1, 0.05, 20.0]);
     hand.press("Variation: default");
     assert_eq!(hand.document().layers[0].options.spread, SpreadChoice::Drawn);
-    // A system that grows ellipses alone takes the irregular shapes along.
+    // A system without irregular spots resets that option.
     choose(&mut hand, "System", "Meinhardt's spots");
     assert_eq!(hand.document().layers[0].options.irregular, 0.0);
     undo(&mut hand);
@@ -304,7 +304,7 @@ fn layers_are_edited_by_keys_alone() {
     hand.window.event(egui::Event::Text("rings".to_owned()));
     hand.window.step();
     hand.key(Modifiers::NONE, Key::Enter);
-    // The row is reached by Tab: down, up, another place, a name.
+    // The row is reached by Tab; then down, up, moved, renamed.
     tab_to(&mut hand, "Layer rings, 1 line");
     hand.key(Modifiers::NONE, Key::ArrowDown);
     assert_eq!(at_hand(&hand), 0);
@@ -320,7 +320,7 @@ fn layers_are_edited_by_keys_alone() {
     hand.key(Modifiers::NONE, Key::Enter);
     assert_eq!(hand.document().layers[1].name, "rosettes");
     assert!(hand.window.get_by_role_and_label(Role::Button, "Layer rosettes, 1 line").is_focused());
-    // On to the details, which Space unfolds; then the picture of rings.
+    // Then the details, which Space opens; then the picture of rings.
     for name in ["How it grows", "Meets: Around"] {
         tab_to(&mut hand, name);
         hand.key(Modifiers::NONE, Key::Space);
@@ -346,7 +346,7 @@ fn layers_beneath_are_not_grown_again_and_are_shown_under_the_canvas() {
     let below = hand.window.state().settled().unwrap().grown.layers[0].marks.values.clone();
     hand.key(Modifiers::NONE, Key::F);
     assert!(hand.window.state().has_underlay());
-    // The lowest layer is taken over: the first that grows is the second.
+    // The lowest layer is reused: the first that grows is the second.
     hand.draw_round([300.0, 300.0], [9.0, 6.0], 100.0);
     hand.until_settled();
     let grown = &hand.window.state().settled().unwrap().grown;

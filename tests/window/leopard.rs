@@ -1,4 +1,4 @@
-//! The tutorial `docs/leopard.md`: from an empty canvas to a leopard. Its pictures are those of that page.
+//! The tutorial `docs/leopard.md`: from an empty canvas to a leopard. The page shows the stored pictures.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use egui::{Key, Modifiers};
 use crate::hand::{Hand, hand};
 use crate::sights::see;
 
-/// Takes these colours and waits until the picture has them.
+/// Applies these colours and waits until the picture has them.
 fn recolour(hand: &mut Hand, preset: &str) {
     let image = |window: &Window| window.growth().picture.as_ref().map(|picture| Arc::clone(&picture.image));
     let before = image(hand.window.state());
@@ -65,7 +65,7 @@ fn from_an_empty_canvas_to_a_leopard() {
     assert_eq!((rings.after, rings.strokes.len()), (After::Around, 1));
     assert!((rings.options.broken - 0.35).abs() < 1e-9);
     assert!(middles.colours.is_some() && rings.colours.is_some());
-    // All of it can be taken back.
+    // Every step can be undone.
     for _ in 0..60 {
         hand.key(Modifiers::COMMAND, Key::Z);
     }

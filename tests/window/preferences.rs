@@ -120,7 +120,7 @@ fn any_number_of_threads_grows_the_same() {
         start.settings.threads = threads;
         let mut hand = with(start, vec2(1280.0, 800.0), Theme::Light);
         hand.until_settled();
-        // With more px it is grown afresh, by the threads of the export.
+        // With more px it is grown again, with the threads of the export.
         let path = folder.path().join(format!("{threads:?}.png"));
         hand.window.state_mut().export(&path, Some([96, 96]), 1);
         hand.until("the picture", |window| !window.notices().is_empty());

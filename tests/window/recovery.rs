@@ -12,7 +12,7 @@ use crate::hand::{Hand, with};
 
 const RESTORE: &str = "Restore";
 
-/// A window that keeps its unsaved work in `folder`. Dropped without a word, it is as if it had been killed.
+/// A window that keeps its unsaved work in `folder`. Dropping it has the same effect as a kill.
 fn window(folder: &Path, file: Option<&Path>) -> Hand {
     let recovery = Some(folder.join("recovery"));
     let settings = Settings::read(&folder.join("settings"));
@@ -21,14 +21,14 @@ fn window(folder: &Path, file: Option<&Path>) -> Hand {
 }
 
 /// The files in the recovery folder.
-fn slots(folder: &Path) -> Vec<PathBuf> {
+fn backups(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = fs::read_dir(folder.join("recovery")) else { return Vec::new() };
     let files = entries.map(|entry| entry.unwrap().path());
     files.filter(|file| file.extension().is_some_and(|ending| ending == "dapple")).collect()
 }
 
-fn until_slots(hand: &mut Hand, folder: &Path, number: usize) {
-    hand.until("the slot", |_| slots(folder).len() == number);
+fn until_backups(hand: &mut Hand, folder: &Path, number: usize) {
+    hand.until("the backup", |_| backups(folder).len() == number);
 }
 
 fn is_offered(hand: &Hand) -> usize {
@@ -44,7 +44,7 @@ fn a_sketch_from_before_a_crash_is_offered_once_and_restored() {
     hand.drag(&[[100.0, 400.0], [300.0, 430.0]]);
     let drawn = hand.document();
     drop(hand);
-    assert_eq!(slots(folder.path()).len(), 1);
+    assert_eq!(backups(folder.path()).len(), 1);
 
     let mut hand = window(folder.path(), None);
     assert_eq!(is_offered(&hand), 1);
@@ -59,7 +59,7 @@ fn a_sketch_from_before_a_crash_is_offered_once_and_restored() {
     let file = folder.path().join("mine.dapple");
     hand.type_into("File", file.to_str().unwrap());
     assert_eq!(Document::read(&file).unwrap(), drawn);
-    until_slots(&mut hand, folder.path(), 0);
+    until_backups(&mut hand, folder.path(), 0);
     drop(hand);
     assert_eq!(is_offered(&window(folder.path(), None)), 0, "never twice");
 }
@@ -75,7 +75,7 @@ fn restored_unsaved_work_survives_the_next_crash() {
     hand.draw_round([300.0, 200.0], [40.0, 20.0], 30.0);
     let drawn = hand.document();
     drop(hand);
-    assert_eq!(slots(folder.path()).len(), 1, "one of them, not both");
+    assert_eq!(backups(folder.path()).len(), 1, "one of them, not both");
     let mut hand = window(folder.path(), None);
     hand.press(RESTORE);
     assert_eq!(hand.document(), drawn);
@@ -98,7 +98,7 @@ fn changes_of_a_file_come_back_with_the_file() {
     assert_eq!(hand.window.state().session().path.as_deref(), Some(&*file));
     hand.key(Modifiers::COMMAND, Key::S);
     assert_eq!(Document::read(&file).unwrap(), moved, "it is saved where it came from");
-    until_slots(&mut hand, folder.path(), 0);
+    until_backups(&mut hand, folder.path(), 0);
 }
 
 #[test]
@@ -106,22 +106,22 @@ fn saved_undone_or_discarded_work_is_not_kept() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = window(folder.path(), None);
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
-    until_slots(&mut hand, folder.path(), 1);
+    until_backups(&mut hand, folder.path(), 1);
     hand.key(Modifiers::COMMAND, Key::Z);
-    until_slots(&mut hand, folder.path(), 0);
+    until_backups(&mut hand, folder.path(), 0);
     hand.key(Modifiers::COMMAND, Key::Y);
-    until_slots(&mut hand, folder.path(), 1);
+    until_backups(&mut hand, folder.path(), 1);
     hand.key(Modifiers::COMMAND, Key::N);
     hand.press("Don't save");
-    assert_eq!(slots(folder.path()).len(), 1, "the new one was not made yet");
+    assert_eq!(backups(folder.path()).len(), 1, "the new one was not made yet");
     hand.press("Create");
-    until_slots(&mut hand, folder.path(), 0);
+    until_backups(&mut hand, folder.path(), 0);
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
-    until_slots(&mut hand, folder.path(), 1);
+    until_backups(&mut hand, folder.path(), 1);
     hand.key(Modifiers::COMMAND, Key::Q);
     hand.press("Don't save");
     drop(hand);
-    assert!(slots(folder.path()).is_empty());
+    assert!(backups(folder.path()).is_empty());
     let left: Vec<_> = fs::read_dir(folder.path().join("recovery")).unwrap().collect();
     assert_eq!(left.len(), 1, "nothing but the lock is left: {left:?}");
 }
@@ -134,9 +134,9 @@ fn discarding_a_backup_asks_for_confirmation_and_deletes_it() {
     drop(hand);
     let mut hand = window(folder.path(), None);
     hand.press("Discard");
-    assert_eq!(slots(folder.path()).len(), 1);
+    assert_eq!(backups(folder.path()).len(), 1);
     hand.press("Discard for good");
-    assert!(slots(folder.path()).is_empty());
+    assert!(backups(folder.path()).is_empty());
     assert_eq!(is_offered(&hand), 0);
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
     assert_eq!(hand.strokes().len(), 1, "the page is gone, too");
@@ -153,17 +153,17 @@ fn several_backups_can_be_postponed_by_keys_alone() {
     let mut hand = window(folder.path(), None);
     assert_eq!(is_offered(&hand), 2);
     hand.key(Modifiers::NONE, Key::Escape);
-    assert_eq!((is_offered(&hand), slots(folder.path()).len()), (0, 2));
+    assert_eq!((is_offered(&hand), backups(folder.path()).len()), (0, 2));
     assert_eq!(is_offered(&window(folder.path(), None)), 2, "whoever starts next may decide");
     hand.window.get_by_label("File").click();
     hand.rest();
     hand.window.get_by_label_contains("Recover unsaved work").click();
     hand.rest();
     assert_eq!(is_offered(&hand), 2);
-    // The first one has the keys.
+    // The first one has the focus.
     hand.key(Modifiers::NONE, Key::Enter);
     assert_eq!(hand.strokes().len(), 1);
-    // What was restored is not saved: it is asked about before the other one comes.
+    // The restored document is unsaved: the window asks before it opens the other one.
     hand.window.get_by_label("File").click();
     hand.rest();
     hand.window.get_by_label_contains("Recover unsaved work").click();
@@ -179,14 +179,14 @@ fn the_backup_of_a_running_window_is_not_offered_to_another() {
     let folder = tempfile::tempdir().unwrap();
     let mut one = window(folder.path(), None);
     one.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
-    until_slots(&mut one, folder.path(), 1);
+    until_backups(&mut one, folder.path(), 1);
     let mut two = window(folder.path(), None);
     assert_eq!(is_offered(&two), 0);
     two.draw_round([250.0, 200.0], [40.0, 20.0], 30.0);
-    until_slots(&mut two, folder.path(), 2);
+    until_backups(&mut two, folder.path(), 2);
     drop(one);
     assert_eq!(is_offered(&window(folder.path(), None)), 1, "the one that is no more");
-    until_slots(&mut two, folder.path(), 2);
+    until_backups(&mut two, folder.path(), 2);
 }
 
 #[test]
@@ -203,7 +203,7 @@ fn a_damaged_backup_is_reported_and_the_window_opens() {
     assert!(folder.path().join("settings.damaged").exists());
     assert_eq!(is_offered(&hand), 0);
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
-    until_slots(&mut hand, folder.path(), 1);
+    until_backups(&mut hand, folder.path(), 1);
 }
 
 #[test]

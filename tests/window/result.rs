@@ -1,4 +1,4 @@
-//! The result: what was asked and what has grown, and marks changed to what can be reached.
+//! The result: requested and grown attributes, and marks changed to reachable attributes.
 
 use std::fs;
 
@@ -11,7 +11,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand, hand_with};
 
-/// Four spots in the left half of a small canvas, `apart` px from each other; the right half takes after them.
+/// Four spots in the left half of a small canvas, `apart` px from each other; the right half takes their attributes.
 fn spots(radius: f64, apart: f64) -> Document {
     let center = |[x, y]: [f64; 2]| [16.0 + x * apart, 50.0 + y * apart];
     let strokes: Vec<String> = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.87], [1.5, 0.87]]
@@ -31,7 +31,7 @@ fn spots(radius: f64, apart: f64) -> Document {
     Document::parse(&text, "spots").unwrap()
 }
 
-/// Waits until all that there is to say about what has settled is known.
+/// Waits until all results of the settled texture are computed.
 #[track_caller]
 fn until_known(hand: &mut Hand) {
     hand.until_settled();
@@ -72,7 +72,7 @@ fn the_numbers_are_those_of_the_report() {
         }
         assert_eq!(output["notes"], serde_json::json!(region.notes));
     }
-    // And they are on the screen.
+    // They are on the screen, too.
     let area = outcome.layers[0].regions[0].report.asked.scaled(1.0);
     let dapple::internals::attributes::Attributes::Spots(area) = area else { panic!() };
     let text = format!("{:.0} px²", area.area);

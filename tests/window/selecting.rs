@@ -4,7 +4,7 @@ use egui::{Event, Key, Modifiers};
 
 use crate::hand::{Hand, hand};
 
-/// Ellipses of 40 × 20 px, this far along x, and the tool that selects.
+/// Ellipses of 40 × 20 px at these x, with the selection tool.
 fn row(places: &[f64]) -> Hand {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
@@ -54,7 +54,7 @@ fn handles_resize_and_turn() {
     hand.drag(&[[220.0, 200.0], [230.0, 200.0], [250.0, 200.0]]);
     let ellipse = hand.ellipses()[0];
     assert!((ellipse.radii[0] - 50.0).abs() < 0.2 && (ellipse.radii[1] - 10.0).abs() < 0.2, "{ellipse:?}");
-    // The handle that turns is 22 points beyond the end.
+    // The handle for turning is 22 points beyond the end.
     let off = 22.0 / f64::from((hand.at([1.0, 0.0]) - hand.at([0.0, 0.0])).x);
     hand.drag(&[[250.0 + off, 200.0], [240.0, 240.0], [200.0, 300.0]]);
     assert!((hand.ellipses()[0].angle - 90.0).abs() < 0.5, "{:?}", hand.ellipses()[0]);
@@ -64,7 +64,7 @@ fn handles_resize_and_turn() {
 fn several_are_scaled_by_their_box() {
     let mut hand = row(&[100.0, 200.0]);
     hand.key(Modifiers::COMMAND, Key::A);
-    // The box is 4 points larger than what it holds.
+    // The box is 4 points larger than the marks in it.
     let off = 4.0 / f64::from((hand.at([1.0, 0.0]) - hand.at([0.0, 0.0])).x);
     hand.drag(&[[220.0 + off, 210.0 + off], [300.0, 220.0], [360.0, 230.0 + off]]);
     let [a, b] = hand.ellipses()[..] else { panic!() };

@@ -20,7 +20,7 @@ impl Axis {
         Self { span: [low - margin, high + margin], px }
     }
 
-    /// Where `value` lies, px; at the lower end what is not above 0.
+    /// The position of `value`, px; the lower end for values that are not above 0.
     pub fn at(&self, value: f64) -> f64 {
         let [low, high] = self.span;
         let share = if value > 0.0 { ((libm::log(value) - low) / (high - low)).max(0.0) } else { 0.0 };

@@ -36,7 +36,7 @@ pub struct Point {
 /// Columns that are read.
 const COLUMNS: [&str; 8] = ["system", "errors", "method", "rows", "quantity", "unit", "median", "p95"];
 
-/// The panels of a table, in its order, without quantities that are never wrong; or line and fault.
+/// The panels of a table, in its order, without quantities whose errors are all 0; or the line and the problem.
 pub fn panels(text: &str) -> Result<Vec<Panel>, String> {
     let mut lines = text.lines().zip(1..);
     let header: Vec<&str> = lines.next().map_or(Vec::new(), |(header, _)| header.split(',').collect());

@@ -1,4 +1,4 @@
-//! Tables behind constants in the code and in `docs/`: what was grown to choose them.
+//! Tables of the growths by which constants in the code and in `docs/` were chosen.
 
 mod pinned;
 mod seeding;

@@ -60,7 +60,7 @@ impl Spots {
         Ok(distances(plan.pinned_spots(), plan.lookup.map.layout(), &spots))
     }
 
-    /// Nine pairs so many spacings apart, along or across.
+    /// Nine pairs at this distance in spacings, along or across.
     fn pairs(self, apart: f64, across: bool) -> Vec<Mark> {
         let longer = if across { 1.0 / self.aspect } else { self.aspect };
         let (s, c) = (if across { 120.0f64 } else { 30.0 }).to_radians().sin_cos();
@@ -72,7 +72,7 @@ impl Spots {
         (0..9).flat_map(pair).collect()
     }
 
-    /// Four marks so many spacings from the left edge.
+    /// Four marks at this distance in spacings from the left edge.
     fn at_edge(self, away: f64) -> Vec<Mark> {
         let mark = |k: i32| self.mark([away, 2.4 * f64::from(k)].map(|v| v * self.spacing()));
         (1..=4).map(mark).collect()

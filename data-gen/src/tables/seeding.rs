@@ -53,7 +53,7 @@ fn grown(directions: &[&[f64]], options: LayerOptions, seed: u64) -> Result<[f64
     Ok([rms, mean, found.coherence])
 }
 
-/// A line through the middle of each region, at these directions, degrees.
+/// A line through the centre of each region, at these directions, degrees.
 fn lines(directions: &[&[f64]]) -> Vec<Line> {
     let place = |k: usize| (k as f64 + 0.5) * 320.0 / directions.len() as f64;
     let line = |row: usize, column: usize, degrees: f64| {

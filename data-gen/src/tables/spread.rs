@@ -68,7 +68,7 @@ pub fn print() -> Result<(), String> {
     Ok(())
 }
 
-/// Asked → the mean over four seeds ± the farthest of them, and how many marks have merged.
+/// Asked → mean over four seeds ± largest deviation, and the number of merged marks.
 fn cell(spots: Spots, attribute: &str, value: f64) -> Result<String, String> {
     let part = |name: &str| if name == attribute { value } else { 0.0 };
     let asked =
@@ -86,7 +86,7 @@ fn cell(spots: Spots, attribute: &str, value: f64) -> Result<String, String> {
     Ok(format!("{value} → {mean:.3} ± {off:.3}{merged}"))
 }
 
-/// Some 130 to 200 spots with this spread on a tile: what was measured, and how many have merged.
+/// 130 to 200 spots with this spread on a tile: what was measured, and the number of merged marks.
 fn grown(spots: Spots, spread: Spread, seed: u64) -> Result<(SpotErrors, usize), String> {
     let spacing = (300.0 / spots.packing).sqrt();
     let ellipse = |x: f64| Stroke::Ellipse(Ellipse::from_area([x, 200.0], 300.0, spots.aspect, 30.0));

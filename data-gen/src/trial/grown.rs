@@ -19,25 +19,25 @@ use super::verdict::{self, Failure};
 pub struct Task {
     /// The file's name without its ending, or the sketch's.
     pub name: String,
-    /// Is it a random sketch?
+    /// Whether it is a random sketch.
     pub random: bool,
     /// What was drawn.
     pub document: Document,
 }
 
-/// What came of a document.
+/// The outcome of a document.
 pub struct Outcome {
     /// The task's name.
     pub name: String,
-    /// Was it a random sketch?
+    /// Whether it was a random sketch.
     pub random: bool,
-    /// Were spots or stripes drawn?
+    /// Whether spots or stripes were drawn.
     pub spots: bool,
-    /// What grew it, a layer each.
+    /// The system of each layer.
     pub systems: Vec<&'static str>,
-    /// Did all layers come to rest?
+    /// Whether all layers settled.
     pub settled: bool,
-    /// Growing it took one thread as long, s.
+    /// The time of its growth on one thread, s.
     pub seconds: f64,
     /// What was measured.
     pub regions: Vec<Region>,

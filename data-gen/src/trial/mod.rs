@@ -115,10 +115,10 @@ fn tasks(args: &Args) -> Result<Vec<Task>, String> {
     Ok(tasks)
 }
 
-/// What came of all tasks, in their order.
+/// The outcomes of all tasks, in their order.
 ///
-/// Each thread grows whole documents: grids are small, so that threads would rather wait for each other than
-/// share one. What grows does not depend on it.
+/// Each thread grows whole documents: on such small grids threads that share one would mostly wait for each other. The result
+/// does not depend on it.
 fn all(
     tasks: &[Task],
     training: &Training,

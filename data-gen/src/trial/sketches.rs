@@ -18,7 +18,7 @@ pub use ranges::within;
 /// The seed of the sketches that the project's own table is made of: the year of Phan & Grimm's paper.
 pub const SEED: u64 = 2006;
 
-/// Every so manieth sketch is one of stripes.
+/// One of this many sketches has stripes.
 const STRIPES_EVERY: u64 = 4;
 /// The share of seamless tiles.
 const SEAMLESS: f64 = 0.1;
@@ -69,7 +69,7 @@ fn document(index: u64, layout: &RegionGrid, strokes: Vec<Stroke>) -> Document {
     }
 }
 
-/// Where all chance comes from.
+/// The random numbers of a sketch.
 struct Dice(Pcg64Mcg);
 
 impl Dice {
@@ -77,7 +77,7 @@ impl Dice {
         low + (high - low) * self.0.random::<f64>()
     }
 
-    /// Even in the logarithm.
+    /// Uniform in the logarithm.
     fn log_between(&mut self, range: [f64; 2]) -> f64 {
         libm::exp(self.between(range.map(libm::log)))
     }

@@ -7,10 +7,10 @@ use dapple::internals::attributes::regions::{RegionGrid, RegionMap};
 use dapple::internals::grid::Field;
 use dapple::internals::measure::Spot;
 
-/// Why a grown document is no texture of what was asked.
+/// Why a grown document is not the requested texture.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Failure {
-    /// `grow` gave up.
+    /// The growth failed.
     NotGrown(String),
     /// A value is not finite.
     BlownUp,
@@ -19,12 +19,12 @@ pub enum Failure {
         /// Highest − lowest value of the pattern.
         range: f32,
     },
-    /// Marks have grown together.
+    /// Marks have merged.
     Merged {
         /// Share of the area that is no ellipse; of a region of stripes, share that is stripe.
         share: f64,
     },
-    /// Stripes run this way and that.
+    /// Stripes have no common direction.
     Incoherent {
         /// Mean coherence of the structure tensor.
         coherence: f64,

@@ -4,7 +4,7 @@ use super::*;
 
 #[test]
 fn a_stop_is_dragged_along_the_bar_in_one_step() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     let width = hand.place("Add a stop").width();
     let from = hand.place("Stop 2 of 4").center();
     let before = hand.document();
@@ -20,7 +20,7 @@ fn a_stop_is_dragged_along_the_bar_in_one_step() {
 
 #[test]
 fn a_stop_is_dragged_past_another() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     let before = hand.colours(0);
     let width = hand.place("Add a stop").width();
     let from = hand.place("Stop 2 of 4").center();
@@ -33,7 +33,7 @@ fn a_stop_is_dragged_past_another() {
 
 #[test]
 fn a_stop_is_added_by_a_click_and_removed_by_dragging_it_off() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     let before = hand.document();
     let bar = hand.place("Add a stop");
     hand.tap(bar.left_center() + vec2(0.2 * bar.width(), 0.0));
@@ -58,7 +58,7 @@ fn a_stop_is_added_by_a_click_and_removed_by_dragging_it_off() {
 
 #[test]
 fn escape_cancels_the_drag_of_a_stop() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     let before = hand.places();
     let pin = hand.place("Stop 3 of 4").center();
     hand.pull(pin, pin + vec2(40.0, 0.0), |hand| {
@@ -71,11 +71,11 @@ fn escape_cancels_the_drag_of_a_stop() {
 
 #[test]
 fn handles_bend_the_transition() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     hand.focus("Stop 1 of 4");
     let first = hand.place("First handle").center();
     let second = hand.place("Second handle").center();
-    // A straight way has its handles in the corners: they span the picture.
+    // The handles of a straight transition are in the corners: they span the plot.
     let room = second - first;
     hand.pull(first, first + vec2(0.5 * room.x, 0.25 * room.y), |_| {});
     let bend = hand.colours(0).bend(0);
@@ -91,7 +91,7 @@ fn handles_bend_the_transition() {
 
 #[test]
 fn colours_are_edited_by_keys_alone() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     hand.focus("Stop 2 of 4");
     for key in [Key::ArrowRight, Key::ArrowRight, Key::ArrowUp] {
         hand.key(Modifiers::NONE, key);
@@ -136,7 +136,7 @@ fn colours_are_edited_by_keys_alone() {
 
 #[test]
 fn a_colour_is_typed() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     let mut types = |text: &str| {
         hand.window.get_by_role_and_label(Role::TextInput, "Colour in hexadecimal digits").click();
         hand.rest();
@@ -155,7 +155,7 @@ fn a_colour_is_typed() {
 
 #[test]
 fn stops_are_swapped_and_the_gradient_is_reversed() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     let before = hand.colours(0);
     hand.focus("Stop 1 of 4");
     hand.press("Swap on");
@@ -173,7 +173,7 @@ fn stops_are_swapped_and_the_gradient_is_reversed() {
 
 #[test]
 fn the_bar_and_the_curve_show_the_values_of_the_library() {
-    let (mut hand, _folder) = dyer(1);
+    let (mut hand, _folder) = with_layers(1);
     hand.reach("Colours: tiger");
     hand.focus("Stop 2 of 4");
     hand.window.get_by_label("Add a stop").scroll_to_me();
@@ -190,7 +190,7 @@ fn the_bar_and_the_curve_show_the_values_of_the_library() {
     let table = hand.colours(0).gradient().table();
     for x in bar.left().ceil() as u32 + 1..bar.right() as u32 - 1 {
         let x = x as f32 + 0.5;
-        // Where one column ends and the next begins is up to the screen.
+        // The exact border between columns depends on the resolution.
         let near = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|by| table.colour((x + by - bar.left()) / bar.width()));
         let worst = near.into_iter().map(|colour| off(colour, px(x, bar.center().y))).min();
         assert!(worst <= Some(3), "the bar at {x} is off by {worst:?}");

@@ -78,7 +78,7 @@ fn patterns_labels_and_concentrations_are_written_from_the_dialog() {
     }
 }
 
-/// The px where it is a PNG, which may hold a document too; else all bytes.
+/// The px of a PNG, which may contain a document too; all bytes of other files.
 fn decoded_or_bytes(path: &Path) -> Vec<u8> {
     match image::open(path) {
         Ok(image) => image.into_bytes(),

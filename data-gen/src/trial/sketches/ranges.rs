@@ -19,7 +19,7 @@ pub const WIDTH: [f64; 2] = [4.0, 20.0];
 pub const FACTOR: f64 = 2.0;
 /// In direction by as many degrees.
 pub const TURN: f64 = 45.0;
-/// In area ÷ spacing² by this factor: as far as hands were seen to differ that meant to keep it.
+/// In area ÷ spacing² by this factor: the variation of hand-drawn sketches with constant density.
 pub const LOOSER: f64 = 1.5;
 /// Above this aspect there is no direction to differ in.
 const ROUND: f64 = 0.9;
