@@ -1,4 +1,4 @@
-//! The document while it is edited: selection, undo history, layers, marks, recovery. It knows no window toolkit.
+//! The document while it is edited: selection, undo history, layers, marks, its files, recovery. It knows no window toolkit.
 
 pub mod clipboard;
 pub mod edit;
@@ -7,10 +7,13 @@ pub mod history;
 pub mod layer_action;
 pub mod layer_choices;
 pub mod path_encoding;
+pub mod reading;
 pub mod recovery;
+pub mod saving;
 pub mod selection;
 pub mod session;
 pub mod settings_file;
 pub mod shape;
 pub mod task;
 pub mod units;
+pub mod writing;

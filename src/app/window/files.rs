@@ -11,9 +11,9 @@ use crate::app::examples::{EXAMPLES, GALLERY};
 use crate::app::exporting::{Dialog, Size};
 use crate::app::notice::with_causes;
 use crate::app::pages::New;
-use crate::app::reading::{self, Content, Dropped, Inspecting, Reading};
-use crate::app::saving::Saving;
 use crate::document::Document;
+use crate::editor::reading::{self, Content, Dropped, Inspecting, Reading};
+use crate::editor::saving::Saving;
 use crate::editor::session::Session;
 
 /// Files that are read and written, and the dialogs about them.
@@ -201,7 +201,7 @@ impl Window {
             saving.again = Some(path);
             return;
         }
-        self.files.saving = Some(Saving::start(&path, self.session.document(), &document, &self.tasks));
+        self.files.saving = Some(Saving::start(&path, self.session.document(), document, &self.tasks));
     }
 
     fn listen_to_saving(&mut self, ui: &Ui) {

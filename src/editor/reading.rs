@@ -2,9 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::notice::with_causes;
 use crate::document::palette::Palette;
-use crate::document::{Document, Extent, in_picture, open};
+use crate::document::{Document, Extent, in_picture, open, with_causes};
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::export::has_ending;
 use crate::synth::import::{DPI, Imported, import};

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::notice::with_causes;
-use crate::document::Document;
-use crate::editor::task::{Task, Tasks, Worker};
+use super::task::Tasks;
+use super::writing::Writing;
+use crate::document::{Document, with_causes};
 
 /// A save that is being done. Dropping it waits for its end.
 pub struct Saving {
@@ -14,47 +14,33 @@ pub struct Saving {
     pub document: Document,
     /// Whether the document shall be saved again afterwards, and where.
     pub again: Option<PathBuf>,
-    task: Option<Task<Result<(), String>>>,
-    /// What came of it where no thread could be started.
-    outcome: Option<Result<(), String>>,
+    /// `None` once it was waited for.
+    work: Option<Writing<Result<(), String>>>,
 }
 
 impl Saving {
     /// Writes `finished` to `path`; `document` is what it was made from.
     #[must_use]
-    pub fn start(path: &Path, document: &Document, finished: &Document, tasks: &Tasks) -> Self {
-        let (file, copy) = (path.to_owned(), finished.clone());
-        let work = move |worker: &Worker<_>| worker.send(write(&copy, &file));
-        let task = tasks.start("saving", work).ok();
-        // Without a thread the window waits: the work is saved all the same.
-        let outcome = task.is_none().then(|| write(finished, path));
-        Self { path: path.to_owned(), document: document.clone(), again: None, task, outcome }
+    pub fn start(path: &Path, document: &Document, finished: Document, tasks: &Tasks) -> Self {
+        let file = path.to_owned();
+        let work = Writing::start(tasks, "saving", move || write(&finished, &file));
+        Self { path: path.to_owned(), document: document.clone(), again: None, work: Some(work) }
     }
 
-    /// What came of it, once it is over; never waits.
+    /// The outcome, once it is over; never waits.
     pub fn poll(&mut self) -> Option<Result<(), String>> {
-        let Some(task) = &mut self.task else { return self.outcome.take() };
-        let outcome = task.poll();
-        if outcome.is_none() && task.has_ended() {
-            return Some(Err(format!("{}: saving it failed inside dapple", self.path.display())));
-        }
-        outcome
+        let outcome = self.work.as_mut()?.poll()?;
+        Some(self.told(outcome))
     }
 
     /// Waits for its end.
     pub fn wait(&mut self) -> Result<(), String> {
-        if let Some(task) = &mut self.task {
-            task.wait();
-        }
-        self.poll().unwrap_or(Ok(()))
+        let outcome = self.work.take().and_then(Writing::wait);
+        outcome.map_or(Ok(()), |outcome| self.told(outcome))
     }
-}
 
-impl Drop for Saving {
-    fn drop(&mut self) {
-        if let Some(task) = &mut self.task {
-            task.wait();
-        }
+    fn told(&self, outcome: Result<Result<(), String>, &str>) -> Result<(), String> {
+        outcome.unwrap_or_else(|why| Err(format!("{}: saving: {why}", self.path.display())))
     }
 }
 
@@ -80,7 +66,7 @@ mod tests {
     fn a_save_that_is_dropped_at_once_is_finished() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.dapple");
-        drop(Saving::start(&path, &document(), &document(), &Tasks::default()));
+        drop(Saving::start(&path, &document(), document(), &Tasks::default()));
         assert_eq!(Document::read(&path).unwrap(), document());
     }
 
@@ -90,10 +76,10 @@ mod tests {
         let tasks = Tasks::default().with_spawn(Spawn(|_, _| Err(std::io::Error::other("none left"))));
         for tasks in [tasks, Tasks::default()] {
             let path = folder.path().join("a.dapple");
-            Saving::start(&path, &document(), &document(), &tasks).wait().unwrap();
+            Saving::start(&path, &document(), document(), &tasks).wait().unwrap();
             assert_eq!(Document::read(&path).unwrap(), document());
             let nowhere = folder.path().join("nowhere/a.dapple");
-            let why = Saving::start(&nowhere, &document(), &document(), &tasks).wait().unwrap_err();
+            let why = Saving::start(&nowhere, &document(), document(), &tasks).wait().unwrap_err();
             assert!(why.contains("a.dapple"), "{why}");
         }
     }

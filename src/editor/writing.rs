@@ -1,0 +1,106 @@
+//! Work on files that is finished, whatever becomes of the window: dropping it waits for its end.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::task::{Task, Tasks, Worker};
+
+/// The message where the work ended without an outcome.
+const FAILED: &str = "it failed inside dapple; please report it";
+
+/// Work that writes, renames or deletes files. Dropping it waits for its end.
+pub struct Writing<T> {
+    task: Option<Task<T>>,
+    /// The outcome where no thread could be started.
+    outcome: Option<T>,
+}
+
+impl<T: Send + 'static> Writing<T> {
+    /// Does `work` on a thread of its own. Without a thread it is done before this returns: the window waits, and
+    /// nothing is lost.
+    #[must_use]
+    pub fn start(tasks: &Tasks, name: &'static str, work: impl FnOnce() -> T + Send + 'static) -> Self {
+        // The system's error does not give back what it was to run.
+        let work = Arc::new(Mutex::new(Some(work)));
+        let take = |work: &Mutex<Option<_>>| work.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let shared = Arc::clone(&work);
+        let task = tasks.start(name, move |worker: &Worker<T>| {
+            if let Some(work) = take(&shared) {
+                worker.send(work());
+            }
+        });
+        match task {
+            Ok(task) => Self { task: Some(task), outcome: None },
+            Err(_) => Self { task: None, outcome: take(&work).map(|work| work()) },
+        }
+    }
+
+    /// The outcome, once it is over; never waits.
+    pub fn poll(&mut self) -> Option<Result<T, &'static str>> {
+        let Some(task) = &mut self.task else { return self.outcome.take().map(Ok) };
+        let outcome = task.poll().map(Ok);
+        let outcome = outcome.or_else(|| task.has_ended().then_some(Err(FAILED)))?;
+        self.task = None;
+        Some(outcome)
+    }
+
+    /// Waits for the end and returns the outcome, unless [`Self::poll`] has returned it.
+    pub fn wait(mut self) -> Option<Result<T, &'static str>> {
+        self.finish();
+        self.poll()
+    }
+}
+
+impl<T> Writing<T> {
+    fn finish(&mut self) {
+        if let Some(task) = &mut self.task {
+            task.wait();
+        }
+    }
+}
+
+impl<T> Drop for Writing<T> {
+    fn drop(&mut self) {
+        self.finish();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::editor::task::Spawn;
+    use std::fs;
+    use std::io;
+
+    /// Tasks with threads, and without.
+    fn both() -> [Tasks; 2] {
+        [Tasks::default(), Tasks::default().with_spawn(Spawn(|_, _| Err(io::Error::other("none left"))))]
+    }
+
+    #[test]
+    fn what_is_dropped_at_once_is_finished_with_a_thread_and_without() {
+        let folder = tempfile::tempdir().unwrap();
+        for (tasks, name) in both().iter().zip(["a", "b"]) {
+            let file = folder.path().join(name);
+            let to = file.clone();
+            drop(Writing::start(tasks, "writing", move || fs::write(to, "all of it").unwrap()));
+            assert_eq!(fs::read_to_string(&file).unwrap(), "all of it");
+        }
+    }
+
+    #[test]
+    fn the_outcome_comes_once() {
+        for tasks in both() {
+            let mut work = Writing::start(&tasks, "writing", || 7);
+            work.finish();
+            assert_eq!(work.poll(), Some(Ok(7)));
+            assert_eq!(work.poll(), None);
+            assert_eq!(Writing::start(&tasks, "writing", || 7).wait(), Some(Ok(7)));
+        }
+    }
+
+    #[test]
+    fn work_that_panics_is_an_error() {
+        let work = Writing::start(&Tasks::default(), "failing", || -> u8 { panic!("on purpose") });
+        assert_eq!(work.wait(), Some(Err(FAILED)));
+    }
+}
