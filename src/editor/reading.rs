@@ -26,7 +26,7 @@ pub enum Dropped {
     /// To be opened.
     Document,
     /// Colours for the active layer.
-    Palette,
+    Palette(Palette),
     /// A picture to draw over.
     Reference,
     /// None of these: why.
@@ -35,6 +35,8 @@ pub enum Dropped {
 
 /// A file that is being read.
 pub type Reading = Task<(PathBuf, Result<Content, String>)>;
+/// A palette that is being read.
+pub type ReadingPalette = Task<Result<Palette, String>>;
 /// Dropped files that are being looked at.
 pub type Inspecting = Task<Vec<(PathBuf, Dropped)>>;
 
@@ -47,6 +49,17 @@ pub fn read(path: &Path, tasks: &Tasks) -> Result<Reading, StartError> {
     tasks.start("reading a file", move |worker: &Worker<_>| {
         let content = content(&path);
         worker.send((path, content));
+    })
+}
+
+/// Reads a palette.
+///
+/// # Errors
+/// Where no thread can be started.
+pub fn read_palette(path: &Path, tasks: &Tasks) -> Result<ReadingPalette, StartError> {
+    let path = path.to_owned();
+    tasks.start("reading a palette", move |worker: &Worker<_>| {
+        worker.send(Palette::read(&path).map_err(|error| with_causes(&error)));
     })
 }
 
@@ -77,10 +90,13 @@ fn kind(path: &Path) -> Dropped {
     let is = |ending: &&str| has_ending(path, ending);
     let found = if PICTURES.iter().any(is) {
         in_picture(path).map(|found| if found.is_some() { Dropped::Document } else { Dropped::Reference })
-    } else if is(&"gpl") || is(&"json") && is_palette(path) {
-        Ok(Dropped::Palette)
     } else if is(&"svg") {
         Ok(Dropped::Document)
+    } else if is(&"gpl") || is(&"json") && is_palette(path) {
+        return match Palette::read(path) {
+            Ok(palette) => Dropped::Palette(palette),
+            Err(error) => Dropped::Unreadable(with_causes(&error)),
+        };
     } else {
         Document::read(path).map(|_| Dropped::Document)
     };
@@ -102,6 +118,8 @@ mod tests {
     const DOCUMENT: &str = r#"{"format": "dapple", "version": 1, "size": [96, 96], "layers": [{"strokes": [
         {"kind": "ellipse", "center": [30, 30], "radii": [8, 5], "angle": 30}]}]}"#;
 
+    const PALETTE: &str = "GIMP Palette\n0 0 0 black\n255 255 255 white\n";
+
     #[test]
     fn dropped_files_are_told_apart_by_what_they_hold() {
         let folder = tempfile::tempdir().unwrap();
@@ -112,8 +130,8 @@ mod tests {
         };
         assert!(matches!(kind(&write("a.dapple", DOCUMENT)), Dropped::Document));
         assert!(matches!(kind(&write("a.json", DOCUMENT)), Dropped::Document));
-        assert!(matches!(kind(&write("b.json", r#"{"format": "dapple palette"}"#)), Dropped::Palette));
-        assert!(matches!(kind(&write("a.gpl", "")), Dropped::Palette));
+        assert!(matches!(kind(&write("b.json", r#"{"format": "dapple palette"}"#)), Dropped::Unreadable(_)));
+        assert!(matches!(kind(&write("a.gpl", PALETTE)), Dropped::Palette(_)));
         assert!(matches!(kind(&write("a.SVG", "")), Dropped::Document));
         assert!(matches!(kind(&write("a.txt", "")), Dropped::Unreadable(_)));
         let picture = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/examples/zebra.png");

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use egui::{Align2, Color32, FontId, Id, Ui, ViewportCommand};
 
 use super::Window;
+use super::palettes::PaletteFiles;
 use crate::app::action::Action;
 use crate::app::chooser::{Chooser, Purpose};
 use crate::app::examples::{EXAMPLES, GALLERY};
@@ -29,6 +30,7 @@ pub struct Files {
     reading: Option<(u64, Reading)>,
     inspecting: Option<Inspecting>,
     saving: Option<Saving>,
+    pub(super) palettes: PaletteFiles,
     /// What is being asked about an export.
     pub(super) export: Option<Dialog>,
     /// How large the picture was from which the document was restored.
@@ -50,6 +52,7 @@ impl Files {
             reading: None,
             inspecting: None,
             saving: None,
+            palettes: PaletteFiles::default(),
             export: None,
             restored: None,
             closing: false,
@@ -59,7 +62,15 @@ impl Files {
     /// Whether a file is being read or written.
     #[must_use]
     pub fn is_busy(&self) -> bool {
-        self.reading.is_some() || self.inspecting.is_some() || self.saving.is_some()
+        self.reading.is_some()
+            || self.inspecting.is_some()
+            || self.saving.is_some()
+            || self.palettes.is_busy()
+    }
+
+    /// Whether a file of the user is being written.
+    fn is_writing(&self) -> bool {
+        self.saving.is_some() || self.palettes.is_writing()
     }
 
     /// Whether something is being asked.
@@ -125,10 +136,10 @@ impl Window {
         self.session.is_changed() && !self.session.finished().layers.is_empty()
     }
 
-    /// Carries out an action at once, or asks first where unsaved changes would be lost. A save that is being done is
+    /// Carries out an action at once, or asks first where unsaved changes would be lost. What is being written is
     /// waited for.
     pub(super) fn unless_unsaved(&mut self, ui: &Ui, action: Action) {
-        if self.files.saving.is_some() {
+        if self.files.is_writing() {
             self.files.after_saving = Some(action);
         } else if self.has_unsaved() {
             self.files.unsaved = Some(action);
@@ -210,7 +221,14 @@ impl Window {
         let saved = self.saved(&saving, outcome);
         if let (true, Some(path)) = (saved, saving.again.take()) {
             self.save(Some(path));
-        } else if let Some(action) = self.files.after_saving.take().filter(|_| saved) {
+        } else {
+            self.written(ui, saved);
+        }
+    }
+
+    /// A file was written, or not: carries out the action that waited for it.
+    fn written(&mut self, ui: &Ui, written: bool) {
+        if let Some(action) = self.files.after_saving.take().filter(|_| written) {
             self.unless_unsaved(ui, action);
         }
     }
@@ -266,8 +284,11 @@ impl Window {
         self.listen_to_reading();
         self.listen_to_dropped(ui);
         self.listen_to_saving(ui);
+        if let Some(written) = self.listen_to_palettes() {
+            self.written(ui, written);
+        }
         let close = ui.input(|input| input.viewport().close_requested());
-        if close && !self.files.closing && (self.files.saving.is_some() || self.has_unsaved()) {
+        if close && !self.files.closing && (self.files.is_writing() || self.has_unsaved()) {
             ui.send_viewport_cmd(ViewportCommand::CancelClose);
             self.unless_unsaved(ui, Action::Quit);
         } else if close {
@@ -314,7 +335,7 @@ impl Window {
         for (path, kind) in found.into_iter().flatten() {
             match kind {
                 Dropped::Document => self.unless_unsaved(ui, Action::OpenFile(path)),
-                Dropped::Palette => self.open_palette(&path),
+                Dropped::Palette(palette) => self.take_palette(self.session.active_layer, palette),
                 Dropped::Reference => {
                     self.load_reference(&path);
                     let name = path.file_name().unwrap_or_default().to_string_lossy();

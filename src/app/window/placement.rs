@@ -79,9 +79,10 @@ impl Window {
         });
     }
 
-    /// The window closes: waits for a save that is being done, and writes the settings.
+    /// The window closes: waits for files that are being written, and writes the settings.
     pub fn leave(&mut self) {
         self.finish_saving();
+        self.finish_palette();
         self.settings.write();
     }
 }
