@@ -5,7 +5,6 @@ mod layout;
 
 pub use layout::Layout;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use directories::BaseDirs;
@@ -13,12 +12,8 @@ use egui::ThemePreference;
 
 use super::exporting::Choices;
 use super::pages::New;
-use crate::editor::path_encoding;
-use crate::editor::settings_file::{self, Entries};
+use crate::editor::settings_file::{self, Entries, RecentChange, SettingsChange};
 use crate::editor::units::Units;
-
-/// Recent files that are remembered.
-const RECENT: usize = 10;
 
 /// What is remembered.
 #[derive(Clone, Debug)]
@@ -44,6 +39,9 @@ pub struct Settings {
     file: Option<PathBuf>,
     /// The values as last read or written: those that differ now were changed by this window.
     base: Entries,
+    /// Changes of the recent documents that are not written yet.
+    recent_changes: Vec<RecentChange>,
+    is_due: bool,
 }
 
 impl Default for Settings {
@@ -60,12 +58,14 @@ impl Default for Settings {
             error: None,
             file: None,
             base: Entries::default(),
+            recent_changes: Vec::new(),
+            is_due: false,
         }
     }
 }
 
 impl Settings {
-    /// Reads the user's settings; without a folder for them, nothing is remembered.
+    /// Reads the user's settings on the calling thread: the window opens with their placement and theme. Without a folder for them, nothing is remembered.
     #[must_use]
     pub fn for_user() -> Self {
         folder().map_or_else(Self::default, |folder| Self::read(&folder.join("settings")))
@@ -82,7 +82,7 @@ impl Settings {
     }
 
     fn take_in(&mut self, entries: &Entries) {
-        self.recent = recent(entries);
+        self.recent = settings_file::recent(entries);
         self.theme = match entries.get::<String>("theme").as_deref() {
             Some("light") => ThemePreference::Light,
             Some("dark") => ThemePreference::Dark,
@@ -97,11 +97,9 @@ impl Settings {
         self.layout.take_in(entries);
     }
 
-    /// The values that differ from the defaults.
+    /// The values that differ from the defaults, without the recent documents.
     fn entries(&self) -> Entries {
         let mut entries = Entries::default();
-        let recent: Vec<String> = self.recent.iter().map(|path| path_encoding::encode(path)).collect();
-        entries.set("recent", &recent, &Vec::new());
         let theme = match self.theme {
             ThemePreference::Light => "light",
             ThemePreference::Dark => "dark",
@@ -119,47 +117,53 @@ impl Settings {
 
     /// Adds a document to the recent ones.
     pub fn remember(&mut self, path: &Path) {
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        self.update(|settings| {
-            settings.recent.retain(|other| *other != path);
-            settings.recent.insert(0, path);
-            settings.recent.truncate(RECENT);
-        });
+        self.change_recent(RecentChange::Used(path.to_owned()));
     }
 
     /// Forgets the recent documents.
     pub fn forget(&mut self) {
-        self.update(|settings| settings.recent.clear());
+        self.change_recent(RecentChange::Cleared);
     }
 
-    /// Writes what this window changed; what other windows changed stays. Failing to write is not reported.
-    pub fn write(&mut self) {
-        self.update(|_| {});
+    fn change_recent(&mut self, change: RecentChange) {
+        change.apply(&mut self.recent);
+        self.recent_changes.push(change);
+        self.write_soon();
     }
 
-    fn update(&mut self, change: impl FnOnce(&mut Self)) {
-        let Some(file) = self.file.clone() else {
-            change(self);
-            return;
-        };
-        let _lock = settings_file::lock(&file);
-        let (theirs, _) = settings_file::read(&file);
-        // Another window may have added recent documents in the meantime.
-        self.recent = recent(&theirs);
-        let base = self.base.clone().with("recent", &theirs);
-        change(self);
+    /// Lets the window write what it has changed.
+    pub fn write_soon(&mut self) {
+        self.is_due = true;
+    }
+
+    /// Whether there is something to write.
+    #[must_use]
+    pub fn is_due(&self) -> bool {
+        self.is_due && self.file.is_some()
+    }
+
+    /// What is to be written, once; `None` = nothing.
+    pub fn take_change(&mut self) -> Option<SettingsChange> {
+        let is_due = std::mem::take(&mut self.is_due);
+        let file = self.file.clone().filter(|_| is_due)?;
         let mine = self.entries();
-        let merged = theirs.clone().with_changes(&base, &mine);
-        if merged != theirs {
-            settings_file::write(&file, &merged);
-        }
-        self.base = mine;
+        let base = std::mem::replace(&mut self.base, mine.clone());
+        Some(SettingsChange { file, base, mine, recent: std::mem::take(&mut self.recent_changes) })
     }
-}
 
-fn recent(entries: &Entries) -> Vec<PathBuf> {
-    let paths = entries.get::<Vec<String>>("recent").unwrap_or_default();
-    paths.iter().map(|path| path_encoding::decode(path)).take(RECENT).collect()
+    /// Takes over the recent documents of all windows, as they are in the file now.
+    pub fn take_recent(&mut self, recent: Vec<PathBuf>) {
+        self.recent = recent;
+        self.recent_changes.iter().for_each(|change| change.apply(&mut self.recent));
+    }
+
+    /// Writes at once what this window changed; what other windows changed stays. Returns why that failed.
+    pub fn write(&mut self) -> Option<String> {
+        self.write_soon();
+        let merged = self.take_change()?.write();
+        self.take_recent(merged.recent);
+        merged.error
+    }
 }
 
 /// The folder of the user's settings and recovery files; `None` where the system has none.

@@ -14,6 +14,7 @@ mod layers;
 mod palettes;
 mod placement;
 mod recovery;
+mod settings;
 mod start;
 
 pub use placement::{bring_into_view, placed};
@@ -42,6 +43,7 @@ use crate::editor::session::Session;
 use crate::editor::task::Tasks;
 use crate::editor::units::Ruler;
 use files::Files;
+use settings::SettingsWriter;
 
 /// The window.
 pub struct Window {
@@ -51,6 +53,7 @@ pub struct Window {
     growth: Growth,
     tasks: Tasks,
     settings: Settings,
+    settings_writer: SettingsWriter,
     notices: Notices,
     files: Files,
     recovery: Recovery,
@@ -96,7 +99,8 @@ impl Window {
     /// Whether a file is being read or written.
     #[must_use]
     pub fn is_busy_with_files(&self) -> bool {
-        self.files.is_busy() || self.gallery.is_loading()
+        let settings = self.settings.is_due() || self.settings_writer.is_busy();
+        self.files.is_busy() || self.gallery.is_loading() || settings
     }
 
     /// The state of the growth.

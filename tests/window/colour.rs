@@ -136,6 +136,47 @@ fn palettes_are_saved_and_opened() {
 }
 
 #[test]
+fn a_palette_that_cannot_be_read_or_written_is_reported_and_the_window_goes_on() {
+    let (mut hand, folder) = dyer(1);
+    let before = hand.colours(0);
+    for (button, file) in [("Open palette…", "nowhere.gpl"), ("Save palette…", "nowhere/p.gpl")] {
+        hand.reach(button);
+        hand.type_into("File", folder.path().join(file).to_str().unwrap());
+        let notices = hand.window.state().notices();
+        assert!(notices.iter().any(|notice| notice.wrong && notice.text.contains(file)), "{notices:?}");
+    }
+    assert_eq!(hand.colours(0), before);
+    hand.reach("Colours: zebra");
+    assert_ne!(hand.colours(0), before);
+}
+
+/// A file that is empty until it is written to: whoever reads it waits.
+#[cfg(unix)]
+fn pipe(file: &std::path::Path) {
+    let made = std::process::Command::new("mkfifo").arg(file).status().unwrap();
+    assert!(made.success());
+}
+
+#[cfg(unix)]
+#[test]
+fn the_window_goes_on_while_a_palette_is_read_and_the_layer_it_was_for_takes_it() {
+    let (mut hand, folder) = dyer(2);
+    let file = folder.path().join("slow.gpl");
+    pipe(&file);
+    let [below, above] = [0, 1].map(|layer| hand.colours(layer));
+    hand.reach("Open palette…");
+    hand.type_path_without_waiting("File", &file);
+    assert!(hand.window.state().is_busy_with_files());
+    hand.window.key_press_modifiers(Modifiers::NONE, Key::PageDown);
+    hand.window.run_steps(4);
+    assert_eq!(hand.window.state().session().active_layer, 0, "keys are carried out meanwhile");
+    fs::write(&file, "GIMP Palette\n10 20 30 dark\n200 210 220 light\n").unwrap();
+    hand.rest();
+    assert_eq!(hand.colours(0), below);
+    assert_ne!(hand.colours(1), above);
+}
+
+#[test]
 fn colours_can_be_chosen_before_anything_is_drawn() {
     let mut hand = crate::hand::hand();
     hand.press("Colour");

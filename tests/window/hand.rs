@@ -170,12 +170,19 @@ impl Hand {
 
     /// Types a path into the file dialog, and confirms it.
     pub fn type_path(&mut self, name: &str, path: &std::path::Path) {
+        self.type_path_without_waiting(name, path);
+        self.rest();
+    }
+
+    /// The same, without waiting for what is read or written then.
+    pub fn type_path_without_waiting(&mut self, name: &str, path: &std::path::Path) {
         self.window.get_by_role_and_label(Role::TextInput, name).click();
         self.rest();
         self.key(Modifiers::COMMAND, Key::A);
         self.window.event(egui::Event::Text(path.to_str().unwrap().to_owned()));
         self.window.step();
-        self.key(Modifiers::NONE, Key::Enter);
+        self.window.key_press_modifiers(Modifiers::NONE, Key::Enter);
+        self.window.run_steps(4);
     }
 
     /// Presses keys.

@@ -47,6 +47,38 @@ fn preferences_are_remembered() {
 }
 
 #[test]
+fn what_was_changed_last_is_written_when_the_window_closes() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("settings");
+    let mut hand = at(&file);
+    preferences(&mut hand);
+    hand.press("mm");
+    assert_eq!(Settings::read(&file).units, Units::Px, "the page is still open");
+    hand.window.state_mut().leave();
+    assert_eq!(Settings::read(&file).units, Units::Mm);
+}
+
+#[test]
+fn settings_that_cannot_be_written_are_reported_once_and_the_window_goes_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = at(&folder.path().join("dapple/settings"));
+    std::fs::write(folder.path().join("dapple"), "a file where a folder should be").unwrap();
+    for units in ["mm", "px"] {
+        preferences(&mut hand);
+        hand.press(units);
+        hand.press("Close");
+        let notices = hand.window.state().notices().to_vec();
+        let reported = notices.iter().filter(|notice| notice.text.contains("settings cannot be saved"));
+        assert_eq!(reported.count(), usize::from(units == "mm"), "{notices:?}");
+        if units == "mm" {
+            hand.press("OK");
+        }
+    }
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    assert_eq!(hand.strokes().len(), 1);
+}
+
+#[test]
 fn a_new_document_has_the_preferred_values() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("settings");

@@ -1,5 +1,6 @@
 use super::*;
 use crate::app::{ExportKind, PictureContent, Tab};
+use std::fs;
 
 fn somewhere() -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
@@ -28,6 +29,7 @@ fn everything_is_remembered() {
         analysis: true,
     };
     settings.remember(Path::new("/a/b\n%.dapple"));
+    settings.write();
     let again = Settings::read(&file);
     assert_eq!(again.recent, [Path::new("/a/b\n%.dapple")]);
     assert_eq!(again.entries(), settings.entries());
@@ -44,10 +46,12 @@ fn two_windows_do_not_overwrite_what_the_other_one_changed() {
     let (_folder, file) = somewhere();
     let (mut one, mut two) = (Settings::read(&file), Settings::read(&file));
     one.remember(Path::new("/one"));
+    one.write();
     two.theme = ThemePreference::Dark;
     two.write();
     one.units = Units::Mm;
     one.remember(Path::new("/more"));
+    one.write();
     two.remember(Path::new("/two"));
     two.write();
     let now = Settings::read(&file);
@@ -62,17 +66,36 @@ fn two_windows_do_not_overwrite_what_the_other_one_changed() {
 }
 
 #[test]
+fn documents_used_while_the_settings_are_written_stay_recent() {
+    let (_folder, file) = somewhere();
+    let mut settings = Settings::read(&file);
+    settings.remember(Path::new("/one"));
+    let change = settings.take_change().unwrap();
+    assert!(settings.take_change().is_none(), "nothing is written twice");
+    settings.remember(Path::new("/two"));
+    settings.take_recent(change.write().recent);
+    assert_eq!(settings.recent, [Path::new("/two"), Path::new("/one")]);
+    settings.write();
+    assert_eq!(Settings::read(&file).recent, settings.recent);
+}
+
+#[test]
 fn many_windows_at_once_lose_nothing() {
+    const WINDOWS: usize = 10;
     let (_folder, file) = somewhere();
     std::thread::scope(|scope| {
-        for window in 0..RECENT {
+        for window in 0..WINDOWS {
             let file = &file;
-            scope.spawn(move || Settings::read(file).remember(&PathBuf::from(format!("/{window}"))));
+            scope.spawn(move || {
+                let mut settings = Settings::read(file);
+                settings.remember(&PathBuf::from(format!("/{window}")));
+                settings.write();
+            });
         }
     });
     let mut recent = Settings::read(&file).recent;
     recent.sort();
-    assert_eq!(recent, (0..RECENT).map(|window| PathBuf::from(format!("/{window}"))).collect::<Vec<_>>());
+    assert_eq!(recent, (0..WINDOWS).map(|window| PathBuf::from(format!("/{window}"))).collect::<Vec<_>>());
 }
 
 #[test]

@@ -94,7 +94,7 @@ impl Window {
             Action::Theme(theme) => {
                 self.settings.theme = theme;
                 ui.ctx().set_theme(theme);
-                self.settings.write();
+                self.settings.write_soon();
             }
             other => self.zoom(ui, &other),
         }
@@ -118,13 +118,13 @@ impl Window {
         let open = self.page == Some(page);
         if self.page == Some(Page::Hint) && !self.settings.hint_seen {
             self.settings.hint_seen = true;
-            self.settings.write();
+            self.settings.write_soon();
         }
         if page == Page::Recovery {
             self.show_lost(!open);
         }
         if open && page == Page::Preferences {
-            self.settings.write();
+            self.settings.write_soon();
         }
         self.page = (!open).then_some(page);
     }

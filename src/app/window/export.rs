@@ -114,7 +114,7 @@ impl Window {
             film: Film { to: None, change: false, ..dialog.choices.film.clone() },
             ..dialog.choices.clone()
         };
-        self.settings.write();
+        self.settings.write_soon();
         let grown = self.grown();
         let made = dialog.preview.finished(&request).cloned();
         let grown = dialog.preview.grown(&request, grown.as_ref());

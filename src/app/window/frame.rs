@@ -65,6 +65,7 @@ impl Window {
         self.grow_what_changed(ui);
         self.keep_unsaved();
         self.note_layout(ui);
+        self.write_settings();
         if self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused() {
             // The progress bar moves between two pictures.
             ui.ctx().request_repaint_after(Duration::from_millis(100));

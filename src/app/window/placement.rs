@@ -83,6 +83,6 @@ impl Window {
     pub fn leave(&mut self) {
         self.finish_saving();
         self.finish_palette();
-        self.settings.write();
+        self.finish_settings();
     }
 }

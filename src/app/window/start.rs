@@ -6,6 +6,7 @@ use egui::{Context, Theme};
 
 use super::Window;
 use super::files::Files;
+use super::settings::SettingsWriter;
 use crate::app::action::{Page, Tab};
 use crate::app::alternatives::Alternatives;
 use crate::app::canvas::Canvas;
@@ -62,6 +63,7 @@ impl Window {
             growth: Growth::new(tasks.clone()),
             tasks,
             settings: start.settings,
+            settings_writer: SettingsWriter::default(),
             notices: Notices::default(),
             files: Files::new(start.native_dialogs),
             gallery: Gallery::default(),

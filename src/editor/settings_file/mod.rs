@@ -2,7 +2,10 @@
 //!
 //! Earlier versions wrote a line a value; such files are read and become JSON when they are written next.
 
+mod change;
 mod lines;
+
+pub use change::{Merged, RecentChange, SettingsChange, recent};
 
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
@@ -12,6 +15,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
+use crate::document::with_causes;
 use crate::editor::file_lock;
 use crate::export;
 
@@ -85,7 +89,7 @@ impl Entries {
 
 /// Keeps other windows from writing until it is dropped.
 #[must_use]
-pub fn lock(file: &Path) -> Option<File> {
+fn lock(file: &Path) -> Option<File> {
     let _ = fs::create_dir_all(file.parent()?);
     file_lock::wait_for(&file.with_extension("lock"))
 }
@@ -113,9 +117,13 @@ pub fn read(file: &Path) -> (Entries, Option<String>) {
     (Entries::default(), Some(error))
 }
 
-/// Writes the file. Settings that cannot be written are lost silently: no work depends on them.
-pub fn write(file: &Path, entries: &Entries) {
-    let _ = export::save(file, |out| Ok(out.write_all(entries.text().as_bytes())?));
+/// Writes the file.
+///
+/// # Errors
+/// Where it cannot be written: a message for the user.
+fn write(file: &Path, entries: &Entries) -> Result<(), String> {
+    let written = export::save(file, |out| Ok(out.write_all(entries.text().as_bytes())?));
+    written.map_err(|error| format!("The settings cannot be saved: {}", with_causes(&error)))
 }
 
 #[cfg(test)]
