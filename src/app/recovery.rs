@@ -21,6 +21,7 @@ pub fn page(ui: &mut Ui, recovery: &Recovery, asked: &mut Option<String>) -> Opt
     ui.set_width(560.0);
     ui.heading("Unsaved work was found");
     ui.label(match recovery.lost().len() {
+        0 if recovery.is_searching() => "dapple looks for it.",
         0 => "There is none left: all of it was restored, saved or discarded.",
         1 => "dapple was closed before this was saved. At most the last few seconds of it are missing.",
         _ => "dapple was closed before these were saved. At most the last few seconds of each are missing.",
@@ -98,7 +99,7 @@ fn description(ui: &mut Ui, lost: &LostDocument) {
     let age = lost.when.elapsed().unwrap_or_default();
     ui.label(RichText::new(format!("{}, {marks} on {width} × {height} px", ago(age))).small());
     let from = match &lost.backup.path {
-        Some(path) if !path.exists() => format!("{} (the file is gone)", path.display()),
+        Some(path) if lost.file_is_gone => format!("{} (the file is gone)", path.display()),
         Some(path) => path.display().to_string(),
         None => "Never saved to a file".to_owned(),
     };

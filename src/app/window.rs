@@ -57,6 +57,8 @@ pub struct Window {
     notices: Notices,
     files: Files,
     recovery: Recovery,
+    /// Whether lost documents that are found at the start are still to be offered.
+    offers_lost: bool,
     /// The lost document for which *Discard* was pressed once.
     discard_asked: Option<String>,
     gallery: Gallery,
@@ -100,7 +102,7 @@ impl Window {
     #[must_use]
     pub fn is_busy_with_files(&self) -> bool {
         let settings = self.settings.is_due() || self.settings_writer.is_busy();
-        self.files.is_busy() || self.gallery.is_loading() || settings
+        self.files.is_busy() || self.gallery.is_loading() || settings || self.recovery.is_busy()
     }
 
     /// The state of the growth.

@@ -150,19 +150,12 @@ fn a_palette_that_cannot_be_read_or_written_is_reported_and_the_window_goes_on()
     assert_ne!(hand.colours(0), before);
 }
 
-/// A file that is empty until it is written to: whoever reads it waits.
-#[cfg(unix)]
-fn pipe(file: &std::path::Path) {
-    let made = std::process::Command::new("mkfifo").arg(file).status().unwrap();
-    assert!(made.success());
-}
-
 #[cfg(unix)]
 #[test]
 fn the_window_goes_on_while_a_palette_is_read_and_the_layer_it_was_for_takes_it() {
     let (mut hand, folder) = dyer(2);
     let file = folder.path().join("slow.gpl");
-    pipe(&file);
+    crate::hand::pipe(&file);
     let [below, above] = [0, 1].map(|layer| hand.colours(layer));
     hand.reach("Open palette…");
     hand.type_path_without_waiting("File", &file);

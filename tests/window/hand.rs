@@ -39,16 +39,28 @@ pub fn with(mut start: Start, size: Vec2, theme: Theme) -> Hand {
 }
 
 /// A window in its first state; it may show the hint.
-pub fn begun(mut start: Start, size: Vec2, theme: Theme) -> Hand {
+pub fn begun(start: Start, size: Vec2, theme: Theme) -> Hand {
+    let mut hand = opened(start, size, theme);
+    hand.rest();
+    hand
+}
+
+/// The same after its first frame; files may still be read.
+pub fn opened(mut start: Start, size: Vec2, theme: Theme) -> Hand {
     start.settings.theme = theme.into();
     let window = Harness::builder()
         .with_size(size)
         .with_theme(theme)
         .with_step_dt(1.0 / 60.0)
         .build_eframe(|cc| Window::new(&cc.egui_ctx, start));
-    let mut hand = Hand { window };
-    hand.rest();
-    hand
+    Hand { window }
+}
+
+/// A file that is empty until it is written to: whoever reads it waits.
+#[cfg(unix)]
+pub fn pipe(file: &std::path::Path) {
+    let made = std::process::Command::new("mkfifo").arg(file).status().unwrap();
+    assert!(made.success());
 }
 
 impl Hand {

@@ -9,15 +9,24 @@ use egui::{Key, Modifiers, Theme, vec2};
 use egui_kittest::kittest::Queryable;
 
 use crate::hand::{Hand, with};
+#[cfg(unix)]
+use crate::hand::{opened, pipe};
 
 const RESTORE: &str = "Restore";
 
 /// A window that keeps its unsaved work in `folder`. Dropping it has the same effect as a kill.
 fn window(folder: &Path, file: Option<&Path>) -> Hand {
+    with(start(folder, file), vec2(1280.0, 800.0), Theme::Light)
+}
+
+fn start(folder: &Path, file: Option<&Path>) -> Start {
     let recovery = Some(folder.join("recovery"));
     let settings = Settings::read(&folder.join("settings"));
-    let start = Start { file: file.map(Path::to_owned), settings, recovery, ..Start::default() };
-    with(start, vec2(1280.0, 800.0), Theme::Light)
+    Start { file: file.map(Path::to_owned), settings, recovery, ..Start::default() }
+}
+
+fn example(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}.dapple"))
 }
 
 /// The files in the recovery folder.
@@ -85,7 +94,7 @@ fn restored_unsaved_work_survives_the_next_crash() {
 fn changes_of_a_file_come_back_with_the_file() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("tiger.dapple");
-    fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/tiger.dapple"), &file).unwrap();
+    fs::copy(example("tiger"), &file).unwrap();
     let mut hand = window(folder.path(), Some(&file));
     hand.key(Modifiers::COMMAND, Key::A);
     hand.key(Modifiers::NONE, Key::ArrowRight);
@@ -99,6 +108,36 @@ fn changes_of_a_file_come_back_with_the_file() {
     hand.key(Modifiers::COMMAND, Key::S);
     assert_eq!(Document::read(&file).unwrap(), moved, "it is saved where it came from");
     until_backups(&mut hand, folder.path(), 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn the_window_can_be_used_while_unsaved_work_is_searched_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("tiger.dapple");
+    let saved = Document::read(&example("tiger")).unwrap();
+    saved.write(&file).unwrap();
+    let mut hand = window(folder.path(), Some(&file));
+    hand.key(Modifiers::COMMAND, Key::A);
+    hand.key(Modifiers::NONE, Key::ArrowRight);
+    let moved = hand.document();
+    drop(hand);
+    fs::remove_file(&file).unwrap();
+    pipe(&file);
+    let mut settings = start(folder.path(), None);
+    settings.settings.hint_seen = true;
+    let mut hand = opened(settings, vec2(1280.0, 800.0), Theme::Light);
+    hand.window.run_steps(4);
+    assert!(hand.window.state().is_busy_with_files() && is_offered(&hand) == 0);
+    hand.window.key_press_modifiers(Modifiers::SHIFT, Key::E);
+    hand.window.run_steps(4);
+    assert_eq!(hand.strokes().len(), 1, "an ellipse is inserted meanwhile");
+    fs::write(&file, saved.to_json()).unwrap();
+    hand.rest();
+    assert_eq!(is_offered(&hand), 1);
+    hand.press(RESTORE);
+    hand.press("Don't save");
+    assert_eq!(hand.document(), moved);
 }
 
 #[test]

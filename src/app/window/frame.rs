@@ -28,6 +28,7 @@ impl Window {
         }
         self.canvas.underlay.follow(ui, &self.session, &self.growth);
         self.listen(ui);
+        self.listen_to_recovery(ui);
         if self.tab == Tab::Result {
             let error = self.results.follow(&self.tasks, self.growth.texture.as_ref());
             self.report(error);
@@ -78,7 +79,7 @@ impl Window {
     }
 
     /// Reports that a thread could not be started.
-    fn report(&mut self, error: Option<StartError>) {
+    pub(super) fn report(&mut self, error: Option<StartError>) {
         if let Some(error) = error {
             self.notices.wrong(error.to_string());
         }

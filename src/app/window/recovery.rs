@@ -1,16 +1,36 @@
 //! Unsaved work in the window: it is kept while it changes, and offered at the next start.
 
+use egui::Ui;
+
 use super::Window;
 use crate::app::action::Page;
 
 impl Window {
+    /// Receives what was found and deleted, and offers what was found at the start.
+    pub(super) fn listen_to_recovery(&mut self, ui: &Ui) {
+        for error in self.recovery.listen() {
+            self.notices.wrong(error);
+        }
+        if !self.offers_lost || self.recovery.is_searching() {
+            return;
+        }
+        // Nothing that the user has begun in the meantime is interrupted.
+        let is_free = matches!(self.page, None | Some(Page::Hint)) && !self.files.is_asking();
+        let is_busy = self.canvas.is_busy() || self.menu_open || ui.input(|input| input.pointer.any_down());
+        if self.recovery.lost().is_empty() || self.page == Some(Page::Recovery) {
+            self.offers_lost = false;
+        } else if is_free && !is_busy {
+            self.offers_lost = false;
+            self.page = Some(Page::Recovery);
+        }
+    }
+
     /// Offers lost documents, or ends the offer.
     pub(super) fn show_lost(&mut self, shown: bool) {
         self.discard_asked = None;
         if shown {
-            for error in self.recovery.search() {
-                self.notices.wrong(error);
-            }
+            let searching = self.recovery.search();
+            self.report(searching.err());
         } else {
             self.recovery.postpone();
         }
@@ -27,9 +47,7 @@ impl Window {
 
     /// Deletes a lost document.
     pub(super) fn discard(&mut self, id: &str) {
-        if let Err(error) = self.recovery.discard(id) {
-            self.notices.wrong(format!("It could not be discarded: {error}"));
-        }
+        self.recovery.discard(id);
         if self.recovery.lost().is_empty() && self.page == Some(Page::Recovery) {
             self.page = None;
         }

@@ -53,23 +53,22 @@ impl Window {
         let wake = ctx.clone();
         let tasks = Tasks::new(move || wake.request_repaint()).with_spawn(start.spawn);
         let first = !start.settings.hint_seen && start.file.is_none();
-        let (recovery, errors) = Recovery::new(start.recovery, tasks.clone());
-        let page = if recovery.undecided() > 0 { Some(Page::Recovery) } else { first.then_some(Page::Hint) };
         let results = Results::default();
         let mut window = Self {
             session: Session::open(start.settings.new.document(), None),
             canvas: Canvas::default(),
             texture: TextureView::default(),
             growth: Growth::new(tasks.clone()),
-            tasks,
+            tasks: tasks.clone(),
             settings: start.settings,
             settings_writer: SettingsWriter::default(),
             notices: Notices::default(),
             files: Files::new(start.native_dialogs),
             gallery: Gallery::default(),
             exporting: None,
-            page,
-            recovery,
+            page: first.then_some(Page::Hint),
+            recovery: Recovery::new(start.recovery, tasks.clone()),
+            offers_lost: true,
             discard_asked: None,
             tab: Tab::default(),
             layers: LayersPanel::default(),
@@ -87,9 +86,11 @@ impl Window {
             trace: Trace::asked(),
         };
         window.restore_layout();
-        for error in window.settings.error.take().into_iter().chain(errors) {
+        if let Some(error) = window.settings.error.take() {
             window.notices.wrong(error);
         }
+        let searching = window.recovery.search();
+        window.report(searching.err());
         if let Some(file) = start.file {
             window.open(&file);
         }

@@ -38,6 +38,10 @@ pub struct LostDocument {
     pub marks: Vec<(usize, Mark)>,
     /// Whether the document's own file was written after that.
     pub file_is_newer: bool,
+    /// Whether the document's own file cannot be found.
+    pub file_is_gone: bool,
+    /// What the document's own file holds, where it can be read.
+    pub saved: Option<Document>,
     pub(super) file: BackupFile,
 }
 
@@ -173,11 +177,14 @@ fn look_at(file: &Path, found: &mut Found) {
                 let _ = backup_file.clear();
                 return;
             }
-            let modified = backup.path.as_deref().and_then(|path| fs::metadata(path).ok()?.modified().ok());
+            let metadata = backup.path.as_deref().map(fs::metadata);
+            let file_is_gone = matches!(metadata, Some(Err(_)));
+            let modified = metadata.and_then(|metadata| metadata.ok()?.modified().ok());
             let file_is_newer = modified.is_some_and(|modified| modified > when);
             let session = Session::open(backup.document.clone(), None);
             let marks = session.marks().map(|(place, mark)| (place.layer, mark)).collect();
-            found.lost.push(LostDocument { backup, when, marks, file_is_newer, file: backup_file });
+            let file = backup_file;
+            found.lost.push(LostDocument { backup, when, marks, file_is_newer, file_is_gone, saved, file });
         }
         Err(why) => {
             let aside = file.with_extension("damaged");

@@ -5,15 +5,17 @@ mod backup;
 mod format;
 mod writer;
 
-pub use backup::{LostDocument, find};
+use backup::{Found, find};
+
+pub use backup::LostDocument;
 pub use format::Backup;
 
-use std::io;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use crate::editor::session::Session;
-use crate::editor::task::Tasks;
+use crate::editor::task::{StartError, Task, Tasks, Worker};
+use crate::editor::writing::Writing;
 use crate::marks::Mark;
 use writer::{News, Writer};
 
@@ -25,6 +27,11 @@ pub struct Recovery {
     folder: Option<PathBuf>,
     tasks: Tasks,
     writer: Option<Writer>,
+    search: Option<Task<Found>>,
+    /// Whether what the search finds is offered.
+    is_offering: bool,
+    /// Discarded documents that are being deleted.
+    deleting: Vec<Writing<Result<(), String>>>,
     /// Lost documents that are being offered, the latest first.
     lost: Vec<LostDocument>,
     /// The number of lost documents at the last search.
@@ -43,13 +50,16 @@ pub struct Recovery {
 }
 
 impl Recovery {
-    /// Keeps unsaved work in `folder`; `None` = nowhere. Returns also messages about files that cannot be read.
+    /// Keeps unsaved work in `folder`; `None` = nowhere. Nothing is searched for yet.
     #[must_use]
-    pub fn new(folder: Option<PathBuf>, tasks: Tasks) -> (Self, Vec<String>) {
-        let mut recovery = Self {
+    pub fn new(folder: Option<PathBuf>, tasks: Tasks) -> Self {
+        Self {
             folder,
             tasks,
             writer: None,
+            search: None,
+            is_offering: false,
+            deleting: Vec::new(),
             lost: Vec::new(),
             undecided: 0,
             restored: Vec::new(),
@@ -59,25 +69,73 @@ impl Recovery {
             is_kept: false,
             is_stopped: false,
             has_failed: false,
-        };
-        let errors = recovery.search();
-        (recovery, errors)
+        }
     }
 
-    /// Searches for lost documents. No other window offers them until [`Self::postpone`]. Returns messages about files
-    /// that cannot be read.
-    pub fn search(&mut self) -> Vec<String> {
-        self.lost.clear();
-        let Some(folder) = &self.folder else { return Vec::new() };
-        let found = find(folder);
-        self.lost = found.lost;
-        self.undecided = self.lost.len();
-        found.errors
+    /// Searches for lost documents beside the window. No other window offers those that are found until
+    /// [`Self::postpone`].
+    ///
+    /// # Errors
+    /// Where no thread can be started.
+    pub fn search(&mut self) -> Result<(), StartError> {
+        self.is_offering = true;
+        let Some(folder) = self.folder.clone().filter(|_| self.search.is_none()) else { return Ok(()) };
+        let before = std::mem::take(&mut self.lost);
+        let work = move |worker: &Worker<_>| {
+            // Released first: the search finds them again.
+            drop(before);
+            worker.send(find(&folder));
+        };
+        self.search = Some(self.tasks.start("the search for unsaved work", work)?);
+        Ok(())
+    }
+
+    /// Whether lost documents are being searched for.
+    #[must_use]
+    pub fn is_searching(&self) -> bool {
+        self.search.is_some()
+    }
+
+    /// Whether lost documents are being searched for or deleted.
+    #[must_use]
+    pub fn is_busy(&self) -> bool {
+        self.is_searching() || !self.deleting.is_empty()
+    }
+
+    /// Receives what the search has found and what was deleted; never waits. Returns error messages.
+    pub fn listen(&mut self) -> Vec<String> {
+        let mut errors = Vec::new();
+        self.deleting.retain_mut(|deleting| {
+            let Some(outcome) = deleting.poll() else { return true };
+            let error = outcome.unwrap_or_else(|why| Err(why.to_owned())).err();
+            errors.extend(error.map(|error| format!("It could not be discarded: {error}")));
+            false
+        });
+        let Some(search) = &mut self.search else { return errors };
+        match search.poll() {
+            Some(found) => {
+                self.search = None;
+                errors.extend(found.errors);
+                self.undecided = found.lost.len();
+                if self.is_offering {
+                    self.lost = found.lost;
+                }
+            }
+            None if search.has_ended() => {
+                self.search = None;
+                errors.push("The search for unsaved work failed inside dapple; please report it.".to_owned());
+            }
+            None => {}
+        }
+        errors
     }
 
     /// Ends the offer: the next start, or the next search, offers the documents again.
     pub fn postpone(&mut self) {
-        self.undecided = self.lost.len();
+        self.is_offering = false;
+        if !self.is_searching() {
+            self.undecided = self.lost.len();
+        }
         self.lost.clear();
     }
 
@@ -99,20 +157,18 @@ impl Recovery {
         let lost = self.lost.remove(self.position(id)?);
         self.postpone();
         let Backup { document, path, name } = lost.backup.clone();
-        let saved = path.as_deref().and_then(|path| crate::document::Document::read(path).ok());
+        let saved = lost.saved.clone().unwrap_or_default();
         self.restored.push(lost);
-        Some((Session::open_unsaved(document, saved.unwrap_or_default(), path), name))
+        Some((Session::open_unsaved(document, saved, path), name))
     }
 
-    /// Deletes the lost document `id`.
-    ///
-    /// # Errors
-    /// Where its file cannot be deleted.
-    pub fn discard(&mut self, id: &str) -> io::Result<()> {
-        let Some(index) = self.position(id) else { return Ok(()) };
+    /// Deletes the lost document `id` beside the window.
+    pub fn discard(&mut self, id: &str) {
+        let Some(index) = self.position(id) else { return };
         let lost = self.lost.remove(index);
         self.undecided = self.lost.len();
-        lost.delete()
+        let delete = move || lost.delete().map_err(|error| error.to_string());
+        self.deleting.push(Writing::start(&self.tasks, "discarding unsaved work", delete));
     }
 
     fn position(&self, id: &str) -> Option<usize> {

@@ -1,4 +1,5 @@
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use super::backup::BackupFile;
@@ -164,7 +165,7 @@ fn outcome(recovery: &mut Recovery, session: &Session) -> Result<Duration, Strin
 #[test]
 fn changes_in_quick_succession_are_all_kept_when_the_window_closes() {
     let folder = tempfile::tempdir().unwrap();
-    let (mut recovery, _) = Recovery::new(Some(folder.path().to_owned()), Tasks::default());
+    let mut recovery = Recovery::new(Some(folder.path().to_owned()), Tasks::default());
     let mut session = Session::default();
     for x in 0..5 {
         session.add(&[spot(20.0 + 40.0 * f64::from(x))]);
@@ -177,7 +178,7 @@ fn changes_in_quick_succession_are_all_kept_when_the_window_closes() {
 #[test]
 fn undone_work_is_not_kept() {
     let folder = tempfile::tempdir().unwrap();
-    let (mut recovery, _) = Recovery::new(Some(folder.path().to_owned()), Tasks::default());
+    let mut recovery = Recovery::new(Some(folder.path().to_owned()), Tasks::default());
     let mut session = Session::default();
     session.add(&[spot(50.0)]);
     outcome(&mut recovery, &session).unwrap();
@@ -192,11 +193,94 @@ fn undone_work_is_not_kept() {
 fn a_thread_that_does_not_start_is_reported_and_the_work_is_kept_at_the_end() {
     let folder = tempfile::tempdir().unwrap();
     let tasks = Tasks::default().with_spawn(Spawn(|_, _| Err(io::Error::other("none left"))));
-    let (mut recovery, _) = Recovery::new(Some(folder.path().to_owned()), tasks);
+    let mut recovery = Recovery::new(Some(folder.path().to_owned()), tasks);
     let mut session = Session::default();
     session.add(&[spot(50.0)]);
     let why = recovery.update(&session, None).unwrap().unwrap_err();
     assert!(why.contains("recovery") && why.contains("none left"), "{why}");
     drop(recovery);
     assert_eq!(find(folder.path()).lost.len(), 1);
+}
+
+/// A window's recovery that has searched `folder`, and the error messages.
+fn searched(folder: &Path) -> (Recovery, Vec<String>) {
+    let mut recovery = Recovery::new(Some(folder.to_owned()), Tasks::default());
+    recovery.search().unwrap();
+    let errors = heard(&mut recovery);
+    (recovery, errors)
+}
+
+/// Waits until nothing is searched for and nothing is deleted.
+fn heard(recovery: &mut Recovery) -> Vec<String> {
+    let mut errors = Vec::new();
+    while recovery.is_busy() {
+        errors.extend(recovery.listen());
+        std::thread::yield_now();
+    }
+    errors
+}
+
+#[test]
+fn what_was_postponed_is_found_by_the_next_search() {
+    let folder = tempfile::tempdir().unwrap();
+    BackupFile::new(folder.path()).unwrap().write(&backup(50.0, None)).unwrap();
+    let (mut recovery, errors) = searched(folder.path());
+    assert_eq!((recovery.lost().len(), recovery.undecided(), errors.len()), (1, 1, 0));
+    assert!(searched(folder.path()).0.lost().is_empty(), "only one window offers it");
+    recovery.postpone();
+    assert_eq!((recovery.lost().len(), recovery.undecided()), (0, 1));
+    recovery.search().unwrap();
+    heard(&mut recovery);
+    assert_eq!(recovery.lost().len(), 1);
+    // A search that is running already finds it for the one who asks again.
+    recovery.search().unwrap();
+    recovery.postpone();
+    recovery.search().unwrap();
+    heard(&mut recovery);
+    assert_eq!(recovery.lost().len(), 1);
+}
+
+#[test]
+fn what_a_search_finds_after_the_offer_has_ended_is_counted_and_released() {
+    let folder = tempfile::tempdir().unwrap();
+    BackupFile::new(folder.path()).unwrap().write(&backup(50.0, None)).unwrap();
+    let mut recovery = Recovery::new(Some(folder.path().to_owned()), Tasks::default());
+    recovery.search().unwrap();
+    recovery.postpone();
+    heard(&mut recovery);
+    assert_eq!((recovery.lost().len(), recovery.undecided()), (0, 1));
+    assert_eq!(find(folder.path()).lost.len(), 1, "another window may offer it");
+}
+
+#[test]
+fn a_restored_document_is_compared_with_what_its_file_holds() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.dapple");
+    let saved = backup(70.0, None).document;
+    saved.write(&file).unwrap();
+    let recovery = folder.path().join("recovery");
+    for (path, saved) in [(Some(&*file), saved), (None, Document::default())] {
+        BackupFile::new(&recovery).unwrap().write(&backup(50.0, path)).unwrap();
+        let (mut found, _) = searched(&recovery);
+        let id = found.lost()[0].id();
+        let (mut session, _) = found.restore(&id).unwrap();
+        assert!(session.is_changed());
+        session.edit(|document| *document = saved);
+        assert!(!session.is_changed());
+        found.restored.remove(0).delete().unwrap();
+    }
+}
+
+#[test]
+fn discarding_that_fails_is_reported() {
+    let folder = tempfile::tempdir().unwrap();
+    BackupFile::new(folder.path()).unwrap().write(&backup(50.0, None)).unwrap();
+    let (mut recovery, _) = searched(folder.path());
+    let file = backups(folder.path()).remove(0);
+    fs::remove_file(&file).unwrap();
+    fs::create_dir(&file).unwrap();
+    let id = recovery.lost()[0].id();
+    recovery.discard(&id);
+    let errors = heard(&mut recovery);
+    assert!(errors.len() == 1 && errors[0].contains("could not be discarded"), "{errors:?}");
 }
