@@ -7,28 +7,45 @@ use egui::{Color32, Painter, Rect, TextureHandle, TextureOptions, Ui, pos2};
 use super::growth::{Growth, Picture, Texture, essence};
 use crate::document::Document;
 use crate::editor::session::Session;
+use crate::editor::task::{StartError, Task, Tasks, Worker};
 
 /// The longest side of the picture, px: enough for a dimmed background.
 const LONGEST: usize = 1024;
 /// Its opacity.
 const OPACITY: f32 = 0.42;
 
+/// A number of layers, and the document they belong to.
+type Lowest = (usize, Arc<Document>);
+
 /// The picture under the canvas.
 #[derive(Default)]
 pub struct Underlay {
     texture: Option<TextureHandle>,
-    /// The number of layers that it shows, and the document they belong to.
-    painted: Option<(usize, Arc<Document>)>,
+    /// What it shows, or will show once it is painted.
+    painted: Option<Lowest>,
+    painting: Option<Task<Picture>>,
     /// The session's revision and number of frozen layers that it was last compared with.
     seen: Option<(u64, usize)>,
 }
 
 impl Underlay {
-    /// Updates it after layers were frozen or a texture has settled.
-    pub fn follow(&mut self, ui: &Ui, session: &Session, growth: &Growth) {
+    /// Updates it after layers were frozen or a texture has settled. It is painted beside the window.
+    ///
+    /// # Errors
+    /// Where no thread can be started.
+    pub fn follow(
+        &mut self,
+        ui: &Ui,
+        session: &Session,
+        growth: &Growth,
+        tasks: &Tasks,
+    ) -> Result<(), StartError> {
         if session.frozen() == 0 {
             *self = Self::default();
-            return;
+            return Ok(());
+        }
+        if let Some(picture) = self.painting.as_mut().and_then(Task::poll) {
+            self.texture = Some(ui.ctx().load_texture("beneath", picture.image, TextureOptions::LINEAR));
         }
         // Empty layers are not grown.
         let frozen = session.document().layers.iter().take(session.frozen());
@@ -36,27 +53,28 @@ impl Underlay {
         if self.seen != Some((session.revision(), count)) {
             self.seen = Some((session.revision(), count));
             let finished = session.finished();
-            let same = |(painted, document): &(usize, Arc<Document>)| {
-                *painted == count && grows_alike(&finished, document, count)
-            };
+            let same =
+                |(painted, document): &Lowest| *painted == count && grows_alike(&finished, document, count);
             if !self.painted.as_ref().is_some_and(same) {
-                (self.texture, self.painted) = (None, None);
+                (self.texture, self.painted, self.painting) = (None, None, None);
             }
         }
         if let (1.., Some(settled)) = (count, &growth.texture) {
-            let known = |(painted, of): &(usize, Arc<Document>)| {
-                *painted == count && Arc::ptr_eq(of, &settled.document)
-            };
+            let known = |(painted, of): &Lowest| *painted == count && Arc::ptr_eq(of, &settled.document);
             if !self.painted.as_ref().is_some_and(known) && settled.document.layers.len() >= count {
-                self.take(ui, settled, count);
+                return self.paint_anew(settled, count, tasks);
             }
         }
+        Ok(())
     }
 
-    fn take(&mut self, ui: &Ui, settled: &Texture, count: usize) {
-        let picture = Picture::lowest(settled, count, LONGEST);
-        self.texture = Some(ui.ctx().load_texture("beneath", picture.image, TextureOptions::LINEAR));
+    fn paint_anew(&mut self, settled: &Texture, count: usize, tasks: &Tasks) -> Result<(), StartError> {
+        // Also where no thread starts: this is reported once, and the next texture is tried again.
         self.painted = Some((count, Arc::clone(&settled.document)));
+        let settled = settled.clone();
+        let work = move |worker: &Worker<_>| worker.send(Picture::lowest(&settled, count, LONGEST));
+        self.painting = Some(tasks.start("painting the frozen layers", work)?);
+        Ok(())
     }
 
     /// Whether there is a picture.

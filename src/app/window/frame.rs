@@ -26,7 +26,8 @@ impl Window {
                 self.trace.event("settled", *took);
             }
         }
-        self.canvas.underlay.follow(ui, &self.session, &self.growth);
+        let underlay = self.canvas.underlay.follow(ui, &self.session, &self.growth, &self.tasks);
+        self.report(underlay.err());
         self.listen(ui);
         self.listen_to_recovery(ui);
         if self.tab == Tab::Result {
