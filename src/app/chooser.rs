@@ -1,10 +1,10 @@
 //! File dialogs: the system's where it has one, else our own.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use egui::{Button, Key, ScrollArea, TextEdit, Ui, vec2};
 
+use crate::editor::folder::{self, Kind, Listing};
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 
 /// What a file is chosen for.
@@ -91,9 +91,16 @@ pub struct Chooser {
     pub purpose: Purpose,
     /// The system's dialog; without one, our own is shown.
     system: Option<Task<Option<PathBuf>>>,
+    tasks: Tasks,
     folder: PathBuf,
     name: String,
     entries: Vec<(String, bool)>,
+    /// The folder that is being listed.
+    listing: Option<Task<Listing>>,
+    /// The path that was chosen, while dapple finds out what is there.
+    checking: Option<(PathBuf, Task<Kind>)>,
+    /// Why a folder or file cannot be looked at.
+    problem: Option<String>,
     /// The existing file that the user was asked about: the next choice of it replaces it.
     replaces: Option<PathBuf>,
     fresh: bool,
@@ -103,22 +110,27 @@ impl Chooser {
     /// Begins in the folder of `at`. `native` starts the system's dialog; without it, or where the system has none, our
     /// own dialog is shown.
     #[must_use]
-    pub fn new(purpose: Purpose, at: Option<&Path>, name: &str, native: Option<&Tasks>) -> Self {
-        let folder = at.and_then(Path::parent).filter(|folder| folder.is_dir()).map(Path::to_owned);
+    pub fn new(purpose: Purpose, at: Option<&Path>, name: &str, tasks: &Tasks, native: bool) -> Self {
+        let folder = at.and_then(Path::parent).map(Path::to_owned);
         let folder = folder.or_else(|| std::env::current_dir().ok()).unwrap_or_else(|| PathBuf::from("."));
-        let folder = folder.canonicalize().unwrap_or(folder);
-        let native = native.filter(|_| has_system_dialog());
-        let system = native.and_then(|tasks| system_dialog(purpose, &folder, name, tasks).ok());
+        let native = native && has_system_dialog();
+        let system = native.then(|| system_dialog(purpose, &folder, name, tasks).ok()).flatten();
         let mut chooser = Self {
             purpose,
             system,
+            tasks: tasks.clone(),
             folder,
             name: name.to_owned(),
             entries: Vec::new(),
+            listing: None,
+            checking: None,
+            problem: None,
             replaces: None,
             fresh: true,
         };
-        chooser.list();
+        if chooser.is_ours() {
+            chooser.follow(folder::list_resolved(&chooser.folder, purpose.endings(), tasks));
+        }
         chooser
     }
 
@@ -138,28 +150,38 @@ impl Chooser {
         }
     }
 
-    fn list(&mut self) {
-        let fits = |name: &str| {
-            let ending = Path::new(name).extension().map(|ending| ending.to_string_lossy().to_lowercase());
-            ending.is_some_and(|ending| self.purpose.endings().contains(&ending.as_str()))
-        };
-        let files = fs::read_dir(&self.folder).into_iter().flatten().flatten();
-        let mut entries: Vec<(String, bool)> = files
-            .map(|entry| (entry.file_name().to_string_lossy().into_owned(), entry.path().is_dir()))
-            .filter(|(name, folder)| !name.starts_with('.') && (*folder || fits(name)))
-            .collect();
-        entries.sort_by_key(|(name, folder)| (!folder, name.to_lowercase()));
-        self.entries = entries;
+    /// Whether a folder or file is being looked at.
+    #[must_use]
+    pub fn is_busy(&self) -> bool {
+        self.listing.is_some() || self.checking.is_some()
     }
 
     fn enter(&mut self, folder: PathBuf) {
+        (self.replaces, self.checking) = (None, None);
+        self.entries.clear();
+        let listing = folder::list(&folder, self.purpose.endings(), &self.tasks);
         self.folder = folder;
-        self.replaces = None;
-        self.list();
+        self.follow(listing);
+    }
+
+    fn follow(&mut self, listing: Result<Task<Listing>, StartError>) {
+        self.problem = listing.as_ref().err().map(ToString::to_string);
+        self.listing = listing.ok();
+    }
+
+    fn listen_to_listing(&mut self) {
+        let Some(task) = &mut self.listing else { return };
+        if let Some(listing) = task.poll() {
+            (self.folder, self.entries, self.listing) = (listing.folder, listing.entries, None);
+        } else if task.has_ended() {
+            self.listing = None;
+        }
     }
 
     /// Shows the contents of our own dialog.
     pub fn ui(&mut self, ui: &mut Ui) -> Choice {
+        self.listen_to_listing();
+        let mut choice = self.checked();
         ui.set_width(480.0);
         ui.heading(self.purpose.title());
         ui.add_space(4.0);
@@ -180,7 +202,7 @@ impl Chooser {
                 edit.request_focus();
             }
             if edit.changed() {
-                self.replaces = None;
+                (self.replaces, self.checking) = (None, None);
             }
             chosen |= edit.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         });
@@ -195,7 +217,9 @@ impl Chooser {
             };
             ui.colored_label(ui.visuals().warn_fg_color, text);
         }
-        let mut choice = Choice::Waiting;
+        if let Some(problem) = &self.problem {
+            ui.colored_label(ui.visuals().error_fg_color, problem);
+        }
         ui.add_space(4.0);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let verb = if self.replaces.is_some() { "Replace" } else { self.purpose.verb() };
@@ -207,10 +231,9 @@ impl Chooser {
             }
         });
         if chosen && choice == Choice::Waiting && !self.name.trim().is_empty() {
-            self.choose(path)
-        } else {
-            choice
+            self.check(path);
         }
+        choice
     }
 
     fn entries_ui(&mut self, ui: &mut Ui) -> bool {
@@ -220,7 +243,7 @@ impl Chooser {
         ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false; 2]).show(
             ui,
             |ui| {
-                if self.entries.is_empty() {
+                if self.entries.is_empty() && self.listing.is_none() {
                     ui.weak("Nothing to choose here.");
                 }
                 for (name, folder) in &self.entries {
@@ -257,21 +280,39 @@ impl Chooser {
         }
     }
 
-    fn choose(&mut self, path: PathBuf) -> Choice {
-        let full = || fs::read_dir(&path).is_ok_and(|mut inside| inside.next().is_some());
-        if self.purpose == Purpose::ExportInto {
-            if path.is_dir() && full() && self.replaces.as_ref() != Some(&path) {
-                self.replaces = Some(path);
-                return Choice::Waiting;
-            }
-            return Choice::Chosen(path);
+    /// Finds out what is at `path`; [`Self::checked`] goes on.
+    fn check(&mut self, path: PathBuf) {
+        let task = folder::look_at(&path, &self.tasks);
+        self.problem = task.as_ref().err().map(ToString::to_string);
+        self.checking = task.ok().map(|task| (path, task));
+    }
+
+    /// The choice, once it is known what is at the chosen path.
+    fn checked(&mut self) -> Choice {
+        let Some((_, task)) = &mut self.checking else { return Choice::Waiting };
+        let kind = task.poll();
+        if kind.is_none() && !task.has_ended() {
+            return Choice::Waiting;
         }
-        if path.is_dir() {
+        match (self.checking.take(), kind) {
+            (Some((path, _)), Some(kind)) => self.choose(path, kind),
+            _ => Choice::Waiting,
+        }
+    }
+
+    fn choose(&mut self, path: PathBuf, kind: Kind) -> Choice {
+        let is_folder = matches!(kind, Kind::Folder | Kind::EmptyFolder);
+        if is_folder && self.purpose != Purpose::ExportInto {
             self.name.clear();
             self.enter(path);
             return Choice::Waiting;
         }
-        if self.purpose.writes() && path.exists() && self.replaces.as_ref() != Some(&path) {
+        let would_replace = if self.purpose == Purpose::ExportInto {
+            kind == Kind::Folder
+        } else {
+            self.purpose.writes() && kind == Kind::File
+        };
+        if would_replace && self.replaces.as_ref() != Some(&path) {
             self.replaces = Some(path);
             return Choice::Waiting;
         }
@@ -294,18 +335,19 @@ fn system_dialog(
     name: &str,
     tasks: &Tasks,
 ) -> Result<Task<Option<PathBuf>>, StartError> {
-    let dialog = rfd::FileDialog::new().set_title(purpose.title()).set_directory(folder).set_file_name(name);
+    let dialog = rfd::FileDialog::new().set_title(purpose.title()).set_file_name(name);
     let dialog = match purpose.endings() {
         [] => dialog,
         endings => dialog.add_filter(endings[0], endings),
     };
-    let name = name.to_owned();
+    let (folder, name) = (folder.to_owned(), name.to_owned());
     tasks.start("the file dialog", move |worker: &Worker<_>| {
+        let dialog = dialog.set_directory(folder::resolved(&folder));
         worker.send(match purpose {
             // A folder of its own in the one that was picked, where that is not empty.
-            Purpose::ExportInto => dialog.pick_folder().map(|folder| {
-                let empty = fs::read_dir(&folder).is_ok_and(|mut inside| inside.next().is_none());
-                if empty { folder } else { folder.join(&name) }
+            Purpose::ExportInto => dialog.pick_folder().map(|picked| {
+                let is_empty = folder::kind(&picked) == Kind::EmptyFolder;
+                if is_empty { picked } else { picked.join(&name) }
             }),
             _ if purpose.writes() => dialog.save_file(),
             _ => dialog.pick_file(),

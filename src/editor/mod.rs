@@ -3,6 +3,7 @@
 pub mod clipboard;
 pub mod edit;
 pub mod file_lock;
+pub mod folder;
 pub mod history;
 pub mod layer_action;
 pub mod layer_choices;

@@ -1,5 +1,6 @@
 //! The panel of layers: every control, by pointer and by keys.
 
+use dapple::app::Window;
 use dapple::document::{After, Seeding, SpreadChoice, Stroke, SystemChoice};
 use dapple::internals::rd::System;
 use egui::accesskit::Role;
@@ -345,7 +346,7 @@ fn layers_beneath_are_not_grown_again_and_are_shown_under_the_canvas() {
     hand.until_settled();
     let below = hand.window.state().settled().unwrap().grown.layers[0].marks.values.clone();
     hand.key(Modifiers::NONE, Key::F);
-    assert!(hand.window.state().has_underlay());
+    hand.until("the picture of the frozen layer", Window::has_underlay);
     // The lowest layer is reused: the first that grows is the second.
     hand.draw_round([300.0, 300.0], [9.0, 6.0], 100.0);
     hand.until_settled();
@@ -353,7 +354,7 @@ fn layers_beneath_are_not_grown_again_and_are_shown_under_the_canvas() {
     assert_eq!(grown.layers.len(), 2);
     assert_eq!(grown.layers[0].marks.values, below);
     assert_eq!(hand.window.state().growth().reused, 1);
-    assert!(hand.window.state().has_underlay());
+    hand.until("the picture of the frozen layer", Window::has_underlay);
     // Unfrozen, nothing is shown under it any more.
     hand.press("Thaw layer 1");
     assert!(!hand.window.state().has_underlay());

@@ -62,10 +62,9 @@ impl Files {
     /// Whether a file is being read or written.
     #[must_use]
     pub fn is_busy(&self) -> bool {
-        self.reading.is_some()
-            || self.inspecting.is_some()
-            || self.saving.is_some()
-            || self.palettes.is_busy()
+        let is_choosing = self.chooser.as_ref().is_some_and(Chooser::is_busy);
+        let is_reading = self.reading.is_some() || self.inspecting.is_some();
+        is_choosing || is_reading || self.saving.is_some() || self.palettes.is_busy()
     }
 
     /// Whether a file of the user is being written.
@@ -177,8 +176,7 @@ impl Window {
 
     pub(super) fn choose(&mut self, purpose: Purpose, name: &str) {
         let at = self.session.path.clone();
-        self.files.chooser =
-            Some(Chooser::new(purpose, at.as_deref(), name, self.files.native.then_some(&self.tasks)));
+        self.files.chooser = Some(Chooser::new(purpose, at.as_deref(), name, &self.tasks, self.files.native));
     }
 
     pub(super) fn choose_reference(&mut self) {
