@@ -139,7 +139,7 @@ fn palettes_are_saved_and_opened() {
 fn a_palette_that_cannot_be_read_or_written_is_reported_and_the_window_goes_on() {
     let (mut hand, folder) = dyer(1);
     let before = hand.colours(0);
-    for (button, file) in [("Open palette…", "nowhere.gpl"), ("Save palette…", "nowhere/p.gpl")] {
+    for (button, file) in [("Open palette…", "missing.gpl"), ("Save palette…", "nowhere/p.gpl")] {
         hand.reach(button);
         hand.type_into("File", folder.path().join(file).to_str().unwrap());
         let notices = hand.window.state().notices();
@@ -158,7 +158,7 @@ fn the_window_goes_on_while_a_palette_is_read_and_the_layer_it_was_for_takes_it(
     crate::hand::pipe(&file);
     let [below, above] = [0, 1].map(|layer| hand.colours(layer));
     hand.reach("Open palette…");
-    hand.type_path_without_waiting("File", &file);
+    hand.type_slow_path("File", &file);
     assert!(hand.window.state().is_busy_with_files());
     hand.window.key_press_modifiers(Modifiers::NONE, Key::PageDown);
     hand.window.run_steps(4);

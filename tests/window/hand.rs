@@ -64,15 +64,19 @@ pub fn pipe(file: &std::path::Path) {
 }
 
 impl Hand {
-    /// Runs a few frames, and waits for files that are being read or written.
+    /// Runs a few frames, and a few more after the end of files that are being read or written.
     #[track_caller]
     pub fn rest(&mut self) {
-        self.window.run_steps(4);
         let began = Instant::now();
-        while self.window.state().is_busy_with_files() {
-            assert!(began.elapsed() < Duration::from_secs(60), "a file is read or written for ever");
-            thread::sleep(Duration::from_millis(1));
-            self.window.run_steps(4);
+        let mut left = 4;
+        while left > 0 {
+            self.window.step();
+            left -= 1;
+            if self.window.state().is_busy_with_files() {
+                assert!(began.elapsed() < Duration::from_secs(60), "a file is read or written for ever");
+                thread::sleep(Duration::from_millis(1));
+                left = 4;
+            }
         }
     }
 
@@ -182,19 +186,29 @@ impl Hand {
 
     /// Types a path into the file dialog, and confirms it.
     pub fn type_path(&mut self, name: &str, path: &std::path::Path) {
-        self.type_path_without_waiting(name, path);
-        self.rest();
+        self.type_path_only(name, path);
+        self.key(Modifiers::NONE, Key::Enter);
     }
 
-    /// The same, without waiting for what is read or written then.
-    pub fn type_path_without_waiting(&mut self, name: &str, path: &std::path::Path) {
+    /// The same for a file that opens or saves slowly: the dialog is closed afterwards, the file not yet read or written.
+    pub fn type_slow_path(&mut self, name: &str, path: &std::path::Path) {
+        self.type_path_only(name, path);
+        self.window.key_press_modifiers(Modifiers::NONE, Key::Enter);
+        let began = Instant::now();
+        while self.window.query_by_role_and_label(Role::TextInput, name).is_some() {
+            assert!(began.elapsed() < Duration::from_secs(60), "the dialog stays open");
+            thread::sleep(Duration::from_millis(1));
+            self.window.step();
+        }
+        self.window.run_steps(4);
+    }
+
+    fn type_path_only(&mut self, name: &str, path: &std::path::Path) {
         self.window.get_by_role_and_label(Role::TextInput, name).click();
         self.rest();
         self.key(Modifiers::COMMAND, Key::A);
         self.window.event(egui::Event::Text(path.to_str().unwrap().to_owned()));
         self.window.step();
-        self.window.key_press_modifiers(Modifiers::NONE, Key::Enter);
-        self.window.run_steps(4);
     }
 
     /// Presses keys.

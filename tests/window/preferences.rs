@@ -63,14 +63,14 @@ fn settings_that_cannot_be_written_are_reported_once_and_the_window_goes_on() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = at(&folder.path().join("dapple/settings"));
     std::fs::write(folder.path().join("dapple"), "a file where a folder should be").unwrap();
-    for units in ["mm", "px"] {
+    for change in ["mm", "Dark"] {
         preferences(&mut hand);
-        hand.press(units);
+        hand.press(change);
         hand.press("Close");
         let notices = hand.window.state().notices().to_vec();
         let reported = notices.iter().filter(|notice| notice.text.contains("settings cannot be saved"));
-        assert_eq!(reported.count(), usize::from(units == "mm"), "{notices:?}");
-        if units == "mm" {
+        assert_eq!(reported.count(), usize::from(change == "mm"), "{notices:?}");
+        if change == "mm" {
             hand.press("OK");
         }
     }
