@@ -65,7 +65,8 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Reads the user's settings on the calling thread: the window opens with their placement and theme. Without a folder for them, nothing is remembered.
+    /// Reads the user's settings; without a folder for them, nothing is remembered. On the calling thread: the window
+    /// opens at the place and in the theme that they name.
     #[must_use]
     pub fn for_user() -> Self {
         folder().map_or_else(Self::default, |folder| Self::read(&folder.join("settings")))

@@ -20,7 +20,7 @@ mod start;
 pub use placement::{bring_into_view, placed};
 pub use start::Start;
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use egui::{Pos2, Rect};
 
@@ -57,8 +57,8 @@ pub struct Window {
     notices: Notices,
     files: Files,
     recovery: Recovery,
-    /// Whether lost documents that are found at the start are still to be offered.
-    offers_lost: bool,
+    /// When the search at the start began, while what it finds is still to be offered.
+    offer: Option<Instant>,
     /// The lost document for which *Discard* was pressed once.
     discard_asked: Option<String>,
     gallery: Gallery,

@@ -11,18 +11,18 @@ impl Window {
         for error in self.recovery.listen() {
             self.notices.wrong(error);
         }
-        if !self.offers_lost || self.recovery.is_searching() {
-            return;
-        }
+        let Some(began) = self.offer.filter(|_| !self.recovery.is_searching()) else { return };
         // Nothing that the user has begun in the meantime is interrupted.
         let is_free = matches!(self.page, None | Some(Page::Hint)) && !self.files.is_asking();
         let is_busy = self.canvas.is_busy() || self.menu_open || ui.input(|input| input.pointer.any_down());
-        if self.recovery.lost().is_empty() || self.page == Some(Page::Recovery) {
-            self.offers_lost = false;
-        } else if is_free && !is_busy {
-            self.offers_lost = false;
+        if !self.recovery.lost().is_empty() && self.page != Some(Page::Recovery) {
+            if !is_free || is_busy {
+                return;
+            }
             self.page = Some(Page::Recovery);
         }
+        self.offer = None;
+        self.trace.event("searched", began.elapsed());
     }
 
     /// Offers lost documents, or ends the offer.

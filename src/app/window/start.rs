@@ -1,6 +1,7 @@
 //! Opening the window.
 
 use std::path::PathBuf;
+use std::time::Instant;
 
 use egui::{Context, Theme};
 
@@ -68,7 +69,7 @@ impl Window {
             exporting: None,
             page: first.then_some(Page::Hint),
             recovery: Recovery::new(start.recovery, tasks.clone()),
-            offers_lost: true,
+            offer: Some(Instant::now()),
             discard_asked: None,
             tab: Tab::default(),
             layers: LayersPanel::default(),
