@@ -137,7 +137,7 @@ fn palettes_are_saved_and_opened() {
 
 #[test]
 fn a_palette_that_cannot_be_read_or_written_is_reported_and_the_window_goes_on() {
-    let (mut hand, folder) = dyer(1);
+    let (mut hand, folder) = with_layers(1);
     let before = hand.colours(0);
     for (button, file) in [("Open palette…", "missing.gpl"), ("Save palette…", "nowhere/p.gpl")] {
         hand.reach(button);
@@ -153,7 +153,7 @@ fn a_palette_that_cannot_be_read_or_written_is_reported_and_the_window_goes_on()
 #[cfg(unix)]
 #[test]
 fn the_window_goes_on_while_a_palette_is_read_and_the_layer_it_was_for_takes_it() {
-    let (mut hand, folder) = dyer(2);
+    let (mut hand, folder) = with_layers(2);
     let file = folder.path().join("slow.gpl");
     crate::hand::pipe(&file);
     let [below, above] = [0, 1].map(|layer| hand.colours(layer));

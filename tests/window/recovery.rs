@@ -115,7 +115,7 @@ fn changes_of_a_file_come_back_with_the_file() {
 fn the_window_can_be_used_while_unsaved_work_is_searched_for() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("tiger.dapple");
-    let saved = Document::read(&example("tiger")).unwrap();
+    let saved = Document::read(example("tiger")).unwrap();
     saved.write(&file).unwrap();
     let mut hand = window(folder.path(), Some(&file));
     hand.key(Modifiers::COMMAND, Key::A);
