@@ -76,7 +76,7 @@ fn serve(name: &str, size: usize, folder: &Path) -> Result<(), Box<dyn Error>> {
 }
 
 fn make_uneven(maps: &mut Maps) {
-    let [nx, ny] = maps.grid.size;
+    let [nx, ny] = maps.domain.size;
     for (cell, p) in maps.parameters.iter_mut().enumerate() {
         let [x, y] = [(cell % nx) as f64 / nx as f64, (cell / nx) as f64 / ny as f64];
         p.rate *= (1.0 + UNEVEN * libm::sin(TAU * x) * libm::cos(TAU * y)) as f32;

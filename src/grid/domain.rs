@@ -7,13 +7,17 @@
 
 use std::ops::Range;
 
+use super::borderless::{Borderless, CellBuckets};
+use super::space::{Buckets, Space};
+
 /// Cells with places, areas, neighbours and a frame for directions. Lengths are in units of a mean cell's side.
 ///
 /// Every cell has a frame of two axes at right angles, in which directions (degrees from the first axis towards the
-/// second) and ways ([along the first, along the second]) are given.
+/// second) and ways ([along the first, along the second]) are given. The frame of a place is that of the cell it lies
+/// in.
 pub trait Domain: Sync {
     /// A point of the domain.
-    type Place: Copy + Send + Sync;
+    type Place: Copy + Send + Sync + PartialEq;
 
     /// Number of cells.
     fn cells(&self) -> usize;
@@ -29,6 +33,9 @@ pub trait Domain: Sync {
 
     /// The shortest way from one place to another, in the frame of the first.
     fn way(&self, from: Self::Place, to: Self::Place) -> [f64; 2];
+
+    /// The place at the end of a way, which is given in the frame of its start.
+    fn moved(&self, from: Self::Place, way: [f64; 2]) -> Self::Place;
 
     /// Degrees to add to a direction in the frame of cell `from` to give the same direction in the frame of cell `to`.
     fn turn(&self, from: usize, to: usize) -> f64;
@@ -57,4 +64,50 @@ pub trait Domain: Sync {
         }
         dilated
     }
+
+    /// Lengths of the units in which ways along the two axes are given. Only their ratio matters.
+    fn units(&self) -> [f64; 2] {
+        [1.0; 2]
+    }
+
+    /// How many cells that follow each other one thread works on at a time, at least 1.
+    fn part(&self) -> usize {
+        1 << 14
+    }
+
+    /// A place in a cell for two numbers from 0 to 1; places for uniform random numbers are uniform in the cell.
+    fn place_in(&self, cell: usize, [u, v]: [f64; 2]) -> Self::Place {
+        let side = self.area(cell).sqrt();
+        self.moved(self.center(cell), [(u - 0.5) * side, (v - 0.5) * side])
+    }
+
+    /// The place of the domain nearest to one in its [`Space`].
+    fn inside(&self, place: Self::Place) -> Self::Place {
+        place
+    }
+
+    /// A place as far as possible from any border.
+    fn middle(&self) -> Self::Place {
+        self.center(0)
+    }
+
+    /// The domain with a margin of this width beyond its border, where it has one.
+    fn space(&self, _margin: f64) -> impl Space<Place = Self::Place> {
+        Borderless::new(self)
+    }
+
+    /// Buckets for places of the domain, whose neighbours lie within `reach`.
+    fn buckets(&self, _reach: f64) -> impl Buckets<Place = Self::Place> {
+        CellBuckets::new(self)
+    }
+}
+
+/// A way, or any other vector, in a frame that is turned by this: see [`Domain::turn`].
+#[must_use]
+pub fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
+    if degrees == 0.0 {
+        return [x, y];
+    }
+    let (sin, cos) = libm::sincos(degrees.to_radians());
+    [cos * x - sin * y, sin * x + cos * y]
 }

@@ -3,16 +3,20 @@
 //! [`Grid`] holds size, cell, edges and neighbourhood; [`Domain`] is the part of it that a triangle surface could implement
 //! as well; [`Field`] is numbers on a grid.
 
+mod borderless;
 mod cells;
 pub mod distance;
 mod domain;
 mod edges;
 mod field;
+mod framed;
 pub mod resample;
+mod space;
 mod union_find;
 
 pub use cells::Grid;
-pub use domain::Domain;
+pub use domain::{Domain, turned};
 pub use edges::{Bounds, Edges};
 pub use field::{Field, to_u16};
+pub use space::{Buckets, Space, Wall};
 pub use union_find::UnionFind;

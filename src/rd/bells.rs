@@ -6,20 +6,21 @@ use super::maps::{Maps, Parameters};
 use super::nucleus::Nucleus;
 use crate::grid::Domain;
 
-/// Rows of bells that are drawn at once.
-const ROWS: usize = 16;
-
 /// For each cell 1 at the centre of an initial spot, falling to 0 away from it as a Gaussian in its metric.
 #[must_use]
-pub fn bells(maps: &Maps, nuclei: &[Nucleus], radius: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<f32> {
+pub fn bells<D: Domain>(
+    maps: &Maps<D>,
+    nuclei: &[Nucleus<D::Place>],
+    radius: &(dyn Fn(&Parameters) -> f64 + Sync),
+) -> Vec<f32> {
     let radii: Vec<f64> = nuclei.iter().map(|nucleus| radius(&maps.at(nucleus.at))).collect();
-    let mut bell = vec![0.0f32; maps.grid.cells()];
-    let band = ROWS * maps.grid.size[0];
-    bell.par_chunks_mut(band).enumerate().for_each(|(index, bell)| {
-        let first = index * band;
+    let mut bell = vec![0.0f32; maps.domain.cells()];
+    let part = maps.domain.part();
+    bell.par_chunks_mut(part).enumerate().for_each(|(index, bell)| {
+        let first = index * part;
         for (nucleus, radius) in nuclei.iter().zip(&radii) {
             let far = 3.5 * radius * nucleus.reach;
-            maps.grid.near(nucleus.at, far, first..first + bell.len()).for_each(|(cell, delta)| {
+            maps.domain.near(nucleus.at, far, first..first + bell.len()).for_each(|(cell, delta)| {
                 let exponent = -0.5 * nucleus.distance2(delta) / (radius * radius);
                 // Farther out it is less than 2·10⁻⁷ of the peak: a ten-thousandth of the ground.
                 if exponent > -16.0 {

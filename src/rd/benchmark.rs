@@ -81,10 +81,10 @@ impl Case {
     pub fn growth(&self, start: &Start, maps: &Maps) -> Option<Growth> {
         let tiled = |cells: &Vec<f32>| {
             let cell = |at: usize| {
-                let [column, row] = maps.grid.position(at);
+                let [column, row] = maps.domain.position(at);
                 cells[(row % SIDE) * SIDE + column % SIDE]
             };
-            (0..maps.grid.cells()).map(cell).collect()
+            (0..maps.domain.cells()).map(cell).collect()
         };
         let concentrations: Vec<Vec<f32>> = start.0.iter().map(tiled).collect();
         Growth::resumed(self.system, maps, &concentrations)

@@ -8,7 +8,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
-use crate::grid::{Domain, Edges};
+use crate::grid::{Domain, Space};
 use crate::rd::definition::{DecayNoise, System};
 use crate::rd::maps::Maps;
 
@@ -16,17 +16,14 @@ use crate::rd::maps::Maps;
 const RADIUS: f64 = 0.2;
 /// Number of kernels in a squared radius.
 const DENSITY: f64 = 2.5;
-/// Rows that are summed at once.
-const ROWS: usize = 16;
-
 /// A kernel.
-struct Bump {
-    at: [f64; 2],
+struct Bump<P> {
+    at: P,
     radius: f64,
     sign: f64,
 }
 
-impl Maps {
+impl<D: Domain> Maps<D> {
     /// These maps for spots of `system` that are `irregular`, 0 (not at all) to 1, with the same mean area; unchanged if the
     /// system has no irregular spots.
     #[must_use]
@@ -43,16 +40,16 @@ impl Maps {
     }
 }
 
-/// Noise over the grid, row by row, of about unit variance.
-fn noise(system: System, maps: &Maps, seed: u64) -> Vec<f32> {
+/// Noise over the domain, by cell, of about unit variance.
+fn noise<D: Domain>(system: System, maps: &Maps<D>, seed: u64) -> Vec<f32> {
     let bumps = random_kernels(system, maps, seed);
-    let mut sum = vec![0.0f32; maps.grid.cells()];
-    // Each band sums all kernels in order, so that the sums do not depend on the number of threads.
-    let band = ROWS * maps.grid.size[0];
-    sum.par_chunks_mut(band).enumerate().for_each(|(index, sum)| {
-        let first = index * band;
+    let mut sum = vec![0.0f32; maps.domain.cells()];
+    // Each part sums all kernels in order, so that the sums do not depend on the number of threads.
+    let part = maps.domain.part();
+    sum.par_chunks_mut(part).enumerate().for_each(|(index, sum)| {
+        let first = index * part;
         for bump in &bumps {
-            maps.grid.near(bump.at, bump.radius, first..first + sum.len()).for_each(|(cell, [dx, dy])| {
+            maps.domain.near(bump.at, bump.radius, first..first + sum.len()).for_each(|(cell, [dx, dy])| {
                 let window = (1.0 - (dx * dx + dy * dy) / (bump.radius * bump.radius)).max(0.0);
                 sum[cell - first] += (bump.sign * window * window) as f32;
             });
@@ -65,22 +62,18 @@ fn noise(system: System, maps: &Maps, seed: u64) -> Vec<f32> {
 }
 
 /// The kernels: placed at random with the highest density, then each kept with the ratio of the local density to it.
-fn random_kernels(system: System, maps: &Maps, seed: u64) -> Vec<Bump> {
+fn random_kernels<D: Domain>(system: System, maps: &Maps<D>, seed: u64) -> Vec<Bump<D::Place>> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let radii: Vec<f64> = maps.parameters.iter().map(|p| RADIUS * system.spacing(p)).collect();
     let least = radii.iter().copied().fold(f64::INFINITY, f64::min);
-    // Kernels are also placed in a frame beyond closed edges, so that the noise does not fade there.
-    let frame = match maps.grid.edges {
-        Edges::Wrap => 0.0,
-        Edges::Closed => radii.iter().copied().fold(0.0, f64::max),
-    };
-    let [w, h] = maps.grid.size.map(|n| n as f64 + 2.0 * frame);
-    let throws = (DENSITY * w * h / (least * least)).ceil() as usize;
+    // Kernels are also placed in a margin beyond closed edges, so that the noise does not fade there.
+    let space = maps.domain.space(radii.iter().copied().fold(0.0, f64::max));
+    let throws = (space.points(DENSITY) / (least * least)).ceil() as usize;
     let mut bumps = Vec::new();
     for _ in 0..throws {
-        let at = [rng.random::<f64>() * w - frame, rng.random::<f64>() * h - frame];
+        let at = space.to_domain(space.random(&mut rng));
         let (keep, sign) = (rng.random::<f64>(), if rng.random::<bool>() { 1.0 } else { -1.0 });
-        let radius = radii[maps.grid.cell_at(at)];
+        let radius = radii[maps.domain.cell_at(at)];
         if keep * radius * radius <= least * least {
             bumps.push(Bump { at, radius, sign });
         }
@@ -91,6 +84,7 @@ fn random_kernels(system: System, maps: &Maps, seed: u64) -> Vec<Bump> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::Edges;
     use crate::rd::maps::Parameters;
 
     fn maps(rate: f32, edges: Edges) -> Maps {

@@ -29,8 +29,8 @@ pub struct Definition {
     pub mobilities: fn(&Parameters) -> [f32; MOBILITIES],
     /// Concentrations, one plane a chemical, with their reaction; `None` for another number of planes.
     pub reacting: Reacting,
-    /// Initial concentrations, one vector a chemical.
-    pub begin: fn(&Start, &Maps) -> Vec<Vec<f32>>,
+    /// Its initial concentrations.
+    pub begin: Begin,
     /// Writes how much of a mark each cell of a row shows, given the row of each chemical: 0 on the ground, 1 at the centre
     /// of a mark with the parameters there.
     pub show: fn(&[&[f32]], &[Parameters], &mut [f32]),
@@ -73,6 +73,21 @@ pub struct Definition {
     pub usual_rate: f32,
     /// How far lookups may be off, as `dapple learn` checks.
     pub error_bounds: ErrorBounds,
+}
+
+/// How the initial concentrations of a system are made.
+#[derive(Clone, Copy)]
+pub enum Begin {
+    /// Of spots: from bells on their nuclei, on any domain.
+    Bells {
+        /// Radius of a bell in a place with these parameters, pitches.
+        radius: fn(&Parameters) -> f64,
+        /// Writes the concentrations of some cells, one slice a chemical, from the heights of their bells, 0..1, and their
+        /// parameters.
+        fill: fn(&mut [&mut [f32]], &[f32], &[Parameters]),
+    },
+    /// Of stripes and lines: from waves over a grid. One vector a chemical.
+    Waves(fn(&Start, &Maps) -> Vec<Vec<f32>>),
 }
 
 /// Laws of scale, good to some per cent.

@@ -33,11 +33,11 @@ const ROWS_A_BAND: usize = 32;
 /// Noise over the grid, row by row, of about unit variance.
 pub fn noise(maps: &Maps, wavelength: Wavelength, kernels: Kernels, rng: &mut impl Rng) -> Vec<f32> {
     let waves = waves(maps, wavelength, kernels, rng);
-    let mut sum = vec![0.0f32; maps.grid.cells()];
+    let mut sum = vec![0.0f32; maps.domain.cells()];
     // Each band sums all waves in order, so that the sums do not depend on the number of threads.
-    sum.par_chunks_mut(ROWS_A_BAND * maps.grid.size[0]).enumerate().for_each(|(band, sum)| {
+    sum.par_chunks_mut(ROWS_A_BAND * maps.domain.size[0]).enumerate().for_each(|(band, sum)| {
         for wave in &waves {
-            wave.add(rows(band, sum.len(), maps), &maps.grid, |cell, cos, _| sum[cell] += cos as f32);
+            wave.add(rows(band, sum.len(), maps), &maps.domain, |cell, cos, _| sum[cell] += cos as f32);
         }
     });
     // ∫ window² cos² = ½ (π/5) A·B, times density/λ².
@@ -63,15 +63,15 @@ pub fn phases(
     rng: &mut impl Rng,
 ) -> Vec<f32> {
     let waves = waves(maps, wavelength, kernels, rng);
-    let mut phases = vec![0.0f32; maps.grid.cells()];
-    phases.par_chunks_mut(ROWS_A_BAND * maps.grid.size[0]).enumerate().for_each(|(band, phases)| {
+    let mut phases = vec![0.0f32; maps.domain.cells()];
+    phases.par_chunks_mut(ROWS_A_BAND * maps.domain.size[0]).enumerate().for_each(|(band, phases)| {
         let rows = rows(band, phases.len(), maps);
-        let first = rows.start as usize * maps.grid.size[0];
+        let first = rows.start as usize * maps.domain.size[0];
         let own = &maps.parameters[first..first + phases.len()];
         let own: Vec<[f64; 2]> = own.iter().map(across).collect();
         let mut sums = vec![[0.0f64; 2]; phases.len()];
         for wave in &waves {
-            wave.add(rows.clone(), &maps.grid, |cell, cos, sin| {
+            wave.add(rows.clone(), &maps.domain, |cell, cos, sin| {
                 let same = own[cell][0] * wave.n[0] + own[cell][1] * wave.n[1] >= 0.0;
                 sums[cell][0] += cos;
                 sums[cell][1] += if same { sin } else { -sin };
@@ -93,7 +93,7 @@ pub fn phases(
 /// The rows of a band of `cells` cells.
 fn rows(band: usize, cells: usize, maps: &Maps) -> Range<isize> {
     let first = band * ROWS_A_BAND;
-    first as isize..(first + cells / maps.grid.size[0]) as isize
+    first as isize..(first + cells / maps.domain.size[0]) as isize
 }
 
 /// Waves at random places.
@@ -103,12 +103,12 @@ fn waves(
     Kernels { reach, density }: Kernels,
     rng: &mut impl Rng,
 ) -> Vec<Wave> {
-    let [nx, ny] = maps.grid.size;
+    let [nx, ny] = maps.domain.size;
     let densities: Vec<f64> =
         maps.parameters.iter().map(|p| density / (wavelength(p) * wavelength(p))).collect();
     let densest = densities.iter().copied().fold(0.0, f64::max);
     // Waves are also placed in a frame beyond closed edges, so that the noise does not fade there.
-    let frame = match maps.grid.edges {
+    let frame = match maps.domain.edges {
         Edges::Wrap => 0.0,
         Edges::Closed => reach[0] * maps.parameters.iter().map(wavelength).fold(0.0, f64::max),
     };

@@ -57,7 +57,7 @@ impl Growth {
     /// `None` where their number or length does not fit the system and the grid.
     #[must_use]
     pub fn resumed(system: System, maps: &Maps, concentrations: &[Vec<f32>]) -> Option<Self> {
-        let grid = RowLayout::new(&maps.grid);
+        let grid = RowLayout::new(&maps.domain);
         let planes: Vec<Plane> =
             concentrations.iter().map(|cells| Plane::from_cells(grid, cells)).collect::<Option<_>>()?;
         let chemicals = (system.definition().reacting)(maps, grid, planes)?;
@@ -72,7 +72,7 @@ impl Growth {
             masked,
             system,
             problem,
-            cell: maps.grid.cell,
+            cell: maps.domain.cell,
             chemicals,
             scratch,
             time_a_step,
@@ -183,13 +183,13 @@ impl Growth {
 }
 
 /// Cells whose concentrations belong to the marks of other layers: obstacle cells, and cells that these affect.
-fn masked(system: System, maps: &Maps) -> Vec<bool> {
+fn masked<D: Domain>(system: System, maps: &Maps<D>) -> Vec<bool> {
     let rim = system.definition().obstacle_rim;
     if rim == 0.0 {
         return maps.obstacles.clone();
     }
     let reach = |cell: usize| (rim * system.spacing(&maps.parameters[cell])).ceil();
-    maps.grid.dilated(&maps.obstacles, reach)
+    maps.domain.dilated(&maps.obstacles, reach)
 }
 
 /// Coefficients with the largest time step that is stable.
@@ -199,9 +199,9 @@ fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
     let tensors: Vec<Diffusion> = definition
         .tensors
         .iter()
-        .map(|tensor| Diffusion::new(grid, at, |p| tensor(&p).on_cells(maps.grid.cell)))
+        .map(|tensor| Diffusion::new(grid, at, |p| tensor(&p).on_cells(maps.domain.cell)))
         .collect();
-    let square = Tensor { xx: 1.0, xy: 0.0, yy: 1.0 }.on_cells(maps.grid.cell);
+    let square = Tensor { xx: 1.0, xy: 0.0, yy: 1.0 }.on_cells(maps.domain.cell);
     let isotropic = [square.xx as f32, square.yy as f32];
     let fastest = |p: &Parameters| {
         let mobilities = (definition.mobilities)(p);

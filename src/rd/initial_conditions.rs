@@ -4,37 +4,81 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 use crate::grid::Domain;
-use crate::rd::definition::System;
+use crate::rd::bells::bells;
+use crate::rd::definition::{Begin, System};
 use crate::rd::line_noise::GuideLine;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::{LaidSpots, PinnedSpot, Places, lay, thinned};
 use crate::rd::nucleus::Nucleus;
 use crate::rd::seeding::{Seeding, segments};
-use crate::rd::start::Start;
+use crate::rd::start::{Start, by_cell};
 
 /// Where the spots of this growth begin, in cells, the `pinned` ones first; without any, the same places that
 /// [`crate::rd::Growth::new`] takes. Empty for stripes and lines.
 #[must_use]
-pub fn nuclei(system: System, maps: &Maps, seed: u64, pinned: &[PinnedSpot]) -> Places {
-    let fixed: Vec<Nucleus> = pinned.iter().map(|pinned| pinned.nucleus(system, maps)).collect();
+pub fn nuclei<D: Domain>(
+    system: System,
+    maps: &Maps<D>,
+    seed: u64,
+    pinned: &[PinnedSpot<D::Place>],
+) -> Places<D::Place> {
+    let fixed: Vec<Nucleus<D::Place>> = pinned.iter().map(|pinned| pinned.nucleus(system, maps)).collect();
     let Some(LaidSpots { inside, beyond }) = laid(system, maps, seed, &fixed) else {
         return Places::default();
     };
-    let at = |laid: Vec<Nucleus>| laid.iter().map(|nucleus| nucleus.at).collect();
+    let at = |laid: Vec<Nucleus<D::Place>>| laid.iter().map(|nucleus| nucleus.at).collect();
     Places { inside: at(inside), beyond: at(beyond), pinned: pinned.len() }
 }
 
-/// Spots over the grid around those that are `fixed`; `None` for stripes and lines.
-fn laid(system: System, maps: &Maps, seed: u64, fixed: &[Nucleus]) -> Option<LaidSpots> {
+/// Spots over the domain around those that are `fixed`; `None` for stripes and lines.
+fn laid<D: Domain>(
+    system: System,
+    maps: &Maps<D>,
+    seed: u64,
+    fixed: &[Nucleus<D::Place>],
+) -> Option<LaidSpots<D::Place>> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     (!system.is_striped()).then(|| lay(maps, &|p| system.spacing(p), fixed, &mut rng))
 }
 
 /// The concentrations that [`crate::rd::Growth::new`] begins from.
 pub fn fresh(system: System, maps: &Maps, seed: u64) -> Vec<Vec<f32>> {
-    let nuclei = laid(system, maps, seed, &[]).map_or_else(Vec::new, |laid| laid.inside);
-    let start = Start { seed, nuclei: &nuclei, lines: &[], curves: None, seeding: Seeding::Noise };
-    (system.definition().begin)(&start, maps)
+    match system.definition().begin {
+        Begin::Bells { .. } => {
+            let nuclei = laid(system, maps, seed, &[]).map_or_else(Vec::new, |laid| laid.inside);
+            from_nuclei(system, maps, &nuclei)
+        }
+        Begin::Waves(begin) => {
+            begin(&Start { seed, lines: &[], curves: None, seeding: Seeding::Noise }, maps)
+        }
+    }
+}
+
+/// The concentrations of spots that begin at these places, one vector a chemical; none for stripes and lines.
+///
+/// Where marks are smaller than the cells can hold (`lost`, by cell), `maps` holds larger ones, and only so many of the
+/// spots begin as have room. Neighbours may vanish there.
+#[must_use]
+pub fn from_places<D: Domain>(
+    system: System,
+    maps: &Maps<D>,
+    places: &[D::Place],
+    lost: &dyn Fn(usize) -> bool,
+) -> Vec<Vec<f32>> {
+    let pitch = |p: &Parameters| system.spacing(p);
+    let laid = places.iter().map(|at| Nucleus::at(maps, *at, &pitch)).collect();
+    let nuclei = thinned(laid, maps, &|nucleus| lost(nucleus.cell));
+    with_obstacle_state(system, maps, from_nuclei(system, maps, &nuclei))
+}
+
+/// Concentrations with a bell on each nucleus; none for stripes and lines.
+fn from_nuclei<D: Domain>(system: System, maps: &Maps<D>, nuclei: &[Nucleus<D::Place>]) -> Vec<Vec<f32>> {
+    match system.definition().begin {
+        Begin::Bells { radius, fill } => {
+            by_cell(maps, system.chemicals().len(), &bells(maps, nuclei, &radius), fill)
+        }
+        Begin::Waves(_) => Vec::new(),
+    }
 }
 
 /// What a growth begins from, for any grid over its canvas: spots at the same places, stripes from the same waves.
@@ -59,7 +103,7 @@ impl InitialConditions {
     /// The same from spots at these `places`, cells of `maps`.
     #[must_use]
     pub fn at_places(system: System, maps: &Maps, seed: u64, places: &[[f64; 2]]) -> Self {
-        let [nx, ny] = maps.grid.size.map(|n| n as f64);
+        let [nx, ny] = maps.domain.size.map(|n| n as f64);
         let share = |[x, y]: &[f64; 2]| [x / nx, y / ny];
         Self {
             system,
@@ -93,34 +137,32 @@ impl InitialConditions {
         self.seeding == Seeding::Segments
     }
 
-    /// The concentrations on the grid of `maps`, one vector a chemical.
-    ///
-    /// Where marks are smaller than the grid can hold (`lost`, by cell), `maps` holds larger ones, and only so
-    /// many of the spots begin as have room. Neighbours may vanish there.
+    /// The concentrations on the grid of `maps`, one vector a chemical; `lost` as in [`from_places`].
     #[must_use]
     pub fn on(&self, maps: &Maps, lost: &dyn Fn(usize) -> bool) -> Vec<Vec<f32>> {
-        let pitch = |p: &Parameters| self.system.spacing(p);
-        let nucleus = |at: &[f64; 2]| {
-            let at = [at[0] * maps.grid.size[0] as f64, at[1] * maps.grid.size[1] as f64];
-            Nucleus::at(maps, at, &pitch)
-        };
-        let laid = self.places.iter().map(nucleus).collect();
-        let crowded = |nucleus: &Nucleus| lost(maps.grid.cell_at(nucleus.at));
-        let nuclei = thinned(laid, maps, &crowded);
-        let start = Start {
-            seed: self.seed,
-            nuclei: &nuclei,
-            lines: &self.lines,
-            curves: maps.curves.as_ref(),
-            seeding: self.seeding,
-        };
-        with_obstacle_state(self.system, maps, (self.system.definition().begin)(&start, maps))
+        let size = maps.domain.size;
+        match self.system.definition().begin {
+            Begin::Bells { .. } => {
+                let place = |at: &[f64; 2]| [at[0] * size[0] as f64, at[1] * size[1] as f64];
+                let places: Vec<[f64; 2]> = self.places.iter().map(place).collect();
+                from_places(self.system, maps, &places, lost)
+            }
+            Begin::Waves(begin) => {
+                let (seed, seeding) = (self.seed, self.seeding);
+                let start = Start { seed, lines: &self.lines, curves: maps.curves.as_ref(), seeding };
+                with_obstacle_state(self.system, maps, begin(&start, maps))
+            }
+        }
     }
 }
 
 /// The same concentrations with those of obstacle cells as the marks of other layers have them.
 #[must_use]
-pub fn with_obstacle_state(system: System, maps: &Maps, mut chemicals: Vec<Vec<f32>>) -> Vec<Vec<f32>> {
+pub fn with_obstacle_state<D: Domain>(
+    system: System,
+    maps: &Maps<D>,
+    mut chemicals: Vec<Vec<f32>>,
+) -> Vec<Vec<f32>> {
     let values = system.definition().obstacle;
     for (cells, value) in chemicals.iter_mut().zip(values) {
         for (cell, obstacle) in cells.iter_mut().zip(&maps.obstacles) {

@@ -63,11 +63,11 @@ pub fn led(
     cell: usize,
     across: [f64; 2],
 ) -> Led {
-    let at = maps.grid.center(cell);
+    let at = maps.domain.center(cell);
     let length = wavelength(&maps.parameters[cell]);
     let (mut sum, mut wave) = (0.0, [0.0; 2]);
     for line in lines {
-        let Seen { beyond, off, normal } = line.seen(at, &maps.grid.bounds());
+        let Seen { beyond, off, normal } = line.seen(at, &maps.domain.bounds());
         let weight = fall(beyond / length, reach.beyond) * fall(off.abs() / length, reach.across);
         if weight > 0.0 {
             let same = normal[0] * across[0] + normal[1] * across[1] >= 0.0;

@@ -7,19 +7,19 @@
 //! and its neighbours is stretched.
 
 use crate::grid::resample::Spline;
-use crate::grid::{Domain, Field, Grid};
+use crate::grid::{Domain, Field, Grid, turned};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
 
 /// A spot to move.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LocalWarp {
+pub struct LocalWarp<P = [f64; 2]> {
     /// Its place, cells.
-    pub at: [f64; 2],
-    /// The parameters at its place.
+    pub at: P,
+    /// The parameters at its place, in the frame of this place.
     pub own: Parameters,
-    /// The displacement, cells.
+    /// The displacement, cells, in the frame of its place.
     pub by: [f64; 2],
 }
 
@@ -32,26 +32,32 @@ const OUTER: f64 = 0.6;
 #[must_use]
 pub fn warped(system: System, maps: &Maps, chemical: &[f32], warps: &[LocalWarp]) -> Vec<f32> {
     let shifts = shifts(system, maps, warps);
-    let field = Field::new(&Grid::unit(maps.grid.size, maps.grid.edges), chemical.to_vec());
+    let field = Field::new(&Grid::unit(maps.domain.size, maps.domain.edges), chemical.to_vec());
     let surface = Spline::new(&field);
     let mut cells = field.values;
     for (cell, [x, y]) in shifts {
-        let from = maps.grid.center(cell);
+        let from = maps.domain.center(cell);
         // The spline undershoots between a steep spot and the ground.
         cells[cell] = surface.at([from[0] - x, from[1] - y]).max(0.0);
     }
     cells
 }
 
-/// The cells whose content moves, with their displacements.
-fn shifts(system: System, maps: &Maps, warps: &[LocalWarp]) -> Vec<(usize, [f64; 2])> {
-    let mut found: Vec<Option<[f64; 2]>> = vec![None; maps.grid.cells()];
+/// The cells whose content moves, with their displacements in the frame of each.
+fn shifts<D: Domain>(
+    system: System,
+    maps: &Maps<D>,
+    warps: &[LocalWarp<D::Place>],
+) -> Vec<(usize, [f64; 2])> {
+    let domain = &maps.domain;
+    let mut found: Vec<Option<[f64; 2]>> = vec![None; domain.cells()];
     for LocalWarp { at, own, by } in warps {
-        let spot = Nucleus::new(own, maps.grid.cell, *at, system.spacing(own));
-        for (cell, delta) in maps.grid.near(*at, OUTER * spot.reach, 0..maps.grid.cells()) {
+        let spot = Nucleus::new(own, domain, domain.cell_at(*at), *at, system.spacing(own));
+        for (cell, delta) in domain.near(*at, OUTER * spot.reach, 0..domain.cells()) {
             let weight = weight(spot.distance2(delta).sqrt());
             if weight > 0.0 && !maps.is_obstacle(cell) {
                 let shift = found[cell].get_or_insert([0.0; 2]);
+                let by = turned(*by, domain.turn(spot.cell, cell));
                 shift[0] += weight * by[0];
                 shift[1] += weight * by[1];
             }
@@ -77,7 +83,7 @@ mod tests {
     fn bell(at: [f64; 2]) -> Vec<f32> {
         let maps = Maps::uniform([60, 50], Edges::Closed, P);
         let cell = |cell| {
-            let [x, y] = maps.grid.center(cell);
+            let [x, y] = maps.domain.center(cell);
             let away2 = (x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1]);
             1.0 + 5.0 * libm::exp(-0.5 * away2 / 6.0) as f32
         };

@@ -14,7 +14,7 @@ pub struct Parameters {
     pub ratio: f32,
     /// Minor ÷ major axis of what the diffusion tensor makes of a circle, [`super::selling::MIN_STRETCH`]..1.
     pub stretch: f32,
-    /// Direction of the long axis, degrees from +x towards +y.
+    /// Direction of the long axis, degrees from the first axis of the frame (on a grid +x) towards the second (+y).
     pub direction: f32,
     /// Distance at which spots or lines begin ÷ the system's own at this rate and ratio; 1 = its own.
     pub pitch: f32,
@@ -30,24 +30,33 @@ impl Parameters {
     pub fn apart(&self) -> f64 {
         f64::from((self.pitch / CORRECTED).max(1.0))
     }
+
+    /// The same with the direction in another frame: see [`Domain::turn`].
+    #[must_use]
+    pub fn turned(self, degrees: f64) -> Self {
+        if degrees == 0.0 {
+            return self;
+        }
+        Self { direction: (f64::from(self.direction) + degrees) as f32, ..self }
+    }
 }
 
-/// The grid and the [`Parameters`] of each of its cells.
+/// A domain and the [`Parameters`] of each of its cells.
 #[derive(Clone, Debug)]
-pub struct Maps {
-    /// The cells. Of their size in px only the ratio of the sides matters here.
-    pub grid: Grid,
-    /// One a cell, row by row.
+pub struct Maps<D = Grid> {
+    /// The cells. Of the size of a grid's cells in px only the ratio of the sides matters here.
+    pub domain: D,
+    /// One a cell, by its number.
     pub parameters: Vec<Parameters>,
-    /// Cells covered by the marks of other layers, row by row; empty = none. Nothing grows there.
+    /// Cells covered by the marks of other layers, by number; empty = none. Nothing grows there.
     pub obstacles: Vec<bool>,
-    /// By how much the decay β of Turing's spots differs from its 12, row by row; empty = nowhere.
+    /// By how much the decay β of Turing's spots differs from its 12, by cell; empty = nowhere.
     pub decay_noise: Vec<f32>,
     /// Where lines begin; `None` = everywhere.
     pub curves: Option<GuideCurves>,
 }
 
-/// Curves that lines begin along; by cell, row by row.
+/// Curves that lines begin along; by cell.
 #[derive(Clone, Debug)]
 pub struct GuideCurves {
     /// Cells to the nearest of them.
@@ -56,24 +65,30 @@ pub struct GuideCurves {
     pub inhibitor: Vec<f32>,
 }
 
-impl Maps {
-    /// These parameters, one a cell of `grid`, on a free canvas.
+impl<D: Domain> Maps<D> {
+    /// These parameters, one a cell of `domain`, without obstacles.
     #[must_use]
-    pub fn new(grid: Grid, parameters: Vec<Parameters>) -> Self {
-        Self { grid, parameters, obstacles: Vec::new(), decay_noise: Vec::new(), curves: None }
+    pub fn new(domain: D, parameters: Vec<Parameters>) -> Self {
+        Self { domain, parameters, obstacles: Vec::new(), decay_noise: Vec::new(), curves: None }
     }
 
-    /// The same parameters everywhere, on `size` = [columns, rows] square cells.
-    #[must_use]
-    pub fn uniform(size: [usize; 2], edges: Edges, parameters: Parameters) -> Self {
-        let grid = Grid::unit(size, edges);
-        Self::new(grid, vec![parameters; grid.cells()])
+    /// The parameters that `at` gives for the centres of the cells, without obstacles.
+    ///
+    /// # Errors
+    /// The first error of `at`.
+    pub fn by_place<E: Send>(
+        domain: D,
+        at: impl Fn(D::Place) -> Result<Parameters, E> + Sync,
+    ) -> Result<Self, E> {
+        let cells = (0..domain.cells()).into_par_iter();
+        let parameters = cells.map(|cell| at(domain.center(cell))).collect::<Result<_, E>>()?;
+        Ok(Self::new(domain, parameters))
     }
 
-    /// The parameters of the cell that the point (x, y), in cells, lies in; beyond the border the nearest.
+    /// The parameters of the cell that a place lies in; beyond the border those of the nearest.
     #[must_use]
-    pub fn at(&self, point: [f64; 2]) -> Parameters {
-        self.parameters[self.grid.cell_at(point)]
+    pub fn at(&self, place: D::Place) -> Parameters {
+        self.parameters[self.domain.cell_at(place)]
     }
 
     /// Is this cell covered by the marks of other layers?
@@ -81,11 +96,20 @@ impl Maps {
     pub fn is_obstacle(&self, cell: usize) -> bool {
         self.obstacles.get(cell).copied().unwrap_or(false)
     }
+}
+
+impl Maps {
+    /// The same parameters everywhere, on `size` = [columns, rows] square cells.
+    #[must_use]
+    pub fn uniform(size: [usize; 2], edges: Edges, parameters: Parameters) -> Self {
+        let grid = Grid::unit(size, edges);
+        Self::new(grid, vec![parameters; grid.cells()])
+    }
 
     /// [`Self::decay_noise`] about a point, over a rectangle of these sides.
     fn decay_noise_at(&self, [x, y]: [f64; 2], [wide, high]: [f64; 2]) -> f32 {
         const SHIFTS: [f64; 4] = [-0.375, -0.125, 0.125, 0.375];
-        let at = |dx: f64, dy: f64| self.decay_noise[self.grid.cell_at([x + dx * wide, y + dy * high])];
+        let at = |dx: f64, dy: f64| self.decay_noise[self.domain.cell_at([x + dx * wide, y + dy * high])];
         SHIFTS.iter().flat_map(|dy| SHIFTS.map(|dx| at(dx, *dy))).sum::<f32>() / 16.0
     }
 
@@ -93,14 +117,14 @@ impl Maps {
     /// grid does to it).
     #[must_use]
     pub fn on_grid(&self, size: [usize; 2]) -> Self {
-        let grid = self.grid.resized(size);
-        let [wide, high] = [0, 1].map(|axis| self.grid.size[axis] as f64 / size[axis] as f64);
+        let grid = self.domain.resized(size);
+        let [wide, high] = [0, 1].map(|axis| self.domain.size[axis] as f64 / size[axis] as f64);
         let finer = (wide * high) as f32;
         let at = |cell: usize| {
             let [x, y] = grid.center(cell);
             [x * wide, y * high]
         };
-        let there = |cell: usize| self.grid.cell_at(at(cell));
+        let there = |cell: usize| self.domain.cell_at(at(cell));
         let cells_unless = |empty: bool| 0..if empty { 0 } else { grid.cells() };
         let obstacles = cells_unless(self.obstacles.is_empty()).map(|i| self.is_obstacle(there(i))).collect();
         let curves = self.curves.as_ref().map(|curves| {
@@ -119,6 +143,6 @@ impl Maps {
             Parameters { rate: p.rate * finer, ..p }
         };
         let parameters = (0..grid.cells()).into_par_iter().map(finer_rate).collect();
-        Self { grid, parameters, obstacles, decay_noise, curves }
+        Self { domain: grid, parameters, obstacles, decay_noise, curves }
     }
 }

@@ -35,11 +35,11 @@ mod vector;
 mod wavefront;
 
 pub use definition::{
-    Bounds, Convergence, Cost, CurveLaw, DecayNoise, Definition, ErrorBounds, Laws, LinesAlongCurves,
+    Begin, Bounds, Convergence, Cost, CurveLaw, DecayNoise, Definition, ErrorBounds, Laws, LinesAlongCurves,
     Resolution, Scatter, SpotLimits, SweepQuantity, System, Variation,
 };
 pub use growth::{Growth, initial_marks};
-pub use initial_conditions::{InitialConditions, nuclei, with_obstacle_state};
+pub use initial_conditions::{InitialConditions, from_places, nuclei, with_obstacle_state};
 pub use kinetics::{Kinetics, Spreading};
 pub use line_noise::GuideLine;
 pub use local_warp::LocalWarp;

@@ -21,8 +21,8 @@ use rand::{Rng, RngExt};
 
 use super::maps::{Maps, Parameters};
 use super::nucleus::Nucleus;
-use crate::grid::{Bounds, Domain, Edges};
-use boundary::Walls;
+use crate::grid::{Buckets, Domain, Space};
+use boundary::keep_off_walls;
 use cell_list::{CellList, distance2, relax};
 use density::SpotDensity;
 
@@ -38,91 +38,88 @@ const ROUNDS: usize = 30;
 const FRAME: f64 = 1.5;
 
 /// Points that were laid.
-pub struct LaidSpots {
-    /// Those on the grid, the pinned ones first.
-    pub inside: Vec<Nucleus>,
+pub struct LaidSpots<P> {
+    /// Those on the domain, the pinned ones first.
+    pub inside: Vec<Nucleus<P>>,
     /// Points beyond closed edges and on obstacle cells, which push the others back.
-    pub beyond: Vec<Nucleus>,
+    pub beyond: Vec<Nucleus<P>>,
 }
 
-/// Points over the whole grid whose neighbours stand `pitch(parameters)` cells apart.
+/// Points over the whole domain whose neighbours stand `pitch(parameters)` cells apart.
 ///
-/// At closed edges as if the pattern went on beyond them: they are laid over a frame too, which is cut off. Those of
-/// `pinned` stay where they are, on the grid; the others make room for them.
-pub fn lay(
-    maps: &Maps,
+/// At closed edges as if the pattern went on beyond them: they are laid over a margin too, which is cut off. Those of
+/// `pinned` stay where they are, on the domain; the others make room for them.
+pub fn lay<D: Domain>(
+    maps: &Maps<D>,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
-    pinned: &[Nucleus],
+    pinned: &[Nucleus<D::Place>],
     rng: &mut impl Rng,
-) -> LaidSpots {
+) -> LaidSpots<D::Place> {
     let density = SpotDensity::new(maps, pitch);
-    let Bounds { size, edges } = maps.grid.bounds();
-    let frame = if edges == Edges::Closed { (FRAME * density.largest).ceil() } else { 0.0 };
-    let space = Bounds { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
-    let on_maps = |at: [f64; 2]| at.map(|v| v - frame);
-    let nucleus = |at: [f64; 2]| Nucleus { at, ..Nucleus::at(maps, on_maps(at), pitch) };
+    let space = maps.domain.space((FRAME * density.largest).ceil());
+    let nucleus = |at: D::Place| Nucleus { at, ..Nucleus::at(maps, space.to_domain(at), pitch) };
     let largest = pinned.iter().map(|pinned| pinned.reach).fold(density.largest, f64::max);
-    let mut placed = CellList::new(space, PUSH * largest);
-    let posts = obstacles::posts(maps, &mut placed, &|at| nucleus(at.map(|v| v + frame)));
-    pinned.iter().for_each(|one| placed.insert(Nucleus { at: one.at.map(|v| v + frame), ..*one }));
+    let mut placed = CellList::new(space.buckets(PUSH * largest));
+    let posts = obstacles::posts(maps, &mut placed, &|at| nucleus(space.to_space(at)));
+    pinned.iter().for_each(|one| placed.insert(Nucleus { at: space.to_space(one.at), ..*one }));
     let fixed = placed.all.clone();
     let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
     let clear = if posts.is_empty() { Vec::new() } else { obstacles::clear(maps, pitch) };
-    let is_clear = |at: [f64; 2]| clear.is_empty() || clear[maps.grid.cell_at(on_maps(at))];
-    let spread =
-        |placed: &mut CellList| obstacles::within(placed, &is_clear, |placed| relax(placed, PUSH, &moved));
+    let cell_at = |at: D::Place| maps.domain.cell_at(space.to_domain(at));
+    let is_clear = |at: D::Place| clear.is_empty() || clear[cell_at(at)];
     if posts.is_empty() {
-        let wanted = density.wanted(frame).saturating_sub(density.displaced_by(pinned, maps));
-        let likely = |at: [f64; 2]| density.densities[maps.grid.cell_at(on_maps(at))] / density.densest;
-        throw(&mut placed, wanted, space.size, &likely, &nucleus, rng);
-        (0..ROUNDS).for_each(|_| relax(&mut placed, PUSH, &moved));
+        let wanted = density.wanted(&space).saturating_sub(density.displaced_by(pinned, maps));
+        let likely = |at: D::Place| density.densities[cell_at(at)] / density.densest;
+        throw(&mut placed, wanted, &space, &likely, &nucleus, rng);
+        (0..ROUNDS).for_each(|_| relax(&space, &mut placed, PUSH, &moved));
     } else {
         for closest in obstacles::FILLS {
-            obstacles::fill(&mut placed, posts.len(), space.size, closest, &is_clear, &nucleus, rng);
-            (0..ROUNDS).for_each(|_| spread(&mut placed));
+            obstacles::fill(&mut placed, posts.len(), &space, closest, &is_clear, &nucleus, rng);
+            for _ in 0..ROUNDS {
+                obstacles::within(&mut placed, &is_clear, |placed| relax(&space, placed, PUSH, &moved));
+            }
         }
     }
-    let walls = Walls { frame, size };
-    if edges == Edges::Closed {
-        walls.keep_off_walls(&mut placed, fixed.len(), spread);
-    }
+    keep_off_walls(&space, &mut placed, fixed.len(), |placed| {
+        obstacles::within(placed, &is_clear, |placed| relax(&space, placed, PUSH, &moved));
+    });
     let mut all = placed.all.split_off(fixed.len());
     if !fixed.is_empty() {
         all.retain(|point| is_clear(point.at));
         // Where they were laid: those beyond closed edges are no images of those inside.
-        all = obstacles::with_room(&fixed[posts.len()..], all, CellList::new(space, PUSH * largest));
+        all = obstacles::with_room(&fixed[posts.len()..], all, placed.emptied());
     }
-    all.iter_mut().for_each(|point| point.at = on_maps(point.at));
-    let inside = |point: &Nucleus| (0..2).all(|axis| (0.0..size[axis]).contains(&point.at[axis]));
-    let (mut inside, mut beyond): (Vec<_>, Vec<_>) = all.into_iter().partition(inside);
+    let on_domain = |point: Nucleus<D::Place>| Nucleus { at: space.to_domain(point.at), ..point };
+    let inside = |point: &Nucleus<D::Place>| space.is_inside(point.at);
+    let (mut inside, mut beyond): (Vec<_>, Vec<_>) = all.into_iter().map(on_domain).partition(inside);
     if inside.is_empty() && fixed.is_empty() {
         // A canvas that is smaller than the room of one spot still shows one.
-        inside.push(Nucleus::at(maps, size.map(|side| 0.5 * side), pitch));
+        inside.push(Nucleus::at(maps, maps.domain.middle(), pitch));
     }
-    beyond.extend(posts.into_iter().map(|post| Nucleus { at: on_maps(post.at), ..post }));
+    beyond.extend(posts.into_iter().map(on_domain));
     LaidSpots { inside, beyond }
 }
 
-/// Dart throwing: places `wanted` more points over `size`, with the probability `likely`, 0..1, at a place.
-fn throw(
-    placed: &mut CellList,
+/// Dart throwing: places `wanted` more points over `space`, with the probability `likely`, 0..1, at a place.
+fn throw<S: Space, B: Buckets<Place = S::Place>>(
+    placed: &mut CellList<B>,
     wanted: usize,
-    size: [f64; 2],
-    likely: &dyn Fn([f64; 2]) -> f64,
-    nucleus: &dyn Fn([f64; 2]) -> Nucleus,
+    space: &S,
+    likely: &dyn Fn(S::Place) -> f64,
+    nucleus: &dyn Fn(S::Place) -> Nucleus<S::Place>,
     rng: &mut impl Rng,
 ) {
     let wanted = placed.all.len() + wanted;
     let mut closest = DART;
     let mut refused = 0;
     while placed.all.len() < wanted {
-        let at = [rng.random::<f64>() * size[0], rng.random::<f64>() * size[1]];
+        let at = space.random(rng);
         if rng.random::<f64>() > likely(at) {
             continue;
         }
         let dart = nucleus(at);
         let mut free = true;
-        placed.near(&dart, DART, |other, delta| free &= distance2(&dart, other, delta) >= closest * closest);
+        placed.near(&dart, DART, |other, way| free &= distance2(&dart, other, way) >= closest * closest);
         if free {
             placed.insert(dart);
             refused = 0;
@@ -137,17 +134,21 @@ fn throw(
 }
 
 /// Those of `laid` that have room among those before them, where they are `crowded`.
-pub fn thinned(laid: Vec<Nucleus>, maps: &Maps, crowded: &dyn Fn(&Nucleus) -> bool) -> Vec<Nucleus> {
+pub fn thinned<D: Domain>(
+    laid: Vec<Nucleus<D::Place>>,
+    maps: &Maps<D>,
+    crowded: &dyn Fn(&Nucleus<D::Place>) -> bool,
+) -> Vec<Nucleus<D::Place>> {
     let (rest, roomy): (Vec<_>, Vec<_>) = laid.into_iter().partition(crowded);
     if rest.is_empty() {
         return roomy;
     }
     let largest = roomy.iter().chain(&rest).map(|nucleus| nucleus.reach).fold(0.0, f64::max);
-    let mut kept = CellList::new(maps.grid.bounds(), PUSH * largest);
+    let mut kept = CellList::new(maps.domain.buckets(PUSH * largest));
     roomy.into_iter().for_each(|nucleus| kept.insert(nucleus));
     for nucleus in rest {
         let mut free = true;
-        kept.near(&nucleus, DART, |other, delta| free &= distance2(&nucleus, other, delta) >= DART * DART);
+        kept.near(&nucleus, DART, |other, way| free &= distance2(&nucleus, other, way) >= DART * DART);
         if free {
             kept.insert(nucleus);
         }
@@ -158,6 +159,7 @@ pub fn thinned(laid: Vec<Nucleus>, maps: &Maps, crowded: &dyn Fn(&Nucleus) -> bo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::Edges;
     use crate::rd::nuclei::boundary::HOLD;
     use rand::SeedableRng;
     use rand_pcg::Pcg64Mcg;

@@ -2,12 +2,15 @@
 
 use super::maps::{Maps, Parameters};
 use super::selling::Tensor;
+use crate::grid::Domain;
 
-/// One point, in cells, with its local metric.
+/// One point of a domain whose places are `P`, with its local metric. Lengths are in cells.
 #[derive(Clone, Copy, Debug)]
-pub struct Nucleus {
-    /// Position, cells.
-    pub at: [f64; 2],
+pub struct Nucleus<P = [f64; 2]> {
+    /// Position.
+    pub at: P,
+    /// The cell in whose frame the metric is given.
+    pub cell: usize,
     /// M = [[xx, xy], [xy, yy]] with ds² = Δᵀ M Δ in units of the pitch.
     pub metric: [f64; 3],
     /// Reach of one pitch in any direction, cells.
@@ -16,23 +19,33 @@ pub struct Nucleus {
     pub apart: f64,
 }
 
-impl Nucleus {
-    /// The point `at`, cells, with the metric of the parameters there.
+impl<P> Nucleus<P> {
+    /// The point `at` with the metric of the parameters there.
     #[must_use]
-    pub fn at(maps: &Maps, at: [f64; 2], pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
-        let p = maps.at(at);
-        Self::new(&p, maps.grid.cell, at, pitch(&p))
+    pub fn at<D: Domain<Place = P>>(
+        maps: &Maps<D>,
+        at: P,
+        pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
+    ) -> Self
+    where
+        P: Copy,
+    {
+        let cell = maps.domain.cell_at(at);
+        let p = &maps.parameters[cell];
+        Self::new(p, &maps.domain, cell, at, pitch(p))
     }
 
-    /// The point `at`, cells, with the metric of the parameters `p`, whose pitch is `pitch` cells.
+    /// The point `at` with the metric of the parameters `p`, whose pitch is `pitch` cells and whose direction is given in
+    /// the frame of `cell`.
     #[must_use]
-    pub fn new(p: &Parameters, cell: [f64; 2], at: [f64; 2], pitch: f64) -> Self {
+    pub fn new<D: Domain<Place = P>>(p: &Parameters, domain: &D, cell: usize, at: P, pitch: f64) -> Self {
         let stretch = f64::from(p.stretch);
         let t = Tensor::oriented(stretch, 1.0 / stretch, f64::from(p.direction));
-        let [cx, cy] = [(cell[0] / cell[1]).sqrt(), (cell[1] / cell[0]).sqrt()];
+        let [wide, high] = domain.units();
+        let [cx, cy] = [(wide / high).sqrt(), (high / wide).sqrt()];
         let scale = 1.0 / (pitch * pitch);
         let metric = [t.xx * cx * cx * scale, t.xy * scale, t.yy * cy * cy * scale];
-        Self { at, metric, reach: 1.05 * pitch / stretch.sqrt(), apart: p.apart() }
+        Self { at, cell, metric, reach: 1.05 * pitch / stretch.sqrt(), apart: p.apart() }
     }
 
     /// The same point with only the room that its own spot needs, also where spots are placed farther apart.
@@ -42,11 +55,13 @@ impl Nucleus {
         Self { metric, reach: self.reach / self.apart, apart: 1.0, ..self }
     }
 
-    /// Length of one cell along the shortest way to a wall across this axis, in pitches of the room that its own spot needs.
+    /// Length of one cell along the shortest way to a wall, in pitches of the room that its own spot needs. `inward` is the
+    /// unit vector away from the wall.
     #[must_use]
-    pub fn pitches_to_wall(&self, axis: usize) -> f64 {
-        let [xx, xy, yy] = self.metric;
-        self.apart * ((xx * yy - xy * xy) / [yy, xx][axis]).sqrt()
+    pub fn pitches_to_wall(&self, inward: [f64; 2]) -> f64 {
+        let ([xx, xy, yy], [x, y]) = (self.metric, inward);
+        let along = xx * y * y - 2.0 * xy * x * y + yy * x * x;
+        self.apart * ((xx * yy - xy * xy) / along).sqrt()
     }
 
     /// Squared distance of a point at `delta` cells from here, in pitches.

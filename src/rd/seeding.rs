@@ -41,9 +41,9 @@ pub fn segments(
     rng: &mut impl Rng,
 ) -> Vec<GuideLine> {
     let clear = |at: [f64; 2], length: f64| {
-        drawn.iter().all(|line| line.distance(at, &maps.grid.bounds()) >= CLEAR * length)
+        drawn.iter().all(|line| line.distance(at, &maps.domain.bounds()) >= CLEAR * length)
     };
-    let [w, h] = maps.grid.bounds().size;
+    let [w, h] = maps.domain.bounds().size;
     let density = |p: &Parameters| {
         let length = wavelength(p);
         DENSITY / (length * length)
@@ -68,7 +68,7 @@ pub fn segments(
 
 /// How far each cell of the grid of `maps` is seeded by these segments, 0..1.
 pub fn seeded(maps: &Maps, segments: &[GuideLine], wavelength: Wavelength) -> Vec<f32> {
-    let grid = maps.grid;
+    let grid = maps.domain;
     let bounds = grid.bounds();
     let mut seeded = vec![0.0f32; grid.cells()];
     for segment in segments {
@@ -89,11 +89,11 @@ pub fn seeded(maps: &Maps, segments: &[GuideLine], wavelength: Wavelength) -> Ve
 ///
 /// Fast sweeping: Zhao, "A fast sweeping method for eikonal equations", Mathematics of Computation 74 (2005), eq. 2.4.
 pub fn waves(maps: &Maps, lines: &[GuideLine], wavelength: Wavelength) -> Vec<f32> {
-    let bounds = maps.grid.bounds();
+    let bounds = maps.domain.bounds();
     let steps: Vec<f32> = maps.parameters.par_iter().map(|p| (1.0 / wavelength(p)) as f32).collect();
-    let mut phase = vec![f32::INFINITY; maps.grid.cells()];
+    let mut phase = vec![f32::INFINITY; maps.domain.cells()];
     phase.par_iter_mut().enumerate().for_each(|(cell, phase)| {
-        let nearest = |line: &GuideLine| line.distance(maps.grid.center(cell), &bounds);
+        let nearest = |line: &GuideLine| line.distance(maps.domain.center(cell), &bounds);
         let away = lines.iter().map(nearest).fold(f64::INFINITY, f64::min);
         let reached = away as f32 * steps[cell];
         if reached < EXACT {
@@ -102,7 +102,7 @@ pub fn waves(maps: &Maps, lines: &[GuideLine], wavelength: Wavelength) -> Vec<f3
     });
     for _ in 0..SWEEPS {
         for (down, right) in [(true, true), (true, false), (false, false), (false, true)] {
-            sweep(&mut phase, &steps, &maps.grid, down, right);
+            sweep(&mut phase, &steps, &maps.domain, down, right);
         }
     }
     phase.into_par_iter().map(|phase| libm::cos(TAU * f64::from(phase)) as f32).collect()
@@ -164,7 +164,7 @@ mod tests {
         let line = GuideLine { from: [0.4, 0.5], to: [0.6, 0.5] };
         let waves = waves(&maps, &[line], &wavelength);
         let off = |cell: usize| {
-            let away = line.distance(maps.grid.center(cell), &maps.grid.bounds());
+            let away = line.distance(maps.domain.center(cell), &maps.domain.bounds());
             (f64::from(waves[cell]) - libm::cos(TAU * away / 16.0)).abs()
         };
         // Sweeps are of first order: after four wavelengths they are off by some tenths of a cell.
@@ -192,7 +192,7 @@ mod tests {
             let way = [0, 1].map(|axis| 320.0 * (segment.to[axis] - segment.from[axis]));
             assert!(((way[0] * way[0] + way[1] * way[1]).sqrt() - 32.0).abs() < 1e-6);
             let midpoint = [0, 1].map(|axis| 160.0 * (segment.to[axis] + segment.from[axis]));
-            assert!(drawn[0].distance(midpoint, &maps.grid.bounds()) >= 20.0);
+            assert!(drawn[0].distance(midpoint, &maps.domain.bounds()) >= 20.0);
             libm::atan2(way[1], way[0]).to_degrees() - 30.0
         });
         let squares: f64 = ways.map(|off| off * off).sum();

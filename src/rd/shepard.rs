@@ -1,4 +1,4 @@
-//! Shepard interpolation: values of single spots, interpolated to every cell of the grid.
+//! Shepard interpolation: values of single spots, interpolated to every cell of a domain.
 //!
 //! v(x) = Σₖ wₖ vₖ ÷ Σₖ wₖ, wₖ = exp(−dₖ(x)² ÷ 2τ²), dₖ the distance from spot k in its own metric, in pitches
 //!
@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::grid::{Domain, Grid};
+use crate::grid::Domain;
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
@@ -19,31 +19,32 @@ use crate::rd::nucleus::Nucleus;
 const TAU: f64 = 0.2;
 /// Contributions with exponents below this are omitted; in the holes between spots the largest exponent is at least −8.
 const LEAST: f64 = -16.0;
-/// Rows that are computed at once.
-const ROWS: usize = 16;
 
 /// Parameters of all cells of `maps`, computed by `vary` from the cell's index and the interpolated values.
 ///
-/// The spots are at `places`, cells, with their `own` parameters; `known` are the values at each.
+/// The spots are at `places`, cells, with their `own` parameters; `known` are the values at each. Both are given in the
+/// frame of its place; `turned` gives values in a frame turned by some degrees, see [`Domain::turn`].
 #[must_use]
-pub fn interpolate_parameters<const N: usize>(
+pub fn interpolate_parameters<D: Domain, const N: usize>(
     system: System,
-    maps: &Maps,
-    places: &[[f64; 2]],
+    maps: &Maps<D>,
+    places: &[D::Place],
     own: &[Parameters],
     known: &[[f64; N]],
+    turned: fn(&[f64; N], f64) -> [f64; N],
     vary: &(dyn Fn(usize, [f64; N]) -> Parameters + Sync),
 ) -> Vec<Parameters> {
-    let nucleus =
-        |(at, own): (&[f64; 2], &Parameters)| Nucleus::new(own, maps.grid.cell, *at, system.spacing(own));
-    let spots: Vec<(Nucleus, &[f64; N])> = places.iter().zip(own).map(nucleus).zip(known).collect();
+    let nucleus = |(at, own): (&D::Place, &Parameters)| {
+        Nucleus::new(own, &maps.domain, maps.domain.cell_at(*at), *at, system.spacing(own))
+    };
+    let spots: Vec<(Nucleus<D::Place>, &[f64; N])> = places.iter().zip(own).map(nucleus).zip(known).collect();
     let mut made = maps.parameters.clone();
-    let band = ROWS * maps.grid.size[0];
-    made.par_chunks_mut(band).enumerate().for_each(|(index, made)| {
-        let cells = index * band..index * band + made.len();
+    let part = maps.domain.part();
+    made.par_chunks_mut(part).enumerate().for_each(|(index, made)| {
+        let cells = index * part..index * part + made.len();
         let mut sums = vec![(0.0, [0.0; N]); made.len()];
         for (spot, known) in &spots {
-            add(&mut sums, cells.clone(), &maps.grid, spot, known);
+            add(&mut sums, cells.clone(), &maps.domain, spot, known, turned);
         }
         for ((cell, made), (sum, all)) in cells.zip(made).zip(&sums) {
             let known = if *sum > 0.0 { all.map(|all| all / sum) } else { [0.0; N] };
@@ -54,22 +55,25 @@ pub fn interpolate_parameters<const N: usize>(
 }
 
 /// Adds the contribution of a spot to the cells of a range: wₖ and wₖ vₖ.
-fn add<const N: usize>(
+fn add<D: Domain, const N: usize>(
     sums: &mut [(f64, [f64; N])],
     cells: Range<usize>,
-    grid: &Grid,
-    spot: &Nucleus,
+    domain: &D,
+    spot: &Nucleus<D::Place>,
     known: &[f64; N],
+    turned: fn(&[f64; N], f64) -> [f64; N],
 ) {
     let far = TAU * (-2.0 * LEAST).sqrt() * spot.reach;
     let first = cells.start;
-    grid.near(spot.at, far, cells).for_each(|(cell, delta)| {
+    domain.near(spot.at, far, cells).for_each(|(cell, delta)| {
         let exponent = -0.5 * spot.distance2(delta) / (TAU * TAU);
         if exponent > LEAST {
             let weight = libm::exp(exponent);
+            let turn = domain.turn(spot.cell, cell);
+            let known = if turn == 0.0 { *known } else { turned(known, turn) };
             let (sum, all) = &mut sums[cell - first];
             *sum += weight;
-            all.iter_mut().zip(known).for_each(|(all, known)| *all += weight * known);
+            all.iter_mut().zip(&known).for_each(|(all, known)| *all += weight * known);
         }
     });
 }
@@ -86,8 +90,15 @@ mod tests {
         let maps = Maps::uniform([72, 40], edges, P);
         let vary = |_, [rate]: [f64; 1]| Parameters { rate: rate as f32, ..P };
         let system = System::MEINHARDT_SPOTS;
-        let parameters =
-            interpolate_parameters(system, &maps, &places, &[P; 2], &known.map(|one| [one]), &vary);
+        let parameters = interpolate_parameters(
+            system,
+            &maps,
+            &places,
+            &[P; 2],
+            &known.map(|one| [one]),
+            |rate, _| *rate,
+            &vary,
+        );
         Maps { parameters, ..maps }
     }
 

@@ -6,15 +6,13 @@ use rayon::prelude::*;
 
 use super::line_noise::GuideLine;
 use super::maps::{GuideCurves, Maps, Parameters};
-use super::nucleus::Nucleus;
 use super::seeding::Seeding;
+use crate::grid::Domain;
 
-/// Initial marks of a growth.
+/// Initial marks of stripes and lines.
 pub struct Start<'a> {
     /// The seed of its random numbers.
     pub seed: u64,
-    /// Where spots begin.
-    pub nuclei: &'a [Nucleus],
     /// Lines along which stripes run.
     pub lines: &'a [GuideLine],
     /// Curves along which lines begin; `None` = everywhere.
@@ -31,20 +29,23 @@ impl Start<'_> {
     }
 }
 
-/// The concentrations of `N` chemicals over the grid of `maps`: `fill` writes those of one row from its `values`, one for
-/// each cell, and the parameters of its cells.
-pub fn by_row<const N: usize>(
-    maps: &Maps,
+/// The concentrations of so many `chemicals` over the cells of `maps`: `fill` writes those of some cells that follow each
+/// other, one slice a chemical, from their `values`, one a cell, and their parameters.
+pub fn by_cell<D: Domain>(
+    maps: &Maps<D>,
+    chemicals: usize,
     values: &[f32],
-    fill: impl Fn(&mut [&mut [f32]; N], &[f32], &[Parameters]) + Sync,
+    fill: impl Fn(&mut [&mut [f32]], &[f32], &[Parameters]) + Sync,
 ) -> Vec<Vec<f32>> {
-    let mut cells = [(); N].map(|()| vec![0.0; values.len()]);
-    let mut rows = cells.each_mut().map(|cells| cells.chunks_mut(maps.grid.size[0]));
-    let tasks: Vec<[&mut [f32]; N]> =
-        (0..maps.grid.size[1]).map(|_| rows.each_mut().map(|rows| rows.next().unwrap_or_default())).collect();
-    let known = values.par_chunks(maps.grid.size[0]).zip(maps.parameters.par_chunks(maps.grid.size[0]));
-    tasks.into_par_iter().zip(known).for_each(|(mut row, (values, parameters))| {
-        fill(&mut row, values, parameters);
+    let part = maps.domain.part();
+    let mut cells = vec![vec![0.0; values.len()]; chemicals];
+    let mut parts: Vec<_> = cells.iter_mut().map(|cells| cells.chunks_mut(part)).collect();
+    let tasks: Vec<Vec<&mut [f32]>> = (0..values.len().div_ceil(part))
+        .map(|_| parts.iter_mut().filter_map(Iterator::next).collect())
+        .collect();
+    let known = values.par_chunks(part).zip(maps.parameters.par_chunks(part));
+    tasks.into_par_iter().zip(known).for_each(|(mut part, (values, parameters))| {
+        fill(&mut part, values, parameters);
     });
-    cells.into()
+    cells
 }

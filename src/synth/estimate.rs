@@ -98,7 +98,7 @@ fn share_needed(engine: &Engine, system: System) -> f64 {
 fn speed(plan: &Plan) -> Option<f64> {
     let maps = plan.unpitched_maps();
     let system = plan.lookup.system;
-    let cells = maps.grid.cells();
+    let cells = maps.domain.cells();
     let concentrations = vec![vec![1.0; cells]; system.chemicals().len()];
     let mut growth = Growth::resumed(system, &maps, &concentrations)?;
     growth.advance(STEPS);

@@ -1,5 +1,6 @@
 //! Spots at closed edges: on them or well off.
 
+use crate::grid::{Buckets, Space, Wall};
 use crate::rd::nuclei::cell_list::CellList;
 use crate::rd::nucleus::Nucleus;
 
@@ -11,51 +12,53 @@ pub const HOLD: f64 = 0.42;
 /// Rounds of relaxation around them.
 const WALLED: usize = 10;
 
-/// Closed edges of a grid that has a frame around it, over which points are laid too.
-pub struct Walls {
-    /// Width of the frame, cells.
-    pub frame: f64,
-    /// Sides of the grid, cells.
-    pub size: [f64; 2],
+/// Near a wall a spot cannot keep its shape. One on the wall is half a spot, cut by the edge; nearer than [`HOLD`] it
+/// would be drawn out to the wall. So those that are near are moved, once and for all, and the others `relax` around
+/// them. The first `fixed` stay.
+pub fn keep_off_walls<S: Space, B: Buckets<Place = S::Place>>(
+    space: &S,
+    placed: &mut CellList<B>,
+    fixed: usize,
+    mut relax: impl FnMut(&mut CellList<B>),
+) {
+    let walls = space.walls();
+    if walls.is_empty() {
+        return;
+    }
+    let on_walls: Vec<Vec<bool>> = placed.all.iter().map(|point| walls_under(&walls, point)).collect();
+    for _ in 0..WALLED {
+        relax(placed);
+        placed.moved(
+            |index, point| {
+                if index < fixed { point.at } else { held(&walls, &on_walls[index], point) }
+            },
+        );
+    }
 }
 
-impl Walls {
-    /// Near a wall a spot cannot keep its shape. One on the wall is half a spot, cut by the edge; nearer than [`HOLD`] it
-    /// would be drawn out to the wall. So those that are near are moved, once and for all, and the others `relax` around
-    /// them. The first `fixed` stay.
-    pub fn keep_off_walls(&self, placed: &mut CellList, fixed: usize, mut relax: impl FnMut(&mut CellList)) {
-        let on_walls: Vec<[Option<f64>; 2]> =
-            placed.all.iter().map(|point| [0, 1].map(|axis| self.wall_under(point, axis))).collect();
-        for _ in 0..WALLED {
-            relax(placed);
-            placed.moved(|index, point| {
-                if index < fixed {
-                    return point.at;
-                }
-                [0, 1].map(|axis| on_walls[index][axis].unwrap_or_else(|| self.held(point, axis)))
-            });
+/// Of these walls, those that a point is so near to that it is put on them; of two that face each other one.
+fn walls_under<P: Copy, W: Wall<P>>(walls: &[W], point: &Nucleus<P>) -> Vec<bool> {
+    let mut on: Vec<bool> = Vec::with_capacity(walls.len());
+    for wall in walls {
+        let near = wall.depth(point.at).abs() * point.pitches_to_wall(wall.inward(point.at)) < SNAP;
+        let taken = walls.iter().zip(&on).any(|(other, on)| *on && wall.faces(other));
+        on.push(near && !taken);
+    }
+    on
+}
+
+/// The place of a point: on the walls that it is `on`, and moved away from others that are too near.
+fn held<P: Copy, W: Wall<P>>(walls: &[W], on: &[bool], point: &Nucleus<P>) -> P {
+    let mut at = point.at;
+    for (index, wall) in walls.iter().enumerate() {
+        let between = walls.iter().zip(on).any(|(other, on)| *on && wall.faces(other));
+        let depth = wall.depth(at);
+        if on[index] {
+            at = wall.at_depth(at, 0.0);
+        } else if !between && depth > 0.0 {
+            let far = HOLD / point.pitches_to_wall(wall.inward(at));
+            at = wall.at_depth(at, depth.max(far));
         }
     }
-
-    /// The walls along one axis with the way inward.
-    fn walls(&self, axis: usize) -> [(f64, f64); 2] {
-        [(self.frame, 1.0), (self.frame + self.size[axis] * (1.0 - 1e-12), -1.0)]
-    }
-
-    /// The wall that a point is so near to that it is put on it.
-    fn wall_under(&self, point: &Nucleus, axis: usize) -> Option<f64> {
-        let near =
-            |(wall, _): &(f64, f64)| (point.at[axis] - wall).abs() * point.pitches_to_wall(axis) < SNAP;
-        self.walls(axis).into_iter().find(near).map(|(wall, _)| wall)
-    }
-
-    /// The coordinate of a point that is on no wall, moved away from walls that are too near.
-    fn held(&self, point: &Nucleus, axis: usize) -> f64 {
-        let far = HOLD / point.pitches_to_wall(axis);
-        let hold = |at: f64, (wall, inward): (f64, f64)| match (at - wall) * inward {
-            away if away <= 0.0 => at,
-            away => wall + inward * away.max(far),
-        };
-        self.walls(axis).into_iter().fold(point.at[axis], hold)
-    }
+    at
 }

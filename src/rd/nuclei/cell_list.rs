@@ -2,138 +2,123 @@
 
 use rayon::prelude::*;
 
-use crate::grid::{Bounds, Edges};
+use crate::grid::{Buckets, Space, turned};
 use crate::rd::nucleus::Nucleus;
 
 /// Points that are not worth handing to another thread.
 const FEW: usize = 128;
 
-/// One round of repulsion: points nearer than `reach` pitches push each other away. `nucleus` makes point i at its new place.
-pub fn relax(placed: &mut CellList, reach: f64, nucleus: &(dyn Fn(usize, [f64; 2]) -> Nucleus + Sync)) {
-    let moved = |(index, point): (usize, &Nucleus)| {
+/// One round of repulsion: points nearer than `reach` pitches push each other away in `space`. `nucleus` makes point i at
+/// its new place.
+pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
+    space: &S,
+    placed: &mut CellList<B>,
+    reach: f64,
+    nucleus: &(dyn Fn(usize, S::Place) -> Nucleus<S::Place> + Sync),
+) {
+    let moved = |(index, point): (usize, &Nucleus<S::Place>)| {
         let mut shift = [0.0, 0.0];
-        placed.near(point, reach, |other, delta| {
-            let own = point.distance2(delta);
+        placed.near(point, reach, |other, way| {
+            let own = point.distance2(way.here);
             // Too far by half of the mean already.
             if 0.5 * own >= reach * reach {
                 return;
             }
-            let d = (0.5 * (own + other.distance2(delta))).sqrt();
+            let d = (0.5 * (own + other.distance2(way.there))).sqrt();
             if d > 1e-9 && d < reach {
                 // Half of the gap to the reach, shared with the other, damped for six neighbours.
                 let push = 0.22 * (reach - d) / d;
-                shift[0] -= push * delta[0];
-                shift[1] -= push * delta[1];
+                shift[0] -= push * way.here[0];
+                shift[1] -= push * way.here[1];
             }
         });
-        nucleus(index, placed.space.folded([point.at[0] + shift[0], point.at[1] + shift[1]]))
+        nucleus(index, space.moved(point.at, shift))
     };
-    let all: Vec<Nucleus> = placed.all.par_iter().enumerate().with_min_len(FEW).map(moved).collect();
+    let all: Vec<Nucleus<S::Place>> =
+        placed.all.par_iter().enumerate().with_min_len(FEW).map(moved).collect();
     placed.replace(all);
 }
 
+/// The way from one point to another.
+#[derive(Clone, Copy, Debug)]
+pub struct Way {
+    /// In the frame of the first.
+    pub here: [f64; 2],
+    /// In the frame of the second.
+    pub there: [f64; 2],
+}
+
 /// Squared distance in pitches, by the mean of both metrics.
-pub fn distance2(a: &Nucleus, b: &Nucleus, delta: [f64; 2]) -> f64 {
-    0.5 * (a.distance2(delta) + b.distance2(delta))
+pub fn distance2<P>(a: &Nucleus<P>, b: &Nucleus<P>, way: Way) -> f64 {
+    0.5 * (a.distance2(way.here) + b.distance2(way.there))
 }
 
 /// Points by place, so that neighbours are found without asking all.
-pub struct CellList {
-    /// Where the points lie, cells.
-    space: Bounds,
-    columns: usize,
-    rows: usize,
+pub struct CellList<B: Buckets> {
+    buckets: B,
     /// The points.
-    pub all: Vec<Nucleus>,
+    pub all: Vec<Nucleus<B::Place>>,
+    /// Points of each bucket, by index.
     cells: Vec<Vec<u32>>,
 }
 
-impl CellList {
-    pub fn new(space: Bounds, reach: f64) -> Self {
-        let count = |n: f64| ((n / reach) as usize).max(1);
-        let (columns, rows) = (count(space.size[0]), count(space.size[1]));
-        Self { space, columns, rows, all: Vec::new(), cells: vec![Vec::new(); columns * rows] }
+impl<B: Buckets> CellList<B> {
+    /// No points yet.
+    pub fn new(buckets: B) -> Self {
+        let cells = vec![Vec::new(); buckets.count()];
+        Self { buckets, all: Vec::new(), cells }
     }
 
-    /// None of the points, in the same space.
+    /// None of the points, in the same buckets.
     pub fn emptied(&self) -> Self {
-        Self { all: Vec::new(), cells: vec![Vec::new(); self.cells.len()], ..*self }
-    }
-
-    fn bucket(&self, at: [f64; 2]) -> [isize; 2] {
-        [
-            ((at[0] / self.space.size[0] * self.columns as f64) as usize).min(self.columns - 1) as isize,
-            ((at[1] / self.space.size[1] * self.rows as f64) as usize).min(self.rows - 1) as isize,
-        ]
+        Self::new(self.buckets.clone())
     }
 
     /// The same points elsewhere.
-    pub fn moved(&mut self, to: impl Fn(usize, &Nucleus) -> [f64; 2]) {
+    pub fn moved(&mut self, to: impl Fn(usize, &Nucleus<B::Place>) -> B::Place) {
         let all = self.all.iter().enumerate();
         let all = all.map(|(index, point)| Nucleus { at: to(index, point), ..*point }).collect();
         self.replace(all);
     }
 
-    pub fn replace(&mut self, all: Vec<Nucleus>) {
+    pub fn replace(&mut self, all: Vec<Nucleus<B::Place>>) {
         self.all.clear();
         self.cells.iter_mut().for_each(Vec::clear);
         all.into_iter().for_each(|point| self.insert(point));
     }
 
-    pub fn insert(&mut self, point: Nucleus) {
-        let [column, row] = self.bucket(point.at);
-        self.cells[row as usize * self.columns + column as usize].push(self.all.len() as u32);
+    pub fn insert(&mut self, point: Nucleus<B::Place>) {
+        self.cells[self.buckets.bucket(point.at)].push(self.all.len() as u32);
         self.all.push(point);
     }
 
-    /// Calls `each(other, other − point)` for every point, or image of one beyond the border (its own too),
-    /// that can lie within `pitches` of `point`; and for some farther ones.
-    pub fn near(&self, point: &Nucleus, pitches: f64, mut each: impl FnMut(&Nucleus, [f64; 2])) {
-        self.near_by_index(point, pitches, |other, delta| each(&self.all[other], delta));
+    /// Calls `each(other, way)` for every point, or image of one beyond the border (its own too), that can lie within
+    /// `pitches` of `point`; and for some farther ones.
+    pub fn near(
+        &self,
+        point: &Nucleus<B::Place>,
+        pitches: f64,
+        mut each: impl FnMut(&Nucleus<B::Place>, Way),
+    ) {
+        self.near_by_index(point, pitches, |other, way| each(&self.all[other], way));
     }
 
     /// The same with the index of the other.
-    pub fn near_by_index(&self, point: &Nucleus, pitches: f64, mut each: impl FnMut(usize, [f64; 2])) {
-        let [column, row] = self.bucket(point.at);
+    pub fn near_by_index(&self, point: &Nucleus<B::Place>, pitches: f64, mut each: impl FnMut(usize, Way)) {
         let reach = pitches * point.reach * 1.5;
-        let [w, h] = self.space.size;
-        for dy in -1..=1 {
-            for dx in -1..=1 {
-                let (c, sx) = image(column + dx, self.columns, self.space.edges, w);
-                let (r, sy) = image(row + dy, self.rows, self.space.edges, h);
-                let beyond = |i: isize, n: usize| i < 0 || i >= n as isize;
-                let mirrored = [beyond(column + dx, self.columns), beyond(row + dy, self.rows)];
-                for &index in &self.cells[r * self.columns + c] {
-                    let other = &self.all[index as usize];
-                    let seen = [sx(other.at[0]), sy(other.at[1])];
-                    let delta = [seen[0] - point.at[0], seen[1] - point.at[1]];
-                    // The image of a point on the wall is that point, and counts once.
-                    let twice = |axis: usize| mirrored[axis] && (seen[axis] - other.at[axis]).abs() < 1e-6;
-                    let twice = twice(0) || twice(1);
-                    let itself = dx == 0 && dy == 0 && delta == [0.0, 0.0];
-                    if !itself && !twice && delta[0].abs() <= reach && delta[1].abs() <= reach {
-                        each(index as usize, delta);
-                    }
+        for (bucket, way) in self.buckets.near(point.at, reach) {
+            for &index in &self.cells[bucket] {
+                let other = &self.all[index as usize];
+                if let Some(here) = way(other.at) {
+                    let there = turned(here, self.buckets.turn(point.cell, other.cell));
+                    each(index as usize, Way { here, there });
                 }
             }
         }
     }
-}
 
-/// The bucket whose image is bucket `i` of `n`, and the map of its coordinates to those of the image.
-fn image(i: isize, n: usize, edges: Edges, size: f64) -> (usize, impl Fn(f64) -> f64) {
-    let beyond = if i < 0 {
-        -1.0
-    } else if i >= n as isize {
-        1.0
-    } else {
-        0.0
-    };
-    let mirrored = edges == Edges::Closed && beyond != 0.0;
-    let index = edges.index(i, n);
-    (index, move |v: f64| match (mirrored, beyond) {
-        (true, -1.0) => -v,
-        (true, _) => 2.0 * size - v,
-        (false, b) => v + b * size,
-    })
+    /// Is `way`, from `point` to `other`, one to the mirror image of `other`, beyond a border?
+    pub fn is_to_image(&self, point: &Nucleus<B::Place>, other: &Nucleus<B::Place>, way: Way) -> bool {
+        self.buckets.is_to_image(point.at, other.at, way.here)
+    }
 }

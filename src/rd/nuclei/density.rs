@@ -2,29 +2,27 @@
 
 use rayon::prelude::*;
 
-use crate::grid::Domain;
+use crate::grid::{Domain, Space};
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
 
-/// The density of spots over the grid.
+/// The density of spots over a domain.
 pub struct SpotDensity {
-    /// Points a cell, by cell.
+    /// Points a mean cell's area, by cell.
     pub densities: Vec<f64>,
-    /// Cells in a row.
-    pub columns: usize,
     pub densest: f64,
     /// The farthest that a pitch reaches, cells.
     pub largest: f64,
 }
 
 impl SpotDensity {
-    pub fn new(maps: &Maps, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
-        let rows: Vec<(Vec<f64>, f64)> = maps
+    pub fn new<D: Domain>(maps: &Maps<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
+        let parts: Vec<(Vec<f64>, f64)> = maps
             .parameters
-            .par_chunks(maps.grid.size[0])
-            .map(|row| {
+            .par_chunks(maps.domain.part())
+            .map(|part| {
                 let (mut before, mut here, mut largest) = (None, 0.0, 0.0f64);
-                let densities = row
+                let densities = part
                     .iter()
                     .map(|p| {
                         // Mostly the same as beside it.
@@ -41,29 +39,22 @@ impl SpotDensity {
                 (densities, largest)
             })
             .collect();
-        let largest = rows.iter().map(|(_, largest)| *largest).fold(0.0, f64::max);
-        let densities: Vec<f64> = rows.into_iter().flat_map(|(row, _)| row).collect();
+        let largest = parts.iter().map(|(_, largest)| *largest).fold(0.0, f64::max);
+        let densities: Vec<f64> = parts.into_iter().flat_map(|(part, _)| part).collect();
         let densest = densities.iter().copied().fold(0.0, f64::max);
-        Self { densities, columns: maps.grid.size[0], densest, largest }
+        Self { densities, densest, largest }
     }
 
-    /// Points in all, those over a frame of so many cells too: it is as crowded as the border beside it.
-    pub fn wanted(&self, frame: f64) -> usize {
-        let row = |row: &[f64]| {
-            let ends = row.first().zip(row.last()).map_or(0.0, |(first, last)| first + last);
-            row.iter().sum::<f64>() + frame * ends
-        };
-        let mut rows = self.densities.chunks_exact(self.columns);
-        let ends = rows.clone().next().zip(rows.clone().next_back());
-        let ends = ends.map_or(0.0, |(first, last)| row(first) + row(last));
-        (rows.by_ref().map(row).sum::<f64>() + frame * ends).round().max(1.0) as usize
+    /// Points in all, those over the margin of `space` too: it is as crowded as the border beside it.
+    pub fn wanted(&self, space: &impl Space) -> usize {
+        space.integral(|cell| self.densities[cell]).round().max(1.0) as usize
     }
 
     /// Of these, as many as the `pinned` ones displace: one each, if they are like those around them.
-    pub fn displaced_by(&self, pinned: &[Nucleus], maps: &Maps) -> usize {
+    pub fn displaced_by<D: Domain>(&self, pinned: &[Nucleus<D::Place>], maps: &Maps<D>) -> usize {
         let rooms = pinned.iter().map(|pinned| {
             let [xx, xy, yy] = pinned.metric;
-            0.75f64.sqrt() / (xx * yy - xy * xy).sqrt() * self.densities[maps.grid.cell_at(pinned.at)]
+            0.75f64.sqrt() / (xx * yy - xy * xy).sqrt() * self.densities[maps.domain.cell_at(pinned.at)]
         });
         rooms.sum::<f64>().round() as usize
     }

@@ -1,6 +1,6 @@
 //! Marks of other layers: new spots begin clear of them, and posts among them push these away.
 
-use crate::grid::Domain;
+use crate::grid::{Buckets, Domain, Space};
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::cell_list::{CellList, distance2};
 use crate::rd::nucleus::Nucleus;
@@ -16,11 +16,15 @@ const CLEAR: f64 = 0.45;
 
 /// Puts posts on the obstacle cells, as many as keep other spots off, and returns them. However far spots stand apart from each
 /// other, posts push no farther than a spot's own room.
-pub fn posts(maps: &Maps, placed: &mut CellList, nucleus: &dyn Fn([f64; 2]) -> Nucleus) -> Vec<Nucleus> {
+pub fn posts<D: Domain, B: Buckets<Place = D::Place>>(
+    maps: &Maps<D>,
+    placed: &mut CellList<B>,
+    nucleus: &dyn Fn(D::Place) -> Nucleus<D::Place>,
+) -> Vec<Nucleus<D::Place>> {
     for cell in (0..maps.obstacles.len()).filter(|cell| maps.obstacles[*cell]) {
-        let post = nucleus(maps.grid.center(cell)).alone();
+        let post = nucleus(maps.domain.center(cell)).alone();
         let mut near = false;
-        placed.near(&post, APART, |other, delta| near |= distance2(&post, other, delta) < APART * APART);
+        placed.near(&post, APART, |other, way| near |= distance2(&post, other, way) < APART * APART);
         if !near {
             placed.insert(post);
         }
@@ -34,37 +38,35 @@ pub fn posts(maps: &Maps, placed: &mut CellList, nucleus: &dyn Fn([f64; 2]) -> N
 pub const FILLS: [f64; 2] = [0.777, 0.85];
 
 /// Which cells stand clear of the obstacles: by the system's own distances, however far spots are to stand apart.
-pub fn clear(maps: &Maps, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
+pub fn clear<D: Domain>(maps: &Maps<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
     let own = |p: &Parameters| pitch(p) / f64::from(p.pitch);
     let cells = (0..maps.obstacles.len()).into_par_iter();
-    cells.map(|cell| is_clear(maps, &Nucleus::at(maps, maps.grid.center(cell), &own))).collect()
+    cells.map(|cell| is_clear(maps, &Nucleus::at(maps, maps.domain.center(cell), &own))).collect()
 }
 
 /// Places spots after the `posts` of `placed` wherever one is `clear` and `closest` pitches or more from all others,
-/// until no cell of the space of this `size` has room for another.
-pub fn fill(
-    placed: &mut CellList,
+/// until no cell of `space` has room for another.
+pub fn fill<S: Space, B: Buckets<Place = S::Place>>(
+    placed: &mut CellList<B>,
     posts: usize,
-    size: [f64; 2],
+    space: &S,
     closest: f64,
-    clear: &dyn Fn([f64; 2]) -> bool,
-    nucleus: &dyn Fn([f64; 2]) -> Nucleus,
+    clear: &dyn Fn(S::Place) -> bool,
+    nucleus: &dyn Fn(S::Place) -> Nucleus<S::Place>,
     rng: &mut impl Rng,
 ) {
-    let [nx, ny] = size.map(|side| side as usize);
-    let mut cells: Vec<usize> = (0..nx * ny).collect();
+    let mut cells: Vec<usize> = (0..space.cells()).collect();
     cells.shuffle(rng);
     let mut spots = placed.emptied();
     placed.all[posts..].iter().for_each(|spot| spots.insert(*spot));
     for cell in cells {
-        let at = [(cell % nx) as f64 + rng.random::<f64>(), (cell / nx) as f64 + rng.random::<f64>()];
+        let at = space.place_in(cell, [rng.random(), rng.random()]);
         if !clear(at) {
             continue;
         }
         let dart = nucleus(at);
         let mut free = true;
-        spots
-            .near(&dart, closest, |other, delta| free &= distance2(&dart, other, delta) >= closest * closest);
+        spots.near(&dart, closest, |other, way| free &= distance2(&dart, other, way) >= closest * closest);
         if free {
             spots.insert(dart);
             placed.insert(dart);
@@ -73,8 +75,12 @@ pub fn fill(
 }
 
 /// Lets points `move_on`, but for those that would then no longer stand `clear`.
-pub fn within(placed: &mut CellList, clear: &dyn Fn([f64; 2]) -> bool, move_on: impl FnOnce(&mut CellList)) {
-    let before: Vec<[f64; 2]> = placed.all.iter().map(|point| point.at).collect();
+pub fn within<B: Buckets>(
+    placed: &mut CellList<B>,
+    clear: &dyn Fn(B::Place) -> bool,
+    move_on: impl FnOnce(&mut CellList<B>),
+) {
+    let before: Vec<B::Place> = placed.all.iter().map(|point| point.at).collect();
     move_on(placed);
     placed.moved(|index, point| if clear(point.at) { point.at } else { before[index] });
 }
@@ -84,12 +90,16 @@ pub fn within(placed: &mut CellList, clear: &dyn Fn([f64; 2]) -> bool, move_on: 
 const SQUEEZED: f64 = 0.76;
 
 /// All of `pinned`, and those of `others` that have room among those before them. `placed` holds none yet.
-pub fn with_room(pinned: &[Nucleus], others: Vec<Nucleus>, mut placed: CellList) -> Vec<Nucleus> {
+pub fn with_room<B: Buckets>(
+    pinned: &[Nucleus<B::Place>],
+    others: Vec<Nucleus<B::Place>>,
+    mut placed: CellList<B>,
+) -> Vec<Nucleus<B::Place>> {
     pinned.iter().for_each(|point| placed.insert(*point));
     for point in others {
         let mut free = true;
-        placed.near(&point, SQUEEZED, |other, delta| {
-            free &= distance2(&point, other, delta) >= SQUEEZED * SQUEEZED;
+        placed.near(&point, SQUEEZED, |other, way| {
+            free &= distance2(&point, other, way) >= SQUEEZED * SQUEEZED;
         });
         if free {
             placed.insert(point);
@@ -98,11 +108,11 @@ pub fn with_room(pinned: &[Nucleus], others: Vec<Nucleus>, mut placed: CellList)
     placed.all
 }
 
-/// Is `place` (cells of `maps`) clear of the obstacle cells?
-pub fn is_clear(maps: &Maps, place: &Nucleus) -> bool {
+/// Is a place of the domain of `maps` clear of the obstacle cells?
+pub fn is_clear<D: Domain>(maps: &Maps<D>, place: &Nucleus<D::Place>) -> bool {
     if maps.obstacles.is_empty() {
         return true;
     }
-    let mut near = maps.grid.near(place.at, CLEAR * place.reach, 0..maps.grid.cells());
+    let mut near = maps.domain.near(place.at, CLEAR * place.reach, 0..maps.domain.cells());
     !near.any(|(cell, delta)| maps.is_obstacle(cell) && place.distance2(delta) < CLEAR * CLEAR)
 }

@@ -1,6 +1,6 @@
 //! Spots whose places are given: the others are laid around them.
 
-use crate::grid::Edges;
+use crate::grid::{Buckets, Domain};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::cell_list::{CellList, distance2};
@@ -9,18 +9,19 @@ use crate::rd::nucleus::Nucleus;
 
 /// A spot that is to stand at a given place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PinnedSpot {
+pub struct PinnedSpot<P = [f64; 2]> {
     /// Its place, cells.
-    pub at: [f64; 2],
-    /// The parameters of the room that it takes.
+    pub at: P,
+    /// The parameters of the room that it takes, in the frame of its place.
     pub own: Parameters,
     /// Nearer than this to another both would merge, in pitches.
     pub near: f64,
 }
 
-impl PinnedSpot {
-    pub(in crate::rd) fn nucleus(&self, system: System, maps: &Maps) -> Nucleus {
-        Nucleus::new(&self.own, maps.grid.cell, self.at, system.spacing(&self.own))
+impl<P: Copy> PinnedSpot<P> {
+    pub(in crate::rd) fn nucleus<D: Domain<Place = P>>(&self, system: System, maps: &Maps<D>) -> Nucleus<P> {
+        let cell = maps.domain.cell_at(self.at);
+        Nucleus::new(&self.own, &maps.domain, cell, self.at, system.spacing(&self.own))
     }
 }
 
@@ -36,15 +37,19 @@ pub enum Hindrance {
 /// Which of `spots` can stand where they are to: as many as can be of which none hinders another, nearly. A closed edge
 /// hinders none, but draws those to itself that are near.
 #[must_use]
-pub fn placeable(system: System, maps: &Maps, spots: &[PinnedSpot]) -> Vec<Result<(), Hindrance>> {
-    let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, maps)).collect();
+pub fn placeable<D: Domain>(
+    system: System,
+    maps: &Maps<D>,
+    spots: &[PinnedSpot<D::Place>],
+) -> Vec<Result<(), Hindrance>> {
+    let nuclei: Vec<Nucleus<D::Place>> = spots.iter().map(|spot| spot.nucleus(system, maps)).collect();
     let clear: Vec<bool> = nuclei.iter().map(|nucleus| obstacles::is_clear(maps, nucleus)).collect();
     let largest = nuclei.iter().map(|nucleus| nucleus.reach).fold(1.0, f64::max);
-    let mut placed = CellList::new(maps.grid.bounds(), PUSH * largest);
+    let mut placed = CellList::new(maps.domain.buckets(PUSH * largest));
     nuclei.iter().zip(&clear).filter(|(_, clear)| **clear).for_each(|(nucleus, _)| placed.insert(*nucleus));
     let near: Vec<f64> =
         spots.iter().zip(&clear).filter(|(_, clear)| **clear).map(|(spot, _)| spot.near).collect();
-    let mut stays = independent(&crowded(&placed, maps.grid.edges, &near)).into_iter();
+    let mut stays = independent(&crowded(&placed, &near)).into_iter();
     let stands = |clear: bool| match clear.then(|| stays.next()) {
         None => Err(Hindrance::Obstacle),
         Some(stays) => stays.unwrap_or(false).then_some(()).ok_or(Hindrance::Neighbour),
@@ -53,16 +58,15 @@ pub fn placeable(system: System, maps: &Maps, spots: &[PinnedSpot]) -> Vec<Resul
 }
 
 /// Which of those placed are too near to which: nearer than the mean of what is `near` to each.
-fn crowded(placed: &CellList, edges: Edges, near: &[f64]) -> Vec<Vec<usize>> {
+fn crowded<B: Buckets>(placed: &CellList<B>, near: &[f64]) -> Vec<Vec<usize>> {
     let mut crowded = vec![Vec::new(); placed.all.len()];
     for (i, point) in placed.all.iter().enumerate() {
-        placed.near_by_index(point, PUSH, |other, delta| {
+        placed.near_by_index(point, PUSH, |other, way| {
             let least = 0.5 * (near[i] + near[other]);
-            // Images beyond a closed edge are none's neighbours.
             let there = &placed.all[other];
-            let image = edges == Edges::Closed
-                && (0..2).any(|axis| (there.at[axis] - point.at[axis] - delta[axis]).abs() > 1e-6);
-            if other != i && !image && distance2(point, there, delta) < least * least {
+            // Images beyond a closed edge are none's neighbours.
+            let image = placed.is_to_image(point, there, way);
+            if other != i && !image && distance2(point, there, way) < least * least {
                 crowded[i].push(other);
             }
         });
@@ -89,6 +93,8 @@ fn independent(near: &[Vec<usize>]) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::Edges;
+    use crate::rd::nuclei::cell_list::Way;
     use crate::rd::nuclei::lay;
     use rand::SeedableRng;
     use rand_pcg::Pcg64Mcg;
@@ -141,7 +147,8 @@ mod tests {
             assert!(laid.len().abs_diff(free) * 12 <= free, "{} with, {free} without", laid.len());
             let near = laid[4..].iter().flat_map(|other| {
                 nuclei.iter().map(|own| {
-                    distance2(own, other, [other.at[0] - own.at[0], other.at[1] - own.at[1]]).sqrt()
+                    let way = [other.at[0] - own.at[0], other.at[1] - own.at[1]];
+                    distance2(own, other, Way { here: way, there: way }).sqrt()
                 })
             });
             assert!(near.fold(f64::INFINITY, f64::min) > 0.75);

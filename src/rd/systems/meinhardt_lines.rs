@@ -12,14 +12,15 @@ use crate::attributes::columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
 use crate::rd::chemicals::reacting;
 use crate::rd::definition::{
-    Convergence, Cost, CurveLaw, Definition, ErrorBounds, Laws, LinesAlongCurves, Resolution, Scatter, System,
+    Begin, Convergence, Cost, CurveLaw, Definition, ErrorBounds, Laws, LinesAlongCurves, Resolution, Scatter,
+    System,
 };
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::Reach;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::selling::Tensor;
-use crate::rd::start::{Start, by_row};
+use crate::rd::start::{Start, by_cell};
 use crate::rd::sweep;
 use crate::rd::systems::meinhardt_spots::{MeinhardtSpots, show_peaks};
 use crate::rd::systems::{embedded, meinhardt_spots};
@@ -54,7 +55,7 @@ static DEFINITION: Definition = Definition {
     tensors: &[Tensor::of_unit_width],
     mobilities: meinhardt_spots::mobilities,
     reacting: |_, _, planes| reacting(MeinhardtLines, planes),
-    begin,
+    begin: Begin::Waves(begin),
     show: |chemicals, parameters, marks| show_peaks(peak, chemicals[0], parameters, marks),
     decay_noise: None,
     along_curves: Some(ALONG_CURVES),
@@ -175,12 +176,12 @@ fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
 /// A Gaussian profile across each line. `distance` gives the distance from its centre line, cells, from the value of a cell
 /// in `known`.
 fn profiles(maps: &Maps, known: &[f32], distance: impl Fn(f64, &Parameters) -> f64 + Sync) -> Vec<Vec<f32>> {
-    by_row(maps, known, |[a, b], known, parameters| {
+    by_cell(maps, 2, known, |chemicals, known, parameters| {
         for (i, (known, p)) in known.iter().zip(parameters).enumerate() {
             let deviation = PROFILE * width(p.ratio) / f64::from(p.rate).sqrt();
             let off = distance(f64::from(*known), p) / deviation;
             let profile = libm::exp(-0.5 * off * off) as f32;
-            (a[i], b[i]) = (0.02 + peak(p.ratio) * profile, 0.3);
+            (chemicals[0][i], chemicals[1][i]) = (0.02 + peak(p.ratio) * profile, 0.3);
         }
     })
 }

@@ -8,16 +8,15 @@
 
 use crate::attributes::columns;
 use crate::attributes::system::{Description, Intervals, IsolatedSpots, MarkKind, Scaling};
-use crate::rd::bells::bells;
 use crate::rd::by_ratio::ByRatio;
 use crate::rd::chemicals::reacting;
 use crate::rd::definition::{
-    Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, SpotLimits, System, Variation,
+    Begin, Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, SpotLimits, System,
+    Variation,
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
-use crate::rd::maps::{Maps, Parameters};
+use crate::rd::maps::Parameters;
 use crate::rd::selling::Tensor;
-use crate::rd::start::{Start, by_row};
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
 use crate::rd::vector::Number;
@@ -51,7 +50,7 @@ static DEFINITION: Definition = Definition {
     tensors: &[Tensor::of_unit_determinant],
     mobilities,
     reacting: |_, _, planes| reacting(MeinhardtSpots, planes),
-    begin,
+    begin: Begin::Bells { radius: |p| radius(p.ratio) / p.apart(), fill },
     show: |chemicals, parameters, marks| show_peaks(peak, chemicals[0], parameters, marks),
     decay_noise: None,
     along_curves: None,
@@ -205,15 +204,12 @@ pub fn show_peaks(peak: fn(f32) -> f32, a: &[f32], parameters: &[Parameters], ma
 ///
 /// Where spots are far apart, the ground has no a: away from spots a decays as exp(−p₁/p₂·T), more slowly than b, and the
 /// ground would form a pattern once a/b = 3, at T = 15.
-fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
-    let bells = bells(maps, start.nuclei, &|p| radius(p.ratio) / p.apart());
-    by_row(maps, &bells, |[a, b], bells, parameters| {
-        let mut peak = ByRatio::new(peak);
-        for (i, (bell, p)) in bells.iter().zip(parameters).enumerate() {
-            let ground = if p.apart() > 1.0 { 0.0 } else { 0.02 };
-            (a[i], b[i]) = (ground + peak.at(p.ratio) * bell, 0.3);
-        }
-    })
+fn fill(chemicals: &mut [&mut [f32]], bells: &[f32], parameters: &[Parameters]) {
+    let mut peak = ByRatio::new(peak);
+    for (i, (bell, p)) in bells.iter().zip(parameters).enumerate() {
+        let ground = if p.apart() > 1.0 { 0.0 } else { 0.02 };
+        (chemicals[0][i], chemicals[1][i]) = (ground + peak.at(p.ratio) * bell, 0.3);
+    }
 }
 
 /// No activator, and the inhibitor concentration between spots.

@@ -13,7 +13,9 @@
 use crate::attributes::columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
 use crate::rd::chemicals::reacting;
-use crate::rd::definition::{Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, System};
+use crate::rd::definition::{
+    Begin, Convergence, Cost, Definition, ErrorBounds, Laws, Resolution, Scatter, System,
+};
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::{Reach, lead};
@@ -53,7 +55,7 @@ static DEFINITION: Definition = Definition {
     tensors: &[Tensor::of_unit_width],
     mobilities: |_| [1.0, RATIO],
     reacting: |_, _, planes| reacting(MeinhardtStripes, planes),
-    begin,
+    begin: Begin::Waves(begin),
     show: |chemicals, _, marks| {
         for ((mark, a), b) in marks.iter_mut().zip(chemicals[0]).zip(chemicals[1]) {
             *mark = a / (a + b);

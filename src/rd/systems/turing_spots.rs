@@ -11,17 +11,15 @@
 
 use crate::attributes::columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
-use crate::rd::bells::bells;
 use crate::rd::chemicals::{Chemicals, reacting};
 use crate::rd::definition::{
-    Convergence, Cost, DecayNoise, Definition, ErrorBounds, Laws, Resolution, Scatter, SpotLimits,
+    Begin, Convergence, Cost, DecayNoise, Definition, ErrorBounds, Laws, Resolution, Scatter, SpotLimits,
     SweepQuantity, System, Variation,
 };
 use crate::rd::kinetics::{Kinetics, Spreading};
-use crate::rd::maps::Maps;
+use crate::rd::maps::Parameters;
 use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::selling::Tensor;
-use crate::rd::start::{Start, by_row};
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
 use crate::rd::vector::Number;
@@ -57,7 +55,7 @@ static DEFINITION: Definition = Definition {
         [] => reacting(TuringSpots, planes),
         noise => with_decay_noise(noise, grid, planes),
     },
-    begin,
+    begin: Begin::Bells { radius: |_| RADIUS, fill },
     show: |chemicals, _, marks| {
         for (mark, a) in marks.iter_mut().zip(chemicals[0]) {
             *mark = share(*a);
@@ -181,13 +179,10 @@ fn with_decay_noise(noise: &[f32], grid: RowLayout, mut planes: Vec<Plane>) -> O
 }
 
 /// Bells on the nuclei (`facts.md` G).
-fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
-    let bells = bells(maps, start.nuclei, &|_| RADIUS);
-    by_row(maps, &bells, |[a, b], bells, _| {
-        for (i, bell) in bells.iter().enumerate() {
-            (a[i], b[i]) = (3.3 + 4.0 * bell, (5.6 * (1.0 - 1.3 * bell)).max(0.0));
-        }
-    })
+fn fill(chemicals: &mut [&mut [f32]], bells: &[f32], _: &[Parameters]) {
+    for (i, bell) in bells.iter().enumerate() {
+        (chemicals[0][i], chemicals[1][i]) = (3.3 + 4.0 * bell, (5.6 * (1.0 - 1.3 * bell)).max(0.0));
+    }
 }
 
 /// Radius of an initial bell ÷ spacing: about that of the spot it becomes.

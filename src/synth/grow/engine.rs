@@ -126,7 +126,7 @@ impl Engine {
         let mut engine = Self::new(plan, seed);
         let grid = before.grids[before.level.index];
         let level = engine.grids.iter().position(|other| *other == grid)?;
-        if engine.system != before.system || engine.maps.grid.edges != before.maps.grid.edges {
+        if engine.system != before.system || engine.maps.domain.edges != before.maps.domain.edges {
             return None;
         }
         let saved = before.level.growth.concentrations();
@@ -271,7 +271,7 @@ impl Engine {
     /// Steps taken, as many as the same work is on the planned grid: cell updates ÷ its cells.
     #[must_use]
     pub fn steps(&self) -> u64 {
-        self.updates.div_ceil(self.maps.grid.cells() as u64)
+        self.updates.div_ceil(self.maps.domain.cells() as u64)
     }
 
     /// The concentration that shows the marks as a share of the local peak, on the current grid.
@@ -308,7 +308,7 @@ fn start_level(
     formed: Option<([usize; 2], Vec<Vec<f32>>)>,
 ) -> Level {
     let grid = grids[index];
-    let area = |[nx, ny]: [usize; 2]| maps.grid.cells() as f64 / (nx * ny) as f64;
+    let area = |[nx, ny]: [usize; 2]| maps.domain.cells() as f64 / (nx * ny) as f64;
     let (coarse, lost) = match index + 1 < grids.len() {
         true => {
             let (coarse, lost) = multigrid_levels::coarse(system, maps, grid);
@@ -337,7 +337,7 @@ fn start_level(
         None => fresh(None),
         Some((from, formed)) => {
             let fine =
-                formed.iter().map(|chemical| prolongate(chemical, from, grid, maps.grid.edges)).collect();
+                formed.iter().map(|chemical| prolongate(chemical, from, grid, maps.domain.edges)).collect();
             if taken.iter().all(|taken| *taken == 1.0) { fine } else { fresh(Some(fine)) }
         }
     };

@@ -31,7 +31,7 @@ const EXACT: f64 = 8.0;
 pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
     if maps.curves.is_some() {
         // A coarser grid cannot resolve on which side of a curve a cell lies.
-        return vec![maps.grid.size];
+        return vec![maps.domain.size];
     }
     let enough = system.definition().resolution.enough * MARGIN;
     let least = maps.parameters.iter().map(|p| resolving_cells(system, p)).fold(f64::INFINITY, f64::min);
@@ -47,7 +47,7 @@ pub fn grids(system: System, maps: &Maps, most: f64) -> Vec<[usize; 2]> {
         factors.push(next);
     }
     let side = |n: usize, factor: f64| n as f64 / factor;
-    let [nx, ny] = maps.grid.size;
+    let [nx, ny] = maps.domain.size;
     factors.retain(|f| *f == 1.0 || side(nx.min(ny), *f) >= LEAST_SIDE);
     let grid = |f: &f64| [side(nx, *f), side(ny, *f)].map(|n| n.round() as usize);
     factors.iter().rev().map(grid).collect()
@@ -71,7 +71,7 @@ pub struct Work {
 #[must_use]
 pub fn coarse(system: System, maps: &Maps, grid: [usize; 2]) -> (Maps, Vec<bool>) {
     let least = system.definition().resolution.least;
-    let area = maps.grid.cells() as f64 / (grid[0] * grid[1]) as f64;
+    let area = maps.domain.cells() as f64 / (grid[0] * grid[1]) as f64;
     let mut coarse = maps.on_grid(grid);
     let lost = coarse
         .parameters

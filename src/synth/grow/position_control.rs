@@ -64,7 +64,7 @@ impl Target {
         if !(NEAR..OWN).contains(&missed) {
             return None;
         }
-        let cells = [0, 1].map(|axis| layout.size[axis] / maps.grid.size[axis] as f64);
+        let cells = [0, 1].map(|axis| layout.size[axis] / maps.domain.size[axis] as f64);
         let at = [0, 1].map(|axis| at[axis] / cells[axis]);
         let by = [0, 1].map(|axis| (STEP / missed).min(1.0) * way[axis] / cells[axis]);
         Some(LocalWarp { at, own: maps.at(at), by })

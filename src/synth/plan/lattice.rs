@@ -7,6 +7,7 @@
 use rayon::prelude::*;
 
 use crate::attributes::regions::{RegionGrid, RegionMap};
+use crate::grid::turned;
 use crate::learn::Answer;
 use crate::rd;
 use crate::synth::plan::error::PlanError;
@@ -51,6 +52,13 @@ impl Node {
         let double = libm::atan2(s, c) + (2.0 * turn).to_radians();
         let long = (length - ln_stretch).max(0.0);
         [ln_rate, long * libm::cos(double) - c, long * libm::sin(double) - s]
+    }
+
+    /// An [`Self::offset`] in a frame to which directions have these degrees added.
+    #[must_use]
+    pub fn turned_offset([ln_rate, c, s]: &[f64; 3], degrees: f64) -> [f64; 3] {
+        let [c, s] = turned([*c, *s], 2.0 * degrees);
+        [*ln_rate, c, s]
     }
 
     /// The node with an [`Self::offset`] added.

@@ -3,15 +3,15 @@
 use rayon::prelude::*;
 
 use crate::attributes::Attributes;
+use crate::grid::Domain;
 use crate::grid::distance::{length, nearest};
-use crate::grid::{Domain, Grid};
 use crate::synth::plan::layer_lookup::Lookup;
 
 /// The obstacles with the cells beside them, for stripes: these end on the obstacle cells, and by less than a cell on the
 /// marks. Of 224 that end on marks eight touched one; so none.
 #[must_use]
-pub fn with_rim(obstacles: &[bool], grid: &Grid) -> Vec<bool> {
-    let near = |cell: usize| obstacles[cell] || grid.neighbours(cell).any(|other| obstacles[other]);
+pub fn with_rim<D: Domain>(obstacles: &[bool], domain: &D) -> Vec<bool> {
+    let near = |cell: usize| obstacles[cell] || domain.neighbours(cell).any(|other| obstacles[other]);
     (0..obstacles.len()).into_par_iter().map(near).collect()
 }
 

@@ -17,6 +17,7 @@ use rand_pcg::Pcg64Mcg;
 use crate::measure::spot_errors;
 use crate::rd::{self, Maps, Parameters, Places};
 use crate::synth::plan::laid_out::Plan;
+use crate::synth::plan::lattice::Node;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
 use crate::synth::plan::one_spot::own_parameters;
@@ -152,7 +153,8 @@ impl Placed {
             let point = lookup.grid.center_px(cell);
             lookup.lattice.at(point).plus(offset).parameters(lookup.between_regions(pitch, point))
         };
-        let parameters = rd::interpolate_parameters(lookup.system, &maps, &places, &own, &offsets, &vary);
+        let (system, turned) = (lookup.system, Node::turned_offset);
+        let parameters = rd::interpolate_parameters(system, &maps, &places, &own, &offsets, turned, &vary);
         Varied { maps: Maps { parameters, ..maps }, places, largest }
     }
 }

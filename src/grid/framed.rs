@@ -1,0 +1,221 @@
+//! Points on a grid and on a frame around it.
+
+use rand::{Rng, RngExt};
+
+use super::cells::Grid;
+use super::edges::{Bounds, Edges};
+use super::space::{Buckets, Space, Wall};
+
+/// A grid with a frame beyond closed edges, whose outer borders meet as those of a tile; a tile has no frame. Places are
+/// in cells from the corner of the frame.
+pub struct Framed {
+    grid: Grid,
+    /// Width of the frame, cells.
+    frame: f64,
+    /// The frame with all in it.
+    bounds: Bounds,
+}
+
+impl Framed {
+    /// `grid` with a frame of this width, cells.
+    pub fn new(grid: Grid, width: f64) -> Self {
+        let Bounds { size, edges } = grid.bounds();
+        let frame = if edges == Edges::Closed { width } else { 0.0 };
+        let bounds = Bounds { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
+        Self { grid, frame, bounds }
+    }
+}
+
+impl Space for Framed {
+    type Place = [f64; 2];
+    type Wall = Side;
+
+    fn to_space(&self, place: [f64; 2]) -> [f64; 2] {
+        place.map(|at| at + self.frame)
+    }
+
+    fn to_domain(&self, place: [f64; 2]) -> [f64; 2] {
+        place.map(|at| at - self.frame)
+    }
+
+    fn is_inside(&self, place: [f64; 2]) -> bool {
+        let size = self.grid.bounds().size;
+        (0..2).all(|axis| (0.0..size[axis]).contains(&place[axis]))
+    }
+
+    fn covers(&self, place: [f64; 2]) -> bool {
+        let size = self.grid.bounds().size;
+        (0..2).all(|axis| (-self.frame..size[axis] + self.frame).contains(&place[axis]))
+    }
+
+    fn moved(&self, from: [f64; 2], way: [f64; 2]) -> [f64; 2] {
+        self.bounds.folded([from[0] + way[0], from[1] + way[1]])
+    }
+
+    fn points(&self, density: f64) -> f64 {
+        let [wide, high] = self.bounds.size;
+        density * wide * high
+    }
+
+    fn integral(&self, density: impl Fn(usize) -> f64) -> f64 {
+        let [nx, ny] = self.grid.size;
+        let row = |y: usize| {
+            let ends = density(y * nx) + density(y * nx + nx - 1);
+            (0..nx).map(|x| density(y * nx + x)).sum::<f64>() + self.frame * ends
+        };
+        let ends = row(0) + row(ny - 1);
+        (0..ny).map(row).sum::<f64>() + self.frame * ends
+    }
+
+    fn random(&self, rng: &mut impl Rng) -> [f64; 2] {
+        self.bounds.size.map(|side| rng.random::<f64>() * side)
+    }
+
+    fn cells(&self) -> usize {
+        let [nx, ny] = self.bounds.size.map(|side| side as usize);
+        nx * ny
+    }
+
+    fn place_in(&self, cell: usize, at: [f64; 2]) -> [f64; 2] {
+        let columns = self.bounds.size[0] as usize;
+        [(cell % columns) as f64 + at[0], (cell / columns) as f64 + at[1]]
+    }
+
+    fn walls(&self) -> Vec<Side> {
+        if self.grid.edges == Edges::Wrap {
+            return Vec::new();
+        }
+        let size = self.grid.bounds().size;
+        let sides = [0, 1].map(|axis| {
+            let far = self.frame + size[axis] * (1.0 - 1e-12);
+            [Side { axis, at: self.frame, inward: 1.0 }, Side { axis, at: far, inward: -1.0 }]
+        });
+        sides.concat()
+    }
+
+    fn buckets(&self, reach: f64) -> impl Buckets<Place = [f64; 2]> {
+        Rectangles::new(self.bounds, reach)
+    }
+}
+
+/// One of the four closed edges of a grid.
+#[derive(Clone, Copy)]
+pub struct Side {
+    /// The axis that it stands across.
+    axis: usize,
+    /// Its coordinate on this axis.
+    at: f64,
+    /// The direction inwards along the axis, 1 or −1.
+    inward: f64,
+}
+
+impl Wall<[f64; 2]> for Side {
+    fn depth(&self, place: [f64; 2]) -> f64 {
+        (place[self.axis] - self.at) * self.inward
+    }
+
+    fn inward(&self, _: [f64; 2]) -> [f64; 2] {
+        let mut inward = [0.0; 2];
+        inward[self.axis] = self.inward;
+        inward
+    }
+
+    fn at_depth(&self, mut place: [f64; 2], depth: f64) -> [f64; 2] {
+        place[self.axis] = self.at + self.inward * depth;
+        place
+    }
+
+    fn faces(&self, other: &Self) -> bool {
+        self.axis == other.axis && self.inward != other.inward
+    }
+}
+
+/// Equal rectangles of a flat space.
+#[derive(Clone, Copy)]
+pub struct Rectangles {
+    space: Bounds,
+    /// Columns and rows.
+    count: [usize; 2],
+}
+
+impl Rectangles {
+    /// Rectangles of `space` whose sides are at least `reach`, where there is more than one.
+    pub fn new(space: Bounds, reach: f64) -> Self {
+        Self { space, count: space.size.map(|side| ((side / reach) as usize).max(1)) }
+    }
+
+    fn position(&self, at: [f64; 2]) -> [isize; 2] {
+        [0, 1].map(|axis| {
+            let count = self.count[axis];
+            ((at[axis] / self.space.size[axis] * count as f64) as usize).min(count - 1) as isize
+        })
+    }
+}
+
+impl Buckets for Rectangles {
+    type Place = [f64; 2];
+
+    fn count(&self) -> usize {
+        self.count[0] * self.count[1]
+    }
+
+    fn bucket(&self, at: [f64; 2]) -> usize {
+        let [column, row] = self.position(at);
+        row as usize * self.count[0] + column as usize
+    }
+
+    /// Images of places beyond the border are found too, of the place itself as well.
+    fn near(
+        &self,
+        place: [f64; 2],
+        reach: f64,
+    ) -> impl Iterator<Item = (usize, impl Fn([f64; 2]) -> Option<[f64; 2]>)> {
+        let Self { space: Bounds { size: [w, h], edges }, count: [columns, rows] } = *self;
+        let [column, row] = self.position(place);
+        let steps = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy)));
+        steps.map(move |(dx, dy)| {
+            let (c, sx) = image(column + dx, columns, edges, w);
+            let (r, sy) = image(row + dy, rows, edges, h);
+            let beyond = |i: isize, n: usize| i < 0 || i >= n as isize;
+            let mirrored = [beyond(column + dx, columns), beyond(row + dy, rows)];
+            let way = move |other: [f64; 2]| {
+                let seen = [sx(other[0]), sy(other[1])];
+                let delta = [seen[0] - place[0], seen[1] - place[1]];
+                // The image of a point on the wall is that point, and counts once.
+                let twice = |axis: usize| mirrored[axis] && (seen[axis] - other[axis]).abs() < 1e-6;
+                let twice = twice(0) || twice(1);
+                let itself = dx == 0 && dy == 0 && delta == [0.0, 0.0];
+                let near = !itself && !twice && delta[0].abs() <= reach && delta[1].abs() <= reach;
+                near.then_some(delta)
+            };
+            (r * columns + c, way)
+        })
+    }
+
+    fn is_to_image(&self, from: [f64; 2], to: [f64; 2], way: [f64; 2]) -> bool {
+        self.space.edges == Edges::Closed
+            && (0..2).any(|axis| (to[axis] - from[axis] - way[axis]).abs() > 1e-6)
+    }
+
+    fn turn(&self, _: usize, _: usize) -> f64 {
+        0.0
+    }
+}
+
+/// The bucket whose image is bucket `i` of `n`, and the map of its coordinates to those of the image.
+fn image(i: isize, n: usize, edges: Edges, size: f64) -> (usize, impl Fn(f64) -> f64 + Copy) {
+    let beyond = if i < 0 {
+        -1.0
+    } else if i >= n as isize {
+        1.0
+    } else {
+        0.0
+    };
+    let mirrored = edges == Edges::Closed && beyond != 0.0;
+    let index = edges.index(i, n);
+    (index, move |v: f64| match (mirrored, beyond) {
+        (true, -1.0) => -v,
+        (true, _) => 2.0 * size - v,
+        (false, b) => v + b * size,
+    })
+}
