@@ -8,6 +8,7 @@ use super::space::{Buckets, Space, Wall};
 
 /// A grid with a frame beyond closed edges, whose outer borders meet as those of a tile; a tile has no frame. Places are
 /// in cells from the corner of the frame.
+#[derive(Clone, Copy)]
 pub struct Framed {
     grid: Grid,
     /// Width of the frame, cells.
@@ -23,6 +24,11 @@ impl Framed {
         let frame = if edges == Edges::Closed { width } else { 0.0 };
         let bounds = Bounds { size: size.map(|side| side + 2.0 * frame), edges: Edges::Wrap };
         Self { grid, frame, bounds }
+    }
+
+    /// Rectangles of all of it, whose sides are at least `reach`.
+    pub fn rectangles(&self, reach: f64) -> Rectangles {
+        Rectangles::new(self.bounds, reach)
     }
 }
 
@@ -94,7 +100,7 @@ impl Space for Framed {
     }
 
     fn buckets(&self, reach: f64) -> impl Buckets<Place = [f64; 2]> {
-        Rectangles::new(self.bounds, reach)
+        self.rectangles(reach)
     }
 }
 

@@ -10,8 +10,12 @@ mod domain;
 mod edges;
 mod field;
 mod framed;
+#[cfg(test)]
+pub mod relabelled;
 pub mod resample;
 mod space;
+#[cfg(test)]
+pub mod sphere;
 mod union_find;
 
 pub use cells::Grid;

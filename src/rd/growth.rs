@@ -183,7 +183,7 @@ impl Growth {
 }
 
 /// Cells whose concentrations belong to the marks of other layers: obstacle cells, and cells that these affect.
-fn masked<D: Domain>(system: System, maps: &Maps<D>) -> Vec<bool> {
+pub(super) fn masked<D: Domain>(system: System, maps: &Maps<D>) -> Vec<bool> {
     let rim = system.definition().obstacle_rim;
     if rim == 0.0 {
         return maps.obstacles.clone();

@@ -44,7 +44,7 @@ pub fn warped(system: System, maps: &Maps, chemical: &[f32], warps: &[LocalWarp]
 }
 
 /// The cells whose content moves, with their displacements in the frame of each.
-fn shifts<D: Domain>(
+pub(super) fn shifts<D: Domain>(
     system: System,
     maps: &Maps<D>,
     warps: &[LocalWarp<D::Place>],

@@ -34,6 +34,9 @@ mod systems;
 mod vector;
 mod wavefront;
 
+#[cfg(test)]
+mod domain_tests;
+
 pub use definition::{
     Begin, Bounds, Convergence, Cost, CurveLaw, DecayNoise, Definition, ErrorBounds, Laws, LinesAlongCurves,
     Resolution, Scatter, SpotLimits, SweepQuantity, System, Variation,

@@ -1,6 +1,6 @@
 //! Second stage of a plan: the system, the size of a cell, and the parameters looked up for every place.
 
-use rayon::prelude::*;
+use std::convert::Infallible;
 
 use crate::attributes::regions::RegionMap;
 use crate::attributes::{Attributes, Spots, Spread};
@@ -217,19 +217,19 @@ impl Lookup {
     /// region of `map`; `obstacles` are the cells taken by marks beneath, empty = none.
     #[must_use]
     pub fn maps(&self, pitch: &[f64], obstacles: &[bool]) -> Maps {
-        let cells = self.grid.cells();
-        let uniform = self.lattice.nodes.len() == 1 && pitch.len() == 1;
-        let parameters = if uniform {
-            vec![self.with_tensor_of_seeding(self.lattice.nodes[0].parameters(pitch[0])); cells]
+        let grid = self.grid;
+        let maps = if self.lattice.nodes.len() == 1 && pitch.len() == 1 {
+            let parameters = self.with_tensor_of_seeding(self.lattice.nodes[0].parameters(pitch[0]));
+            Maps::new(grid, vec![parameters; grid.cells()])
         } else {
-            let at = |cell: usize| {
-                let point = self.grid.center_px(cell);
+            let Ok(maps) = Maps::by_place(grid, |place| {
+                let point = grid.to_px(place);
                 let pitch = self.between_regions(pitch, point);
-                self.with_tensor_of_seeding(self.lattice.at(point).parameters(pitch))
-            };
-            (0..cells).into_par_iter().map(at).collect()
+                Ok::<_, Infallible>(self.with_tensor_of_seeding(self.lattice.at(point).parameters(pitch)))
+            });
+            maps
         };
-        Maps { obstacles: obstacles.to_vec(), ..Maps::new(self.grid, parameters) }
+        Maps { obstacles: obstacles.to_vec(), ..maps }
     }
 
     /// Parameters without a tensor where the seeding makes the direction of stripes.

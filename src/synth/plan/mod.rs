@@ -11,6 +11,7 @@
 pub mod around;
 mod arrange;
 mod auto;
+mod cell_lookup;
 pub(crate) mod corrected;
 pub(crate) mod error;
 pub mod inside;
@@ -32,6 +33,7 @@ mod spread_limits;
 mod targets;
 
 pub use arrange::Surroundings;
+pub use cell_lookup::look_up_cells;
 pub use corrected::Corrected;
 pub use error::{LayOutError, PlanError};
 pub use laid_out::{Arrangement, Plan};

@@ -1,0 +1,216 @@
+//! Nuclei, initial conditions and masks on domains that are no grids.
+
+use super::*;
+use crate::grid::relabelled::{Point, Relabelled};
+use crate::grid::sphere::Sphere;
+use crate::grid::{Domain, Edges, Grid};
+
+const SYSTEM: System = System::MEINHARDT_SPOTS;
+const SIZE: [usize; 2] = [96, 84];
+
+/// Parameters that differ from cell to cell, on a grid and on one with other numbers and, if so asked, other frames.
+fn pair(edges: Edges, obstacles: bool, frame: fn(usize) -> f64) -> (Maps, Maps<Relabelled>) {
+    let grid = Grid { cell: [1.0, 1.01], ..Grid::unit(SIZE, edges) };
+    let Ok(mut flat) = Maps::by_place(grid, |[x, y]| {
+        let rate = (7.0 + 2.0 * x / 96.0) as f32;
+        let (stretch, direction) = ((0.6 + 0.3 * y / 84.0) as f32, (20.0 + 0.5 * x) as f32);
+        Ok::<_, std::convert::Infallible>(Parameters { rate, ratio: 20.0, stretch, direction, pitch: 1.0 })
+    });
+    if obstacles {
+        flat.obstacles = (0..grid.cells()).map(|cell| cell % 96 / 9 == 5 && cell / 96 > 20).collect();
+    }
+    let domain = Relabelled::new(grid, &flat.obstacles, frame);
+    let parameters = domain.renumbered(&flat.parameters);
+    let parameters = parameters.iter().zip(&domain.frames).map(|(p, frame)| p.turned(-frame)).collect();
+    let obstacles = domain.renumbered(&flat.obstacles);
+    (flat, Maps { obstacles, ..Maps::new(domain, parameters) })
+}
+
+fn same_frames(_: usize) -> f64 {
+    0.0
+}
+
+fn other_frames(cell: usize) -> f64 {
+    (cell % 7) as f64 * 51.0
+}
+
+fn pinned(at: [f64; 2], maps: &Maps) -> PinnedSpot {
+    PinnedSpot { at, own: maps.at(at), near: 0.6 }
+}
+
+/// The same spots in the frames of their places.
+fn relabelled(spots: &[PinnedSpot], maps: &Maps<Relabelled>) -> Vec<PinnedSpot<Point>> {
+    let spot = |spot: &PinnedSpot| {
+        let at = Point(spot.at);
+        PinnedSpot { at, own: maps.at(at), near: spot.near }
+    };
+    spots.iter().map(spot).collect()
+}
+
+/// Everything that is asked about the places of spots, with and without pinned ones, as coordinates.
+fn places(flat: &Maps, other: &Maps<Relabelled>) -> [Vec<[f64; 2]>; 2] {
+    let spots: Vec<PinnedSpot> =
+        [[12.5, 20.25], [14.0, 22.0], [80.0, 60.5]].map(|at| pinned(at, flat)).into();
+    let moved = relabelled(&spots, other);
+    assert_eq!(placeable(SYSTEM, flat, &spots), placeable(SYSTEM, other, &moved));
+    let keep = [0, 2];
+    let (spots, moved): (Vec<_>, Vec<_>) = keep.map(|i| (spots[i], moved[i])).into_iter().unzip();
+    let mut found = [Vec::new(), Vec::new()];
+    for number in [0, 2] {
+        let a = nuclei(SYSTEM, flat, 3, &spots[..number]);
+        let b = nuclei(SYSTEM, other, 3, &moved[..number]);
+        assert!(a.inside.len() > 20 && b.inside.len() == a.inside.len() && b.beyond.len() == a.beyond.len());
+        let own: Vec<Parameters> = a.inside.iter().map(|at| flat.at(*at)).collect();
+        let own_there: Vec<Parameters> = b.inside.iter().map(|at| other.at(*at)).collect();
+        found[0].extend(a.inside.iter().chain(&a.beyond));
+        found[0].extend(relax_places(SYSTEM, flat, &a, &own, 1.25, 12));
+        found[0].extend(adjust_to_walls(SYSTEM, flat, a.inside));
+        found[1].extend(b.inside.iter().chain(&b.beyond).map(|at| at.0));
+        found[1].extend(relax_places(SYSTEM, other, &b, &own_there, 1.25, 12).iter().map(|at| at.0));
+        found[1].extend(adjust_to_walls(SYSTEM, other, b.inside).iter().map(|at| at.0));
+    }
+    found
+}
+
+#[test]
+fn nuclei_do_not_depend_on_the_numbers_of_the_cells() {
+    for edges in [Edges::Closed, Edges::Wrap] {
+        for obstacles in [false, true] {
+            let (flat, other) = pair(edges, obstacles, same_frames);
+            let [a, b] = places(&flat, &other);
+            assert!(a == b, "{edges:?} {obstacles}");
+        }
+    }
+}
+
+#[test]
+fn nuclei_do_not_depend_on_the_frames_of_the_cells() {
+    for edges in [Edges::Closed, Edges::Wrap] {
+        for obstacles in [false, true] {
+            let (mut flat, mut other) = pair(edges, obstacles, other_frames);
+            // Square cells: those of other frames have the same units along both axes.
+            flat.domain.cell = [1.0; 2];
+            other.domain = Relabelled::new(flat.domain, &flat.obstacles, other_frames);
+            let [a, b] = places(&flat, &other);
+            let off = |(a, b): (&[f64; 2], &[f64; 2])| (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+            let worst = a.iter().zip(&b).map(off).fold(0.0, f64::max);
+            assert!(worst < 1e-2, "{edges:?} {obstacles}: {worst}");
+        }
+    }
+}
+
+#[test]
+fn initial_conditions_and_masks_do_not_depend_on_the_numbers_of_the_cells() {
+    for edges in [Edges::Closed, Edges::Wrap] {
+        let (flat, other) = pair(edges, true, same_frames);
+        for system in [System::MEINHARDT_SPOTS, System::TURING_SPOTS] {
+            let at = [[12.5, 20.25], [80.0, 60.5], [1.0, 1.0], [4.0, 2.0]];
+            let lost = |cell: usize| cell % 96 < 20;
+            let a = from_places(system, &flat, &at, &lost);
+            let b = from_places(system, &other, &at.map(Point), &|cell| lost(other.domain.old[cell]));
+            assert!(a.len() == 2 && a[0].iter().any(|value| *value != a[0][0]));
+            assert!(a.iter().zip(&b).all(|(a, b)| other.domain.renumbered(a) == *b), "{edges:?} {system:?}");
+            let [a, b] = [growth::masked(system, &flat), growth::masked(system, &other)];
+            assert!(other.domain.renumbered(&a) == b, "{edges:?} {system:?}");
+            assert!(system == System::MEINHARDT_SPOTS || a != flat.obstacles);
+        }
+        let noise = |seed| flat.clone().with_decay_noise(System::TURING_SPOTS, 1.0, seed).decay_noise;
+        let there = other.clone().with_decay_noise(System::TURING_SPOTS, 1.0, 4).decay_noise;
+        assert!(other.domain.renumbered(&noise(4)) == there && noise(5) != noise(4));
+    }
+}
+
+#[test]
+fn values_of_spots_are_interpolated_and_spots_moved_in_the_frames_of_the_cells() {
+    for (frame, far) in [(same_frames as fn(usize) -> f64, 0.0), (other_frames, 1e-4)] {
+        let (mut flat, mut other) = pair(Edges::Wrap, true, frame);
+        flat.domain.cell = [1.0; 2];
+        other.domain = Relabelled::new(flat.domain, &flat.obstacles, frame);
+        let at = [[12.5, 20.25], [80.0, 60.5], [1.0, 1.0]];
+        let frames = at.map(|at| other.domain.frames[other.domain.cell_at(Point(at))]);
+        let [own, own_there] = [at.map(|at| flat.at(at)), at.map(|at| other.at(Point(at)))];
+        // A direction as a vector, of which the length is interpolated too.
+        let known = [[1.0, 0.5], [0.0, 2.0], [-1.0, 0.25]];
+        let known_there: Vec<[f64; 2]> =
+            known.iter().zip(frames).map(|(way, frame)| crate::grid::turned(*way, -frame)).collect();
+        let vary = |_: usize, [x, y]: [f64; 2]| Parameters { rate: x as f32, ratio: y as f32, ..own[0] };
+        let turned = |way: &[f64; 2], degrees: f64| crate::grid::turned(*way, degrees);
+        let a = interpolate_parameters(SYSTEM, &flat, &at, &own, &known, turned, &vary);
+        let b =
+            interpolate_parameters(SYSTEM, &other, &at.map(Point), &own_there, &known_there, turned, &vary);
+        for (cell, a) in a.iter().enumerate() {
+            let number = other.domain.new[cell];
+            let there = [f64::from(b[number].rate), f64::from(b[number].ratio)];
+            let [x, y] = crate::grid::turned(there, other.domain.frames[number]);
+            assert!((x - f64::from(a.rate)).abs() <= far && (y - f64::from(a.ratio)).abs() <= far, "{cell}");
+        }
+        let warps = |i: usize| LocalWarp { at: at[i], own: own[i], by: known[i] };
+        let warps_there = |i: usize| LocalWarp { at: Point(at[i]), own: own_there[i], by: known_there[i] };
+        let a = local_warp::shifts(SYSTEM, &flat, &[warps(0), warps(1)]);
+        let mut b = local_warp::shifts(SYSTEM, &other, &[warps_there(0), warps_there(1)]);
+        b.iter_mut().for_each(|(cell, by)| {
+            *by = crate::grid::turned(*by, other.domain.frames[*cell]);
+            *cell = other.domain.old[*cell];
+        });
+        b.sort_by_key(|(cell, _)| *cell);
+        let near = |a: [f64; 2], b: [f64; 2]| (0..2).all(|i| (a[i] - b[i]).abs() <= far);
+        assert!(a.len() > 30 && a.len() == b.len());
+        assert!(a.iter().zip(&b).all(|(a, b)| a.0 == b.0 && near(a.1, b.1)));
+    }
+}
+
+/// Spots of 14 cells' distance on a sphere.
+fn sphere() -> Maps<Sphere> {
+    let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+    let rate = (SYSTEM.spacing(&p) / 9.0).powi(2) as f32;
+    let domain = Sphere { size: [90, 60] };
+    let cells = domain.cells();
+    Maps::new(domain, vec![Parameters { rate, ..p }; cells])
+}
+
+#[test]
+fn on_a_sphere_nuclei_are_as_many_as_its_area_takes_and_keep_their_distance() {
+    let maps = sphere();
+    let pitch = SYSTEM.spacing(&maps.parameters[0]);
+    let all = nuclei(SYSTEM, &maps, 2, &[]).inside;
+    let wanted = (maps.domain.cells() as f64 * 2.0 / (3.0f64.sqrt() * pitch * pitch)).round() as usize;
+    assert_eq!(all.len(), wanted);
+    let nearest = |i: usize| {
+        let others = (0..all.len()).filter(|j| *j != i);
+        others.map(|j| maps.domain.distance(all[i], all[j]) / pitch).fold(f64::INFINITY, f64::min)
+    };
+    let distances: Vec<f64> = (0..all.len()).map(nearest).collect();
+    let mean = distances.iter().sum::<f64>() / distances.len() as f64;
+    let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
+    assert!(mean > 0.85 && least > 0.6, "mean {mean}, least {least}");
+    // Half of the area of a sphere lies between the parallels of 30°, but only a third of these cells.
+    let share = all.iter().filter(|at| at[2].abs() < 0.5).count() as f64 / all.len() as f64;
+    assert!((share - 0.5).abs() < 0.08, "{share}");
+}
+
+#[test]
+fn on_a_sphere_masks_grow_and_bells_fall_by_distance_across_the_pole() {
+    let mut maps = sphere();
+    let domain = maps.domain.clone();
+    let cell = domain.cells() - 85;
+    let set: Vec<bool> = (0..domain.cells()).map(|other| other == cell).collect();
+    let dilated = domain.dilated(&set, |_| 6.0);
+    for (other, is_set) in dilated.iter().enumerate() {
+        assert_eq!(*is_set, domain.distance(domain.center(cell), domain.center(other)) <= 6.0, "{other}");
+    }
+    assert!(domain.turn(cell, cell - 45).abs() > 100.0 && dilated[cell - 45]);
+    let at = domain.center(cell);
+    let free = from_places(SYSTEM, &maps, &[at], &|_| false);
+    let ground = free[0].iter().copied().fold(f32::INFINITY, f32::min);
+    let peak = free[0][cell];
+    let mut by_distance: Vec<(f64, f32)> = (0..domain.cells())
+        .map(|other| (domain.distance(at, domain.center(other)), free[0][other]))
+        .collect();
+    by_distance.sort_by(|a, b| a.0.total_cmp(&b.0));
+    assert!(peak > 10.0 * ground && free[0][cell - 45] > ground);
+    // Cells of the same distance may differ in the last bits.
+    assert!(by_distance.windows(2).all(|pair| pair[1].1 <= pair[0].1 * 1.000_01));
+    maps.obstacles = set;
+    let on = from_places(SYSTEM, &maps, &[at], &|_| false);
+    assert_eq!(on[0][cell], 0.0);
+}
