@@ -64,7 +64,8 @@ fn look(ui: &mut Ui, settings: &mut Settings) {
 }
 
 fn units(ui: &mut Ui, units: &mut Units) {
-    ui.label("Lengths").on_hover_text("In what lengths and areas are told and typed; files hold px");
+    ui.label("Lengths")
+        .on_hover_text("The unit in which lengths and areas are shown and typed; files hold px");
     ui.horizontal(|ui| {
         ui.radio_value(units, Units::Px, "px").on_hover_text("Px of the canvas");
         ui.radio_value(units, Units::Mm, "mm").on_hover_text("Millimetres, by the document's resolution");

@@ -30,16 +30,17 @@ impl Saving {
     /// The outcome, once it is over; never waits.
     pub fn poll(&mut self) -> Option<Result<(), String>> {
         let outcome = self.work.as_mut()?.poll()?;
-        Some(self.told(outcome))
+        Some(self.with_file(outcome))
     }
 
     /// Waits for its end.
     pub fn wait(&mut self) -> Result<(), String> {
         let outcome = self.work.take().and_then(Writing::wait);
-        outcome.map_or(Ok(()), |outcome| self.told(outcome))
+        outcome.map_or(Ok(()), |outcome| self.with_file(outcome))
     }
 
-    fn told(&self, outcome: Result<Result<(), String>, &str>) -> Result<(), String> {
+    /// The outcome, its error with the file's name.
+    fn with_file(&self, outcome: Result<Result<(), String>, &str>) -> Result<(), String> {
         outcome.unwrap_or_else(|why| Err(format!("{}: saving: {why}", self.path.display())))
     }
 }

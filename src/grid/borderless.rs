@@ -30,7 +30,7 @@ impl<'a, D: Domain + ?Sized> Borderless<'a, D> {
     }
 }
 
-/// There is none.
+/// A domain without a border has no walls.
 impl<P> Wall<P> for Infallible {
     fn depth(&self, _: P) -> f64 {
         match *self {}
@@ -122,8 +122,9 @@ impl<D: ?Sized> Clone for CellBuckets<'_, D> {
     }
 }
 
-/// How far places of a cell may lie from its centre, in mean sides.
-const HALF: f64 = 1.5;
+/// How far places of a cell may lie from its centre, in mean sides: .71 in a square of mean area, twice that in one that
+/// is larger or longer.
+const FARTHEST_IN_CELL: f64 = 1.5;
 
 impl<D: Domain + ?Sized> Buckets for CellBuckets<'_, D> {
     type Place = D::Place;
@@ -141,7 +142,7 @@ impl<D: Domain + ?Sized> Buckets for CellBuckets<'_, D> {
         place: D::Place,
         reach: f64,
     ) -> impl Iterator<Item = (usize, impl Fn(D::Place) -> Option<[f64; 2]>)> {
-        let cells = self.domain.near(place, reach + HALF, 0..self.domain.cells());
+        let cells = self.domain.near(place, reach + FARTHEST_IN_CELL, 0..self.domain.cells());
         let mut cells: Vec<usize> = cells.map(|(cell, _)| cell).collect();
         cells.sort_unstable();
         cells.dedup();

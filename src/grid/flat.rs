@@ -64,11 +64,6 @@ impl Domain for Grid {
         16 * self.size[0]
     }
 
-    fn place_in(&self, cell: usize, at: [f64; 2]) -> [f64; 2] {
-        let [column, row] = self.position(cell);
-        [column as f64 + at[0], row as f64 + at[1]]
-    }
-
     fn inside(&self, place: [f64; 2]) -> [f64; 2] {
         let size = self.bounds().size;
         [0, 1].map(|axis| place[axis].clamp(0.0, size[axis] * (1.0 - 1e-12)))

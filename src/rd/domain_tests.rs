@@ -8,9 +8,15 @@ use crate::grid::{Domain, Edges, Grid};
 const SYSTEM: System = System::MEINHARDT_SPOTS;
 const SIZE: [usize; 2] = [96, 84];
 
-/// Parameters that differ from cell to cell, on a grid and on one with other numbers and, if so asked, other frames.
-fn pair(edges: Edges, obstacles: bool, frame: fn(usize) -> f64) -> (Maps, Maps<Relabelled>) {
-    let grid = Grid { cell: [1.0, 1.01], ..Grid::unit(SIZE, edges) };
+/// Sides of a cell. Frames that are turned need the same unit along both axes.
+const SQUARE: [f64; 2] = [1.0; 2];
+/// Sides of a cell that differ, as on most canvases.
+const OBLONG: [f64; 2] = [1.0, 1.01];
+
+/// Parameters that differ from cell to cell, on a grid of cells with these sides and on one with other numbers and the
+/// frames that `frame` gives, degrees.
+fn pair(edges: Edges, obstacles: bool, cell: [f64; 2], frame: fn(usize) -> f64) -> (Maps, Maps<Relabelled>) {
+    let grid = Grid { cell, ..Grid::unit(SIZE, edges) };
     let Ok(mut flat) = Maps::by_place(grid, |[x, y]| {
         let rate = (7.0 + 2.0 * x / 96.0) as f32;
         let (stretch, direction) = ((0.6 + 0.3 * y / 84.0) as f32, (20.0 + 0.5 * x) as f32);
@@ -78,7 +84,7 @@ fn places(flat: &Maps, other: &Maps<Relabelled>) -> [Vec<[f64; 2]>; 2] {
 fn nuclei_do_not_depend_on_the_numbers_of_the_cells() {
     for edges in [Edges::Closed, Edges::Wrap] {
         for obstacles in [false, true] {
-            let (flat, other) = pair(edges, obstacles, same_frames);
+            let (flat, other) = pair(edges, obstacles, OBLONG, same_frames);
             let [a, b] = places(&flat, &other);
             assert!(a == b, "{edges:?} {obstacles}");
         }
@@ -98,15 +104,7 @@ fn mean_nearest(places: &[[f64; 2]]) -> f64 {
 fn nuclei_are_as_many_and_as_far_apart_in_any_frames() {
     for edges in [Edges::Closed, Edges::Wrap] {
         for obstacles in [false, true] {
-            let (mut flat, _) = pair(edges, obstacles, other_frames);
-            // Square cells: those of other frames have the same units along both axes.
-            flat.domain.cell = [1.0; 2];
-            let domain = Relabelled::new(flat.domain, &flat.obstacles, other_frames);
-            let parameters = domain.renumbered(&flat.parameters);
-            let parameters =
-                parameters.iter().zip(&domain.frames).map(|(p, frame)| p.turned(-frame)).collect();
-            let taken = domain.renumbered(&flat.obstacles);
-            let other = Maps { obstacles: taken, ..Maps::new(domain, parameters) };
+            let (flat, other) = pair(edges, obstacles, SQUARE, other_frames);
             // Directions are rounded otherwise, so that a few points on the border of a neighbourhood go other ways.
             let a = nuclei(SYSTEM, &flat, 3, &[]);
             let b = nuclei(SYSTEM, &other, 3, &[]);
@@ -122,7 +120,7 @@ fn nuclei_are_as_many_and_as_far_apart_in_any_frames() {
 #[test]
 fn initial_conditions_and_masks_do_not_depend_on_the_numbers_of_the_cells() {
     for edges in [Edges::Closed, Edges::Wrap] {
-        let (flat, other) = pair(edges, true, same_frames);
+        let (flat, other) = pair(edges, true, OBLONG, same_frames);
         for system in [System::MEINHARDT_SPOTS, System::TURING_SPOTS] {
             let at = [[12.5, 20.25], [80.0, 60.5], [1.0, 1.0], [4.0, 2.0]];
             let lost = |cell: usize| cell % 96 < 20;
@@ -152,9 +150,7 @@ fn initial_conditions_and_masks_do_not_depend_on_the_numbers_of_the_cells() {
 #[test]
 fn values_of_spots_are_interpolated_and_spots_moved_in_the_frames_of_the_cells() {
     for (frame, far) in [(same_frames as fn(usize) -> f64, 0.0), (other_frames, 1e-4)] {
-        let (mut flat, mut other) = pair(Edges::Wrap, true, frame);
-        flat.domain.cell = [1.0; 2];
-        other.domain = Relabelled::new(flat.domain, &flat.obstacles, frame);
+        let (flat, other) = pair(Edges::Wrap, true, SQUARE, frame);
         let at = [[12.5, 20.25], [80.0, 60.5], [1.0, 1.0]];
         let frames = at.map(|at| other.domain.frames[other.domain.cell_at(Point(at))]);
         let [own, own_there] = [at.map(|at| flat.at(at)), at.map(|at| other.at(Point(at)))];

@@ -6,6 +6,7 @@ use egui::{
     Color32, ColorImage, Id, Mesh, Rect, Response, Sense, Shape, Slider, Stroke, StrokeKind, TextureHandle,
     TextureOptions, Ui, Vec2, WidgetInfo, accesskit::Role, pos2, vec2,
 };
+use image::{RgbaImage, imageops};
 
 use super::preview::FinishedPreview;
 use crate::app::theme::Palette;
@@ -168,27 +169,17 @@ impl View {
     }
 }
 
-/// The picture, reduced by a whole number where a side is longer than the `most` px that the graphics card takes.
+/// The picture, smaller where a side is longer than the `most` px that the graphics card takes.
 fn fitting(image: &ColorImage, most: usize) -> ColorImage {
-    let [wide, high] = image.size;
-    let step = wide.max(high).div_ceil(most.max(1));
-    if step <= 1 {
+    let longest = image.size[0].max(image.size[1]);
+    if longest <= most {
         return image.clone();
     }
-    let size = image.size.map(|side| side.div_ceil(step));
-    let mean = |index: usize| {
-        let [x, y] = [index % size[0] * step, index / size[0] * step];
-        let (mut sum, mut count) = ([0u32; 4], 0);
-        for row in y..(y + step).min(high) {
-            for px in &image.pixels[row * wide + x..row * wide + (x + step).min(wide)] {
-                sum.iter_mut().zip(px.to_array()).for_each(|(sum, value)| *sum += u32::from(value));
-                count += 1;
-            }
-        }
-        let [r, g, b, a] = sum.map(|sum| (sum / count) as u8);
-        Color32::from_rgba_premultiplied(r, g, b, a)
-    };
-    ColorImage::new(size, (0..size[0] * size[1]).map(mean).collect())
+    let size = image.size.map(|side| (side * most / longest).max(1));
+    let [[wide, high], [width, height]] = [image.size, size].map(|size| size.map(|side| side as u32));
+    let bytes = image.pixels.iter().flat_map(Color32::to_array).collect();
+    let whole = RgbaImage::from_raw(wide, high, bytes).expect("four bytes a px");
+    ColorImage::from_rgba_premultiplied(size, imageops::thumbnail(&whole, width, height).as_raw())
 }
 
 #[cfg(test)]
@@ -197,13 +188,10 @@ mod tests {
 
     #[test]
     fn a_picture_too_large_for_the_graphics_card_is_reduced_and_others_are_not() {
-        let grey = |value: usize| Color32::from_gray(10 * value as u8);
-        let image = ColorImage::new([5, 3], (0..15).map(grey).collect());
-        assert_eq!(fitting(&image, 5), image);
-        let reduced = fitting(&image, 4);
-        assert_eq!(reduced.size, [3, 2]);
-        // Means of 2 × 2 px, at the right border of 1 × 2.
-        assert_eq!(reduced.pixels[0], Color32::from_gray(30));
-        assert_eq!(reduced.pixels[2], Color32::from_gray(65));
+        let halves = |px: usize| if px % 6 < 3 { Color32::BLACK } else { Color32::WHITE };
+        let image = ColorImage::new([6, 4], (0..24).map(halves).collect());
+        assert_eq!(fitting(&image, 6), image);
+        let reduced = fitting(&image, 2);
+        assert_eq!((reduced.size, reduced.pixels), ([2, 1], vec![Color32::BLACK, Color32::WHITE]));
     }
 }

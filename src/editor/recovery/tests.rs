@@ -232,7 +232,7 @@ fn what_was_postponed_is_found_by_the_next_search() {
     recovery.search().unwrap();
     heard(&mut recovery);
     assert_eq!(recovery.lost().len(), 1);
-    // A search that is running already finds it for the one who asks again.
+    // A search that is asked for while one is running gets what that one finds.
     recovery.search().unwrap();
     recovery.postpone();
     recovery.search().unwrap();

@@ -64,7 +64,7 @@ fn crowded<B: Buckets>(placed: &CellList<B>, near: &[f64]) -> Vec<Vec<usize>> {
         placed.near_by_index(point, PUSH, |other, way| {
             let least = 0.5 * (near[i] + near[other]);
             let there = &placed.all[other];
-            // Images beyond a closed edge are none's neighbours.
+            // Images beyond a closed edge do not count as neighbours.
             let image = placed.is_to_image(point, there, way);
             if other != i && !image && distance2(point, there, way) < least * least {
                 crowded[i].push(other);

@@ -8,7 +8,7 @@ use crate::rd::nuclei::cell_list::{CellList, relax};
 use crate::rd::nuclei::{FRAME, PUSH};
 use crate::rd::nucleus::Nucleus;
 
-/// Where the points `laid` come to stand in `rounds` rounds of mutual repulsion, each with the pitch and the metric of
+/// The places of the points `laid` after `rounds` rounds of mutual repulsion, each with the pitch and the metric of
 /// its `own` parameters, whose direction is given in the frame of its place; those farther than `reach` pitches do not
 /// push each other. Those beyond the edges stay, and those that are pinned.
 #[must_use]
@@ -56,8 +56,7 @@ pub fn relax_places<D: Domain>(
     placed.all[..own.len()].iter().map(stands).collect()
 }
 
-/// Where points at `places` come to stand when those are moved that are too near a closed edge for a spot: on it, or well
-/// off.
+/// The `places`, of which those that are too near a closed edge for a whole spot are moved onto it or farther from it.
 #[must_use]
 pub fn adjust_to_walls<D: Domain>(system: System, maps: &Maps<D>, places: Vec<D::Place>) -> Vec<D::Place> {
     let space = maps.domain.space(0.0);

@@ -161,6 +161,7 @@ fn parameters(layer: &GrownLayer, index: usize) -> Vec<(&'static str, f64)> {
             *value *= layer.correction[index];
         }
     }
+    // How many times farther apart than the system's own spacing its spots were placed.
     if answer.pitch > 1.0 {
         named.push(("pitch", answer.pitch));
     }
