@@ -85,7 +85,7 @@ mod writer;
 pub use crate::attributes::Spread;
 pub use crate::colour::{Gradient, PRESETS, Preset};
 pub use crate::grid::Edges;
-pub use crate::marks::{Ellipse, Line};
+pub use crate::marks::{Ellipse, Line, Path};
 pub use crate::rd::{Seeding, System};
 pub use causes::with_causes;
 pub use choices::{After, Kind, SystemChoice};
@@ -93,6 +93,8 @@ pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_picture, in_stream, open};
 pub use error::{DocumentError, Problem};
 pub use option_key::OptionKey;
+
+use crate::marks::Mark;
 
 /// Everything that defines a texture: what was drawn and how it is grown.
 #[derive(Clone, Debug, PartialEq)]
@@ -273,8 +275,10 @@ pub enum SpreadChoice {
 pub enum Stroke {
     /// A spot.
     Ellipse(Ellipse),
-    /// A piece of a stripe.
+    /// A straight piece of a stripe.
     Line(Line),
+    /// A piece of a stripe that may bend.
+    Path(Path),
     /// A freehand path: if closed, an ellipse; if open, a line. It is fitted when the document is grown.
     Freehand {
         /// Points in the order in which they were drawn, px; at least two.
@@ -285,7 +289,7 @@ pub enum Stroke {
 }
 
 impl Stroke {
-    /// Width of a line or a freehand stroke that states none, px.
+    /// Width of a line, a path or a freehand stroke that states none, px.
     pub const WIDTH: f64 = 6.0;
 
     /// What it is; `None` for a freehand stroke, which must be fitted first.
@@ -293,8 +297,18 @@ impl Stroke {
     pub fn kind(&self) -> Option<Kind> {
         match self {
             Self::Ellipse(_) => Some(Kind::Ellipse),
-            Self::Line(_) => Some(Kind::Line),
+            Self::Line(_) | Self::Path(_) => Some(Kind::Line),
             Self::Freehand { .. } => None,
+        }
+    }
+}
+
+impl From<Mark> for Stroke {
+    fn from(mark: Mark) -> Self {
+        match mark {
+            Mark::Ellipse(ellipse) => Self::Ellipse(ellipse),
+            Mark::Line(line) => Self::Line(line),
+            Mark::Path(path) => Self::Path(path),
         }
     }
 }

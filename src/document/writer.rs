@@ -74,6 +74,11 @@ fn stroke(stroke: &Stroke) -> Value {
         Stroke::Line(l) => json!({
             "kind": "line", "from": numbers(&l.from), "to": numbers(&l.to), "width": number(l.width)
         }),
+        Stroke::Path(path) => json!({
+            "kind": "path",
+            "points": path.points.iter().map(|point| numbers(point)).collect::<Vec<_>>(),
+            "width": number(path.width)
+        }),
         Stroke::Freehand { points, width } => json!({
             "kind": "freehand",
             "points": points.iter().map(|point| numbers(point)).collect::<Vec<_>>(),

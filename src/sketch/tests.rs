@@ -133,6 +133,9 @@ proptest! {
                 let numbers = [got.center, got.radii].concat();
                 prop_assert!(numbers.iter().all(|x| x.is_finite()) && got.radii[1] > 0.0, "{got:?}");
             }
+            Some(Mark::Path(got)) => {
+                prop_assert!(got.length().is_finite() && got.length() > 0.0, "{got:?}");
+            }
             Some(Mark::Line(got)) => {
                 prop_assert!(got.length().is_finite() && got.length() > 0.0, "{got:?}");
             }

@@ -4,7 +4,7 @@ use crate::folder::{Folder, document};
 use dapple::document::Edges;
 use dapple::document::{Document, Layer, Options as Choices, Stroke, SystemChoice};
 use dapple::internals::attributes::regions::RegionMap;
-use dapple::internals::marks::{Ellipse, Line, Mark, turn};
+use dapple::internals::marks::{Ellipse, Line, Mark, Path, turn};
 use dapple::internals::measure::{self, Spot};
 
 use dapple::internals::synth::plan::{Plan, Surroundings, look_up};
@@ -178,8 +178,7 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
 fn in_stripes(document: &Document, layer: &GrownLayer) -> Vec<f64> {
     let marks = dapple::internals::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
     let [width, height] = document.size.map(|side| side as usize);
-    let line = |mark: &Mark| if let Mark::Line(line) = mark { Some(*line) } else { None };
-    let lines: Vec<Line> = marks.iter().filter_map(line).collect();
+    let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
     covered(&lines, layer.plan.lookup.map.layout(), &layer.pattern().field(width, height))
 }
 

@@ -82,7 +82,7 @@ fn some(session: &Session, index: usize) -> Option<Place> {
 
 fn act(session: &mut Session, deed: &Deed) {
     match deed {
-        Deed::Add(mark) => session.add(&[*mark]),
+        Deed::Add(mark) => session.add(std::slice::from_ref(mark)),
         Deed::Remove(index) => session.remove(&some(session, *index).into_iter().collect::<Vec<_>>()),
         Deed::Nudge(by) => session.nudge(*by),
         Deed::Replace(index, mark) => {
@@ -90,7 +90,7 @@ fn act(session: &mut Session, deed: &Deed) {
             if let Some(place) = some(session, *index)
                 && std::mem::discriminant(&session.mark(place).unwrap()) == std::mem::discriminant(mark)
             {
-                session.replace(&[(place, *mark)]);
+                session.replace(&[(place, mark.clone())]);
             }
         }
         Deed::Regions(regions) => session.edit(|document| document.regions = *regions),

@@ -56,7 +56,7 @@ impl Analysis {
         let marks = session.marks_of(layer);
         for index in 0..map.layout().len() {
             let own = |mark: &&Mark| map.layout().index(map.region_of(shape::center(mark))) == index;
-            let own: Vec<Mark> = marks.iter().filter(own).copied().collect();
+            let own: Vec<Mark> = marks.iter().filter(own).cloned().collect();
             neighbours(ink, &own, colours);
         }
         for mark in &marks {
@@ -70,13 +70,7 @@ impl Analysis {
 
 /// The Delaunay edges of one region: those whose mean is the spacing in full colour, the others pale.
 fn neighbours(ink: &Ink, own: &[Mark], colours: &Palette) {
-    let centers: Vec<[f64; 2]> = own
-        .iter()
-        .filter_map(|mark| match mark {
-            Mark::Ellipse(ellipse) => Some(ellipse.center),
-            Mark::Line(_) => None,
-        })
-        .collect();
+    let centers: Vec<[f64; 2]> = own.iter().filter_map(|mark| Some(mark.ellipse()?.center)).collect();
     let edges = spacing::edges(&centers, None);
     let inner = edges.iter().filter(|edge| !edge.hull).count();
     let kept = spacing::neighbour_lengths(&centers);
@@ -101,6 +95,7 @@ fn axes(ink: &Ink, mark: &Mark, colours: &Palette) {
             ink.segment([end(0.0, -b), end(0.0, b)], stroke);
         }
         Mark::Line(line) => ink.segment([line.from, line.to], stroke),
+        Mark::Path(path) => ink.path(&path.points, stroke),
     }
 }
 

@@ -338,6 +338,7 @@ fn label(ink: &Ink, mark: &Mark, at: egui::Pos2, ruler: Ruler, colours: &Palette
     let text = match mark {
         Mark::Ellipse(ellipse) => ruler.area(ellipse.area()),
         Mark::Line(line) => format!("{:.0}°", line.angle()),
+        Mark::Path(path) => ruler.length(path.length()),
     };
     let galley = ink.painter.layout_no_wrap(text, FontId::proportional(11.5), colours.paper);
     let rect = Align2::LEFT_TOP.anchor_size(at + vec2(14.0, 14.0), galley.size() + vec2(10.0, 4.0));

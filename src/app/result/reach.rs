@@ -5,7 +5,7 @@ use crate::attributes::{Attributes, Spots, Stripes};
 use crate::document::{Document, Stroke, limits};
 use crate::editor::shape;
 use crate::learn::Answer;
-use crate::marks::{Ellipse, Line, Mark, turn};
+use crate::marks::{Ellipse, Line, Mark, Path, turn};
 use crate::synth::Training;
 use crate::synth::plan::sketch_targets;
 use crate::synth::plan::{Lookup, Targets};
@@ -93,10 +93,7 @@ impl Sketch {
         let layer = &mut document.layers[layer];
         layer.options.duty = self.duty;
         for (stroke, mark) in self.marks {
-            layer.strokes[stroke] = match mark {
-                Mark::Ellipse(ellipse) => Stroke::Ellipse(ellipse),
-                Mark::Line(line) => Stroke::Line(line),
-            };
+            layer.strokes[stroke] = Stroke::from(mark);
         }
     }
 
@@ -159,7 +156,7 @@ impl Sketch {
                     )),
                 )
             }
-            Mark::Line(_) => (stroke, mark),
+            Mark::Line(_) | Mark::Path(_) => (stroke, mark),
         };
         Self { marks: self.marks.into_iter().zip(moved).map(changed).collect(), ..self }
     }
@@ -178,6 +175,10 @@ impl Sketch {
             Mark::Line(line) => {
                 let line = Line { width: line.width * width, ..line };
                 (stroke, shape::turned(&Mark::Line(line), by_angle, line.center()))
+            }
+            Mark::Path(path) => {
+                let (center, path) = (path.center(), Path { width: path.width * width, ..path });
+                (stroke, shape::turned(&Mark::Path(path), by_angle, center))
             }
             Mark::Ellipse(_) => (stroke, mark),
         };
@@ -230,12 +231,11 @@ fn described(from: &Sketch, to: &Sketch) -> String {
     let factor = |of: &dyn Fn(&Mark) -> f64| mean(&to.marks, of) / mean(&from.marks, of);
     let spots = matches!(from.marks.first(), Some((_, Mark::Ellipse(_))));
     if spots {
-        let ellipse = |mark: &Mark| if let Mark::Ellipse(ellipse) = mark { Some(*ellipse) } else { None };
-        more("areas", ["larger", "smaller"], factor(&|mark| ellipse(mark).map_or(0.0, |e| e.area())));
-        more("shapes", ["rounder", "longer"], factor(&|mark| ellipse(mark).map_or(0.0, |e| e.aspect())));
+        more("areas", ["larger", "smaller"], factor(&|mark| mark.ellipse().map_or(0.0, |e| e.area())));
+        more("shapes", ["rounder", "longer"], factor(&|mark| mark.ellipse().map_or(0.0, |e| e.aspect())));
         more("places", ["farther apart", "nearer together"], extent(&to.marks) / extent(&from.marks));
     } else {
-        let width = |mark: &Mark| if let Mark::Line(line) = mark { line.width } else { 0.0 };
+        let width = |mark: &Mark| mark.path().map_or(0.0, |path| path.width);
         more("lines", ["thicker", "thinner"], factor(&width));
     }
     if from.duty != to.duty {
@@ -285,7 +285,7 @@ mod tests {
             changed.layers[0].options.duty = duty;
         }
         for (stroke, mark) in reach.marks {
-            changed.layers[0].strokes[stroke] = crate::editor::session::stroke_of(&mark);
+            changed.layers[0].strokes[stroke] = Stroke::from(mark);
         }
         (before, Some(notes(&planned_alone(training, &changed))))
     }

@@ -5,7 +5,7 @@ use thiserror::Error;
 use super::RegionGrid;
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
 use crate::grid::Edges;
-use crate::marks::{Ellipse, Line, Mark, axial};
+use crate::marks::{Ellipse, Mark, Path, axial};
 
 /// Above this mean aspect a region has no direction of its own (`docs/format.md`, *region map*).
 pub(super) const ROUND: f64 = 0.9;
@@ -98,14 +98,8 @@ impl RegionMap {
             return Err(RegionsError::Layout { size, grid });
         }
         let layout = RegionGrid { size, grid, edges };
-        let ellipses = gather(&layout, marks, |mark| match mark {
-            Mark::Ellipse(ellipse) => Some((ellipse.center, *ellipse)),
-            Mark::Line(_) => None,
-        });
-        let lines = gather(&layout, marks, |mark| match mark {
-            Mark::Line(line) => Some((line.center(), *line)),
-            Mark::Ellipse(_) => None,
-        });
+        let ellipses = gather(&layout, marks, Mark::ellipse);
+        let lines = gather(&layout, marks, Mark::path);
         let count = |counts: &mut dyn Iterator<Item = usize>| counts.sum::<usize>();
         let owns: Vec<Own> =
             match (count(&mut ellipses.iter().map(Vec::len)), count(&mut lines.iter().map(Vec::len))) {
@@ -286,15 +280,11 @@ impl RegionMap {
     }
 }
 
-/// The marks for which `pick` gives a centre and a value, by region.
-fn gather<T>(
-    layout: &RegionGrid,
-    marks: &[Mark],
-    pick: impl Fn(&Mark) -> Option<([f64; 2], T)>,
-) -> Vec<Vec<T>> {
+/// The marks for which `pick` gives a value, by region.
+fn gather<T>(layout: &RegionGrid, marks: &[Mark], pick: impl Fn(&Mark) -> Option<T>) -> Vec<Vec<T>> {
     let mut sets: Vec<Vec<T>> = (0..layout.len()).map(|_| Vec::new()).collect();
-    for (center, mark) in marks.iter().filter_map(pick) {
-        sets[layout.index(layout.region_of(center))].push(mark);
+    for mark in marks {
+        sets[layout.index(layout.region_of(mark.center()))].extend(pick(mark));
     }
     sets
 }
@@ -311,7 +301,7 @@ fn spots(set: &[Ellipse]) -> Own {
     Own { marks: set.len(), attributes: Spots::measure(set).map(Attributes::Spots), spread }
 }
 
-fn stripes(set: &[Line]) -> Own {
+fn stripes(set: &[Path]) -> Own {
     Own { marks: set.len(), attributes: Stripes::measure(set).map(Attributes::Stripes), spread: Spread::ZERO }
 }
 

@@ -19,16 +19,14 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
         let mark = match stroke {
             Stroke::Ellipse(ellipse) => Mark::Ellipse(*ellipse),
             Stroke::Line(line) => Mark::Line(*line),
+            Stroke::Path(path) => Mark::Path(path.clone()),
             Stroke::Freehand { points, width } => recognise(points, *width).ok_or_else(|| {
                 let found = format!("{} points that make neither an ellipse nor a line", points.len());
                 Problem::new(&place, found, "a closed stroke round a spot, or an open one along a stripe")
                     .in_file(source)
             })?,
         };
-        let kind = match mark {
-            Mark::Ellipse(_) => Kind::Ellipse,
-            Mark::Line(_) => Kind::Line,
-        };
+        let kind = Kind::from(&mark);
         if let Some(problem) = mixed_marks(kind, *first.get_or_insert(kind), &place) {
             return Err(problem.in_file(source));
         }
