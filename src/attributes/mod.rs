@@ -1,6 +1,7 @@
 //! Marks → numbers: drawn and grown marks are measured alike.
 
 pub mod columns;
+pub mod free;
 pub mod regions;
 pub mod spacing;
 mod spots;
