@@ -51,8 +51,11 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     if args.json {
         let edges = if document.edges == Edges::Wrap { "wrap" } else { "closed" };
-        let found = json!({"document": source, "valid": true, "name": document.name, "size": document.size,
+        let mut found = json!({"document": source, "valid": true, "name": document.name, "size": document.size,
             "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers});
+        if let (None, Some(found)) = (document.regions, found.as_object_mut()) {
+            found.remove("regions");
+        }
         text = format!("{found:#}\n");
     }
     super::print(&text)
@@ -149,12 +152,14 @@ fn varied(spread: &Spread) -> String {
 fn summary(document: &Document) -> String {
     let mut text = String::new();
     let [width, height] = document.size;
-    let [columns, rows] = document.regions;
     let edges = if document.edges == Edges::Wrap { "wrap" } else { "closed" };
     // Writing to a String cannot fail.
     let _ = writeln!(text, "name:    {}", printable(&document.name));
     let _ = writeln!(text, "size:    {width} × {height} px, edges {edges}");
-    let _ = writeln!(text, "regions: {columns} × {rows}");
+    let _ = match document.regions {
+        Some([columns, rows]) => writeln!(text, "regions: {columns} × {rows}"),
+        None => writeln!(text, "regions: none, each mark says what is wanted around it"),
+    };
     let _ = writeln!(text, "layers:  {}", document.layers.len());
     for (i, layer) in document.layers.iter().enumerate() {
         let name = printable(&layer.name);

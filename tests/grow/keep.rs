@@ -124,13 +124,13 @@ fn on_a_larger_canvas_they_stand_at_the_stretched_places_and_keep_their_size() {
 fn marks_are_kept_in_one_region_unless_told_otherwise() {
     let mut document = one_layer(&drawn(), Edges::Closed);
     assert_eq!(grown(&document).plan.pinned_spots().len(), 10);
-    document.regions = [2, 1];
+    document.regions = Some([2, 1]);
     assert!(grown(&document).plan.pinned_spots().is_empty());
     document.layers[0].options.keep = Some(true);
     let layer = grown(&document);
     let off = off(&layer.plan, spots(&layer));
     assert!(off.len() == 10 && off.iter().all(|off| *off < 0.25), "{off:?}");
-    document.regions = [1, 1];
+    document.regions = Some([1, 1]);
     document.layers[0].options.keep = Some(false);
     assert!(grown(&document).plan.pinned_spots().is_empty());
 }
@@ -171,7 +171,7 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
     ];
     let options = Choices { keep: keeps, ..Choices::default() };
     let layers = vec![Layer { strokes, options, ..Layer::default() }];
-    Document { size: [300, 240], regions, layers, ..Document::default() }
+    Document { size: [300, 240], regions: Some(regions), layers, ..Document::default() }
 }
 
 /// The share of each line of `document` that lies in a stripe of `layer`.

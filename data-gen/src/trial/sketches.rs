@@ -61,7 +61,7 @@ fn document(index: u64, layout: &RegionGrid, strokes: Vec<Stroke>) -> Document {
     Document {
         name: format!("random sketch {index}"),
         size: layout.size.map(|side| side as u32),
-        regions: layout.grid.map(|n| n as u32),
+        regions: Some(layout.grid.map(|n| n as u32)),
         edges: layout.edges,
         seed: index + 1,
         layers: vec![Layer { name: "marks".to_owned(), strokes, ..Layer::default() }],

@@ -26,7 +26,7 @@ impl Analysis {
         self.revision = Some(session.revision());
         let document = session.document();
         let size = document.size.map(f64::from);
-        let grid = document.regions.map(|n| n as usize);
+        let grid = document.region_grid();
         let map = |layer| RegionMap::from_marks(&session.marks_of(layer), size, grid, document.edges).ok();
         self.maps = (0..document.layers.len()).map(map).collect();
     }

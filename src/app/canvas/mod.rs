@@ -352,8 +352,9 @@ fn grid(ink: &Ink, session: &Session, colours: &Palette) {
     let size = document.size.map(f64::from);
     let stroke = Stroke::new(1.0, colours.grid);
     for axis in 0..2 {
-        for line in 1..document.regions[axis] {
-            let place = size[axis] * f64::from(line) / f64::from(document.regions[axis]);
+        let regions = document.region_grid()[axis];
+        for line in 1..regions {
+            let place = size[axis] * line as f64 / regions as f64;
             let [mut from, mut to] = [[0.0; 2], size];
             (from[axis], to[axis]) = (place, place);
             ink.segment([from, to], stroke);

@@ -7,10 +7,10 @@ use super::selected;
 use crate::app::action::Action;
 use crate::app::canvas::tool::Tool;
 use crate::app::canvas::{Canvas, Nib};
-use crate::app::fields::{DPI, REGIONS, SEAMLESS, SIDES, pair, resolution, sides};
+use crate::app::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
 use crate::app::reference::Reference;
 use crate::attributes::Attributes;
-use crate::document::{Document, limits};
+use crate::document::Document;
 use crate::editor::edit::Edit;
 use crate::editor::session::Session;
 use crate::editor::units::Ruler;
@@ -80,7 +80,7 @@ fn tool(ui: &mut Ui, tool: Tool, nib: Nib, ruler: Ruler) -> Option<Action> {
 fn canvas_properties(ui: &mut Ui, document: &Document, ruler: Ruler) -> Vec<Action> {
     let mut edits = Vec::new();
     heading(ui, "Canvas");
-    let (mut size, mut regions) = (document.size, document.regions);
+    let (mut size, mut grid) = (document.size, document.regions);
     let (mut seamless, mut dpi) = (document.edges == Edges::Wrap, document.dpi);
     rows(ui, "canvas", |ui| {
         ui.label("Size").on_hover_text("Width and height of the canvas");
@@ -92,8 +92,8 @@ fn canvas_properties(ui: &mut Ui, document: &Document, ruler: Ruler) -> Vec<Acti
         ui.end_row();
         ui.label("Regions").on_hover_text(REGIONS);
         ui.horizontal(|ui| {
-            if pair(ui, &mut regions, 1..=limits::MAX_REGIONS, ["Region columns", "Region rows"], "") {
-                edits.push(Edit::Regions(regions));
+            if regions(ui, &mut grid, ["Regions", "Region columns", "Region rows"]) {
+                edits.push(Edit::Regions(grid));
             }
         });
         ui.end_row();

@@ -2,7 +2,7 @@
 
 use crate::attributes::regions::{RegionGrid, RegionMap};
 use crate::attributes::{Attributes, Spots, Stripes};
-use crate::document::{Document, Stroke, limits};
+use crate::document::{Document, DutyChoice, Stroke, limits};
 use crate::editor::shape;
 use crate::learn::Answer;
 use crate::marks::{Ellipse, Line, Mark, Path, turn};
@@ -78,7 +78,7 @@ fn source(map: &RegionMap, index: usize) -> Option<[usize; 2]> {
 #[derive(Clone, Debug, PartialEq)]
 struct Sketch {
     marks: Vec<(usize, Mark)>,
-    duty: f64,
+    duty: DutyChoice,
 }
 
 impl Sketch {
@@ -167,7 +167,8 @@ impl Sketch {
         let duty = match to.wavelength {
             Some(_) if (to.duty() / asked.duty() - 1.0).abs() > 1e-6 => {
                 let [low, high] = [limits::DUTY.low, limits::DUTY.high];
-                (self.duty * libm::pow(to.duty() / asked.duty(), farther)).clamp(low, high)
+                let own = self.duty.given().unwrap_or(asked.duty());
+                DutyChoice::Given((own * libm::pow(to.duty() / asked.duty(), farther)).clamp(low, high))
             }
             _ => self.duty,
         };
@@ -188,7 +189,7 @@ impl Sketch {
     /// The change from `from`.
     fn reach(self, from: &Self) -> Reach {
         let text = described(from, &self);
-        let duty = (self.duty != from.duty).then_some(self.duty);
+        let duty = self.duty.given().filter(|_| self.duty != from.duty);
         Reach { marks: self.marks, duty, text }
     }
 }
@@ -238,8 +239,8 @@ fn described(from: &Sketch, to: &Sketch) -> String {
         let width = |mark: &Mark| mark.path().map_or(0.0, |path| path.width);
         more("lines", ["thicker", "thinner"], factor(&width));
     }
-    if from.duty != to.duty {
-        changes.push(format!("duty {:.2} on the whole layer", to.duty));
+    if let Some(duty) = to.duty.given().filter(|_| from.duty != to.duty) {
+        changes.push(format!("duty {duty:.2} on the whole layer"));
     }
     if changes.is_empty() { "directions turned".to_owned() } else { changes.join(", ") }
 }
@@ -271,7 +272,7 @@ mod tests {
 
     fn document(strokes: Vec<Stroke>, system: SystemChoice) -> Document {
         let layers = vec![Layer { strokes, system, ..Layer::default() }];
-        Document { size: [512, 512], regions: [2, 2], layers, ..Document::default() }
+        Document { size: [512, 512], regions: Some([2, 2]), layers, ..Document::default() }
     }
 
     /// Applies the change for region 0; gives the number of notes before and after.
@@ -282,7 +283,7 @@ mod tests {
         let Some(reach) = reach(training, document, &[&first], 0, 0) else { return (before, None) };
         let mut changed = document.clone();
         if let Some(duty) = reach.duty {
-            changed.layers[0].options.duty = duty;
+            changed.layers[0].options.duty = DutyChoice::Given(duty);
         }
         for (stroke, mark) in reach.marks {
             changed.layers[0].strokes[stroke] = Stroke::from(mark);

@@ -47,7 +47,7 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
 pub fn region_map(document: &Document, index: usize, source: &str) -> Result<RegionMap, DocumentError> {
     let marks = marks(document, index, source)?;
     let size = document.size.map(f64::from);
-    let map = RegionMap::from_marks(&marks, size, document.regions.map(|n| n as usize), document.edges);
+    let map = RegionMap::from_marks(&marks, size, document.region_grid(), document.edges);
     let map = map.map_err(|error| {
         let place = format!("layers[{index}].strokes");
         Problem::new(place, error.to_string(), "at least one ellipse, or at least one line").in_file(source)
@@ -57,9 +57,10 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Reg
         SpreadChoice::Drawn => map,
         SpreadChoice::Given(spread) => map.with_spread(spread),
     };
-    let apart = layer.system.is_known(|system| system.is_striped() && system.free_spacing)
-        || layer.options.duty < Options::DUTY;
-    Ok(if apart { map.with_duty(layer.options.duty) } else { map })
+    let duty = layer.options.duty.given().unwrap_or(Options::DUTY);
+    let apart =
+        layer.system.is_known(|system| system.is_striped() && system.free_spacing) || duty < Options::DUTY;
+    Ok(if apart { map.with_duty(duty) } else { map })
 }
 
 /// The marks of layer `index` on a canvas of `size` px: their places stretch with the canvas, their sizes do not.
