@@ -68,15 +68,14 @@ impl Analysis {
     }
 }
 
-/// The Delaunay edges of one region: those whose mean is the spacing in full colour, the others pale.
+/// The Delaunay edges of one region: those with more than half of the full weight in the spacing in full colour, the
+/// others pale.
 fn neighbours(ink: &Ink, own: &[Mark], colours: &Palette) {
     let centers: Vec<[f64; 2]> = own.iter().filter_map(|mark| Some(mark.ellipse()?.center)).collect();
     let edges = spacing::edges(&centers, None);
-    let inner = edges.iter().filter(|edge| !edge.hull).count();
-    let kept = spacing::neighbour_lengths(&centers);
-    let longest = kept.last().copied().unwrap_or(f64::INFINITY);
+    let nearest = spacing::median(spacing::nearest(&edges, centers.len())).unwrap_or(f64::INFINITY);
     for edge in edges {
-        let counts = (inner < 3 || !edge.hull) && edge.length <= longest;
+        let counts = edge.weight(nearest) > 0.5;
         let stroke =
             if counts { Stroke::new(1.2, colours.edge) } else { Stroke::new(0.8, colours.edge_pale) };
         ink.segment(edge.ends.map(|end| centers[end]), stroke);
