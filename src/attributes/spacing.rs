@@ -6,10 +6,12 @@
 //! the weight 1: nothing is divided by 0.
 
 mod delaunay;
+mod groups;
 
 use super::moments;
 
 pub use delaunay::{Edge, edges};
+pub use groups::grouped_neighbours;
 
 /// Cosine of the opposite angle from which on an edge has its full weight: 78°.
 const FULL_COS: f64 = 0.2;

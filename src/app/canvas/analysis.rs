@@ -54,11 +54,7 @@ impl Analysis {
     pub fn paint(&self, ink: &Ink, session: &Session, layer: usize, colours: &Palette) {
         let Some(map) = self.map(layer) else { return };
         let marks = session.marks_of(layer);
-        for index in 0..map.layout().len() {
-            let own = |mark: &&Mark| map.layout().index(map.region_of(shape::center(mark))) == index;
-            let own: Vec<Mark> = marks.iter().filter(own).cloned().collect();
-            neighbours(ink, &own, colours);
-        }
+        neighbours(ink, map, &marks, colours);
         for mark in &marks {
             axes(ink, mark, colours);
         }
@@ -68,17 +64,20 @@ impl Analysis {
     }
 }
 
-/// The Delaunay edges of one region: those with more than half of the full weight in the spacing in full colour, the
-/// others pale.
-fn neighbours(ink: &Ink, own: &[Mark], colours: &Palette) {
-    let centers: Vec<[f64; 2]> = own.iter().filter_map(|mark| Some(mark.ellipse()?.center)).collect();
-    let edges = spacing::edges(&centers, None);
-    let nearest = spacing::median(spacing::nearest(&edges, centers.len())).unwrap_or(f64::INFINITY);
-    for edge in edges {
-        let counts = edge.weight(nearest) > 0.5;
-        let stroke =
-            if counts { Stroke::new(1.2, colours.edge) } else { Stroke::new(0.8, colours.edge_pale) };
-        ink.segment(edge.ends.map(|end| centers[end]), stroke);
+/// The Delaunay edges between ellipses: those with more than half of the full weight in the spacing of a region in full
+/// colour, the others pale.
+fn neighbours(ink: &Ink, map: &RegionMap, marks: &[Mark], colours: &Palette) {
+    let centers: Vec<[f64; 2]> = marks.iter().filter_map(|mark| Some(mark.ellipse()?.center)).collect();
+    let segment = |ends: [usize; 2], stroke| ink.segment(ends.map(|end| centers[end]), stroke);
+    for edge in spacing::edges(&centers, None) {
+        segment(edge.ends, Stroke::new(0.8, colours.edge_pale));
+    }
+    let layout = map.layout();
+    let region = |index: usize| layout.index(layout.region_of(centers[index]));
+    for edge in spacing::grouped_neighbours(&centers, layout.len(), region).iter().flatten() {
+        if edge.weight > 0.5 {
+            segment(edge.ends, Stroke::new(1.2, colours.edge));
+        }
     }
 }
 

@@ -231,11 +231,11 @@ fn edges_between(centers: &[[f64; 2]], bounds: Bounds) -> Vec<Observation<1>> {
         return Vec::new();
     }
     let wrap = (bounds.edges == Edges::Wrap).then_some(bounds.size);
-    let observed = |edge: spacing::Edge| Observation {
-        place: edge.middle,
+    let observed = |edge: spacing::WeightedEdge| Observation {
+        place: edge.midpoint,
         value: [libm::log(edge.length)],
-        weight: 1.0,
+        weight: edge.weight,
         marks: edge.ends,
     };
-    spacing::edges(centers, wrap).into_iter().map(observed).collect()
+    spacing::neighbours(centers, wrap).into_iter().map(observed).collect()
 }

@@ -3,6 +3,8 @@
 use thiserror::Error;
 
 use super::RegionGrid;
+use crate::attributes::moments::weighted_variation;
+use crate::attributes::spacing::{WeightedEdge, grouped_neighbours, mean_length};
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Mark, Path, axial};
@@ -104,7 +106,10 @@ impl RegionMap {
         let owns: Vec<Own> =
             match (count(&mut ellipses.iter().map(Vec::len)), count(&mut lines.iter().map(Vec::len))) {
                 (0, 0) => return Err(RegionsError::NoMarks),
-                (_, 0) => ellipses.iter().map(|set| spots(set)).collect(),
+                (_, 0) => {
+                    let neighbours = neighbours(&layout, marks);
+                    ellipses.iter().zip(&neighbours).map(|(set, edges)| spots(set, edges)).collect()
+                }
                 (0, _) => lines.iter().map(|set| stripes(set)).collect(),
                 (ellipses, lines) => return Err(RegionsError::Mixed { ellipses, lines }),
             };
@@ -296,9 +301,21 @@ struct Own {
     spread: Spread,
 }
 
-fn spots(set: &[Ellipse]) -> Own {
-    let spread = if set.len() >= MARKS_OF_A_SPREAD { Spread::measure(set) } else { Spread::ZERO };
-    Own { marks: set.len(), attributes: Spots::measure(set).map(Attributes::Spots), spread }
+/// By region, the edges between the centres of its marks that count for its spacing.
+fn neighbours(layout: &RegionGrid, marks: &[Mark]) -> Vec<Vec<WeightedEdge>> {
+    let centers: Vec<[f64; 2]> = marks.iter().filter_map(|mark| Some(mark.ellipse()?.center)).collect();
+    grouped_neighbours(&centers, layout.len(), |index| layout.index(layout.region_of(centers[index])))
+}
+
+fn spots(set: &[Ellipse], edges: &[WeightedEdge]) -> Own {
+    let lengths = edges.iter().map(|edge| (edge.length, edge.weight));
+    let spread = if set.len() >= MARKS_OF_A_SPREAD {
+        Spread { spacing: weighted_variation(lengths), ..Spread::measure(set) }
+    } else {
+        Spread::ZERO
+    };
+    let spots = Spots::measure(set).map(|spots| Spots { spacing: mean_length(edges), ..spots });
+    Own { marks: set.len(), attributes: spots.map(Attributes::Spots), spread }
 }
 
 fn stripes(set: &[Path]) -> Own {

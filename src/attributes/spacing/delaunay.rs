@@ -80,7 +80,7 @@ fn measured(edge: MeshEdge) -> Edge {
     let [a, b] = edge.vertices().map(|vertex| vertex.position());
     let [i, j] = edge.vertices().map(|vertex| vertex.data().index);
     let sides = [edge.as_directed(), edge.as_directed().rev()];
-    let opposite = sides.iter().filter_map(|side| side.opposite_position());
+    let opposite = sides.into_iter().filter_map(|side| side.opposite_position());
     Edge {
         ends: [i.min(j), i.max(j)],
         length: a.distance_2(b).sqrt(),
