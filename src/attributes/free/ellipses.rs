@@ -1,6 +1,7 @@
 //! What free ellipses want anywhere on the canvas.
 
-use super::nodes::{Nodes, layout_with_step};
+use super::kernel::Kernels;
+use super::nodes::{Nodes, layout_with};
 use super::regression::{Observation, Regression};
 use crate::attributes::regions::{MARKS_OF_A_SPREAD, RegionGrid};
 use crate::attributes::{Spots, Spread, spacing};
@@ -16,11 +17,14 @@ const ASPECT_FLOOR: f64 = 0.02;
 /// Differences of unit double-angle vectors below this do not matter: 2°.
 const DIRECTION_FLOOR: f64 = 0.07;
 
-/// Nodes a distance between neighbours.
+/// About so many marks tell how far those about an edge are from their nearest.
+const MARKS_ABOUT_AN_EDGE: f64 = 6.0;
+
+/// Nodes for planning in a distance between neighbours.
 const NODES_A_SPACING: f64 = 2.0;
 
-/// Most nodes along a side.
-const MOST_NODES: usize = 64;
+/// Nodes along the longer side.
+const NODES: usize = 64;
 
 /// Attributes of ellipses at nodes over the canvas.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,9 +43,10 @@ pub(super) struct EllipseMap {
 impl EllipseMap {
     /// The map of at least one ellipse.
     pub fn new(ellipses: &[Ellipse], canvas: &RegionGrid) -> Option<Self> {
-        let mean = Spots::measure(ellipses)?;
+        let measured = Spots::measure(ellipses)?;
         let fit = Fit::new(ellipses, canvas.bounds());
-        let layout = layout_with_step(canvas, fit.step(), MOST_NODES);
+        let mean = Spots { spacing: fit.mean_spacing(), ..measured };
+        let layout = layout_with(canvas, if ellipses.len() > 1 { NODES } else { 1 });
         let values = Nodes::sampled(layout, |point| fit.values_at(point));
         let directions = Nodes::sampled(layout, |point| fit.direction_at(point));
         let spacing_is_free = fit.spacing.is_none();
@@ -60,8 +65,14 @@ impl EllipseMap {
         Some(map)
     }
 
-    pub fn layout(&self) -> &RegionGrid {
-        &self.values.layout
+    /// A grid of nodes that resolves the map: two a distance between neighbours.
+    pub fn nodes(&self) -> RegionGrid {
+        let canvas = self.values.layout;
+        let longer = canvas.size[0].max(canvas.size[1]);
+        let finest = canvas.grid[0].max(canvas.grid[1]);
+        let wanted = self.mean.spacing.map_or(1.0, |spacing| NODES_A_SPACING * longer / spacing);
+        // The cast takes what is too large to the bound.
+        layout_with(&canvas, (wanted.ceil() as usize).clamp(1, finest))
     }
 
     pub fn at(&self, point: [f64; 2]) -> Spots {
@@ -139,13 +150,14 @@ impl Fit {
         }
     }
 
-    /// Distance of the nodes, px.
-    fn step(&self) -> f64 {
-        let Some(spacing) = &self.spacing else { return f64::INFINITY };
-        let mut lengths: Vec<f64> =
-            spacing.regression.observations().map(|(edge, _)| edge.value[0]).collect();
-        lengths.sort_by(f64::total_cmp);
-        libm::exp(lengths[lengths.len() / 4]) / NODES_A_SPACING
+    /// Weighted mean length of the edges, px.
+    fn mean_spacing(&self) -> Option<f64> {
+        let (mut sum, mut total) = (0.0, 0.0);
+        for (edge, _) in self.spacing.as_ref()?.regression.observations() {
+            sum += edge.weight * libm::exp(edge.value[0]);
+            total += edge.weight;
+        }
+        Some(sum / total)
     }
 
     fn values_at(&self, point: [f64; 2]) -> [f64; 3] {
@@ -231,11 +243,25 @@ fn edges_between(centers: &[[f64; 2]], bounds: Bounds) -> Vec<Observation<1>> {
         return Vec::new();
     }
     let wrap = (bounds.edges == Edges::Wrap).then_some(bounds.size);
+    let edges = spacing::edges(centers, wrap);
+    let nearest = spacing::nearest(&edges, centers.len());
+    let near = |point: [f64; 2]| {
+        let kernels = Kernels::new(bounds, point, centers.iter().copied(), &[MARKS_ABOUT_AN_EDGE]);
+        let (mut sum, mut total) = (0.0, 0.0);
+        for (center, nearest) in centers.iter().zip(&nearest) {
+            let Some(nearest) = nearest else { continue };
+            kernels.each(*center, |_, _, weight| {
+                sum += weight * nearest;
+                total += weight;
+            });
+        }
+        sum / total
+    };
     let observed = |edge: spacing::WeightedEdge| Observation {
         place: edge.midpoint,
         value: [libm::log(edge.length)],
         weight: edge.weight,
         marks: edge.ends,
     };
-    spacing::neighbours(centers, wrap).into_iter().map(observed).collect()
+    edges.iter().filter_map(|edge| edge.weighted(near(edge.midpoint))).map(observed).collect()
 }

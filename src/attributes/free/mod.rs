@@ -1,8 +1,10 @@
 //! Free marks: what marks want around them, without regions.
 
 mod ellipses;
+mod kernel;
 mod nodes;
 mod period;
+mod plane;
 mod regression;
 mod strokes;
 
@@ -113,12 +115,15 @@ impl FreeMap {
         }
     }
 
-    /// The nodes at whose centres the map is known; between them it is interpolated.
+    /// Nodes over the canvas at which parameters can be looked up and between which they can be interpolated.
+    ///
+    /// Sizes, aspects, spacings and periods vary little from node to node; directions may turn faster: read them by
+    /// [`Self::double_angle_at`]. One node where nothing varies.
     #[must_use]
-    pub fn nodes(&self) -> &RegionGrid {
+    pub fn nodes(&self) -> RegionGrid {
         match &self.0 {
-            Kind::Ellipses(map) => map.layout(),
-            Kind::Strokes(map) => map.layout(),
+            Kind::Ellipses(map) => map.nodes(),
+            Kind::Strokes(map) => map.nodes(),
         }
     }
 

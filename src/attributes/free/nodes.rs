@@ -40,9 +40,9 @@ impl<const N: usize> Nodes<N> {
     }
 }
 
-/// The grid of nodes over a canvas that are about `step` px apart: at most `most` along each side.
-pub(super) fn layout_with_step(canvas: &RegionGrid, step: f64, most: usize) -> RegionGrid {
-    // The cast takes what is too large or not a number to the bounds.
-    let grid = canvas.size.map(|side| ((side / step).ceil() as usize).clamp(1, most));
+/// The grid of square nodes over a canvas, `most` along its longer side.
+pub(super) fn layout_with(canvas: &RegionGrid, most: usize) -> RegionGrid {
+    let longer = canvas.size[0].max(canvas.size[1]);
+    let grid = canvas.size.map(|side| ((most as f64 * side / longer).round() as usize).max(1));
     RegionGrid { grid, ..*canvas }
 }

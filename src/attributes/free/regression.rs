@@ -6,42 +6,43 @@
 //! Odd values are given less weight, as in robust locally weighted regression (Cleveland, "Robust locally weighted
 //! regression and smoothing scatterplots", Journal of the American Statistical Association 1979).
 
-use crate::grid::{Bounds, Edges};
+use super::kernel::Kernels;
+use super::plane::Plane;
+use crate::grid::Bounds;
 
-/// A way to estimate: how many neighbours the kernel reaches, and the ridge on the slope.
+/// A way to estimate: how many neighbours the kernel reaches, and whether a plane is fitted or the mean is taken.
 struct Estimator {
-    /// The weights of the kernel add up to about this many values.
+    /// The weights of the kernel add up to about this many marks.
     neighbours: f64,
-    /// Share of the variance of the places that is added to it; infinite: no slope.
-    ridge: f64,
-    /// Its weight where errors do not tell.
-    prior: f64,
+    is_sloping: bool,
 }
 
-const fn estimator(neighbours: f64, ridge: f64, prior: f64) -> Estimator {
-    Estimator { neighbours, ridge, prior }
+const fn estimator(neighbours: f64, is_sloping: bool) -> Estimator {
+    Estimator { neighbours, is_sloping }
 }
 
 /// The estimators that are combined.
 const ESTIMATORS: [Estimator; 6] = [
-    estimator(3.0, 0.02, 1.0),
-    estimator(5.0, 0.02, 1.0),
-    estimator(8.0, 0.02, 1.0),
-    estimator(16.0, 0.02, 1.0),
-    estimator(f64::INFINITY, 0.02, 1.0),
-    estimator(f64::INFINITY, f64::INFINITY, 1.0),
+    estimator(3.0, true),
+    estimator(5.0, true),
+    estimator(8.0, true),
+    estimator(16.0, true),
+    estimator(f64::INFINITY, true),
+    estimator(f64::INFINITY, false),
 ];
 
 const COUNT: usize = ESTIMATORS.len();
 
-/// Radius of the kernel (1 − d²/R²)⁴ ÷ distance to the k-th neighbour: its weights then add up to k at an even density.
-const REACH: f64 = 2.236;
-
-/// Radius of the kernel that reaches all marks alike, in half perimeters of a closed canvas.
-const EVERYWHERE: f64 = 10.0;
-
-/// Weight of values beyond the kernel: without values that count within it, the mean of all is taken.
-const FAR: f64 = 1e-9;
+/// Neighbours of each estimator.
+const NEIGHBOURS: [f64; COUNT] = {
+    let mut neighbours = [0.0; COUNT];
+    let mut index = 0;
+    while index < COUNT {
+        neighbours[index] = ESTIMATORS[index].neighbours;
+        index += 1;
+    }
+    neighbours
+};
 
 /// Times that robust weights are found from residuals.
 const ROUNDS: usize = 3;
@@ -129,9 +130,9 @@ impl<const N: usize> Regression<N> {
         }
         let power = 0.5 * total.min(MOST_DECISIVE);
         let mut logs = [0.0; COUNT];
-        for ((log, sum), estimator) in logs.iter_mut().zip(squares).zip(&ESTIMATORS) {
+        for (log, sum) in logs.iter_mut().zip(squares) {
             let mean = if total > 0.0 { sum / total } else { 0.0 };
-            *log = libm::log(estimator.prior) - power * libm::log(mean + floor * floor);
+            *log = -power * libm::log(mean + floor * floor);
         }
         let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let weights = logs.map(|log| libm::exp(log - most));
@@ -150,157 +151,28 @@ impl<const N: usize> Regression<N> {
 
     /// What every estimator says at a point, px, without the marks `left_out`.
     fn estimates(&self, point: [f64; 2], left_out: Option<[usize; 2]>) -> [[f64; N]; COUNT] {
-        let radii = self.radii(point, left_out);
-        let stays = |one: &Observation<N>| {
-            left_out.is_none_or(|out| !one.marks.iter().any(|mark| out.contains(mark)))
-        };
-        let mut sums = [Sums::<N>::default(); COUNT];
-        for (one, robust) in self.observations().filter(|(one, _)| stays(one)) {
-            let weight = one.weight * robust;
-            if weight <= 0.0 {
-                continue;
-            }
-            let way = self.bounds.shortest([one.place[0] - point[0], one.place[1] - point[1]]);
-            for (sums, radius) in sums.iter_mut().zip(radii) {
-                sums.add_images(&self.bounds, way, radius, weight, &one.value);
+        let stays = |mark: usize| left_out.is_none_or(|out| !out.contains(&mark));
+        let kept = self.centers.iter().enumerate().filter(|(mark, _)| stays(*mark));
+        let kernels = Kernels::new(self.bounds, point, kept.map(|(_, center)| *center), &NEIGHBOURS);
+        let mut planes = [Plane::<N>::default(); COUNT];
+        for (one, robust) in self.observations() {
+            if one.marks.iter().all(|mark| stays(*mark)) {
+                kernels.each(one.place, |index, way, weight| {
+                    planes[index].add(way, weight * one.weight * robust, &one.value);
+                });
             }
         }
-        if sums[COUNT - 1].weight <= 0.0 {
+        if planes[COUNT - 1].is_empty() {
             // No other mark: the value does not vary.
-            let mut all = Sums::default();
-            for (one, robust) in self.observations() {
-                all.add([0.0; 2], one.weight * robust, &one.value);
-            }
-            // Directions of round marks have no weight.
-            return [if all.weight > 0.0 { all.mean() } else { [0.0; N] }; COUNT];
+            let mut all = Plane::default();
+            self.observations().for_each(|(one, robust)| all.add([0.0; 2], one.weight * robust, &one.value));
+            return [all.mean(); COUNT];
         }
         let mut estimates = [[0.0; N]; COUNT];
-        for ((estimate, sums), estimator) in estimates.iter_mut().zip(&sums).zip(&ESTIMATORS) {
-            *estimate = sums.solved(estimator.ridge);
+        for ((estimate, plane), estimator) in estimates.iter_mut().zip(&planes).zip(&ESTIMATORS) {
+            *estimate = if estimator.is_sloping { plane.at_origin() } else { plane.mean() };
         }
         estimates
-    }
-
-    /// Kernel radius of every estimator at a point, px.
-    fn radii(&self, point: [f64; 2], left_out: Option<[usize; 2]>) -> [f64; COUNT] {
-        let stays = |mark: usize| left_out.is_none_or(|out| !out.contains(&mark));
-        let mut squares: Vec<f64> = (self.centers.iter().enumerate())
-            .filter(|(mark, _)| stays(*mark))
-            .map(|(_, center)| {
-                let [x, y] = self.bounds.shortest([center[0] - point[0], center[1] - point[1]]);
-                x * x + y * y
-            })
-            .collect();
-        squares.sort_by(f64::total_cmp);
-        let widest = match self.bounds.edges {
-            Edges::Closed => f64::INFINITY,
-            Edges::Wrap => self.bounds.size[0].max(self.bounds.size[1]),
-        };
-        let reach = |estimator: &Estimator| {
-            let k = estimator.neighbours;
-            let n = squares.len();
-            if k.is_infinite() && widest.is_finite() {
-                return widest;
-            }
-            if k.is_infinite() || n == 0 {
-                return EVERYWHERE * (self.bounds.size[0] + self.bounds.size[1]);
-            }
-            let nearest = squares[(k as usize).min(n) - 1];
-            // Fewer marks than that: as far as so many would reach at the same density.
-            let square = nearest * (k / n as f64).max(1.0);
-            let [w, h] = self.bounds.size;
-            (REACH * square.sqrt()).clamp(1e-9 * (w + h), widest)
-        };
-        let mut radii = [0.0; COUNT];
-        for (radius, estimator) in radii.iter_mut().zip(&ESTIMATORS) {
-            *radius = reach(estimator);
-        }
-        radii
-    }
-}
-
-/// Weighted moments of places (relative to the point of the estimate) and values.
-#[derive(Clone, Copy, Debug)]
-struct Sums<const N: usize> {
-    weight: f64,
-    place: [f64; 2],
-    /// xx, xy, yy.
-    places: [f64; 3],
-    value: [f64; N],
-    /// x·value, y·value.
-    products: [[f64; N]; 2],
-}
-
-impl<const N: usize> Default for Sums<N> {
-    fn default() -> Self {
-        Self { weight: 0.0, place: [0.0; 2], places: [0.0; 3], value: [0.0; N], products: [[0.0; N]; 2] }
-    }
-}
-
-impl<const N: usize> Sums<N> {
-    /// Adds a value at `way` from the point, and on a tile its images within the radius.
-    fn add_images(&mut self, bounds: &Bounds, way: [f64; 2], radius: f64, weight: f64, value: &[f64; N]) {
-        let kernel = |[x, y]: [f64; 2]| {
-            let t = 1.0 - (x * x + y * y) / (radius * radius);
-            if t > 0.0 { t * t * t * t } else { 0.0 }
-        };
-        if bounds.edges == Edges::Closed {
-            self.add(way, weight * (kernel(way) + FAR), value);
-            return;
-        }
-        let images = bounds.size.map(|side| (radius / side + 0.5).ceil() as i32);
-        for down in -images[1]..=images[1] {
-            for across in -images[0]..=images[0] {
-                let image =
-                    [way[0] + f64::from(across) * bounds.size[0], way[1] + f64::from(down) * bounds.size[1]];
-                let weight = weight * kernel(image);
-                if weight > 0.0 {
-                    self.add(image, weight, value);
-                }
-            }
-        }
-        // Without a place: it does not jump where another image becomes the nearest.
-        self.add([0.0; 2], weight * FAR, value);
-    }
-
-    fn add(&mut self, [x, y]: [f64; 2], weight: f64, value: &[f64; N]) {
-        self.weight += weight;
-        self.place[0] += weight * x;
-        self.place[1] += weight * y;
-        self.places[0] += weight * x * x;
-        self.places[1] += weight * x * y;
-        self.places[2] += weight * y * y;
-        for (i, value) in value.iter().enumerate() {
-            self.value[i] += weight * value;
-            self.products[0][i] += weight * x * value;
-            self.products[1][i] += weight * y * value;
-        }
-    }
-
-    fn mean(&self) -> [f64; N] {
-        self.value.map(|value| value / self.weight)
-    }
-
-    /// The value at the point itself of the plane fitted with this ridge on its slope.
-    fn solved(&self, ridge: f64) -> [f64; N] {
-        let mean = self.mean();
-        if ridge.is_infinite() {
-            return mean;
-        }
-        let [x, y] = self.place.map(|sum| sum / self.weight);
-        let [xx, xy, yy] = self.places.map(|sum| sum / self.weight);
-        let [xx, xy, yy] = [(xx - x * x).max(0.0), xy - x * y, (yy - y * y).max(0.0)];
-        // Above rounding where all marks are in one place.
-        let ridge = 0.5 * ridge * (xx + yy) + 1e-2;
-        let [xx, yy] = [xx + ridge, yy + ridge];
-        let determinant = xx * yy - xy * xy;
-        let mut at = mean;
-        for (i, at) in at.iter_mut().enumerate() {
-            let xv = self.products[0][i] / self.weight - x * mean[i];
-            let yv = self.products[1][i] / self.weight - y * mean[i];
-            *at -= (x * (yy * xv - xy * yv) + y * (xx * yv - xy * xv)) / determinant;
-        }
-        at
     }
 }
 

@@ -1,6 +1,7 @@
 //! What free lines want anywhere on the canvas.
 
-use super::nodes::{Nodes, layout_with_step};
+use super::kernel::for_images;
+use super::nodes::{Nodes, layout_with};
 use super::period::{Piece, Pieces};
 use crate::attributes::regions::RegionGrid;
 use crate::attributes::{Stripes, axial_mean};
@@ -13,11 +14,11 @@ const SOFT_WIDTHS: f64 = 0.75;
 /// Least softening, share of the root of the canvas' area.
 const SOFT_SHARE: f64 = 0.008;
 
-/// Nodes a softening length.
-const NODES_A_SOFTENING: f64 = 1.0;
+/// Nodes for planning along the longer side.
+const PLANNED_NODES: usize = 48;
 
-/// Most nodes along a side.
-const MOST_NODES: usize = 128;
+/// Nodes along the longer side.
+const NODES: usize = 128;
 
 /// Attributes of strokes at nodes over the canvas.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,13 +37,8 @@ impl StrokeMap {
         let pieces = Pieces::new(strokes, bounds);
         let softening =
             |width: f64| (SOFT_WIDTHS * width).max(SOFT_SHARE * (canvas.size[0] * canvas.size[1]).sqrt());
-        let least = strokes.iter().map(|stroke| stroke.width).fold(f64::INFINITY, f64::min);
-        let layout = layout_with_step(canvas, softening(least) / NODES_A_SOFTENING, MOST_NODES);
-        let layout = if strokes.len() == 1 && strokes[0].points.len() == 2 {
-            RegionGrid { grid: [1, 1], ..layout }
-        } else {
-            layout
-        };
+        let is_line = strokes.len() == 1 && strokes[0].points.len() == 2;
+        let layout = layout_with(canvas, if is_line { 1 } else { NODES });
         let values = Nodes::sampled(layout, |point| mean_at(&pieces.pieces, &bounds, &softening, point));
         let own = (0..strokes.len()).map(|stroke| own(&pieces.pieces, stroke)).collect();
         let (mut period, mut length) = (0.0, 0.0);
@@ -54,8 +50,11 @@ impl StrokeMap {
         Some(Self { values, own, mean })
     }
 
-    pub fn layout(&self) -> &RegionGrid {
-        &self.values.layout
+    /// A grid of nodes that resolves widths and periods; directions vary faster.
+    pub fn nodes(&self) -> RegionGrid {
+        let canvas = self.values.layout;
+        let finest = canvas.grid[0].max(canvas.grid[1]);
+        layout_with(&canvas, PLANNED_NODES.min(finest))
     }
 
     pub fn at(&self, point: [f64; 2]) -> Stripes {
@@ -116,18 +115,11 @@ fn weight_at(piece: &Piece, bounds: &Bounds, softening: f64, point: [f64; 2]) ->
     }
     // Images count less and less up to this distance: none comes or goes at once.
     let farthest = bounds.size[0] * bounds.size[0] + bounds.size[1] * bounds.size[1];
-    let images = bounds.size.map(|side| (farthest.sqrt() / side + 0.5).ceil() as i32);
     let mut sum = 0.0;
-    for down in -images[1]..=images[1] {
-        for across in -images[0]..=images[0] {
-            let way =
-                [way[0] + f64::from(across) * bounds.size[0], way[1] + f64::from(down) * bounds.size[1]];
-            let near = 1.0 - (way[0] * way[0] + way[1] * way[1]) / farthest;
-            if near > 0.0 {
-                sum += near * near * weight_of(way, piece.half, softening);
-            }
-        }
-    }
+    for_images(bounds, way, farthest.sqrt(), |way| {
+        let near = 1.0 - (way[0] * way[0] + way[1] * way[1]) / farthest;
+        sum += near * near * weight_of(way, piece.half, softening);
+    });
     sum
 }
 
