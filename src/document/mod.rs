@@ -80,6 +80,8 @@ mod node;
 mod option_key;
 pub mod palette;
 mod reader;
+#[doc(hidden)]
+pub mod sketch_notes;
 mod strokes;
 mod syntax;
 mod writer;
@@ -97,6 +99,7 @@ pub use error::{DocumentError, Problem};
 pub use option_key::OptionKey;
 
 use crate::marks::Mark;
+use crate::sketch::recognise;
 
 /// Everything that defines a texture: what was drawn and how it is grown.
 #[derive(Clone, Debug, PartialEq)]
@@ -318,6 +321,17 @@ pub enum Stroke {
 impl Stroke {
     /// Width of a line, a path or a freehand stroke that states none, px.
     pub const WIDTH: f64 = 6.0;
+
+    /// The mark that it stands for, a freehand stroke fitted; `None` of a freehand stroke that is no mark.
+    #[must_use]
+    pub fn mark(&self) -> Option<Mark> {
+        match self {
+            Self::Ellipse(ellipse) => Some(Mark::Ellipse(*ellipse)),
+            Self::Line(line) => Some(Mark::Line(*line)),
+            Self::Path(path) => Some(Mark::Path(path.clone())),
+            Self::Freehand { points, width } => recognise(points, *width),
+        }
+    }
 
     /// What it is; `None` for a freehand stroke, which must be fitted first.
     #[must_use]

@@ -10,7 +10,6 @@ use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::shape;
 use crate::marks::Mark;
-use crate::sketch::recognise;
 
 /// The open document while it is edited.
 #[derive(Clone, Debug)]
@@ -325,16 +324,11 @@ impl Session {
 
 /// The marks of `document`. Freehand strokes that did not change since `before` keep their fitted mark.
 fn fitted(document: &Document, before: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Vec<Option<Mark>>> {
-    let fit = |layer: usize, index: usize, stroke: &Stroke| match stroke {
-        Stroke::Ellipse(ellipse) => Some(Mark::Ellipse(*ellipse)),
-        Stroke::Line(line) => Some(Mark::Line(*line)),
-        Stroke::Path(path) => Some(Mark::Path(path.clone())),
-        Stroke::Freehand { points, width } => {
-            let same = before.layers.get(layer).and_then(|layer| layer.strokes.get(index)) == Some(stroke);
-            match marks.get(layer).and_then(|marks| marks.get(index)) {
-                Some(known) if same => known.clone(),
-                _ => recognise(points, *width),
-            }
+    let fit = |layer: usize, index: usize, stroke: &Stroke| {
+        let is_same = || before.layers.get(layer).and_then(|layer| layer.strokes.get(index)) == Some(stroke);
+        match marks.get(layer).and_then(|marks| marks.get(index)) {
+            Some(known) if stroke.kind().is_none() && is_same() => known.clone(),
+            _ => stroke.mark(),
         }
     };
     let layers = document.layers.iter().enumerate();

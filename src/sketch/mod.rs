@@ -49,6 +49,36 @@ pub fn recognise_straight(points: &[[f64; 2]], width: f64) -> Option<Mark> {
     }
 }
 
+/// The ellipse that a closed stroke is read as, and the share of its area by which the outline differs from it; `None` of an
+/// open stroke, and of a blob that is filled by hatching.
+///
+/// Along the outline, at ρ times the ellipse's radius in direction θ (of the ellipse stretched to a circle), the share is the
+/// mean of |1 − ρ²| over θ: exact for outlines that turn about their centre, and large for spirals, whose inner rounds lie
+/// far inside.
+#[must_use]
+pub fn difference_from_ellipse(points: &[[f64; 2]]) -> Option<(Ellipse, f64)> {
+    let hull = Hull::new(points)?;
+    let path = Path::new(points, hull.diameter());
+    let outline = outline::find(&path, &hull)?;
+    let outline = &path.points[outline];
+    let ellipse = ellipse(outline)?;
+    let (s, c) = libm::sincos(ellipse.angle.to_radians());
+    let stretched = |[x, y]: [f64; 2]| {
+        let [x, y] = [x - ellipse.center[0], y - ellipse.center[1]];
+        [(c * x + s * y) / ellipse.radii[0], (c * y - s * x) / ellipse.radii[1]]
+    };
+    let stretched: Vec<[f64; 2]> = outline.iter().map(|point| stretched(*point)).collect();
+    let (mut turned, mut differs) = (0.0, 0.0);
+    for pair in stretched.windows(2) {
+        let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];
+        let turn = libm::atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1).abs();
+        let [x, y] = [0.5 * (x0 + x1), 0.5 * (y0 + y1)];
+        turned += turn;
+        differs += turn * (1.0 - x * x - y * y).abs();
+    }
+    (turned > 0.0).then(|| (ellipse, differs / turned))
+}
+
 /// The ellipse of a closed stroke, or the path of an open one; `None` of a stroke without extent.
 fn closed(points: &[[f64; 2]]) -> Option<Result<Ellipse, Path>> {
     let hull = Hull::new(points)?;

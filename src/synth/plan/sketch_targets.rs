@@ -4,7 +4,6 @@ use crate::attributes::regions::RegionMap;
 use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
 use crate::document::{Document, DocumentError, Kind, Options, Problem, SpreadChoice, Stroke};
 use crate::marks::Mark;
-use crate::sketch::recognise;
 
 /// The marks of layer `index`, freehand strokes fitted.
 ///
@@ -16,16 +15,12 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
     let mut first: Option<Kind> = None;
     for (i, stroke) in layer.strokes.iter().enumerate() {
         let place = format!("layers[{index}].strokes[{i}]");
-        let mark = match stroke {
-            Stroke::Ellipse(ellipse) => Mark::Ellipse(*ellipse),
-            Stroke::Line(line) => Mark::Line(*line),
-            Stroke::Path(path) => Mark::Path(path.clone()),
-            Stroke::Freehand { points, width } => recognise(points, *width).ok_or_else(|| {
-                let found = format!("{} points that make neither an ellipse nor a line", points.len());
-                Problem::new(&place, found, "a closed stroke round a spot, or an open one along a stripe")
-                    .in_file(source)
-            })?,
-        };
+        let mark = stroke.mark().ok_or_else(|| {
+            let points = if let Stroke::Freehand { points, .. } = stroke { points.len() } else { 0 };
+            let found = format!("{points} points that make neither an ellipse nor a line");
+            Problem::new(&place, found, "a closed stroke round a spot, or an open one along a stripe")
+                .in_file(source)
+        })?;
         let kind = Kind::from(&mark);
         if let Some(problem) = mixed_marks(kind, *first.get_or_insert(kind), &place) {
             return Err(problem.in_file(source));
