@@ -206,6 +206,12 @@ impl Session {
         })
     }
 
+    /// The mark of each stroke, by layer and stroke; `None` of a stroke that is no mark.
+    #[must_use]
+    pub fn fitted_marks(&self) -> &[Vec<Option<Mark>>] {
+        &self.marks
+    }
+
     /// The marks of one layer.
     #[must_use]
     pub fn marks_of(&self, layer: usize) -> Vec<Mark> {

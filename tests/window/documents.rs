@@ -161,7 +161,7 @@ fn the_canvas_is_resized_and_cut_into_regions() {
     hand.draw_round([100.0, 200.0], [30.0, 20.0], 30.0);
     hand.key(Modifiers::NONE, Key::Escape);
     assert_eq!(hand.document().regions, None, "off in a new document");
-    hand.press("Regions");
+    hand.press("Canvas regions");
     hand.type_into("Region columns", "3");
     hand.type_into("Canvas width", "400");
     let document = hand.document();

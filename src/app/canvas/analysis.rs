@@ -6,15 +6,18 @@ use super::ink::Ink;
 use crate::app::theme::Palette;
 use crate::attributes::regions::{Region, RegionMap};
 use crate::attributes::{Attributes, spacing};
+use crate::document::sketch_notes::{SketchNote, sketch_notes};
 use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
 
-/// The analysed sketch: a region map for each layer that has marks.
+/// The analysed sketch: a region map for each layer that has marks, and what will not grow as it was drawn.
 #[derive(Default)]
 pub struct Analysis {
     revision: Option<u64>,
     maps: Vec<Option<RegionMap>>,
+    /// What will not grow as it was drawn.
+    pub notes: Vec<SketchNote>,
 }
 
 impl Analysis {
@@ -29,6 +32,7 @@ impl Analysis {
         let grid = document.region_grid();
         let map = |layer| RegionMap::from_marks(&session.marks_of(layer), size, grid, document.edges).ok();
         self.maps = (0..document.layers.len()).map(map).collect();
+        self.notes = sketch_notes(document, session.fitted_marks());
     }
 
     /// Another document is open.

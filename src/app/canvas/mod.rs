@@ -19,6 +19,7 @@ use egui::{
 use super::reference::Reference;
 use super::theme::Palette;
 use super::underlay::Underlay;
+use crate::document::sketch_notes::outline_remark;
 use crate::editor::session::Session;
 use crate::editor::units::{Ruler, Units};
 use crate::grid::Edges;
@@ -67,6 +68,8 @@ pub struct Canvas {
     /// Whether it got the keyboard focus by a click; then the focus is not highlighted.
     by_pointer: bool,
     gesture: Option<Gesture>,
+    /// What is to be told of the stroke that was drawn last.
+    pub remark: Option<String>,
     /// Strokes that were recognised, and when, seconds.
     fading: Vec<(Vec<[f64; 2]>, f64)>,
 }
@@ -86,6 +89,7 @@ impl Default for Canvas {
             id: None,
             by_pointer: false,
             gesture: None,
+            remark: None,
             fading: Vec::new(),
         }
     }
@@ -176,6 +180,7 @@ impl Canvas {
             let at = response.interact_pointer_pos().or(ui.input(|input| input.pointer.latest_pos()));
             if let Some(at) = at {
                 let stroke = gesture.release(session, &mut self.nib, hand(at));
+                self.remark = stroke.as_deref().and_then(outline_remark);
                 self.fading.extend(stroke.map(|points| (points, ui.input(|input| input.time))));
             }
         }

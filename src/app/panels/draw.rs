@@ -11,6 +11,7 @@ use crate::app::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sid
 use crate::app::reference::Reference;
 use crate::attributes::Attributes;
 use crate::document::Document;
+use crate::document::sketch_notes::SketchNote;
 use crate::editor::edit::Edit;
 use crate::editor::session::Session;
 use crate::editor::units::Ruler;
@@ -40,6 +41,7 @@ pub fn draw(ui: &mut Ui, state: &DrawState) -> Vec<Action> {
         actions.extend(selected::selected(ui, session, ruler));
     }
     actions.extend(canvas_properties(ui, session.document(), ruler));
+    notes(ui, session, &canvas.analysis.notes);
     region(ui, session, canvas, ruler);
     actions.extend(overlays(ui, state));
     actions
@@ -92,7 +94,7 @@ fn canvas_properties(ui: &mut Ui, document: &Document, ruler: Ruler) -> Vec<Acti
         ui.end_row();
         ui.label("Regions").on_hover_text(REGIONS);
         ui.horizontal(|ui| {
-            if regions(ui, &mut grid, ["Regions", "Region columns", "Region rows"]) {
+            if regions(ui, &mut grid, ["Canvas regions", "Region columns", "Region rows"]) {
                 edits.push(Edit::Regions(grid));
             }
         });
@@ -109,6 +111,18 @@ fn canvas_properties(ui: &mut Ui, document: &Document, ruler: Ruler) -> Vec<Acti
         ui.end_row();
     });
     edits.into_iter().map(Action::Edit).collect()
+}
+
+/// What will not grow as it was drawn.
+fn notes(ui: &mut Ui, session: &Session, notes: &[SketchNote]) {
+    if notes.is_empty() {
+        return;
+    }
+    heading(ui, "Will not grow as drawn");
+    for note in notes {
+        let layer = note.layer.map(|layer| format!("{}: ", session.layer_name(layer))).unwrap_or_default();
+        ui.label(RichText::new(format!("{layer}{}", note.text)).weak());
+    }
 }
 
 /// The attributes of the region under the pointer, or of the one in the centre.

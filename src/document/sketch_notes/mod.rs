@@ -14,6 +14,7 @@ use serde::Serialize;
 use crate::document::{Document, Stroke};
 use crate::marks::Mark;
 
+pub use outlines::outline_remark;
 pub use sizes::size_groups;
 
 /// Places that a note names in words; the others are counted.

@@ -84,7 +84,7 @@ fn dots(radius: impl Fn(usize, usize) -> f64) -> Layer {
 
 #[test]
 fn two_sizes_among_each_other_are_told() {
-    let is_large = |x: usize, y: usize| x % 3 == 1 && y % 2 == 0;
+    let is_large = |x: usize, y: usize| x % 3 == 1 && y.is_multiple_of(2);
     let told = notes(vec![dots(|x, y| if is_large(x, y) { 20.0 } else { 6.0 + 0.2 * x as f64 })]);
     let [note] = &told[..] else { panic!("{told:?}") };
     assert_eq!(note.strokes, [1, 4, 13, 16]);
