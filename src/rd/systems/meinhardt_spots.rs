@@ -92,7 +92,7 @@ static DEFINITION: Definition = Definition {
             // twice that.
             turn: [8.5, 0.8, 3.0],
             // They push each other back from places that are more uneven.
-            spacing: 0.18,
+            spacing: 0.16,
         },
     }),
     cost: Cost { bytes_a_cell: 95.0, updates: 0.8, updates_on_one_grid: 0.8 },
