@@ -18,7 +18,7 @@ const ASPECT_FLOOR: f64 = 0.02;
 const DIRECTION_FLOOR: f64 = 0.07;
 
 /// About so many marks tell how far those about an edge are from their nearest.
-const MARKS_ABOUT_AN_EDGE: f64 = 6.0;
+const MARKS_ABOUT_AN_EDGE: usize = 6;
 
 /// Nodes for planning in a distance between neighbours.
 const NODES_A_SPACING: f64 = 2.0;

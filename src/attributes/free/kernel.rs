@@ -6,10 +6,10 @@ use crate::grid::{Bounds, Edges};
 const REACH: f64 = 5.0;
 
 /// Share of the squared distance to the nearest mark that all squared distances are lessened by.
-const NEAREST: f64 = 0.85;
+const NEAREST: f64 = 0.8;
 
-/// Weight beyond the radius: where nothing within it counts, the mean of everything is taken.
-const FAR: f64 = 1e-9;
+/// Least radius, as a share of the root of the canvas' area: values of marks nearer to each other than that are one.
+const LEAST: f64 = 0.06;
 
 /// Kernels of several radii about a point.
 pub(super) struct Kernels<const K: usize> {
@@ -21,34 +21,38 @@ pub(super) struct Kernels<const K: usize> {
 }
 
 impl<const K: usize> Kernels<K> {
-    /// The kernels that reach so many `neighbours` (infinite: all alike) of the marks at `centers`, px.
+    /// The kernels that reach so many `neighbours` of the marks at `centers`, px.
     pub fn new(
         bounds: Bounds,
         point: [f64; 2],
         centers: impl Iterator<Item = [f64; 2]>,
-        neighbours: &[f64; K],
+        neighbours: &[usize; K],
     ) -> Self {
         let square = |center: [f64; 2]| {
             let [x, y] = bounds.shortest([center[0] - point[0], center[1] - point[1]]);
             x * x + y * y
         };
         let mut squares: Vec<f64> = centers.map(square).collect();
+        let count = squares.len();
+        let most = neighbours.iter().fold(1, |most, neighbours| (*neighbours).max(most));
+        if most < count {
+            squares.select_nth_unstable_by(most, f64::total_cmp);
+            squares.truncate(most);
+        }
         squares.sort_by(f64::total_cmp);
+        let narrowest = LEAST * (bounds.size[0] * bounds.size[1]).sqrt();
         let widest = match bounds.edges {
             Edges::Closed => f64::INFINITY,
             // Beyond that, nothing but further images of the same marks would count.
             Edges::Wrap => bounds.size[0].max(bounds.size[1]),
         };
-        let kernels = neighbours.map(|neighbours| match squares[..] {
-            [first, ..] if neighbours.is_finite() => Kernel::reaching(neighbours, first, &squares, widest),
-            _ => Kernel { least: 0.0, reach: 0.0, far: 1.0 },
-        });
+        let kernels = neighbours.map(|neighbours| Kernel::reaching(neighbours, &squares, narrowest, widest));
         let radius = kernels.iter().map(Kernel::radius).fold(0.0, f64::max);
         Self { bounds, point, kernels, radius }
     }
 
-    /// Calls `add` with the index of a kernel, the way (px) to `place` or, on a tile, to one of its images, and the weight
-    /// that it has there.
+    /// Calls `add` with the index of each kernel in which `place` or, on a tile, one of its images lies, the way there
+    /// (px) and the weight that it has.
     pub fn each(&self, place: [f64; 2], mut add: impl FnMut(usize, [f64; 2], f64)) {
         let way = self.bounds.shortest([place[0] - self.point[0], place[1] - self.point[1]]);
         let mut near = |way: [f64; 2]| {
@@ -60,19 +64,10 @@ impl<const K: usize> Kernels<K> {
                 }
             }
         };
-        let far_way = match self.bounds.edges {
-            Edges::Closed => {
-                near(way);
-                way
-            }
-            Edges::Wrap => {
-                for_images(&self.bounds, way, self.radius, near);
-                // No way: it would jump where another image becomes the nearest.
-                [0.0; 2]
-            }
-        };
-        for (index, kernel) in self.kernels.iter().enumerate() {
-            add(index, far_way, kernel.far);
+        match self.bounds.edges {
+            Edges::Wrap => for_images(&self.bounds, way, self.radius, near),
+            Edges::Closed if way[0] * way[0] + way[1] * way[1] < self.radius * self.radius => near(way),
+            Edges::Closed => {}
         }
     }
 }
@@ -90,26 +85,26 @@ pub(super) fn for_images(bounds: &Bounds, way: [f64; 2], radius: f64, mut near: 
     }
 }
 
-/// (1 − (d² − `least`) ÷ `reach`)⁴ of the distance d, px, plus `far`.
+/// (1 − (d² − `least`) ÷ `reach`)⁴ of the distance d, px.
 #[derive(Clone, Copy, Debug)]
 struct Kernel {
     least: f64,
     reach: f64,
-    far: f64,
 }
 
 impl Kernel {
-    /// The kernel that reaches `neighbours` marks; `squares` are their squared distances, ascending, `first` the first.
+    /// The kernel that reaches `neighbours` marks; `squares` are the squared distances of at least so many, as far as there
+    /// are, ascending.
     ///
     /// Far from all marks what counts is how much farther than the nearest one another is.
-    fn reaching(neighbours: f64, first: f64, squares: &[f64], widest: f64) -> Self {
-        let n = squares.len();
-        let last = squares[(neighbours as usize).min(n) - 1];
+    fn reaching(neighbours: usize, squares: &[f64], narrowest: f64, widest: f64) -> Self {
+        let [first, ..] = *squares else { return Self { least: 0.0, reach: 0.0 } };
+        let n = neighbours.min(squares.len());
         // Fewer marks than that: as far as so many would reach at the same density.
-        let last = first + (last - first) * (neighbours / n as f64).max(1.0);
+        let last = first + (squares[n - 1] - first) * neighbours as f64 / n as f64;
         let least = NEAREST * first;
-        let reach = (REACH * (last - least).max(1e-6)).min(widest * widest - least);
-        Self { least, reach, far: FAR }
+        let reach = (REACH * (last - least)).max(narrowest * narrowest).min(widest * widest - least);
+        Self { least, reach }
     }
 
     fn at(&self, square: f64) -> f64 {
@@ -117,7 +112,7 @@ impl Kernel {
         if t > 0.0 { t * t * t * t } else { 0.0 }
     }
 
-    /// Distance beyond which only `far` is left, px.
+    /// Distance beyond which it is 0, px.
     fn radius(&self) -> f64 {
         (self.least + self.reach).sqrt()
     }

@@ -3,7 +3,9 @@
 mod ellipses;
 mod kernel;
 mod nodes;
+mod notes;
 mod period;
+mod pieces;
 mod plane;
 mod regression;
 mod strokes;
@@ -15,6 +17,7 @@ use crate::marks::{Ellipse, Mark, Path};
 use ellipses::EllipseMap;
 use strokes::StrokeMap;
 
+pub use notes::Note;
 pub use period::DUTIES;
 
 /// Attributes at any point of the canvas, as the marks drawn around it want them.
@@ -112,6 +115,16 @@ impl FreeMap {
         match &self.0 {
             Kind::Ellipses(map) => map.spread,
             Kind::Strokes(_) => Spread::ZERO,
+        }
+    }
+
+    /// What of lines and paths cannot be as it was drawn, and where: crossings, strokes from which the directions depart,
+    /// periods out of reach. None of ellipses.
+    #[must_use]
+    pub fn notes(&self) -> &[Note] {
+        match &self.0 {
+            Kind::Ellipses(_) => &[],
+            Kind::Strokes(map) => &map.notes,
         }
     }
 

@@ -42,9 +42,30 @@ impl<const N: usize> Plane<N> {
         }
     }
 
+    /// The same values about a point that is `by` px from this one.
+    pub fn about(&self, [dx, dy]: [f64; 2]) -> Self {
+        let Self { weight, place: [x, y], places: [xx, xy, yy], value, products } = *self;
+        let mut moved = Self { place: [x - weight * dx, y - weight * dy], ..*self };
+        moved.places = [
+            xx - 2.0 * dx * x + weight * dx * dx,
+            xy - dx * y - dy * x + weight * dx * dy,
+            yy - 2.0 * dy * y + weight * dy * dy,
+        ];
+        for i in 0..N {
+            moved.products[0][i] = products[0][i] - dx * value[i];
+            moved.products[1][i] = products[1][i] - dy * value[i];
+        }
+        moved
+    }
+
     /// Whether nothing that counts was added.
     pub fn is_empty(&self) -> bool {
         self.weight <= 0.0
+    }
+
+    /// Sum of the weights.
+    pub fn weight(&self) -> f64 {
+        self.weight
     }
 
     /// The mean value; 0 of none.

@@ -8,41 +8,16 @@
 
 use super::kernel::Kernels;
 use super::plane::Plane;
-use crate::grid::Bounds;
+use crate::grid::{Bounds, Edges};
 
-/// A way to estimate: how many neighbours the kernel reaches, and whether a plane is fitted or the mean is taken.
-struct Estimator {
-    /// The weights of the kernel add up to about this many marks.
-    neighbours: f64,
-    is_sloping: bool,
-}
+/// The kernels of the local estimates reach so many marks.
+const NEIGHBOURS: [usize; 4] = [3, 5, 8, 16];
 
-const fn estimator(neighbours: f64, is_sloping: bool) -> Estimator {
-    Estimator { neighbours, is_sloping }
-}
+/// Estimates that are combined: a plane fitted in each kernel, a plane fitted to all values, and their mean.
+const COUNT: usize = NEIGHBOURS.len() + 2;
 
-/// The estimators that are combined.
-const ESTIMATORS: [Estimator; 6] = [
-    estimator(3.0, true),
-    estimator(5.0, true),
-    estimator(8.0, true),
-    estimator(16.0, true),
-    estimator(f64::INFINITY, true),
-    estimator(f64::INFINITY, false),
-];
-
-const COUNT: usize = ESTIMATORS.len();
-
-/// Neighbours of each estimator.
-const NEIGHBOURS: [f64; COUNT] = {
-    let mut neighbours = [0.0; COUNT];
-    let mut index = 0;
-    while index < COUNT {
-        neighbours[index] = ESTIMATORS[index].neighbours;
-        index += 1;
-    }
-    neighbours
-};
+/// Weight of all values in a local estimate, for where none that counts is in the kernel.
+const FAR: f64 = 1e-9;
 
 /// Times that robust weights are found from residuals.
 const ROUNDS: usize = 3;
@@ -78,8 +53,10 @@ pub(super) struct Regression<const N: usize> {
     observations: Vec<Observation<N>>,
     /// Robust weights of the observations, 0..1.
     robust: Vec<f64>,
-    /// Weights of the estimators, sum 1.
+    /// Weights of the estimates, sum 1.
     shares: [f64; COUNT],
+    /// All values, about the corner of the canvas.
+    whole: Plane<N>,
 }
 
 impl<const N: usize> Regression<N> {
@@ -87,8 +64,10 @@ impl<const N: usize> Regression<N> {
     pub fn new(bounds: Bounds, centers: &[[f64; 2]], observations: Vec<Observation<N>>, floor: f64) -> Self {
         let robust = vec![1.0; observations.len()];
         let shares = [1.0 / COUNT as f64; COUNT];
-        let mut regression = Self { bounds, centers: centers.to_vec(), observations, robust, shares };
+        let mut regression =
+            Self { bounds, centers: centers.to_vec(), observations, robust, shares, whole: Plane::default() };
         for round in 0..=ROUNDS {
+            regression.whole = regression.whole_without(&[]);
             let errors = regression.errors_left_out();
             regression.shares = regression.shares_from(&errors, floor);
             if round < ROUNDS && regression.observations.len() >= FEWEST_WITH_ODD {
@@ -100,8 +79,7 @@ impl<const N: usize> Regression<N> {
 
     /// The estimate at a point, px.
     pub fn at(&self, point: [f64; 2]) -> [f64; N] {
-        let all = self.estimates(point, None);
-        combined(&all, &self.shares)
+        combined(&self.estimates(point, &self.whole, &[]), &self.shares)
     }
 
     /// The observations with their robust weights, 0..1.
@@ -112,7 +90,10 @@ impl<const N: usize> Regression<N> {
     /// The error of every estimator at each observation, had its marks not been drawn.
     fn errors_left_out(&self) -> Vec<[[f64; N]; COUNT]> {
         let error = |one: &Observation<N>| {
-            self.estimates(one.place, Some(one.marks)).map(|estimate| minus(estimate, one.value))
+            let without = self.whole_without(&one.marks);
+            // No other mark: the value does not vary.
+            let whole = if without.is_empty() { &self.whole } else { &without };
+            self.estimates(one.place, whole, &one.marks).map(|estimate| minus(estimate, one.value))
         };
         self.observations.iter().map(error).collect()
     }
@@ -149,12 +130,25 @@ impl<const N: usize> Regression<N> {
         sizes.iter().map(|size| 1.0 / (1.0 + (size / (ODD * middle)).powi(4))).collect()
     }
 
-    /// What every estimator says at a point, px, without the marks `left_out`.
-    fn estimates(&self, point: [f64; 2], left_out: Option<[usize; 2]>) -> [[f64; N]; COUNT] {
-        let stays = |mark: usize| left_out.is_none_or(|out| !out.contains(&mark));
+    /// All values but those that were found from the marks `left_out`, about the corner of the canvas.
+    fn whole_without(&self, left_out: &[usize]) -> Plane<N> {
+        let mut whole = Plane::default();
+        for (one, robust) in self.observations() {
+            if !one.marks.iter().any(|mark| left_out.contains(mark)) {
+                whole.add(one.place, one.weight * robust, &one.value);
+            }
+        }
+        whole
+    }
+
+    /// All estimates at a point, px, from the values of `whole`, those without the marks `left_out`.
+    fn estimates(&self, point: [f64; 2], whole: &Plane<N>, left_out: &[usize]) -> [[f64; N]; COUNT] {
+        let stays = |mark: usize| !left_out.contains(&mark);
         let kept = self.centers.iter().enumerate().filter(|(mark, _)| stays(*mark));
         let kernels = Kernels::new(self.bounds, point, kept.map(|(_, center)| *center), &NEIGHBOURS);
+        let mean = whole.mean();
         let mut planes = [Plane::<N>::default(); COUNT];
+        planes.iter_mut().for_each(|plane| plane.add([0.0; 2], FAR * whole.weight(), &mean));
         for (one, robust) in self.observations() {
             if one.marks.iter().all(|mark| stays(*mark)) {
                 kernels.each(one.place, |index, way, weight| {
@@ -162,15 +156,9 @@ impl<const N: usize> Regression<N> {
                 });
             }
         }
-        if planes[COUNT - 1].is_empty() {
-            // No other mark: the value does not vary.
-            let mut all = Plane::default();
-            self.observations().for_each(|(one, robust)| all.add([0.0; 2], one.weight * robust, &one.value));
-            return [all.mean(); COUNT];
-        }
-        let mut estimates = [[0.0; N]; COUNT];
-        for ((estimate, plane), estimator) in estimates.iter_mut().zip(&planes).zip(&ESTIMATORS) {
-            *estimate = if estimator.is_sloping { plane.at_origin() } else { plane.mean() };
+        let mut estimates = planes.map(|plane| plane.at_origin());
+        if self.bounds.edges == Edges::Closed {
+            estimates[COUNT - 2] = whole.about(point).at_origin();
         }
         estimates
     }
