@@ -86,11 +86,14 @@ impl Path {
                 index += 1;
             }
             let segment = segments[index];
-            let t = ((share * total - walked) / segment.length()).clamp(0.0, 1.0);
+            let length = segment.length();
+            let along = (share * total - walked).clamp(0.0, length);
             let [at_start, at_end] = bends[index];
             PathSample {
-                point: [0, 1].map(|axis| segment.from[axis] + t * (segment.to[axis] - segment.from[axis])),
-                direction: axial(segment.angle() + at_start + t * (at_end - at_start)),
+                point: [0, 1].map(|axis| {
+                    segment.from[axis] + along / length * (segment.to[axis] - segment.from[axis])
+                }),
+                direction: axial(segment.angle() + at_start.at(along) + at_end.at(length - along)),
                 share,
             }
         };
@@ -183,28 +186,50 @@ impl Path {
     }
 }
 
-/// How far the direction of the curve differs from each segment's, at its start and at its end, degrees.
-fn bends(segments: &[Line]) -> Vec<[f64; 2]> {
+/// By how much the direction of the curve differs from that of a segment at one of its ends.
+#[derive(Clone, Copy, Debug, Default)]
+struct Bend {
+    /// Degrees at the end itself.
+    turn: f64,
+    /// Distance from the end within which it falls to 0, px.
+    reach: f64,
+}
+
+impl Bend {
+    /// Degrees, at this distance (px) from the end.
+    fn at(self, distance: f64) -> f64 {
+        if distance < self.reach { self.turn * (1.0 - distance / self.reach) } else { 0.0 }
+    }
+}
+
+/// The bends at the start and at the end of each segment.
+fn bends(segments: &[Line]) -> Vec<[Bend; 2]> {
     let heading =
         |segment: &Line| libm::atan2(segment.to[1] - segment.from[1], segment.to[0] - segment.from[0]);
-    // At each joint: the turn of the curve within the segment before it, and within the one after it. On a circle they
-    // are as the lengths.
+    // At each joint: within the segment before it, and within the one after it. On a circle a bend reaches to the middle of
+    // the segment, and the turns are as the lengths; a long straight piece is bent only as far as its short neighbour is long.
     let joint = |pair: &[Line]| {
+        let [before, after] = [pair[0].length(), pair[1].length()];
         let turned = (heading(&pair[1]) - heading(&pair[0])).to_degrees();
         let turned = (turned + 180.0).rem_euclid(360.0) - 180.0;
         let [smooth, corner] = SMOOTH_TO_CORNER;
         let curved = ((corner - turned.abs()) / (corner - smooth)).clamp(0.0, 1.0) * turned;
-        let before = pair[0].length() / (pair[0].length() + pair[1].length());
-        [curved * before, curved * (1.0 - before)]
+        let reach = [(0.5 * before).min(after), (0.5 * after).min(before)];
+        reach.map(|own| Bend { turn: curved * own / (reach[0] + reach[1]), reach: own })
     };
-    let joints: Vec<[f64; 2]> = segments.windows(2).map(joint).collect();
-    let bend = |i: usize| {
-        let start = i.checked_sub(1).map(|before| -joints[before][1]);
+    let joints: Vec<[Bend; 2]> = segments.windows(2).map(joint).collect();
+    let back = |bend: Bend| Bend { turn: -bend.turn, ..bend };
+    let bend = |(i, segment): (usize, &Line)| {
+        let start = i.checked_sub(1).map(|before| back(joints[before][1]));
         let end = joints.get(i).map(|joint| joint[0]);
-        // Towards a free end the curve turns on.
-        [start.or(end.map(|end| -end)).unwrap_or(0.0), end.or(start.map(|start| -start)).unwrap_or(0.0)]
+        // Towards a free end a curve turns on, unless the segment is a long straight piece.
+        let free = |bend: Bend| {
+            let share = (4.0 * bend.reach / segment.length() - 1.0).clamp(0.0, 1.0);
+            Bend { turn: -share * bend.turn, reach: 0.5 * segment.length() }
+        };
+        [start.or(end.map(free)).unwrap_or_default(), end.or(start.map(free)).unwrap_or_default()]
     };
-    (0..segments.len()).map(bend).collect()
+    segments.iter().enumerate().map(bend).collect()
 }
 
 /// Where two segments cross, px. The end of each does not count, its start does, so that a crossing at a joint is one.

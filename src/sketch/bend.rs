@@ -12,7 +12,7 @@ const MOST_STEPS: f64 = 4000.0;
 /// Rounds of (¼, ½, ¼) that smooth a stroke: a Gaussian of 1.4 steps, so of a third of the width.
 const ROUNDS: usize = 4;
 /// A path departs from the smoothed stroke by at most this share of its width, or by half a px.
-const TOLERANCE: f64 = 0.125;
+const TOLERANCE: f64 = 0.05;
 const LEAST_TOLERANCE: f64 = 0.5;
 /// Half the breadth of a stroke that goes to and fro along a line, ÷ the length of the line.
 const RETRACED: f64 = 0.06;

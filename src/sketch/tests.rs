@@ -65,7 +65,7 @@ fn a_path_follows_the_stroke_and_not_the_jitter_of_the_pen() {
     for width in [4.0, 8.0, 14.0] {
         let (points, direction) = wave(0.6);
         let Some(Mark::Path(path)) = recognise(&points, width) else { panic!("a path") };
-        assert!(path.points.len() <= 26, "{} points, {width} wide", path.points.len());
+        assert!(path.points.len() <= 30, "{} points, {width} wide", path.points.len());
         let mut off: Vec<f64> = path
             .samples(200)
             .iter()
