@@ -1,7 +1,7 @@
 //! SVG → marks: shapes become the ellipses and lines that the same shapes drawn by hand would become.
 //!
 //! Transforms are applied; the results are in px of the canvas. A closed shape becomes an ellipse as a closed stroke does,
-//! an open one a line (or, where it is nearly closed, an ellipse).
+//! an open one a path or a line (or, where it is nearly closed, an ellipse).
 
 use std::collections::BTreeMap;
 

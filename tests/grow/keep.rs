@@ -4,7 +4,7 @@ use crate::folder::{Folder, document};
 use dapple::document::Edges;
 use dapple::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
 use dapple::internals::attributes::regions::RegionMap;
-use dapple::internals::marks::{Ellipse, Line, Mark, turn};
+use dapple::internals::marks::{Ellipse, Line, Mark, Path, turn};
 use dapple::internals::measure::{self, Spot};
 
 use dapple::internals::synth::plan::{Plan, Surroundings, look_up};
@@ -124,13 +124,13 @@ fn on_a_larger_canvas_kept_marks_are_at_scaled_places_with_their_size_unchanged(
 fn marks_are_kept_by_default_only_if_there_is_one_region() {
     let mut document = one_layer(&drawn(), Edges::Closed);
     assert_eq!(grown(&document).plan.pinned_spots().len(), 10);
-    document.regions = [2, 1];
+    document.regions = Some([2, 1]);
     assert!(grown(&document).plan.pinned_spots().is_empty());
     document.layers[0].options.keep = Some(true);
     let layer = grown(&document);
     let off = off(&layer.plan, spots(&layer));
     assert!(off.len() == 10 && off.iter().all(|off| *off < 0.25), "{off:?}");
-    document.regions = [1, 1];
+    document.regions = Some([1, 1]);
     document.layers[0].options.keep = Some(false);
     assert!(grown(&document).plan.pinned_spots().is_empty());
 }
@@ -171,15 +171,14 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
     ];
     let options = LayerOptions { keep: keeps, ..LayerOptions::default() };
     let layers = vec![Layer { strokes, options, ..Layer::default() }];
-    Document { size: [300, 240], regions, layers, ..Document::default() }
+    Document { size: [300, 240], regions: Some(regions), layers, ..Document::default() }
 }
 
 /// The share of each line of `document` that lies in a stripe of `layer`.
 fn in_stripes(document: &Document, layer: &GrownLayer) -> Vec<f64> {
     let marks = dapple::internals::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
     let [width, height] = document.size.map(|side| side as usize);
-    let line = |mark: &Mark| if let Mark::Line(line) = mark { Some(*line) } else { None };
-    let lines: Vec<Line> = marks.iter().filter_map(line).collect();
+    let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
     covered(&lines, layer.plan.lookup.map.layout(), &layer.pattern().field(width, height))
 }
 

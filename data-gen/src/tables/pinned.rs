@@ -3,7 +3,7 @@
 use dapple::document::{Document, SystemChoice};
 use dapple::internals::attributes::regions::RegionMap;
 use dapple::internals::grid::Edges;
-use dapple::internals::marks::{Ellipse, Line, Mark};
+use dapple::internals::marks::{Ellipse, Mark, Path};
 use dapple::internals::measure::{self, StripeErrors};
 use dapple::internals::rd::System;
 use dapple::internals::synth::plan::{Surroundings, look_up, sketch_targets};
@@ -148,7 +148,6 @@ pub fn lines() -> Result<(), String> {
 fn in_stripes(document: &Document, layer: &GrownLayer) -> Result<Vec<f64>, String> {
     let marks = sketch_targets::marks(document, 0, "document").map_err(|error| error.to_string())?;
     let [width, height] = document.size.map(|side| side as usize);
-    let line = |mark: &Mark| if let Mark::Line(line) = mark { Some(*line) } else { None };
-    let lines: Vec<Line> = marks.iter().filter_map(line).collect();
+    let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
     Ok(covered(&lines, layer.plan.lookup.map.layout(), &layer.pattern().field(width, height)))
 }

@@ -92,8 +92,8 @@ static DEFINITION: Definition = Definition {
             // Of 600 spots one merged at 10° (length 0.8) and at 20° (0.63), none at 30° (0.56); a per cent did at
             // twice that.
             turn: [8.5, 0.8, 3.0],
-            // Spots at more uneven places repel each other back.
-            spacing: 0.18,
+            // They push each other back from places that are more uneven.
+            spacing: 0.16,
         },
     }),
     cost: Cost { bytes_a_cell: 95.0, updates: 0.8, updates_on_one_grid: 0.8 },

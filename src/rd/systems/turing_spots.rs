@@ -98,7 +98,7 @@ static DEFINITION: Definition = Definition {
             area: 0.6,
             angle: 25.0,
             aspect: 0.2,
-            spacing: 0.13,
+            spacing: 0.12,
         }),
     }),
     cost: Cost { bytes_a_cell: 95.0, updates: 0.62, updates_on_one_grid: 0.62 },

@@ -1,7 +1,7 @@
 //! Third stage → last stage: where the marks of a layer begin among those of the layers beneath.
 
 use crate::grid::Domain;
-use crate::marks::{Ellipse, Line, Mark};
+use crate::marks::{Ellipse, Mark, Path};
 use crate::measure::Spot;
 use crate::rd::LinesAlongCurves;
 use crate::synth::plan::corrected::Corrected;
@@ -81,13 +81,8 @@ impl Plan {
 
 /// Arranges a layer whose `marks` stay where they were drawn, as far as they find room; and a remark a region.
 fn arrange_pinned(lookup: &Lookup, obstacles: &[bool], marks: &[Mark]) -> (Arrangement, Vec<Option<String>>) {
-    let (mut ellipses, mut lines): (Vec<Ellipse>, Vec<Line>) = (Vec::new(), Vec::new());
-    for mark in marks {
-        match mark {
-            Mark::Ellipse(ellipse) => ellipses.push(*ellipse),
-            Mark::Line(line) => lines.push(*line),
-        }
-    }
+    let ellipses: Vec<Ellipse> = marks.iter().filter_map(Mark::ellipse).collect();
+    let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
     if !ellipses.is_empty() {
         let (spots, remarks) = pin_spots(lookup, obstacles, &ellipses);
         return (Arrangement::PinnedSpots(spots), remarks);

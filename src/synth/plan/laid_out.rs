@@ -1,7 +1,7 @@
 //! Last stage of a plan: ready to grow.
 
 use crate::grid::{Domain, Field};
-use crate::marks::Line;
+use crate::marks::Path;
 use crate::measure::Target;
 use crate::rd::Maps;
 use crate::synth::plan::layer_lookup::Lookup;
@@ -29,8 +29,8 @@ pub enum Arrangement {
     Natural,
     /// Some spots where they were drawn, the others where the system puts them around these.
     PinnedSpots(Vec<PinnedMark>),
-    /// Stripes along drawn lines, px, and where the system puts them between these.
-    PinnedLines(Vec<Line>),
+    /// Stripes along drawn lines and paths, px, and where the system puts them between these.
+    PinnedLines(Vec<Path>),
     /// One spot at each of these places, px, and nowhere else.
     Inside(Vec<[f64; 2]>),
     /// Lines along these curves.
@@ -44,9 +44,9 @@ impl Plan {
         if let Arrangement::PinnedSpots(spots) = &self.arrangement { spots } else { &[] }
     }
 
-    /// The lines that stripes begin along.
+    /// The lines and paths that stripes begin along.
     #[must_use]
-    pub fn pinned_lines(&self) -> &[Line] {
+    pub fn pinned_lines(&self) -> &[Path] {
         if let Arrangement::PinnedLines(lines) = &self.arrangement { lines } else { &[] }
     }
 

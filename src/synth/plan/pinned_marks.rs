@@ -9,7 +9,7 @@
 
 use crate::attributes::Attributes;
 use crate::attributes::regions::RegionGrid;
-use crate::marks::{Ellipse, Line, turn};
+use crate::marks::{Ellipse, Path, turn};
 use crate::rd::{self, GuideLine, Hindrance, placeable};
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::one_spot::{Deviation, own_parameters};
@@ -109,11 +109,12 @@ pub(super) fn pin_spots(
     (pinned, counts.iter().map(Counts::note).collect())
 }
 
-/// `lines` (px) as guide lines of the noise that stripes begin from, on a canvas of `size` px.
+/// The segments of `paths` (px) as guide lines of the noise that stripes begin from, on a canvas of `size` px.
 #[must_use]
-pub fn guide_lines(lines: &[Line], size: [f64; 2]) -> Vec<GuideLine> {
+pub fn guide_lines(paths: &[Path], size: [f64; 2]) -> Vec<GuideLine> {
     let share = |end: [f64; 2]| [0, 1].map(|axis| end[axis] / size[axis]);
-    lines.iter().map(|line| GuideLine { from: share(line.from), to: share(line.to) }).collect()
+    let segments = paths.iter().flat_map(Path::segments);
+    segments.map(|line| GuideLine { from: share(line.from), to: share(line.to) }).collect()
 }
 
 /// Marks of a region: how many were drawn, and how many find no room, by reason.

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::attributes::regions::RegionGrid;
 use crate::grid::Field;
 use crate::grid::resample::Spline;
-use crate::marks::Line;
+use crate::marks::Path;
 use crate::measure::Spot;
 use crate::synth::grow::refine::Measured;
 use crate::synth::plan::laid_out::Plan;
@@ -100,20 +100,17 @@ pub fn distances(pinned: &[PinnedMark], layout: &RegionGrid, spots: &[Spot]) -> 
     pinned.iter().map(nearest).collect()
 }
 
-/// The share of each of these lines (px) that lies in a stripe of `pattern`.
+/// The share of each of these paths (px) that lies in a stripe of `pattern`.
 #[must_use]
-pub fn covered(lines: &[Line], layout: &RegionGrid, pattern: &Field) -> Vec<f64> {
+pub fn covered(paths: &[Path], layout: &RegionGrid, pattern: &Field) -> Vec<f64> {
     const POINTS: usize = 64;
     let surface = Spline::new(pattern);
-    let share = |line: &Line| {
-        let points = (0..POINTS).map(|k| {
-            let t = (k as f64 + 0.5) / POINTS as f64;
-            [0, 1].map(|axis| line.from[axis] + t * (line.to[axis] - line.from[axis]))
-        });
+    let share = |path: &Path| {
+        let points = path.samples(POINTS).into_iter().map(|sample| sample.point);
         let on = |point: &[f64; 2]| layout.bounds().contains(*point);
         let points: Vec<[f64; 2]> = points.filter(on).collect();
         let covered = points.iter().filter(|point| surface.at(**point) >= 0.5).count();
         covered as f64 / points.len().max(1) as f64
     };
-    lines.iter().map(share).collect()
+    paths.iter().map(share).collect()
 }
