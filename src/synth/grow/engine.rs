@@ -20,7 +20,7 @@ use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
 use crate::synth::plan::pinned_marks::guide_lines;
 use crate::synth::plan::spacing_correction::pitches;
-use crate::synth::plan::spread::{Varied, vary};
+use crate::synth::plan::spread::{Varied, VariedSpots, vary};
 
 /// A layer being grown.
 #[derive(Clone, Debug)]
@@ -31,6 +31,8 @@ pub struct Engine {
     start: InitialConditions,
     /// Brings pinned marks back to their places.
     position_control: Option<PositionControl>,
+    /// Spots with parameters of their own.
+    varied: Option<VariedSpots>,
     /// From the coarsest to the planned one.
     grids: Vec<[usize; 2]>,
     level: Level,
@@ -67,11 +69,12 @@ impl Engine {
         let Lookup { system, irregular, seeding, map, .. } = &plan.lookup;
         let (system, layout) = (*system, map.layout());
         let noisy = |maps: Maps| maps.with_decay_noise(system, *irregular, seed);
-        if let Some(Varied { maps, places, largest }) = vary(plan, seed) {
+        if let Some(Varied { maps, spots, largest }) = vary(plan, seed) {
             let maps = noisy(maps);
-            let start = InitialConditions::at_places(system, &maps, seed, &places);
+            let start = InitialConditions::at_places(system, &maps, seed, &spots.places);
             let engine = Self::starting_from(system, maps, start, largest);
-            return Self { position_control: PositionControl::new(plan), ..engine };
+            let position_control = PositionControl::new(plan);
+            return Self { position_control, varied: Some(spots), ..engine };
         }
         let (maps, start) = match plan.places() {
             Some(places) => {
@@ -109,6 +112,7 @@ impl Engine {
             maps,
             start,
             position_control: None,
+            varied: None,
             grids,
             level,
             expected_before: 0.0,
@@ -143,6 +147,26 @@ impl Engine {
         let unit = unit(&engine.level.growth, 1.0);
         engine.level.monitor = ConvergenceMonitor::new(engine.system, unit, true, engine.marks().values);
         Some(engine)
+    }
+
+    /// Takes the parameters of the pinned spots from `plan`, where they have been corrected, and goes on growing what has
+    /// settled.
+    pub fn correct(&mut self, plan: &Plan) {
+        let Some(spots) = &mut self.varied else { return };
+        self.maps.parameters = spots.corrected(plan, &self.maps);
+        let growth = Growth::resumed(self.system, &self.maps, &self.level.growth.concentrations())
+            .expect("made for this system on this grid");
+        let unit = unit(&growth, 1.0);
+        let cells = self.maps.grid.cells();
+        self.level = Level {
+            index: self.grids.len() - 1,
+            coarse: None,
+            monitor: ConvergenceMonitor::new(self.system, unit, false, growth.marks(&self.maps).values),
+            counts: vec![true; cells],
+            expected: ConvergenceMonitor::expected(self.system, unit, false) * cells as f64,
+            growth,
+        };
+        self.done = false;
     }
 
     /// Is there a place where marks can start?

@@ -45,18 +45,26 @@ impl Node {
 
     /// The change for a spot whose rate and stretch are larger by e to these powers, and which is turned by `turn` degrees.
     #[must_use]
-    pub fn offset(&self, ln_rate: f64, ln_stretch: f64, turn: f64) -> [f64; 3] {
+    pub fn offset(&self, ln_rate: f64, ln_stretch: f64, turn: f64) -> NodeOffset {
         let [c, s] = self.shape;
         let length = (c * c + s * s).sqrt();
         let double = libm::atan2(s, c) + (2.0 * turn).to_radians();
         let long = (length - ln_stretch).max(0.0);
-        [ln_rate, long * libm::cos(double) - c, long * libm::sin(double) - s]
+        [ln_rate, long * libm::cos(double) - c, long * libm::sin(double) - s, 0.0]
     }
 
-    /// The node with an [`Self::offset`] added.
+    /// The [`NodeOffset`] from `other` to this node.
     #[must_use]
-    pub fn plus(&self, [ln_rate, c, s]: [f64; 3]) -> Self {
-        Self { ln_rate: self.ln_rate + ln_rate, shape: [self.shape[0] + c, self.shape[1] + s], ..*self }
+    pub fn minus(&self, other: &Self) -> NodeOffset {
+        let [c, s] = [0, 1].map(|part| self.shape[part] - other.shape[part]);
+        [self.ln_rate - other.ln_rate, c, s, self.ln_ratio - other.ln_ratio]
+    }
+
+    /// The node with an offset added.
+    #[must_use]
+    pub fn plus(&self, [ln_rate, c, s, ln_ratio]: NodeOffset) -> Self {
+        let shape = [self.shape[0] + c, self.shape[1] + s];
+        Self { ln_rate: self.ln_rate + ln_rate, shape, ln_ratio: self.ln_ratio + ln_ratio, ..*self }
     }
 
     /// Parameters of the simulation, the pitch multiplied by this factor.
@@ -72,6 +80,9 @@ impl Node {
         }
     }
 }
+
+/// The difference of two nodes: of ln rate, of the two parts of the shape, of ln ratio.
+pub type NodeOffset = [f64; 4];
 
 /// Nodes over the canvas.
 #[derive(Clone, Debug)]

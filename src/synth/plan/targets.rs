@@ -7,7 +7,7 @@ use crate::document::{After, Document, DocumentError, Kind, Layer};
 use crate::marks::Mark;
 use crate::rd::Seeding;
 use crate::synth::plan::error::PlanError;
-use crate::synth::plan::layer_lookup::{Lookup, Start, look_up};
+use crate::synth::plan::layer_lookup::{Lookup, look_up};
 use crate::synth::plan::offset_curves::CurveKind;
 use crate::synth::plan::sketch_targets::{marks_on, region_map};
 use crate::synth::plan::{around, inside};
@@ -79,7 +79,7 @@ impl<'a> Targets<'a> {
         let lookup = match place {
             Place::Free(marks) => {
                 let lookup = look_up(training, layer.wanted_system(), &map)?;
-                Lookup { irregular: options.irregular, start: Start::Free(marks), ..lookup }
+                Lookup { irregular: options.irregular, ..lookup }.with_pinned(training, &marks)?
             }
             Place::Inside(beneath) => inside::look_up(training, &map, beneath)?,
             Place::Curves(kind) => around::look_up(kind, options.broken, map)?,
