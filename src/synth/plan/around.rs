@@ -3,7 +3,7 @@
 //! They are Meinhardt's lines along curves that are laid once the layers beneath have grown. Only their width is drawn;
 //! their rate follows from it by one law, and the level sets the last per cents.
 
-use crate::attributes::regions::RegionMap;
+use crate::attributes::AttributeMap;
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::document::After;
 use crate::learn::{self, Answer, Coverage};
@@ -23,7 +23,7 @@ pub fn curve_kind(after: After) -> Option<CurveKind> {
 }
 
 /// Looks up lines that are as wide as `map` says, from one law. The share `broken` of each ring will be open.
-pub(super) fn look_up(kind: CurveKind, broken: f64, map: RegionMap) -> Result<Lookup, PlanError> {
+pub(super) fn look_up(kind: CurveKind, broken: f64, map: AttributeMap) -> Result<Lookup, PlanError> {
     let asked = |wanted: &Attributes, cell: f64| {
         let width = match wanted {
             Attributes::Stripes(stripes) => stripes.width,

@@ -4,6 +4,7 @@ use crate::grid::Domain;
 use crate::marks::Path;
 use crate::measure::Spot;
 use crate::synth::plan::corrected::Corrected;
+use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::error::{LayOutError, PlanError};
 use crate::synth::plan::inside::places_inside;
 use crate::synth::plan::laid_out::{Arrangement, Plan};
@@ -11,7 +12,6 @@ use crate::synth::plan::layer_lookup::{Lookup, Start};
 use crate::synth::plan::obstacle_mask::{has_room, with_rim};
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::offset_curves::{CurveKind, CurveRequest, Curves, line_widths};
-use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::pinned_marks::pin_spots;
 use crate::synth::training::Training;
 
@@ -82,12 +82,7 @@ impl Plan {
 }
 
 /// Arranges a layer whose drawn marks stay where they were drawn, as far as they find room.
-fn arrange_pinned(
-    lookup: &Lookup,
-    obstacles: &[bool],
-    spots: &[DrawnSpot],
-    lines: &[Path],
-) -> Arrangement {
+fn arrange_pinned(lookup: &Lookup, obstacles: &[bool], spots: &[DrawnSpot], lines: &[Path]) -> Arrangement {
     if !spots.is_empty() {
         let (spots, left_out) = pin_spots(lookup, obstacles, spots);
         return Arrangement::PinnedSpots { spots, left_out };

@@ -68,7 +68,8 @@ impl Corrected {
             answer.predicted = offset.applied(1.0, &corrected.predicted);
         }
         if let Start::Free { spots, .. } = &lookup.start {
-            let ellipses: Vec<(usize, Ellipse)> = spots.iter().map(|spot| (spot.mark, spot.ellipse)).collect();
+            let ellipses: Vec<(usize, Ellipse)> =
+                spots.iter().map(|spot| (spot.mark, spot.ellipse)).collect();
             let corners = |point| lookup.map.layout().corners(point);
             let offset = |point| {
                 let sum = |sum: Offset, (region, weight): (usize, f64)| sum.plus(weight, offsets[region]);

@@ -39,7 +39,8 @@ pub(super) fn drawn_spots(
 ) -> Result<Vec<DrawnSpot>, PlanError> {
     let bounds = lookup.map.layout().bounds();
     let drawn = |(index, (mark, ellipse)): (usize, &(usize, Ellipse))| {
-        let others = ellipses.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, other)| other.1);
+        let others =
+            ellipses.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, other)| other.1);
         let wanted = own_attributes(lookup.spots_at(ellipse.center), ellipse, room(ellipse, others, &bounds));
         let asked = offset(ellipse.center).applied(-1.0, &Attributes::Spots(wanted));
         let own = Node::from_answer(&ask(&asked, lookup.px_a_cell())?);

@@ -6,15 +6,13 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::regions::{RegionGrid, RegionMap};
+use crate::attributes::AttributeMap;
+use crate::attributes::regions::RegionGrid;
 use crate::learn::Answer;
 use crate::rd;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lookup::Ask;
 use crate::synth::plan::offset::Offset;
-
-/// Lattice nodes a region along each side; odd, so that region centres, where attributes bend, are nodes.
-const FINER: usize = 5;
 
 /// Parameters at one node in interpolable coordinates; or between nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -99,12 +97,12 @@ impl Lattice {
     /// # Errors
     /// Those of `ask`.
     pub(super) fn looked_up(
-        map: &RegionMap,
+        map: &AttributeMap,
         cell: f64,
         offsets: &[Offset],
         ask: Ask,
     ) -> Result<Self, PlanError> {
-        let layout = Self::layout_over(map.layout());
+        let layout = map.nodes();
         let node = |index: usize| {
             let point = layout.center(layout.place(index));
             let corners = map.layout().corners(point);
@@ -116,12 +114,6 @@ impl Lattice {
         };
         let nodes = (0..layout.len()).into_par_iter().map(node).collect::<Result<Vec<_>, PlanError>>()?;
         Ok(Self { layout, nodes })
-    }
-
-    /// The layout of the lattice over a canvas with these regions.
-    fn layout_over(regions: &RegionGrid) -> RegionGrid {
-        let finer = |n: usize| if n == 1 { 1 } else { FINER * n };
-        RegionGrid { grid: regions.grid.map(finer), ..*regions }
     }
 
     /// Parameters at a point, px.

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::regions::RegionMap;
+use crate::attributes::AttributeMap;
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::document::SystemChoice;
 use crate::grid::{Domain, Grid};
@@ -51,7 +51,7 @@ pub struct Lookup {
     /// The system.
     pub system: System,
     /// What is wanted where; free spacings filled in. Its canvas is the one that is grown.
-    pub map: RegionMap,
+    pub map: AttributeMap,
     /// The grid over the canvas.
     pub grid: Grid,
     /// Parameters (in cells) at every place.
@@ -74,7 +74,7 @@ pub struct Lookup {
 ///
 /// # Errors
 /// As [`ask()`].
-pub fn look_up(training: &Training, choice: SystemChoice, map: &RegionMap) -> Result<Lookup, PlanError> {
+pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) -> Result<Lookup, PlanError> {
     let mut map = map.clone();
     let system = match choice {
         SystemChoice::Of(system) => system,
@@ -83,7 +83,7 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &RegionMap) -> Re
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let sparse =
         |wanted: &Attributes| Ok(ask(training, system, wanted, cell_for(system, wanted))?.pitch > 1.0);
-    let sparse = wanted(&map).iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
+    let sparse = map.samples().iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
     let asked = if sparse { ask_among_sparse } else { ask };
     Lookup::new(system, map, Start::NATURAL, &|wanted, cell| asked(training, system, wanted, cell))
 }
@@ -95,7 +95,7 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &RegionMap) -> Re
 pub fn look_up_on(
     training: &Training,
     system: System,
-    map: &RegionMap,
+    map: &AttributeMap,
     cell: f64,
 ) -> Result<Lookup, PlanError> {
     let asked = |wanted: &Attributes, cell| ask(training, system, wanted, cell);
@@ -104,30 +104,25 @@ pub fn look_up_on(
 
 /// px a cell that suits the finest marks of `map`, no spacing of which is free.
 #[must_use]
-pub fn finest_cell(system: System, map: &RegionMap) -> f64 {
-    wanted(map).iter().map(|wanted| cell_for(system, wanted)).fold(f64::INFINITY, f64::min)
-}
-
-/// What `map` wants at the centre of each region.
-fn wanted(map: &RegionMap) -> Vec<Attributes> {
-    map.regions().map(|(place, _)| map.at(map.layout().center(place))).collect()
+pub fn finest_cell(system: System, map: &AttributeMap) -> f64 {
+    map.samples().iter().map(|wanted| cell_for(system, wanted)).fold(f64::INFINITY, f64::min)
 }
 
 impl Lookup {
     /// Looks up what `map` wants, no spacing of which is free.
-    pub(super) fn new(system: System, map: RegionMap, start: Start, ask: Ask) -> Result<Self, PlanError> {
+    pub(super) fn new(system: System, map: AttributeMap, start: Start, ask: Ask) -> Result<Self, PlanError> {
         let cell = finest_cell(system, &map);
         Self::on_cells(system, map, cell, start, ask)
     }
 
     fn on_cells(
         system: System,
-        map: RegionMap,
+        map: AttributeMap,
         cell: f64,
         start: Start,
         ask: Ask,
     ) -> Result<Self, PlanError> {
-        let wanted = wanted(&map);
+        let wanted = map.of_regions();
         let layout = map.layout();
         let size = layout.size.map(|side| ((side / cell).round() as usize).max(8));
         let exact = [0, 1].map(|axis| layout.size[axis] / size[axis] as f64);
@@ -194,7 +189,7 @@ impl Lookup {
     /// What is wanted at the centre of each region.
     #[must_use]
     pub fn wanted(&self) -> Vec<Attributes> {
-        wanted(&self.map)
+        self.map.of_regions()
     }
 
     /// px a cell; cells are nearly square.

@@ -1,6 +1,6 @@
 //! Sketch targets: the strokes of a layer → its marks → the region map of what is wanted.
 
-use crate::attributes::regions::RegionMap;
+use crate::attributes::AttributeMap;
 use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
 use crate::document::{Document, DocumentError, Kind, Options, Problem, SpreadChoice, Stroke};
 use crate::marks::Mark;
@@ -44,10 +44,11 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
 ///
 /// # Errors
 /// As [`marks`].
-pub fn region_map(document: &Document, index: usize, source: &str) -> Result<RegionMap, DocumentError> {
+pub fn region_map(document: &Document, index: usize, source: &str) -> Result<AttributeMap, DocumentError> {
     let marks = marks(document, index, source)?;
     let size = document.size.map(f64::from);
-    let map = RegionMap::from_marks(&marks, size, document.regions.map(|n| n as usize), document.edges);
+    let regions = (document.regions != [1, 1]).then(|| document.regions.map(|n| n as usize));
+    let map = AttributeMap::from_marks(&marks, size, regions, document.edges);
     let map = map.map_err(|error| {
         let place = format!("layers[{index}].strokes");
         Problem::new(place, error.to_string(), "at least one ellipse, or at least one line").in_file(source)

@@ -1,7 +1,7 @@
 //! First stage of a plan: what the sketch of a layer asks for.
 
+use crate::attributes::AttributeMap;
 use crate::attributes::Attributes;
-use crate::attributes::regions::RegionMap;
 use crate::document::layer_rules::{self, Combination};
 use crate::document::{After, Document, DocumentError, Kind, Layer};
 use crate::marks::Mark;
@@ -16,7 +16,7 @@ use crate::synth::training::Training;
 /// What the sketch of a layer asks for.
 pub struct Targets<'a> {
     /// What is wanted where, on the canvas that is grown.
-    pub map: RegionMap,
+    pub map: AttributeMap,
     layer: &'a Layer,
     place: Place<'a>,
 }
@@ -89,7 +89,7 @@ impl<'a> Targets<'a> {
 }
 
 /// The kind of marks that a layer with this map grows.
-fn grown_kind(map: &RegionMap) -> Kind {
+fn grown_kind(map: &AttributeMap) -> Kind {
     match map.at([0.0, 0.0]) {
         Attributes::Spots(_) => Kind::Ellipse,
         Attributes::Stripes(_) => Kind::Line,
