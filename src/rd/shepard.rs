@@ -1,6 +1,7 @@
 //! Shepard interpolation: values of single spots, interpolated to every cell of the grid.
 //!
-//! v(x) = Σₖ wₖ vₖ ÷ Σₖ wₖ, wₖ = exp(−dₖ(x)² ÷ 2τ²), dₖ the distance from spot k in its own metric, in pitches
+//! v(x) = Σₖ wₖ vₖ ÷ (w₀ + Σₖ wₖ), wₖ = exp(−dₖ(x)² ÷ 2τ²), dₖ the distance from spot k in its own metric, in pitches of
+//! the room that it needs itself. Far from all spots v is 0.
 //!
 //! The weights are Gaussians: around a spot its own value, and half way to the next a smooth step, the sharper the
 //! smaller τ.
@@ -19,6 +20,8 @@ use crate::rd::nucleus::Nucleus;
 const TAU: f64 = 0.2;
 /// Exponents below this are left out; the holes between spots have one of −8 at least.
 const LEAST: f64 = -16.0;
+/// w₀: four fifths of a pitch away a spot and the ground have the same weight.
+const GROUND: f64 = 3.4e-4;
 /// Rows that are made at once.
 const ROWS: usize = 16;
 
@@ -34,8 +37,9 @@ pub fn interpolate_parameters<const N: usize>(
     known: &[[f64; N]],
     vary: &(dyn Fn(usize, [f64; N]) -> Parameters + Sync),
 ) -> Vec<Parameters> {
-    let nucleus =
-        |(at, own): (&[f64; 2], &Parameters)| Nucleus::new(own, maps.grid.cell, *at, system.spacing(own));
+    let nucleus = |(at, own): (&[f64; 2], &Parameters)| {
+        Nucleus::new(own, maps.grid.cell, *at, system.spacing(own)).alone()
+    };
     let spots: Vec<(Nucleus, &[f64; N])> = places.iter().zip(own).map(nucleus).zip(known).collect();
     let mut made = maps.parameters.clone();
     let band = ROWS * maps.grid.size[0];
@@ -46,7 +50,7 @@ pub fn interpolate_parameters<const N: usize>(
             add(&mut sums, cells.clone(), &maps.grid, spot, known);
         }
         for ((cell, made), (sum, all)) in cells.zip(made).zip(&sums) {
-            let known = if *sum > 0.0 { all.map(|all| all / sum) } else { [0.0; N] };
+            let known = all.map(|all| all / (GROUND + sum));
             *made = vary(cell, known);
         }
     });

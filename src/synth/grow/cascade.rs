@@ -6,7 +6,7 @@ use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer};
 use crate::synth::grow::obstacles::{bias, obstacles};
 use crate::synth::grow::pattern::Pattern;
-use crate::synth::grow::pinned_correction::correct_pinned;
+use crate::synth::grow::pinned_correction::PinnedCorrection;
 use crate::synth::grow::probe::{When, correct};
 use crate::synth::grow::refine::refine;
 use crate::synth::grow::settle::settle_seen;
@@ -84,6 +84,8 @@ pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usi
 
 /// Corrections of pinned spots at most.
 const PINNED_ROUNDS: usize = 3;
+/// The same where some are not there.
+const LOST_ROUNDS: usize = 5;
 
 /// The growth of a document.
 struct Cascade<'a> {
@@ -184,8 +186,11 @@ impl Cascade<'_> {
             let mut pattern = Pattern::new(&plan.lookup, &marks);
             let measured = refine(&plan, &mut pattern, canvas, self.corrects(), &watch)?;
             let Pattern { correction, own, .. } = pattern;
-            if round < PINNED_ROUNDS && self.corrects() && correct_pinned(&mut plan, measured.spots()) {
-                engine.correct(&plan);
+            let found = PinnedCorrection::new(&plan, measured.spots());
+            let rounds = if found.lost.is_empty() { PINNED_ROUNDS } else { LOST_ROUNDS };
+            if round < rounds && self.corrects() && found.needed {
+                found.apply(&mut plan);
+                engine.correct(&plan, &found.lost);
                 round += 1;
                 continue;
             }

@@ -1,7 +1,8 @@
 //! Drawn spots grow as large, long and turned as they were drawn: what each differs by is subtracted from its own
-//! parameters, and the pattern goes on growing from where it is.
+//! parameters, and the pattern goes on growing from where it is. Those that are not there begin again, with parameters that
+//! suit their place better.
 //!
-//! A lone correction is small beside the growth: the pattern has settled, and only the spots that differ change.
+//! A correction takes little time beside the growth: the pattern has settled, and only the spots that differ change.
 
 use crate::attributes::regions::RegionGrid;
 use crate::marks::Ellipse;
@@ -16,8 +17,8 @@ pub const THERE: f64 = 0.5;
 const GAIN: f64 = 0.8;
 /// Differences that are not corrected: of ln area, and of −ln aspect · (cos 2θ, sin 2θ).
 const TOLERATED: [f64; 2] = [0.03, 0.025];
-/// The largest corrections: of ln rate, and of either part of the shape.
-const MOST: [f64; 2] = [0.8, 0.6];
+/// The largest corrections: of ln rate, of either part of the shape, of ln ratio.
+const MOST: NodeOffset = [1.2, 0.6, 0.6, 0.7];
 
 /// The grown spot at the place of each pinned one: the nearest within half its radius that is nearest to no other.
 #[must_use]
@@ -45,22 +46,67 @@ pub fn matched<'a>(pinned: &[PinnedMark], layout: &RegionGrid, spots: &'a [Spot]
     found
 }
 
-/// Corrects the pinned spots of `plan` by the `grown` ones. Returns whether one differs by more than is tolerated.
-pub fn correct_pinned(plan: &mut Plan, grown: &[Spot]) -> bool {
-    let layout = *plan.lookup.map.layout();
-    let found = matched(plan.pinned_spots(), &layout, grown);
-    let mut differs = false;
-    for (mark, spot) in plan.pinned_spots_mut().iter_mut().zip(found) {
-        // A spot that the border cuts has no shape that could be measured.
-        let Some(spot) = spot.filter(|spot| spot.whole) else { continue };
-        let off = difference(&mark.drawn, &spot.ellipse);
-        differs |= off[0].abs() > TOLERATED[0] || off[1].hypot(off[2]) > TOLERATED[1];
-        for (part, off) in off.into_iter().enumerate() {
-            let most = if part == 0 { MOST[0] } else { MOST[1] };
-            mark.correction[part] = (mark.correction[part] + GAIN * off).clamp(-most, most);
+/// What is done about the pinned spots that grew otherwise than they were drawn.
+#[derive(Clone, Debug, Default)]
+pub struct PinnedCorrection {
+    /// What is added to the correction of each.
+    added: Vec<NodeOffset>,
+    /// Those that have vanished, moved away or split, and so begin again.
+    pub lost: Vec<usize>,
+    /// Does one differ by more than is tolerated?
+    pub needed: bool,
+}
+
+impl PinnedCorrection {
+    /// Compares the pinned spots of `plan` with the `grown` ones.
+    #[must_use]
+    pub fn new(plan: &Plan, grown: &[Spot]) -> Self {
+        let layout = plan.lookup.map.layout();
+        let pinned = plan.pinned_spots();
+        let mut correction = Self::default();
+        for (index, (mark, spot)) in pinned.iter().zip(matched(pinned, layout, grown)).enumerate() {
+            let added = match spot {
+                // A spot that the border cuts has no shape that could be measured.
+                Some(spot) if spot.whole => difference(&mark.drawn, &spot.ellipse),
+                Some(_) => NodeOffset::default(),
+                None => {
+                    correction.lost.push(index);
+                    if is_split(mark, layout, grown) { SPLIT } else { CROWDED }
+                }
+            };
+            let differs = added[0].abs() > TOLERATED[0] || added[1].hypot(added[2]) > TOLERATED[1];
+            correction.needed |= differs || spot.is_none();
+            correction.added.push(if spot.is_some() { added.map(|part| GAIN * part) } else { added });
+        }
+        correction
+    }
+
+    /// Corrects the pinned spots of `plan`.
+    pub fn apply(&self, plan: &mut Plan) {
+        for (mark, added) in plan.pinned_spots_mut().iter_mut().zip(&self.added) {
+            for (part, added) in added.iter().enumerate() {
+                mark.correction[part] = (mark.correction[part] + added).clamp(-MOST[part], MOST[part]);
+            }
         }
     }
-    differs
+}
+
+/// The change for a spot that split in two, and for one that its neighbours pushed away or killed: with a larger ratio spots
+/// do not split, with a smaller one they take less room. The rate keeps the area, or lets it shrink so far that the level can
+/// make up for it.
+const SPLIT: NodeOffset = [-0.3, 0.0, 0.0, 0.35];
+/// See [`SPLIT`].
+const CROWDED: NodeOffset = [0.45, 0.0, 0.0, -0.2];
+/// Two spots within so many radii of a place where none is are the halves of one.
+const HALVES: f64 = 1.6;
+
+/// Whether a mark that is not there has split in two.
+fn is_split(mark: &PinnedMark, layout: &RegionGrid, grown: &[Spot]) -> bool {
+    let near = |spot: &&Spot| {
+        let [x, y] = displacement(spot.ellipse.center, visible_center(&mark.drawn, layout), layout);
+        (x * x + y * y).sqrt() < HALVES * mark.radius()
+    };
+    grown.iter().filter(near).count() >= 2
 }
 
 /// The change of the parameters that takes a spot that `got` this shape to the one `drawn`.

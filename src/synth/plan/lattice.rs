@@ -51,6 +51,12 @@ impl Node {
         [ln_rate, long * libm::cos(double) - c, long * libm::sin(double) - s, 0.0]
     }
 
+    /// R; 1 of a system without a ratio.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        libm::exp(self.ln_ratio)
+    }
+
     /// The [`NodeOffset`] from `other` to this node.
     #[must_use]
     pub fn minus(&self, other: &Self) -> NodeOffset {

@@ -32,10 +32,16 @@ pub struct PinnedMark {
 /// area ÷ spacing² of spots as near as they come.
 const PACKED: f64 = 0.22;
 
+/// Spots of a smaller ratio split in two where they have room, as on one side of a close pair.
+const LEAST_RATIO: f64 = 13.5;
+
 impl PinnedMark {
     fn new(lookup: &Lookup, drawn: &DrawnSpot) -> Self {
         let DrawnSpot { mark, ellipse, own } = *drawn;
-        let offset = own.minus(&lookup.lattice.at(ellipse.center));
+        let around = lookup.lattice.at(ellipse.center);
+        let mut offset = own.minus(&around);
+        let ratio = around.ratio();
+        offset[3] = offset[3].max(libm::log(LEAST_RATIO.min(ratio) / ratio));
         Self { mark, drawn: ellipse, offset, correction: NodeOffset::default() }
     }
 
@@ -59,11 +65,11 @@ impl PinnedMark {
             let end = lookup.grid.size[axis] as f64 * (1.0 - 1e-12);
             (self.drawn.center[axis] / lookup.grid.cell[axis]).clamp(0.0, end)
         });
-        let near = self.nearest(lookup, lookup.system.spacing(&own));
+        let near = self.nearest(lookup, lookup.system.spacing(&own) / own.apart()) / own.apart();
         rd::PinnedSpot { at, own, near }
     }
 
-    /// How near another spot may stand to it, in pitches of `pitch` cells.
+    /// How near another spot may stand to it, in pitches of `pitch` cells, the room that it needs itself.
     fn nearest(&self, lookup: &Lookup, pitch: f64) -> f64 {
         let area = self.drawn.area();
         let spacing = (lookup.px_a_cell() * pitch).max((area / PACKED).sqrt());
