@@ -1,5 +1,6 @@
 //! Marks → numbers: drawn and grown marks are measured alike.
 
+mod attribute_map;
 pub mod columns;
 pub mod free;
 pub mod moments;
@@ -10,6 +11,7 @@ pub mod spread;
 mod stripes;
 pub mod system;
 
+pub use attribute_map::AttributeMap;
 pub use spread::Spread;
 
 use serde::{Deserialize, Serialize};

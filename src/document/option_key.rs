@@ -123,8 +123,12 @@ mod tests {
 
     #[test]
     fn a_reset_touches_one_key() {
-        let mut options =
-            LayerOptions { duty: DutyChoice::Given(0.3), irregular: 0.5, keep: Some(false), ..LayerOptions::default() };
+        let mut options = LayerOptions {
+            duty: DutyChoice::Given(0.3),
+            irregular: 0.5,
+            keep: Some(false),
+            ..LayerOptions::default()
+        };
         OptionKey::Duty.reset(&mut options);
         assert!(OptionKey::Duty.is_default(&options));
         assert!(OptionKey::Irregular.is_set(&options) && !OptionKey::Keep.is_default(&options));

@@ -8,8 +8,8 @@ use crate::document::limits::Range;
 use crate::document::node::Node;
 use crate::document::strokes;
 use crate::document::{
-    After, Colours, Document, DutyChoice, Growth, Layer, OptionKey, LayerOptions, Problem, SpreadChoice, Stop,
-    Stroke, SystemChoice,
+    After, Colours, Document, DutyChoice, Growth, Layer, LayerOptions, OptionKey, Problem, SpreadChoice,
+    Stop, Stroke, SystemChoice,
 };
 use crate::grid::Edges;
 

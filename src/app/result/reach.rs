@@ -1,6 +1,7 @@
 //! For a region that cannot be reached: the nearest that can, as a change of the sketch.
 
-use crate::attributes::regions::{RegionGrid, RegionMap};
+use crate::attributes::AttributeMap;
+use crate::attributes::regions::RegionGrid;
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::document::{Document, DutyChoice, Stroke, limits};
 use crate::editor::shape;
@@ -67,7 +68,7 @@ fn asked_in(plan: &Lookup, place: [usize; 2]) -> Attributes {
 }
 
 /// The region whose marks set the attributes of region `index`: itself, else the nearest one that has marks.
-fn source(map: &RegionMap, index: usize) -> Option<[usize; 2]> {
+fn source(map: &AttributeMap, index: usize) -> Option<[usize; 2]> {
     let layout = map.layout();
     let holds = |index: usize| map.region(layout.place(index)).own.is_some();
     let own = if holds(index) { Some(index) } else { layout.nearest(layout.place(index), holds) };

@@ -104,9 +104,14 @@ impl EllipseMap {
         if !self.spacing_is_free {
             return;
         }
-        self.spacing_is_free = false;
         // A single mark: all nodes are alike.
         let found = spacing(&self.mean);
+        self.set_spacing(found);
+    }
+
+    /// Takes this spacing everywhere, px.
+    pub fn set_spacing(&mut self, found: f64) {
+        self.spacing_is_free = false;
         self.mean.spacing = Some(found);
         self.values.change(|[_, _, spacing]| *spacing = libm::log(found));
         self.own.iter_mut().for_each(|own| own.spacing = Some(found));

@@ -156,6 +156,15 @@ impl FreeMap {
         }
     }
 
+    /// The same map with this spacing of spots everywhere, px; `None` = as it is.
+    #[must_use]
+    pub fn with_spacing(mut self, spacing: Option<f64>) -> Self {
+        if let (Kind::Ellipses(map), Some(spacing)) = (&mut self.0, spacing) {
+            map.set_spacing(spacing);
+        }
+        self
+    }
+
     /// The same map with stripes of this duty cycle: width ÷ wavelength, 0..1.
     #[must_use]
     pub fn with_duty(mut self, duty: f64) -> Self {

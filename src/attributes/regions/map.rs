@@ -69,14 +69,22 @@ pub struct RegionMap {
     spread_is_given: bool,
 }
 
+impl Region {
+    /// The whole canvas as a region with these attributes of its `marks`.
+    pub(in crate::attributes) fn whole(marks: usize, attributes: Attributes, spread: Spread) -> Self {
+        let double = (2.0 * attributes.angle()).to_radians();
+        let direction = [libm::cos(double), libm::sin(double)];
+        Self { marks, own: Some(attributes), filled: attributes, spread, direction }
+    }
+}
+
 impl RegionMap {
     /// The map in which the regions of `layout` have these attributes, all of one kind, without spread.
-    pub(super) fn from_attributes(layout: RegionGrid, attributes: impl Iterator<Item = Attributes>) -> Self {
-        let region = |filled: Attributes| {
-            let double = (2.0 * filled.angle()).to_radians();
-            let direction = [libm::cos(double), libm::sin(double)];
-            Region { marks: 1, own: Some(filled), filled, spread: Spread::ZERO, direction }
-        };
+    pub(in crate::attributes) fn from_attributes(
+        layout: RegionGrid,
+        attributes: impl Iterator<Item = Attributes>,
+    ) -> Self {
+        let region = |filled: Attributes| Region::whole(1, filled, Spread::ZERO);
         Self { layout, regions: attributes.map(region).collect(), spread_is_given: false }
     }
 

@@ -48,7 +48,8 @@ fn every_rule_can_be_broken() {
         }
         options
     });
-    let thin = LayerOptions { duty: DutyChoice::Given(0.3), seeding: Seeding::Segments, ..LayerOptions::default() };
+    let thin =
+        LayerOptions { duty: DutyChoice::Given(0.3), seeding: Seeding::Segments, ..LayerOptions::default() };
     for marks in [None, Some(Ellipse), Some(Line)] {
         for beneath in [Beneath::Nothing, Beneath::Grows(Line)] {
             for (_, after) in After::NAMES {

@@ -64,6 +64,19 @@ impl ConvergenceMonitor {
         Self { slack: 2.0, ..self }
     }
 
+    /// Takes account of marks that are moved back to their places, which never rest: a pair that pushes each other is moved
+    /// by 0.006 a unit of time when all areas have long settled. A unit of time takes `pace` times the steps.
+    pub fn hold_marks(&mut self, pace: f64) {
+        self.slack = 3.0;
+        self.unit *= pace;
+    }
+
+    /// Steps that make up a unit of time.
+    #[must_use]
+    pub fn unit(&self) -> f64 {
+        self.unit
+    }
+
     /// The same for stripes that start from `scattered` segments, which must join first.
     #[must_use]
     pub fn joining(self, scattered: bool) -> Self {

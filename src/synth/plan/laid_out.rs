@@ -7,7 +7,7 @@ use crate::rd::Maps;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::offset::Correction;
 use crate::synth::plan::offset_curves::{Curves, line_widths};
-use crate::synth::plan::pinned_marks::PinnedMark;
+use crate::synth::plan::pinned_marks::{LeftOut, PinnedMark};
 
 /// A layer that is ready to grow.
 #[derive(Clone, Debug)]
@@ -28,7 +28,12 @@ pub enum Arrangement {
     /// Where the system puts them.
     Natural,
     /// Some spots where they were drawn, the others where the system puts them around these.
-    PinnedSpots(Vec<PinnedMark>),
+    PinnedSpots {
+        /// Those that find room.
+        spots: Vec<PinnedMark>,
+        /// Those that do not.
+        left_out: Vec<LeftOut>,
+    },
     /// Stripes along drawn lines and paths, px, and where the system puts them between these.
     PinnedLines(Vec<Path>),
     /// One spot at each of these places, px, and nowhere else.
@@ -41,7 +46,18 @@ impl Plan {
     /// The spots that stay where they were drawn.
     #[must_use]
     pub fn pinned_spots(&self) -> &[PinnedMark] {
-        if let Arrangement::PinnedSpots(spots) = &self.arrangement { spots } else { &[] }
+        if let Arrangement::PinnedSpots { spots, .. } = &self.arrangement { spots } else { &[] }
+    }
+
+    /// The same, to be corrected.
+    pub fn pinned_spots_mut(&mut self) -> &mut [PinnedMark] {
+        if let Arrangement::PinnedSpots { spots, .. } = &mut self.arrangement { spots } else { &mut [] }
+    }
+
+    /// The drawn spots that find no room.
+    #[must_use]
+    pub fn left_out(&self) -> &[LeftOut] {
+        if let Arrangement::PinnedSpots { left_out, .. } = &self.arrangement { left_out } else { &[] }
     }
 
     /// The lines and paths that stripes begin along.

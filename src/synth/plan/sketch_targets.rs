@@ -1,6 +1,6 @@
 //! Sketch targets: the strokes of a layer → its marks → the region map of what is wanted.
 
-use crate::attributes::regions::RegionMap;
+use crate::attributes::AttributeMap;
 use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
 use crate::document::{Document, DocumentError, Kind, LayerOptions, Problem, SpreadChoice, Stroke};
 use crate::marks::Mark;
@@ -39,10 +39,11 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
 ///
 /// # Errors
 /// As [`marks`].
-pub fn region_map(document: &Document, index: usize, source: &str) -> Result<RegionMap, DocumentError> {
+pub fn region_map(document: &Document, index: usize, source: &str) -> Result<AttributeMap, DocumentError> {
     let marks = marks(document, index, source)?;
     let size = document.size.map(f64::from);
-    let map = RegionMap::from_marks(&marks, size, document.region_grid(), document.edges);
+    let regions = document.regions.map(|regions| regions.map(|n| n as usize));
+    let map = AttributeMap::from_marks(&marks, size, regions, document.edges);
     let map = map.map_err(|error| {
         let place = format!("layers[{index}].strokes");
         Problem::new(place, error.to_string(), "at least one ellipse, or at least one line").in_file(source)
@@ -52,10 +53,16 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Reg
         SpreadChoice::Drawn => map,
         SpreadChoice::Given(spread) => map.with_spread(spread),
     };
-    let duty = layer.options.duty.given().unwrap_or(LayerOptions::DUTY);
-    let apart =
-        layer.system.is_known(|system| system.is_striped() && system.free_spacing) || duty < LayerOptions::DUTY;
-    Ok(if apart { map.with_duty(duty) } else { map })
+    let any_wavelength = layer.system.is_known(|system| system.is_striped() && system.free_spacing);
+    let natural_wavelength = layer.system.is_known(|system| system.is_striped() && !system.free_spacing);
+    let given = layer.options.duty.given();
+    if map.is_free() {
+        let map = if let Some(duty) = given { map.with_duty(duty) } else { map };
+        let natural = natural_wavelength || !any_wavelength && map.has_usual_duty();
+        return Ok(if natural { map.with_free_wavelength() } else { map });
+    }
+    let duty = given.unwrap_or(LayerOptions::DUTY);
+    Ok(if any_wavelength || duty < LayerOptions::DUTY { map.with_duty(duty) } else { map })
 }
 
 /// The marks of layer `index` on a canvas of `size` px: their places stretch with the canvas, their sizes do not.

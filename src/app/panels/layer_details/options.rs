@@ -3,7 +3,7 @@
 use egui::{ComboBox, Label, Ui};
 
 use super::{CONTROL, reset, share, spread};
-use crate::document::{DutyChoice, Layer, OptionKey, LayerOptions, Seeding, limits};
+use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, Seeding, limits};
 use crate::editor::edit::Edit;
 use crate::editor::layer_choices::option_refusal;
 use crate::editor::session::Session;
