@@ -2,7 +2,7 @@
 
 use crate::attributes::Stripes;
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{DutyChoice, Layer, Options, SystemChoice, limits};
+use crate::document::{DutyChoice, Layer, OptionKey, Options, SystemChoice, limits};
 use crate::export::outline::Ends;
 use crate::marks::axial;
 
@@ -57,8 +57,8 @@ pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<String> {
         options: Options { duty: DutyChoice::Given(duty), ..Options::default() },
         ..Layer::default()
     };
-    let problem = Combination::new(&layer, None, Beneath::Unknown).problem_on_reading("");
-    problem.map(|problem| problem.allowed)
+    let rule = Combination::new(&layer, None, Beneath::Unknown).against_option(OptionKey::Duty);
+    rule.filter(|_| duty != Options::DUTY).map(|rule| format!("{}. {}", Options::DUTY, rule.reason))
 }
 
 /// What is asked of stripes that `system` grows.
