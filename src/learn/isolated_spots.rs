@@ -8,7 +8,7 @@
 //! A·rate = K · (ln l ÷ ln ½)^k · (1 − c·exp(−a·q − b·q²))     q = p − 1     p = L·√rate ÷ (S · (d₁ + d₂ · ln² stretch))
 //!
 //! A area, l level, L spacing; p pitch, the spacing ÷ the system's own; S the system's own distance of places
-//! × √rate; d the mean Delaunay edge ÷ the distance of places
+//! × √rate; d the spacing ÷ the distance of places
 //! ```
 
 use crate::attributes::system::IsolatedSpots;

@@ -88,7 +88,7 @@ pub(super) const ISOLATED: IsolatedSpots = IsolatedSpots {
     foot: 1.03,
     crowding: [0.389, 1.33, 1.45],
     spacing: 36.0,
-    edges: [1.02, 0.06],
+    edges: [1.007, -0.02],
     pitches: [1.6, 1.0],
     intervals: Intervals { area: 0.012, aspect: 0.012, angle: 0.8, spacing: 0.03 },
 };
