@@ -2,7 +2,7 @@
 
 use crate::attributes::Stripes;
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{DutyChoice, Layer, LayerOptions, SystemChoice, limits};
+use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, SystemChoice, limits};
 use crate::export::outline::Ends;
 use crate::marks::axial;
 
@@ -57,8 +57,8 @@ pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<String> {
         options: LayerOptions { duty: DutyChoice::Given(duty), ..LayerOptions::default() },
         ..Layer::default()
     };
-    let problem = Combination::new(&layer, None, Beneath::Unknown).problem_on_reading("");
-    problem.map(|problem| problem.allowed)
+    let rule = Combination::new(&layer, None, Beneath::Unknown).against_option(OptionKey::Duty);
+    rule.filter(|_| duty != LayerOptions::DUTY).map(|rule| format!("{}. {}", LayerOptions::DUTY, rule.reason))
 }
 
 /// What is asked of stripes that `system` grows.
