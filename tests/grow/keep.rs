@@ -3,7 +3,7 @@
 use crate::folder::{Folder, document};
 use dapple::document::Edges;
 use dapple::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
-use dapple::internals::attributes::regions::RegionMap;
+use dapple::internals::attributes::AttributeMap;
 use dapple::internals::marks::{Ellipse, Line, Mark, Path, turn};
 use dapple::internals::measure::{self, Spot};
 
@@ -230,8 +230,9 @@ fn among(
     let spacing = (300.0 / packing).sqrt();
     let ellipse = |x: f64| Mark::Ellipse(Ellipse::from_area([x, 200.0], 300.0, aspect, 30.0));
     let drawn = [ellipse(200.0), ellipse(200.0 + spacing)];
-    let map = RegionMap::from_marks(&drawn, [12.0 * spacing; 2], [1, 1], edges).unwrap();
-    let lookup = look_up(Training::built_in(), system, &map).unwrap().with_pinned(marks(spacing));
+    let map = AttributeMap::from_marks(&drawn, [12.0 * spacing; 2], Some([1, 1]), edges).unwrap();
+    let training = Training::built_in();
+    let lookup = look_up(training, system, &map).unwrap().with_pinned(training, &marks(spacing)).unwrap();
     let plan = lookup.uncorrected().lay_out(Surroundings::default(), 1).unwrap();
     let mut engine = Engine::new(&plan, 1);
     settle(&mut engine, &Watch::NONE).unwrap();

@@ -1,5 +1,6 @@
 //! The panel of layers: every control, by pointer and by keys.
 
+use dapple::app::Window;
 use dapple::document::{After, DutyChoice, Seeding, SpreadChoice, Stroke, SystemChoice};
 use dapple::internals::rd::System;
 use egui::accesskit::Role;

@@ -140,7 +140,7 @@ impl Outcome {
             self.failures.extend(verdict::of_spots(&marks, &map));
             spots(&marks, &target)
         } else {
-            let duty = document.layers[index].options.duty.given().unwrap_or(document::Options::DUTY);
+            let duty = document.layers[index].options.duty.given().unwrap_or(document::LayerOptions::DUTY);
             self.failures.extend(verdict::of_stripes(pattern, &layout, duty));
             stripes(pattern, &target)
         };
