@@ -79,10 +79,12 @@ impl PinnedMark {
 }
 
 /// Why a drawn spot is not grown where it was drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeftOut {
     /// Its index among the marks of its layer.
     pub mark: usize,
+    /// As it was drawn, on the canvas that is grown, px.
+    pub drawn: Ellipse,
     /// Why.
     pub reason: Hindrance,
 }
@@ -102,7 +104,7 @@ pub(super) fn pin_spots(
     for (mark, room) in drawn.into_iter().zip(room) {
         match room {
             Ok(()) => pinned.push(mark),
-            Err(reason) => left_out.push(LeftOut { mark: mark.mark, reason }),
+            Err(reason) => left_out.push(LeftOut { mark: mark.mark, drawn: mark.drawn, reason }),
         }
     }
     (pinned, left_out)
