@@ -5,7 +5,7 @@ use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer};
 use crate::synth::grow::obstacles::{bias, obstacles};
-use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::pattern::{EDGE, Pattern};
 use crate::synth::grow::pinned_correction::PinnedCorrection;
 use crate::synth::grow::probe::{When, correct};
 use crate::synth::grow::refine::refine;
@@ -185,6 +185,7 @@ impl Cascade<'_> {
             }
             let mut pattern = Pattern::new(&plan.lookup, &marks);
             let measured = refine(&plan, &mut pattern, canvas, self.corrects(), &watch)?;
+            let nothing = blank(&plan, &pattern);
             let Pattern { correction, own, .. } = pattern;
             let found = PinnedCorrection::new(&plan, measured.spots());
             let rounds = if found.lost.is_empty() { PINNED_ROUNDS } else { LOST_ROUNDS };
@@ -193,6 +194,9 @@ impl Cascade<'_> {
                 engine.correct(&plan, &found.lost);
                 round += 1;
                 continue;
+            }
+            if let Some(what) = nothing {
+                return Err(GrowError::Blank { layer, what });
             }
             let steps = engine.steps();
             let concentrations = if options.concentrations { engine.concentrations() } else { Vec::new() };
@@ -208,5 +212,28 @@ impl Cascade<'_> {
                 concentrations,
             });
         }
+    }
+}
+
+/// What a layer is instead of a pattern where it has no marks, or nothing but marks; `None` of a pattern.
+fn blank(plan: &Plan, pattern: &Pattern) -> Option<&'static str> {
+    let [nx, ny] = plan.lookup.grid.size;
+    let field = pattern.field(nx, ny);
+    let free = field
+        .values
+        .iter()
+        .enumerate()
+        .filter(|(cell, _)| !plan.obstacles.get(*cell).is_some_and(|taken| *taken));
+    let (marks, ground) =
+        free.fold(
+            (0usize, 0usize),
+            |(marks, ground), (_, value)| {
+                if *value >= EDGE { (marks + 1, ground) } else { (marks, ground + 1) }
+            },
+        );
+    match (marks, ground) {
+        (0, _) => Some("no marks"),
+        (_, 0) if plan.obstacles.is_empty() => Some("marks without any ground between them"),
+        _ => None,
     }
 }

@@ -106,6 +106,16 @@ pub enum GrowError {
         /// Why.
         reason: CurvesError,
     },
+    /// Nothing grew, or no ground was left.
+    #[error(
+        "layer {layer} grew {what}: its marks are too large for the canvas or merged; draw smaller marks, or farther apart"
+    )]
+    Blank {
+        /// 1 = the lowest.
+        layer: usize,
+        /// What it is instead of a pattern.
+        what: &'static str,
+    },
     /// The pattern left the range in which its system works.
     #[error(
         "layer {layer} grew no pattern: its concentrations are not finite; try another seed or larger marks"
