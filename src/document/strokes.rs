@@ -61,7 +61,7 @@ fn path(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "points", "width"])?;
     let list = node.need("points", POINTS)?;
     let path = Path { points: points(&list, size)?, width: width(node, size)? };
-    inside(&list, "a path whose middle is", path.center(), size)?;
+    inside(&list, "a path whose centre is", path.center(), size)?;
     Ok(Stroke::Path(path))
 }
 
@@ -72,7 +72,7 @@ fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     let points = points(&list, size)?;
     let n = points.len() as f64;
     let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / n);
-    inside(&list, "a stroke whose middle is", mean, size)?;
+    inside(&list, "a stroke whose centre is", mean, size)?;
     Ok(Stroke::Freehand { points, width: width(node, size)? })
 }
 

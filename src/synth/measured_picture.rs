@@ -168,8 +168,7 @@ mod tests {
             assert!((got.area / (54.0 * std::f64::consts::PI) - 1.0).abs() < 0.01, "{name} {got:?}");
             assert!((got.aspect - 2.0 / 3.0).abs() < 0.005, "{name} {got:?}");
             assert!((got.angle - 30.0).abs() < 0.3, "{name} {got:?}");
-            let lattice = 32.0 * (2.0 + 2.0_f64.sqrt()) / 3.0;
-            assert!((got.spacing.unwrap() / lattice - 1.0).abs() < 0.03, "{name} {got:?}");
+            assert!((got.spacing.unwrap() / 32.0 - 1.0).abs() < 0.01, "{name} {got:?}");
         }
     }
 

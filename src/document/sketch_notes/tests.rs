@@ -88,7 +88,7 @@ fn two_sizes_among_each_other_are_told() {
     let told = notes(vec![dots(|x, y| if is_large(x, y) { 20.0 } else { 6.0 + 0.2 * x as f64 })]);
     let [note] = &told[..] else { panic!("{told:?}") };
     assert_eq!(note.strokes, [1, 4, 13, 16]);
-    assert!(note.text.contains("20 of about 132 px² and 4 of about 1257 px²"), "{note}");
+    assert!(note.text.contains("20 of about 133 px² and 4 of about 1257 px²"), "{note}");
 }
 
 #[test]
