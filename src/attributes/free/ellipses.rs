@@ -2,23 +2,23 @@
 
 use super::kernel::Kernels;
 use super::nodes::{Nodes, layout_with};
-use super::regression::{Observation, Regression};
+use super::regression::{Manner, Observation, Regression};
 use crate::attributes::regions::{MARKS_OF_A_SPREAD, RegionGrid};
 use crate::attributes::{Spots, Spread, spacing};
 use crate::grid::{Bounds, Edges};
 use crate::marks::{Ellipse, axial, turn};
 
-/// Differences of log area and log spacing below this do not matter.
-const SIZE_FLOOR: f64 = 0.05;
+/// How log area and log spacing are regressed.
+const SIZE: Manner = Manner { floor: 0.05, followed: 2.5 };
 
-/// Differences of aspect below this do not matter.
-const ASPECT_FLOOR: f64 = 0.02;
+/// How the aspect is regressed.
+const ASPECT: Manner = Manner { floor: 0.02, followed: 2.5 };
 
-/// Differences of unit double-angle vectors below this do not matter: 2°.
-const DIRECTION_FLOOR: f64 = 0.07;
+/// How unit double-angle vectors are regressed: 0.07 are 2°. A slope that is followed farther would turn them over.
+const DIRECTION: Manner = Manner { floor: 0.07, followed: 1.2 };
 
 /// About so many marks tell how far those about an edge are from their nearest.
-const MARKS_ABOUT_AN_EDGE: usize = 6;
+const MARKS_ABOUT_AN_EDGE: usize = 9;
 
 /// Nodes for planning in a distance between neighbours.
 const NODES_A_SPACING: f64 = 2.0;
@@ -149,8 +149,8 @@ impl Fit {
         let lengths = edges_between(&centers, bounds);
         Self {
             area: Scalar::of_logs(bounds, &centers, logs),
-            aspect: Scalar::new(Regression::new(bounds, &centers, aspects, ASPECT_FLOOR)),
-            direction: Regression::new(bounds, &centers, directions, DIRECTION_FLOOR),
+            aspect: Scalar::new(Regression::new(bounds, &centers, aspects, ASPECT)),
+            direction: Regression::new(bounds, &centers, directions, DIRECTION),
             spacing: (!lengths.is_empty()).then(|| Scalar::of_logs(bounds, &centers, lengths)),
         }
     }
@@ -227,7 +227,7 @@ impl Scalar {
     /// The regression of logarithms, shifted so that at the marks the mean of the map itself is that of the marks
     /// (Duan, "Smearing estimate", Journal of the American Statistical Association 1983).
     fn of_logs(bounds: Bounds, centers: &[[f64; 2]], observations: Vec<Observation<1>>) -> Self {
-        let mut scalar = Self::new(Regression::new(bounds, centers, observations, SIZE_FLOOR));
+        let mut scalar = Self::new(Regression::new(bounds, centers, observations, SIZE));
         let (mut drawn, mut fitted) = (0.0, 0.0);
         for (one, robust) in scalar.regression.observations() {
             drawn += one.weight * robust * libm::exp(one.value[0]);

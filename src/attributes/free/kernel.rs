@@ -34,7 +34,7 @@ impl<const K: usize> Kernels<K> {
         };
         let mut squares: Vec<f64> = centers.map(square).collect();
         let count = squares.len();
-        let most = neighbours.iter().fold(1, |most, neighbours| (*neighbours).max(most));
+        let most = neighbours.iter().fold(1, |most, neighbours| (3 * neighbours / 2).max(most));
         if most < count {
             squares.select_nth_unstable_by(most, f64::total_cmp);
             squares.truncate(most);
@@ -93,15 +93,21 @@ struct Kernel {
 }
 
 impl Kernel {
-    /// The kernel that reaches `neighbours` marks; `squares` are the squared distances of at least so many, as far as there
-    /// are, ascending.
+    /// The kernel that reaches `neighbours` marks; `squares` are the squared distances of at least half as many more, as
+    /// far as there are, ascending.
     ///
-    /// Far from all marks what counts is how much farther than the nearest one another is.
+    /// Its radius follows from several of them, so that it varies less than one of them does. Far from all marks what
+    /// counts is how much farther than the nearest one another is.
     fn reaching(neighbours: usize, squares: &[f64], narrowest: f64, widest: f64) -> Self {
         let [first, ..] = *squares else { return Self { least: 0.0, reach: 0.0 } };
-        let n = neighbours.min(squares.len());
         // Fewer marks than that: as far as so many would reach at the same density.
-        let last = first + (squares[n - 1] - first) * neighbours as f64 / n as f64;
+        let a_mark = |n: usize| {
+            let n = n.min(squares.len());
+            (squares[n - 1] - first) / n as f64
+        };
+        let range = neighbours / 2 + 1..=3 * neighbours / 2;
+        let count = range.clone().count() as f64;
+        let last = first + neighbours as f64 * range.map(a_mark).sum::<f64>() / count;
         let least = NEAREST * first;
         let reach = (REACH * (last - least)).max(narrowest * narrowest).min(widest * widest - least);
         Self { least, reach }

@@ -65,11 +65,12 @@ impl FreeMap {
         }
     }
 
-    /// How far the marks around a point (px) agree on a direction, 0..1.
+    /// How far the marks around a point (px) agree on a direction, 0..1: the squared length of the mean double-angle vector,
+    /// as the coherence of structure tensors by Jähne ("Digital Image Processing", 2005).
     #[must_use]
     pub fn coherence_at(&self, point: [f64; 2]) -> f64 {
         let [c, s] = self.direction_at(point);
-        (c * c + s * s).sqrt()
+        c * c + s * s
     }
 
     /// (cos 2θ, sin 2θ) of the angle θ that [`Self::at`] has there, found without a transcendental function.

@@ -17,14 +17,14 @@ const TURNS: [f64; 2] = [18.0, 24.0];
 const DISTANCES: [f64; 2] = [6.0, 8.0];
 
 /// Strokes side by side lie so over about half of the shorter: the first is too little, the second sure.
-const OVERLAPS: [f64; 2] = [0.35, 0.6];
+const OVERLAPS: [f64; 2] = [0.3, 0.6];
 
 /// A stroke runs beside itself where the way along it is more than about 2.5 times the distance: the first is too short,
 /// the second sure. Round a closed circle it is π/2.
 const DETOURS: [f64; 2] = [2.0, 3.0];
 
 /// Share of a stroke beside others from which on its distance to them is surely meant.
-const MEANT: f64 = 0.35;
+const MEANT: f64 = 0.8;
 
 /// A piece is met up to so many half lengths from its middle: on the outside of a bend pieces do not touch.
 const MET: f64 = 1.2;
@@ -38,6 +38,8 @@ pub(super) struct Wanted {
     pub half: [f64; 2],
     /// How surely, 0..1.
     pub weight: f64,
+    /// How surely the strokes lie beside each other, however far apart, 0..1.
+    pub beside: f64,
     /// Log of the distance of the strokes, or of the period of one that stands alone, px.
     pub log_period: f64,
     /// Mean width of the strokes, px.
@@ -60,7 +62,7 @@ pub(super) fn wanted_periods(strokes: &[Path], pieces: &[Piece], bounds: &Bounds
     let count = strokes.len();
     let mut lying = vec![0.0; count * count];
     for one in &between {
-        lying[one.strokes[0] * count + one.strokes[1]] += one.weight * one.length();
+        lying[one.strokes[0] * count + one.strokes[1]] += one.beside * one.length();
     }
     let mut meant = vec![0.0; count];
     for one in &mut between {
@@ -73,6 +75,7 @@ pub(super) fn wanted_periods(strokes: &[Path], pieces: &[Piece], bounds: &Bounds
         middle: piece.middle,
         half: piece.half,
         weight: (1.0 - meant[piece.stroke]).max(0.0),
+        beside: 0.0,
         log_period: libm::log(piece.width / ALONE),
         width: piece.width,
         strokes: [piece.stroke; 2],
@@ -152,15 +155,18 @@ fn beside(
     met.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut left = 1.0;
     for (distance, sure, it) in met {
-        let weight = left * sure * side_by_side(piece, it, distance);
+        let beside = left * sure * side_by_side(piece, it, distance);
+        let width = 0.5 * (piece.width + it.width);
+        let weight = beside * falling(distance / width, DISTANCES);
         if weight > 0.0 {
             let middle = [0, 1].map(|axis| piece.middle[axis] + 0.5 * distance * normal[axis]);
             between.push(Wanted {
                 middle: bounds.inside(middle),
                 half: piece.half,
                 weight,
+                beside,
                 log_period: libm::log(distance),
-                width: 0.5 * (piece.width + it.width),
+                width,
                 strokes: [piece.stroke, it.stroke],
             });
         }
@@ -168,13 +174,12 @@ fn beside(
     }
 }
 
-/// How surely two pieces at this distance (px) belong to strokes side by side, 0..1.
+/// How surely two pieces at this distance (px) belong to strokes side by side, however far apart, 0..1.
 fn side_by_side(a: &Piece, b: &Piece, distance: f64) -> f64 {
     let cosine = a.direction[0] * b.direction[0] + a.direction[1] * b.direction[1];
     let turn = 0.5 * libm::acos(cosine.clamp(-1.0, 1.0)).to_degrees();
-    let widths = distance / (0.5 * (a.width + b.width));
     let detour = if a.stroke == b.stroke { (a.along - b.along).abs() / distance } else { f64::INFINITY };
-    falling(turn, TURNS) * falling(widths, DISTANCES) * (1.0 - falling(detour, DETOURS))
+    falling(turn, TURNS) * (1.0 - falling(detour, DETOURS))
 }
 
 /// How far along the unit vector `ray` (px), and where on it (−1..1), a piece is met whose middle is at `way`.

@@ -6,9 +6,6 @@ const RIDGE: f64 = 0.02;
 /// Variance of places, px², that rounding leaves where all are one.
 const LEAST: f64 = 1e-2;
 
-/// Standard deviations of the places up to which the slope is followed beyond them.
-const FOLLOWED: f64 = 2.5;
-
 /// Weighted moments of places (px, relative to the point of the estimate) and values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane<const N: usize> {
@@ -73,8 +70,9 @@ impl<const N: usize> Plane<N> {
         if self.is_empty() { [0.0; N] } else { self.value.map(|value| value / self.weight) }
     }
 
-    /// The value of the fitted plane at the point itself.
-    pub fn at_origin(&self) -> [f64; N] {
+    /// The value of the fitted plane at the point itself; beyond the places its slope is followed for about so many of
+    /// their standard deviations.
+    pub fn at_origin(&self, followed: f64) -> [f64; N] {
         let mut at = self.mean();
         if self.is_empty() {
             return at;
@@ -86,13 +84,13 @@ impl<const N: usize> Plane<N> {
         let ridge = RIDGE * variance + LEAST;
         let [xx, yy] = [xx + ridge, yy + ridge];
         let determinant = xx * yy - xy * xy;
-        let far = (x * x + y * y) / (FOLLOWED * FOLLOWED * variance + LEAST);
-        let followed = 1.0 / (1.0 + far * far).sqrt().sqrt();
+        let far = (x * x + y * y) / (followed * followed * variance + LEAST);
+        let share = 1.0 / (1.0 + far * far).sqrt().sqrt();
         for (i, at) in at.iter_mut().enumerate() {
             let mean = *at;
             let xv = self.products[0][i] / self.weight - x * mean;
             let yv = self.products[1][i] / self.weight - y * mean;
-            *at -= followed * (x * (yy * xv - xy * yv) + y * (xx * yv - xy * xv)) / determinant;
+            *at -= share * (x * (yy * xv - xy * yv) + y * (xx * yv - xy * xv)) / determinant;
         }
         at
     }

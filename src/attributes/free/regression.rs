@@ -16,6 +16,9 @@ const NEIGHBOURS: [usize; 4] = [3, 5, 8, 16];
 /// Estimates that are combined: a plane fitted in each kernel, a plane fitted to all values, and their mean.
 const COUNT: usize = NEIGHBOURS.len() + 2;
 
+/// Weights of the estimates where their errors are alike: a plane is likelier than a hill.
+const PRIOR: [f64; COUNT] = [1.0, 1.0, 1.0, 1.0, 3.0, 1.0];
+
 /// Weight of all values in a local estimate, for where none that counts is in the kernel.
 const FAR: f64 = 1e-9;
 
@@ -29,7 +32,16 @@ const FEWEST_WITH_ODD: usize = 5;
 const ODD: f64 = 6.0;
 
 /// At most this many values decide between the estimators.
-const MOST_DECISIVE: f64 = 24.0;
+const MOST_DECISIVE: f64 = 14.0;
+
+/// How values are regressed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Manner {
+    /// Differences below this do not matter.
+    pub floor: f64,
+    /// For how many standard deviations of the places a slope is followed beyond them.
+    pub followed: f64,
+}
 
 /// A value at a place.
 #[derive(Clone, Copy, Debug)]
@@ -55,17 +67,24 @@ pub(super) struct Regression<const N: usize> {
     robust: Vec<f64>,
     /// Weights of the estimates, sum 1.
     shares: [f64; COUNT],
+    /// See [`Manner`].
+    followed: f64,
     /// All values, about the corner of the canvas.
     whole: Plane<N>,
 }
 
 impl<const N: usize> Regression<N> {
-    /// The regression of `observations`; differences below `floor` do not matter.
-    pub fn new(bounds: Bounds, centers: &[[f64; 2]], observations: Vec<Observation<N>>, floor: f64) -> Self {
+    /// The regression of `observations`.
+    pub fn new(
+        bounds: Bounds,
+        centers: &[[f64; 2]],
+        observations: Vec<Observation<N>>,
+        Manner { floor, followed }: Manner,
+    ) -> Self {
         let robust = vec![1.0; observations.len()];
         let shares = [1.0 / COUNT as f64; COUNT];
-        let mut regression =
-            Self { bounds, centers: centers.to_vec(), observations, robust, shares, whole: Plane::default() };
+        let (centers, whole) = (centers.to_vec(), Plane::default());
+        let mut regression = Self { bounds, centers, observations, robust, shares, followed, whole };
         for round in 0..=ROUNDS {
             regression.whole = regression.whole_without(&[]);
             let errors = regression.errors_left_out();
@@ -111,9 +130,9 @@ impl<const N: usize> Regression<N> {
         }
         let power = 0.5 * total.min(MOST_DECISIVE);
         let mut logs = [0.0; COUNT];
-        for (log, sum) in logs.iter_mut().zip(squares) {
+        for ((log, sum), prior) in logs.iter_mut().zip(squares).zip(&PRIOR) {
             let mean = if total > 0.0 { sum / total } else { 0.0 };
-            *log = -power * libm::log(mean + floor * floor);
+            *log = libm::log(*prior) - power * libm::log(mean + floor * floor);
         }
         let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let weights = logs.map(|log| libm::exp(log - most));
@@ -156,9 +175,9 @@ impl<const N: usize> Regression<N> {
                 });
             }
         }
-        let mut estimates = planes.map(|plane| plane.at_origin());
+        let mut estimates = planes.map(|plane| plane.at_origin(self.followed));
         if self.bounds.edges == Edges::Closed {
-            estimates[COUNT - 2] = whole.about(point).at_origin();
+            estimates[COUNT - 2] = whole.about(point).at_origin(self.followed);
         }
         estimates
     }

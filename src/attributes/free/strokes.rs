@@ -11,16 +11,19 @@ use crate::grid::{Bounds, Edges};
 use crate::marks::{Path, axial};
 
 /// Softening of the distance to a stroke, in its widths.
-const SOFT_WIDTHS: f64 = 0.75;
+const SOFT_WIDTHS: f64 = 1.0;
+
+/// Softening of the distance to the middle between two strokes, in their widths.
+const SOFT_PERIOD: f64 = 0.5;
 
 /// Least softening, share of the root of the canvas' area.
-const SOFT_SHARE: f64 = 0.008;
+const SOFT_SHARE: f64 = 0.012;
 
 /// Nodes for planning along the longer side.
 const PLANNED_NODES: usize = 48;
 
 /// Nodes along the longer side: of directions and widths, and of periods.
-const NODES: [usize; 2] = [128, 64];
+const NODES: [usize; 2] = [96, 48];
 
 /// Cosine of twice the angle between pieces that count as one straight piece: 0.04°.
 const STRAIGHT: f64 = 1.0 - 1e-6;
@@ -183,7 +186,7 @@ impl Sources {
             Source::new(piece.middle, piece.half, 1.0, least.max(SOFT_WIDTHS * piece.width), values)
         };
         let period = |wanted: &Wanted| {
-            let softening = least.max(SOFT_WIDTHS * wanted.width);
+            let softening = least.max(SOFT_PERIOD * wanted.width);
             Source::new(wanted.middle, wanted.half, wanted.weight, softening, [wanted.possible()])
         };
         Self {
