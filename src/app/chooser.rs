@@ -99,7 +99,7 @@ pub struct Chooser {
     listing: Option<Task<Listing>>,
     /// The path that was chosen, while dapple finds out what is there.
     checking: Option<(PathBuf, Task<Kind>)>,
-    /// Why a folder or file cannot be looked at.
+    /// Why a folder cannot be listed.
     problem: Option<String>,
     /// The existing file that the user was asked about: the next choice of it replaces it.
     replaces: Option<PathBuf>,
@@ -231,7 +231,7 @@ impl Chooser {
             }
         });
         if chosen && choice == Choice::Waiting && !self.name.trim().is_empty() {
-            self.check(path);
+            choice = self.check(path);
         }
         choice
     }
@@ -280,11 +280,18 @@ impl Chooser {
         }
     }
 
-    /// Finds out what is at `path`; [`Self::checked`] goes on.
-    fn check(&mut self, path: PathBuf) {
-        let task = folder::look_at(&path, &self.tasks);
-        self.problem = task.as_ref().err().map(ToString::to_string);
-        self.checking = task.ok().map(|task| (path, task));
+    /// Finds out what is at `path`; [`Self::checked`] goes on. Without a thread the window waits for it.
+    fn check(&mut self, path: PathBuf) -> Choice {
+        match folder::look_at(&path, &self.tasks) {
+            Ok(task) => {
+                self.checking = Some((path, task));
+                Choice::Waiting
+            }
+            Err(_) => {
+                let kind = folder::kind(&path);
+                self.choose(path, kind)
+            }
+        }
     }
 
     /// The choice, once it is known what is at the chosen path.

@@ -7,7 +7,6 @@
 
 use std::ops::Range;
 
-use super::borderless::{Borderless, CellBuckets};
 use super::space::{Buckets, Space};
 
 /// Cells with places, areas, neighbours and a frame for directions. Lengths are in units of a mean cell's side.
@@ -92,14 +91,10 @@ pub trait Domain: Sync {
     }
 
     /// The domain with a margin of this width beyond its border, where it has one.
-    fn space(&self, _margin: f64) -> impl Space<Place = Self::Place> {
-        Borderless::new(self)
-    }
+    fn space(&self, margin: f64) -> impl Space<Place = Self::Place>;
 
     /// Buckets for places of the domain, whose neighbours lie within `reach`.
-    fn buckets(&self, _reach: f64) -> impl Buckets<Place = Self::Place> {
-        CellBuckets::new(self)
-    }
+    fn buckets(&self, reach: f64) -> impl Buckets<Place = Self::Place>;
 }
 
 /// A way, or any other vector, in a frame that is turned by this: see [`Domain::turn`].

@@ -9,6 +9,7 @@ pub mod distance;
 mod domain;
 mod edges;
 mod field;
+mod flat;
 mod framed;
 #[cfg(test)]
 pub mod relabelled;
@@ -18,6 +19,7 @@ mod space;
 pub mod sphere;
 mod union_find;
 
+pub use borderless::{Borderless, CellBuckets};
 pub use cells::Grid;
 pub use domain::{Domain, turned};
 pub use edges::{Bounds, Edges};

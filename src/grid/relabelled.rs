@@ -93,6 +93,14 @@ impl Domain for Relabelled {
         near.filter(move |(cell, _)| among.contains(cell))
     }
 
+    fn units(&self) -> [f64; 2] {
+        self.grid.units()
+    }
+
+    fn place_in(&self, cell: usize, at: [f64; 2]) -> Point {
+        Point(self.grid.place_in(self.old[cell], at))
+    }
+
     /// Parts that no row of the grid ends with.
     fn part(&self) -> usize {
         997

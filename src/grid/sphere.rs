@@ -3,7 +3,9 @@
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
+use super::borderless::{Borderless, CellBuckets};
 use super::domain::Domain;
+use super::space::{Buckets, Space};
 
 /// A sphere cut along meridians and parallels. Places are unit vectors; the axes of a frame run east and north.
 #[derive(Clone, Debug)]
@@ -108,5 +110,13 @@ impl Domain for Sphere {
     ) -> impl Iterator<Item = (usize, [f64; 2])> {
         let ways = among.map(move |cell| (cell, self.way(place, self.center(cell))));
         ways.filter(move |(_, [x, y])| x * x + y * y <= reach * reach)
+    }
+
+    fn space(&self, _: f64) -> impl Space<Place = Vector> {
+        Borderless::new(self)
+    }
+
+    fn buckets(&self, _: f64) -> impl Buckets<Place = Vector> {
+        CellBuckets::new(self)
     }
 }

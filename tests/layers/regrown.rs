@@ -70,7 +70,7 @@ fn renamed_layers_are_not_grown_again_and_reports_have_their_new_names() {
     let names: Vec<&str> = report.layers.iter().map(|layer| layer.name.as_str()).collect();
     assert_eq!(names, ["lower", "upper"]);
     let notes = &report.layers[1].regions[0].notes;
-    assert!(notes.iter().any(|note| note.contains("each place of \"lower\"")), "{notes:?}");
+    assert!(notes.iter().any(|note| note.contains("each mark of \"lower\"")), "{notes:?}");
 }
 
 #[test]
