@@ -110,16 +110,16 @@ mod tests {
         let maps = known(Edges::Closed, [[18.0, 20.0], [54.0, 20.0]], [2.0, 4.0]);
         let at = |x: f64| maps.at([x, 20.0]).rate;
         // A spot of this ratio reaches to a fifth of a pitch of 36 cells.
-        assert!((at(18.0) - 2.0).abs() < 1e-4 && (at(26.0) - 2.0).abs() < 0.02, "{} {}", at(18.0), at(26.0));
-        assert!((at(35.9) + at(36.1) - 6.0).abs() < 1e-4);
+        assert!((at(18.0) - 2.0).abs() < 1e-3 && (at(26.0) - 2.0).abs() < 0.02, "{} {}", at(18.0), at(26.0));
+        assert!((at(35.9) + at(36.1) - 6.0).abs() < 0.06);
         assert!((20..53).all(|x| at(f64::from(x) + 1.0) >= at(f64::from(x))));
     }
 
     #[test]
     fn values_cross_the_border_of_a_tile_but_not_closed_edges() {
         let [wrap, closed] =
-            [Edges::Wrap, Edges::Closed].map(|edges| known(edges, [[2.0, 20.0], [40.0, 20.0]], [2.0, 4.0]));
-        assert!((wrap.at([70.5, 20.0]).rate - 2.0).abs() < 1e-3, "{:?}", wrap.at([70.5, 20.0]));
-        assert!((closed.at([70.5, 20.0]).rate - 4.0).abs() < 1e-3, "{:?}", closed.at([70.5, 20.0]));
+            [Edges::Wrap, Edges::Closed].map(|edges| known(edges, [[2.0, 20.0], [40.0, 20.0]], [2.0, 0.0]));
+        assert!((wrap.at([70.5, 20.0]).rate - 2.0).abs() < 2e-3, "{:?}", wrap.at([70.5, 20.0]));
+        assert!(closed.at([70.5, 20.0]).rate.abs() < 1e-3, "{:?}", closed.at([70.5, 20.0]));
     }
 }

@@ -49,7 +49,8 @@ fn a_document_of_every_version_is_kept() {
 fn lost(at: &str, read: &Value, written: &Value) -> Vec<String> {
     match (read, written) {
         (Value::Object(read), Value::Object(written)) => {
-            read.iter().flat_map(|(key, value)| lost(&format!("{at}.{key}"), value, &written[key])).collect()
+            let there = |key| written.get(key).unwrap_or(&Value::Null);
+            read.iter().flat_map(|(key, value)| lost(&format!("{at}.{key}"), value, there(key))).collect()
         }
         (Value::Array(read), Value::Array(written)) if read.len() == written.len() => {
             read.iter().zip(written).flat_map(|(read, written)| lost(at, read, written)).collect()

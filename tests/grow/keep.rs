@@ -145,7 +145,7 @@ fn a_mark_drawn_on_one_of_a_layer_beneath_is_not_kept_and_reported() {
     ]);
     let folder = Folder::with(&both);
     let said = folder.grow("--report r.json");
-    let output = "2 of 3 drawn marks kept: 1 is on a mark of a layer beneath, or too close to one";
+    let output = "1 of 3 drawn marks did not grow: at (62, 60): on a mark of a layer beneath, or too close to one";
     assert!(said.contains(output), "{said}");
     let kept = folder.json("r.json")["layers"][1]["regions"][0]["kept"].clone();
     assert!(kept["farthest"].as_f64().unwrap() < 0.25, "{kept}");

@@ -2,7 +2,6 @@
 
 use super::period::Wanted;
 use super::pieces::Piece;
-use super::strokes::StrokeMap;
 use crate::marks::{Path, turn};
 
 /// Strokes that cross at a smaller angle than this agree, degrees.
@@ -67,10 +66,16 @@ impl Note {
     }
 }
 
-/// All notes on a sketch: crossings, departures, periods, each by marks.
-pub(super) fn notes(strokes: &[Path], pieces: &[Piece], wanted: &[Wanted], map: &StrokeMap) -> Vec<Note> {
+/// All notes on a sketch: crossings, departures from the directions of the field (degrees at a point, px), periods, each by
+/// marks.
+pub(super) fn notes(
+    strokes: &[Path],
+    pieces: &[Piece],
+    wanted: &[Wanted],
+    field: &dyn Fn([f64; 2]) -> f64,
+) -> Vec<Note> {
     let mut notes = crossings(strokes, pieces);
-    notes.extend((0..strokes.len()).filter_map(|stroke| departure(stroke, pieces, map)));
+    notes.extend((0..strokes.len()).filter_map(|stroke| departure(stroke, pieces, field)));
     notes.extend(periods(strokes.len(), wanted));
     notes
 }
@@ -115,10 +120,10 @@ fn degrees(piece: &Piece) -> f64 {
 }
 
 /// Where the field departs from a stroke.
-fn departure(stroke: usize, pieces: &[Piece], map: &StrokeMap) -> Option<Note> {
+fn departure(stroke: usize, pieces: &[Piece], field: &dyn Fn([f64; 2]) -> f64) -> Option<Note> {
     let (mut most, mut departing, mut count) = ((0.0, [0.0; 2]), 0.0, 0.0);
     for piece in pieces.iter().filter(|piece| piece.stroke == stroke) {
-        let angle = turn(map.at(piece.middle).angle, degrees(piece)).abs();
+        let angle = turn(field(piece.middle), degrees(piece)).abs();
         count += 1.0;
         departing += if angle >= AGREES { 1.0 } else { 0.0 };
         if angle > most.0 {

@@ -63,7 +63,8 @@ impl StrokeMap {
             total += stroke.length();
         }
         map.mean.wavelength = Some(libm::exp(sum / total));
-        map.notes = notes(strokes, &pieces, &wanted, &map);
+        let notes = notes(strokes, &pieces, &wanted, &|point| map.at(point).angle);
+        map.notes = notes;
         Some(map)
     }
 
