@@ -6,7 +6,7 @@ use crate::grid::{Bounds, Edges};
 const REACH: f64 = 5.0;
 
 /// Share of the squared distance to the nearest mark that all squared distances are lessened by.
-const NEAREST: f64 = 0.8;
+const NEAREST: f64 = 0.65;
 
 /// Least radius, as a share of the root of the canvas' area: values of marks nearer to each other than that are one.
 const LEAST: f64 = 0.06;

@@ -32,7 +32,7 @@ const FEWEST_WITH_ODD: usize = 5;
 const ODD: f64 = 6.0;
 
 /// At most this many values decide between the estimators.
-const MOST_DECISIVE: f64 = 14.0;
+const MOST_DECISIVE: f64 = 24.0;
 
 /// How values are regressed.
 #[derive(Clone, Copy, Debug)]

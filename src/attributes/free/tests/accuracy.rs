@@ -55,7 +55,9 @@ fn twelve_marks_tell_a_ramp() {
 fn marks_that_only_scatter_leave_the_map_nearly_even_and_are_its_spread() {
     let mut random = Random::new(5);
     let marks: Vec<Mark> = (random.scatter(40).into_iter())
-        .map(|place| ellipse(place, 400.0 * libm::exp(0.4 * random.normal()), 0.6, 20.0 + 15.0 * random.normal()))
+        .map(|place| {
+            ellipse(place, 400.0 * libm::exp(0.4 * random.normal()), 0.6, 20.0 + 15.0 * random.normal())
+        })
         .collect();
     let map: FreeMap = map(&marks);
     let spread = map.spread();

@@ -21,7 +21,8 @@ fn change(marks: &[Mark], edges: Edges, seed: u64) -> Change {
     let (s, c) = libm::sincos(angle);
     let mut moved = marks.to_vec();
     moved[index] = marks[index].shifted([0.001 * SIDE * c, 0.001 * SIDE * s]);
-    let [before, after] = [marks, &moved[..]].map(|marks| FreeMap::from_marks(marks, [SIDE; 2], edges).expect("marks"));
+    let [before, after] =
+        [marks, &moved[..]].map(|marks| FreeMap::from_marks(marks, [SIDE; 2], edges).expect("marks"));
     let mut most = Change::default();
     for i in 0..48 * 48 {
         let point = [SIDE * (f64::from(i % 48) + 0.3) / 48.0, SIDE * (f64::from(i / 48) + 0.7) / 48.0];

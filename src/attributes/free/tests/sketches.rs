@@ -103,7 +103,9 @@ pub fn random_ellipses(seed: u64) -> Vec<Mark> {
         0 => random.scatter(count.max(8)),
         1 => (0..count).map(|_| random.place()).collect(),
         2 => (0..count).map(|i| random.near(polar(150.0, 360.0 * i as f64 / count as f64), 4.0)).collect(),
-        3 => (0..25).map(|i| random.near([60.0 + 75.0 * (i % 5) as f64, 60.0 + 75.0 * (i / 5) as f64], 3.0)).collect(),
+        3 => (0..25)
+            .map(|i| random.near([60.0 + 75.0 * (i % 5) as f64, 60.0 + 75.0 * (i / 5) as f64], 3.0))
+            .collect(),
         4 => (0..8 * random.count(1, 3))
             .map(|i| random.near([40.0 + 55.0 * (i % 8) as f64, 100.0 + 100.0 * (i / 8) as f64], 3.0))
             .collect(),
@@ -149,7 +151,7 @@ pub const STROKES: [&str; 8] = [
 pub fn random_strokes(seed: u64) -> Vec<Mark> {
     let mut random = Random::new(seed);
     let width = random.between(4.0, 16.0);
-    let period = width * random.between(1.6, 5.0);
+    let period = width * random.between(1.8, 5.0);
     let count = random.count(2, 6);
     let angle = random.between(0.0, 360.0);
     let widths: Vec<f64> = (0..count).map(|_| width * libm::exp(0.1 * random.normal())).collect();
