@@ -54,9 +54,10 @@ impl View {
         }
         self.held = Some(what);
         let options = if sharp { TextureOptions::NEAREST } else { TextureOptions::LINEAR };
+        let image = fitting(image, ui.input(|input| input.max_texture_side));
         match &mut self.texture {
-            Some(texture) => texture.set(image.clone(), options),
-            None => self.texture = Some(ui.ctx().load_texture("export", image.clone(), options)),
+            Some(texture) => texture.set(image, options),
+            None => self.texture = Some(ui.ctx().load_texture("export", image, options)),
         }
     }
 
@@ -164,5 +165,45 @@ impl View {
         if slider.dragged() || slider.changed() {
             self.plays = false;
         }
+    }
+}
+
+/// The picture, reduced by a whole number where a side is longer than the `most` px that the graphics card takes.
+fn fitting(image: &ColorImage, most: usize) -> ColorImage {
+    let [wide, high] = image.size;
+    let step = wide.max(high).div_ceil(most.max(1));
+    if step <= 1 {
+        return image.clone();
+    }
+    let size = image.size.map(|side| side.div_ceil(step));
+    let mean = |index: usize| {
+        let [x, y] = [index % size[0] * step, index / size[0] * step];
+        let (mut sum, mut count) = ([0u32; 4], 0);
+        for row in y..(y + step).min(high) {
+            for px in &image.pixels[row * wide + x..row * wide + (x + step).min(wide)] {
+                sum.iter_mut().zip(px.to_array()).for_each(|(sum, value)| *sum += u32::from(value));
+                count += 1;
+            }
+        }
+        let [r, g, b, a] = sum.map(|sum| (sum / count) as u8);
+        Color32::from_rgba_premultiplied(r, g, b, a)
+    };
+    ColorImage::new(size, (0..size[0] * size[1]).map(mean).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_too_large_for_the_graphics_card_is_reduced_and_others_are_not() {
+        let grey = |value: usize| Color32::from_gray(10 * value as u8);
+        let image = ColorImage::new([5, 3], (0..15).map(grey).collect());
+        assert_eq!(fitting(&image, 5), image);
+        let reduced = fitting(&image, 4);
+        assert_eq!(reduced.size, [3, 2]);
+        // Means of 2 × 2 px, at the right border of 1 × 2.
+        assert_eq!(reduced.pixels[0], Color32::from_gray(30));
+        assert_eq!(reduced.pixels[2], Color32::from_gray(65));
     }
 }
