@@ -137,6 +137,11 @@ pub mod internals {
     pub mod sketch {
         pub use crate::sketch::*;
     }
+    /// Contact sheets.
+    #[cfg(feature = "cli")]
+    pub mod sheet {
+        pub use crate::cli::sheet::{Contact, Thumbnail, write};
+    }
     /// Writing files.
     pub mod export {
         pub use crate::export::*;

@@ -29,8 +29,8 @@ fn check_lookup_and_grow_report_what_cannot_be_reached() {
     std::fs::write(folder.path().join("dense.dapple"), document(10.0, 22.0).to_string()).unwrap();
     let checked = text(&dapple(&["check", "dense.dapple"], folder.path()).stdout);
     let said = checked.lines().map(str::trim).find(|line| line.starts_with("area/spacing²")).unwrap();
-    assert!(said.contains("is more than 0.2"), "{said}");
-    assert!(said.contains(", the densest this system packs; growing at 0.2"), "{said}");
+    assert!(said.contains("is more than 0.3"), "{said}");
+    assert!(said.contains(", the densest this system packs; growing at 0.3"), "{said}");
 
     let grown = dapple(&["grow", "dense.dapple", "-o", "a.png", "--report", "r.json"], folder.path());
     assert!(text(&grown.stderr).contains(said), "{}", text(&grown.stderr));

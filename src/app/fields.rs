@@ -9,8 +9,8 @@ use crate::editor::units::Ruler;
 pub const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 
 /// The tooltip of regions.
-pub const REGIONS: &str = "The canvas is cut into columns and rows. The marks in a region set what grows there; \
-                           between regions their size, shape and direction change smoothly.";
+pub const REGIONS: &str = "Off: each mark sets what grows around it. On: the canvas is cut into columns and rows, and the \
+                           mean of the marks in a region sets what grows there; between regions it changes smoothly.";
 /// The tooltip of *Seamless*.
 pub const SEAMLESS: &str = "The left edge continues at the right one, the top at the bottom: copies of the texture can be put \
                             side by side without a seam.";
@@ -56,6 +56,24 @@ pub fn pair(
     }
     changed
 }
+
+/// A switch for regions, and where it is on fields for their columns and rows; `names` are those of all three. Gives
+/// whether they changed.
+pub fn regions(ui: &mut Ui, regions: &mut Option<[u32; 2]>, names: [&str; 3]) -> bool {
+    let mut on = regions.is_some();
+    let text = if on { "" } else { "off" };
+    let mut changed = ui.checkbox(&mut on, text).accessible_name(names[0]).on_hover_text(REGIONS).changed();
+    if changed {
+        *regions = on.then_some(NEW_REGIONS);
+    }
+    if let Some(grid) = regions {
+        changed |= pair(ui, grid, 1..=limits::MAX_REGIONS, [names[1], names[2]], "");
+    }
+    changed
+}
+
+/// Columns and rows of regions that are switched on.
+const NEW_REGIONS: [u32; 2] = [2, 2];
 
 /// A field for dots an inch.
 pub fn resolution(ui: &mut Ui, dpi: &mut f64, name: &str) -> bool {

@@ -3,7 +3,7 @@
 use egui::{Button, Checkbox, Grid, RichText, Ui, vec2};
 
 use super::action::{Action, Page};
-use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, pair, resolution, sides};
+use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
 use crate::document::{Document, limits};
 use crate::editor::units::{Ruler, Units};
 use crate::grid::Edges;
@@ -13,8 +13,8 @@ use crate::grid::Edges;
 pub struct New {
     /// Width and height, px.
     pub size: [u32; 2],
-    /// Columns and rows.
-    pub regions: [u32; 2],
+    /// Columns and rows of regions; `None` = free marks.
+    pub regions: Option<[u32; 2]>,
     /// Whether it is a seamless tile.
     pub seamless: bool,
     /// Resolution, dots per inch.
@@ -23,7 +23,7 @@ pub struct New {
 
 impl Default for New {
     fn default() -> Self {
-        Self { size: [512, 512], regions: [2, 2], seamless: false, dpi: 300.0 }
+        Self { size: [512, 512], regions: None, seamless: false, dpi: 300.0 }
     }
 }
 
@@ -43,7 +43,7 @@ impl New {
     #[must_use]
     pub fn is_allowed(&self) -> bool {
         self.size.iter().all(|side| SIDES.contains(side))
-            && self.regions.iter().all(|regions| (1..=limits::MAX_REGIONS).contains(regions))
+            && self.regions.iter().flatten().all(|regions| (1..=limits::MAX_REGIONS).contains(regions))
             && (limits::DPI.low..=limits::DPI.high).contains(&self.dpi)
     }
 
@@ -65,7 +65,7 @@ impl New {
             ui.horizontal(|ui| sides(ui, &mut self.size, ruler, SIDES, ["Width", "Height"]));
             ui.end_row();
             ui.label("Regions").on_hover_text(REGIONS);
-            ui.horizontal(|ui| pair(ui, &mut self.regions, 1..=limits::MAX_REGIONS, ["Columns", "Rows"], ""));
+            ui.horizontal(|ui| regions(ui, &mut self.regions, ["Regions", "Columns", "Rows"]));
             ui.end_row();
             ui.label("Seamless").on_hover_text(SEAMLESS);
             ui.add(Checkbox::new(&mut self.seamless, "tiles without a seam"));

@@ -4,9 +4,8 @@ use std::thread;
 
 use egui::{Checkbox, DragValue, Grid, RichText, ThemePreference, Ui, vec2};
 
-use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, pair, resolution, sides};
+use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
 use super::settings::Settings;
-use crate::document::limits;
 use crate::editor::units::{Ruler, Units};
 
 /// Shows the page. Changes take effect at once.
@@ -33,8 +32,8 @@ pub fn page(ui: &mut Ui, settings: &mut Settings) {
         });
         ui.end_row();
         ui.label("Regions").on_hover_text(REGIONS);
-        let names = ["Columns of new documents", "Rows of new documents"];
-        ui.horizontal(|ui| pair(ui, &mut new.regions, 1..=limits::MAX_REGIONS, names, ""));
+        let names = ["Regions of new documents", "Columns of new documents", "Rows of new documents"];
+        ui.horizontal(|ui| regions(ui, &mut new.regions, names));
         ui.end_row();
         ui.label("Seamless").on_hover_text(SEAMLESS);
         ui.add(Checkbox::new(&mut new.seamless, "tiles without a seam"));

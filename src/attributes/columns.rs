@@ -98,7 +98,7 @@ pub const SPOTS: [Column; 11] = [
     column(
         ColumnKind::Spacing,
         "spacing",
-        ["cells", "mean Delaunay edge"],
+        ["cells", "weighted mean of the Delaunay edges"],
         [0.1, 1e5],
         "a length from 0.1 to 1e5 cells",
     ),

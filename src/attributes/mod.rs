@@ -1,6 +1,9 @@
 //! Marks → numbers: drawn and grown marks are measured alike.
 
+mod attribute_map;
 pub mod columns;
+pub mod free;
+pub mod moments;
 pub mod regions;
 pub mod spacing;
 mod spots;
@@ -8,6 +11,7 @@ pub mod spread;
 mod stripes;
 pub mod system;
 
+pub use attribute_map::AttributeMap;
 pub use spread::Spread;
 
 use serde::{Deserialize, Serialize};
@@ -21,7 +25,7 @@ pub struct Spots {
     pub aspect: f64,
     /// Axial mean of the major axes, degrees in [0, 180), weighted by 1 − aspect.
     pub angle: f64,
-    /// Mean length of the Delaunay edges between neighbours, px; `None` = free: the spacing that the system has by itself.
+    /// Weighted mean length of the Delaunay edges between the marks, px; `None` = free: the spacing that the system has by itself.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spacing: Option<f64>,
 }

@@ -1,200 +1,109 @@
-//! Spacing: Delaunay edges between the centres of spots (spade).
+//! Spacing: the weighted mean length of the Delaunay edges between the centres of spots.
+//!
+//! An edge has the weight clamp(cos α ÷ 0.2, 0, 1) × clamp((3.5 s − length) ÷ s, 0, 1), where α is the larger of the
+//! angles opposite to it and s the distance of marks to their nearest. An edge that a small move of a mark can replace
+//! by another (α = 90° and more) has the weight 0, so that readings are continuous. The two nearest marks always have
+//! the weight 1: nothing is divided by 0.
 
-use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
+mod delaunay;
+mod groups;
 
-/// A Delaunay edge between two of the points.
+use super::moments;
+
+pub use delaunay::{Edge, edges};
+pub use groups::grouped_neighbours;
+
+/// Cosine of the opposite angle from which on an edge has its full weight: 78°.
+const FULL_COS: f64 = 0.2;
+
+/// Edges of so many times the distance to the nearest mark have the weight 0; by 1 shorter ones the full weight.
+const REACH: f64 = 3.5;
+
+/// A Delaunay edge between two marks with its weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Edge {
-    /// Indices of the points it joins; equal where a wrapped point neighbours its own copy.
+pub struct WeightedEdge {
+    /// Indices of the marks it joins; equal where a mark on a tile neighbours its own copy.
     pub ends: [usize; 2],
     /// px.
     pub length: f64,
     /// The point half way, px; inside the tile where there is one.
     pub midpoint: [f64; 2],
-    /// Is it part of the convex hull? Never on a tile.
-    pub hull: bool,
+    /// 0..1, above 0.
+    pub weight: f64,
 }
 
-/// Edges longer than this many times the median do not join neighbours.
-pub const LONGEST: f64 = 2.0;
+impl Edge {
+    /// Its weight, 0..1, where marks are `nearest` px from their nearest.
+    #[must_use]
+    pub fn weight(&self, nearest: f64) -> f64 {
+        let by_angle = (self.cos_opposite / FULL_COS).clamp(0.0, 1.0);
+        by_angle * (REACH - self.length / nearest).clamp(0.0, 1.0)
+    }
 
-/// A point of the triangulation with its index.
-struct Site {
-    position: Point2<f64>,
-    index: usize,
-}
-
-impl HasPosition for Site {
-    type Scalar = f64;
-
-    fn position(&self) -> Point2<f64> {
-        self.position
+    /// With its weight; `None` if that is 0.
+    #[must_use]
+    pub fn weighted(&self, nearest: f64) -> Option<WeightedEdge> {
+        let Self { ends, length, midpoint, .. } = *self;
+        Some(WeightedEdge { ends, length, midpoint, weight: self.weight(nearest) })
+            .filter(|edge| edge.weight > 0.0)
     }
 }
 
-/// Mean distance between neighbours, px.
+/// The Delaunay edges of `points` (px; on a tile of `wrap` px those across its border too) that have a weight, where
+/// `nearest` returns the distance of marks to their nearest, px, about a midpoint of an edge.
+#[must_use]
+pub fn weighted_edges(
+    points: &[[f64; 2]],
+    wrap: Option<[f64; 2]>,
+    nearest: impl Fn([f64; 2]) -> f64,
+) -> Vec<WeightedEdge> {
+    edges(points, wrap).iter().filter_map(|edge| edge.weighted(nearest(edge.midpoint))).collect()
+}
+
+/// The edges that the spacing of `points` is the mean of: those that have a weight, s being the median of the points'
+/// distances to their nearest.
+#[must_use]
+pub fn neighbours(points: &[[f64; 2]], wrap: Option<[f64; 2]>) -> Vec<WeightedEdge> {
+    let all = edges(points, wrap);
+    let Some(nearest) = median(nearest(&all, points.len())) else { return Vec::new() };
+    all.iter().filter_map(|edge| edge.weighted(nearest)).collect()
+}
+
+/// Mean distance between neighbours, px, of [`neighbours`] on a plane.
 ///
-/// Delaunay edges of `points`; hull edges are left out where at least three inner ones remain, then edges
-/// over twice the median. Two points: their distance. Fewer, or all in one place: `None`. Points that
+/// Two points: their distance. Points in a row: from one to the next. Fewer, or all in one place: `None`. Points that
 /// coincide count once.
 #[must_use]
 pub fn mean_spacing(points: &[[f64; 2]]) -> Option<f64> {
-    mean(&neighbour_lengths(points))
+    mean_length(&neighbours(points, None))
 }
 
-/// The distances between neighbours, px, that [`mean_spacing`] is the mean of, ascending.
+/// Mean length of weighted edges, px; `None` of none.
 #[must_use]
-pub fn neighbour_lengths(points: &[[f64; 2]]) -> Vec<f64> {
-    let all = edges(points, None);
-    let mut lengths: Vec<f64> = all.iter().filter(|edge| !edge.hull).map(|edge| edge.length).collect();
-    if lengths.len() < 3 {
-        lengths = all.iter().map(|edge| edge.length).collect();
-    }
-    trimmed(lengths)
+pub fn mean_length(edges: &[WeightedEdge]) -> Option<f64> {
+    moments::weighted_mean(edges.iter().map(|edge| (edge.length, edge.weight)))
 }
 
-/// The lengths that are not over twice their median, ascending.
+/// Distance of each of `count` points to its nearest, px, by the Delaunay edges between them; `None` of a point
+/// that no edge joins: a lone one, or one that coincides with another.
 #[must_use]
-pub fn trimmed(mut lengths: Vec<f64>) -> Vec<f64> {
-    lengths.sort_by(f64::total_cmp);
-    let n = lengths.len();
-    if n > 0 {
-        let median = 0.5 * (lengths[n / 2] + lengths[(n - 1) / 2]);
-        lengths.retain(|length| *length <= LONGEST * median);
-    }
-    lengths
-}
-
-/// Mean of the lengths that are not over twice their median; `None` of none.
-#[must_use]
-pub fn trimmed_mean(lengths: Vec<f64>) -> Option<f64> {
-    mean(&trimmed(lengths))
-}
-
-fn mean(lengths: &[f64]) -> Option<f64> {
-    (!lengths.is_empty()).then(|| lengths.iter().sum::<f64>() / lengths.len() as f64)
-}
-
-/// The Delaunay edges of `points` (px), each once; on a tile of `wrap` px those across its border too.
-///
-/// Of points that coincide only one is joined; points that are not finite are left out. Where more than three
-/// points lie on one empty circle (a square lattice), one of the possible triangulations is taken.
-#[must_use]
-pub fn edges(points: &[[f64; 2]], wrap: Option<[f64; 2]>) -> Vec<Edge> {
-    let sites = distinct(points, wrap);
-    match wrap {
-        None => plain(sites),
-        Some(tile) => wrapped(&sites, tile),
-    }
-}
-
-/// The points' places, without repetitions, in their order; folded into the tile.
-fn distinct(points: &[[f64; 2]], wrap: Option<[f64; 2]>) -> Vec<([f64; 2], usize)> {
-    // spade takes no coordinates closer to 0 than 2⁻¹⁴² and none over 2²⁰¹; px are nowhere near either.
-    let tame = |x: f64| if x.abs() < 1e-30 { 0.0 } else { x };
-    let fold = |x: f64, side: f64| if x.rem_euclid(side) < side { x.rem_euclid(side) } else { 0.0 };
-    let place = |p: [f64; 2]| match wrap {
-        Some(tile) => [tame(fold(p[0], tile[0])), tame(fold(p[1], tile[1]))],
-        None => p.map(tame),
-    };
-    let kept = points.iter().enumerate().filter(|(_, p)| p.iter().all(|x| x.abs() < 1e30));
-    let mut sites: Vec<_> = kept.map(|(index, p)| (place(*p), index)).collect();
-    sites.sort_by(|(a, i), (b, j)| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(i.cmp(j)));
-    sites.dedup_by(|(a, _), (b, _)| a == b);
-    sites.sort_by_key(|(_, index)| *index);
-    sites
-}
-
-fn triangulate(sites: Vec<Site>) -> DelaunayTriangulation<Site> {
-    DelaunayTriangulation::bulk_load_stable(sites).unwrap_or_default()
-}
-
-fn plain(sites: Vec<([f64; 2], usize)>) -> Vec<Edge> {
-    let sites = sites.into_iter().map(|([x, y], index)| Site { position: Point2::new(x, y), index });
-    let mesh = triangulate(sites.collect());
-    let mut edges: Vec<Edge> = mesh
-        .undirected_edges()
-        .map(|edge| {
-            let [a, b] = edge.vertices().map(|vertex| (vertex.position(), vertex.data().index));
-            edge_between(a, b, edge.is_part_of_convex_hull())
-        })
-        .collect();
-    edges.sort_by_key(|edge| edge.ends);
-    edges
-}
-
-fn edge_between((a, i): (Point2<f64>, usize), (b, j): (Point2<f64>, usize), hull: bool) -> Edge {
-    let (dx, dy) = (b.x - a.x, b.y - a.y);
-    Edge {
-        ends: [i.min(j), i.max(j)],
-        length: (dx * dx + dy * dy).sqrt(),
-        midpoint: [0.5 * (a.x + b.x), 0.5 * (a.y + b.y)],
-        hull,
-    }
-}
-
-/// Periodic Delaunay edges: of the tile's points and their copies in a margin around it.
-///
-/// The margin is wide enough once no circumcircle at an edge that counts reaches beyond it; a tile's diagonal
-/// always is, since no empty circle's radius exceeds half of it.
-fn wrapped(sites: &[([f64; 2], usize)], tile: [f64; 2]) -> Vec<Edge> {
-    if sites.is_empty() || !tile.iter().all(|side| *side > 0.0 && side.is_finite()) {
-        return Vec::new();
-    }
-    let mean_distance = (tile[0] * tile[1] / sites.len() as f64).sqrt();
-    let surely = 1.01 * (tile[0] * tile[0] + tile[1] * tile[1]).sqrt();
-    // Random points leave empty circles of some 2–3 mean distances at most, so four are nearly always enough.
-    wrapped_within(sites, tile, (4.0 * mean_distance).min(surely), surely)
-        .or_else(|| wrapped_within(sites, tile, surely, surely))
-        .unwrap_or_default()
-}
-
-/// `None` where a margin below the `surely` sufficient one turns out too narrow.
-fn wrapped_within(
-    sites: &[([f64; 2], usize)],
-    tile: [f64; 2],
-    margin: f64,
-    surely: f64,
-) -> Option<Vec<Edge>> {
-    let copies = [(margin / tile[0]).ceil() as i32 + 1, (margin / tile[1]).ceil() as i32 + 1];
-    let near = |p: f64, side: f64| p >= -margin && p <= side + margin;
-    let mut all = Vec::new();
-    for down in -copies[1]..=copies[1] {
-        for across in -copies[0]..=copies[0] {
-            let shift = [f64::from(across) * tile[0], f64::from(down) * tile[1]];
-            for &([x, y], index) in sites {
-                let (x, y) = (x + shift[0], y + shift[1]);
-                if near(x, tile[0]) && near(y, tile[1]) {
-                    all.push(Site { position: Point2::new(x, y), index });
-                }
-            }
+pub fn nearest(edges: &[Edge], count: usize) -> Vec<Option<f64>> {
+    let mut nearest: Vec<Option<f64>> = vec![None; count];
+    for edge in edges {
+        for end in edge.ends {
+            nearest[end] = Some(nearest[end].map_or(edge.length, |length| length.min(edge.length)));
         }
     }
-    let mesh = triangulate(all);
-    // Every edge has one copy whose midpoint is in a window of the tile's size. The window is shifted a little: midpoints on
-    // its border could be lost or counted twice by rounding, and those of lattices often lie on the tile's border.
-    let corner = [-0.001_877_31 * margin, -0.001_331_79 * margin];
-    let mut edges = Vec::new();
-    for edge in mesh.undirected_edges() {
-        let [a, b] = edge.vertices().map(|vertex| (vertex.position(), vertex.data().index));
-        let mut found = edge_between(a, b, false);
-        let inside = |k: usize| found.midpoint[k] >= corner[k] && found.midpoint[k] < corner[k] + tile[k];
-        if !(inside(0) && inside(1)) {
-            continue;
-        }
-        for side in [edge.as_directed(), edge.as_directed().rev()] {
-            let (center, square) = side.face().as_inner()?.circumcircle();
-            let radius = square.sqrt();
-            let held = |p: f64, side: f64| near(p - radius, side) && near(p + radius, side);
-            if margin < surely && !(held(center.x, tile[0]) && held(center.y, tile[1])) {
-                return None;
-            }
-        }
-        found.midpoint = [found.midpoint[0].rem_euclid(tile[0]), found.midpoint[1].rem_euclid(tile[1])];
-        edges.push(found);
-    }
-    edges.sort_by(|a, b| a.ends.cmp(&b.ends).then(a.length.total_cmp(&b.length)));
-    Some(edges)
+    nearest
+}
+
+/// Median of the distances that there are; `None` of none.
+#[must_use]
+pub fn median(distances: impl IntoIterator<Item = Option<f64>>) -> Option<f64> {
+    let mut sorted: Vec<f64> = distances.into_iter().flatten().collect();
+    sorted.sort_by(f64::total_cmp);
+    let n = sorted.len();
+    (n > 0).then(|| 0.5 * (sorted[n / 2] + sorted[(n - 1) / 2]))
 }
 
 #[cfg(test)]

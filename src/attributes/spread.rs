@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{axial_mean, spacing::neighbour_lengths};
+use super::axial_mean;
+use super::moments::{deviation, variation, weighted_variation};
+use super::spacing::neighbours;
 use crate::marks::{Ellipse, turn};
 
 /// How much spots vary about their means; 0 = all the same. Standard deviations are those of the set itself (Σ ÷ n).
@@ -15,7 +17,7 @@ pub struct Spread {
     pub angle: f64,
     /// Standard deviation of minor ÷ major radius.
     pub aspect: f64,
-    /// Coefficient of variation of the Delaunay edges that count for the spacing.
+    /// Weighted coefficient of variation of the Delaunay edges, with the weights that they have in the spacing.
     pub spacing: f64,
 }
 
@@ -35,7 +37,9 @@ impl Spread {
             area: variation(ellipses.iter().map(Ellipse::area)),
             angle: scatter(axes),
             aspect: deviation(ellipses.iter().map(Ellipse::aspect)),
-            spacing: variation(neighbour_lengths(&centers)),
+            spacing: weighted_variation(
+                neighbours(&centers, None).iter().map(|edge| (edge.length, edge.weight)),
+            ),
         }
     }
 
@@ -61,28 +65,6 @@ impl Spread {
             spacing: join(self.spacing, other.spacing),
         }
     }
-}
-
-/// Mean and standard deviation; of none 0 and 0.
-fn moments(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
-    let values: Vec<f64> = values.into_iter().collect();
-    let n = values.len().max(1) as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let variance = values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / n;
-    (mean, variance.sqrt())
-}
-
-/// Standard deviation; 0 of none.
-#[must_use]
-pub fn deviation(values: impl IntoIterator<Item = f64>) -> f64 {
-    moments(values).1
-}
-
-/// Coefficient of variation of positive values: standard deviation ÷ mean; 0 of none.
-#[must_use]
-pub fn variation(values: impl IntoIterator<Item = f64>) -> f64 {
-    let (mean, deviation) = moments(values);
-    if mean > 0.0 { deviation / mean } else { 0.0 }
 }
 
 /// Root mean square turn of axial angles (degrees) from their axial mean, under weights; 0 without any weight.
@@ -144,7 +126,7 @@ mod tests {
 
     #[test]
     fn the_spacing_varies_as_the_edges_that_count() {
-        // On one line: 8 and 12 count, 60 is over twice the median.
+        // In a row: 8 and 12 have full weight, 60 is over 3.5 times the median distance to the nearest.
         let places = [0.0, 8.0, 20.0, 28.0, 40.0, 100.0];
         let spread = Spread::measure(&places.map(|x| ellipse(x, 10.0, 0.5, 0.0)));
         assert!((spread.spacing - 0.2).abs() < 1e-9, "{spread:?}");

@@ -1,7 +1,7 @@
-//! Lines → mean attributes of a set of stripes.
+//! Lines and paths → mean attributes of a set of stripes.
 
 use super::{Stripes, axial_mean};
-use crate::marks::Line;
+use crate::marks::Path;
 
 impl Stripes {
     /// Width ÷ period: the share of the distance from one stripe to the next that is covered, 0..1.
@@ -10,18 +10,19 @@ impl Stripes {
         self.wavelength.map_or(0.5, |wavelength| self.width / wavelength)
     }
 
-    /// The attributes of a set of lines; `None` of none.
+    /// The attributes of a set of paths; `None` of none.
     ///
-    /// The width is the plain mean, the angle the axial mean weighted by length (0 where the directions
-    /// cancel). Lines have no wavelength: how far apart they are meant to be is not drawn.
+    /// The width is the plain mean, the angle the axial mean of their segments weighted by length (0 where the
+    /// directions cancel). Lines have no wavelength: how far apart they are meant to be is not drawn.
     #[must_use]
-    pub fn measure(lines: &[Line]) -> Option<Self> {
-        if lines.is_empty() {
+    pub fn measure(paths: &[Path]) -> Option<Self> {
+        if paths.is_empty() {
             return None;
         }
-        let directions = lines.iter().map(|line| (line.angle(), line.length()));
+        let segments = paths.iter().flat_map(Path::segments);
+        let directions = segments.map(|segment| (segment.angle(), segment.length()));
         Some(Self {
-            width: lines.iter().map(|line| line.width).sum::<f64>() / lines.len() as f64,
+            width: paths.iter().map(|path| path.width).sum::<f64>() / paths.len() as f64,
             angle: axial_mean(directions).map_or(0.0, |(angle, _)| angle),
             wavelength: None,
         })
@@ -31,6 +32,7 @@ impl Stripes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::marks::Line;
 
     #[test]
     fn width_is_a_plain_mean_and_direction_is_weighted_by_length() {
@@ -38,7 +40,8 @@ mod tests {
             Line { from: [0.0, 0.0], to: [30.0, 0.0], width: 4.0 },
             Line { from: [7.0, 7.0], to: [7.0, -13.0], width: 8.0 },
             Line { from: [10.0, 10.0], to: [0.0, 0.0], width: 6.0 },
-        ];
+        ]
+        .map(Path::from);
         let stripes = Stripes::measure(&lines).unwrap();
         assert_eq!(stripes.width, 6.0);
         // (30 − 20, √200) at the double angle.
@@ -50,7 +53,8 @@ mod tests {
         let lines = [
             Line { from: [0.0, 0.0], to: [20.0, 20.0], width: 4.0 },
             Line { from: [0.0, 20.0], to: [20.0, 0.0], width: 4.0 },
-        ];
+        ]
+        .map(Path::from);
         assert_eq!(Stripes::measure(&lines).unwrap().angle, 0.0);
         assert_eq!(Stripes::measure(&[]), None);
     }

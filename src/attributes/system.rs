@@ -93,9 +93,9 @@ pub struct IsolatedSpots {
     pub foot: f64,
     /// c, a, b: how neighbours shrink them.
     pub crowding: [f64; 3],
-    /// S: the system's own spacing × √rate.
+    /// S: the system's own distance of places × √rate.
     pub spacing: f64,
-    /// d₁, d₂: mean Delaunay edge ÷ distance of the places.
+    /// d₁, d₂: spacing ÷ distance of the places.
     pub edges: [f64; 2],
     /// Pitches from which a spot counts as alone, and below which neighbours merge.
     pub pitches: [f64; 2],

@@ -2,7 +2,8 @@
 
 use super::Error;
 use crate::attributes::{Attributes, Spread};
-use crate::document::{Document, Kind, Layer};
+use crate::document::sketch_notes::notes_on;
+use crate::document::{Document, Layer, Stroke};
 use crate::grid::Edges;
 use crate::learn::Answer;
 use crate::synth::plan::{Lookup, Targets};
@@ -30,6 +31,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let document = Document::read(&args.file)?;
     let source = args.file.display().to_string();
     let mut text = format!("{source}: valid\n{}", summary(&document));
+    let notes = notes_on(&document);
     let training = Training::default();
     let mut beneath: Option<Lookup> = None;
     let mut layers = Vec::new();
@@ -49,10 +51,17 @@ pub fn run(args: &Args) -> Result<(), Error> {
         layers.push(layer_json(&document.layers[index], &plan, &notes));
         beneath = Some(plan);
     }
+    for note in &notes {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{note}");
+    }
     if args.json {
         let edges = if document.edges == Edges::Wrap { "wrap" } else { "closed" };
-        let found = json!({"document": source, "valid": true, "name": document.name, "size": document.size,
-            "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers});
+        let mut found = json!({"document": source, "valid": true, "name": document.name, "size": document.size,
+            "regions": document.regions, "edges": edges, "seed": document.seed, "layers": layers, "sketch": notes});
+        if let (None, Some(found)) = (document.regions, found.as_object_mut()) {
+            found.remove("regions");
+        }
         text = format!("{found:#}\n");
     }
     super::print(&text)
@@ -149,12 +158,14 @@ fn varied(spread: &Spread) -> String {
 fn summary(document: &Document) -> String {
     let mut text = String::new();
     let [width, height] = document.size;
-    let [columns, rows] = document.regions;
     let edges = if document.edges == Edges::Wrap { "wrap" } else { "closed" };
     // Writing to a String cannot fail.
     let _ = writeln!(text, "name:    {}", printable(&document.name));
     let _ = writeln!(text, "size:    {width} × {height} px, edges {edges}");
-    let _ = writeln!(text, "regions: {columns} × {rows}");
+    let _ = match document.regions {
+        Some([columns, rows]) => writeln!(text, "regions: {columns} × {rows}"),
+        None => writeln!(text, "regions: none, each mark says what is wanted around it"),
+    };
     let _ = writeln!(text, "layers:  {}", document.layers.len());
     for (i, layer) in document.layers.iter().enumerate() {
         let name = printable(&layer.name);
@@ -174,9 +185,15 @@ fn marks(layer: &Layer) -> String {
 
 /// The number of drawn strokes of each kind, without kinds that do not occur.
 fn counts(layer: &Layer) -> Vec<(&'static str, usize)> {
-    let kinds = [(Some(Kind::Ellipse), "ellipse"), (Some(Kind::Line), "line"), (None, "freehand stroke")];
-    let count = |kind| layer.strokes.iter().filter(|stroke| stroke.kind() == kind).count();
-    kinds.into_iter().map(|(kind, name)| (name, count(kind))).filter(|(_, n)| *n > 0).collect()
+    let name = |stroke: &Stroke| match stroke {
+        Stroke::Ellipse(_) => "ellipse",
+        Stroke::Line(_) => "line",
+        Stroke::Path(_) => "path",
+        Stroke::Freehand { .. } => "freehand stroke",
+    };
+    let count = |kind| layer.strokes.iter().filter(|stroke| name(stroke) == kind).count();
+    let names = ["ellipse", "line", "path", "freehand stroke"];
+    names.into_iter().map(|kind| (kind, count(kind))).filter(|(_, n)| *n > 0).collect()
 }
 
 /// A name with control characters replaced.

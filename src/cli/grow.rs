@@ -321,7 +321,17 @@ mod tests {
 
     fn layer(settled: bool, regions: Vec<RegionReport>) -> LayerReport {
         let (name, system) = ("spots".to_owned(), "turing-spots");
-        LayerReport { name, system, cell: 1.0, grid: [9, 9], steps: 1, settled, regions, shown: None }
+        LayerReport {
+            name,
+            system,
+            cell: 1.0,
+            grid: [9, 9],
+            steps: 1,
+            settled,
+            regions,
+            drawn: Vec::new(),
+            shown: None,
+        }
     }
 
     #[test]

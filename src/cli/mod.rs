@@ -19,7 +19,7 @@ mod manual;
 mod measure;
 mod paths;
 mod progress;
-mod sheet;
+pub(crate) mod sheet;
 mod values;
 
 pub use error::Error;

@@ -5,7 +5,7 @@ mod layout;
 mod paper;
 mod text;
 
-pub(super) use contact::{Contact, Thumbnail, write};
+pub use contact::{Contact, Thumbnail, write};
 
 use super::paths::check_apart;
 use super::progress;

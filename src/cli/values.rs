@@ -2,7 +2,7 @@
 
 use crate::attributes::Stripes;
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{Layer, LayerOptions, SystemChoice, limits};
+use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, SystemChoice, limits};
 use crate::export::outline::Ends;
 use crate::marks::axial;
 
@@ -52,10 +52,13 @@ pub(super) fn duty(text: &str) -> Result<f64, String> {
 
 /// Why stripes of `system` cannot have this duty, and which they can; `None` where they can.
 pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<String> {
-    let layer =
-        Layer { system, options: LayerOptions { duty, ..LayerOptions::default() }, ..Layer::default() };
-    let problem = Combination::new(&layer, None, Beneath::Unknown).problem_on_reading("");
-    problem.map(|problem| problem.allowed)
+    let layer = Layer {
+        system,
+        options: LayerOptions { duty: DutyChoice::Given(duty), ..LayerOptions::default() },
+        ..Layer::default()
+    };
+    let rule = Combination::new(&layer, None, Beneath::Unknown).against_option(OptionKey::Duty);
+    rule.filter(|_| duty != LayerOptions::DUTY).map(|rule| format!("{}. {}", LayerOptions::DUTY, rule.reason))
 }
 
 /// What is asked of stripes that `system` grows.

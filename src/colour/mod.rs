@@ -2,12 +2,13 @@
 //!
 //! A [`Gradient`] computes the exact colour of a pattern value; its [`Table`] is a lookup table with an entry for each of
 //! the 65536 values of a 16-bit picture of the pattern. [`paint()`] colours every px of every layer; [`FineTable`] has more than
-//! 8 bits and opacity. [`Set`] holds the default colours of documents, [`PRESETS`] colours to choose from; [`gpl`] reads and writes
+//! 8 bits and opacity. [`Gradient::pattern_of`] goes back from colours to pattern values. [`Set`] holds the default colours of documents, [`PRESETS`] colours to choose from; [`gpl`] reads and writes
 //! palettes of other programs.
 
 mod bezier;
 pub mod gpl;
 mod gradient;
+mod inverse;
 mod opacity;
 mod paint;
 mod presets;
@@ -16,6 +17,7 @@ mod table;
 
 pub use bezier::Bend;
 pub use gradient::{Gradient, GradientError, Stop};
+pub use inverse::lightness;
 pub use opacity::FineTable;
 pub use paint::{Painted, paint, paint_rows, painter};
 pub use presets::{Group, Marking, PRESETS, Preset};

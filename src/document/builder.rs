@@ -4,7 +4,7 @@
 
 use crate::document::{After, Colours, Document, Layer, LayerOptions, Stop, Stroke, SystemChoice};
 use crate::grid::Edges;
-use crate::marks::{Ellipse, Line};
+use crate::marks::{Ellipse, Line, Path};
 
 impl Document {
     /// An empty canvas of `size` px, with all defaults. It needs a layer before it can be written or grown.
@@ -28,10 +28,10 @@ impl Document {
         Self { name: name.into(), ..self }
     }
 
-    /// With so many columns and rows of regions.
+    /// With so many columns and rows of regions, instead of free marks.
     #[must_use]
     pub fn with_regions(self, regions: [u32; 2]) -> Self {
-        Self { regions, ..self }
+        Self { regions: Some(regions), ..self }
     }
 
     /// With other edges; [`Edges::Wrap`] makes a seamless tile.
@@ -129,6 +129,20 @@ impl Stroke {
     pub fn line(from: [f64; 2], to: [f64; 2], width: f64) -> Self {
         Self::Line(Line { from, to, width })
     }
+
+    /// A piece of a stripe that may bend: its points in order, at least two, and its width, px.
+    ///
+    /// ```
+    /// use dapple::document::{Document, Layer, Stroke};
+    ///
+    /// let arc = Stroke::path([[20.0, 60.0], [50.0, 40.0], [90.0, 40.0], [120.0, 60.0]], 8.0);
+    /// Document::new([140, 100]).with_layer(Layer::new([arc])).check("the arc")?;
+    /// # Ok::<(), dapple::document::DocumentError>(())
+    /// ```
+    #[must_use]
+    pub fn path(points: impl IntoIterator<Item = [f64; 2]>, width: f64) -> Self {
+        Self::Path(Path { points: points.into_iter().collect(), width })
+    }
 }
 
 impl From<Ellipse> for Stroke {
@@ -140,6 +154,12 @@ impl From<Ellipse> for Stroke {
 impl From<Line> for Stroke {
     fn from(line: Line) -> Self {
         Self::Line(line)
+    }
+}
+
+impl From<Path> for Stroke {
+    fn from(path: Path) -> Self {
+        Self::Path(path)
     }
 }
 

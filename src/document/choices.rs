@@ -2,6 +2,7 @@
 
 use crate::attributes::system::Description;
 use crate::document::Seeding;
+use crate::marks::Mark;
 use crate::rd::System;
 
 /// The kind of a layer's marks.
@@ -11,6 +12,15 @@ pub enum Kind {
     Ellipse,
     /// Stripes.
     Line,
+}
+
+impl From<&Mark> for Kind {
+    fn from(mark: &Mark) -> Self {
+        match mark {
+            Mark::Ellipse(_) => Self::Ellipse,
+            Mark::Line(_) | Mark::Path(_) => Self::Line,
+        }
+    }
 }
 
 impl Kind {

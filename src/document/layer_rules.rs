@@ -291,7 +291,7 @@ impl Rule {
             Key::Option(option) => (
                 format!("options.{}", option.name()),
                 option.value(&layer.options),
-                option.always_allowed().to_owned(),
+                option.always_allowed().join(" or "),
             ),
         };
         Problem::new(format!("{place}.{key}"), found, format!("{allowed}. {}", self.reason))

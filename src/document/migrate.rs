@@ -1,5 +1,7 @@
 //! Versions: an older document is migrated step by step, a newer one is refused.
 
+mod free_marks;
+
 use crate::document::node::Node;
 use crate::document::{DocumentError, Problem};
 use serde_json::{Value, json};
@@ -8,7 +10,7 @@ use serde_json::{Value, json};
 type Migration = fn(Value) -> Value;
 
 /// `MIGRATIONS[i]` turns version i + 1 into version i + 2. Append new ones; never change an old one.
-const MIGRATIONS: &[Migration] = &[];
+const MIGRATIONS: &[Migration] = &[free_marks::migrate];
 
 /// The version that is read and written.
 pub(super) const NEWEST: u64 = MIGRATIONS.len() as u64 + 1;

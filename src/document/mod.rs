@@ -1,13 +1,14 @@
 //! The document: everything that defines a texture, and its `.dapple` file (JSON, UTF-8).
 //!
 //! A document that was read is valid: every number is finite and within [`limits`], every mark's centre lies on
-//! the canvas, and no layer mixes ellipses with lines (freehand strokes are fitted, and checked, when the document is grown).
+//! the canvas, and no layer mixes ellipses with lines or paths (freehand strokes are fitted, and checked, when the document
+//! is grown).
 //!
 //! | key | default |
 //! |---|---|
 //! | `format`, `version`, `size`, `layers`, a layer's `strokes`, a stroke's shape | required |
 //! | `name` | empty |
-//! | `regions` | `[1, 1]` |
+//! | `regions` | none: each mark says what is wanted around it |
 //! | `edges` | `"closed"` |
 //! | `seed` | 1 |
 //! | `dpi` | 300 |
@@ -19,15 +20,15 @@
 //! | a layer's `seed` | derived from the document's: [`Document::layer_seed`] |
 //! | a layer's `options` | `{}` |
 //! | `options.spread`, of spots | `"drawn"` |
-//! | `options.duty`, of stripes | 0.5 |
+//! | `options.duty`, of stripes | `"drawn"` |
 //! | `options.broken`, of `"after": "around"` | 0: closed rings |
 //! | `options.irregular`, of spots | 0 |
-//! | `options.keep` | true where there is one region and `irregular` is 0 |
+//! | `options.keep` | true where there are no regions or one, and `irregular` is 0 |
 //! | `options.seeding`, of stripes | `"noise"` |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
 //! | an ellipse's `angle` | 0 |
-//! | the `width` of a line or a freehand stroke | 6 px |
+//! | the `width` of a line, a path or a freehand stroke | 6 px |
 //!
 //! `options.spread` of a layer of spots says how much they differ from each other, as [`Spread`] defines it:
 //!
@@ -37,8 +38,9 @@
 //! | a number, 0–0.6 | the coefficient of variation of the area; shapes, directions and distances are even |
 //! | `{"area": 0–0.6, "angle": 0–45, "aspect": 0–0.2, "spacing": 0–0.2}` | each by itself; what is left out is even |
 //!
-//! `options.duty` of a layer of stripes, 0.2–0.5, says which share of the way from one stripe to the next each covers:
-//! they are as wide as drawn, and width ÷ duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as
+//! `options.duty` of a layer of stripes says which share of the way from one stripe to the next each covers. `"drawn"`:
+//! as the drawn lines do that lie side by side, and half of it where none do. A number, 0.2–0.5: they are as wide as drawn,
+//! and width ÷ duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as
 //! their gaps; below it `meinhardt-lines`, thin stripes on wide ground. `meinhardt-stripes` takes no other duty.
 //!
 //! `options.broken` of a layer `around` the one beneath, 0–0.6: the share of each ring that is open, in two to five gaps a
@@ -78,6 +80,8 @@ mod node;
 mod option_key;
 pub mod palette;
 mod reader;
+#[doc(hidden)]
+pub mod sketch_notes;
 mod strokes;
 mod syntax;
 mod writer;
@@ -85,7 +89,7 @@ mod writer;
 pub use crate::attributes::Spread;
 pub use crate::colour::{Gradient, PRESETS, Preset};
 pub use crate::grid::Edges;
-pub use crate::marks::{Ellipse, Line};
+pub use crate::marks::{Ellipse, Line, Path};
 pub use crate::rd::{Seeding, System};
 pub use causes::with_causes;
 pub use choices::{After, Kind, SystemChoice};
@@ -94,6 +98,9 @@ pub use embedded::{Extent, in_picture, in_stream, open};
 pub use error::{DocumentError, Problem};
 pub use option_key::OptionKey;
 
+use crate::marks::Mark;
+use crate::sketch::recognise;
+
 /// Everything that defines a texture: what was drawn and how it is grown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
@@ -101,8 +108,8 @@ pub struct Document {
     pub name: String,
     /// Width and height of the canvas, px, 1 to [`limits::MAX_SIDE`] each.
     pub size: [u32; 2],
-    /// Columns and rows of regions, 1 to [`limits::MAX_REGIONS`] each.
-    pub regions: [u32; 2],
+    /// Columns and rows of regions, 1 to [`limits::MAX_REGIONS`] each; `None` = each mark says what is wanted around it.
+    pub regions: Option<[u32; 2]>,
     /// Whether the canvas ends at its border or wraps around.
     pub edges: Edges,
     /// Seed of all random numbers.
@@ -121,7 +128,7 @@ impl Default for Document {
         Self {
             name: String::new(),
             size: [512, 512],
-            regions: [1, 1],
+            regions: None,
             edges: Edges::Closed,
             seed: 1,
             dpi: 300.0,
@@ -154,14 +161,20 @@ impl Document {
 impl Document {
     /// Whether the drawn marks of the layer at `index` are among those that grow (`options.keep`).
     ///
-    /// The default is yes with one region. With several regions, the region map may ask for something else where a mark
-    /// lies; and irregular spots differ from drawn ellipses.
+    /// The default is yes without regions and with one. With several regions, the region map may ask for something else
+    /// where a mark lies; and irregular spots differ from drawn ellipses.
     #[must_use]
     pub fn keeps_marks(&self, index: usize) -> bool {
         let Some(Layer { options, after, .. }) = self.layers.get(index) else { return false };
-        let usual = self.regions == [1, 1] && options.irregular == 0.0;
+        let usual = self.region_grid() == [1, 1] && options.irregular == 0.0;
         // The lowest layer has nothing beneath it to come after.
         (index == 0 || *after == After::Between) && options.keep.unwrap_or(usual)
+    }
+
+    /// Columns and rows of the tables and overlays that go by region: 1 × 1 without regions.
+    #[must_use]
+    pub fn region_grid(&self) -> [usize; 2] {
+        self.regions.unwrap_or([1, 1]).map(|n| n as usize)
     }
 }
 
@@ -228,8 +241,8 @@ impl Default for Layer {
 pub struct LayerOptions {
     /// How much its spots differ from each other.
     pub spread: SpreadChoice,
-    /// Stripe ÷ period, 0.2–0.5.
-    pub duty: f64,
+    /// Stripe ÷ period.
+    pub duty: DutyChoice,
     /// The share of each ring of an `around` layer that is open, 0..[`limits::BROKEN`].
     pub broken: f64,
     /// How irregular its spots are, 0–1.
@@ -241,7 +254,7 @@ pub struct LayerOptions {
 }
 
 impl LayerOptions {
-    /// Width of the stripes ÷ their period where nothing else is said.
+    /// Width of the stripes ÷ their period where neither the drawn lines nor the options say anything else.
     pub const DUTY: f64 = 0.5;
 }
 
@@ -249,7 +262,7 @@ impl Default for LayerOptions {
     fn default() -> Self {
         Self {
             spread: SpreadChoice::default(),
-            duty: Self::DUTY,
+            duty: DutyChoice::default(),
             broken: 0.0,
             irregular: 0.0,
             keep: None,
@@ -268,33 +281,75 @@ pub enum SpreadChoice {
     Given(Spread),
 }
 
+/// Which share of their period the stripes of a layer cover.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum DutyChoice {
+    /// That of the drawn lines that lie side by side; [`Options::DUTY`] where none do.
+    #[default]
+    Drawn,
+    /// This, 0.2–0.5.
+    Given(f64),
+}
+
+impl DutyChoice {
+    /// The duty that is given; `None` of [`Self::Drawn`].
+    #[must_use]
+    pub fn given(self) -> Option<f64> {
+        if let Self::Given(duty) = self { Some(duty) } else { None }
+    }
+}
+
 /// What was drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stroke {
     /// A spot.
     Ellipse(Ellipse),
-    /// A piece of a stripe.
+    /// A straight piece of a stripe.
     Line(Line),
-    /// A freehand path: if closed, an ellipse; if open, a line. It is fitted when the document is grown.
+    /// A piece of a stripe that may bend.
+    Path(Path),
+    /// A freehand stroke: if closed, an ellipse; if open, a path, or a line if it is straight. It is fitted when the
+    /// document is grown.
     Freehand {
         /// Points in the order in which they were drawn, px; at least two.
         points: Vec<[f64; 2]>,
-        /// Width of the pen, px: the line's, if it is one.
+        /// Width of the pen, px: that of the line or path.
         width: f64,
     },
 }
 
 impl Stroke {
-    /// Width of a line or a freehand stroke that states none, px.
+    /// Width of a line, a path or a freehand stroke that states none, px.
     pub const WIDTH: f64 = 6.0;
+
+    /// The mark that it stands for, a freehand stroke fitted; `None` of a freehand stroke that is no mark.
+    #[must_use]
+    pub fn mark(&self) -> Option<Mark> {
+        match self {
+            Self::Ellipse(ellipse) => Some(Mark::Ellipse(*ellipse)),
+            Self::Line(line) => Some(Mark::Line(*line)),
+            Self::Path(path) => Some(Mark::Path(path.clone())),
+            Self::Freehand { points, width } => recognise(points, *width),
+        }
+    }
 
     /// What it is; `None` for a freehand stroke, which must be fitted first.
     #[must_use]
     pub fn kind(&self) -> Option<Kind> {
         match self {
             Self::Ellipse(_) => Some(Kind::Ellipse),
-            Self::Line(_) => Some(Kind::Line),
+            Self::Line(_) | Self::Path(_) => Some(Kind::Line),
             Self::Freehand { .. } => None,
+        }
+    }
+}
+
+impl From<Mark> for Stroke {
+    fn from(mark: Mark) -> Self {
+        match mark {
+            Mark::Ellipse(ellipse) => Self::Ellipse(ellipse),
+            Mark::Line(line) => Self::Line(line),
+            Mark::Path(path) => Self::Path(path),
         }
     }
 }

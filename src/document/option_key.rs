@@ -1,7 +1,7 @@
 //! The keys of a layer's `options`.
 
 use crate::document::choices::{SEEDINGS, name_in};
-use crate::document::{LayerOptions, SpreadChoice};
+use crate::document::{DutyChoice, LayerOptions, SpreadChoice};
 
 /// One key of a layer's `options`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,14 +38,15 @@ impl OptionKey {
         }
     }
 
-    /// Whether `options` give this key a value that not every layer allows: any but the default, and `keep` of `true`.
+    /// Whether `options` give this key a value that not every layer allows: any but the default, a `duty` of 0.5 and a
+    /// `keep` of `false`.
     #[must_use]
     pub fn is_set(self, options: &LayerOptions) -> bool {
         let default = LayerOptions::default();
         match self {
             Self::Spread => options.spread != default.spread,
             Self::Irregular => options.irregular != default.irregular,
-            Self::Duty => options.duty != default.duty,
+            Self::Duty => options.duty.given().is_some_and(|duty| duty != LayerOptions::DUTY),
             Self::Seeding => options.seeding != default.seeding,
             Self::Broken => options.broken != default.broken,
             Self::Keep => options.keep == Some(true),
@@ -57,6 +58,7 @@ impl OptionKey {
     pub fn is_default(self, options: &LayerOptions) -> bool {
         match self {
             Self::Keep => options.keep.is_none(),
+            Self::Duty => options.duty == DutyChoice::Drawn,
             _ => !self.is_set(options),
         }
     }
@@ -74,15 +76,15 @@ impl OptionKey {
         }
     }
 
-    /// The value that every layer allows, as JSON.
+    /// The values that every layer allows, as JSON.
     #[must_use]
-    pub fn always_allowed(self) -> &'static str {
+    pub fn always_allowed(self) -> &'static [&'static str] {
         match self {
-            Self::Spread => "\"drawn\"",
-            Self::Irregular | Self::Broken => "0",
-            Self::Duty => "0.5",
-            Self::Seeding => "\"noise\"",
-            Self::Keep => "false",
+            Self::Spread => &["\"drawn\""],
+            Self::Irregular | Self::Broken => &["0"],
+            Self::Duty => &["\"drawn\"", "0.5"],
+            Self::Seeding => &["\"noise\""],
+            Self::Keep => &["false"],
         }
     }
 
@@ -98,7 +100,7 @@ impl OptionKey {
                 }
             },
             Self::Irregular => options.irregular.to_string(),
-            Self::Duty => options.duty.to_string(),
+            Self::Duty => options.duty.given().map_or("\"drawn\"".to_owned(), |duty| duty.to_string()),
             Self::Seeding => format!("\"{}\"", name_in(&SEEDINGS, options.seeding)),
             Self::Broken => options.broken.to_string(),
             Self::Keep => options.keep.map_or("nothing".to_owned(), |keep| keep.to_string()),
@@ -116,13 +118,17 @@ mod tests {
         for key in OptionKey::ALL {
             assert!(key.is_default(&options) && !key.is_set(&options), "{}", key.name());
         }
-        assert_eq!(OptionKey::Duty.always_allowed(), LayerOptions::DUTY.to_string());
+        assert_eq!(OptionKey::Duty.always_allowed()[1], LayerOptions::DUTY.to_string());
     }
 
     #[test]
     fn a_reset_touches_one_key() {
-        let mut options =
-            LayerOptions { duty: 0.3, irregular: 0.5, keep: Some(false), ..LayerOptions::default() };
+        let mut options = LayerOptions {
+            duty: DutyChoice::Given(0.3),
+            irregular: 0.5,
+            keep: Some(false),
+            ..LayerOptions::default()
+        };
         OptionKey::Duty.reset(&mut options);
         assert!(OptionKey::Duty.is_default(&options));
         assert!(OptionKey::Irregular.is_set(&options) && !OptionKey::Keep.is_default(&options));

@@ -8,8 +8,8 @@ use crate::document::limits::Range;
 use crate::document::node::Node;
 use crate::document::strokes;
 use crate::document::{
-    After, Colours, Document, Growth, Layer, LayerOptions, OptionKey, Problem, SpreadChoice, Stop, Stroke,
-    SystemChoice,
+    After, Colours, Document, DutyChoice, Growth, Layer, LayerOptions, OptionKey, Problem, SpreadChoice,
+    Stop, Stroke, SystemChoice,
 };
 use crate::grid::Edges;
 
@@ -24,7 +24,7 @@ pub(super) fn document(root: &Node) -> Result<Document, Problem> {
     Ok(Document {
         name: name(root)?.unwrap_or(default.name),
         size,
-        regions: root.get("regions").map_or(Ok(default.regions), |node| node.counts(most))?,
+        regions: root.get("regions").map(|node| node.counts(most)).transpose()?,
         edges: root.get("edges").map_or(Ok(default.edges), |node| node.choice(&EDGES))?,
         seed: seed(root)?.unwrap_or(default.seed),
         dpi: root.get("dpi").map_or(Ok(default.dpi), |node| node.number(&limits::DPI))?,
@@ -88,11 +88,20 @@ fn options(node: &Node) -> Result<LayerOptions, Problem> {
     Ok(LayerOptions {
         spread: node.get("spread").map_or(Ok(default.spread), |node| spread(&node))?,
         broken: number("broken", default.broken, &limits::BROKEN)?,
-        duty: number("duty", default.duty, &limits::DUTY)?,
+        duty: node.get("duty").map_or(Ok(default.duty), |node| duty(&node))?,
         irregular: number("irregular", default.irregular, &limits::IRREGULAR)?,
         seeding: node.get("seeding").map_or(Ok(default.seeding), |node| node.choice(&SEEDINGS))?,
         keep: node.get("keep").map(|node| node.flag()).transpose()?,
     })
+}
+
+/// `"drawn"`, or the share.
+fn duty(node: &Node) -> Result<DutyChoice, Problem> {
+    let allowed = format!("\"drawn\", or {}", limits::DUTY);
+    if node.text(&allowed) == Ok("drawn") {
+        return Ok(DutyChoice::Drawn);
+    }
+    node.number(&limits::DUTY).map(DutyChoice::Given).map_err(|_| node.wrong(allowed))
 }
 
 /// `"drawn"`, the variation of the area, or an object.

@@ -4,7 +4,7 @@ use crate::document::layer_rules::mixed_marks;
 use crate::document::limits::{MIN_LENGTH, Range};
 use crate::document::node::Node;
 use crate::document::{Problem, Stroke};
-use crate::marks::{Ellipse, Line};
+use crate::marks::{Ellipse, Line, Path};
 
 /// A layer's strokes: at least one, ellipses or lines but not both.
 pub(super) fn strokes(node: &Node, size: [u32; 2]) -> Result<Vec<Stroke>, Problem> {
@@ -22,8 +22,9 @@ pub(super) fn strokes(node: &Node, size: [u32; 2]) -> Result<Vec<Stroke>, Proble
 }
 
 fn stroke(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
-    let kinds: [(&str, Reader); 3] = [("ellipse", ellipse), ("line", line), ("freehand", freehand)];
-    let read = node.need("kind", "ellipse, line or freehand")?.choice(&kinds)?;
+    let kinds: [(&str, Reader); 4] =
+        [("ellipse", ellipse), ("line", line), ("path", path), ("freehand", freehand)];
+    let read = node.need("kind", "ellipse, line, path or freehand")?.choice(&kinds)?;
     read(node, size)
 }
 
@@ -55,14 +56,32 @@ fn line(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     Ok(Stroke::Line(line))
 }
 
+/// The point half way along a path is on the canvas; others may leave it.
+fn path(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
+    node.keys(&["kind", "points", "width"])?;
+    let list = node.need("points", POINTS)?;
+    let path = Path { points: points(&list, size)?, width: width(node, size)? };
+    inside(&list, "a path whose centre is", path.center(), size)?;
+    Ok(Stroke::Path(path))
+}
+
 /// The mean of the points is on the canvas; single points may leave it.
 fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "points", "width"])?;
-    let list = node.need("points", "a list of points [x, y] in px")?;
-    let points: Vec<[f64; 2]> = list
-        .items("a list of points [x, y] in px")?
-        .map(|point| point.numbers(size.map(Range::around)))
-        .collect::<Result<_, _>>()?;
+    let list = node.need("points", POINTS)?;
+    let points = points(&list, size)?;
+    let n = points.len() as f64;
+    let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / n);
+    inside(&list, "a stroke whose centre is", mean, size)?;
+    Ok(Stroke::Freehand { points, width: width(node, size)? })
+}
+
+const POINTS: &str = "a list of points [x, y] in px";
+
+/// The points of a path or a freehand stroke, which has an extent.
+fn points(list: &Node, size: [u32; 2]) -> Result<Vec<[f64; 2]>, Problem> {
+    let points: Vec<[f64; 2]> =
+        list.items(POINTS)?.map(|point| point.numbers(size.map(Range::around))).collect::<Result<_, _>>()?;
     if points.len() < 2 {
         return Err(list.found(format!("{} points", points.len()), "at least 2 points"));
     }
@@ -74,10 +93,7 @@ fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
         let found = format!("points within {} × {} px", extent[0], extent[1]);
         return Err(list.found(found, format!("a stroke that extends over at least {MIN_LENGTH} px")));
     }
-    let n = points.len() as f64;
-    let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / n);
-    inside(&list, "a stroke whose centre is", mean, size)?;
-    Ok(Stroke::Freehand { points, width: width(node, size)? })
+    Ok(points)
 }
 
 fn width(node: &Node, size: [u32; 2]) -> Result<f64, Problem> {

@@ -11,18 +11,21 @@ const LINE: usize = 100;
 
 /// The whole document, without what is derived from other values (a layer's seed, its colours).
 pub(super) fn value(document: &Document) -> Value {
-    json!({
-        "format": "dapple",
-        "version": migrate::NEWEST,
-        "name": document.name,
-        "size": document.size,
-        "regions": document.regions,
-        "edges": reader::EDGES.iter().find(|(_, edges)| *edges == document.edges).map(|(name, _)| name),
-        "seed": document.seed,
-        "dpi": number(document.dpi),
-        "growth": {"refine": document.growth.refine},
-        "layers": document.layers.iter().map(layer).collect::<Vec<_>>(),
-    })
+    let edges = reader::EDGES.iter().find(|(_, edges)| *edges == document.edges).map(|(name, _)| name);
+    let mut map = Map::new();
+    map.insert("format".into(), json!("dapple"));
+    map.insert("version".into(), json!(migrate::NEWEST));
+    map.insert("name".into(), json!(document.name));
+    map.insert("size".into(), json!(document.size));
+    if let Some(regions) = document.regions {
+        map.insert("regions".into(), json!(regions));
+    }
+    map.insert("edges".into(), json!(edges));
+    map.insert("seed".into(), json!(document.seed));
+    map.insert("dpi".into(), number(document.dpi));
+    map.insert("growth".into(), json!({"refine": document.growth.refine}));
+    map.insert("layers".into(), document.layers.iter().map(layer).collect());
+    Value::Object(map)
 }
 
 fn layer(layer: &Layer) -> Value {
@@ -48,8 +51,8 @@ fn options(options: &LayerOptions) -> Value {
         let named = spread.named().map(|(name, value)| (name.to_owned(), number(value)));
         map.insert("spread".into(), Value::Object(Map::from_iter(named)));
     }
-    if options.duty != LayerOptions::DUTY {
-        map.insert("duty".into(), number(options.duty));
+    if let Some(duty) = options.duty.given() {
+        map.insert("duty".into(), number(duty));
     }
     if options.broken > 0.0 {
         map.insert("broken".into(), number(options.broken));
@@ -73,6 +76,11 @@ fn stroke(stroke: &Stroke) -> Value {
         }),
         Stroke::Line(l) => json!({
             "kind": "line", "from": numbers(&l.from), "to": numbers(&l.to), "width": number(l.width)
+        }),
+        Stroke::Path(path) => json!({
+            "kind": "path",
+            "points": path.points.iter().map(|point| numbers(point)).collect::<Vec<_>>(),
+            "width": number(path.width)
         }),
         Stroke::Freehand { points, width } => json!({
             "kind": "freehand",

@@ -12,8 +12,8 @@ use crate::marks::Mark;
 pub enum Edit {
     /// Set width and height of the canvas, px. Marks whose centre is outside are removed.
     Size([u32; 2]),
-    /// Set the number of columns and rows of regions.
-    Regions([u32; 2]),
+    /// Set the number of columns and rows of regions; `None` = free marks.
+    Regions(Option<[u32; 2]>),
     /// Set how the canvas ends.
     Edges(Edges),
     /// Set the resolution, dots per inch.

@@ -10,7 +10,6 @@ use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::shape;
 use crate::marks::Mark;
-use crate::sketch::recognise;
 
 /// The open document while it is edited.
 #[derive(Clone, Debug)]
@@ -195,7 +194,7 @@ impl Session {
     /// The mark at a place.
     #[must_use]
     pub fn mark(&self, place: Place) -> Option<Mark> {
-        *self.marks.get(place.layer)?.get(place.stroke)?
+        self.marks.get(place.layer)?.get(place.stroke)?.clone()
     }
 
     /// All marks, those of the lowest layer first.
@@ -204,14 +203,20 @@ impl Session {
             marks
                 .iter()
                 .enumerate()
-                .filter_map(move |(stroke, mark)| Some((Place { layer, stroke }, (*mark)?)))
+                .filter_map(move |(stroke, mark)| Some((Place { layer, stroke }, mark.clone()?)))
         })
+    }
+
+    /// The mark of each stroke, by layer and stroke; `None` of a stroke that is no mark.
+    #[must_use]
+    pub fn fitted_marks(&self) -> &[Vec<Option<Mark>>] {
+        &self.marks
     }
 
     /// The marks of one layer.
     #[must_use]
     pub fn marks_of(&self, layer: usize) -> Vec<Mark> {
-        self.marks.get(layer).into_iter().flatten().flatten().copied().collect()
+        self.marks.get(layer).into_iter().flatten().flatten().cloned().collect()
     }
 
     /// The selected marks.
@@ -222,7 +227,7 @@ impl Session {
     /// The kind of marks in a layer; `None` where it is empty.
     #[must_use]
     pub fn kind(&self, layer: usize) -> Option<Kind> {
-        self.marks.get(layer)?.iter().flatten().next().map(kind_of)
+        self.marks.get(layer)?.iter().flatten().next().map(Kind::from)
     }
 
     /// Adds marks and selects them. They go to the active layer if it accepts their kind, else to the highest layer
@@ -231,14 +236,14 @@ impl Session {
         let size = self.document.size;
         let mut added = Vec::with_capacity(marks.len());
         for mark in marks {
-            let layer = self.layer_for(kind_of(mark));
+            let layer = self.layer_for(Kind::from(mark));
             let stroke = self.document.layers.get(layer).map_or(0, |layer| layer.strokes.len());
             let mark = shape::bounded(mark, size);
             self.edit(|document| {
                 if layer == document.layers.len() {
                     document.layers.push(Layer::default());
                 }
-                document.layers[layer].strokes.push(stroke_of(&mark));
+                document.layers[layer].strokes.push(Stroke::from(mark));
             });
             self.active_layer = layer;
             added.push(Place { layer, stroke });
@@ -266,7 +271,7 @@ impl Session {
                     .get_mut(place.layer)
                     .and_then(|layer| layer.strokes.get_mut(place.stroke));
                 if let Some(stroke) = stroke {
-                    *stroke = stroke_of(&shape::bounded(mark, size));
+                    *stroke = Stroke::from(shape::bounded(mark, size));
                 }
             }
         });
@@ -324,35 +329,13 @@ impl Session {
     }
 }
 
-/// The kind of a mark.
-#[must_use]
-pub fn kind_of(mark: &Mark) -> Kind {
-    match mark {
-        Mark::Ellipse(_) => Kind::Ellipse,
-        Mark::Line(_) => Kind::Line,
-    }
-}
-
-/// The stroke of a mark.
-#[must_use]
-pub fn stroke_of(mark: &Mark) -> Stroke {
-    match *mark {
-        Mark::Ellipse(ellipse) => Stroke::Ellipse(ellipse),
-        Mark::Line(line) => Stroke::Line(line),
-    }
-}
-
 /// The marks of `document`. Freehand strokes that did not change since `before` keep their fitted mark.
 fn fitted(document: &Document, before: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Vec<Option<Mark>>> {
-    let fit = |layer: usize, index: usize, stroke: &Stroke| match stroke {
-        Stroke::Ellipse(ellipse) => Some(Mark::Ellipse(*ellipse)),
-        Stroke::Line(line) => Some(Mark::Line(*line)),
-        Stroke::Freehand { points, width } => {
-            let same = before.layers.get(layer).and_then(|layer| layer.strokes.get(index)) == Some(stroke);
-            match marks.get(layer).and_then(|marks| marks.get(index)) {
-                Some(known) if same => *known,
-                _ => recognise(points, *width),
-            }
+    let fit = |layer: usize, index: usize, stroke: &Stroke| {
+        let is_same = || before.layers.get(layer).and_then(|layer| layer.strokes.get(index)) == Some(stroke);
+        match marks.get(layer).and_then(|marks| marks.get(index)) {
+            Some(known) if stroke.kind().is_none() && is_same() => known.clone(),
+            _ => stroke.mark(),
         }
     };
     let layers = document.layers.iter().enumerate();

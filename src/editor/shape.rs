@@ -1,7 +1,7 @@
 //! Operations on a mark: move, turn, scale, hit test, keep within bounds.
 
 use crate::document::limits::MIN_LENGTH;
-use crate::marks::{Ellipse, Line, Mark};
+use crate::marks::{Ellipse, Line, Mark, Path, distance_to_segment};
 
 /// The smallest radius or width of a drawn mark, px.
 pub const SMALLEST: f64 = 0.5;
@@ -11,27 +11,13 @@ const ROUNDING: f64 = 1e-9;
 /// The centre of a mark, px.
 #[must_use]
 pub fn center(mark: &Mark) -> [f64; 2] {
-    match mark {
-        Mark::Ellipse(ellipse) => ellipse.center,
-        Mark::Line(line) => line.center(),
-    }
+    mark.center()
 }
 
 /// The mark moved by `by` px.
 #[must_use]
 pub fn moved(mark: &Mark, by: [f64; 2]) -> Mark {
-    match *mark {
-        Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse { center: added(ellipse.center, by), ..ellipse }),
-        Mark::Line(line) => Mark::Line(line_moved(&line, by)),
-    }
-}
-
-fn line_moved(line: &Line, by: [f64; 2]) -> Line {
-    Line { from: added(line.from, by), to: added(line.to, by), ..*line }
-}
-
-fn added(p: [f64; 2], by: [f64; 2]) -> [f64; 2] {
-    [p[0] + by[0], p[1] + by[1]]
+    mark.shifted(by)
 }
 
 /// The mark turned by `degrees` around `pivot`.
@@ -42,13 +28,14 @@ pub fn turned(mark: &Mark, degrees: f64, pivot: [f64; 2]) -> Mark {
         let [x, y] = [p[0] - pivot[0], p[1] - pivot[1]];
         [pivot[0] + cos * x - sin * y, pivot[1] + sin * x + cos * y]
     };
-    match *mark {
+    match mark {
         Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse {
             center: turn(ellipse.center),
             angle: (ellipse.angle + degrees).rem_euclid(180.0),
-            ..ellipse
+            ..*ellipse
         }),
-        Mark::Line(line) => Mark::Line(Line { from: turn(line.from), to: turn(line.to), ..line }),
+        Mark::Line(line) => Mark::Line(Line { from: turn(line.from), to: turn(line.to), ..*line }),
+        Mark::Path(path) => Mark::Path(path.with_points(turn)),
     }
 }
 
@@ -56,15 +43,16 @@ pub fn turned(mark: &Mark, degrees: f64, pivot: [f64; 2]) -> Mark {
 #[must_use]
 pub fn scaled(mark: &Mark, factor: f64, pivot: [f64; 2]) -> Mark {
     let place = |p: [f64; 2]| [0, 1].map(|axis| pivot[axis] + factor * (p[axis] - pivot[axis]));
-    match *mark {
+    match mark {
         Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse {
             center: place(ellipse.center),
             radii: ellipse.radii.map(|radius| factor * radius),
-            ..ellipse
+            ..*ellipse
         }),
         Mark::Line(line) => {
             Mark::Line(Line { from: place(line.from), to: place(line.to), width: factor * line.width })
         }
+        Mark::Path(path) => Mark::Path(Path { width: factor * path.width, ..path.with_points(place) }),
     }
 }
 
@@ -93,12 +81,10 @@ pub fn distance(mark: &Mark, point: [f64; 2]) -> f64 {
             let share = (x / ellipse.radii[0]).hypot(y / ellipse.radii[1]);
             if share <= 1.0 { 0.0 } else { x.hypot(y) * (1.0 - 1.0 / share) }
         }
-        Mark::Line(line) => {
-            let [dx, dy] = [line.to[0] - line.from[0], line.to[1] - line.from[1]];
-            let [x, y] = [point[0] - line.from[0], point[1] - line.from[1]];
-            let length = dx * dx + dy * dy;
-            let t = if length > 0.0 { ((x * dx + y * dy) / length).clamp(0.0, 1.0) } else { 0.0 };
-            ((x - t * dx).hypot(y - t * dy) - 0.5 * line.width).max(0.0)
+        Mark::Line(line) => (distance_to_segment(point, [line.from, line.to]) - 0.5 * line.width).max(0.0),
+        Mark::Path(path) => {
+            let distances = path.points.windows(2).map(|pair| distance_to_segment(point, [pair[0], pair[1]]));
+            (distances.fold(f64::INFINITY, f64::min) - 0.5 * path.width).max(0.0)
         }
     }
 }
@@ -109,7 +95,7 @@ pub fn bounded(mark: &Mark, size: [u32; 2]) -> Mark {
     let thickest = f64::from(size[0].max(size[1]));
     let thick = |length: f64| length.clamp(SMALLEST.min(thickest), thickest);
     let inside = |p: [f64; 2]| [0, 1].map(|axis| p[axis].clamp(0.0, f64::from(size[axis])));
-    match *mark {
+    match mark {
         Mark::Ellipse(ellipse) => Mark::Ellipse(Ellipse {
             center: inside(ellipse.center),
             radii: ellipse.radii.map(thick),
@@ -123,21 +109,55 @@ pub fn bounded(mark: &Mark, size: [u32; 2]) -> Mark {
             if line.length() < MIN_LENGTH {
                 line.to[0] += SMALLEST;
             }
-            let to_canvas = |line: Line, rim: f64| {
-                let by = [0, 1].map(|axis| {
-                    let (midpoint, side) = (line.center()[axis], f64::from(size[axis]));
-                    if (0.0..=side).contains(&midpoint) {
-                        0.0
-                    } else {
-                        midpoint.clamp(rim, side - rim) - midpoint
-                    }
-                });
-                line_moved(&line, by)
-            };
-            // The mean of two ends is rounded: on the very edge it may lie beyond.
-            Mark::Line(to_canvas(to_canvas(line, 0.0), ROUNDING))
+            on_canvas(&Mark::Line(line), size)
         }
+        Mark::Path(path) => bounded_path(Path { width: thick(path.width), ..path.clone() }, size),
     }
+}
+
+/// The mark moved until its centre is on a canvas of `size` px.
+fn on_canvas(mark: &Mark, size: [u32; 2]) -> Mark {
+    let moved = |mark: &Mark, rim: f64| {
+        let center = mark.center();
+        mark.shifted([0, 1].map(|axis| {
+            let (middle, side) = (center[axis], f64::from(size[axis]));
+            if (0.0..=side).contains(&middle) { 0.0 } else { middle.clamp(rim, side - rim) - middle }
+        }))
+    };
+    // The centre is rounded: on the very edge it may lie beyond.
+    moved(&moved(mark, 0.0), ROUNDING)
+}
+
+/// The path moved until its centre is on a canvas of `size` px, and shrunk around it until no point is farther from the
+/// canvas than a side of it.
+fn bounded_path(path: Path, size: [u32; 2]) -> Mark {
+    let path = Path { points: extended(path.points), ..path };
+    let moved = on_canvas(&Mark::Path(path), size);
+    let center = moved.center();
+    let Mark::Path(path) = &moved else { return moved };
+    let fits = path.points.iter().flat_map(|point| [0, 1].map(|axis| (axis, point[axis] - center[axis])));
+    let factor = fits.fold(1.0, |least: f64, (axis, reach)| {
+        let side = f64::from(size[axis]);
+        let room = if reach < 0.0 { center[axis] + side } else { 2.0 * side - center[axis] };
+        least.min((1.0 - 1e-9) * room / reach.abs())
+    });
+    if factor >= 1.0 - 1e-9 {
+        return moved;
+    }
+    let place = |point: [f64; 2]| [0, 1].map(|axis| center[axis] + factor * (point[axis] - center[axis]));
+    on_canvas(&Mark::Path(path.with_points(place)), size)
+}
+
+/// The points of a path; where all are at one place, the last a little beside it.
+fn extended(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    let first = points.first().copied().unwrap_or_default();
+    let is_far = |point: &[f64; 2]| (0..2).any(|axis| (point[axis] - first[axis]).abs() >= MIN_LENGTH);
+    if !points.iter().any(is_far)
+        && let Some(last) = points.last_mut()
+    {
+        last[0] += SMALLEST;
+    }
+    points
 }
 
 /// The bounding box of the marks: smallest and largest x and y, px. `None` without marks.
@@ -168,6 +188,11 @@ fn extent_of(mark: &Mark) -> [[f64; 2]; 2] {
             let low = [0, 1].map(|axis| line.from[axis].min(line.to[axis]) - half);
             let high = [0, 1].map(|axis| line.from[axis].max(line.to[axis]) + half);
             [low, high]
+        }
+        Mark::Path(path) => {
+            let [low, high] = path.bounds();
+            let half = 0.5 * path.width;
+            [low.map(|edge| edge - half), high.map(|edge| edge + half)]
         }
     }
 }

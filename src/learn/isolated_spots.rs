@@ -8,7 +8,7 @@
 //! A·rate = K · (ln l ÷ ln ½)^k · (1 − c·exp(−a·q − b·q²))     q = p − 1     p = L·√rate ÷ (S · (d₁ + d₂ · ln² stretch))
 //!
 //! A area, l level, L spacing; p pitch, the spacing ÷ the natural spacing; S natural distance of initial places
-//! × √rate; d mean Delaunay edge ÷ distance of initial places
+//! × √rate; d the spacing ÷ the distance of initial places
 //! ```
 
 use crate::attributes::system::IsolatedSpots;

@@ -88,7 +88,7 @@ pub(super) const ISOLATED: IsolatedSpots = IsolatedSpots {
     foot: 1.0,
     crowding: [0.4, 1.3, 1.5],
     spacing: 36.0,
-    edges: [1.0, 0.05],
+    edges: [1.0, -0.02],
     pitches: [1.6, 1.0],
     intervals: Intervals { area: 0.01, aspect: 0.01, angle: 1.0, spacing: 0.03 },
 };

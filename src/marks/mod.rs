@@ -1,30 +1,51 @@
-//! Marks, drawn or measured: ellipses and lines, fitted to points.
+//! Marks, drawn or measured: ellipses, lines and paths, fitted to points.
 
 mod ellipse;
 pub mod fit;
 mod line;
 mod moments;
+mod path;
 
 pub use ellipse::Ellipse;
 pub use line::Line;
 pub use moments::Moments;
+pub use path::{Path, PathSample, distance_to_segment};
 
-/// An ellipse or a line, drawn or measured.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// An ellipse, a line or a path, drawn or measured.
+#[derive(Clone, Debug, PartialEq)]
 pub enum Mark {
     /// A spot.
     Ellipse(Ellipse),
-    /// A piece of a stripe.
+    /// A straight piece of a stripe.
     Line(Line),
+    /// A piece of a stripe that may bend.
+    Path(Path),
 }
 
 impl Mark {
-    /// The centre of the ellipse, or the midpoint of the line, px.
+    /// The centre of the ellipse, or the point half way along the line or path, px.
     #[must_use]
     pub fn center(&self) -> [f64; 2] {
         match self {
             Self::Ellipse(ellipse) => ellipse.center,
             Self::Line(line) => line.center(),
+            Self::Path(path) => path.center(),
+        }
+    }
+
+    /// The ellipse; `None` of lines and paths.
+    #[must_use]
+    pub fn ellipse(&self) -> Option<Ellipse> {
+        if let Self::Ellipse(ellipse) = self { Some(*ellipse) } else { None }
+    }
+
+    /// The path, of a line that of its two ends; `None` of an ellipse.
+    #[must_use]
+    pub fn path(&self) -> Option<Path> {
+        match self {
+            Self::Ellipse(_) => None,
+            Self::Line(line) => Some(Path::from(*line)),
+            Self::Path(path) => Some(path.clone()),
         }
     }
 
@@ -32,9 +53,10 @@ impl Mark {
     #[must_use]
     pub fn shifted(&self, by: [f64; 2]) -> Self {
         let shift = |point: [f64; 2]| [point[0] + by[0], point[1] + by[1]];
-        match *self {
-            Self::Ellipse(ellipse) => Self::Ellipse(Ellipse { center: shift(ellipse.center), ..ellipse }),
-            Self::Line(line) => Self::Line(Line { from: shift(line.from), to: shift(line.to), ..line }),
+        match self {
+            Self::Ellipse(ellipse) => Self::Ellipse(Ellipse { center: shift(ellipse.center), ..*ellipse }),
+            Self::Line(line) => Self::Line(Line { from: shift(line.from), to: shift(line.to), ..*line }),
+            Self::Path(path) => Self::Path(path.shifted(by)),
         }
     }
 }

@@ -3,8 +3,9 @@
 use super::directions::Directions;
 use super::spots::Spot;
 use super::stripes::{tallies, wavelength};
-use crate::attributes::spacing::{Edge, LONGEST, edges, trimmed, trimmed_mean};
-use crate::attributes::spread::{deviation, scatter, variation};
+use crate::attributes::moments::{deviation, variation, weighted_mean, weighted_variation};
+use crate::attributes::spacing::{Edge, edges, median, nearest};
+use crate::attributes::spread::scatter;
 use crate::attributes::{Attributes, Spots, Spread, Stripes, axial_mean};
 use crate::grid::{Bounds, Domain, Edges, Field};
 use crate::marks::{axial, turn};
@@ -88,18 +89,30 @@ pub fn spot_errors(spots: &[Spot], target: &Target) -> Vec<SpotErrors> {
     marks.iter().zip(neighbours).map(|(marks, edges)| compare(marks, &edges)).collect()
 }
 
-/// By region, the edges that count: length and spacing wanted.
-fn neighbours(spots: &[Spot], target: &Target) -> Vec<Vec<(f64, Option<f64>)>> {
+/// An edge that counts for the spacing of a region.
+#[derive(Clone, Copy)]
+struct Neighbours {
+    length: f64,
+    weight: f64,
+    /// Spacing wanted at its midpoint; `None` = free.
+    wanted: Option<f64>,
+}
+
+/// By region, the edges that have a weight. Its s is the spacing wanted at the midpoint; where that is free, the median
+/// distance of the layer's spots to their nearest.
+fn neighbours(spots: &[Spot], target: &Target) -> Vec<Vec<Neighbours>> {
     let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
     let tile = (target.bounds.edges == Edges::Wrap).then_some(target.bounds.size);
+    let edges = edges(&centers, tile);
+    let usual = median(nearest(&edges, centers.len())).unwrap_or(f64::INFINITY);
     let mut found = vec![Vec::new(); target.regions];
-    for edge in edges(&centers, tile).iter().filter(|edge| !edge.hull) {
-        if is_separated(edge, centers[edge.ends[0]], target) {
+    for edge in &edges {
+        let Attributes::Spots(Spots { spacing: wanted, .. }) = (target.wanted)(edge.midpoint) else {
             continue;
-        }
-        let Attributes::Spots(wanted) = (target.wanted)(edge.midpoint) else { continue };
-        if wanted.spacing.is_none_or(|spacing| edge.length <= LONGEST * spacing) {
-            found[(target.region_of)(edge.midpoint)].push((edge.length, wanted.spacing));
+        };
+        let weight = edge.weight(wanted.unwrap_or(usual));
+        if weight > 0.0 && !is_separated(edge, centers[edge.ends[0]], target) {
+            found[(target.region_of)(edge.midpoint)].push(Neighbours { length: edge.length, weight, wanted });
         }
     }
     found
@@ -128,7 +141,7 @@ fn is_separated(edge: &Edge, from: [f64; 2], target: &Target) -> bool {
     (0..=RINGS).any(ring)
 }
 
-fn compare(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> SpotErrors {
+fn compare(marks: &[(&Spot, Spots)], edges: &[Neighbours]) -> SpotErrors {
     let got = |value: fn(&Spot) -> f64| mean(marks.iter().map(|(spot, _)| value(spot)));
     let asked = |value: fn(&Spots) -> f64| mean(marks.iter().map(|(_, wanted)| value(wanted)));
     let directed = |angle: &dyn Fn(&Spot, &Spots) -> f64| {
@@ -145,12 +158,10 @@ fn compare(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> SpotErrors
     };
     let wanted_angle = axial_mean(marks.iter().map(|(_, wanted)| (wanted.angle, 1.0 - wanted.aspect)));
     let off = directed(&|spot, wanted| turn(spot.ellipse.major_angle(), wanted.angle));
-    let fixed: Option<Vec<f64>> = edges.iter().map(|(_, wanted)| *wanted).collect();
-    let wanted_spacing = fixed.and_then(mean);
-    let spacing = match wanted_spacing {
-        Some(_) => mean(edges.iter().map(|(length, _)| *length)),
-        None => trimmed_mean(edges.iter().map(|(length, _)| *length).collect()),
-    };
+    let wanted: Option<Vec<(f64, f64)>> =
+        edges.iter().map(|edge| edge.wanted.map(|wanted| (wanted, edge.weight))).collect();
+    let wanted_spacing = wanted.and_then(weighted_mean);
+    let spacing = weighted_mean(edges.iter().map(|edge| (edge.length, edge.weight)));
     SpotErrors {
         marks: marks.len(),
         got: Some(Spots {
@@ -174,19 +185,18 @@ fn compare(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> SpotErrors
 }
 
 /// As [`Spread::measure`], about the region map instead of the means.
-fn vary(marks: &[(&Spot, Spots)], edges: &[(f64, Option<f64>)]) -> Spread {
+fn vary(marks: &[(&Spot, Spots)], edges: &[Neighbours]) -> Spread {
     let turned = |(spot, wanted): &(&Spot, Spots)| {
         (turn(spot.ellipse.major_angle(), wanted.angle), 1.0 - spot.ellipse.aspect())
     };
-    let relative = |(length, wanted): &(f64, Option<f64>)| wanted.map(|wanted| length / wanted);
-    let lengths: Option<Vec<f64>> = edges.iter().map(relative).collect();
+    let free = edges.iter().any(|edge| edge.wanted.is_none());
+    let relative =
+        |edge: &Neighbours| (edge.length / edge.wanted.filter(|_| !free).unwrap_or(1.0), edge.weight);
     Spread {
         area: variation(marks.iter().map(|(spot, wanted)| spot.ellipse.area() / wanted.area)),
         angle: scatter(marks.iter().map(turned)),
         aspect: deviation(marks.iter().map(|(spot, wanted)| spot.ellipse.aspect() - wanted.aspect)),
-        spacing: variation(
-            lengths.unwrap_or_else(|| trimmed(edges.iter().map(|(length, _)| *length).collect())),
-        ),
+        spacing: weighted_variation(edges.iter().map(relative)),
     }
 }
 

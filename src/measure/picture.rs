@@ -2,8 +2,8 @@
 
 use super::spots::{Census, Spot, census};
 use super::stripes::{StripeStatistics, stripes};
-use crate::attributes::spacing::{edges, neighbour_lengths, trimmed};
-use crate::attributes::spread::variation;
+use crate::attributes::moments::weighted_variation;
+use crate::attributes::spacing::{mean_length, neighbours};
 use crate::attributes::{Spots, Spread};
 use crate::grid::{Edges, Field};
 use crate::marks::Ellipse;
@@ -64,17 +64,12 @@ fn spotted(field: &Field, census: &Census) -> Option<Picture> {
     let whole: Vec<Ellipse> =
         census.spots.iter().filter(|spot| spot.whole).map(|spot| spot.ellipse).collect();
     let centers: Vec<[f64; 2]> = census.spots.iter().map(|spot| spot.ellipse.center).collect();
-    let lengths = match field.edges {
-        Edges::Closed => neighbour_lengths(&centers),
-        Edges::Wrap => {
-            trimmed(edges(&centers, Some(field.extent())).iter().map(|edge| edge.length).collect())
-        }
-    };
     // All spots are neighbours, also those that are cut.
-    let spacing = (!lengths.is_empty()).then(|| lengths.iter().sum::<f64>() / lengths.len() as f64);
+    let edges = neighbours(&centers, (field.edges == Edges::Wrap).then(|| field.extent()));
+    let weighted = edges.iter().map(|edge| (edge.length, edge.weight));
     Some(Picture::Spots {
         marks: whole.len(),
-        got: Spots { spacing, ..Spots::measure(&whole)? },
-        spread: Spread { spacing: variation(lengths), ..Spread::measure(&whole) },
+        got: Spots { spacing: mean_length(&edges), ..Spots::measure(&whole)? },
+        spread: Spread { spacing: weighted_variation(weighted), ..Spread::measure(&whole) },
     })
 }

@@ -94,7 +94,8 @@ pub enum Begin {
 pub struct Laws {
     /// Cells that a spot covers at half its peak × rate, or the squared width of a stripe × rate, at a ratio.
     pub size: fn(f32) -> f64,
-    /// Distance of neighbouring spots or wavelength of stripes × √rate, at a ratio.
+    /// Distance of the places of spots (that of a hexagonal lattice with as many) or wavelength of stripes × √rate, at a
+    /// ratio.
     pub spacing: fn(f32) -> f64,
     /// Rate for marks of a size (area of a spot, width of a stripe, cells) at a ratio and a level. Rougher than the
     /// others; for choosing what to sweep.

@@ -1,10 +1,12 @@
 //! Moving single spots of a pattern while it grows.
 //!
-//! c′(x) = c(x − w(d) Δ), w = 1 for d ≤ inner, 0 for d ≥ outer, smooth between; d the distance from the spot in its own
-//! metric, in pitches
+//! ```text
+//! c′(x) = c(x − Σₖ wₖ sₖ Δₖ ÷ Σₖ sₖ),  sₖ = exp(−dₖ² ÷ 2τ²)
+//! ```
 //!
-//! All chemicals move in the same way, so that the spot moves together with its surroundings and only the ground between it
-//! and its neighbours is stretched.
+//! dₖ is the distance from spot k in its own metric, in pitches of the room that it needs itself; wₖ is 1 up to the inner
+//! distance, 0 from the outer on, smooth between. The sums are over all spots, those that stay (Δₖ = 0) included, so that a
+//! spot does not take its neighbours along. All chemicals move alike: only the ground between spots is drawn out.
 
 use crate::grid::resample::Spline;
 use crate::grid::{Domain, Field, Grid, turned};
@@ -12,7 +14,7 @@ use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
 
-/// A spot to move.
+/// A spot to move, or to keep.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalWarp<P = [f64; 2]> {
     /// Its place, cells.
@@ -27,6 +29,8 @@ pub struct LocalWarp<P = [f64; 2]> {
 const INNER: f64 = 0.3;
 /// Beyond this nothing moves: slightly more than half way to the nearest neighbours.
 const OUTER: f64 = 0.6;
+/// τ, as of the parameters (Shepard interpolation).
+const TAU: f64 = 0.2;
 
 /// The cells of a chemical with these spots moved.
 #[must_use]
@@ -50,20 +54,24 @@ pub(super) fn shifts<D: Domain>(
     warps: &[LocalWarp<D::Place>],
 ) -> Vec<(usize, [f64; 2])> {
     let domain = &maps.domain;
-    let mut found: Vec<Option<[f64; 2]>> = vec![None; domain.cells()];
+    let mut sums = vec![[0.0f64; 3]; domain.cells()];
     for LocalWarp { at, own, by } in warps {
-        let spot = Nucleus::new(own, domain, domain.cell_at(*at), *at, system.spacing(own));
+        let spot = Nucleus::new(own, domain, domain.cell_at(*at), *at, system.spacing(own)).alone();
         for (cell, delta) in domain.near(*at, OUTER * spot.reach, 0..domain.cells()) {
-            let weight = weight(spot.distance2(delta).sqrt());
+            let distance2 = spot.distance2(delta);
+            let weight = weight(distance2.sqrt());
             if weight > 0.0 && !maps.is_obstacle(cell) {
-                let shift = found[cell].get_or_insert([0.0; 2]);
+                let share = libm::exp(-0.5 * distance2 / (TAU * TAU));
                 let by = turned(*by, domain.turn(spot.cell, cell));
-                shift[0] += weight * by[0];
-                shift[1] += weight * by[1];
+                let [x, y, total] = &mut sums[cell];
+                *x += share * weight * by[0];
+                *y += share * weight * by[1];
+                *total += share;
             }
         }
     }
-    found.into_iter().enumerate().filter_map(|(cell, shift)| Some((cell, shift?))).collect()
+    let moved = sums.into_iter().enumerate().filter(|(_, [x, y, _])| *x != 0.0 || *y != 0.0);
+    moved.map(|(cell, [x, y, total])| (cell, [x / total, y / total])).collect()
 }
 
 /// w(d).

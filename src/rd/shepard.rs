@@ -1,6 +1,7 @@
 //! Shepard interpolation: values of single spots, interpolated to every cell of a domain.
 //!
-//! v(x) = Σₖ wₖ vₖ ÷ Σₖ wₖ, wₖ = exp(−dₖ(x)² ÷ 2τ²), dₖ the distance from spot k in its own metric, in pitches
+//! v(x) = Σₖ wₖ vₖ ÷ (w₀ + Σₖ wₖ), wₖ = exp(−dₖ(x)² ÷ 2τ²), dₖ the distance from spot k in its own metric, in pitches of
+//! the room that it needs itself. Far from all spots v is 0.
 //!
 //! The weights are Gaussians: each spot has its own value around it, and half way to the next one is a smooth step, sharper
 //! for smaller τ.
@@ -19,6 +20,8 @@ use crate::rd::nucleus::Nucleus;
 const TAU: f64 = 0.2;
 /// Contributions with exponents below this are omitted; in the holes between spots the largest exponent is at least −8.
 const LEAST: f64 = -16.0;
+/// w₀: four fifths of a pitch away a spot and the ground have the same weight.
+const GROUND: f64 = 3.4e-4;
 
 /// Parameters of all cells of `maps`, computed by `vary` from the cell's index and the interpolated values.
 ///
@@ -35,7 +38,7 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
     vary: &(dyn Fn(usize, [f64; N]) -> Parameters + Sync),
 ) -> Vec<Parameters> {
     let nucleus = |(at, own): (&D::Place, &Parameters)| {
-        Nucleus::new(own, &maps.domain, maps.domain.cell_at(*at), *at, system.spacing(own))
+        Nucleus::new(own, &maps.domain, maps.domain.cell_at(*at), *at, system.spacing(own)).alone()
     };
     let spots: Vec<(Nucleus<D::Place>, &[f64; N])> = places.iter().zip(own).map(nucleus).zip(known).collect();
     let mut made = maps.parameters.clone();
@@ -47,7 +50,7 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
             add(&mut sums, cells.clone(), &maps.domain, spot, known, turned);
         }
         for ((cell, made), (sum, all)) in cells.zip(made).zip(&sums) {
-            let known = if *sum > 0.0 { all.map(|all| all / sum) } else { [0.0; N] };
+            let known = all.map(|all| all / (GROUND + sum));
             *made = vary(cell, known);
         }
     });
@@ -107,16 +110,16 @@ mod tests {
         let maps = known(Edges::Closed, [[18.0, 20.0], [54.0, 20.0]], [2.0, 4.0]);
         let at = |x: f64| maps.at([x, 20.0]).rate;
         // A spot of this ratio reaches to a fifth of a pitch of 36 cells.
-        assert!((at(18.0) - 2.0).abs() < 1e-4 && (at(26.0) - 2.0).abs() < 0.02, "{} {}", at(18.0), at(26.0));
-        assert!((at(35.9) + at(36.1) - 6.0).abs() < 1e-4);
+        assert!((at(18.0) - 2.0).abs() < 1e-3 && (at(26.0) - 2.0).abs() < 0.02, "{} {}", at(18.0), at(26.0));
+        assert!((at(35.9) + at(36.1) - 6.0).abs() < 0.06);
         assert!((20..53).all(|x| at(f64::from(x) + 1.0) >= at(f64::from(x))));
     }
 
     #[test]
     fn values_cross_the_border_of_a_tile_but_not_closed_edges() {
         let [wrap, closed] =
-            [Edges::Wrap, Edges::Closed].map(|edges| known(edges, [[2.0, 20.0], [40.0, 20.0]], [2.0, 4.0]));
-        assert!((wrap.at([70.5, 20.0]).rate - 2.0).abs() < 1e-3, "{:?}", wrap.at([70.5, 20.0]));
-        assert!((closed.at([70.5, 20.0]).rate - 4.0).abs() < 1e-3, "{:?}", closed.at([70.5, 20.0]));
+            [Edges::Wrap, Edges::Closed].map(|edges| known(edges, [[2.0, 20.0], [40.0, 20.0]], [2.0, 0.0]));
+        assert!((wrap.at([70.5, 20.0]).rate - 2.0).abs() < 2e-3, "{:?}", wrap.at([70.5, 20.0]));
+        assert!(closed.at([70.5, 20.0]).rate.abs() < 1e-3, "{:?}", closed.at([70.5, 20.0]));
     }
 }

@@ -32,6 +32,11 @@ impl Hull {
         self.corners.iter().map(from).fold(0.0, f64::max)
     }
 
+    /// Its corners in turn.
+    pub(super) fn corners(&self) -> &[[f64; 2]] {
+        &self.corners
+    }
+
     pub(super) fn area(&self) -> f64 {
         self.sides().map(|(a, b)| 0.5 * self.cross(a, b)).sum()
     }

@@ -34,7 +34,7 @@ pub(super) struct Path {
 impl Path {
     /// The path of a stroke with this diameter, px; there must be one.
     pub(super) fn new(points: &[[f64; 2]], diameter: f64) -> Self {
-        let points = even(&thinned(points, diameter / FINENESS), diameter / FINENESS);
+        let points = even(&thinned(points, diameter / FINENESS), diameter / FINENESS, MOST_STEPS);
         let mut smooth = points.clone();
         for _ in 0..ROUNDS {
             smooth = smoothed(&smooth);
@@ -123,10 +123,10 @@ fn thinned(points: &[[f64; 2]], step: f64) -> Vec<[f64; 2]> {
     kept
 }
 
-/// Points in equal steps of about `step` along the polyline, from end to end.
-fn even(points: &[[f64; 2]], step: f64) -> Vec<[f64; 2]> {
+/// Points in at most `most` equal steps of about `step` along the polyline, from end to end.
+pub(super) fn even(points: &[[f64; 2]], step: f64, most: f64) -> Vec<[f64; 2]> {
     let total: f64 = points.windows(2).map(|pair| distance(pair[0], pair[1])).sum();
-    let steps = (total / step).round().clamp(1.0, MOST_STEPS);
+    let steps = (total / step).round().clamp(1.0, most);
     let step = total / steps;
     let mut even = vec![points[0]];
     let mut walked = 0.0;
@@ -144,7 +144,7 @@ fn even(points: &[[f64; 2]], step: f64) -> Vec<[f64; 2]> {
 }
 
 /// Each point moved to (¼, ½, ¼) of its neighbours and itself; the ends stay.
-fn smoothed(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+pub(super) fn smoothed(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut smooth = points.to_vec();
     for (point, three) in smooth[1..].iter_mut().zip(points.windows(3)) {
         *point = [0, 1].map(|axis| 0.25 * (three[0][axis] + three[2][axis]) + 0.5 * three[1][axis]);
@@ -161,7 +161,7 @@ mod tests {
         // Slow at first, then in one leap, round a corner.
         let mut points: Vec<_> = (0..200).map(|i| [f64::from(i) * 0.05, 0.0]).collect();
         points.extend([[30.0, 0.0], [30.0, 40.0]]);
-        let even = even(&thinned(&points, 1.25), 1.25);
+        let even = even(&thinned(&points, 1.25), 1.25, MOST_STEPS);
         assert_eq!(even.len(), 57);
         assert_eq!((even[0], even[56]), ([0.0, 0.0], [30.0, 40.0]));
         for pair in even.windows(2) {

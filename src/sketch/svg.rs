@@ -1,7 +1,11 @@
 //! SVG → marks: shapes become the ellipses and lines that the same shapes drawn by hand would become.
 //!
+//! A filled rectangle longer than three times its width becomes a line. What is clipped away or fully transparent is not read.
 //! Transforms are applied; the results are in px of the canvas. A closed shape becomes an ellipse as a closed stroke does,
-//! an open one a line (or, where it is nearly closed, an ellipse).
+//! an open one a path or a line (or, where it is nearly closed, an ellipse).
+
+mod bar;
+mod visibility;
 
 use std::collections::BTreeMap;
 
@@ -11,6 +15,8 @@ use usvg::{ImageHrefResolver, Node, Options, Tree};
 
 use super::{fit_outline, recognise};
 use crate::marks::{Mark, fit};
+use bar::bar;
+use visibility::Visibility;
 
 /// Namespace of the labels that Inkscape gives layers.
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
@@ -153,10 +159,12 @@ impl Reader {
 
     /// Reads the top-level groups; a single nameless group around everything is skipped.
     fn top_level(&mut self, mut root: &usvg::Group) -> Result<(), SvgError> {
+        let mut seen = Visibility::default().inside(root, self.scale);
         while let [Node::Group(only)] = root.children()
             && only.id().is_empty()
         {
             root = only;
+            seen = seen.inside(root, self.scale);
         }
         self.drawing.groups.push(Group::default());
         let mut nameless = 0;
@@ -165,7 +173,7 @@ impl Reader {
             let group = match node {
                 Node::Group(group) if !group.id().is_empty() || group.children().len() > 1 => group,
                 node => {
-                    self.node(node, 0)?;
+                    self.node(node, 0, &seen)?;
                     continue;
                 }
             };
@@ -177,17 +185,23 @@ impl Reader {
             }
             self.drawing.groups.push(Group { name, marks: Vec::new() });
             let at = self.drawing.groups.len() - 1;
-            for node in group.children() {
-                self.node(node, at)?;
-            }
+            self.group(group, at, &seen)?;
         }
         Ok(())
     }
 
-    fn node(&mut self, node: &Node, at: usize) -> Result<(), SvgError> {
+    fn group(&mut self, group: &usvg::Group, at: usize, around: &Visibility) -> Result<(), SvgError> {
+        if group.mask().is_some() {
+            self.unread("mask");
+        }
+        let seen = around.inside(group, self.scale);
+        group.children().iter().try_for_each(|node| self.node(node, at, &seen))
+    }
+
+    fn node(&mut self, node: &Node, at: usize, seen: &Visibility) -> Result<(), SvgError> {
         match node {
-            Node::Group(group) => group.children().iter().try_for_each(|node| self.node(node, at))?,
-            Node::Path(path) if path.is_visible() => self.path(path, at),
+            Node::Group(group) => self.group(group, at, seen)?,
+            Node::Path(path) if path.is_visible() => self.path(path, at, seen),
             Node::Path(_) => self.unread("hidden path"),
             // Counted as elements.
             Node::Image(_) | Node::Text(_) => {}
@@ -196,23 +210,34 @@ impl Reader {
         if marks > MOST { Err(SvgError::TooMany) } else { Ok(()) }
     }
 
-    fn path(&mut self, path: &usvg::Path, at: usize) {
+    fn path(&mut self, path: &usvg::Path, at: usize, seen: &Visibility) {
+        let is_filled = path.fill().is_some_and(|fill| fill.opacity().get() > 0.0);
+        let pen = path.stroke().filter(|stroke| stroke.opacity().get() > 0.0);
+        if seen.is_transparent() || (!is_filled && pen.is_none()) {
+            self.unread("transparent shape");
+            return;
+        }
         let transform = path.abs_transform();
         let area = f64::from(transform.sx * transform.sy - transform.kx * transform.ky).abs();
-        let stroke = path.stroke().map(|stroke| f64::from(stroke.width().get()) * area.sqrt() * self.scale);
+        let stroke = pen.map(|stroke| f64::from(stroke.width().get()) * area.sqrt() * self.scale);
         let strokes = strokes(path.data(), transform, self.scale);
         for (index, drawn) in strokes.iter().enumerate() {
-            let closed = drawn.closed || (path.fill().is_some() && stroke.is_none());
+            if seen.is_clipped(&drawn.points) {
+                self.unread("clipped shape");
+                continue;
+            }
+            let closed = drawn.closed || (is_filled && stroke.is_none());
             let within = |other: &Drawn| other.closed && encloses(&other.points, drawn.points[0]);
             let around = strokes.iter().enumerate().filter(|(i, other)| *i != index && within(other)).count();
-            if path.fill().is_some() && closed && around % 2 == 1 {
+            if is_filled && closed && around % 2 == 1 {
                 self.unread("hole");
                 continue;
             }
             let width = stroke.unwrap_or(0.0);
             let mark = if closed {
                 let line = || fit::line(&drawn.points, width).filter(|_| stroke.is_some()).map(Mark::Line);
-                fit_outline(&drawn.points).map(Mark::Ellipse).or_else(line)
+                let bar = || bar(&drawn.points, width).filter(|_| is_filled).map(Mark::Line);
+                bar().or_else(|| fit_outline(&drawn.points).map(Mark::Ellipse)).or_else(line)
             } else {
                 recognise(&drawn.points, width)
             };

@@ -9,6 +9,8 @@ use proptest::prelude::*;
 use super::*;
 use crate::marks::turn;
 use hand::*;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
 
 /// Fails unless 99 of 100 of each kind are what `is` says.
 fn recognised(kinds: &[Kind], line: bool, is: fn(&Option<Mark>) -> bool) {
@@ -30,8 +32,72 @@ fn closed_strokes_are_ellipses() {
 }
 
 #[test]
-fn open_strokes_are_lines() {
-    recognised(OPEN, true, |mark| matches!(mark, Some(Mark::Line(_))));
+fn open_strokes_are_lines_or_paths() {
+    recognised(OPEN, true, |mark| matches!(mark, Some(Mark::Line(_) | Mark::Path(_))));
+    let straight: Vec<Kind> =
+        OPEN.iter().filter(|kind| ["straight", "retraced"].contains(&kind.0)).copied().collect();
+    recognised(&straight, true, |mark| matches!(mark, Some(Mark::Line(_))));
+}
+
+#[test]
+fn in_version_1_open_strokes_were_lines() {
+    for kind in OPEN {
+        for (_, points) in strokes(kind, true) {
+            let mark = recognise_straight(&points, 6.0);
+            assert!(!matches!(mark, Some(Mark::Path(_)) | None), "{}: {mark:?}", kind.0);
+        }
+    }
+}
+
+/// An S of 200 × 80 px with its directions, drawn with jitter of `jitter` px.
+fn wave(jitter: f64) -> (Vec<[f64; 2]>, impl Fn(f64) -> f64) {
+    let mut rng = Pcg64Mcg::seed_from_u64(9);
+    let at = |t: f64| [200.0 * t, 40.0 * (TAU * t).sin()];
+    let points = (0..=300)
+        .map(|i| at(f64::from(i) / 300.0).map(|value| value + jitter * rng.random_range(-1.0..1.0)))
+        .collect();
+    let direction = |x: f64| (40.0 * TAU / 200.0 * (TAU * x / 200.0).cos()).atan().to_degrees();
+    (points, direction)
+}
+
+#[test]
+fn a_path_follows_the_stroke_and_not_the_jitter_of_the_pen() {
+    for width in [4.0, 8.0, 14.0] {
+        let (points, direction) = wave(0.6);
+        let Some(Mark::Path(path)) = recognise(&points, width) else { panic!("a path") };
+        assert!(path.points.len() <= 30, "{} points, {width} wide", path.points.len());
+        let mut off: Vec<f64> = path
+            .samples(200)
+            .iter()
+            .map(|sample| turn(sample.direction, direction(sample.point[0])).abs())
+            .collect();
+        off.sort_by(f64::total_cmp);
+        assert!(off[100] < 3.0 && off[190] < 10.0, "{width} wide: {} {}", off[100], off[190]);
+        for sample in path.samples(200) {
+            let wanted = 40.0 * (TAU * sample.point[0] / 200.0).sin();
+            assert!((sample.point[1] - wanted).abs() < 0.25 * width + 1.0, "{width} wide: {sample:?}");
+        }
+    }
+}
+
+#[test]
+fn a_stroke_that_departs_by_less_than_half_its_width_is_a_line() {
+    let arc: Vec<[f64; 2]> =
+        (0..=60).map(|i| f64::from(i) / 60.0).map(|t| [100.0 * t, 24.0 * t * (1.0 - t)]).collect();
+    // It departs by 6 px from its chord, and by 4 from the line through it.
+    assert!(matches!(recognise(&arc, 10.0), Some(Mark::Line(_))));
+    assert!(matches!(recognise(&arc, 6.0), Some(Mark::Path(_))));
+}
+
+#[test]
+fn a_corner_stays_a_corner() {
+    let chevron = polyline(vec![[0.0, 0.0], [60.0, 60.0], [120.0, 0.0]]);
+    let points: Vec<[f64; 2]> = (0..=80).map(|i| chevron(f64::from(i) / 80.0)).collect();
+    let Some(Mark::Path(path)) = recognise(&points, 8.0) else { panic!("a path") };
+    let off = |from: usize, to: usize, angle: f64| {
+        path.samples(100)[from..to].iter().all(|sample| turn(sample.direction, angle).abs() < 4.0)
+    };
+    assert!(off(0, 46, 45.0) && off(54, 100, 135.0), "{path:?}");
 }
 
 /// Sorted absolute errors of the fitted ellipses of a kind: area as a share, aspect, centre as a share of the
@@ -132,6 +198,9 @@ proptest! {
             Some(Mark::Ellipse(got)) => {
                 let numbers = [got.center, got.radii].concat();
                 prop_assert!(numbers.iter().all(|x| x.is_finite()) && got.radii[1] > 0.0, "{got:?}");
+            }
+            Some(Mark::Path(got)) => {
+                prop_assert!(got.length().is_finite() && got.length() > 0.0, "{got:?}");
             }
             Some(Mark::Line(got)) => {
                 prop_assert!(got.length().is_finite() && got.length() > 0.0, "{got:?}");

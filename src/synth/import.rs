@@ -1,7 +1,7 @@
 //! SVG → a document with the marks that are drawn in it.
 
 use crate::document::{Document, Kind, Layer, Stroke, limits};
-use crate::marks::{Ellipse, Line, Mark};
+use crate::marks::{self, Ellipse, Line, Mark};
 use crate::sketch::svg::{self, Drawing, SvgError};
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -159,26 +159,36 @@ fn stroke(mark: &Mark, size: [u32; 2]) -> Option<Stroke> {
     let thickness = limits::Range::thickness(size);
     let thick = |length: f64| rounded(length).clamp(thickness.low, thickness.high);
     let inside = |point: [f64; 2]| (0..2).all(|axis| limits::Range::inside(size[axis]).holds(point[axis]));
-    let stroke = match *mark {
+    let wide = |width: f64| if width > 0.0 { thick(width) } else { Stroke::WIDTH };
+    let stroke = match mark {
         Mark::Ellipse(Ellipse { center, radii, angle }) => Stroke::Ellipse(Ellipse {
             center: center.map(rounded),
             radii: radii.map(thick),
-            angle: rounded(angle),
+            angle: rounded(*angle),
         }),
         Mark::Line(Line { from, to, width }) => {
             let [from, to] = [from, to].map(|end| end.map(rounded));
-            Stroke::Line(Line { from, to, width: if width > 0.0 { thick(width) } else { Stroke::WIDTH } })
+            Stroke::Line(Line { from, to, width: wide(*width) })
+        }
+        Mark::Path(path) => {
+            let path = path.with_points(|point| point.map(rounded));
+            Stroke::Path(marks::Path { width: wide(path.width), ..path })
         }
     };
+    let around = |point: [f64; 2]| (0..2).all(|axis| limits::Range::around(size[axis]).holds(point[axis]));
     let fits = match &stroke {
         Stroke::Ellipse(ellipse) => inside(ellipse.center),
         Stroke::Line(line) => {
-            let around =
-                |end: [f64; 2]| (0..2).all(|axis| limits::Range::around(size[axis]).holds(end[axis]));
             inside(line.center())
                 && around(line.from)
                 && around(line.to)
                 && line.length() >= limits::MIN_LENGTH
+        }
+        Stroke::Path(path) => {
+            let [low, high] = path.bounds();
+            inside(path.center())
+                && path.points.iter().all(|point| around(*point))
+                && (0..2).any(|axis| high[axis] - low[axis] >= limits::MIN_LENGTH)
         }
         Stroke::Freehand { .. } => false,
     };

@@ -6,8 +6,11 @@ use std::path::{Path, PathBuf};
 
 use image::DynamicImage;
 
+use crate::colour::{Gradient, lightness};
+use crate::document::{Colours, embedded};
 use crate::grid::{Edges, Field};
-use crate::measure::{Picture, level_between_phases, picture};
+use crate::measure::{NotTexture, Picture, check_picture, level_between_phases, picture};
+use crate::synth::grow::pattern::EDGE;
 use crate::synth::memory;
 
 /// Why a picture could not be measured.
@@ -54,6 +57,14 @@ pub enum MeasureError {
         /// The file.
         path: PathBuf,
     },
+    /// It has marks that are no texture.
+    #[error("{path}: neither spots nor stripes: {reason}")]
+    NotTexture {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        reason: NotTexture,
+    },
 }
 
 /// Most bytes a px in memory while a picture is read and measured. Measured: 13 to 14 at 1024² to 4096² px with a spot per
@@ -96,19 +107,13 @@ pub fn measure_stream(
         let memory::TooLargePicture { size, needed, free } = error;
         return Err(MeasureError::TooLarge { path: path.to_owned(), size, needed, free });
     }
+    let gradient = painted_with(&mut stream);
     stream.rewind().map_err(|error| unreadable(error.into()))?;
     let reader = image::ImageReader::new(stream).with_guessed_format();
     let reader = reader.map_err(|error| unreadable(error.into()))?;
     let image = reader.decode().map_err(unreadable)?;
-    // A 16-bit gray picture is a pattern of `grow --pattern`: its marks' edge is at 0.5.
-    let pattern = matches!(image, DynamicImage::ImageLuma16(_));
-    let mut field = lightness(&image);
-    let low = field.values.iter().copied().fold(1.0, f32::min);
-    let high = field.values.iter().copied().fold(0.0, f32::max);
-    if high - low < MIN_SPAN {
-        return Err(MeasureError::Blank { path: path.to_owned(), span: (high - low).max(0.0) });
-    }
-    let level = if pattern && low < 0.5 && high > 0.5 { 0.5 } else { level_between_phases(&field.values) };
+    let Tones { mut field, level } = tones(image, gradient.as_ref())
+        .map_err(|span| MeasureError::Blank { path: path.to_owned(), span })?;
     let above = field.values.iter().filter(|value| **value > level).count();
     let light = 2 * above <= field.values.len();
     let level = if light == invert {
@@ -117,20 +122,73 @@ pub fn measure_stream(
     } else {
         level
     };
-    picture(&field, level).ok_or_else(|| MeasureError::Neither { path: path.to_owned() })
+    let found = picture(&field, level).ok_or_else(|| MeasureError::Neither { path: path.to_owned() })?;
+    let checked = check_picture(&field, level, &found);
+    checked.map(|()| found).map_err(|reason| MeasureError::NotTexture { path: path.to_owned(), reason })
 }
 
-/// The picture's luma, 0..1; opacity is ignored.
-fn lightness(image: &DynamicImage) -> Field {
-    let luma = image.to_luma16();
-    let (width, height) = (luma.width() as usize, luma.height() as usize);
-    let values = luma.into_raw().into_iter().map(|value| f32::from(value) / 65535.0).collect();
-    Field { width, height, cell: [1.0, 1.0], edges: Edges::Closed, values }
+/// A picture as numbers 0..1, and the value at the marks' edges.
+struct Tones {
+    field: Field,
+    level: f32,
+}
+
+/// The tones of a picture, which was painted with `gradient` if that is known; the span of its tones where that is too small.
+///
+/// A pattern of `grow --pattern`, which is 16-bit gray, has its edges at 0.5. So have the pattern values that the colours of
+/// a gradient stand for. Of other pictures it is the gray value, of coloured ones the lightness in OKLab, in which gradients
+/// are interpolated, and the level is where these change fastest.
+fn tones(image: DynamicImage, gradient: Option<&Gradient>) -> Result<Tones, f32> {
+    let (width, height) = (image.width() as usize, image.height() as usize);
+    let field = |values| Field { width, height, cell: [1.0, 1.0], edges: Edges::Closed, values };
+    if let DynamicImage::ImageLuma16(pattern) = image {
+        let values = pattern.into_raw().into_iter().map(|value| f32::from(value) / 65535.0).collect();
+        let field = field(values);
+        let [low, high] = span(&field)?;
+        let level = if low < EDGE && high > EDGE { EDGE } else { level_between_phases(&field.values) };
+        return Ok(Tones { field, level });
+    }
+    if let DynamicImage::ImageLuma8(gray) = image {
+        let field = field(gray.into_raw().into_iter().map(|value| f32::from(value) / 255.0).collect());
+        span(&field)?;
+        let level = level_between_phases(&field.values);
+        return Ok(Tones { field, level });
+    }
+    let rgb = image.into_rgb8().into_raw();
+    if let Some(pattern) = gradient.and_then(|gradient| gradient.pattern_of(&rgb)) {
+        let pattern = field(pattern);
+        if span(&pattern).is_ok_and(|[low, high]| low < EDGE && high > EDGE) {
+            return Ok(Tones { field: pattern, level: EDGE });
+        }
+    }
+    let field = field(rgb.chunks_exact(3).map(|px| lightness([px[0], px[1], px[2]])).collect());
+    span(&field)?;
+    let level = level_between_phases(&field.values);
+    Ok(Tones { field, level })
+}
+
+/// The lowest and the highest value; an error of their difference where that is too small.
+fn span(field: &Field) -> Result<[f32; 2], f32> {
+    let low = field.values.iter().copied().fold(1.0, f32::min);
+    let high = field.values.iter().copied().fold(0.0, f32::max);
+    if high - low < MIN_SPAN { Err((high - low).max(0.0)) } else { Ok([low, high]) }
+}
+
+/// The colours of the document in a PNG, if it holds one of one layer. A document that cannot be read is none: what is
+/// measured is the picture.
+fn painted_with(stream: &mut (impl BufRead + Seek)) -> Option<Gradient> {
+    stream.rewind().ok()?;
+    let (document, _) = embedded::in_stream(stream, "").ok()??;
+    let [layer] = &document.layers[..] else { return None };
+    Some(layer.colours.clone().unwrap_or_else(|| Colours::default_for_layer(0)).gradient())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::colour::{BY_LAYER, Bend, COATS, Set, Stop};
+    use crate::document::{Document, Extent, Layer, Stroke};
+    use crate::export::png::{self, Header, Samples};
 
     fn written(name: &str, picture: &DynamicImage) -> (tempfile::TempDir, PathBuf) {
         let folder = tempfile::tempdir().unwrap();
@@ -168,9 +226,80 @@ mod tests {
             assert!((got.area / (54.0 * std::f64::consts::PI) - 1.0).abs() < 0.01, "{name} {got:?}");
             assert!((got.aspect - 2.0 / 3.0).abs() < 0.005, "{name} {got:?}");
             assert!((got.angle - 30.0).abs() < 0.3, "{name} {got:?}");
-            let lattice = 32.0 * (2.0 + 2.0_f64.sqrt()) / 3.0;
-            assert!((got.spacing.unwrap() / lattice - 1.0).abs() < 0.03, "{name} {got:?}");
+            assert!((got.spacing.unwrap() / 32.0 - 1.0).abs() < 0.01, "{name} {got:?}");
         }
+    }
+
+    /// A pattern of stripes of 12 px every 24 px.
+    fn stripes() -> impl Iterator<Item = f32> {
+        let across = |px: u32| 0.8 * f64::from(px % 240) + 0.6 * f64::from(px / 240);
+        (0..240 * 240).map(move |px| (0.5 - 0.48 * (across(px) * std::f64::consts::TAU / 24.0).cos()) as f32)
+    }
+
+    fn gradient(stops: &[(f32, [u8; 3])], bend: [f64; 4]) -> Gradient {
+        let stops: Vec<_> = stops.iter().map(|(at, colour)| Stop { at: *at, colour: *colour }).collect();
+        Gradient { bends: vec![Bend(bend); stops.len() - 1], stops }
+    }
+
+    /// Width of the stripes in a PNG with this text, painted with a gradient.
+    fn painted_width(gradient: &Gradient, texts: &[(&'static str, String)]) -> f64 {
+        let rgb = gradient.colours(stripes()).concat();
+        let mut png = Vec::new();
+        let header = Header { texts, ..Header::new([240; 2], Samples::Rgb8) };
+        png::write(&mut png, header, |rows, bytes| {
+            bytes.copy_from_slice(&rgb[3 * 240 * rows.start..3 * 240 * rows.end]);
+            Ok(())
+        })
+        .unwrap();
+        let measured = measure_stream(std::io::Cursor::new(png), Path::new("a.png"), false).unwrap();
+        let Picture::Stripes { got, .. } = measured else { panic!("{measured:?}") };
+        got.width
+    }
+
+    #[test]
+    fn coloured_stripes_are_as_wide_as_in_their_pattern() {
+        let soft = [(0.0, [0xf4, 0xe3, 0xc1]), (1.0, [0x3b, 0x23, 0x14])];
+        let light = [(0.0, [0x24, 0x40, 0x4f]), (1.0, [0xef, 0xf6, 0xf2])];
+        let mut gradients =
+            vec![gradient(&soft, [0.0, 0.0, 1.0, 1.0]), gradient(&soft, [0.42, 0.0, 0.58, 1.0])];
+        gradients.push(gradient(&light, [0.0, 0.0, 1.0, 1.0]));
+        gradients.extend(BY_LAYER.iter().chain(&COATS).map(Set::gradient));
+        for gradient in gradients {
+            let width = painted_width(&gradient, &[]);
+            assert!((width / 12.0 - 1.0).abs() < 0.02, "{width} {gradient:?}");
+        }
+    }
+
+    #[test]
+    fn the_document_in_a_picture_says_which_of_three_tones_is_the_edge() {
+        let ripples = [(0.0, [176, 128, 73]), (0.5, [217, 176, 116]), (1.0, [253, 236, 203])];
+        let gradient = gradient(&ripples, [0.3, 0.0, 0.7, 1.0]);
+        let line = Stroke::line([20.0, 20.0], [20.0, 200.0], 12.0);
+        let mut document = Document::new([240, 240]).with_layer(Layer::new([line]));
+        document.layers[0].colours = Some(Colours::from(&gradient));
+        let texts = embedded::embedded(&document, Extent::default());
+        let [with, without] = [&texts[..], &[]].map(|texts| painted_width(&gradient, texts));
+        assert!((with / 12.0 - 1.0).abs() < 0.01, "{with}");
+        assert!((without / 12.0 - 1.0).abs() > 0.02, "{without}");
+        // Other colours than the document's: it was painted anew.
+        let changed = painted_width(&BY_LAYER[0].gradient(), &texts);
+        assert!((changed / 12.0 - 1.0).abs() < 0.02, "{changed}");
+    }
+
+    #[test]
+    fn one_large_disc_is_neither_spots_nor_stripes() {
+        let disc = image::ImageBuffer::from_fn(200, 200, |x, y| {
+            let out = (f64::from(x) - 100.0).hypot(f64::from(y) - 100.0);
+            image::Luma([if out < 60.0 { 20 } else { 220_u8 }])
+        });
+        let (_folder, path) = written("disc.png", &DynamicImage::ImageLuma8(disc));
+        let told = measure_file(&path, false).unwrap_err().to_string();
+        assert!(
+            told.ends_with(
+                "neither spots nor stripes: 1 whole spots are too few for a texture, at least 3 are needed"
+            ),
+            "{told}"
+        );
     }
 
     #[test]

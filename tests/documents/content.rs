@@ -12,10 +12,10 @@ fn other_json_is_refused() {
 
 #[test]
 fn a_newer_version_is_refused_with_a_message_that_says_so() {
-    let document = with("/version", json!(2));
+    let document = with("/version", json!(3));
     let error = Document::parse(&document.to_string(), "bad.dapple").unwrap_err();
-    assert!(matches!(error, DocumentError::Newer { version: 2, known: 1, .. }));
-    assert!(error.to_string().contains("version: found 2, which is newer than this program"), "{error}");
+    assert!(matches!(error, DocumentError::Newer { version: 3, known: 2, .. }));
+    assert!(error.to_string().contains("version: found 3, which is newer than this program"), "{error}");
 }
 
 #[test]
@@ -150,5 +150,5 @@ fn an_unknown_choice_lists_the_known_ones() {
     let after = "between, around, net, inside";
     refused(&with("/layers/0/after", json!("over")), "layers[0].after", "\"over\"", after);
     let kind = with_stroke(&json!({"kind": "square"}));
-    refused(&kind, "layers[0].strokes[0].kind", "\"square\"", "ellipse, line, freehand");
+    refused(&kind, "layers[0].strokes[0].kind", "\"square\"", "ellipse, line, path, freehand");
 }

@@ -62,10 +62,9 @@ fn a_document_is_written_in_readable_form() {
         Some(Colours { stops: vec![Stop { at: 0.5, colour: [1, 2, 255] }], bends: vec![] });
     let expected = r##"{
   "format": "dapple",
-  "version": 1,
+  "version": 2,
   "name": "",
   "size": [512, 256],
-  "regions": [1, 1],
   "edges": "closed",
   "seed": 1,
   "dpi": 300,
@@ -116,7 +115,7 @@ fn check_refuses_with_one_message_and_exit_code_1() {
     let path = folder.path().join("a.dapple");
     let zero = with("/layers/0/strokes/0/radii", json!([0, 6])).to_string();
     let nan = least().to_string().replace("[12,", "[NaN,");
-    let newer = with("/version", json!(2)).to_string();
+    let newer = with("/version", json!(3)).to_string();
     let deep = "[".repeat(100_000);
     for bad in [zero.as_str(), &nan, &newer, &deep, "", "{}", "\u{feff}"] {
         std::fs::write(&path, bad).unwrap();

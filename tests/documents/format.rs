@@ -33,9 +33,10 @@ fn first_column(heading: &str) -> Vec<String> {
     table(heading, "key | meaning").into_iter().map(|row| row[0].clone()).collect()
 }
 
-/// Each object of a document: its heading, its place, and a document that contains it with only the required keys.
-fn objects() -> [(&'static str, &'static str, Value); 10] {
+/// Each object of a document: its heading, where it stands, a document that holds it with no more than required.
+fn objects() -> [(&'static str, &'static str, Value); 11] {
     let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
+    let path = json!({"kind": "path", "points": [[10, 10], [40, 20], [80, 14]]});
     let freehand = json!({"kind": "freehand", "points": [[10, 10], [40, 12], [80, 14]]});
     let ellipse = json!({"kind": "ellipse", "center": [64, 64], "radii": [12, 6]});
     let colours = with("/layers/0/colours", json!({"stops": [{"at": 0, "colour": "#000"}]}));
@@ -45,6 +46,7 @@ fn objects() -> [(&'static str, &'static str, Value); 10] {
         ("Layer", "/layers/0", least()),
         ("Ellipse", "/layers/0/strokes/0", with_stroke(&ellipse)),
         ("Line", "/layers/0/strokes/0", with_stroke(&line)),
+        ("Path", "/layers/0/strokes/0", with_stroke(&path)),
         ("Freehand", "/layers/0/strokes/0", with_stroke(&freehand)),
         ("Options", "/layers/0/options", with("/layers/0/options", json!({}))),
         ("Spread", "/layers/0/options/spread", with("/layers/0/options", json!({"spread": {}}))),
@@ -192,7 +194,7 @@ fn printed(arguments: &[&str], folder: &Path) -> Value {
 fn what_commands_print_as_json_has_the_keys_on_the_page() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    fs::write(at.join("a.dapple"), least().to_string()).unwrap();
+    fs::write(at.join("a.dapple"), with("/regions", json!([1, 1])).to_string()).unwrap();
     let lookup = "lookup --system meinhardt-spots --area 300 --aspect 0.5 --angle 30 --spacing 60 --json";
     let lookup = printed(&lookup.split(' ').collect::<Vec<_>>(), at);
     assert_eq!(object_keys(&lookup), first_column("Lookup"));

@@ -11,12 +11,13 @@ fn lined(options: Value) -> Value {
 }
 
 #[test]
-fn marks_are_kept_in_one_region_unless_the_document_sets_it() {
+fn marks_are_kept_without_regions_and_in_one_unless_the_document_says_otherwise() {
     let keeps = |options: Value, regions: Value| {
         let mut document = with("/layers/0/options", options);
         document["regions"] = regions;
         accepted(&document).keeps_marks(0)
     };
+    assert!(accepted(&least()).keeps_marks(0));
     assert!(keeps(json!({}), json!([1, 1])) && !keeps(json!({}), json!([2, 1])));
     assert!(keeps(json!({"keep": true}), json!([2, 1])) && !keeps(json!({"keep": false}), json!([1, 1])));
     assert!(!keeps(json!({"irregular": 0.5}), json!([1, 1])));

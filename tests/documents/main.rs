@@ -2,7 +2,9 @@
 
 use assert_cmd::Command;
 use dapple::document::Edges;
-use dapple::document::{After, Colours, Document, DocumentError, Growth, Layer, Stop, Stroke, SystemChoice};
+use dapple::document::{
+    After, Colours, Document, DocumentError, DutyChoice, Growth, Layer, Stop, Stroke, SystemChoice,
+};
 use dapple::document::{Ellipse, Line};
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -21,7 +23,7 @@ mod values;
 /// The shortest valid document.
 fn least() -> Value {
     json!({
-        "format": "dapple", "version": 1, "size": [512, 256],
+        "format": "dapple", "version": 2, "size": [512, 256],
         "layers": [{"strokes": [{"kind": "ellipse", "center": [64, 64], "radii": [12, 6], "angle": 30}]}]
     })
 }

@@ -110,30 +110,44 @@ fn lined(system: &str, options: Value) -> Value {
 }
 
 #[test]
-fn a_duty_is_a_half_unless_it_is_given_and_is_written() {
-    for (options, duty) in [(json!({}), 0.5), (json!({"duty": 0.5}), 0.5), (json!({"duty": 0.2}), 0.2)] {
+fn a_duty_is_the_drawn_one_unless_it_is_given_and_is_written() {
+    let given = DutyChoice::Given;
+    for (options, duty) in [
+        (json!({}), DutyChoice::Drawn),
+        (json!({"duty": "drawn"}), DutyChoice::Drawn),
+        (json!({"duty": 0.5}), given(0.5)),
+        (json!({"duty": 0.2}), given(0.2)),
+    ] {
         for system in ["auto", "meinhardt-lines"] {
             let document = accepted(&lined(system, options.clone()));
             assert_eq!(document.layers[0].options.duty, duty);
             assert_eq!(accepted(&serde_json::from_str(&document.to_json()).unwrap()), document);
         }
     }
-    assert_eq!(accepted(&lined("meinhardt-stripes", json!({"duty": 0.5}))).layers[0].options.duty, 0.5);
+    assert_eq!(
+        accepted(&lined("meinhardt-stripes", json!({"duty": 0.5}))).layers[0].options.duty,
+        given(0.5)
+    );
 }
 
 #[test]
 fn invalid_duties_are_refused() {
     let place = "layers[0].options.duty";
     for (value, found) in [(json!(0.19), "0.19"), (json!(0.51), "0.51"), (json!("thin"), "\"thin\"")] {
-        refused(&lined("auto", json!({"duty": value})), place, found, "a number from 0.2 to 0.5");
+        refused(
+            &lined("auto", json!({"duty": value})),
+            place,
+            found,
+            "\"drawn\", or a number from 0.2 to 0.5",
+        );
     }
-    let allowed = "0.5. Meinhardt's stripes are as wide as their gaps; Meinhardt's lines and automatic grow thinner ones";
+    let allowed = "\"drawn\" or 0.5. Meinhardt's stripes are as wide as their gaps; Meinhardt's lines and automatic grow thinner ones";
     refused(&lined("meinhardt-stripes", json!({"duty": 0.3})), place, "0.3", allowed);
 }
 
 #[test]
 fn spots_have_no_duty() {
-    let allowed = "0.5. Only stripes have a duty; spots are as far apart as they are drawn";
+    let allowed = "\"drawn\" or 0.5. Only stripes have a duty; spots are as far apart as they are drawn";
     let place = "layers[0].options.duty";
     refused(&with("/layers/0/options", json!({"duty": 0.3})), place, "0.3", allowed);
     // The kind of a freehand stroke is known once it is fitted.

@@ -22,6 +22,12 @@ fn freehand() -> impl Strategy<Value = Stroke> {
     (points, number(0.01, 512.0)).prop_map(|(points, width)| Stroke::Freehand { points, width })
 }
 
+fn path() -> impl Strategy<Value = Stroke> {
+    let points = prop::collection::vec(point(), 2..60);
+    let points = points.prop_filter("has an extent", |p| p.iter().any(|q| (q[0] - p[0][0]).abs() > 0.1));
+    (points, number(0.01, 512.0)).prop_map(|(points, width)| Stroke::path(points, width))
+}
+
 fn line() -> impl Strategy<Value = Stroke> {
     (point(), point(), number(0.01, 512.0))
         .prop_filter("has a length", |(from, to, _)| (from[0] - to[0]).abs() > 0.1)
@@ -42,7 +48,7 @@ fn colours() -> impl Strategy<Value = Colours> {
 
 fn layer() -> impl Strategy<Value = Layer> {
     let spots = prop::collection::vec(prop_oneof![ellipse(), freehand()], 1..6);
-    let lines = prop::collection::vec(prop_oneof![line(), freehand()], 1..6);
+    let lines = prop::collection::vec(prop_oneof![line(), path(), freehand()], 1..6);
     let after = prop::sample::select(After::NAMES.map(|(_, after)| after).to_vec());
     let strokes = prop_oneof![spots, lines];
     (".{0,20}", after, any::<bool>(), any::<Option<u64>>(), strokes, prop::option::of(colours())).prop_map(
@@ -60,7 +66,7 @@ fn layer() -> impl Strategy<Value = Layer> {
 
 fn document() -> impl Strategy<Value = Document> {
     let edges = prop::sample::select(vec![Edges::Closed, Edges::Wrap]);
-    let regions = (1..=64u32, 1..=64u32).prop_map(<[u32; 2]>::from);
+    let regions = prop::option::of((1..=64u32, 1..=64u32).prop_map(<[u32; 2]>::from));
     let layers = prop::collection::vec(layer(), 1..4);
     (".{0,20}", regions, edges, any::<u64>(), number(1.0, 1e5), any::<bool>(), layers).prop_map(
         |(name, regions, edges, seed, dpi, refine, layers)| Document {

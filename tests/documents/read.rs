@@ -10,7 +10,7 @@ fn the_shortest_document_has_the_defaults_of_the_format() {
     let expected = Document {
         name: String::new(),
         size: [512, 256],
-        regions: [1, 1],
+        regions: None,
         edges: Edges::Closed,
         seed: 1,
         dpi: 300.0,
@@ -26,7 +26,7 @@ fn the_shortest_document_has_the_defaults_of_the_format() {
 #[test]
 fn every_key_is_read() {
     let text = r##"{
-      "format": "dapple", "version": 1, "name": "cheetah", "size": [512, 300], "regions": [2, 3],
+      "format": "dapple", "version": 2, "name": "cheetah", "size": [512, 300], "regions": [2, 3],
       "edges": "wrap", "seed": 18446744073709551615, "dpi": 72.5, "growth": {"refine": false},
       "layers": [
         {"name": "spots", "system": "turing-spots", "after": "around", "visible": false, "seed": 7,
@@ -34,11 +34,12 @@ fn every_key_is_read() {
          "colours": {"stops": [{"at": 0, "colour": "#F4e3c1"}, {"at": 1, "colour": "#fa0"}],
                      "bends": [[0.42, 0.0, 0.58, 1.0]]}},
         {"strokes": [{"kind": "line", "from": [10, 10], "to": [90, 60]},
+                     {"kind": "path", "points": [[5, 5], [40, 9.5], [60, 20]]},
                      {"kind": "freehand", "points": [[1.5, 2], [3, 4]], "width": 4}]}
       ]}"##;
     let document = Document::parse(text, "x").unwrap();
     assert_eq!((document.edges, document.seed, document.dpi), (Edges::Wrap, u64::MAX, 72.5));
-    assert_eq!((document.regions, document.growth.refine), ([2, 3], false));
+    assert_eq!((document.regions, document.growth.refine), (Some([2, 3]), false));
     let [spots, lines] = &document.layers[..] else { panic!("two layers") };
     assert_eq!((spots.after, spots.visible, spots.seed), (After::Around, false, Some(7)));
     let colours = spots.colours.clone().unwrap();
@@ -46,7 +47,8 @@ fn every_key_is_read() {
     assert_eq!(colours.bends, [[0.42, 0.0, 0.58, 1.0]]);
     let line = Line { from: [10.0, 10.0], to: [90.0, 60.0], width: Stroke::WIDTH };
     let freehand = Stroke::Freehand { points: vec![[1.5, 2.0], [3.0, 4.0]], width: 4.0 };
-    assert_eq!(lines.strokes, [Stroke::Line(line), freehand]);
+    let path = Stroke::path([[5.0, 5.0], [40.0, 9.5], [60.0, 20.0]], Stroke::WIDTH);
+    assert_eq!(lines.strokes, [Stroke::Line(line), path, freehand]);
     assert_eq!(lines.name, "layer 2");
 }
 

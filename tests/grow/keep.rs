@@ -3,8 +3,8 @@
 use crate::folder::{Folder, document};
 use dapple::document::Edges;
 use dapple::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
-use dapple::internals::attributes::regions::RegionMap;
-use dapple::internals::marks::{Ellipse, Line, Mark, turn};
+use dapple::internals::attributes::AttributeMap;
+use dapple::internals::marks::{Ellipse, Line, Mark, Path, turn};
 use dapple::internals::measure::{self, Spot};
 
 use dapple::internals::synth::plan::{Plan, Surroundings, look_up};
@@ -124,13 +124,13 @@ fn on_a_larger_canvas_kept_marks_are_at_scaled_places_with_their_size_unchanged(
 fn marks_are_kept_by_default_only_if_there_is_one_region() {
     let mut document = one_layer(&drawn(), Edges::Closed);
     assert_eq!(grown(&document).plan.pinned_spots().len(), 10);
-    document.regions = [2, 1];
+    document.regions = Some([2, 1]);
     assert!(grown(&document).plan.pinned_spots().is_empty());
     document.layers[0].options.keep = Some(true);
     let layer = grown(&document);
     let off = off(&layer.plan, spots(&layer));
     assert!(off.len() == 10 && off.iter().all(|off| *off < 0.25), "{off:?}");
-    document.regions = [1, 1];
+    document.regions = Some([1, 1]);
     document.layers[0].options.keep = Some(false);
     assert!(grown(&document).plan.pinned_spots().is_empty());
 }
@@ -145,7 +145,7 @@ fn a_mark_drawn_on_one_of_a_layer_beneath_is_not_kept_and_reported() {
     ]);
     let folder = Folder::with(&both);
     let said = folder.grow("--report r.json");
-    let output = "2 of 3 drawn marks kept: 1 is on a mark of a layer beneath, or too close to one";
+    let output = "1 of 3 drawn marks did not grow: at (62, 60): on a mark of a layer beneath, or too close to one";
     assert!(said.contains(output), "{said}");
     let kept = folder.json("r.json")["layers"][1]["regions"][0]["kept"].clone();
     assert!(kept["farthest"].as_f64().unwrap() < 0.25, "{kept}");
@@ -171,15 +171,14 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
     ];
     let options = LayerOptions { keep: keeps, ..LayerOptions::default() };
     let layers = vec![Layer { strokes, options, ..Layer::default() }];
-    Document { size: [300, 240], regions, layers, ..Document::default() }
+    Document { size: [300, 240], regions: Some(regions), layers, ..Document::default() }
 }
 
 /// The share of each line of `document` that lies in a stripe of `layer`.
 fn in_stripes(document: &Document, layer: &GrownLayer) -> Vec<f64> {
     let marks = dapple::internals::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
     let [width, height] = document.size.map(|side| side as usize);
-    let line = |mark: &Mark| if let Mark::Line(line) = mark { Some(*line) } else { None };
-    let lines: Vec<Line> = marks.iter().filter_map(line).collect();
+    let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
     covered(&lines, layer.plan.lookup.map.layout(), &layer.pattern().field(width, height))
 }
 
@@ -231,8 +230,9 @@ fn among(
     let spacing = (300.0 / packing).sqrt();
     let ellipse = |x: f64| Mark::Ellipse(Ellipse::from_area([x, 200.0], 300.0, aspect, 30.0));
     let drawn = [ellipse(200.0), ellipse(200.0 + spacing)];
-    let map = RegionMap::from_marks(&drawn, [12.0 * spacing; 2], [1, 1], edges).unwrap();
-    let lookup = look_up(Training::built_in(), system, &map).unwrap().with_pinned(marks(spacing));
+    let map = AttributeMap::from_marks(&drawn, [12.0 * spacing; 2], Some([1, 1]), edges).unwrap();
+    let training = Training::built_in();
+    let lookup = look_up(training, system, &map).unwrap().with_pinned(training, &marks(spacing)).unwrap();
     let plan = lookup.uncorrected().lay_out(Surroundings::default(), 1).unwrap();
     let mut engine = Engine::new(&plan, 1);
     settle(&mut engine, &Watch::NONE).unwrap();

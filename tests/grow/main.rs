@@ -4,6 +4,7 @@ mod around;
 mod attributes;
 mod bytes;
 mod extremes;
+mod free;
 mod folder;
 mod inside;
 #[cfg(unix)]

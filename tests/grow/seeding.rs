@@ -18,7 +18,7 @@ fn grown(
 ) -> (Field, Vec<StripeErrors>) {
     let strokes = lines.iter().map(|line| Stroke::Line(*line)).collect();
     let layers = vec![Layer { strokes, options, ..Layer::default() }];
-    let document = Document { size: [size; 2], regions, seed, layers, ..Document::default() };
+    let document = Document { size: [size; 2], regions: Some(regions), seed, layers, ..Document::default() };
     let grown = grow(&document, &Options::default()).unwrap();
     let layer = &grown.layers[0];
     let Measured::Stripes(errors) = &layer.measured else { panic!("lines were drawn") };

@@ -43,7 +43,7 @@ pub const ADDRESSES: [(&str, &[&str]); 30] = [
     ("rfd", &["src/app/chooser.rs"]),
     ("serde_json", &["src/document/", "src/editor/", "src/cli/", "src/learn/", "data-gen/"]),
     ("serde_path_to_error", &["data-gen/"]),
-    ("spade", &["src/attributes/spacing.rs"]),
+    ("spade", &["src/attributes/spacing/delaunay.rs"]),
     ("strsim", &["src/document/"]),
     ("sysinfo", &["src/synth/", "src/cli/"]),
     ("tempfile", &["src/export/"]),

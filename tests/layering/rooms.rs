@@ -180,7 +180,7 @@ mod the_scan_itself {
     #[test]
     fn lets_what_is_allowed_pass() {
         let allowed = [
-            ("src/attributes/spacing.rs", "use crate::marks::Ellipse; use spade::Triangulation;"),
+            ("src/attributes/spacing/delaunay.rs", "use crate::marks::Ellipse; use spade::Triangulation;"),
             ("src/rd/turing/fast.rs", "use super::super::diffusion; use crate::{grid::Field, rd::explicit};"),
             ("src/synth/mod.rs", "use crate::{learn, rd, colour, export, sketch, measure, attributes};"),
             ("src/document/mod.rs", "use crate::{marks::Mark, rd::System};"),

@@ -47,8 +47,10 @@ fn only_some_regions_may_be_sparse() {
             .map(|side| Stroke::Ellipse(Ellipse::from_area([x + side * spacing, 180.0], 40.0, 0.6, 30.0)))
     };
     let strokes = [pair(90.0, 20.0), pair(270.0, 75.0)].concat();
-    let document =
-        Document { regions: [2, 1], ..cascade(Edges::Wrap, 2, vec![Layer { strokes, ..Layer::default() }]) };
+    let document = Document {
+        regions: Some([2, 1]),
+        ..cascade(Edges::Wrap, 2, vec![Layer { strokes, ..Layer::default() }])
+    };
     let grown = grown(&document);
     assert_met(&grown, "half sparse");
     // Without the parameters for the lowest natural density, which take as many steps.

@@ -4,10 +4,10 @@ use crate::cases;
 use dapple::document::Edges;
 use dapple::document::Spread;
 use dapple::document::{
-    After, Colours, Document, Growth, Kind, Layer, LayerOptions, SpreadChoice, Stop, Stroke, SystemChoice,
-    layer_rules,
+    After, Colours, Document, DutyChoice, Growth, Kind, Layer, LayerOptions, SpreadChoice, Stop, Stroke,
+    SystemChoice, layer_rules,
 };
-use dapple::document::{Ellipse, Line};
+use dapple::document::{Ellipse, Line, Path};
 use dapple::internals::rd::Seeding;
 use proptest::prelude::*;
 
@@ -31,6 +31,11 @@ fn line(size: [u32; 2]) -> impl Strategy<Value = Stroke> {
         .prop_map(|(from, to, width)| Stroke::Line(Line { from, to, width }))
 }
 
+fn path(size: [u32; 2]) -> impl Strategy<Value = Stroke> {
+    (prop::collection::vec(point(size), 2..9), thickness())
+        .prop_map(|(points, width)| Stroke::Path(Path { points, width }))
+}
+
 fn freehand(size: [u32; 2]) -> impl Strategy<Value = Stroke> {
     (prop::collection::vec(point(size), 2..12), thickness())
         .prop_map(|(points, width)| Stroke::Freehand { points, width })
@@ -43,8 +48,12 @@ fn strokes(size: [u32; 2], kind: Kind) -> BoxedStrategy<Vec<Stroke>> {
                 .boxed()
         }
         Kind::Line => {
-            prop::collection::vec(prop_oneof![12 => line(size).boxed(), 1 => freehand(size).boxed()], 1..5)
-                .boxed()
+            let stripes = prop_oneof![
+                8 => line(size).boxed(),
+                4 => path(size).boxed(),
+                1 => freehand(size).boxed()
+            ];
+            prop::collection::vec(stripes, 1..5).boxed()
         }
     }
 }
@@ -61,7 +70,7 @@ fn options() -> impl Strategy<Value = LayerOptions> {
     let often = |usual: f64, range: std::ops::RangeInclusive<f64>| prop_oneof![2 => Just(usual), 1 => range];
     (
         spread(),
-        often(0.5, 0.2..=0.5),
+        prop_oneof![2 => Just(DutyChoice::Drawn), 1 => (0.2..=0.5_f64).prop_map(DutyChoice::Given)],
         often(0.0, 0.0..=0.6),
         often(0.0, 0.0..=1.0),
         any::<Option<bool>>(),
@@ -126,7 +135,7 @@ pub fn document(side: u32, layers: usize) -> impl Strategy<Value = Document> {
         let layers = (prop::collection::vec(layer(size), 1..=layers), prop::bool::weighted(0.9));
         (Just(size), layers.prop_map(|(layers, usual)| if usual { on_the_ground(layers) } else { layers }))
     });
-    let regions = (1..=3_u32, 1..=3_u32).prop_map(<[u32; 2]>::from);
+    let regions = prop::option::of((1..=3_u32, 1..=3_u32).prop_map(<[u32; 2]>::from));
     let edges = prop::sample::select(vec![Edges::Closed, Edges::Wrap]);
     let document = ("\\PC{0,12}", drawn, regions, edges, any::<u64>(), any::<bool>()).prop_map(
         |(name, (size, layers), regions, edges, seed, refine)| Document {

@@ -119,12 +119,13 @@ fn a_dropped_picture_is_shown_under_the_canvas() {
 fn a_new_document_has_the_size_and_the_regions_that_were_asked_for() {
     let mut hand = hand();
     hand.key(Modifiers::COMMAND, Key::N);
+    hand.press("Regions");
     hand.type_into("Width", "300");
     hand.type_into("Rows", "3");
     hand.press("tiles without a seam");
     hand.press("Create");
     let document = hand.window.state().session().document().clone();
-    assert_eq!((document.size, document.regions), ([300, 512], [2, 3]));
+    assert_eq!((document.size, document.regions), ([300, 512], Some([2, 3])));
     assert_eq!(document.edges, dapple::document::Edges::Wrap);
 }
 
@@ -159,10 +160,12 @@ fn the_canvas_is_resized_and_cut_into_regions() {
     hand.draw_round([450.0, 200.0], [30.0, 20.0], 30.0);
     hand.draw_round([100.0, 200.0], [30.0, 20.0], 30.0);
     hand.key(Modifiers::NONE, Key::Escape);
+    assert_eq!(hand.document().regions, None, "off in a new document");
+    hand.press("Canvas regions");
     hand.type_into("Region columns", "3");
     hand.type_into("Canvas width", "400");
     let document = hand.document();
-    assert_eq!((document.size, document.regions), ([400, 512], [3, 2]));
+    assert_eq!((document.size, document.regions), ([400, 512], Some([3, 2])));
     assert_eq!(document.layers[0].strokes.len(), 1, "what is outside goes");
     hand.key(Modifiers::COMMAND, Key::Z);
     assert_eq!(hand.strokes().len(), 2);

@@ -1,8 +1,11 @@
 //! Drawing: strokes of the pointer become the intended marks.
 
+use dapple::document::{Path, Stroke};
+use dapple::internals::marks::distance_to_segment;
 use egui::{Event, Key, Modifiers, PointerButton};
+use egui_kittest::kittest::Queryable;
 
-use crate::hand::hand;
+use crate::hand::{Hand, hand};
 
 #[test]
 fn a_closed_stroke_becomes_an_ellipse_when_it_ends() {
@@ -24,6 +27,83 @@ fn an_open_stroke_becomes_a_line_as_wide_as_the_pen() {
     assert!((line.angle() - 21.8).abs() < 1.0, "{line:?}");
     assert!((line.length() - 215.0).abs() < 8.0, "{line:?}");
     assert_eq!(line.width, 6.0);
+}
+
+/// The points of an S, 200 px long.
+fn wave() -> Vec<[f64; 2]> {
+    let at = |k: u32| {
+        let t = f64::from(k) / 80.0;
+        [120.0 + 200.0 * t, 250.0 + 50.0 * (std::f64::consts::TAU * t).sin()]
+    };
+    (0..=80).map(at).collect()
+}
+
+fn paths(hand: &Hand) -> Vec<Path> {
+    let path = |stroke| if let Stroke::Path(path) = stroke { Some(path) } else { None };
+    hand.strokes().into_iter().filter_map(path).collect()
+}
+
+#[test]
+fn a_bent_stroke_stays_the_path_that_was_drawn() {
+    let mut hand = hand();
+    hand.drag(&wave());
+    let [path] = &paths(&hand)[..] else { panic!("{:?}", hand.strokes()) };
+    assert!((5..24).contains(&path.points.len()), "{path:?}");
+    for point in wave() {
+        let near = path.segments().map(|piece| distance_to_segment(point, [piece.from, piece.to]));
+        assert!(near.fold(f64::INFINITY, f64::min) < 3.0, "{point:?}: {path:?}");
+    }
+}
+
+#[test]
+fn a_path_is_moved_bent_by_its_points_copied_and_all_of_it_undone() {
+    let mut hand = hand();
+    hand.drag(&wave());
+    let drawn = paths(&hand)[0].clone();
+    hand.key(Modifiers::NONE, Key::V);
+    let middle = drawn.center();
+    hand.drag(&[middle, [middle[0] + 30.0, middle[1] + 20.0], [middle[0] + 60.0, middle[1] + 40.0]]);
+    let moved = paths(&hand)[0].clone();
+    for (from, to) in drawn.points.iter().zip(&moved.points) {
+        assert!(
+            (to[0] - from[0] - 60.0).abs() < 0.2 && (to[1] - from[1] - 40.0).abs() < 0.2,
+            "{from:?} {to:?}"
+        );
+    }
+    let end = *moved.points.last().unwrap();
+    hand.drag(&[end, [end[0] + 20.0, end[1]], [end[0] + 40.0, end[1] - 30.0]]);
+    let bent = paths(&hand)[0].clone();
+    let last = bent.points.last().unwrap();
+    assert!((last[0] - end[0] - 40.0).abs() < 0.2 && (last[1] - end[1] + 30.0).abs() < 0.2, "{last:?}");
+    assert_eq!(bent.points[..bent.points.len() - 1], moved.points[..moved.points.len() - 1]);
+    hand.press("Duplicate");
+    let [_, copy] = &paths(&hand)[..] else { panic!("{:?}", hand.strokes()) };
+    assert_eq!((copy.width, copy.points.len()), (bent.width, bent.points.len()));
+    for before in [bent, moved, drawn] {
+        hand.key(Modifiers::COMMAND, Key::Z);
+        assert_eq!(paths(&hand), [before]);
+    }
+}
+
+#[test]
+fn what_will_not_grow_as_drawn_is_told_while_drawing() {
+    let mut hand = hand();
+    let told = |hand: &Hand, text: &str| hand.window.query_all_by_label_contains(text).next().is_some();
+    hand.key(Modifiers::NONE, Key::L);
+    hand.drag(&[[100.0, 100.0], [200.0, 150.0], [300.0, 200.0]]);
+    assert!(!told(&hand, "Will not grow as drawn"));
+    hand.drag(&[[100.0, 200.0], [200.0, 150.0], [300.0, 100.0]]);
+    assert!(told(&hand, "Will not grow as drawn") && told(&hand, "these cross each other at [200, 150]"));
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert!(!told(&hand, "Will not grow as drawn"));
+    hand.key(Modifiers::NONE, Key::B);
+    let star = (0..=200).map(|k| f64::from(k) / 200.0 * std::f64::consts::TAU);
+    let star: Vec<[f64; 2]> = star
+        .map(|turn| (50.0 * (1.0 + 0.35 * (5.0 * turn).cos()), turn.sin_cos()))
+        .map(|(radius, (s, c))| [300.0 + radius * c, 350.0 + radius * s])
+        .collect();
+    hand.drag(&star);
+    assert!(told(&hand, "this outline is read as an ellipse"));
 }
 
 #[test]

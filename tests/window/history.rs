@@ -2,8 +2,8 @@
 
 use dapple::app::Session;
 use dapple::app::{Place, Selection};
-use dapple::document::{After, Document};
-use dapple::internals::marks::{Ellipse, Line, Mark};
+use dapple::document::{After, Document, DutyChoice};
+use dapple::internals::marks::{Ellipse, Line, Mark, Path};
 use egui::{Key, Modifiers};
 use proptest::prelude::*;
 
@@ -15,7 +15,7 @@ enum Deed {
     Remove(usize),
     Nudge([f64; 2]),
     Replace(usize, Mark),
-    Regions([u32; 2]),
+    Regions(Option<[u32; 2]>),
     Select(usize),
     Seed(u64),
     AddLayer,
@@ -39,6 +39,8 @@ fn mark() -> impl Strategy<Value = Mark> {
         }),
         (place(), place(), 1.0..20.0f64)
             .prop_map(|((x, y), (u, v), width)| { Mark::Line(Line { from: [x, y], to: [u, v], width }) }),
+        (prop::collection::vec([-100.0..700.0f64, -100.0..700.0f64], 2..9), 1.0..20.0f64)
+            .prop_map(|(points, width)| Mark::Path(Path { points, width })),
     ]
 }
 
@@ -50,7 +52,7 @@ fn deed() -> impl Strategy<Value = Deed> {
         // To the edge of the canvas.
         1 => [-900.0..900.0f64, -900.0..900.0f64].prop_map(Deed::Nudge),
         1 => (any::<usize>(), mark()).prop_map(|(i, mark)| Deed::Replace(i, mark)),
-        1 => [1..5u32, 1..5u32].prop_map(Deed::Regions),
+        1 => prop::option::of([1..5u32, 1..5u32]).prop_map(Deed::Regions),
         1 => any::<usize>().prop_map(Deed::Select),
         1 => any::<u64>().prop_map(Deed::Seed),
         2 => layer_deed(),
@@ -82,7 +84,7 @@ fn some(session: &Session, index: usize) -> Option<Place> {
 
 fn act(session: &mut Session, deed: &Deed) {
     match deed {
-        Deed::Add(mark) => session.add(&[*mark]),
+        Deed::Add(mark) => session.add(std::slice::from_ref(mark)),
         Deed::Remove(index) => session.remove(&some(session, *index).into_iter().collect::<Vec<_>>()),
         Deed::Nudge(by) => session.nudge(*by),
         Deed::Replace(index, mark) => {
@@ -90,7 +92,7 @@ fn act(session: &mut Session, deed: &Deed) {
             if let Some(place) = some(session, *index)
                 && std::mem::discriminant(&session.mark(place).unwrap()) == std::mem::discriminant(mark)
             {
-                session.replace(&[(place, *mark)]);
+                session.replace(&[(place, mark.clone())]);
             }
         }
         Deed::Regions(regions) => session.edit(|document| document.regions = *regions),
@@ -106,7 +108,9 @@ fn act(session: &mut Session, deed: &Deed) {
         Deed::Meet(layer, after, broken) => session.change_layer(*layer, |layer| {
             (layer.after, layer.options.broken) = (*after, *broken);
         }),
-        Deed::Duty(layer, duty) => session.change_layer(*layer, |layer| layer.options.duty = *duty),
+        Deed::Duty(layer, duty) => {
+            session.change_layer(*layer, |layer| layer.options.duty = DutyChoice::Given(*duty));
+        }
         Deed::Undo => session.undo(),
         Deed::Redo => session.redo(),
     }

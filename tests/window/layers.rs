@@ -1,7 +1,7 @@
 //! The panel of layers: every control, by pointer and by keys.
 
 use dapple::app::Window;
-use dapple::document::{After, Seeding, SpreadChoice, Stroke, SystemChoice};
+use dapple::document::{After, DutyChoice, Seeding, SpreadChoice, Stroke, SystemChoice};
 use dapple::internals::rd::System;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
@@ -251,10 +251,11 @@ fn a_system_is_chosen_and_reset() {
 fn options_of_stripes() {
     let mut hand = two();
     hand.press("How it grows");
+    hand.press("Share as drawn");
     hand.type_into("Share", "30");
-    assert_eq!(hand.document().layers[1].options.duty, 0.3);
+    assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.3));
     hand.type_into("Share", "90");
-    assert_eq!(hand.document().layers[1].options.duty, 0.5);
+    assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.5));
     choose(&mut hand, "Begins from", "Drawn lines");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Initiators);
     hand.press("Begins from: default");

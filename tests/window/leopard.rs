@@ -29,8 +29,6 @@ fn from_an_empty_canvas_to_a_leopard() {
     ] {
         hand.draw_round(center, [21.0, 19.0], degrees);
     }
-    hand.type_into("Region columns", "1");
-    hand.type_into("Region rows", "1");
     hand.until_settled();
     hand.window.state_mut().hide_times();
     see(&mut hand, "leopard-1");

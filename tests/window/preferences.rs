@@ -35,6 +35,7 @@ fn preferences_are_remembered() {
     hand.press("This many");
     hand.type_into("Number of threads", "1");
     hand.type_into("Width of new documents", "10");
+    hand.press("Regions of new documents");
     hand.type_into("Rows of new documents", "4");
     hand.type_into("Resolution of new documents", "254");
     hand.press("tiles without a seam");
@@ -42,7 +43,7 @@ fn preferences_are_remembered() {
     let settings = Settings::read(&file);
     assert_eq!((settings.theme, settings.units), (ThemePreference::Dark, Units::Mm));
     assert_eq!(settings.threads, Some(1));
-    let new = New { size: [118, 512], regions: [2, 4], seamless: true, dpi: 254.0 };
+    let new = New { size: [118, 512], regions: Some([2, 4]), seamless: true, dpi: 254.0 };
     assert_eq!(settings.new, new, "10 mm at 300 dpi are 118 px");
 }
 
@@ -83,12 +84,12 @@ fn a_new_document_has_the_preferred_values() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("settings");
     let mut settings = Settings::read(&file);
-    settings.new = New { size: [640, 320], regions: [4, 1], seamless: true, dpi: 72.0 };
+    settings.new = New { size: [640, 320], regions: Some([4, 1]), seamless: true, dpi: 72.0 };
     settings.write();
     let mut hand = at(&file);
     let is = |hand: &Hand| {
         let document = hand.window.state().session().document();
-        assert_eq!((document.size, document.regions), ([640, 320], [4, 1]));
+        assert_eq!((document.size, document.regions), ([640, 320], Some([4, 1])));
         assert_eq!((document.edges, document.dpi), (dapple::document::Edges::Wrap, 72.0));
     };
     is(&hand);

@@ -1,9 +1,9 @@
 //! Drawn marks that are kept: how far from their places they grow.
 
 use dapple::document::{Document, SystemChoice};
-use dapple::internals::attributes::regions::RegionMap;
+use dapple::internals::attributes::AttributeMap;
 use dapple::internals::grid::Edges;
-use dapple::internals::marks::{Ellipse, Line, Mark};
+use dapple::internals::marks::{Ellipse, Mark, Path};
 use dapple::internals::measure::{self, StripeErrors};
 use dapple::internals::rd::System;
 use dapple::internals::synth::plan::{Surroundings, look_up, sketch_targets};
@@ -48,10 +48,11 @@ impl Spots {
     fn among(self, edges: Edges, marks: Vec<Mark>) -> Result<Vec<f64>, String> {
         let spacing = self.spacing();
         let drawn = [self.mark([200.0, 200.0]), self.mark([200.0 + spacing, 200.0])];
-        let map =
-            RegionMap::from_marks(&drawn, [12.0 * spacing; 2], [1, 1], edges).map_err(|e| e.to_string())?;
-        let lookup = look_up(Training::built_in(), self.system, &map).map_err(|e| e.to_string())?;
-        let lookup = lookup.with_pinned(marks).uncorrected();
+        let map = AttributeMap::from_marks(&drawn, [12.0 * spacing; 2], Some([1, 1]), edges)
+            .map_err(|e| e.to_string())?;
+        let training = Training::built_in();
+        let lookup = look_up(training, self.system, &map).map_err(|e| e.to_string())?;
+        let lookup = lookup.with_pinned(training, &marks).map_err(|e| e.to_string())?.uncorrected();
         let plan = lookup.lay_out(Surroundings::default(), 1).map_err(|e| e.to_string())?;
         let mut engine = Engine::new(&plan, 1);
         settle(&mut engine, &Watch::NONE).map_err(|e| e.to_string())?;
@@ -148,7 +149,6 @@ pub fn lines() -> Result<(), String> {
 fn in_stripes(document: &Document, layer: &GrownLayer) -> Result<Vec<f64>, String> {
     let marks = sketch_targets::marks(document, 0, "document").map_err(|error| error.to_string())?;
     let [width, height] = document.size.map(|side| side as usize);
-    let line = |mark: &Mark| if let Mark::Line(line) = mark { Some(*line) } else { None };
-    let lines: Vec<Line> = marks.iter().filter_map(line).collect();
+    let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
     Ok(covered(&lines, layer.plan.lookup.map.layout(), &layer.pattern().field(width, height)))
 }

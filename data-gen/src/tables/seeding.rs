@@ -40,8 +40,13 @@ fn grown(directions: &[&[f64]], options: LayerOptions, seed: u64) -> Result<[f64
     let side = directions.len() as u32;
     let strokes = lines(directions).into_iter().map(Stroke::Line).collect();
     let layers_of_it = vec![Layer { strokes, options, ..Layer::default() }];
-    let document =
-        Document { size: [320; 2], regions: [side; 2], seed, layers: layers_of_it, ..Document::default() };
+    let document = Document {
+        size: [320; 2],
+        regions: Some([side; 2]),
+        seed,
+        layers: layers_of_it,
+        ..Document::default()
+    };
     let layer = layers(&document)?.remove(0);
     let Measured::Stripes(errors) = &layer.measured else { return Err("no stripes".to_owned()) };
     let nothing = || "no stripes have grown".to_owned();

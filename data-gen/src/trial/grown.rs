@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use dapple::document::Document;
+use dapple::document::{self, Document};
 use dapple::internals::attributes::Attributes;
 use dapple::internals::grid::{Field, to_u16};
 use dapple::internals::measure::{self, Spot, Target};
@@ -140,7 +140,8 @@ impl Outcome {
             self.failures.extend(verdict::of_spots(&marks, &map));
             spots(&marks, &target)
         } else {
-            self.failures.extend(verdict::of_stripes(pattern, &layout, document.layers[index].options.duty));
+            let duty = document.layers[index].options.duty.given().unwrap_or(document::LayerOptions::DUTY);
+            self.failures.extend(verdict::of_stripes(pattern, &layout, duty));
             stripes(pattern, &target)
         };
         for (k, region) in regions.iter_mut().enumerate() {

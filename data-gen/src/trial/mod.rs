@@ -10,27 +10,30 @@
 //! nothing is taken from the report of the growth.
 
 mod attribute;
+mod dice;
+mod drawn;
 mod grown;
 mod output;
+mod parallel;
 mod sketches;
 mod statistics;
 mod table;
 mod verdict;
 
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use dapple::document::Document;
 use dapple::internals::synth::Training;
-use indicatif::{ProgressBar, ProgressStyle};
 
-use grown::{Outcome, Task};
+use grown::Task;
 
 /// What to try, and where to write what came out.
 #[derive(clap::Args)]
+#[command(args_conflicts_with_subcommands = true)]
 pub struct Args {
+    #[command(subcommand)]
+    what: Option<What>,
     /// Random sketches
     #[arg(long, value_name = "N", default_value_t = 100)]
     sketches: u64,
@@ -57,20 +60,29 @@ pub struct Args {
     json: Option<PathBuf>,
 }
 
+/// Other trials.
+#[derive(clap::Subcommand)]
+enum What {
+    /// Grow fixed sketches and look for each drawn mark at its place
+    Drawn(drawn::Args),
+}
+
 /// Grows and measures all, and prints the table. Returns whether all bounds hold and nothing failed.
 pub fn run(args: &Args) -> Result<bool, String> {
+    if let Some(What::Drawn(args)) = &args.what {
+        return drawn::run(args);
+    }
     let tasks = tasks(args)?;
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder)
             .map_err(|error| format!("cannot make the folder '{}': {error}", folder.display()))?;
     }
     let started = Instant::now();
-    let threads = match args.threads {
-        Some(threads) => usize::from(threads),
-        None => std::thread::available_parallelism().map_or(1, usize::from),
-    };
+    let threads = parallel::threads(args.threads);
     let training = Training::from_folder(args.training.clone());
-    let outcomes = all(&tasks, &training, threads, args.out.as_deref())?;
+    let out = args.out.as_deref();
+    let outcomes =
+        parallel::each(&tasks, threads, |task| task.name.clone(), |task| task.run(&training, out))?;
     let (text, good) = table::table(&outcomes);
     if args.json.as_deref() == Some(Path::new("-")) {
         crate::say(&format!("{:#}", output::json(args.seed, &outcomes)))?;
@@ -115,43 +127,6 @@ fn tasks(args: &Args) -> Result<Vec<Task>, String> {
     Ok(tasks)
 }
 
-/// The outcomes of all tasks, in their order.
-///
-/// Each thread grows whole documents: on such small grids threads that share one would mostly wait for each other. The result
-/// does not depend on it.
-fn all(
-    tasks: &[Task],
-    training: &Training,
-    threads: usize,
-    out: Option<&Path>,
-) -> Result<Vec<Outcome>, String> {
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len}  {elapsed} gone, {eta} left  {msg}");
-    let bar = ProgressBar::new(tasks.len() as u64)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    let next = AtomicUsize::new(0);
-    let found: Mutex<Vec<(usize, Result<Outcome, String>)>> = Mutex::new(Vec::new());
-    let work = || -> Result<(), String> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-        let pool = pool.map_err(|error| format!("cannot start a thread: {error}"))?;
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            let Some(task) = tasks.get(index) else { return Ok(()) };
-            let outcome = pool.install(|| task.run(training, out));
-            bar.inc(1);
-            bar.set_message(task.name.clone());
-            found.lock().map_err(|_| "a thread has died")?.push((index, outcome));
-        }
-    };
-    std::thread::scope(|scope| {
-        let threads: Vec<_> = (0..threads.min(tasks.len())).map(|_| scope.spawn(work)).collect();
-        threads.into_iter().try_for_each(|thread| thread.join().map_err(|_| "a thread has died")?)
-    })?;
-    bar.finish_and_clear();
-    let mut found = found.into_inner().map_err(|_| "a thread has died")?;
-    found.sort_by_key(|(index, _)| *index);
-    found.into_iter().map(|(_, outcome)| outcome).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -172,7 +147,8 @@ mod tests {
         }
         let training = Training::default();
         let numbers = |threads| {
-            let outcomes = all(&tasks, &training, threads, None).unwrap();
+            let name = |task: &Task| task.name.clone();
+            let outcomes = parallel::each(&tasks, threads, name, |task| task.run(&training, None)).unwrap();
             assert!(outcomes.iter().all(|outcome| outcome.regions.len() == 1), "nothing was measured");
             let errors: Vec<_> = outcomes.iter().map(|outcome| outcome.regions[0].errors).collect();
             (outcomes.iter().map(|outcome| outcome.name.clone()).collect::<Vec<_>>(), errors)

@@ -7,11 +7,10 @@ mod lines;
 mod ranges;
 mod spots;
 
+use super::dice::Dice;
 use dapple::document::Edges;
 use dapple::document::{Document, Layer, Stroke};
 use dapple::internals::attributes::regions::RegionGrid;
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
 
 pub use ranges::within;
 
@@ -34,7 +33,7 @@ const TRIES: usize = 100_000;
 /// # Errors
 /// None of very many attempts stayed within the ranges.
 pub fn sketch(seed: u64, index: u64) -> Result<Document, String> {
-    let mut dice = Dice(Pcg64Mcg::seed_from_u64(seed.wrapping_mul(1_000_000).wrapping_add(index)));
+    let mut dice = Dice::from_seed(seed.wrapping_mul(1_000_000).wrapping_add(index));
     let stripes = index % STRIPES_EVERY == STRIPES_EVERY - 1;
     let edges = if dice.chance(SEAMLESS) { Edges::Wrap } else { Edges::Closed };
     for _ in 0..TRIES {
@@ -61,54 +60,11 @@ fn document(index: u64, layout: &RegionGrid, strokes: Vec<Stroke>) -> Document {
     Document {
         name: format!("random sketch {index}"),
         size: layout.size.map(|side| side as u32),
-        regions: layout.grid.map(|n| n as u32),
+        regions: Some(layout.grid.map(|n| n as u32)),
         edges: layout.edges,
         seed: index + 1,
         layers: vec![Layer { name: "marks".to_owned(), strokes, ..Layer::default() }],
         ..Document::default()
-    }
-}
-
-/// The random numbers of a sketch.
-struct Dice(Pcg64Mcg);
-
-impl Dice {
-    fn between(&mut self, [low, high]: [f64; 2]) -> f64 {
-        low + (high - low) * self.0.random::<f64>()
-    }
-
-    /// Uniform in the logarithm.
-    fn log_between(&mut self, range: [f64; 2]) -> f64 {
-        libm::exp(self.between(range.map(libm::log)))
-    }
-
-    /// Off by up to `most` to either side.
-    fn off(&mut self, most: f64) -> f64 {
-        self.between([-most, most])
-    }
-
-    /// Both ends included.
-    fn whole(&mut self, [low, high]: [usize; 2]) -> usize {
-        self.0.random_range(low..=high)
-    }
-
-    fn chance(&mut self, share: f64) -> bool {
-        self.0.random::<f64>() < share
-    }
-
-    /// A number a region by which it differs from the others, from neighbour to neighbour by no more than
-    /// `most`: any either way, or (not on a tile, where the ends meet) rising steadily across the canvas.
-    fn by_region(&mut self, layout: &RegionGrid, most: f64) -> Vec<f64> {
-        let steady = layout.edges == Edges::Closed && self.chance(0.5);
-        let slope = [0, 1].map(|_| if steady { self.off(0.75 * most) } else { 0.0 });
-        let loose = if steady { 0.1 * most } else { 0.5 * most };
-        let middle = layout.grid.map(|n| 0.5 * (n as f64 - 1.0));
-        let at = |index: usize| {
-            let place = layout.place(index);
-            (0..2).map(|axis| slope[axis] * (place[axis] as f64 - middle[axis])).sum::<f64>()
-                + self.off(loose)
-        };
-        (0..layout.len()).map(at).collect()
     }
 }
 

@@ -2,8 +2,9 @@
 
 use std::fmt;
 
+use dapple::internals::attributes::AttributeMap;
 use dapple::internals::attributes::Attributes;
-use dapple::internals::attributes::regions::{RegionGrid, RegionMap};
+use dapple::internals::attributes::regions::RegionGrid;
 use dapple::internals::grid::Field;
 use dapple::internals::measure::Spot;
 
@@ -101,7 +102,7 @@ pub fn of_any(pattern: &Field) -> Option<Failure> {
 }
 
 /// What is wrong with these spots.
-pub fn of_spots(spots: &[Spot], map: &RegionMap) -> Vec<Failure> {
+pub fn of_spots(spots: &[Spot], map: &AttributeMap) -> Vec<Failure> {
     let layout = map.layout();
     let mut failures = Vec::new();
     let area = |counts: &dyn Fn(&Spot) -> bool| -> f64 {
@@ -130,7 +131,7 @@ pub fn of_spots(spots: &[Spot], map: &RegionMap) -> Vec<Failure> {
 }
 
 /// How many spots fit into a region: ∫ dA ÷ (√¾ · spacing²), a hexagonal lattice's; 0 where the spacing is free.
-fn expected(map: &RegionMap, index: usize) -> f64 {
+fn expected(map: &AttributeMap, index: usize) -> f64 {
     let layout = map.layout();
     let share = layout.size[0] * layout.size[1] / (layout.len() * POINTS * POINTS) as f64;
     let mut sum = 0.0;
@@ -191,7 +192,7 @@ mod tests {
     fn judged(keep: impl Fn([usize; 2]) -> bool, radius: f64) -> Vec<Failure> {
         let drawn = [[20.0, 20.0], [60.0, 20.0], [20.0, 60.0], [220.0, 20.0], [260.0, 20.0], [220.0, 60.0]];
         let drawn = drawn.map(|center| Mark::Ellipse(Ellipse::from_area(center, 100.0, 1.0, 0.0)));
-        let map = RegionMap::from_marks(&drawn, [400.0, 200.0], [2, 1], Edges::Closed).unwrap();
+        let map = AttributeMap::from_marks(&drawn, [400.0, 200.0], Some([2, 1]), Edges::Closed).unwrap();
         let pattern = Field::from_fn([400, 200], [1.0, 1.0], Edges::Closed, |[x, y]| {
             let place = [(x / 40.0) as usize, (y / 40.0) as usize];
             let [dx, dy] = [x.rem_euclid(40.0) - 20.0, y.rem_euclid(40.0) - 20.0];

@@ -6,15 +6,18 @@ use super::ink::Ink;
 use crate::app::theme::Palette;
 use crate::attributes::regions::{Region, RegionMap};
 use crate::attributes::{Attributes, spacing};
+use crate::document::sketch_notes::{SketchNote, sketch_notes};
 use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
 
-/// The analysed sketch: a region map for each layer that has marks.
+/// The analysed sketch: a region map for each layer that has marks, and what will not grow as it was drawn.
 #[derive(Default)]
 pub struct Analysis {
     revision: Option<u64>,
     maps: Vec<Option<RegionMap>>,
+    /// What will not grow as it was drawn.
+    pub notes: Vec<SketchNote>,
 }
 
 impl Analysis {
@@ -26,9 +29,10 @@ impl Analysis {
         self.revision = Some(session.revision());
         let document = session.document();
         let size = document.size.map(f64::from);
-        let grid = document.regions.map(|n| n as usize);
+        let grid = document.region_grid();
         let map = |layer| RegionMap::from_marks(&session.marks_of(layer), size, grid, document.edges).ok();
         self.maps = (0..document.layers.len()).map(map).collect();
+        self.notes = sketch_notes(document, session.fitted_marks());
     }
 
     /// Another document is open.
@@ -54,11 +58,7 @@ impl Analysis {
     pub fn paint(&self, ink: &Ink, session: &Session, layer: usize, colours: &Palette) {
         let Some(map) = self.map(layer) else { return };
         let marks = session.marks_of(layer);
-        for index in 0..map.layout().len() {
-            let own = |mark: &&Mark| map.layout().index(map.region_of(shape::center(mark))) == index;
-            let own: Vec<Mark> = marks.iter().filter(own).copied().collect();
-            neighbours(ink, &own, colours);
-        }
+        neighbours(ink, map, &marks, colours);
         for mark in &marks {
             axes(ink, mark, colours);
         }
@@ -68,24 +68,20 @@ impl Analysis {
     }
 }
 
-/// The Delaunay edges of one region: those whose mean is the spacing in full colour, the others pale.
-fn neighbours(ink: &Ink, own: &[Mark], colours: &Palette) {
-    let centers: Vec<[f64; 2]> = own
-        .iter()
-        .filter_map(|mark| match mark {
-            Mark::Ellipse(ellipse) => Some(ellipse.center),
-            Mark::Line(_) => None,
-        })
-        .collect();
-    let edges = spacing::edges(&centers, None);
-    let inner = edges.iter().filter(|edge| !edge.hull).count();
-    let kept = spacing::neighbour_lengths(&centers);
-    let longest = kept.last().copied().unwrap_or(f64::INFINITY);
-    for edge in edges {
-        let counts = (inner < 3 || !edge.hull) && edge.length <= longest;
-        let stroke =
-            if counts { Stroke::new(1.2, colours.edge) } else { Stroke::new(0.8, colours.edge_pale) };
-        ink.segment(edge.ends.map(|end| centers[end]), stroke);
+/// The Delaunay edges between ellipses: those with more than half of the full weight in the spacing of a region in full
+/// colour, the others pale.
+fn neighbours(ink: &Ink, map: &RegionMap, marks: &[Mark], colours: &Palette) {
+    let centers: Vec<[f64; 2]> = marks.iter().filter_map(|mark| Some(mark.ellipse()?.center)).collect();
+    let segment = |ends: [usize; 2], stroke| ink.segment(ends.map(|end| centers[end]), stroke);
+    for edge in spacing::edges(&centers, None) {
+        segment(edge.ends, Stroke::new(0.8, colours.edge_pale));
+    }
+    let layout = map.layout();
+    let region = |index: usize| layout.index(layout.region_of(centers[index]));
+    for edge in spacing::grouped_neighbours(&centers, layout.len(), region).iter().flatten() {
+        if edge.weight > 0.5 {
+            segment(edge.ends, Stroke::new(1.2, colours.edge));
+        }
     }
 }
 
@@ -101,6 +97,7 @@ fn axes(ink: &Ink, mark: &Mark, colours: &Palette) {
             ink.segment([end(0.0, -b), end(0.0, b)], stroke);
         }
         Mark::Line(line) => ink.segment([line.from, line.to], stroke),
+        Mark::Path(path) => ink.path(&path.points, stroke),
     }
 }
 

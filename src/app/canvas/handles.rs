@@ -6,7 +6,7 @@ use super::view::{View, corners};
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
-use crate::marks::{Ellipse, Line, Mark};
+use crate::marks::{Ellipse, Line, Mark, Path};
 
 /// The pointer takes a handle within this distance, points: half the width of a fingertip.
 const REACH: f32 = 9.0;
@@ -22,9 +22,11 @@ pub enum Handle {
     Radius(usize, f64),
     /// One end of a single line.
     End(usize),
+    /// A point of a single path.
+    Point(usize),
     /// The side of a single line: its width.
     Width,
-    /// A corner of the box around several marks: (±1, ±1).
+    /// A corner of the box around several marks, or around a path: (±1, ±1).
     Corner(Vec2),
     /// The handle for turning.
     Turn,
@@ -38,15 +40,27 @@ pub fn handles(session: &Session, view: &View, room: Rect) -> Vec<(Handle, Pos2)
         [] => Vec::new(),
         [(_, Mark::Ellipse(ellipse))] => of_ellipse(ellipse, view, room),
         [(_, Mark::Line(line))] => of_line(line, view, room),
-        many => {
-            let Some(around) = frame(many, view, room) else { return Vec::new() };
-            let turn = around.center_top() - vec2(0.0, OFF);
-            let mut handles: Vec<_> =
-                corners(around).into_iter().map(|(side, at)| (Handle::Corner(side), at)).collect();
-            handles.push((Handle::Turn, turn));
+        [(_, Mark::Path(path))] => {
+            let mut handles = of_points(path, view, room);
+            handles.extend(of_frame(&marks, view, room));
             handles
         }
+        many => of_frame(many, view, room),
     }
+}
+
+fn of_frame(marks: &[(Place, Mark)], view: &View, room: Rect) -> Vec<(Handle, Pos2)> {
+    let Some(around) = frame(marks, view, room) else { return Vec::new() };
+    let turn = around.center_top() - vec2(0.0, OFF);
+    let mut handles: Vec<_> =
+        corners(around).into_iter().map(|(side, at)| (Handle::Corner(side), at)).collect();
+    handles.push((Handle::Turn, turn));
+    handles
+}
+
+fn of_points(path: &Path, view: &View, room: Rect) -> Vec<(Handle, Pos2)> {
+    let points = path.points.iter().enumerate();
+    points.map(|(index, point)| (Handle::Point(index), view.to_screen(room, *point))).collect()
 }
 
 /// The box around several marks on the screen.
@@ -100,7 +114,7 @@ pub fn at(handles: &[(Handle, Pos2)], pointer: Pos2) -> Option<Handle> {
 pub fn cursor(handle: Handle) -> CursorIcon {
     match handle {
         Handle::Turn => CursorIcon::Alias,
-        Handle::End(_) => CursorIcon::Crosshair,
+        Handle::End(_) | Handle::Point(_) => CursorIcon::Crosshair,
         Handle::Corner(side) if side.x * side.y < 0.0 => CursorIcon::ResizeNeSw,
         Handle::Corner(_) => CursorIcon::ResizeNwSe,
         Handle::Radius(..) | Handle::Width => CursorIcon::Grab,
@@ -122,6 +136,7 @@ pub fn pulled(
     match handle {
         Handle::Radius(axis, side) => each(&|mark| radius(mark, (axis, side), [from, to], even)),
         Handle::End(end) => each(&|mark| line_end(mark, end, [from, to], even)),
+        Handle::Point(index) => each(&|mark| path_point(mark, index, [from, to])),
         Handle::Width => each(&|mark| width(mark, [from, to])),
         Handle::Corner(side) => {
             // The opposite corner stays.
@@ -154,7 +169,7 @@ pub fn pulled(
 const STEP: f64 = 15.0;
 
 fn radius(mark: &Mark, (axis, side): (usize, f64), [from, to]: [[f64; 2]; 2], even: bool) -> Mark {
-    let Mark::Ellipse(mut ellipse) = *mark else { return *mark };
+    let Mark::Ellipse(mut ellipse) = *mark else { return mark.clone() };
     let along = |point| side * shape::into_frame(point, ellipse.center, ellipse.angle)[axis];
     let radius = (ellipse.radii[axis] + along(to) - along(from)).max(shape::SMALLEST);
     let factor = radius / ellipse.radii[axis];
@@ -166,7 +181,7 @@ fn radius(mark: &Mark, (axis, side): (usize, f64), [from, to]: [[f64; 2]; 2], ev
 }
 
 fn line_end(mark: &Mark, end: usize, [from, to]: [[f64; 2]; 2], even: bool) -> Mark {
-    let Mark::Line(mut line) = *mark else { return *mark };
+    let Mark::Line(mut line) = *mark else { return mark.clone() };
     let [fixed, free] = if end == 0 { [line.to, line.from] } else { [line.from, line.to] };
     let to = [0, 1].map(|axis| free[axis] + to[axis] - from[axis]);
     let to = if even { straightened(fixed, to) } else { to };
@@ -174,8 +189,18 @@ fn line_end(mark: &Mark, end: usize, [from, to]: [[f64; 2]; 2], even: bool) -> M
     Mark::Line(line)
 }
 
+fn path_point(mark: &Mark, index: usize, [from, to]: [[f64; 2]; 2]) -> Mark {
+    let mut mark = mark.clone();
+    if let Mark::Path(path) = &mut mark
+        && let Some(point) = path.points.get_mut(index)
+    {
+        *point = [0, 1].map(|axis| point[axis] + to[axis] - from[axis]);
+    }
+    mark
+}
+
 fn width(mark: &Mark, [from, to]: [[f64; 2]; 2]) -> Mark {
-    let Mark::Line(line) = *mark else { return *mark };
+    let Mark::Line(line) = *mark else { return mark.clone() };
     let across = |point| shape::into_frame(point, line.center(), line.angle())[1];
     Mark::Line(Line { width: (line.width + 2.0 * (across(to) - across(from))).max(shape::SMALLEST), ..line })
 }

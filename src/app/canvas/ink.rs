@@ -4,7 +4,7 @@ use egui::epaint::{EllipseShape, PathShape};
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 
 use super::view::View;
-use crate::marks::{Line, Mark};
+use crate::marks::{Line, Mark, Path};
 
 /// Paints on a canvas, in px of the canvas.
 pub struct Ink<'a> {
@@ -44,7 +44,32 @@ impl Ink<'_> {
                 };
                 self.painter.add(outline);
             }
+            Mark::Path(path) => self.wide_path(path, fill, outline),
         }
+    }
+
+    /// A path as wide as it is, with an outline.
+    fn wide_path(&self, path: &Path, fill: Color32, outline: Stroke) {
+        let width = (path.width as f32 * self.view.zoom).max(1.5);
+        self.path(&path.points, Stroke::new(width, fill));
+        self.painter.add(PathShape {
+            points: self.sides(path, 0.5 * width),
+            closed: true,
+            fill: Color32::TRANSPARENT,
+            stroke: outline.into(),
+        });
+    }
+
+    /// Both sides of a path at this distance, points of the screen: one there, the other back.
+    fn sides(&self, path: &Path, half: f32) -> Vec<Pos2> {
+        let points: Vec<Pos2> = path.points.iter().map(|point| self.at(*point)).collect();
+        let normal = |index: usize| {
+            let [before, after] = [index.saturating_sub(1), (index + 1).min(points.len() - 1)];
+            (points[after] - points[before]).normalized().rot90() * half
+        };
+        let side = |index: usize, side: f32| points[index] + side * normal(index);
+        let there = (0..points.len()).map(|index| side(index, 1.0));
+        there.chain((0..points.len()).rev().map(|index| side(index, -1.0))).collect()
     }
 
     /// The outline of a line with round ends.

@@ -19,6 +19,7 @@ use egui::{
 use super::reference::Reference;
 use super::theme::Palette;
 use super::underlay::Underlay;
+use crate::document::sketch_notes::outline_remark;
 use crate::editor::session::Session;
 use crate::editor::units::{Ruler, Units};
 use crate::grid::Edges;
@@ -67,6 +68,8 @@ pub struct Canvas {
     /// Whether it got the keyboard focus by a click; then the focus is not highlighted.
     by_pointer: bool,
     gesture: Option<Gesture>,
+    /// What is to be told of the stroke that was drawn last.
+    pub remark: Option<String>,
     /// Strokes that were recognised, and when, seconds.
     fading: Vec<(Vec<[f64; 2]>, f64)>,
 }
@@ -86,6 +89,7 @@ impl Default for Canvas {
             id: None,
             by_pointer: false,
             gesture: None,
+            remark: None,
             fading: Vec::new(),
         }
     }
@@ -176,6 +180,7 @@ impl Canvas {
             let at = response.interact_pointer_pos().or(ui.input(|input| input.pointer.latest_pos()));
             if let Some(at) = at {
                 let stroke = gesture.release(session, &mut self.nib, hand(at));
+                self.remark = stroke.as_deref().and_then(outline_remark);
                 self.fading.extend(stroke.map(|points| (points, ui.input(|input| input.time))));
             }
         }
@@ -338,6 +343,7 @@ fn label(ink: &Ink, mark: &Mark, at: egui::Pos2, ruler: Ruler, colours: &Palette
     let text = match mark {
         Mark::Ellipse(ellipse) => ruler.area(ellipse.area()),
         Mark::Line(line) => format!("{:.0}°", line.angle()),
+        Mark::Path(path) => ruler.length(path.length()),
     };
     let galley = ink.painter.layout_no_wrap(text, FontId::proportional(11.5), colours.paper);
     let rect = Align2::LEFT_TOP.anchor_size(at + vec2(14.0, 14.0), galley.size() + vec2(10.0, 4.0));
@@ -351,8 +357,9 @@ fn grid(ink: &Ink, session: &Session, colours: &Palette) {
     let size = document.size.map(f64::from);
     let stroke = Stroke::new(1.0, colours.grid);
     for axis in 0..2 {
-        for line in 1..document.regions[axis] {
-            let place = size[axis] * f64::from(line) / f64::from(document.regions[axis]);
+        let regions = document.region_grid()[axis];
+        for line in 1..regions {
+            let place = size[axis] * line as f64 / regions as f64;
             let [mut from, mut to] = [[0.0; 2], size];
             (from[axis], to[axis]) = (place, place);
             ink.segment([from, to], stroke);

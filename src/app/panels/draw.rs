@@ -7,10 +7,11 @@ use super::selected;
 use crate::app::action::Action;
 use crate::app::canvas::tool::Tool;
 use crate::app::canvas::{Canvas, Nib};
-use crate::app::fields::{DPI, REGIONS, SEAMLESS, SIDES, pair, resolution, sides};
+use crate::app::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
 use crate::app::reference::Reference;
 use crate::attributes::Attributes;
-use crate::document::{Document, limits};
+use crate::document::Document;
+use crate::document::sketch_notes::SketchNote;
 use crate::editor::edit::Edit;
 use crate::editor::session::Session;
 use crate::editor::units::Ruler;
@@ -40,6 +41,7 @@ pub fn draw(ui: &mut Ui, state: &DrawState) -> Vec<Action> {
         actions.extend(selected::selected(ui, session, ruler));
     }
     actions.extend(canvas_properties(ui, session.document(), ruler));
+    notes(ui, session, &canvas.analysis.notes);
     region(ui, session, canvas, ruler);
     actions.extend(overlays(ui, state));
     actions
@@ -80,7 +82,7 @@ fn tool(ui: &mut Ui, tool: Tool, nib: Nib, ruler: Ruler) -> Option<Action> {
 fn canvas_properties(ui: &mut Ui, document: &Document, ruler: Ruler) -> Vec<Action> {
     let mut edits = Vec::new();
     heading(ui, "Canvas");
-    let (mut size, mut regions) = (document.size, document.regions);
+    let (mut size, mut grid) = (document.size, document.regions);
     let (mut seamless, mut dpi) = (document.edges == Edges::Wrap, document.dpi);
     rows(ui, "canvas", |ui| {
         ui.label("Size").on_hover_text("Width and height of the canvas");
@@ -92,8 +94,8 @@ fn canvas_properties(ui: &mut Ui, document: &Document, ruler: Ruler) -> Vec<Acti
         ui.end_row();
         ui.label("Regions").on_hover_text(REGIONS);
         ui.horizontal(|ui| {
-            if pair(ui, &mut regions, 1..=limits::MAX_REGIONS, ["Region columns", "Region rows"], "") {
-                edits.push(Edit::Regions(regions));
+            if regions(ui, &mut grid, ["Canvas regions", "Region columns", "Region rows"]) {
+                edits.push(Edit::Regions(grid));
             }
         });
         ui.end_row();
@@ -109,6 +111,18 @@ fn canvas_properties(ui: &mut Ui, document: &Document, ruler: Ruler) -> Vec<Acti
         ui.end_row();
     });
     edits.into_iter().map(Action::Edit).collect()
+}
+
+/// What will not grow as it was drawn.
+fn notes(ui: &mut Ui, session: &Session, notes: &[SketchNote]) {
+    if notes.is_empty() {
+        return;
+    }
+    heading(ui, "Will not grow as drawn");
+    for note in notes {
+        let layer = note.layer.map(|layer| format!("{}: ", session.layer_name(layer))).unwrap_or_default();
+        ui.label(RichText::new(format!("{layer}{}", note.text)).weak());
+    }
 }
 
 /// The attributes of the region under the pointer, or of the one in the centre.

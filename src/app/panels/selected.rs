@@ -9,7 +9,7 @@ use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::editor::units::Ruler;
-use crate::marks::{Ellipse, Line, Mark};
+use crate::marks::{Ellipse, Line, Mark, Path};
 
 /// Shows them. A number that is changed gives the marks that replace the selected ones.
 pub fn selected(ui: &mut Ui, session: &Session, ruler: Ruler) -> Vec<Action> {
@@ -17,6 +17,7 @@ pub fn selected(ui: &mut Ui, session: &Session, ruler: Ruler) -> Vec<Action> {
     let changed = match &marks[..] {
         [(place, Mark::Ellipse(ellipse))] => self::ellipse(ui, ruler, *place, *ellipse),
         [(place, Mark::Line(line))] => self::line(ui, ruler, *place, *line),
+        [(place, Mark::Path(path))] => self::path(ui, ruler, *place, path.clone()),
         several => self::several(ui, ruler, several),
     };
     let mut actions: Vec<Action> =
@@ -114,6 +115,21 @@ fn line(ui: &mut Ui, ruler: Ruler, place: Place, mut line: Line) -> Option<Vec<(
     (line != before).then(|| vec![(place, Mark::Line(line))])
 }
 
+fn path(ui: &mut Ui, ruler: Ruler, place: Place, mut path: Path) -> Option<Vec<(Place, Mark)>> {
+    ui.label(RichText::new("Path").strong());
+    let before = path.clone();
+    rows(ui, "path", |ui| {
+        ui.label("Length").on_hover_text("Along the path; drag its points to bend it");
+        ui.label(ruler.length(path.length()));
+        ui.end_row();
+        ui.label("Width").on_hover_text("Width of the stripe that the path stands for");
+        width_field(ui, "Width", &mut path.width, ruler);
+        ui.end_row();
+    });
+    presets(ui, &mut path.width, ruler);
+    (path != before).then(|| vec![(place, Mark::Path(path))])
+}
+
 fn several(ui: &mut Ui, ruler: Ruler, marks: &[(Place, Mark)]) -> Option<Vec<(Place, Mark)>> {
     ui.label(RichText::new(format!("{} marks", marks.len())).strong());
     let areas: Vec<f64> = marks.iter().filter_map(|(_, mark)| area(mark)).collect();
@@ -149,16 +165,14 @@ fn several(ui: &mut Ui, ruler: Ruler, marks: &[(Place, Mark)]) -> Option<Vec<(Pl
 }
 
 fn area(mark: &Mark) -> Option<f64> {
-    match mark {
-        Mark::Ellipse(ellipse) => Some(ellipse.area()),
-        Mark::Line(_) => None,
-    }
+    mark.ellipse().map(|ellipse| ellipse.area())
 }
 
 fn width(mark: &Mark) -> Option<f64> {
     match mark {
         Mark::Ellipse(_) => None,
         Mark::Line(line) => Some(line.width),
+        Mark::Path(path) => Some(path.width),
     }
 }
 
@@ -166,10 +180,11 @@ fn scaled(marks: &[(Place, Mark)], factor: f64) -> Vec<(Place, Mark)> {
     marks.iter().map(|(place, mark)| (*place, shape::scaled(mark, factor, shape::center(mark)))).collect()
 }
 
-/// The lines among the marks, with this width.
+/// The lines and paths among the marks, with this width.
 fn with_width(marks: &[(Place, Mark)], width: f64) -> Vec<(Place, Mark)> {
     let with_width = |(place, mark): &(Place, Mark)| match mark {
         Mark::Line(line) => Some((*place, Mark::Line(Line { width, ..*line }))),
+        Mark::Path(path) => Some((*place, Mark::Path(Path { width, ..path.clone() }))),
         Mark::Ellipse(_) => None,
     };
     marks.iter().filter_map(with_width).collect()

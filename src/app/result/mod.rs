@@ -164,7 +164,7 @@ fn work(grown: &Grown, training: &Training, worker: &Worker<News>) {
         .map(|(index, (layer, drawn))| LayerResult {
             name: drawn.name.clone(),
             system: layer.plan.lookup.system,
-            regions: report::regions(&grown.document, index, layer)
+            regions: report::regions(&grown.document, index, layer, &report::drawn_of(layer))
                 .into_iter()
                 .map(|report| RegionResult { verdict: Verdict::for_region(&report), report, reach: None })
                 .collect(),

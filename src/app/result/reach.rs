@@ -1,11 +1,12 @@
 //! For a region that cannot be reached: the nearest that can, as a change of the sketch.
 
-use crate::attributes::regions::{RegionGrid, RegionMap};
+use crate::attributes::AttributeMap;
+use crate::attributes::regions::RegionGrid;
 use crate::attributes::{Attributes, Spots, Stripes};
-use crate::document::{Document, Stroke, limits};
+use crate::document::{Document, DutyChoice, Stroke, limits};
 use crate::editor::shape;
 use crate::learn::Answer;
-use crate::marks::{Ellipse, Line, Mark, turn};
+use crate::marks::{Ellipse, Line, Mark, Path, turn};
 use crate::synth::Training;
 use crate::synth::plan::sketch_targets;
 use crate::synth::plan::{Lookup, Targets};
@@ -67,7 +68,7 @@ fn asked_in(plan: &Lookup, place: [usize; 2]) -> Attributes {
 }
 
 /// The region whose marks set the attributes of region `index`: itself, else the nearest one that has marks.
-fn source(map: &RegionMap, index: usize) -> Option<[usize; 2]> {
+fn source(map: &AttributeMap, index: usize) -> Option<[usize; 2]> {
     let layout = map.layout();
     let holds = |index: usize| map.region(layout.place(index)).own.is_some();
     let own = if holds(index) { Some(index) } else { layout.nearest(layout.place(index), holds) };
@@ -78,7 +79,7 @@ fn source(map: &RegionMap, index: usize) -> Option<[usize; 2]> {
 #[derive(Clone, Debug, PartialEq)]
 struct Sketch {
     marks: Vec<(usize, Mark)>,
-    duty: f64,
+    duty: DutyChoice,
 }
 
 impl Sketch {
@@ -93,10 +94,7 @@ impl Sketch {
         let layer = &mut document.layers[layer];
         layer.options.duty = self.duty;
         for (stroke, mark) in self.marks {
-            layer.strokes[stroke] = match mark {
-                Mark::Ellipse(ellipse) => Stroke::Ellipse(ellipse),
-                Mark::Line(line) => Stroke::Line(line),
-            };
+            layer.strokes[stroke] = Stroke::from(mark);
         }
     }
 
@@ -159,7 +157,7 @@ impl Sketch {
                     )),
                 )
             }
-            Mark::Line(_) => (stroke, mark),
+            Mark::Line(_) | Mark::Path(_) => (stroke, mark),
         };
         Self { marks: self.marks.into_iter().zip(moved).map(changed).collect(), ..self }
     }
@@ -170,7 +168,8 @@ impl Sketch {
         let duty = match to.wavelength {
             Some(_) if (to.duty() / asked.duty() - 1.0).abs() > 1e-6 => {
                 let [low, high] = [limits::DUTY.low, limits::DUTY.high];
-                (self.duty * libm::pow(to.duty() / asked.duty(), farther)).clamp(low, high)
+                let own = self.duty.given().unwrap_or(asked.duty());
+                DutyChoice::Given((own * libm::pow(to.duty() / asked.duty(), farther)).clamp(low, high))
             }
             _ => self.duty,
         };
@@ -178,6 +177,10 @@ impl Sketch {
             Mark::Line(line) => {
                 let line = Line { width: line.width * width, ..line };
                 (stroke, shape::turned(&Mark::Line(line), by_angle, line.center()))
+            }
+            Mark::Path(path) => {
+                let (center, path) = (path.center(), Path { width: path.width * width, ..path });
+                (stroke, shape::turned(&Mark::Path(path), by_angle, center))
             }
             Mark::Ellipse(_) => (stroke, mark),
         };
@@ -187,7 +190,7 @@ impl Sketch {
     /// The change from `from`.
     fn reach(self, from: &Self) -> Reach {
         let text = described(from, &self);
-        let duty = (self.duty != from.duty).then_some(self.duty);
+        let duty = self.duty.given().filter(|_| self.duty != from.duty);
         Reach { marks: self.marks, duty, text }
     }
 }
@@ -232,16 +235,15 @@ fn described(from: &Sketch, to: &Sketch) -> String {
     let factor = |of: &dyn Fn(&Mark) -> f64| mean(&to.marks, of) / mean(&from.marks, of);
     let spots = matches!(from.marks.first(), Some((_, Mark::Ellipse(_))));
     if spots {
-        let ellipse = |mark: &Mark| if let Mark::Ellipse(ellipse) = mark { Some(*ellipse) } else { None };
-        more("areas", ["larger", "smaller"], factor(&|mark| ellipse(mark).map_or(0.0, |e| e.area())));
-        more("shapes", ["rounder", "longer"], factor(&|mark| ellipse(mark).map_or(0.0, |e| e.aspect())));
+        more("areas", ["larger", "smaller"], factor(&|mark| mark.ellipse().map_or(0.0, |e| e.area())));
+        more("shapes", ["rounder", "longer"], factor(&|mark| mark.ellipse().map_or(0.0, |e| e.aspect())));
         more("places", ["farther apart", "nearer together"], extent(&to.marks) / extent(&from.marks));
     } else {
-        let width = |mark: &Mark| if let Mark::Line(line) = mark { line.width } else { 0.0 };
+        let width = |mark: &Mark| mark.path().map_or(0.0, |path| path.width);
         more("lines", ["thicker", "thinner"], factor(&width));
     }
-    if from.duty != to.duty {
-        changes.push(format!("duty {:.2} on the whole layer", to.duty));
+    if let Some(duty) = to.duty.given().filter(|_| from.duty != to.duty) {
+        changes.push(format!("duty {duty:.2} on the whole layer"));
     }
     if changes.is_empty() { "directions turned".to_owned() } else { changes.join(", ") }
 }
@@ -273,7 +275,7 @@ mod tests {
 
     fn document(strokes: Vec<Stroke>, system: SystemChoice) -> Document {
         let layers = vec![Layer { strokes, system, ..Layer::default() }];
-        Document { size: [512, 512], regions: [2, 2], layers, ..Document::default() }
+        Document { size: [512, 512], regions: Some([2, 2]), layers, ..Document::default() }
     }
 
     /// Applies the change for region 0; gives the number of notes before and after.
@@ -284,10 +286,10 @@ mod tests {
         let Some(reach) = reach(training, document, &[&first], 0, 0) else { return (before, None) };
         let mut changed = document.clone();
         if let Some(duty) = reach.duty {
-            changed.layers[0].options.duty = duty;
+            changed.layers[0].options.duty = DutyChoice::Given(duty);
         }
         for (stroke, mark) in reach.marks {
-            changed.layers[0].strokes[stroke] = crate::editor::session::stroke_of(&mark);
+            changed.layers[0].strokes[stroke] = Stroke::from(mark);
         }
         (before, Some(notes(&planned_alone(training, &changed))))
     }

@@ -16,7 +16,7 @@ fn everything_is_remembered() {
     settings.hint_seen = true;
     settings.units = Units::Mm;
     settings.threads = Some(3);
-    settings.new = New { size: [300, 200], regions: [3, 1], seamless: true, dpi: 150.5 };
+    settings.new = New { size: [300, 200], regions: Some([3, 1]), seamless: true, dpi: 150.5 };
     settings.layout = Layout {
         position: Some([-20.0, 40.0]),
         size: Some([900.0, 700.0]),
@@ -137,7 +137,7 @@ fn a_file_of_an_earlier_version_is_read_and_written_as_json() {
     assert_eq!(settings.recent, [Path::new("/a/b\n%.dapple"), Path::new("/c d.dapple")]);
     assert_eq!((settings.theme, settings.hint_seen), (ThemePreference::Dark, true));
     assert_eq!((settings.units, settings.threads), (Units::Mm, Some(3)));
-    assert_eq!(settings.new, New { size: [300, 200], regions: [3, 1], seamless: true, dpi: 150.5 });
+    assert_eq!(settings.new, New { size: [300, 200], regions: Some([3, 1]), seamless: true, dpi: 150.5 });
     let export = &settings.export;
     assert_eq!((export.what, export.picture.shows), (ExportKind::Material, PictureContent::Labels));
     assert_eq!((export.picture.quality, export.picture.deep, export.picture.document), (87, true, false));

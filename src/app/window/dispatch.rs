@@ -7,6 +7,7 @@ use crate::app::action::{Action, Page};
 use crate::app::alternatives;
 use crate::app::pages;
 use crate::app::result;
+use crate::document::DutyChoice;
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -146,7 +147,7 @@ impl Window {
         let at = |(stroke, mark): (usize, Mark)| (Place { layer, stroke }, mark);
         self.session.replace(&reach.marks.into_iter().map(at).collect::<Vec<_>>());
         if let Some(duty) = reach.duty {
-            self.session.edit(|document| document.layers[layer].options.duty = duty);
+            self.session.edit(|document| document.layers[layer].options.duty = DutyChoice::Given(duty));
         }
         self.session.commit();
     }

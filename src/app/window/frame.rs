@@ -177,6 +177,9 @@ impl Window {
         } else {
             self.side_by_side(ui, body);
         }
+        if let Some(remark) = self.canvas.remark.take() {
+            self.notices.done(remark);
+        }
         self.link(before);
         if let Phase::Failed(why) = &self.growth.phase {
             let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).1 };

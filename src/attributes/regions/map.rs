@@ -3,9 +3,11 @@
 use thiserror::Error;
 
 use super::RegionGrid;
+use crate::attributes::moments::weighted_variation;
+use crate::attributes::spacing::{WeightedEdge, grouped_neighbours, mean_length};
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
 use crate::grid::Edges;
-use crate::marks::{Ellipse, Line, Mark, axial};
+use crate::marks::{Ellipse, Mark, Path, axial};
 
 /// Above this mean aspect a region has no direction of its own (`docs/format.md`, *region map*).
 pub(super) const ROUND: f64 = 0.9;
@@ -67,14 +69,22 @@ pub struct RegionMap {
     spread_is_given: bool,
 }
 
+impl Region {
+    /// The whole canvas as a region with these attributes of its `marks`.
+    pub(in crate::attributes) fn whole(marks: usize, attributes: Attributes, spread: Spread) -> Self {
+        let double = (2.0 * attributes.angle()).to_radians();
+        let direction = [libm::cos(double), libm::sin(double)];
+        Self { marks, own: Some(attributes), filled: attributes, spread, direction }
+    }
+}
+
 impl RegionMap {
     /// The map in which the regions of `layout` have these attributes, all of one kind, without spread.
-    pub(super) fn from_attributes(layout: RegionGrid, attributes: impl Iterator<Item = Attributes>) -> Self {
-        let region = |filled: Attributes| {
-            let double = (2.0 * filled.angle()).to_radians();
-            let direction = [libm::cos(double), libm::sin(double)];
-            Region { marks: 1, own: Some(filled), filled, spread: Spread::ZERO, direction }
-        };
+    pub(in crate::attributes) fn from_attributes(
+        layout: RegionGrid,
+        attributes: impl Iterator<Item = Attributes>,
+    ) -> Self {
+        let region = |filled: Attributes| Region::whole(1, filled, Spread::ZERO);
         Self { layout, regions: attributes.map(region).collect(), spread_is_given: false }
     }
 
@@ -98,19 +108,16 @@ impl RegionMap {
             return Err(RegionsError::Layout { size, grid });
         }
         let layout = RegionGrid { size, grid, edges };
-        let ellipses = gather(&layout, marks, |mark| match mark {
-            Mark::Ellipse(ellipse) => Some((ellipse.center, *ellipse)),
-            Mark::Line(_) => None,
-        });
-        let lines = gather(&layout, marks, |mark| match mark {
-            Mark::Line(line) => Some((line.center(), *line)),
-            Mark::Ellipse(_) => None,
-        });
+        let ellipses = gather(&layout, marks, Mark::ellipse);
+        let lines = gather(&layout, marks, Mark::path);
         let count = |counts: &mut dyn Iterator<Item = usize>| counts.sum::<usize>();
         let owns: Vec<Own> =
             match (count(&mut ellipses.iter().map(Vec::len)), count(&mut lines.iter().map(Vec::len))) {
                 (0, 0) => return Err(RegionsError::NoMarks),
-                (_, 0) => ellipses.iter().map(|set| spots(set)).collect(),
+                (_, 0) => {
+                    let neighbours = neighbours(&layout, marks);
+                    ellipses.iter().zip(&neighbours).map(|(set, edges)| spots(set, edges)).collect()
+                }
                 (0, _) => lines.iter().map(|set| stripes(set)).collect(),
                 (ellipses, lines) => return Err(RegionsError::Mixed { ellipses, lines }),
             };
@@ -286,15 +293,11 @@ impl RegionMap {
     }
 }
 
-/// The marks for which `pick` gives a centre and a value, by region.
-fn gather<T>(
-    layout: &RegionGrid,
-    marks: &[Mark],
-    pick: impl Fn(&Mark) -> Option<([f64; 2], T)>,
-) -> Vec<Vec<T>> {
+/// The marks for which `pick` gives a value, by region.
+fn gather<T>(layout: &RegionGrid, marks: &[Mark], pick: impl Fn(&Mark) -> Option<T>) -> Vec<Vec<T>> {
     let mut sets: Vec<Vec<T>> = (0..layout.len()).map(|_| Vec::new()).collect();
-    for (center, mark) in marks.iter().filter_map(pick) {
-        sets[layout.index(layout.region_of(center))].push(mark);
+    for mark in marks {
+        sets[layout.index(layout.region_of(mark.center()))].extend(pick(mark));
     }
     sets
 }
@@ -306,12 +309,24 @@ struct Own {
     spread: Spread,
 }
 
-fn spots(set: &[Ellipse]) -> Own {
-    let spread = if set.len() >= MARKS_OF_A_SPREAD { Spread::measure(set) } else { Spread::ZERO };
-    Own { marks: set.len(), attributes: Spots::measure(set).map(Attributes::Spots), spread }
+/// By region, the edges between the centres of its marks that count for its spacing.
+fn neighbours(layout: &RegionGrid, marks: &[Mark]) -> Vec<Vec<WeightedEdge>> {
+    let centers: Vec<[f64; 2]> = marks.iter().filter_map(|mark| Some(mark.ellipse()?.center)).collect();
+    grouped_neighbours(&centers, layout.len(), |index| layout.index(layout.region_of(centers[index])))
 }
 
-fn stripes(set: &[Line]) -> Own {
+fn spots(set: &[Ellipse], edges: &[WeightedEdge]) -> Own {
+    let lengths = edges.iter().map(|edge| (edge.length, edge.weight));
+    let spread = if set.len() >= MARKS_OF_A_SPREAD {
+        Spread { spacing: weighted_variation(lengths), ..Spread::measure(set) }
+    } else {
+        Spread::ZERO
+    };
+    let spots = Spots::measure(set).map(|spots| Spots { spacing: mean_length(edges), ..spots });
+    Own { marks: set.len(), attributes: spots.map(Attributes::Spots), spread }
+}
+
+fn stripes(set: &[Path]) -> Own {
     Own { marks: set.len(), attributes: Stripes::measure(set).map(Attributes::Stripes), spread: Spread::ZERO }
 }
 

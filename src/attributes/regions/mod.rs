@@ -4,5 +4,5 @@ mod blend;
 mod map;
 mod region_grid;
 
-pub use map::{Region, RegionMap, RegionsError};
+pub use map::{MARKS_OF_A_SPREAD, Region, RegionMap, RegionsError};
 pub use region_grid::RegionGrid;

@@ -1,4 +1,6 @@
 use proptest::prelude::*;
+use rand::SeedableRng as _;
+use rand_pcg::Pcg64Mcg;
 
 use super::*;
 
@@ -68,14 +70,126 @@ fn few_points_have_the_spacing_that_the_format_defines() {
     assert_eq!(mean_spacing(&[]), None);
     assert_eq!(mean_spacing(&[[3.0, 4.0]]), None);
     assert_eq!(mean_spacing(&[[3.0, 4.0], [0.0, 0.0]]), Some(5.0));
-    // Three: all three edges are hull and no inner one remains.
-    assert_eq!(mean_spacing(&[[0.0, 0.0], [3.0, 0.0], [0.0, 4.0]]), Some(4.0));
-    // On one line the edges join neighbours; 30 is over twice the median.
-    assert_eq!(mean_spacing(&[[0.0, 0.0], [10.0, 0.0], [20.0, 0.0], [50.0, 0.0]]), Some(10.0));
-    // A wheel of six spokes: its rim is hull, six inner edges remain.
-    let wheel = [[0.0, 0.0], [9.0, 0.0], [4.0, 7.0], [-4.0, 7.0], [-9.0, 0.0], [-4.0, -7.0], [4.0, -7.0]];
-    let spokes = (18.0 + 4.0 * 65.0_f64.sqrt()) / 6.0;
-    assert!((mean_spacing(&wheel).unwrap() - spokes).abs() < 1e-12);
+    // Opposite to the hypotenuse is a right angle: weight 0.
+    assert_eq!(mean_spacing(&[[0.0, 0.0], [3.0, 0.0], [0.0, 4.0]]), Some(3.5));
+    assert_eq!(mean_spacing(&[[0.0, 0.0], [10.0, 0.0], [20.0, 0.0], [55.0, 0.0]]), Some(10.0));
+    // Of the weight 1/2: 3 times the median distance to the nearest.
+    assert_eq!(mean_spacing(&[[0.0, 0.0], [10.0, 0.0], [20.0, 0.0], [50.0, 0.0]]), Some(14.0));
+}
+
+#[test]
+fn points_in_a_row_are_read_from_one_to_the_next_straight_or_nearly() {
+    let row = |bend: f64| -> Vec<[f64; 2]> {
+        [0.0, 20.0, 50.0, 70.0, 100.0].iter().map(|x| [*x, bend * libm::sin(*x)]).collect()
+    };
+    assert_eq!(mean_spacing(&row(0.0)), Some(25.0));
+    for bend in [1e-12, 1e-6, 1e-3, 0.1] {
+        assert!((mean_spacing(&row(bend)).unwrap() - 25.0).abs() < 1e-3, "{bend}");
+    }
+}
+
+#[test]
+fn an_array_has_the_distance_of_its_rows() {
+    let spacing = mean_spacing(&lattice(5, 5, [80.0, 0.0], [0.0, 80.0])).unwrap();
+    assert!((78.0..83.0).contains(&spacing), "{spacing}");
+}
+
+#[test]
+fn a_ring_is_read_along_itself() {
+    let radius = 31.0 / libm::sin(std::f64::consts::PI / 12.0);
+    let at = |k: u32| {
+        let turn = f64::from(k) * std::f64::consts::TAU / 12.0;
+        [256.0 + radius * libm::cos(turn), 256.0 + radius * libm::sin(turn)]
+    };
+    let ring: Vec<[f64; 2]> = (0..12).map(at).collect();
+    assert!((mean_spacing(&ring).unwrap() - 62.0).abs() < 1e-6);
+}
+
+#[test]
+fn rows_far_apart_are_read_along_themselves() {
+    for columns in 4..15 {
+        let spacing = mean_spacing(&lattice(columns, 2, [30.0, 0.0], [0.0, 100.0])).unwrap();
+        assert!((30.0..=40.0).contains(&spacing), "{columns} columns: {spacing}");
+    }
+}
+
+#[test]
+fn pairs_far_apart_have_the_distance_within_a_pair() {
+    let pairs = |away: f64| {
+        lattice(3, 3, [42.0 + away, 0.0], [0.0, away]).into_iter().flat_map(|[x, y]| [[x, y], [x + 42.0, y]])
+    };
+    for away in [150.0, 180.0, 300.0] {
+        let points: Vec<[f64; 2]> = pairs(away).collect();
+        assert!((mean_spacing(&points).unwrap() - 42.0).abs() < 1e-9, "{away}");
+    }
+}
+
+#[test]
+fn the_two_nearest_points_always_have_the_full_weight() {
+    for (name, points) in sketches() {
+        for wrap in [None, Some([SIDE; 2])] {
+            let edges = neighbours(&points, wrap);
+            let shortest = edges.iter().min_by(|a, b| a.length.total_cmp(&b.length)).unwrap();
+            assert_eq!(shortest.weight, 1.0, "{name}");
+        }
+    }
+}
+
+#[test]
+fn moving_one_point_a_little_changes_the_spacing_a_little() {
+    for (name, points) in sketches() {
+        for wrap in [None, Some([SIDE; 2])] {
+            let spacing = |points: &[[f64; 2]]| mean_length(&neighbours(points, wrap)).unwrap();
+            let before = spacing(&points);
+            // The least step finds jumps, the other slopes that are too steep.
+            for (share, most) in [(1e-9, 1e-7), (1e-3, 0.03)] {
+                for (index, [x, y]) in points.iter().enumerate() {
+                    for step in [[share, 0.0], [-share, 0.0], [0.0, share], [0.0, -share]] {
+                        let mut moved = points.clone();
+                        moved[index] = [x + SIDE * step[0], y + SIDE * step[1]];
+                        let change = (spacing(&moved) / before - 1.0).abs();
+                        assert!(change <= most, "{name}, {wrap:?}: point {index} by {step:?}: {change}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Side of the canvas of the random sketches.
+const SIDE: f64 = 512.0;
+
+/// 200 random sketches of 8–30 points: scattered, in arrays, rows, rings and clusters, exact ones and uneven ones.
+fn sketches() -> Vec<(String, Vec<[f64; 2]>)> {
+    (0..200).map(|seed| (format!("sketch {seed}"), sketch(seed))).collect()
+}
+
+fn sketch(seed: u64) -> Vec<[f64; 2]> {
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let mut uniform = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();
+    let count = uniform(8.0, 31.0) as usize;
+    let step = uniform(30.0, 80.0);
+    let unevenness = [0.0, 1e-9, 0.3, 1.0][(seed / 5 % 4) as usize];
+    let turn = std::f64::consts::TAU / count as f64;
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    while points.len() < count {
+        let k = points.len();
+        let along = k as f64;
+        let [x, y] = match seed % 5 {
+            0 => [uniform(0.0, SIDE), uniform(0.0, SIDE)],
+            1 => [60.0 + step * (k % 5) as f64, 40.0 + step * (k / 5) as f64],
+            2 => [40.0 + 20.0 * along, 80.0 + 1.7 * step * (k % 2) as f64],
+            3 => [libm::cos(turn * along), libm::sin(turn * along)].map(|v| 256.0 + step * v / turn),
+            _ => [100.0 + 150.0 * (k % 3) as f64 + uniform(-60.0, 60.0), 256.0 + uniform(-90.0, 90.0)],
+        };
+        let point = [x + unevenness * uniform(-1.0, 1.0), y + unevenness * uniform(-1.0, 1.0)];
+        // Marks of a cluster do not lie on each other.
+        let clear = |other: &[f64; 2]| (point[0] - other[0]).hypot(point[1] - other[1]) > 24.0;
+        if seed % 5 != 4 || points.iter().all(clear) {
+            points.push(point);
+        }
+    }
+    points
 }
 
 #[test]
@@ -132,5 +246,52 @@ proptest! {
         let slow: f64 = edges(&copies, None).iter().filter(|e| inside(&e.midpoint)).map(|e| e.length).sum();
         let fast: f64 = edges(&points, Some([40.0, 40.0])).iter().map(|e| e.length).sum();
         prop_assert!((slow - fast).abs() < 1e-6, "{} {}", slow, fast);
+    }
+}
+
+/// Groups of a canvas cut into four quarters.
+fn quarters(points: &[[f64; 2]]) -> Vec<Vec<WeightedEdge>> {
+    grouped_neighbours(points, 4, |index| {
+        points[index].map(|x| usize::from(x >= 0.5 * SIDE)).iter().fold(0, |g, x| 2 * g + x)
+    })
+}
+
+#[test]
+fn one_group_has_the_edges_of_all_points() {
+    let points = sketch(0);
+    assert_eq!(grouped_neighbours(&points, 1, |_| 0), [neighbours(&points, None)]);
+}
+
+#[test]
+fn a_cut_pattern_has_the_same_spacing_in_each_of_its_parts() {
+    let h = 16.0 * 3.0_f64.sqrt();
+    let points = lattice(16, 17, [32.0, 0.0], [0.0, 2.0 * h]);
+    let between = points.iter().map(|[x, y]| [x + 16.0, y + h]);
+    let points: Vec<[f64; 2]> = points.iter().copied().chain(between).collect();
+    for edges in quarters(&points) {
+        assert!(edges.len() > 100 && (mean_length(&edges).unwrap() - 32.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn points_of_a_group_that_others_part_have_their_own_distance() {
+    let points = [[10.0, 10.0], [90.0, 10.0], [50.0, 9.0], [50.0, 11.0], [50.0, 60.0]];
+    let edges = grouped_neighbours(&points, 2, |index| usize::from(index > 1));
+    assert_eq!(edges[0], [WeightedEdge { ends: [0, 1], length: 80.0, midpoint: [50.0, 10.0], weight: 1.0 }]);
+}
+
+#[test]
+fn moving_one_point_a_little_changes_the_spacing_of_groups_a_little() {
+    for seed in 0..200 {
+        let points = sketch(seed);
+        for index in 0..points.len() {
+            let mut moved = points.clone();
+            moved[index][0] += 1e-9 * SIDE;
+            for (before, after) in quarters(&points).iter().zip(&quarters(&moved)) {
+                let [before, after] = [before, after].map(|edges| mean_length(edges));
+                let Some((before, after)) = before.zip(after) else { continue };
+                assert!((after / before - 1.0).abs() < 1e-6, "sketch {seed}: {before} → {after}");
+            }
+        }
     }
 }

@@ -36,7 +36,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     export::make_folder(folder).map_err(Error::step)?;
     let training = Training::from_folder(args.training.clone());
     announce_time(args, &tasks, &training);
-    let mut contact = args.variations.map(|_| Contact::new(stem(&args.file), THUMBNAIL));
+    let mut contact = args.variations.map(|_| Contact::new(Some(stem(&args.file)), THUMBNAIL));
     let mut why = Vec::new();
     for (index, task) in tasks.iter().enumerate() {
         if !args.quiet && tasks.len() > 1 {

@@ -163,6 +163,7 @@ fn strokes(layer: &Layer, size: [f64; 2], spacing: f64) -> f64 {
     let widths = layer.strokes.iter().map(|stroke| match stroke {
         Stroke::Ellipse(ellipse) => 2.0 * ellipse.radii[0].min(ellipse.radii[1]),
         Stroke::Line(line) => line.width,
+        Stroke::Path(path) => path.width,
         Stroke::Freehand { width, .. } => *width,
     });
     let narrowest = widths.fold(f64::MAX, f64::min).max(1.0);

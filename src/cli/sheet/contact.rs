@@ -19,6 +19,11 @@ pub struct Thumbnail {
 }
 
 impl Thumbnail {
+    /// A picture of `size` px: red, green, blue for each px, row by row from the top.
+    pub fn from_rgb(size: [usize; 2], rgb: Vec<u8>) -> Self {
+        Self { size, rgb }
+    }
+
     /// A picture of a growth, `side` px along its longer side.
     pub fn new(document: &Document, grown: &Grown, side: usize) -> Self {
         let size = fitted(grown.size, side);
@@ -29,14 +34,14 @@ impl Thumbnail {
 
 /// Small pictures with their names.
 pub struct Contact {
-    title: String,
+    title: Option<String>,
     side: usize,
     pictures: Vec<(String, Thumbnail)>,
 }
 
 impl Contact {
-    /// An empty sheet for pictures of `side` px along their longer side.
-    pub fn new(title: String, side: usize) -> Self {
+    /// An empty sheet for pictures of `side` px along their longer side; `title` stands before each name.
+    pub fn new(title: Option<String>, side: usize) -> Self {
         Self { title, side, pictures: Vec::new() }
     }
 
@@ -70,7 +75,7 @@ pub fn write(contact: &Contact, output: &Path) -> Result<(), Error> {
     let mut paper = Paper::blank(layout.size);
     for (spot, (name, thumb)) in layout.spots.iter().zip(&contact.pictures) {
         paper.place(&thumb.rgb, thumb.size, [spot.pictures[0], spot.top]);
-        let name = format!("{}, {name}", contact.title);
+        let name = contact.title.as_ref().map_or_else(|| name.clone(), |title| format!("{title}, {name}"));
         for line in pen.wrap(&name, contact.side, 1) {
             pen.write(&mut paper, &line, spot.name, text::INK);
         }

@@ -1,7 +1,7 @@
 //! The rules in words, as `docs/format.md` shows them.
 
 use super::{Condition, Key};
-use crate::document::{After, Kind, SystemChoice};
+use crate::document::{After, Kind, OptionKey, SystemChoice};
 use std::fmt;
 
 impl fmt::Display for Key {
@@ -14,7 +14,7 @@ impl fmt::Display for Key {
                 write!(f, "`system` other than {}", any_of(allowed.map(|(name, _)| *name)))
             }
             Self::Option(option) => {
-                write!(f, "`options.{}` other than `{}`", option.name(), option.always_allowed())
+                write!(f, "`options.{}` other than {}", option.name(), either(*option))
             }
         }
     }
@@ -38,7 +38,7 @@ impl fmt::Display for Condition {
             }
             Self::NotTaken(option) => write!(f, "a `system` that does not take `{}`", option.name()),
             Self::Option(option) => {
-                write!(f, "`options.{}` other than `{}`", option.name(), option.always_allowed())
+                write!(f, "`options.{}` other than {}", option.name(), either(*option))
             }
         }
     }
@@ -49,6 +49,10 @@ fn grown(kind: Kind) -> &'static str {
         Kind::Ellipse => "spots",
         Kind::Line => "stripes",
     }
+}
+
+fn either(option: OptionKey) -> String {
+    option.always_allowed().iter().map(|value| format!("`{value}`")).collect::<Vec<_>>().join(" or ")
 }
 
 fn any_of<'a>(names: impl Iterator<Item = &'a str>) -> String {

@@ -1,6 +1,6 @@
 use super::*;
 use crate::attributes::Spread;
-use crate::document::{Document, Seeding, SpreadChoice, Stroke};
+use crate::document::{Document, DutyChoice, Seeding, SpreadChoice, Stroke};
 use crate::rd::System;
 use proptest::prelude::*;
 
@@ -38,7 +38,7 @@ fn every_rule_can_be_broken() {
         let mut options = LayerOptions {
             spread: SpreadChoice::Given(Spread::ZERO),
             irregular: 0.5,
-            duty: 0.3,
+            duty: DutyChoice::Given(0.3),
             seeding: Seeding::Segments,
             broken: 0.3,
             keep: Some(true),
@@ -48,7 +48,8 @@ fn every_rule_can_be_broken() {
         }
         options
     });
-    let thin = LayerOptions { duty: 0.3, seeding: Seeding::Segments, ..LayerOptions::default() };
+    let thin =
+        LayerOptions { duty: DutyChoice::Given(0.3), seeding: Seeding::Segments, ..LayerOptions::default() };
     for marks in [None, Some(Ellipse), Some(Line)] {
         for beneath in [Beneath::Nothing, Beneath::Grows(Line)] {
             for (_, after) in After::NAMES {
@@ -70,9 +71,9 @@ fn every_rule_can_be_broken() {
 #[test]
 fn a_problem_names_the_value_and_what_is_allowed() {
     let with = |options| Combination { options, ..alone(Some(Ellipse)) }.problem("layers[2]").unwrap();
-    let problem = with(LayerOptions { duty: 0.3, ..LayerOptions::default() });
+    let problem = with(LayerOptions { duty: DutyChoice::Given(0.3), ..LayerOptions::default() });
     assert_eq!([problem.place.as_str(), problem.found.as_str()], ["layers[2].options.duty", "0.3"]);
-    assert!(problem.allowed.starts_with("0.5. Only stripes"), "{problem}");
+    assert!(problem.allowed.starts_with("\"drawn\" or 0.5. Only stripes"), "{problem}");
     let ring = Combination { after: After::Around, ..alone(Some(Line)) }.problem("layers[0]").unwrap();
     assert_eq!([ring.place.as_str(), ring.found.as_str()], ["layers[0].after", "\"around\""]);
     assert!(ring.allowed.starts_with("between. The lowest layer"), "{ring}");
@@ -82,7 +83,8 @@ fn any_options() -> impl Strategy<Value = LayerOptions> {
     let given = (0.0..0.6f64, 0.0..45.0f64);
     let given = given.prop_map(|(area, angle)| SpreadChoice::Given(Spread { area, angle, ..Spread::ZERO }));
     let spread = prop_oneof![Just(SpreadChoice::Drawn), given];
-    let duty = prop_oneof![Just(0.5), 0.2..0.5f64];
+    let duty =
+        prop_oneof![Just(DutyChoice::Drawn), prop_oneof![Just(0.5), 0.2..0.5f64].prop_map(DutyChoice::Given)];
     let share = || prop_oneof![Just(0.0), 0.0..0.6f64];
     let seeding = prop::sample::select(vec![Seeding::Noise, Seeding::Segments, Seeding::Initiators]);
     let keep = prop::option::of(any::<bool>());

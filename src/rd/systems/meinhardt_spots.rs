@@ -81,19 +81,19 @@ static DEFINITION: Definition = Definition {
     tolerated: Scatter { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
     level_slope: -1.44,
     spots: Some(SpotLimits {
-        // Of nine pairs among other spots, round and long, along and across, none merged at distances of 0.40, 0.50, 0.58, 0.64
-        // and 0.68 spacings where area ÷ spacing² was 0.03, 0.08, 0.12, 0.16 and 0.2; closer by 0.02 some merged, by 0.06
+        // Of nine pairs among other spots, round and long, along and across, none merged at distances of 0.41, 0.52, 0.60, 0.66
+        // and 0.70 spacings where area ÷ spacing² was 0.032, 0.085, 0.13, 0.17 and 0.21; closer by 0.02 some merged, by 0.06
         // nearly all.
-        merging: [0.23, 1.02],
+        merging: [0.24, 1.02],
         own_variation: [0.03, 0.005],
         variation: Variation::ByDensity {
-            // Of 280 spots at 0.2 one merged at 0.5, none at 0.35; of 900 at 0.16 one at 0.5.
-            area: [0.12, 3.5],
-            // Of 600 spots one merged at 10° (length 0.8) and at 20° (0.63), none at 30° (0.56); a per cent did at
+            // Of 280 spots at 0.21 one merged at 0.5, none at 0.35; of 900 at 0.165 one at 0.5.
+            area: [0.124, 3.4],
+            // Of 600 spots one merged at 10° (length 0.85) and at 20° (0.67), none at 30° (0.59); a per cent did at
             // twice that.
-            turn: [8.5, 0.8, 3.0],
-            // Spots at more uneven places repel each other back.
-            spacing: 0.18,
+            turn: [8.5, 0.85, 3.0],
+            // They push each other back from places that are more uneven.
+            spacing: 0.16,
         },
     }),
     cost: Cost { bytes_a_cell: 95.0, updates: 0.8, updates_on_one_grid: 0.8 },
@@ -130,7 +130,8 @@ const ISOLATED: IsolatedSpots = IsolatedSpots {
     // Patches of pitch 1, 1.5, 2.5, 4 had 127.4, 179.4, 208.0, 208.9.
     crowding: [0.389, 1.33, 1.45],
     spacing: 36.0,
-    edges: [1.02, 0.06],
+    // Patches of 160 spots at ratios 12–85: 1.006 (stretch 0.7–1), 1.003 (0.6), 0.998 (0.5), 1.000 (0.4), 0.968 (0.3).
+    edges: [1.007, -0.02],
     // At the first pitch a neighbour may be a third closer than the mean; below the second such neighbours merge.
     pitches: [1.6, 1.0],
     // Grids of 27–136 cells a spot, stretch 0.3–1, five directions.
@@ -171,7 +172,7 @@ fn peak(ratio: f32) -> f32 {
     3.3 * libm::powf(ratio / 10.0, 0.765)
 }
 
-/// Mean distance between neighbours × √rate. Fitted to `facts.md` B.
+/// Distance of places × √rate. Fitted to `facts.md` B.
 fn spacing(ratio: f32) -> f64 {
     let r = f64::from(ratio);
     36.0 + 0.045 * (r - 15.0)

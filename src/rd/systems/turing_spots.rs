@@ -5,7 +5,7 @@
 //!
 //! Turing, "The chemical basis of morphogenesis" (1952); in this form Turk, "Generating textures on arbitrary
 //! surfaces using reaction-diffusion" (1991), and Phan & Grimm, "Sketching reaction-diffusion texture"
-//! (2006), appendix A. A spot is where b is used up. Its size and the spacing go together: area ≈ 0.22
+//! (2006), appendix A. A spot is where b is used up. Its size and the spacing go together: area ≈ 0.21
 //! spacing². a stays above 2 in patterns; it is bounded by 0 as well, because at rates of 0.38 and more the first spots on a
 //! canvas with room for one or two can contain so much b that a step of a overshoots.
 
@@ -90,15 +90,15 @@ static DEFINITION: Definition = Definition {
     tolerated: Scatter { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
     level_slope: -1.44,
     spots: Some(SpotLimits {
-        // Of 36 pairs 20 lost a spot at a distance of 0.7 spacings, three at 0.8.
-        merging: [0.85, 0.0],
+        // Of 36 pairs 20 lost a spot at a distance of 0.72 spacings, three at 0.82.
+        merging: [0.87, 0.0],
         own_variation: [0.045, 0.055],
         // Above this, spots lose their shape (angle) and repel each other back (spacing).
         variation: Variation::Fixed(crate::attributes::Spread {
             area: 0.6,
             angle: 25.0,
             aspect: 0.2,
-            spacing: 0.13,
+            spacing: 0.12,
         }),
     }),
     cost: Cost { bytes_a_cell: 95.0, updates: 0.62, updates_on_one_grid: 0.62 },
@@ -133,7 +133,7 @@ const BETA: f32 = 12.0;
 
 /// Dₐ/D_b. `facts.md` A: well-formed spots at 3.6–4.0, roundest below 3.8.
 const RATIO: f32 = 3.8;
-/// Mean distance between neighbours × √(kₐ/√(DₐD_b)). Measured: see `facts.md` A (2.10 √5.7).
+/// Distance of places × √(kₐ/√(DₐD_b)). Measured: see `facts.md` A (2.10 √5.7).
 const SPACING: f64 = 5.0;
 
 impl Kinetics<2> for TuringSpots {

@@ -5,7 +5,8 @@ use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer};
 use crate::synth::grow::obstacles::{bias, obstacles};
-use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::pattern::{EDGE, Pattern};
+use crate::synth::grow::pinned_correction::PinnedCorrection;
 use crate::synth::grow::probe::{When, correct};
 use crate::synth::grow::refine::refine;
 use crate::synth::grow::settle::settle_seen;
@@ -80,6 +81,11 @@ pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usi
     });
     same.count()
 }
+
+/// Corrections of pinned spots at most.
+const PINNED_ROUNDS: usize = 3;
+/// The same where some are not there.
+const LOST_ROUNDS: usize = 5;
 
 /// The growth of a document.
 struct Cascade<'a> {
@@ -156,7 +162,7 @@ impl Cascade<'_> {
     /// Grows layer `index` as planned.
     fn grow_layer(
         &self,
-        plan: Plan,
+        mut plan: Plan,
         index: usize,
         seen: &mut dyn FnMut(&Plan, &Engine),
     ) -> Result<GrownLayer, GrowError> {
@@ -169,18 +175,65 @@ impl Cascade<'_> {
             return Err(GrowError::NoRoom { layer });
         }
         watch.step(Stage::Plan, 1.0)?;
-        let settled = settle_seen(&mut engine, every, &watch, &mut |engine| seen(&plan, engine))?;
-        let marks = plan.levelled(engine.marks());
-        if !marks.values.iter().all(|value| value.is_finite()) {
-            return Err(GrowError::NoPattern { layer });
-        }
-        let steps = engine.steps();
-        let concentrations = if options.concentrations { engine.concentrations() } else { Vec::new() };
-        drop(engine);
         let canvas = plan.lookup.map.layout().size.map(|side| side as usize);
-        let mut pattern = Pattern::new(&plan.lookup, &marks);
-        let measured = refine(&plan, &mut pattern, canvas, self.corrects(), &watch)?;
-        let correction = pattern.correction;
-        Ok(GrownLayer { plan, steps, settled, correction, measured, marks, concentrations })
+        let mut round = 0;
+        loop {
+            let settled = settle_seen(&mut engine, every, &watch, &mut |engine| seen(&plan, engine))?;
+            let marks = plan.levelled(engine.marks());
+            if !marks.values.iter().all(|value| value.is_finite()) {
+                return Err(GrowError::NoPattern { layer });
+            }
+            let mut pattern = Pattern::new(&plan.lookup, &marks);
+            let measured = refine(&plan, &mut pattern, canvas, self.corrects(), &watch)?;
+            let nothing = blank(&plan, &pattern);
+            let Pattern { correction, own, .. } = pattern;
+            let found = PinnedCorrection::new(&plan, measured.spots());
+            let rounds = if found.lost.is_empty() { PINNED_ROUNDS } else { LOST_ROUNDS };
+            if round < rounds && self.corrects() && found.needed {
+                found.apply(&mut plan);
+                engine.correct(&plan, &found.lost);
+                round += 1;
+                continue;
+            }
+            if let Some(what) = nothing {
+                return Err(GrowError::Blank { layer, what });
+            }
+            let steps = engine.steps();
+            let concentrations = if options.concentrations { engine.concentrations() } else { Vec::new() };
+            let own_levels = own;
+            return Ok(GrownLayer {
+                plan,
+                steps,
+                settled,
+                correction,
+                own_levels,
+                measured,
+                marks,
+                concentrations,
+            });
+        }
+    }
+}
+
+/// What a layer is instead of a pattern where it has no marks, or nothing but marks; `None` of a pattern.
+fn blank(plan: &Plan, pattern: &Pattern) -> Option<&'static str> {
+    let [nx, ny] = plan.lookup.grid.size;
+    let field = pattern.field(nx, ny);
+    let free = field
+        .values
+        .iter()
+        .enumerate()
+        .filter(|(cell, _)| !plan.obstacles.get(*cell).is_some_and(|taken| *taken));
+    let (marks, ground) =
+        free.fold(
+            (0usize, 0usize),
+            |(marks, ground), (_, value)| {
+                if *value >= EDGE { (marks + 1, ground) } else { (marks, ground + 1) }
+            },
+        );
+    match (marks, ground) {
+        (0, _) => Some("no marks"),
+        (_, 0) if plan.obstacles.is_empty() => Some("marks without any ground between them"),
+        _ => None,
     }
 }

@@ -5,7 +5,7 @@
 //! along gradients and even out their distances, forks of stripes heal, ever more slowly. From there on the mean area is
 //! within 0.3 % (Turing 0.5 %, width of stripes 2 %) of its limit, and the direction within 0.5°.
 
-use crate::rd::System;
+use crate::rd::{Convergence, System};
 
 /// Normalised time between two checks.
 const EVERY: f64 = 2.5;
@@ -17,6 +17,9 @@ const FALLING: f64 = 0.8;
 const STEPS: u64 = 150_000;
 /// A change a unit of time below which any pattern has settled.
 const NEGLIGIBLE: f64 = 0.0003;
+
+/// Time after which marks that are moved back to their places do not change any more, but for being moved.
+const HELD: f64 = 40.0;
 
 /// Time after which stripes from segments are as wide as others; at T = 30 there are blots where segments met.
 const HEALED: f64 = 100.0;
@@ -33,6 +36,8 @@ pub struct ConvergenceMonitor {
     slack: f64,
     /// Normalised time before which it is not settled.
     earliest: f64,
+    /// Normalised time after which it is given up.
+    latest: f64,
     before: Vec<f32>,
     last: f64,
     checks: u64,
@@ -53,8 +58,18 @@ impl ConvergenceMonitor {
     /// Starts from `marks`, before the first step; `unit` steps are a unit of normalised time.
     #[must_use]
     pub fn new(system: System, unit: f64, begins: bool, marks: Vec<f32>) -> Self {
-        let earliest = system.definition().convergence.earliest;
-        Self { system, unit, begins, slack: 1.0, earliest, before: marks, last: f64::INFINITY, checks: 0 }
+        let Convergence { earliest, latest, .. } = system.definition().convergence;
+        Self {
+            system,
+            unit,
+            begins,
+            slack: 1.0,
+            earliest,
+            latest,
+            before: marks,
+            last: f64::INFINITY,
+            checks: 0,
+        }
     }
 
     /// The same among obstacles, which push the marks beside them for long: lone spots in lanes between three obstacles
@@ -62,6 +77,20 @@ impl ConvergenceMonitor {
     #[must_use]
     pub fn among_obstacles(self) -> Self {
         Self { slack: 2.0, ..self }
+    }
+
+    /// Takes account of marks that are moved back to their places, which never rest: a pair that pushes each other is moved
+    /// by 0.006 a unit of time when all areas have long settled. A unit of time takes `pace` times the steps.
+    pub fn hold_marks(&mut self, pace: f64) {
+        self.slack = 3.0;
+        self.latest = self.latest.min(HELD);
+        self.unit *= pace;
+    }
+
+    /// Steps that make up a unit of time.
+    #[must_use]
+    pub fn unit(&self) -> f64 {
+        self.unit
     }
 
     /// The same for stripes that start from `scattered` segments, which must join first.
@@ -98,7 +127,7 @@ impl ConvergenceMonitor {
         if corrected || time >= self.earliest && (steady || change < NEGLIGIBLE) {
             return Verdict::Settled;
         }
-        if time >= criterion.latest || steps >= STEPS || !change.is_finite() {
+        if time >= self.latest || steps >= STEPS || !change.is_finite() {
             return Verdict::GivenUp;
         }
         Verdict::Forming

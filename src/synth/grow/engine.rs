@@ -9,18 +9,18 @@
 //! advance; to cancel, drop it. It has no threads of its own.
 
 use crate::grid::{Domain, Field};
-use crate::rd::{Growth, InitialConditions, Maps, System, prolongate, with_obstacle_state};
+use crate::rd::{Growth, InitialConditions, Maps, System, prolongate, restart, with_obstacle_state};
 use crate::synth::grow::convergence::{ConvergenceMonitor, Verdict};
 use crate::synth::grow::multigrid_levels;
 use crate::synth::grow::multigrid_levels::Work;
 use crate::synth::grow::pattern::Pattern;
-use crate::synth::grow::position_control::PositionControl;
+use crate::synth::grow::position_control::{self, PositionControl};
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
 use crate::synth::plan::pinned_marks::guide_lines;
 use crate::synth::plan::spacing_correction::pitches;
-use crate::synth::plan::spread::{Varied, vary};
+use crate::synth::plan::spread::{Varied, VariedSpots, vary};
 
 /// A layer being grown.
 #[derive(Clone, Debug)]
@@ -31,6 +31,8 @@ pub struct Engine {
     start: InitialConditions,
     /// Brings pinned marks back to their places.
     position_control: Option<PositionControl>,
+    /// Spots with parameters of their own.
+    varied: Option<VariedSpots>,
     /// From the coarsest to the planned one.
     grids: Vec<[usize; 2]>,
     level: Level,
@@ -56,8 +58,18 @@ struct Level {
     /// Cells that count for convergence.
     counts: Vec<bool>,
     monitor: ConvergenceMonitor,
+    /// The number of steps at which to move pinned marks next; `None` = never.
+    next_correction: Option<u64>,
     /// Cell updates expected until it settles.
     expected: f64,
+}
+
+impl Level {
+    /// Decides when to move pinned marks next.
+    fn plan_correction(&mut self) {
+        let steps = (position_control::EVERY * self.monitor.unit()).ceil().max(1.0);
+        self.next_correction = Some(self.growth.steps() + steps as u64);
+    }
 }
 
 impl Engine {
@@ -67,11 +79,14 @@ impl Engine {
         let Lookup { system, irregular, seeding, map, .. } = &plan.lookup;
         let (system, layout) = (*system, map.layout());
         let noisy = |maps: Maps| maps.with_decay_noise(system, *irregular, seed);
-        if let Some(Varied { maps, places, largest }) = vary(plan, seed) {
+        if let Some(Varied { maps, spots, largest }) = vary(plan, seed) {
             let maps = noisy(maps);
-            let start = InitialConditions::at_places(system, &maps, seed, &places);
+            let start = InitialConditions::at_places(system, &maps, seed, &spots.places);
             let engine = Self::starting_from(system, maps, start, largest);
-            return Self { position_control: PositionControl::new(plan), ..engine };
+            let position_control = PositionControl::new(plan);
+            let mut engine = Self { position_control, varied: Some(spots), ..engine };
+            engine.hold_marks();
+            return engine;
         }
         let (maps, start) = match plan.places() {
             Some(places) => {
@@ -109,6 +124,7 @@ impl Engine {
             maps,
             start,
             position_control: None,
+            varied: None,
             grids,
             level,
             expected_before: 0.0,
@@ -145,6 +161,41 @@ impl Engine {
         Some(engine)
     }
 
+    /// Takes the parameters of the pinned spots from `plan`, where they have been corrected, and goes on growing what has
+    /// settled. The `lost` pinned spots begin again.
+    pub fn correct(&mut self, plan: &Plan, lost: &[usize]) {
+        let Some(spots) = &mut self.varied else { return };
+        self.maps.parameters = spots.corrected(plan, &self.maps);
+        let mut concentrations = self.level.growth.concentrations();
+        if !lost.is_empty() {
+            let (mut again, mut stay): (Vec<[f64; 2]>, Vec<[f64; 2]>) = (Vec::new(), Vec::new());
+            for (index, at) in spots.places.iter().enumerate() {
+                if lost.contains(&index) { again.push(*at) } else { stay.push(*at) }
+            }
+            // Also where they have moved to, if no other spot is there.
+            again.extend(
+                self.position_control.iter_mut().flat_map(|control| control.forget(lost, &self.maps.domain)),
+            );
+            let afresh = self.start.on(&self.maps, &|_| false);
+            restart(self.system, &self.maps, &mut concentrations, &afresh, [&again, &stay]);
+        }
+        let growth = Growth::resumed(self.system, &self.maps, &concentrations)
+            .expect("made for this system on this grid");
+        let unit = unit(&growth, evenness(&self.maps));
+        let cells = self.maps.domain.cells();
+        self.level = Level {
+            index: self.grids.len() - 1,
+            coarse: None,
+            monitor: ConvergenceMonitor::new(self.system, unit, false, growth.marks(&self.maps).values),
+            counts: vec![true; cells],
+            next_correction: None,
+            expected: ConvergenceMonitor::expected(self.system, unit, false) * cells as f64,
+            growth,
+        };
+        self.done = false;
+        self.hold_marks();
+    }
+
     /// Is there a place where marks can start?
     #[must_use]
     pub fn can_start(&self) -> bool {
@@ -162,10 +213,15 @@ impl Engine {
         let mut left = updates;
         while !self.done && self.level.index == level {
             let growth = &mut self.level.growth;
-            let steps = (left / cells).max(1).min(self.level.monitor.next_check() - growth.steps());
+            let next = self.level.monitor.next_check().min(self.level.next_correction.unwrap_or(u64::MAX));
+            let steps = (left / cells).max(1).min(next - growth.steps());
             growth.advance(steps);
+            let taken = growth.steps();
             self.updates += steps * cells;
-            if growth.steps() == self.level.monitor.next_check() {
+            if Some(taken) == self.level.next_correction {
+                self.correct_positions();
+            }
+            if taken == self.level.monitor.next_check() {
                 self.check_convergence();
             }
             left = left.saturating_sub(steps * cells);
@@ -182,7 +238,7 @@ impl Engine {
         let current = &mut self.level;
         let verdict = current.monitor.check(marks, &current.counts, current.growth.steps());
         if verdict == Verdict::Forming {
-            return self.correct_positions();
+            return;
         }
         self.settled &= verdict == Verdict::Settled;
         if current.index + 1 == self.grids.len() {
@@ -193,16 +249,28 @@ impl Engine {
         let formed = (self.grids[current.index], current.growth.concentrations());
         let next = current.index + 1;
         self.level = start_level(self.system, &self.maps, &self.start, &self.grids, next, Some(formed));
+        self.hold_marks();
+    }
+
+    /// Prepares the current level for pinned marks.
+    fn hold_marks(&mut self) {
+        if self.position_control.is_some() {
+            let pace = evenness(self.level.coarse.as_ref().unwrap_or(&self.maps));
+            self.level.monitor.hold_marks(pace);
+            self.level.expected *= pace;
+            self.level.plan_correction();
+        }
     }
 
     /// Moves pinned marks towards their places.
     fn correct_positions(&mut self) {
-        let Some(control) = &self.position_control else { return };
+        let Some(control) = &mut self.position_control else { return };
         let maps = self.level.coarse.as_ref().unwrap_or(&self.maps);
         let warps = control.warps(&self.level.growth.marks(maps), maps);
         if !warps.is_empty() {
             self.level.growth.warp(maps, &warps);
         }
+        self.level.plan_correction();
     }
 
     /// Cell updates of `time` of normalised time on the current grid.
@@ -298,6 +366,15 @@ fn unit(growth: &Growth, pace: f64) -> f64 {
     pace * growth.steps_in(1_000.0) as f64 / 1_000.0
 }
 
+/// √(slowest ÷ mean rate): where sizes differ much, most of the marks settle long before the slowest does, which begins near
+/// its final shape.
+fn evenness(maps: &Maps) -> f64 {
+    let rates = maps.parameters.iter().map(|p| f64::from(p.rate));
+    let (slowest, sum) =
+        rates.fold((f64::INFINITY, 0.0), |(slow, sum), rate| (slow.min(rate), sum + libm::log(rate)));
+    (slowest / libm::exp(sum / maps.parameters.len() as f64)).sqrt()
+}
+
 /// Starts growth on grid `index`: of what was `formed` on another grid, and of marks that start here.
 fn start_level(
     system: System,
@@ -343,12 +420,12 @@ fn start_level(
     };
     let concentrations = with_obstacle_state(system, here, concentrations);
     let growth = Growth::resumed(system, here, &concentrations).expect("made for this system on this grid");
-    let unit = unit(&growth, pace);
+    let unit = unit(&growth, pace * evenness(here));
     let monitor = ConvergenceMonitor::new(system, unit, begins, growth.marks(here).values)
         .joining(start.starts_scattered());
     let monitor = if here.obstacles.contains(&true) { monitor.among_obstacles() } else { monitor };
     let expected = ConvergenceMonitor::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
-    Level { index, coarse, growth, counts, monitor, expected }
+    Level { index, coarse, growth, counts, monitor, next_correction: None, expected }
 }
 
 #[cfg(test)]

@@ -42,6 +42,8 @@ pub struct GrownLayer {
     pub settled: bool,
     /// Factors of the looked-up levels, by region.
     pub correction: Vec<f64>,
+    /// Further factors of single spots, see [`Pattern::own`].
+    pub own_levels: Vec<f64>,
     /// What was measured, by region.
     pub measured: Measured,
     /// The concentration that shows the marks as a share of the local peak, on the grid.
@@ -56,6 +58,7 @@ impl GrownLayer {
     pub fn pattern(&self) -> Pattern<'_> {
         let mut pattern = Pattern::new(&self.plan.lookup, &self.marks);
         pattern.correction.clone_from(&self.correction);
+        pattern.own.clone_from(&self.own_levels);
         pattern
     }
 }
@@ -102,6 +105,16 @@ pub enum GrowError {
         layer: usize,
         /// Why.
         reason: CurvesError,
+    },
+    /// Nothing grew, or no ground was left.
+    #[error(
+        "layer {layer} grew {what}: its marks are too large for the canvas or merged; draw smaller marks, or farther apart"
+    )]
+    Blank {
+        /// 1 = the lowest.
+        layer: usize,
+        /// What it is instead of a pattern.
+        what: &'static str,
     },
     /// The pattern left the range in which its system works.
     #[error(

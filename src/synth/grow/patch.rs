@@ -1,6 +1,6 @@
 //! A seamless square patch grown from one set of parameters: what training rows, probes and comparisons are made of.
 
-use crate::attributes::spacing::{edges, trimmed_mean};
+use crate::attributes::spacing::{mean_length, neighbours};
 use crate::attributes::{Attributes, Spots, Stripes, axial_mean};
 use crate::grid::{Edges, Field};
 use crate::learn;
@@ -113,13 +113,12 @@ fn spots(marks: &Field, level: f64) -> Result<Sample, Reason> {
     let area = mean(&|spot| spot.ellipse.area());
     let variance = mean(&|spot| (spot.ellipse.area() - area) * (spot.ellipse.area() - area));
     let centers: Vec<[f64; 2]> = whole.iter().map(|spot| spot.ellipse.center).collect();
-    let lengths = edges(&centers, Some(marks.extent())).iter().map(|edge| edge.length).collect();
     let weighted = whole.iter().map(|spot| (spot.ellipse.major_angle(), 1.0 - spot.ellipse.aspect()));
     let spots = Spots {
         area,
         aspect: mean(&|spot| spot.ellipse.aspect()),
         angle: axial_mean(weighted).map_or(0.0, |(angle, _)| angle),
-        spacing: trimmed_mean(lengths),
+        spacing: mean_length(&neighbours(&centers, Some(marks.extent()))),
     };
     Ok(Sample { extent: n, evenness: variance.sqrt() / area, attributes: Attributes::Spots(spots) })
 }

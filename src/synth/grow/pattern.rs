@@ -17,6 +17,8 @@ pub struct Pattern<'a> {
     spline: Spline,
     /// Factors of the looked-up levels, by region.
     pub correction: Vec<f64>,
+    /// Further factors of single spots, one a cell of the planned grid; empty = none.
+    pub own: Vec<f64>,
 }
 
 /// Levels beyond these cut a spot at its foot or its tip, where noise and not the spot decides.
@@ -27,7 +29,7 @@ impl<'a> Pattern<'a> {
     #[must_use]
     pub fn new(lookup: &'a Lookup, marks: &Field) -> Self {
         let regions = lookup.map.layout().len();
-        Self { lookup, spline: Spline::new(marks), correction: vec![1.0; regions] }
+        Self { lookup, spline: Spline::new(marks), correction: vec![1.0; regions], own: Vec::new() }
     }
 
     /// Cells along x and y of the planned grid.
@@ -70,12 +72,16 @@ impl<'a> Pattern<'a> {
         let px = [size[0] / width as f64, size[1] / height as f64];
         let level = Columns::new(&self.lookup.lattice.layout, px[0], width);
         let correction = Columns::new(self.lookup.map.layout(), px[0], width);
+        let cells = RegionGrid { grid: self.lookup.grid.size, ..*self.lookup.map.layout() };
+        let own = (!self.own.is_empty()).then(|| Columns::new(&cells, px[0], width));
         let levels: Vec<f64> = self.lookup.lattice.nodes.iter().map(|node| node.level).collect();
         values.par_chunks_mut(width).zip(rows.into_par_iter()).for_each(|(row, y)| {
             let y = (y as f64 + 0.5) * px[1];
             let (level, correction) = (level.row(&levels, y), correction.row(&self.correction, y));
+            let own = own.as_ref().map(|own| own.row(&self.own, y));
             for (x, value) in row.iter_mut().enumerate() {
-                *value = share(*value, (level(x) * correction(x)).clamp(LEVELS[0], LEVELS[1]) as f32);
+                let own = own.as_ref().map_or(1.0, |own| own(x));
+                *value = share(*value, (level(x) * correction(x) * own).clamp(LEVELS[0], LEVELS[1]) as f32);
             }
         });
     }

@@ -72,7 +72,7 @@ pub fn correct(
     when: When,
     watch: &Watch,
 ) -> Result<Corrected, ProbeError> {
-    if !matches!(lookup.start, Start::Free(_)) {
+    if !matches!(lookup.start, Start::Free { .. }) {
         return Ok(lookup.uncorrected());
     }
     let found = probed(training, lookup.system, &lookup.wanted(), lookup.px_a_cell(), when, watch)?;

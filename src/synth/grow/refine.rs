@@ -6,7 +6,9 @@
 use crate::attributes::Attributes;
 use crate::grid::Field;
 use crate::measure::{self, Spot, SpotErrors, StripeErrors};
+use crate::synth::grow::own_levels::own_levels;
 use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::pinned_correction::matched;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::watch::{Cancelled, Stage, Watch};
 
@@ -30,6 +32,9 @@ const ROUNDS: usize = 4;
 const NEAR: f64 = 0.001;
 /// Factors of the level are kept in this range. Beyond it the parameters are wrong, and a level would hide that.
 const CORRECTIONS: [f64; 2] = [0.6, 1.5];
+
+/// Corrections of the levels of single spots.
+const OWN_ROUNDS: usize = 3;
 
 /// Measured points a cell of the grid along each side, where the canvas has more px than that: a spot of 48 cells then has
 /// 108 points, from which its area is measured to 0.1 %.
@@ -120,7 +125,86 @@ pub fn refine(
         }
         (errors, found) = (new, measured);
     }
-    Ok(found.unwrap_or_else(|| measured(plan, &pattern.levelled(&concentration, size))))
+    let mut found = found.unwrap_or_else(|| measured(plan, &pattern.levelled(&concentration, size)));
+    let mut factors = OwnFactors::new(plan);
+    for _ in 0..OWN_ROUNDS {
+        watch.step(Stage::Refine, 1.0)?;
+        if !correct || !level_pinned(plan, pattern, &mut factors, &found) {
+            break;
+        }
+        found = measured(plan, &pattern.levelled(&concentration, size));
+    }
+    Ok(found)
+}
+
+/// Factors of the levels where some spots are pinned.
+struct OwnFactors {
+    /// Of each pinned spot.
+    pinned: Vec<f64>,
+    /// Of the other spots, by region.
+    others: Vec<f64>,
+}
+
+impl OwnFactors {
+    fn new(plan: &Plan) -> Self {
+        let regions = plan.lookup.map.layout().len();
+        Self { pinned: vec![1.0; plan.pinned_spots().len()], others: vec![1.0; regions] }
+    }
+}
+
+/// Fewer spots than this have no mean that could be corrected.
+const OTHERS: f64 = 3.0;
+
+/// Changes the factors of the spots that are not pinned, so that their mean areas are those that are wanted.
+fn level_others(plan: &Plan, factors: &mut [f64], others: &[&Spot], slope: f64) {
+    let layout = plan.lookup.map.layout();
+    let mut sums = vec![[0.0; 3]; factors.len()];
+    for spot in others.iter().filter(|spot| spot.whole) {
+        if let Attributes::Spots(wanted) = plan.lookup.map.at(spot.ellipse.center) {
+            let [count, got, asked] = &mut sums[layout.index(layout.region_of(spot.ellipse.center))];
+            *count += 1.0;
+            *got += spot.ellipse.area();
+            *asked += wanted.area;
+        }
+    }
+    for (factor, [count, got, asked]) in factors.iter_mut().zip(sums) {
+        if count >= OTHERS {
+            let error = libm::log(got / asked);
+            *factor = (*factor * libm::exp(-error / slope)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
+        }
+    }
+}
+
+/// Changes the levels of the pinned spots so that they get the areas that were drawn, and those of the others so that they
+/// keep their mean. Returns whether one was changed.
+fn level_pinned(plan: &Plan, pattern: &mut Pattern, factors: &mut OwnFactors, found: &Measured) -> bool {
+    if factors.pinned.is_empty() {
+        return false;
+    }
+    let (layout, slope) = (plan.lookup.map.layout(), plan.lookup.system.definition().level_slope);
+    let own = matched(plan.pinned_spots(), layout, found.spots());
+    let is_own = |spot: &Spot| own.iter().flatten().any(|own| std::ptr::eq(*own, spot));
+    let others: Vec<&Spot> = found.spots().iter().filter(|spot| !is_own(spot)).collect();
+    level_others(plan, &mut factors.others, &others, slope);
+    let usual = |spot: &Spot| factors.others[layout.index(layout.region_of(spot.ellipse.center))];
+    let mut spots: Vec<(&Spot, f64)> = found.spots().iter().map(|spot| (spot, usual(spot))).collect();
+    let mut changed = false;
+    for ((mark, spot), factor) in plan.pinned_spots().iter().zip(own).zip(&mut factors.pinned) {
+        let Some(spot) = spot else { continue };
+        let error = libm::log(spot.ellipse.area() / mark.drawn.area());
+        if spot.whole && error.abs() >= NEAR {
+            *factor = (*factor * libm::exp(-error / slope)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
+            changed = true;
+        }
+        let same = spots.iter_mut().find(|(other, _)| std::ptr::eq(*other, spot));
+        if let Some((_, level)) = same {
+            *level = *factor;
+        }
+    }
+    if changed {
+        pattern.own = own_levels(&plan.lookup.grid, &spots);
+    }
+    changed
 }
 
 /// What is measured while levels are corrected.

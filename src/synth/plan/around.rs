@@ -3,7 +3,7 @@
 //! The lines begin along curves that are computed once the layers beneath have grown. Only the width of the lines is
 //! drawn; their rate follows from it by one law, and the correction of the level removes the last per cents.
 
-use crate::attributes::regions::RegionMap;
+use crate::attributes::AttributeMap;
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::document::After;
 use crate::learn::{self, Answer, Coverage};
@@ -23,7 +23,7 @@ pub fn curve_kind(after: After) -> Option<CurveKind> {
 }
 
 /// Looks up lines of the width in `map`, from one law. The share `broken` of each ring will be open.
-pub(super) fn look_up(kind: CurveKind, broken: f64, map: RegionMap) -> Result<Lookup, PlanError> {
+pub(super) fn look_up(kind: CurveKind, broken: f64, map: AttributeMap) -> Result<Lookup, PlanError> {
     let (system, laws) = System::ALL
         .into_iter()
         .find_map(|system| Some((system, system.definition().along_curves?)))

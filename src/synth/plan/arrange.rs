@@ -1,10 +1,11 @@
 //! Third stage → last stage: where the marks of a layer begin among those of the layers beneath.
 
 use crate::grid::Domain;
-use crate::marks::{Ellipse, Line, Mark};
+use crate::marks::Path;
 use crate::measure::Spot;
 use crate::rd::LinesAlongCurves;
 use crate::synth::plan::corrected::Corrected;
+use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::error::{LayOutError, PlanError};
 use crate::synth::plan::inside::places_inside;
 use crate::synth::plan::laid_out::{Arrangement, Plan};
@@ -41,16 +42,14 @@ impl Corrected {
                 Arrangement::Curves(curves)
             }
             Start::Inside => Arrangement::Inside(places_inside(&lookup, spots)),
-            Start::Free(marks) => {
+            Start::Free { spots, lines } => {
                 if lookup.system.is_striped() && !obstacles.is_empty() {
                     if !has_room(&lookup, &obstacles) {
                         return Err(LayOutError::NoRoom);
                     }
                     obstacles = with_rim(&obstacles, &lookup.grid);
                 }
-                let (arrangement, notes) = arrange_pinned(&lookup, &obstacles, marks);
-                lookup.remarks.iter_mut().zip(notes).for_each(|(remarks, note)| remarks.extend(note));
-                arrangement
+                arrange_pinned(&lookup, &obstacles, spots, lines)
             }
         };
         Ok(Plan { lookup, corrections, obstacles, arrangement })
@@ -75,25 +74,21 @@ impl Plan {
     pub fn less(self, training: &Training, found: &[Offset]) -> Result<Self, PlanError> {
         let Self { lookup, corrections, obstacles, arrangement } = self;
         let Corrected { lookup, corrections } = Corrected { lookup, corrections }.less(training, found)?;
+        let arrangement = match &lookup.start {
+            Start::Free { spots, lines } => arrange_pinned(&lookup, &obstacles, spots, lines),
+            Start::Inside | Start::Curves { .. } => arrangement,
+        };
         Ok(Self { lookup, corrections, obstacles, arrangement })
     }
 }
 
-/// Arranges a layer whose `marks` stay where they were drawn, as far as they find room; and a remark a region.
-fn arrange_pinned(lookup: &Lookup, obstacles: &[bool], marks: &[Mark]) -> (Arrangement, Vec<Option<String>>) {
-    let (mut ellipses, mut lines): (Vec<Ellipse>, Vec<Line>) = (Vec::new(), Vec::new());
-    for mark in marks {
-        match mark {
-            Mark::Ellipse(ellipse) => ellipses.push(*ellipse),
-            Mark::Line(line) => lines.push(*line),
-        }
+/// Arranges a layer whose drawn marks stay where they were drawn, as far as they find room.
+fn arrange_pinned(lookup: &Lookup, obstacles: &[bool], spots: &[DrawnSpot], lines: &[Path]) -> Arrangement {
+    if !spots.is_empty() {
+        let (spots, left_out) = pin_spots(lookup, obstacles, spots);
+        return Arrangement::PinnedSpots { spots, left_out };
     }
-    if !ellipses.is_empty() {
-        let (spots, remarks) = pin_spots(lookup, obstacles, &ellipses);
-        return (Arrangement::PinnedSpots(spots), remarks);
-    }
-    let arrangement = if lines.is_empty() { Arrangement::Natural } else { Arrangement::PinnedLines(lines) };
-    (arrangement, Vec::new())
+    if lines.is_empty() { Arrangement::Natural } else { Arrangement::PinnedLines(lines.to_vec()) }
 }
 
 fn lay_curves(

@@ -1,7 +1,7 @@
 //! The system of a layer whose `system` is `"auto"`.
 
+use crate::attributes::AttributeMap;
 use crate::attributes::Attributes;
-use crate::attributes::regions::RegionMap;
 use crate::rd::System;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lookup::{ask, cell_for, free_spacing};
@@ -12,14 +12,14 @@ const MET: f64 = 0.05;
 
 /// Lines take a system of stripes; those with a wavelength take one with any wavelength. Ellipses take a system of spots with
 /// any spacing, unless it misses what is asked and another one reaches it.
-pub(super) fn choose_system(training: &Training, map: &RegionMap) -> Result<System, PlanError> {
+pub(super) fn choose_system(training: &Training, map: &AttributeMap) -> Result<System, PlanError> {
     let spotted = System::ALL.into_iter().filter(|system| !system.is_striped());
     let (free, others): (Vec<_>, Vec<_>) = spotted.partition(|system| system.description().free_spacing);
     let candidates: Vec<System> = free.into_iter().chain(others).collect();
     let preferred = candidates[0];
     let mut misses = vec![0.0f64; candidates.len()];
     for (place, _) in map.regions() {
-        let mut wanted = map.at(map.layout().center(place));
+        let mut wanted = map.of_region(place);
         let spots = match &mut wanted {
             Attributes::Spots(spots) => spots,
             Attributes::Stripes(stripes) => {

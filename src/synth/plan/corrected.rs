@@ -1,10 +1,10 @@
 //! Third stage of a plan: its questions corrected by what probes have found.
 
 use crate::attributes::Attributes;
+use crate::marks::Ellipse;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
-use crate::synth::plan::layer_lookup::Lookup;
-use crate::synth::plan::lookup::{ask, ask_among_sparse};
+use crate::synth::plan::layer_lookup::{Lookup, Start};
 use crate::synth::plan::offset::{Correction, Offset};
 use crate::synth::training::Training;
 
@@ -57,18 +57,30 @@ impl Corrected {
     /// Looks up the corrected questions.
     fn ask_again(&mut self, training: &Training) -> Result<(), PlanError> {
         let Self { lookup, corrections } = self;
-        let (cell, system) = (lookup.px_a_cell(), lookup.system);
-        let asked =
-            if lookup.answers.iter().any(|answer| answer.pitch > 1.0) { ask_among_sparse } else { ask };
-        let ask = |wanted: &Attributes, cell| asked(training, system, wanted, cell);
+        let cell = lookup.px_a_cell();
         let offsets: Vec<Offset> = corrections.iter().map(|correction| correction.offset).collect();
-        lookup.lattice = Lattice::looked_up(&lookup.map, cell, &offsets, &ask)?;
-        let wanted = lookup.wanted();
-        for ((answer, wanted), offset) in lookup.answers.iter_mut().zip(&wanted).zip(&offsets) {
+        let ask = |wanted: &Attributes, cell| lookup.asked(training, wanted, cell);
+        let lattice = Lattice::looked_up(&lookup.map, cell, &offsets, &ask)?;
+        let mut answers = lookup.answers.clone();
+        for ((answer, wanted), offset) in answers.iter_mut().zip(&lookup.wanted()).zip(&offsets) {
             let corrected = ask(&offset.applied(-1.0, wanted), cell)?;
             answer.parameters = corrected.parameters;
             answer.predicted = offset.applied(1.0, &corrected.predicted);
         }
+        if let Start::Free { spots, .. } = &lookup.start {
+            let ellipses: Vec<(usize, Ellipse)> =
+                spots.iter().map(|spot| (spot.mark, spot.ellipse)).collect();
+            let corners = |point| lookup.map.layout().corners(point);
+            let offset = |point| {
+                let sum = |sum: Offset, (region, weight): (usize, f64)| sum.plus(weight, offsets[region]);
+                corners(point).into_iter().fold(Offset::default(), sum)
+            };
+            let again = lookup.drawn_spots(training, &ellipses, &offset)?;
+            if let Start::Free { spots, .. } = &mut lookup.start {
+                *spots = again;
+            }
+        }
+        (lookup.lattice, lookup.answers) = (lattice, answers);
         Ok(())
     }
 }

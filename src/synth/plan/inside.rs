@@ -4,7 +4,8 @@
 //! new marks begin at the centroids of those beneath, with parameters for their own area, aspect and angle at the spacing of
 //! the layer beneath. Its marks are no obstacles for them.
 
-use crate::attributes::regions::{RegionGrid, RegionMap};
+use crate::attributes::AttributeMap;
+use crate::attributes::regions::RegionGrid;
 use crate::attributes::{Attributes, Spots};
 use crate::document::{After, Document, Problem};
 use crate::measure::Spot;
@@ -22,12 +23,12 @@ pub fn is_replaced(document: &Document, index: usize) -> bool {
 
 /// The problem that the marks of layer `index`, which make `map`, are no smaller than those looked up `beneath`; `None`
 /// where they are.
-pub(super) fn too_large(index: usize, map: &RegionMap, beneath: &Lookup) -> Option<Problem> {
+pub(super) fn too_large(index: usize, map: &AttributeMap, beneath: &Lookup) -> Option<Problem> {
     let layout = map.layout();
     map.regions().find_map(|(place, _)| {
         let center = layout.center(place);
-        let (Attributes::Spots(own), Attributes::Spots(there)) = (map.at(center), beneath.map.at(center))
-        else {
+        let there = if map.is_free() { beneath.map.of_region(place) } else { beneath.map.at(center) };
+        let (Attributes::Spots(own), Attributes::Spots(there)) = (map.of_region(place), there) else {
             return None;
         };
         (own.area >= there.area).then(|| {
@@ -42,7 +43,11 @@ pub(super) fn too_large(index: usize, map: &RegionMap, beneath: &Lookup) -> Opti
 }
 
 /// Looks up a layer with the attributes of `map` inside that of `beneath`, whose spacing it takes.
-pub(super) fn look_up(training: &Training, map: &RegionMap, beneath: &Lookup) -> Result<Lookup, PlanError> {
+pub(super) fn look_up(
+    training: &Training,
+    map: &AttributeMap,
+    beneath: &Lookup,
+) -> Result<Lookup, PlanError> {
     let spacings = beneath.answers.iter().map(|answer| match answer.predicted {
         Attributes::Spots(Spots { spacing, .. }) => spacing,
         Attributes::Stripes(_) => None,

@@ -1,13 +1,13 @@
 //! Last stage of a plan: ready to grow.
 
 use crate::grid::{Domain, Field};
-use crate::marks::Line;
+use crate::marks::Path;
 use crate::measure::Target;
 use crate::rd::Maps;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::offset::Correction;
 use crate::synth::plan::offset_curves::{Curves, line_widths};
-use crate::synth::plan::pinned_marks::PinnedMark;
+use crate::synth::plan::pinned_marks::{LeftOut, PinnedMark};
 
 /// A layer that is ready to grow.
 #[derive(Clone, Debug)]
@@ -28,9 +28,14 @@ pub enum Arrangement {
     /// Where the system puts them.
     Natural,
     /// Some spots where they were drawn, the others where the system puts them around these.
-    PinnedSpots(Vec<PinnedMark>),
-    /// Stripes along drawn lines, px, and where the system puts them between these.
-    PinnedLines(Vec<Line>),
+    PinnedSpots {
+        /// Those that find room.
+        spots: Vec<PinnedMark>,
+        /// Those that do not.
+        left_out: Vec<LeftOut>,
+    },
+    /// Stripes along drawn lines and paths, px, and where the system puts them between these.
+    PinnedLines(Vec<Path>),
     /// One spot at each of these places, px, and nowhere else.
     Inside(Vec<[f64; 2]>),
     /// Lines along these curves.
@@ -41,12 +46,23 @@ impl Plan {
     /// The spots that stay where they were drawn.
     #[must_use]
     pub fn pinned_spots(&self) -> &[PinnedMark] {
-        if let Arrangement::PinnedSpots(spots) = &self.arrangement { spots } else { &[] }
+        if let Arrangement::PinnedSpots { spots, .. } = &self.arrangement { spots } else { &[] }
     }
 
-    /// The lines that stripes begin along.
+    /// The same, to be corrected.
+    pub fn pinned_spots_mut(&mut self) -> &mut [PinnedMark] {
+        if let Arrangement::PinnedSpots { spots, .. } = &mut self.arrangement { spots } else { &mut [] }
+    }
+
+    /// The drawn spots that find no room.
     #[must_use]
-    pub fn pinned_lines(&self) -> &[Line] {
+    pub fn left_out(&self) -> &[LeftOut] {
+        if let Arrangement::PinnedSpots { left_out, .. } = &self.arrangement { left_out } else { &[] }
+    }
+
+    /// The lines and paths that stripes begin along.
+    #[must_use]
+    pub fn pinned_lines(&self) -> &[Path] {
         if let Arrangement::PinnedLines(lines) = &self.arrangement { lines } else { &[] }
     }
 

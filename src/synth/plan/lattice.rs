@@ -6,16 +6,14 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::regions::{RegionGrid, RegionMap};
+use crate::attributes::AttributeMap;
+use crate::attributes::regions::RegionGrid;
 use crate::grid::turned;
 use crate::learn::Answer;
 use crate::rd;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lookup::Ask;
 use crate::synth::plan::offset::Offset;
-
-/// Lattice nodes a region along each side; odd, so that region centres, where attributes bend, are nodes.
-const FINER: usize = 5;
 
 /// Parameters at one node in interpolable coordinates; or between nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -46,25 +44,39 @@ impl Node {
 
     /// The change for a spot whose rate and stretch are larger by e to these powers, and which is turned by `turn` degrees.
     #[must_use]
-    pub fn offset(&self, ln_rate: f64, ln_stretch: f64, turn: f64) -> [f64; 3] {
+    pub fn offset(&self, ln_rate: f64, ln_stretch: f64, turn: f64) -> NodeOffset {
         let [c, s] = self.shape;
         let length = (c * c + s * s).sqrt();
         let double = libm::atan2(s, c) + (2.0 * turn).to_radians();
         let long = (length - ln_stretch).max(0.0);
-        [ln_rate, long * libm::cos(double) - c, long * libm::sin(double) - s]
+        [ln_rate, long * libm::cos(double) - c, long * libm::sin(double) - s, 0.0]
     }
 
-    /// An [`Self::offset`] in a frame to which directions have these degrees added.
+    /// An offset in a frame to which directions have these degrees added.
     #[must_use]
-    pub fn turned_offset([ln_rate, c, s]: &[f64; 3], degrees: f64) -> [f64; 3] {
+    pub fn turned_offset([ln_rate, c, s, ln_ratio]: &NodeOffset, degrees: f64) -> NodeOffset {
         let [c, s] = turned([*c, *s], 2.0 * degrees);
-        [*ln_rate, c, s]
+        [*ln_rate, c, s, *ln_ratio]
     }
 
-    /// The node with an [`Self::offset`] added.
+    /// R; 1 of a system without a ratio.
     #[must_use]
-    pub fn plus(&self, [ln_rate, c, s]: [f64; 3]) -> Self {
-        Self { ln_rate: self.ln_rate + ln_rate, shape: [self.shape[0] + c, self.shape[1] + s], ..*self }
+    pub fn ratio(&self) -> f64 {
+        libm::exp(self.ln_ratio)
+    }
+
+    /// The [`NodeOffset`] from `other` to this node.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> NodeOffset {
+        let [c, s] = [0, 1].map(|part| self.shape[part] - other.shape[part]);
+        [self.ln_rate - other.ln_rate, c, s, self.ln_ratio - other.ln_ratio]
+    }
+
+    /// The node with an offset added.
+    #[must_use]
+    pub fn plus(&self, [ln_rate, c, s, ln_ratio]: NodeOffset) -> Self {
+        let shape = [self.shape[0] + c, self.shape[1] + s];
+        Self { ln_rate: self.ln_rate + ln_rate, shape, ln_ratio: self.ln_ratio + ln_ratio, ..*self }
     }
 
     /// Parameters of the simulation, the pitch multiplied by this factor.
@@ -81,6 +93,9 @@ impl Node {
     }
 }
 
+/// The difference of two nodes: of ln rate, of the two parts of the shape, of ln ratio.
+pub type NodeOffset = [f64; 4];
+
 /// Nodes over the canvas.
 #[derive(Clone, Debug)]
 pub struct Lattice {
@@ -96,12 +111,12 @@ impl Lattice {
     /// # Errors
     /// Those of `ask`.
     pub(super) fn looked_up(
-        map: &RegionMap,
+        map: &AttributeMap,
         cell: f64,
         offsets: &[Offset],
         ask: Ask,
     ) -> Result<Self, PlanError> {
-        let layout = Self::layout_over(map.layout());
+        let layout = map.nodes();
         let node = |index: usize| {
             let point = layout.center(layout.place(index));
             let corners = map.layout().corners(point);
@@ -113,12 +128,6 @@ impl Lattice {
         };
         let nodes = (0..layout.len()).into_par_iter().map(node).collect::<Result<Vec<_>, PlanError>>()?;
         Ok(Self { layout, nodes })
-    }
-
-    /// The layout of the lattice over a canvas with these regions.
-    fn layout_over(regions: &RegionGrid) -> RegionGrid {
-        let finer = |n: usize| if n == 1 { 1 } else { FINER * n };
-        RegionGrid { grid: regions.grid.map(finer), ..*regions }
     }
 
     /// Parameters at a point, px.

@@ -2,14 +2,15 @@
 
 use std::convert::Infallible;
 
-use crate::attributes::regions::RegionMap;
+use crate::attributes::AttributeMap;
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::document::SystemChoice;
 use crate::grid::{Domain, Grid};
 use crate::learn::Answer;
-use crate::marks::Mark;
+use crate::marks::{Ellipse, Mark, Path};
 use crate::rd::{LinesAlongCurves, Maps, Parameters, Seeding, System};
 use crate::synth::plan::auto::choose_system;
+use crate::synth::plan::drawn_spots::{DrawnSpot, drawn_spots};
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
 use crate::synth::plan::lookup::{Ask, ask, ask_among_sparse, cell_for, free_spacing};
@@ -21,8 +22,13 @@ use crate::synth::training::Training;
 /// Where the marks of a layer begin. Decided by the sketch; places are known once the layers beneath have grown.
 #[derive(Clone, Debug)]
 pub enum Start {
-    /// Where the system puts them, and at these drawn marks, px; often none.
-    Free(Vec<Mark>),
+    /// Where the system puts them, and at these drawn marks; often none.
+    Free {
+        /// Spots with parameters of their own.
+        spots: Vec<DrawnSpot>,
+        /// Lines and paths, px.
+        lines: Vec<Path>,
+    },
     /// At the places of the marks of the layer beneath.
     Inside,
     /// Along curves around the marks beneath, or between them.
@@ -36,13 +42,18 @@ pub enum Start {
     },
 }
 
+impl Start {
+    /// Where the system puts them.
+    pub const NATURAL: Self = Self::Free { spots: Vec::new(), lines: Vec::new() };
+}
+
 /// The parameters looked up for a layer.
 #[derive(Clone, Debug)]
 pub struct Lookup {
     /// The system.
     pub system: System,
     /// What is wanted where; free spacings filled in. Its canvas is the one that is grown.
-    pub map: RegionMap,
+    pub map: AttributeMap,
     /// The grid over the canvas.
     pub grid: Grid,
     /// Parameters (in cells) at every place.
@@ -65,7 +76,7 @@ pub struct Lookup {
 ///
 /// # Errors
 /// As [`ask()`].
-pub fn look_up(training: &Training, choice: SystemChoice, map: &RegionMap) -> Result<Lookup, PlanError> {
+pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) -> Result<Lookup, PlanError> {
     let mut map = map.clone();
     let system = match choice {
         SystemChoice::Of(system) => system,
@@ -74,9 +85,9 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &RegionMap) -> Re
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let sparse =
         |wanted: &Attributes| Ok(ask(training, system, wanted, cell_for(system, wanted))?.pitch > 1.0);
-    let sparse = wanted(&map).iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
+    let sparse = map.samples().iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
     let asked = if sparse { ask_among_sparse } else { ask };
-    Lookup::new(system, map, Start::Free(Vec::new()), &|wanted, cell| asked(training, system, wanted, cell))
+    Lookup::new(system, map, Start::NATURAL, &|wanted, cell| asked(training, system, wanted, cell))
 }
 
 /// As [`look_up()`], on a grid of about `cell` px a cell whatever suits the marks; no spacing of `map` may be free.
@@ -86,39 +97,34 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &RegionMap) -> Re
 pub fn look_up_on(
     training: &Training,
     system: System,
-    map: &RegionMap,
+    map: &AttributeMap,
     cell: f64,
 ) -> Result<Lookup, PlanError> {
     let asked = |wanted: &Attributes, cell| ask(training, system, wanted, cell);
-    Lookup::on_cells(system, map.clone(), cell, Start::Free(Vec::new()), &asked)
+    Lookup::on_cells(system, map.clone(), cell, Start::NATURAL, &asked)
 }
 
 /// px a cell that suits the finest marks of `map`, no spacing of which is free.
 #[must_use]
-pub fn finest_cell(system: System, map: &RegionMap) -> f64 {
-    wanted(map).iter().map(|wanted| cell_for(system, wanted)).fold(f64::INFINITY, f64::min)
-}
-
-/// What `map` wants at the centre of each region.
-fn wanted(map: &RegionMap) -> Vec<Attributes> {
-    map.regions().map(|(place, _)| map.at(map.layout().center(place))).collect()
+pub fn finest_cell(system: System, map: &AttributeMap) -> f64 {
+    map.samples().iter().map(|wanted| cell_for(system, wanted)).fold(f64::INFINITY, f64::min)
 }
 
 impl Lookup {
     /// Looks up what `map` wants, no spacing of which is free.
-    pub(super) fn new(system: System, map: RegionMap, start: Start, ask: Ask) -> Result<Self, PlanError> {
+    pub(super) fn new(system: System, map: AttributeMap, start: Start, ask: Ask) -> Result<Self, PlanError> {
         let cell = finest_cell(system, &map);
         Self::on_cells(system, map, cell, start, ask)
     }
 
     fn on_cells(
         system: System,
-        map: RegionMap,
+        map: AttributeMap,
         cell: f64,
         start: Start,
         ask: Ask,
     ) -> Result<Self, PlanError> {
-        let wanted = wanted(&map);
+        let wanted = map.of_regions();
         let layout = map.layout();
         let size = layout.size.map(|side| ((side / cell).round() as usize).max(8));
         let exact = [0, 1].map(|axis| layout.size[axis] / size[axis] as f64);
@@ -141,9 +147,36 @@ impl Lookup {
     }
 
     /// The same with marks that stay where they were drawn, px.
-    #[must_use]
-    pub fn with_pinned(self, marks: Vec<Mark>) -> Self {
-        Self { start: Start::Free(marks), ..self }
+    ///
+    /// # Errors
+    /// As [`ask()`].
+    pub fn with_pinned(self, training: &Training, marks: &[Mark]) -> Result<Self, PlanError> {
+        let lines = marks.iter().filter_map(Mark::path).collect();
+        let ellipses = marks.iter().enumerate().filter_map(|(index, mark)| Some((index, mark.ellipse()?)));
+        let spots = self.drawn_spots(training, &ellipses.collect::<Vec<_>>(), &|_| Offset::default())?;
+        Ok(Self { start: Start::Free { spots, lines }, ..self })
+    }
+
+    /// Looks up drawn spots one by one; `offset` is subtracted from the questions.
+    pub(super) fn drawn_spots(
+        &self,
+        training: &Training,
+        ellipses: &[(usize, Ellipse)],
+        offset: &dyn Fn([f64; 2]) -> Offset,
+    ) -> Result<Vec<DrawnSpot>, PlanError> {
+        drawn_spots(self, ellipses, offset, &|wanted, cell| self.asked(training, wanted, cell))
+    }
+
+    /// Looks up attributes (px) as those of its regions are.
+    pub(super) fn asked(
+        &self,
+        training: &Training,
+        wanted: &Attributes,
+        cell: f64,
+    ) -> Result<Answer, PlanError> {
+        let sparse = self.answers.iter().any(|answer| answer.pitch > 1.0);
+        let asked = if sparse { ask_among_sparse } else { ask };
+        asked(training, self.system, wanted, cell)
     }
 
     /// The curves along which its lines run, where they do.
@@ -151,14 +184,14 @@ impl Lookup {
     pub fn curve_kind(&self) -> Option<CurveKind> {
         match self.start {
             Start::Curves { kind, .. } => Some(kind),
-            Start::Free(_) | Start::Inside => None,
+            Start::Free { .. } | Start::Inside => None,
         }
     }
 
     /// What is wanted at the centre of each region.
     #[must_use]
     pub fn wanted(&self) -> Vec<Attributes> {
-        wanted(&self.map)
+        self.map.of_regions()
     }
 
     /// px a cell; cells are nearly square.

@@ -8,9 +8,9 @@ use crate::synth::training::Training;
 
 /// Smallest cell, px: finer patterns could not be seen on the canvas.
 const FINEST: f64 = 0.35;
-/// area ÷ spacing² of spots whose spacing is free: what Meinhardt's system packs at its smallest ratio, where its spots are
-/// evenest.
-const FREE_DENSITY: f64 = 0.12;
+/// area ÷ spacing² of spots whose spacing is free: what Meinhardt's system packs at its smallest ratio (0.124–0.126 at
+/// aspects from 0.4 to 1), where its spots are evenest.
+const FREE_DENSITY: f64 = 0.122;
 
 /// Spots that are sparser than what can be reached by less than this share count as reached.
 const TOLERANCE: f64 = 0.02;

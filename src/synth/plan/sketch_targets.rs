@@ -1,10 +1,9 @@
 //! Sketch targets: the strokes of a layer → its marks → the region map of what is wanted.
 
-use crate::attributes::regions::RegionMap;
+use crate::attributes::AttributeMap;
 use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
 use crate::document::{Document, DocumentError, Kind, LayerOptions, Problem, SpreadChoice, Stroke};
 use crate::marks::Mark;
-use crate::sketch::recognise;
 
 /// The marks of layer `index`, freehand strokes fitted.
 ///
@@ -16,19 +15,13 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
     let mut first: Option<Kind> = None;
     for (i, stroke) in layer.strokes.iter().enumerate() {
         let place = format!("layers[{index}].strokes[{i}]");
-        let mark = match stroke {
-            Stroke::Ellipse(ellipse) => Mark::Ellipse(*ellipse),
-            Stroke::Line(line) => Mark::Line(*line),
-            Stroke::Freehand { points, width } => recognise(points, *width).ok_or_else(|| {
-                let found = format!("{} points that make neither an ellipse nor a line", points.len());
-                Problem::new(&place, found, "a closed stroke round a spot, or an open one along a stripe")
-                    .in_file(source)
-            })?,
-        };
-        let kind = match mark {
-            Mark::Ellipse(_) => Kind::Ellipse,
-            Mark::Line(_) => Kind::Line,
-        };
+        let mark = stroke.mark().ok_or_else(|| {
+            let points = if let Stroke::Freehand { points, .. } = stroke { points.len() } else { 0 };
+            let found = format!("{points} points that make neither an ellipse nor a line");
+            Problem::new(&place, found, "a closed stroke round a spot, or an open one along a stripe")
+                .in_file(source)
+        })?;
+        let kind = Kind::from(&mark);
         if let Some(problem) = mixed_marks(kind, *first.get_or_insert(kind), &place) {
             return Err(problem.in_file(source));
         }
@@ -46,10 +39,11 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
 ///
 /// # Errors
 /// As [`marks`].
-pub fn region_map(document: &Document, index: usize, source: &str) -> Result<RegionMap, DocumentError> {
+pub fn region_map(document: &Document, index: usize, source: &str) -> Result<AttributeMap, DocumentError> {
     let marks = marks(document, index, source)?;
     let size = document.size.map(f64::from);
-    let map = RegionMap::from_marks(&marks, size, document.regions.map(|n| n as usize), document.edges);
+    let regions = document.regions.map(|regions| regions.map(|n| n as usize));
+    let map = AttributeMap::from_marks(&marks, size, regions, document.edges);
     let map = map.map_err(|error| {
         let place = format!("layers[{index}].strokes");
         Problem::new(place, error.to_string(), "at least one ellipse, or at least one line").in_file(source)
@@ -59,9 +53,16 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Reg
         SpreadChoice::Drawn => map,
         SpreadChoice::Given(spread) => map.with_spread(spread),
     };
-    let apart = layer.system.is_known(|system| system.is_striped() && system.free_spacing)
-        || layer.options.duty < LayerOptions::DUTY;
-    Ok(if apart { map.with_duty(layer.options.duty) } else { map })
+    let any_wavelength = layer.system.is_known(|system| system.is_striped() && system.free_spacing);
+    let natural_wavelength = layer.system.is_known(|system| system.is_striped() && !system.free_spacing);
+    let given = layer.options.duty.given();
+    if map.is_free() {
+        let map = if let Some(duty) = given { map.with_duty(duty) } else { map };
+        let natural = natural_wavelength || !any_wavelength && map.has_usual_duty();
+        return Ok(if natural { map.with_free_wavelength() } else { map });
+    }
+    let duty = given.unwrap_or(LayerOptions::DUTY);
+    Ok(if any_wavelength || duty < LayerOptions::DUTY { map.with_duty(duty) } else { map })
 }
 
 /// The marks of layer `index` on a canvas of `size` px: their places stretch with the canvas, their sizes do not.

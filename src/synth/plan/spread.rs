@@ -6,8 +6,8 @@
 //! ```
 //!
 //! Each spot grows in parameters of its own, those of a texture whose mean it would be: a system answers to where a
-//! spot is, not to the mean. The deviations of a region have mean 0, so that its means stay. Distances are in the places
-//! where spots begin, which they keep but for what neighbours push them.
+//! spot is, not to the mean. The deviations of a region have mean 0, so that its means stay; pinned spots have parameters
+//! of their own. Distances are in the places where spots begin, which they keep but for what neighbours push them.
 
 mod deviations;
 
@@ -17,21 +17,35 @@ use rand_pcg::Pcg64Mcg;
 use crate::measure::spot_errors;
 use crate::rd::{self, Maps, Parameters, Places};
 use crate::synth::plan::laid_out::Plan;
-use crate::synth::plan::lattice::Node;
+use crate::synth::plan::lattice::{Node, NodeOffset};
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
-use crate::synth::plan::one_spot::own_parameters;
+use crate::synth::plan::one_spot::{deviating, room_of};
 use crate::synth::plan::spacing_correction::{MANY, ROUNDS, corrected, spots_at};
 use deviations::Scores;
 
 /// What a layer of varied spots grows from.
+#[derive(Clone, Debug)]
 pub struct Varied {
     /// Parameters of every cell.
     pub maps: Maps,
-    /// Where the spots begin, cells.
-    pub places: Vec<[f64; 2]>,
+    /// The spots, the pinned ones first.
+    pub spots: VariedSpots,
     /// Cells that the largest spot would cover if none differed from its region's mean.
     pub largest: f64,
+}
+
+/// Spots with parameters of their own.
+#[derive(Clone, Debug)]
+pub struct VariedSpots {
+    /// Where they begin, cells.
+    pub places: Vec<[f64; 2]>,
+    /// How the parameters of each differ from those of its place.
+    offsets: Vec<NodeOffset>,
+    /// Parameters of the room that each takes.
+    own: Vec<Parameters>,
+    /// Factors of the pitch, by region.
+    pitch: Vec<f64>,
 }
 
 /// Rounds of repulsion after which spots have the room that they need.
@@ -43,11 +57,11 @@ const ROOM_REACH: f64 = 1.25;
 const JITTERED_REACH: f64 = 0.85;
 /// See [`JITTERED_REACH`].
 const JITTERED_ROUNDS: usize = 40;
-/// Share of the variance of the distances beyond their own that is left when spots have settled: patches of
-/// area/spacing² 0.04, 0.12, 0.19 kept 0.74, 0.5, 0.54 of it.
-const LEFT_VARIANCE: f64 = 0.55;
-/// Standard deviation of the distances (÷ mean) that a jitter of one pitch adds, measured on the same patches.
-const JITTER_EFFECT: f64 = 0.27;
+/// Share of the variance of the distances beyond their own that is left when spots have settled. With it 0.12, 0.14, 0.16
+/// grow as 0.12, 0.13, 0.15 at area/spacing² 0.12, and 0.14, 0.16 as 0.14, 0.17 at 0.05.
+const LEFT_VARIANCE: f64 = 0.38;
+/// Standard deviation of the distances (÷ mean) that a jitter of one pitch adds; a first guess, which is corrected.
+const JITTER_EFFECT: f64 = 0.25;
 /// Jittered by more pitches than this, spots stand as at random.
 const MOST_JITTER: f64 = 1.2;
 
@@ -108,8 +122,8 @@ impl Jitter {
 struct Placed {
     maps: Maps,
     places: Vec<[f64; 2]>,
-    /// How the parameters of each differ from those of its region.
-    offsets: Vec<[f64; 3]>,
+    /// How the parameters of each differ from those of its place.
+    offsets: Vec<NodeOffset>,
     /// Parameters of the room that each takes.
     own: Vec<Parameters>,
 }
@@ -147,15 +161,32 @@ impl Placed {
 
     fn varied(self, plan: &Plan, pitch: &[f64]) -> Varied {
         let Self { maps, places, offsets, own } = self;
+        let largest = largest_mark(plan.lookup.system, &maps);
+        let spots = VariedSpots { places, offsets, own, pitch: pitch.to_vec() };
+        let parameters = spots.interpolated(plan, &maps);
+        Varied { maps: Maps { parameters, ..maps }, spots, largest }
+    }
+}
+
+impl VariedSpots {
+    /// Takes the parameters of the pinned spots from `plan`, where they have been corrected, and computes those of every
+    /// cell of `maps`.
+    pub fn corrected(&mut self, plan: &Plan, maps: &Maps) -> Vec<Parameters> {
+        for (offset, pinned) in self.offsets.iter_mut().zip(plan.pinned_spots()) {
+            *offset = pinned.corrected_offset();
+        }
+        self.interpolated(plan, maps)
+    }
+
+    /// The parameters of every cell of `maps`: around each spot its own.
+    fn interpolated(&self, plan: &Plan, maps: &Maps) -> Vec<Parameters> {
+        let Self { places, offsets, own, pitch } = self;
         let lookup = &plan.lookup;
-        let largest = largest_mark(lookup.system, &maps);
-        let vary = |cell: usize, offset: [f64; 3]| {
+        let vary = |cell: usize, offset: NodeOffset| {
             let point = lookup.grid.center_px(cell);
             lookup.lattice.at(point).plus(offset).parameters(lookup.between_regions(pitch, point))
         };
-        let (system, turned) = (lookup.system, Node::turned_offset);
-        let parameters = rd::interpolate_parameters(system, &maps, &places, &own, &offsets, turned, &vary);
-        Varied { maps: Maps { parameters, ..maps }, places, largest }
+        rd::interpolate_parameters(lookup.system, maps, places, own, offsets, Node::turned_offset, &vary)
     }
 }
 
@@ -165,11 +196,22 @@ fn own_of_all(
     places: &[[f64; 2]],
     pitch: &[f64],
     scores: &Scores,
-) -> (Vec<[f64; 3]>, Vec<Parameters>) {
-    let px = plan.lookup.all_to_px(places);
+) -> (Vec<NodeOffset>, Vec<Parameters>) {
+    let lookup = &plan.lookup;
+    let px = lookup.all_to_px(places);
+    let pinned = plan.pinned_spots();
     let deviations = scores.deviations(plan, &px);
-    let own = |(px, deviation): (&[f64; 2], _)| own_parameters(&plan.lookup, *px, pitch, deviation);
-    px.iter().zip(&deviations).map(own).unzip()
+    let own = |(index, px): (usize, &[f64; 2])| match pinned.get(index) {
+        Some(pinned) => {
+            let room = room_of(lookup, pinned.drawn.center, pitch, pinned.offset);
+            (pinned.corrected_offset(), room)
+        }
+        None => {
+            let offset = deviating(lookup, *px, &deviations[index]);
+            (offset, room_of(lookup, *px, pitch, offset))
+        }
+    };
+    px.iter().enumerate().map(own).unzip()
 }
 
 /// Moves spots at random, pinned ones excepted: along either axis by the mean of two uniform random numbers from −1 to 1,

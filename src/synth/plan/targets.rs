@@ -1,13 +1,13 @@
 //! First stage of a plan: what the sketch of a layer asks for.
 
+use crate::attributes::AttributeMap;
 use crate::attributes::Attributes;
-use crate::attributes::regions::RegionMap;
 use crate::document::layer_rules::{self, Combination};
 use crate::document::{After, Document, DocumentError, Kind, Layer};
 use crate::marks::Mark;
 use crate::rd::Seeding;
 use crate::synth::plan::error::PlanError;
-use crate::synth::plan::layer_lookup::{Lookup, Start, look_up};
+use crate::synth::plan::layer_lookup::{Lookup, look_up};
 use crate::synth::plan::offset_curves::CurveKind;
 use crate::synth::plan::sketch_targets::{marks_on, region_map};
 use crate::synth::plan::{around, inside};
@@ -16,7 +16,7 @@ use crate::synth::training::Training;
 /// What the sketch of a layer asks for.
 pub struct Targets<'a> {
     /// What is wanted where, on the canvas that is grown.
-    pub map: RegionMap,
+    pub map: AttributeMap,
     layer: &'a Layer,
     place: Place<'a>,
 }
@@ -79,7 +79,7 @@ impl<'a> Targets<'a> {
         let lookup = match place {
             Place::Free(marks) => {
                 let lookup = look_up(training, layer.wanted_system(), &map)?;
-                Lookup { irregular: options.irregular, start: Start::Free(marks), ..lookup }
+                Lookup { irregular: options.irregular, ..lookup }.with_pinned(training, &marks)?
             }
             Place::Inside(beneath) => inside::look_up(training, &map, beneath)?,
             Place::Curves(kind) => around::look_up(kind, options.broken, map)?,
@@ -89,7 +89,7 @@ impl<'a> Targets<'a> {
 }
 
 /// The kind of marks that a layer with this map grows.
-fn grown_kind(map: &RegionMap) -> Kind {
+fn grown_kind(map: &AttributeMap) -> Kind {
     match map.at([0.0, 0.0]) {
         Attributes::Spots(_) => Kind::Ellipse,
         Attributes::Stripes(_) => Kind::Line,

@@ -9,7 +9,7 @@
 //!
 //! Marks are not placed again: they grow, turn, move, split and vanish by themselves.
 
-use crate::attributes::regions::RegionMap;
+use crate::attributes::AttributeMap;
 use crate::document::{After, Document};
 use crate::export::Stopped;
 use crate::grid::Field;
@@ -57,7 +57,7 @@ pub struct Morph<'a> {
     documents: [&'a Document; 2],
     training: &'a Training,
     system: System,
-    maps: [RegionMap; 2],
+    maps: [AttributeMap; 2],
     cell: f64,
     state: Vec<Vec<f32>>,
     /// Seconds of a unit of normalised time, measured while the first document grew.
@@ -92,7 +92,7 @@ impl<'a> Morph<'a> {
             ));
         }
         let choices = [from, to].map(|(document, _)| document.layers[0].wanted_system());
-        let system = |choice, map: &RegionMap| Ok(look_up(training, choice, map)?.system);
+        let system = |choice, map: &AttributeMap| Ok(look_up(training, choice, map)?.system);
         let of = |choice, map| system(choice, map).map_err(|error: PlanError| GrowError::from(error));
         let systems = [of(choices[0], &maps[0])?, of(choices[1], &maps[1])?];
         // A system chosen in one document is taken for the other where that is "auto".

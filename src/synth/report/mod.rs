@@ -2,9 +2,11 @@
 //!
 //! [`regions`] lists one layer's regions; [`report`] collects all layers in the form that `grow --report` writes.
 
+pub mod drawn;
 pub mod pinned;
 mod region;
 
+pub use drawn::{DrawnMark, drawn_marks};
 pub use region::{RegionReport, regions};
 
 use serde::Serialize;
@@ -45,6 +47,9 @@ pub struct LayerReport {
     pub settled: bool,
     /// One a region, row by row.
     pub regions: Vec<RegionReport>,
+    /// What became of each drawn mark; empty where none was to be among those that grow.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub drawn: Vec<DrawnMark>,
     /// `Some(false)` for a layer whose marks are replaced by those of the layer above; otherwise `None`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shown: Option<bool>,
@@ -66,8 +71,16 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
     }
 }
 
+/// What became of each drawn mark of a layer.
+#[must_use]
+pub fn drawn_of(layer: &GrownLayer) -> Vec<DrawnMark> {
+    let [nx, ny] = layer.plan.lookup.grid.size;
+    drawn_marks(layer, &|| layer.pattern().field(nx, ny))
+}
+
 fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerReport {
     let lookup = &layer.plan.lookup;
+    let drawn = drawn_of(layer);
     LayerReport {
         name: document.layers[index].name.clone(),
         system: lookup.system.name(),
@@ -75,7 +88,8 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
         grid: lookup.grid.size,
         steps: layer.steps,
         settled: layer.settled,
-        regions: regions(document, index, layer),
+        regions: regions(document, index, layer, &drawn),
+        drawn,
         shown: None,
     }
 }

@@ -10,6 +10,7 @@ use crate::synth::grow::layer::GrownLayer;
 use crate::synth::grow::refine::Measured;
 use crate::synth::plan::Plan;
 use crate::synth::plan::inside;
+use crate::synth::report::drawn::{self, DrawnMark};
 use crate::synth::report::pinned;
 use crate::synth::report::pinned::Stayed;
 
@@ -103,17 +104,27 @@ struct SpreadEntry {
     got: Option<Spread>,
 }
 
-/// The report of each region of a layer, row by row; `layer` is what has grown of layer `index` of `document`.
+/// The report of each region of a layer, row by row; `layer` is what has grown of layer `index` of `document`, `drawn` what
+/// became of its drawn marks.
 #[must_use]
-pub fn regions(document: &Document, index: usize, layer: &GrownLayer) -> Vec<RegionReport> {
+pub fn regions(
+    document: &Document,
+    index: usize,
+    layer: &GrownLayer,
+    drawn: &[DrawnMark],
+) -> Vec<RegionReport> {
     let plan = &layer.plan;
-    let [nx, ny] = plan.lookup.grid.size;
-    let stayed = pinned::stayed(plan, &layer.measured, &|| layer.pattern().field(nx, ny));
+    let (layout, lines) = (plan.lookup.map.layout(), plan.lookup.system.is_striped());
+    let stayed = pinned::stayed(&plan.lookup.map, drawn, lines);
     let mut remarks = plan.lookup.remarks.clone();
     if let (Some(places), Some(below)) = (plan.places(), index.checked_sub(1)) {
-        let (layout, grown) = (plan.lookup.map.layout(), layer.measured.spots());
-        let inside = inside::remarks(layout, places, grown, &document.layers[below].name);
+        let inside = inside::remarks(layout, places, layer.measured.spots(), &document.layers[below].name);
         remarks.iter_mut().zip(inside).for_each(|(remarks, inside)| remarks.extend(inside));
+    }
+    for (index, remarks) in remarks.iter_mut().enumerate() {
+        let here = |mark: &&DrawnMark| layout.index(layout.region_of(mark.place)) == index;
+        let here: Vec<DrawnMark> = drawn.iter().filter(here).cloned().collect();
+        remarks.extend(drawn::note(&here, lines));
     }
     let regions = remarks.into_iter().enumerate();
     regions.map(|(index, remarks)| region(layer, index, remarks, stayed.get(index))).collect()
@@ -127,7 +138,6 @@ fn region(layer: &GrownLayer, index: usize, remarks: Vec<String>, stayed: Option
     let mut notes: Vec<String> = answer.notes.iter().map(ToString::to_string).collect();
     notes.extend(remarks);
     notes.extend(corrections[index].note());
-    notes.extend(stayed.and_then(|stayed| stayed.note(lookup.system.is_striped())));
     let (marks, mut error) = errors(&layer.measured, index);
     if lookup.seeding == Seeding::Initiators {
         // Stripes run round the lines; no direction was asked.

@@ -28,7 +28,7 @@ pub fn holds(bytes: &[u8]) {
 /// Each layer can be planned, or it is said why not: as `dapple check` does it, without growing.
 fn is_planned(document: &Document) {
     let strokes: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
-    let regions = document.regions[0] * document.regions[1] * document.layers.len() as u32;
+    let regions = document.region_grid().iter().product::<usize>() * document.layers.len();
     if strokes > 64 || regions > 64 {
         // Sound, and too slow to be tried thousands of times.
         return;

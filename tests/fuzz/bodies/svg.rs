@@ -15,8 +15,9 @@ pub fn holds(bytes: &[u8]) {
         assert!(drawing.size.iter().all(|side| side.is_finite() && *side > 0.0), "{:?}", drawing.size);
         for mark in drawing.groups.iter().flat_map(|group| &group.marks) {
             let numbers = match mark {
-                Mark::Ellipse(e) => [e.center[0], e.center[1], e.radii[0], e.radii[1], e.angle],
-                Mark::Line(l) => [l.from[0], l.from[1], l.to[0], l.to[1], l.width],
+                Mark::Ellipse(e) => vec![e.center[0], e.center[1], e.radii[0], e.radii[1], e.angle],
+                Mark::Line(l) => vec![l.from[0], l.from[1], l.to[0], l.to[1], l.width],
+                Mark::Path(p) => p.points.iter().flatten().copied().chain([p.width]).collect(),
             };
             assert!(numbers.iter().all(|number| number.is_finite()), "{mark:?}");
         }

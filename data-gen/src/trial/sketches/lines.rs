@@ -4,8 +4,9 @@ use dapple::document::Line;
 use dapple::document::Stroke;
 use dapple::internals::attributes::regions::RegionGrid;
 
+use super::super::dice::Dice;
 use super::ranges::{FACTOR, TURN, WIDTH};
-use super::{Dice, rectangle};
+use super::rectangle;
 
 /// Lines a region.
 const LINES: [usize; 2] = [3, 6];

@@ -2,7 +2,7 @@
 
 use dapple::document::Document;
 use dapple::document::Edges;
-use dapple::internals::attributes::regions::RegionMap;
+use dapple::internals::attributes::AttributeMap;
 use dapple::internals::attributes::{Attributes, Spots, Stripes};
 use dapple::internals::marks::turn;
 use dapple::internals::synth::plan::sketch_targets;
@@ -68,7 +68,7 @@ fn alike(a: &Attributes, b: &Attributes) -> bool {
 }
 
 /// Pairs of regions that share a side, by index.
-fn neighbours(map: &RegionMap) -> impl Iterator<Item = [usize; 2]> {
+fn neighbours(map: &AttributeMap) -> impl Iterator<Item = [usize; 2]> {
     let layout = *map.layout();
     let step = move |index: usize, axis: usize| {
         let mut place = layout.place(index);

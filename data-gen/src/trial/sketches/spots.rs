@@ -7,8 +7,9 @@ use dapple::document::Stroke;
 use dapple::internals::attributes::regions::RegionGrid;
 use dapple::internals::attributes::spacing::mean_spacing;
 
+use super::super::dice::Dice;
 use super::ranges::{AREA, ASPECT, FACTOR, LOOSER, PACKING, TURN};
-use super::{Dice, rectangle};
+use super::rectangle;
 
 /// Spots a region.
 const MARKS: [usize; 2] = [5, 12];

@@ -3,7 +3,7 @@
 use egui::{ComboBox, Label, Ui};
 
 use super::{CONTROL, reset, share, spread};
-use crate::document::{Layer, LayerOptions, OptionKey, Seeding, limits};
+use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, Seeding, limits};
 use crate::editor::edit::Edit;
 use crate::editor::layer_choices::option_refusal;
 use crate::editor::session::Session;
@@ -42,12 +42,12 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
         ),
         OptionKey::Keep => (
             "Keep marks",
-            "Whether the drawn marks themselves are part of the texture. The default is yes where there is one region",
+            "Whether the drawn marks themselves are part of the texture. The default is yes, but not with several regions",
         ),
         OptionKey::Duty => (
             "Share",
-            "Width of the stripes ÷ their period, 20 to 50 %: at 50 % the stripes are as wide as the gaps between them, \
-             below they are lines on wide ground",
+            "Width of the stripes ÷ their period. As drawn: as the drawn lines that lie side by side. 50 %: the stripes \
+             are as wide as the gaps between them; below, down to 20 %, they are lines on wide ground",
         ),
         OptionKey::Seeding => (
             "Begins from",
@@ -64,7 +64,7 @@ fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Laye
     let (name, _) = described(choice);
     match choice {
         OptionKey::Irregular => share(ui, name, &mut options.irregular, &limits::IRREGULAR),
-        OptionKey::Duty => share(ui, name, &mut options.duty, &limits::DUTY),
+        OptionKey::Duty => duty(ui, name, &mut options.duty),
         OptionKey::Broken => share(ui, name, &mut options.broken, &limits::BROKEN),
         OptionKey::Keep => {
             let mut keep = session.document().keeps_marks(session.active_layer);
@@ -77,6 +77,21 @@ fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Laye
         OptionKey::Seeding => seeding(ui, &mut options.seeding),
         OptionKey::Spread => spread::choice(ui, &mut options.spread),
     }
+}
+
+fn duty(ui: &mut Ui, name: &str, duty: &mut DutyChoice) -> egui::Response {
+    let choose = |ui: &mut Ui| {
+        let mut drawn = *duty == DutyChoice::Drawn;
+        let choice = ui.checkbox(&mut drawn, "as drawn").accessible_name(format!("{name} as drawn"));
+        if choice.changed() {
+            *duty = if drawn { DutyChoice::Drawn } else { DutyChoice::Given(LayerOptions::DUTY) };
+        }
+        match duty {
+            DutyChoice::Drawn => choice,
+            DutyChoice::Given(given) => choice.union(share(ui, name, given, &limits::DUTY)),
+        }
+    };
+    ui.horizontal(choose).inner
 }
 
 fn seeding(ui: &mut Ui, seeding: &mut Seeding) -> egui::Response {

@@ -67,7 +67,7 @@ pub fn result(ui: &mut Ui, state: &ResultState, panel: &mut ResultPanel) -> Vec<
     if !is_current {
         ui.label(RichText::new(waiting(state)).weak().small());
     }
-    let grid = outcome.grown.document.regions.map(|n| n as usize);
+    let grid = outcome.grown.document.region_grid();
     table::table(ui, of_layer, &mut panel.chosen);
     let place = region(state, of_layer, grid, panel.chosen);
     ui.checkbox(&mut panel.signs, "Marks in the regions' corners").on_hover_text(

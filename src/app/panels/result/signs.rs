@@ -24,7 +24,7 @@ pub fn paint_signs(
     let Some(outcome) = results.outcome() else { return };
     let layer = result::finished_layer(session, session.active_layer);
     let Some(layer) = layer.and_then(|layer| outcome.layers.get(layer)) else { return };
-    let [columns, rows] = outcome.grown.document.regions.map(|n| n as f32);
+    let [columns, rows] = outcome.grown.document.region_grid().map(|n| n as f32);
     let paper = view.paper(room, outcome.grown.size);
     let side = [paper.width() / columns, paper.height() / rows];
     if side[0].min(side[1]) < SMALLEST {

@@ -1,7 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::marks::turn;
+use crate::marks::{Line, turn};
 
 fn spot(center: [f64; 2], area: f64, aspect: f64, angle: f64) -> Mark {
     Mark::Ellipse(Ellipse::from_area(center, area, aspect, angle))
@@ -152,9 +152,12 @@ fn marks_that_make_no_map_are_refused_with_the_reason() {
     let of =
         |marks: &[Mark], size, grid| RegionMap::from_marks(marks, size, grid, Edges::Closed).unwrap_err();
     assert_eq!(of(&[], [10.0; 2], [1, 1]), RegionsError::NoMarks);
-    assert_eq!(of(&[line, ellipse, line], [10.0; 2], [1, 1]), RegionsError::Mixed { ellipses: 1, lines: 2 });
+    assert_eq!(
+        of(&[line.clone(), ellipse, line.clone()], [10.0; 2], [1, 1]),
+        RegionsError::Mixed { ellipses: 1, lines: 2 }
+    );
     for (size, grid) in [([0.0, 5.0], [1, 1]), ([f64::NAN, 5.0], [1, 1]), ([5.0; 2], [1, 0])] {
-        assert!(matches!(of(&[line], size, grid), RegionsError::Layout { .. }));
+        assert!(matches!(of(std::slice::from_ref(&line), size, grid), RegionsError::Layout { .. }));
     }
 }
 
@@ -284,4 +287,15 @@ fn a_given_spread_holds_everywhere() {
     assert!(map.regions().all(|(_, region)| region.spread == given) && map.spread_is_given());
     assert!(map.resized([50.0, 50.0]).spread_is_given());
     assert!(map.with_spread(Spread::ZERO).is_without_spread());
+}
+
+#[test]
+fn a_path_counts_as_its_segments_weighted_by_their_lengths() {
+    let points = vec![[10.0, 20.0], [40.0, 20.0], [40.0, 60.0], [44.0, 63.0]];
+    let bent = Mark::Path(Path { points: points.clone(), width: 7.0 });
+    let lines: Vec<Mark> =
+        points.windows(2).map(|ends| Mark::Line(Line { from: ends[0], to: ends[1], width: 7.0 })).collect();
+    let [one, many] = [&[bent][..], &lines[..]].map(|marks| map(marks, [1, 1], Edges::Closed));
+    assert_eq!(one.at([5.0, 5.0]), many.at([5.0, 5.0]));
+    assert_eq!(one.region([0, 0]).marks, 1);
 }

@@ -11,14 +11,14 @@ use crate::synth::plan::one_spot::Deviation;
 use crate::synth::plan::spread_limits::{ASPECTS, beyond, by_itself};
 
 /// How each spot deviates from its region in size, direction and aspect, in standard deviations. The first spots are the
-/// pinned ones, whose deviations are known.
+/// pinned ones, which have parameters of their own.
 pub struct Scores(Vec<[f64; 3]>);
 
 impl Scores {
     /// Scores of spots at these places, px.
     pub fn new(plan: &Plan, px: &[[f64; 2]], rng: &mut Pcg64Mcg) -> Self {
         let mut scores = vec![[0.0; 3]; px.len()];
-        for (_, group) in groups(plan, px) {
+        for group in groups(plan, px) {
             let drawn = [(); 3].map(|()| stratified(group.len(), rng));
             for (k, i) in group.iter().enumerate() {
                 scores[*i] = [0, 1, 2].map(|attribute: usize| drawn[attribute][k]);
@@ -32,8 +32,7 @@ impl Scores {
     pub fn deviations(&self, plan: &Plan, px: &[[f64; 2]]) -> Vec<Deviation> {
         let lookup = &plan.lookup;
         let mut all = vec![Deviation { area: 1.0, turn: 0.0, aspect: 0.0 }; px.len()];
-        plan.pinned_spots().iter().zip(&mut all).for_each(|(pinned, one)| *one = pinned.deviation);
-        for (pinned, group) in groups(plan, px) {
+        for group in groups(plan, px) {
             let asked: Vec<Spots> = group.iter().map(|i| lookup.spots_at(px[*i])).collect();
             let own = asked.iter().map(|wanted| by_itself(lookup.system, wanted));
             let spreads = group.iter().zip(own).map(|(i, own)| lookup.spread_at(px[*i]).with(&own, beyond));
@@ -46,57 +45,21 @@ impl Scores {
             for (k, i) in group.iter().enumerate() {
                 all[*i] = Deviation { area: areas[k], turn: turns[k], aspect: aspects[k] };
             }
-            compensate(&mut all, &pinned, &group, &|i| lookup.spots_at(px[i]).aspect);
         }
         all
     }
 }
 
-/// Changes the spots of `group` so that together with the `pinned` ones beside them they have the means. `aspect` is what
-/// is wanted.
-fn compensate(
-    deviations: &mut [Deviation],
-    pinned: &[usize],
-    group: &[usize],
-    aspect: &dyn Fn(usize) -> f64,
-) {
-    let weight = |all: &[Deviation], i: usize| (1.0 - aspect(i) - all[i].aspect).max(0.0);
-    let sum = |value: &dyn Fn(usize) -> f64| pinned.iter().map(|i| value(*i)).sum::<f64>();
-    let area = sum(&|i| deviations[i].area - 1.0) / group.len() as f64;
-    let longer = sum(&|i| deviations[i].aspect) / group.len() as f64;
-    // Double angles: Σ w sin 2(t − δ) over the others is to cancel Σ w sin 2t over the pinned ones.
-    let double = |of: &[usize], f: fn(f64) -> f64| -> f64 {
-        of.iter().map(|i| weight(deviations, *i) * f((2.0 * deviations[*i].turn).to_radians())).sum()
-    };
-    let [pinned_sin, sin, cos] =
-        [double(pinned, libm::sin), double(group, libm::sin), double(group, libm::cos)];
-    let turn = if cos > 0.0 { 0.5 * ((pinned_sin + sin) / cos).clamp(-1.0, 1.0).to_degrees() } else { 0.0 };
-    let [area, longer, turn] =
-        [(area, MOST_COMPENSATION[0]), (longer, MOST_COMPENSATION[1]), (turn, MOST_COMPENSATION[2])]
-            .map(|(value, most)| value.clamp(-most, most));
-    for i in group {
-        let one = &mut deviations[*i];
-        one.area *= 1.0 - area;
-        one.aspect =
-            (one.aspect - longer).clamp(ASPECTS[0] - aspect(*i), (ASPECTS[1] - aspect(*i)).max(one.aspect));
-        one.turn -= turn;
-    }
-}
-
-/// The most by which a spot compensates for others: share of the area, aspect, degrees. Beyond, a few would look wrong.
-const MOST_COMPENSATION: [f64; 3] = [0.1, 0.03, 3.0];
-
 /// The spots that together have the means of their region: the whole ones, which will be measured, and those that the
-/// border cuts; of each group the pinned ones and the others.
-fn groups(plan: &Plan, px: &[[f64; 2]]) -> Vec<(Vec<usize>, Vec<usize>)> {
+/// border cuts. Pinned ones are in neither.
+fn groups(plan: &Plan, px: &[[f64; 2]]) -> Vec<Vec<usize>> {
     let layout = plan.lookup.map.layout();
-    let mut groups = vec![(Vec::new(), Vec::new()); 2 * layout.len()];
-    for (i, point) in px.iter().enumerate() {
+    let mut groups = vec![Vec::new(); 2 * layout.len()];
+    for (i, point) in px.iter().enumerate().skip(plan.pinned_spots().len()) {
         let reach = reach(&plan.lookup.spots_at(*point));
         let inside = |axis: usize| (reach[axis]..=layout.size[axis] - reach[axis]).contains(&point[axis]);
         let whole = layout.edges == Edges::Wrap || inside(0) && inside(1);
-        let (pinned, others) = &mut groups[2 * layout.index(layout.region_of(*point)) + usize::from(!whole)];
-        if i < plan.pinned_spots().len() { pinned.push(i) } else { others.push(i) }
+        groups[2 * layout.index(layout.region_of(*point)) + usize::from(!whole)].push(i);
     }
     groups
 }

@@ -1,0 +1,180 @@
+//! One sketch: grown, measured, written.
+
+use std::io::Write;
+use std::path::Path;
+
+use dapple::document::{Document, SpreadChoice, Stroke};
+use dapple::internals::attributes::Spread as Numbers;
+use dapple::internals::export;
+use dapple::internals::export::png::rgb8;
+use dapple::internals::marks::{Ellipse, Path as Curve};
+use dapple::internals::synth::render::painting::Painting;
+use dapple::internals::synth::report::report;
+use dapple::internals::synth::{Grown, Options, Training, grow};
+use serde_json::Value;
+
+use super::cpu::Stopwatch;
+use super::shapes::{FINE, Shapes};
+use super::sheets::Drawing;
+use super::{Kind, Spread, named, paths, spots};
+
+/// A sketch to try.
+pub struct Task {
+    /// What kind it is.
+    pub kind: Kind,
+    /// Its name.
+    pub name: String,
+    /// What is drawn.
+    pub document: Document,
+}
+
+/// What came of a sketch.
+#[derive(Default)]
+pub struct Attempt {
+    /// Its name.
+    pub name: String,
+    /// What is wrong with the whole.
+    pub failures: Vec<String>,
+    /// CPU time of the growth that was measured, s.
+    pub seconds: f64,
+    /// CPU time of the default spread ÷ that of none.
+    pub slower: Option<f64>,
+    /// Its ellipses.
+    pub spots: Vec<spots::Spot>,
+    /// Its strokes.
+    pub strokes: Vec<paths::Stroke>,
+    /// Which of the ellipses the report says are there, if it says so.
+    pub reported: Option<Vec<bool>>,
+    /// Grown shapes that are two in one, and all.
+    pub double: [usize; 2],
+    /// Drawn beside grown; `None` where nothing grew or nothing is written.
+    pub drawing: Option<Drawing>,
+}
+
+/// Less than this share of ink is none, less than this share of ground is none.
+const LEAST: f64 = 0.002;
+/// A shape that fills less of its ellipse is two in one.
+const DOUBLE: f64 = 0.93;
+/// Shapes that are two in one may have this share of the area.
+const DOUBLES: f64 = 0.05;
+
+impl Task {
+    /// Grows, measures and, if there is a folder, writes.
+    ///
+    /// # Errors
+    /// A file cannot be written. A sketch that does not grow is a result.
+    pub fn run(&self, spread: Spread, training: &Training, out: Option<&Path>) -> Result<Attempt, String> {
+        let mut attempt = Attempt { name: self.name.clone(), ..Attempt::default() };
+        let options = Options { source: &self.name, training, ..Options::default() };
+        let even = self.without_spread();
+        let measured = if spread == Spread::Zero { &even } else { &self.document };
+        let clock = Stopwatch::start();
+        let grown = grow(measured, &options);
+        attempt.seconds = clock.seconds();
+        if spread == Spread::Both && self.kind != Kind::D && grown.is_ok() {
+            let clock = Stopwatch::start();
+            attempt.slower = grow(&even, &options).is_ok().then(|| attempt.seconds / clock.seconds());
+        }
+        if let Some(folder) = out {
+            let path = folder.join(format!("{}.dapple", self.name));
+            measured.write(path).map_err(|error| error.to_string())?;
+        }
+        match grown {
+            Err(error) => attempt.failures.push(format!("not grown: {error}")),
+            Ok(grown) => {
+                let report = report(measured, &self.name, &grown, attempt.seconds);
+                let report = serde_json::to_value(report).map_err(|error| error.to_string())?;
+                attempt.measure(measured, &grown, &report);
+                if let Some(folder) = out {
+                    attempt.drawing = Some(Drawing::new(measured, &grown, &attempt));
+                    files(folder, &self.name, measured, &grown, &report)?;
+                }
+            }
+        }
+        if out.is_some() && attempt.drawing.is_none() {
+            attempt.drawing = Some(Drawing::without_texture(measured));
+        }
+        Ok(attempt)
+    }
+
+    fn without_spread(&self) -> Document {
+        let mut document = self.document.clone();
+        for layer in &mut document.layers {
+            layer.options.spread = SpreadChoice::Given(Numbers::ZERO);
+        }
+        document
+    }
+}
+
+/// The ellipses and the strokes of the lowest layer.
+pub fn drawn(document: &Document) -> (Vec<Ellipse>, Vec<Curve>) {
+    let (mut ellipses, mut curves) = (Vec::new(), Vec::new());
+    for stroke in &document.layers[0].strokes {
+        match stroke {
+            Stroke::Ellipse(ellipse) => ellipses.push(*ellipse),
+            Stroke::Line(line) => curves.push(Curve::from(*line)),
+            Stroke::Path(path) => curves.push(path.clone()),
+            Stroke::Freehand { points, width } => {
+                curves.push(Curve { points: points.clone(), width: *width });
+            }
+        }
+    }
+    (ellipses, curves)
+}
+
+impl Attempt {
+    fn measure(&mut self, document: &Document, grown: &Grown, report: &Value) {
+        let size = document.size.map(|side| side as usize * FINE);
+        let shapes = Shapes::find(grown.layers[0].pattern().field(size[0], size[1]));
+        let (ellipses, strokes) = drawn(document);
+        let canvas = document.size.map(f64::from);
+        self.spots = spots::compare(&ellipses, &shapes, canvas);
+        self.strokes = paths::compare(&strokes, &shapes);
+        self.reported = named::there(report, 0, ellipses.len());
+        self.failures.extend(whole(&shapes));
+        if !ellipses.is_empty() {
+            let merged = spots::merged(&ellipses, &shapes);
+            if merged > 0 {
+                self.failures.push(format!("merged: {merged} pairs of drawn marks are one"));
+            }
+            self.count_double(&shapes);
+        }
+    }
+
+    fn count_double(&mut self, shapes: &Shapes) {
+        let double: Vec<_> = shapes.all.iter().filter(|shape| !shape.cut && shape.fill < DOUBLE).collect();
+        self.double = [double.len(), shapes.all.len()];
+        let area: f64 = double.iter().map(|shape| shape.ellipse.area()).sum();
+        let all: f64 = shapes.all.iter().map(|shape| shape.ellipse.area()).sum();
+        if area > DOUBLES * all {
+            self.failures.push(format!("merged: {:.0} % of the area is in marks of two", 100.0 * area / all));
+        }
+    }
+}
+
+/// What is wrong with the pattern as a whole.
+fn whole(shapes: &Shapes) -> Option<String> {
+    if shapes.share < LEAST {
+        return Some(format!("blank: {:.2} % is ink", 100.0 * shapes.share));
+    }
+    let ground = 1.0 - shapes.share;
+    (ground < LEAST).then(|| format!("solid: {:.2} % is ground", 100.0 * ground))
+}
+
+/// Writes the texture and the report.
+fn files(
+    folder: &Path,
+    name: &str,
+    document: &Document,
+    grown: &Grown,
+    report: &Value,
+) -> Result<(), String> {
+    let failed = |error: export::ExportError| error.to_string();
+    let size = grown.size.map(|side| side as usize);
+    let rgb = Painting::sized(document, grown, size).rgb();
+    let path = folder.join(format!("{name}.png"));
+    export::save(&path, |out| rgb8(out, size, Some(document.dpi), &rgb)).map_err(failed)?;
+    let text = format!("{report:#}\n");
+    let path = folder.join(format!("{name}.report.json"));
+    export::save(&path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(failed)
+}

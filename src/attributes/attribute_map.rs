@@ -1,0 +1,292 @@
+//! What a sketch wants at any place of the canvas: by regions, or by free marks.
+
+use super::free::FreeMap;
+use super::regions::{Region, RegionGrid, RegionMap, RegionsError};
+use super::{Attributes, Spots, Spread, Stripes};
+use crate::grid::Edges;
+use crate::marks::Mark;
+
+/// Nodes a region along each side at which parameters are looked up; odd, so that region centres, where attributes bend,
+/// are nodes.
+const FINER: usize = 5;
+/// Regions along a side by which free marks are blended with others, at most.
+const MOST_BLENDED: usize = 8;
+/// Width ÷ wavelength of stripes by themselves, and how near to it a duty counts as the same.
+const USUAL_DUTY: f64 = 0.5;
+/// See [`USUAL_DUTY`].
+const SAME_DUTY: f64 = 0.02;
+
+/// Attributes at any place of the canvas.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AttributeMap {
+    source: Source,
+    spread_is_given: bool,
+    /// Are stripes left the wavelength of their system?
+    wavelength_is_free: bool,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Source {
+    /// Means of the marks of each region.
+    Regions(RegionMap),
+    /// What each mark wants around it. The whole canvas is one region.
+    Free { map: FreeMap, layout: RegionGrid, whole: Region },
+}
+
+impl AttributeMap {
+    /// The map of `marks` on a canvas of `size` px: by [columns, rows] regions, or `None` = by free marks.
+    ///
+    /// # Errors
+    /// Without marks, with ellipses and lines mixed, and for a canvas without extent or regions.
+    pub fn from_marks(
+        marks: &[Mark],
+        size: [f64; 2],
+        regions: Option<[usize; 2]>,
+        edges: Edges,
+    ) -> Result<Self, RegionsError> {
+        let source = match regions {
+            Some(grid) => Source::Regions(RegionMap::from_marks(marks, size, grid, edges)?),
+            None => {
+                let map = FreeMap::from_marks(marks, size, edges)?;
+                let whole = Region::whole(marks.len(), map.mean(), map.spread());
+                Source::Free { map, layout: RegionGrid { size, grid: [1, 1], edges }, whole }
+            }
+        };
+        Ok(Self { source, spread_is_given: false, wavelength_is_free: false })
+    }
+
+    /// The regions that are measured and reported; free marks have one.
+    #[must_use]
+    pub fn layout(&self) -> &RegionGrid {
+        match &self.source {
+            Source::Regions(map) => map.layout(),
+            Source::Free { layout, .. } => layout,
+        }
+    }
+
+    /// Whether the marks are free.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        matches!(self.source, Source::Free { .. })
+    }
+
+    /// The map of free marks.
+    #[must_use]
+    pub fn free(&self) -> Option<&FreeMap> {
+        if let Source::Free { map, .. } = &self.source { Some(map) } else { None }
+    }
+
+    /// The nodes at whose centres parameters are looked up.
+    #[must_use]
+    pub fn nodes(&self) -> RegionGrid {
+        match &self.source {
+            Source::Regions(map) => {
+                let finer = |n: usize| if n == 1 { 1 } else { FINER * n };
+                RegionGrid { grid: map.layout().grid.map(finer), ..*map.layout() }
+            }
+            Source::Free { map, .. } => map.nodes(),
+        }
+    }
+
+    /// The attributes wanted at a point, px.
+    #[must_use]
+    pub fn at(&self, point: [f64; 2]) -> Attributes {
+        match &self.source {
+            Source::Regions(map) => map.at(point),
+            Source::Free { map, .. } => self.freed(map.at(point)),
+        }
+    }
+
+    /// Attributes without a wavelength, where that is left to the system.
+    fn freed(&self, attributes: Attributes) -> Attributes {
+        match attributes {
+            Attributes::Stripes(stripes) if self.wavelength_is_free => {
+                Attributes::Stripes(Stripes { wavelength: None, ..stripes })
+            }
+            other => other,
+        }
+    }
+
+    /// The same map with free marks of lines that take the wavelength of their system.
+    #[must_use]
+    pub fn with_free_wavelength(self) -> Self {
+        Self { wavelength_is_free: true, ..self }
+    }
+
+    /// Whether all stripes are wanted half as wide as their wavelength, nearly.
+    #[must_use]
+    pub fn has_usual_duty(&self) -> bool {
+        self.samples().iter().all(|wanted| match wanted {
+            Attributes::Stripes(Stripes { width, wavelength: Some(wavelength), .. }) => {
+                (width / wavelength - USUAL_DUTY).abs() < SAME_DUTY
+            }
+            Attributes::Stripes(_) => true,
+            Attributes::Spots(_) => false,
+        })
+    }
+
+    /// What is wanted of a region as a whole: at its centre; of free marks their mean.
+    #[must_use]
+    pub fn of_region(&self, place: [usize; 2]) -> Attributes {
+        match &self.source {
+            Source::Regions(map) => map.at(map.layout().center(place)),
+            Source::Free { whole, .. } => self.freed(whole.filled),
+        }
+    }
+
+    /// What is wanted of each region as a whole, row by row.
+    #[must_use]
+    pub fn of_regions(&self) -> Vec<Attributes> {
+        self.regions().map(|(place, _)| self.of_region(place)).collect()
+    }
+
+    /// What is wanted at so many places that nothing finer or coarser is wanted anywhere.
+    #[must_use]
+    pub fn samples(&self) -> Vec<Attributes> {
+        match &self.source {
+            Source::Regions(_) => self.of_regions(),
+            Source::Free { map, .. } => {
+                let nodes = map.nodes();
+                (0..nodes.len()).map(|index| self.at(nodes.center(nodes.place(index)))).collect()
+            }
+        }
+    }
+
+    /// The regions with their [column, row], row by row.
+    pub fn regions(&self) -> impl ExactSizeIterator<Item = ([usize; 2], &Region)> {
+        let layout = self.layout();
+        (0..layout.len()).map(|index| (layout.place(index), self.region(layout.place(index))))
+    }
+
+    /// The region at [column, row].
+    ///
+    /// # Panics
+    /// Outside the layout.
+    #[must_use]
+    pub fn region(&self, place: [usize; 2]) -> &Region {
+        match &self.source {
+            Source::Regions(map) => map.region(place),
+            Source::Free { whole, .. } => whole,
+        }
+    }
+
+    /// [column, row] of the region that a point (px) lies in.
+    #[must_use]
+    pub fn region_of(&self, point: [f64; 2]) -> [usize; 2] {
+        self.layout().region_of(point)
+    }
+
+    /// Whether no region has a spread.
+    #[must_use]
+    pub fn is_without_spread(&self) -> bool {
+        self.regions().all(|(_, region)| region.spread.is_zero())
+    }
+
+    /// The same map with this spread everywhere, instead of the drawn one.
+    #[must_use]
+    pub fn with_spread(self, spread: Spread) -> Self {
+        let source = match self.source {
+            Source::Regions(map) => Source::Regions(map.with_spread(spread)),
+            Source::Free { map, layout, mut whole } => {
+                whole.spread = spread;
+                Source::Free { map, layout, whole }
+            }
+        };
+        Self { source, spread_is_given: true, ..self }
+    }
+
+    /// Whether the spread was given by [`Self::with_spread`], not drawn.
+    #[must_use]
+    pub fn spread_is_given(&self) -> bool {
+        self.spread_is_given
+    }
+
+    /// The same map with stripes of this duty cycle: width ÷ wavelength, 0..1.
+    #[must_use]
+    pub fn with_duty(self, duty: f64) -> Self {
+        self.changed(|map| map.with_duty(duty), |map| map.with_duty(duty))
+    }
+
+    /// (cos 2θ, sin 2θ) of the angle θ that [`Self::at`] has there, found without a transcendental function.
+    #[must_use]
+    pub fn double_angle_at(&self, point: [f64; 2]) -> [f64; 2] {
+        match &self.source {
+            Source::Regions(map) => map.double_angle_at(point),
+            Source::Free { map, .. } => map.double_angle_at(point),
+        }
+    }
+
+    /// Gives each free spacing the one (px) that `spacing` returns for its spots.
+    pub fn fill_free_spacing(&mut self, mut spacing: impl FnMut(&Spots) -> f64) {
+        match &mut self.source {
+            Source::Regions(map) => map.fill_free_spacing(spacing),
+            Source::Free { map, whole, .. } => {
+                map.fill_free_spacing(&mut spacing);
+                whole.filled = map.mean();
+            }
+        }
+    }
+
+    /// The same map on a canvas of another size, px: places stretch, sizes and spacings stay.
+    #[must_use]
+    pub fn resized(&self, size: [f64; 2]) -> Self {
+        let source = match &self.source {
+            Source::Regions(map) => Source::Regions(map.resized(size)),
+            Source::Free { map, layout, whole } => {
+                Source::Free { map: map.resized(size), layout: RegionGrid { size, ..*layout }, whole: *whole }
+            }
+        };
+        Self { source, spread_is_given: self.spread_is_given, wavelength_is_free: self.wavelength_is_free }
+    }
+
+    /// The same map with these spacings, px, by region; `None` = as it is.
+    #[must_use]
+    pub fn with_spacings(&self, spacings: &[Option<f64>]) -> Self {
+        let given = spacings.first().copied().flatten();
+        self.clone().changed(|map| map.with_spacings(spacings), |map| map.with_spacing(given))
+    }
+
+    /// The map on the way from this one (`share` 0) to `other` (1), see [`RegionMap::blended`].
+    ///
+    /// `None` where one has spots and the other stripes.
+    #[must_use]
+    pub fn blended(&self, other: &Self, share: f64) -> Option<Self> {
+        self.by_regions().blended(&other.by_regions(), share).map(Self::from)
+    }
+
+    /// The same map by regions: free marks are sampled.
+    fn by_regions(&self) -> RegionMap {
+        match &self.source {
+            Source::Regions(map) => map.clone(),
+            Source::Free { map, layout, .. } => {
+                let grid = map.nodes().grid.map(|n| n.min(MOST_BLENDED));
+                let layout = RegionGrid { grid, ..*layout };
+                let at = |index: usize| map.at(layout.center(layout.place(index)));
+                RegionMap::from_attributes(layout, (0..layout.len()).map(at))
+            }
+        }
+    }
+
+    fn changed(
+        self,
+        regions: impl FnOnce(RegionMap) -> RegionMap,
+        free: impl FnOnce(FreeMap) -> FreeMap,
+    ) -> Self {
+        let source = match self.source {
+            Source::Regions(map) => Source::Regions(regions(map)),
+            Source::Free { map, layout, mut whole } => {
+                let map = free(map);
+                whole.filled = map.mean();
+                Source::Free { map, layout, whole }
+            }
+        };
+        Self { source, ..self }
+    }
+}
+
+impl From<RegionMap> for AttributeMap {
+    fn from(map: RegionMap) -> Self {
+        let spread_is_given = map.spread_is_given();
+        Self { source: Source::Regions(map), spread_is_given, wavelength_is_free: false }
+    }
+}

@@ -1,0 +1,168 @@
+//! What of the strokes cannot be as it was drawn, and where.
+
+use super::period::Wanted;
+use super::pieces::Piece;
+use crate::marks::{Path, turn};
+
+/// Strokes that cross at a smaller angle than this agree, degrees.
+const AGREES: f64 = 20.0;
+
+/// A stroke departs from the field if at least this share of it does.
+const DEPARTING: f64 = 0.2;
+
+/// Something that cannot be as it was drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Note {
+    /// Two strokes, or one with itself, cross: one place has one direction.
+    Crossing {
+        /// The marks, in the order in which they were drawn; equal where one crosses itself.
+        marks: [usize; 2],
+        /// px.
+        place: [f64; 2],
+        /// Angle between the two there, degrees in 0..90.
+        angle: f64,
+    },
+    /// The direction of the field departs from a stroke, because strokes near it want others.
+    Departure {
+        /// The mark.
+        mark: usize,
+        /// Where it departs most, px.
+        place: [f64; 2],
+        /// By how much there, degrees in 0..90.
+        angle: f64,
+        /// Share of the stroke's length along which it departs by 20° and more, 0..1.
+        share: f64,
+    },
+    /// Strokes side by side are nearer or farther than stripes of their width can be: the width is kept.
+    Period {
+        /// The marks, the smaller index first; equal where one runs beside itself.
+        marks: [usize; 2],
+        /// px.
+        place: [f64; 2],
+        /// Mean distance drawn, px.
+        drawn: f64,
+        /// Mean period taken, px.
+        taken: f64,
+    },
+}
+
+impl Note {
+    /// The same with its place replaced.
+    pub(super) fn moved(self, to: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
+        match self {
+            Self::Crossing { marks, place, angle } => Self::Crossing { marks, place: to(place), angle },
+            Self::Departure { mark, place, angle, share } => {
+                Self::Departure { mark, place: to(place), angle, share }
+            }
+            Self::Period { marks, place, drawn, taken } => {
+                Self::Period { marks, place: to(place), drawn, taken }
+            }
+        }
+    }
+
+    /// Whether it is about a period.
+    pub(super) fn is_of_period(&self) -> bool {
+        matches!(self, Self::Period { .. })
+    }
+}
+
+/// All notes on a sketch: crossings, departures from the directions of the field (degrees at a point, px), periods, each by
+/// marks.
+pub(super) fn notes(
+    strokes: &[Path],
+    pieces: &[Piece],
+    wanted: &[Wanted],
+    field: &dyn Fn([f64; 2]) -> f64,
+) -> Vec<Note> {
+    let mut notes = crossings(strokes, pieces);
+    notes.extend((0..strokes.len()).filter_map(|stroke| departure(stroke, pieces, field)));
+    notes.extend(periods(strokes.len(), wanted));
+    notes
+}
+
+/// The crossings at which directions disagree.
+fn crossings(strokes: &[Path], pieces: &[Piece]) -> Vec<Note> {
+    let mut found = Vec::new();
+    for (a, stroke) in strokes.iter().enumerate() {
+        let mut note = |marks, place| {
+            let angle = angle_at(pieces, marks, place);
+            if angle >= AGREES {
+                found.push(Note::Crossing { marks, place, angle });
+            }
+        };
+        stroke.crossings().into_iter().for_each(|place| note([a; 2], place));
+        for (b, other) in strokes.iter().enumerate().skip(a + 1) {
+            stroke.crossings_with(other).into_iter().for_each(|place| note([a, b], place));
+        }
+    }
+    found
+}
+
+/// Angle between the pieces nearest to a crossing, degrees; of one stroke, the largest between pieces about it.
+fn angle_at(pieces: &[Piece], marks: [usize; 2], place: [f64; 2]) -> f64 {
+    let distance = |piece: &Piece| {
+        let [x, y] = [piece.middle[0] - place[0], piece.middle[1] - place[1]];
+        (x * x + y * y).sqrt()
+    };
+    let of = |mark: usize| pieces.iter().filter(move |piece| piece.stroke == mark);
+    let nearest = |mark: usize| of(mark).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let Some(first) = nearest(marks[0]) else { return 0.0 };
+    let between = |other: &Piece| turn(degrees(other), degrees(first)).abs();
+    if marks[0] == marks[1] {
+        let about = of(marks[0]).filter(|piece| distance(piece) <= first.length());
+        return about.map(between).fold(0.0, f64::max);
+    }
+    nearest(marks[1]).map_or(0.0, between)
+}
+
+fn degrees(piece: &Piece) -> f64 {
+    0.5 * libm::atan2(piece.direction[1], piece.direction[0]).to_degrees()
+}
+
+/// Where the field departs from a stroke.
+fn departure(stroke: usize, pieces: &[Piece], field: &dyn Fn([f64; 2]) -> f64) -> Option<Note> {
+    let (mut most, mut departing, mut count) = ((0.0, [0.0; 2]), 0.0, 0.0);
+    for piece in pieces.iter().filter(|piece| piece.stroke == stroke) {
+        let angle = turn(field(piece.middle), degrees(piece)).abs();
+        count += 1.0;
+        departing += if angle >= AGREES { 1.0 } else { 0.0 };
+        if angle > most.0 {
+            most = (angle, piece.middle);
+        }
+    }
+    let ((angle, place), share) = (most, departing / count);
+    (share >= DEPARTING).then_some(Note::Departure { mark: stroke, place, angle, share })
+}
+
+/// By pair of strokes, the distances that stripes cannot have.
+fn periods(strokes: usize, wanted: &[Wanted]) -> Vec<Note> {
+    /// Sums over a pair: weight, log distance, log period taken, and the surest place.
+    #[derive(Clone, Copy, Default)]
+    struct Pair {
+        weight: f64,
+        drawn: f64,
+        taken: f64,
+        surest: f64,
+        place: [f64; 2],
+    }
+    let mut pairs = vec![Pair::default(); strokes * strokes];
+    for one in wanted.iter().filter(|one| (one.possible() - one.log_period).abs() > 1e-9) {
+        let [a, b] = one.strokes;
+        let pair = &mut pairs[a.min(b) * strokes + a.max(b)];
+        pair.weight += one.weight;
+        pair.drawn += one.weight * one.log_period;
+        pair.taken += one.weight * one.possible();
+        if one.weight > pair.surest {
+            (pair.surest, pair.place) = (one.weight, one.middle);
+        }
+    }
+    let note = |(index, pair): (usize, &Pair)| {
+        (pair.surest > 0.5).then(|| Note::Period {
+            marks: [index / strokes, index % strokes],
+            place: pair.place,
+            drawn: libm::exp(pair.drawn / pair.weight),
+            taken: libm::exp(pair.taken / pair.weight),
+        })
+    };
+    pairs.iter().enumerate().filter_map(note).collect()
+}

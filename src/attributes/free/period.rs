@@ -1,0 +1,201 @@
+//! The period that strokes want: the distance of those that lie side by side.
+
+use super::pieces::Piece;
+use crate::grid::Bounds;
+use crate::marks::Path;
+
+/// Duty cycles (width ÷ period) that stripes can have.
+pub const DUTIES: [f64; 2] = [0.18, 0.82];
+
+/// The duty cycle of a stroke that stands alone.
+const ALONE: f64 = 0.5;
+
+/// Strokes side by side differ by less than about 20°: the first is sure, the second too much.
+const TURNS: [f64; 2] = [18.0, 24.0];
+
+/// Strokes side by side are up to 6 widths apart: the second is too far.
+const DISTANCES: [f64; 2] = [6.0, 8.0];
+
+/// Strokes side by side lie so over about half of the shorter: the first is too little, the second sure.
+const OVERLAPS: [f64; 2] = [0.3, 0.6];
+
+/// A stroke runs beside itself where the way along it is more than about 2.5 times the distance: the first is too short,
+/// the second sure. Round a closed circle it is π/2.
+const DETOURS: [f64; 2] = [2.0, 3.0];
+
+/// Share of a stroke beside others from which on its distance to them is surely meant.
+const MEANT: f64 = 0.8;
+
+/// A piece is met up to so many half lengths from its middle: on the outside of a bend pieces do not touch.
+const MET: f64 = 1.2;
+
+/// Where a period is wanted, and which: half way between two strokes, or at one that stands alone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wanted {
+    /// px.
+    pub middle: [f64; 2],
+    /// From the middle along the strokes, px.
+    pub half: [f64; 2],
+    /// How surely, 0..1.
+    pub weight: f64,
+    /// How surely the strokes lie beside each other, however far apart, 0..1.
+    pub beside: f64,
+    /// Log of the distance of the strokes, or of the period of one that stands alone, px.
+    pub log_period: f64,
+    /// Mean width of the strokes, px.
+    pub width: f64,
+    /// The strokes; equal of one that stands alone.
+    pub strokes: [usize; 2],
+}
+
+/// The periods wanted by strokes that are cut in `pieces`.
+pub(super) fn wanted_periods(strokes: &[Path], pieces: &[Piece], bounds: &Bounds) -> Vec<Wanted> {
+    let lengths: Vec<f64> = strokes.iter().map(Path::length).collect();
+    let ends = Ends { lengths: &lengths, closed: strokes.iter().map(is_closed).collect() };
+    let mut between = Vec::new();
+    for piece in pieces {
+        for side in [-1.0, 1.0] {
+            beside(piece, side, pieces, bounds, &ends, &mut between);
+        }
+    }
+    // Length of each stroke that lies beside each other one.
+    let count = strokes.len();
+    let mut lying = vec![0.0; count * count];
+    for one in &between {
+        lying[one.strokes[0] * count + one.strokes[1]] += one.beside * one.length();
+    }
+    let mut meant = vec![0.0; count];
+    for one in &mut between {
+        let [a, b] = one.strokes;
+        let share = lying[a * count + b].max(lying[b * count + a]) / lengths[a].min(lengths[b]);
+        one.weight *= 1.0 - falling(share, OVERLAPS);
+        meant[a] += one.weight * one.length() / (MEANT * lengths[a]);
+    }
+    let alone = |piece: &Piece| Wanted {
+        middle: piece.middle,
+        half: piece.half,
+        weight: (1.0 - meant[piece.stroke]).max(0.0),
+        beside: 0.0,
+        log_period: libm::log(piece.width / ALONE),
+        width: piece.width,
+        strokes: [piece.stroke; 2],
+    };
+    let alone = pieces.iter().map(alone);
+    between.into_iter().chain(alone).filter(|wanted| wanted.weight > 0.0).collect()
+}
+
+impl Wanted {
+    /// px.
+    pub fn length(&self) -> f64 {
+        2.0 * (self.half[0] * self.half[0] + self.half[1] * self.half[1]).sqrt()
+    }
+
+    /// The nearest log period that stripes of this width can have.
+    pub fn possible(&self) -> f64 {
+        within_duties(self.log_period, libm::log(self.width))
+    }
+}
+
+/// The log period nearest to this one that stripes of this log width can have.
+pub(super) fn within_duties(log_period: f64, log_width: f64) -> f64 {
+    log_period.clamp(log_width - libm::log(DUTIES[1]), log_width - libm::log(DUTIES[0]))
+}
+
+/// What is known of the ends of the strokes.
+struct Ends<'a> {
+    lengths: &'a [f64],
+    closed: Vec<bool>,
+}
+
+impl Ends<'_> {
+    /// How surely a stroke is met at this distance along it, px: less and less over one width from its ends.
+    fn sureness(&self, stroke: usize, along: f64, width: f64) -> f64 {
+        if self.closed[stroke] {
+            return 1.0;
+        }
+        (along.min(self.lengths[stroke] - along) / width).clamp(0.0, 1.0)
+    }
+}
+
+/// Whether a path ends where it starts.
+fn is_closed(path: &Path) -> bool {
+    match path.points[..] {
+        [first, _, .., last] => {
+            let [x, y] = [first[0] - last[0], first[1] - last[1]];
+            (x * x + y * y).sqrt() < 0.5 * path.width
+        }
+        _ => false,
+    }
+}
+
+/// Adds the strokes that the normal of a piece meets on one side, as far as they run side by side with it and none is
+/// between.
+fn beside(
+    piece: &Piece,
+    side: f64,
+    pieces: &[Piece],
+    bounds: &Bounds,
+    ends: &Ends,
+    between: &mut Vec<Wanted>,
+) {
+    let scale = 2.0 * side / piece.length();
+    let normal = [-scale * piece.half[1], scale * piece.half[0]];
+    let mut met: Vec<(f64, f64, &Piece)> = Vec::new();
+    for it in pieces {
+        let reach = DISTANCES[1] * 0.5 * (piece.width + it.width) + 0.5 * it.length();
+        let way = bounds.shortest([0, 1].map(|axis| it.middle[axis] - piece.middle[axis]));
+        if way[0].abs().max(way[1].abs()) > reach || std::ptr::eq(it, piece) {
+            continue;
+        }
+        if let Some((distance, t)) = meets(way, it.half, normal) {
+            let along = it.along + 0.5 * t * it.length();
+            met.push((distance, ends.sureness(it.stroke, along, it.width), it));
+        }
+    }
+    met.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut left = 1.0;
+    for (distance, sure, it) in met {
+        let beside = left * sure * side_by_side(piece, it, distance);
+        let width = 0.5 * (piece.width + it.width);
+        let weight = beside * falling(distance / width, DISTANCES);
+        if weight > 0.0 {
+            let middle = [0, 1].map(|axis| piece.middle[axis] + 0.5 * distance * normal[axis]);
+            between.push(Wanted {
+                middle: bounds.inside(middle),
+                half: piece.half,
+                weight,
+                beside,
+                log_period: libm::log(distance),
+                width,
+                strokes: [piece.stroke, it.stroke],
+            });
+        }
+        left *= 1.0 - sure;
+    }
+}
+
+/// How surely two pieces at this distance (px) belong to strokes side by side, however far apart, 0..1.
+fn side_by_side(a: &Piece, b: &Piece, distance: f64) -> f64 {
+    let cosine = a.direction[0] * b.direction[0] + a.direction[1] * b.direction[1];
+    let turn = 0.5 * libm::acos(cosine.clamp(-1.0, 1.0)).to_degrees();
+    let detour = if a.stroke == b.stroke { (a.along - b.along).abs() / distance } else { f64::INFINITY };
+    falling(turn, TURNS) * (1.0 - falling(detour, DETOURS))
+}
+
+/// How far along the unit vector `ray` (px), and where on it (−1..1), a piece is met whose middle is at `way`.
+fn meets(way: [f64; 2], half: [f64; 2], ray: [f64; 2]) -> Option<(f64, f64)> {
+    let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
+    let parallel = cross(half, ray);
+    if parallel.abs() <= 1e-12 {
+        return None;
+    }
+    let t = -cross(way, ray) / parallel;
+    let at = [0, 1].map(|axis| way[axis] + t * half[axis]);
+    let distance = at[0] * ray[0] + at[1] * ray[1];
+    (t.abs() <= MET && distance > 1e-6).then_some((distance, t))
+}
+
+/// 1 up to the first value, 0 from the second one on, linear between.
+fn falling(value: f64, [sure, never]: [f64; 2]) -> f64 {
+    ((never - value) / (never - sure)).clamp(0.0, 1.0)
+}

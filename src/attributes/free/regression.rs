@@ -1,0 +1,225 @@
+//! Values anywhere on the canvas from values at scattered places: local linear kernel regression.
+//!
+//! Several bandwidths, from a few neighbours to all of them, are combined with weights that follow from their errors at
+//! places left out (exponentially weighted aggregation: Rigollet and Tsybakov, "Sparse estimation by exponential
+//! weighting", Statistical Science 2012). Unlike a choice of one bandwidth this is continuous in the places and values.
+//! Odd values are given less weight, as in robust locally weighted regression (Cleveland, "Robust locally weighted
+//! regression and smoothing scatterplots", Journal of the American Statistical Association 1979).
+
+use super::kernel::Kernels;
+use super::plane::Plane;
+use crate::grid::{Bounds, Edges};
+
+/// The kernels of the local estimates reach so many marks.
+const NEIGHBOURS: [usize; 4] = [3, 5, 8, 16];
+
+/// Estimates that are combined: a plane fitted in each kernel, a plane fitted to all values, and their mean.
+const COUNT: usize = NEIGHBOURS.len() + 2;
+
+/// Weights of the estimates where their errors are alike: a plane is likelier than a hill.
+const PRIOR: [f64; COUNT] = [1.0, 1.0, 1.0, 1.0, 3.0, 1.0];
+
+/// Weight of all values in a local estimate, for where none that counts is in the kernel.
+const FAR: f64 = 1e-9;
+
+/// Times that robust weights are found from residuals.
+const ROUNDS: usize = 3;
+
+/// Fewer values than this have no odd one among them.
+const FEWEST_WITH_ODD: usize = 5;
+
+/// Residuals of this many times their median absolute value have half the weight.
+const ODD: f64 = 6.0;
+
+/// At most this many values decide between the estimators.
+const MOST_DECISIVE: f64 = 24.0;
+
+/// How values are regressed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Manner {
+    /// Differences below this do not matter.
+    pub floor: f64,
+    /// For how many standard deviations of the places a slope is followed beyond them.
+    pub followed: f64,
+}
+
+/// A value at a place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Observation<const N: usize> {
+    /// px.
+    pub place: [f64; 2],
+    /// What is regressed.
+    pub value: [f64; N],
+    /// 0 and more.
+    pub weight: f64,
+    /// The marks that it was found from; equal of a single one.
+    pub marks: [usize; 2],
+}
+
+/// Estimates of a value anywhere.
+#[derive(Clone, Debug)]
+pub(super) struct Regression<const N: usize> {
+    bounds: Bounds,
+    /// Centres of the marks, whose distances set the bandwidths.
+    centers: Vec<[f64; 2]>,
+    observations: Vec<Observation<N>>,
+    /// Robust weights of the observations, 0..1.
+    robust: Vec<f64>,
+    /// Weights of the estimates, sum 1.
+    shares: [f64; COUNT],
+    /// See [`Manner`].
+    followed: f64,
+    /// All values, about the corner of the canvas.
+    whole: Plane<N>,
+}
+
+impl<const N: usize> Regression<N> {
+    /// The regression of `observations`.
+    pub fn new(
+        bounds: Bounds,
+        centers: &[[f64; 2]],
+        observations: Vec<Observation<N>>,
+        Manner { floor, followed }: Manner,
+    ) -> Self {
+        let robust = vec![1.0; observations.len()];
+        let shares = [1.0 / COUNT as f64; COUNT];
+        let (centers, whole) = (centers.to_vec(), Plane::default());
+        let mut regression = Self { bounds, centers, observations, robust, shares, followed, whole };
+        for round in 0..=ROUNDS {
+            regression.whole = regression.whole_without(&[]);
+            let errors = regression.errors_left_out();
+            regression.shares = regression.shares_from(&errors, floor);
+            if round < ROUNDS && regression.observations.len() >= FEWEST_WITH_ODD {
+                regression.robust = regression.robust_from(&errors, floor);
+            }
+        }
+        regression
+    }
+
+    /// The estimate at a point, px.
+    pub fn at(&self, point: [f64; 2]) -> [f64; N] {
+        combined(&self.estimates(point, &self.whole, &[]), &self.shares)
+    }
+
+    /// The observations with their robust weights, 0..1.
+    pub fn observations(&self) -> impl Iterator<Item = (&Observation<N>, f64)> {
+        self.observations.iter().zip(self.robust.iter().copied())
+    }
+
+    /// The error of every estimator at each observation, had its marks not been drawn.
+    fn errors_left_out(&self) -> Vec<[[f64; N]; COUNT]> {
+        let error = |one: &Observation<N>| {
+            let without = self.whole_without(&one.marks);
+            // No other mark: the value does not vary.
+            let whole = if without.is_empty() { &self.whole } else { &without };
+            self.estimates(one.place, whole, &one.marks).map(|estimate| minus(estimate, one.value))
+        };
+        self.observations.iter().map(error).collect()
+    }
+
+    /// Weights of the estimators from their errors.
+    fn shares_from(&self, errors: &[[[f64; N]; COUNT]], floor: f64) -> [f64; COUNT] {
+        let mut squares = [0.0; COUNT];
+        let mut total = 0.0;
+        for ((one, robust), errors) in self.observations().zip(errors) {
+            let weight = one.weight * robust;
+            total += weight;
+            for (sum, error) in squares.iter_mut().zip(errors) {
+                *sum += weight * squared(error);
+            }
+        }
+        let power = 0.5 * total.min(MOST_DECISIVE);
+        let mut logs = [0.0; COUNT];
+        for ((log, sum), prior) in logs.iter_mut().zip(squares).zip(&PRIOR) {
+            let mean = if total > 0.0 { sum / total } else { 0.0 };
+            *log = libm::log(*prior) - power * libm::log(mean + floor * floor);
+        }
+        let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let weights = logs.map(|log| libm::exp(log - most));
+        let sum: f64 = weights.iter().sum();
+        weights.map(|weight| weight / sum)
+    }
+
+    /// Robust weights from the errors of the combined estimate.
+    fn robust_from(&self, errors: &[[[f64; N]; COUNT]], floor: f64) -> Vec<f64> {
+        let sizes: Vec<f64> =
+            errors.iter().map(|errors| squared(&combined(errors, &self.shares)).sqrt()).collect();
+        let weights = self.observations.iter().map(|one| one.weight);
+        let middle = weighted_median(sizes.iter().copied().zip(weights)).max(floor);
+        sizes.iter().map(|size| 1.0 / (1.0 + (size / (ODD * middle)).powi(4))).collect()
+    }
+
+    /// All values but those that were found from the marks `left_out`, about the corner of the canvas.
+    fn whole_without(&self, left_out: &[usize]) -> Plane<N> {
+        let mut whole = Plane::default();
+        for (one, robust) in self.observations() {
+            if !one.marks.iter().any(|mark| left_out.contains(mark)) {
+                whole.add(one.place, one.weight * robust, &one.value);
+            }
+        }
+        whole
+    }
+
+    /// All estimates at a point, px, from the values of `whole`, those without the marks `left_out`.
+    fn estimates(&self, point: [f64; 2], whole: &Plane<N>, left_out: &[usize]) -> [[f64; N]; COUNT] {
+        let stays = |mark: usize| !left_out.contains(&mark);
+        let kept = self.centers.iter().enumerate().filter(|(mark, _)| stays(*mark));
+        let kernels = Kernels::new(self.bounds, point, kept.map(|(_, center)| *center), &NEIGHBOURS);
+        let mean = whole.mean();
+        let mut planes = [Plane::<N>::default(); COUNT];
+        planes.iter_mut().for_each(|plane| plane.add([0.0; 2], FAR * whole.weight(), &mean));
+        for (one, robust) in self.observations() {
+            if one.marks.iter().all(|mark| stays(*mark)) {
+                kernels.each(one.place, |index, way, weight| {
+                    planes[index].add(way, weight * one.weight * robust, &one.value);
+                });
+            }
+        }
+        let mut estimates = planes.map(|plane| plane.at_origin(self.followed));
+        if self.bounds.edges == Edges::Closed {
+            estimates[COUNT - 2] = whole.about(point).at_origin(self.followed);
+        }
+        estimates
+    }
+}
+
+fn combined<const N: usize>(estimates: &[[f64; N]; COUNT], shares: &[f64; COUNT]) -> [f64; N] {
+    let mut sum = [0.0; N];
+    for (estimate, share) in estimates.iter().zip(shares) {
+        for (sum, value) in sum.iter_mut().zip(estimate) {
+            *sum += share * value;
+        }
+    }
+    sum
+}
+
+fn minus<const N: usize>(mut a: [f64; N], b: [f64; N]) -> [f64; N] {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a -= b;
+    }
+    a
+}
+
+fn squared<const N: usize>(values: &[f64; N]) -> f64 {
+    values.iter().map(|value| value * value).sum()
+}
+
+/// Median of values under weights, linear between them so that it is continuous; 0 of none.
+fn weighted_median(values: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let mut sorted: Vec<(f64, f64)> = values.filter(|(_, weight)| *weight > 0.0).collect();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let half = 0.5 * sorted.iter().map(|(_, weight)| weight).sum::<f64>();
+    let mut before: Option<(f64, f64)> = None;
+    let mut sum = 0.0;
+    for (value, weight) in sorted {
+        let at = sum + 0.5 * weight;
+        if at >= half {
+            return before.map_or(value, |(value_before, at_before)| {
+                value_before + (value - value_before) * (half - at_before) / (at - at_before)
+            });
+        }
+        sum += weight;
+        before = Some((value, at));
+    }
+    before.map_or(0.0, |(value, _)| value)
+}

@@ -1,0 +1,67 @@
+//! Levels of single spots: the last per cents of the area of each drawn spot come from the level of its own edge.
+//!
+//! ```text
+//! ln f(x) = Σₖ wₖ ln fₖ ÷ (w₀ + Σₖ wₖ),  wₖ = exp(−2 qₖ²)
+//! ```
+//!
+//! qₖ is the distance from the centre of grown spot k ÷ its radius in that direction: 1 at its edge. fₖ is 1 for spots that
+//! were not drawn.
+
+use crate::grid::{Domain, Grid};
+use crate::measure::Spot;
+
+/// w₀: from twice the radius on a spot's own factor fades.
+const GROUND: f64 = 3.4e-4;
+/// Beyond so many radii a spot has no weight.
+const REACH: f64 = 3.0;
+
+/// Factors of the level at every cell of `grid`, whose size is that of the canvas in px, from the spots with their own
+/// factor.
+#[must_use]
+pub fn own_levels(grid: &Grid, spots: &[(&Spot, f64)]) -> Vec<f64> {
+    let mut sums = vec![(GROUND, 0.0); grid.cells()];
+    let px = grid.px_a_cell();
+    for (spot, factor) in spots {
+        let [a, b] = spot.ellipse.radii;
+        let angle = spot.ellipse.angle.to_radians();
+        let (s, c) = (libm::sin(angle), libm::cos(angle));
+        let at = grid.to_cells(spot.ellipse.center);
+        for (cell, way) in grid.near(at, REACH * a.max(b) / px + 1.0, 0..grid.cells()) {
+            let [x, y] = [0, 1].map(|axis| way[axis] * grid.cell[axis]);
+            let (along, across) = ((x * c + y * s) / a, (y * c - x * s) / b);
+            let q2 = along * along + across * across;
+            if q2 < REACH * REACH {
+                let weight = libm::exp(-2.0 * q2);
+                sums[cell].0 += weight;
+                sums[cell].1 += weight * libm::log(*factor);
+            }
+        }
+    }
+    sums.into_iter().map(|(weight, sum)| libm::exp(sum / weight)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Edges;
+    use crate::marks::Ellipse;
+
+    #[test]
+    fn a_spot_has_its_own_level_up_to_its_edge_and_another_keeps_its_own() {
+        let grid = Grid { size: [60, 40], cell: [2.0, 2.0], edges: Edges::Closed };
+        let spot = |x: f64| Spot {
+            ellipse: Ellipse::from_area([x, 40.0], 314.0, 1.0, 0.0),
+            whole: true,
+            endless: false,
+            contour: 0.0,
+            fill: 1.0,
+            peak: 1.0,
+        };
+        let (one, other) = (spot(31.0), spot(71.0));
+        let levels = own_levels(&grid, &[(&one, 1.2), (&other, 1.0)]);
+        let at = |x: usize| levels[20 * 60 + x];
+        assert!((at(15) - 1.2).abs() < 1e-3 && (at(19) - 1.2).abs() < 0.01, "{} {}", at(15), at(19));
+        assert!((at(35) - 1.0).abs() < 1e-6 && (at(31) - 1.0).abs() < 0.01, "{} {}", at(35), at(31));
+        assert!((at(55) - 1.0).abs() < 1e-3);
+    }
+}

@@ -1,0 +1,120 @@
+//! Drawn spots grow as large, long and turned as they were drawn: what each differs by is subtracted from its own
+//! parameters, and the pattern goes on growing from where it is. Those that are not there begin again, with parameters that
+//! suit their place better.
+//!
+//! A correction takes little time beside the growth: the pattern has settled, and only the spots that differ change.
+
+use crate::attributes::regions::RegionGrid;
+use crate::marks::Ellipse;
+use crate::measure::Spot;
+use crate::synth::plan::laid_out::Plan;
+use crate::synth::plan::lattice::NodeOffset;
+use crate::synth::plan::pinned_marks::{PinnedMark, displacement, visible_center};
+
+/// A grown spot belongs to a drawn one within this share of its radius √(r₁r₂).
+pub const THERE: f64 = 0.5;
+/// The share of a difference that is corrected at once.
+const GAIN: f64 = 0.8;
+/// Differences that are not corrected: of ln area, and of −ln aspect · (cos 2θ, sin 2θ).
+const TOLERATED: [f64; 2] = [0.03, 0.025];
+/// The largest corrections: of ln rate, of either part of the shape, of ln ratio.
+const MOST: NodeOffset = [1.2, 0.6, 0.6, 0.7];
+
+/// The grown spot at the place of each pinned one: the nearest within half its radius that is nearest to no other.
+#[must_use]
+pub fn matched<'a>(pinned: &[PinnedMark], layout: &RegionGrid, spots: &'a [Spot]) -> Vec<Option<&'a Spot>> {
+    let off = |mark: &PinnedMark, spot: &Spot| {
+        let [x, y] = displacement(spot.ellipse.center, visible_center(&mark.drawn, layout), layout);
+        (x * x + y * y).sqrt() / mark.radius()
+    };
+    let mut owner: Vec<Option<(usize, f64)>> = vec![None; spots.len()];
+    let mut found = vec![None; pinned.len()];
+    for (index, mark) in pinned.iter().enumerate() {
+        let near = spots.iter().enumerate().map(|(spot, one)| (spot, off(mark, one)));
+        let Some((spot, off)) = near.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|near| near.1 <= THERE) else {
+            continue;
+        };
+        if let Some((other, nearer)) = owner[spot] {
+            if nearer <= off {
+                continue;
+            }
+            found[other] = None;
+        }
+        owner[spot] = Some((index, off));
+        found[index] = Some(&spots[spot]);
+    }
+    found
+}
+
+/// What is done about the pinned spots that grew otherwise than they were drawn.
+#[derive(Clone, Debug, Default)]
+pub struct PinnedCorrection {
+    /// What is added to the correction of each.
+    added: Vec<NodeOffset>,
+    /// Those that have vanished, moved away or split, and so begin again.
+    pub lost: Vec<usize>,
+    /// Does one differ by more than is tolerated?
+    pub needed: bool,
+}
+
+impl PinnedCorrection {
+    /// Compares the pinned spots of `plan` with the `grown` ones.
+    #[must_use]
+    pub fn new(plan: &Plan, grown: &[Spot]) -> Self {
+        let layout = plan.lookup.map.layout();
+        let pinned = plan.pinned_spots();
+        let mut correction = Self::default();
+        for (index, (mark, spot)) in pinned.iter().zip(matched(pinned, layout, grown)).enumerate() {
+            let added = match spot {
+                // A spot that the border cuts has no shape that could be measured.
+                Some(spot) if spot.whole => difference(&mark.drawn, &spot.ellipse),
+                Some(_) => NodeOffset::default(),
+                None => {
+                    correction.lost.push(index);
+                    if is_split(mark, layout, grown) { SPLIT } else { CROWDED }
+                }
+            };
+            let differs = added[0].abs() > TOLERATED[0] || added[1].hypot(added[2]) > TOLERATED[1];
+            correction.needed |= differs || spot.is_none();
+            correction.added.push(if spot.is_some() { added.map(|part| GAIN * part) } else { added });
+        }
+        correction
+    }
+
+    /// Corrects the pinned spots of `plan`.
+    pub fn apply(&self, plan: &mut Plan) {
+        for (mark, added) in plan.pinned_spots_mut().iter_mut().zip(&self.added) {
+            for (part, added) in added.iter().enumerate() {
+                mark.correction[part] = (mark.correction[part] + added).clamp(-MOST[part], MOST[part]);
+            }
+        }
+    }
+}
+
+/// The change for a spot that split in two, and for one that its neighbours pushed away or killed: with a larger ratio spots
+/// do not split, with a smaller one they take less room. The rate keeps the area, or lets it shrink so far that the level can
+/// make up for it.
+const SPLIT: NodeOffset = [-0.3, 0.0, 0.0, 0.35];
+/// See [`SPLIT`].
+const CROWDED: NodeOffset = [0.45, 0.0, 0.0, -0.2];
+/// Two spots within so many radii of a place where none is are the halves of one.
+const HALVES: f64 = 1.6;
+
+/// Whether a mark that is not there has split in two.
+fn is_split(mark: &PinnedMark, layout: &RegionGrid, grown: &[Spot]) -> bool {
+    let near = |spot: &&Spot| {
+        let [x, y] = displacement(spot.ellipse.center, visible_center(&mark.drawn, layout), layout);
+        (x * x + y * y).sqrt() < HALVES * mark.radius()
+    };
+    grown.iter().filter(near).count() >= 2
+}
+
+/// The change of the parameters that takes a spot that `got` this shape to the one `drawn`.
+fn difference(drawn: &Ellipse, got: &Ellipse) -> NodeOffset {
+    let shape = |ellipse: &Ellipse| {
+        let (long, double) = (-libm::log(ellipse.aspect()), (2.0 * ellipse.major_angle()).to_radians());
+        [long * libm::cos(double), long * libm::sin(double)]
+    };
+    let [[c, s], [got_c, got_s]] = [shape(drawn), shape(got)];
+    [libm::log(got.area() / drawn.area()), c - got_c, s - got_s, 0.0]
+}

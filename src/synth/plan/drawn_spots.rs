@@ -1,0 +1,74 @@
+//! The parameters that grow each drawn spot with the size, shape and direction that it was drawn with.
+//!
+//! ```text
+//!  drawn ellipse ─▶ the room that its drawn neighbours leave ─▶ attributes of its own ─▶ parameters of its own
+//! ```
+
+use crate::attributes::{Attributes, Spots};
+use crate::grid::Bounds;
+use crate::marks::Ellipse;
+use crate::synth::plan::error::PlanError;
+use crate::synth::plan::lattice::Node;
+use crate::synth::plan::layer_lookup::Lookup;
+use crate::synth::plan::lookup::Ask;
+use crate::synth::plan::offset::Offset;
+
+/// A spot as it was drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawnSpot {
+    /// Its index among the marks of its layer.
+    pub mark: usize,
+    /// As it was drawn, on the canvas that is grown, px.
+    pub ellipse: Ellipse,
+    /// The parameters that grow it.
+    pub own: Node,
+}
+
+/// The largest area ÷ spacing² for which spots are looked up: denser ones merge.
+const DENSEST: f64 = 0.3;
+/// Distance to the nearest drawn neighbour × this is the spacing that a spot is looked up with, where that is less than the
+/// spacing of its surroundings: the other neighbours stand farther off.
+const NEAREST: f64 = 1.2;
+
+/// The drawn spots of a layer, looked up one by one; `offset` is subtracted from the questions.
+pub(super) fn drawn_spots(
+    lookup: &Lookup,
+    ellipses: &[(usize, Ellipse)],
+    offset: &dyn Fn([f64; 2]) -> Offset,
+    ask: Ask,
+) -> Result<Vec<DrawnSpot>, PlanError> {
+    let bounds = lookup.map.layout().bounds();
+    let drawn = |(index, (mark, ellipse)): (usize, &(usize, Ellipse))| {
+        let others =
+            ellipses.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, other)| other.1);
+        let wanted = own_attributes(lookup.spots_at(ellipse.center), ellipse, room(ellipse, others, &bounds));
+        let asked = offset(ellipse.center).applied(-1.0, &Attributes::Spots(wanted));
+        let own = Node::from_answer(&ask(&asked, lookup.px_a_cell())?);
+        Ok(DrawnSpot { mark: *mark, ellipse: *ellipse, own })
+    };
+    ellipses.iter().enumerate().map(drawn).collect()
+}
+
+/// What is asked for a drawn spot among spots as `around`: as dense as these, or as its `room`, px, demands.
+fn own_attributes(around: Spots, ellipse: &Ellipse, room: f64) -> Spots {
+    let area = ellipse.area();
+    let usual = around.spacing.map_or(f64::INFINITY, |spacing| spacing * (area / around.area).sqrt());
+    let spacing = usual.min(NEAREST * room).max((area / DENSEST).sqrt());
+    Spots {
+        area,
+        aspect: ellipse.aspect(),
+        angle: ellipse.major_angle(),
+        spacing: Some(spacing).filter(|spacing| spacing.is_finite()),
+    }
+}
+
+/// The distance to the nearest of the `others`, px, as it would be if that had the spot's own size; infinite without any.
+fn room(ellipse: &Ellipse, others: impl Iterator<Item = Ellipse>, bounds: &Bounds) -> f64 {
+    let radius = |ellipse: &Ellipse| (ellipse.radii[0] * ellipse.radii[1]).sqrt();
+    let own = radius(ellipse);
+    let distance = |other: Ellipse| {
+        let [x, y] = bounds.shortest([0, 1].map(|axis| other.center[axis] - ellipse.center[axis]));
+        (x * x + y * y).sqrt() * 2.0 * own / (own + radius(&other))
+    };
+    others.map(distance).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,127 @@
+//! What became of each drawn mark.
+
+use serde::Serialize;
+
+use crate::attributes::{Attributes, Spots};
+use crate::grid::Field;
+use crate::marks::Ellipse;
+use crate::rd::Hindrance;
+use crate::synth::grow::layer::GrownLayer;
+use crate::synth::grow::pinned_correction::matched;
+use crate::synth::plan::pinned_marks::{displacement, visible_center};
+use crate::synth::report::pinned::{COVERED, covered};
+
+/// What became of a drawn mark that was to be among those that grow.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DrawnMark {
+    /// Its index among the strokes of the layer.
+    pub mark: usize,
+    /// Whether it grew: a spot of its own within half its radius √(r₁r₂), a line of which nine tenths lie in stripes.
+    pub there: bool,
+    /// How far it is from its place, ÷ its radius; of a line the share that lies in no stripe. `None` of a spot that did not
+    /// grow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub off: Option<f64>,
+    /// What was drawn, of a spot.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub asked: Option<Attributes>,
+    /// What grew, of a spot that is whole.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub got: Option<Attributes>,
+    /// Why it is not there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<&'static str>,
+    /// Where it was drawn, px.
+    #[serde(skip)]
+    pub place: [f64; 2],
+}
+
+/// What became of each drawn mark of a layer, in the order in which they were drawn; `pattern` gives its pattern. Empty
+/// where none was to be among those that grow.
+#[must_use]
+pub fn drawn_marks(layer: &GrownLayer, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
+    let mut marks = if layer.plan.pinned_lines().is_empty() { spots(layer) } else { lines(layer, pattern) };
+    marks.sort_by_key(|mark| mark.mark);
+    marks
+}
+
+fn spots(layer: &GrownLayer) -> Vec<DrawnMark> {
+    let (plan, layout) = (&layer.plan, layer.plan.lookup.map.layout());
+    let own = matched(plan.pinned_spots(), layout, layer.measured.spots());
+    let pinned = plan.pinned_spots().iter().zip(own).map(|(pinned, spot)| {
+        let off = spot.map(|spot| {
+            let [x, y] = displacement(spot.ellipse.center, visible_center(&pinned.drawn, layout), layout);
+            (x * x + y * y).sqrt() / pinned.radius()
+        });
+        DrawnMark {
+            mark: pinned.mark,
+            there: spot.is_some(),
+            off,
+            asked: Some(attributes(&pinned.drawn)),
+            got: spot.filter(|spot| spot.whole).map(|spot| attributes(&spot.ellipse)),
+            reason: spot.is_none().then_some("its neighbours leave too little room for it"),
+            place: pinned.drawn.center,
+        }
+    });
+    let left_out = plan.left_out().iter().map(|left_out| DrawnMark {
+        mark: left_out.mark,
+        there: false,
+        off: None,
+        asked: Some(attributes(&left_out.drawn)),
+        got: None,
+        reason: Some(match left_out.reason {
+            Hindrance::Neighbour => "closer to another drawn mark than such spots can be",
+            Hindrance::Obstacle => "on a mark of a layer beneath, or too close to one",
+        }),
+        place: left_out.drawn.center,
+    });
+    pinned.chain(left_out).collect()
+}
+
+fn lines(layer: &GrownLayer, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
+    let (plan, layout) = (&layer.plan, layer.plan.lookup.map.layout());
+    let lines = plan.pinned_lines();
+    let covered = covered(lines, layout, &pattern());
+    let mark = |(mark, (line, covered)): (usize, (&crate::marks::Path, f64))| DrawnMark {
+        mark,
+        there: covered >= COVERED,
+        off: Some(1.0 - covered),
+        asked: None,
+        got: None,
+        reason: (covered < COVERED)
+            .then_some("closer to others than the period of the stripes, or oblique to them"),
+        place: line.center(),
+    };
+    lines.iter().zip(covered).enumerate().map(mark).collect()
+}
+
+fn attributes(ellipse: &Ellipse) -> Attributes {
+    Attributes::Spots(Spots {
+        area: ellipse.area(),
+        aspect: ellipse.aspect(),
+        angle: ellipse.major_angle(),
+        spacing: None,
+    })
+}
+
+/// Marks that a note names at most.
+const NAMED: usize = 8;
+
+/// A note that names the marks that are not there, with their places; `None` where all are. `lines` = they are lines.
+#[must_use]
+pub fn note(marks: &[DrawnMark], lines: bool) -> Option<String> {
+    let missing: Vec<&DrawnMark> = marks.iter().filter(|mark| !mark.there).collect();
+    if missing.is_empty() {
+        return None;
+    }
+    let named = missing.iter().take(NAMED).map(|mark| {
+        let [x, y] = mark.place;
+        format!("at ({x:.0}, {y:.0}): {}", mark.reason.unwrap_or_default())
+    });
+    let more = missing.len().saturating_sub(NAMED);
+    let more = if more > 0 { format!("; and {more} more") } else { String::new() };
+    let kind = if lines { "lines" } else { "marks" };
+    let what = if lines { "lie partly outside of stripes" } else { "did not grow" };
+    let named: Vec<String> = named.collect();
+    Some(format!("{} of {} drawn {kind} {what}: {}{more}", missing.len(), marks.len(), named.join("; ")))
+}

@@ -1,0 +1,119 @@
+//! Free marks: what was drawn grows where it was drawn, and goes on between and beyond the marks.
+
+use dapple::document::{Document, Layer, Stroke};
+use dapple::internals::attributes::Attributes;
+use dapple::internals::marks::turn;
+use dapple::internals::measure::Directions;
+use dapple::internals::synth::report::{DrawnMark, report};
+use dapple::internals::synth::{GrowError, Grown, Options, grow};
+
+fn free(strokes: Vec<Stroke>) -> Document {
+    let layers = vec![Layer { strokes, ..Layer::default() }];
+    let document = Document { size: [512, 512], layers, ..Document::default() };
+    assert_eq!(document.regions, None);
+    document
+}
+
+fn grown(strokes: Vec<Stroke>) -> (Grown, Vec<DrawnMark>) {
+    let document = free(strokes);
+    let grown = grow(&document, &Options::default()).unwrap();
+    let drawn = report(&document, "free", &grown, 0.0).layers.remove(0).drawn;
+    (grown, drawn)
+}
+
+/// Every mark is there, at most `off` of its radius from its place, with its area and aspect to these shares.
+fn assert_there(marks: &[DrawnMark], count: usize, off: f64, area: f64, aspect: f64) {
+    assert_eq!(marks.len(), count);
+    for mark in marks {
+        assert!(mark.there && mark.off.is_some_and(|found| found <= off), "{mark:?}");
+        if let (Some(Attributes::Spots(asked)), Some(Attributes::Spots(got))) = (mark.asked, mark.got) {
+            assert!((got.area / asked.area - 1.0).abs() < area, "{mark:?}");
+            assert!((got.aspect - asked.aspect).abs() < aspect, "{mark:?}");
+            if asked.aspect < 0.8 {
+                assert!(turn(got.angle, asked.angle).abs() < 8.0, "{mark:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn each_ellipse_of_an_array_is_there_with_its_size_and_shape() {
+    let place = |k: usize| [96.0 + 80.0 * (k % 5) as f64, 96.0 + 80.0 * (k / 5) as f64];
+    let (_, marks) = grown((0..25).map(|k| Stroke::ellipse(place(k), [14.0, 10.0], 30.0)).collect());
+    assert_there(&marks, 25, 0.2, 0.05, 0.05);
+}
+
+#[test]
+fn ellipses_in_a_ring_keep_their_places_and_the_others_follow_the_ring() {
+    let ellipse = |k: usize| {
+        let angle = std::f64::consts::TAU * k as f64 / 12.0;
+        let center = [256.0 + 120.0 * angle.cos(), 256.0 + 120.0 * angle.sin()];
+        Stroke::ellipse(center, [16.0, 8.0], angle.to_degrees() + 90.0)
+    };
+    let (grown, marks) = grown((0..12).map(ellipse).collect());
+    assert_there(&marks, 12, 0.2, 0.05, 0.05);
+    // Outside of the ring, where it is still near, the spots lie along circles.
+    let spots = grown.layers[0].measured.spots().iter().filter(|spot| spot.whole);
+    let ring = spots.filter(|spot| {
+        let [x, y] = [0, 1].map(|axis| spot.ellipse.center[axis] - 256.0);
+        (140.0..190.0).contains(&x.hypot(y))
+    });
+    let off: Vec<f64> = ring
+        .map(|spot| {
+            let [x, y] = [0, 1].map(|axis| spot.ellipse.center[axis] - 256.0);
+            turn(spot.ellipse.major_angle(), y.atan2(x).to_degrees() + 90.0).abs()
+        })
+        .collect();
+    let mean = off.iter().sum::<f64>() / off.len() as f64;
+    assert!(off.len() > 8 && mean < 10.0, "{} spots, {mean}° off", off.len());
+}
+
+#[test]
+fn marks_of_very_different_sizes_keep_their_sizes() {
+    let sizes = [4.5, 6.0, 9.0, 14.0, 20.0, 11.0, 5.5, 16.0, 7.0];
+    let place = |k: usize| [100.0 + 156.0 * (k % 3) as f64, 100.0 + 156.0 * (k / 3) as f64];
+    let ellipse = |(k, r): (usize, &f64)| Stroke::ellipse(place(k), [*r, 0.8 * r], 20.0 * k as f64);
+    let (_, marks) = grown(sizes.iter().enumerate().map(ellipse).collect());
+    assert_there(&marks, 9, 0.2, 0.2, 0.12);
+}
+
+#[test]
+fn stripes_follow_a_drawn_arc_along_its_whole_length() {
+    let point = |r: f64, k: usize| {
+        let angle = (200.0 + 140.0 * k as f64 / 32.0).to_radians();
+        [256.0 + r * angle.cos(), 460.0 + r * angle.sin()]
+    };
+    let arcs = [150.0, 250.0, 350.0];
+    let (grown, _) =
+        grown(arcs.iter().map(|r| Stroke::path((0..=32).map(|k| point(*r, k)), 10.0)).collect());
+    let pattern = grown.layers[0].pattern().field(256, 256);
+    let directions = Directions::measure(&pattern, 20.0);
+    let places: Vec<(usize, [f64; 2])> = directions.at_centers(|place| {
+        let [x, y] = [place[0] - 256.0, place[1] - 460.0];
+        let near = arcs.iter().any(|r| (x.hypot(y) - r).abs() < 10.0 && y < -0.35 * r);
+        let double = 2.0 * (y.atan2(x) + std::f64::consts::FRAC_PI_2);
+        (usize::from(!near), [double.cos(), double.sin()])
+    });
+    let found = directions.deviations(&places, 2)[0].expect("there are stripes on the arcs");
+    assert!(found.mean.abs() < 3.0 && found.rms < 12.0, "{} {}", found.mean, found.rms);
+}
+
+#[test]
+fn stripes_keep_the_distance_of_lines_drawn_side_by_side() {
+    let line = |k: usize| Stroke::line([120.0, 180.0 + 26.0 * k as f64], [390.0, 180.0 + 26.0 * k as f64], 8.0);
+    let (grown, marks) = grown((0..5).map(line).collect());
+    assert!(marks.iter().all(|mark| mark.there), "{marks:?}");
+    let Some(Attributes::Stripes(got)) = grown.layers[0].measured.got(0) else { panic!("stripes grew") };
+    let wavelength = got.wavelength.expect("a distance was drawn");
+    assert!((wavelength / 26.0 - 1.0).abs() < 0.08 && (got.width / 8.0 - 1.0).abs() < 0.05, "{got:?}");
+}
+
+#[test]
+fn a_result_without_marks_or_without_ground_is_an_error() {
+    let document = free(vec![Stroke::ellipse([256.0, 256.0], [20_000.0, 20_000.0], 0.0)]);
+    match grow(&document, &Options::default()) {
+        Err(GrowError::Blank { layer: 1, .. } | GrowError::Document(_)) => {}
+        Err(other) => panic!("{other}"),
+        Ok(_) => panic!("a mark forty times as large as the canvas cannot be grown"),
+    }
+}
