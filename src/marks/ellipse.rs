@@ -34,6 +34,14 @@ impl Ellipse {
         r.min(q) / r.max(q)
     }
 
+    /// Half the width and half the height of its bounding box, px.
+    #[must_use]
+    pub fn half_extents(&self) -> [f64; 2] {
+        let (s, c) = libm::sincos(self.angle.to_radians());
+        let [r, q] = self.radii;
+        [libm::hypot(r * c, q * s), libm::hypot(r * s, q * c)]
+    }
+
     /// Direction of the major axis, degrees in [0, 180).
     #[must_use]
     pub fn major_angle(&self) -> f64 {

@@ -101,7 +101,7 @@ struct Neighbours {
 /// By region, the edges that have a weight. Its s is the spacing wanted at the midpoint; where that is free, the median
 /// distance of the layer's spots to their nearest.
 fn neighbours(spots: &[Spot], target: &Target) -> Vec<Vec<Neighbours>> {
-    let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
+    let centers: Vec<[f64; 2]> = spots.iter().map(|spot| mirrored_center(spot, &target.bounds)).collect();
     let tile = (target.bounds.edges == Edges::Wrap).then_some(target.bounds.size);
     let edges = edges(&centers, tile);
     let usual = median(nearest(&edges, centers.len())).unwrap_or(f64::INFINITY);
@@ -117,6 +117,29 @@ fn neighbours(spots: &[Spot], target: &Target) -> Vec<Vec<Neighbours>> {
     }
     found
 }
+
+/// The centre of a spot together with its mirror image beyond a closed edge that cuts it: on that edge. There is no flux
+/// through the edge, so that the pattern goes on beyond it as in a mirror.
+fn mirrored_center(spot: &Spot, bounds: &Bounds) -> [f64; 2] {
+    let center = spot.ellipse.center;
+    if spot.whole || bounds.edges == Edges::Wrap {
+        return center;
+    }
+    let reach = spot.ellipse.half_extents();
+    [0, 1].map(|axis| {
+        let side = bounds.size[axis];
+        let touches = |distance: f64| distance < TOUCHING * reach[axis];
+        match (touches(center[axis]), touches(side - center[axis])) {
+            (true, false) => 0.0,
+            (false, true) => side,
+            _ => center[axis],
+        }
+    })
+}
+
+/// An edge cuts a spot whose visible part has its centre within so many of its half extents: half of an ellipse has it within
+/// 0.8, a whole one at 1.
+const TOUCHING: f64 = 1.0;
 
 /// Rings of points in the circle between the ends of an edge that are tested for a mark of another layer.
 const RINGS: usize = 4;

@@ -8,9 +8,9 @@ const STEP: f64 = 4.0;
 
 /// The level between the two phases of a picture, in the middle of the tones that few px have.
 ///
-/// Otsu's threshold separates the phases. The range between their medians is cut into equal parts. A part with fewer px than
-/// those next to it, with those around it that have up to [`STEP`] times as many, is a step of tones: where they change fast
-/// from ground to mark few px have them, so that is where the edges are. The level is the middle of the longest step. Half way
+/// Otsu's threshold separates the phases. The range between their medians is cut into equal parts. A sparse part, with those
+/// around it that have from as many px to [`STEP`] times as many, is a step of tones: where they change fast from ground to mark
+/// few px have them, so that is where the edges are. The level is the middle of the longest step. Half way
 /// between the medians, edges are off where colours change over more tones on one side of the edge than on the other. On a
 /// picture of two tones it is half of the contrast.
 ///
@@ -78,15 +78,12 @@ fn step(counts: &[u64], low: f64, high: f64) -> f64 {
     let width = (high - low) / PARTS as f64;
     let from = |part: usize| low + part as f64 * width;
     let px: Vec<f64> = (0..PARTS).map(|part| below(from(part + 1)) - below(from(part))).collect();
-    let lowest = |part: &usize| {
-        let near = [part.checked_sub(1), Some(part + 1)].into_iter().flatten();
-        near.filter_map(|near| px.get(near)).all(|near| px[*part] <= *near)
-    };
-    let steps = (0..PARTS).filter(lowest).map(|least| {
+    let steps = (0..PARTS).filter_map(|least| {
         let few = |part: &usize| px[*part] <= STEP * px[least];
         let first = (0..least).rev().take_while(few).last().unwrap_or(least);
         let last = (least + 1..PARTS).take_while(few).last().unwrap_or(least);
-        (last - first, 0.5 * (from(first) + from(last + 1)))
+        let sparsest = px[first..=last].iter().all(|near| px[least] <= *near);
+        sparsest.then(|| (last - first, 0.5 * (from(first) + from(last + 1))))
     });
     // Of several of the same length the first.
     steps.rev().max_by_key(|(length, _)| *length).map_or(0.5 * (low + high), |(_, middle)| middle)

@@ -148,12 +148,6 @@ fn tones(image: DynamicImage, gradient: Option<&Gradient>) -> Result<Tones, f32>
         let level = if low < EDGE && high > EDGE { EDGE } else { level_between_phases(&field.values) };
         return Ok(Tones { field, level });
     }
-    if let DynamicImage::ImageLuma8(gray) = image {
-        let field = field(gray.into_raw().into_iter().map(|value| f32::from(value) / 255.0).collect());
-        span(&field)?;
-        let level = level_between_phases(&field.values);
-        return Ok(Tones { field, level });
-    }
     let rgb = image.into_rgb8().into_raw();
     if let Some(pattern) = gradient.and_then(|gradient| gradient.pattern_of(&rgb)) {
         let pattern = field(pattern);
@@ -161,7 +155,9 @@ fn tones(image: DynamicImage, gradient: Option<&Gradient>) -> Result<Tones, f32>
             return Ok(Tones { field: pattern, level: EDGE });
         }
     }
-    let field = field(rgb.chunks_exact(3).map(|px| lightness([px[0], px[1], px[2]])).collect());
+    let gray = rgb.chunks_exact(3).all(|px| px[0] == px[1] && px[1] == px[2]);
+    let tone = |px: &[u8]| if gray { f32::from(px[0]) / 255.0 } else { lightness([px[0], px[1], px[2]]) };
+    let field = field(rgb.chunks_exact(3).map(tone).collect());
     span(&field)?;
     let level = level_between_phases(&field.values);
     Ok(Tones { field, level })

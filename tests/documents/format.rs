@@ -144,12 +144,13 @@ fn the_commands_and_exit_codes_on_the_page_are_those_of_the_program() {
     );
 }
 
-/// Spots that vary, and small ones inside them, on a small canvas.
+/// Spots that vary, one of them drawn nearly on another, and small ones inside them, on a small canvas.
 fn spots() -> Document {
     let spots = (0..6).map(|i| {
         let (column, row) = (f64::from(i % 3), f64::from(i / 3));
         Stroke::ellipse([30.0 + 34.0 * column, 40.0 + 34.0 * row], [9.0 + 0.4 * f64::from(i), 8.0], 0.0)
     });
+    let spots = spots.chain([Stroke::ellipse([68.0, 43.0], [9.0, 8.0], 0.0)]);
     let inside = Layer::new([Stroke::ellipse([30.0, 40.0], [4.0, 4.0], 0.0)]).with_after(After::Inside);
     Document::new([140, 120]).with_layer(Layer::new(spots)).with_layer(inside)
 }

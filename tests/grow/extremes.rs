@@ -35,10 +35,9 @@ fn line(from: [f64; 2], to: [f64; 2], width: f64) -> Value {
 }
 
 #[test]
-fn marks_as_large_as_the_canvas_grow_and_larger_ones_are_refused() {
+fn marks_as_large_as_the_canvas_grow_and_those_that_leave_no_ground_are_refused() {
     for edges in ["closed", "wrap"] {
         let documents = [
-            document([100, 100], &ellipse([50.0, 50.0], [100.0, 100.0])),
             document([100, 100], &ellipse([1.0, 99.0], [100.0, 25.0])),
             document([100, 60], &line([0.0, 0.0], [100.0, 60.0], 60.0)),
             document([100, 60], &line([0.0, 0.0], [100.0, 60.0], 100.0)),
@@ -47,6 +46,9 @@ fn marks_as_large_as_the_canvas_grow_and_larger_ones_are_refused() {
             document["edges"] = json!(edges);
             grows(&document);
         }
+        let mut covering = document([100, 100], &ellipse([50.0, 50.0], [100.0, 100.0]));
+        covering["edges"] = json!(edges);
+        is_refused(&covering, &["marks without any ground", "draw smaller marks"]);
         let mut document = document([100, 100], &ellipse([50.0, 50.0], [400.0, 300.0]));
         document["edges"] = json!(edges);
         is_refused(&document, &["layers[0].strokes[0].radii[0]", "found 400", "from 0.01 to 100 px"]);
@@ -56,7 +58,7 @@ fn marks_as_large_as_the_canvas_grow_and_larger_ones_are_refused() {
 #[test]
 fn a_canvas_of_one_px_grows() {
     for edges in ["closed", "wrap"] {
-        for strokes in [ellipse([0.5, 0.5], [1.0, 0.5]), line([0.0, 0.0], [1.0, 1.0], 1.0)] {
+        for strokes in [ellipse([0.5, 0.5], [0.4, 0.3]), line([0.0, 0.0], [1.0, 1.0], 1.0)] {
             let mut document = document([1, 1], &strokes);
             document["edges"] = json!(edges);
             grows(&document);

@@ -84,8 +84,7 @@ fn stripes_follow_a_drawn_arc_along_its_whole_length() {
         [256.0 + r * angle.cos(), 460.0 + r * angle.sin()]
     };
     let arcs = [150.0, 250.0, 350.0];
-    let (grown, _) =
-        grown(arcs.iter().map(|r| Stroke::path((0..=32).map(|k| point(*r, k)), 10.0)).collect());
+    let (grown, _) = grown(arcs.iter().map(|r| Stroke::path((0..=32).map(|k| point(*r, k)), 10.0)).collect());
     let pattern = grown.layers[0].pattern().field(256, 256);
     let directions = Directions::measure(&pattern, 20.0);
     let places: Vec<(usize, [f64; 2])> = directions.at_centers(|place| {
@@ -100,7 +99,8 @@ fn stripes_follow_a_drawn_arc_along_its_whole_length() {
 
 #[test]
 fn stripes_keep_the_distance_of_lines_drawn_side_by_side() {
-    let line = |k: usize| Stroke::line([120.0, 180.0 + 26.0 * k as f64], [390.0, 180.0 + 26.0 * k as f64], 8.0);
+    let line =
+        |k: usize| Stroke::line([120.0, 180.0 + 26.0 * k as f64], [390.0, 180.0 + 26.0 * k as f64], 8.0);
     let (grown, marks) = grown((0..5).map(line).collect());
     assert!(marks.iter().all(|mark| mark.there), "{marks:?}");
     let Some(Attributes::Stripes(got)) = grown.layers[0].measured.got(0) else { panic!("stripes grew") };

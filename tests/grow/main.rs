@@ -4,8 +4,8 @@ mod around;
 mod attributes;
 mod bytes;
 mod extremes;
-mod free;
 mod folder;
+mod free;
 mod inside;
 #[cfg(unix)]
 mod interrupt;

@@ -48,7 +48,7 @@ pub const ADDRESSES: [(&str, &[&str]); 30] = [
     ("sysinfo", &["src/synth/", "src/cli/"]),
     ("tempfile", &["src/export/"]),
     ("tiff", &["src/export/"]),
-    ("usvg", &["src/sketch/svg.rs"]),
+    ("usvg", &["src/sketch/svg.rs", "src/sketch/svg/visibility.rs"]),
 ];
 /// Packages that may be used everywhere.
 const EVERYWHERE: [&str; 6] = ["libm", "rand", "rand_pcg", "rayon", "serde", "thiserror"];

@@ -34,11 +34,17 @@ fn percentile(sorted: &[u16], share: f64) -> f64 {
     f64::from(sorted[((sorted.len() - 1) as f64 * share).round() as usize])
 }
 
-/// 98th percentile across ÷ inside, and largest across ÷ inside; steps below one 8-bit value are ignored.
+/// One of 255 values, of 65,535.
+const LEVEL: f64 = 257.0;
+
+/// 98th percentile across ÷ inside, and largest across ÷ inside; steps below one 8-bit value are ignored. Steps between
+/// rounded values are off by up to one level, which many steps of a map are only a few of: the percentile across is lessened
+/// by as much.
 fn ratios(picture: &DynamicImage) -> [f64; 2] {
     let [across, inside] = steps(picture);
-    let ratio = |share| percentile(&across, share).max(257.0) / percentile(&inside, share).max(257.0);
-    [ratio(0.98), ratio(1.0)]
+    let ratio =
+        |share, off| (percentile(&across, share) - off).max(LEVEL) / percentile(&inside, share).max(LEVEL);
+    [ratio(0.98, LEVEL), ratio(1.0, 0.0)]
 }
 
 /// All maps of the material of a document, with their names.

@@ -7,7 +7,8 @@ use dapple::internals::marks::{Ellipse, Mark, Path};
 use dapple::internals::measure::{self, StripeErrors};
 use dapple::internals::rd::System;
 use dapple::internals::synth::plan::{Surroundings, look_up, sketch_targets};
-use dapple::internals::synth::report::pinned::{covered, distances};
+use dapple::internals::synth::report::covered::covered;
+use dapple::internals::synth::report::pinned::distances;
 use dapple::internals::synth::{Engine, GrownLayer, Measured, Training, Watch, settle};
 
 use super::{example, layers};

@@ -80,7 +80,8 @@ impl EllipseMap {
         let [c, s] = self.directions.at(point);
         Spots {
             area: libm::exp(area),
-            aspect,
+            // Rounding of the weights can exceed 1.
+            aspect: aspect.min(1.0),
             angle: axial(0.5 * libm::atan2(s, c).to_degrees()),
             spacing: (!self.spacing_is_free).then(|| libm::exp(spacing)),
         }

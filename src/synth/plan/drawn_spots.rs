@@ -9,7 +9,6 @@ use crate::grid::Bounds;
 use crate::marks::Ellipse;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Node;
-use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::lookup::Ask;
 use crate::synth::plan::offset::Offset;
 
@@ -30,20 +29,31 @@ const DENSEST: f64 = 0.3;
 /// spacing of its surroundings: the other neighbours stand farther off.
 const NEAREST: f64 = 1.2;
 
-/// The drawn spots of a layer, looked up one by one; `offset` is subtracted from the questions.
+/// The surroundings of drawn spots, by which they are looked up.
+pub(super) struct Around<'a> {
+    /// The canvas with its edges.
+    pub bounds: Bounds,
+    /// px a cell.
+    pub cell: f64,
+    /// The spots wanted at a point, px.
+    pub wanted: &'a dyn Fn([f64; 2]) -> Spots,
+    /// What is subtracted from the questions at a point, px.
+    pub offset: &'a dyn Fn([f64; 2]) -> Offset,
+}
+
+/// The drawn spots of a layer, by the index of their mark, looked up one by one.
 pub(super) fn drawn_spots(
-    lookup: &Lookup,
     ellipses: &[(usize, Ellipse)],
-    offset: &dyn Fn([f64; 2]) -> Offset,
+    around: &Around,
     ask: Ask,
 ) -> Result<Vec<DrawnSpot>, PlanError> {
-    let bounds = lookup.map.layout().bounds();
     let drawn = |(index, (mark, ellipse)): (usize, &(usize, Ellipse))| {
         let others =
             ellipses.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, other)| other.1);
-        let wanted = own_attributes(lookup.spots_at(ellipse.center), ellipse, room(ellipse, others, &bounds));
-        let asked = offset(ellipse.center).applied(-1.0, &Attributes::Spots(wanted));
-        let own = Node::from_answer(&ask(&asked, lookup.px_a_cell())?);
+        let wanted =
+            own_attributes((around.wanted)(ellipse.center), ellipse, room(ellipse, others, &around.bounds));
+        let asked = (around.offset)(ellipse.center).applied(-1.0, &Attributes::Spots(wanted));
+        let own = Node::from_answer(&ask(&asked, around.cell)?);
         Ok(DrawnSpot { mark: *mark, ellipse: *ellipse, own })
     };
     ellipses.iter().enumerate().map(drawn).collect()

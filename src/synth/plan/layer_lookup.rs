@@ -10,7 +10,7 @@ use crate::learn::Answer;
 use crate::marks::{Ellipse, Mark, Path};
 use crate::rd::{LinesAlongCurves, Maps, Parameters, Seeding, System};
 use crate::synth::plan::auto::choose_system;
-use crate::synth::plan::drawn_spots::{DrawnSpot, drawn_spots};
+use crate::synth::plan::drawn_spots::{Around, DrawnSpot, drawn_spots};
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
 use crate::synth::plan::lookup::{Ask, ask, ask_among_sparse, cell_for, free_spacing};
@@ -164,7 +164,13 @@ impl Lookup {
         ellipses: &[(usize, Ellipse)],
         offset: &dyn Fn([f64; 2]) -> Offset,
     ) -> Result<Vec<DrawnSpot>, PlanError> {
-        drawn_spots(self, ellipses, offset, &|wanted, cell| self.asked(training, wanted, cell))
+        let around = Around {
+            bounds: self.map.layout().bounds(),
+            cell: self.px_a_cell(),
+            wanted: &|point| self.spots_at(point),
+            offset,
+        };
+        drawn_spots(ellipses, &around, &|wanted, cell| self.asked(training, wanted, cell))
     }
 
     /// Looks up attributes (px) as those of its regions are.

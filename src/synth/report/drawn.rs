@@ -9,7 +9,7 @@ use crate::rd::Hindrance;
 use crate::synth::grow::layer::GrownLayer;
 use crate::synth::grow::pinned_correction::matched;
 use crate::synth::plan::pinned_marks::{displacement, visible_center};
-use crate::synth::report::pinned::{COVERED, covered};
+use crate::synth::report::covered::{COVERED, covered};
 
 /// What became of a drawn mark that was to be among those that grow.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -2,6 +2,7 @@
 //!
 //! [`regions`] lists one layer's regions; [`report`] collects all layers in the form that `grow --report` writes.
 
+pub mod covered;
 pub mod drawn;
 pub mod pinned;
 mod region;

@@ -4,17 +4,13 @@ use serde::Serialize;
 
 use crate::attributes::AttributeMap;
 use crate::attributes::regions::RegionGrid;
-use crate::grid::Field;
-use crate::grid::resample::Spline;
-use crate::marks::Path;
 use crate::measure::Spot;
 use crate::synth::plan::pinned_marks::{PinnedMark, displacement, visible_center};
+use crate::synth::report::covered::COVERED;
 use crate::synth::report::drawn::DrawnMark;
 
 /// The share of its radius √(r₁r₂) by which a pinned spot may be off.
 const OFF: f64 = 0.25;
-/// The share of a pinned line that is to lie in a stripe.
-pub(super) const COVERED: f64 = 0.9;
 
 /// How many marks of a region grew where they were drawn, and how well.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -69,19 +65,4 @@ pub fn distances(pinned: &[PinnedMark], layout: &RegionGrid, spots: &[Spot]) -> 
         distances.fold(f64::INFINITY, f64::min) / pinned.radius()
     };
     pinned.iter().map(nearest).collect()
-}
-
-/// The share of each of these paths (px) that lies in a stripe of `pattern`.
-#[must_use]
-pub fn covered(paths: &[Path], layout: &RegionGrid, pattern: &Field) -> Vec<f64> {
-    const POINTS: usize = 64;
-    let surface = Spline::new(pattern);
-    let share = |path: &Path| {
-        let points = path.samples(POINTS).into_iter().map(|sample| sample.point);
-        let on = |point: &[f64; 2]| layout.bounds().contains(*point);
-        let points: Vec<[f64; 2]> = points.filter(on).collect();
-        let covered = points.iter().filter(|point| surface.at(**point) >= 0.5).count();
-        covered as f64 / points.len().max(1) as f64
-    };
-    paths.iter().map(share).collect()
 }
