@@ -42,8 +42,9 @@ const LEVEL: f64 = 257.0;
 /// by as much.
 fn ratios(picture: &DynamicImage) -> [f64; 2] {
     let [across, inside] = steps(picture);
-    let ratio =
-        |share, off| (percentile(&across, share) - off).max(LEVEL) / percentile(&inside, share).max(LEVEL);
+    let ratio = |share, off: f64| {
+        (percentile(&across, share) - off).max(LEVEL) / percentile(&inside, share).max(LEVEL)
+    };
     [ratio(0.98, LEVEL), ratio(1.0, 0.0)]
 }
 
