@@ -8,8 +8,11 @@ use crate::attributes::{Spots, Spread, spacing};
 use crate::grid::{Bounds, Edges};
 use crate::marks::{Ellipse, axial, turn};
 
-/// How log area and log spacing are regressed.
+/// How log area is regressed.
 const SIZE: Manner = Manner { floor: 0.05, followed: 2.5 };
+
+/// How log spacing is regressed. Edges of an even pattern differ by as much.
+const SPACING: Manner = Manner { floor: 0.15, followed: 2.5 };
 
 /// How the aspect is regressed.
 const ASPECT: Manner = Manner { floor: 0.02, followed: 2.5 };
@@ -149,10 +152,10 @@ impl Fit {
         let directions = ellipses.iter().enumerate().map(direction).collect();
         let lengths = edges_between(&centers, bounds);
         Self {
-            area: Scalar::of_logs(bounds, &centers, logs),
+            area: Scalar::of_logs(bounds, &centers, logs, SIZE),
             aspect: Scalar::new(Regression::new(bounds, &centers, aspects, ASPECT)),
             direction: Regression::new(bounds, &centers, directions, DIRECTION),
-            spacing: (!lengths.is_empty()).then(|| Scalar::of_logs(bounds, &centers, lengths)),
+            spacing: (!lengths.is_empty()).then(|| Scalar::of_logs(bounds, &centers, lengths, SPACING)),
         }
     }
 
@@ -227,8 +230,13 @@ impl Scalar {
 
     /// The regression of logarithms, shifted so that at the marks the mean of the map itself is that of the marks
     /// (Duan, "Smearing estimate", Journal of the American Statistical Association 1983).
-    fn of_logs(bounds: Bounds, centers: &[[f64; 2]], observations: Vec<Observation<1>>) -> Self {
-        let mut scalar = Self::new(Regression::new(bounds, centers, observations, SIZE));
+    fn of_logs(
+        bounds: Bounds,
+        centers: &[[f64; 2]],
+        observations: Vec<Observation<1>>,
+        manner: Manner,
+    ) -> Self {
+        let mut scalar = Self::new(Regression::new(bounds, centers, observations, manner));
         let (mut drawn, mut fitted) = (0.0, 0.0);
         for (one, robust) in scalar.regression.observations() {
             drawn += one.weight * robust * libm::exp(one.value[0]);
