@@ -7,7 +7,9 @@ use dapple::internals::attributes::AttributeMap;
 use dapple::internals::marks::{Ellipse, Line, Mark, Path, turn};
 use dapple::internals::measure::{self, Spot};
 
+use dapple::internals::synth::grow::pattern::Pattern;
 use dapple::internals::synth::grow::pinned_correction::PinnedCorrection;
+use dapple::internals::synth::grow::refine::refine;
 use dapple::internals::synth::plan::{Plan, Surroundings, look_up};
 use dapple::internals::synth::report::covered::covered;
 use dapple::internals::synth::report::pinned::distances;
@@ -238,14 +240,16 @@ fn among(
     let lookup = look_up(training, system, &map).unwrap().with_pinned(training, &marks(spacing)).unwrap();
     let mut plan = lookup.uncorrected().lay_out(Surroundings::default(), 1).unwrap();
     let mut engine = Engine::new(&plan, 1);
-    let size = (12.0 * spacing) as usize;
+    let canvas = [(12.0 * spacing) as usize; 2];
     // As a layer is grown: those that are not there begin again.
     for _ in 0..5 {
         settle(&mut engine, &Watch::NONE).unwrap();
-        let spots = measure::spots(&engine.pattern(&plan, size, size), 0.5);
-        let correction = PinnedCorrection::new(&plan, &spots);
+        let marks = plan.levelled(engine.marks());
+        let mut pattern = Pattern::new(&plan.lookup, &marks);
+        let measured = refine(&plan, &mut pattern, canvas, true, &Watch::NONE).unwrap();
+        let correction = PinnedCorrection::new(&plan, measured.spots());
         if correction.lost.is_empty() {
-            return off(&plan, &spots);
+            return off(&plan, measured.spots());
         }
         correction.apply(&mut plan);
         engine.correct(&plan, &correction.lost);

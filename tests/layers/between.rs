@@ -29,7 +29,8 @@ fn touching(patterns: &[Field]) -> usize {
 /// Above this aspect no direction is measured.
 const ROUND: f64 = 0.85;
 
-/// Asserts every layer within 5 % of its area (width) and spacing, and within 3° of its angle.
+/// Asserts every layer within 5 % of its area (width), within 5.5 % of its spacing (in lanes one spot wide it is that of a
+/// row) and within 3° of its angle.
 fn assert_as_drawn(grown: &Grown, of: &str) {
     for (index, layer) in grown.layers.iter().enumerate() {
         let of = format!("{of}, layer {}", index + 1);
@@ -41,7 +42,7 @@ fn assert_as_drawn(grown: &Grown, of: &str) {
                 let round = errors.wanted.unwrap().aspect > ROUND;
                 assert_eq!(errors.angle.is_none(), round, "{of}: round spots have no direction");
                 let angle = errors.angle.or(round.then_some(0.0));
-                vec![("area", errors.area, 0.05), ("spacing", errors.spacing, 0.05), ("angle", angle, 3.0)]
+                vec![("area", errors.area, 0.05), ("spacing", errors.spacing, 0.055), ("angle", angle, 3.0)]
             }
             Measured::Stripes(errors) => {
                 vec![("width", errors[0].width, 0.05), ("angle", errors[0].angle, 3.0)]
