@@ -5,7 +5,7 @@ use dapple::document::Edges;
 use dapple::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
 use dapple::internals::attributes::AttributeMap;
 use dapple::internals::marks::{Ellipse, Line, Mark, Path, turn};
-use dapple::internals::measure::{self, Spot};
+use dapple::internals::measure::Spot;
 
 use dapple::internals::synth::grow::pattern::Pattern;
 use dapple::internals::synth::grow::pinned_correction::PinnedCorrection;
@@ -252,7 +252,7 @@ fn among(
             return off(&plan, measured.spots());
         }
         correction.apply(&mut plan);
-        engine.correct(&plan, &correction.lost);
+        engine.correct(&plan, &correction);
     }
     panic!("marks are missing");
 }

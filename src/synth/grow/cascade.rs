@@ -6,13 +6,14 @@ use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer};
 use crate::synth::grow::obstacles::{bias, obstacles};
 use crate::synth::grow::pattern::{EDGE, Pattern};
-use crate::synth::grow::pinned_correction::PinnedCorrection;
+use crate::synth::grow::pinned_correction::{PinnedCorrection, Tries};
 use crate::synth::grow::probe::{When, correct};
 use crate::synth::grow::refine::refine;
 use crate::synth::grow::settle::settle_seen;
 use crate::synth::grow::snapshot::Snapshot;
 use crate::synth::memory;
 use crate::synth::options::{Options, Settings};
+use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::{Corrected, Lookup, Plan, Surroundings, Targets};
 use crate::synth::watch::Stage;
@@ -82,11 +83,6 @@ pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usi
     same.count()
 }
 
-/// Corrections of pinned spots at most.
-const PINNED_ROUNDS: usize = 3;
-/// The same where some are not there.
-const LOST_ROUNDS: usize = 5;
-
 /// The growth of a document.
 struct Cascade<'a> {
     document: &'a Document,
@@ -146,7 +142,7 @@ impl Cascade<'_> {
     /// Corrects the looked-up parameters by probes, where that is asked for.
     fn corrected(&self, lookup: Lookup) -> Result<Corrected, GrowError> {
         let Options { training, watch, .. } = self.options;
-        if !self.corrects() || lookup.seeding != Seeding::Noise {
+        if !self.corrects() || lookup.seeding != Seeding::Noise || is_corrected_spot_by_spot(&lookup) {
             return Ok(lookup.uncorrected());
         }
         watch.step(Stage::Plan, 0.1)?;
@@ -176,7 +172,8 @@ impl Cascade<'_> {
         }
         watch.step(Stage::Plan, 1.0)?;
         let canvas = plan.lookup.map.layout().size.map(|side| side as usize);
-        let mut round = 0;
+        let mut tries = Tries::default();
+        let mut best: Option<(f64, GrownLayer)> = None;
         loop {
             let settled = settle_seen(&mut engine, every, &watch, &mut |engine| seen(&plan, engine))?;
             let marks = plan.levelled(engine.marks());
@@ -186,33 +183,45 @@ impl Cascade<'_> {
             let mut pattern = Pattern::new(&plan.lookup, &marks);
             let measured = refine(&plan, &mut pattern, canvas, self.corrects(), &watch)?;
             let nothing = blank(&plan, &pattern);
-            let Pattern { correction, own, .. } = pattern;
+            let Pattern { correction, own: own_levels, .. } = pattern;
             let found = PinnedCorrection::new(&plan, measured.spots());
-            let rounds = if found.lost.is_empty() { PINNED_ROUNDS } else { LOST_ROUNDS };
-            if round < rounds && self.corrects() && found.needed {
+            let error = if nothing.is_some() { f64::INFINITY } else { found.error };
+            if best.as_ref().is_none_or(|(least, _)| error < *least) {
+                let concentrations =
+                    if options.concentrations { engine.concentrations() } else { Vec::new() };
+                let (plan, steps) = (plan.clone(), engine.steps());
+                let grown = GrownLayer {
+                    plan,
+                    steps,
+                    settled,
+                    correction,
+                    own_levels,
+                    measured,
+                    marks,
+                    concentrations,
+                };
+                best = Some((error, grown));
+            }
+            if self.corrects() && tries.are_left(&found) {
                 found.apply(&mut plan);
-                engine.correct(&plan, &found.lost);
-                round += 1;
+                engine.correct(&plan, &found);
                 continue;
             }
-            if let Some(what) = nothing {
-                return Err(GrowError::Blank { layer, what });
-            }
-            let steps = engine.steps();
-            let concentrations = if options.concentrations { engine.concentrations() } else { Vec::new() };
-            let own_levels = own;
-            return Ok(GrownLayer {
-                plan,
-                steps,
-                settled,
-                correction,
-                own_levels,
-                measured,
-                marks,
-                concentrations,
-            });
+            return match (best, nothing) {
+                (Some((error, grown)), _) if error.is_finite() => {
+                    Ok(GrownLayer { steps: engine.steps(), ..grown })
+                }
+                (_, what) => Err(GrowError::Blank { layer, what: what.unwrap_or("no marks") }),
+            };
         }
     }
+}
+
+/// Whether wanted attributes differ from place to place, and drawn spots are measured and corrected one by one: a probe of
+/// the mean would tell little, and can cost more than the canvas.
+fn is_corrected_spot_by_spot(lookup: &Lookup) -> bool {
+    let has_drawn_spots = matches!(&lookup.start, Start::Free { spots, .. } if !spots.is_empty());
+    lookup.map.is_free() && has_drawn_spots
 }
 
 /// What a layer is instead of a pattern where it has no marks, or nothing but marks; `None` of a pattern.

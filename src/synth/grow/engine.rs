@@ -14,6 +14,7 @@ use crate::synth::grow::convergence::{ConvergenceMonitor, Verdict};
 use crate::synth::grow::multigrid_levels;
 use crate::synth::grow::multigrid_levels::Work;
 use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::pinned_correction::PinnedCorrection;
 use crate::synth::grow::position_control::{self, PositionControl};
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::layer_lookup::Lookup;
@@ -162,9 +163,10 @@ impl Engine {
     }
 
     /// Takes the parameters of the pinned spots from `plan`, where they have been corrected, and goes on growing what has
-    /// settled. The `lost` pinned spots begin again.
-    pub fn correct(&mut self, plan: &Plan, lost: &[usize]) {
+    /// settled. The lost ones begin again.
+    pub fn correct(&mut self, plan: &Plan, correction: &PinnedCorrection) {
         let Some(spots) = &mut self.varied else { return };
+        let lost = &correction.lost;
         self.maps.parameters = spots.corrected(plan, &self.maps);
         let mut concentrations = self.level.growth.concentrations();
         if !lost.is_empty() {
@@ -181,7 +183,12 @@ impl Engine {
         }
         let growth = Growth::resumed(self.system, &self.maps, &concentrations)
             .expect("made for this system on this grid");
-        let unit = unit(&growth, evenness(&self.maps));
+        // Only what has changed has to settle.
+        let rates = correction.changed().map(|index| f64::from(self.maps.at(spots.places[index]).rate));
+        let slowest = self.maps.parameters.iter().map(|p| f64::from(p.rate)).fold(f64::INFINITY, f64::min);
+        let evenness = evenness(&self.maps);
+        let pace = (slowest / rates.fold(f64::INFINITY, f64::min)).min(evenness * evenness);
+        let unit = unit(&growth, pace);
         let cells = self.maps.domain.cells();
         self.level = Level {
             index: self.grids.len() - 1,
@@ -193,7 +200,10 @@ impl Engine {
             growth,
         };
         self.done = false;
-        self.hold_marks();
+        if self.position_control.is_some() {
+            self.level.monitor.hold_marks(1.0);
+            self.level.plan_correction();
+        }
     }
 
     /// Is there a place where marks can start?

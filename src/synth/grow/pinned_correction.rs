@@ -51,10 +51,12 @@ pub fn matched<'a>(pinned: &[PinnedMark], layout: &RegionGrid, spots: &'a [Spot]
 pub struct PinnedCorrection {
     /// What is added to the correction of each.
     added: Vec<NodeOffset>,
+    /// Those that grew, but differ by more than is tolerated.
+    pub different: Vec<usize>,
     /// Those that have vanished, moved away or split, and so begin again.
     pub lost: Vec<usize>,
-    /// Does one differ by more than is tolerated?
-    pub needed: bool,
+    /// The sum over the pinned spots: 1 for one that is lost, what it differs by for one that grew.
+    pub error: f64,
 }
 
 impl PinnedCorrection {
@@ -65,20 +67,28 @@ impl PinnedCorrection {
         let pinned = plan.pinned_spots();
         let mut correction = Self::default();
         for (index, (mark, spot)) in pinned.iter().zip(matched(pinned, layout, grown)).enumerate() {
-            let added = match spot {
-                // A spot that the border cuts has no shape that could be measured.
-                Some(spot) if spot.whole => difference(&mark.drawn, &spot.ellipse),
-                Some(_) => NodeOffset::default(),
-                None => {
-                    correction.lost.push(index);
-                    if is_split(mark, layout, grown) { SPLIT } else { CROWDED }
-                }
+            let Some(spot) = spot else {
+                correction.lost.push(index);
+                correction.error += 1.0;
+                correction.added.push(if is_split(mark, layout, grown) { SPLIT } else { CROWDED });
+                continue;
             };
-            let differs = added[0].abs() > TOLERATED[0] || added[1].hypot(added[2]) > TOLERATED[1];
-            correction.needed |= differs || spot.is_none();
-            correction.added.push(if spot.is_some() { added.map(|part| GAIN * part) } else { added });
+            // A spot that the border cuts has no shape that could be measured.
+            let by = if spot.whole { difference(&mark.drawn, &spot.ellipse) } else { NodeOffset::default() };
+            let [area, shape] = [by[0].abs(), by[1].hypot(by[2])];
+            correction.error += (area + shape).min(1.0);
+            let differs = area > TOLERATED[0] || shape > TOLERATED[1];
+            if differs {
+                correction.different.push(index);
+            }
+            correction.added.push(if differs { by.map(|part| GAIN * part) } else { NodeOffset::default() });
         }
         correction
+    }
+
+    /// The pinned spots that are changed.
+    pub fn changed(&self) -> impl Iterator<Item = usize> {
+        self.different.iter().chain(&self.lost).copied()
     }
 
     /// Corrects the pinned spots of `plan`.
@@ -88,6 +98,37 @@ impl PinnedCorrection {
                 mark.correction[part] = (mark.correction[part] + added).clamp(-MOST[part], MOST[part]);
             }
         }
+    }
+}
+
+/// How often each pinned spot was corrected, and began again.
+#[derive(Clone, Debug, Default)]
+pub struct Tries {
+    corrected: Vec<usize>,
+    begun: Vec<usize>,
+}
+
+/// Corrections of a spot that grew, at most.
+const CORRECTIONS: usize = 3;
+/// A spot begins again so often at most.
+const BEGINNINGS: usize = 3;
+
+impl Tries {
+    /// Counts the changes of `found`. Returns whether one of them is not one too many.
+    pub fn are_left(&mut self, found: &PinnedCorrection) -> bool {
+        let mut left = false;
+        let tried = [
+            (&mut self.corrected, &found.different, CORRECTIONS),
+            (&mut self.begun, &found.lost, BEGINNINGS),
+        ];
+        for (counts, changed, most) in tried {
+            counts.resize(found.added.len(), 0);
+            for index in changed {
+                counts[*index] += 1;
+                left |= counts[*index] <= most;
+            }
+        }
+        left
     }
 }
 
