@@ -79,10 +79,13 @@ impl ConvergenceMonitor {
         Self { slack: 2.0, ..self }
     }
 
-    /// Takes account of marks that are moved back to their places, which never rest: a pair that pushes each other is moved
-    /// by 0.006 a unit of time when all areas have long settled. A unit of time takes `pace` times the steps.
-    pub fn hold_marks(&mut self, pace: f64) {
-        self.slack = 3.0;
+    /// Takes account of marks that are moved back to their places. Where they keep `moving` they never rest: a pair that
+    /// pushes each other is moved by 0.006 a unit of time when all areas have long settled. A unit of time takes `pace` times
+    /// the steps.
+    pub fn hold_marks(&mut self, moving: bool, pace: f64) {
+        if moving {
+            self.slack = 3.0;
+        }
         self.latest = self.latest.min(HELD);
         self.unit *= pace;
     }

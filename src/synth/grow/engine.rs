@@ -15,7 +15,7 @@ use crate::synth::grow::multigrid_levels;
 use crate::synth::grow::multigrid_levels::Work;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::pinned_correction::PinnedCorrection;
-use crate::synth::grow::position_control::{self, PositionControl};
+use crate::synth::grow::position_control::PositionControl;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
@@ -66,9 +66,9 @@ struct Level {
 }
 
 impl Level {
-    /// Decides when to move pinned marks next.
-    fn plan_correction(&mut self) {
-        let steps = (position_control::EVERY * self.monitor.unit()).ceil().max(1.0);
+    /// Decides when to move pinned marks next, `every` of normalised time.
+    fn plan_correction(&mut self, every: f64) {
+        let steps = (every * self.monitor.unit()).ceil().max(1.0);
         self.next_correction = Some(self.growth.steps() + steps as u64);
     }
 }
@@ -105,7 +105,10 @@ impl Engine {
             }
         };
         let largest = largest_mark(system, &maps);
-        Self::starting_from(system, maps, start, largest)
+        let mut engine = Self::starting_from(system, maps, start, largest);
+        engine.position_control = PositionControl::new(plan);
+        engine.hold_marks();
+        engine
     }
 
     /// Growth with the parameters `maps`, from `seed`.
@@ -200,9 +203,9 @@ impl Engine {
             growth,
         };
         self.done = false;
-        if self.position_control.is_some() {
-            self.level.monitor.hold_marks(1.0);
-            self.level.plan_correction();
+        if let Some(control) = &self.position_control {
+            self.level.monitor.hold_marks(control.keeps_moving(), 1.0);
+            self.level.plan_correction(control.every());
         }
     }
 
@@ -264,11 +267,12 @@ impl Engine {
 
     /// Prepares the current level for pinned marks.
     fn hold_marks(&mut self) {
-        if self.position_control.is_some() {
-            let pace = evenness(self.level.coarse.as_ref().unwrap_or(&self.maps));
-            self.level.monitor.hold_marks(pace);
+        if let Some(control) = &self.position_control {
+            let maps = self.level.coarse.as_ref().unwrap_or(&self.maps);
+            let pace = if control.keeps_moving() { evenness(maps) } else { 1.0 };
+            self.level.monitor.hold_marks(control.keeps_moving(), pace);
             self.level.expected *= pace;
-            self.level.plan_correction();
+            self.level.plan_correction(control.every());
         }
     }
 
@@ -280,7 +284,7 @@ impl Engine {
         if !warps.is_empty() {
             self.level.growth.warp(maps, &warps);
         }
-        self.level.plan_correction();
+        self.level.plan_correction(control.every());
     }
 
     /// Cell updates of `time` of normalised time on the current grid.

@@ -15,3 +15,5 @@ pub mod probe;
 pub mod refine;
 pub mod settle;
 pub mod snapshot;
+mod spot_control;
+mod stroke_control;

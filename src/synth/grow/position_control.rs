@@ -1,116 +1,63 @@
-//! Pinned spots are moved back to their places while they form.
+//! Drawn marks are moved back to their places while they form.
 //!
-//! Where they were drawn unevenly, spots push each other by a tenth of their radius to many radii until they settle. So the
-//! pinned ones are followed and moved back at short intervals, little at a time.
+//! ```text
+//!  spots ──▶ spot control ───┐
+//!                            ├─▶ warps (rd) ─▶ the pattern goes on growing
+//!  strokes ─▶ stroke control ┘
+//! ```
 
-use crate::attributes::regions::RegionGrid;
 use crate::grid::{Field, Grid};
-use crate::measure::spots;
 use crate::rd::{LocalWarp, Maps};
+use crate::synth::grow::spot_control::SpotControl;
+use crate::synth::grow::stroke_control::StrokeControl;
 use crate::synth::plan::laid_out::Plan;
-use crate::synth::plan::pinned_marks::{PinnedMark, displacement, visible_center};
 
-/// Normalised time between two corrections.
-pub const EVERY: f64 = 0.5;
-/// Marks nearer to their places than this (÷ radius) are not moved.
-const NEAR: f64 = 0.02;
-/// A spot farther from where a mark was last seen than this (÷ radius) is another one.
-const OWN: f64 = 1.0;
-/// Spots are moved no farther at once than this, ÷ radius.
-const STEP: f64 = 0.3;
-
-/// Where the pinned spots of a plan shall be, and where they are.
+/// Where the drawn marks of a plan shall be, and where they are.
 #[derive(Clone, Debug)]
-pub struct PositionControl {
-    layout: RegionGrid,
-    marks: Vec<Target>,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Target {
-    /// The centre of the visible part of the spot, px.
-    place: [f64; 2],
-    /// Where it was last seen, px.
-    seen: [f64; 2],
-    radius: f64,
+pub enum PositionControl {
+    /// Of spots.
+    Spots(SpotControl),
+    /// Of lines and paths.
+    Strokes(StrokeControl),
 }
 
 impl PositionControl {
-    /// `None` where no spot is pinned.
+    /// `None` where no mark is pinned.
     #[must_use]
     pub fn new(plan: &Plan) -> Option<Self> {
-        let layout = *plan.lookup.map.layout();
-        let target = |pinned: &PinnedMark| {
-            let place = visible_center(&pinned.drawn, &layout);
-            Target { place, seen: place, radius: pinned.radius() }
-        };
-        let marks: Vec<Target> = plan.pinned_spots().iter().map(target).collect();
-        (!marks.is_empty()).then_some(Self { layout, marks })
+        let strokes = || StrokeControl::new(plan).map(Self::Strokes);
+        SpotControl::new(plan).map(Self::Spots).or_else(strokes)
     }
 
-    /// Warps that move the spots in `field`, grown in `maps`, towards their places, and keep the others; none where no spot
-    /// has to move.
+    /// Normalised time between two corrections: spots push each other, stripes drift slowly.
+    #[must_use]
+    pub fn every(&self) -> f64 {
+        match self {
+            Self::Spots(_) => 0.5,
+            Self::Strokes(_) => 2.0,
+        }
+    }
+
+    /// Whether the marks never rest, because they push each other while they are moved back.
+    #[must_use]
+    pub fn keeps_moving(&self) -> bool {
+        matches!(self, Self::Spots(_))
+    }
+
+    /// Warps that move the marks in `field`, grown in `maps`, towards their places; none where no mark has to move.
     #[must_use]
     pub fn warps(&mut self, field: &Field, maps: &Maps) -> Vec<LocalWarp> {
-        let centers: Vec<[f64; 2]> = spots(field, 0.5).iter().map(|spot| spot.ellipse.center).collect();
-        let cells = [0, 1].map(|axis| self.layout.size[axis] / maps.domain.size[axis] as f64);
-        let mut by = vec![[0.0; 2]; centers.len()];
-        for (mark, spot) in self.follow(&centers) {
-            by[spot] = self.marks[mark].step(&self.layout);
+        match self {
+            Self::Spots(spots) => spots.warps(field, maps),
+            Self::Strokes(strokes) => strokes.warps(field, maps),
         }
-        if by.iter().all(|by| *by == [0.0; 2]) {
-            return Vec::new();
-        }
-        let warp = |(at, by): (&[f64; 2], &[f64; 2])| {
-            let [at, by] = [at, by].map(|px| [px[0] / cells[0], px[1] / cells[1]]);
-            LocalWarp { at, own: maps.at(at), by }
-        };
-        centers.iter().zip(&by).map(warp).collect()
     }
 
-    /// Takes the `lost` marks to be at their places again. Returns where they were last seen, cells of `grid`.
+    /// Takes the `lost` spots to be at their places again. Returns where they were last seen, cells of `grid`.
     pub fn forget(&mut self, lost: &[usize], grid: &Grid) -> Vec<[f64; 2]> {
-        let forgotten = lost.iter().map(|index| {
-            let mark = &mut self.marks[*index];
-            grid.to_cells(std::mem::replace(&mut mark.seen, mark.place))
-        });
-        forgotten.collect()
-    }
-
-    /// Finds each mark among spots at these places, px: the one nearest to where it was last seen, if that is nearer to no
-    /// other mark. Returns pairs of mark and spot.
-    fn follow(&mut self, centers: &[[f64; 2]]) -> Vec<(usize, usize)> {
-        let length = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
-        let mut owner: Vec<Option<(usize, f64)>> = vec![None; centers.len()];
-        for (index, mark) in self.marks.iter().enumerate() {
-            let away =
-                |center: &[f64; 2]| length(displacement(*center, mark.seen, &self.layout)) / mark.radius;
-            let near = centers.iter().map(away).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
-            if let Some((spot, away)) = near.filter(|(_, away)| *away < OWN)
-                && owner[spot].is_none_or(|(_, other)| away < other)
-            {
-                owner[spot] = Some((index, away));
-            }
+        match self {
+            Self::Spots(spots) => spots.forget(lost, grid),
+            Self::Strokes(_) => Vec::new(),
         }
-        let pairs: Vec<(usize, usize)> =
-            owner.iter().enumerate().filter_map(|(spot, owner)| Some((owner.as_ref()?.0, spot))).collect();
-        for (mark, spot) in &pairs {
-            self.marks[*mark].seen = centers[*spot];
-        }
-        pairs
-    }
-}
-
-impl Target {
-    /// How far it is to be moved now, px, and is then taken to be.
-    fn step(&mut self, layout: &RegionGrid) -> [f64; 2] {
-        let way = displacement(self.place, self.seen, layout);
-        let missed = (way[0] * way[0] + way[1] * way[1]).sqrt() / self.radius;
-        if missed < NEAR {
-            return [0.0; 2];
-        }
-        let step = way.map(|way| (STEP / missed).min(1.0) * way);
-        self.seen = [0, 1].map(|axis| self.seen[axis] + step[axis]);
-        step
     }
 }
