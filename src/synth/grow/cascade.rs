@@ -6,7 +6,7 @@ use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer};
 use crate::synth::grow::obstacles::{bias, obstacles};
 use crate::synth::grow::pattern::{EDGE, Pattern};
-use crate::synth::grow::pinned_correction::{PinnedCorrection, Tries};
+use crate::synth::grow::pinned_correction::{PinnedCorrection, Rounds};
 use crate::synth::grow::probe::{When, correct};
 use crate::synth::grow::refine::refine;
 use crate::synth::grow::settle::settle_seen;
@@ -172,7 +172,7 @@ impl Cascade<'_> {
         }
         watch.step(Stage::Plan, 1.0)?;
         let canvas = plan.lookup.map.layout().size.map(|side| side as usize);
-        let mut tries = Tries::default();
+        let mut rounds = Rounds::default();
         let mut best: Option<(f64, GrownLayer)> = None;
         loop {
             let settled = settle_seen(&mut engine, every, &watch, &mut |engine| seen(&plan, engine))?;
@@ -202,7 +202,7 @@ impl Cascade<'_> {
                 };
                 best = Some((error, grown));
             }
-            if self.corrects() && tries.are_left(&found) {
+            if self.corrects() && rounds.is_worth(&found) {
                 found.apply(&mut plan);
                 engine.correct(&plan, &found);
                 continue;

@@ -41,6 +41,8 @@ pub struct Engine {
     expected_before: f64,
     /// Cell updates done.
     updates: u64,
+    /// Steps until the first correction of pinned spots.
+    grown: Option<u64>,
     /// The last progress.
     progress: f64,
     /// Has every grid settled so far?
@@ -134,6 +136,7 @@ impl Engine {
             expected_before: 0.0,
             progress: 0.0,
             updates: 0,
+            grown: None,
             settled: true,
             done: false,
         }
@@ -191,7 +194,10 @@ impl Engine {
         let slowest = self.maps.parameters.iter().map(|p| f64::from(p.rate)).fold(f64::INFINITY, f64::min);
         let evenness = evenness(&self.maps);
         let pace = (slowest / rates.fold(f64::INFINITY, f64::min)).min(evenness * evenness);
-        let unit = unit(&growth, pace);
+        // Not more than half of the time that the pattern took, or it would pay less than it costs.
+        let grown = *self.grown.get_or_insert(self.updates.div_ceil(self.maps.domain.cells() as u64));
+        let most = 0.5 * grown as f64 / ConvergenceMonitor::expected(self.system, 1.0, false);
+        let unit = unit(&growth, pace).min(most.max(1.0));
         let cells = self.maps.domain.cells();
         self.level = Level {
             index: self.grids.len() - 1,

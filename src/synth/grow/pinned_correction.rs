@@ -16,7 +16,7 @@ pub const THERE: f64 = 0.5;
 /// The share of a difference that is corrected at once.
 const GAIN: f64 = 0.8;
 /// Differences that are not corrected: of ln area, and of −ln aspect · (cos 2θ, sin 2θ).
-const TOLERATED: [f64; 2] = [0.03, 0.025];
+const TOLERATED: [f64; 2] = [0.05, 0.04];
 /// The largest corrections: of ln rate, of either part of the shape, of ln ratio.
 const MOST: NodeOffset = [1.2, 0.6, 0.6, 0.7];
 
@@ -101,34 +101,44 @@ impl PinnedCorrection {
     }
 }
 
-/// How often each pinned spot was corrected, and began again.
-#[derive(Clone, Debug, Default)]
-pub struct Tries {
-    corrected: Vec<usize>,
+/// Which further corrections are worth their time.
+#[derive(Clone, Debug)]
+pub struct Rounds {
+    /// Corrections of spots that grew.
+    corrections: usize,
+    /// The error before the last one.
+    error: f64,
+    /// How often each spot began again.
     begun: Vec<usize>,
 }
 
-/// Corrections of a spot that grew, at most.
-const CORRECTIONS: usize = 3;
+/// Corrections of spots that grew, at most.
+const CORRECTIONS: usize = 2;
+/// A second correction is made where the first left less than this share of the error.
+const IMPROVED: f64 = 0.8;
 /// A spot begins again so often at most.
-const BEGINNINGS: usize = 3;
+const BEGINNINGS: usize = 2;
 
-impl Tries {
-    /// Counts the changes of `found`. Returns whether one of them is not one too many.
-    pub fn are_left(&mut self, found: &PinnedCorrection) -> bool {
-        let mut left = false;
-        let tried = [
-            (&mut self.corrected, &found.different, CORRECTIONS),
-            (&mut self.begun, &found.lost, BEGINNINGS),
-        ];
-        for (counts, changed, most) in tried {
-            counts.resize(found.added.len(), 0);
-            for index in changed {
-                counts[*index] += 1;
-                left |= counts[*index] <= most;
-            }
+impl Default for Rounds {
+    fn default() -> Self {
+        Self { corrections: 0, error: f64::INFINITY, begun: Vec::new() }
+    }
+}
+
+impl Rounds {
+    /// Whether to make the correction `found`, which is then counted.
+    pub fn is_worth(&mut self, found: &PinnedCorrection) -> bool {
+        self.begun.resize(found.added.len(), 0);
+        let begins = found.lost.iter().any(|index| self.begun[*index] < BEGINNINGS);
+        let improves = found.error < IMPROVED * self.error && self.corrections < CORRECTIONS;
+        let corrects = !found.different.is_empty() && improves;
+        if !begins && !corrects {
+            return false;
         }
-        left
+        self.error = found.error;
+        self.corrections += usize::from(!found.different.is_empty());
+        found.lost.iter().for_each(|index| self.begun[*index] += 1);
+        true
     }
 }
 
