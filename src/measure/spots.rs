@@ -48,6 +48,12 @@ pub fn spots(field: &Field, level: f32) -> Vec<Spot> {
     census(field, level).spots
 }
 
+/// The same where spots of `least` px² and more are no specks, however large others are.
+#[must_use]
+pub fn spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
+    without_specks(&fine_regions(field, level), field, least).spots
+}
+
 /// The regions above `level`.
 ///
 /// The field is read on a grid so fine that the numbers are those of the smooth surface through it
@@ -59,6 +65,11 @@ pub fn spots(field: &Field, level: f32) -> Vec<Spot> {
 /// Memory: besides the field, its spline (as much again) and a band of 4 MB.
 #[must_use]
 pub fn census(field: &Field, level: f32) -> Census {
+    without_specks(&fine_regions(field, level), field, f64::INFINITY)
+}
+
+/// The regions above `level`, on nodes as fine as the smallest need.
+fn fine_regions(field: &Field, level: f32) -> Vec<Region> {
     let coarse = regions(field, level, 1);
     let cell = field.cell[0] * field.cell[1];
     // Cut regions may be small though their marks are not, and tiny ones are specks.
@@ -67,7 +78,7 @@ pub fn census(field: &Field, level: f32) -> Census {
     areas.sort_by(f64::total_cmp);
     // Without any, two nodes a cell show what may lie between the cells.
     let factor = areas.get(areas.len() / 10).map_or(2, |small| factor(*small));
-    without_specks(&regions(field, level, factor), field)
+    regions(field, level, factor)
 }
 
 /// Nodes a cell (each way) for regions of `area` cells.
@@ -297,7 +308,8 @@ impl Collector<'_> {
 }
 
 /// The spots among regions, and the number of specks.
-fn without_specks(regions: &[Region], field: &Field) -> Census {
+/// Regions of `least` px² and more are no specks.
+fn without_specks(regions: &[Region], field: &Field, least: f64) -> Census {
     let mut areas: Vec<f64> = regions.iter().map(|region| region.moments.area).collect();
     areas.sort_by(f64::total_cmp);
     let half = 0.5 * areas.iter().sum::<f64>();
@@ -306,7 +318,8 @@ fn without_specks(regions: &[Region], field: &Field) -> Census {
         reached += **area;
         reached >= half
     });
-    let least = (SPECK_CELLS * field.cell[0] * field.cell[1]).max(SPECK_SHARE * usual.unwrap_or(&0.0));
+    let share = (SPECK_SHARE * usual.unwrap_or(&0.0)).min(least);
+    let least = share.max(SPECK_CELLS * field.cell[0] * field.cell[1]);
     let spots: Vec<Spot> = regions
         .iter()
         .filter(|region| region.moments.area >= least)

@@ -15,13 +15,17 @@ use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
 
-/// τ. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times the next one's. Of 0.15, 0.2, 0.25
+/// τ among spots of its size. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times the next one's. Of 0.15, 0.2, 0.25
 /// and 0.3 the first two gave each spot its area, aspect and direction to 2 %; the smoother one is used.
 const TAU: f64 = 0.2;
 /// Contributions with exponents below this are omitted; in the holes between spots the largest exponent is at least −8.
 const LEAST: f64 = -16.0;
-/// w₀: four fifths of a pitch away a spot and the ground have the same weight.
+/// w₀: 4 τ away a spot and the ground have the same weight.
 const GROUND: f64 = 3.4e-4;
+/// The edge of a spot as dense as can be, pitches.
+const EDGE: f64 = 0.3;
+/// A spot and the ground have the same weight half a pitch of the ground beyond the edge of the spot.
+const BEYOND: f64 = 0.5;
 
 /// Parameters of all cells of `maps`, computed by `vary` from the cell's index and the interpolated values.
 ///
@@ -40,7 +44,10 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
     let nucleus = |(at, own): (&D::Place, &Parameters)| {
         Nucleus::new(own, &maps.domain, maps.domain.cell_at(*at), *at, system.spacing(own)).alone()
     };
-    let spots: Vec<(Nucleus<D::Place>, &[f64; N])> = places.iter().zip(own).map(nucleus).zip(known).collect();
+    let tau = |(at, own): (&D::Place, &Parameters)| tau(system, own, &maps.at(*at));
+    let taus = places.iter().zip(own).map(tau);
+    let spots = places.iter().zip(own).map(nucleus).zip(taus).zip(known);
+    let spots: Vec<((Nucleus<D::Place>, f64), &[f64; N])> = spots.collect();
     let mut made = maps.parameters.clone();
     let part = maps.domain.part();
     made.par_chunks_mut(part).enumerate().for_each(|(index, made)| {
@@ -57,19 +64,26 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
     made
 }
 
+/// τ of a spot of its `own` parameters among others of those of the `ground`. A spot much larger than those around it has its
+/// own value up to its edge, and not in their places: its slow reactions would kill them.
+fn tau(system: System, own: &Parameters, ground: &Parameters) -> f64 {
+    let [pitch, around] = [own, ground].map(|p| system.spacing(p) / p.apart());
+    TAU * ((EDGE * pitch + BEYOND * around) / ((EDGE + BEYOND) * pitch)).min(1.0)
+}
+
 /// Adds the contribution of a spot to the cells of a range: wₖ and wₖ vₖ.
 fn add<D: Domain, const N: usize>(
     sums: &mut [(f64, [f64; N])],
     cells: Range<usize>,
     domain: &D,
-    spot: &Nucleus<D::Place>,
+    (spot, tau): &(Nucleus<D::Place>, f64),
     known: &[f64; N],
     turned: fn(&[f64; N], f64) -> [f64; N],
 ) {
-    let far = TAU * (-2.0 * LEAST).sqrt() * spot.reach;
+    let far = tau * (-2.0 * LEAST).sqrt() * spot.reach;
     let first = cells.start;
     domain.near(spot.at, far, cells).for_each(|(cell, delta)| {
-        let exponent = -0.5 * spot.distance2(delta) / (TAU * TAU);
+        let exponent = -0.5 * spot.distance2(delta) / (tau * tau);
         if exponent > LEAST {
             let weight = libm::exp(exponent);
             let turn = domain.turn(spot.cell, cell);

@@ -136,7 +136,7 @@ impl Rounds {
             return false;
         }
         self.error = found.error;
-        self.corrections += usize::from(!found.different.is_empty());
+        self.corrections += usize::from(!begins);
         found.lost.iter().for_each(|index| self.begun[*index] += 1);
         true
     }

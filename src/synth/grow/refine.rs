@@ -50,7 +50,7 @@ pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
         }
         return Measured::Stripes(errors);
     }
-    let marks = measure::spots(pattern, 0.5);
+    let marks = measure::spots_of_at_least(pattern, 0.5, plan.least_area());
     Measured::Spots { errors: plan.on_canvas(|target| measure::spot_errors(&marks, target)), marks }
 }
 

@@ -5,7 +5,7 @@
 
 use crate::attributes::regions::RegionGrid;
 use crate::grid::{Field, Grid};
-use crate::measure::spots;
+use crate::measure::spots_of_at_least;
 use crate::rd::{LocalWarp, Maps};
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::pinned_marks::{PinnedMark, displacement, visible_center};
@@ -22,6 +22,8 @@ const STEP: f64 = 0.3;
 pub struct SpotControl {
     layout: RegionGrid,
     marks: Vec<Target>,
+    /// Smaller spots are specks, px².
+    least_area: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -43,14 +45,15 @@ impl SpotControl {
             Target { place, seen: place, radius: pinned.radius() }
         };
         let marks: Vec<Target> = plan.pinned_spots().iter().map(target).collect();
-        (!marks.is_empty()).then_some(Self { layout, marks })
+        (!marks.is_empty()).then_some(Self { layout, marks, least_area: plan.least_area() })
     }
 
     /// Warps that move the spots in `field`, grown in `maps`, towards their places, and keep the others; none where no spot
     /// has to move.
     #[must_use]
     pub fn warps(&mut self, field: &Field, maps: &Maps) -> Vec<LocalWarp> {
-        let centers: Vec<[f64; 2]> = spots(field, 0.5).iter().map(|spot| spot.ellipse.center).collect();
+        let spots = spots_of_at_least(field, 0.5, self.least_area);
+        let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
         let cells = [0, 1].map(|axis| self.layout.size[axis] / maps.domain.size[axis] as f64);
         let mut by = vec![[0.0; 2]; centers.len()];
         for (mark, spot) in self.follow(&centers) {

@@ -49,6 +49,13 @@ impl Plan {
         if let Arrangement::PinnedSpots { spots, .. } = &self.arrangement { spots } else { &[] }
     }
 
+    /// Spots of this area and more are no specks, px²: half that of the smallest one that was drawn.
+    #[must_use]
+    pub fn least_area(&self) -> f64 {
+        let areas = self.pinned_spots().iter().map(|mark| mark.drawn.area());
+        0.5 * areas.fold(f64::INFINITY, f64::min)
+    }
+
     /// The same, to be corrected.
     pub fn pinned_spots_mut(&mut self) -> &mut [PinnedMark] {
         if let Arrangement::PinnedSpots { spots, .. } = &mut self.arrangement { spots } else { &mut [] }
