@@ -20,6 +20,8 @@ const NEGLIGIBLE: f64 = 0.0003;
 
 /// Time after which marks that are moved back to their places do not change any more, but for being moved.
 const HELD: f64 = 40.0;
+/// The same where only some marks of a settled pattern were corrected.
+const CORRECTED: f64 = 8.0;
 
 /// Time after which stripes from segments are as wide as others; at T = 30 there are blots where segments met.
 const HEALED: f64 = 100.0;
@@ -88,6 +90,12 @@ impl ConvergenceMonitor {
         }
         self.latest = self.latest.min(HELD);
         self.unit *= pace;
+    }
+
+    /// The same for a pattern that had settled before some of its marks were corrected.
+    pub fn hold_corrected_marks(&mut self, moving: bool) {
+        self.hold_marks(moving, 1.0);
+        self.latest = self.latest.min(CORRECTED);
     }
 
     /// Steps that make up a unit of time.

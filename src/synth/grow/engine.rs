@@ -210,7 +210,7 @@ impl Engine {
         };
         self.done = false;
         if let Some(control) = &self.position_control {
-            self.level.monitor.hold_marks(control.keeps_moving(), 1.0);
+            self.level.monitor.hold_corrected_marks(control.keeps_moving());
             self.level.plan_correction(control.every());
         }
     }
@@ -259,7 +259,8 @@ impl Engine {
         if verdict == Verdict::Forming {
             return;
         }
-        self.settled &= verdict == Verdict::Settled;
+        // What is corrected afterwards has settled before.
+        self.settled &= verdict == Verdict::Settled || self.grown.is_some();
         if current.index + 1 == self.grids.len() {
             self.done = true;
             return;
