@@ -1,5 +1,7 @@
 //! What of the strokes cannot be as it was drawn, and where.
 
+use std::fmt;
+
 use super::period::Wanted;
 use super::pieces::Piece;
 use crate::marks::{Path, turn};
@@ -46,7 +48,44 @@ pub enum Note {
     },
 }
 
+impl fmt::Display for Note {
+    /// What cannot be as drawn, where, and what to do.
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Crossing { place: [x, y], angle, .. } => {
+                write!(
+                    f,
+                    "at [{x:.0}, {y:.0}] lines cross at {angle:.0}°: stripes have one direction at each place; use two layers"
+                )
+            }
+            Self::Departure { place: [x, y], angle, .. } => write!(
+                f,
+                "at [{x:.0}, {y:.0}] the stripes depart by {angle:.0}° from the line that was drawn: lines near it want other \
+                 directions; leave more room between them, or use two layers"
+            ),
+            Self::Period { place: [x, y], drawn, taken, .. } => {
+                let (limit, remedy) = if drawn < taken {
+                    ("at least", "farther apart, or thinner")
+                } else {
+                    ("at most", "nearer together, or wider")
+                };
+                write!(
+                    f,
+                    "at [{x:.0}, {y:.0}] lines are {drawn:.0} px apart, and stripes of their width can be {limit} \
+                     {taken:.0} px apart: draw them {remedy}"
+                )
+            }
+        }
+    }
+}
+
 impl Note {
+    /// Whether lines cross: that is also told without a map.
+    #[must_use]
+    pub fn is_crossing(&self) -> bool {
+        matches!(self, Self::Crossing { .. })
+    }
+
     /// The same with its place replaced.
     pub(super) fn moved(self, to: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
         match self {
