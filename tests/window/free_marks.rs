@@ -216,3 +216,17 @@ fn notes_on_a_sketch_are_shown_whole() {
     hand.window.state_mut().hide_times();
     see(&mut hand, "told-light");
 }
+
+#[test]
+fn distances_that_stripes_cannot_have_and_hidden_layers_are_told() {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::L);
+    hand.drag(&[[100.0, 100.0], [250.0, 100.0], [400.0, 100.0]]);
+    assert!(!is_shown(&hand, "Will not grow as drawn"));
+    hand.drag(&[[100.0, 107.0], [250.0, 107.0], [400.0, 107.0]]);
+    assert!(is_shown(&hand, "draw them farther apart, or thinner"));
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert!(!is_shown(&hand, "Will not grow as drawn"));
+    hand.key(Modifiers::SHIFT, Key::H);
+    assert!(is_shown(&hand, "all layers are hidden"));
+}

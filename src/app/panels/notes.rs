@@ -10,18 +10,15 @@ use crate::document::sketch_notes::Remedy;
 use crate::editor::layer_action::LayerAction;
 use crate::editor::session::Session;
 
-/// Places of a layer of lines that are told one by one, at most.
-const MOST_NOTES: usize = 4;
-
 /// What will not grow as it was drawn, and the remedies that dapple can carry out.
 pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn) -> Vec<Action> {
     let notes = &canvas.analysis.notes;
     let mut actions = Vec::new();
     let layers = 0..session.document().layers.len();
     let lost: Vec<String> = layers.filter_map(|layer| lost_of(session, drawn, layer)).collect();
-    let wanted = canvas.wanted.of(session.active_layer).map_or(&[][..], |wanted| wanted.map.notes());
-    let of_map: Vec<_> = wanted.iter().filter(|note| !note.is_crossing()).collect();
-    if notes.is_empty() && lost.is_empty() && of_map.is_empty() {
+    let remarks =
+        canvas.wanted.of(session.active_layer).map(|wanted| wanted.map.remarks()).unwrap_or_default();
+    if notes.is_empty() && lost.is_empty() && remarks.is_empty() {
         return actions;
     }
     heading(ui, "Will not grow as drawn");
@@ -40,11 +37,8 @@ pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn) -> 
             }
         }
     }
-    for note in of_map.iter().take(MOST_NOTES) {
-        ui.label(RichText::new(format!("{}: {note}.", session.layer_name(session.active_layer))).weak());
-    }
-    if of_map.len() > MOST_NOTES {
-        ui.weak(format!("And {} more places.", of_map.len() - MOST_NOTES));
+    for remark in remarks {
+        ui.label(RichText::new(format!("{}: {remark}.", session.layer_name(session.active_layer))).weak());
     }
     actions
 }

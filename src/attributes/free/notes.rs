@@ -6,6 +6,9 @@ use super::period::Wanted;
 use super::pieces::Piece;
 use crate::marks::{Path, turn};
 
+/// Notes that are told one by one.
+const MOST: usize = 4;
+
 /// Strokes that cross at a smaller angle than this agree, degrees.
 const AGREES: f64 = 20.0;
 
@@ -79,13 +82,19 @@ impl fmt::Display for Note {
     }
 }
 
-impl Note {
-    /// Whether lines cross: that is also told without a map.
-    #[must_use]
-    pub fn is_crossing(&self) -> bool {
-        matches!(self, Self::Crossing { .. })
+/// The notes as sentences without a full stop, at most [`MOST`] of them; the others are counted. Crossings are left out: they are
+/// told without a map.
+pub(super) fn sentences(notes: &[Note]) -> Vec<String> {
+    let notes: Vec<&Note> = notes.iter().filter(|note| !matches!(note, Note::Crossing { .. })).collect();
+    let mut sentences: Vec<String> = notes.iter().take(MOST).map(ToString::to_string).collect();
+    let more = notes.len().saturating_sub(MOST);
+    if more > 0 {
+        sentences.push(format!("{more} more places are like these"));
     }
+    sentences
+}
 
+impl Note {
     /// The same with its place replaced.
     pub(super) fn moved(self, to: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
         match self {
