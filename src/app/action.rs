@@ -86,6 +86,10 @@ pub enum Action {
     Regions(bool),
     /// Show fitted marks, neighbours and mean marks.
     Analysis(bool),
+    /// Show the sizes and directions that free marks want between them.
+    Wanted(bool),
+    /// Show them if they are hidden, else hide them.
+    ToggleWanted,
     /// Ask for a picture to show under the canvas.
     ChooseReference,
     /// Show or hide the reference picture.

@@ -41,6 +41,7 @@ pub use crate::editor::units::{Ruler, Units};
 pub use action::{Action, Page, Tab};
 pub use alternatives::{Alternative, Alternatives, small};
 pub use canvas::tool::Tool;
+pub use canvas::wanted::Glyph;
 pub use cloud::{Cloud, Points};
 pub use exporting::{Choices, ExportKind, FinishedPreview, PictureContent, PreviewImages, Size};
 pub use growth::{Growth, Phase};

@@ -152,7 +152,7 @@ pub fn hint(ui: &mut Ui) -> Option<Action> {
     for (number, text) in [
         "Draw a few round or oval spots on the canvas, each with one stroke.",
         "The texture grows beside it: spots of this size, shape and spacing on the whole canvas.",
-        "Draw other spots in another region: the texture changes gradually between the two.",
+        "Draw other spots elsewhere: the texture changes gradually from one to the other.",
     ]
     .iter()
     .enumerate()

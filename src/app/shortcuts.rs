@@ -78,6 +78,7 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(Modifiers::SHIFT, Key::H, "Hide it, show it", "Layers", || Action::Layer(LayerAction::Hide)),
     with(Modifiers::NONE, Key::F2, "Name it", "Layers", || Action::Layer(LayerAction::Rename)),
     with(Modifiers::NONE, Key::A, "Alternatives", "View", || Action::ToggleAlternatives),
+    with(Modifiers::NONE, Key::W, "Wanted sizes and directions", "View", || Action::ToggleWanted),
     with(CTRL, Key::Num0, "Show the whole canvas", "View", || Action::Fit),
     with(CTRL, Key::Num1, "Actual size", "View", || Action::ActualSize),
     with(CTRL, Key::Plus, "Zoom in", "View", || Action::Zoom(1.25)),

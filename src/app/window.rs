@@ -27,6 +27,7 @@ use egui::{Pos2, Rect};
 use super::action::{Page, Tab};
 use super::alternatives::Alternatives;
 use super::canvas::Canvas;
+use super::canvas::wanted::Glyph;
 use super::cloud::Cloud;
 use super::examples::Gallery;
 use super::exporting::Exporting;
@@ -105,6 +106,19 @@ impl Window {
         self.files.is_busy() || self.gallery.is_loading() || settings || self.recovery.is_busy()
     }
 
+    /// Whether what the marks want between them is being computed.
+    #[must_use]
+    pub fn is_busy_with_sketch(&self) -> bool {
+        self.canvas.wanted.is_busy()
+    }
+
+    /// What the free marks of the active layer want between them, at the places that are shown.
+    #[must_use]
+    pub fn wanted(&self) -> &[Glyph] {
+        let shown = self.canvas.wanted.of(self.session.active_layer).filter(|_| self.canvas.overlays.wanted);
+        shown.map_or(&[], |wanted| &wanted.glyphs)
+    }
+
     /// The state of the growth.
     #[must_use]
     pub fn phase(&self) -> &Phase {
@@ -136,7 +150,8 @@ impl Window {
         self.growth.texture.as_ref()
     }
 
-    /// The results by region; computed while the result tab is shown.
+    /// What became of the drawn marks, and the results by region; the changes after which unreachable regions can be reached
+    /// are computed while the result tab is shown.
     #[must_use]
     pub fn results(&self) -> &Results {
         &self.results
@@ -201,6 +216,7 @@ impl Window {
         self.texture.view.fitted = true;
         self.texture.tiled = false;
         self.canvas.analysis.forget();
+        self.canvas.wanted.forget();
         self.layers.forget();
         self.growth.forget();
         self.results.forget();

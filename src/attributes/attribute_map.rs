@@ -30,7 +30,7 @@ enum Source {
     /// Means of the marks of each region.
     Regions(RegionMap),
     /// What each mark wants around it. The whole canvas is one region.
-    Free { map: FreeMap, layout: RegionGrid, whole: Region },
+    Free { map: Box<FreeMap>, layout: RegionGrid, whole: Region },
 }
 
 impl AttributeMap {
@@ -47,7 +47,7 @@ impl AttributeMap {
         let source = match regions {
             Some(grid) => Source::Regions(RegionMap::from_marks(marks, size, grid, edges)?),
             None => {
-                let map = FreeMap::from_marks(marks, size, edges)?;
+                let map = Box::new(FreeMap::from_marks(marks, size, edges)?);
                 let whole = Region::whole(marks.len(), map.mean(), map.spread());
                 Source::Free { map, layout: RegionGrid { size, grid: [1, 1], edges }, whole }
             }
@@ -233,7 +233,8 @@ impl AttributeMap {
         let source = match &self.source {
             Source::Regions(map) => Source::Regions(map.resized(size)),
             Source::Free { map, layout, whole } => {
-                Source::Free { map: map.resized(size), layout: RegionGrid { size, ..*layout }, whole: *whole }
+                let map = Box::new(map.resized(size));
+                Source::Free { map, layout: RegionGrid { size, ..*layout }, whole: *whole }
             }
         };
         Self { source, spread_is_given: self.spread_is_given, wavelength_is_free: self.wavelength_is_free }
@@ -275,7 +276,7 @@ impl AttributeMap {
         let source = match self.source {
             Source::Regions(map) => Source::Regions(regions(map)),
             Source::Free { map, layout, mut whole } => {
-                let map = free(map);
+                let map = Box::new(free(*map));
                 whole.filled = map.mean();
                 Source::Free { map, layout, whole }
             }

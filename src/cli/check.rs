@@ -1,6 +1,7 @@
 //! `dapple check`: checks a document and lists its content.
 
 use super::Error;
+use crate::attributes::free::FreeMap;
 use crate::attributes::{Attributes, Spread};
 use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
@@ -44,6 +45,10 @@ pub fn run(args: &Args) -> Result<(), Error> {
         let mut notes: Vec<String> =
             too_large.iter().map(|error| format!("cannot be grown on this machine: {error}")).collect();
         notes.extend(beneath.as_ref().and_then(|beneath| plan.expected_room(beneath)));
+        // Of lines around marks, or between them, only the width counts.
+        if plan.curve_kind().is_none() {
+            notes.extend(plan.map.free().map(FreeMap::remarks).unwrap_or_default());
+        }
         for note in &notes {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  {note}");

@@ -28,6 +28,8 @@ pub enum LayerAction {
     Rename,
     /// Delete it.
     Delete,
+    /// Put the small spots of this layer on a layer of their own, above it.
+    SplitBySize(usize),
 }
 
 impl LayerAction {
@@ -62,6 +64,7 @@ impl Session {
             LayerAction::Move(from, to) => from < layers && to < layers,
             LayerAction::Duplicate => is_any && layers < limits::MAX_LAYERS,
             LayerAction::Hide | LayerAction::Rename | LayerAction::Delete => is_any,
+            LayerAction::SplitBySize(layer) => layers < limits::MAX_LAYERS && self.has_two_sizes(layer),
         }
     }
 
@@ -84,6 +87,7 @@ impl Session {
             LayerAction::HideThis(layer) => self.hide_or_show(layer),
             LayerAction::Rename => {}
             LayerAction::Delete => self.delete_layer(active),
+            LayerAction::SplitBySize(layer) => self.split_by_size(layer),
         }
     }
 

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 mod layers;
+mod split;
 
 use crate::document::layer_rules::tidy;
 use crate::document::{After, Document, Kind, Layer, Stroke};

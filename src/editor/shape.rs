@@ -117,15 +117,18 @@ pub fn bounded(mark: &Mark, size: [u32; 2]) -> Mark {
 
 /// The mark moved until its centre is on a canvas of `size` px.
 fn on_canvas(mark: &Mark, size: [u32; 2]) -> Mark {
+    let size = size.map(f64::from);
+    let is_on = |mark: &Mark| (0..2).all(|axis| (0.0..=size[axis]).contains(&mark.center()[axis]));
     let moved = |mark: &Mark, rim: f64| {
         let center = mark.center();
-        mark.shifted([0, 1].map(|axis| {
-            let (middle, side) = (center[axis], f64::from(size[axis]));
-            if (0.0..=side).contains(&middle) { 0.0 } else { middle.clamp(rim, side - rim) - middle }
-        }))
+        mark.shifted([0, 1].map(|axis| center[axis].clamp(rim, size[axis] - rim) - center[axis]))
     };
-    // The centre is rounded: on the very edge it may lie beyond.
-    moved(&moved(mark, 0.0), ROUNDING)
+    if is_on(mark) {
+        return mark.clone();
+    }
+    let moved_once = moved(mark, 0.0);
+    // The centre is rounded: on the very edge it may lie beyond, and a move along one side may round it along the other.
+    if is_on(&moved_once) { moved_once } else { moved(&moved_once, ROUNDING) }
 }
 
 /// The path moved until its centre is on a canvas of `size` px, and shrunk around it until no point is farther from the
@@ -215,6 +218,20 @@ mod tests {
             {
                 let at = center(&bounded(&moved(&Mark::Line(line), by), [512, 384]));
                 assert!((0.0..=512.0).contains(&at[0]) && (0.0..=384.0).contains(&at[1]), "{line:?} {at:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_path_that_is_moved_over_the_edge_has_its_centre_on_the_canvas() {
+        for i in 0..5_000_u32 {
+            let digits = |k: u32| f64::from(i.wrapping_mul(2_654_435_761).rotate_left(k)) / 7e6;
+            let points = [[digits(0), digits(5)], [digits(11), digits(19)], [digits(23), digits(29)]];
+            let path = Mark::Path(Path { points: points.to_vec(), width: 2.0 });
+            let [x, y] = center(&path);
+            for by in [[-x, -y], [512.0 - x, -y], [512.0 - x, 384.0 - y], [-900.0, 900.0]] {
+                let at = center(&bounded(&moved(&path, by), [512, 384]));
+                assert!((0.0..=512.0).contains(&at[0]) && (0.0..=384.0).contains(&at[1]), "{path:?} {at:?}");
             }
         }
     }

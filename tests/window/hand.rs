@@ -64,7 +64,7 @@ pub fn pipe(file: &std::path::Path) {
 }
 
 impl Hand {
-    /// Runs a few frames, and a few more after the end of files that are being read or written.
+    /// Runs a few frames, and a few more after files were read or written and the sketch was read.
     #[track_caller]
     pub fn rest(&mut self) {
         let began = Instant::now();
@@ -72,8 +72,9 @@ impl Hand {
         while left > 0 {
             self.window.step();
             left -= 1;
-            if self.window.state().is_busy_with_files() {
-                assert!(began.elapsed() < Duration::from_secs(60), "a file is read or written for ever");
+            let window = self.window.state();
+            if window.is_busy_with_files() || window.is_busy_with_sketch() {
+                assert!(began.elapsed() < Duration::from_secs(60), "a file or the sketch is read for ever");
                 thread::sleep(Duration::from_millis(1));
                 left = 4;
             }

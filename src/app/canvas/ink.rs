@@ -1,12 +1,16 @@
 //! Painting marks and strokes on the canvas.
 
+use std::f64::consts::TAU;
+
 use egui::epaint::{EllipseShape, PathShape};
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 
 use super::view::View;
-use crate::marks::{Line, Mark, Path};
+use crate::editor::shape;
+use crate::marks::{Ellipse, Line, Mark, Path};
 
 /// Paints on a canvas, in px of the canvas.
+#[derive(Clone, Copy)]
 pub struct Ink<'a> {
     /// Where shapes are added.
     pub painter: &'a Painter,
@@ -46,6 +50,27 @@ impl Ink<'_> {
             }
             Mark::Path(path) => self.wide_path(path, fill, outline),
         }
+    }
+
+    /// The outline of a mark, dashed.
+    pub fn dashed_outline(&self, mark: &Mark, stroke: Stroke) {
+        let mut points = match mark {
+            Mark::Ellipse(ellipse) => self.around(ellipse),
+            Mark::Line(line) => self.rounded(line),
+            Mark::Path(path) => self.sides(path, 0.5 * (path.width as f32 * self.view.zoom).max(1.5)),
+        };
+        points.extend(points.first().copied());
+        self.painter.extend(Shape::dashed_line(&points, stroke, 5.0, 3.5));
+    }
+
+    /// The outline of an ellipse.
+    fn around(&self, ellipse: &Ellipse) -> Vec<Pos2> {
+        const STEPS: usize = 48;
+        let point = |step: usize| {
+            let (s, c) = (TAU * step as f64 / STEPS as f64).sin_cos();
+            shape::out_of_frame([ellipse.radii[0] * c, ellipse.radii[1] * s], ellipse.center, ellipse.angle)
+        };
+        (0..STEPS).map(|step| self.at(point(step))).collect()
     }
 
     /// A path as wide as it is, with an outline.

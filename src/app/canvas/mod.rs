@@ -4,9 +4,11 @@ pub mod analysis;
 mod gesture;
 mod handles;
 pub mod ink;
+mod lost;
 mod navigate;
 pub mod tool;
 pub mod view;
+pub mod wanted;
 
 pub use gesture::Nib;
 pub use navigate::navigate;
@@ -17,10 +19,13 @@ use egui::{
 };
 
 use super::reference::Reference;
+use super::result::Drawn;
 use super::theme::Palette;
 use super::underlay::Underlay;
 use crate::document::sketch_notes::outline_remark;
+use crate::editor::selection::Place;
 use crate::editor::session::Session;
+use crate::editor::shape;
 use crate::editor::units::{Ruler, Units};
 use crate::grid::Edges;
 use crate::marks::Mark;
@@ -30,9 +35,12 @@ use gesture::{Gesture, Hand};
 use ink::Ink;
 use tool::Tool;
 use view::View;
+use wanted::LiveWanted;
 
 /// A stroke that was recognised fades within this time, seconds.
 const FADE: f64 = 0.7;
+/// The pointer is on a mark within this distance, points.
+const HOVER: f64 = 2.0;
 
 /// What is shown over the sketch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +49,8 @@ pub struct Overlays {
     pub regions: bool,
     /// Fitted ellipses, neighbours, directions.
     pub analysis: bool,
+    /// Sizes and directions that free marks want between them.
+    pub wanted: bool,
 }
 
 /// The state of the canvas; nothing of it is saved in documents.
@@ -57,6 +67,10 @@ pub struct Canvas {
     pub pointer: Option<[f64; 2]>,
     /// The analysed sketch.
     pub analysis: Analysis,
+    /// What the free marks of the active layer want between them.
+    pub wanted: LiveWanted,
+    /// The mark under the pointer.
+    pub hovered: Option<Place>,
     /// The unit in which lengths are shown.
     pub units: Units,
     /// The reference picture under it.
@@ -80,9 +94,11 @@ impl Default for Canvas {
             tool: Tool::default(),
             nib: Nib::default(),
             view: View::default(),
-            overlays: Overlays { regions: true, analysis: false },
+            overlays: Overlays { regions: true, analysis: false, wanted: true },
             pointer: None,
             analysis: Analysis::default(),
+            wanted: LiveWanted::default(),
+            hovered: None,
             units: Units::default(),
             reference: Reference::default(),
             underlay: Underlay::default(),
@@ -120,8 +136,9 @@ impl Canvas {
         held
     }
 
-    /// Shows the canvas in `room`; gestures change the document.
-    pub fn ui(&mut self, ui: &mut Ui, room: Rect, session: &mut Session) -> Response {
+    /// Shows the canvas in `room`; gestures change the document. `drawn`: what became of its marks.
+    pub fn ui(&mut self, ui: &mut Ui, room: Rect, session: &mut Session, drawn: &Drawn) -> Response {
+        let revision = session.revision();
         let response = ui.interact(room, ui.scope_id().with("sketch"), Sense::drag());
         self.id = Some(response.id);
         let marks = session.marks().count();
@@ -146,8 +163,24 @@ impl Canvas {
         let grabbed = matches!(self.gesture, Some(Gesture::Pan));
         navigate(ui, &response, room, &mut self.view, grabbed);
         self.analysis.update(session);
-        self.paint(ui, room, session, &response);
-        response
+        let changed = Drawn::default();
+        let drawn = if session.revision() == revision { drawn } else { &changed };
+        self.hovered =
+            self.pointer.filter(|_| self.gesture.is_none()).and_then(|at| self.mark_at(session, drawn, at));
+        self.paint(ui, room, (session, drawn), &response);
+        match self.hovered.and_then(|place| drawn.lost(session, place)) {
+            Some(reason) => response.on_hover_text_at_pointer(format!("Does not grow: {reason}")),
+            None => response,
+        }
+    }
+
+    /// The mark at a point, px; among several first one that does not grow.
+    fn mark_at(&self, session: &Session, drawn: &Drawn, at: [f64; 2]) -> Option<Place> {
+        let reach = HOVER / f64::from(self.view.zoom);
+        let is_lost = |place: &Place| drawn.lost(session, *place).is_some();
+        let here = session.marks().rev().filter(|(_, mark)| shape::distance(mark, at) <= reach);
+        let lost = here.map(|(place, _)| place).find(is_lost);
+        lost.or_else(|| session.hit(at, reach)).or_else(|| session.hit_frozen(at, reach))
     }
 
     fn gesture(&mut self, ui: &Ui, response: &Response, room: Rect, session: &mut Session) {
@@ -207,7 +240,7 @@ impl Canvas {
         ui.ctx().set_cursor_icon(icon);
     }
 
-    fn paint(&mut self, ui: &Ui, room: Rect, session: &Session, response: &Response) {
+    fn paint(&mut self, ui: &Ui, room: Rect, (session, drawn): (&Session, &Drawn), response: &Response) {
         let colours = Palette::current(ui.visuals());
         let painter = ui.painter_at(room);
         painter.rect_filled(room, 0.0, colours.background);
@@ -220,7 +253,13 @@ impl Canvas {
             grid(&ink, session, colours);
         }
         painter.rect_stroke(paper, 2.0, Stroke::new(1.0, colours.border), StrokeKind::Outside);
-        self.marks(&ink, session, colours);
+        if self.overlays.wanted
+            && let Some(wanted) = self.wanted.of(session.active_layer)
+        {
+            let painter = painter.with_clip_rect(painter.clip_rect().intersect(paper));
+            wanted.paint(&Ink { painter: &painter, ..ink }, colours);
+        }
+        self.marks(&ink, session, drawn, colours);
         if self.overlays.analysis {
             self.analysis.paint(&ink, session, session.active_layer, colours);
         }
@@ -237,9 +276,13 @@ impl Canvas {
         }
     }
 
-    fn marks(&self, ink: &Ink, session: &Session, colours: &Palette) {
+    fn marks(&self, ink: &Ink, session: &Session, drawn: &Drawn, colours: &Palette) {
         let fill = if self.overlays.analysis { 0.10 } else { 0.82 };
         for (place, mark) in session.marks() {
+            if drawn.lost(session, place).is_some() {
+                lost::paint(ink, &mark, session.selection.contains(place), colours);
+                continue;
+            }
             let colour = colours.ink(place.layer);
             let [body, outline] = self.opacity(session, place.layer);
             if session.selection.contains(place) {

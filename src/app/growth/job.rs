@@ -10,6 +10,7 @@ use super::preview::preview;
 use super::{Picture, Texture, essence};
 use crate::document::Document;
 use crate::editor::task::Worker;
+use crate::synth::report::{DrawnMark, left_out};
 use crate::synth::{
     GrowError, Grown, GrownLayer, Options, Settings, Snapshot, Stage, Training, Watch, regrow_seen, unchanged,
 };
@@ -23,6 +24,8 @@ pub(super) enum News {
     Picture(Picture),
     /// It has settled; the number of its lowest layers that were taken from an earlier growth.
     Settled(Texture, Picture, usize),
+    /// The drawn marks that find no room, by layer of the document, as far as that is known.
+    LeftOut(Vec<Vec<DrawnMark>>),
     /// It cannot be grown: why.
     Failed(String),
 }
@@ -145,7 +148,13 @@ impl Job {
         let watch = Watch { progress: &progress, cancelled: &|| worker.is_cancelled() };
         let mut done = reused;
         let mut shown: Option<Instant> = None;
+        let mut planned = 0;
         let mut seen = |look: &Snapshot| {
+            if look.beneath.len() >= planned {
+                planned = look.beneath.len() + 1;
+                let plans = look.beneath.iter().map(|layer| &layer.plan).chain([look.plan]);
+                worker.send(News::LeftOut(plans.map(left_out).collect()));
+            }
             if look.beneath.len() > done {
                 done = look.beneath.len();
                 self.shared.keep_layers(&self.document, look.beneath);

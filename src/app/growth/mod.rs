@@ -14,6 +14,7 @@ use std::time::{Duration, Instant};
 
 use crate::document::Document;
 use crate::editor::task::{Ending, StartError, Task, Tasks, Worker};
+use crate::synth::report::DrawnMark;
 use crate::synth::{Grown, Stage};
 use job::{Job, Live, News, Shared};
 
@@ -68,6 +69,8 @@ pub struct Growth {
     pub picture: Option<Picture>,
     /// The settled texture; `None` until the current sketch has settled.
     pub texture: Option<Texture>,
+    /// The drawn marks that find no room, by layer of the document that is growing, as far as that is known.
+    pub left_out: Vec<Vec<DrawnMark>>,
     /// Time from the change to its first picture.
     pub first_picture: Option<Duration>,
     /// The number of the lowest layers of the settled texture that were not grown again.
@@ -94,6 +97,7 @@ impl Growth {
             phase: Phase::Idle,
             picture: None,
             texture: None,
+            left_out: Vec::new(),
             first_picture: None,
             reused: 0,
             paused: false,
@@ -232,6 +236,7 @@ impl Growth {
     fn cancel(&mut self) {
         self.generation += 1;
         self.texture = None;
+        self.left_out.clear();
         self.painting = None;
         self.paused = false;
         self.live = None;
@@ -281,6 +286,10 @@ impl Growth {
     fn receive(&mut self, news: News) -> bool {
         match news {
             News::Picture(picture) => self.picture = Some(picture),
+            News::LeftOut(left_out) => {
+                self.left_out = left_out;
+                return false;
+            }
             News::Settled(texture, picture, reused) => {
                 // Its colours may have been changed in the meantime.
                 let changed = self.asked.as_ref().filter(|asked| **asked != *texture.document);

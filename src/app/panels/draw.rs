@@ -3,19 +3,23 @@
 use egui::{RichText, Slider, Ui};
 
 use super::form::{heading, presets, rows};
+use super::notes::notes;
+use super::result::mark_result;
 use super::selected;
+use super::wanted::{here, region};
 use crate::app::action::Action;
 use crate::app::canvas::tool::Tool;
 use crate::app::canvas::{Canvas, Nib};
 use crate::app::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
 use crate::app::reference::Reference;
-use crate::attributes::Attributes;
+use crate::app::result::Drawn;
 use crate::document::Document;
-use crate::document::sketch_notes::SketchNote;
 use crate::editor::edit::Edit;
+use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::units::Ruler;
 use crate::grid::Edges;
+use crate::synth::report::DrawnMark;
 
 /// What the tab shows.
 pub struct DrawState<'a> {
@@ -23,6 +27,8 @@ pub struct DrawState<'a> {
     pub session: &'a Session,
     /// The canvas: tool, size of new marks, overlays, reference picture, analysed regions.
     pub canvas: &'a Canvas,
+    /// What became of its marks.
+    pub drawn: Drawn<'a>,
     /// How lengths are shown and typed.
     pub ruler: Ruler,
     /// Whether the texture is shown two by two.
@@ -31,18 +37,36 @@ pub struct DrawState<'a> {
     pub linked: bool,
 }
 
+impl<'a> DrawState<'a> {
+    /// What became of a drawn mark.
+    fn grown(&self, place: Option<Place>) -> Option<&'a DrawnMark> {
+        self.drawn.mark(self.session, place?)
+    }
+}
+
 /// Shows the tab.
 pub fn draw(ui: &mut Ui, state: &DrawState) -> Vec<Action> {
-    let DrawState { session, canvas, ruler, .. } = *state;
+    let &DrawState { session, canvas, ruler, .. } = state;
     let mut actions = Vec::new();
     if session.selection.is_empty() {
         actions.extend(tool(ui, canvas.tool, canvas.nib, ruler));
     } else {
         actions.extend(selected::selected(ui, session, ruler));
     }
+    if let Some(drawn) = selected_mark(state) {
+        ui.add_space(4.0);
+        mark_result(ui, ruler, "Grown", drawn);
+    }
     actions.extend(canvas_properties(ui, session.document(), ruler));
-    notes(ui, session, &canvas.analysis.notes);
-    region(ui, session, canvas, ruler);
+    actions.extend(notes(ui, session, canvas, &state.drawn));
+    if let Some(drawn) = state.grown(canvas.hovered).filter(|_| selected_mark(state).is_none()) {
+        ui.add_space(8.0);
+        mark_result(ui, ruler, "The mark under the pointer", drawn);
+    } else if session.document().regions.is_some() {
+        region(ui, session, canvas, ruler);
+    } else {
+        here(ui, session, canvas, ruler);
+    }
     actions.extend(overlays(ui, state));
     actions
 }
@@ -113,50 +137,11 @@ fn canvas_properties(ui: &mut Ui, document: &Document, ruler: Ruler) -> Vec<Acti
     edits.into_iter().map(Action::Edit).collect()
 }
 
-/// What will not grow as it was drawn.
-fn notes(ui: &mut Ui, session: &Session, notes: &[SketchNote]) {
-    if notes.is_empty() {
-        return;
-    }
-    heading(ui, "Will not grow as drawn");
-    for note in notes {
-        let layer = note.layer.map(|layer| format!("{}: ", session.layer_name(layer))).unwrap_or_default();
-        ui.label(RichText::new(format!("{layer}{}", note.text)).weak());
-    }
-}
-
-/// The attributes of the region under the pointer, or of the one in the centre.
-fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
-    let center = session.document().size.map(|side| 0.5 * f64::from(side));
-    let at = canvas.pointer.unwrap_or(center);
-    let Some((place, region)) = canvas.analysis.region(session.active_layer, at) else {
-        return;
-    };
-    let Some(map) = canvas.analysis.map(session.active_layer) else { return };
-    heading(ui, &format!("Region {}, {}", place[0] + 1, place[1] + 1));
-    let own = region.own.is_some();
-    rows(ui, "region", |ui| {
-        let mut row = |name: &str, value: String, help: &str| {
-            ui.label(name).on_hover_text(help);
-            ui.label(RichText::new(value).weak());
-            ui.end_row();
-        };
-        let marks = if own { region.marks.to_string() } else { "none; as nearby".to_owned() };
-        row("Marks", marks, "Marks whose centre is in this region");
-        match map.at(map.layout().center(place)) {
-            Attributes::Spots(spots) => {
-                row("Area", ruler.area(spots.area), "Mean area of the ellipses");
-                row("Aspect", format!("{:.2}", spots.aspect), "Minor ÷ major radius; 1 is round");
-                row("Direction", format!("{:.0}°", spots.angle), "Mean direction of the major axes");
-                let spacing = spots.spacing.map_or("free".to_owned(), |spacing| ruler.rough(spacing));
-                row("Spacing", spacing, "Mean distance between neighbours; free = as the system gives it");
-            }
-            Attributes::Stripes(stripes) => {
-                row("Width", ruler.length(stripes.width), "Mean width of the lines");
-                row("Direction", format!("{:.0}°", stripes.angle), "Mean direction of the lines");
-            }
-        }
-    });
+/// What became of the selected mark; `None` where none or several are.
+fn selected_mark<'a>(state: &DrawState<'a>) -> Option<&'a DrawnMark> {
+    let mut selected = state.session.selection.places();
+    let only = selected.next().filter(|_| selected.next().is_none());
+    state.grown(only)
 }
 
 /// What is shown over and under the sketch, and how the views move.
@@ -168,7 +153,13 @@ fn overlays(ui: &mut Ui, state: &DrawState) -> Vec<Action> {
         }
     };
     heading(ui, "Shown");
-    check(ui, state.canvas.overlays.regions, "Region grid", REGIONS, Action::Regions);
+    if state.session.document().regions.is_some() {
+        check(ui, state.canvas.overlays.regions, "Region grid", REGIONS, Action::Regions);
+    } else {
+        let help = "What the marks of this layer ask for between them: an outline of about each spot, or a piece of each \
+                    stripe. Fainter where directions hardly agree, a cross where they cancel.";
+        check(ui, state.canvas.overlays.wanted, "Wanted sizes and directions", help, Action::Wanted);
+    }
     let help = "Fitted marks with their axes, the edges between neighbours whose mean length is the spacing, and the \
                 mean mark of each region";
     check(ui, state.canvas.overlays.analysis, "What dapple sees", help, Action::Analysis);

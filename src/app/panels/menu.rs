@@ -140,7 +140,14 @@ fn view(ui: &mut Ui, state: &MenuState, actions: &mut Vec<Action>) {
         check(ui, "Tiles, two by two", state.tiled, &Action::Tiled(!state.tiled), actions);
     });
     let overlays = state.overlays;
-    check(ui, "Region grid", overlays.regions, &Action::Regions(!overlays.regions), actions);
+    let free = state.session.document().regions.is_none();
+    ui.add_enabled_ui(!free, |ui| {
+        check(ui, "Region grid", overlays.regions, &Action::Regions(!overlays.regions), actions);
+    });
+    ui.add_enabled_ui(free, |ui| {
+        let text = "Wanted sizes and directions";
+        check(ui, text, overlays.wanted, &Action::Wanted(!overlays.wanted), actions);
+    });
     check(ui, "What dapple sees", overlays.analysis, &Action::Analysis(!overlays.analysis), actions);
     let alternatives = state.alternatives;
     check(ui, "Alternatives", alternatives, &Action::Alternatives(!alternatives), actions);

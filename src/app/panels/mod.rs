@@ -10,11 +10,13 @@ mod layer_details;
 mod layers;
 mod meets;
 mod menu;
+mod notes;
 mod result;
 mod selected;
 mod sketch_bar;
 mod status;
 mod tools;
+mod wanted;
 
 pub use alternatives::{HEIGHT, alternatives};
 pub use colour::{ColourPanel, colour};

@@ -1,8 +1,10 @@
 //! What was asked for and what has grown, computed in the background: the numbers of `dapple grow --report`.
 
+mod drawn;
 mod reach;
 mod verdict;
 
+pub use drawn::Drawn;
 pub use reach::Reach;
 pub use verdict::Verdict;
 
@@ -12,7 +14,7 @@ use super::growth::Texture;
 use crate::editor::session::Session;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::rd::System;
-use crate::synth::report::{self, RegionReport};
+use crate::synth::report::{self, DrawnMark, RegionReport};
 use crate::synth::{Grown, Training};
 
 /// The result of a region.
@@ -35,6 +37,17 @@ pub struct LayerResult {
     pub system: System,
     /// Its regions, row by row.
     pub regions: Vec<RegionResult>,
+    /// What became of each drawn mark, in the order in which they were drawn; empty where none was to be among those that
+    /// grow.
+    pub drawn: Vec<DrawnMark>,
+}
+
+impl LayerResult {
+    /// How many drawn marks did not grow.
+    #[must_use]
+    pub fn lost(&self) -> usize {
+        self.drawn.iter().filter(|mark| !mark.there).count()
+    }
 }
 
 /// The result of a texture.
@@ -50,8 +63,15 @@ pub struct Outcome {
 
 enum News {
     Layers(Vec<LayerResult>),
-    Reach { layer: usize, region: usize, reach: Reach },
-    Complete,
+    Reach {
+        layer: usize,
+        region: usize,
+        reach: Reach,
+    },
+    /// Whether the changes of all unreachable regions were sought.
+    End {
+        complete: bool,
+    },
 }
 
 /// The computation under way; without a task, no thread could be started.
@@ -70,9 +90,10 @@ pub struct Results {
 }
 
 impl Results {
-    /// Receives results and starts to compute those of a new texture; never waits. Returns an error once where no
-    /// thread can be started.
-    pub fn follow(&mut self, tasks: &Tasks, texture: Option<&Texture>) -> Option<StartError> {
+    /// Receives results and starts to compute those of a new texture; never waits. The changes after which unreachable
+    /// regions can be reached take longer and are computed where `all` is asked for. Returns an error once where no thread
+    /// can be started.
+    pub fn follow(&mut self, tasks: &Tasks, texture: Option<&Texture>, all: bool) -> Option<StartError> {
         while let Some(news) = self.job.as_mut().and_then(|job| job.task.as_mut()?.poll()) {
             self.take(news);
         }
@@ -81,17 +102,18 @@ impl Results {
             return None;
         };
         let same = |grown: &Arc<Grown>| Arc::ptr_eq(grown, &texture.grown);
+        let is_enough = |outcome: &Outcome| (outcome.complete || !all) && same(&outcome.grown);
         let known = self.job.as_ref().is_some_and(|job| same(&job.grown))
-            || self.outcome.as_ref().is_some_and(|outcome| outcome.complete && same(&outcome.grown));
+            || self.outcome.as_ref().is_some_and(is_enough);
         if !known {
-            return self.begin(&texture.grown, tasks).err();
+            return self.begin(&texture.grown, tasks, all).err();
         }
         None
     }
 
-    fn begin(&mut self, grown: &Arc<Grown>, tasks: &Tasks) -> Result<(), StartError> {
+    fn begin(&mut self, grown: &Arc<Grown>, tasks: &Tasks, all: bool) -> Result<(), StartError> {
         let (textured, training) = (Arc::clone(grown), Arc::clone(&self.training));
-        let started = tasks.start("the result", move |worker| work(&textured, &training, worker));
+        let started = tasks.start("the result", move |worker| work(&textured, &training, all, worker));
         let (task, outcome) = match started {
             Ok(task) => (Some(task), Ok(())),
             Err(error) => (None, Err(error)),
@@ -113,8 +135,8 @@ impl Results {
                     region.reach = Some(reach);
                 }
             }
-            (News::Complete, Some(outcome)) => {
-                outcome.complete = true;
+            (News::End { complete }, Some(outcome)) => {
+                outcome.complete = complete;
                 self.job = None;
             }
             (_, None) => {}
@@ -155,27 +177,32 @@ pub fn session_layer(session: &Session, layer: usize) -> Option<usize> {
     drawn.map(|(index, _)| index).nth(layer)
 }
 
-fn work(grown: &Grown, training: &Training, worker: &Worker<News>) {
-    let layers: Vec<LayerResult> = grown
-        .layers
-        .iter()
-        .zip(&grown.document.layers)
-        .enumerate()
-        .map(|(index, (layer, drawn))| LayerResult {
-            name: drawn.name.clone(),
-            system: layer.plan.lookup.system,
-            regions: report::regions(&grown.document, index, layer, &report::drawn_of(layer))
-                .into_iter()
-                .map(|report| RegionResult { verdict: Verdict::for_region(&report), report, reach: None })
-                .collect(),
-        })
-        .collect();
+/// The result of layer `index` of what has grown.
+fn result_of(grown: &Grown, index: usize) -> LayerResult {
+    let (layer, drawn) = (&grown.layers[index], report::drawn_of(&grown.layers[index]));
+    let regions = report::regions(&grown.document, index, layer, &drawn);
+    let result = |report| RegionResult { verdict: Verdict::for_region(&report), report, reach: None };
+    LayerResult {
+        name: grown.document.layers[index].name.clone(),
+        system: layer.plan.lookup.system,
+        regions: regions.into_iter().map(result).collect(),
+        drawn,
+    }
+}
+
+fn work(grown: &Grown, training: &Training, all: bool, worker: &Worker<News>) {
+    let layers = grown.layers.len().min(grown.document.layers.len());
+    let layers: Vec<LayerResult> = (0..layers).map(|index| result_of(grown, index)).collect();
     let beyond = |layer: &LayerResult| {
         let regions = layer.regions.iter().enumerate();
         regions.filter(|(_, region)| !region.report.beyond.is_empty()).map(|(index, _)| index).collect()
     };
     let wanted: Vec<Vec<usize>> = layers.iter().map(beyond).collect();
     worker.send(News::Layers(layers));
+    if !all {
+        worker.send(News::End { complete: wanted.iter().all(Vec::is_empty) });
+        return;
+    }
     let plans: Vec<_> = grown.layers.iter().map(|layer| &layer.plan.lookup).collect();
     for (layer, regions) in wanted.into_iter().enumerate() {
         for region in regions {
@@ -187,5 +214,5 @@ fn work(grown: &Grown, training: &Training, worker: &Worker<News>) {
             }
         }
     }
-    worker.send(News::Complete);
+    worker.send(News::End { complete: true });
 }

@@ -27,6 +27,8 @@ pub struct Layout {
     pub regions: bool,
     /// Whether the analysis of the sketch is shown.
     pub analysis: bool,
+    /// Whether the sizes and directions that free marks want between them are shown.
+    pub wanted: bool,
 }
 
 impl Default for Layout {
@@ -41,6 +43,7 @@ impl Default for Layout {
             linked: true,
             regions: true,
             analysis: false,
+            wanted: true,
         }
     }
 }
@@ -65,6 +68,7 @@ impl Layout {
             linked: is("linked", default.linked),
             regions: is("regions", default.regions),
             analysis: is("analysis", default.analysis),
+            wanted: is("wanted", default.wanted),
         };
     }
 
@@ -82,6 +86,7 @@ impl Layout {
         entries.set("linked", &self.linked, &default.linked);
         entries.set("regions", &self.regions, &default.regions);
         entries.set("analysis", &self.analysis, &default.analysis);
+        entries.set("wanted", &self.wanted, &default.wanted);
     }
 }
 

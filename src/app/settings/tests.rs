@@ -27,6 +27,7 @@ fn everything_is_remembered() {
         linked: false,
         regions: false,
         analysis: true,
+        wanted: false,
     };
     settings.remember(Path::new("/a/b\n%.dapple"));
     settings.write();
@@ -158,6 +159,7 @@ fn a_file_of_an_earlier_version_is_read_and_written_as_json() {
         linked: false,
         regions: false,
         analysis: true,
+        wanted: true,
     };
     assert_eq!(settings.layout, layout);
     let before = settings.entries();

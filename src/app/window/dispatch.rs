@@ -88,6 +88,8 @@ impl Window {
             }
             Action::Regions(shown) => self.canvas.overlays.regions = shown,
             Action::Analysis(shown) => self.canvas.overlays.analysis = shown,
+            Action::Wanted(shown) => self.canvas.overlays.wanted = shown,
+            Action::ToggleWanted => self.canvas.overlays.wanted = !self.canvas.overlays.wanted,
             Action::ChooseReference => self.choose_reference(),
             Action::ShowReference(shown) => self.canvas.reference.shown = shown,
             Action::ReferenceOpacity(opacity) => self.canvas.reference.opacity = opacity,

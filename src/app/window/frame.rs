@@ -7,7 +7,8 @@ use egui::{CentralPanel, Frame, Margin, Panel, Rect, Ui, UiBuilder, ViewportComm
 use super::Window;
 use crate::app::action::{Action, Tab};
 use crate::app::canvas::view::View;
-use crate::app::growth::Phase;
+use crate::app::growth::{Growth, Phase};
+use crate::app::result::{Drawn, Results};
 use crate::app::theme::Palette;
 use crate::app::{panels, shortcuts, texture};
 use crate::editor::task::StartError;
@@ -30,10 +31,10 @@ impl Window {
         self.report(underlay.err());
         self.listen(ui);
         self.listen_to_recovery(ui);
-        if self.tab == Tab::Result {
-            let error = self.results.follow(&self.tasks, self.growth.texture.as_ref());
-            self.report(error);
-        }
+        let is_shown = self.tab == Tab::Result;
+        let error = self.results.follow(&self.tasks, self.growth.texture.as_ref(), is_shown);
+        self.report(error);
+        self.canvas.wanted.follow(&self.session, &self.tasks);
         let mut actions = self.keys(ui);
         self.dropped(ui);
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
@@ -144,7 +145,8 @@ impl Window {
         let content = |ui: &mut Ui| match self.tab {
             Tab::Draw => {
                 let (tiled, linked) = (self.texture.tiled, self.linked);
-                panels::draw(ui, &panels::DrawState { session, canvas, ruler, tiled, linked })
+                let drawn = drawn(&self.results, &self.growth, self.grown == Some(session.revision()));
+                panels::draw(ui, &panels::DrawState { session, canvas, drawn, ruler, tiled, linked })
             }
             Tab::Colour => panels::colour(ui, session, &mut self.colour),
             Tab::Result => {
@@ -188,9 +190,14 @@ impl Window {
         actions
     }
 
+    fn show_canvas(&mut self, ui: &mut Ui, room: Rect) {
+        let drawn = drawn(&self.results, &self.growth, self.grown == Some(self.session.revision()));
+        self.canvas.ui(ui, room, &mut self.session, &drawn);
+    }
+
     fn side_by_side(&mut self, ui: &mut Ui, body: Rect) {
         let (left, right) = body.split_left_right_at_fraction(0.5);
-        self.canvas.ui(ui, left, &mut self.session);
+        self.show_canvas(ui, left);
         let corner = self.canvas.view.to_screen(left, [0.0; 2]);
         self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
         self.texture.ui(ui, right, self.session.document().size, &self.growth);
@@ -203,7 +210,7 @@ impl Window {
     }
 
     fn one_over_the_other(&mut self, ui: &mut Ui, body: Rect) {
-        self.canvas.ui(ui, body, &mut self.session);
+        self.show_canvas(ui, body);
         let x = body.left() + self.curtain * body.width();
         let seen = Rect::from_min_max(pos2(x, body.top()), body.max);
         let painter = ui.painter_at(seen);
@@ -260,6 +267,15 @@ impl Window {
             ui.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
         }
+    }
+}
+
+/// What became of the drawn marks; nothing where the sketch has changed since it was grown.
+fn drawn<'a>(results: &'a Results, growth: &'a Growth, is_current: bool) -> Drawn<'a> {
+    if is_current {
+        Drawn::new(results.for_texture(growth.texture.as_ref()), growth)
+    } else {
+        Drawn::default()
     }
 }
 

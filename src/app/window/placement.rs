@@ -49,6 +49,7 @@ impl Window {
         self.linked = layout.linked;
         self.canvas.overlays.regions = layout.regions;
         self.canvas.overlays.analysis = layout.analysis;
+        self.canvas.overlays.wanted = layout.wanted;
     }
 
     /// Records the placement in the settings, which are written when the window closes.
@@ -60,6 +61,7 @@ impl Window {
         layout.linked = self.linked;
         layout.regions = self.canvas.overlays.regions;
         layout.analysis = self.canvas.overlays.analysis;
+        layout.wanted = self.canvas.overlays.wanted;
         ui.input(|input| {
             let viewport = input.viewport();
             if viewport.minimized == Some(true) || viewport.fullscreen == Some(true) {

@@ -129,6 +129,12 @@ impl FreeMap {
         }
     }
 
+    /// [`Self::notes`] other than crossings as sentences without a full stop: the first few, and how many more there are.
+    #[must_use]
+    pub fn remarks(&self) -> Vec<String> {
+        notes::sentences(self.notes())
+    }
+
     /// Nodes over the canvas at which parameters can be looked up and between which they can be interpolated.
     ///
     /// Sizes, aspects, spacings and periods vary little from node to node; directions may turn faster: read them by

@@ -1,8 +1,13 @@
 //! What of the strokes cannot be as it was drawn, and where.
 
+use std::fmt;
+
 use super::period::Wanted;
 use super::pieces::Piece;
 use crate::marks::{Path, turn};
+
+/// Notes that are told one by one.
+const MOST: usize = 4;
 
 /// Strokes that cross at a smaller angle than this agree, degrees.
 const AGREES: f64 = 20.0;
@@ -44,6 +49,49 @@ pub enum Note {
         /// Mean period taken, px.
         taken: f64,
     },
+}
+
+impl fmt::Display for Note {
+    /// What cannot be as drawn, where, and what to do.
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Crossing { place: [x, y], angle, .. } => {
+                write!(
+                    f,
+                    "at [{x:.0}, {y:.0}] lines cross at {angle:.0}°: stripes have one direction at each place; use two layers"
+                )
+            }
+            Self::Departure { place: [x, y], angle, .. } => write!(
+                f,
+                "at [{x:.0}, {y:.0}] the stripes depart by {angle:.0}° from the line that was drawn: lines near it want other \
+                 directions; leave more room between them, or use two layers"
+            ),
+            Self::Period { place: [x, y], drawn, taken, .. } => {
+                let (limit, remedy) = if drawn < taken {
+                    ("at least", "farther apart, or thinner")
+                } else {
+                    ("at most", "nearer together, or wider")
+                };
+                write!(
+                    f,
+                    "at [{x:.0}, {y:.0}] lines are {drawn:.0} px apart, and stripes of their width can be {limit} \
+                     {taken:.0} px apart: draw them {remedy}"
+                )
+            }
+        }
+    }
+}
+
+/// The notes as sentences without a full stop, at most [`MOST`] of them; the others are counted. Crossings are left out: they are
+/// told without a map.
+pub(super) fn sentences(notes: &[Note]) -> Vec<String> {
+    let notes: Vec<&Note> = notes.iter().filter(|note| !matches!(note, Note::Crossing { .. })).collect();
+    let mut sentences: Vec<String> = notes.iter().take(MOST).map(ToString::to_string).collect();
+    let more = notes.len().saturating_sub(MOST);
+    if more > 0 {
+        sentences.push(format!("{more} more places are like these"));
+    }
+    sentences
 }
 
 impl Note {

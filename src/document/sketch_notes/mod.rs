@@ -32,6 +32,16 @@ pub struct SketchNote {
     pub places: Vec<[f64; 2]>,
     /// What will not be as drawn, and the remedy.
     pub text: String,
+    /// The remedy, where dapple can carry it out.
+    #[serde(skip)]
+    pub remedy: Option<Remedy>,
+}
+
+/// A remedy that dapple can carry out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Remedy {
+    /// Put the small spots on a layer of their own, see [`size_groups`].
+    TwoLayers,
 }
 
 impl fmt::Display for SketchNote {
@@ -68,7 +78,7 @@ pub fn sketch_notes(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Ske
 impl SketchNote {
     /// A note on some strokes of a layer, which is added by [`sketch_notes`].
     fn new(strokes: Vec<usize>, places: Vec<[f64; 2]>, text: String) -> Self {
-        Self { layer: None, strokes, places, text }
+        Self { layer: None, strokes, places, text, remedy: None }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Spots whose sizes form two clear groups that stand among each other: two layers keep each size and each spacing.
 
-use super::SketchNote;
+use super::{Remedy, SketchNote};
 use crate::marks::{Ellipse, Mark};
 
 /// The fewest spots of which groups are sought, and the fewest of a group: fewer are single odd ones.
@@ -31,7 +31,7 @@ pub(super) fn note(marks: &[Option<Mark>]) -> Option<SketchNote> {
     );
     let told = if large.len() <= small.len() { large } else { small };
     let places = told.iter().filter_map(ellipse).map(|ellipse| ellipse.center).collect();
-    Some(SketchNote::new(told, places, text))
+    Some(SketchNote { remedy: Some(Remedy::TwoLayers), ..SketchNote::new(told, places, text) })
 }
 
 /// The indices of the small and of the large ellipses among the `marks` of a layer, where there are two clear groups.

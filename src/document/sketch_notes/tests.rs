@@ -87,7 +87,7 @@ fn two_sizes_among_each_other_are_told() {
     let is_large = |x: usize, y: usize| x % 3 == 1 && y.is_multiple_of(2);
     let told = notes(vec![dots(|x, y| if is_large(x, y) { 20.0 } else { 6.0 + 0.2 * x as f64 })]);
     let [note] = &told[..] else { panic!("{told:?}") };
-    assert_eq!(note.strokes, [1, 4, 13, 16]);
+    assert_eq!((&note.strokes[..], note.remedy), (&[1, 4, 13, 16][..], Some(Remedy::TwoLayers)));
     assert!(note.text.contains("20 of about 133 px² and 4 of about 1257 px²"), "{note}");
 }
 

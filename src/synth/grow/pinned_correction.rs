@@ -17,6 +17,8 @@ pub const THERE: f64 = 0.5;
 const GAIN: f64 = 0.8;
 /// Differences that are not corrected: of ln area, and of −ln aspect · (cos 2θ, sin 2θ).
 const TOLERATED: [f64; 2] = [0.05, 0.04];
+/// Of ellipses with a smaller aspect more is tolerated: as much of the aspect itself.
+const NARROW: f64 = 0.4;
 /// The largest corrections: of ln rate, of either part of the shape, of ln ratio.
 const MOST: NodeOffset = [1.2, 0.6, 0.6, 0.7];
 
@@ -77,7 +79,8 @@ impl PinnedCorrection {
             let by = if spot.whole { difference(&mark.drawn, &spot.ellipse) } else { NodeOffset::default() };
             let [area, shape] = [by[0].abs(), by[1].hypot(by[2])];
             correction.error += (area + shape).min(1.0);
-            let differs = area > TOLERATED[0] || shape > TOLERATED[1];
+            let narrow = (NARROW / mark.drawn.aspect()).max(1.0);
+            let differs = area > TOLERATED[0] || shape > narrow * TOLERATED[1];
             if differs {
                 correction.different.push(index);
             }

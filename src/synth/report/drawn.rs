@@ -8,7 +8,8 @@ use crate::marks::Ellipse;
 use crate::rd::Hindrance;
 use crate::synth::grow::layer::GrownLayer;
 use crate::synth::grow::pinned_correction::matched;
-use crate::synth::plan::pinned_marks::{displacement, visible_center};
+use crate::synth::plan::Plan;
+use crate::synth::plan::pinned_marks::{LeftOut, displacement, visible_center};
 use crate::synth::report::covered::{COVERED, covered};
 
 /// What became of a drawn mark that was to be among those that grow.
@@ -63,7 +64,13 @@ fn spots(layer: &GrownLayer) -> Vec<DrawnMark> {
             place: pinned.drawn.center,
         }
     });
-    let left_out = plan.left_out().iter().map(|left_out| DrawnMark {
+    pinned.chain(left_out(plan)).collect()
+}
+
+/// The drawn spots of a layer that find no room: known before it grows.
+#[must_use]
+pub fn left_out(plan: &Plan) -> Vec<DrawnMark> {
+    let mark = |left_out: &LeftOut| DrawnMark {
         mark: left_out.mark,
         there: false,
         off: None,
@@ -74,8 +81,8 @@ fn spots(layer: &GrownLayer) -> Vec<DrawnMark> {
             Hindrance::Obstacle => "on a mark of a layer beneath, or too close to one",
         }),
         place: left_out.drawn.center,
-    });
-    pinned.chain(left_out).collect()
+    };
+    plan.left_out().iter().map(mark).collect()
 }
 
 fn lines(layer: &GrownLayer, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {

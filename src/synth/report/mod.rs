@@ -7,7 +7,7 @@ pub mod drawn;
 pub mod pinned;
 mod region;
 
-pub use drawn::{DrawnMark, drawn_marks};
+pub use drawn::{DrawnMark, drawn_marks, left_out};
 pub use region::{RegionReport, regions};
 
 use serde::Serialize;

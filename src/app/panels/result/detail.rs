@@ -12,27 +12,29 @@ use crate::editor::units::Ruler;
 use crate::marks::axial;
 use crate::synth::report::RegionReport;
 
-/// Shows a region of layer number `layer` of the finished document. The sketch can be changed from here where the result
-/// `is_current`.
+/// Shows a region of layer number `layer` of the finished document, or the whole canvas where its marks are free
+/// (`is_free`). The sketch can be changed from here where the result `is_current`.
 pub fn detail(
     ui: &mut Ui,
     ruler: Ruler,
     region: &RegionResult,
     layer: usize,
     is_current: bool,
+    is_free: bool,
 ) -> Vec<Action> {
     let mut actions = Vec::new();
     let report = &region.report;
     let [column, row] = report.place;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         sign(ui, region.verdict);
-        ui.strong(format!("Region {}, {}", column + 1, row + 1));
+        let name = format!("Region {}, {}", column + 1, row + 1);
+        ui.strong(if is_free { "Whole canvas" } else { &name });
         ui.weak(region.verdict.name()).on_hover_text(region.verdict.help());
         if let Some(marks) = report.marks {
             ui.weak(format!("· {marks} measured")).on_hover_text("Whole spots that were measured in it");
         }
     });
-    numbers(ui, ruler, region);
+    numbers(ui, ruler, region, is_free);
     if !report.beyond.is_empty() {
         actions.extend(beyond(ui, region, layer, is_current));
     }
@@ -52,16 +54,16 @@ pub fn detail(
 }
 
 /// A row for each attribute: asked, grown, error.
-fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
+fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult, is_free: bool) {
     let report = &region.report;
     let asked = listed(&report.asked, report.directed);
     let got = report.got.map(|got| listed(&got, report.directed)).unwrap_or_default();
-    Grid::new("numbers").num_columns(5).min_col_width(14.0).spacing(vec2(9.0, 5.0)).show(ui, |ui| {
+    Grid::new("numbers").num_columns(5).min_col_width(14.0).spacing(vec2(6.0, 5.0)).show(ui, |ui| {
         for (head, help) in [
             ("", ""),
             (
                 "asked",
-                "What your marks ask for: the mean at the measured marks, since it changes between regions",
+                "What your marks ask for: the mean at the measured marks, since it changes over the canvas",
             ),
             ("got", "What was measured in the grown texture"),
             ("off", "By how much what has grown differs from what was asked where it stands"),
@@ -80,8 +82,9 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
             let (name, help) = named(attribute);
             ui.label(name).on_hover_text(help);
             let wanted = asked_at_marks(report, attribute).unwrap_or(*value);
-            let at_center = format!("{} in the centre of the region", number(ruler, attribute, *value));
-            ui.label(number(ruler, attribute, wanted)).on_hover_text(at_center);
+            let shown = number(ruler, attribute, *value);
+            let mean = if is_free { "is the mean of your marks" } else { "in the centre of the region" };
+            ui.label(number(ruler, attribute, wanted)).on_hover_text(format!("{shown} {mean}"));
             let found = got.iter().find(|(of, _)| of == attribute);
             ui.label(found.map_or("–".to_owned(), |(_, value)| number(ruler, attribute, *value)));
             let off = report.error.iter().find(|(of, _)| of == attribute);
@@ -173,7 +176,7 @@ pub fn parameter(name: &str) -> (&str, &str) {
 }
 
 /// The attributes that apply, in order.
-fn listed(attributes: &Attributes, directed: bool) -> Vec<(&'static str, f64)> {
+pub(super) fn listed(attributes: &Attributes, directed: bool) -> Vec<(&'static str, f64)> {
     match attributes {
         Attributes::Spots(spots) => {
             let mut listed = vec![("area", spots.area), ("aspect", spots.aspect), ("angle", spots.angle)];
@@ -189,7 +192,7 @@ fn listed(attributes: &Attributes, directed: bool) -> Vec<(&'static str, f64)> {
     }
 }
 
-fn number(ruler: Ruler, attribute: &str, value: f64) -> String {
+pub(super) fn number(ruler: Ruler, attribute: &str, value: f64) -> String {
     match attribute {
         "area" => ruler.area(value),
         "aspect" => format!("{value:.2}"),

@@ -2,12 +2,14 @@
 //! detail.
 
 mod detail;
+mod mark;
 mod signs;
 mod table;
 
+pub use mark::mark_result;
 pub use signs::paint_signs;
 
-use egui::{RichText, Ui};
+use egui::{Label, RichText, Ui};
 
 use crate::app::action::Action;
 use crate::app::growth::{Growth, Phase};
@@ -67,10 +69,12 @@ pub fn result(ui: &mut Ui, state: &ResultState, panel: &mut ResultPanel) -> Vec<
     if !is_current {
         ui.label(RichText::new(waiting(state)).weak().small());
     }
-    let grid = outcome.grown.document.region_grid();
-    table::table(ui, of_layer, &mut panel.chosen);
+    let (grid, is_free) = (outcome.grown.document.region_grid(), outcome.grown.document.regions.is_none());
+    lost(ui, of_layer, is_current);
+    table::table(ui, of_layer, is_free, &mut panel.chosen);
     let place = region(state, of_layer, grid, panel.chosen);
-    ui.checkbox(&mut panel.signs, "Marks in the regions' corners").on_hover_text(
+    let label = if is_free { "A sign in the corner" } else { "Signs in the regions' corners" };
+    ui.checkbox(&mut panel.signs, label).on_hover_text(
         "Disc with a tick: met. Diamond with a wave: near. Triangle with an exclamation mark: missed. Ring: nothing \
          was measured.",
     );
@@ -78,7 +82,22 @@ pub fn result(ui: &mut Ui, state: &ResultState, panel: &mut ResultPanel) -> Vec<
         return Vec::new();
     };
     ui.separator();
-    detail::detail(ui, state.ruler, region, index, is_current)
+    detail::detail(ui, state.ruler, region, index, is_current, is_free)
+}
+
+/// How many drawn marks did not grow. They are hollow in the sketch while it is the one that has grown (`is_current`).
+fn lost(ui: &mut Ui, layer: &LayerResult, is_current: bool) {
+    let (lost, all) = (layer.lost(), layer.drawn.len());
+    if lost == 0 {
+        return;
+    }
+    ui.horizontal_top(|ui| {
+        sign(ui, Verdict::Missed);
+        let marks = if all == 1 { "drawn mark" } else { "drawn marks" };
+        let hollow = if is_current { ": dashed outlines in the sketch" } else { "" };
+        ui.add(Label::new(format!("{lost} of {all} {marks} did not grow{hollow}")).wrap())
+            .on_hover_text("Rest the pointer on a dashed outline: it says why it did not grow");
+    });
 }
 
 /// Why there are no results, or only those of the texture before.

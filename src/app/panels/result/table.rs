@@ -17,8 +17,8 @@ const COLUMN: f32 = 54.0;
 /// Attributes that have a column, in order.
 const COLUMNS: [&str; 6] = ["area", "aspect", "angle", "spacing", "width", "wavelength"];
 
-/// Shows the table; the row that is clicked or gets the keyboard focus becomes `chosen`.
-pub fn table(ui: &mut Ui, layer: &LayerResult, chosen: &mut Option<[usize; 2]>) {
+/// Shows the table, one row where the marks are free (`is_free`); the row that is clicked or gets the keyboard focus becomes `chosen`.
+pub fn table(ui: &mut Ui, layer: &LayerResult, is_free: bool, chosen: &mut Option<[usize; 2]>) {
     let measured =
         |name: &&str| layer.regions.iter().any(|region| region.report.error.iter().any(|(of, _)| of == name));
     let columns: Vec<&str> = COLUMNS.into_iter().filter(measured).collect();
@@ -41,13 +41,19 @@ pub fn table(ui: &mut Ui, layer: &LayerResult, chosen: &mut Option<[usize; 2]>) 
     let area = ScrollArea::vertical().id_salt("regions").max_height(HEIGHT).auto_shrink([false, true]);
     area.show_rows(ui, ROW, layer.regions.len(), |ui, rows| {
         for region in &layer.regions[rows] {
-            row(ui, region, &columns, width, chosen);
+            row(ui, region, is_free, (&columns, width), chosen);
         }
     });
     ui.spacing_mut().item_spacing = vec2(8.0, 7.0);
 }
 
-fn row(ui: &mut Ui, region: &RegionResult, columns: &[&str], width: f32, chosen: &mut Option<[usize; 2]>) {
+fn row(
+    ui: &mut Ui,
+    region: &RegionResult,
+    is_free: bool,
+    (columns, width): (&[&str], f32),
+    chosen: &mut Option<[usize; 2]>,
+) {
     let place = region.report.place;
     let selected = *chosen == Some(place);
     let size = vec2(FIRST + width * columns.len() as f32 + 4.0, ROW);
@@ -62,12 +68,13 @@ fn row(ui: &mut Ui, region: &RegionResult, columns: &[&str], width: f32, chosen:
         egui::Rect::from_center_size(pos2(rect.left() + 4.0 + 0.5 * SIGN, rect.center().y), vec2(SIGN, SIGN));
     region.verdict.paint(ui.painter(), sign, Palette::current(ui.visuals()));
     let font = FontId::new(TextStyle::Small.resolve(ui.style()).size, egui::FontFamily::Proportional);
-    let name = format!("{}, {}", place[0] + 1, place[1] + 1);
+    let name = if is_free { "all".to_owned() } else { format!("{}, {}", place[0] + 1, place[1] + 1) };
     let text = |x: f32, align: Align2, text: String| {
         ui.painter().text(pos2(rect.left() + x, rect.center().y), align, text, font.clone(), colour);
     };
     text(24.0, Align2::LEFT_CENTER, name.clone());
-    let mut label = format!("Region {name}: {}", region.verdict.name());
+    let title = if is_free { "Whole canvas".to_owned() } else { format!("Region {name}") };
+    let mut label = format!("{title}: {}", region.verdict.name());
     for (column, attribute) in columns.iter().enumerate() {
         let found = region.report.error.iter().find(|(of, _)| of == attribute);
         let value = found.map_or("–".to_owned(), |(_, off)| error(attribute, *off));

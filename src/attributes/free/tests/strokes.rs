@@ -114,6 +114,24 @@ fn a_distance_that_stripes_of_the_width_cannot_have_is_noted_with_the_period_tak
     assert!(near.clone().with_duty(0.5).notes().is_empty());
     let stretched = near.resized([1024.0, SIDE]);
     assert!(matches!(stretched.notes(), [Note::Period { place: [x, _], .. }] if *x == 2.0 * place[0]));
+    let [told] = &near.remarks()[..] else { panic!("{:?}", near.remarks()) };
+    let text = "lines are 21 px apart, and stripes of their width can be at least 24 px apart: draw them farther apart, or thinner";
+    assert!(told.ends_with(text), "{told}");
+}
+
+#[test]
+fn remarks_leave_out_crossings_and_count_what_is_too_much() {
+    let cross = [line([100.0, 100.0], [400.0, 400.0], 10.0), line([100.0, 400.0], [400.0, 100.0], 10.0)];
+    let cross = map(&cross);
+    assert!(cross.notes().iter().any(|note| matches!(note, Note::Crossing { .. })));
+    assert!(cross.remarks().iter().all(|told| !told.contains("cross")), "{:?}", cross.remarks());
+    let near: Vec<Mark> =
+        (0..8).map(|k| 40.0 + 21.0 * f64::from(k)).map(|y| line([60.0, y], [450.0, y], 20.0)).collect();
+    let near = map(&near);
+    assert!(near.notes().len() > 5, "{:?}", near.notes());
+    let remarks = near.remarks();
+    let more = format!("{} more places are like these", near.notes().len() - 4);
+    assert_eq!((remarks.len(), remarks.last()), (5, Some(&more)));
 }
 
 #[test]

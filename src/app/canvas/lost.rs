@@ -1,0 +1,15 @@
+//! Drawn marks that do not grow: hollow on the sketch.
+
+use egui::{Color32, Stroke};
+
+use super::ink::Ink;
+use crate::app::theme::Palette;
+use crate::marks::Mark;
+
+/// A dashed outline without a filling; full where it is selected.
+pub fn paint(ink: &Ink, mark: &Mark, is_selected: bool, colours: &Palette) {
+    if is_selected {
+        ink.mark(mark, Color32::TRANSPARENT, Stroke::new(2.0, colours.accent));
+    }
+    ink.dashed_outline(mark, Stroke::new(1.5, colours.wrong));
+}

@@ -1,0 +1,63 @@
+//! What the marks want: in a region, or at a place between free marks.
+
+use egui::{RichText, Ui};
+
+use super::form::{heading, rows};
+use crate::app::canvas::Canvas;
+use crate::attributes::Attributes;
+use crate::editor::session::Session;
+use crate::editor::units::Ruler;
+
+/// What the free marks of the active layer want at the pointer; elsewhere the mean of the marks.
+pub fn here(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
+    let Some(wanted) = canvas.wanted.of(session.active_layer) else { return };
+    let size = session.document().size.map(f64::from);
+    let on_canvas = |at: &[f64; 2]| (0..2).all(|axis| (0.0..=size[axis]).contains(&at[axis]));
+    let at = canvas.pointer.filter(on_canvas);
+    heading(ui, if at.is_some() { "Wanted at the pointer" } else { "Wanted on average" });
+    let attributes = at.map_or_else(|| wanted.map.mean(), |at| wanted.map.at(at));
+    rows(ui, "here", |ui| rows_of(ui, &attributes, ruler));
+}
+
+/// The attributes of the region under the pointer, or of the one in the centre.
+pub fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
+    let center = session.document().size.map(|side| 0.5 * f64::from(side));
+    let at = canvas.pointer.unwrap_or(center);
+    let Some((place, region)) = canvas.analysis.region(session.active_layer, at) else {
+        return;
+    };
+    let Some(map) = canvas.analysis.map(session.active_layer) else { return };
+    heading(ui, &format!("Region {}, {}", place[0] + 1, place[1] + 1));
+    let own = region.own.is_some();
+    rows(ui, "region", |ui| {
+        let marks = if own { region.marks.to_string() } else { "none; as nearby".to_owned() };
+        row(ui, "Marks", marks, "Marks whose centre is in this region");
+        rows_of(ui, &map.at(map.layout().center(place)), ruler);
+    });
+}
+
+/// A row for each attribute that is wanted.
+fn rows_of(ui: &mut Ui, wanted: &Attributes, ruler: Ruler) {
+    match wanted {
+        Attributes::Spots(spots) => {
+            row(ui, "Area", ruler.area(spots.area), "Area of the ellipses");
+            row(ui, "Aspect", format!("{:.2}", spots.aspect), "Minor ÷ major radius; 1 is round");
+            row(ui, "Direction", format!("{:.0}°", spots.angle), "Direction of the major axes");
+            let spacing = spots.spacing.map_or("free".to_owned(), |spacing| ruler.rough(spacing));
+            row(ui, "Spacing", spacing, "Distance between neighbours; free = as the system gives it");
+        }
+        Attributes::Stripes(stripes) => {
+            row(ui, "Width", ruler.length(stripes.width), "Width of the stripes");
+            row(ui, "Direction", format!("{:.0}°", stripes.angle), "Direction of the stripes");
+            if let Some(period) = stripes.wavelength {
+                row(ui, "Period", ruler.rough(period), "From the middle of a stripe to that of the next");
+            }
+        }
+    }
+}
+
+fn row(ui: &mut Ui, name: &str, value: String, help: &str) {
+    ui.label(name).on_hover_text(help);
+    ui.label(RichText::new(value).weak());
+    ui.end_row();
+}

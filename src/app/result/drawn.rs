@@ -1,0 +1,41 @@
+//! What became of the drawn marks of the sketch as it is.
+
+use super::{Outcome, finished_layer};
+use crate::app::growth::Growth;
+use crate::editor::selection::Place;
+use crate::editor::session::Session;
+use crate::synth::report::DrawnMark;
+
+/// What became of the drawn marks of a sketch, by layer of its finished document: all once it was measured, and while it
+/// grows those that find no room.
+#[derive(Clone, Debug, Default)]
+pub struct Drawn<'a>(Vec<&'a [DrawnMark]>);
+
+impl<'a> Drawn<'a> {
+    /// From the `outcome` of the sketch, else from its `growth`.
+    #[must_use]
+    pub fn new(outcome: Option<&'a Outcome>, growth: &'a Growth) -> Self {
+        Self(match outcome {
+            Some(outcome) => outcome.layers.iter().map(|layer| &layer.drawn[..]).collect(),
+            None => growth.left_out.iter().map(|layer| &layer[..]).collect(),
+        })
+    }
+
+    /// The marks of a layer of the session.
+    #[must_use]
+    pub fn of_layer(&self, session: &Session, layer: usize) -> &'a [DrawnMark] {
+        finished_layer(session, layer).and_then(|layer| self.0.get(layer).copied()).unwrap_or_default()
+    }
+
+    /// One mark; `None` where it was not to be among those that grow.
+    #[must_use]
+    pub fn mark(&self, session: &Session, place: Place) -> Option<&'a DrawnMark> {
+        self.of_layer(session, place.layer).iter().find(|mark| mark.mark == place.stroke)
+    }
+
+    /// Why a mark does not grow; `None` where it does.
+    #[must_use]
+    pub fn lost(&self, session: &Session, place: Place) -> Option<&'static str> {
+        self.mark(session, place).filter(|mark| !mark.there)?.reason
+    }
+}

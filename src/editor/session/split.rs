@@ -1,0 +1,86 @@
+//! Two layers of one whose spots have two sizes.
+
+use crate::document::sketch_notes::size_groups;
+use crate::document::{After, Colours, limits};
+use crate::editor::session::Session;
+
+impl Session {
+    /// Whether the spots of a layer have two clearly different sizes.
+    #[must_use]
+    pub fn has_two_sizes(&self, layer: usize) -> bool {
+        self.fitted_marks().get(layer).is_some_and(|marks| size_groups(marks).is_some())
+    }
+
+    /// Moves the small spots of a layer that has two sizes to a new layer above it, which has the same settings and
+    /// keeps away from the large spots. Unfreezes the layer and makes it active. Does nothing where it has one size.
+    pub fn split_by_size(&mut self, layer: usize) {
+        let Some([small, _]) = self.fitted_marks().get(layer).and_then(|marks| size_groups(marks)) else {
+            return;
+        };
+        if self.document().layers.len() >= limits::MAX_LAYERS {
+            return;
+        }
+        self.activate_layer(layer);
+        self.selection.clear();
+        self.edit(|document| {
+            let large = &mut document.layers[layer];
+            let mut above = large.clone();
+            let mut index = 0..;
+            let mut is_small = || index.next().is_some_and(|index| small.contains(&index));
+            (above.strokes, large.strokes) = large.strokes.drain(..).partition(|_| is_small());
+            above.after = After::Between;
+            // The default colours depend on the index.
+            above.colours.get_or_insert_with(|| Colours::default_for_layer(layer));
+            if !large.name.is_empty() {
+                let named =
+                    |word: &str| format!("{word} {}", large.name).chars().take(limits::MAX_NAME).collect();
+                (large.name, above.name) = (named("large"), named("small"));
+            }
+            document.layers.insert(layer + 1, above);
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Document, Layer, Stroke};
+
+    fn radius(stroke: &Stroke) -> f64 {
+        if let Stroke::Ellipse(ellipse) = stroke { ellipse.radii[0] } else { 0.0 }
+    }
+
+    #[test]
+    fn the_small_spots_go_to_a_layer_above_with_the_same_settings_and_one_undo_brings_them_back() {
+        let spot = |k: u32| {
+            let center = [40.0 + 60.0 * f64::from(k % 4), 40.0 + 60.0 * f64::from(k / 4)];
+            Stroke::ellipse(center, [if k % 5 == 2 { 20.0 } else { 6.0 }; 2], 0.0)
+        };
+        let mut drawn = Layer::new((0..12).map(spot));
+        drawn.name = "dots".to_owned();
+        drawn.options.irregular = 0.4;
+        let before = Document { layers: vec![drawn.clone(), Layer::default()], ..Document::default() };
+        let mut session = Session::open(before.clone(), None);
+        assert!(session.has_two_sizes(0) && !session.has_two_sizes(1) && !session.has_two_sizes(9));
+        session.split_by_size(0);
+        session.commit();
+        let [large, small, _] = &session.document().layers[..] else { panic!() };
+        assert_eq!((large.name.as_str(), small.name.as_str()), ("large dots", "small dots"));
+        assert_eq!([large, small].map(|layer| layer.strokes.len()), [2, 10]);
+        assert!(large.strokes.iter().all(|stroke| radius(stroke) == 20.0));
+        assert!(small.strokes.iter().all(|stroke| radius(stroke) == 6.0));
+        assert_eq!((&large.options, &small.options), (&drawn.options, &drawn.options));
+        assert_eq!((&large.colours, &small.colours), (&None, &Some(Colours::default_for_layer(0))));
+        session.undo();
+        assert_eq!(session.document(), &before);
+    }
+
+    #[test]
+    fn a_layer_of_one_size_is_not_split() {
+        let spots = (0..9).map(|k| Stroke::ellipse([20.0 + 30.0 * f64::from(k), 50.0], [8.0, 8.0], 0.0));
+        let before = Document { layers: vec![Layer::new(spots)], ..Document::default() };
+        let mut session = Session::open(before.clone(), None);
+        session.split_by_size(0);
+        assert_eq!(session.document(), &before);
+    }
+}
