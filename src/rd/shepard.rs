@@ -41,13 +41,12 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
     turned: fn(&[f64; N], f64) -> [f64; N],
     vary: &(dyn Fn(usize, [f64; N]) -> Parameters + Sync),
 ) -> Vec<Parameters> {
-    let nucleus = |(at, own): (&D::Place, &Parameters)| {
-        Nucleus::new(own, &maps.domain, maps.domain.cell_at(*at), *at, system.spacing(own)).alone()
+    let kernel = |(at, own): (&D::Place, &Parameters)| {
+        let spot =
+            Nucleus::new(own, &maps.domain, maps.domain.cell_at(*at), *at, system.spacing(own)).alone();
+        Kernel { spot, tau: tau(system, own, &maps.at(*at)) }
     };
-    let tau = |(at, own): (&D::Place, &Parameters)| tau(system, own, &maps.at(*at));
-    let taus = places.iter().zip(own).map(tau);
-    let spots = places.iter().zip(own).map(nucleus).zip(taus).zip(known);
-    let spots: Vec<((Nucleus<D::Place>, f64), &[f64; N])> = spots.collect();
+    let spots: Vec<(Kernel<D::Place>, &[f64; N])> = places.iter().zip(own).map(kernel).zip(known).collect();
     let mut made = maps.parameters.clone();
     let part = maps.domain.part();
     made.par_chunks_mut(part).enumerate().for_each(|(index, made)| {
@@ -64,6 +63,12 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
     made
 }
 
+/// The weights of a spot.
+struct Kernel<P> {
+    spot: Nucleus<P>,
+    tau: f64,
+}
+
 /// τ of a spot of its `own` parameters among others of those of the `ground`. A spot much larger than those around it has its
 /// own value up to its edge, and not in their places: its slow reactions would kill them.
 fn tau(system: System, own: &Parameters, ground: &Parameters) -> f64 {
@@ -76,7 +81,7 @@ fn add<D: Domain, const N: usize>(
     sums: &mut [(f64, [f64; N])],
     cells: Range<usize>,
     domain: &D,
-    (spot, tau): &(Nucleus<D::Place>, f64),
+    Kernel { spot, tau }: &Kernel<D::Place>,
     known: &[f64; N],
     turned: fn(&[f64; N], f64) -> [f64; N],
 ) {
