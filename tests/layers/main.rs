@@ -1,6 +1,7 @@
 //! Layers: the relation of each to the marks beneath, by its `after`.
 
 mod between;
+mod crossing;
 mod inside;
 mod regrown;
 mod sparse;

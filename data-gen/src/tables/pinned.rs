@@ -46,14 +46,14 @@ impl Spots {
     }
 
     /// How far, in radii, `marks` grow from their places on a canvas of 12 spacings.
-    fn among(self, edges: Edges, marks: Vec<Mark>) -> Result<Vec<f64>, String> {
+    fn among(self, edges: Edges, marks: &[Mark]) -> Result<Vec<f64>, String> {
         let spacing = self.spacing();
         let drawn = [self.mark([200.0, 200.0]), self.mark([200.0 + spacing, 200.0])];
         let map = AttributeMap::from_marks(&drawn, [12.0 * spacing; 2], Some([1, 1]), edges)
             .map_err(|e| e.to_string())?;
         let training = Training::built_in();
         let lookup = look_up(training, self.system, &map).map_err(|e| e.to_string())?;
-        let lookup = lookup.with_pinned(training, &marks).map_err(|e| e.to_string())?.uncorrected();
+        let lookup = lookup.with_pinned(training, marks).map_err(|e| e.to_string())?.uncorrected();
         let plan = lookup.lay_out(Surroundings::default(), 1).map_err(|e| e.to_string())?;
         let mut engine = Engine::new(&plan, 1);
         settle(&mut engine, &Watch::NONE).map_err(|e| e.to_string())?;
@@ -87,12 +87,12 @@ pub fn pairs() -> Result<(), String> {
         let what = format!("{} area/spacing² {} aspect {}", spots.system.name(), spots.packing, spots.aspect);
         for across in [false, true] {
             for apart in [0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9] {
-                let off = spots.among(Edges::Wrap, spots.pairs(apart, across))?;
+                let off = spots.among(Edges::Wrap, &spots.pairs(apart, across))?;
                 print(&format!("{what}, pairs {apart} spacings apart, across {across}"), off)?;
             }
         }
         for away in [0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4] {
-            let off = spots.among(Edges::Closed, spots.at_edge(away))?;
+            let off = spots.among(Edges::Closed, &spots.at_edge(away))?;
             print(&format!("{what}, {away} spacings from the edge"), off)?;
         }
     }

@@ -23,7 +23,7 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
     let below = beneath.last().map(|layer| &layer.plan.lookup);
     let lookup = Targets::read(document, index, "", size, below).ok()?.look_up(training).ok()?;
     memory::check(lookup.system, size, lookup.grid.size).ok()?;
-    let obstacles = obstacles(document, beneath, lookup.grid.size);
+    let obstacles = obstacles(document, beneath, &lookup);
     let plan = lookup.rough(obstacles);
     // At the system's own distance: correcting the spacing takes several times as long.
     let maps = plan.unpitched_maps();

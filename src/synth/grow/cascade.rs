@@ -1,10 +1,13 @@
 //! Layer by layer: the marks of earlier layers are frozen, and each later one grows into the space that they left.
 
+use std::sync::Arc;
+
 use crate::document::Document;
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer};
 use crate::synth::grow::obstacles::{bias, obstacles};
+use crate::synth::grow::passing::crossed_marks;
 use crate::synth::grow::pattern::{EDGE, Pattern};
 use crate::synth::grow::pinned_correction::{PinnedCorrection, Rounds};
 use crate::synth::grow::probe::{When, correct};
@@ -97,6 +100,9 @@ impl Cascade<'_> {
         let Self { document, options, .. } = *self;
         let size = options.size.unwrap_or(document.size);
         let frozen = before.map_or(0, |before| unchanged(document, options.settings(), before));
+        if frozen == 0 && document.layers.len() > 1 {
+            self.look_up_all()?;
+        }
         let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
         layers.extend(before.iter().flat_map(|before| &before.layers[..frozen]).cloned());
         for index in frozen..document.layers.len() {
@@ -104,6 +110,24 @@ impl Cascade<'_> {
             layers.push(layer);
         }
         Ok(Grown { size, layers, document: document.clone(), settings: options.settings() })
+    }
+
+    /// Looks up every layer, so that one that cannot be grown is refused before the first one grows.
+    fn look_up_all(&self) -> Result<(), GrowError> {
+        let mut below = None;
+        for index in 0..self.document.layers.len() {
+            below = Some(self.look_up(index, below.as_ref())?);
+        }
+        Ok(())
+    }
+
+    /// Looks up layer `index`, which grows above `below`.
+    fn look_up(&self, index: usize, below: Option<&Lookup>) -> Result<Lookup, GrowError> {
+        let Options { source, training, .. } = self.options;
+        let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
+        let lookup = Targets::read(self.document, index, source, size, below)?.look_up(training)?;
+        memory::check(lookup.system, size, lookup.grid.size)?;
+        Ok(lookup)
     }
 
     /// Grows layer `index` into the space that those `beneath` left free.
@@ -114,24 +138,23 @@ impl Cascade<'_> {
         seen: &mut dyn FnMut(&Snapshot),
     ) -> Result<GrownLayer, GrowError> {
         let Self { document, options, .. } = *self;
-        let Options { source, training, watch, .. } = options;
-        let size = options.size.unwrap_or(document.size).map(f64::from);
+        let Options { training, watch, .. } = options;
         let below = beneath.last();
         watch.step(Stage::Plan, 0.0)?;
-        let targets = Targets::read(document, index, source, size, below.map(|layer| &layer.plan.lookup))?;
-        let lookup = targets.look_up(training)?;
-        memory::check(lookup.system, size, lookup.grid.size)?;
-        let obstacles = obstacles(document, beneath, lookup.grid.size);
+        let lookup = self.look_up(index, below.map(|layer| &layer.plan.lookup))?;
+        let obstacles = obstacles(document, beneath, &lookup);
+        let crossed = crossed_marks(document, beneath, &lookup).map(Arc::new);
         let spots = below.map_or(&[][..], |layer| layer.measured.spots());
         let seed = document.layer_seed(index);
         let plan = self.corrected(lookup)?.lay_out(Surroundings { obstacles, spots }, seed);
         let plan = plan.map_err(|error| GrowError::laying_out(index + 1, error))?;
         let mut seen = |plan: &Plan, engine: &Engine| seen(&Snapshot { beneath, plan, engine });
         let layer = self.grow_layer(plan, index, &mut seen)?;
-        match self.bias(&layer) {
-            None => Ok(layer),
-            Some(bias) => self.grow_layer(layer.plan.less(training, &bias)?, index, &mut seen),
-        }
+        let layer = match self.bias(&layer) {
+            None => layer,
+            Some(bias) => self.grow_layer(layer.plan.less(training, &bias)?, index, &mut seen)?,
+        };
+        Ok(GrownLayer { crossed, ..layer })
     }
 
     /// Is the pattern corrected?
@@ -199,6 +222,7 @@ impl Cascade<'_> {
                     measured,
                     marks,
                     concentrations,
+                    crossed: None,
                 };
                 best = Some((error, grown));
             }

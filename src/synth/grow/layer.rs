@@ -1,7 +1,10 @@
 //! Grown layers, and why a document does not grow.
 
 use crate::document::{Document, DocumentError};
+use std::sync::Arc;
+
 use crate::grid::Field;
+use crate::grid::resample::Spline;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::probe::ProbeError;
 use crate::synth::grow::refine::Measured;
@@ -50,12 +53,22 @@ pub struct GrownLayer {
     pub marks: Field,
     /// The concentrations of each chemical on the grid, where the [`Options`](crate::synth::Options) asked for them.
     pub concentrations: Vec<Vec<f32>>,
+    /// The pattern of the stripes beneath that its own pass under, if they cross any.
+    pub crossed: Option<Arc<Field>>,
 }
 
 impl GrownLayer {
-    /// The pattern at any size.
+    /// The pattern at any size, without what passes under stripes that it crosses.
     #[must_use]
     pub fn pattern(&self) -> Pattern<'_> {
+        let mut pattern = self.whole_pattern();
+        pattern.crossed = self.crossed.as_deref().map(Spline::new);
+        pattern
+    }
+
+    /// The pattern at any size, with what passes under stripes that it crosses.
+    #[must_use]
+    pub fn whole_pattern(&self) -> Pattern<'_> {
         let mut pattern = Pattern::new(&self.plan.lookup, &self.marks);
         pattern.correction.clone_from(&self.correction);
         pattern.own.clone_from(&self.own_levels);

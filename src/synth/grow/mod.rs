@@ -7,6 +7,7 @@ pub mod layer;
 pub mod multigrid_levels;
 pub mod obstacles;
 mod own_levels;
+mod passing;
 pub mod patch;
 pub mod pattern;
 pub mod pinned_correction;

@@ -19,6 +19,8 @@ pub struct Pattern<'a> {
     pub correction: Vec<f64>,
     /// Further factors of single spots, one a cell of the planned grid; empty = none.
     pub own: Vec<f64>,
+    /// Marks that hide it, as a pattern over the canvas.
+    pub(super) crossed: Option<Spline>,
 }
 
 /// Levels beyond these cut a spot at its foot or its tip, where noise and not the spot decides.
@@ -29,7 +31,13 @@ impl<'a> Pattern<'a> {
     #[must_use]
     pub fn new(lookup: &'a Lookup, marks: &Field) -> Self {
         let regions = lookup.map.layout().len();
-        Self { lookup, spline: Spline::new(marks), correction: vec![1.0; regions], own: Vec::new() }
+        Self {
+            lookup,
+            spline: Spline::new(marks),
+            correction: vec![1.0; regions],
+            own: Vec::new(),
+            crossed: None,
+        }
     }
 
     /// Cells along x and y of the planned grid.
@@ -62,7 +70,14 @@ impl<'a> Pattern<'a> {
     #[must_use]
     pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
         let mut values = self.spline.rows(rows.clone(), width, height);
-        self.level_off(&mut values, rows, width, height);
+        self.level_off(&mut values, rows.clone(), width, height);
+        if let Some(crossed) = &self.crossed {
+            let hidden = crossed.rows(rows, width, height);
+            values
+                .iter_mut()
+                .zip(hidden)
+                .for_each(|(value, hidden)| *value = value.min(1.0 - hidden).max(0.0));
+        }
         values
     }
 

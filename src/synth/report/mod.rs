@@ -76,7 +76,7 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
 #[must_use]
 pub fn drawn_of(layer: &GrownLayer) -> Vec<DrawnMark> {
     let [nx, ny] = layer.plan.lookup.grid.size;
-    drawn_marks(layer, &|| layer.pattern().field(nx, ny))
+    drawn_marks(layer, &|| layer.whole_pattern().field(nx, ny))
 }
 
 fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerReport {
