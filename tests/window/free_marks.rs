@@ -210,11 +210,14 @@ fn two_sizes_become_two_layers_at_a_click_and_one_undo_restores_them() {
 #[test]
 fn notes_on_a_sketch_are_shown_whole() {
     let (mut hand, ..) = hand_with(&two_sizes());
-    hand.until_settled();
     hand.window.get_by_label("Make two layers of it").scroll_to_me();
     hand.window.run_steps(60);
-    hand.window.state_mut().hide_times();
-    see(&mut hand, "told-light");
+    let column = hand.window.get_by_label("Will not grow as drawn").rect();
+    for part in ["the spots of this layer have two sizes", "Make two layers of it"] {
+        let shown = hand.window.get_by_label_contains(part).rect();
+        assert!(shown.left() >= column.left() - 1.0 && shown.right() <= 1280.0 - 10.0, "{part}: {shown:?}");
+        assert!(shown.top() > 60.0 && shown.bottom() < 640.0, "{part}: {shown:?}");
+    }
 }
 
 #[test]

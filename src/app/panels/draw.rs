@@ -53,12 +53,13 @@ pub fn draw(ui: &mut Ui, state: &DrawState) -> Vec<Action> {
     } else {
         actions.extend(selected::selected(ui, session, ruler));
     }
+    // Above the canvas, so that they are seen without scrolling.
+    actions.extend(notes(ui, session, canvas, &state.drawn));
     if let Some(drawn) = selected_mark(state) {
         ui.add_space(4.0);
         mark_result(ui, ruler, "Grown", drawn);
     }
     actions.extend(canvas_properties(ui, session.document(), ruler));
-    actions.extend(notes(ui, session, canvas, &state.drawn));
     if let Some(drawn) = state.grown(canvas.hovered).filter(|_| selected_mark(state).is_none()) {
         ui.add_space(8.0);
         mark_result(ui, ruler, "The mark under the pointer", drawn);
