@@ -228,7 +228,7 @@ impl Hand {
                 return;
             }
             assert!(
-                began.elapsed() < Duration::from_secs(120),
+                began.elapsed() < Duration::from_secs(300),
                 "waited for ever: {what}: {:?}",
                 self.phase()
             );
