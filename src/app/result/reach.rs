@@ -15,6 +15,8 @@ use crate::synth::plan::{Lookup, Targets};
 const TRIES: i32 = 10;
 /// How much farther each attempt goes, as a share of the change.
 const FARTHER: f64 = 0.15;
+/// How much farther apart than the nearest that can be reached each attempt moves marks that are too near, as a share.
+const APART: f64 = 0.01;
 /// Distance of marks from the border of their region, px.
 const RIM: f64 = 0.5;
 
@@ -54,7 +56,11 @@ pub fn reach(
         }
         let sketch = Sketch::of_region(&document, layer, first.map.layout(), place)?;
         let farther = 1.0 + FARTHER * f64::from(attempt);
-        sketch.toward(&asked, &answer, farther, first.map.layout(), place)?.write(&mut document, layer);
+        // Some systems have only one spacing, and beyond it the error grows again.
+        let free = first.system.description().free_spacing;
+        let apart = if free { 1.0 + APART * f64::from(attempt) } else { 1.0 };
+        let by = Farther { change: farther, apart };
+        sketch.toward(&asked, &answer, by, first.map.layout(), place)?.write(&mut document, layer);
         let size = document.size.map(f64::from);
         let plan = Targets::read(&document, layer, "", size, beneath).ok()?.look_up(training).ok()?;
         asked = asked_in(&plan, place);
@@ -73,6 +79,15 @@ fn source(map: &AttributeMap, index: usize) -> Option<[usize; 2]> {
     let holds = |index: usize| map.region(layout.place(index)).own.is_some();
     let own = if holds(index) { Some(index) } else { layout.nearest(layout.place(index), holds) };
     own.map(|index| layout.place(index))
+}
+
+/// How much farther than the nearest attributes that can be reached a change goes.
+#[derive(Clone, Copy, Debug)]
+struct Farther {
+    /// Factor of the change.
+    change: f64,
+    /// Factor of the distances, where these have to grow.
+    apart: f64,
 }
 
 /// The marks of one region and the duty of its layer.
@@ -98,12 +113,12 @@ impl Sketch {
         }
     }
 
-    /// Changed from `asked` toward the nearest attributes in `answer`, by `farther` times the difference.
+    /// Changed from `asked` toward the nearest attributes in `answer`, and `farther`.
     fn toward(
         self,
         asked: &Attributes,
         answer: &Answer,
-        farther: f64,
+        farther: Farther,
         layout: &RegionGrid,
         place: [usize; 2],
     ) -> Option<Self> {
@@ -112,7 +127,7 @@ impl Sketch {
                 Some(self.spots_toward(asked, to, farther, layout, place))
             }
             (Attributes::Stripes(asked), Attributes::Stripes(to)) => {
-                Some(self.lines_toward(asked, to, farther))
+                Some(self.lines_toward(asked, to, farther.change))
             }
             _ => None,
         }
@@ -122,14 +137,14 @@ impl Sketch {
         self,
         asked: &Spots,
         to: &Spots,
-        farther: f64,
+        Farther { change: farther, apart: more }: Farther,
         layout: &RegionGrid,
         place: [usize; 2],
     ) -> Self {
         let by = |from: f64, to: f64| libm::pow(to / from, farther);
         let mut area = by(asked.area, to.area);
-        // Not farther: some systems have only one spacing, and beyond it the error grows again.
         let apart = asked.spacing.zip(to.spacing).map_or(1.0, |(from, to)| to / from);
+        let apart = if apart > 1.0 { apart * more } else { apart };
         let centers: Vec<[f64; 2]> = self.marks.iter().map(|(_, mark)| mark.center()).collect();
         let moved = spaced(&centers, apart, layout, place).unwrap_or_else(|| {
             // No room to move apart: smaller marks have the same density.
@@ -355,6 +370,14 @@ mod tests {
         let (before, after) = changed(&training, &document);
         assert!(before > 0);
         assert_eq!(after, Some(0));
+    }
+
+    #[test]
+    fn dense_spots_whose_change_ends_just_short_of_the_limit_are_moved_farther_apart() {
+        let (area, packing) = (60.0f64, 0.4655);
+        let document =
+            document(spots(area, 0.828, (area / packing).sqrt()), SystemChoice::Of(System::MEINHARDT_SPOTS));
+        assert_eq!(changed(&Training::default(), &document).1, Some(0));
     }
 
     proptest! {
