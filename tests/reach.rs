@@ -24,6 +24,26 @@ fn document(radius: f64, pitch: f64) -> Value {
 }
 
 #[test]
+fn check_names_drawn_marks_that_are_too_near_to_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut document = document(10.0, 50.0);
+    let strokes = document["layers"][0]["strokes"].as_array_mut().unwrap();
+    let checked = |document: &Value| {
+        std::fs::write(folder.path().join("a.dapple"), document.to_string()).unwrap();
+        text(&dapple(&["check", "a.dapple"], folder.path()).stdout)
+    };
+    strokes.push(json!({"kind": "ellipse", "center": [24, 73], "radii": [10, 8], "angle": 0}));
+    let said = checked(&document);
+    assert!(
+        said.contains("1 of 5 drawn marks will not grow: at (24, 73): closer to another drawn mark"),
+        "{said}"
+    );
+    document["layers"][0]["strokes"].as_array_mut().unwrap().pop();
+    let said = checked(&document);
+    assert!(!said.contains("will not grow"), "{said}");
+}
+
+#[test]
 fn check_lookup_and_grow_report_what_cannot_be_reached() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("dense.dapple"), document(10.0, 22.0).to_string()).unwrap();

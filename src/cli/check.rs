@@ -7,7 +7,9 @@ use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
 use crate::grid::Edges;
 use crate::learn::Answer;
-use crate::synth::plan::{Lookup, Targets};
+use crate::synth::plan::layer_lookup::Start;
+use crate::synth::plan::{Lookup, Surroundings, Targets};
+use crate::synth::report::drawn::expected_note;
 use crate::synth::{Training, memory};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -49,6 +51,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
         if plan.curve_kind().is_none() {
             notes.extend(plan.map.free().map(FreeMap::remarks).unwrap_or_default());
         }
+        notes.extend(crowded(&plan));
         for note in &notes {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  {note}");
@@ -70,6 +73,16 @@ pub fn run(args: &Args) -> Result<(), Error> {
         text = format!("{found:#}\n");
     }
     super::print(&text)
+}
+
+/// The drawn spots that are too near to others of their layer.
+fn crowded(plan: &Lookup) -> Option<String> {
+    let Start::Free { spots, .. } = &plan.start else { return None };
+    if spots.is_empty() {
+        return None;
+    }
+    let alone = plan.clone().uncorrected().lay_out(Surroundings::default(), 0).ok()?;
+    expected_note(&alone)
 }
 
 /// What would be grown on a layer, and for each region that has marks what was asked and what is expected.

@@ -284,7 +284,7 @@ pub enum SpreadChoice {
 /// Which share of their period the stripes of a layer cover.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum DutyChoice {
-    /// That of the drawn lines that lie side by side; [`Options::DUTY`] where none do.
+    /// That of the drawn lines that lie side by side; [`LayerOptions::DUTY`] where none do.
     #[default]
     Drawn,
     /// This, 0.2–0.5.

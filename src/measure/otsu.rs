@@ -9,7 +9,7 @@ const STEP: f64 = 4.0;
 /// The level between the two phases of a picture, in the middle of the tones that few px have.
 ///
 /// Otsu's threshold separates the phases. The range between their medians is cut into equal parts. A sparse part, with those
-/// around it that have from as many px to [`STEP`] times as many, is a step of tones: where they change fast from ground to mark
+/// around it that have from as many px to four times as many, is a step of tones: where they change fast from ground to mark
 /// few px have them, so that is where the edges are. The level is the middle of the longest step. Half way
 /// between the medians, edges are off where colours change over more tones on one side of the edge than on the other. On a
 /// picture of two tones it is half of the contrast.

@@ -20,6 +20,9 @@ const NEGLIGIBLE: f64 = 0.0003;
 
 /// Time after which marks that are moved back to their places do not change any more, but for being moved.
 const HELD: f64 = 40.0;
+/// Steps of a unit of time at most, where drawn marks begin near their final shapes: the last per cents of large ones among
+/// small ones come from their levels.
+const LONGEST: f64 = 350.0;
 /// The same where only some marks of a settled pattern were corrected.
 const CORRECTED: f64 = 8.0;
 
@@ -87,6 +90,7 @@ impl ConvergenceMonitor {
     pub fn hold_marks(&mut self, moving: bool, pace: f64) {
         if moving {
             self.slack = 3.0;
+            self.unit = self.unit.min(LONGEST / pace);
         }
         self.latest = self.latest.min(HELD);
         self.unit *= pace;

@@ -107,6 +107,8 @@ impl PinnedCorrection {
 /// Which further corrections are worth their time.
 #[derive(Clone, Debug)]
 pub struct Rounds {
+    /// All corrections.
+    rounds: usize,
     /// Corrections of spots that grew.
     corrections: usize,
     /// The error before the last one.
@@ -115,6 +117,8 @@ pub struct Rounds {
     begun: Vec<usize>,
 }
 
+/// Corrections at most: where some spots vanish when others come back it would go on for long.
+const ROUNDS: usize = 4;
 /// Corrections of spots that grew, at most.
 const CORRECTIONS: usize = 2;
 /// A second correction is made where the first left less than this share of the error.
@@ -124,7 +128,7 @@ const BEGINNINGS: usize = 2;
 
 impl Default for Rounds {
     fn default() -> Self {
-        Self { corrections: 0, error: f64::INFINITY, begun: Vec::new() }
+        Self { rounds: 0, corrections: 0, error: f64::INFINITY, begun: Vec::new() }
     }
 }
 
@@ -135,9 +139,10 @@ impl Rounds {
         let begins = found.lost.iter().any(|index| self.begun[*index] < BEGINNINGS);
         let improves = found.error < IMPROVED * self.error && self.corrections < CORRECTIONS;
         let corrects = !found.different.is_empty() && improves;
-        if !begins && !corrects {
+        if self.rounds == ROUNDS || !begins && !corrects {
             return false;
         }
+        self.rounds += 1;
         self.error = found.error;
         self.corrections += usize::from(!begins);
         found.lost.iter().for_each(|index| self.begun[*index] += 1);

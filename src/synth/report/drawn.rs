@@ -121,14 +121,29 @@ pub fn note(marks: &[DrawnMark], lines: bool) -> Option<String> {
     if missing.is_empty() {
         return None;
     }
+    let kind = if lines { "lines" } else { "marks" };
+    let what = if lines { "lie partly outside of stripes" } else { "did not grow" };
+    Some(format!("{} of {} drawn {kind} {what}: {}", missing.len(), marks.len(), named(&missing)))
+}
+
+/// A note that names the drawn spots of `plan` that will not grow, with their places, before they grow; `None` where all find
+/// room beside each other.
+#[must_use]
+pub fn expected_note(plan: &Plan) -> Option<String> {
+    let left_out = left_out(plan);
+    let missing: Vec<&DrawnMark> = left_out.iter().collect();
+    let all = plan.pinned_spots().len() + missing.len();
+    (!missing.is_empty())
+        .then(|| format!("{} of {all} drawn marks will not grow: {}", missing.len(), named(&missing)))
+}
+
+/// The places of the first marks, and why they are missing.
+fn named(missing: &[&DrawnMark]) -> String {
     let named = missing.iter().take(NAMED).map(|mark| {
         let [x, y] = mark.place;
         format!("at ({x:.0}, {y:.0}): {}", mark.reason.unwrap_or_default())
     });
     let more = missing.len().saturating_sub(NAMED);
     let more = if more > 0 { format!("; and {more} more") } else { String::new() };
-    let kind = if lines { "lines" } else { "marks" };
-    let what = if lines { "lie partly outside of stripes" } else { "did not grow" };
-    let named: Vec<String> = named.collect();
-    Some(format!("{} of {} drawn {kind} {what}: {}{more}", missing.len(), marks.len(), named.join("; ")))
+    format!("{}{more}", named.collect::<Vec<_>>().join("; "))
 }
