@@ -21,6 +21,9 @@ fn example(name: &str) -> Start {
 pub fn picture(hand: &mut Hand) -> RgbaImage {
     hand.window.remove_cursor();
     hand.rest();
+    // A selected mark shows what was measured of it.
+    hand.until("measured", |window| !window.results().is_busy());
+    hand.rest();
     hand.window.render().unwrap_or_else(|error| panic!("this machine cannot draw: {error}"))
 }
 

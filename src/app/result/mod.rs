@@ -143,6 +143,13 @@ impl Results {
         }
     }
 
+    /// Whether a texture is being measured, or changes of the sketch are sought.
+    #[must_use]
+    pub fn is_busy(&self) -> bool {
+        let task = self.job.as_ref().and_then(|job| job.task.as_ref());
+        task.is_some_and(|task| !task.has_ended())
+    }
+
     /// Another document is open.
     pub fn forget(&mut self) {
         *self = Self { training: Arc::clone(&self.training), ..Self::default() };
