@@ -31,6 +31,8 @@ fn from_an_empty_canvas_to_a_leopard() {
     }
     hand.until_settled();
     hand.window.state_mut().hide_times();
+    // Nothing is selected: what is wanted shows as well.
+    hand.key(Modifiers::NONE, Key::Escape);
     see(&mut hand, "leopard-1");
 
     hand.press("Freeze it, sketch the next");
