@@ -1,4 +1,4 @@
-//! Moving single spots of a pattern while it grows.
+//! Moving single spots, or pieces of stripes, of a pattern while it grows.
 //!
 //! ```text
 //! c′(x) = c(x − Σₖ wₖ sₖ Δₖ ÷ Σₖ sₖ),  sₖ = exp(−dₖ² ÷ 2τ²)
