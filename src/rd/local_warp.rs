@@ -13,6 +13,7 @@ use crate::grid::{Domain, Field, Grid, turned};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
+use crate::rd::shepard::TAU;
 
 /// A spot to move, or to keep.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,8 +30,6 @@ pub struct LocalWarp<P = [f64; 2]> {
 const INNER: f64 = 0.3;
 /// Beyond this nothing moves: slightly more than half way to the nearest neighbours.
 const OUTER: f64 = 0.6;
-/// τ, as of the parameters (Shepard interpolation).
-const TAU: f64 = 0.2;
 
 /// The cells of a chemical with these spots moved.
 #[must_use]
@@ -59,7 +58,7 @@ pub(super) fn shifts<D: Domain>(
         let spot = Nucleus::new(own, domain, domain.cell_at(*at), *at, system.spacing(own)).alone();
         for (cell, delta) in domain.near(*at, OUTER * spot.reach, 0..domain.cells()) {
             let distance2 = spot.distance2(delta);
-            let weight = weight(distance2.sqrt());
+            let weight = fading(distance2.sqrt(), [INNER, OUTER]);
             if weight > 0.0 && !maps.is_obstacle(cell) {
                 let share = libm::exp(-0.5 * distance2 / (TAU * TAU));
                 let by = turned(*by, domain.turn(spot.cell, cell));
@@ -74,9 +73,9 @@ pub(super) fn shifts<D: Domain>(
     moved.map(|(cell, [x, y, total])| (cell, [x / total, y / total])).collect()
 }
 
-/// w(d).
-fn weight(distance: f64) -> f64 {
-    let t = ((OUTER - distance) / (OUTER - INNER)).clamp(0.0, 1.0);
+/// 1 up to the inner distance, 0 from the outer one on, smooth between.
+pub(super) fn fading(distance: f64, [inner, outer]: [f64; 2]) -> f64 {
+    let t = ((outer - distance) / (outer - inner)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
 

@@ -4,15 +4,15 @@
 
 use crate::grid::Domain;
 use crate::rd::System;
+use crate::rd::local_warp::fading;
 use crate::rd::maps::Maps;
 use crate::rd::nucleus::Nucleus;
+use crate::rd::shepard::TAU;
 
 /// Up to this distance from a spot, pitches of the room that it needs itself, all is as it began.
 const INNER: f64 = 0.35;
 /// From here on all stays as it has grown.
 const OUTER: f64 = 0.6;
-/// τ, as of the parameters (Shepard interpolation).
-const TAU: f64 = 0.2;
 
 /// Puts the initial conditions `afresh` back into the `chemicals` about the places `again`, cells. About the places `stay`
 /// nothing changes.
@@ -29,10 +29,9 @@ pub fn restart(
         let spot = Nucleus::new(&p, &maps.domain, maps.domain.cell_at(at), at, system.spacing(&p)).alone();
         for (cell, delta) in maps.domain.near(at, OUTER * spot.reach, 0..maps.domain.cells()) {
             let distance2 = spot.distance2(delta);
-            let t = ((OUTER - distance2.sqrt()) / (OUTER - INNER)).clamp(0.0, 1.0);
             let share = libm::exp(-0.5 * distance2 / (TAU * TAU));
             if begins {
-                sums[cell][0] += share * t * t * (3.0 - 2.0 * t);
+                sums[cell][0] += share * fading(distance2.sqrt(), [INNER, OUTER]);
             }
             sums[cell][1] += share;
         }

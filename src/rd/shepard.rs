@@ -15,9 +15,9 @@ use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
 
-/// τ among spots of its size. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times the next one's. Of 0.15, 0.2, 0.25
-/// and 0.3 the first two gave each spot its area, aspect and direction to 2 %; the smoother one is used.
-const TAU: f64 = 0.2;
+/// τ among spots of its size. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times the next one's.
+/// Of 0.15, 0.2, 0.25 and 0.3 the first two gave each spot its area, aspect and direction to 2 %; the smoother one is used.
+pub(super) const TAU: f64 = 0.2;
 /// Contributions with exponents below this are omitted; in the holes between spots the largest exponent is at least −8.
 const LEAST: f64 = -16.0;
 /// w₀: 4 τ away a spot and the ground have the same weight.

@@ -57,6 +57,14 @@ fn marks_as_large_as_the_canvas_grow_and_those_that_leave_no_ground_are_refused(
         } else {
             is_refused(&line_of_60, &["grew no marks", "draw smaller marks"]);
         }
+        let mut across = document([100, 100], &ellipse([1.0, 99.0], [100.0, 25.0]));
+        across["edges"] = json!(edges);
+        // On a tile it meets itself.
+        if edges == "closed" {
+            grows(&across);
+        } else {
+            is_refused(&across, &["marks without any ground", "draw smaller marks"]);
+        }
         let covering = [
             document([100, 100], &ellipse([50.0, 50.0], [100.0, 100.0])),
             document([100, 60], &line([0.0, 0.0], [100.0, 60.0], 100.0)),

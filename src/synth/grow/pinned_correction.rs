@@ -77,7 +77,7 @@ impl PinnedCorrection {
             };
             // A spot that the border cuts has no shape that could be measured.
             let by = if spot.whole { difference(&mark.drawn, &spot.ellipse) } else { NodeOffset::default() };
-            let [area, shape] = [by[0].abs(), by[1].hypot(by[2])];
+            let [area, shape] = [by[0].abs(), (by[1] * by[1] + by[2] * by[2]).sqrt()];
             correction.error += (area + shape).min(1.0);
             let narrow = (NARROW / mark.drawn.aspect()).max(1.0);
             let differs = area > TOLERATED[0] || shape > narrow * TOLERATED[1];
