@@ -109,6 +109,30 @@ fn stripes_keep_the_distance_of_lines_drawn_side_by_side() {
 }
 
 #[test]
+fn strokes_round_a_centre_do_not_drift_outwards() {
+    let ring = |k: usize| {
+        let point = |i: usize| {
+            let angle = (80.0 * k as f64 + 300.0 * i as f64 / 60.0).to_radians();
+            let radius = 75.0 + 39.0 * k as f64;
+            [250.0 + radius * angle.cos(), 256.0 + radius * angle.sin()]
+        };
+        Stroke::path((0..=60).map(point), 15.0)
+    };
+    let (_, marks) = grown((0..4).map(ring).collect());
+    assert!(marks.len() == 4 && marks.iter().all(|mark| mark.there), "{marks:?}");
+}
+
+#[test]
+fn a_spot_among_dots_of_a_twentieth_of_its_area_keeps_its_size_and_so_do_they() {
+    let dots = (0..36).map(|k| [71.0 + 74.0 * (k % 6) as f64, 71.0 + 74.0 * (k / 6) as f64]);
+    let away = |[x, y]: &[f64; 2]| (x - 256.0).hypot(y - 256.0) > 80.0;
+    let dots = dots.filter(away).map(|place| Stroke::ellipse(place, [9.0, 9.0], 0.0));
+    let (_, marks) =
+        grown([Stroke::ellipse([256.0, 256.0], [40.0, 40.0], 0.0)].into_iter().chain(dots).collect());
+    assert_there(&marks, 33, 0.2, 0.2, 0.12);
+}
+
+#[test]
 fn a_result_without_marks_or_without_ground_is_an_error() {
     let document = free(vec![Stroke::ellipse([256.0, 256.0], [20_000.0, 20_000.0], 0.0)]);
     match grow(&document, &Options::default()) {

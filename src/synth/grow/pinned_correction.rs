@@ -177,3 +177,37 @@ fn difference(drawn: &Ellipse, got: &Ellipse) -> NodeOffset {
     let [[c, s], [got_c, got_s]] = [shape(drawn), shape(got)];
     [libm::log(got.area() / drawn.area()), c - got_c, s - got_s, 0.0]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(different: &[usize], lost: &[usize], error: f64) -> PinnedCorrection {
+        let added = vec![NodeOffset::default(); 4];
+        PinnedCorrection { added, different: different.to_vec(), lost: lost.to_vec(), error }
+    }
+
+    #[test]
+    fn nothing_is_corrected_where_all_spots_are_as_drawn() {
+        assert!(!Rounds::default().is_worth(&found(&[], &[], 0.1)));
+    }
+
+    #[test]
+    fn spots_that_differ_are_corrected_twice_and_only_while_that_helps() {
+        let mut helps = Rounds::default();
+        assert!(helps.is_worth(&found(&[0, 2], &[], 2.0)) && helps.is_worth(&found(&[2], &[], 1.0)));
+        assert!(!helps.is_worth(&found(&[2], &[], 0.4)));
+        let mut hardly = Rounds::default();
+        assert!(hardly.is_worth(&found(&[0], &[], 2.0)) && !hardly.is_worth(&found(&[0], &[], 1.9)));
+    }
+
+    #[test]
+    fn each_lost_spot_begins_again_twice_and_all_together_four_times() {
+        let mut one = Rounds::default();
+        assert!((0..2).all(|_| one.is_worth(&found(&[], &[1], 1.0))));
+        assert!(!one.is_worth(&found(&[], &[1], 1.0)));
+        let mut others = Rounds::default();
+        assert!((0..4).all(|k| others.is_worth(&found(&[], &[k], 1.0))));
+        assert!(!others.is_worth(&found(&[], &[0], 1.0)));
+    }
+}
