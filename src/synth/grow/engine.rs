@@ -15,7 +15,7 @@ use crate::synth::grow::multigrid_levels;
 use crate::synth::grow::multigrid_levels::Work;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::pinned_correction::PinnedCorrection;
-use crate::synth::grow::position_control::PositionControl;
+use crate::synth::grow::position_control::{EVERY, PositionControl};
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
@@ -68,9 +68,9 @@ struct Level {
 }
 
 impl Level {
-    /// Decides when to move pinned marks next, `every` of normalised time.
-    fn plan_correction(&mut self, every: f64) {
-        let steps = (every * self.monitor.unit()).ceil().max(1.0);
+    /// Decides when to move pinned marks next.
+    fn plan_correction(&mut self) {
+        let steps = (EVERY * self.monitor.unit()).ceil().max(1.0);
         self.next_correction = Some(self.growth.steps() + steps as u64);
     }
 }
@@ -211,7 +211,7 @@ impl Engine {
         self.done = false;
         if let Some(control) = &self.position_control {
             self.level.monitor.hold_corrected_marks(control.keeps_moving());
-            self.level.plan_correction(control.every());
+            self.level.plan_correction();
         }
     }
 
@@ -279,7 +279,7 @@ impl Engine {
             let pace = if control.keeps_moving() { evenness(maps) } else { 1.0 };
             self.level.monitor.hold_marks(control.keeps_moving(), pace);
             self.level.expected *= pace;
-            self.level.plan_correction(control.every());
+            self.level.plan_correction();
         }
     }
 
@@ -291,7 +291,7 @@ impl Engine {
         if !warps.is_empty() {
             self.level.growth.warp(maps, &warps);
         }
-        self.level.plan_correction(control.every());
+        self.level.plan_correction();
     }
 
     /// Cell updates of `time` of normalised time on the current grid.

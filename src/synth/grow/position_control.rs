@@ -12,6 +12,10 @@ use crate::synth::grow::spot_control::SpotControl;
 use crate::synth::grow::stroke_control::StrokeControl;
 use crate::synth::plan::laid_out::Plan;
 
+/// Normalised time between two corrections: spots push each other, and the tension of a stripe pulls it across a bent stroke by
+/// about .1 periods in 2.
+pub const EVERY: f64 = 0.5;
+
 /// Where the drawn marks of a plan shall be, and where they are.
 #[derive(Clone, Debug)]
 pub enum PositionControl {
@@ -27,15 +31,6 @@ impl PositionControl {
     pub fn new(plan: &Plan) -> Option<Self> {
         let strokes = || StrokeControl::new(plan).map(Self::Strokes);
         SpotControl::new(plan).map(Self::Spots).or_else(strokes)
-    }
-
-    /// Normalised time between two corrections: spots push each other, stripes drift slowly.
-    #[must_use]
-    pub fn every(&self) -> f64 {
-        match self {
-            Self::Spots(_) => 0.5,
-            Self::Strokes(_) => 2.0,
-        }
     }
 
     /// Whether the marks never rest, because they push each other while they are moved back.
