@@ -9,7 +9,7 @@ use crate::marks::Ellipse;
 use crate::measure::Spot;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::lattice::NodeOffset;
-use crate::synth::plan::pinned_marks::{PinnedMark, displacement, visible_center};
+use crate::synth::plan::pinned_marks::{PinnedMark, displacement};
 
 /// A grown spot belongs to a drawn one within this share of its radius √(r₁r₂).
 pub const THERE: f64 = 0.5;
@@ -26,7 +26,7 @@ const MOST: NodeOffset = [1.2, 0.6, 0.6, 0.7];
 #[must_use]
 pub fn matched<'a>(pinned: &[PinnedMark], layout: &RegionGrid, spots: &'a [Spot]) -> Vec<Option<&'a Spot>> {
     let off = |mark: &PinnedMark, spot: &Spot| {
-        let [x, y] = displacement(spot.ellipse.center, visible_center(&mark.drawn, layout), layout);
+        let [x, y] = displacement(spot.ellipse.center, mark.visible.center, layout);
         (x * x + y * y).sqrt() / mark.radius()
     };
     let mut owner: Vec<Option<(usize, f64)>> = vec![None; spots.len()];
@@ -75,8 +75,7 @@ impl PinnedCorrection {
                 correction.added.push(if is_split(mark, layout, grown) { SPLIT } else { CROWDED });
                 continue;
             };
-            // A spot that the border cuts has no shape that could be measured.
-            let by = if spot.whole { difference(&mark.drawn, &spot.ellipse) } else { NodeOffset::default() };
+            let by = difference(mark, spot);
             let [area, shape] = [by[0].abs(), (by[1] * by[1] + by[2] * by[2]).sqrt()];
             correction.error += (area + shape).min(1.0);
             let narrow = (NARROW / mark.drawn.aspect()).max(1.0);
@@ -162,20 +161,26 @@ const HALVES: f64 = 1.6;
 /// Whether a mark that is not there has split in two.
 fn is_split(mark: &PinnedMark, layout: &RegionGrid, grown: &[Spot]) -> bool {
     let near = |spot: &&Spot| {
-        let [x, y] = displacement(spot.ellipse.center, visible_center(&mark.drawn, layout), layout);
+        let [x, y] = displacement(spot.ellipse.center, mark.visible.center, layout);
         (x * x + y * y).sqrt() < HALVES * mark.radius()
     };
     grown.iter().filter(near).count() >= 2
 }
 
-/// The change of the parameters that takes a spot that `got` this shape to the one `drawn`.
-fn difference(drawn: &Ellipse, got: &Ellipse) -> NodeOffset {
+/// The change of the parameters that takes a spot that has `grown` so to the one drawn. Of one that the border cuts only the
+/// area of the visible part is known.
+fn difference(mark: &PinnedMark, grown: &Spot) -> NodeOffset {
+    let (drawn, got) = (&mark.drawn, &grown.ellipse);
+    let larger = libm::log(got.area() / mark.visible.area);
+    if !grown.whole {
+        return [larger, 0.0, 0.0, 0.0];
+    }
     let shape = |ellipse: &Ellipse| {
         let (long, double) = (-libm::log(ellipse.aspect()), (2.0 * ellipse.major_angle()).to_radians());
         [long * libm::cos(double), long * libm::sin(double)]
     };
     let [[c, s], [got_c, got_s]] = [shape(drawn), shape(got)];
-    [libm::log(got.area() / drawn.area()), c - got_c, s - got_s, 0.0]
+    [larger, c - got_c, s - got_s, 0.0]
 }
 
 #[cfg(test)]

@@ -191,8 +191,8 @@ fn level_pinned(plan: &Plan, pattern: &mut Pattern, factors: &mut OwnFactors, fo
     let mut changed = false;
     for ((mark, spot), factor) in plan.pinned_spots().iter().zip(own).zip(&mut factors.pinned) {
         let Some(spot) = spot else { continue };
-        let error = libm::log(spot.ellipse.area() / mark.drawn.area());
-        if spot.whole && error.abs() >= NEAR {
+        let error = libm::log(spot.ellipse.area() / mark.visible.area);
+        if error.abs() >= NEAR {
             *factor = (*factor * libm::exp(-error / slope)).clamp(CORRECTIONS[0], CORRECTIONS[1]);
             changed = true;
         }

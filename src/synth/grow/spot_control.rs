@@ -8,7 +8,7 @@ use crate::grid::{Field, Grid};
 use crate::measure::spots_of_at_least;
 use crate::rd::{LocalWarp, Maps};
 use crate::synth::plan::laid_out::Plan;
-use crate::synth::plan::pinned_marks::{PinnedMark, displacement, visible_center};
+use crate::synth::plan::pinned_marks::{PinnedMark, displacement};
 
 /// Marks nearer to their places than this (÷ radius) are not moved.
 const NEAR: f64 = 0.02;
@@ -41,7 +41,7 @@ impl SpotControl {
     pub fn new(plan: &Plan) -> Option<Self> {
         let layout = *plan.lookup.map.layout();
         let target = |pinned: &PinnedMark| {
-            let place = visible_center(&pinned.drawn, &layout);
+            let place = pinned.visible.center;
             Target { place, seen: place, radius: pinned.radius() }
         };
         let marks: Vec<Target> = plan.pinned_spots().iter().map(target).collect();

@@ -41,22 +41,23 @@ pub(super) struct Around<'a> {
     pub offset: &'a dyn Fn([f64; 2]) -> Offset,
 }
 
-/// The drawn spots of a layer, by the index of their mark, looked up one by one.
+/// The drawn spots of a layer, by the index of their mark, looked up one by one among those that stand.
 pub(super) fn drawn_spots(
     ellipses: &[(usize, Ellipse)],
+    stands: &dyn Fn(usize) -> bool,
     around: &Around,
     ask: Ask,
 ) -> Result<Vec<DrawnSpot>, PlanError> {
-    let drawn = |(index, (mark, ellipse)): (usize, &(usize, Ellipse))| {
+    let drawn = |(mark, ellipse): &(usize, Ellipse)| {
         let others =
-            ellipses.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, other)| other.1);
+            ellipses.iter().filter(|(other, _)| other != mark && stands(*other)).map(|other| other.1);
         let wanted =
             own_attributes((around.wanted)(ellipse.center), ellipse, room(ellipse, others, &around.bounds));
         let asked = (around.offset)(ellipse.center).applied(-1.0, &Attributes::Spots(wanted));
         let own = Node::from_answer(&ask(&asked, around.cell)?);
         Ok(DrawnSpot { mark: *mark, ellipse: *ellipse, own })
     };
-    ellipses.iter().enumerate().map(drawn).collect()
+    ellipses.iter().map(drawn).collect()
 }
 
 /// What is asked for a drawn spot among spots as `around`: as dense as these, or as its `room`, px, demands.

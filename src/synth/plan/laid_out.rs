@@ -49,10 +49,10 @@ impl Plan {
         if let Arrangement::PinnedSpots { spots, .. } = &self.arrangement { spots } else { &[] }
     }
 
-    /// Spots of this area and more are no specks, px²: half that of the smallest one that was drawn.
+    /// Spots of this area and more are no specks, px²: half of what can be seen of the smallest one that was drawn.
     #[must_use]
     pub fn least_area(&self) -> f64 {
-        let areas = self.pinned_spots().iter().map(|mark| mark.drawn.area());
+        let areas = self.pinned_spots().iter().map(|mark| mark.visible.area);
         0.5 * areas.fold(f64::INFINITY, f64::min)
     }
 

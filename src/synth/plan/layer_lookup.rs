@@ -16,6 +16,7 @@ use crate::synth::plan::lattice::Lattice;
 use crate::synth::plan::lookup::{Ask, ask, ask_among_sparse, cell_for, free_spacing};
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::offset_curves::CurveKind;
+use crate::synth::plan::pinned_marks::pin_spots;
 use crate::synth::plan::spread_limits::limited;
 use crate::synth::training::Training;
 
@@ -157,7 +158,8 @@ impl Lookup {
         Ok(Self { start: Start::Free { spots, lines }, ..self })
     }
 
-    /// Looks up drawn spots one by one; `offset` is subtracted from the questions.
+    /// Looks up drawn spots one by one; `offset` is subtracted from the questions. Those that stand too near to others to grow
+    /// take no room from them.
     pub(super) fn drawn_spots(
         &self,
         training: &Training,
@@ -170,7 +172,13 @@ impl Lookup {
             wanted: &|point| self.spots_at(point),
             offset,
         };
-        drawn_spots(ellipses, &around, &|wanted, cell| self.asked(training, wanted, cell))
+        let ask: Ask = &|wanted, cell| self.asked(training, wanted, cell);
+        let all = drawn_spots(ellipses, &|_| true, &around, ask)?;
+        let (_, left_out) = pin_spots(self, &[], &all);
+        if left_out.is_empty() {
+            return Ok(all);
+        }
+        drawn_spots(ellipses, &|mark| left_out.iter().all(|one| one.mark != mark), &around, ask)
     }
 
     /// Looks up attributes (px) as those of its regions are.

@@ -9,8 +9,9 @@
 //! ```
 
 use crate::attributes::regions::RegionGrid;
+use crate::grid::Domain;
 use crate::marks::{Ellipse, Path};
-use crate::rd::{self, GuideLine, Hindrance, placeable};
+use crate::rd::{self, GuideLine, Hindrance, Maps, placeable};
 use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::lattice::NodeOffset;
 use crate::synth::plan::layer_lookup::Lookup;
@@ -23,6 +24,8 @@ pub struct PinnedMark {
     pub mark: usize,
     /// As it was drawn, on the canvas that is grown, px.
     pub drawn: Ellipse,
+    /// What of it lies on the canvas.
+    pub visible: VisiblePart,
     /// How its own parameters differ from those looked up for its place.
     pub offset: NodeOffset,
     /// What was added to these because it grew larger, longer or turned.
@@ -42,7 +45,8 @@ impl PinnedMark {
         let mut offset = own.minus(&around);
         let ratio = around.ratio();
         offset[3] = offset[3].max(libm::log(LEAST_RATIO.min(ratio) / ratio));
-        Self { mark, drawn: ellipse, offset, correction: NodeOffset::default() }
+        let visible = VisiblePart::new(&ellipse, lookup.map.layout());
+        Self { mark, drawn: ellipse, visible, offset, correction: NodeOffset::default() }
     }
 
     /// √(r₁r₂), px.
@@ -98,7 +102,10 @@ pub(super) fn pin_spots(
     let drawn: Vec<PinnedMark> = spots.iter().map(|spot| PinnedMark::new(lookup, spot)).collect();
     let pitch = vec![1.0; lookup.map.layout().len()];
     let among: Vec<rd::PinnedSpot> = drawn.iter().map(|mark| mark.among_others(lookup, &pitch)).collect();
-    let room = placeable(lookup.system, &lookup.maps(&pitch, obstacles), &among);
+    // Only places and obstacles count, not the parameters between the spots.
+    let anything = lookup.lattice.nodes[0].parameters(1.0);
+    let maps = Maps::new(lookup.grid, vec![anything; lookup.grid.cells()]);
+    let room = placeable(lookup.system, &Maps { obstacles: obstacles.to_vec(), ..maps }, &among);
     let mut pinned = Vec::with_capacity(drawn.len());
     let mut left_out = Vec::new();
     for (mark, room) in drawn.into_iter().zip(room) {
@@ -124,23 +131,38 @@ pub fn displacement(a: [f64; 2], b: [f64; 2], layout: &RegionGrid) -> [f64; 2] {
     layout.bounds().shortest([a[0] - b[0], a[1] - b[1]])
 }
 
-/// The centre of the part of an ellipse that lies on the canvas, px.
-#[must_use]
-pub fn visible_center(ellipse: &Ellipse, layout: &RegionGrid) -> [f64; 2] {
-    const RINGS: usize = 12;
-    const POINTS: usize = 48;
-    let [s, c] = [libm::sin, libm::cos].map(|f| f(ellipse.angle.to_radians()));
-    let point = |ring: usize, k: usize| {
-        // Rings of equal area.
-        let radius = ((ring as f64 + 0.5) / RINGS as f64).sqrt();
-        let way = std::f64::consts::TAU * k as f64 / POINTS as f64;
-        let [along, across] =
-            [ellipse.radii[0] * radius * libm::cos(way), ellipse.radii[1] * radius * libm::sin(way)];
-        [ellipse.center[0] + along * c - across * s, ellipse.center[1] + along * s + across * c]
-    };
-    let on = |point: &[f64; 2]| layout.bounds().contains(*point);
-    let all = (0..RINGS).flat_map(|ring| (0..POINTS).map(move |k| (ring, k)));
-    let inside: Vec<[f64; 2]> = all.map(|(ring, k)| point(ring, k)).filter(on).collect();
-    let mean = |axis: usize| inside.iter().map(|point| point[axis]).sum::<f64>() / inside.len() as f64;
-    if inside.is_empty() { ellipse.center } else { [mean(0), mean(1)] }
+/// The part of a drawn spot that lies on the canvas.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VisiblePart {
+    /// Its centre of gravity, px.
+    pub center: [f64; 2],
+    /// Its area, px².
+    pub area: f64,
+}
+
+impl VisiblePart {
+    /// That of an ellipse on this canvas; all of one that lies beyond it.
+    #[must_use]
+    pub fn new(ellipse: &Ellipse, layout: &RegionGrid) -> Self {
+        const RINGS: usize = 12;
+        const POINTS: usize = 48;
+        let [s, c] = [libm::sin, libm::cos].map(|f| f(ellipse.angle.to_radians()));
+        let point = |ring: usize, k: usize| {
+            // Rings of equal area.
+            let radius = ((ring as f64 + 0.5) / RINGS as f64).sqrt();
+            let way = std::f64::consts::TAU * k as f64 / POINTS as f64;
+            let [along, across] =
+                [ellipse.radii[0] * radius * libm::cos(way), ellipse.radii[1] * radius * libm::sin(way)];
+            [ellipse.center[0] + along * c - across * s, ellipse.center[1] + along * s + across * c]
+        };
+        let on = |point: &[f64; 2]| layout.bounds().contains(*point);
+        let all = (0..RINGS).flat_map(|ring| (0..POINTS).map(move |k| (ring, k)));
+        let inside: Vec<[f64; 2]> = all.map(|(ring, k)| point(ring, k)).filter(on).collect();
+        if inside.is_empty() || inside.len() == RINGS * POINTS {
+            return Self { center: ellipse.center, area: ellipse.area() };
+        }
+        let mean = |axis: usize| inside.iter().map(|point| point[axis]).sum::<f64>() / inside.len() as f64;
+        let share = inside.len() as f64 / (RINGS * POINTS) as f64;
+        Self { center: [mean(0), mean(1)], area: share * ellipse.area() }
+    }
 }

@@ -9,7 +9,7 @@ use crate::rd::Hindrance;
 use crate::synth::grow::layer::GrownLayer;
 use crate::synth::grow::pinned_correction::matched;
 use crate::synth::plan::Plan;
-use crate::synth::plan::pinned_marks::{LeftOut, displacement, visible_center};
+use crate::synth::plan::pinned_marks::{LeftOut, displacement};
 use crate::synth::report::covered::{COVERED, covered};
 
 /// What became of a drawn mark that was to be among those that grow.
@@ -51,7 +51,7 @@ fn spots(layer: &GrownLayer) -> Vec<DrawnMark> {
     let own = matched(plan.pinned_spots(), layout, layer.measured.spots());
     let pinned = plan.pinned_spots().iter().zip(own).map(|(pinned, spot)| {
         let off = spot.map(|spot| {
-            let [x, y] = displacement(spot.ellipse.center, visible_center(&pinned.drawn, layout), layout);
+            let [x, y] = displacement(spot.ellipse.center, pinned.visible.center, layout);
             (x * x + y * y).sqrt() / pinned.radius()
         });
         DrawnMark {

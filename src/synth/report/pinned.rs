@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::attributes::AttributeMap;
 use crate::attributes::regions::RegionGrid;
 use crate::measure::Spot;
-use crate::synth::plan::pinned_marks::{PinnedMark, displacement, visible_center};
+use crate::synth::plan::pinned_marks::{PinnedMark, displacement};
 use crate::synth::report::covered::COVERED;
 use crate::synth::report::drawn::DrawnMark;
 
@@ -60,7 +60,7 @@ pub fn distances(pinned: &[PinnedMark], layout: &RegionGrid, spots: &[Spot]) -> 
         (x * x + y * y).sqrt()
     };
     let nearest = |pinned: &PinnedMark| {
-        let at = visible_center(&pinned.drawn, layout);
+        let at = pinned.visible.center;
         let distances = spots.iter().map(|spot| distance(spot.ellipse.center, at));
         distances.fold(f64::INFINITY, f64::min) / pinned.radius()
     };
