@@ -4,6 +4,7 @@ use crate::folder::{Folder, document};
 use dapple::document::Edges;
 use dapple::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
 use dapple::internals::attributes::AttributeMap;
+use dapple::internals::grid::resample::Spline;
 use dapple::internals::marks::{Ellipse, Line, Mark, Path, turn};
 use dapple::internals::measure::Spot;
 
@@ -184,7 +185,8 @@ fn in_stripes(document: &Document, layer: &GrownLayer) -> Vec<f64> {
     let marks = dapple::internals::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
     let [width, height] = document.size.map(|side| side as usize);
     let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
-    covered(&lines, layer.plan.lookup.map.layout(), &layer.pattern().field(width, height))
+    let surface = Spline::new(&layer.pattern().field(width, height));
+    lines.iter().map(|line| covered(line, layer.plan.lookup.map.layout(), &surface)).collect()
 }
 
 #[test]

@@ -135,7 +135,9 @@ impl Rounds {
     /// Whether to make the correction `found`, which is then counted.
     pub fn is_worth(&mut self, found: &PinnedCorrection) -> bool {
         self.begun.resize(found.added.len(), 0);
-        let begins = found.lost.iter().any(|index| self.begun[*index] < BEGINNINGS);
+        // What grew worse is not mended by more of the same.
+        let begins =
+            found.error <= self.error && found.lost.iter().any(|index| self.begun[*index] < BEGINNINGS);
         let improves = found.error < IMPROVED * self.error && self.corrections < CORRECTIONS;
         let corrects = !found.different.is_empty() && improves;
         if self.rounds == ROUNDS || !begins && !corrects {

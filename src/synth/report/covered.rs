@@ -1,24 +1,20 @@
 //! How much of a drawn line lies in the stripes that grew.
 
 use crate::attributes::regions::RegionGrid;
-use crate::grid::Field;
 use crate::grid::resample::Spline;
 use crate::marks::Path;
+use crate::synth::grow::pattern::EDGE;
 
 /// The share of a drawn line that is to lie in a stripe.
 pub(super) const COVERED: f64 = 0.9;
 
-/// The share of each of these paths (px) that lies in a stripe of `pattern`.
+/// The share of a path (px) that lies in a stripe of the pattern `surface`.
 #[must_use]
-pub fn covered(paths: &[Path], layout: &RegionGrid, pattern: &Field) -> Vec<f64> {
+pub fn covered(path: &Path, layout: &RegionGrid, surface: &Spline) -> f64 {
     const POINTS: usize = 64;
-    let surface = Spline::new(pattern);
-    let share = |path: &Path| {
-        let points = path.samples(POINTS).into_iter().map(|sample| sample.point);
-        let on = |point: &[f64; 2]| layout.bounds().contains(*point);
-        let points: Vec<[f64; 2]> = points.filter(on).collect();
-        let covered = points.iter().filter(|point| surface.at(**point) >= 0.5).count();
-        covered as f64 / points.len().max(1) as f64
-    };
-    paths.iter().map(share).collect()
+    let points = path.samples(POINTS).into_iter().map(|sample| sample.point);
+    let on = |point: &[f64; 2]| layout.bounds().contains(*point);
+    let points: Vec<[f64; 2]> = points.filter(on).collect();
+    let covered = points.iter().filter(|point| surface.at(**point) >= EDGE).count();
+    covered as f64 / points.len().max(1) as f64
 }

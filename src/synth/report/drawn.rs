@@ -2,15 +2,17 @@
 
 use serde::Serialize;
 
-use crate::attributes::{Attributes, Spots};
+use crate::attributes::{Attributes, Spots, Stripes};
 use crate::grid::Field;
-use crate::marks::Ellipse;
+use crate::grid::resample::Spline;
+use crate::marks::{Ellipse, Path};
 use crate::rd::Hindrance;
 use crate::synth::grow::layer::GrownLayer;
 use crate::synth::grow::pinned_correction::matched;
 use crate::synth::plan::Plan;
 use crate::synth::plan::pinned_marks::{LeftOut, displacement};
 use crate::synth::report::covered::{COVERED, covered};
+use crate::synth::report::stripe_along::{drawn_stripe, stripe_along};
 
 /// What became of a drawn mark that was to be among those that grow.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -23,10 +25,10 @@ pub struct DrawnMark {
     /// grow.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub off: Option<f64>,
-    /// What was drawn, of a spot.
+    /// What was drawn.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub asked: Option<Attributes>,
-    /// What grew, of a spot that is whole.
+    /// What grew, of a spot that is whole, or of the stripe along a line.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub got: Option<Attributes>,
     /// Why it is not there.
@@ -87,19 +89,28 @@ pub fn left_out(plan: &Plan) -> Vec<DrawnMark> {
 
 fn lines(layer: &GrownLayer, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
     let (plan, layout) = (&layer.plan, layer.plan.lookup.map.layout());
-    let lines = plan.pinned_lines();
-    let covered = covered(lines, layout, &pattern());
-    let mark = |(mark, (line, covered)): (usize, (&crate::marks::Path, f64))| DrawnMark {
-        mark,
-        there: covered >= COVERED,
-        off: Some(1.0 - covered),
-        asked: None,
-        got: None,
-        reason: (covered < COVERED)
-            .then_some("closer to others than the period of the stripes, or oblique to them"),
-        place: line.center(),
+    let surface = Spline::new(&pattern());
+    let mark = |(mark, line): (usize, &Path)| {
+        let covered = covered(line, layout, &surface);
+        let asked = match plan.lookup.map.free().map(|free| free.own(mark)) {
+            Some(Attributes::Stripes(own)) => own,
+            _ => drawn_stripe(line),
+        };
+        let got = stripe_along(line, &surface, layout.bounds());
+        let got = got
+            .map(|got| Stripes { wavelength: got.wavelength.filter(|_| asked.wavelength.is_some()), ..got });
+        DrawnMark {
+            mark,
+            there: covered >= COVERED,
+            off: Some(1.0 - covered),
+            asked: Some(Attributes::Stripes(asked)),
+            got: got.map(Attributes::Stripes),
+            reason: (covered < COVERED)
+                .then_some("closer to others than the period of the stripes, or oblique to them"),
+            place: line.center(),
+        }
     };
-    lines.iter().zip(covered).enumerate().map(mark).collect()
+    plan.pinned_lines().iter().enumerate().map(mark).collect()
 }
 
 fn attributes(ellipse: &Ellipse) -> Attributes {

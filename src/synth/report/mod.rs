@@ -6,6 +6,7 @@ pub mod covered;
 pub mod drawn;
 pub mod pinned;
 mod region;
+pub mod stripe_along;
 
 pub use drawn::{DrawnMark, drawn_marks, left_out};
 pub use region::{RegionReport, regions};

@@ -5,6 +5,7 @@ use egui::{Grid, RichText, Ui, vec2};
 use super::detail::{listed, number};
 use super::{error, named, sign};
 use crate::app::result::Verdict;
+use crate::attributes::Attributes;
 use crate::editor::units::Ruler;
 use crate::marks::turn;
 use crate::synth::report::DrawnMark;
@@ -68,7 +69,7 @@ struct Difference {
     off: f64,
 }
 
-/// What differs between a spot as it was drawn and as it grew; the direction of a round spot is left out.
+/// What differs between a mark as it was drawn and as it grew; the direction of a round spot is left out.
 fn differences(drawn: &DrawnMark) -> Vec<Difference> {
     let (Some(asked), Some(got)) = (&drawn.asked, &drawn.got) else { return Vec::new() };
     let (asked, got) = (listed(asked, true), listed(got, true));
@@ -88,7 +89,7 @@ fn differences(drawn: &DrawnMark) -> Vec<Difference> {
 /// How far a spot is from its place, or how much of a line lies in stripes.
 fn place(drawn: &DrawnMark) -> Option<String> {
     let off = drawn.off?;
-    Some(if drawn.asked.is_some() {
+    Some(if let Some(Attributes::Spots(_)) = drawn.asked {
         format!("Its middle is {:.0} % of its radius away from where you drew it.", 100.0 * off)
     } else {
         format!("{:.0} % of it lies in a stripe.", 100.0 * (1.0 - off))
@@ -98,7 +99,7 @@ fn place(drawn: &DrawnMark) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::attributes::{Attributes, Spots};
+    use crate::attributes::Spots;
 
     fn spot(area: f64, aspect: f64, angle: f64) -> Attributes {
         Attributes::Spots(Spots { area, aspect, angle, spacing: None })
