@@ -144,10 +144,13 @@ pub struct Rectangles {
     count: [usize; 2],
 }
 
+/// Rectangles along a side at most: a few points in a huge space need no more.
+const MOST: usize = 2_048;
+
 impl Rectangles {
     /// Rectangles of `space` whose sides are at least `reach`, where there is more than one.
     pub fn new(space: Bounds, reach: f64) -> Self {
-        Self { space, count: space.size.map(|side| ((side / reach) as usize).max(1)) }
+        Self { space, count: space.size.map(|side| ((side / reach) as usize).clamp(1, MOST)) }
     }
 
     fn position(&self, at: [f64; 2]) -> [isize; 2] {

@@ -58,7 +58,10 @@ fn places(flat: &Maps, other: &Maps<Relabelled>) -> [Vec<[f64; 2]>; 2] {
     let spots: Vec<PinnedSpot> =
         [[12.5, 20.25], [14.0, 22.0], [80.0, 60.5]].map(|at| pinned(at, flat)).into();
     let moved = relabelled(&spots, other);
-    assert_eq!(placeable(SYSTEM, flat, &spots), placeable(SYSTEM, other, &moved));
+    assert_eq!(
+        placeable(SYSTEM, &flat.domain, &flat.obstacles, &spots),
+        placeable(SYSTEM, &other.domain, &other.obstacles, &moved)
+    );
     let keep = [0, 2];
     let (spots, moved): (Vec<_>, Vec<_>) = keep.map(|i| (spots[i], moved[i])).into_iter().unzip();
     let mut found = [Vec::new(), Vec::new()];

@@ -22,7 +22,8 @@ pub fn nuclei<D: Domain>(
     seed: u64,
     pinned: &[PinnedSpot<D::Place>],
 ) -> Places<D::Place> {
-    let fixed: Vec<Nucleus<D::Place>> = pinned.iter().map(|pinned| pinned.nucleus(system, maps)).collect();
+    let fixed: Vec<Nucleus<D::Place>> =
+        pinned.iter().map(|pinned| pinned.nucleus(system, &maps.domain)).collect();
     let Some(LaidSpots { inside, beyond }) = laid(system, maps, seed, &fixed) else {
         return Places::default();
     };

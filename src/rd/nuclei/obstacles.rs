@@ -41,7 +41,11 @@ pub const FILLS: [f64; 2] = [0.777, 0.85];
 pub fn clear<D: Domain>(maps: &Maps<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
     let own = |p: &Parameters| pitch(p) / f64::from(p.pitch);
     let cells = (0..maps.obstacles.len()).into_par_iter();
-    cells.map(|cell| is_clear(maps, &Nucleus::at(maps, maps.domain.center(cell), &own))).collect()
+    cells
+        .map(|cell| {
+            is_clear(&maps.domain, &maps.obstacles, &Nucleus::at(maps, maps.domain.center(cell), &own))
+        })
+        .collect()
 }
 
 /// Places spots after the `posts` of `placed` wherever one is `clear` and `closest` pitches or more from all others,
@@ -108,11 +112,11 @@ pub fn with_room<B: Buckets>(
     placed.all
 }
 
-/// Is a place of the domain of `maps` clear of the obstacle cells?
-pub fn is_clear<D: Domain>(maps: &Maps<D>, place: &Nucleus<D::Place>) -> bool {
-    if maps.obstacles.is_empty() {
+/// Is a place of the `domain` clear of the obstacle cells? Empty `obstacles` are none.
+pub fn is_clear<D: Domain>(domain: &D, obstacles: &[bool], place: &Nucleus<D::Place>) -> bool {
+    if obstacles.is_empty() {
         return true;
     }
-    let mut near = maps.domain.near(place.at, CLEAR * place.reach, 0..maps.domain.cells());
-    !near.any(|(cell, delta)| maps.is_obstacle(cell) && place.distance2(delta) < CLEAR * CLEAR)
+    let mut near = domain.near(place.at, CLEAR * place.reach, 0..domain.cells());
+    !near.any(|(cell, delta)| obstacles[cell] && place.distance2(delta) < CLEAR * CLEAR)
 }

@@ -2,9 +2,10 @@
 
 use crate::grid::{Buckets, Domain};
 use crate::rd::System;
-use crate::rd::maps::{Maps, Parameters};
+use crate::rd::maps::Parameters;
+use crate::rd::nuclei::PUSH;
 use crate::rd::nuclei::cell_list::{CellList, distance2};
-use crate::rd::nuclei::{PUSH, obstacles};
+use crate::rd::nuclei::obstacles::is_clear;
 use crate::rd::nucleus::Nucleus;
 
 /// A spot that is to stand at a given place.
@@ -19,9 +20,8 @@ pub struct PinnedSpot<P = [f64; 2]> {
 }
 
 impl<P: Copy> PinnedSpot<P> {
-    pub(in crate::rd) fn nucleus<D: Domain<Place = P>>(&self, system: System, maps: &Maps<D>) -> Nucleus<P> {
-        let cell = maps.domain.cell_at(self.at);
-        Nucleus::new(&self.own, &maps.domain, cell, self.at, system.spacing(&self.own))
+    pub(in crate::rd) fn nucleus<D: Domain<Place = P>>(&self, system: System, domain: &D) -> Nucleus<P> {
+        Nucleus::new(&self.own, domain, domain.cell_at(self.at), self.at, system.spacing(&self.own))
     }
 }
 
@@ -34,18 +34,19 @@ pub enum Hindrance {
     Neighbour,
 }
 
-/// Which of `spots` can stand where they are to: as many as can be of which none hinders another, nearly. A closed edge
+/// Which of `spots` can stand where they are to, beside the cells of `obstacles` (empty = none): as many as can be of which none hinders another, nearly. A closed edge
 /// hinders none, but draws those to itself that are near.
 #[must_use]
 pub fn placeable<D: Domain>(
     system: System,
-    maps: &Maps<D>,
+    domain: &D,
+    obstacles: &[bool],
     spots: &[PinnedSpot<D::Place>],
 ) -> Vec<Result<(), Hindrance>> {
-    let nuclei: Vec<Nucleus<D::Place>> = spots.iter().map(|spot| spot.nucleus(system, maps)).collect();
-    let clear: Vec<bool> = nuclei.iter().map(|nucleus| obstacles::is_clear(maps, nucleus)).collect();
+    let nuclei: Vec<Nucleus<D::Place>> = spots.iter().map(|spot| spot.nucleus(system, domain)).collect();
+    let clear: Vec<bool> = nuclei.iter().map(|nucleus| is_clear(domain, obstacles, nucleus)).collect();
     let largest = nuclei.iter().map(|nucleus| nucleus.reach).fold(1.0, f64::max);
-    let mut placed = CellList::new(maps.domain.buckets(PUSH * largest));
+    let mut placed = CellList::new(domain.buckets(PUSH * largest));
     nuclei.iter().zip(&clear).filter(|(_, clear)| **clear).for_each(|(nucleus, _)| placed.insert(*nucleus));
     let near: Vec<f64> =
         spots.iter().zip(&clear).filter(|(_, clear)| **clear).map(|(spot, _)| spot.near).collect();
@@ -93,7 +94,8 @@ fn independent(near: &[Vec<usize>]) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::Edges;
+    use crate::grid::{Edges, Grid};
+    use crate::rd::Maps;
     use crate::rd::nuclei::cell_list::Way;
     use crate::rd::nuclei::lay;
     use rand::SeedableRng;
@@ -110,7 +112,7 @@ mod tests {
         let maps = Maps::uniform([200, 60], Edges::Closed, P);
         let pitch = System::MEINHARDT_SPOTS.spacing(&P);
         let row: Vec<[f64; 2]> = (0..7).map(|k| [20.0 + 0.55 * pitch * f64::from(k), 30.0]).collect();
-        let stays = placeable(System::MEINHARDT_SPOTS, &maps, &pinned(&row));
+        let stays = placeable(System::MEINHARDT_SPOTS, &maps.domain, &[], &pinned(&row));
         let stays: Vec<bool> = stays.iter().map(Result::is_ok).collect();
         assert_eq!(stays, [true, false, true, false, true, false, true]);
     }
@@ -120,14 +122,15 @@ mod tests {
         let mut maps = Maps::uniform([80, 60], Edges::Closed, P);
         maps.obstacles = (0..80 * 60).map(|cell| cell % 80 < 20).collect();
         let spots = pinned(&[[10.0, 30.0], [21.0, 30.0], [50.0, 30.0]]);
-        let found = placeable(System::MEINHARDT_SPOTS, &maps, &spots);
+        let found = placeable(System::MEINHARDT_SPOTS, &maps.domain, &maps.obstacles, &spots);
         assert_eq!(found, [Err(Hindrance::Obstacle), Err(Hindrance::Obstacle), Ok(())]);
     }
 
     #[test]
     fn neighbours_across_the_border_count_only_on_a_tile() {
         let spots = pinned(&[[2.0, 30.0], [78.0, 30.0]]);
-        let stand = |edges| placeable(System::MEINHARDT_SPOTS, &Maps::uniform([80, 60], edges, P), &spots);
+        let grid = |edges| Grid { size: [80, 60], cell: [1.0, 1.0], edges };
+        let stand = |edges| placeable(System::MEINHARDT_SPOTS, &grid(edges), &[], &spots);
         assert_eq!(stand(Edges::Closed), [Ok(()), Ok(())]);
         assert_eq!(stand(Edges::Wrap), [Ok(()), Err(Hindrance::Neighbour)]);
     }
@@ -137,7 +140,7 @@ mod tests {
         let maps = Maps::uniform([160, 130], Edges::Closed, P);
         let system = System::MEINHARDT_SPOTS;
         let spots = pinned(&[[1.0, 50.0], [60.3, 61.7], [73.1, 70.2], [100.0, 100.0]]);
-        let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, &maps)).collect();
+        let nuclei: Vec<Nucleus> = spots.iter().map(|spot| spot.nucleus(system, &maps.domain)).collect();
         let pitch = |p: &Parameters| system.spacing(p);
         for edges in [Edges::Closed, Edges::Wrap] {
             let maps = Maps::uniform([160, 130], edges, P);

@@ -9,9 +9,8 @@
 //! ```
 
 use crate::attributes::regions::RegionGrid;
-use crate::grid::Domain;
 use crate::marks::{Ellipse, Path};
-use crate::rd::{self, GuideLine, Hindrance, Maps, placeable};
+use crate::rd::{self, GuideLine, Hindrance, placeable};
 use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::lattice::NodeOffset;
 use crate::synth::plan::layer_lookup::Lookup;
@@ -102,10 +101,7 @@ pub(super) fn pin_spots(
     let drawn: Vec<PinnedMark> = spots.iter().map(|spot| PinnedMark::new(lookup, spot)).collect();
     let pitch = vec![1.0; lookup.map.layout().len()];
     let among: Vec<rd::PinnedSpot> = drawn.iter().map(|mark| mark.among_others(lookup, &pitch)).collect();
-    // Only places and obstacles count, not the parameters between the spots.
-    let anything = lookup.lattice.nodes[0].parameters(1.0);
-    let maps = Maps::new(lookup.grid, vec![anything; lookup.grid.cells()]);
-    let room = placeable(lookup.system, &Maps { obstacles: obstacles.to_vec(), ..maps }, &among);
+    let room = placeable(lookup.system, &lookup.grid, obstacles, &among);
     let mut pinned = Vec::with_capacity(drawn.len());
     let mut left_out = Vec::new();
     for (mark, room) in drawn.into_iter().zip(room) {
