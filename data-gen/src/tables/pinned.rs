@@ -3,6 +3,7 @@
 use dapple::document::{Document, SystemChoice};
 use dapple::internals::attributes::AttributeMap;
 use dapple::internals::grid::Edges;
+use dapple::internals::grid::resample::Spline;
 use dapple::internals::marks::{Ellipse, Mark, Path};
 use dapple::internals::measure::{self, StripeErrors};
 use dapple::internals::rd::System;
@@ -151,5 +152,6 @@ fn in_stripes(document: &Document, layer: &GrownLayer) -> Result<Vec<f64>, Strin
     let marks = sketch_targets::marks(document, 0, "document").map_err(|error| error.to_string())?;
     let [width, height] = document.size.map(|side| side as usize);
     let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
-    Ok(covered(&lines, layer.plan.lookup.map.layout(), &layer.pattern().field(width, height)))
+    let surface = Spline::new(&layer.pattern().field(width, height));
+    Ok(lines.iter().map(|line| covered(line, layer.plan.lookup.map.layout(), &surface)).collect())
 }
