@@ -3,7 +3,7 @@
 use dapple::document::{Document, Layer, Stroke};
 use dapple::internals::attributes::Attributes;
 use dapple::internals::marks::turn;
-use dapple::internals::measure::Directions;
+use dapple::internals::measure::{Directions, Spot};
 use dapple::internals::synth::report::{DrawnMark, report};
 use dapple::internals::synth::{GrowError, Grown, Options, grow};
 
@@ -75,6 +75,44 @@ fn marks_of_very_different_sizes_keep_their_sizes() {
     let ellipse = |(k, r): (usize, &f64)| Stroke::ellipse(place(k), [*r, 0.8 * r], 20.0 * k as f64);
     let (_, marks) = grown(sizes.iter().enumerate().map(ellipse).collect());
     assert_there(&marks, 9, 0.2, 0.2, 0.12);
+}
+
+#[test]
+fn ellipses_a_quarter_of_their_diameter_apart_all_grow() {
+    let drawn = [
+        ([281.0, 212.0], [13.4, 6.7], 109.0),
+        ([304.0, 168.0], [12.9, 7.5], 80.0),
+        ([311.0, 203.0], [14.4, 7.4], 166.0),
+        ([257.0, 148.0], [14.7, 7.5], 32.0),
+        ([271.0, 182.0], [15.0, 7.1], 70.0),
+    ];
+    let (_, marks) = grown(drawn.map(|(center, radii, angle)| Stroke::ellipse(center, radii, angle)).into());
+    assert_there(&marks, 5, 0.2, 0.2, 0.12);
+}
+
+#[test]
+fn one_of_two_ellipses_that_overlap_grows_and_the_other_is_named() {
+    let twice = [[150.0, 150.0], [162.0, 154.0], [350.0, 200.0], [250.0, 400.0]];
+    let (_, marks) = grown(twice.map(|place| Stroke::ellipse(place, [11.0, 7.0], 20.0)).into());
+    assert_eq!(marks.iter().filter(|mark| mark.there).count(), 3, "{marks:?}");
+    let missing = marks.iter().find(|mark| !mark.there).expect("one is missing");
+    assert!(missing.mark < 2 && missing.reason.is_some(), "{missing:?}");
+}
+
+#[test]
+fn the_visible_part_of_a_spot_that_the_border_cuts_has_the_drawn_area() {
+    let places = [[300.0, 4.0], [4.0, 200.0], [506.0, 350.0], [250.0, 250.0], [120.0, 390.0]];
+    let drawn = places.map(|place| Stroke::ellipse(place, [14.0, 10.0], 30.0));
+    let (grown, marks) = grown(drawn.into());
+    assert!(marks.iter().all(|mark| mark.there), "{marks:?}");
+    for pinned in grown.layers[0].plan.pinned_spots() {
+        let near = |spot: &&Spot| {
+            let [x, y] = [0, 1].map(|axis| spot.ellipse.center[axis] - pinned.visible.center[axis]);
+            x.hypot(y) < 7.0
+        };
+        let got = grown.layers[0].measured.spots().iter().find(near).expect("it is there");
+        assert!((got.ellipse.area() / pinned.visible.area - 1.0).abs() < 0.15, "{got:?} {pinned:?}");
+    }
 }
 
 #[test]

@@ -9,6 +9,7 @@
 //! ```
 
 use crate::attributes::regions::RegionGrid;
+use crate::grid::{Bounds, turned};
 use crate::marks::{Ellipse, Path};
 use crate::rd::{self, GuideLine, Hindrance, placeable};
 use crate::synth::plan::drawn_spots::DrawnSpot;
@@ -36,6 +37,11 @@ const PACKED: f64 = 0.22;
 
 /// Spots of a smaller ratio split in two where they have room, as on one side of a close pair.
 const LEAST_RATIO: f64 = 13.5;
+
+/// The distance at which spots merge is less by this where their outlines are well apart: what they then take from each other
+/// is corrected while they grow. Of 26 such spots among 477, which the full distance left out, 3 did not grow with 0.8 to 0.86
+/// of it; where outlines nearly touch, pairs merged with 0.9.
+const WELL_APART: f64 = 0.83;
 
 impl PinnedMark {
     fn new(lookup: &Lookup, drawn: &DrawnSpot) -> Self {
@@ -92,6 +98,22 @@ pub struct LeftOut {
     pub reason: Hindrance,
 }
 
+/// Whether the outlines of two ellipses are farther apart than a quarter of the mean of their diameters 2√(r₁r₂), along the
+/// way from centre to centre.
+fn is_well_apart(a: &Ellipse, b: &Ellipse, bounds: &Bounds) -> bool {
+    let way = bounds.shortest([0, 1].map(|axis| b.center[axis] - a.center[axis]));
+    let distance = (way[0] * way[0] + way[1] * way[1]).sqrt();
+    // Along the way, and the mean radius.
+    let radii = |ellipse: &Ellipse| {
+        let [along, across] = turned(way, -ellipse.angle);
+        let [r, q] = ellipse.radii;
+        let [x, y] = [along / distance / r, across / distance / q];
+        [1.0 / (x * x + y * y).sqrt(), (r * q).sqrt()]
+    };
+    let [[of_a, mean_a], [of_b, mean_b]] = [a, b].map(radii);
+    distance - of_a - of_b > 0.25 * (mean_a + mean_b)
+}
+
 /// Those of the drawn `spots` that find room beside the `obstacles`, and those that do not.
 pub(super) fn pin_spots(
     lookup: &Lookup,
@@ -100,7 +122,18 @@ pub(super) fn pin_spots(
 ) -> (Vec<PinnedMark>, Vec<LeftOut>) {
     let drawn: Vec<PinnedMark> = spots.iter().map(|spot| PinnedMark::new(lookup, spot)).collect();
     let pitch = vec![1.0; lookup.map.layout().len()];
-    let among: Vec<rd::PinnedSpot> = drawn.iter().map(|mark| mark.among_others(lookup, &pitch)).collect();
+    let bounds = lookup.map.layout().bounds();
+    let among = |(index, mark): (usize, &PinnedMark)| {
+        let mut among = mark.among_others(lookup, &pitch);
+        let is_alone = |(other, one): (usize, &PinnedMark)| {
+            other == index || is_well_apart(&mark.drawn, &one.drawn, &bounds)
+        };
+        if drawn.iter().enumerate().all(is_alone) {
+            among.near *= WELL_APART;
+        }
+        among
+    };
+    let among: Vec<rd::PinnedSpot> = drawn.iter().enumerate().map(among).collect();
     let room = placeable(lookup.system, &lookup.grid, obstacles, &among);
     let mut pinned = Vec::with_capacity(drawn.len());
     let mut left_out = Vec::new();
