@@ -38,6 +38,15 @@ impl Polarity {
         }
     }
 
+    /// The marks that such lines make.
+    #[must_use]
+    pub fn marks(self, lines: &Attributes) -> Attributes {
+        match (self, lines) {
+            (Self::Negative, Attributes::Stripes(lines)) => Attributes::Stripes(lines.gaps()),
+            _ => *lines,
+        }
+    }
+
     /// Whether a duty is on the other side of one half, so that stripes of this polarity cannot have it.
     #[must_use]
     pub fn excludes(self, duty: f64) -> bool {

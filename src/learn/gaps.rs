@@ -10,7 +10,8 @@ impl Answer {
     /// lines. Spots have no gaps.
     #[must_use]
     pub fn of_gaps(mut self) -> Self {
-        let (Attributes::Stripes(lines), Attributes::Stripes(nearest)) = (self.predicted, self.nearest) else {
+        let (Attributes::Stripes(lines), Attributes::Stripes(nearest)) = (self.predicted, self.nearest)
+        else {
             return self;
         };
         let stripes = lines.gaps();
@@ -43,7 +44,9 @@ fn of_gaps(note: Note) -> Note {
             };
             Note::Beyond { asked: one(asked), reached: one(reached), called }
         }
-        Note::Together { asked, reached } => Note::Together { asked: together(asked), reached: together(reached) },
+        Note::Together { asked, reached } => {
+            Note::Together { asked: together(asked), reached: together(reached) }
+        }
         other => other,
     }
 }
@@ -96,9 +99,18 @@ mod tests {
     fn a_duty_that_is_not_reached_is_told_of_the_stripes() {
         let (_, answer) = asked(0.95);
         assert_eq!(answer.coverage, Coverage::Outside);
-        let note = answer.notes.iter().map(ToString::to_string).find(|note| note.starts_with("duty")).unwrap();
-        assert!(note.starts_with("duty 0.95 is more than 0.") && note.contains("the most of its period"), "{note}");
+        let note =
+            answer.notes.iter().map(ToString::to_string).find(|note| note.starts_with("duty")).unwrap();
+        assert!(
+            note.starts_with("duty 0.95 is more than 0.") && note.contains("the most of its period"),
+            "{note}"
+        );
         let (_, answer) = asked(0.45);
-        assert_eq!(answer.coverage, Coverage::Inside, "half of the period at the same width: {:?}", answer.notes);
+        assert_eq!(
+            answer.coverage,
+            Coverage::Inside,
+            "half of the period at the same width: {:?}",
+            answer.notes
+        );
     }
 }

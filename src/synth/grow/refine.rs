@@ -44,7 +44,7 @@ const FINER: f64 = 1.5;
 #[must_use]
 pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
     if plan.lookup.system.is_striped() {
-        let mut errors = plan.on_canvas(|target| measure::stripe_errors(pattern, 0.5, target));
+        let mut errors = plan.by_region(|target| measure::stripe_errors(pattern, 0.5, target));
         if let Some(curves) = plan.curves() {
             errors.iter_mut().enumerate().for_each(|(index, errors)| curves.correct(index, errors));
         }
@@ -260,7 +260,7 @@ impl Ruler {
             }
             Self::Stripes(wanted) => {
                 let widths =
-                    plan.on_canvas(|target| measure::widths(pattern, 0.5, target.regions, target.region_of));
+                    plan.by_region(|target| measure::widths(pattern, 0.5, target.regions, target.region_of));
                 let got = |(index, got): (usize, Option<f64>)| match plan.curves() {
                     Some(curves) => Some(curves.width(index, got?)),
                     None => got,

@@ -4,8 +4,8 @@
 //! crest across it is moved back, little at a time. Where stripes are the gaps between lines, the crests are those of the
 //! lines on either side of the stroke.
 
-use crate::attributes::{Attributes, Polarity};
 use crate::attributes::regions::RegionGrid;
+use crate::attributes::{Attributes, Polarity};
 use crate::grid::resample::Spline;
 use crate::grid::{Edges, Field};
 use crate::marks::Path;
@@ -48,11 +48,12 @@ impl StrokeControl {
     #[must_use]
     pub fn new(plan: &Plan) -> Option<Self> {
         let layout = *plan.lookup.map.layout();
-        let period = |point: [f64; 2]| match plan.lookup.map.at(point) {
+        let polarity = plan.lookup.polarity;
+        let period = |point: [f64; 2]| match polarity.lines(&plan.lookup.map.at(point)) {
             Attributes::Stripes(stripes) => stripes.wavelength.unwrap_or(2.0 * stripes.width),
             Attributes::Spots(_) => f64::NAN,
         };
-        let sides: &[f64] = match plan.lookup.polarity {
+        let sides: &[f64] = match polarity {
             Polarity::Positive => &[0.0],
             Polarity::Negative => &[-0.5, 0.5],
         };

@@ -6,8 +6,8 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::{AttributeMap, Polarity};
 use crate::attributes::regions::RegionGrid;
+use crate::attributes::{AttributeMap, Polarity};
 use crate::grid::turned;
 use crate::learn::Answer;
 use crate::rd;

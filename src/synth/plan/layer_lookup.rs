@@ -163,9 +163,22 @@ impl Lookup {
                 remarks[index] = limited.notes;
             }
         }
-        let lattice = Lattice::looked_up((&map, polarity), cell, &vec![Offset::default(); wanted.len()], ask)?;
+        let lattice =
+            Lattice::looked_up((&map, polarity), cell, &vec![Offset::default(); wanted.len()], ask)?;
         let (irregular, seeding) = (0.0, Seeding::Noise);
-        Ok(Self { system, polarity, map, grid, lattice, answers, remarks, irregular, seeding, start, spreads })
+        Ok(Self {
+            system,
+            polarity,
+            map,
+            grid,
+            lattice,
+            answers,
+            remarks,
+            irregular,
+            seeding,
+            start,
+            spreads,
+        })
     }
 
     /// The same with marks that stay where they were drawn, px.

@@ -121,8 +121,7 @@ impl<'a> Morph<'a> {
                     .to_owned(),
             )
         })?;
-        let cell =
-            maps.iter().map(|map| finest_cell((system, polarity), map)).fold(f64::INFINITY, f64::min);
+        let cell = maps.iter().map(|map| finest_cell((system, polarity), map)).fold(f64::INFINITY, f64::min);
         let documents = [from.0, to.0];
         let mut morph =
             Self { documents, training, system, polarity, maps, cell, state: Vec::new(), pace: 0.0 };
