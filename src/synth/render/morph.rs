@@ -243,3 +243,24 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
 fn is_packed(system: System) -> bool {
     !system.is_striped() && !system.description().free_spacing
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Edges;
+    use crate::marks::{Line, Mark};
+
+    #[test]
+    fn stripes_half_as_wide_as_their_period_morph_into_thinner_and_wider_ones_but_these_not_into_each_other()
+    {
+        let map = |duty: f64| {
+            let line = Mark::Line(Line { from: [5.0, 20.0], to: [40.0, 20.0], width: 6.0 });
+            let map = AttributeMap::from_marks(&[line], [64.0, 48.0], None, Edges::Closed);
+            map.expect("a line").with_duty(duty)
+        };
+        let common = |from: f64, to: f64| common_polarity(&[map(from), map(to)]);
+        assert_eq!(common(0.5, 0.3), Some(Polarity::Positive));
+        assert_eq!(common(0.7, 0.5), Some(Polarity::Negative));
+        assert_eq!([common(0.3, 0.7), common(0.7, 0.3)], [None, None]);
+    }
+}
