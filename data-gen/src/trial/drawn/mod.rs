@@ -45,7 +45,7 @@ const SIDE: f64 = 512.0;
 #[derive(clap::Args)]
 pub struct Args {
     /// Kinds of sketches
-    #[arg(long, value_enum, value_delimiter = ',', default_values = ["a", "b", "c", "d", "e"])]
+    #[arg(long, value_enum, value_delimiter = ',', default_values = ["a", "b", "c", "d"])]
     kinds: Vec<Kind>,
     /// Only the first of each kind
     #[arg(long, value_name = "N")]
