@@ -85,7 +85,7 @@ fn an_incomplete_lookup_is_a_usage_error() {
     used_wrongly(&stripes, &["--width"]);
     let of = |system, duty| ["lookup", "--system", system, "--width", "9", "--angle", "1", "--duty", duty];
     used_wrongly(&of("meinhardt-stripes", "0.3"), &["--duty", "allowed: 0.5", "Meinhardt's lines"]);
-    used_wrongly(&of("meinhardt-lines", "0.1"), &["--duty", "from 0.2 to 0.5"]);
+    used_wrongly(&of("meinhardt-lines", "0.1"), &["--duty", "from 0.18 to 0.82"]);
     used_wrongly(&["lookup", "--batch", "in.csv"], &["--output"]);
     used_wrongly(&["lookup", "--batch", "in.csv", "-o", "out.csv", "--width", "5"], &["--width"]);
 }

@@ -326,6 +326,26 @@ fn a_morph_between_two_documents_is_smooth() {
 }
 
 #[test]
+fn a_film_from_thin_stripes_to_wide_ones_is_refused_with_the_remedy() {
+    let folder = TempDir::new().unwrap();
+    let of_duty = |duty: f64| {
+        let path = folder.path().join(format!("{duty}.dapple"));
+        let text = format!(
+            r#"{{"format": "dapple", "version": 2, "size": [64, 48],
+            "layers": [{{"system": "meinhardt-lines", "strokes": [{LINE}], "options": {{"duty": {duty}}}}}]}}"#
+        );
+        fs::write(&path, text).unwrap();
+        path
+    };
+    let [thin, wide] = [0.3, 0.7].map(of_duty);
+    let output = folder.path().join("a.gif");
+    let refused = film(&thin, &output, &["--to", wide.to_str().unwrap()]).code(1);
+    let message = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
+    assert!(message.contains("give both a duty up to 0.5, or both from 0.5 on"), "{message}");
+    assert!(!output.exists());
+}
+
+#[test]
 fn an_impossible_film_is_refused_with_the_remedy_and_leaves_nothing() {
     let folder = TempDir::new().unwrap();
     let (spots, stripes) = (document(&folder, "spots", SPOT), document(&folder, "stripes", LINE));

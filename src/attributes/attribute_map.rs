@@ -2,7 +2,7 @@
 
 use super::free::FreeMap;
 use super::regions::{Region, RegionGrid, RegionMap, RegionsError};
-use super::{Attributes, Spots, Spread, Stripes};
+use super::{Attributes, Polarity, Spots, Spread, Stripes};
 use crate::grid::Edges;
 use crate::marks::Mark;
 
@@ -123,6 +123,23 @@ impl AttributeMap {
             Attributes::Stripes(_) => true,
             Attributes::Spots(_) => false,
         })
+    }
+
+    /// That of its stripes: by their [`Self::mean_duty`], since a layer has one polarity.
+    #[must_use]
+    pub fn polarity(&self) -> Polarity {
+        Polarity::of_duty(self.mean_duty())
+    }
+
+    /// Width ÷ period of stripes, its mean over the canvas; 0.5 of spots.
+    #[must_use]
+    pub fn mean_duty(&self) -> f64 {
+        let duty = |wanted: &Attributes| match wanted {
+            Attributes::Stripes(stripes) => Some(stripes.duty()),
+            Attributes::Spots(_) => None,
+        };
+        let duties: Vec<f64> = self.samples().iter().filter_map(duty).collect();
+        if duties.is_empty() { USUAL_DUTY } else { duties.iter().sum::<f64>() / duties.len() as f64 }
     }
 
     /// What is wanted of a region as a whole: at its centre; of free marks their mean.

@@ -4,6 +4,7 @@ mod attribute_map;
 pub mod columns;
 pub mod free;
 pub mod moments;
+mod polarity;
 pub mod regions;
 pub mod spacing;
 mod spots;
@@ -12,6 +13,7 @@ mod stripes;
 pub mod system;
 
 pub use attribute_map::AttributeMap;
+pub use polarity::Polarity;
 pub use spread::Spread;
 
 use serde::{Deserialize, Serialize};

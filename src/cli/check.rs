@@ -2,7 +2,7 @@
 
 use super::Error;
 use crate::attributes::free::FreeMap;
-use crate::attributes::{Attributes, Spread};
+use crate::attributes::{Attributes, Polarity, Spread};
 use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
 use crate::grid::Edges;
@@ -103,7 +103,7 @@ fn layer_json(layer: &Layer, plan: &Lookup, notes: &[String]) -> Value {
     let drawn: Map<String, Value> =
         counts(layer).into_iter().map(|(name, n)| (name.replace(' ', "_"), json!(n))).collect();
     json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible, "drawn": drawn,
-        "system": plan.system.name(), "cell": plan.px_a_cell(), "grid": plan.grid.size, "regions": regions,
+        "system": plan.system.name(), "inverted": plan.polarity == Polarity::Negative, "cell": plan.px_a_cell(), "grid": plan.grid.size, "regions": regions,
         "notes": notes})
 }
 
@@ -112,8 +112,9 @@ fn reach(plan: &Lookup, index: usize) -> String {
     let layout = plan.map.layout();
     let [nx, ny] = plan.grid.size;
     let mut text = format!(
-        "layer {}: grown by {} on {nx} × {ny} cells of {:.2} px\n",
+        "layer {}: {}grown by {} on {nx} × {ny} cells of {:.2} px\n",
         index + 1,
+        if plan.polarity == Polarity::Negative { "gaps between its stripes " } else { "" },
         plan.system.name(),
         plan.px_a_cell()
     );

@@ -298,7 +298,7 @@ fn notes(layers: &[LayerReport]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::attributes::{Attributes, Spots};
+    use crate::attributes::{Attributes, Polarity, Spots};
     use crate::synth::report::RegionReport;
 
     fn region(place: [usize; 2], notes: &[&str]) -> RegionReport {
@@ -307,6 +307,7 @@ mod tests {
             place,
             marks: Some(9),
             asked: spots,
+            polarity: Polarity::Positive,
             directed: true,
             parameters: Vec::new(),
             predicted: spots,
@@ -324,6 +325,7 @@ mod tests {
         LayerReport {
             name,
             system,
+            inverted: false,
             cell: 1.0,
             grid: [9, 9],
             steps: 1,

@@ -38,7 +38,7 @@ pub struct Args {
     /// Mean width of a stripe, px
     #[arg(long, value_name = "W", value_parser = values::positive, conflicts_with_all = ["area", "aspect", "spacing"])]
     pub width: Option<f64>,
-    /// Stripe width ÷ period of meinhardt-lines, 0.2 to 0.5 [default: 0.5]
+    /// Stripe width ÷ period of meinhardt-lines, 0.18 to 0.82 [default: 0.5]
     #[arg(long, value_name = "Q", value_parser = values::duty, requires = "width")]
     pub duty: Option<f64>,
     /// Look up each row of a table: columns system,area,aspect,angle,spacing,width,duty

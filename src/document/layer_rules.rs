@@ -163,7 +163,7 @@ pub static RULES: [Rule; 26] = [
     read(
         Key::Option(OptionKey::Seeding),
         Condition::Option(OptionKey::Duty),
-        "Thin stripes begin from noise alone; a duty of 0.5 (50 %) lets you choose",
+        "Stripes of any other duty than 0.5 (50 %) begin from noise alone",
     ),
     read(
         Key::Option(OptionKey::Duty),
@@ -179,7 +179,7 @@ pub static RULES: [Rule; 26] = [
     read(
         Key::Option(OptionKey::Duty),
         Condition::SystemWithout(Line, |system| system.free_spacing),
-        "Meinhardt's stripes are as wide as their gaps; Meinhardt's lines and automatic grow thinner ones",
+        "Meinhardt's stripes are as wide as their gaps; Meinhardt's lines and automatic grow thinner and wider ones",
     ),
     read(
         Key::Option(OptionKey::Duty),

@@ -5,6 +5,8 @@
 
 use std::fmt;
 
+use crate::attributes::free::DUTIES;
+
 /// The longest side of a canvas, px; two of them make 2³² px, where a 32-bit count of px ends.
 pub const MAX_SIDE: u32 = 65_536;
 /// Most columns and most rows of regions.
@@ -19,8 +21,8 @@ pub const MAX_FILE: u64 = 256 << 20;
 pub const MIN_LENGTH: f64 = 0.01;
 /// Dots an inch.
 pub const DPI: Range = Range { low: 1.0, high: 100_000.0, unit: "dots an inch" };
-/// Stripe ÷ period: from where thin stripes break to pieces to where they are as wide as their gaps.
-pub const DUTY: Range = Range { low: 0.2, high: 0.5, unit: "" };
+/// Stripe ÷ period: from where thin stripes break to pieces to where the gaps between wide ones do.
+pub const DUTY: Range = Range { low: DUTIES[0], high: DUTIES[1], unit: "" };
 /// How irregular spots are.
 pub const IRREGULAR: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// Place of a colour stop: a pattern value.

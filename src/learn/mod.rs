@@ -27,6 +27,7 @@ mod coverage;
 mod csv_rows;
 mod error;
 mod errors;
+mod gaps;
 mod hold_out;
 mod interpolation;
 mod isolated_spots;

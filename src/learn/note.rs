@@ -25,7 +25,7 @@ pub struct Quantity {
     /// Its unit.
     pub unit: Unit,
     /// Whether lengths are px instead of cells.
-    px: bool,
+    pub(super) px: bool,
 }
 
 impl Quantity {

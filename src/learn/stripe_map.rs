@@ -14,6 +14,10 @@ use crate::marks::axial;
 /// four; in the fourth harmonic two of them are the same.
 const IMAGES: Images = &[[1.0, 1.0], [1.0, -1.0]];
 
+/// The limits of the duty in words.
+pub(super) const DUTY_LIMITS: [&str; 2] =
+    ["the least of its period that this system covers", "the most of its period that this system covers"];
+
 /// The map of a stripe set.
 pub(super) struct StripeMap {
     /// Attributes → parameters.
@@ -61,10 +65,7 @@ impl StripeMap {
             Limit::new(
                 "duty",
                 Unit::Share,
-                [
-                    "the least of its period that this system covers",
-                    "the most of its period that this system covers",
-                ],
+                DUTY_LIMITS,
                 libm::exp,
                 runs.iter().filter_map(|(s, _)| log_duty(s)),
             )

@@ -3,6 +3,7 @@
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
+use crate::attributes::Polarity;
 use crate::grid::Domain;
 use crate::rd::bells::bells;
 use crate::rd::definition::{Begin, System};
@@ -50,7 +51,8 @@ pub fn fresh(system: System, maps: &Maps, seed: u64) -> Vec<Vec<f32>> {
             from_nuclei(system, maps, &nuclei)
         }
         Begin::Waves(begin) => {
-            begin(&Start { seed, lines: &[], curves: None, seeding: Seeding::Noise }, maps)
+            let (seeding, polarity) = (Seeding::Noise, Polarity::Positive);
+            begin(&Start { seed, lines: &[], curves: None, seeding, polarity }, maps)
         }
     }
 }
@@ -92,6 +94,8 @@ pub struct InitialConditions {
     /// Lines along which stripes run.
     lines: Vec<GuideLine>,
     seeding: Seeding,
+    /// Whether the stripes along `lines` are those that grow, or the gaps between these.
+    polarity: Polarity,
 }
 
 impl InitialConditions {
@@ -112,6 +116,7 @@ impl InitialConditions {
             places: places.iter().map(share).collect(),
             lines: Vec::new(),
             seeding: Seeding::Noise,
+            polarity: Polarity::Positive,
         }
     }
 
@@ -124,6 +129,13 @@ impl InitialConditions {
         let lines =
             if seeding == Seeding::Segments { segments(maps, &lines, &wavelength, &mut rng) } else { lines };
         Self { lines, seeding, ..self }
+    }
+
+    /// The same of stripes with this polarity. Negative: lines begin half way between the stripes that are to run along the
+    /// given lines.
+    #[must_use]
+    pub fn with_polarity(self, polarity: Polarity) -> Self {
+        Self { polarity, ..self }
     }
 
     /// Whether any mark begins. Spots need a place.
@@ -149,8 +161,8 @@ impl InitialConditions {
                 from_places(self.system, maps, &places, lost)
             }
             Begin::Waves(begin) => {
-                let (seed, seeding) = (self.seed, self.seeding);
-                let start = Start { seed, lines: &self.lines, curves: maps.curves.as_ref(), seeding };
+                let Self { seed, seeding, polarity, ref lines, .. } = *self;
+                let start = Start { seed, lines, curves: maps.curves.as_ref(), seeding, polarity };
                 with_obstacle_state(self.system, maps, begin(&start, maps))
             }
         }

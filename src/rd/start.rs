@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use super::line_noise::GuideLine;
 use super::maps::{GuideCurves, Maps, Parameters};
 use super::seeding::Seeding;
+use crate::attributes::Polarity;
 use crate::grid::Domain;
 
 /// Initial marks of stripes and lines.
@@ -19,6 +20,8 @@ pub struct Start<'a> {
     pub curves: Option<&'a GuideCurves>,
     /// What stripes begin from: noise, segments or lines.
     pub seeding: Seeding,
+    /// Whether the marks run along `lines`, or between these.
+    pub polarity: Polarity,
 }
 
 impl Start<'_> {

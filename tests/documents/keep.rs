@@ -51,7 +51,7 @@ fn seeds_that_do_nothing_are_refused() {
     let spots = with("/layers/0/options", json!({"seeding": "segments"}));
     refused(&spots, place, "\"segments\"", "\"noise\". Only stripes have a seeding");
     let thin = lined(json!({"seeding": "initiators", "duty": 0.3}));
-    let allowed = "\"noise\". Thin stripes begin from noise alone; a duty of 0.5 (50 %) lets you choose";
+    let allowed = "\"noise\". Stripes of any other duty than 0.5 (50 %) begin from noise alone";
     refused(&thin, place, "\"initiators\"", allowed);
     // The kind of a freehand stroke is known once it is fitted.
     let mut document = spots;

@@ -116,7 +116,8 @@ fn a_duty_is_the_drawn_one_unless_it_is_given_and_is_written() {
         (json!({}), DutyChoice::Drawn),
         (json!({"duty": "drawn"}), DutyChoice::Drawn),
         (json!({"duty": 0.5}), given(0.5)),
-        (json!({"duty": 0.2}), given(0.2)),
+        (json!({"duty": 0.18}), given(0.18)),
+        (json!({"duty": 0.82}), given(0.82)),
     ] {
         for system in ["auto", "meinhardt-lines"] {
             let document = accepted(&lined(system, options.clone()));
@@ -133,15 +134,15 @@ fn a_duty_is_the_drawn_one_unless_it_is_given_and_is_written() {
 #[test]
 fn invalid_duties_are_refused() {
     let place = "layers[0].options.duty";
-    for (value, found) in [(json!(0.19), "0.19"), (json!(0.51), "0.51"), (json!("thin"), "\"thin\"")] {
+    for (value, found) in [(json!(0.17), "0.17"), (json!(0.83), "0.83"), (json!("thin"), "\"thin\"")] {
         refused(
             &lined("auto", json!({"duty": value})),
             place,
             found,
-            "\"drawn\", or a number from 0.2 to 0.5",
+            "\"drawn\", or a number from 0.18 to 0.82",
         );
     }
-    let allowed = "\"drawn\" or 0.5. Meinhardt's stripes are as wide as their gaps; Meinhardt's lines and automatic grow thinner ones";
+    let allowed = "\"drawn\" or 0.5. Meinhardt's stripes are as wide as their gaps; Meinhardt's lines and automatic grow thinner and wider ones";
     refused(&lined("meinhardt-stripes", json!({"duty": 0.3})), place, "0.3", allowed);
 }
 

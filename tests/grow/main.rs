@@ -15,3 +15,4 @@ mod refusals;
 mod seeding;
 mod sketches;
 mod spread;
+mod wide_stripes;

@@ -144,7 +144,7 @@ fn a_report_has_the_keys_of_the_format() {
     assert_eq!((&report["size"], &report["seed"]), (&json!([128, 128]), &json!(5)));
     assert!(report["seconds"].as_f64().unwrap() > 0.0);
     let layer = &report["layers"][0];
-    assert_eq!(keys(layer), ["name", "system", "cell", "grid", "steps", "settled", "regions"]);
+    assert_eq!(keys(layer), ["name", "system", "inverted", "cell", "grid", "steps", "settled", "regions"]);
     assert_eq!((&layer["name"], &layer["settled"]), (&json!("fur"), &json!(true)));
     assert_eq!(layer["system"], "meinhardt-spots");
     assert!(layer["steps"].as_u64().unwrap() > 0);

@@ -70,7 +70,7 @@ fn options() -> impl Strategy<Value = LayerOptions> {
     let often = |usual: f64, range: std::ops::RangeInclusive<f64>| prop_oneof![2 => Just(usual), 1 => range];
     (
         spread(),
-        prop_oneof![2 => Just(DutyChoice::Drawn), 1 => (0.2..=0.5_f64).prop_map(DutyChoice::Given)],
+        prop_oneof![2 => Just(DutyChoice::Drawn), 1 => (0.18..=0.82_f64).prop_map(DutyChoice::Given)],
         often(0.0, 0.0..=0.6),
         often(0.0, 0.0..=1.0),
         any::<Option<bool>>(),

@@ -73,7 +73,7 @@ fn layer_deed() -> impl Strategy<Value = Deed> {
         layer().prop_map(Deed::TakeLayer),
         layer().prop_map(Deed::Hide),
         (layer(), after, 0.0..0.6f64).prop_map(|(layer, after, broken)| Deed::Meet(layer, after.1, broken)),
-        (layer(), 0.2..0.5f64).prop_map(|(layer, duty)| Deed::Duty(layer, duty)),
+        (layer(), 0.18..0.82f64).prop_map(|(layer, duty)| Deed::Duty(layer, duty)),
     ]
 }
 

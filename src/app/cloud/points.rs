@@ -64,8 +64,10 @@ impl Points {
     pub fn for_region(training: &Training, system: System, region: &RegionReport) -> Option<Self> {
         let set = training.set(system).ok()?;
         let grid = region.parameters.iter().find(|(name, _)| *name == "cell")?.1;
-        let cell = exact_cell(system, &region.asked, grid);
-        let answer = set.ask(&region.asked.scaled(1.0 / cell)).ok()?;
+        let polarity = region.polarity;
+        let lines = polarity.lines(&region.asked);
+        let cell = exact_cell(system, &lines, grid);
+        let answer = set.ask(&lines.scaled(1.0 / cell)).ok()?;
         let names: &'static [(&str, &str)] = match (region.asked, answer.parameters.ratio) {
             (Attributes::Spots(_), _) => &SPOTS,
             (Attributes::Stripes(_), None) => &STRIPES,
@@ -74,8 +76,9 @@ impl Points {
         let row = |attributes: &Attributes, parameters: &Parameters| -> Vec<f64> {
             names.iter().map(|(name, _)| value(name, attributes, parameters)).collect()
         };
-        let scaled =
-            |attributes: &Attributes, parameters: &Parameters| row(&attributes.scaled(cell), parameters);
+        let scaled = |lines: &Attributes, parameters: &Parameters| {
+            row(&polarity.marks(&lines.scaled(cell)), parameters)
+        };
         let near = set.neighbours(&answer.nearest);
         Some(Self {
             system: system.name(),

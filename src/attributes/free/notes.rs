@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::period::Wanted;
 use super::pieces::Piece;
+use crate::attributes::{Polarity, Stripes};
 use crate::marks::{Path, turn};
 
 /// Notes that are told one by one.
@@ -14,6 +15,9 @@ const AGREES: f64 = 20.0;
 
 /// A stroke departs from the field if at least this share of it does.
 const DEPARTING: f64 = 0.2;
+
+/// A duty this near to one half grows in either polarity.
+const NEAR_HALF: f64 = 0.08;
 
 /// Something that cannot be as it was drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +53,18 @@ pub enum Note {
         /// Mean period taken, px.
         taken: f64,
     },
+    /// A stroke asks for stripes that cover less than half of their period, and the layer for more in the mean, or the other
+    /// way round: a layer grows one of the two.
+    Duty {
+        /// The mark.
+        mark: usize,
+        /// Half way along it, px.
+        place: [f64; 2],
+        /// Width ÷ period of the stroke.
+        drawn: f64,
+        /// Its mean over the canvas.
+        mean: f64,
+    },
 }
 
 impl fmt::Display for Note {
@@ -78,6 +94,14 @@ impl fmt::Display for Note {
                      {taken:.0} px apart: draw them {remedy}"
                 )
             }
+            Self::Duty { place: [x, y], drawn, mean, .. } => {
+                let side = if drawn < mean { "at least" } else { "at most" };
+                write!(
+                    f,
+                    "at [{x:.0}, {y:.0}] the line asks for stripes that cover {drawn:.2} of their period, but those of this \
+                     layer cover {mean:.2} in the mean and so {side} about half of it everywhere: draw it on a layer of its own"
+                )
+            }
         }
     }
 }
@@ -105,13 +129,25 @@ impl Note {
             Self::Period { marks, place, drawn, taken } => {
                 Self::Period { marks, place: to(place), drawn, taken }
             }
+            Self::Duty { mark, place, drawn, mean } => Self::Duty { mark, place: to(place), drawn, mean },
         }
     }
 
     /// Whether it is about a period.
     pub(super) fn is_of_period(&self) -> bool {
-        matches!(self, Self::Period { .. })
+        matches!(self, Self::Period { .. } | Self::Duty { .. })
     }
+}
+
+/// The strokes with these attributes of their own that ask for another polarity than the `mean` duty has.
+pub(super) fn excluded(strokes: &[Path], own: &[Stripes], mean: f64) -> impl Iterator<Item = Note> {
+    let polarity = Polarity::of_duty(mean);
+    let note = move |(mark, (stroke, own)): (usize, (&Path, &Stripes))| {
+        let drawn = own.duty();
+        let clearly = (drawn - 0.5).abs() > NEAR_HALF && polarity.excludes(drawn);
+        clearly.then(|| Note::Duty { mark, place: stroke.center(), drawn, mean })
+    };
+    strokes.iter().zip(own).enumerate().filter_map(note)
 }
 
 /// All notes on a sketch: crossings, departures from the directions of the field (degrees at a point, px), periods, each by

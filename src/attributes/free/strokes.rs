@@ -2,7 +2,7 @@
 
 use super::kernel::for_images;
 use super::nodes::{Nodes, layout_with};
-use super::notes::{Note, notes};
+use super::notes::{Note, excluded, notes};
 use super::period::{Wanted, wanted_periods, within_duties};
 use super::pieces::{Piece, pieces};
 use crate::attributes::regions::RegionGrid;
@@ -63,7 +63,8 @@ impl StrokeMap {
             total += stroke.length();
         }
         map.mean.wavelength = Some(libm::exp(sum / total));
-        let notes = notes(strokes, &pieces, &wanted, &|point| map.at(point).angle);
+        let mut notes = notes(strokes, &pieces, &wanted, &|point| map.at(point).angle);
+        notes.extend(excluded(strokes, &map.own, map.mean_duty()));
         map.notes = notes;
         Some(map)
     }
@@ -73,6 +74,13 @@ impl StrokeMap {
         let canvas = self.values.layout;
         let finest = canvas.grid[0].max(canvas.grid[1]);
         layout_with(&canvas, PLANNED_NODES.min(finest))
+    }
+
+    /// Width ÷ period, its mean over the canvas.
+    fn mean_duty(&self) -> f64 {
+        let nodes = self.nodes();
+        let duties = (0..nodes.len()).map(|index| self.at(nodes.center(nodes.place(index))).duty());
+        duties.sum::<f64>() / nodes.len() as f64
     }
 
     pub fn at(&self, point: [f64; 2]) -> Stripes {

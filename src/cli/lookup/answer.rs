@@ -12,6 +12,8 @@ use std::fmt::Write;
 /// A question and its answer. Lengths are px, parameters are for a grid of `cell` px a cell.
 pub(super) struct LookupReport {
     pub system: System,
+    /// Whether stripes are the gaps between the lines that the parameters grow.
+    pub inverted: bool,
     pub asked: Attributes,
     pub cell: f64,
     pub answer: Answer,
@@ -26,11 +28,11 @@ impl LookupReport {
     pub fn new(training: &Training, choice: SystemChoice, wanted: &Attributes) -> Result<Self, Error> {
         let system = choice.system().or_else(|| System::first(|system| system.free_spacing));
         let system = system.expect("a system grows spots of any spacing");
-        let LookedUp { cell, free_spacing, answer, .. } =
+        let LookedUp { inverted, cell, free_spacing, answer, .. } =
             LookedUp::new(training, system, wanted).map_err(Error::step)?;
         let free = free_spacing.map(|spacing| format!("spacing is free: {} px taken", brief(spacing)));
         let notes = answer.notes.iter().map(ToString::to_string).chain(free).collect();
-        Ok(Self { system, asked: *wanted, cell, answer, notes })
+        Ok(Self { system, inverted, asked: *wanted, cell, answer, notes })
     }
 
     /// The parameters by name, and at the end the size of a cell.
@@ -54,6 +56,7 @@ impl LookupReport {
             "system": self.system.name(),
             "asked": object(named(&self.asked)),
             "parameters": object(self.parameters()),
+            "inverted": self.inverted,
             "predicted": object(named(&self.answer.predicted)),
             "interval": interval,
             "coverage": self.answer.coverage.to_string(),
@@ -81,6 +84,9 @@ impl LookupReport {
         let _ = writeln!(text, "system:     {}", self.system.name());
         let _ = writeln!(text, "asked:      {}", list(named(&self.asked)));
         let _ = writeln!(text, "parameters: {}", list(self.parameters()));
+        if self.inverted {
+            let _ = writeln!(text, "inverted:   the parameters grow the gaps between the stripes");
+        }
         let _ = writeln!(text, "predicted:  {}", predicted.collect::<Vec<_>>().join("  "));
         let _ = writeln!(text, "coverage:   {}", self.answer.coverage);
         if self.answer.coverage != Coverage::Inside {
@@ -141,7 +147,17 @@ mod tests {
                 .json();
         assert_eq!(
             keys(&json),
-            ["system", "asked", "parameters", "predicted", "interval", "coverage", "nearest", "notes"]
+            [
+                "system",
+                "asked",
+                "parameters",
+                "inverted",
+                "predicted",
+                "interval",
+                "coverage",
+                "nearest",
+                "notes"
+            ]
         );
         assert_eq!(json["system"], "meinhardt-spots");
         assert_eq!(keys(&json["asked"]), ["area", "aspect", "angle", "spacing"]);

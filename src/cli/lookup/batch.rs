@@ -11,8 +11,8 @@ use csv::{ReaderBuilder, StringRecord, Trim, Writer};
 /// The columns of a table of questions.
 const COLUMNS: [&str; 7] = ["system", "area", "aspect", "angle", "spacing", "width", "duty"];
 /// The columns that the answers add.
-const ANSWERS: [&str; 9] =
-    ["rate", "ratio", "stretch", "direction", "level", "pitch", "cell", "coverage", "note"];
+const ANSWERS: [&str; 10] =
+    ["rate", "ratio", "stretch", "direction", "level", "pitch", "cell", "coverage", "note", "inverted"];
 
 /// Why a table is invalid.
 #[derive(Debug, PartialEq, thiserror::Error)]
@@ -169,6 +169,7 @@ pub(super) fn answered(questions: &Questions, looked: &[LookupReport]) -> Vec<u8
             record.push_field(&match column {
                 "coverage" => looked.answer.coverage.to_string(),
                 "note" => looked.notes.join("; "),
+                "inverted" => looked.inverted.to_string(),
                 _ => parameter.map_or_else(String::new, |(_, value)| value.to_string()),
             });
         }
@@ -221,13 +222,14 @@ mod tests {
                 "pitch",
                 "cell",
                 "coverage",
-                "note"
+                "note",
+                "inverted"
             ]
         );
         assert_eq!(rows[1][..6], ["30", "meinhardt-stripes", "8", "", "", ""]);
         assert_eq!(rows[2][..6], ["-20", "meinhardt-spots", "", "0.5", "300", "60"]);
         assert_eq!((rows[1][7].as_str(), rows[1][10].as_str()), ("", ""));
-        assert!(rows.iter().all(|row| row.len() == 15));
+        assert!(rows.iter().all(|row| row.len() == 16));
         let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
         assert!((1..4).all(|row| number(row, 6) > 0.0 && number(row, 12) > 0.0));
         assert!((number(2, 9) - 160.0).abs() < 3.0);

@@ -83,8 +83,10 @@ fn any_options() -> impl Strategy<Value = LayerOptions> {
     let given = (0.0..0.6f64, 0.0..45.0f64);
     let given = given.prop_map(|(area, angle)| SpreadChoice::Given(Spread { area, angle, ..Spread::ZERO }));
     let spread = prop_oneof![Just(SpreadChoice::Drawn), given];
-    let duty =
-        prop_oneof![Just(DutyChoice::Drawn), prop_oneof![Just(0.5), 0.2..0.5f64].prop_map(DutyChoice::Given)];
+    let duty = prop_oneof![
+        Just(DutyChoice::Drawn),
+        prop_oneof![Just(0.5), 0.18..0.82f64].prop_map(DutyChoice::Given)
+    ];
     let share = || prop_oneof![Just(0.0), 0.0..0.6f64];
     let seeding = prop::sample::select(vec![Seeding::Noise, Seeding::Segments, Seeding::Initiators]);
     let keep = prop::option::of(any::<bool>());

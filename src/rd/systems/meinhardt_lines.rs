@@ -8,6 +8,9 @@
 //! lines a is almost 0 and no line appears by itself: lines stay where the initial conditions put them. R = D_b/Dₐ sets
 //! the ratio of width to spacing.
 
+use std::f64::consts::{PI, TAU};
+
+use crate::attributes::Polarity;
 use crate::attributes::columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
 use crate::rd::chemicals::reacting;
@@ -170,7 +173,12 @@ fn begin(start: &Start, maps: &Maps) -> Vec<Vec<f32>> {
     let spacing = |p: &Parameters| System::MEINHARDT_LINES.spacing(p);
     let led = (start.lines, LEAD);
     let phases = gabor::phases(maps, &spacing, NOISE, led, &mut start.random());
-    profiles(maps, &phases, |phase, p| phase / std::f64::consts::TAU * spacing(p))
+    // The stripes along the given lines have the phase 0; lines in the gaps between these have the phase π.
+    let from_line = |phase: f64| match start.polarity {
+        Polarity::Positive => phase,
+        Polarity::Negative => PI - phase.abs(),
+    };
+    profiles(maps, &phases, |phase, p| from_line(phase) / TAU * spacing(p))
 }
 
 /// A Gaussian profile across each line. `distance` gives the distance from its centre line, cells, from the value of a cell

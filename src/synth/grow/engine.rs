@@ -79,7 +79,7 @@ impl Engine {
     /// Growth of `plan` from `seed`.
     #[must_use]
     pub fn new(plan: &Plan, seed: u64) -> Self {
-        let Lookup { system, irregular, seeding, map, .. } = &plan.lookup;
+        let Lookup { system, polarity, irregular, seeding, map, .. } = &plan.lookup;
         let (system, layout) = (*system, map.layout());
         let noisy = |maps: Maps| maps.with_decay_noise(system, *irregular, seed);
         if let Some(Varied { maps, spots, largest }) = vary(plan, seed) {
@@ -102,7 +102,7 @@ impl Engine {
                 let maps = noisy(plan.maps(&pitches(plan, seed)));
                 let start = InitialConditions::new(system, &maps, seed);
                 let lines = guide_lines(plan.pinned_lines(), layout.size);
-                let start = start.with_seeding(&maps, *seeding, lines);
+                let start = start.with_seeding(&maps, *seeding, lines).with_polarity(*polarity);
                 (maps, start)
             }
         };

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 use std::ops::Range;
 
+use crate::attributes::Polarity;
 use crate::attributes::regions::RegionGrid;
 use crate::grid::Field;
 use crate::grid::resample::Spline;
@@ -96,7 +97,12 @@ impl<'a> Pattern<'a> {
             let own = own.as_ref().map(|own| own.row(&self.own, y));
             for (x, value) in row.iter_mut().enumerate() {
                 let own = own.as_ref().map_or(1.0, |own| own(x));
-                *value = share(*value, (level(x) * correction(x) * own).clamp(LEVELS[0], LEVELS[1]) as f32);
+                let lines =
+                    share(*value, (level(x) * correction(x) * own).clamp(LEVELS[0], LEVELS[1]) as f32);
+                *value = match self.lookup.polarity {
+                    Polarity::Positive => lines,
+                    Polarity::Negative => 1.0 - lines,
+                };
             }
         });
     }

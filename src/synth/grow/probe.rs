@@ -75,7 +75,7 @@ pub fn correct(
     if !matches!(lookup.start, Start::Free { .. }) {
         return Ok(lookup.uncorrected());
     }
-    let found = probed(training, lookup.system, &lookup.wanted(), lookup.px_a_cell(), when, watch)?;
+    let found = probed(training, lookup.system, &lookup.wanted_lines(), lookup.px_a_cell(), when, watch)?;
     Ok(lookup.corrected(training, found)?)
 }
 

@@ -3,7 +3,7 @@
 //! Size, shape and spacing are in the concentrations; the last per cents of area come from the level of the edge: one level
 //! a region, interpolated between regions (`facts.md` K).
 
-use crate::attributes::Attributes;
+use crate::attributes::{Attributes, Polarity};
 use crate::grid::Field;
 use crate::measure::{self, Spot, SpotErrors, StripeErrors};
 use crate::synth::grow::own_levels::own_levels;
@@ -44,7 +44,7 @@ const FINER: f64 = 1.5;
 #[must_use]
 pub fn measured(plan: &Plan, pattern: &Field) -> Measured {
     if plan.lookup.system.is_striped() {
-        let mut errors = plan.on_canvas(|target| measure::stripe_errors(pattern, 0.5, target));
+        let mut errors = plan.by_region(|target| measure::stripe_errors(pattern, 0.5, target));
         if let Some(curves) = plan.curves() {
             errors.iter_mut().enumerate().for_each(|(index, errors)| curves.correct(index, errors));
         }
@@ -100,7 +100,7 @@ pub fn refine(
     let ruler = Ruler::new(plan);
     let (mut errors, mut found) = ruler.errors(plan, &pattern.levelled(&concentration, size));
     // d ln size / d ln level, by region; better known after the first correction.
-    let mut slope = vec![plan.lookup.system.definition().level_slope; errors.len()];
+    let mut slope = level_slopes(plan);
     for round in 0..ROUNDS {
         watch.step(Stage::Refine, round as f64 / ROUNDS as f64)?;
         if !correct || errors.iter().flatten().all(|error| error.abs() < NEAR) {
@@ -120,7 +120,8 @@ pub fn refine(
             if moved.abs() > 1e-4 {
                 let found_slope = (libm::log1p(new) - libm::log1p(old)) / moved;
                 // Neighbouring regions change it, too; a slope of the wrong sign would diverge.
-                slope[i] = found_slope.clamp(2.0 * slope[i], 0.5 * slope[i]);
+                let [low, high] = if slope[i] < 0.0 { [2.0, 0.5] } else { [0.5, 2.0] };
+                slope[i] = found_slope.clamp(low * slope[i], high * slope[i]);
             }
         }
         (errors, found) = (new, measured);
@@ -135,6 +136,19 @@ pub fn refine(
         found = measured(plan, &pattern.levelled(&concentration, size));
     }
     Ok(found)
+}
+
+/// d ln size / d ln level, by region, before it is known better. A higher level makes lines thinner, and stripes in the gaps
+/// between lines wider by as much.
+fn level_slopes(plan: &Plan) -> Vec<f64> {
+    let (polarity, slope) = (plan.lookup.polarity, plan.lookup.system.definition().level_slope);
+    let of_region = |wanted: &Attributes| match (polarity, wanted, polarity.lines(wanted)) {
+        (Polarity::Negative, Attributes::Stripes(stripes), Attributes::Stripes(lines)) => {
+            -slope * lines.width / stripes.width
+        }
+        _ => slope,
+    };
+    plan.lookup.wanted().iter().map(of_region).collect()
 }
 
 /// Factors of the levels where some spots are pinned.
@@ -246,7 +260,7 @@ impl Ruler {
             }
             Self::Stripes(wanted) => {
                 let widths =
-                    plan.on_canvas(|target| measure::widths(pattern, 0.5, target.regions, target.region_of));
+                    plan.by_region(|target| measure::widths(pattern, 0.5, target.regions, target.region_of));
                 let got = |(index, got): (usize, Option<f64>)| match plan.curves() {
                     Some(curves) => Some(curves.width(index, got?)),
                     None => got,

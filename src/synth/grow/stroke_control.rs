@@ -1,10 +1,11 @@
 //! Stripes along drawn strokes are moved back to them while they form.
 //!
 //! Stripes round a centre drift outwards, and where stripes join others are pushed aside. Each stroke is sampled; the nearest
-//! crest across it is moved back, little at a time.
+//! crest across it is moved back, little at a time. Where stripes are the gaps between lines, the crests are those of the
+//! lines on either side of the stroke.
 
-use crate::attributes::Attributes;
 use crate::attributes::regions::RegionGrid;
+use crate::attributes::{Attributes, Polarity};
 use crate::grid::resample::Spline;
 use crate::grid::{Edges, Field};
 use crate::marks::Path;
@@ -31,7 +32,7 @@ pub struct StrokeControl {
     samples: Vec<Sample>,
 }
 
-/// A place on a stroke.
+/// A place at which a crest shall be.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
     /// px.
@@ -47,15 +48,24 @@ impl StrokeControl {
     #[must_use]
     pub fn new(plan: &Plan) -> Option<Self> {
         let layout = *plan.lookup.map.layout();
-        let period = |point: [f64; 2]| match plan.lookup.map.at(point) {
+        let polarity = plan.lookup.polarity;
+        let period = |point: [f64; 2]| match polarity.lines(&plan.lookup.map.at(point)) {
             Attributes::Stripes(stripes) => stripes.wavelength.unwrap_or(2.0 * stripes.width),
             Attributes::Spots(_) => f64::NAN,
         };
+        let sides: &[f64] = match polarity {
+            Polarity::Positive => &[0.0],
+            Polarity::Negative => &[-0.5, 0.5],
+        };
         let of_path = |path: &Path| {
             let count = (SAMPLES * path.length() / period(path.center())).ceil().clamp(2.0, 500.0) as usize;
-            let samples = path.samples(count).into_iter().map(|sample| {
+            let samples = path.samples(count).into_iter().flat_map(|sample| {
                 let (s, c) = libm::sincos(sample.direction.to_radians());
-                Sample { place: sample.point, normal: [-s, c], period: period(sample.point) }
+                let (normal, period) = ([-s, c], period(sample.point));
+                sides.iter().map(move |side| {
+                    let place = [0, 1].map(|axis| sample.point[axis] + side * period * normal[axis]);
+                    Sample { place, normal, period }
+                })
             });
             samples.collect::<Vec<_>>()
         };

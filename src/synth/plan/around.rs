@@ -3,8 +3,7 @@
 //! The lines begin along curves that are computed once the layers beneath have grown. Only the width of the lines is
 //! drawn; their rate follows from it by one law, and the correction of the level removes the last per cents.
 
-use crate::attributes::AttributeMap;
-use crate::attributes::{Attributes, Spots, Stripes};
+use crate::attributes::{AttributeMap, Attributes, Polarity, Spots, Stripes};
 use crate::document::After;
 use crate::learn::{self, Answer, Coverage};
 use crate::rd::System;
@@ -51,7 +50,7 @@ pub(super) fn look_up(kind: CurveKind, broken: f64, map: AttributeMap) -> Result
             pitch: 1.0,
         })
     };
-    Lookup::new(system, map, Start::Curves { kind, laws, broken }, &asked)
+    Lookup::new((system, Polarity::Positive), map, Start::Curves { kind, laws, broken }, &asked)
 }
 
 /// (Mean spacing of the spots − their diameter) ÷ the distance that lines between them need. Below the first value most

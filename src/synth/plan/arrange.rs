@@ -10,7 +10,7 @@ use crate::synth::plan::error::{LayOutError, PlanError};
 use crate::synth::plan::inside::places_inside;
 use crate::synth::plan::laid_out::{Arrangement, Plan};
 use crate::synth::plan::layer_lookup::{Lookup, Start};
-use crate::synth::plan::obstacle_mask::{has_room, with_rim};
+use crate::synth::plan::obstacle_mask::{ground_rim, has_room, with_rim};
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::offset_curves::{CurveKind, CurveRequest, Curves, line_widths};
 use crate::synth::plan::pinned_marks::pin_spots;
@@ -52,7 +52,8 @@ impl Corrected {
                 arrange_pinned(&lookup, &obstacles, spots, lines)
             }
         };
-        Ok(Plan { lookup, corrections, obstacles, arrangement })
+        let rim = ground_rim(&lookup, &obstacles);
+        Ok(Plan { lookup, corrections, obstacles, rim, arrangement })
     }
 }
 
@@ -62,7 +63,8 @@ impl Lookup {
     #[must_use]
     pub fn rough(self, obstacles: Vec<bool>) -> Plan {
         let Corrected { lookup, corrections } = self.uncorrected();
-        Plan { lookup, corrections, obstacles, arrangement: Arrangement::Natural }
+        let rim = ground_rim(&lookup, &obstacles);
+        Plan { lookup, corrections, obstacles, rim, arrangement: Arrangement::Natural }
     }
 }
 
@@ -72,13 +74,13 @@ impl Plan {
     /// # Errors
     /// The training set cannot be read.
     pub fn less(self, training: &Training, found: &[Offset]) -> Result<Self, PlanError> {
-        let Self { lookup, corrections, obstacles, arrangement } = self;
+        let Self { lookup, corrections, obstacles, rim, arrangement } = self;
         let Corrected { lookup, corrections } = Corrected { lookup, corrections }.less(training, found)?;
         let arrangement = match &lookup.start {
             Start::Free { spots, lines } => arrange_pinned(&lookup, &obstacles, spots, lines),
             Start::Inside | Start::Curves { .. } => arrangement,
         };
-        Ok(Self { lookup, corrections, obstacles, arrangement })
+        Ok(Self { lookup, corrections, obstacles, rim, arrangement })
     }
 }
 

@@ -4,7 +4,7 @@ use crate::attributes::Attributes;
 use crate::marks::Ellipse;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
-use crate::synth::plan::layer_lookup::{Lookup, Start};
+use crate::synth::plan::layer_lookup::{Lookup, Start, told};
 use crate::synth::plan::offset::{Correction, Offset};
 use crate::synth::training::Training;
 
@@ -60,12 +60,13 @@ impl Corrected {
         let cell = lookup.px_a_cell();
         let offsets: Vec<Offset> = corrections.iter().map(|correction| correction.offset).collect();
         let ask = |wanted: &Attributes, cell| lookup.asked(training, wanted, cell);
-        let lattice = Lattice::looked_up(&lookup.map, cell, &offsets, &ask)?;
+        let lattice = Lattice::looked_up((&lookup.map, lookup.polarity), cell, &offsets, &ask)?;
         let mut answers = lookup.answers.clone();
-        for ((answer, wanted), offset) in answers.iter_mut().zip(&lookup.wanted()).zip(&offsets) {
-            let corrected = ask(&offset.applied(-1.0, wanted), cell)?;
+        for ((answer, wanted), offset) in answers.iter_mut().zip(&lookup.wanted_lines()).zip(&offsets) {
+            let mut corrected = ask(&offset.applied(-1.0, wanted), cell)?;
+            corrected.predicted = offset.applied(1.0, &corrected.predicted);
             answer.parameters = corrected.parameters;
-            answer.predicted = offset.applied(1.0, &corrected.predicted);
+            answer.predicted = told(lookup.polarity, corrected).predicted;
         }
         if let Start::Free { spots, .. } = &lookup.start {
             let ellipses: Vec<(usize, Ellipse)> =

@@ -4,9 +4,8 @@
 //! new marks begin at the centroids of those beneath, with parameters for their own area, aspect and angle at the spacing of
 //! the layer beneath. Its marks are no obstacles for them.
 
-use crate::attributes::AttributeMap;
 use crate::attributes::regions::RegionGrid;
-use crate::attributes::{Attributes, Spots};
+use crate::attributes::{AttributeMap, Attributes, Polarity, Spots};
 use crate::document::{After, Document, Problem};
 use crate::measure::Spot;
 use crate::rd::{System, adjust_to_walls};
@@ -57,7 +56,9 @@ pub(super) fn look_up(
     let room = |place| room(&map.at(layout.center(place)), &beneath.map.at(layout.center(place)));
     let room = map.regions().map(|(place, _)| room(place)).fold(1.0, f64::min);
     let system = System::first(|system| system.fixed_places).expect("spots of a system stay at given places");
-    Lookup::new(system, map, Start::Inside, &|wanted, cell| ask_placed(training, system, wanted, room, cell))
+    Lookup::new((system, Polarity::Positive), map, Start::Inside, &|wanted, cell| {
+        ask_placed(training, system, wanted, room, cell)
+    })
 }
 
 /// The share of the mean distance that is left to spots in the direction in which their own shape suits the places of

@@ -9,6 +9,9 @@ use crate::synth::plan::offset::Correction;
 use crate::synth::plan::offset_curves::{Curves, line_widths};
 use crate::synth::plan::pinned_marks::{LeftOut, PinnedMark};
 
+/// Heights above this belong to the ground round marks of the layers beneath: it ends 1.5 widths of a line from them.
+const RIM: f32 = 0.2;
+
 /// A layer that is ready to grow.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -18,6 +21,8 @@ pub struct Plan {
     pub corrections: Vec<Correction>,
     /// Cells that the marks of the layers beneath have taken; empty = none.
     pub obstacles: Vec<bool>,
+    /// Heights of the ground round the obstacles, see [`ground_rim`](crate::synth::plan::obstacle_mask::ground_rim); empty = none.
+    pub rim: Vec<f32>,
     /// Where its marks begin.
     pub arrangement: Arrangement,
 }
@@ -108,6 +113,28 @@ impl Plan {
         self.obstacles.get(grid.cell_at(grid.to_cells(point))).copied().unwrap_or(false)
     }
 
+    /// Does this place, px, belong to the ground round marks of the layers beneath?
+    fn is_rim(&self, point: [f64; 2]) -> bool {
+        let grid = &self.lookup.grid;
+        self.rim.get(grid.cell_at(grid.to_cells(point))).is_some_and(|height| *height > RIM)
+    }
+
+    /// What `measure` finds by region on the canvas without the ground round the marks beneath, which would be measured as ends
+    /// of stripes.
+    pub fn by_region<T>(&self, measure: impl FnOnce(&Target) -> Vec<T>) -> Vec<T> {
+        if self.rim.is_empty() {
+            return self.on_canvas(measure);
+        }
+        self.on_canvas(|target| {
+            let regions = target.regions;
+            let region_of =
+                |point: [f64; 2]| if self.is_rim(point) { regions } else { (target.region_of)(point) };
+            let mut found = measure(&Target { regions: regions + 1, region_of: &region_of, ..*target });
+            found.truncate(regions);
+            found
+        })
+    }
+
     /// Calls `measure` with the canvas that patterns are compared to: its regions, and what is wanted where.
     pub fn on_canvas<T>(&self, measure: impl FnOnce(&Target) -> T) -> T {
         let layout = self.lookup.map.layout();
@@ -120,10 +147,14 @@ impl Plan {
         })
     }
 
-    /// The concentration `marks` as a share of the peak nearby, where lines run along curves.
+    /// The concentration `marks` as a share of the peak nearby, where lines run along curves, and with ground round the marks
+    /// beneath, where stripes are the gaps between lines.
     #[must_use]
     pub fn levelled(&self, mut marks: Field) -> Field {
         let on_plan = [marks.width, marks.height] == self.lookup.grid.size;
+        if on_plan {
+            marks.values.iter_mut().zip(&self.rim).for_each(|(value, rim)| *value = value.max(*rim));
+        }
         if let Some(curves) = self.curves().filter(|_| on_plan) {
             let grid = self.lookup.grid;
             marks.values = curves.levelled(&marks.values, &grid, &line_widths(&self.lookup.map, &grid));

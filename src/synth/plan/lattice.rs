@@ -6,8 +6,8 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::AttributeMap;
 use crate::attributes::regions::RegionGrid;
+use crate::attributes::{AttributeMap, Polarity};
 use crate::grid::turned;
 use crate::learn::Answer;
 use crate::rd;
@@ -106,12 +106,12 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// Looks up what `map` wants at every node, less the `offsets` of the regions around it.
+    /// Looks up the lines or spots for what `map` wants at every node, less the `offsets` of the regions around it.
     ///
     /// # Errors
     /// Those of `ask`.
     pub(super) fn looked_up(
-        map: &AttributeMap,
+        (map, polarity): (&AttributeMap, Polarity),
         cell: f64,
         offsets: &[Offset],
         ask: Ask,
@@ -123,7 +123,7 @@ impl Lattice {
             let offset = corners
                 .iter()
                 .fold(Offset::default(), |sum, &(region, weight)| sum.plus(weight, offsets[region]));
-            let asked = offset.applied(-1.0, &map.at(point));
+            let asked = offset.applied(-1.0, &polarity.lines(&map.at(point)));
             Ok(Node::from_answer(&ask(&asked, cell)?))
         };
         let nodes = (0..layout.len()).into_par_iter().map(node).collect::<Result<Vec<_>, PlanError>>()?;

@@ -3,7 +3,7 @@
 use std::convert::Infallible;
 
 use crate::attributes::AttributeMap;
-use crate::attributes::{Attributes, Spots, Spread};
+use crate::attributes::{Attributes, Polarity, Spots, Spread};
 use crate::document::SystemChoice;
 use crate::grid::{Domain, Grid};
 use crate::learn::Answer;
@@ -53,6 +53,8 @@ impl Start {
 pub struct Lookup {
     /// The system.
     pub system: System,
+    /// Whether its stripes are the lines that grow, or the gaps between these.
+    pub polarity: Polarity,
     /// What is wanted where; free spacings filled in. Its canvas is the one that is grown.
     pub map: AttributeMap,
     /// The grid over the canvas.
@@ -84,11 +86,16 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
         SystemChoice::Auto => choose_system(training, &map)?,
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
-    let sparse =
-        |wanted: &Attributes| Ok(ask(training, system, wanted, cell_for(system, wanted))?.pitch > 1.0);
+    let polarity = if system.description().free_spacing { map.polarity() } else { Polarity::Positive };
+    let sparse = |wanted: &Attributes| {
+        let lines = polarity.lines(wanted);
+        Ok(ask(training, system, &lines, cell_for(system, &lines))?.pitch > 1.0)
+    };
     let sparse = map.samples().iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
     let asked = if sparse { ask_among_sparse } else { ask };
-    Lookup::new(system, map, Start::NATURAL, &|wanted, cell| asked(training, system, wanted, cell))
+    Lookup::new((system, polarity), map, Start::NATURAL, &|wanted, cell| {
+        asked(training, system, wanted, cell)
+    })
 }
 
 /// As [`look_up()`], on a grid of about `cell` px a cell whatever suits the marks; no spacing of `map` may be free.
@@ -97,29 +104,43 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
 /// As [`ask()`].
 pub fn look_up_on(
     training: &Training,
-    system: System,
+    (system, polarity): (System, Polarity),
     map: &AttributeMap,
     cell: f64,
 ) -> Result<Lookup, PlanError> {
     let asked = |wanted: &Attributes, cell| ask(training, system, wanted, cell);
-    Lookup::on_cells(system, map.clone(), cell, Start::NATURAL, &asked)
+    Lookup::on_cells((system, polarity), map.clone(), cell, Start::NATURAL, &asked)
 }
 
 /// px a cell that suits the finest marks of `map`, no spacing of which is free.
 #[must_use]
-pub fn finest_cell(system: System, map: &AttributeMap) -> f64 {
-    map.samples().iter().map(|wanted| cell_for(system, wanted)).fold(f64::INFINITY, f64::min)
+pub fn finest_cell((system, polarity): (System, Polarity), map: &AttributeMap) -> f64 {
+    let cell = |wanted: &Attributes| cell_for(system, &polarity.lines(wanted));
+    map.samples().iter().map(cell).fold(f64::INFINITY, f64::min)
+}
+
+/// An answer about the lines that grow, told of the stripes that are wanted.
+pub(super) fn told(polarity: Polarity, answer: Answer) -> Answer {
+    match polarity {
+        Polarity::Positive => answer,
+        Polarity::Negative => answer.of_gaps(),
+    }
 }
 
 impl Lookup {
     /// Looks up what `map` wants, no spacing of which is free.
-    pub(super) fn new(system: System, map: AttributeMap, start: Start, ask: Ask) -> Result<Self, PlanError> {
-        let cell = finest_cell(system, &map);
-        Self::on_cells(system, map, cell, start, ask)
+    pub(super) fn new(
+        grown: (System, Polarity),
+        map: AttributeMap,
+        start: Start,
+        ask: Ask,
+    ) -> Result<Self, PlanError> {
+        let cell = finest_cell(grown, &map);
+        Self::on_cells(grown, map, cell, start, ask)
     }
 
     fn on_cells(
-        system: System,
+        (system, polarity): (System, Polarity),
         map: AttributeMap,
         cell: f64,
         start: Start,
@@ -132,7 +153,8 @@ impl Lookup {
         let grid = Grid { size, cell: exact, edges: layout.edges };
         let cell = grid.px_a_cell();
 
-        let answers = wanted.iter().map(|wanted| ask(wanted, cell)).collect::<Result<Vec<_>, _>>()?;
+        let answer = |wanted| Ok(told(polarity, ask(&polarity.lines(wanted), cell)?));
+        let answers = wanted.iter().map(answer).collect::<Result<Vec<_>, PlanError>>()?;
         let mut remarks = vec![Vec::new(); wanted.len()];
         let mut spreads = vec![Spread::ZERO; wanted.len()];
         for (index, (_, region)) in map.regions().enumerate() {
@@ -142,9 +164,22 @@ impl Lookup {
                 remarks[index] = limited.notes;
             }
         }
-        let lattice = Lattice::looked_up(&map, cell, &vec![Offset::default(); wanted.len()], ask)?;
+        let lattice =
+            Lattice::looked_up((&map, polarity), cell, &vec![Offset::default(); wanted.len()], ask)?;
         let (irregular, seeding) = (0.0, Seeding::Noise);
-        Ok(Self { system, map, grid, lattice, answers, remarks, irregular, seeding, start, spreads })
+        Ok(Self {
+            system,
+            polarity,
+            map,
+            grid,
+            lattice,
+            answers,
+            remarks,
+            irregular,
+            seeding,
+            start,
+            spreads,
+        })
     }
 
     /// The same with marks that stay where they were drawn, px.
@@ -200,6 +235,12 @@ impl Lookup {
             Start::Curves { kind, .. } => Some(kind),
             Start::Free { .. } | Start::Inside => None,
         }
+    }
+
+    /// The lines that have to grow for what is wanted in each region; other marks as they are wanted.
+    #[must_use]
+    pub fn wanted_lines(&self) -> Vec<Attributes> {
+        self.wanted().iter().map(|wanted| self.polarity.lines(wanted)).collect()
     }
 
     /// What is wanted at the centre of each region.

@@ -1,9 +1,10 @@
 //! The parameters that grow given attributes, without a document.
 
-use crate::attributes::{Attributes, Spots};
+use crate::attributes::{Attributes, Polarity, Spots};
 use crate::learn::Answer;
 use crate::rd::System;
 use crate::synth::plan::error::PlanError;
+use crate::synth::plan::layer_lookup::told;
 use crate::synth::plan::lookup::{ask, cell_for, free_spacing};
 use crate::synth::training::Training;
 
@@ -12,6 +13,9 @@ use crate::synth::training::Training;
 pub struct LookedUp {
     /// The system.
     pub system: System,
+    /// Whether stripes are the gaps between the lines that these parameters grow: those that cover more than half of their
+    /// period.
+    pub inverted: bool,
     /// px a cell of the grid that suits the attributes.
     pub cell: f64,
     /// The spacing that was taken where none was asked for, px.
@@ -45,8 +49,16 @@ impl LookedUp {
             spots.spacing = Some(spacing);
             taken = Some(spacing);
         }
-        let cell = cell_for(system, &filled);
-        let answer = ask(training, system, &filled, cell)?;
-        Ok(Self { system, cell, free_spacing: taken, answer })
+        let polarity = match filled {
+            Attributes::Stripes(stripes) if system.description().free_spacing => {
+                Polarity::of_duty(stripes.duty())
+            }
+            _ => Polarity::Positive,
+        };
+        let lines = polarity.lines(&filled);
+        let cell = cell_for(system, &lines);
+        let answer = told(polarity, ask(training, system, &lines, cell)?);
+        let inverted = polarity == Polarity::Negative;
+        Ok(Self { system, inverted, cell, free_spacing: taken, answer })
     }
 }

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::Attributes;
+use crate::attributes::{Attributes, Polarity};
 use crate::grid::Domain;
 use crate::grid::distance::{length, nearest};
 use crate::synth::plan::layer_lookup::Lookup;
@@ -13,6 +13,26 @@ use crate::synth::plan::layer_lookup::Lookup;
 pub fn with_rim<D: Domain>(obstacles: &[bool], domain: &D) -> Vec<bool> {
     let near = |cell: usize| obstacles[cell] || domain.neighbours(cell).any(|other| obstacles[other]);
     (0..obstacles.len()).into_par_iter().map(near).collect()
+}
+
+/// The ground round the obstacles of stripes that are the gaps between lines, by cell: the height of a line as a share of its
+/// peak, 1 on the obstacles and ½ as far from these as the lines are wide. Lines alone leave ground there by themselves: none
+/// is needed, as where there is no obstacle.
+#[must_use]
+pub fn ground_rim(lookup: &Lookup, obstacles: &[bool]) -> Vec<f32> {
+    let grid = lookup.grid;
+    let ways = match lookup.polarity {
+        Polarity::Positive => None,
+        Polarity::Negative => nearest(obstacles, &grid),
+    };
+    let height = |(cell, way): (usize, [i32; 2])| {
+        let Attributes::Stripes(lines) = lookup.polarity.lines(&lookup.map.at(grid.center_px(cell))) else {
+            return 0.0;
+        };
+        let off = length(way, &grid) / lines.width;
+        libm::exp2(-off * off) as f32
+    };
+    ways.map_or_else(Vec::new, |ways| ways.into_par_iter().enumerate().map(height).collect())
 }
 
 /// Do the stripes fit anywhere between the obstacles: is a place as far from these as half a stripe is wide?

@@ -62,7 +62,7 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Att
         return Ok(if natural { map.with_free_wavelength() } else { map });
     }
     let duty = given.unwrap_or(LayerOptions::DUTY);
-    Ok(if any_wavelength || duty < LayerOptions::DUTY { map.with_duty(duty) } else { map })
+    Ok(if any_wavelength || duty != LayerOptions::DUTY { map.with_duty(duty) } else { map })
 }
 
 /// The marks of layer `index` on a canvas of `size` px: their places stretch with the canvas, their sizes do not.

@@ -9,7 +9,7 @@
 //!
 //! Marks are not placed again: they grow, turn, move, split and vanish by themselves.
 
-use crate::attributes::AttributeMap;
+use crate::attributes::{AttributeMap, Polarity};
 use crate::document::{After, Document};
 use crate::export::Stopped;
 use crate::grid::Field;
@@ -57,6 +57,8 @@ pub struct Morph<'a> {
     documents: [&'a Document; 2],
     training: &'a Training,
     system: System,
+    /// Of the stripes of both documents.
+    polarity: Polarity,
     maps: [AttributeMap; 2],
     cell: f64,
     state: Vec<Vec<f32>>,
@@ -112,9 +114,17 @@ impl<'a> Morph<'a> {
         for map in &mut maps {
             map.fill_free_spacing(|spots| free_spacing(training, system, spots));
         }
-        let cell = maps.iter().map(|map| finest_cell(system, map)).fold(f64::INFINITY, f64::min);
+        let polarity = common_polarity(&maps).ok_or_else(|| {
+            unlike(
+                "the stripes of one cover more than half of their period and those of the other less: one grows the gaps \
+                 between stripes, the other the stripes; give both a duty up to 0.5, or both from 0.5 on"
+                    .to_owned(),
+            )
+        })?;
+        let cell = maps.iter().map(|map| finest_cell((system, polarity), map)).fold(f64::INFINITY, f64::min);
+        let documents = [from.0, to.0];
         let mut morph =
-            Self { documents: [from.0, to.0], training, system, maps, cell, state: Vec::new(), pace: 0.0 };
+            Self { documents, training, system, polarity, maps, cell, state: Vec::new(), pace: 0.0 };
         morph.begin(watch)?;
         Ok(morph)
     }
@@ -123,7 +133,8 @@ impl<'a> Morph<'a> {
     fn plan(&self, share: f64) -> Result<Plan, GrowError> {
         let [from, to] = &self.maps;
         let map = from.blended(to, share).expect("of one kind, as was checked");
-        Ok(look_up_on(self.training, self.system, &map, self.cell)?.rough(Vec::new()))
+        let grown = (self.system, self.polarity);
+        Ok(look_up_on(self.training, grown, &map, self.cell)?.rough(Vec::new()))
     }
 
     fn begin(&mut self, watch: &Watch) -> Result<(), GrowError> {
@@ -201,6 +212,13 @@ impl<'a> Morph<'a> {
     }
 }
 
+/// The polarity in which the stripes of both maps can grow; `None` where there is none. Stripes half as wide as their period can
+/// grow in either.
+fn common_polarity(maps: &[AttributeMap; 2]) -> Option<Polarity> {
+    let all = |polarity: Polarity| maps.iter().all(|map| !polarity.excludes(map.mean_duty()));
+    [Polarity::Positive, Polarity::Negative].into_iter().find(|polarity| all(*polarity))
+}
+
 /// Why one document cannot become another, whatever its marks.
 fn difference(from: &Document, to: &Document) -> Option<String> {
     for document in [from, to] {
@@ -224,4 +242,25 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
 /// Does it grow spots whose spacing follows from their size?
 fn is_packed(system: System) -> bool {
     !system.is_striped() && !system.description().free_spacing
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Edges;
+    use crate::marks::{Line, Mark};
+
+    #[test]
+    fn stripes_half_as_wide_as_their_period_morph_into_thinner_and_wider_ones_but_these_not_into_each_other()
+    {
+        let map = |duty: f64| {
+            let line = Mark::Line(Line { from: [5.0, 20.0], to: [40.0, 20.0], width: 6.0 });
+            let map = AttributeMap::from_marks(&[line], [64.0, 48.0], None, Edges::Closed);
+            map.expect("a line").with_duty(duty)
+        };
+        let common = |from: f64, to: f64| common_polarity(&[map(from), map(to)]);
+        assert_eq!(common(0.5, 0.3), Some(Polarity::Positive));
+        assert_eq!(common(0.7, 0.5), Some(Polarity::Negative));
+        assert_eq!([common(0.3, 0.7), common(0.7, 0.3)], [None, None]);
+    }
 }

@@ -13,6 +13,7 @@ pub use region::{RegionReport, regions};
 
 use serde::Serialize;
 
+use crate::attributes::Polarity;
 use crate::document::Document;
 use crate::synth::grow::layer::{Grown, GrownLayer};
 use crate::synth::plan::inside::is_replaced;
@@ -39,6 +40,8 @@ pub struct LayerReport {
     pub name: String,
     /// The reaction-diffusion system.
     pub system: &'static str,
+    /// Whether its stripes are the gaps between the lines that grow, because they cover more than half.
+    pub inverted: bool,
     /// px a cell.
     pub cell: f64,
     /// Cells along x and y.
@@ -86,6 +89,7 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
     LayerReport {
         name: document.layers[index].name.clone(),
         system: lookup.system.name(),
+        inverted: lookup.polarity == Polarity::Negative,
         cell: lookup.px_a_cell(),
         grid: lookup.grid.size,
         steps: layer.steps,

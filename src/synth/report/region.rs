@@ -2,7 +2,7 @@
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use crate::attributes::{Attributes, Spread};
+use crate::attributes::{Attributes, Polarity, Spread};
 use crate::document::Document;
 use crate::learn::Note;
 use crate::rd::Seeding;
@@ -23,6 +23,8 @@ pub struct RegionReport {
     pub marks: Option<usize>,
     /// What was wanted at its centre.
     pub asked: Attributes,
+    /// Whether its stripes are the lines that grow, or the gaps between these.
+    pub polarity: Polarity,
     /// Does the direction of its stripes mean anything? Lines round marks, or between them, run as these let them.
     pub directed: bool,
     /// Parameters of the simulation by name, in cells; and `cell`, px a cell.
@@ -150,6 +152,7 @@ fn region(layer: &GrownLayer, index: usize, remarks: Vec<String>, stayed: Option
         place,
         marks,
         asked: lookup.map.at(layout.center(place)),
+        polarity: lookup.polarity,
         directed: lookup.curve_kind().is_none(),
         parameters: parameters(layer, index),
         predicted: answer.predicted,

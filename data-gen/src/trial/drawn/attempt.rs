@@ -71,7 +71,7 @@ impl Task {
         let clock = Stopwatch::start();
         let grown = grow(measured, &options);
         attempt.seconds = clock.seconds();
-        if spread == Spread::Both && self.kind != Kind::D && grown.is_ok() {
+        if spread == Spread::Both && !self.kind.is_striped() && grown.is_ok() {
             let clock = Stopwatch::start();
             attempt.slower = grow(&even, &options).is_ok().then(|| attempt.seconds / clock.seconds());
         }

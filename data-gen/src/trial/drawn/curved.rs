@@ -10,8 +10,10 @@ use super::geometry::{distance, turned};
 
 /// Width of a stroke, px.
 const WIDTH: [f64; 2] = [4.0, 16.0];
-/// Width ÷ period of strokes side by side.
-const DUTY: [f64; 2] = [0.36, 0.5];
+/// Width ÷ period of strokes side by side that are thinner than their gaps,
+pub const THIN: [f64; 2] = [0.36, 0.5];
+/// and that are wider.
+pub const WIDE: [f64; 2] = [0.52, 0.8];
 /// Smallest radius of curvature, periods.
 const BEND: f64 = 2.0;
 /// Distance of the points of a stroke, px.
@@ -20,11 +22,11 @@ const STEP: f64 = 4.0;
 /// What the strokes of a sketch form, by index.
 pub const SHAPES: [&str; 7] = ["loose arcs", "arcs", "S-curves", "spiral", "rings", "rays", "chevrons"];
 
-/// The strokes of sketch `index`.
-pub fn draw(dice: &mut Dice, index: u64) -> Vec<Path> {
+/// The strokes of sketch `index`, whose width ÷ period is in the range `duty` where they lie side by side.
+pub fn draw(dice: &mut Dice, index: u64, duty: [f64; 2]) -> Vec<Path> {
     loop {
         let width = dice.log_between(WIDTH);
-        let period = width / dice.between(DUTY);
+        let period = width / dice.between(duty);
         let lines = match index % SHAPES.len() as u64 {
             0 => loose_arcs(dice, width),
             1 => arcs(dice, period),

@@ -19,12 +19,12 @@ pub struct Measure {
 
 /// Is it of ellipses?
 fn spots(kind: Kind, limits: [f64; 2]) -> Option<[f64; 2]> {
-    (kind != Kind::D).then_some(limits)
+    (!kind.is_striped()).then_some(limits)
 }
 
 /// Is it of strokes?
 fn strokes(kind: Kind, limits: [f64; 2]) -> Option<[f64; 2]> {
-    (kind == Kind::D).then_some(limits)
+    kind.is_striped().then_some(limits)
 }
 
 /// The mean difference of the aspects, of the ellipses that are there.

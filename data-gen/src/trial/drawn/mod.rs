@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!  scattered (a, b, c) ─┐              ┌─▶ shapes ─▶ spots, paths ─▶ table, CSV
-//!  curved (d) ──────────┴─▶ documents ─▶ grown
+//!  curved (d, e) ───────┴─▶ documents ─▶ grown
 //!                                      └─▶ sheets: drawn beside grown
 //! ```
 //!
@@ -28,6 +28,7 @@ use std::time::Instant;
 
 use clap::ValueEnum;
 use dapple::document::{Document, Layer, Stroke};
+use dapple::internals::marks::Path;
 use dapple::internals::synth::Training;
 
 use super::dice::Dice;
@@ -77,6 +78,8 @@ pub enum Kind {
     C,
     /// Curved strokes
     D,
+    /// Curved strokes that are wider than the gaps between them
+    E,
 }
 
 /// Which spread documents are grown with.
@@ -92,6 +95,11 @@ enum Spread {
 }
 
 impl Kind {
+    /// Whether its sketches are strokes; otherwise they are ellipses.
+    fn is_striped(self) -> bool {
+        matches!(self, Self::D | Self::E)
+    }
+
     /// Its letter.
     fn letter(self) -> &'static str {
         match self {
@@ -99,6 +107,7 @@ impl Kind {
             Self::B => "b",
             Self::C => "c",
             Self::D => "d",
+            Self::E => "e",
         }
     }
 
@@ -109,6 +118,7 @@ impl Kind {
             Self::B => "ellipses at uniform random places",
             Self::C => "narrow ellipses, kept apart",
             Self::D => "curved strokes",
+            Self::E => "curved strokes, wider than their gaps",
         }
     }
 
@@ -118,6 +128,7 @@ impl Kind {
             Self::A => 200,
             Self::B | Self::D => 100,
             Self::C => 60,
+            Self::E => 42,
         }
     }
 
@@ -127,12 +138,14 @@ impl Kind {
         let ellipses = |dice: &mut Dice, rules| {
             scattered::draw(dice, index, rules).into_iter().map(Stroke::Ellipse).collect()
         };
+        let paths = |paths: Vec<Path>| paths.into_iter().map(Stroke::Path).collect();
         let usual = Rules { aspect: [0.35, 1.0], apart: true, arranged: true };
         match self {
             Self::A => ellipses(&mut dice, usual),
             Self::B => ellipses(&mut dice, Rules { apart: false, arranged: false, ..usual }),
             Self::C => ellipses(&mut dice, Rules { aspect: [0.15, 0.35], ..usual }),
-            Self::D => curved::draw(&mut dice, index).into_iter().map(Stroke::Path).collect(),
+            Self::D => paths(curved::draw(&mut dice, index, curved::THIN)),
+            Self::E => paths(curved::draw(&mut dice, index, curved::WIDE)),
         }
     }
 
@@ -180,7 +193,7 @@ pub fn run(args: &Args) -> Result<bool, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dapple::internals::marks::{Ellipse, Path};
+    use dapple::internals::marks::Ellipse;
     use geometry::{outline, well_apart};
 
     fn ellipses(kind: Kind, index: u64) -> Vec<Ellipse> {
@@ -223,9 +236,12 @@ mod tests {
 
     #[test]
     fn curved_strokes_are_valid_documents_that_bend_no_more_than_two_periods_allow() {
-        for index in 0..42 {
-            Kind::D.sketch(index).document.check("sketch").unwrap();
-            for stroke in Kind::D.strokes(index) {
+        for (kind, index) in
+            [Kind::D, Kind::E].into_iter().flat_map(|kind| (0..42).map(move |index| (kind, index)))
+        {
+            let most = if kind == Kind::D { curved::THIN[1] } else { curved::WIDE[1] };
+            kind.sketch(index).document.check("sketch").unwrap();
+            for stroke in kind.strokes(index) {
                 let Stroke::Path(Path { points, width }) = stroke else { panic!("{index}") };
                 assert!((3.8..=16.8).contains(&width) && points.len() > 5, "{index}");
                 assert!(points.iter().flatten().all(|x| (0.0..=SIDE).contains(x)), "{index}");
@@ -240,7 +256,7 @@ mod tests {
                     // The last point may be nearer to the one before it than the others are.
                     let radius = length / (0.5 * bend.abs()).to_radians().max(1e-9);
                     assert!(
-                        radius > 1.6 * width / 0.5,
+                        radius > 1.6 * width / most,
                         "{index} {}: {radius} {width}",
                         curved::SHAPES[index as usize % 7]
                     );

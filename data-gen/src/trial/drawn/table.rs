@@ -18,7 +18,7 @@ pub fn table(kinds: &[Kind], attempts: &[Attempt]) -> (String, bool) {
         let own: Vec<&Attempt> =
             attempts.iter().filter(|attempt| attempt.name.starts_with(kind.letter())).collect();
         let _ = writeln!(text, "({}) {} {}", kind.letter(), own.len(), kind.title());
-        good &= if *kind == Kind::D { strokes(&mut text, &own) } else { spots(&mut text, *kind, &own) };
+        good &= if kind.is_striped() { strokes(&mut text, &own) } else { spots(&mut text, *kind, &own) };
         for measure in &MEASURES {
             if let Some(limits) = (measure.limits)(*kind) {
                 good &= errors(&mut text, measure, limits, &own);

@@ -120,6 +120,20 @@ fn a_distance_that_stripes_of_the_width_cannot_have_is_noted_with_the_period_tak
 }
 
 #[test]
+fn strokes_that_ask_for_the_other_side_of_half_their_period_than_the_rest_are_noted() {
+    let flat = |y: f64, width: f64| line([40.0, y], [470.0, y], width);
+    let wide = [200.0, 224.0, 248.0, 272.0, 296.0].map(|y| flat(y, 16.0));
+    assert!(map(&wide).notes().is_empty(), "{:?}", map(&wide).notes());
+    let both = map(&[&wide[..], &[flat(60.0, 6.0), flat(80.0, 6.0)]].concat());
+    let [Note::Duty { mark: 5, drawn, mean, .. }, Note::Duty { mark: 6, .. }] = both.notes() else {
+        panic!("{:?}", both.notes())
+    };
+    assert!((drawn - 0.3).abs() < 0.03 && (0.5..0.67).contains(mean), "{drawn} {mean}");
+    assert!(both.remarks()[0].contains("the line asks for stripes that cover 0.3"), "{:?}", both.remarks());
+    assert!(both.with_duty(0.6).notes().is_empty());
+}
+
+#[test]
 fn remarks_leave_out_crossings_and_count_what_is_too_much() {
     let cross = [line([100.0, 100.0], [400.0, 400.0], 10.0), line([100.0, 400.0], [400.0, 100.0], 10.0)];
     let cross = map(&cross);
