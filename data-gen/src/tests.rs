@@ -313,7 +313,7 @@ fn a_set_can_be_made_longer_without_changing_its_first_runs() {
 }
 
 #[test]
-fn the_built_in_plan_has_the_seven_sets_and_as_many_runs_as_the_paper() {
+fn the_built_in_plan_has_the_nine_sets_and_as_many_runs_as_the_paper() {
     let plan = Plan::built_in().unwrap();
     let names: Vec<&str> = plan.sets.iter().map(|set| set.name.as_str()).collect();
     assert_eq!(
@@ -321,8 +321,10 @@ fn the_built_in_plan_has_the_seven_sets_and_as_many_runs_as_the_paper() {
         [
             "turing-spots-orientation",
             "turing-spots-size",
+            "turing-spots-narrow",
             "meinhardt-spots-orientation",
             "meinhardt-spots-size",
+            "meinhardt-spots-narrow",
             "meinhardt-stripes-width",
             "meinhardt-stripes-orientation",
             "meinhardt-lines"

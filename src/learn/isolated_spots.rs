@@ -16,7 +16,7 @@ use crate::attributes::{Attributes, Spots};
 use crate::learn::answer::{Answer, checked};
 use crate::learn::coverage::{Coverage, Judgement};
 use crate::learn::note::{Note, Quantity, Unit};
-use crate::learn::spot_map::SpotMap;
+use crate::learn::spot_ranges::SpotRanges;
 use crate::learn::training_set::{Map, TrainingSet};
 use crate::learn::{AskError, Parameters};
 
@@ -68,14 +68,14 @@ impl TrainingSet {
         let (Map::Spots(map), Attributes::Spots(spots)) = (&self.map, checked(wanted)?) else {
             return Ok(None);
         };
-        let law = self.system.isolated.as_ref().filter(|_| map.dense());
+        let law = self.system.isolated.as_ref().filter(|_| map.usual().dense());
         Ok(law.zip(spots.spacing).and_then(|(law, spacing)| apart(law, map, &spots, spacing, room)))
     }
 }
 
-fn apart(law: &IsolatedSpots, map: &SpotMap, spots: &Spots, spacing: f64, room: f64) -> Option<Answer> {
+fn apart(law: &IsolatedSpots, map: &SpotRanges, spots: &Spots, spacing: f64, room: f64) -> Option<Answer> {
     let mut judgement = Judgement::new();
-    let area = libm::exp(judgement.clamp(&map.area, libm::log(spots.area)));
+    let area = libm::exp(judgement.clamp(&map.usual().area, libm::log(spots.area)));
     let aspect = libm::exp(-judgement.clamp(&map.elongation, -libm::log(spots.aspect)));
     // Spots rounder than any row are no extrapolation.
     let aspect = aspect.max(spots.aspect);
@@ -86,7 +86,7 @@ fn apart(law: &IsolatedSpots, map: &SpotMap, spots: &Spots, spacing: f64, room: 
     let share = |density: f64| Quantity::new("area/spacing²", density, Unit::Share);
     notes.push(Note::Apart {
         asked: share(area / (spacing * spacing)),
-        sparsest: share(libm::exp(map.density.span[0])),
+        sparsest: share(libm::exp(map.usual().density.span[0])),
         pitch,
     });
     let sure = law.intervals;

@@ -49,7 +49,7 @@ pub(super) static TURING: Description = Description {
         "turing-spots",
         MarkKind::Spots,
         &columns::SPOTS,
-        &[file!("turing-spots-orientation"), file!("turing-spots-size")],
+        &[file!("turing-spots-narrow"), file!("turing-spots-orientation"), file!("turing-spots-size")],
     )
 };
 /// Spots of any spacing, also isolated ones.
@@ -59,7 +59,11 @@ pub(super) static MEINHARDT: Description = Description {
         "meinhardt-spots",
         MarkKind::Spots,
         &columns::SPOTS,
-        &[file!("meinhardt-spots-orientation"), file!("meinhardt-spots-size")],
+        &[
+            file!("meinhardt-spots-narrow"),
+            file!("meinhardt-spots-orientation"),
+            file!("meinhardt-spots-size"),
+        ],
     )
 };
 /// Stripes as wide as their gaps.

@@ -46,19 +46,19 @@ impl TrainingSet {
         let wanted = checked(wanted)?;
         match (method, &self.map, &wanted) {
             (Method::ScaleLaw, Map::Spots(map), Attributes::Spots(spots)) => {
-                Ok(self.law().spots(map.log_density(spots), spots))
+                Ok(self.law().spots(map.map(spots.aspect).log_density(spots), spots))
             }
             (Method::ScaleLaw, Map::Stripes(_), Attributes::Stripes(stripes)) => {
                 Ok(self.law().stripes(stripes))
             }
             (Method::NearestNeighbour, Map::Spots(map), Attributes::Spots(spots)) => {
-                Ok(map.known(spots, interpolation::nearest))
+                Ok(map.map(spots.aspect).known(spots, interpolation::nearest))
             }
             (Method::NearestNeighbour, Map::Stripes(map), Attributes::Stripes(stripes)) => {
                 Ok(map.known(stripes, interpolation::nearest))
             }
             (Method::LinearInterpolation, Map::Spots(map), Attributes::Spots(spots)) => {
-                Ok(map.known(spots, interpolation::linear))
+                Ok(map.map(spots.aspect).known(spots, interpolation::linear))
             }
             (Method::LinearInterpolation, Map::Stripes(map), Attributes::Stripes(stripes)) => {
                 Ok(map.known(stripes, interpolation::linear_on_a_cylinder))

@@ -42,6 +42,7 @@ mod row;
 mod scale_law;
 mod small_vector;
 mod spot_map;
+mod spot_ranges;
 mod stripe_map;
 #[cfg(test)]
 mod tests;
@@ -59,4 +60,5 @@ pub use method::Method;
 pub use neighbours::Neighbour;
 pub use note::{Note, Quantity, Unit};
 pub use row::{Parameters, Row};
+pub use spot_map::NARROWEST;
 pub use training_set::TrainingSet;

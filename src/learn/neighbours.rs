@@ -1,6 +1,5 @@
 //! The rows that an answer is computed from, for display.
 
-use super::coordinates as to;
 use super::local::Local;
 use super::training_set::Map;
 use super::{Parameters, TrainingSet};
@@ -37,10 +36,7 @@ impl TrainingSet {
     #[must_use]
     pub fn neighbours(&self, asked: &Attributes) -> Vec<Neighbour> {
         let near = match (&self.map, asked) {
-            (Map::Spots(map), Attributes::Spots(spots)) => {
-                let v = to::elongation(spots.aspect, spots.angle);
-                map.near(&to::spot_question(libm::log(spots.area), map.log_density(spots), v))
-            }
+            (Map::Spots(map), Attributes::Spots(spots)) => map.near(spots),
             (Map::Stripes(map), Attributes::Stripes(stripes)) => map.near(stripes),
             _ => return Vec::new(),
         };

@@ -14,7 +14,7 @@ use crate::learn::small_vector::SmallVector;
 /// The grid looks the same under x ↔ y and under mirrors, so each row stands for four.
 const IMAGES: Images = &[[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
 
-/// The map of a spot set.
+/// The map of a range of shapes of a spot set.
 pub(super) struct SpotMap {
     /// Attributes → parameters.
     asked: Local,
@@ -41,6 +41,20 @@ fn density(spots: &Spots) -> Option<f64> {
     spots.spacing.map(|spacing| to::log_density(spots.area, spacing))
 }
 
+/// The smallest aspect that is looked up. Large spots of the training sets are hardly narrower; small ones are, by the grid.
+pub const NARROWEST: f64 = 0.15;
+
+/// The range of −ln(aspect), at most that of [`NARROWEST`].
+pub(super) fn elongations<'a>(spots: impl Iterator<Item = &'a Spots>) -> Limit {
+    Limit::new(
+        "aspect",
+        Unit::Share,
+        ["the roundest this system grows", "the longest this system grows"],
+        |e| libm::exp(-e),
+        spots.map(|s| -libm::log(s.aspect.max(NARROWEST))),
+    )
+}
+
 /// The ranges of ln A, ln(A/L²) and −ln(aspect).
 fn limits<'a>(spots: impl Iterator<Item = &'a Spots> + Clone) -> [Limit; 3] {
     let area = Limit::new(
@@ -57,14 +71,7 @@ fn limits<'a>(spots: impl Iterator<Item = &'a Spots> + Clone) -> [Limit; 3] {
         libm::exp,
         spots.clone().filter_map(density),
     );
-    let elongation = Limit::new(
-        "aspect",
-        Unit::Share,
-        ["the roundest this system grows", "the longest this system grows"],
-        |e| libm::exp(-e),
-        spots.map(|s| -libm::log(s.aspect)),
-    );
-    [area, density, elongation]
+    [area, density, elongations(spots)]
 }
 
 impl SpotMap {
@@ -201,16 +208,19 @@ impl SpotMap {
         self.dense().then(|| density(spots).unwrap_or(self.median_density))
     }
 
-    /// Row, mirror image and weight of each sample that the answer at `at` uses.
-    pub fn near(&self, at: &SmallVector) -> Vec<(usize, [f64; 2], f64)> {
-        self.asked.weights(at)
+    /// Row, mirror image and weight of each sample that the answer about `spots` uses.
+    pub fn near(&self, spots: &Spots) -> Vec<(usize, [f64; 2], f64)> {
+        self.asked.weights(&self.question(spots))
+    }
+
+    fn question(&self, spots: &Spots) -> SmallVector {
+        let v = to::elongation(spots.aspect, spots.angle);
+        to::spot_question(libm::log(spots.area), self.log_density(spots), v)
     }
 
     /// The parameters for `spots` that `find` finds among the known points.
     pub fn known(&self, spots: &Spots, find: impl Fn(&Local, &SmallVector) -> Option<Sample>) -> Parameters {
-        let v = to::elongation(spots.aspect, spots.angle);
-        let at = to::spot_question(libm::log(spots.area), self.log_density(spots), v);
-        let found = find(&self.asked, &at).unwrap_or(self.asked.rows()[0]);
+        let found = find(&self.asked, &self.question(spots)).unwrap_or(self.asked.rows()[0]);
         to::spot_parameters(found.at[0], &found.gives)
     }
 

@@ -7,13 +7,13 @@ use super::coverage::Limit;
 use super::csv_rows::read_rows;
 use super::manifest::Manifest;
 use super::scale_law::Law;
-use super::spot_map::SpotMap;
+use super::spot_ranges::SpotRanges;
 use super::stripe_map::StripeMap;
 use super::{Row, TrainingError};
 use crate::attributes::system::{Description, MarkKind, TrainingFile};
 
 /// Fewer rows do not determine a line in five dimensions and the scatter about it.
-const FEWEST_ROWS: usize = 30;
+pub(super) const FEWEST_ROWS: usize = 30;
 
 /// The rows of one system, prepared for questions.
 pub struct TrainingSet {
@@ -25,7 +25,7 @@ pub struct TrainingSet {
 
 /// The map between attributes and parameters, learnt from the rows.
 pub(super) enum Map {
-    Spots(Box<SpotMap>),
+    Spots(Box<SpotRanges>),
     Stripes(Box<StripeMap>),
 }
 
@@ -136,7 +136,7 @@ impl TrainingSet {
             return Err(TrainingError::TooFew { file, rows: rows.len(), needed: FEWEST_ROWS });
         }
         let map = match system.marks {
-            MarkKind::Spots => Map::Spots(Box::new(SpotMap::new(&rows))),
+            MarkKind::Spots => Map::Spots(Box::new(SpotRanges::new(&rows))),
             MarkKind::Stripes => Map::Stripes(Box::new(StripeMap::new(&rows))),
         };
         Ok(Self { system, rows, map, law: OnceLock::new() })
@@ -163,7 +163,7 @@ impl TrainingSet {
     #[must_use]
     pub fn reach(&self) -> Vec<(&'static str, [f64; 2])> {
         let limits = match &self.map {
-            Map::Spots(map) => vec![&map.area, &map.density, &map.elongation],
+            Map::Spots(map) => vec![&map.usual().area, &map.usual().density, &map.elongation],
             Map::Stripes(map) => std::iter::once(&map.width).chain(map.duty.as_ref()).collect(),
         };
         let shown = |limit: &Limit| {

@@ -10,14 +10,14 @@ use super::plane::{LANES, Lanes, MARGIN, RowLayout};
 pub struct Coefficients<const C: usize> {
     groups: usize,
     /// By group, row by row: the numbers that are stored (bit k for number k), and the index of the first of them.
-    at: Vec<(u8, u32)>,
+    at: Vec<(u32, u32)>,
     packs: Vec<Lanes>,
 }
 
 /// The numbers of the cells of one row.
 #[derive(Clone, Copy)]
 pub struct Numbers<'a> {
-    at: &'a [(u8, u32)],
+    at: &'a [(u32, u32)],
     packs: &'a [Lanes],
 }
 
@@ -31,7 +31,7 @@ impl<'a> Numbers<'a> {
 
     /// The stored numbers of group `group` as bits, and these in their order, followed by those of other groups.
     #[must_use]
-    pub fn in_group(&self, group: usize) -> (u8, &'a [Lanes]) {
+    pub fn in_group(&self, group: usize) -> (u32, &'a [Lanes]) {
         let (used, first) = self.at[group];
         (used, &self.packs[first as usize..])
     }
@@ -42,7 +42,7 @@ impl<'a> Numbers<'a> {
     /// `group` must be below [`Self::groups`].
     #[inline(always)]
     #[must_use]
-    pub unsafe fn first(&self, group: usize) -> (u8, *const Lanes) {
+    pub unsafe fn first(&self, group: usize) -> (u32, *const Lanes) {
         // SAFETY: the caller guarantees that `group` is in range; the numbers of every group were stored before its index.
         unsafe {
             let (used, first) = *self.at.get_unchecked(group);
@@ -98,7 +98,7 @@ impl<const C: usize> Coefficients<C> {
 
     /// The stored numbers of group `group` of row `y` as bits, and these in their order.
     #[must_use]
-    pub fn in_group(&self, group: usize, y: usize) -> (u8, &[Lanes]) {
+    pub fn in_group(&self, group: usize, y: usize) -> (u32, &[Lanes]) {
         self.in_row(y).in_group(group)
     }
 
@@ -117,7 +117,7 @@ impl<const C: usize> Coefficients<C> {
 
     /// Writes the numbers of row `y`, margins included: number k of all its cells from `rows[k · stride]` on, those
     /// that no cell uses left out. Returns which are used.
-    pub fn row(&self, y: usize, rows: &mut [f32]) -> u8 {
+    pub fn row(&self, y: usize, rows: &mut [f32]) -> u32 {
         let stride = rows.len() / C;
         let row = self.in_row(y);
         let any = row.at.iter().fold(0, |any, (used, _)| any | used);
@@ -150,7 +150,7 @@ impl<const C: usize> Coefficients<C> {
     }
 
     /// The numbers in use, each set that neighbours share only once.
-    pub fn groups_in_use(&self) -> impl Iterator<Item = (u8, &[Lanes])> {
+    pub fn groups_in_use(&self) -> impl Iterator<Item = (u32, &[Lanes])> {
         let mut before = None;
         self.at.iter().filter(move |at| before.replace(**at) != Some(**at)).map(|(used, first)| {
             let first = *first as usize;
@@ -161,7 +161,7 @@ impl<const C: usize> Coefficients<C> {
 
 /// One row; indices count from its beginning.
 struct Row {
-    at: Vec<(u8, u32)>,
+    at: Vec<(u32, u32)>,
     packs: Vec<Lanes>,
 }
 

@@ -4,7 +4,7 @@ use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;
 use super::kinetics::MOBILITIES;
 use super::plane::{LANES, MARGIN, RowLayout};
-use super::selling::{OFFSETS, REACH};
+use super::selling::OFFSETS;
 use crate::grid::Edges;
 
 /// Consecutive groups of one row that are stepped in the same way.
@@ -13,7 +13,7 @@ pub struct Run {
     /// The first group after it.
     pub end: u32,
     /// The offsets that the first tensor uses, as bits.
-    pub used: u8,
+    pub used: u32,
     /// Whether all its weights are 1: isotropic diffusion on square cells.
     pub unit: bool,
     /// Whether all their coefficients are those of the first.
@@ -39,6 +39,7 @@ impl Runs {
         mobility: &Coefficients<MOBILITIES>,
         rate: &Coefficients<1>,
     ) -> Self {
+        let reach = tensors.iter().map(|tensor| tensor.reach).fold(1, usize::max);
         let (mut rows, mut runs) = (vec![], vec![]);
         for y in 0..grid.ny {
             let same_tensors =
@@ -46,7 +47,7 @@ impl Runs {
             let like = |group: usize| (mobility.place(group, y), rate.place(group, y));
             let mut row: Vec<Run> = Vec::new();
             for group in 0..grid.groups() {
-                let run = Run { end: group as u32 + 1, ..alone(grid, group, y, &tensors[0].weights) };
+                let run = Run { end: group as u32 + 1, ..alone(grid, reach, group, y, &tensors[0].weights) };
                 match row.last_mut() {
                     Some(last) if (last.used, last.unit, last.edge) == (run.used, run.unit, run.edge) => {
                         last.same &= like(group) == like(group - 1) && same_tensors(group, group - 1);
@@ -73,12 +74,18 @@ impl Runs {
     }
 }
 
-/// A run that begins with one group; its end is set later.
-fn alone(grid: RowLayout, group: usize, y: usize, weights: &Coefficients<{ OFFSETS.len() }>) -> Run {
+/// A run that begins with one group, with stencils that reach so many cells; its end is set later.
+fn alone(
+    grid: RowLayout,
+    reach: usize,
+    group: usize,
+    y: usize,
+    weights: &Coefficients<{ OFFSETS.len() }>,
+) -> Run {
     let (used, packs) = weights.in_group(group, y);
     let unit = used == 0b11 && packs[..2].iter().all(|pack| pack.0 == [1.0; LANES]);
-    let left = group * LANES < MARGIN + REACH;
-    let right = (group + 1) * LANES + REACH > MARGIN + grid.nx;
-    let near = left || right || y < REACH || y + REACH >= grid.ny;
+    let left = group * LANES < MARGIN + reach;
+    let right = (group + 1) * LANES + reach > MARGIN + grid.nx;
+    let near = left || right || y < reach || y + reach >= grid.ny;
     Run { end: 0, used, unit, same: true, edge: near && grid.edges == Edges::Closed }
 }

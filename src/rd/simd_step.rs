@@ -38,7 +38,7 @@ const MIXED: usize = SETS.len();
 /// The axes, with weights that are all 1: the multiplications are omitted, which changes no bit.
 const UNIT: usize = MIXED + 1;
 /// The sets as bits.
-const BITS: [u8; SETS.len()] = {
+const BITS: [u32; SETS.len()] = {
     let mut bits = [0; SETS.len()];
     let mut set = 0;
     while set < SETS.len() {
@@ -75,7 +75,7 @@ struct Group {
     /// Its number.
     number: usize,
     /// The offsets that the first tensor uses, as bits; a weight for each.
-    used: u8,
+    used: u32,
     weights: *const Lanes,
     /// As many as [`MOBILITIES`](crate::rd::kinetics::MOBILITIES).
     mobility: *const Lanes,
@@ -101,7 +101,7 @@ impl Row<'_> {
     /// # Safety
     /// The row of that tensor must have that group.
     #[inline(always)]
-    unsafe fn stencil(&self, tensor: usize, coefficients: &Group) -> (u8, *const Lanes) {
+    unsafe fn stencil(&self, tensor: usize, coefficients: &Group) -> (u32, *const Lanes) {
         if tensor == 0 {
             return (coefficients.used, coefficients.weights);
         }
@@ -263,21 +263,20 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
             Spreading::Still => continue,
             Spreading::Tensor { .. } if SET == UNIT => (pair([1, 0]) + pair([0, 1]), V::splat(4.0)),
             Spreading::Tensor { tensor, .. } if SET == MIXED => {
-                let (used, packs) = if K::TENSORS > 1 {
+                let (mut used, packs) = if K::TENSORS > 1 {
                     // SAFETY: `step_row` made sure that every tensor has the group.
                     unsafe { row.stencil(tensor, coefficients) }
                 } else {
                     (coefficients.used, coefficients.weights)
                 };
                 let (mut sum, mut weights, mut kept) = (V::splat(0.0), V::splat(0.0), 0);
-                for (k, offset) in OFFSETS.into_iter().enumerate() {
-                    if used & (1 << k) != 0 {
-                        // SAFETY: no more numbers are read than the group stores.
-                        let weight = unsafe { number::<V>(packs, kept, lane) };
-                        sum = sum + weight * pair(offset);
-                        weights = weights + weight;
-                        kept += 1;
-                    }
+                while used != 0 {
+                    // SAFETY: no more numbers are read than the group stores.
+                    let weight = unsafe { number::<V>(packs, kept, lane) };
+                    sum = sum + weight * pair(OFFSETS[used.trailing_zeros() as usize]);
+                    weights = weights + weight;
+                    kept += 1;
+                    used &= used - 1;
                 }
                 (sum, V::splat(2.0) * weights)
             }

@@ -16,8 +16,8 @@ pub const RATIO: SweepQuantity = quantity("ratio", "Db/Da", [1.0, 1_000.0]);
 /// Share of the peak that is a mark's edge.
 pub const LEVEL: SweepQuantity = quantity("level", "of the peak", [0.02, 0.98]);
 /// Thinner tensors than [`MIN_STRETCH`] do not fit the stencil.
-pub const STRETCH: SweepQuantity = quantity("stretch", "minor/major", [0.26, 1.0]);
+pub const STRETCH: SweepQuantity = quantity("stretch", "minor/major", [0.13, 1.0]);
 /// Long axis of the tensor.
 pub const DIRECTION: SweepQuantity = quantity("direction", "degrees", [0.0, 180.0]);
 
-const _: () = assert!(MIN_STRETCH == 0.26);
+const _: () = assert!(MIN_STRETCH == 0.13);

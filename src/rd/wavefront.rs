@@ -232,7 +232,9 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
         }
         if reach < REACH {
             for rows in &mut from {
-                [rows[0], rows[2 * REACH]] = [rows[REACH]; 2];
+                let own = rows[REACH];
+                rows[..REACH - reach].fill(own);
+                rows[REACH + reach + 1..].fill(own);
             }
         }
         let mut to: [&mut [f32]; N] = if level == self.kinetics.len() {

@@ -135,8 +135,9 @@ fn a_damaged_training_set_is_reported_with_file_line_and_column() {
     folder.write(name, &lines.join("\n"));
     let grow = "grow a.dapple -o a.png --training training";
     folder.refuses(grow, 1, &["meinhardt-spots-size.csv", "line 7", "column aspect", "'1.5'", "0.01 to 1"]);
-    std::fs::remove_file(folder.path(name)).unwrap();
-    std::fs::remove_file(folder.path("training/meinhardt-spots-orientation.csv")).unwrap();
+    for set in ["narrow", "orientation", "size"] {
+        std::fs::remove_file(folder.path(&format!("training/meinhardt-spots-{set}.csv"))).unwrap();
+    }
     folder.refuses(grow, 1, &["training", "neither meinhardt-spots.csv nor meinhardt-spots-*.csv"]);
     folder.refuses("grow a.dapple -o a.png --training elsewhere", 1, &["elsewhere"]);
 }

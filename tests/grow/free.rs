@@ -69,6 +69,14 @@ fn ellipses_in_a_ring_keep_their_places_and_the_others_follow_the_ring() {
 }
 
 #[test]
+fn ellipses_of_aspect_0_15_at_any_angle_are_there_with_their_shape() {
+    let place = |k: usize| [70.0 + 124.0 * (k % 4) as f64, 70.0 + 124.0 * (k / 4) as f64];
+    let ellipse = |k: usize| Stroke::ellipse(place(k), [34.0, 5.1], 11.25 * k as f64);
+    let (_, marks) = grown((0..16).map(ellipse).collect());
+    assert_there(&marks, 16, 0.1, 0.06, 0.01);
+}
+
+#[test]
 fn marks_of_very_different_sizes_keep_their_sizes() {
     let sizes = [4.5, 6.0, 9.0, 14.0, 20.0, 11.0, 5.5, 16.0, 7.0];
     let place = |k: usize| [100.0 + 156.0 * (k % 3) as f64, 100.0 + 156.0 * (k / 3) as f64];

@@ -43,7 +43,7 @@ static DEFINITION: Definition = Definition {
         along_curves: false,
         option_keys: &["spread", "keep", "irregular"],
         columns: &columns::SPOTS,
-        training: embedded!("turing-spots-orientation", "turing-spots-size"),
+        training: embedded!("turing-spots-narrow", "turing-spots-orientation", "turing-spots-size"),
         scaling: Scaling { ratio: 1.0, level: 2.85 },
         isolated: None,
     },

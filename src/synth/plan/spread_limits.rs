@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use crate::attributes::{Spots, Spread};
 use crate::document::limits::{SPREAD_ANGLE, SPREAD_AREA};
+use crate::learn::NARROWEST;
 use crate::rd::{SpotLimits, System, Variation};
 
 /// The spread that will be grown instead of one that was asked, and why it differs.
@@ -15,8 +16,8 @@ pub struct Limited {
     pub notes: Vec<String>,
 }
 
-/// Range of the aspects of single spots: below, the stencils of the tensors reach too far; above, no grown spot is rounder.
-pub const ASPECTS: [f64; 2] = [0.27, 0.99];
+/// Range of the aspects of single spots: narrower ones are not looked up, and no grown spot is rounder.
+pub const ASPECTS: [f64; 2] = [NARROWEST, 0.99];
 /// Standard deviation of aspects that differ from their mean by at most d, ÷ d.
 const WITHIN: f64 = 0.6;
 /// area ÷ spacing² where the spacing is not known.
