@@ -96,7 +96,7 @@ fn export(system: System, maps: &Maps, growth: &Growth, folder: &Path) -> Result
     write(folder, "rate", &plane(&|p| scale * p.rate))?;
     write(folder, "mobility-0", &plane(&|p| scale / ratio(p.ratio).sqrt()))?;
     write(folder, "mobility-1", &plane(&|p| scale * ratio(p.ratio).sqrt()))?;
-    let weights: Vec<[f32; 8]> = maps
+    let weights: Vec<_> = maps
         .parameters
         .iter()
         .map(|p| {
@@ -104,6 +104,7 @@ fn export(system: System, maps: &Maps, growth: &Growth, folder: &Path) -> Result
             Tensor::oriented(1.0 / stretch, stretch, f64::from(p.direction)).weights()
         })
         .collect();
+    // The peer takes the first eight: the patterns compared have no tensors that need longer ones.
     let planes: Vec<f32> = (0..8).flat_map(|k| weights.iter().map(move |w| w[k])).collect();
     write(folder, "weights", &planes)?;
     let mut later = growth.clone();
