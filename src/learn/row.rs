@@ -2,6 +2,9 @@
 
 use crate::attributes::Attributes;
 
+/// Fewer rows do not determine a line in five dimensions and the scatter about it.
+pub(super) const FEWEST_ROWS: usize = 30;
+
 /// Parameters of a simulation, in units of its grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {

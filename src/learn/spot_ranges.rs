@@ -11,8 +11,8 @@
 
 use super::answer::{Prediction, Reached};
 use super::coverage::Limit;
+use super::row::FEWEST_ROWS;
 use super::spot_map::{SpotMap, elongations};
-use super::training_set::FEWEST_ROWS;
 use super::{Parameters, Row};
 use crate::attributes::{Attributes, Spots};
 

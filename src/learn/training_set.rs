@@ -6,14 +6,12 @@ use std::sync::OnceLock;
 use super::coverage::Limit;
 use super::csv_rows::read_rows;
 use super::manifest::Manifest;
+use super::row::FEWEST_ROWS;
 use super::scale_law::Law;
 use super::spot_ranges::SpotRanges;
 use super::stripe_map::StripeMap;
 use super::{Row, TrainingError};
 use crate::attributes::system::{Description, MarkKind, TrainingFile};
-
-/// Fewer rows do not determine a line in five dimensions and the scatter about it.
-pub(super) const FEWEST_ROWS: usize = 30;
 
 /// The rows of one system, prepared for questions.
 pub struct TrainingSet {

@@ -255,6 +255,8 @@ fn options_of_stripes() {
     hand.type_into("Share", "30");
     assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.3));
     hand.type_into("Share", "90");
+    assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.82));
+    hand.type_into("Share", "50");
     assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.5));
     choose(&mut hand, "Begins from", "Drawn lines");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Initiators);

@@ -7,16 +7,15 @@ use crate::attributes::{Attributes, Polarity, Spots, Spread};
 use crate::document::SystemChoice;
 use crate::grid::{Domain, Grid};
 use crate::learn::Answer;
-use crate::marks::{Ellipse, Mark, Path};
+use crate::marks::Path;
 use crate::rd::{LinesAlongCurves, Maps, Parameters, Seeding, System};
 use crate::synth::plan::auto::choose_system;
-use crate::synth::plan::drawn_spots::{Around, DrawnSpot, drawn_spots};
+use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
 use crate::synth::plan::lookup::{Ask, ask, ask_among_sparse, cell_for, free_spacing};
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::offset_curves::CurveKind;
-use crate::synth::plan::pinned_marks::pin_spots;
 use crate::synth::plan::spread_limits::limited;
 use crate::synth::training::Training;
 
@@ -180,40 +179,6 @@ impl Lookup {
             start,
             spreads,
         })
-    }
-
-    /// The same with marks that stay where they were drawn, px.
-    ///
-    /// # Errors
-    /// As [`ask()`].
-    pub fn with_pinned(self, training: &Training, marks: &[Mark]) -> Result<Self, PlanError> {
-        let lines = marks.iter().filter_map(Mark::path).collect();
-        let ellipses = marks.iter().enumerate().filter_map(|(index, mark)| Some((index, mark.ellipse()?)));
-        let spots = self.drawn_spots(training, &ellipses.collect::<Vec<_>>(), &|_| Offset::default())?;
-        Ok(Self { start: Start::Free { spots, lines }, ..self })
-    }
-
-    /// Looks up drawn spots one by one; `offset` is subtracted from the questions. Those that stand too near to others to grow
-    /// take no room from them.
-    pub(super) fn drawn_spots(
-        &self,
-        training: &Training,
-        ellipses: &[(usize, Ellipse)],
-        offset: &dyn Fn([f64; 2]) -> Offset,
-    ) -> Result<Vec<DrawnSpot>, PlanError> {
-        let around = Around {
-            bounds: self.map.layout().bounds(),
-            cell: self.px_a_cell(),
-            wanted: &|point| self.spots_at(point),
-            offset,
-        };
-        let ask: Ask = &|wanted, cell| self.asked(training, wanted, cell);
-        let all = drawn_spots(ellipses, &|_| true, &around, ask)?;
-        let (_, left_out) = pin_spots(self, &[], &all);
-        if left_out.is_empty() {
-            return Ok(all);
-        }
-        drawn_spots(ellipses, &|mark| left_out.iter().all(|one| one.mark != mark), &around, ask)
     }
 
     /// Looks up attributes (px) as those of its regions are.

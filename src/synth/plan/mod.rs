@@ -13,6 +13,7 @@ mod arrange;
 mod auto;
 mod cell_lookup;
 pub(crate) mod corrected;
+mod drawn_marks;
 mod drawn_spots;
 pub(crate) mod error;
 pub mod inside;
