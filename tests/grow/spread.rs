@@ -200,7 +200,7 @@ fn without_a_spread_nothing_changes() {
 fn a_spread_that_cannot_be_reached_is_reported() {
     let mut wild = document([128, 128], &json!(hexagon([60.0, 60.0], 30.0)));
     for stroke in wild["layers"][0]["strokes"].as_array_mut().unwrap() {
-        stroke["radii"] = json!([8.0, 4.0]);
+        stroke["radii"] = json!([8.0, 3.6]);
     }
     wild["layers"][0]["options"] = json!({"spread": {"angle": 45, "aspect": 0.2, "spacing": 0.1}});
     let folder = Folder::with(&wild);
