@@ -103,8 +103,8 @@ fn layer_json(layer: &Layer, plan: &Lookup, notes: &[String]) -> Value {
     let drawn: Map<String, Value> =
         counts(layer).into_iter().map(|(name, n)| (name.replace(' ', "_"), json!(n))).collect();
     json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible, "drawn": drawn,
-        "system": plan.system.name(), "inverted": plan.polarity == Polarity::Negative, "cell": plan.px_a_cell(), "grid": plan.grid.size, "regions": regions,
-        "notes": notes})
+        "system": plan.system.name(), "inverted": plan.polarity == Polarity::Negative, "cell": plan.px_a_cell(),
+        "grid": plan.grid.size, "regions": regions, "notes": notes})
 }
 
 /// What would be grown, and for each region what was asked and what cannot be met.

@@ -1,4 +1,4 @@
-//! Answers about lines, told of the stripes that are the gaps between them.
+//! Answers about lines, expressed for the stripes that are the gaps between them.
 
 use super::note::{Quantity, Unit};
 use super::stripe_map::DUTY_LIMITS;
@@ -6,7 +6,7 @@ use super::{Answer, Note};
 use crate::attributes::Attributes;
 
 impl Answer {
-    /// The same answer told of the stripes between the lines: their width, duty and predictions. Parameters stay those of the
+    /// The same answer for the stripes between the lines: their width, duty and predictions. Parameters stay those of the
     /// lines. Spots have no gaps.
     #[must_use]
     pub fn of_gaps(mut self) -> Self {

@@ -34,8 +34,8 @@ pub enum Hindrance {
     Neighbour,
 }
 
-/// Which of `spots` can stand where they are to, beside the cells of `obstacles` (empty = none): as many as can be of which none hinders another, nearly. A closed edge
-/// hinders none, but draws those to itself that are near.
+/// Which of `spots` can stand where they are to, beside the cells of `obstacles` (empty = none): as many as can be of which none
+/// hinders another, nearly. A closed edge hinders none, but draws those to itself that are near.
 #[must_use]
 pub fn placeable<D: Domain>(
     system: System,

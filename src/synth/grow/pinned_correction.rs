@@ -209,6 +209,14 @@ mod tests {
     }
 
     #[test]
+    fn a_lost_spot_does_not_begin_again_where_the_last_correction_made_the_pattern_worse() {
+        let mut worse = Rounds::default();
+        assert!(worse.is_worth(&found(&[0], &[], 0.7)) && !worse.is_worth(&found(&[], &[1], 2.3)));
+        let mut better = Rounds::default();
+        assert!(better.is_worth(&found(&[0], &[], 2.3)) && better.is_worth(&found(&[], &[1], 1.7)));
+    }
+
+    #[test]
     fn each_lost_spot_begins_again_twice_and_all_together_four_times() {
         let mut one = Rounds::default();
         assert!((0..2).all(|_| one.is_worth(&found(&[], &[1], 1.0))));

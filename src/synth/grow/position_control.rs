@@ -13,7 +13,7 @@ use crate::synth::grow::stroke_control::StrokeControl;
 use crate::synth::plan::laid_out::Plan;
 
 /// Normalised time between two corrections: spots push each other, and the tension of a stripe pulls it across a bent stroke by
-/// about .1 periods in 2.
+/// about .1 periods in a time of 2.
 pub const EVERY: f64 = 0.5;
 
 /// Where the drawn marks of a plan shall be, and where they are.

@@ -1,6 +1,6 @@
 //! Stripes along drawn strokes are moved back to them while they form.
 //!
-//! Stripes round a centre drift outwards, and where stripes join others are pushed aside. Each stroke is sampled; the nearest
+//! Stripes round a centre drift outwards or inwards, and where stripes join others are pushed aside. Each stroke is sampled; the nearest
 //! crest across it is moved back, little at a time. Where stripes are the gaps between lines, the crests are those of the
 //! lines on either side of the stroke.
 

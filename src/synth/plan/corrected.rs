@@ -4,7 +4,7 @@ use crate::attributes::Attributes;
 use crate::marks::Ellipse;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
-use crate::synth::plan::layer_lookup::{Lookup, Start, told};
+use crate::synth::plan::layer_lookup::{Lookup, Start, of_marks};
 use crate::synth::plan::offset::{Correction, Offset};
 use crate::synth::training::Training;
 
@@ -66,7 +66,7 @@ impl Corrected {
             let mut corrected = ask(&offset.applied(-1.0, wanted), cell)?;
             corrected.predicted = offset.applied(1.0, &corrected.predicted);
             answer.parameters = corrected.parameters;
-            answer.predicted = told(lookup.polarity, corrected).predicted;
+            answer.predicted = of_marks(lookup.polarity, corrected).predicted;
         }
         if let Start::Free { spots, .. } = &lookup.start {
             let ellipses: Vec<(usize, Ellipse)> =

@@ -40,11 +40,13 @@ impl Lookup {
             offset,
         };
         let ask: Ask = &|wanted, cell| self.asked(training, wanted, cell);
-        let all = drawn_spots(ellipses, &|_| true, &around, ask)?;
-        let (_, left_out) = pin_spots(self, &[], &all);
+        let all = drawn_spots(ellipses, ellipses, &around, ask)?;
+        let (pinned, left_out) = pin_spots(self, &[], &all);
         if left_out.is_empty() {
             return Ok(all);
         }
-        drawn_spots(ellipses, &|mark| left_out.iter().all(|one| one.mark != mark), &around, ask)
+        let standing: Vec<(usize, Ellipse)> =
+            pinned.iter().map(|pinned| (pinned.mark, pinned.drawn)).collect();
+        drawn_spots(ellipses, &standing, &around, ask)
     }
 }

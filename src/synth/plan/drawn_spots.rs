@@ -41,16 +41,15 @@ pub(super) struct Around<'a> {
     pub offset: &'a dyn Fn([f64; 2]) -> Offset,
 }
 
-/// The drawn spots of a layer, by the index of their mark, looked up one by one among those that stand.
+/// The drawn spots of a layer, by the index of their mark, looked up one by one among the `standing` ones.
 pub(super) fn drawn_spots(
     ellipses: &[(usize, Ellipse)],
-    stands: &dyn Fn(usize) -> bool,
+    standing: &[(usize, Ellipse)],
     around: &Around,
     ask: Ask,
 ) -> Result<Vec<DrawnSpot>, PlanError> {
     let drawn = |(mark, ellipse): &(usize, Ellipse)| {
-        let others =
-            ellipses.iter().filter(|(other, _)| other != mark && stands(*other)).map(|other| other.1);
+        let others = standing.iter().filter(|(other, _)| other != mark).map(|other| other.1);
         let wanted =
             own_attributes((around.wanted)(ellipse.center), ellipse, room(ellipse, others, &around.bounds));
         let asked = (around.offset)(ellipse.center).applied(-1.0, &Attributes::Spots(wanted));

@@ -118,8 +118,8 @@ pub fn finest_cell((system, polarity): (System, Polarity), map: &AttributeMap) -
     map.samples().iter().map(cell).fold(f64::INFINITY, f64::min)
 }
 
-/// An answer about the lines that grow, told of the stripes that are wanted.
-pub(super) fn told(polarity: Polarity, answer: Answer) -> Answer {
+/// An answer about the lines that grow, expressed for the stripes that are wanted.
+pub(super) fn of_marks(polarity: Polarity, answer: Answer) -> Answer {
     match polarity {
         Polarity::Positive => answer,
         Polarity::Negative => answer.of_gaps(),
@@ -152,7 +152,7 @@ impl Lookup {
         let grid = Grid { size, cell: exact, edges: layout.edges };
         let cell = grid.px_a_cell();
 
-        let answer = |wanted| Ok(told(polarity, ask(&polarity.lines(wanted), cell)?));
+        let answer = |wanted| Ok(of_marks(polarity, ask(&polarity.lines(wanted), cell)?));
         let answers = wanted.iter().map(answer).collect::<Result<Vec<_>, PlanError>>()?;
         let mut remarks = vec![Vec::new(); wanted.len()];
         let mut spreads = vec![Spread::ZERO; wanted.len()];

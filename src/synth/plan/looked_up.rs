@@ -4,7 +4,7 @@ use crate::attributes::{Attributes, Polarity, Spots};
 use crate::learn::Answer;
 use crate::rd::System;
 use crate::synth::plan::error::PlanError;
-use crate::synth::plan::layer_lookup::told;
+use crate::synth::plan::layer_lookup::of_marks;
 use crate::synth::plan::lookup::{ask, cell_for, free_spacing};
 use crate::synth::training::Training;
 
@@ -57,7 +57,7 @@ impl LookedUp {
         };
         let lines = polarity.lines(&filled);
         let cell = cell_for(system, &lines);
-        let answer = told(polarity, ask(training, system, &lines, cell)?);
+        let answer = of_marks(polarity, ask(training, system, &lines, cell)?);
         let inverted = polarity == Polarity::Negative;
         Ok(Self { system, inverted, cell, free_spacing: taken, answer })
     }

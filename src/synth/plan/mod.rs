@@ -33,6 +33,7 @@ pub mod spacing_correction;
 pub mod spread;
 mod spread_limits;
 mod targets;
+mod visible_part;
 
 pub use arrange::Surroundings;
 pub use cell_lookup::look_up_cells;

@@ -16,8 +16,8 @@ pub fn with_rim<D: Domain>(obstacles: &[bool], domain: &D) -> Vec<bool> {
 }
 
 /// The ground round the obstacles of stripes that are the gaps between lines, by cell: the height of a line as a share of its
-/// peak, 1 on the obstacles and ½ as far from these as the lines are wide. Lines alone leave ground there by themselves: none
-/// is needed, as where there is no obstacle.
+/// peak, 1 on the obstacles and ½ as far from these as the lines are wide. Empty without
+/// obstacles, and where the stripes are the lines themselves, which leave ground there anyway.
 #[must_use]
 pub fn ground_rim(lookup: &Lookup, obstacles: &[bool]) -> Vec<f32> {
     let grid = lookup.grid;

@@ -30,7 +30,8 @@ pub fn drawn_stripe(path: &Path) -> Stripes {
     Stripes { width: path.width, angle, wavelength: None }
 }
 
-/// What grew along `path` (px) in the pattern `surface`; `None` where hardly any of it is in a stripe.
+/// What grew along `path` (px) in the pattern `surface`; `None` where no sample lies in a stripe
+/// of which both edges are seen.
 #[must_use]
 pub fn stripe_along(path: &Path, surface: &Spline, bounds: Bounds) -> Option<Stripes> {
     let across = |sample: PathSample| Across::new(&sample, path.width, surface, bounds);
@@ -47,7 +48,7 @@ pub fn stripe_along(path: &Path, surface: &Spline, bounds: Bounds) -> Option<Str
 /// The stripe across a sample.
 struct Across {
     sample: PathSample,
-    /// How far its edges are to the right and to the left, px.
+    /// Where its edges are along the normal of the path, px; the first is negative.
     edges: [f64; 2],
     /// From its middle to that of the next stripe on each side, px.
     periods: [Option<f64>; 2],
