@@ -67,6 +67,16 @@ impl Field {
     pub fn get(&self, x: isize, y: isize) -> f32 {
         self.values[self.edges.index(y, self.height) * self.width + self.edges.index(x, self.width)]
     }
+
+    /// The smallest and the largest of the four values around a point, px, which may lie beyond the border.
+    #[must_use]
+    pub fn range_around(&self, [x, y]: [f64; 2]) -> [f32; 2] {
+        let [x, y] = [x / self.cell[0] - 0.5, y / self.cell[1] - 0.5].map(|place| place.floor() as isize);
+        let four = [self.get(x, y), self.get(x + 1, y), self.get(x, y + 1), self.get(x + 1, y + 1)];
+        four.iter().fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], value| {
+            [low.min(*value), high.max(*value)]
+        })
+    }
 }
 
 /// The 16-bit step nearest to a pattern value: 0..1 becomes 0..65535. Values outside become the nearer end, NaN becomes 0.

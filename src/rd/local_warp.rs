@@ -13,6 +13,7 @@ use crate::grid::{Domain, Field, Grid, turned};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
+use crate::rd::prolongation::within_range;
 use crate::rd::shepard::TAU;
 
 /// A spot to move, or to keep.
@@ -37,11 +38,11 @@ pub fn warped(system: System, maps: &Maps, chemical: &[f32], warps: &[LocalWarp]
     let shifts = shifts(system, maps, warps);
     let field = Field::new(&Grid::unit(maps.domain.size, maps.domain.edges), chemical.to_vec());
     let surface = Spline::new(&field);
-    let mut cells = field.values;
+    let mut cells = chemical.to_vec();
     for (cell, [x, y]) in shifts {
-        let from = maps.domain.center(cell);
-        // The spline undershoots between a steep spot and the ground.
-        cells[cell] = surface.at([from[0] - x, from[1] - y]).max(0.0);
+        let [to_x, to_y] = maps.domain.center(cell);
+        let from = [to_x - x, to_y - y];
+        cells[cell] = within_range(surface.at(from), &field, from);
     }
     cells
 }

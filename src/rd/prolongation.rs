@@ -3,18 +3,32 @@
 use crate::grid::resample::resample;
 use crate::grid::{Edges, Field, Grid};
 
+/// A spline swings between a steep spot and the ground by far more than the ground holds, and where the activator exceeds the
+/// inhibitor, marks begin. What it gives is kept between the lowest of the four cells around and this times the highest: at
+/// the peak of a mark of four cells across it is 1.2 times the highest.
+const OVERSHOOT: f32 = 1.5;
+
 /// A chemical on `from` cells, brought to `to` cells over the same canvas.
 ///
-/// Values of the cubic spline through the cells (`facts.md` I: linear interpolation is as good), but never below the lowest
-/// concentration: positive values stay positive, and Turing's b stays at 0 in its spots. Constants are unchanged, and linear
-/// fields away from the border, up to rounding.
+/// Values of the cubic spline through the cells (`facts.md` I: linear interpolation is as good), within the range of the cells
+/// around: positive values stay positive, what is 0 around stays 0. Constants are unchanged, and linear fields away from the
+/// border, up to rounding.
 #[must_use]
 pub fn prolongate(cells: &[f32], from: [usize; 2], to: [usize; 2], edges: Edges) -> Vec<f32> {
-    let lowest = cells.iter().copied().fold(f32::INFINITY, f32::min);
     let field = Field::new(&Grid::unit(from, edges), cells.to_vec());
     let mut fine = resample(&field, to[0], to[1]).values;
-    fine.iter_mut().for_each(|value| *value = value.max(lowest));
+    let place = |index: usize, axis: usize| (index as f64 + 0.5) * from[axis] as f64 / to[axis] as f64;
+    for (index, value) in fine.iter_mut().enumerate() {
+        *value = within_range(*value, &field, [place(index % to[0], 0), place(index / to[0], 1)]);
+    }
     fine
+}
+
+/// The `value` that the spline of a chemical has at a point, cells, within the range of the `field` around.
+#[must_use]
+pub fn within_range(value: f32, field: &Field, point: [f64; 2]) -> f32 {
+    let [lowest, highest] = field.range_around(point);
+    value.max(lowest).min(OVERSHOOT * highest)
 }
 
 #[cfg(test)]
@@ -41,6 +55,18 @@ mod tests {
                 assert!((fine[y * 80 + x] - slope(at(x, 80), at(y, 100))).abs() < 1e-5, "{x} {y}");
             }
         }
+    }
+
+    #[test]
+    fn the_ground_far_from_a_steep_spot_stays_as_it_was() {
+        let mut cells = vec![1e-12; 40 * 40];
+        cells[20 * 40 + 20] = 1.0;
+        let fine = prolongate(&cells, [40, 40], [90, 90], Edges::Closed);
+        let far = |index: &usize| (index % 90).abs_diff(46) > 6 || (index / 90).abs_diff(46) > 6;
+        let ground = (0..90 * 90).filter(far).map(|index| fine[index]);
+        assert!(
+            ground.clone().count() > 7_000 && ground.into_iter().all(|value| (1e-12..2e-12).contains(&value))
+        );
     }
 
     proptest! {
