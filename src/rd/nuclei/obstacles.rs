@@ -93,6 +93,10 @@ pub fn within<B: Buckets>(
 /// at this.
 const SQUEEZED: f64 = 0.76;
 
+/// By the metric of one of them alone no other is nearer than this: a narrow spot takes the room in its direction even from one
+/// that lies across it.
+const POINTED: f64 = 0.4;
+
 /// All of `pinned`, and those of `others` that have room among those before them. `placed` holds none yet.
 pub fn with_room<B: Buckets>(
     pinned: &[Nucleus<B::Place>],
@@ -103,7 +107,8 @@ pub fn with_room<B: Buckets>(
     for point in others {
         let mut free = true;
         placed.near(&point, SQUEEZED, |other, way| {
-            free &= distance2(&point, other, way) >= SQUEEZED * SQUEEZED;
+            let nearer = point.distance2(way.here).min(other.distance2(way.there));
+            free &= distance2(&point, other, way) >= SQUEEZED * SQUEEZED && nearer >= POINTED * POINTED;
         });
         if free {
             placed.insert(point);

@@ -52,11 +52,29 @@ impl Node {
         [ln_rate, long * libm::cos(double) - c, long * libm::sin(double) - s, 0.0]
     }
 
-    /// An offset in a frame to which directions have these degrees added.
+    /// The values that are interpolated between spots: ln rate, the two parts of the shape, ln ratio; and 1, their weight.
     #[must_use]
-    pub fn turned_offset([ln_rate, c, s, ln_ratio]: &NodeOffset, degrees: f64) -> NodeOffset {
+    pub fn weighted(&self) -> WeightedNode {
+        [self.ln_rate, self.shape[0], self.shape[1], self.ln_ratio, 1.0]
+    }
+
+    /// Weighted values in a frame to which directions have these degrees added.
+    #[must_use]
+    pub fn turned_weighted([ln_rate, c, s, ln_ratio, weight]: &WeightedNode, degrees: f64) -> WeightedNode {
         let [c, s] = turned([*c, *s], 2.0 * degrees);
-        [*ln_rate, c, s, *ln_ratio]
+        [*ln_rate, c, s, *ln_ratio, *weight]
+    }
+
+    /// The weighted sum of the nodes of spots, and the `ground` with the weight that is left.
+    #[must_use]
+    pub fn among([ln_rate, c, s, ln_ratio, weight]: WeightedNode, ground: &Self) -> Self {
+        let left = 1.0 - weight;
+        Self {
+            ln_rate: left * ground.ln_rate + ln_rate,
+            ln_ratio: left * ground.ln_ratio + ln_ratio,
+            shape: [left * ground.shape[0] + c, left * ground.shape[1] + s],
+            ..*ground
+        }
     }
 
     /// R; 1 of a system without a ratio.
@@ -95,6 +113,9 @@ impl Node {
 
 /// The difference of two nodes: of ln rate, of the two parts of the shape, of ln ratio.
 pub type NodeOffset = [f64; 4];
+
+/// What is interpolated between spots, times a weight, and the weight 0..1.
+pub type WeightedNode = [f64; 5];
 
 /// Nodes over the canvas.
 #[derive(Clone, Debug)]
@@ -144,5 +165,27 @@ impl Lattice {
             sum.level += weight * node.level;
         }
         sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_a_spot_its_own_parameters_hold_and_far_from_all_spots_those_of_the_ground() {
+        let spot = Node { ln_rate: 2.0, ln_ratio: 3.0, shape: [0.5, -0.5], ln_pitch: 0.7, level: 0.3 };
+        let ground = Node { ln_rate: 1.0, ln_ratio: 2.0, shape: [0.0, 0.5], ln_pitch: 0.1, level: 0.5 };
+        let among = |weight: f64| Node::among(spot.weighted().map(|value| weight * value), &ground);
+        assert_eq!(among(0.0), ground);
+        assert_eq!(among(1.0), Node { ln_pitch: 0.1, level: 0.5, ..spot });
+        assert_eq!((among(0.5).ln_rate, among(0.5).shape), (1.5, [0.25, 0.0]));
+    }
+
+    #[test]
+    fn the_shape_turns_with_the_frame_and_the_rest_does_not() {
+        let [ln_rate, c, s, ln_ratio, weight] = Node::turned_weighted(&[1.0, 0.4, 0.0, 2.0, 1.0], 45.0);
+        assert_eq!([ln_rate, ln_ratio, weight], [1.0, 2.0, 1.0]);
+        assert!(c.abs() < 1e-12 && (s - 0.4).abs() < 1e-12, "{c} {s}");
     }
 }

@@ -17,7 +17,7 @@ use rand_pcg::Pcg64Mcg;
 use crate::measure::spot_errors;
 use crate::rd::{self, Maps, Parameters, Places};
 use crate::synth::plan::laid_out::Plan;
-use crate::synth::plan::lattice::{Node, NodeOffset};
+use crate::synth::plan::lattice::{Node, NodeOffset, WeightedNode};
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
 use crate::synth::plan::one_spot::{deviating, room_of};
@@ -178,15 +178,32 @@ impl VariedSpots {
         self.interpolated(plan, maps)
     }
 
-    /// The parameters of every cell of `maps`: around each spot its own.
+    /// Takes these spots away, by their indices; none is pinned.
+    pub fn remove(&mut self, surplus: &[usize]) {
+        fn without<T: Copy>(values: &[T], surplus: &[usize]) -> Vec<T> {
+            let stays = values.iter().enumerate().filter(|(index, _)| !surplus.contains(index));
+            stays.map(|(_, value)| *value).collect()
+        }
+        self.places = without(&self.places, surplus);
+        self.offsets = without(&self.offsets, surplus);
+        self.own = without(&self.own, surplus);
+    }
+
+    /// The parameters of every cell of `maps`: those of each spot are the same all around it, also where what is wanted changes
+    /// within its length.
     fn interpolated(&self, plan: &Plan, maps: &Maps) -> Vec<Parameters> {
         let Self { places, offsets, own, pitch } = self;
         let lookup = &plan.lookup;
-        let vary = |cell: usize, offset: NodeOffset| {
-            let point = lookup.grid.center_px(cell);
-            lookup.lattice.at(point).plus(offset).parameters(lookup.between_regions(pitch, point))
+        let node = |(at, offset): (&[f64; 2], &NodeOffset)| {
+            lookup.lattice.at(lookup.to_px(*at)).plus(*offset).weighted()
         };
-        rd::interpolate_parameters(lookup.system, maps, places, own, offsets, Node::turned_offset, &vary)
+        let nodes: Vec<WeightedNode> = places.iter().zip(offsets).map(node).collect();
+        let vary = |cell: usize, weighted: WeightedNode| {
+            let point = lookup.grid.center_px(cell);
+            let node = Node::among(weighted, &lookup.lattice.at(point));
+            node.parameters(lookup.between_regions(pitch, point))
+        };
+        rd::interpolate_parameters(lookup.system, maps, places, own, &nodes, Node::turned_weighted, &vary)
     }
 }
 
