@@ -25,7 +25,7 @@ const CORRECTED: f64 = 8.0;
 /// Steps of a unit of time at most, where drawn spots begin near their final shapes: the last per cents of the area of large
 /// ones among small ones come from their levels. At 450 the errors of six sketches were as without a limit, in .4 to .8 of the
 /// time.
-const LONGEST: f64 = 350.0;
+const LONGEST: f64 = 250.0;
 
 /// Time after which stripes from segments are as wide as others; at T = 30 there are blots where segments met.
 const HEALED: f64 = 100.0;
