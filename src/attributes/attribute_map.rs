@@ -244,6 +244,19 @@ impl AttributeMap {
         }
     }
 
+    /// Widens the spacing of free spots where area ÷ spacing² is more than this. Returns whether it was anywhere; never in
+    /// regions.
+    pub fn limit_density(&mut self, most: f64) -> bool {
+        match &mut self.source {
+            Source::Regions(_) => false,
+            Source::Free { map, whole, .. } => {
+                let limited = map.limit_density(most);
+                whole.filled = map.mean();
+                limited
+            }
+        }
+    }
+
     /// The same map on a canvas of another size, px: places stretch, sizes and spacings stay.
     #[must_use]
     pub fn resized(&self, size: [f64; 2]) -> Self {

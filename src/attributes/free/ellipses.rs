@@ -113,6 +113,20 @@ impl EllipseMap {
         self.set_spacing(found);
     }
 
+    /// Widens the spacing where area ÷ spacing² is more than this. Returns whether it was anywhere.
+    pub fn limit_density(&mut self, most: f64) -> bool {
+        if self.spacing_is_free {
+            return false;
+        }
+        let before = self.values.clone();
+        let widest = -0.5 * libm::log(most);
+        self.values.change(|[area, _, spacing]| *spacing = spacing.max(0.5 * *area + widest));
+        let spacing = |of: &Spots| of.spacing.map(|spacing| spacing.max((of.area / most).sqrt()));
+        self.mean.spacing = spacing(&self.mean);
+        self.own.iter_mut().for_each(|own| own.spacing = spacing(own));
+        self.values != before
+    }
+
     /// Takes this spacing everywhere, px.
     pub fn set_spacing(&mut self, found: f64) {
         self.spacing_is_free = false;

@@ -163,6 +163,14 @@ impl FreeMap {
         }
     }
 
+    /// Widens the spacing of spots where area ÷ spacing² is more than this. Returns whether it was anywhere.
+    pub fn limit_density(&mut self, most: f64) -> bool {
+        match &mut self.0 {
+            Kind::Ellipses(map) => map.limit_density(most),
+            Kind::Strokes(_) => false,
+        }
+    }
+
     /// The same map with this spacing of spots everywhere, px; `None` = as it is.
     #[must_use]
     pub fn with_spacing(mut self, spacing: Option<f64>) -> Self {

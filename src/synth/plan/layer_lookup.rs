@@ -47,6 +47,10 @@ impl Start {
     pub const NATURAL: Self = Self::Free { spots: Vec::new(), lines: Vec::new() };
 }
 
+/// The largest area ÷ spacing² of the spots between drawn ones, whose places are uneven: at 0.32 a tenth of them grow together,
+/// in an even pattern none.
+const DENSEST_AMONG_DRAWN: f64 = 0.25;
+
 /// The parameters looked up for a layer.
 #[derive(Clone, Debug)]
 pub struct Lookup {
@@ -85,6 +89,7 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
         SystemChoice::Auto => choose_system(training, &map)?,
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
+    let limited = system.description().free_spacing && map.limit_density(DENSEST_AMONG_DRAWN);
     let polarity = if system.description().free_spacing { map.polarity() } else { Polarity::Positive };
     let sparse = |wanted: &Attributes| {
         let lines = polarity.lines(wanted);
@@ -92,9 +97,15 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     };
     let sparse = map.samples().iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
     let asked = if sparse { ask_among_sparse } else { ask };
-    Lookup::new((system, polarity), map, Start::NATURAL, &|wanted, cell| {
+    let mut lookup = Lookup::new((system, polarity), map, Start::NATURAL, &|wanted, cell| {
         asked(training, system, wanted, cell)
-    })
+    })?;
+    if limited {
+        lookup.remarks[0].push(format!(
+            "in places spots are drawn so close that those between them would grow together; these are placed farther apart (area/spacing² {DENSEST_AMONG_DRAWN})"
+        ));
+    }
+    Ok(lookup)
 }
 
 /// As [`look_up()`], on a grid of about `cell` px a cell whatever suits the marks; no spacing of `map` may be free.
@@ -111,10 +122,16 @@ pub fn look_up_on(
     Lookup::on_cells((system, polarity), map.clone(), cell, Start::NATURAL, &asked)
 }
 
+/// Cells are so many times larger where the lines that grow are the gaps between wide stripes: what a line of three cells lacks
+/// of its width is little of the width of a stripe. Of 42 sketches the longest growth takes 16 s instead of 66 s, and the widths
+/// of stripes are as near as before; at 2 the largest errors grow by a third.
+const GAP_CELLS: f64 = 1.5;
+
 /// px a cell that suits the finest marks of `map`, no spacing of which is free.
 #[must_use]
 pub fn finest_cell((system, polarity): (System, Polarity), map: &AttributeMap) -> f64 {
-    let cell = |wanted: &Attributes| cell_for(system, &polarity.lines(wanted));
+    let coarser = if polarity == Polarity::Negative { GAP_CELLS } else { 1.0 };
+    let cell = |wanted: &Attributes| coarser * cell_for(system, &polarity.lines(wanted));
     map.samples().iter().map(cell).fold(f64::INFINITY, f64::min)
 }
 
