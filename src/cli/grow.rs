@@ -304,6 +304,7 @@ mod tests {
     fn region(place: [usize; 2], notes: &[&str]) -> RegionReport {
         let spots = Attributes::Spots(Spots { area: 100.0, aspect: 1.0, angle: 0.0, spacing: None });
         RegionReport {
+            merged: None,
             place,
             marks: Some(9),
             asked: spots,

@@ -28,4 +28,4 @@ pub use picture::{Picture, picture};
 pub use picture_check::{NotTexture, check_picture};
 pub use spots::{Census, Spot, census, spots, spots_of_at_least};
 pub use stripes::{StripeStatistics, stripes, widths};
-pub use texture_check::{Reason, check_formed, check_spot_texture, check_stripe_texture};
+pub use texture_check::{MERGED_FILL, Reason, check_formed, check_spot_texture, check_stripe_texture};

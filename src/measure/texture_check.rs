@@ -119,7 +119,7 @@ const MARKS: usize = 6;
 /// Below this, soft spots are still read to 2 % but grown ones feel the grid (areas −20 % at 11 cells).
 const CELLS: f64 = 7.0;
 /// An ellipse fills 1, a rectangle 0.955, two spots grown together less; mixed bars were seen at 0.93–0.98.
-const FILL: f64 = 0.93;
+pub const MERGED_FILL: f64 = 0.93;
 /// Share of the area that may be in marks that fill less: one pair among 80 spots that touch is more, and moves
 /// their mean area by more than it differs between seeds.
 const BENT: f64 = 0.02;
@@ -163,7 +163,7 @@ pub fn check_spot_texture(field: &Field, census: &Census, usual: [f32; 2]) -> Re
         census.spots.iter().filter(chosen).map(|spot| spot.ellipse.area()).sum()
     };
     let area = sum(&|_| true).max(f64::MIN_POSITIVE);
-    let bent = sum(&|spot| spot.endless || spot.whole && spot.fill < FILL) / area;
+    let bent = sum(&|spot| spot.endless || spot.whole && spot.fill < MERGED_FILL) / area;
     let mean =
         |value: &dyn Fn(&Spot) -> f64| whole.iter().map(|spot| value(spot)).sum::<f64>() / whole.len() as f64;
     let fill = if whole.is_empty() { 0.0 } else { mean(&|spot| spot.fill) };

@@ -108,16 +108,22 @@ impl InitialConditions {
     /// The same from spots at these `places`, cells of `maps`.
     #[must_use]
     pub fn at_places(system: System, maps: &Maps, seed: u64, places: &[[f64; 2]]) -> Self {
-        let [nx, ny] = maps.domain.size.map(|n| n as f64);
-        let share = |[x, y]: &[f64; 2]| [x / nx, y / ny];
         Self {
             system,
             seed,
-            places: places.iter().map(share).collect(),
+            places: Vec::new(),
             lines: Vec::new(),
             seeding: Seeding::Noise,
             polarity: Polarity::Positive,
         }
+        .with_places(maps, places)
+    }
+
+    /// The same from spots at other `places`, cells of `maps`.
+    #[must_use]
+    pub fn with_places(self, maps: &Maps, places: &[[f64; 2]]) -> Self {
+        let [nx, ny] = maps.domain.size.map(|n| n as f64);
+        Self { places: places.iter().map(|[x, y]| [x / nx, y / ny]).collect(), ..self }
     }
 
     /// The same of stripes with another seeding: `lines` are those that they are to run along. Random segments are placed

@@ -158,7 +158,8 @@ fn a_report_has_the_keys_of_the_format() {
     );
     let attributes = ["area", "aspect", "angle", "spacing"];
     for region in regions {
-        let expected = ["region", "marks", "asked", "parameters", "predicted", "got", "error", "notes"];
+        let expected =
+            ["region", "marks", "merged", "asked", "parameters", "predicted", "got", "error", "notes"];
         assert_eq!(keys(region), expected);
         for part in ["asked", "predicted", "got", "error"] {
             assert_eq!(keys(&region[part]), attributes, "{part}");

@@ -208,7 +208,9 @@ impl Cascade<'_> {
             let nothing = blank(&plan, &pattern);
             let Pattern { correction, own: own_levels, .. } = pattern;
             let found = PinnedCorrection::new(&plan, measured.spots());
-            let error = if nothing.is_some() { f64::INFINITY } else { found.error };
+            let merged = engine.merged(&plan, measured.spots());
+            let error =
+                if nothing.is_some() { f64::INFINITY } else { found.error + merged.surplus.len() as f64 };
             if best.as_ref().is_none_or(|(least, _)| error < *least) {
                 let concentrations =
                     if options.concentrations { engine.concentrations() } else { Vec::new() };
@@ -226,9 +228,7 @@ impl Cascade<'_> {
                 };
                 best = Some((error, grown));
             }
-            if self.corrects() && rounds.is_worth(&found) {
-                found.apply(&mut plan);
-                engine.correct(&plan, &found);
+            if self.corrects() && engine.grow_on_corrected(&mut plan, &mut rounds, &found, &merged) {
                 continue;
             }
             return match (best, nothing) {

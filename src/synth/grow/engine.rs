@@ -9,13 +9,14 @@
 //! advance; to cancel, drop it. It has no threads of its own.
 
 use crate::grid::{Domain, Field};
-use crate::rd::{Growth, InitialConditions, Maps, System, prolongate, restart, with_obstacle_state};
+use crate::measure::Spot;
+use crate::rd::{InitialConditions, Maps, System};
 use crate::synth::grow::convergence::{ConvergenceMonitor, Verdict};
+use crate::synth::grow::level::{Level, evenness, start_level, unit};
+use crate::synth::grow::merged_spots::MergedSpots;
 use crate::synth::grow::multigrid_levels;
-use crate::synth::grow::multigrid_levels::Work;
 use crate::synth::grow::pattern::Pattern;
-use crate::synth::grow::pinned_correction::PinnedCorrection;
-use crate::synth::grow::position_control::{EVERY, PositionControl};
+use crate::synth::grow::position_control::PositionControl;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
@@ -26,53 +27,28 @@ use crate::synth::plan::spread::{Varied, VariedSpots, vary};
 /// A layer being grown.
 #[derive(Clone, Debug)]
 pub struct Engine {
-    system: System,
+    pub(super) system: System,
     /// Parameters on the planned grid.
-    maps: Maps,
-    start: InitialConditions,
+    pub(super) maps: Maps,
+    pub(super) start: InitialConditions,
     /// Brings pinned marks back to their places.
-    position_control: Option<PositionControl>,
+    pub(super) position_control: Option<PositionControl>,
     /// Spots with parameters of their own.
-    varied: Option<VariedSpots>,
+    pub(super) varied: Option<VariedSpots>,
     /// From the coarsest to the planned one.
-    grids: Vec<[usize; 2]>,
-    level: Level,
+    pub(super) grids: Vec<[usize; 2]>,
+    pub(super) level: Level,
     /// Cell updates that were expected on the coarser grids.
-    expected_before: f64,
+    pub(super) expected_before: f64,
     /// Cell updates done.
-    updates: u64,
+    pub(super) updates: u64,
     /// Steps until the first correction of pinned spots.
-    grown: Option<u64>,
+    pub(super) grown: Option<u64>,
     /// The last progress.
-    progress: f64,
+    pub(super) progress: f64,
     /// Has every grid settled so far?
-    settled: bool,
-    done: bool,
-}
-
-/// Growth on one grid.
-#[derive(Clone, Debug)]
-struct Level {
-    /// Its index, 0 = the coarsest.
-    index: usize,
-    /// Parameters on this grid; `None` on the planned one.
-    coarse: Option<Maps>,
-    growth: Growth,
-    /// Cells that count for convergence.
-    counts: Vec<bool>,
-    monitor: ConvergenceMonitor,
-    /// The number of steps at which to move pinned marks next; `None` = never.
-    next_correction: Option<u64>,
-    /// Cell updates expected until it settles.
-    expected: f64,
-}
-
-impl Level {
-    /// Decides when to move pinned marks next.
-    fn plan_correction(&mut self) {
-        let steps = (EVERY * self.monitor.unit()).ceil().max(1.0);
-        self.next_correction = Some(self.growth.steps() + steps as u64);
-    }
+    pub(super) settled: bool,
+    pub(super) done: bool,
 }
 
 impl Engine {
@@ -168,51 +144,14 @@ impl Engine {
         Some(engine)
     }
 
-    /// Takes the parameters of the pinned spots from `plan`, where they have been corrected, and goes on growing what has
-    /// settled. The lost ones begin again.
-    pub fn correct(&mut self, plan: &Plan, correction: &PinnedCorrection) {
-        let Some(spots) = &mut self.varied else { return };
-        let lost = &correction.lost;
-        self.maps.parameters = spots.corrected(plan, &self.maps);
-        let mut concentrations = self.level.growth.concentrations();
-        if !lost.is_empty() {
-            let (mut again, mut stay): (Vec<[f64; 2]>, Vec<[f64; 2]>) = (Vec::new(), Vec::new());
-            for (index, at) in spots.places.iter().enumerate() {
-                if lost.contains(&index) { again.push(*at) } else { stay.push(*at) }
-            }
-            // Also where they have moved to, if no other spot is there.
-            again.extend(
-                self.position_control.iter_mut().flat_map(|control| control.forget(lost, &self.maps.domain)),
-            );
-            let afresh = self.start.on(&self.maps, &|_| false);
-            restart(self.system, &self.maps, &mut concentrations, &afresh, [&again, &stay]);
-        }
-        let growth = Growth::resumed(self.system, &self.maps, &concentrations)
-            .expect("made for this system on this grid");
-        // Only what has changed has to settle.
-        let rates = correction.changed().map(|index| f64::from(self.maps.at(spots.places[index]).rate));
-        let slowest = self.maps.parameters.iter().map(|p| f64::from(p.rate)).fold(f64::INFINITY, f64::min);
-        let evenness = evenness(&self.maps);
-        let pace = (slowest / rates.fold(f64::INFINITY, f64::min)).min(evenness * evenness);
-        // Not more than half of the time that the pattern took, or it would pay less than it costs.
-        let grown = *self.grown.get_or_insert(self.updates.div_ceil(self.maps.domain.cells() as u64));
-        let most = 0.5 * grown as f64 / ConvergenceMonitor::expected(self.system, 1.0, false);
-        let unit = unit(&growth, pace).min(most.max(1.0));
-        let cells = self.maps.domain.cells();
-        self.level = Level {
-            index: self.grids.len() - 1,
-            coarse: None,
-            monitor: ConvergenceMonitor::new(self.system, unit, false, growth.marks(&self.maps).values),
-            counts: vec![true; cells],
-            next_correction: None,
-            expected: ConvergenceMonitor::expected(self.system, unit, false) * cells as f64,
-            growth,
+    /// The spots that have grown together with another, of the `grown` ones; none where their places were given.
+    #[must_use]
+    pub fn merged(&self, plan: &Plan, grown: &[Spot]) -> MergedSpots {
+        let Some(spots) = self.varied.as_ref().filter(|_| plan.places().is_none()) else {
+            return MergedSpots::default();
         };
-        self.done = false;
-        if let Some(control) = &self.position_control {
-            self.level.monitor.hold_corrected_marks(control.keeps_moving());
-            self.level.plan_correction();
-        }
+        let places = plan.lookup.all_to_px(&spots.places);
+        MergedSpots::new(&places, plan.pinned_spots().len(), grown, plan.lookup.map.layout())
     }
 
     /// Is there a place where marks can start?
@@ -380,73 +319,6 @@ impl Engine {
     pub fn pattern(&self, plan: &Plan, width: usize, height: usize) -> Field {
         Pattern::new(&plan.lookup, &plan.levelled(self.marks())).field(width, height)
     }
-}
-
-/// Steps of a unit of normalised time, `pace` times those where the reactions are slowest.
-fn unit(growth: &Growth, pace: f64) -> f64 {
-    pace * growth.steps_in(1_000.0) as f64 / 1_000.0
-}
-
-/// √(slowest ÷ mean rate): where sizes differ much, most of the marks settle long before the slowest does, which begins near
-/// its final shape.
-fn evenness(maps: &Maps) -> f64 {
-    let rates = maps.parameters.iter().map(|p| f64::from(p.rate));
-    let (slowest, sum) =
-        rates.fold((f64::INFINITY, 0.0), |(slow, sum), rate| (slow.min(rate), sum + libm::log(rate)));
-    (slowest / libm::exp(sum / maps.parameters.len() as f64)).sqrt()
-}
-
-/// Starts growth on grid `index`: of what was `formed` on another grid, and of marks that start here.
-fn start_level(
-    system: System,
-    maps: &Maps,
-    start: &InitialConditions,
-    grids: &[[usize; 2]],
-    index: usize,
-    formed: Option<([usize; 2], Vec<Vec<f32>>)>,
-) -> Level {
-    let grid = grids[index];
-    let area = |[nx, ny]: [usize; 2]| maps.domain.cells() as f64 / (nx * ny) as f64;
-    let (coarse, lost) = match index + 1 < grids.len() {
-        true => {
-            let (coarse, lost) = multigrid_levels::coarse(system, maps, grid);
-            (Some(coarse), lost)
-        }
-        false => (None, Vec::new()),
-    };
-    let here = coarse.as_ref().unwrap_or(maps);
-    let coarser = formed.as_ref().map(|(from, _)| area(*from) / area(grid));
-    let Work { taken, counts, begins, pace } = multigrid_levels::work(system, here, &lost, coarser);
-    let fresh = |concentrations: Option<Vec<Vec<f32>>>| {
-        let afresh = start.on(here, &|cell| lost.get(cell).copied().unwrap_or(false));
-        match concentrations {
-            None => afresh,
-            Some(mut formed) => {
-                for (formed, afresh) in formed.iter_mut().zip(&afresh) {
-                    for ((formed, afresh), taken) in formed.iter_mut().zip(afresh).zip(&taken) {
-                        *formed = taken * *formed + (1.0 - taken) * afresh;
-                    }
-                }
-                formed
-            }
-        }
-    };
-    let concentrations = match formed {
-        None => fresh(None),
-        Some((from, formed)) => {
-            let fine =
-                formed.iter().map(|chemical| prolongate(chemical, from, grid, maps.domain.edges)).collect();
-            if taken.iter().all(|taken| *taken == 1.0) { fine } else { fresh(Some(fine)) }
-        }
-    };
-    let concentrations = with_obstacle_state(system, here, concentrations);
-    let growth = Growth::resumed(system, here, &concentrations).expect("made for this system on this grid");
-    let unit = unit(&growth, pace * evenness(here));
-    let monitor = ConvergenceMonitor::new(system, unit, begins, growth.marks(here).values)
-        .joining(start.starts_scattered());
-    let monitor = if here.obstacles.contains(&true) { monitor.among_obstacles() } else { monitor };
-    let expected = ConvergenceMonitor::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
-    Level { index, coarse, growth, counts, monitor, next_correction: None, expected }
 }
 
 #[cfg(test)]

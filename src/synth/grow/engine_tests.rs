@@ -3,6 +3,7 @@
 use super::*;
 use crate::document::Document;
 use crate::grid::{Edges, Grid};
+use crate::rd::Growth;
 use crate::rd::Parameters;
 use crate::synth::plan::look_up;
 use crate::synth::plan::sketch_targets;

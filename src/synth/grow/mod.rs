@@ -2,8 +2,11 @@
 
 pub mod cascade;
 pub mod convergence;
+mod correction;
 pub mod engine;
 pub mod layer;
+mod level;
+mod merged_spots;
 pub mod multigrid_levels;
 pub mod obstacles;
 mod own_levels;

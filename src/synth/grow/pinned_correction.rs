@@ -7,6 +7,7 @@
 use crate::attributes::regions::RegionGrid;
 use crate::marks::Ellipse;
 use crate::measure::Spot;
+use crate::synth::grow::merged_spots::MergedSpots;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::lattice::NodeOffset;
 use crate::synth::plan::pinned_marks::{PinnedMark, displacement};
@@ -114,6 +115,8 @@ pub struct Rounds {
     error: f64,
     /// How often each spot began again.
     begun: Vec<usize>,
+    /// How often spots that had grown together were separated.
+    separations: usize,
 }
 
 /// Corrections at most: where some spots vanish when others come back it would go on for long.
@@ -122,16 +125,25 @@ const ROUNDS: usize = 4;
 const CORRECTIONS: usize = 2;
 /// A second correction is made where the first left less than this share of the error.
 const IMPROVED: f64 = 0.8;
+/// Spots that have grown together are separated so often at most.
+const SEPARATIONS: usize = 2;
 /// A spot begins again so often at most.
 const BEGINNINGS: usize = 2;
 
 impl Default for Rounds {
     fn default() -> Self {
-        Self { rounds: 0, corrections: 0, error: f64::INFINITY, begun: Vec::new() }
+        Self { rounds: 0, corrections: 0, error: f64::INFINITY, begun: Vec::new(), separations: 0 }
     }
 }
 
 impl Rounds {
+    /// Whether to separate the `merged` spots, which is then counted.
+    pub fn separate(&mut self, merged: &MergedSpots) -> bool {
+        let separates = !merged.surplus.is_empty() && self.separations < SEPARATIONS;
+        self.separations += usize::from(separates);
+        separates
+    }
+
     /// Whether to make the correction `found`, which is then counted.
     pub fn is_worth(&mut self, found: &PinnedCorrection) -> bool {
         self.begun.resize(found.added.len(), 0);
@@ -214,6 +226,14 @@ mod tests {
         assert!(worse.is_worth(&found(&[0], &[], 0.7)) && !worse.is_worth(&found(&[], &[1], 2.3)));
         let mut better = Rounds::default();
         assert!(better.is_worth(&found(&[0], &[], 2.3)) && better.is_worth(&found(&[], &[1], 1.7)));
+    }
+
+    #[test]
+    fn spots_are_separated_twice_and_only_where_some_are_surplus() {
+        let mut rounds = Rounds::default();
+        assert!(!rounds.separate(&MergedSpots { surplus: vec![], kept: vec![0, 1] }));
+        let merged = MergedSpots { surplus: vec![1], kept: vec![0] };
+        assert_eq!([(); 3].map(|()| rounds.separate(&merged)), [true, true, false]);
     }
 
     #[test]

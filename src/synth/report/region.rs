@@ -5,6 +5,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use crate::attributes::{Attributes, Polarity, Spread};
 use crate::document::Document;
 use crate::learn::Note;
+use crate::measure::{MERGED_FILL, Spot};
 use crate::rd::Seeding;
 use crate::synth::grow::layer::GrownLayer;
 use crate::synth::grow::refine::Measured;
@@ -21,6 +22,8 @@ pub struct RegionReport {
     pub place: [usize; 2],
     /// Whole spots that were measured; `None` for stripes.
     pub marks: Option<usize>,
+    /// Of these, the number that are two grown together; `None` for stripes.
+    pub merged: Option<usize>,
     /// What was wanted at its centre.
     pub asked: Attributes,
     /// Whether its stripes are the lines that grow, or the gaps between these.
@@ -53,6 +56,9 @@ impl Serialize for RegionReport {
         map.serialize_entry("region", &self.place)?;
         if let Some(marks) = self.marks {
             map.serialize_entry("marks", &marks)?;
+        }
+        if let Some(merged) = self.merged {
+            map.serialize_entry("merged", &merged)?;
         }
         let attributes = |attributes| AttributesEntry { attributes, directed: self.directed };
         map.serialize_entry("asked", &attributes(&self.asked))?;
@@ -148,9 +154,16 @@ fn region(layer: &GrownLayer, index: usize, remarks: Vec<String>, stayed: Option
     if marks == Some(0) {
         notes.push("no whole mark grew in this region: nothing was measured".to_owned());
     }
+    let merged = merged(layer, index);
+    if let Some(merged) = merged.filter(|merged| *merged > 0) {
+        let are = if merged == 1 { "mark is" } else { "marks are" };
+        notes
+            .push(format!("{merged} grown {are} two that grew together; draw them farther apart or smaller"));
+    }
     RegionReport {
         place,
         marks,
+        merged,
         asked: lookup.map.at(layout.center(place)),
         polarity: lookup.polarity,
         directed: lookup.curve_kind().is_none(),
@@ -163,6 +176,16 @@ fn region(layer: &GrownLayer, index: usize, remarks: Vec<String>, stayed: Option
         beyond: answer.notes.iter().filter(|note| note.is_beyond()).cloned().collect(),
         notes,
     }
+}
+
+/// The number of whole spots of region `index` that are two grown together; `None` of stripes.
+fn merged(layer: &GrownLayer, index: usize) -> Option<usize> {
+    let Measured::Spots { marks, .. } = &layer.measured else { return None };
+    let layout = layer.plan.lookup.map.layout();
+    // Irregular outlines fill less of their ellipses.
+    let is_two = |spot: &&Spot| spot.whole && spot.fill < MERGED_FILL && layer.plan.lookup.irregular == 0.0;
+    let here = |spot: &&Spot| layout.index(layout.region_of(spot.ellipse.center)) == index;
+    Some(marks.iter().filter(is_two).filter(here).count())
 }
 
 fn parameters(layer: &GrownLayer, index: usize) -> Vec<(&'static str, f64)> {

@@ -1,0 +1,98 @@
+//! Growing on from a settled pattern of which some spots are changed.
+
+use crate::grid::Domain;
+use crate::rd::{Growth, restart};
+use crate::synth::grow::convergence::ConvergenceMonitor;
+use crate::synth::grow::engine::Engine;
+use crate::synth::grow::level::{Level, evenness, unit};
+use crate::synth::grow::merged_spots::MergedSpots;
+use crate::synth::grow::pinned_correction::{PinnedCorrection, Rounds};
+use crate::synth::plan::laid_out::Plan;
+
+impl Engine {
+    /// Makes the corrections that are worth their time. Returns whether there was one, so that the pattern grows on.
+    pub fn grow_on_corrected(
+        &mut self,
+        plan: &mut Plan,
+        rounds: &mut Rounds,
+        found: &PinnedCorrection,
+        merged: &MergedSpots,
+    ) -> bool {
+        if rounds.separate(merged) {
+            self.separate(plan, merged);
+            return true;
+        }
+        let corrects = rounds.is_worth(found);
+        if corrects {
+            found.apply(plan);
+            self.correct(plan, found);
+        }
+        corrects
+    }
+
+    /// Takes the parameters of the pinned spots from `plan`, where they have been corrected, and goes on growing what has
+    /// settled. The lost ones begin again.
+    pub fn correct(&mut self, plan: &Plan, correction: &PinnedCorrection) {
+        let Some(spots) = &mut self.varied else { return };
+        let lost = &correction.lost;
+        self.maps.parameters = spots.corrected(plan, &self.maps);
+        let mut again: Vec<[f64; 2]> = lost.iter().map(|index| spots.places[*index]).collect();
+        let changed: Vec<[f64; 2]> = correction.changed().map(|index| spots.places[index]).collect();
+        if !lost.is_empty() {
+            // Also where they have moved to, if no other spot is there.
+            again.extend(
+                self.position_control.iter_mut().flat_map(|control| control.forget(lost, &self.maps.domain)),
+            );
+        }
+        self.grow_on(&again, &changed);
+    }
+
+    /// Takes the surplus spots away of those that have grown together, and lets the others begin again.
+    fn separate(&mut self, plan: &Plan, merged: &MergedSpots) {
+        let Some(spots) = &mut self.varied else { return };
+        let at = |index: &usize| spots.places[*index];
+        let kept: Vec<[f64; 2]> = merged.kept.iter().map(at).collect();
+        let again: Vec<[f64; 2]> = merged.surplus.iter().map(at).chain(kept.iter().copied()).collect();
+        spots.remove(&merged.surplus);
+        self.start = self.start.clone().with_places(&self.maps, &spots.places);
+        self.maps.parameters = spots.corrected(plan, &self.maps);
+        self.grow_on(&again, &kept);
+    }
+
+    /// Goes on growing with the spots near the places `again`, cells, as they began. Those at the places `changed` have to settle.
+    fn grow_on(&mut self, again: &[[f64; 2]], changed: &[[f64; 2]]) {
+        let mut concentrations = self.level.growth.concentrations();
+        if !again.is_empty() {
+            let places = self.varied.iter().flat_map(|spots| &spots.places);
+            let stay: Vec<[f64; 2]> = places.filter(|at| !again.contains(at)).copied().collect();
+            let afresh = self.start.on(&self.maps, &|_| false);
+            restart(self.system, &self.maps, &mut concentrations, &afresh, [again, &stay]);
+        }
+        let growth = Growth::resumed(self.system, &self.maps, &concentrations)
+            .expect("made for this system on this grid");
+        // Only what has changed has to settle.
+        let rates = changed.iter().map(|at| f64::from(self.maps.at(*at).rate));
+        let slowest = self.maps.parameters.iter().map(|p| f64::from(p.rate)).fold(f64::INFINITY, f64::min);
+        let evenness = evenness(&self.maps);
+        let pace = (slowest / rates.fold(f64::INFINITY, f64::min)).min(evenness * evenness);
+        // Not more than half of the time that the pattern took, or it would pay less than it costs.
+        let grown = *self.grown.get_or_insert(self.updates.div_ceil(self.maps.domain.cells() as u64));
+        let most = 0.5 * grown as f64 / ConvergenceMonitor::expected(self.system, 1.0, false);
+        let unit = unit(&growth, pace).min(most.max(1.0));
+        let cells = self.maps.domain.cells();
+        self.level = Level {
+            index: self.grids.len() - 1,
+            coarse: None,
+            monitor: ConvergenceMonitor::new(self.system, unit, false, growth.marks(&self.maps).values),
+            counts: vec![true; cells],
+            next_correction: None,
+            expected: ConvergenceMonitor::expected(self.system, unit, false) * cells as f64,
+            growth,
+        };
+        self.done = false;
+        if let Some(control) = &self.position_control {
+            self.level.monitor.hold_corrected_marks(control.keeps_moving());
+            self.level.plan_correction();
+        }
+    }
+}

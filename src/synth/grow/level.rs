@@ -1,0 +1,100 @@
+//! Growth on one of the grids.
+
+use crate::grid::Domain;
+use crate::rd::{Growth, InitialConditions, Maps, System, prolongate, with_obstacle_state};
+use crate::synth::grow::convergence::ConvergenceMonitor;
+use crate::synth::grow::multigrid_levels;
+use crate::synth::grow::multigrid_levels::Work;
+use crate::synth::grow::position_control::EVERY;
+
+/// Growth on one grid.
+#[derive(Clone, Debug)]
+pub(super) struct Level {
+    /// Its index, 0 = the coarsest.
+    pub index: usize,
+    /// Parameters on this grid; `None` on the planned one.
+    pub coarse: Option<Maps>,
+    pub growth: Growth,
+    /// Cells that count for convergence.
+    pub counts: Vec<bool>,
+    pub monitor: ConvergenceMonitor,
+    /// The number of steps at which to move pinned marks next; `None` = never.
+    pub next_correction: Option<u64>,
+    /// Cell updates expected until it settles.
+    pub expected: f64,
+}
+
+impl Level {
+    /// Decides when to move pinned marks next.
+    pub fn plan_correction(&mut self) {
+        let steps = (EVERY * self.monitor.unit()).ceil().max(1.0);
+        self.next_correction = Some(self.growth.steps() + steps as u64);
+    }
+}
+
+/// Steps of a unit of normalised time, `pace` times those where the reactions are slowest.
+pub(super) fn unit(growth: &Growth, pace: f64) -> f64 {
+    pace * growth.steps_in(1_000.0) as f64 / 1_000.0
+}
+
+/// √(slowest ÷ mean rate): where sizes differ much, most of the marks settle long before the slowest does, which begins near
+/// its final shape.
+pub(super) fn evenness(maps: &Maps) -> f64 {
+    let rates = maps.parameters.iter().map(|p| f64::from(p.rate));
+    let (slowest, sum) =
+        rates.fold((f64::INFINITY, 0.0), |(slow, sum), rate| (slow.min(rate), sum + libm::log(rate)));
+    (slowest / libm::exp(sum / maps.parameters.len() as f64)).sqrt()
+}
+
+/// Starts growth on grid `index`: of what was `formed` on another grid, and of marks that start here.
+pub(super) fn start_level(
+    system: System,
+    maps: &Maps,
+    start: &InitialConditions,
+    grids: &[[usize; 2]],
+    index: usize,
+    formed: Option<([usize; 2], Vec<Vec<f32>>)>,
+) -> Level {
+    let grid = grids[index];
+    let area = |[nx, ny]: [usize; 2]| maps.domain.cells() as f64 / (nx * ny) as f64;
+    let (coarse, lost) = match index + 1 < grids.len() {
+        true => {
+            let (coarse, lost) = multigrid_levels::coarse(system, maps, grid);
+            (Some(coarse), lost)
+        }
+        false => (None, Vec::new()),
+    };
+    let here = coarse.as_ref().unwrap_or(maps);
+    let coarser = formed.as_ref().map(|(from, _)| area(*from) / area(grid));
+    let Work { taken, counts, begins, pace } = multigrid_levels::work(system, here, &lost, coarser);
+    let fresh = |concentrations: Option<Vec<Vec<f32>>>| {
+        let afresh = start.on(here, &|cell| lost.get(cell).copied().unwrap_or(false));
+        match concentrations {
+            None => afresh,
+            Some(mut formed) => {
+                for (formed, afresh) in formed.iter_mut().zip(&afresh) {
+                    for ((formed, afresh), taken) in formed.iter_mut().zip(afresh).zip(&taken) {
+                        *formed = taken * *formed + (1.0 - taken) * afresh;
+                    }
+                }
+                formed
+            }
+        }
+    };
+    let concentrations = match formed {
+        None => fresh(None),
+        Some((from, formed)) => {
+            let fine =
+                formed.iter().map(|chemical| prolongate(chemical, from, grid, maps.domain.edges)).collect();
+            if taken.iter().all(|taken| *taken == 1.0) { fine } else { fresh(Some(fine)) }
+        }
+    };
+    let concentrations = with_obstacle_state(system, here, concentrations);
+    let growth = Growth::resumed(system, here, &concentrations).expect("made for this system on this grid");
+    let unit = unit(&growth, pace * evenness(here));
+    let monitor = ConvergenceMonitor::new(system, unit, begins, growth.marks(here).values)
+        .joining(start.starts_scattered());
+    let monitor = if here.obstacles.contains(&true) { monitor.among_obstacles() } else { monitor };
+    let expected = ConvergenceMonitor::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;
+    Level { index, coarse, growth, counts, monitor, next_correction: None, expected }
+}
