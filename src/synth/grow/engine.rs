@@ -16,6 +16,7 @@ use crate::synth::grow::multigrid_levels::Work;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::pinned_correction::PinnedCorrection;
 use crate::synth::grow::position_control::{EVERY, PositionControl};
+use crate::synth::phases::{Phase, during};
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
@@ -173,7 +174,7 @@ impl Engine {
     pub fn correct(&mut self, plan: &Plan, correction: &PinnedCorrection) {
         let Some(spots) = &mut self.varied else { return };
         let lost = &correction.lost;
-        self.maps.parameters = spots.corrected(plan, &self.maps);
+        self.maps.parameters = during(Phase::Parameters, || spots.corrected(plan, &self.maps));
         let mut concentrations = self.level.growth.concentrations();
         if !lost.is_empty() {
             let (mut again, mut stay): (Vec<[f64; 2]>, Vec<[f64; 2]>) = (Vec::new(), Vec::new());
@@ -187,8 +188,9 @@ impl Engine {
             let afresh = self.start.on(&self.maps, &|_| false);
             restart(self.system, &self.maps, &mut concentrations, &afresh, [&again, &stay]);
         }
-        let growth = Growth::resumed(self.system, &self.maps, &concentrations)
-            .expect("made for this system on this grid");
+        let growth =
+            during(Phase::Coefficients, || Growth::resumed(self.system, &self.maps, &concentrations))
+                .expect("made for this system on this grid");
         // Only what has changed has to settle.
         let rates = correction.changed().map(|index| f64::from(self.maps.at(spots.places[index]).rate));
         let slowest = self.maps.parameters.iter().map(|p| f64::from(p.rate)).fold(f64::INFINITY, f64::min);
@@ -234,14 +236,14 @@ impl Engine {
             let growth = &mut self.level.growth;
             let next = self.level.monitor.next_check().min(self.level.next_correction.unwrap_or(u64::MAX));
             let steps = (left / cells).max(1).min(next - growth.steps());
-            growth.advance(steps);
+            during(Phase::Steps, || growth.advance(steps));
             let taken = growth.steps();
             self.updates += steps * cells;
             if Some(taken) == self.level.next_correction {
-                self.correct_positions();
+                during(Phase::Moves, || self.correct_positions());
             }
             if taken == self.level.monitor.next_check() {
-                self.check_convergence();
+                during(Phase::Checks, || self.check_convergence());
             }
             left = left.saturating_sub(steps * cells);
             if left < cells {
@@ -409,14 +411,15 @@ fn start_level(
     let area = |[nx, ny]: [usize; 2]| maps.domain.cells() as f64 / (nx * ny) as f64;
     let (coarse, lost) = match index + 1 < grids.len() {
         true => {
-            let (coarse, lost) = multigrid_levels::coarse(system, maps, grid);
+            let (coarse, lost) = during(Phase::Parameters, || multigrid_levels::coarse(system, maps, grid));
             (Some(coarse), lost)
         }
         false => (None, Vec::new()),
     };
     let here = coarse.as_ref().unwrap_or(maps);
     let coarser = formed.as_ref().map(|(from, _)| area(*from) / area(grid));
-    let Work { taken, counts, begins, pace } = multigrid_levels::work(system, here, &lost, coarser);
+    let Work { taken, counts, begins, pace } =
+        during(Phase::Parameters, || multigrid_levels::work(system, here, &lost, coarser));
     let fresh = |concentrations: Option<Vec<Vec<f32>>>| {
         let afresh = start.on(here, &|cell| lost.get(cell).copied().unwrap_or(false));
         match concentrations {
@@ -431,16 +434,17 @@ fn start_level(
             }
         }
     };
-    let concentrations = match formed {
+    let concentrations = during(Phase::Start, || match formed {
         None => fresh(None),
         Some((from, formed)) => {
             let fine =
                 formed.iter().map(|chemical| prolongate(chemical, from, grid, maps.domain.edges)).collect();
             if taken.iter().all(|taken| *taken == 1.0) { fine } else { fresh(Some(fine)) }
         }
-    };
+    });
     let concentrations = with_obstacle_state(system, here, concentrations);
-    let growth = Growth::resumed(system, here, &concentrations).expect("made for this system on this grid");
+    let growth = during(Phase::Coefficients, || Growth::resumed(system, here, &concentrations))
+        .expect("made for this system on this grid");
     let unit = unit(&growth, pace * evenness(here));
     let monitor = ConvergenceMonitor::new(system, unit, begins, growth.marks(here).values)
         .joining(start.starts_scattered());

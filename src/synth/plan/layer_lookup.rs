@@ -9,6 +9,7 @@ use crate::grid::{Domain, Grid};
 use crate::learn::Answer;
 use crate::marks::Path;
 use crate::rd::{LinesAlongCurves, Maps, Parameters, Seeding, System};
+use crate::synth::phases::{Phase, during};
 use crate::synth::plan::auto::choose_system;
 use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::error::PlanError;
@@ -275,11 +276,12 @@ impl Lookup {
             let parameters = self.with_tensor_of_seeding(self.lattice.nodes[0].parameters(pitch[0]));
             Maps::new(grid, vec![parameters; grid.cells()])
         } else {
-            let Ok(maps) = Maps::by_place(grid, |place| {
+            let at = |place| {
                 let point = grid.to_px(place);
                 let pitch = self.between_regions(pitch, point);
                 Ok::<_, Infallible>(self.with_tensor_of_seeding(self.lattice.at(point).parameters(pitch)))
-            });
+            };
+            let Ok(maps) = during(Phase::Parameters, || Maps::by_place(grid, at));
             maps
         };
         Maps { obstacles: obstacles.to_vec(), ..maps }
