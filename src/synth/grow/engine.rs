@@ -21,7 +21,7 @@ use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
 use crate::synth::plan::pinned_marks::guide_lines;
-use crate::synth::plan::spacing_correction::pitches;
+use crate::synth::plan::spacing_correction::pitched_maps;
 use crate::synth::plan::spread::{Varied, VariedSpots, vary};
 
 /// A layer being grown.
@@ -100,7 +100,7 @@ impl Engine {
                 (maps, start)
             }
             None => {
-                let maps = noisy(plan.maps(&pitches(plan, seed)));
+                let maps = noisy(pitched_maps(plan, seed));
                 let start = InitialConditions::new(system, &maps, seed);
                 let lines = guide_lines(plan.pinned_lines(), layout.size);
                 let start = start.with_seeding(&maps, *seeding, lines).with_polarity(*polarity);
