@@ -220,8 +220,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         prepared.push(export::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
     }
     // Either all files get their names or none does: every file is complete on disk before the first is renamed.
-    during(Phase::Write, || prepared.into_iter().try_for_each(export::Prepared::keep))
-        .map_err(Error::step)?;
+    during(Phase::Write, || export::keep_all(prepared)).map_err(Error::step)?;
     if args.report.as_deref().is_some_and(is_stdout) {
         super::print(&report.text()?)?;
     }
