@@ -92,7 +92,7 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
         let lines = polarity.lines(wanted);
         Ok(ask(training, system, &lines, cell_for(system, &lines))?.pitch > 1.0)
     };
-    let sparse = map.samples().iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
+    let sparse = map.samples().par_iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
     let asked = if sparse { ask_among_sparse } else { ask };
     Lookup::new((system, polarity), map, Start::NATURAL, &|wanted, cell| {
         asked(training, system, wanted, cell)
@@ -155,7 +155,7 @@ impl Lookup {
         let cell = grid.px_a_cell();
 
         let answer = |wanted| Ok(of_marks(polarity, ask(&polarity.lines(wanted), cell)?));
-        let answers = wanted.iter().map(answer).collect::<Result<Vec<_>, PlanError>>()?;
+        let answers = wanted.par_iter().map(answer).collect::<Result<Vec<_>, PlanError>>()?;
         let mut remarks = vec![Vec::new(); wanted.len()];
         let mut spreads = vec![Spread::ZERO; wanted.len()];
         for (index, (_, region)) in map.regions().enumerate() {
