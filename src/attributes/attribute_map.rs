@@ -8,7 +8,9 @@ use crate::marks::Mark;
 
 /// Nodes a region along each side at which parameters are looked up; odd, so that region centres, where attributes bend,
 /// are nodes.
-const FINER: usize = 5;
+const FINER: [usize; 3] = [5, 3, 1];
+/// With so many nodes along a side, or fewer, parameters are smooth enough; of more regions each has one.
+const MOST_NODES: usize = 64;
 /// Regions along a side by which free marks are blended with others, at most.
 const MOST_BLENDED: usize = 8;
 /// Width ÷ wavelength of stripes by themselves, and how near to it a duty counts as the same.
@@ -81,7 +83,10 @@ impl AttributeMap {
     pub fn nodes(&self) -> RegionGrid {
         match &self.source {
             Source::Regions(map) => {
-                let finer = |n: usize| if n == 1 { 1 } else { FINER * n };
+                let finer = |n: usize| {
+                    let times = FINER.into_iter().find(|times| times * n <= MOST_NODES);
+                    if n == 1 { 1 } else { times.unwrap_or(1) * n }
+                };
                 RegionGrid { grid: map.layout().grid.map(finer), ..*map.layout() }
             }
             Source::Free { map, .. } => map.nodes(),

@@ -2,11 +2,11 @@
 
 mod kernels;
 mod machine;
+mod phases;
 mod pictures;
 mod report;
 
 use super::{Error, interrupted, print, values};
-use crate::export::TemporaryFolder;
 use crate::rd::benchmark::Case;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use kernels::{Effort, Pools};
@@ -22,12 +22,13 @@ pub struct Args {
     /// Threads of the runs with several threads [default: all cores]
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub threads: Option<usize>,
-    /// Cells along each side of the grids
-    #[arg(
-        long, value_name = "N,N...", value_delimiter = ',', value_parser = values::grid_side,
-        default_values_t = [256, 1024, 2048]
-    )]
+    /// Cells along each side of the grids [default: 256,1024,2048]; with --phases px along each side of the canvases
+    /// [default: 1024]
+    #[arg(long, value_name = "N,N...", value_delimiter = ',', value_parser = values::grid_side)]
     pub size: Vec<usize>,
+    /// Measure where the CPU time from documents to their pictures goes, by phase, on one thread
+    #[arg(long)]
+    pub phases: bool,
     /// Measure only cases with this text in their names, such as turing-spots/isotropic or picture/
     #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
     pub only: String,
@@ -45,23 +46,44 @@ impl Args {
         }
     }
 
+    /// The requested sizes.
+    fn sizes(&self) -> &[usize] {
+        match (&self.size[..], self.phases) {
+            ([], false) => &[256, 1024, 2048],
+            ([], true) => &[1024],
+            (sizes, _) => sizes,
+        }
+    }
+
     /// The requested cases and documents.
-    fn chosen(&self) -> Result<(Vec<Case>, Vec<pictures::Example>), Error> {
+    fn chosen(&self) -> Result<Chosen, Error> {
         let mut names = Vec::new();
         let mut wanted = |name: String| {
             let wanted = name.contains(&self.only);
             names.push(name);
             wanted
         };
-        let cases: Vec<Case> = Case::ALL.into_iter().filter(|case| wanted(case.name())).collect();
-        let examples: Vec<_> =
-            pictures::EXAMPLES.into_iter().filter(|example| wanted(example.label())).collect();
+        let mut examples = |all: &[pictures::Example]| -> Vec<_> {
+            all.iter().filter(|example| wanted(example.label())).copied().collect()
+        };
+        let (examples, cases): (_, Vec<Case>) = if self.phases {
+            (examples(&phases::EXAMPLES), Vec::new())
+        } else {
+            let examples = examples(&pictures::EXAMPLES);
+            (examples, Case::ALL.into_iter().filter(|case| wanted(case.name())).collect())
+        };
         if cases.is_empty() && examples.is_empty() {
             let (found, allowed) = (&self.only, names.join(", "));
             return Err(Error::Usage(format!("--only: found {found:?}; allowed: a part of {allowed}")));
         }
-        Ok((cases, examples))
+        Ok(Chosen { cases, examples })
     }
+}
+
+/// What is measured.
+struct Chosen {
+    cases: Vec<Case>,
+    examples: Vec<pictures::Example>,
 }
 
 /// Measures this machine and prints the results.
@@ -69,12 +91,14 @@ impl Args {
 /// # Errors
 /// [`Error::Interrupted`]; no case was requested; an example cannot be grown.
 pub fn run(args: &Args) -> Result<(), Error> {
-    let (cases, examples) = args.chosen()?;
+    let chosen = args.chosen()?;
     super::install();
     let pools = Pools::new(args.threads)?;
-    let bar = Bar::new(cases.len() * args.size.len() + examples.len());
+    let sizes = args.sizes().len();
+    let of_examples = if args.phases { sizes } else { 1 };
+    let bar = Bar::new(chosen.cases.len() * sizes + chosen.examples.len() * of_examples);
     let mut report = Report::begin(pools.threads, args.effort());
-    let measured = fill(&mut report, args, &cases, &examples, &pools, &bar);
+    let measured = fill(&mut report, args, &chosen, &pools, &bar);
     bar.clear();
     measured?;
     report.end();
@@ -84,15 +108,14 @@ pub fn run(args: &Args) -> Result<(), Error> {
 fn fill(
     report: &mut Report,
     args: &Args,
-    cases: &[Case],
-    examples: &[pictures::Example],
+    Chosen { cases, examples }: &Chosen,
     pools: &Pools,
     bar: &Bar,
 ) -> Result<(), Error> {
     let effort = args.effort();
     for case in cases {
         let start = case.start();
-        for &size in &args.size {
+        for &size in args.sizes() {
             bar.show(&format!("{}, {size}²", case.name()));
             report.kernels.push(kernels::measure(case, &start, size, pools, effort)?);
             bar.step();
@@ -101,11 +124,19 @@ fn fill(
     if examples.is_empty() {
         return Ok(());
     }
-    let folder = TemporaryFolder::new().map_err(Error::step)?;
+    let folder = pictures::Folder::new()?;
     for example in examples {
         bar.show(&example.label());
-        report.pictures.push(pictures::measure(example, folder.path(), pools, effort)?);
-        bar.step();
+        if !args.phases {
+            report.pictures.push(pictures::measure(example, &folder, pools, effort)?);
+            bar.step();
+            continue;
+        }
+        for &size in args.sizes() {
+            bar.show(&format!("{}, {size}²", example.label()));
+            report.phases.push(phases::measure(example, size, &folder, pools, effort)?);
+            bar.step();
+        }
     }
     Ok(())
 }

@@ -16,6 +16,7 @@ use crate::document::{Document, Extent};
 use crate::export::{self, Format};
 use crate::synth::estimate::Task;
 use crate::synth::grow;
+use crate::synth::phases::{Phase, during};
 use crate::synth::report::{LayerReport, Report, report};
 use crate::synth::{Options, Training, Watch};
 use serde::Serialize;
@@ -203,7 +204,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         Estimate { training, quiet: args.quiet }.announce(&[task], 1.0);
     }
     let grown = grow(&document, &options).map_err(Error::grown)?;
-    let prepared = pictures::prepare(args, &document, &grown, extent, &watch);
+    let prepared = during(Phase::Write, || pictures::prepare(args, &document, &grown, extent, &watch));
     let outlined = outlines::prepare(args, &document, &grown, extent, &watch);
     bar.clear();
     let (mut prepared, outlined) = (prepared?, outlined?);
@@ -219,7 +220,7 @@ fn grow_one(args: &Args, Source { training, thumbnail }: &Source) -> Result<Opti
         prepared.push(export::prepare(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)?);
     }
     // Either all files get their names or none does: every file is complete on disk before the first is renamed.
-    prepared.into_iter().try_for_each(export::Prepared::keep).map_err(Error::step)?;
+    during(Phase::Write, || export::keep_all(prepared)).map_err(Error::step)?;
     if args.report.as_deref().is_some_and(is_stdout) {
         super::print(&report.text()?)?;
     }

@@ -1,16 +1,21 @@
-//! Ctrl-C: the first asks the program to stop, the second ends it at once.
+//! Ctrl-C (also SIGTERM, SIGHUP): the program stops within half a second, and leaves no incomplete file.
 
+use super::Error;
+use crate::export;
+use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::time::Duration;
 
-/// Exit code of a program ended by Ctrl-C: 128 + SIGINT.
-const EXIT_CODE: i32 = 130;
+/// How long the work may take to stop by itself. After that the program ends whatever it does.
+const GRACE: Duration = Duration::from_millis(150);
 
 static FLAG: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
-/// The flag that Ctrl-C (also SIGTERM, SIGHUP) sets; long work checks it, stops and cleans up.
+/// The flag that Ctrl-C sets; long work checks it and stops.
 ///
-/// From the first call on, a second Ctrl-C ends the program at once with exit code 130. All calls return the same flag.
+/// From the first call on the program ends [`GRACE`] after Ctrl-C at the latest, and at once after a second one. All calls return
+/// the same flag.
 pub fn install() -> Arc<AtomicBool> {
     let flag = FLAG.get_or_init(|| {
         let flag = Arc::new(AtomicBool::new(false));
@@ -18,12 +23,30 @@ pub fn install() -> Arc<AtomicBool> {
         // If no handler can be set, Ctrl-C ends the program as usual.
         let _ = ctrlc::set_handler(move || {
             if seen.swap(true, Ordering::SeqCst) {
-                std::process::exit(EXIT_CODE);
+                end();
             }
+            std::thread::spawn(|| {
+                std::thread::sleep(GRACE);
+                end();
+            });
         });
         flag
     });
     Arc::clone(flag)
+}
+
+/// Ends the program: deletes its unfinished files, says that it was interrupted, and exits.
+pub fn end() -> ! {
+    static ENDING: Mutex<()> = Mutex::new(());
+    // Whoever comes second waits for the end.
+    let _first = ENDING.lock().unwrap_or_else(PoisonError::into_inner);
+    export::abandon();
+    let mut stderr = io::stderr();
+    // The bar of a terminal is overwritten.
+    let start = if stderr.is_terminal() { "\r\x1b[K" } else { "" };
+    // If stderr is closed, the message is lost.
+    let _ = writeln!(stderr, "{start}error: {}", Error::Interrupted);
+    std::process::exit(Error::Interrupted.exit_code().into())
 }
 
 /// Whether Ctrl-C was pressed since [`install`].

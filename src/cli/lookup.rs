@@ -9,7 +9,9 @@ use crate::document::{Kind, SystemChoice};
 use crate::export;
 use crate::synth::Training;
 use answer::LookupReport;
-use std::io::Write;
+use rayon::prelude::*;
+use std::fs::File;
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `dapple lookup`.
@@ -112,23 +114,44 @@ pub fn run(args: &Args) -> Result<(), Error> {
 /// Answers all rows of `table`, or none if one is invalid.
 fn run_batch(training: &Training, table: &Path, output: &Path) -> Result<(), Error> {
     let file = table.display().to_string();
-    let bytes =
-        std::fs::read(table).map_err(|source| Error::File { file: file.clone(), done: "read", source })?;
-    let answered = answer_table(training, &file, &bytes)?;
-    export::save(output, |stream| Ok(stream.write_all(&answered)?)).map_err(Error::step)
+    let opened = File::open(table);
+    let opened = opened.map_err(|source| Error::File { file: file.clone(), done: "read", source })?;
+    super::install();
+    let mut answers = export::begin(output).map_err(Error::step)?;
+    match answer_table(training, &file, opened, &mut answers) {
+        Ok(()) => answers.finish().and_then(export::Prepared::keep).map_err(Error::step),
+        Err(Error::Output(why)) => Err(Error::step(answers.stopped(why.into()))),
+        Err(error) => Err(error),
+    }
 }
 
-/// The table in `bytes` with the answer in each row; `file` is its name in messages. (It stays in the command line because cells
-/// are parsed as the options are.)
+/// Writes the table in `input` with the answer in each row to `output`; `file` is its name in messages. It holds a thousand rows
+/// at a time. (It stays in the command line because cells are parsed as the options are.)
 ///
 /// # Errors
-/// The first invalid row, with line and column; a training set that cannot be read.
-pub fn answer_table(training: &Training, file: &str, bytes: &[u8]) -> Result<Vec<u8>, Error> {
-    let questions = batch::read(file, bytes).map_err(Error::step)?;
-    let looked = questions
-        .rows
-        .iter()
-        .map(|row| LookupReport::new(training, row.system, &row.wanted))
-        .collect::<Result<Vec<_>, _>>()?;
-    Ok(batch::answered(&questions, &looked))
+/// The first invalid row, with line and column; a training set that cannot be read; [`Error::Output`] where `output` fails;
+/// [`Error::Interrupted`].
+pub fn answer_table(
+    training: &Training,
+    file: &str,
+    input: impl Read,
+    output: impl Write,
+) -> Result<(), Error> {
+    let mut questions = batch::Questions::new(file, input)?;
+    let mut answers = batch::Answers::new(&questions, output)?;
+    loop {
+        if super::interrupted() {
+            return Err(Error::Interrupted);
+        }
+        let rows = questions.next_rows(ROWS)?;
+        if rows.is_empty() {
+            return answers.finish();
+        }
+        let look_up = |row: &batch::Question| LookupReport::new(training, row.system, &row.wanted);
+        let looked = rows.par_iter().map(look_up).collect::<Result<Vec<_>, _>>()?;
+        answers.write(&rows, &looked)?;
+    }
 }
+
+/// Rows of a table that are answered together.
+const ROWS: usize = 1_000;

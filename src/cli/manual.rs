@@ -52,7 +52,7 @@ pub fn man(args: &ManArgs) -> Result<(), Error> {
                 export::prepare(&path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(Error::step)
             })
             .collect::<Result<_, _>>()?;
-        return pages.into_iter().try_for_each(export::Prepared::keep).map_err(Error::step);
+        return export::keep_all(pages).map_err(Error::step);
     }
     let name = args.command.as_deref().unwrap_or("dapple");
     let Some(command) = pages().find(|command| command.get_name() == name) else {

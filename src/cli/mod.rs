@@ -93,6 +93,7 @@ pub fn main() -> ExitCode {
 }
 
 fn run(command: Command) -> Result<(), Error> {
+    install();
     match command {
         Command::Grow(args) => grow::run(&args),
         Command::Film(args) => film::run(&args),
@@ -149,6 +150,9 @@ fn window(file: Option<&OsString>) -> Result<(), Error> {
 /// Writes the error to stderr, if any, and returns the exit code.
 fn finish(result: Result<(), Error>) -> ExitCode {
     let Err(error) = result else { return ExitCode::SUCCESS };
+    if matches!(error, Error::Interrupted) {
+        interrupt::end();
+    }
     if error.is_broken_pipe() {
         // The reader of stdout, such as `head`, has ended: not an error.
         return ExitCode::SUCCESS;

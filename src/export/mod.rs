@@ -6,6 +6,7 @@
 //! large one. [`save()`] writes a stream into a temporary file beside the target and renames it at the end, so an error or a
 //! cancelled run leaves no incomplete picture and keeps the file that was there before.
 
+mod abandon;
 mod downscale;
 pub mod exr;
 mod format;
@@ -23,11 +24,12 @@ mod temporary_folder;
 pub mod tiff;
 pub mod web;
 
+pub use abandon::abandon;
 pub use downscale::{downscale, srgb_from_linear};
 pub use format::{Content, Format};
 pub use save::{
     ExportError, Prepared, Unfinished, begin, check_content, check_ending, check_file, check_target,
-    has_ending, make_folder, prepare, save,
+    has_ending, keep_all, make_folder, prepare, save,
 };
 pub use temporary_folder::TemporaryFolder;
 

@@ -9,6 +9,7 @@ use thiserror::Error;
 
 use super::Stopped;
 use super::format::{Content, Format, allowed_endings, endings};
+use crate::export::abandon::naming;
 use crate::export::stale_files;
 
 /// Why a file was not written. Nothing incomplete is left behind, and an existing file is unchanged.
@@ -280,10 +281,22 @@ impl Prepared {
     /// # Errors
     /// The problem, with the file's name and the remedy.
     pub fn keep(self) -> Result<(), ExportError> {
+        naming(|| self.renamed())
+    }
+
+    fn renamed(self) -> Result<(), ExportError> {
         let Self { path, target, beside } = self;
         let named = beside.persist(&target).map(drop);
         named.map_err(|error| explain(&path, &folder_of(&target), error.error))
     }
+}
+
+/// Renames files that belong together to their final names, all of them even where the process is told to end.
+///
+/// # Errors
+/// The first problem, with the file's name and the remedy.
+pub fn keep_all(files: Vec<Prepared>) -> Result<(), ExportError> {
+    naming(|| files.into_iter().try_for_each(Prepared::renamed))
 }
 
 /// The file to replace or create: `path`, or the target of the link.

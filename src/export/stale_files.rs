@@ -9,6 +9,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
+use super::abandon::created;
 use tempfile::{Builder, NamedTempFile, TempDir};
 
 const PREFIX: &str = ".dapple-";
@@ -18,7 +19,7 @@ const SUFFIX: &str = ".part";
 pub fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
     remove_stale_once(folder);
     loop {
-        let file = builder(0o666).tempfile_in(folder)?;
+        let file = created(|| builder(0o666).tempfile_in(folder), |file| file.path().to_owned())?;
         // Another process may have removed it before it was locked.
         if !matches!(file.as_file().try_lock(), Err(TryLockError::WouldBlock)) && file.path().exists() {
             return Ok(file);
@@ -30,7 +31,7 @@ pub fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
 pub fn new_folder(parent: &Path) -> io::Result<(TempDir, Option<File>)> {
     remove_stale_once(parent);
     loop {
-        let folder = builder(0o777).tempdir_in(parent)?;
+        let folder = created(|| builder(0o777).tempdir_in(parent), |folder| folder.path().to_owned())?;
         let Ok(lock) = File::open(folder.path()) else { return Ok((folder, None)) };
         if !matches!(lock.try_lock(), Err(TryLockError::WouldBlock)) && folder.path().exists() {
             return Ok((folder, Some(lock)));

@@ -3,6 +3,7 @@
 use std::io;
 use std::path::Path;
 
+use super::abandon::created;
 use tempfile::TempDir;
 
 /// A new folder among the system's temporary files. Dropping it deletes it with its contents.
@@ -15,7 +16,8 @@ impl TemporaryFolder {
     /// # Errors
     /// The folder cannot be created.
     pub fn new() -> io::Result<Self> {
-        tempfile::Builder::new().prefix("dapple-").tempdir().map(Self)
+        let create = || tempfile::Builder::new().prefix("dapple-").tempdir();
+        created(create, |folder| folder.path().to_owned()).map(Self)
     }
 
     /// Its path.

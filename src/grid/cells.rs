@@ -132,6 +132,38 @@ impl Grid {
             cells.filter(move |(cell, _)| among.contains(cell))
         })
     }
+
+    /// The cells of [`Self::window`] as runs along the rows, each with the centre of its first cell.
+    pub(super) fn window_runs(
+        &self,
+        low: [f64; 2],
+        high: [f64; 2],
+        among: Range<usize>,
+    ) -> impl Iterator<Item = (Range<usize>, [f64; 2])> + use<> {
+        let ([nx, ny], edges) = (self.size.map(|n| n as isize), self.edges);
+        let [columns, rows] = [0, 1].map(|axis| {
+            let span = low[axis].ceil() as isize..(high[axis].floor() as isize).saturating_add(1);
+            match edges {
+                Edges::Wrap => span,
+                Edges::Closed => span.start.max(0)..span.end.min(self.size[axis] as isize),
+            }
+        });
+        rows.flat_map(move |row| {
+            // The images of the row's cells, a canvas apart from each other.
+            let first = columns.start.div_euclid(nx);
+            let images =
+                if columns.is_empty() { first..first } else { first..(columns.end - 1).div_euclid(nx) + 1 };
+            let start = row.rem_euclid(ny) * nx;
+            let (columns, among) = (columns.clone(), among.clone());
+            images.filter_map(move |image| {
+                let shift = start - image * nx;
+                let from = columns.start.max(image * nx).max(among.start as isize - shift);
+                let to = columns.end.min((image + 1) * nx).min(among.end as isize - shift);
+                let center = [from as f64 + 0.5, row as f64 + 0.5];
+                (from < to).then(|| ((from + shift) as usize..(to + shift) as usize, center))
+            })
+        })
+    }
 }
 
 #[cfg(test)]
@@ -203,6 +235,14 @@ mod tests {
                     all.len() == expected.len() && all.iter().zip(&expected).all(near),
                     "{edges:?} {place:?}"
                 );
+                let run = |(cells, [x, y]): (Range<usize>, [f64; 2])| {
+                    let first = cells.start;
+                    cells.map(move |cell| (cell, [x + (cell - first) as f64, y]))
+                };
+                let runs = sorted(grid.runs_near(place, reach, 0..35).flat_map(run).collect());
+                assert!(runs.len() == all.len() && runs.iter().zip(&all).all(near), "{edges:?} {place:?}");
+                let some: Vec<Seen> = grid.runs_near(place, reach, 7..16).flat_map(run).collect();
+                assert_eq!(some.len(), grid.near(place, reach, 7..16).count());
                 // Ranges of cells, whole rows or not, have each their own part.
                 let parts =
                     [0..7, 7..16, 16..35].map(|part| grid.near(place, reach, part).collect::<Vec<_>>());

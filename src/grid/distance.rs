@@ -40,17 +40,20 @@ fn along_columns(covered: &[bool], [nx, ny]: [usize; 2], edges: Edges) -> Vec<i3
     let mut down = vec![NONE; nx * ny];
     // Two rounds where the last row is next to the first.
     let rounds = if edges == Edges::Wrap { 2 * ny as i32 } else { ny as i32 };
-    for x in 0..nx {
-        for upward in [false, true] {
-            let mut last: Option<i32> = None;
-            for step in 0..rounds {
-                let at = if upward { rounds - 1 - step } else { step };
-                let cell = at as usize % ny * nx + x;
-                if covered[cell] {
-                    last = Some(at);
+    // All columns together, row by row: neighbours in a row are neighbours in memory.
+    for upward in [false, true] {
+        let mut last = vec![NONE; nx];
+        for step in 0..rounds {
+            let at = if upward { rounds - 1 - step } else { step };
+            let row = at as usize % ny * nx;
+            let cells = down[row..row + nx].iter_mut().zip(&covered[row..row + nx]);
+            for ((down, covered), last) in cells.zip(&mut last) {
+                if *covered {
+                    *last = at;
                 }
-                if let Some(last) = last.filter(|last| (last - at).abs() < down[cell].saturating_abs()) {
-                    down[cell] = last - at;
+                let way = if *last == NONE { NONE } else { *last - at };
+                if way.saturating_abs() < down.saturating_abs() {
+                    *down = way;
                 }
             }
         }

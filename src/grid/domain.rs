@@ -52,6 +52,28 @@ pub trait Domain: Sync {
         among: Range<usize>,
     ) -> impl Iterator<Item = (usize, [f64; 2])>;
 
+    /// The cells of [`Self::near`] as runs: of so many cells that follow each other, with the way to the centre of the first;
+    /// each next one is a unit farther along the first axis, and all have the frame of the first.
+    fn runs_near(
+        &self,
+        place: Self::Place,
+        reach: f64,
+        among: Range<usize>,
+    ) -> impl Iterator<Item = (Range<usize>, [f64; 2])> {
+        self.near(place, reach, among).map(|(cell, way)| (cell..cell + 1, way))
+    }
+
+    /// Whether some cells of the range `among` may lie within `reach` of a place. May be true although none does.
+    fn may_reach(&self, _place: Self::Place, _reach: f64, _among: &Range<usize>) -> bool {
+        true
+    }
+
+    /// Distance from the centre of each cell to that of the nearest `set` one; infinite where none is set. `None` where the
+    /// domain has no fast way to tell.
+    fn distances(&self, _set: &[bool]) -> Option<Vec<f64>> {
+        None
+    }
+
     /// The cells that are `set`, and those whose centres lie within `reach(cell)` of the centre of a set one.
     fn dilated(&self, set: &[bool], reach: impl Fn(usize) -> f64) -> Vec<bool> {
         let mut dilated = set.to_vec();

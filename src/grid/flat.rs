@@ -2,8 +2,12 @@
 
 use std::ops::Range;
 
+use rayon::prelude::*;
+
 use super::cells::Grid;
+use super::distance::{length, nearest};
 use super::domain::Domain;
+use super::edges::Edges;
 use super::framed::{Framed, Rectangles};
 use super::space::{Buckets, Space};
 
@@ -53,6 +57,32 @@ impl Domain for Grid {
         let low = place.map(|at| at - 0.5 - reach);
         let high = place.map(|at| at - 0.5 + reach);
         self.window(low, high, among).map(move |(cell, at)| (cell, [at[0] - place[0], at[1] - place[1]]))
+    }
+
+    fn runs_near(
+        &self,
+        place: [f64; 2],
+        reach: f64,
+        among: Range<usize>,
+    ) -> impl Iterator<Item = (Range<usize>, [f64; 2])> {
+        let low = place.map(|at| at - 0.5 - reach);
+        let high = place.map(|at| at - 0.5 + reach);
+        self.window_runs(low, high, among)
+            .map(move |(cells, at)| (cells, [at[0] - place[0], at[1] - place[1]]))
+    }
+
+    fn may_reach(&self, place: [f64; 2], reach: f64, among: &Range<usize>) -> bool {
+        let (nx, height) = (self.size[0], self.size[1] as f64);
+        let (first, end) = ((among.start / nx) as f64, among.end.div_ceil(nx) as f64);
+        let reaches = |y: f64| y + reach >= first && y - reach <= end;
+        let beyond = [-height, height].into_iter().any(|shift| reaches(place[1] + shift));
+        reaches(place[1]) || self.edges == Edges::Wrap && (beyond || reach > height)
+    }
+
+    fn distances(&self, set: &[bool]) -> Option<Vec<f64>> {
+        let unit = Self { cell: [1.0; 2], ..*self };
+        let away = |ways: Vec<[i32; 2]>| ways.into_par_iter().map(|way| length(way, &unit)).collect();
+        Some(nearest(set, &unit).map_or_else(|| vec![f64::INFINITY; set.len()], away))
     }
 
     fn units(&self) -> [f64; 2] {

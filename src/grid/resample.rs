@@ -93,16 +93,30 @@ impl Spline {
     /// Columns at which [`Self::row`] reads `width` values.
     #[must_use]
     pub fn columns(&self, width: usize) -> Columns {
-        Columns(taps(self.width, width))
+        match width.checked_div(self.width) {
+            Some(times) if times > 0 && times <= MOST_TIMES && times * self.width == width => {
+                Columns::Whole(taps(1, times))
+            }
+            _ => Columns::Any(taps(self.width, width)),
+        }
     }
 
     /// Writes row `y` of `height` at `columns`; `line` is a buffer that is reused from row to row.
     pub fn row(&self, y: usize, height: usize, columns: &Columns, line: &mut Vec<f32>, out: &mut [f32]) {
         line.resize(self.width + 2 * PAD, 0.0);
         self.line((y as f64 + 0.5) * self.height as f64 / height as f64 - 0.5, line);
-        for (out, (start, w)) in out.iter_mut().zip(&columns.0) {
-            let c = &line[*start..*start + 4];
-            *out = w[0] * c[0] + w[1] * c[1] + w[2] * c[2] + w[3] * c[3];
+        match columns {
+            Columns::Any(taps) => {
+                for (out, (start, w)) in out.iter_mut().zip(taps) {
+                    let c = &line[*start..*start + 4];
+                    *out = w[0] * c[0] + w[1] * c[1] + w[2] * c[2] + w[3] * c[3];
+                }
+            }
+            Columns::Whole(taps) => {
+                for (k, tap) in taps.iter().enumerate() {
+                    every(tap, line, out[k..].iter_mut().step_by(taps.len()));
+                }
+            }
         }
     }
 
@@ -124,9 +138,28 @@ impl Spline {
     }
 }
 
-/// Where a row is read: for each value the index of the first of its four coefficients, and their weights.
+/// The index of the first of four coefficients on a padded line, and their weights.
+type Tap = (usize, [f32; 4]);
+
+/// Where a row is read.
 #[derive(Clone, Debug)]
-pub struct Columns(Vec<(usize, [f32; 4])>);
+pub enum Columns {
+    /// For each value.
+    Any(Vec<Tap>),
+    /// For each value in the first cell, where all cells hold as many values: further cells are read in the same way.
+    Whole(Vec<Tap>),
+}
+
+/// Values a cell at most that are read cell by cell.
+const MOST_TIMES: usize = 8;
+
+/// Writes one value a cell.
+fn every<'a>((start, w): &Tap, line: &[f32], out: impl Iterator<Item = &'a mut f32>) {
+    let [a, b, c, d] = [0, 1, 2, 3].map(|k| &line[*start + k..]);
+    for ((((out, a), b), c), d) in out.zip(a).zip(b).zip(c).zip(d) {
+        *out = w[0] * a + w[1] * b + w[2] * c + w[3] * d;
+    }
+}
 
 /// Cells beyond the border that are read between the outermost centre and the border.
 const PAD: usize = 2;
@@ -142,7 +175,7 @@ fn tap(position: f64) -> (isize, [f32; 4]) {
 }
 
 /// For each of `to` cells across `from` cells: where its four coefficients start on a padded line, and weights.
-fn taps(from: usize, to: usize) -> Vec<(usize, [f32; 4])> {
+fn taps(from: usize, to: usize) -> Vec<Tap> {
     let place = |i: usize| tap((i as f64 + 0.5) * from as f64 / to as f64 - 0.5);
     (0..to).map(place).map(|(first, weights)| ((first + PAD as isize) as usize, weights)).collect()
 }

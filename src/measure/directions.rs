@@ -169,15 +169,17 @@ fn block_sums(field: &Field, sigma: [f64; 2], [columns, rows]: [usize; 2]) -> Ve
     };
     let mut sums = vec![[0.0; 3]; columns * rows];
     sums.par_chunks_mut(columns).enumerate().for_each_init(
-        || [0, 1].map(|_| vec![0.0_f32; field.width]),
-        |[smoothed, sloped], (row, sums)| {
+        || [(); 4].map(|()| vec![0.0_f32; field.width]),
+        |[smoothed, sloped, across, down], (row, sums)| {
             let (from, to) = (row * field.height / rows, (row + 1) * field.height / rows);
             for y in from.max(away[1])..to.min(field.height - away[1]) {
                 column_sums(field, y, &smooth[1], smoothed);
                 column_sums(field, y, &slope[1], sloped);
+                row_sums(smoothed, &slope[0], field.edges, across);
+                row_sums(sloped, &smooth[0], field.edges, down);
                 for x in away[0]..field.width - away[0] {
-                    let gx = f64::from(row_sum(smoothed, x, &slope[0], field.edges)) / field.cell[0];
-                    let gy = f64::from(row_sum(sloped, x, &smooth[0], field.edges)) / field.cell[1];
+                    let gx = f64::from(across[x]) / field.cell[0];
+                    let gy = f64::from(down[x]) / field.cell[1];
                     let sum = &mut sums[x * columns / field.width];
                     *sum = [sum[0] + gx * gx, sum[1] + gx * gy, sum[2] + gy * gy];
                 }
@@ -197,14 +199,20 @@ fn column_sums(field: &Field, y: usize, weights: &[f32], out: &mut [f32]) {
     }
 }
 
-/// Weighted sum along a row, about `x`.
-fn row_sum(row: &[f32], x: usize, weights: &[f32], edges: Edges) -> f32 {
-    let reach = weights.len() / 2;
-    if x >= reach && x + reach < row.len() {
-        return weights.iter().zip(&row[x - reach..]).map(|(weight, value)| weight * value).sum();
+/// Weighted sums along a row, about each of its places.
+fn row_sums(row: &[f32], weights: &[f32], edges: Edges, out: &mut [f32]) {
+    let (n, reach) = (row.len(), weights.len() / 2);
+    out.fill(0.0);
+    // Away from the ends for one weight after the other: all places at once.
+    let inner = reach.min(n)..n.saturating_sub(reach).max(reach.min(n));
+    for (k, weight) in weights.iter().enumerate() {
+        let values = &row[(inner.start + k).saturating_sub(reach)..];
+        out[inner.clone()].iter_mut().zip(values).for_each(|(out, value)| *out += weight * value);
     }
-    let at = |k: usize| row[edges.index(x as isize + k as isize - reach as isize, row.len())];
-    weights.iter().enumerate().map(|(k, weight)| weight * at(k)).sum()
+    for x in (0..inner.start).chain(inner.end..n) {
+        let at = |k: usize| row[edges.index(x as isize + k as isize - reach as isize, n)];
+        out[x] = weights.iter().enumerate().map(|(k, weight)| weight * at(k)).sum();
+    }
 }
 
 /// Blocks blurred by a Gaussian of `spread` blocks along x and y. Beyond a closed border they are mirrored.

@@ -274,7 +274,6 @@ pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeEr
     let places: Vec<(usize, [f64; 2])> = asked.iter().map(|(region, double, _)| (*region, *double)).collect();
     let turns = directions.deviations(&places, target.regions);
     let angles = directions.means(&places, target.regions);
-    let free = free(field, target);
     let mut sums = vec![Asked::default(); target.regions];
     for (region, [c, s], wanted) in &asked {
         if let Attributes::Stripes(wanted) = wanted {
@@ -285,10 +284,13 @@ pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeEr
             sum.double = [sum.double[0] + c, sum.double[1] + s];
         }
     }
+    let wanted: Vec<Option<Stripes>> = sums.iter().map(Asked::mean).collect();
+    let any_wavelength = wanted.iter().flatten().any(|wanted| wanted.wavelength.is_some());
+    let free = if any_wavelength { free(field, target) } else { Vec::new() };
     let region = |k: usize| {
         let angle = angles[k];
         let width = (tallies[k].contour > 0.0).then(|| 2.0 * tallies[k].area / tallies[k].contour);
-        let wanted = sums[k].mean();
+        let wanted = wanted[k];
         // Only where a wavelength is wanted; elsewhere it is twice the width.
         let asked = wanted.and_then(|wanted| wanted.wavelength);
         let wavelength =

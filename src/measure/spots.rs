@@ -110,6 +110,34 @@ const NOTHING: Region = Region {
 /// The label of nodes that are not inside.
 const OUT: u32 = u32::MAX;
 
+/// Whether each node of a row is inside, 64 in a word; bits beyond the row are 0.
+fn mask(values: &[f32], level: f32, words: &mut Vec<u64>) {
+    let word = |values: &[f32]| {
+        values.iter().enumerate().fold(0, |word, (bit, value)| word | u64::from(*value > level) << bit)
+    };
+    words.clear();
+    words.extend(values.chunks(64).map(word));
+}
+
+/// The places of the bits that are 1.
+fn ones(mask: &[u64]) -> impl Iterator<Item = usize> {
+    mask.iter().enumerate().flat_map(|(word, bits)| {
+        let mut bits = *bits;
+        std::iter::from_fn(move || {
+            let bit = bits.trailing_zeros() as usize;
+            (bits != 0).then(|| {
+                bits &= bits - 1;
+                64 * word + bit
+            })
+        })
+    })
+}
+
+/// The word of a mask with the next one's first bit: bit k is node k + 1.
+fn shifted(mask: &[u64], word: usize) -> u64 {
+    mask[word] >> 1 | mask.get(word + 1).copied().unwrap_or(0) << 63
+}
+
 /// Collects regions row by row of nodes.
 struct Collector<'a> {
     xs: &'a [f64],
@@ -123,6 +151,8 @@ struct Collector<'a> {
     y: f64,
     values: Vec<f32>,
     labels: Vec<u32>,
+    /// Which of its nodes are inside.
+    inside: Vec<u64>,
     first: Vec<u32>,
 }
 
@@ -138,6 +168,7 @@ fn regions(field: &Field, level: f32, factor: usize) -> Vec<Region> {
         y: 0.0,
         values: Vec::new(),
         labels: Vec::new(),
+        inside: Vec::new(),
         first: Vec::new(),
     };
     let bands = nodes.bands(|ys, values, top| {
@@ -155,19 +186,22 @@ fn regions(field: &Field, level: f32, factor: usize) -> Vec<Region> {
 
 impl Collector<'_> {
     fn row(&mut self, y: f64, values: &[f32]) {
-        let labels = self.label(values);
+        let mut inside = Vec::new();
+        mask(values, self.level, &mut inside);
+        let labels = self.label(values, &inside);
         if self.values.is_empty() {
             self.first.clone_from(&labels);
             if self.top {
                 self.touch(&labels);
             }
         } else {
-            self.strip(y, values, &labels);
+            self.strip(y, values, &labels, &inside);
         }
         self.y = y;
         self.values.clear();
         self.values.extend_from_slice(values);
         self.labels = labels;
+        self.inside = inside;
     }
 
     /// Appends the band below, whose first row is the last of this one.
@@ -190,26 +224,23 @@ impl Collector<'_> {
     }
 
     /// Labels each inside node of a row: with its left neighbour's label, that of the node above, or a new one.
-    fn label(&mut self, values: &[f32]) -> Vec<u32> {
+    fn label(&mut self, values: &[f32], inside: &[u64]) -> Vec<u32> {
         let mut labels = vec![OUT; values.len()];
-        let (mut left, mut peak) = (OUT, f32::NEG_INFINITY);
-        for (i, value) in values.iter().enumerate() {
-            if *value > self.level {
-                let above = self.labels.get(i).copied().unwrap_or(OUT);
-                if left == OUT {
-                    left = if above == OUT { self.begin() } else { above };
-                } else if above != OUT && above != left {
-                    self.sets.join(above, left, [0, 0]);
-                }
-                labels[i] = left;
-                peak = peak.max(*value);
-            } else if left != OUT {
-                self.raise_peak(left, peak);
-                (left, peak) = (OUT, f32::NEG_INFINITY);
+        let mut left = OUT;
+        let mut end = 0;
+        for i in ones(inside) {
+            if i != end {
+                left = OUT;
             }
-        }
-        if left != OUT {
-            self.raise_peak(left, peak);
+            end = i + 1;
+            let above = self.labels.get(i).copied().unwrap_or(OUT);
+            if left == OUT {
+                left = if above == OUT { self.begin() } else { above };
+            } else if above != OUT && above != left {
+                self.sets.join(above, left, [0, 0]);
+            }
+            labels[i] = left;
+            self.raise_peak(left, values[i]);
         }
         let ends = [labels[0], labels[labels.len() - 1]];
         match self.edges {
@@ -244,38 +275,60 @@ impl Collector<'_> {
     }
 
     /// Adds up the squares between the row above and this one.
-    fn strip(&mut self, y: f64, values: &[f32], labels: &[u32]) {
-        let (xs, top) = (self.xs, self.y);
+    fn strip(&mut self, y: f64, values: &[f32], labels: &[u32], inside: &[u64]) {
+        let xs = self.xs;
+        let above = std::mem::take(&mut self.inside);
+        let squares = |word: usize| {
+            // Squares that begin with the last node of the row are none.
+            let left = xs.len() - 1 - (64 * word).min(xs.len() - 1);
+            if left >= 64 { u64::MAX } else { (1 << left) - 1 }
+        };
         let mut full = None;
-        let mut right = u8::from(self.labels[0] != OUT) + u8::from(labels[0] != OUT);
-        for i in 0..xs.len() - 1 {
-            let left = right;
-            right = u8::from(self.labels[i + 1] != OUT) + u8::from(labels[i + 1] != OUT);
-            if left + right == 4 {
-                full.get_or_insert(i);
+        for word in 0..inside.len() {
+            let four = [above[word], shifted(&above, word), inside[word], shifted(inside, word)];
+            let all = four.iter().fold(squares(word), |all, bits| all & bits);
+            let any = squares(word) & four.iter().fold(0, |any, bits| any | bits);
+            if all == u64::MAX {
+                full.get_or_insert(64 * word);
                 continue;
             }
-            if let Some(from) = full.take() {
-                self.fill(from, [xs[from], xs[i]], y);
-            }
-            if left + right == 0 {
-                continue;
-            }
-            let four = [self.labels[i], self.labels[i + 1], labels[i + 1], labels[i]];
-            let v = [self.values[i], self.values[i + 1], values[i + 1], values[i]];
-            let v = v.map(|v| f64::from(v) - f64::from(self.level));
-            parts([xs[i], top], [xs[i + 1] - xs[i], y - top], v, |part| {
-                let region = &mut self.known[four[part.corner] as usize];
-                region.moments.add(&part.moments);
-                region.contour += part.contour;
-                if let Some(across) = part.across {
-                    self.sets.join(four[part.corner], four[across], [0, 0]);
+            // Where a run of full squares begins or ends, and squares that are neither full nor empty.
+            let mut events = (all ^ (all << 1 | u64::from(full.is_some()))) | (any & !all);
+            while events != 0 {
+                let bit = events.trailing_zeros();
+                events &= events - 1;
+                let i = 64 * word + bit as usize;
+                if all >> bit & 1 == 1 {
+                    full.get_or_insert(i);
+                    continue;
                 }
-            });
+                if let Some(from) = full.take() {
+                    self.fill(from, [xs[from], xs[i]], y);
+                }
+                if any >> bit & 1 == 1 {
+                    self.cut(i, y, values, labels);
+                }
+            }
         }
         if let Some(from) = full {
             self.fill(from, [xs[from], xs[xs.len() - 1]], y);
         }
+    }
+
+    /// Adds the parts of square `i` of the strip that ends at `y`, which is neither all inside nor all outside.
+    fn cut(&mut self, i: usize, y: f64, values: &[f32], labels: &[u32]) {
+        let (xs, top) = (self.xs, self.y);
+        let four = [self.labels[i], self.labels[i + 1], labels[i + 1], labels[i]];
+        let v = [self.values[i], self.values[i + 1], values[i + 1], values[i]];
+        let v = v.map(|v| f64::from(v) - f64::from(self.level));
+        parts([xs[i], top], [xs[i + 1] - xs[i], y - top], v, |part| {
+            let region = &mut self.known[four[part.corner] as usize];
+            region.moments.add(&part.moments);
+            region.contour += part.contour;
+            if let Some(across) = part.across {
+                self.sets.join(four[part.corner], four[across], [0, 0]);
+            }
+        });
     }
 
     /// Adds squares from node `from` on, in the strip that ends at `y`, that are all inside.

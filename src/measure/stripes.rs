@@ -101,8 +101,7 @@ fn tallied(
     let bands = nodes.bands(|ys, values, _| {
         let mut tallies = vec![Tally::default(); regions];
         for (ys, rows) in ys.windows(2).zip(values.chunks_exact(n).collect::<Vec<_>>().windows(2)) {
-            let edge = |i: usize| [rows[0][i], rows[0][i + 1], rows[1][i + 1], rows[1][i]];
-            strip(&nodes.xs, [ys[0], ys[1]], edge, level, |place, area, contour| {
+            strip(&nodes.xs, [ys[0], ys[1]], [rows[0], rows[1]], level, |place, area, contour| {
                 let tally = &mut tallies[region_of(place)];
                 tally.area += area;
                 tally.contour += contour;
@@ -120,17 +119,35 @@ fn tallied(
     tallies
 }
 
+/// [`LOOKED_AT`] if that many values from `first` on are not above the level, else 0.
+fn outside(values: &[f32], first: usize, level: f32) -> usize {
+    let Some(block) = values[first..].first_chunk::<LOOKED_AT>() else { return 0 };
+    // Without a branch, so that all are compared at once.
+    if block.iter().fold(true, |outside, value| outside & (*value <= level)) { LOOKED_AT } else { 0 }
+}
+
+/// Values that are compared at once.
+const LOOKED_AT: usize = 16;
+
 /// Calls `found` with the centre, area and contour length of each square of a strip that is not all outside.
 fn strip(
     xs: &[f64],
     [top, bottom]: [f64; 2],
-    corners: impl Fn(usize) -> [f32; 4],
+    [above, below]: [&[f32]; 2],
     level: f32,
     mut found: impl FnMut([f64; 2], f64, f64),
 ) {
     let (center, height) = (0.5 * (top + bottom), bottom - top);
-    for (i, x) in xs.windows(2).enumerate() {
-        let v = corners(i);
+    let mut i = 0;
+    while i + 1 < xs.len() {
+        let outside = outside(above, i, level).min(outside(below, i, level));
+        if outside > 1 {
+            i += outside - 1;
+            continue;
+        }
+        let x = [xs[i], xs[i + 1]];
+        let v = [above[i], above[i + 1], below[i + 1], below[i]];
+        i += 1;
         let inside = v.iter().filter(|v| **v > level).count();
         let place = [0.5 * (x[0] + x[1]), center];
         if inside == 4 {

@@ -64,6 +64,15 @@ impl<P> Nucleus<P> {
         self.apart * ((xx * yy - xy * xy) / along).sqrt()
     }
 
+    /// The shortest and the longest distance, pitches, of a point `away` cells from here, in whichever direction it lies.
+    #[must_use]
+    pub fn bounds(&self, away: f64) -> [f64; 2] {
+        let [xx, xy, yy] = self.metric;
+        let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
+        let apart = (half * half + xy * xy).sqrt();
+        [(mean - apart).max(0.0).sqrt() * away, (mean + apart).sqrt() * away]
+    }
+
     /// Squared distance of a point at `delta` cells from here, in pitches.
     #[must_use]
     pub fn distance2(&self, [x, y]: [f64; 2]) -> f64 {

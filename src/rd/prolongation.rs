@@ -1,5 +1,7 @@
 //! From a coarse grid to a finer one.
 
+use rayon::prelude::*;
+
 use crate::grid::resample::resample;
 use crate::grid::{Edges, Field, Grid};
 
@@ -18,9 +20,11 @@ pub fn prolongate(cells: &[f32], from: [usize; 2], to: [usize; 2], edges: Edges)
     let field = Field::new(&Grid::unit(from, edges), cells.to_vec());
     let mut fine = resample(&field, to[0], to[1]).values;
     let place = |index: usize, axis: usize| (index as f64 + 0.5) * from[axis] as f64 / to[axis] as f64;
-    for (index, value) in fine.iter_mut().enumerate() {
-        *value = within_range(*value, &field, [place(index % to[0], 0), place(index / to[0], 1)]);
-    }
+    fine.par_chunks_mut(to[0]).enumerate().for_each(|(y, row)| {
+        for (x, value) in row.iter_mut().enumerate() {
+            *value = within_range(*value, &field, [place(x, 0), place(y, 1)]);
+        }
+    });
     fine
 }
 

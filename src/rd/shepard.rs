@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::grid::Domain;
+use crate::grid::{Domain, exp};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
@@ -54,7 +54,9 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
     made.par_chunks_mut(part).enumerate().for_each(|(index, made)| {
         let cells = index * part..index * part + made.len();
         let mut sums = vec![(0.0, [0.0; N]); made.len()];
-        for (spot, known) in &spots {
+        let reaching =
+            spots.iter().filter(|(spot, _)| maps.domain.may_reach(spot.spot.at, spot.far(), &cells));
+        for (spot, known) in reaching {
             add(&mut sums, cells.clone(), &maps.domain, spot, known, turned);
         }
         for ((cell, made), (sum, all)) in cells.zip(made).zip(&sums) {
@@ -71,6 +73,13 @@ struct Kernel<P> {
     tau: f64,
 }
 
+impl<P> Kernel<P> {
+    /// Cells farther away are omitted.
+    fn far(&self) -> f64 {
+        self.tau * (-2.0 * LEAST).sqrt() * self.spot.reach
+    }
+}
+
 /// τ of a spot of its `own` parameters among others of those of the `ground`. A spot much larger than those around it has its
 /// own value up to its edge, and not in their places: its slow reactions would kill them.
 fn tau(system: System, own: &Parameters, ground: &Parameters) -> f64 {
@@ -83,23 +92,55 @@ fn add<D: Domain, const N: usize>(
     sums: &mut [(f64, [f64; N])],
     cells: Range<usize>,
     domain: &D,
-    Kernel { spot, tau }: &Kernel<D::Place>,
+    kernel: &Kernel<D::Place>,
     known: &[f64; N],
     turned: fn(&[f64; N], f64) -> [f64; N],
 ) {
-    let far = tau * (-2.0 * LEAST).sqrt() * spot.reach;
+    let Kernel { spot, tau } = kernel;
     let first = cells.start;
-    domain.near(spot.at, far, cells).for_each(|(cell, delta)| {
-        let exponent = -0.5 * spot.distance2(delta) / (tau * tau);
-        if exponent > LEAST {
-            let weight = libm::exp(exponent);
-            let turn = domain.turn(spot.cell, cell);
-            let known = if turn == 0.0 { *known } else { turned(known, turn) };
-            let (sum, all) = &mut sums[cell - first];
+    let sharpness = -0.5 / (tau * tau);
+    domain.runs_near(spot.at, kernel.far(), cells).for_each(|(run, way)| {
+        let turn = domain.turn(spot.cell, run.start);
+        let known = if turn == 0.0 { *known } else { turned(known, turn) };
+        let (inner, weights) = along(spot.metric.map(|part| sharpness * part), way, run.len());
+        let cells = run.start - first + inner.start..run.start - first + inner.end;
+        for ((sum, all), weight) in sums[cells].iter_mut().zip(weights) {
             *sum += weight;
             all.iter_mut().zip(&known).for_each(|(all, known)| *all += weight * known);
         }
     });
+}
+
+/// The weights e^q along a run of `length` places that begins at `way` and goes on along the first axis, q = Δᵀ M Δ with the
+/// negative `form` M: the part of the run on which q is above [`LEAST`], and its weights.
+///
+/// The ratio of neighbouring weights is a geometric series, as q is quadratic: two products a place instead of an exponential
+/// function. The relative error grows with the square of the places: 10⁻⁸ at the hundredth.
+fn along(
+    [xx, xy, yy]: [f64; 3],
+    [x, y]: [f64; 2],
+    length: usize,
+) -> (Range<usize>, impl Iterator<Item = f64>) {
+    // q(x + t) = LEAST at the ends of the part.
+    let slope = 2.0 * (xx * x + xy * y);
+    let here = xx * x * x + 2.0 * xy * x * y + yy * y * y;
+    let square = slope * slope - 4.0 * xx * (here - LEAST);
+    let root = square.max(0.0).sqrt();
+    let [from, to] = [-slope + root, -slope - root].map(|end| end / (2.0 * xx));
+    let end = length as f64;
+    let inner =
+        if square > 0.0 { from.ceil().clamp(0.0, end)..(to.floor() + 1.0).clamp(0.0, end) } else { 0.0..0.0 };
+    let t = inner.start;
+    let mut weight = exp(here + t * slope + t * t * xx);
+    let mut ratio = exp(slope + (2.0 * t + 1.0) * xx);
+    let quotient = exp(2.0 * xx);
+    let weights = std::iter::repeat_with(move || {
+        let now = weight;
+        weight *= ratio;
+        ratio *= quotient;
+        now
+    });
+    (inner.start as usize..(inner.end as usize).max(inner.start as usize), weights)
 }
 
 #[cfg(test)]
@@ -124,6 +165,23 @@ mod tests {
             &vary,
         );
         Maps { parameters, ..maps }
+    }
+
+    #[test]
+    fn weights_along_a_run_are_those_of_each_place() {
+        let form = [-0.031, 0.012, -0.045];
+        for y in [-12.5, -3.0, 0.25, 9.0, 40.0] {
+            let q = |k: usize| {
+                let x = -30.3 + k as f64;
+                form[0] * x * x + 2.0 * form[1] * x * y + form[2] * y * y
+            };
+            let (inner, weights) = along(form, [-30.3, y], 70);
+            let expected: Vec<usize> = (0..70).filter(|k| q(*k) > LEAST).collect();
+            assert_eq!(inner.clone().collect::<Vec<_>>(), expected, "{y}");
+            for (k, weight) in inner.zip(weights) {
+                assert!((weight / libm::exp(q(k)) - 1.0).abs() < 1e-8, "{y} {k}");
+            }
+        }
     }
 
     #[test]

@@ -92,6 +92,10 @@ pub fn read(bytes: &[u8], dpi: f64) -> Result<Drawing, SvgError> {
     check_depth(text)?;
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..roxmltree::ParsingOptions::default() };
     let xml = roxmltree::Document::parse_with_options(text, options).map_err(SvgError::NotXml)?;
+    // Before the shapes are made into paths, which takes long.
+    if xml.descendants().filter(is_shape).count() > MOST {
+        return Err(SvgError::TooMany);
+    }
     // Pictures are not loaded, neither embedded nor linked ones.
     let none =
         ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
@@ -121,6 +125,18 @@ fn check_depth(text: &str) -> Result<(), SvgError> {
     if deepest > DEEPEST { Err(SvgError::TooDeep { found: deepest }) } else { Ok(()) }
 }
 
+/// Whether an element is drawn as a path.
+fn is_shape(element: &Element) -> bool {
+    let names = ["path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "use"];
+    names.contains(&element.tag_name().name()) && !is_hidden(element)
+}
+
+/// Whether an element is drawn only where others refer to it.
+fn is_hidden(element: &Element) -> bool {
+    let hidden = ["defs", "symbol", "clipPath", "mask", "pattern", "marker"];
+    element.ancestors().any(|above| hidden.contains(&above.tag_name().name()))
+}
+
 /// The labels of groups, by id.
 fn labels(xml: &roxmltree::Document) -> BTreeMap<String, String> {
     let groups = xml.descendants().filter(|element| element.tag_name().name() == "g");
@@ -144,10 +160,7 @@ impl Reader {
 
     /// Counts elements that give no path.
     fn count_unread(&mut self, xml: &roxmltree::Document) {
-        let hidden = ["defs", "symbol", "clipPath", "mask", "pattern", "marker"];
-        let shown =
-            |element: &Element| !element.ancestors().any(|above| hidden.contains(&above.tag_name().name()));
-        for element in xml.descendants().filter(shown) {
+        for element in xml.descendants().filter(|element| !is_hidden(element)) {
             match element.tag_name().name() {
                 "text" => self.unread("text"),
                 "image" => self.unread("image"),

@@ -1,13 +1,13 @@
 //! The memory that a growth needs, checked before it begins.
 
-use sysinfo::{MemoryRefreshKind, RefreshKind};
+use sysinfo::{MemoryRefreshKind, ProcessRefreshKind, ProcessesToUpdate, RefreshKind};
 
 use crate::rd::System;
 
 /// Bytes a px of the canvas: the bands in which pictures are made.
 const PX: f64 = 1.0;
-/// Bytes of any growth.
-const BASE: f64 = 30e6;
+/// Bytes of any growth: the program, and a band of the picture with its patterns.
+const BASE: f64 = 60e6;
 
 /// A growth that does not fit into memory.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -91,14 +91,55 @@ pub fn needed(system: System, size: [f64; 2], grid: [usize; 2]) -> f64 {
     BASE + grid[0] as f64 * grid[1] as f64 * system.definition().cost.bytes_a_cell + size[0] * size[1] * PX
 }
 
-/// Bytes of memory that are free.
+/// Bytes of memory that this process can still have: what is free on the machine, or what its own limits leave.
 fn free() -> f64 {
+    own_limit().map_or_else(of_machine, |left| left.min(of_machine()))
+}
+
+/// Address space that each thread reserves beside what it uses: its stack, and a heap of its own.
+#[cfg(unix)]
+const A_THREAD: f64 = 72e6;
+
+/// Bytes that the limit of the address space (`ulimit -v`) leaves; `None` without such a limit.
+#[cfg(unix)]
+fn own_limit() -> Option<f64> {
+    use rustix::process::{Resource, getrlimit};
+    let limit = getrlimit(Resource::As).current?;
+    // The first number is the address space in use, in pages.
+    let used = std::fs::read_to_string("/proc/self/statm").ok();
+    let pages = used.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok()).unwrap_or(0.0);
+    let threads = rayon::current_num_threads() as f64;
+    let reserved = pages * rustix::param::page_size() as f64 + threads * A_THREAD;
+    Some((limit as f64 - reserved).max(0.0))
+}
+
+/// Such limits are known on Unix only.
+#[cfg(not(unix))]
+fn own_limit() -> Option<f64> {
+    None
+}
+
+/// Bytes of memory that are free in the control group of this process (a container, `systemd-run -p MemoryMax=`).
+fn of_group() -> Option<f64> {
+    let own = sysinfo::get_current_pid().ok()?;
+    let mut machine = sysinfo::System::new_with_specifics(RefreshKind::nothing()).ok()?;
+    machine.refresh_processes_specifics(
+        ProcessesToUpdate::Some(&[own]),
+        false,
+        ProcessRefreshKind::nothing(),
+    );
+    Some(machine.process(own)?.cgroup_limits()?.free_memory as f64)
+}
+
+/// Bytes of memory that are free on this machine, or in the control group of this process.
+fn of_machine() -> f64 {
     /// What is assumed where the system does not say.
     const ASSUMED: f64 = 8e9;
     let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
     let machine = sysinfo::System::new_with_specifics(memory);
-    let bytes = machine.map_or(0, |machine| machine.available_memory());
-    if bytes > 0 { bytes as f64 } else { ASSUMED }
+    let free = machine.map_or(0, |machine| machine.available_memory());
+    let bytes = if free > 0 { free as f64 } else { ASSUMED };
+    of_group().map_or(bytes, |group| bytes.min(group))
 }
 
 #[cfg(test)]
@@ -106,10 +147,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_print_of_16384_px_with_spots_of_300_takes_17_bytes_a_px() {
+    fn a_print_of_16384_px_with_spots_of_300_takes_24_bytes_a_px() {
         // 48 cells a spot: 2.5 px a cell.
         let needed = needed(System::MEINHARDT_SPOTS, [16_384.0; 2], [6_554; 2]);
-        assert!((16.0..17.5).contains(&(needed / (16_384.0 * 16_384.0))), "{needed}");
+        assert!((23.0..24.5).contains(&(needed / (16_384.0 * 16_384.0))), "{needed}");
     }
 
     #[test]
@@ -120,7 +161,7 @@ mod tests {
     #[test]
     fn what_cannot_fit_is_refused_with_the_numbers() {
         let error = check(System::MEINHARDT_STRIPES, [1e6; 2], [900_000; 2]).unwrap_err().to_string();
-        assert!(error.contains("900000×900000 cells needs about 110350.0 GB"), "{error}");
+        assert!(error.contains("900000×900000 cells needs about 122500.1 GB"), "{error}");
         let error = check_export("the hatch", 1e18, "hatch wider").unwrap_err().to_string();
         assert!(error.starts_with("the hatch needs about 1000000000.0 GB"), "{error}");
         assert!(error.ends_with("GB are free; hatch wider"), "{error}");

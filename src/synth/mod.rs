@@ -1,11 +1,13 @@
 //! Documents → grown textures: planned, grown, painted and reported layer by layer.
 
+mod cpu_time;
 pub mod estimate;
 pub mod grow;
 pub mod import;
 pub mod measured_picture;
 pub mod memory;
 mod options;
+pub mod phases;
 pub mod plan;
 pub mod render;
 pub mod report;

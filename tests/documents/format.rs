@@ -238,20 +238,20 @@ fn the_json_of_import_has_the_keys_on_the_page() {
 #[test]
 fn the_json_of_bench_has_the_keys_on_the_page() {
     let folder = tempfile::tempdir().unwrap();
-    let bench = |only: &str| {
-        printed(
-            &["bench", "--quick", "--json", "--size", "64", "--threads", "1", "--only", only],
-            folder.path(),
-        )
+    let bench = |only: &[&str]| {
+        let arguments = ["bench", "--quick", "--json", "--size", "64", "--threads", "1", "--only"];
+        printed(&[&arguments, only].concat(), folder.path())
     };
-    let kernels = bench("turing-spots/isotropic");
+    let kernels = bench(&["turing-spots/isotropic"]);
     assert_eq!(object_keys(&kernels), first_column("Bench"));
-    let pictures = bench("picture/ladybird");
+    let pictures = bench(&["picture/ladybird"]);
+    let phases = bench(&["picture/zebra", "--phases"]);
     for (key, value) in [
         ("machine", &kernels["machine"]),
         ("load", &kernels["load"]),
         ("kernels", &kernels["kernels"][0]),
         ("pictures", &pictures["pictures"][0]),
+        ("phases", &phases["phases"][0]),
     ] {
         let written: BTreeSet<String> = object_keys(value).into_iter().collect();
         assert_eq!(keys_in(&meaning("Bench", key)), written, "{key}");

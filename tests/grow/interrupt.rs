@@ -72,6 +72,17 @@ fn an_interrupted_growth_leaves_nothing_behind() {
     assert_eq!(folder.names(), ["a.dapple"]);
 }
 
+/// Planning a large canvas checks no flag for long.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_growth_that_is_interrupted_while_it_is_planned_ends_too() {
+    let folder = Folder::with(&spots());
+    let mut child = start(&folder, "grow a.dapple -o a.png --quiet --size 6000x6000 --threads 2");
+    wait_until(&mut child, is_growing);
+    assert_eq!(interrupt(child), (Some(130), "error: interrupted\n".to_owned()));
+    assert_eq!(folder.names(), ["a.dapple"]);
+}
+
 /// Whether the folder holds so many unfinished files.
 fn is_writing(folder: &Folder, files: usize) -> bool {
     folder.names().iter().filter(|name| name.ends_with(".part")).count() >= files

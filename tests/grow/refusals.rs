@@ -63,6 +63,25 @@ fn a_growth_beyond_the_free_memory_is_refused_with_the_numbers() {
     assert_eq!(folder.names(), before);
 }
 
+/// The limit of the address space is the process's own.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_growth_beyond_the_process_s_own_limit_is_refused_with_the_numbers() {
+    let folder = Folder::with(&spots());
+    let program = assert_cmd::cargo::cargo_bin!("dapple").display().to_string();
+    let limited = |size: &str| {
+        let line =
+            format!("ulimit -v 700000; '{program}' grow a.dapple -o a.png --threads 2 --quiet --size {size}");
+        std::process::Command::new("sh").args(["-c", &line]).current_dir(folder.path("")).output().unwrap()
+    };
+    let refused = limited("8192x8192");
+    let message = String::from_utf8(refused.stderr).unwrap();
+    assert_eq!(refused.status.code(), Some(1), "{message}");
+    assert!(message.contains("GB are free") && message.lines().count() == 1, "{message}");
+    let grown = limited("256x256");
+    assert_eq!(grown.status.code(), Some(0), "{}", String::from_utf8_lossy(&grown.stderr));
+}
+
 #[test]
 fn a_stroke_that_is_neither_ellipse_nor_line_is_reported_with_its_place() {
     let ellipse = json!({"kind": "ellipse", "center": [50, 50], "radii": [6, 6], "angle": 0});

@@ -9,7 +9,7 @@ use crate::sources::{module, root, sources};
 
 /// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
 /// name any.
-pub const ADDRESSES: [(&str, &[&str]); 30] = [
+pub const ADDRESSES: [(&str, &[&str]); 31] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     ("bytemuck", &["src/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
@@ -41,6 +41,7 @@ pub const ADDRESSES: [(&str, &[&str]); 30] = [
     ("palette", &["src/colour/", "src/export/downscale.rs"]),
     ("png", &["src/export/"]),
     ("rfd", &["src/app/chooser.rs"]),
+    ("rustix", &["src/synth/"]),
     ("serde_json", &["src/document/", "src/editor/", "src/cli/", "src/learn/", "data-gen/"]),
     ("serde_path_to_error", &["data-gen/"]),
     ("spade", &["src/attributes/spacing/delaunay.rs"]),

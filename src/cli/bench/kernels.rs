@@ -42,6 +42,11 @@ impl Pools {
     pub fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
         self.all.install(work)
     }
+
+    /// Runs `work` on one thread.
+    pub fn run_on_one<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        self.one.install(work)
+    }
 }
 
 /// The measurements of one case at one size. Rates are cell updates a second (all chemicals of a cell, one step).

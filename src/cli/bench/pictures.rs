@@ -4,6 +4,7 @@ use super::check_interrupt;
 use super::kernels::{Effort, Pools, median, seconds};
 use crate::cli::{Cli, Command, Error, grow};
 use crate::document::Document;
+use crate::export::TemporaryFolder;
 use clap::Parser;
 use std::ffi::OsString;
 use std::path::Path;
@@ -11,8 +12,10 @@ use std::path::Path;
 /// A built-in document.
 #[derive(Clone, Copy, Debug)]
 pub struct Example {
-    name: &'static str,
-    text: &'static str,
+    /// Its name.
+    pub name: &'static str,
+    /// Its file.
+    pub text: &'static str,
 }
 
 /// Spots that vary in all attributes, stripes that turn, and large marks.
@@ -40,19 +43,34 @@ pub struct Picture {
     pub seconds: f64,
 }
 
-fn unwritable(path: &Path, source: std::io::Error) -> Error {
-    Error::File { file: path.display().to_string(), done: "written", source }
+/// A folder for documents and their pictures; it is deleted when dropped.
+pub struct Folder(TemporaryFolder);
+
+impl Folder {
+    /// A new folder.
+    pub fn new() -> Result<Self, Error> {
+        TemporaryFolder::new().map(Self).map_err(Error::step)
+    }
+
+    /// The arguments with which `dapple grow` makes a picture of `example` here, on a canvas of `side` × `side` px.
+    pub fn grow_args(&self, example: &Example, side: Option<usize>) -> Result<grow::Args, Error> {
+        let file = |ending: &str| self.0.path().join(format!("{}.{ending}", example.name));
+        let document = file("dapple");
+        let unwritable =
+            |source| Error::File { file: document.display().to_string(), done: "written", source };
+        std::fs::write(&document, example.text).map_err(unwritable)?;
+        let args = grow_args(&document, &file("png"))?;
+        Ok(grow::Args { size: side.map(|side| [side as u32; 2]), ..args })
+    }
 }
 
 /// Measures the duration of `dapple grow`, without the start of the program.
 ///
 /// # Errors
 /// [`Error::Interrupted`]; the errors of `grow`.
-pub fn measure(example: &Example, folder: &Path, pools: &Pools, effort: Effort) -> Result<Picture, Error> {
-    let document = folder.join(format!("{}.dapple", example.name));
-    std::fs::write(&document, example.text).map_err(|source| unwritable(&document, source))?;
+pub fn measure(example: &Example, folder: &Folder, pools: &Pools, effort: Effort) -> Result<Picture, Error> {
     let size = Document::parse(example.text, example.name)?.size;
-    let args = grow_args(&document, &folder.join(format!("{}.png", example.name)))?;
+    let args = folder.grow_args(example, None)?;
     let mut times = Vec::with_capacity(effort.pictures);
     for _ in 0..effort.pictures {
         check_interrupt()?;

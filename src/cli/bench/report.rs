@@ -2,6 +2,7 @@
 
 use super::kernels::{Effort, Kernel};
 use super::machine::{Machine, load};
+use super::phases::{self, Phases};
 use super::pictures::Picture;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -16,13 +17,22 @@ pub struct Report {
     pub kernels: Vec<Kernel>,
     /// Times from document to picture.
     pub pictures: Vec<Picture>,
+    /// CPU times from document to picture, by phase.
+    pub phases: Vec<Phases>,
 }
 
 impl Report {
     /// An empty report with the current load of the machine.
     pub fn begin(threads: usize, effort: Effort) -> Self {
-        let (kernels, pictures) = (Vec::new(), Vec::new());
-        Self { machine: Machine::here(), threads, effort, load: [load(), None], kernels, pictures }
+        Self {
+            machine: Machine::here(),
+            threads,
+            effort,
+            load: [load(), None],
+            kernels: Vec::new(),
+            pictures: Vec::new(),
+            phases: Vec::new(),
+        }
     }
 
     /// Adds the load of the machine at the end.
@@ -58,6 +68,7 @@ impl Report {
             "seconds_a_turn": self.effort.at_least.as_secs_f64(),
             "kernels": self.kernels.iter().map(kernel).collect::<Vec<_>>(),
             "pictures": self.pictures.iter().map(picture).collect::<Vec<_>>(),
+            "phases": self.phases.iter().map(Phases::json).collect::<Vec<_>>(),
         })
     }
 
@@ -74,6 +85,9 @@ impl Report {
             let size = format!("{width} × {height} px");
             // Writing to a String cannot fail.
             let _ = writeln!(text, "  {document:18} {size:>16} {seconds:9.2} s");
+        }
+        if !self.phases.is_empty() {
+            text += &phases::table(&self.phases);
         }
         text
     }

@@ -2,11 +2,12 @@
 
 use super::answer::LookupReport;
 use crate::attributes::{Attributes, Spots};
-use crate::cli::values;
+use crate::cli::{Error, values};
 use crate::document::{Kind, SystemChoice};
 use crate::learn::{line_of, shown};
 use crate::marks::axial;
-use csv::{ReaderBuilder, StringRecord, Trim, Writer};
+use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim, Writer};
+use std::io::{self, Read, Write};
 
 /// The columns of a table of questions.
 const COLUMNS: [&str; 7] = ["system", "area", "aspect", "angle", "spacing", "width", "duty"];
@@ -28,11 +29,11 @@ pub(super) enum BatchError {
     Value { file: String, line: u64, column: &'static str, value: String, allowed: String },
 }
 
-/// A table of questions.
-#[derive(Debug)]
-pub(super) struct Questions {
+/// A table of questions that is read row by row.
+pub(super) struct Questions<'a, R> {
+    file: &'a str,
+    reader: Reader<Remembering<R>>,
     header: StringRecord,
-    pub rows: Vec<Question>,
 }
 
 /// A row of a table of questions.
@@ -112,36 +113,93 @@ impl Row<'_> {
     }
 }
 
-/// Reads and checks a table; `file` is its name in errors.
-pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Questions, BatchError> {
-    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
-    let broken = |error: &csv::Error| BatchError::Table {
-        file: file.to_owned(),
-        line: line_of(bytes, error.position()),
-        problem: problem(error),
-    };
-    let header = reader.headers().map_err(|error| broken(&error))?.clone();
-    let wrong = |problem: String| BatchError::Columns { file: file.to_owned(), problem };
-    for (place, name) in header.iter().enumerate() {
-        if !COLUMNS.contains(&name) {
-            return Err(wrong(format!("found the column '{}'", shown(name))));
+impl<'a, R: Read> Questions<'a, R> {
+    /// Reads and checks the header of a table; `file` is its name in errors.
+    pub fn new(file: &'a str, input: R) -> Result<Self, Error> {
+        let input = Remembering { input, bytes: Vec::new(), first: 0 };
+        let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(input);
+        let header = match reader.headers() {
+            Ok(header) => header.clone(),
+            Err(error) => return Err(broken(file, reader.get_ref(), error)),
+        };
+        let wrong =
+            |problem: String| Err(Error::step(BatchError::Columns { file: file.to_owned(), problem }));
+        for (place, name) in header.iter().enumerate() {
+            if !COLUMNS.contains(&name) {
+                return wrong(format!("found the column '{}'", shown(name)));
+            }
+            if header.iter().take(place).any(|before| before == name) {
+                return wrong(format!("found the column '{}' twice", shown(name)));
+            }
         }
-        if header.iter().take(place).any(|before| before == name) {
-            return Err(wrong(format!("found the column '{}' twice", shown(name))));
+        if !header.iter().any(|name| name == "system") {
+            return wrong("the column 'system' is missing".to_owned());
         }
+        Ok(Self { file, reader, header })
     }
-    if !header.iter().any(|name| name == "system") {
-        return Err(wrong("the column 'system' is missing".to_owned()));
+
+    /// Reads and checks the next rows, `most` at most; none at the end of the table.
+    pub fn next_rows(&mut self, most: usize) -> Result<Vec<Question>, Error> {
+        let Self { file, reader, header } = self;
+        let read_to = reader.position().byte();
+        reader.get_mut().forget_before(read_to);
+        let mut rows = Vec::with_capacity(most);
+        let mut record = StringRecord::new();
+        while rows.len() < most {
+            match reader.read_record(&mut record) {
+                Ok(true) => {}
+                Ok(false) => break,
+                Err(error) => return Err(broken(file, reader.get_ref(), error)),
+            }
+            let line = reader.get_ref().line_of(record.position());
+            let row = Row { file, header, record: &record, line };
+            rows.push(row.question().map_err(Error::step)?);
+        }
+        Ok(rows)
     }
-    let mut rows = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|error| broken(&error))?;
-        rows.push(
-            Row { file, header: &header, record: &record, line: line_of(bytes, record.position()) }
-                .question()?,
-        );
+}
+
+/// The error of a table that cannot be read.
+fn broken<R>(file: &str, input: &Remembering<R>, error: csv::Error) -> Error {
+    let (line, said) = (input.line_of(error.position()), problem(&error));
+    let file = file.to_owned();
+    match error.into_kind() {
+        csv::ErrorKind::Io(source) => Error::File { file, done: "read", source },
+        _ => Error::step(BatchError::Table { file, line, problem: said }),
     }
-    Ok(Questions { header, rows })
+}
+
+/// An input whose last bytes are kept, to find lines in them.
+struct Remembering<R> {
+    input: R,
+    bytes: Vec<u8>,
+    /// The place of the first of these in the input.
+    first: u64,
+}
+
+impl<R> Remembering<R> {
+    /// The line of a record, which empty lines may precede.
+    fn line_of(&self, position: Option<&Position>) -> u64 {
+        let Some(position) = position else { return 1 };
+        let mut from_here = position.clone();
+        from_here.set_byte(position.byte().saturating_sub(self.first));
+        line_of(&self.bytes, Some(&from_here))
+    }
+
+    /// Forgets the bytes before this place in the input.
+    fn forget_before(&mut self, place: u64) {
+        let known = usize::try_from(place.saturating_sub(self.first)).unwrap_or(usize::MAX);
+        self.bytes.drain(..known.min(self.bytes.len()));
+        self.first = place;
+    }
+}
+
+impl<R: Read> Read for Remembering<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.input.read(buffer)?;
+        self.bytes.extend_from_slice(&buffer[..count]);
+        Ok(count)
+    }
 }
 
 /// The reader's message without the line, which our own message begins with.
@@ -155,47 +213,70 @@ fn problem(error: &csv::Error) -> String {
     }
 }
 
-/// The table with the columns of the answers.
-pub(super) fn answered(questions: &Questions, looked: &[LookupReport]) -> Vec<u8> {
-    let mut writer = Writer::from_writer(Vec::new());
-    let header = questions.header.iter().chain(ANSWERS).collect::<StringRecord>();
-    // Writing to memory, in rows of one length, cannot fail.
-    let _ = writer.write_record(&header);
-    for (question, looked) in questions.rows.iter().zip(looked) {
-        let parameters = looked.parameters();
-        let mut record = question.record.clone();
-        for column in ANSWERS {
-            let parameter = parameters.iter().find(|(name, _)| *name == column);
-            record.push_field(&match column {
-                "coverage" => looked.answer.coverage.to_string(),
-                "note" => looked.notes.join("; "),
-                "inverted" => looked.inverted.to_string(),
-                _ => parameter.map_or_else(String::new, |(_, value)| value.to_string()),
-            });
-        }
-        let _ = writer.write_record(&record);
+/// The table with the columns of the answers, written row by row.
+pub(super) struct Answers<W: Write>(Writer<W>);
+
+impl<W: Write> Answers<W> {
+    /// Begins the table of the answers to `questions`.
+    pub fn new<R>(questions: &Questions<R>, output: W) -> Result<Self, Error> {
+        let mut writer = Writer::from_writer(output);
+        let header = questions.header.iter().chain(ANSWERS).collect::<StringRecord>();
+        writer.write_record(&header).map_err(unwritable)?;
+        Ok(Self(writer))
     }
-    writer.into_inner().unwrap_or_default()
+
+    /// Writes rows with their answers.
+    pub fn write(&mut self, rows: &[Question], looked: &[LookupReport]) -> Result<(), Error> {
+        for (question, looked) in rows.iter().zip(looked) {
+            let parameters = looked.parameters();
+            let mut record = question.record.clone();
+            for column in ANSWERS {
+                let parameter = parameters.iter().find(|(name, _)| *name == column);
+                record.push_field(&match column {
+                    "coverage" => looked.answer.coverage.to_string(),
+                    "note" => looked.notes.join("; "),
+                    "inverted" => looked.inverted.to_string(),
+                    _ => parameter.map_or_else(String::new, |(_, value)| value.to_string()),
+                });
+            }
+            self.0.write_record(&record).map_err(unwritable)?;
+        }
+        Ok(())
+    }
+
+    /// Writes what is still buffered.
+    pub fn finish(mut self) -> Result<(), Error> {
+        self.0.flush().map_err(Error::Output)
+    }
+}
+
+/// The error of a table that cannot be written.
+fn unwritable(error: csv::Error) -> Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(source) => Error::Output(source),
+        // Rows of one length are written.
+        other => Error::Output(io::Error::other(format!("{other:?}"))),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::lookup::answer_table;
     use crate::synth::Training;
 
+    /// The table of the answers to the one in `bytes`.
+    fn answer(bytes: &[u8]) -> Result<Vec<u8>, Error> {
+        let mut answers = Vec::new();
+        answer_table(Training::built_in(), "q.csv", bytes, &mut answers).map(|()| answers)
+    }
+
     fn message(text: &str) -> String {
-        read("q.csv", text.as_bytes()).unwrap_err().to_string()
+        answer(text.as_bytes()).unwrap_err().to_string()
     }
 
     fn table(text: &str) -> Vec<Vec<String>> {
-        let questions = read("q.csv", text.as_bytes()).unwrap();
-        let training = Training::default();
-        let looked: Vec<LookupReport> = questions
-            .rows
-            .iter()
-            .map(|row| LookupReport::new(&training, row.system, &row.wanted).unwrap())
-            .collect();
-        let out = answered(&questions, &looked);
+        let out = answer(text.as_bytes()).unwrap();
         let mut reader = ReaderBuilder::new().has_headers(false).from_reader(out.as_slice());
         reader.records().map(|record| record.unwrap().iter().map(str::to_owned).collect()).collect()
     }
@@ -287,6 +368,17 @@ mod tests {
     }
 
     #[test]
+    fn a_table_longer_than_what_is_held_has_all_its_answers_and_lines() {
+        let row = "turing-spots,200,0,0.6\n";
+        let long = format!("system,area,angle,aspect\n{}", row.repeat(2_500));
+        let rows = table(&long);
+        assert_eq!(rows.len(), 2_501);
+        assert!(rows[2..].iter().all(|row| *row == rows[1]));
+        let wrong = message(&format!("{long}\n\n{row}turing-spots,-200,0,0.6\n"));
+        assert!(wrong.starts_with("q.csv, line 2505, column area: found '-200'"), "{wrong}");
+    }
+
+    #[test]
     fn a_wrong_header_is_named() {
         assert!(message("").contains("the column 'system' is missing"));
         assert!(
@@ -294,7 +386,7 @@ mod tests {
         );
         assert!(message("system,width,width\n").contains("found the column 'width' twice"));
         assert!(
-            read("q.csv", b"system,width,angle\nmeinhardt-stripes,\xff,0\n")
+            answer(b"system,width,angle\nmeinhardt-stripes,\xff,0\n")
                 .unwrap_err()
                 .to_string()
                 .contains("UTF-8")

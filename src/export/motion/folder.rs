@@ -7,6 +7,7 @@ use std::path::Path;
 use tempfile::TempDir;
 
 use super::{Film, PreparedFilm, Show};
+use crate::export::abandon::naming;
 use crate::export::save::{explain, folder_of};
 use crate::export::{ExportError, Stopped, check_file, png, stale_files};
 
@@ -60,9 +61,12 @@ pub fn write(
 
 /// Renames the folder to its final name.
 pub fn keep(beside: TempDir, target: &Path) -> Result<(), ExportError> {
-    // Replaces an empty folder, if permitted.
-    let _ = fs::remove_dir(target);
-    fs::rename(beside.path(), target).map_err(|source| explain(target, &folder_of(target), source))?;
+    naming(|| {
+        // Replaces an empty folder, if permitted.
+        let _ = fs::remove_dir(target);
+        fs::rename(beside.path(), target)
+    })
+    .map_err(|source| explain(target, &folder_of(target), source))?;
     // It has been moved: nothing is left to delete.
     let _ = beside.keep();
     Ok(())

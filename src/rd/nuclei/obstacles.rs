@@ -40,10 +40,24 @@ pub const FILLS: [f64; 2] = [0.777, 0.85];
 /// Which cells stand clear of the obstacles: by the system's own distances, however far spots are to stand apart.
 pub fn clear<D: Domain>(maps: &Maps<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
     let own = |p: &Parameters| pitch(p) / f64::from(p.pitch);
+    let away = maps.domain.distances(&maps.obstacles);
+    let known = |cell: usize, nucleus: &Nucleus<D::Place>| {
+        let away = away.as_ref()?[cell];
+        let [nearest, farthest] = nucleus.bounds(away);
+        // A hair, for the rounding of the distances.
+        if nearest > CLEAR * (1.0 + 1e-9) {
+            return Some(true);
+        }
+        (farthest < CLEAR * (1.0 - 1e-9)).then_some(false)
+    };
     let cells = (0..maps.obstacles.len()).into_par_iter();
     cells
         .map(|cell| {
-            is_clear(&maps.domain, &maps.obstacles, &Nucleus::at(maps, maps.domain.center(cell), &own))
+            if maps.obstacles[cell] {
+                return false;
+            }
+            let nucleus = Nucleus::at(maps, maps.domain.center(cell), &own);
+            known(cell, &nucleus).unwrap_or_else(|| is_clear(&maps.domain, &maps.obstacles, &nucleus))
         })
         .collect()
 }

@@ -101,7 +101,7 @@ static DEFINITION: Definition = Definition {
             spacing: 0.12,
         }),
     }),
-    cost: Cost { bytes_a_cell: 95.0, updates: 0.62, updates_on_one_grid: 0.62 },
+    cost: Cost { bytes_a_cell: 185.0, updates: 0.62, updates_on_one_grid: 0.62 },
     sweep: &[
         sweep::AREA,
         // The only ratio at which it is grown.

@@ -16,6 +16,7 @@ use crate::synth::grow::settle::settle_seen;
 use crate::synth::grow::snapshot::Snapshot;
 use crate::synth::memory;
 use crate::synth::options::{Options, Settings};
+use crate::synth::phases::{Phase, during};
 use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::{Corrected, Lookup, Plan, Surroundings, Targets};
@@ -101,7 +102,7 @@ impl Cascade<'_> {
         let size = options.size.unwrap_or(document.size);
         let frozen = before.map_or(0, |before| unchanged(document, options.settings(), before));
         if frozen == 0 && document.layers.len() > 1 {
-            self.look_up_all()?;
+            during(Phase::LookUp, || self.look_up_all())?;
         }
         let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
         layers.extend(before.iter().flat_map(|before| &before.layers[..frozen]).cloned());
@@ -141,12 +142,16 @@ impl Cascade<'_> {
         let Options { training, watch, .. } = options;
         let below = beneath.last();
         watch.step(Stage::Plan, 0.0)?;
-        let lookup = self.look_up(index, below.map(|layer| &layer.plan.lookup))?;
-        let obstacles = obstacles(document, beneath, &lookup);
-        let crossed = crossed_marks(document, beneath, &lookup).map(Arc::new);
+        let lookup = during(Phase::LookUp, || self.look_up(index, below.map(|layer| &layer.plan.lookup)))?;
+        let (obstacles, crossed) = during(Phase::LayOut, || {
+            let obstacles = obstacles(document, beneath, &lookup);
+            (obstacles, crossed_marks(document, beneath, &lookup).map(Arc::new))
+        });
         let spots = below.map_or(&[][..], |layer| layer.measured.spots());
         let seed = document.layer_seed(index);
-        let plan = self.corrected(lookup)?.lay_out(Surroundings { obstacles, spots }, seed);
+        let corrected = during(Phase::Probe, || self.corrected(lookup))?;
+        let surroundings = Surroundings { obstacles, spots };
+        let plan = during(Phase::LayOut, || corrected.lay_out(surroundings, seed));
         let plan = plan.map_err(|error| GrowError::laying_out(index + 1, error))?;
         let mut seen = |plan: &Plan, engine: &Engine| seen(&Snapshot { beneath, plan, engine });
         let layer = self.grow_layer(plan, index, &mut seen)?;
@@ -189,7 +194,7 @@ impl Cascade<'_> {
         let watch = options.watch;
         let layer = index + 1;
         watch.step(Stage::Plan, 0.5)?;
-        let mut engine = Engine::new(&plan, document.layer_seed(index));
+        let mut engine = during(Phase::LayOut, || Engine::new(&plan, document.layer_seed(index)));
         if !engine.can_start() {
             return Err(GrowError::NoRoom { layer });
         }
@@ -204,11 +209,12 @@ impl Cascade<'_> {
                 return Err(GrowError::NoPattern { layer });
             }
             let mut pattern = Pattern::new(&plan.lookup, &marks);
-            let measured = refine(&plan, &mut pattern, canvas, self.corrects(), &watch)?;
-            let nothing = blank(&plan, &pattern);
+            let measured =
+                during(Phase::Measure, || refine(&plan, &mut pattern, canvas, self.corrects(), &watch))?;
+            let nothing = during(Phase::Measure, || blank(&plan, &pattern));
             let Pattern { correction, own: own_levels, .. } = pattern;
-            let found = PinnedCorrection::new(&plan, measured.spots());
-            let merged = engine.merged(&plan, measured.spots());
+            let found = during(Phase::Measure, || PinnedCorrection::new(&plan, measured.spots()));
+            let merged = during(Phase::Measure, || engine.merged(&plan, measured.spots()));
             let error =
                 if nothing.is_some() { f64::INFINITY } else { found.error + merged.surplus.len() as f64 };
             if best.as_ref().is_none_or(|(least, _)| error < *least) {

@@ -7,6 +7,7 @@ use crate::synth::grow::engine::Engine;
 use crate::synth::grow::level::{Level, evenness, unit};
 use crate::synth::grow::merged_spots::MergedSpots;
 use crate::synth::grow::pinned_correction::{PinnedCorrection, Rounds};
+use crate::synth::phases::{Phase, during};
 use crate::synth::plan::laid_out::Plan;
 
 impl Engine {
@@ -35,7 +36,7 @@ impl Engine {
     pub fn correct(&mut self, plan: &Plan, correction: &PinnedCorrection) {
         let Some(spots) = &mut self.varied else { return };
         let lost = &correction.lost;
-        self.maps.parameters = spots.corrected(plan, &self.maps);
+        self.maps.parameters = during(Phase::Parameters, || spots.corrected(plan, &self.maps));
         let mut again: Vec<[f64; 2]> = lost.iter().map(|index| spots.places[*index]).collect();
         let changed: Vec<[f64; 2]> = correction.changed().map(|index| spots.places[index]).collect();
         if !lost.is_empty() {
@@ -55,7 +56,7 @@ impl Engine {
         let again: Vec<[f64; 2]> = merged.surplus.iter().map(at).chain(kept.iter().copied()).collect();
         spots.remove(&merged.surplus);
         self.start = self.start.clone().with_places(&self.maps, &spots.places);
-        self.maps.parameters = spots.corrected(plan, &self.maps);
+        self.maps.parameters = during(Phase::Parameters, || spots.corrected(plan, &self.maps));
         self.grow_on(&again, &kept);
     }
 
@@ -68,8 +69,9 @@ impl Engine {
             let afresh = self.start.on(&self.maps, &|_| false);
             restart(self.system, &self.maps, &mut concentrations, &afresh, [again, &stay]);
         }
-        let growth = Growth::resumed(self.system, &self.maps, &concentrations)
-            .expect("made for this system on this grid");
+        let growth =
+            during(Phase::Coefficients, || Growth::resumed(self.system, &self.maps, &concentrations))
+                .expect("made for this system on this grid");
         // Only what has changed has to settle.
         let rates = changed.iter().map(|at| f64::from(self.maps.at(*at).rate));
         let slowest = self.maps.parameters.iter().map(|p| f64::from(p.rate)).fold(f64::INFINITY, f64::min);

@@ -17,11 +17,12 @@ use crate::synth::grow::merged_spots::MergedSpots;
 use crate::synth::grow::multigrid_levels;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::position_control::PositionControl;
+use crate::synth::phases::{Phase, during};
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::mark_cells::largest_mark;
 use crate::synth::plan::pinned_marks::guide_lines;
-use crate::synth::plan::spacing_correction::pitches;
+use crate::synth::plan::spacing_correction::pitched_maps;
 use crate::synth::plan::spread::{Varied, VariedSpots, vary};
 
 /// A layer being grown.
@@ -75,7 +76,7 @@ impl Engine {
                 (maps, start)
             }
             None => {
-                let maps = noisy(plan.maps(&pitches(plan, seed)));
+                let maps = noisy(pitched_maps(plan, seed));
                 let start = InitialConditions::new(system, &maps, seed);
                 let lines = guide_lines(plan.pinned_lines(), layout.size);
                 let start = start.with_seeding(&maps, *seeding, lines).with_polarity(*polarity);
@@ -173,14 +174,14 @@ impl Engine {
             let growth = &mut self.level.growth;
             let next = self.level.monitor.next_check().min(self.level.next_correction.unwrap_or(u64::MAX));
             let steps = (left / cells).max(1).min(next - growth.steps());
-            growth.advance(steps);
+            during(Phase::Steps, || growth.advance(steps));
             let taken = growth.steps();
             self.updates += steps * cells;
             if Some(taken) == self.level.next_correction {
-                self.correct_positions();
+                during(Phase::Moves, || self.correct_positions());
             }
             if taken == self.level.monitor.next_check() {
-                self.check_convergence();
+                during(Phase::Checks, || self.check_convergence());
             }
             left = left.saturating_sub(steps * cells);
             if left < cells {

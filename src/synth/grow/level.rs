@@ -6,6 +6,7 @@ use crate::synth::grow::convergence::ConvergenceMonitor;
 use crate::synth::grow::multigrid_levels;
 use crate::synth::grow::multigrid_levels::Work;
 use crate::synth::grow::position_control::EVERY;
+use crate::synth::phases::{Phase, during};
 
 /// Growth on one grid.
 #[derive(Clone, Debug)]
@@ -59,14 +60,15 @@ pub(super) fn start_level(
     let area = |[nx, ny]: [usize; 2]| maps.domain.cells() as f64 / (nx * ny) as f64;
     let (coarse, lost) = match index + 1 < grids.len() {
         true => {
-            let (coarse, lost) = multigrid_levels::coarse(system, maps, grid);
+            let (coarse, lost) = during(Phase::Parameters, || multigrid_levels::coarse(system, maps, grid));
             (Some(coarse), lost)
         }
         false => (None, Vec::new()),
     };
     let here = coarse.as_ref().unwrap_or(maps);
     let coarser = formed.as_ref().map(|(from, _)| area(*from) / area(grid));
-    let Work { taken, counts, begins, pace } = multigrid_levels::work(system, here, &lost, coarser);
+    let Work { taken, counts, begins, pace } =
+        during(Phase::Parameters, || multigrid_levels::work(system, here, &lost, coarser));
     let fresh = |concentrations: Option<Vec<Vec<f32>>>| {
         let afresh = start.on(here, &|cell| lost.get(cell).copied().unwrap_or(false));
         match concentrations {
@@ -81,16 +83,17 @@ pub(super) fn start_level(
             }
         }
     };
-    let concentrations = match formed {
+    let concentrations = during(Phase::Start, || match formed {
         None => fresh(None),
         Some((from, formed)) => {
             let fine =
                 formed.iter().map(|chemical| prolongate(chemical, from, grid, maps.domain.edges)).collect();
             if taken.iter().all(|taken| *taken == 1.0) { fine } else { fresh(Some(fine)) }
         }
-    };
+    });
     let concentrations = with_obstacle_state(system, here, concentrations);
-    let growth = Growth::resumed(system, here, &concentrations).expect("made for this system on this grid");
+    let growth = during(Phase::Coefficients, || Growth::resumed(system, here, &concentrations))
+        .expect("made for this system on this grid");
     let unit = unit(&growth, pace * evenness(here));
     let monitor = ConvergenceMonitor::new(system, unit, begins, growth.marks(here).values)
         .joining(start.starts_scattered());

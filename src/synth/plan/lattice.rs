@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use crate::attributes::regions::RegionGrid;
 use crate::attributes::{AttributeMap, Polarity};
-use crate::grid::turned;
+use crate::grid::{exp, turned};
 use crate::learn::Answer;
 use crate::rd;
 use crate::synth::plan::error::PlanError;
@@ -102,11 +102,11 @@ impl Node {
     pub fn parameters(&self, pitch: f64) -> rd::Parameters {
         let [c, s] = self.shape;
         rd::Parameters {
-            rate: libm::exp(self.ln_rate) as f32,
-            ratio: libm::exp(self.ln_ratio) as f32,
-            stretch: libm::exp(-(c * c + s * s).sqrt()) as f32,
+            rate: exp(self.ln_rate) as f32,
+            ratio: exp(self.ln_ratio) as f32,
+            stretch: exp(-(c * c + s * s).sqrt()) as f32,
             direction: (0.5 * libm::atan2(s, c)).to_degrees() as f32,
-            pitch: (pitch * libm::exp(self.ln_pitch)) as f32,
+            pitch: (pitch * exp(self.ln_pitch)) as f32,
         }
     }
 }
@@ -154,8 +154,15 @@ impl Lattice {
     /// Parameters at a point, px.
     #[must_use]
     pub fn at(&self, point: [f64; 2]) -> Node {
+        self.between(&self.layout.corners(point))
+    }
+
+    /// Parameters between nodes with these weights.
+    #[inline]
+    #[must_use]
+    pub fn between(&self, corners: &[(usize, f64); 4]) -> Node {
         let mut sum = Node::default();
-        for (index, weight) in self.layout.corners(point) {
+        for &(index, weight) in corners {
             let node = &self.nodes[index];
             sum.ln_rate += weight * node.ln_rate;
             sum.ln_ratio += weight * node.ln_ratio;

@@ -1,6 +1,6 @@
 //! Second stage of a plan: the system, the size of a cell, and the parameters looked up for every place.
 
-use std::convert::Infallible;
+use rayon::prelude::*;
 
 use crate::attributes::AttributeMap;
 use crate::attributes::{Attributes, Polarity, Spots, Spread};
@@ -9,7 +9,9 @@ use crate::grid::{Domain, Grid};
 use crate::learn::Answer;
 use crate::marks::Path;
 use crate::rd::{LinesAlongCurves, Maps, Parameters, Seeding, System};
+use crate::synth::phases::{Phase, during};
 use crate::synth::plan::auto::choose_system;
+use crate::synth::plan::cell_corners::CellCorners;
 use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
@@ -95,7 +97,7 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
         let lines = polarity.lines(wanted);
         Ok(ask(training, system, &lines, cell_for(system, &lines))?.pitch > 1.0)
     };
-    let sparse = map.samples().iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
+    let sparse = map.samples().par_iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
     let asked = if sparse { ask_among_sparse } else { ask };
     let mut lookup = Lookup::new((system, polarity), map, Start::NATURAL, &|wanted, cell| {
         asked(training, system, wanted, cell)
@@ -170,7 +172,7 @@ impl Lookup {
         let cell = grid.px_a_cell();
 
         let answer = |wanted| Ok(of_marks(polarity, ask(&polarity.lines(wanted), cell)?));
-        let answers = wanted.iter().map(answer).collect::<Result<Vec<_>, PlanError>>()?;
+        let answers = wanted.par_iter().map(answer).collect::<Result<Vec<_>, PlanError>>()?;
         let mut remarks = vec![Vec::new(); wanted.len()];
         let mut spreads = vec![Spread::ZERO; wanted.len()];
         for (index, (_, region)) in map.regions().enumerate() {
@@ -292,14 +294,39 @@ impl Lookup {
             let parameters = self.with_tensor_of_seeding(self.lattice.nodes[0].parameters(pitch[0]));
             Maps::new(grid, vec![parameters; grid.cells()])
         } else {
-            let Ok(maps) = Maps::by_place(grid, |place| {
-                let point = grid.to_px(place);
-                let pitch = self.between_regions(pitch, point);
-                Ok::<_, Infallible>(self.with_tensor_of_seeding(self.lattice.at(point).parameters(pitch)))
-            });
-            maps
+            during(Phase::Parameters, || self.by_cell(pitch))
         };
         Maps { obstacles: obstacles.to_vec(), ..maps }
+    }
+
+    /// Parameters that differ from cell to cell.
+    fn by_cell(&self, pitch: &[f64]) -> Maps {
+        let nodes = CellCorners::new(&self.lattice.layout, &self.grid);
+        let pitches = self.at_cells(pitch);
+        let at = |cell| {
+            let node = self.lattice.between(&nodes.of(cell));
+            self.with_tensor_of_seeding(node.parameters(pitches(cell)))
+        };
+        Maps::new(self.grid, (0..self.grid.cells()).into_par_iter().map(at).collect())
+    }
+
+    /// Values of the regions, interpolated at each cell.
+    pub(super) fn at_cells<'a>(&self, values: &'a [f64]) -> impl Fn(usize) -> f64 + Sync + use<'a> {
+        let regions = CellCorners::new(self.map.layout(), &self.grid);
+        let even = values.iter().all(|one| *one == values[0]).then(|| values[0]);
+        move |cell| {
+            even.unwrap_or_else(|| regions.of(cell).iter().map(|&(i, weight)| weight * values[i]).sum())
+        }
+    }
+
+    /// `maps`, made with a pitch of 1 in all regions, with another one.
+    #[must_use]
+    pub fn repitched(&self, maps: &Maps, pitch: &[f64]) -> Maps {
+        let mut maps = maps.clone();
+        let factors = self.at_cells(pitch);
+        let scale = |(cell, p): (usize, &mut Parameters)| p.pitch *= factors(cell) as f32;
+        during(Phase::Parameters, || maps.parameters.par_iter_mut().enumerate().for_each(scale));
+        maps
     }
 
     /// Parameters without a tensor where the seeding makes the direction of stripes.

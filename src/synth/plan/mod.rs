@@ -11,6 +11,7 @@
 pub mod around;
 mod arrange;
 mod auto;
+mod cell_corners;
 mod cell_lookup;
 pub(crate) mod corrected;
 mod drawn_marks;

@@ -18,16 +18,23 @@ const PITCHES: [f64; 2] = [0.88, 1.2];
 /// With more nuclei the law alone meets the spacing to a per cent.
 pub const MANY: usize = 20_000;
 
-/// Factors of the system's own pitch, by region.
+/// Parameters of every cell, marks so far apart that they end as far apart as asked.
 #[must_use]
-pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
+pub fn pitched_maps(plan: &Plan, seed: u64) -> Maps {
+    let maps = plan.unpitched_maps();
+    let pitch = pitches(plan, &maps, seed);
+    plan.lookup.repitched(&maps, &pitch)
+}
+
+/// Factors of the system's own pitch, by region. `maps` hold that pitch.
+fn pitches(plan: &Plan, maps: &Maps, seed: u64) -> Vec<f64> {
     let layout = plan.lookup.map.layout();
     let mut pitch = vec![1.0; layout.len()];
     if plan.lookup.system.is_striped() {
         // Other stripes have the wavelength of their system.
         let rounds = if plan.lookup.system.description().free_spacing { ROUNDS } else { 0 };
         for _ in 0..rounds {
-            let errors = wavelength_errors(plan, &pitch, seed);
+            let errors = wavelength_errors(plan, maps, &pitch, seed);
             for (pitch, error) in pitch.iter_mut().zip(errors) {
                 *pitch = corrected(*pitch, error);
             }
@@ -35,7 +42,7 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
         return pitch;
     }
     for _ in 0..ROUNDS {
-        let points = nuclei(plan.lookup.system, &plan.maps(&pitch), seed, &[]).inside;
+        let points = nuclei(plan.lookup.system, &plan.lookup.repitched(maps, &pitch), seed, &[]).inside;
         if points.len() > MANY {
             break;
         }
@@ -48,9 +55,9 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
 }
 
 /// By how much farther apart than the system's own distance the lines begin (got ÷ own − 1), by region.
-fn wavelength_errors(plan: &Plan, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
+fn wavelength_errors(plan: &Plan, maps: &Maps, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
     // Without the obstacles: only distances count here.
-    let maps = Maps { obstacles: Vec::new(), ..plan.maps(pitch) };
+    let maps = Maps { obstacles: Vec::new(), ..plan.lookup.repitched(maps, pitch) };
     let crests = initial_marks(plan.lookup.system, &maps, seed);
     plan.on_canvas(|target| {
         let own = |point: [f64; 2]| {

@@ -16,6 +16,7 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::measure::spot_errors;
 use crate::rd::{self, Maps, Parameters, Places};
+use crate::synth::plan::cell_corners::CellCorners;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::lattice::{Node, NodeOffset, WeightedNode};
 use crate::synth::plan::layer_lookup::Lookup;
@@ -74,13 +75,15 @@ pub fn vary(plan: &Plan, seed: u64) -> Option<Varied> {
     let regions = map.layout().len();
     let mut pitch = vec![1.0; regions];
     let mut jitter = vec![Jitter::default(); regions];
+    let maps = plan.unpitched_maps();
     if plan.places().is_some() {
         // Given places are not corrected.
-        return Some(Placed::new(plan, &pitch, &jitter, seed).varied(plan, &pitch));
+        return Some(Placed::new(plan, maps, &pitch, &jitter, seed).varied(plan, &pitch));
     }
     let mut round = 0;
     loop {
-        let placed = Placed::new(plan, &pitch, &jitter, seed);
+        let maps = plan.lookup.repitched(&maps, &pitch);
+        let placed = Placed::new(plan, maps, &pitch, &jitter, seed);
         if round == ROUNDS || placed.places.len() > MANY {
             return Some(placed.varied(plan, &pitch));
         }
@@ -129,9 +132,8 @@ struct Placed {
 }
 
 impl Placed {
-    fn new(plan: &Plan, pitch: &[f64], jitter: &[Jitter], seed: u64) -> Self {
+    fn new(plan: &Plan, maps: Maps, pitch: &[f64], jitter: &[Jitter], seed: u64) -> Self {
         let lookup = &plan.lookup;
-        let maps = plan.maps(pitch);
         // Another random stream than the one of the places.
         let mut rng = Pcg64Mcg::seed_from_u64(seed ^ 0x7370_7265_6164);
         if let Some(places) = plan.places() {
@@ -198,10 +200,11 @@ impl VariedSpots {
             lookup.lattice.at(lookup.to_px(*at)).plus(*offset).weighted()
         };
         let nodes: Vec<WeightedNode> = places.iter().zip(offsets).map(node).collect();
+        let corners = CellCorners::new(&lookup.lattice.layout, &lookup.grid);
+        let pitches = lookup.at_cells(pitch);
         let vary = |cell: usize, weighted: WeightedNode| {
-            let point = lookup.grid.center_px(cell);
-            let node = Node::among(weighted, &lookup.lattice.at(point));
-            node.parameters(lookup.between_regions(pitch, point))
+            let ground = lookup.lattice.between(&corners.of(cell));
+            Node::among(weighted, &ground).parameters(pitches(cell))
         };
         rd::interpolate_parameters(lookup.system, maps, places, own, &nodes, Node::turned_weighted, &vary)
     }

@@ -20,6 +20,7 @@ use crate::synth::grow::layer::{Grown, GrownLayer};
 use crate::synth::grow::pattern::EDGE;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::snapshot::Snapshot;
+use crate::synth::phases::{Phase, during};
 use crate::synth::plan::Plan;
 use crate::synth::plan::inside::is_replaced;
 use crate::synth::watch::{Stage, Watch};
@@ -156,13 +157,15 @@ impl<'a> Painting<'a> {
         export::prepare(path, |out| {
             picture::write(out, format, style.quality, header, |rows, bytes| {
                 step(&rows)?;
-                let band = self.band(rows);
-                match (channel, &colours) {
-                    (Channel::Texture, None) => band.paint(bytes),
-                    (Channel::Texture, Some(colours)) => band.paint_fine(colours, samples, bytes),
-                    (Channel::Pattern(only), _) => band.pattern(only, bytes),
-                    (Channel::Labels, _) => band.labels(bytes),
-                }
+                during(Phase::Paint, || {
+                    let band = self.band(rows);
+                    match (channel, &colours) {
+                        (Channel::Texture, None) => band.paint(bytes),
+                        (Channel::Texture, Some(colours)) => band.paint_fine(colours, samples, bytes),
+                        (Channel::Pattern(only), _) => band.pattern(only, bytes),
+                        (Channel::Labels, _) => band.labels(bytes),
+                    }
+                });
                 Ok(())
             })
         })

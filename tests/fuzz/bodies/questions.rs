@@ -17,8 +17,9 @@ pub fn holds(bytes: &[u8]) {
     if bytes.iter().filter(|byte| matches!(byte, b'\n' | b'\r')).count() > MOST {
         return;
     }
-    match answer_table(&TRAINING, FILE, bytes) {
-        Ok(table) => answered(&table),
+    let mut table = Vec::new();
+    match answer_table(&TRAINING, FILE, bytes, &mut table) {
+        Ok(()) => answered(&table),
         Err(error) => assert_readable(&error.to_string(), FILE),
     }
 }

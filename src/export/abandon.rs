@@ -1,0 +1,51 @@
+//! Unfinished files of this process, so that it can end at any moment and leave none behind.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io;
+use std::mem::forget;
+use std::path::PathBuf;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Temporary files and folders that were created, also those that have been renamed or deleted since.
+static CREATED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// Locked while files that belong together get their names.
+static NAMING: Mutex<()> = Mutex::new(());
+
+/// How often the removal of a folder is tried.
+const TRIES: usize = 100;
+
+fn locked<T>(mutex: &'static Mutex<T>) -> MutexGuard<'static, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Creates a temporary file or folder, whose path is that of the result.
+pub(super) fn created<T>(
+    create: impl FnOnce() -> io::Result<T>,
+    path: impl FnOnce(&T) -> PathBuf,
+) -> io::Result<T> {
+    let mut paths = locked(&CREATED);
+    let made = create()?;
+    paths.insert(path(&made));
+    Ok(made)
+}
+
+/// Gives files their names: [`abandon`] waits until all of them have theirs.
+pub(super) fn naming<T>(name: impl FnOnce() -> T) -> T {
+    let _all = locked(&NAMING);
+    name()
+}
+
+/// Deletes the unfinished files and folders of this process. From then on it can neither create nor rename one: threads that
+/// try to wait for ever. To be called before the process ends at once.
+pub fn abandon() {
+    forget(locked(&NAMING));
+    let paths = locked(&CREATED);
+    for path in paths.iter() {
+        // Most have been renamed or deleted. Into a folder another thread may still write.
+        (0..TRIES).take_while(|_| path.exists()).for_each(|_| {
+            let _ = fs::remove_file(path).or_else(|_| fs::remove_dir_all(path));
+        });
+    }
+    forget(paths);
+}
