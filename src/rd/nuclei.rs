@@ -118,9 +118,7 @@ fn throw<S: Space, B: Buckets<Place = S::Place>>(
             continue;
         }
         let dart = nucleus(at);
-        let mut free = true;
-        placed.near(&dart, DART, |other, way| free &= distance2(&dart, other, way) >= closest * closest);
-        if free {
+        if !placed.any_near(&dart, DART, |other, way| distance2(&dart, other, way) < closest * closest) {
             placed.insert(dart);
             refused = 0;
         } else {

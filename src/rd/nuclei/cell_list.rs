@@ -103,6 +103,25 @@ impl<B: Buckets> CellList<B> {
         self.near_by_index(point, pitches, |other, way| each(&self.all[other], way));
     }
 
+    /// Whether `is_near(other, way)` of any of these.
+    pub fn any_near(
+        &self,
+        point: &Nucleus<B::Place>,
+        pitches: f64,
+        is_near: impl Fn(&Nucleus<B::Place>, Way) -> bool,
+    ) -> bool {
+        let reach = pitches * point.reach * 1.5;
+        self.buckets.near(point.at, reach).any(|(bucket, way)| {
+            self.cells[bucket].iter().any(|index| {
+                let other = &self.all[*index as usize];
+                way(other.at).is_some_and(|here| {
+                    let there = turned(here, self.buckets.turn(point.cell, other.cell));
+                    is_near(other, Way { here, there })
+                })
+            })
+        })
+    }
+
     /// The same with the index of the other.
     pub fn near_by_index(&self, point: &Nucleus<B::Place>, pitches: f64, mut each: impl FnMut(usize, Way)) {
         let reach = pitches * point.reach * 1.5;

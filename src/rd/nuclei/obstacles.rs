@@ -2,7 +2,7 @@
 
 use crate::grid::{Buckets, Domain, Space};
 use crate::rd::maps::{Maps, Parameters};
-use crate::rd::nuclei::cell_list::{CellList, distance2};
+use crate::rd::nuclei::cell_list::{CellList, Way, distance2};
 use crate::rd::nucleus::Nucleus;
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
@@ -119,12 +119,11 @@ pub fn with_room<B: Buckets>(
 ) -> Vec<Nucleus<B::Place>> {
     pinned.iter().for_each(|point| placed.insert(*point));
     for point in others {
-        let mut free = true;
-        placed.near(&point, SQUEEZED, |other, way| {
+        let hinders = |other: &Nucleus<B::Place>, way: Way| {
             let nearer = point.distance2(way.here).min(other.distance2(way.there));
-            free &= distance2(&point, other, way) >= SQUEEZED * SQUEEZED && nearer >= POINTED * POINTED;
-        });
-        if free {
+            distance2(&point, other, way) < SQUEEZED * SQUEEZED || nearer < POINTED * POINTED
+        };
+        if !placed.any_near(&point, SQUEEZED, hinders) {
             placed.insert(point);
         }
     }
