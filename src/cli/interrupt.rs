@@ -14,8 +14,8 @@ static FLAG: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
 /// The flag that Ctrl-C sets; long work checks it and stops.
 ///
-/// From the first call on the program ends [`GRACE`] after Ctrl-C at the latest, and at once after a second one. All calls return
-/// the same flag.
+/// From the first call on the program ends a sixth of a second after Ctrl-C at the latest, and at once after a second one. All
+/// calls return the same flag.
 pub fn install() -> Arc<AtomicBool> {
     let flag = FLAG.get_or_init(|| {
         let flag = Arc::new(AtomicBool::new(false));

@@ -96,6 +96,23 @@ fn rows(band: usize, cells: usize, maps: &Maps) -> Range<isize> {
     first as isize..(first + cells / maps.domain.size[0]) as isize
 }
 
+/// The wavelength of each cell.
+fn lengths(maps: &Maps, wavelength: Wavelength) -> Vec<f64> {
+    let part = |part: &[Parameters]| {
+        let mut before: Option<(Parameters, f64)> = None;
+        let of = |p: &Parameters| {
+            // Mostly the same as beside it.
+            let length =
+                before.filter(|(same, _)| same == p).map_or_else(|| wavelength(p), |(_, length)| length);
+            before = Some((*p, length));
+            length
+        };
+        part.iter().map(of).collect::<Vec<_>>()
+    };
+    let parts: Vec<Vec<f64>> = maps.parameters.par_chunks(maps.domain.part()).map(part).collect();
+    parts.concat()
+}
+
 /// Waves at random places.
 fn waves(
     maps: &Maps,
@@ -104,13 +121,12 @@ fn waves(
     rng: &mut impl Rng,
 ) -> Vec<Wave> {
     let [nx, ny] = maps.domain.size;
-    let densities: Vec<f64> =
-        maps.parameters.iter().map(|p| density / (wavelength(p) * wavelength(p))).collect();
-    let densest = densities.iter().copied().fold(0.0, f64::max);
+    let lengths = lengths(maps, wavelength);
+    let densest = lengths.iter().map(|length| density / (length * length)).fold(0.0, f64::max);
     // Waves are also placed in a frame beyond closed edges, so that the noise does not fade there.
     let frame = match maps.domain.edges {
         Edges::Wrap => 0.0,
-        Edges::Closed => reach[0] * maps.parameters.iter().map(wavelength).fold(0.0, f64::max),
+        Edges::Closed => reach[0] * lengths.iter().copied().fold(0.0, f64::max),
     };
     let (w, h) = (nx as f64 + 2.0 * frame, ny as f64 + 2.0 * frame);
     let throws = (densest * w * h).ceil() as usize;
@@ -119,7 +135,7 @@ fn waves(
         let at = [rng.random::<f64>() * w - frame, rng.random::<f64>() * h - frame];
         let (keep, phase) = (rng.random::<f64>(), rng.random::<f64>());
         let p = maps.at(at);
-        let length = wavelength(&p);
+        let length = lengths[maps.domain.cell_at(at)];
         if keep * densest <= density / (length * length) {
             waves.push(Wave::new(at, &p, reach, length, phase));
         }
@@ -164,8 +180,12 @@ impl Wave {
         let b = n[0] * n[1] * (1.0 / (near * near) - 1.0 / (far * far));
         let c = n[0] * n[0] / (far * far) + n[1] * n[1] / (near * near);
         let tall = (a / (a * c - b * b)).sqrt();
-        let first = (self.at[1] - 0.5 - tall).ceil() as isize;
-        for y in first..=(self.at[1] - 0.5 + tall).floor() as isize {
+        let [first, last] =
+            [(self.at[1] - 0.5 - tall).ceil() as isize, (self.at[1] - 0.5 + tall).floor() as isize];
+        if edges == Edges::Closed && (last < rows.start || first >= rows.end) {
+            return;
+        }
+        for y in first..=last {
             let row = edges.index(y, ny) as isize;
             let beyond = edges == Edges::Closed && !(0..ny as isize).contains(&y);
             if beyond || !rows.contains(&row) {
@@ -187,7 +207,9 @@ impl Wave {
                 let dx = x as f64 + 0.5 - self.at[0];
                 let window = (1.0 - (a * dx * dx + 2.0 * b * dx * dy + c * dy * dy)).max(0.0);
                 let height = window * window;
-                sum(row + edges.index(x, nx), height * cos, height * sin);
+                // Most are inside, and need no division.
+                let inside = (0..nx as isize).contains(&x);
+                sum(row + if inside { x as usize } else { edges.index(x, nx) }, height * cos, height * sin);
                 (cos, sin) = (cos * cos_step - sin * sin_step, sin * cos_step + cos * sin_step);
             }
         }

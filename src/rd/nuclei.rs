@@ -63,6 +63,7 @@ pub fn lay<D: Domain>(
     let posts = obstacles::posts(maps, &mut placed, &|at| nucleus(space.to_space(at)));
     pinned.iter().for_each(|one| placed.insert(Nucleus { at: space.to_space(one.at), ..*one }));
     let fixed = placed.all.clone();
+    let moving = fixed.len()..usize::MAX;
     let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
     let clear = if posts.is_empty() { Vec::new() } else { obstacles::clear(maps, pitch) };
     let cell_at = |at: D::Place| maps.domain.cell_at(space.to_domain(at));
@@ -71,17 +72,19 @@ pub fn lay<D: Domain>(
         let wanted = density.wanted(&space).saturating_sub(density.displaced_by(pinned, maps));
         let likely = |at: D::Place| density.densities[cell_at(at)] / density.densest;
         throw(&mut placed, wanted, &space, &likely, &nucleus, rng);
-        (0..ROUNDS).for_each(|_| relax(&space, &mut placed, PUSH, &moved));
+        (0..ROUNDS).for_each(|_| relax(&space, &mut placed, PUSH, &moving, &moved));
     } else {
         for closest in obstacles::FILLS {
             obstacles::fill(&mut placed, posts.len(), &space, closest, &is_clear, &nucleus, rng);
             for _ in 0..ROUNDS {
-                obstacles::within(&mut placed, &is_clear, |placed| relax(&space, placed, PUSH, &moved));
+                obstacles::within(&mut placed, &is_clear, |placed| {
+                    relax(&space, placed, PUSH, &moving, &moved);
+                });
             }
         }
     }
     keep_off_walls(&space, &mut placed, fixed.len(), |placed| {
-        obstacles::within(placed, &is_clear, |placed| relax(&space, placed, PUSH, &moved));
+        obstacles::within(placed, &is_clear, |placed| relax(&space, placed, PUSH, &moving, &moved));
     });
     let mut all = placed.all.split_off(fixed.len());
     if !fixed.is_empty() {

@@ -1,5 +1,7 @@
 //! Which points are near each other, and their mutual repulsion.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use crate::grid::{Buckets, Space, turned};
@@ -9,14 +11,18 @@ use crate::rd::nucleus::Nucleus;
 const FEW: usize = 128;
 
 /// One round of repulsion: points nearer than `reach` pitches push each other away in `space`. `nucleus` makes point i at
-/// its new place.
+/// its new place; only those of the range `moving` are pushed.
 pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
     space: &S,
     placed: &mut CellList<B>,
     reach: f64,
+    moving: &Range<usize>,
     nucleus: &(dyn Fn(usize, S::Place) -> Nucleus<S::Place> + Sync),
 ) {
     let moved = |(index, point): (usize, &Nucleus<S::Place>)| {
+        if !moving.contains(&index) {
+            return nucleus(index, point.at);
+        }
         let mut shift = [0.0, 0.0];
         placed.near(point, reach, |other, way| {
             let own = point.distance2(way.here);

@@ -40,6 +40,7 @@ pub fn relax_places<D: Domain>(
     let beyond = laid.beyond.iter().filter(|at| space.covers(**at));
     let beyond: Vec<Nucleus<D::Place>> =
         beyond.map(|at| Nucleus { at: framed(*at), ..Nucleus::at(maps, *at, &pitch) }).collect();
+    let moving = laid.pinned..own.len();
     let moved = |i: usize, to: D::Place| match i {
         i if i < laid.pinned => nucleus(i, framed(at[i])),
         i if i < own.len() => nucleus(i, to),
@@ -49,9 +50,11 @@ pub fn relax_places<D: Domain>(
     at.iter().enumerate().for_each(|(i, at)| placed.insert(nucleus(i, framed(*at))));
     beyond.iter().for_each(|point| placed.insert(*point));
     for _ in 0..rounds {
-        relax(&space, &mut placed, reach, &moved);
+        relax(&space, &mut placed, reach, &moving, &moved);
     }
-    keep_off_walls(&space, &mut placed, laid.pinned, |placed| relax(&space, placed, reach, &moved));
+    keep_off_walls(&space, &mut placed, laid.pinned, |placed| {
+        relax(&space, placed, reach, &moving, &moved);
+    });
     let stands = |point: &Nucleus<D::Place>| domain.inside(space.to_domain(point.at));
     placed.all[..own.len()].iter().map(stands).collect()
 }
