@@ -1,5 +1,7 @@
 //! A gesture: what the pointer does on the canvas, from press to release.
 
+use egui::Pos2;
+
 use super::handles::{self, Handle};
 use super::tool::Tool;
 use crate::editor::selection::{Place, Selection};
@@ -37,8 +39,8 @@ pub enum Gesture {
     Pull(Handle, [f64; 2], Vec<(Place, Mark)>),
     /// Erasing: the last point.
     Erase([f64; 2]),
-    /// Moving the view.
-    Pan,
+    /// Moving the view: the last position on the screen.
+    Pan(Pos2),
 }
 
 /// The pointer and the keys that are held.
@@ -70,10 +72,16 @@ impl Default for Nib {
     }
 }
 
-/// Begins a gesture: the pointer is pressed.
-pub fn press(tool: Tool, session: &mut Session, handle: Option<Handle>, hand: Hand) -> Gesture {
+/// Begins a gesture: the pointer is pressed at the position `on_screen`, on `handle` if there is one.
+pub fn press(
+    tool: Tool,
+    session: &mut Session,
+    handle: Option<Handle>,
+    on_screen: Pos2,
+    hand: Hand,
+) -> Gesture {
     match tool {
-        Tool::Hand => Gesture::Pan,
+        Tool::Hand => Gesture::Pan(on_screen),
         Tool::Pen => Gesture::Pen(vec![hand.at]),
         Tool::Ellipse => Gesture::Ellipse([hand.at; 2]),
         Tool::Line => Gesture::Line([hand.at; 2]),
@@ -111,7 +119,7 @@ impl Gesture {
     /// Continues the gesture: the pointer has moved.
     pub fn advance(&mut self, session: &mut Session, hand: Hand) {
         match self {
-            Self::Pan => {}
+            Self::Pan(_) => {}
             Self::Pen(points) => {
                 // Finer than half a point on the screen is noise.
                 let far = points
