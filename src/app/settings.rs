@@ -3,7 +3,7 @@
 mod export_choices;
 mod layout;
 
-pub use layout::Layout;
+pub use layout::{COLUMN_WIDTHS, Layout};
 
 use std::path::{Path, PathBuf};
 

@@ -105,7 +105,7 @@ fn an_impossible_export_is_reported_with_a_remedy() {
     hand.press("The change into another document");
     hand.press("Choose a document…");
     hand.type_path("File", &other);
-    hand.press("Make the film");
+    hand.press("Preview the film");
     let mut found = false;
     for _ in 0..2000 {
         hand.window.step();

@@ -32,7 +32,8 @@ fn the_wheel_zooms_around_the_pointer_in_both_views() {
     assert!(before.distance(hand.at([100.0, 150.0])) < 0.5, "what is under the pointer stays");
     assert_eq!(texture, (center, zoom));
 
-    hand.press("Views move together");
+    hand.press("Canvas");
+    hand.press("Link both views");
     wheel(&mut hand, [100.0, 150.0], -60.0, Modifiers::NONE);
     let [sketch, apart] = hand.window.state().views();
     assert_ne!(sketch, apart);
@@ -99,7 +100,7 @@ fn pointing_at_a_region_shows_its_attributes() {
 #[test]
 fn the_sketch_under_the_texture_can_be_drawn_on() {
     let mut hand = hand();
-    hand.press("One over the other");
+    hand.press("Texture over the sketch");
     hand.draw_round([120.0, 200.0], [40.0, 20.0], 30.0);
     assert_eq!(hand.ellipses().len(), 1);
 }

@@ -1,6 +1,7 @@
 //! The canvas: the sketch, the tools, the selection.
 
 pub mod analysis;
+mod badges;
 mod gesture;
 mod handles;
 pub mod ink;
@@ -14,8 +15,9 @@ pub mod wanted;
 
 pub use gesture::Nib;
 pub use navigate::navigate;
+pub use pointer::FROZEN;
 
-use egui::{EventFilter, Id, PointerButton, Rect, Response, Role, Sense, Ui, WidgetInfo};
+use egui::{EventFilter, Id, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 
 use super::reference::Reference;
 use super::result::Drawn;
@@ -77,8 +79,16 @@ pub struct Canvas {
     gesture: Option<Gesture>,
     /// The button of the gesture.
     button: PointerButton,
+    /// Where the pointer was pressed, on the screen.
+    pressed_at: Pos2,
+    /// Where the menu of the canvas was asked for: on the screen, and px.
+    pub menu_asked: Option<(Pos2, [f64; 2])>,
+    /// The part of the screen that shows the canvas.
+    room: Rect,
     /// What is to be told of the stroke that was drawn last.
     pub remark: Option<String>,
+    /// A mark that does not belong on the active layer: whether it gets a new one is to be asked.
+    pub question: Option<Mark>,
     /// Strokes that were recognised, and when, seconds.
     fading: Vec<(Vec<[f64; 2]>, f64)>,
 }
@@ -101,7 +111,11 @@ impl Default for Canvas {
             by_pointer: false,
             gesture: None,
             button: PointerButton::Primary,
+            pressed_at: Pos2::ZERO,
+            menu_asked: None,
+            room: Rect::ZERO,
             remark: None,
+            question: None,
             fading: Vec::new(),
         }
     }
@@ -132,9 +146,16 @@ impl Canvas {
         held
     }
 
+    /// Asks for the menu of the canvas at a point, px.
+    pub fn ask_menu(&mut self, at: [f64; 2]) {
+        let on_screen = self.view.to_screen(self.room, at);
+        self.menu_asked = Some((on_screen.clamp(self.room.min, self.room.max), at));
+    }
+
     /// Shows the canvas in `room`; gestures change the document. `drawn`: what became of its marks.
     pub fn ui(&mut self, ui: &mut Ui, room: Rect, session: &mut Session, drawn: &Drawn) -> Response {
         let revision = session.revision();
+        self.room = room;
         let response = ui.interact(room, ui.scope_id().with("sketch"), Sense::drag());
         self.id = Some(response.id);
         let marks = session.marks().count();
@@ -163,10 +184,13 @@ impl Canvas {
         let drawn = if session.revision() == revision { drawn } else { &changed };
         self.hovered =
             self.pointer.filter(|_| self.gesture.is_none()).and_then(|at| self.mark_at(session, drawn, at));
-        self.paint(ui, room, (session, drawn), &response);
-        match self.hovered.and_then(|place| drawn.lost(session, place)) {
-            Some(reason) => response.on_hover_text_at_pointer(format!("Does not grow: {reason}")),
-            None => response,
+        let badges = badges::badges(&self.analysis.notes, session, drawn);
+        self.paint(ui, room, (session, drawn), &badges, &response);
+        let told = response.hover_pos().and_then(|at| badges::told(&badges, self.view, room, at));
+        let lost = || self.hovered.and_then(|place| drawn.lost(session, place));
+        match told.map(str::to_owned).or_else(|| lost().map(|reason| format!("Does not grow: {reason}."))) {
+            Some(text) if self.gesture.is_none() => response.on_hover_text_at_pointer(text),
+            _ => response,
         }
     }
 

@@ -2,6 +2,7 @@
 
 use egui::{Align2, Color32, FontId, Rect, Response, Stroke, StrokeKind, Ui, vec2};
 
+use super::badges::{self, Badge};
 use super::gesture::Gesture;
 use super::ink::Ink;
 use super::tool::Tool;
@@ -22,6 +23,7 @@ impl Canvas {
         ui: &Ui,
         room: Rect,
         (session, drawn): (&Session, &Drawn),
+        badges: &[Badge],
         response: &Response,
     ) {
         let colours = Palette::current(ui.visuals());
@@ -46,6 +48,7 @@ impl Canvas {
         if self.overlays.analysis {
             self.analysis.paint(&ink, session, session.active_layer, colours);
         }
+        badges::paint(&ink, badges, colours);
         self.paint_selection(&ink, session, colours);
         self.paint_gesture(ui, &ink, Ruler { units: self.units, dpi: session.document().dpi }, colours);
         fade(ui, &ink, &mut self.fading, colours);
@@ -57,6 +60,16 @@ impl Canvas {
                 StrokeKind::Inside,
             );
         }
+    }
+
+    /// Paints what is selected and what is being drawn once more, over the part `seen` of the canvas that something covers.
+    pub fn paint_over(&self, ui: &Ui, room: Rect, seen: Rect, session: &Session) {
+        let colours = Palette::current(ui.visuals());
+        let painter = ui.painter_at(seen);
+        let ink = Ink { painter: &painter, view: &self.view, room };
+        self.paint_selection(&ink, session, colours);
+        self.paint_gesture(ui, &ink, Ruler { units: self.units, dpi: session.document().dpi }, colours);
+        paint_fading(ui, &ink, &self.fading, colours);
     }
 
     fn paint_marks(&self, ink: &Ink, session: &Session, drawn: &Drawn, colours: &Palette) {
@@ -141,16 +154,24 @@ impl Canvas {
     }
 }
 
+/// A stroke that fades, and since when.
+type Fading = (Vec<[f64; 2]>, f64);
+
 /// Paints the strokes that were recognised, while they fade.
-fn fade(ui: &Ui, ink: &Ink, fading: &mut Vec<(Vec<[f64; 2]>, f64)>, colours: &Palette) {
+fn fade(ui: &Ui, ink: &Ink, fading: &mut Vec<Fading>, colours: &Palette) {
     let now = ui.input(|input| input.time);
     fading.retain(|(_, since)| now - since < FADE);
-    for (points, since) in &*fading {
-        let left = 1.0 - ((now - since) / FADE) as f32;
-        ink.path(points, Stroke::new(2.0, colours.pen.gamma_multiply(left)));
-    }
+    paint_fading(ui, ink, fading, colours);
     if !fading.is_empty() {
         ui.ctx().request_repaint();
+    }
+}
+
+fn paint_fading(ui: &Ui, ink: &Ink, fading: &[Fading], colours: &Palette) {
+    let now = ui.input(|input| input.time);
+    for (points, since) in fading {
+        let left = 1.0 - ((now - since) / FADE) as f32;
+        ink.path(points, Stroke::new(2.0, colours.pen.gamma_multiply(left)));
     }
 }
 

@@ -4,6 +4,7 @@ use egui::{Button, DragValue, RichText, Ui};
 
 use super::form::{presets, rows};
 use crate::app::action::Action;
+use crate::app::units::number_field;
 use crate::editor::edit::Edit;
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
@@ -33,9 +34,10 @@ pub fn selected(ui: &mut Ui, session: &Session, ruler: Ruler) -> Vec<Action> {
 }
 
 /// A number that can be typed or dragged.
-fn number(ui: &mut Ui, name: &str, value: &mut f64, unit: &str) -> bool {
-    let field = DragValue::new(value).speed(0.2).max_decimals(1).suffix(unit).update_while_editing(false);
-    ui.add(field).accessible_name(name).changed()
+fn number(ui: &mut Ui, name: &str, value: &mut f64, unit: &'static str) -> bool {
+    ui.add(number_field(DragValue::new(value).speed(0.2).max_decimals(1), unit))
+        .accessible_name(name)
+        .changed()
 }
 
 /// A length that can be typed or dragged.
@@ -70,8 +72,8 @@ fn ellipse(ui: &mut Ui, ruler: Ruler, place: Place, mut ellipse: Ellipse) -> Opt
     ui.label(RichText::new("Ellipse").strong());
     let before = ellipse;
     rows(ui, "ellipse", |ui| {
-        point(ui, "Middle", &mut ellipse.center, ruler);
-        ui.label("Radii").on_hover_text("Along its direction, and across");
+        point(ui, "Centre", &mut ellipse.center, ruler);
+        ui.label("Radii").on_hover_text("Along its direction, and across it");
         ui.horizontal(|ui| {
             length(ui, "Radius along", &mut ellipse.radii[0], ruler);
             length(ui, "Radius across", &mut ellipse.radii[1], ruler);

@@ -156,7 +156,7 @@ impl Window {
                 self.notices.written(&job.path, format!("Written: {}{message}", job.path.display()));
             }
             Err(_) if job.is_cancelled() => {
-                self.notices.done("The export was cancelled; nothing was written.");
+                self.notices.done("Export cancelled. Nothing was written.");
             }
             Err(why) => self.notices.wrong(why),
         }

@@ -112,8 +112,9 @@ pub fn read(file: &Path) -> (Entries, Option<String>) {
         Err(error) => format!("it could not be renamed: {error}"),
     };
     let file = file.display();
-    let error =
-        format!("The settings file {file} cannot be read ({why}); dapple starts with its defaults. {kept}");
+    let error = format!(
+        "The settings file {file} cannot be read ({why}). dapple starts with default settings; {kept}"
+    );
     (Entries::default(), Some(error))
 }
 

@@ -63,7 +63,7 @@ pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Actio
             }
         });
         if session.kind(session.active_layer).is_none() {
-            ui.weak("Its options are shown once it has a mark.");
+            ui.weak("Draw a mark to see its options.");
         }
     });
     edits.into_iter().map(Action::Edit).collect()
@@ -103,7 +103,8 @@ fn system_name(system: SystemChoice) -> &'static str {
 
 /// The tooltip of a system.
 fn system_help(system: SystemChoice) -> &'static str {
-    const AUTO: &str = "The system that comes nearest to the drawn marks: lines grow stripes, ellipses spots";
+    const AUTO: &str =
+        "The system that matches the drawn marks best: lines grow stripes, ellipses grow spots";
     system.system().map_or(AUTO, |system| system.description().help)
 }
 
