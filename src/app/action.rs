@@ -65,6 +65,12 @@ pub enum Action {
     /// Change the width of the selected lines and the size of the selected ellipses by a factor; where none is selected, those
     /// of new marks.
     Widen(f64),
+    /// Put the centres of the selected marks on one line: the same x (0) or y (1).
+    Align(usize),
+    /// Make the distances between the selected marks equal, along x (0) or y (1).
+    Distribute(usize),
+    /// Add a few spots (true) or lines (false) to an empty canvas.
+    Begin(bool),
     /// Ask the system for the text on the clipboard, to paste it.
     AskPaste,
     /// Open the menu of the selected marks or of the canvas, at the selection.

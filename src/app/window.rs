@@ -217,6 +217,7 @@ impl Window {
         self.finish_saving();
         self.session = session;
         self.files.restored = None;
+        self.files.exported = None;
         self.files.palettes.document_opened();
         self.recovery.document_opened();
         self.canvas.view.fitted = true;

@@ -151,7 +151,7 @@ fn files_that_were_opened_are_remembered_the_latest_first() {
 fn an_example_is_chosen_from_its_picture() {
     let mut hand = hand();
     hand.key(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
-    hand.press("Example: zebra");
+    hand.press("Example: Zebra");
     assert_eq!(hand.document(), Document::read(example("zebra")).unwrap());
 }
 

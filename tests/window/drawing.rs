@@ -281,3 +281,19 @@ fn movement_after_the_button_is_released_is_no_part_of_the_stroke() {
     assert_eq!(hand.ellipses().len(), 1);
     assert!((hand.ellipses()[0].center[0] - 150.0).abs() < 1.0, "{:?}", hand.ellipses());
 }
+
+#[test]
+fn an_empty_canvas_offers_something_to_begin_with_until_the_first_mark() {
+    let mut hand = hand();
+    let offered = |hand: &Hand| hand.window.query_by_label("Begin with").is_some();
+    assert!(offered(&hand));
+    hand.press("Stripes");
+    assert!(hand.lines().len() > 2 && !offered(&hand));
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert!(hand.strokes().is_empty() && offered(&hand), "one step to undo");
+    hand.press("Spots");
+    assert!(hand.ellipses().len() > 3);
+    hand.key(Modifiers::COMMAND, Key::Z);
+    hand.press("A leopard");
+    assert_eq!(hand.document().layers.len(), 2);
+}

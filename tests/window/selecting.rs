@@ -174,3 +174,27 @@ fn sums_are_typed_into_number_fields() {
     assert!((ellipse.center[0] - 40.0).abs() < 1e-9 && (ellipse.angle - 45.0).abs() < 1e-9, "{ellipse:?}");
     assert!((ellipse.radii[0] - 30.0).abs() < 1e-9, "{ellipse:?}");
 }
+
+#[test]
+fn attributes_of_a_selection_are_typed_and_the_marks_follow() {
+    let mut hand = row(&[100.0, 200.0, 300.0]);
+    hand.key(Modifiers::COMMAND, Key::A);
+    hand.type_into("Spacing", "50");
+    let xs: Vec<f64> = hand.ellipses().iter().map(|ellipse| ellipse.center[0]).collect();
+    for (found, wanted) in xs.iter().zip([150.0, 200.0, 250.0]) {
+        assert!((found - wanted).abs() < 0.2, "{xs:?}");
+    }
+    hand.type_into("Aspect of all", "0.8");
+    hand.type_into("Direction of all", "30");
+    for ellipse in hand.ellipses() {
+        assert!(
+            (ellipse.aspect() - 0.8).abs() < 1e-6 && (ellipse.major_angle() - 30.0).abs() < 1e-6,
+            "{ellipse:?}"
+        );
+        let area = std::f64::consts::PI * 200.0;
+        assert!((ellipse.area() / area - 1.0).abs() < 0.02, "the area stays: {ellipse:?}");
+    }
+    hand.click([200.0, 200.0]);
+    hand.type_into("Aspect", "0.5");
+    assert!((hand.ellipses()[1].aspect() - 0.5).abs() < 1e-6);
+}

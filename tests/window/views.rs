@@ -120,3 +120,28 @@ fn a_window_with_unsaved_work_asks_before_closing() {
     hand.press("Cancel");
     assert_eq!(hand.ellipses().len(), 1);
 }
+
+#[test]
+fn what_is_drawn_over_the_texture_is_seen_while_it_is_drawn() {
+    let mut hand = hand();
+    hand.draw_round([120.0, 200.0], [40.0, 20.0], 30.0);
+    hand.until_settled();
+    hand.press("Texture over the sketch");
+    hand.key(Modifiers::NONE, Key::L);
+    hand.key(Modifiers::NONE, Key::Escape);
+    let [from, to] = [hand.at([330.0, 250.0]), hand.at([480.0, 250.0])];
+    let before = hand.window.render().unwrap();
+    hand.window.hover_at(from);
+    hand.window.step();
+    hand.window.drag_at(from);
+    hand.window.hover_at(to);
+    hand.window.step();
+    hand.window.step();
+    let drawn = hand.window.render().unwrap();
+    let on_line = hand.at([400.0, 250.0]);
+    let at = |picture: &image::RgbaImage| *picture.get_pixel(on_line.x as u32, on_line.y as u32);
+    assert_ne!(at(&before), at(&drawn), "the line is painted over the texture");
+    hand.window.drop_at(to);
+    hand.rest();
+    assert_eq!(hand.lines().len(), 1);
+}

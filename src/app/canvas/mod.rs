@@ -9,6 +9,7 @@ mod lost;
 mod navigate;
 mod paint;
 mod pointer;
+mod starter;
 pub mod tool;
 pub mod view;
 pub mod wanted;
@@ -16,6 +17,7 @@ pub mod wanted;
 pub use gesture::Nib;
 pub use navigate::navigate;
 pub use pointer::FROZEN;
+pub use starter::starter;
 
 use egui::{EventFilter, Id, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 

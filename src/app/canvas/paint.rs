@@ -6,7 +6,7 @@ use super::badges::{self, Badge};
 use super::gesture::Gesture;
 use super::ink::Ink;
 use super::tool::Tool;
-use super::{Canvas, handles, lost};
+use super::{Canvas, handles, lost, starter};
 use crate::app::result::Drawn;
 use crate::app::theme::Palette;
 use crate::editor::session::Session;
@@ -47,6 +47,9 @@ impl Canvas {
         self.paint_marks(&ink, session, drawn, colours);
         if self.overlays.analysis {
             self.analysis.paint(&ink, session, session.active_layer, colours);
+        }
+        if session.marks().next().is_none() && self.gesture.is_none() {
+            starter::paint(&ink, session.document().size, colours, ui.visuals().weak_text_color());
         }
         badges::paint(&ink, badges, colours);
         self.paint_selection(&ink, session, colours);

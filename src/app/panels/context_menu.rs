@@ -34,6 +34,13 @@ fn content(ui: &mut Ui, session: &Session, entries: &mut Entries) {
         entries.item(ui, "Narrower or smaller", &Action::Widen(1.0 / super::WIDER), true);
         entries.item(ui, "Turn by 5°", &Action::Turn(5.0), true);
         entries.item(ui, "Turn back by 5°", &Action::Turn(-5.0), true);
+        ui.separator();
+        let several = session.selection.len() > 1;
+        entries.item(ui, "Align in a row", &Action::Align(1), several);
+        entries.item(ui, "Align in a column", &Action::Align(0), several);
+        let many = session.selection.len() > 2;
+        entries.item(ui, "Space evenly across", &Action::Distribute(0), many);
+        entries.item(ui, "Space evenly down", &Action::Distribute(1), many);
     } else {
         entries.item(ui, "Select all", &Action::SelectAll, true);
         let next = LayerAction::SketchNext;

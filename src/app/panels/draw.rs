@@ -30,7 +30,7 @@ pub struct DrawState<'a> {
 
 /// Height that the fields of the tool or of the selected marks take, points: what is below keeps its place when marks are
 /// selected.
-const FIELDS: f32 = 196.0;
+const FIELDS: f32 = 214.0;
 
 impl<'a> DrawState<'a> {
     /// What became of a drawn mark.

@@ -3,8 +3,8 @@
 use egui::Ui;
 
 use super::Window;
-use crate::app::canvas::FROZEN;
 use crate::app::canvas::tool::Tool;
+use crate::app::canvas::{FROZEN, starter};
 use crate::editor::edit::Edit;
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, Mark};
@@ -102,6 +102,12 @@ impl Window {
         };
         self.session.add(&[mark]);
         self.use_select();
+    }
+
+    /// Adds a few spots or lines in the middle of an empty canvas, to begin with.
+    pub(super) fn begin_with(&mut self, spots: bool) {
+        self.session.add(&starter(self.session.document().size, spots));
+        self.session.selection.clear();
     }
 
     pub(super) fn another_seed(&mut self) {

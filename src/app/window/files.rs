@@ -35,6 +35,8 @@ pub struct Files {
     pub(super) palettes: PaletteFiles,
     /// What is being asked about an export.
     pub(super) export: Option<Dialog>,
+    /// Where the open document was exported to last.
+    pub(super) exported: Option<PathBuf>,
     /// How large the picture was from which the document was restored.
     pub(super) restored: Option<Size>,
     /// Whether the window may close without a question.
@@ -57,6 +59,7 @@ impl Files {
             saving: None,
             palettes: PaletteFiles::default(),
             export: None,
+            exported: None,
             restored: None,
             closing: false,
         }
@@ -181,7 +184,9 @@ impl Window {
     }
 
     pub(super) fn choose(&mut self, purpose: Purpose, name: &str) {
-        let at = self.session.path.clone();
+        let is_export = matches!(purpose, Purpose::Export(_) | Purpose::ExportInto);
+        let last = self.settings.export_folder.as_ref().filter(|folder| is_export && folder.is_dir());
+        let at = last.map(|folder| folder.join(name)).or_else(|| self.session.path.clone());
         self.files.chooser = Some(Chooser::new(purpose, at.as_deref(), name, &self.tasks, self.files.native));
     }
 

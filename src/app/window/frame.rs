@@ -162,6 +162,10 @@ impl Window {
         } else {
             self.side_by_side(ui, body);
         }
+        if self.session.marks().next().is_none() && !self.canvas.is_busy() {
+            let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).0 };
+            actions.extend(panels::starters(ui, room));
+        }
         if let Some(remark) = self.canvas.remark.take() {
             self.notices.done(remark);
         }

@@ -52,6 +52,10 @@ pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Actio
     let area = ScrollArea::vertical().id_salt("details").max_height(highest).min_scrolled_height(highest);
     area.show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 6.0;
+        if session.is_active_frozen() {
+            ui.weak("Frozen: click the snowflake to change it.");
+            ui.disable();
+        }
         edits.extend(meeting(ui, session, layer));
         edits.extend(ui.horizontal(|ui| system(ui, session, layer)).inner);
         Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
