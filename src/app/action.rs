@@ -62,6 +62,19 @@ pub enum Action {
     Nudge([f64; 2]),
     /// Turn the selected marks, degrees.
     Turn(f64),
+    /// Change the width of the selected lines and the size of the selected ellipses by a factor; where none is selected, those
+    /// of new marks.
+    Widen(f64),
+    /// Put the centres of the selected marks on one line: the same x (0) or y (1).
+    Align(usize),
+    /// Make the distances between the selected marks equal, along x (0) or y (1).
+    Distribute(usize),
+    /// Add a few spots (true) or lines (false) to an empty canvas.
+    Begin(bool),
+    /// Ask the system for the text on the clipboard, to paste it.
+    AskPaste,
+    /// Open the menu of the selected marks or of the canvas, at the selection.
+    ContextMenu,
     /// Scale the selected marks by a factor.
     Scale(f64),
     /// Add an ellipse (true) or a line (false) in the centre of the view.
@@ -76,6 +89,12 @@ pub enum Action {
     ActualSize,
     /// Zoom by a factor.
     Zoom(f32),
+    /// Show the column on the right, or hide it.
+    Column(bool),
+    /// Show the column of tools, or hide it.
+    Tools(bool),
+    /// Show the column on the right if it is hidden, else hide it.
+    ToggleColumn,
     /// Show the texture over the sketch (true) or beside it (false).
     Over(bool),
     /// Show two by two tiles.
@@ -156,9 +175,11 @@ pub enum Page {
 /// A tab of the column on the right.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Tab {
-    /// The tool, the selected marks, the canvas.
+    /// The tool, the selected marks, what they ask for.
     #[default]
     Draw,
+    /// Size, regions and edges of the canvas, and what is shown on it.
+    Canvas,
     /// The colours of the active layer.
     Colour,
     /// What was asked for and what has grown.
@@ -167,13 +188,14 @@ pub enum Tab {
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Self; 3] = [Self::Draw, Self::Colour, Self::Result];
+    pub const ALL: [Self; 4] = [Self::Draw, Self::Canvas, Self::Colour, Self::Result];
 
     /// Its label.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Draw => "Draw",
+            Self::Canvas => "Canvas",
             Self::Colour => "Colour",
             Self::Result => "Result",
         }

@@ -22,7 +22,7 @@ pub enum Purpose {
     Become,
     /// A drawing that becomes a document.
     Import,
-    /// A picture to draw over.
+    /// Choose a reference picture.
     Reference,
     /// Colours for the active layer.
     Palette,
@@ -39,9 +39,9 @@ impl Purpose {
             Self::Save => "Save the document",
             Self::Export(_) => "Export",
             Self::ExportInto => "Export into a folder",
-            Self::Become => "The document that this one becomes",
+            Self::Become => "Choose the last document of the film",
             Self::Import => "Import an SVG",
-            Self::Reference => "A picture to draw over",
+            Self::Reference => "Choose a reference picture",
             Self::Palette => "Open a palette",
             Self::PaletteTo => "Save the palette",
         }
@@ -204,16 +204,17 @@ impl Chooser {
             if edit.changed() {
                 (self.replaces, self.checking) = (None, None);
             }
-            chosen |= edit.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+            let is_elsewhere = ui.memory(|memory| memory.focused().is_some()) && !edit.lost_focus();
+            chosen |= !is_elsewhere && ui.input(|input| input.key_pressed(Key::Enter));
         });
         let path = self.path();
         if let Some(there) = &self.replaces {
             let name = there.file_name().unwrap_or_default().to_string_lossy().into_owned();
             let text = match self.purpose {
                 Purpose::ExportInto => {
-                    format!("{name} is not empty. Write into it? Files of the same name go.")
+                    format!("{name} is not empty. Files of the same name will be replaced.")
                 }
-                _ => format!("{name} is there already. Replace it?"),
+                _ => format!("{name} already exists. Replace it?"),
             };
             ui.colored_label(ui.visuals().warn_fg_color, text);
         }
@@ -221,7 +222,8 @@ impl Chooser {
             ui.colored_label(ui.visuals().error_fg_color, problem);
         }
         ui.add_space(4.0);
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        let buttons = vec2(ui.available_width(), 28.0);
+        ui.allocate_ui_with_layout(buttons, egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let verb = if self.replaces.is_some() { "Replace" } else { self.purpose.verb() };
             let button =
                 ui.add_enabled(!self.name.trim().is_empty(), Button::new(verb).min_size(vec2(90.0, 28.0)));
@@ -244,7 +246,7 @@ impl Chooser {
             ui,
             |ui| {
                 if self.entries.is_empty() && self.listing.is_none() {
-                    ui.weak("Nothing to choose here.");
+                    ui.weak("No matching files in this folder.");
                 }
                 for (name, folder) in &self.entries {
                     let text = if *folder { format!("{name}/") } else { name.clone() };

@@ -11,6 +11,10 @@ use crate::editor::task::{Task, Tasks, Worker};
 pub struct Example {
     /// Its file name without the ending.
     pub name: &'static str,
+    /// What it shows.
+    pub title: &'static str,
+    /// The figure that it is drawn after; empty where there is none.
+    pub source: &'static str,
     /// Its document.
     pub text: &'static str,
     /// A picture of its texture, PNG.
@@ -18,76 +22,78 @@ pub struct Example {
 }
 
 macro_rules! documents {
-    ($folder:literal: $($name:literal),* $(,)?) => {
+    ($folder:literal: $($name:literal $title:literal $source:literal),* $(,)?) => {
         &[$(Example {
             name: $name,
+            title: $title,
+            source: $source,
             text: include_str!(concat!("../../examples/", $folder, $name, ".dapple")),
             picture: include_bytes!(concat!("../../assets/examples/", $name, ".png")),
         }),*]
     };
 }
 
-/// Free examples, in the order of the page.
+/// Free examples, in the order of the page: animals first.
 pub const EXAMPLES: &[Example] = documents![
     "":
-    "cheetah-run",
-    "bongo",
-    "starry-sky",
-    "zebra",
-    "tiger",
-    "fallow-deer",
-    "ladybird",
-    "whale-shark",
-    "dart-frog",
-    "guinea-fowl",
-    "arctic-char",
-    "mackerel",
-    "pebbles",
-    "river-stones",
-    "willow-leaves",
-    "barley",
-    "poppy-seeds",
-    "wood-grain",
-    "sand-ripples",
-    "turned-ellipses",
-    "growing-spots",
-    "turning-spots",
-    "sloping-lines",
-    "line-stripes",
-    "tile-petals",
-    "tile-waves",
+    "cheetah-run" "Cheetah" "",
+    "zebra" "Zebra" "",
+    "tiger" "Tiger" "",
+    "bongo" "Bongo" "",
+    "fallow-deer" "Fallow deer" "",
+    "ladybird" "Ladybird" "",
+    "dart-frog" "Dart frog" "",
+    "whale-shark" "Whale shark" "",
+    "guinea-fowl" "Guinea fowl" "",
+    "arctic-char" "Arctic char" "",
+    "mackerel" "Mackerel" "",
+    "starry-sky" "Starry sky" "",
+    "river-stones" "River stones" "",
+    "pebbles" "Pebbles" "",
+    "willow-leaves" "Willow leaves" "",
+    "barley" "Barley" "",
+    "poppy-seeds" "Poppy seeds" "",
+    "wood-grain" "Wood grain" "",
+    "sand-ripples" "Sand ripples" "",
+    "tile-petals" "Petals (seamless)" "",
+    "tile-waves" "Waves (seamless)" "",
+    "turned-ellipses" "Turned ellipses" "",
+    "growing-spots" "Growing spots" "",
+    "turning-spots" "Turning spots" "",
+    "sloping-lines" "Sloping lines" "",
+    "line-stripes" "Stripes from lines" "",
 ];
 
-/// Examples drawn after figures of the papers.
+/// Examples drawn after figures of the papers, in the order of the page.
 pub const GALLERY: &[Example] = documents![
     "gallery/":
-    "phan-grimm-01a-turned-dots",
-    "phan-grimm-01b-dots-between",
-    "phan-grimm-01c-sloping-stripes",
-    "phan-grimm-02-growing-spots",
-    "phan-grimm-03-turning-spots",
-    "phan-grimm-04-far-apart",
-    "phan-grimm-05a-yellow-spots",
-    "phan-grimm-05b-red-between",
-    "phan-grimm-06-stripes",
-    "phan-grimm-07a-four-colours-spots",
-    "phan-grimm-07b-four-colours-stripes",
-    "phan-grimm-08-two-colour-sets",
-    "phan-grimm-11-initiators",
-    "phan-grimm-12-mixed-spots",
-    "phan-grimm-13-leopard",
-    "phan-grimm-14-small-inside-large",
-    "phan-grimm-16-anisotropic-spots",
-    "phan-grimm-17a-changing-spots",
-    "phan-grimm-17b-round-a-centre",
-    "turk-2-lower-left-cheetah",
-    "turk-2-lower-right-leopard",
-    "turk-2-upper-left-large-spots",
-    "turk-2-upper-right-small-spots",
-    "turk-3-lower-left-random-stripes",
-    "turk-3-lower-right-lionfish",
-    "turk-3-upper-left-irregular-spots",
-    "turk-3-upper-right-reticulation",
+    "turk-2-lower-right-leopard" "Leopard" "Turk, fig. 2",
+    "turk-3-upper-right-reticulation" "Giraffe" "Turk, fig. 3",
+    "turk-3-lower-right-lionfish" "Lionfish" "Turk, fig. 3",
+    "phan-grimm-13-leopard" "Leopard" "Phan & Grimm, fig. 13",
+    "turk-2-lower-left-cheetah" "Cheetah" "Turk, fig. 2",
+    "phan-grimm-07a-four-colours-spots" "Spots, four colours" "Phan & Grimm, fig. 7a",
+    "phan-grimm-07b-four-colours-stripes" "Stripes, four colours" "Phan & Grimm, fig. 7b",
+    "phan-grimm-08-two-colour-sets" "Two colour sets" "Phan & Grimm, fig. 8",
+    "phan-grimm-11-initiators" "Radiating stripes" "Phan & Grimm, fig. 11",
+    "phan-grimm-17b-round-a-centre" "Round a centre" "Phan & Grimm, fig. 17b",
+    "phan-grimm-17a-changing-spots" "Changing spots" "Phan & Grimm, fig. 17a",
+    "turk-3-lower-left-random-stripes" "Random stripes" "Turk, fig. 3",
+    "turk-3-upper-left-irregular-spots" "Irregular spots" "Turk, fig. 3",
+    "turk-2-upper-left-large-spots" "Large spots" "Turk, fig. 2",
+    "turk-2-upper-right-small-spots" "Small spots" "Turk, fig. 2",
+    "phan-grimm-01a-turned-dots" "Turned dots" "Phan & Grimm, fig. 1a",
+    "phan-grimm-01b-dots-between" "Dots between" "Phan & Grimm, fig. 1b",
+    "phan-grimm-01c-sloping-stripes" "Sloping stripes" "Phan & Grimm, fig. 1c",
+    "phan-grimm-02-growing-spots" "Growing spots" "Phan & Grimm, fig. 2",
+    "phan-grimm-03-turning-spots" "Turning spots" "Phan & Grimm, fig. 3",
+    "phan-grimm-04-far-apart" "Spots far apart" "Phan & Grimm, fig. 4",
+    "phan-grimm-05a-yellow-spots" "Yellow spots" "Phan & Grimm, fig. 5a",
+    "phan-grimm-05b-red-between" "Red between" "Phan & Grimm, fig. 5b",
+    "phan-grimm-06-stripes" "Stripes" "Phan & Grimm, fig. 6",
+    "phan-grimm-12-mixed-spots" "Mixed spots" "Phan & Grimm, fig. 12",
+    "phan-grimm-14-small-inside-large" "Small in large" "Phan & Grimm, fig. 14",
+    "phan-grimm-16-anisotropic-spots" "Long spots" "Phan & Grimm, fig. 16",
 ];
 
 /// The pictures of the examples; they are decoded beside the window when the page is first shown.
@@ -111,7 +117,7 @@ impl Gallery {
             ui.set_width(COLUMNS as f32 * (SIDE + 30.0));
             let example = cards(ui, EXAMPLES, examples);
             ui.add_space(8.0);
-            ui.heading("After the papers' figures");
+            ui.heading("From the papers");
             example.or(cards(ui, GALLERY, gallery))
         });
         shown.inner
@@ -176,17 +182,18 @@ fn cards(ui: &mut Ui, examples: &[Example], textures: &[TextureHandle]) -> Optio
 }
 
 fn card(ui: &mut Ui, example: &Example, texture: &TextureHandle) -> bool {
-    let name = example.name.replace('-', " ");
     ui.vertical(|ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
         let picture = Image::new((texture.id(), vec2(SIDE, SIDE))).corner_radius(4);
         let button = ui.add(Button::image(picture));
-        let clicked = button.accessible_name(format!("Example: {name}")).on_hover_text(&name).clicked();
-        // The papers' names are longer than a picture is wide.
-        let short = name.trim_start_matches("phan grimm ").trim_start_matches("turk ");
-        ui.allocate_ui(vec2(SIDE + 18.0, 16.0), |ui| {
-            ui.vertical_centered(|ui| ui.add(Label::new(RichText::new(short).small()).truncate()));
-        });
+        let clicked = button.accessible_name(format!("Example: {}", example.title)).clicked();
+        for text in [RichText::new(example.title).small(), RichText::new(example.source).small().weak()] {
+            if !text.is_empty() {
+                ui.allocate_ui(vec2(SIDE + 18.0, 16.0), |ui| {
+                    ui.vertical_centered(|ui| ui.add(Label::new(text).truncate()));
+                });
+            }
+        }
         clicked
     })
     .inner

@@ -2,6 +2,7 @@
 
 use egui::{DragValue, Ui};
 
+use super::units::number_field;
 use crate::document::limits;
 use crate::editor::units::Ruler;
 
@@ -44,14 +45,14 @@ pub fn pair(
     values: &mut [u32; 2],
     range: std::ops::RangeInclusive<u32>,
     names: [&str; 2],
-    unit: &str,
+    unit: &'static str,
 ) -> bool {
     let mut changed = false;
     for (index, (value, name)) in values.iter_mut().zip(names).enumerate() {
         if index > 0 {
             ui.weak("×");
         }
-        let field = DragValue::new(value).range(range.clone()).suffix(unit).update_while_editing(false);
+        let field = number_field(DragValue::new(value).range(range.clone()), unit);
         changed |= ui.add(field).accessible_name(name).changed();
     }
     changed
@@ -78,6 +79,6 @@ const NEW_REGIONS: [u32; 2] = [2, 2];
 /// A field for dots an inch.
 pub fn resolution(ui: &mut Ui, dpi: &mut f64, name: &str) -> bool {
     let range = limits::DPI.low..=limits::DPI.high;
-    let field = DragValue::new(dpi).range(range).max_decimals(1).suffix(" dpi").update_while_editing(false);
+    let field = number_field(DragValue::new(dpi).range(range).max_decimals(1), " dpi");
     ui.add(field).accessible_name(name).changed()
 }

@@ -34,7 +34,7 @@ pub enum Icon {
     Fit,
     /// Side by side.
     Beside,
-    /// One over the other.
+    /// Texture over the sketch.
     Over,
     /// Two by two tiles.
     Tiles,

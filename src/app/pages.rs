@@ -7,6 +7,7 @@ use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
 use crate::document::{Document, limits};
 use crate::editor::units::{Ruler, Units};
 use crate::grid::Edges;
+use crate::marks::Mark;
 
 /// The properties of a new document.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -91,7 +92,9 @@ impl New {
 /// The buttons of a page, the first choice on the right.
 pub fn choice(ui: &mut Ui, yes: &str, no: Option<&str>) -> Option<Answer> {
     let mut answer = None;
-    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+    // A height of its own: the layout would take all that is left.
+    let size = vec2(ui.available_width(), 28.0);
+    ui.allocate_ui_with_layout(size, egui::Layout::right_to_left(egui::Align::Center), |ui| {
         let fill = ui.visuals().selection.bg_fill;
         let text = RichText::new(yes).color(ui.visuals().selection.stroke.color);
         if ui.add(Button::new(text).fill(fill).min_size(vec2(96.0, 28.0))).clicked() {
@@ -113,9 +116,26 @@ pub fn choice(ui: &mut Ui, yes: &str, no: Option<&str>) -> Option<Answer> {
 pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
     ui.set_width(400.0);
     ui.heading(format!("Save the changes to {title}?"));
-    ui.label("They are lost if you don't.");
+    ui.label("Otherwise they will be lost.");
     ui.add_space(8.0);
     choice(ui, "Save", Some("Don't save"))
+}
+
+/// Asks what to do with a mark that does not belong on the active layer.
+pub fn another_layer(ui: &mut Ui, mark: &Mark) -> Option<Answer> {
+    ui.set_width(400.0);
+    ui.heading("Draw it on another layer?");
+    ui.label(match mark {
+        Mark::Ellipse(_) => {
+            "This layer grows rings or a net around the marks beneath. Their width is drawn as a line; ellipses need \
+             another layer."
+        }
+        Mark::Line(_) | Mark::Path(_) => {
+            "This layer grows a spot inside each mark beneath. Their size is drawn as an ellipse; lines need another layer."
+        }
+    });
+    ui.add_space(8.0);
+    choice(ui, "Other layer", None)
 }
 
 /// Version, papers, licence.

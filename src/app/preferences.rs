@@ -49,7 +49,7 @@ fn look(ui: &mut Ui, settings: &mut Settings) {
     let before = settings.theme;
     ui.horizontal(|ui| {
         for (text, theme) in [
-            ("As the system", ThemePreference::System),
+            ("System theme", ThemePreference::System),
             ("Light", ThemePreference::Light),
             ("Dark", ThemePreference::Dark),
         ] {
@@ -75,13 +75,9 @@ fn units(ui: &mut Ui, units: &mut Units) {
 fn threads(ui: &mut Ui, threads: &mut Option<usize>) {
     let cores = thread::available_parallelism().map_or(1, usize::from);
     ui.label("Threads")
-        .on_hover_text("How many cores grow textures. What grows is the same, to the last bit");
+        .on_hover_text("How many processor cores grow textures. The result is always the same");
     ui.horizontal(|ui| {
-        if ui
-            .radio(threads.is_none(), "All")
-            .on_hover_text("All cores but one, which the window has")
-            .clicked()
-        {
+        if ui.radio(threads.is_none(), "All").on_hover_text("All cores but one, for the window").clicked() {
             *threads = None;
         }
         let mut number = threads.unwrap_or_else(|| cores.saturating_sub(1).max(1));

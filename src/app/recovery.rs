@@ -21,8 +21,8 @@ pub fn page(ui: &mut Ui, recovery: &Recovery, asked: &mut Option<String>) -> Opt
     ui.set_width(560.0);
     ui.heading("Unsaved work was found");
     ui.label(match recovery.lost().len() {
-        0 if recovery.is_searching() => "dapple looks for it.",
-        0 => "There is none left: all of it was restored, saved or discarded.",
+        0 if recovery.is_searching() => "Searching …",
+        0 => "All of it has been restored, saved or discarded.",
         1 => "dapple was closed before this was saved. At most the last few seconds of it are missing.",
         _ => "dapple was closed before these were saved. At most the last few seconds of each are missing.",
     });
@@ -38,7 +38,7 @@ pub fn page(ui: &mut Ui, recovery: &Recovery, asked: &mut Option<String>) -> Opt
     ui.add_space(4.0);
     ui.horizontal(|ui| {
         let later = Button::new(if recovery.lost().is_empty() { "Close" } else { "Decide later" });
-        let help = "It is offered again at the next start, and under File, Recover unsaved work";
+        let help = "You can decide at the next start, or under File, Recover unsaved work";
         if ui.add(later.min_size(vec2(96.0, 28.0))).on_hover_text(help).clicked() {
             action = Some(Action::Page(Page::Recovery));
         }
@@ -73,7 +73,7 @@ fn one(ui: &mut Ui, lost: &LostDocument, first: bool, asked: &mut Option<String>
                 }
                 let sure = asked.as_ref() == Some(&id);
                 let text = if sure {
-                    RichText::new("Discard for good").color(Palette::current(ui.visuals()).wrong)
+                    RichText::new("Discard permanently").color(Palette::current(ui.visuals()).wrong)
                 } else {
                     RichText::new("Discard")
                 };
@@ -99,14 +99,14 @@ fn description(ui: &mut Ui, lost: &LostDocument) {
     let age = lost.when.elapsed().unwrap_or_default();
     ui.label(RichText::new(format!("{}, {marks} on {width} × {height} px", ago(age))).small());
     let from = match &lost.backup.path {
-        Some(path) if lost.file_is_gone => format!("{} (the file is gone)", path.display()),
+        Some(path) if lost.file_is_gone => format!("{} (the file no longer exists)", path.display()),
         Some(path) => path.display().to_string(),
         None => "Never saved to a file".to_owned(),
     };
     ui.add(Label::new(RichText::new(&from).small().weak()).truncate()).on_hover_text(&from);
     if lost.file_is_newer {
         let colour = Palette::current(ui.visuals()).wrong;
-        let text = "The file was written later than this";
+        let text = "The file is newer than this";
         ui.label(RichText::new(text).small().color(colour));
     }
 }

@@ -3,7 +3,7 @@
 mod export_choices;
 mod layout;
 
-pub use layout::Layout;
+pub use layout::{COLUMN_WIDTHS, Layout};
 
 use std::path::{Path, PathBuf};
 
@@ -32,6 +32,8 @@ pub struct Settings {
     pub new: New,
     /// The initial choices of the export dialog.
     pub export: Choices,
+    /// The folder that was exported into last.
+    pub export_folder: Option<PathBuf>,
     /// Placement of the window and what it shows.
     pub layout: Layout,
     /// Why the file could not be read: a message to be shown once.
@@ -54,6 +56,7 @@ impl Default for Settings {
             threads: None,
             new: New::default(),
             export: Choices::default(),
+            export_folder: None,
             layout: Layout::default(),
             error: None,
             file: None,
@@ -95,6 +98,7 @@ impl Settings {
         let new = entries.fields("new", &New::default());
         self.new = if new.is_allowed() { new } else { New::default() };
         self.export = export_choices::read(entries);
+        self.export_folder = entries.get::<String>("export_folder").map(PathBuf::from);
         self.layout.take_in(entries);
     }
 
@@ -112,6 +116,9 @@ impl Settings {
         entries.set("threads", &self.threads, &None);
         entries.set("new", &self.new, &New::default());
         export_choices::write(&self.export, &mut entries);
+        // A folder whose name is no text is not remembered.
+        let folder = self.export_folder.as_deref().and_then(Path::to_str);
+        entries.set("export_folder", &folder, &None);
         self.layout.write(&mut entries);
         entries
     }

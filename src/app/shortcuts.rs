@@ -4,7 +4,11 @@ use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, ScrollAre
 
 use super::action::{Action, Page};
 use super::canvas::tool::Tool;
+use super::panels::WIDER;
 use crate::editor::layer_action::LayerAction;
+
+/// Factor of a step of zooming.
+pub const ZOOM: f32 = 1.1;
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = CTRL.plus(Modifiers::SHIFT);
@@ -48,16 +52,21 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(CTRL, Key::A, "Select all", "Edit", || Action::SelectAll),
     with(Modifiers::NONE, Key::Delete, "Delete", "Edit", || Action::Delete),
     with(Modifiers::NONE, Key::Backspace, "Delete", "Edit", || Action::Delete),
-    with(Modifiers::NONE, Key::Escape, "Let go, select nothing", "Edit", || Action::Escape),
-    with(Modifiers::NONE, Key::CloseBracket, "Select the next mark", "Edit", || Action::Next(1)),
-    with(Modifiers::NONE, Key::OpenBracket, "Select the mark before", "Edit", || Action::Next(-1)),
+    with(Modifiers::NONE, Key::Escape, "Cancel, or clear the selection", "Edit", || Action::Escape),
+    with(CTRL, Key::CloseBracket, "Select the next mark", "Edit", || Action::Next(1)),
+    with(CTRL, Key::OpenBracket, "Select the previous mark", "Edit", || Action::Next(-1)),
+    with(Modifiers::NONE, Key::CloseBracket, "Wider line, larger ellipse", "Edit", || Action::Widen(WIDER)),
+    with(Modifiers::NONE, Key::OpenBracket, "Narrower line, smaller ellipse", "Edit", || {
+        Action::Widen(1.0 / WIDER)
+    }),
+    with(Modifiers::SHIFT, Key::F10, "Menu of the selected marks", "Edit", || Action::ContextMenu),
     with(Modifiers::NONE, Key::Period, "Turn by 5°", "Edit", || Action::Turn(5.0)),
     with(Modifiers::NONE, Key::Comma, "Turn back by 5°", "Edit", || Action::Turn(-5.0)),
     with(Modifiers::NONE, Key::Plus, "Larger", "Edit", || Action::Scale(1.1)),
     with(Modifiers::NONE, Key::Equals, "Larger", "Edit", || Action::Scale(1.1)),
     with(Modifiers::NONE, Key::Minus, "Smaller", "Edit", || Action::Scale(1.0 / 1.1)),
-    with(Modifiers::SHIFT, Key::E, "Put an ellipse in the middle", "Draw", || Action::Insert(true)),
-    with(Modifiers::SHIFT, Key::L, "Put a line in the middle", "Draw", || Action::Insert(false)),
+    with(Modifiers::SHIFT, Key::E, "Add ellipse at centre", "Draw", || Action::Insert(true)),
+    with(Modifiers::SHIFT, Key::L, "Add line at centre", "Draw", || Action::Insert(false)),
     with(Modifiers::NONE, Key::V, "Select", "Draw", || Action::Tool(Tool::Select)),
     with(Modifiers::NONE, Key::B, "Freehand", "Draw", || Action::Tool(Tool::Pen)),
     with(Modifiers::NONE, Key::E, "Ellipse", "Draw", || Action::Tool(Tool::Ellipse)),
@@ -65,30 +74,34 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(Modifiers::NONE, Key::X, "Eraser", "Draw", || Action::Tool(Tool::Eraser)),
     with(Modifiers::NONE, Key::H, "Pan", "Draw", || Action::Tool(Tool::Hand)),
     with(CTRL_SHIFT, Key::N, "New layer", "Layers", || Action::Layer(LayerAction::Add)),
-    with(Modifiers::NONE, Key::F, "Freeze it, sketch the next", "Layers", || {
+    with(Modifiers::NONE, Key::F, "Freeze layer and start the next", "Layers", || {
         Action::Layer(LayerAction::SketchNext)
     }),
-    with(Modifiers::NONE, Key::PageUp, "The layer above", "Layers", || Action::Layer(LayerAction::Step(1))),
-    with(Modifiers::NONE, Key::PageDown, "The layer beneath", "Layers", || {
+    with(Modifiers::SHIFT, Key::F, "Unfreeze layer", "Layers", || Action::Layer(LayerAction::Unfreeze)),
+    with(Modifiers::NONE, Key::PageUp, "Select layer above", "Layers", || {
+        Action::Layer(LayerAction::Step(1))
+    }),
+    with(Modifiers::NONE, Key::PageDown, "Select layer below", "Layers", || {
         Action::Layer(LayerAction::Step(-1))
     }),
-    with(CTRL, Key::PageUp, "Raise it", "Layers", || Action::Layer(LayerAction::Shift(1))),
-    with(CTRL, Key::PageDown, "Lower it", "Layers", || Action::Layer(LayerAction::Shift(-1))),
-    with(CTRL, Key::J, "Duplicate it", "Layers", || Action::Layer(LayerAction::Duplicate)),
-    with(Modifiers::SHIFT, Key::H, "Hide it, show it", "Layers", || Action::Layer(LayerAction::Hide)),
-    with(Modifiers::NONE, Key::F2, "Name it", "Layers", || Action::Layer(LayerAction::Rename)),
+    with(CTRL, Key::PageUp, "Raise layer", "Layers", || Action::Layer(LayerAction::Shift(1))),
+    with(CTRL, Key::PageDown, "Lower layer", "Layers", || Action::Layer(LayerAction::Shift(-1))),
+    with(CTRL, Key::J, "Duplicate layer", "Layers", || Action::Layer(LayerAction::Duplicate)),
+    with(Modifiers::SHIFT, Key::H, "Hide or show layer", "Layers", || Action::Layer(LayerAction::Hide)),
+    with(Modifiers::NONE, Key::F2, "Rename layer", "Layers", || Action::Layer(LayerAction::Rename)),
     with(Modifiers::NONE, Key::A, "Alternatives", "View", || Action::ToggleAlternatives),
-    with(Modifiers::NONE, Key::W, "Wanted sizes and directions", "View", || Action::ToggleWanted),
+    with(Modifiers::NONE, Key::W, "Expected sizes and directions", "View", || Action::ToggleWanted),
     with(CTRL, Key::Num0, "Show the whole canvas", "View", || Action::Fit),
     with(CTRL, Key::Num1, "Actual size", "View", || Action::ActualSize),
-    with(CTRL, Key::Plus, "Zoom in", "View", || Action::Zoom(1.25)),
-    with(CTRL, Key::Equals, "Zoom in", "View", || Action::Zoom(1.25)),
-    with(CTRL, Key::Minus, "Zoom out", "View", || Action::Zoom(0.8)),
-    with(Modifiers::NONE, Key::P, "Pause the growth, go on", "Growth", || Action::Pause),
+    with(CTRL, Key::Plus, "Zoom in", "View", || Action::Zoom(ZOOM)),
+    with(CTRL, Key::Equals, "Zoom in", "View", || Action::Zoom(ZOOM)),
+    with(CTRL, Key::Minus, "Zoom out", "View", || Action::Zoom(1.0 / ZOOM)),
+    with(Modifiers::NONE, Key::F9, "Right column", "View", || Action::ToggleColumn),
+    with(Modifiers::NONE, Key::P, "Pause or resume", "Growth", || Action::Pause),
     with(Modifiers::NONE, Key::N, "Another seed", "Growth", || Action::AnotherSeed),
     with(CTRL, Key::R, "Grow again", "Growth", || Action::Grow),
     with(CTRL, Key::Period, "Stop", "Growth", || Action::Stop),
-    with(Modifiers::NONE, Key::F1, "This page", "Help", || Action::Page(Page::Shortcuts)),
+    with(Modifiers::NONE, Key::F1, "Keyboard shortcuts", "Help", || Action::Page(Page::Shortcuts)),
 ];
 
 /// The arrow keys and their directions.
@@ -103,7 +116,7 @@ const ARROWS: [(Key, [f64; 2]); 4] = [
 /// to the widget that has it. `arrows`: the arrow keys move marks.
 pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
     let mut actions = Vec::new();
-    // Ctrl+A in a text field selects the text, not all marks.
+    // In a text field Ctrl+A selects the text, and Ctrl+Z undoes what was typed there.
     let typing = ctx.text_edit_focused();
     ctx.input_mut(|input| {
         if canvas {
@@ -118,14 +131,14 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
         }
         // Those with Shift first: a shortcut without Shift would match them too.
         let shift = |shortcut: &&Shortcut| shortcut.keys.modifiers.shift;
+        // Alt and a letter open menus.
+        let alt = input.modifiers.alt;
         let ordered = SHORTCUTS.iter().filter(shift).chain(SHORTCUTS.iter().filter(|one| !shift(one)));
         for shortcut in ordered {
             let plain = !shortcut.keys.modifiers.command;
-            if typing && shortcut.keys.logical_key == Key::A {
-                continue;
-            }
-            let function = shortcut.keys.logical_key == Key::F1;
-            if plain && !canvas && !function {
+            let function = matches!(shortcut.keys.logical_key, Key::F1 | Key::F9);
+            if alt || (typing && !function && shortcut.group != "Document") || (plain && !canvas && !function)
+            {
                 continue;
             }
             while input.consume_shortcut(&shortcut.keys) {
@@ -208,7 +221,8 @@ const OTHERS: &[(&str, &str, &str)] = &[
     ("Edit", "Move by 1 px, by 10 px", "arrows, Shift + arrows"),
     ("Edit", "Copy, cut, paste", "Ctrl+C, Ctrl+X, Ctrl+V"),
     ("Draw", "Circle; steps of 15°", "Shift while dragging"),
-    ("Draw", "Leave a copy", "Alt while dragging"),
+    ("Draw", "Copy a mark", "Alt or Ctrl + drag"),
+    ("Help", "Menus", "F10, Alt + letter, arrows"),
 ];
 
 fn row(ui: &mut Ui, text: &str, keys: &str) {

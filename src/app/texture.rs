@@ -78,7 +78,7 @@ pub fn state(phase: &Phase) -> &'static str {
         Phase::Idle => "empty",
         Phase::Growing(..) => "growing",
         Phase::Stopped => "stopped",
-        Phase::Settled(_) => "settled",
+        Phase::Settled(_) => "finished",
         Phase::Failed(_) => "cannot be grown",
     }
 }

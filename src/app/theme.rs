@@ -151,6 +151,7 @@ fn light(visuals: &mut Visuals) {
     visuals.extreme_bg_color = Color32::from_rgb(0xff, 0xfe, 0xfc);
     visuals.faint_bg_color = Color32::from_rgb(0xec, 0xe9, 0xe3);
     visuals.window_stroke = Stroke::new(1.0, LIGHT.border);
+    visuals.weak_text_color = Some(Color32::from_rgb(0x62, 0x5c, 0x54));
     let widgets = &mut visuals.widgets;
     widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0xdd, 0xd9, 0xd1));
     widgets.noninteractive.fg_stroke = Stroke::new(1.0, ink);
@@ -171,6 +172,7 @@ fn dark(visuals: &mut Visuals) {
     visuals.extreme_bg_color = Color32::from_rgb(0x19, 0x19, 0x1a);
     visuals.faint_bg_color = Color32::from_rgb(0x2b, 0x2b, 0x2d);
     visuals.window_stroke = Stroke::new(1.0, DARK.border);
+    visuals.weak_text_color = Some(Color32::from_rgb(0xa8, 0xa5, 0x9f));
     let widgets = &mut visuals.widgets;
     widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0x36, 0x36, 0x38));
     widgets.noninteractive.fg_stroke = Stroke::new(1.0, ink);
@@ -180,4 +182,67 @@ fn dark(visuals: &mut Visuals) {
     widgets.hovered.weak_bg_fill = Color32::from_rgb(0x3e, 0x3e, 0x41);
     widgets.hovered.bg_stroke = Stroke::new(1.0, DARK.border);
     widgets.active.weak_bg_fill = Color32::from_rgb(0x49, 0x49, 0x4d);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Relative luminance, by the definition of WCAG 2.2.
+    fn luminance(colour: Color32) -> f64 {
+        let linear = |channel: u8| {
+            let share = f64::from(channel) / 255.0;
+            if share <= 0.04045 { share / 12.92 } else { ((share + 0.055) / 1.055).powf(2.4) }
+        };
+        0.2126 * linear(colour.r()) + 0.7152 * linear(colour.g()) + 0.0722 * linear(colour.b())
+    }
+
+    fn contrast(a: Color32, b: Color32) -> f64 {
+        let [a, b] = [a, b].map(|colour| luminance(colour) + 0.05);
+        a.max(b) / a.min(b)
+    }
+
+    #[test]
+    fn every_text_is_at_least_4_5_times_as_bright_or_dark_as_its_ground() {
+        let ctx = Context::default();
+        apply(&ctx);
+        for theme in [Theme::Light, Theme::Dark] {
+            let visuals = &ctx.style_of(theme).visuals;
+            let palette = Palette::current(visuals);
+            let widgets = &visuals.widgets;
+            let grounds = [
+                ("panel", visuals.panel_fill),
+                ("window", visuals.window_fill),
+                ("field", visuals.extreme_bg_color),
+                ("row", visuals.faint_bg_color),
+                ("canvas", palette.background),
+            ];
+            let texts = [
+                ("text", visuals.text_color()),
+                ("muted text", visuals.weak_text_color()),
+                ("error", palette.wrong),
+                ("link", visuals.hyperlink_color),
+            ];
+            for (ground, fill) in grounds {
+                for (text, colour) in texts {
+                    let found = contrast(colour, fill);
+                    assert!(found >= 4.5, "{theme:?}: {text} on {ground}: {found:.2}");
+                }
+            }
+            for (name, widget) in [
+                ("button", &widgets.inactive),
+                ("button under the pointer", &widgets.hovered),
+                ("pressed button", &widgets.active),
+            ] {
+                for (text, colour) in
+                    [("text", widget.text_color()), ("muted text", visuals.weak_text_color())]
+                {
+                    let found = contrast(colour, widget.weak_bg_fill);
+                    assert!(found >= 4.5, "{theme:?}: {text} on {name}: {found:.2}");
+                }
+            }
+            let found = contrast(visuals.selection.stroke.color, visuals.selection.bg_fill);
+            assert!(found >= 4.5, "{theme:?}: selected: {found:.2}");
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use egui::DragValue;
 
+use crate::editor::arithmetic::evaluate;
 use crate::editor::units::{Ruler, Units, digits};
 
 impl Ruler {
@@ -42,6 +43,13 @@ impl Ruler {
         let field = field.speed(factor).max_decimals(decimals).update_while_editing(false);
         field.custom_parser(move |text| self.parse(text, factor))
     }
+}
+
+/// The field for a number without a unit, with arithmetic; `unit` may be typed behind it.
+pub fn number_field<'a>(field: DragValue<'a>, unit: &'static str) -> DragValue<'a> {
+    let is_unit = move |typed: &str| typed.is_empty() || typed == unit.trim();
+    let field = field.suffix(unit).update_while_editing(false);
+    field.custom_parser(move |text| evaluate(text, &|number, typed| is_unit(typed).then_some(number)))
 }
 
 /// Three significant digits.

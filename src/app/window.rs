@@ -4,6 +4,8 @@
 //!  start ─▶ frame ─▶ panels ─▶ actions ─▶ dispatch ─▶ edit, files, export, … change the state
 //! ```
 
+mod columns;
+mod context;
 mod dialogs;
 mod dispatch;
 mod edit;
@@ -27,13 +29,14 @@ use egui::{Pos2, Rect};
 use super::action::{Page, Tab};
 use super::alternatives::Alternatives;
 use super::canvas::Canvas;
+use super::canvas::tool::Tool;
 use super::canvas::wanted::Glyph;
 use super::cloud::Cloud;
 use super::examples::Gallery;
 use super::exporting::Exporting;
 use super::growth::{Growth, Phase, Texture};
 use super::notice::{Notice, Notices};
-use super::panels::{ColourPanel, LayersPanel, ResultPanel};
+use super::panels::{ColourPanel, LayersPanel, MenuKeys, ResultPanel};
 use super::result::Results;
 use super::settings::Settings;
 use super::texture::TextureView;
@@ -82,6 +85,10 @@ pub struct Window {
     grown: Option<u64>,
     /// Whether a menu was open in the last frame.
     menu_open: bool,
+    menu_keys: MenuKeys,
+    context: context::ContextMenu,
+    /// The tool before marks were selected by a key, which changed it to *Select*.
+    tool_before: Option<Tool>,
     title: String,
     trace: Trace,
 }
@@ -210,6 +217,7 @@ impl Window {
         self.finish_saving();
         self.session = session;
         self.files.restored = None;
+        self.files.exported = None;
         self.files.palettes.document_opened();
         self.recovery.document_opened();
         self.canvas.view.fitted = true;

@@ -94,7 +94,7 @@ pub use crate::colour::{Gradient, PRESETS, Preset};
 pub use crate::grid::Edges;
 pub use crate::marks::{Ellipse, Line, Path};
 pub use crate::rd::{Seeding, System};
-pub use causes::with_causes;
+pub use causes::{io_in_words, with_causes};
 pub use choices::{After, Kind, SystemChoice};
 pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_picture, in_stream, open};

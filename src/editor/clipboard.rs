@@ -4,7 +4,7 @@ use crate::document::{Document, DocumentError, Layer};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::session::Session;
 use crate::editor::shape;
-use crate::marks::Mark;
+use crate::marks::{Line, Mark, Path};
 
 impl Session {
     /// The selected marks as a document of their own; `None` where nothing is selected.
@@ -23,26 +23,49 @@ impl Session {
         (!layers.is_empty()).then(|| Document { layers, ..source.clone() }.to_json())
     }
 
-    /// Adds the marks of a document in `text`, moved by `by` px, and selects them.
+    /// Adds the marks of a document in `text` and selects them: their common midpoint at `at` (px) if given, else moved by
+    /// `step` px; farther by `step` where they would be exact doubles of other marks.
     ///
     /// # Errors
     /// Where the text is no document.
-    pub fn paste(&mut self, text: &str, by: [f64; 2]) -> Result<(), DocumentError> {
+    pub fn paste(&mut self, text: &str, at: Option<[f64; 2]>, step: [f64; 2]) -> Result<(), DocumentError> {
         let pasted = Self::open(Document::parse(text, "the clipboard")?, None);
-        let marks: Vec<Mark> = pasted.marks().map(|(_, mark)| shape::moved(&mark, by)).collect();
-        self.add(&marks);
+        let marks: Vec<(Place, Mark)> = pasted.marks().collect();
+        let by = match (at, shape::extent(marks.iter().map(|(_, mark)| mark))) {
+            (Some(at), Some([low, high])) => [0, 1].map(|axis| at[axis] - 0.5 * (low[axis] + high[axis])),
+            _ => step,
+        };
+        self.add_copies(&marks, by, step);
         Ok(())
+    }
+
+    /// Adds `marks`, moved by `by` px as far as all of them stay on the canvas, and by further `step`s until none is an exact
+    /// double of another mark; selects them.
+    fn add_copies(&mut self, marks: &[(Place, Mark)], by: [f64; 2], step: [f64; 2]) {
+        /// Attempts in each direction; more would leave most canvases.
+        const ATTEMPTS: i32 = 40;
+        let own: Vec<Mark> = self.marks().map(|(_, mark)| mark).collect();
+        let there: Vec<[f64; 2]> = own.iter().map(shape::center).collect();
+        let at = |times: i32| {
+            let by = [0, 1].map(|axis| by[axis] + f64::from(times) * step[axis]);
+            let by = self.limit_move(marks, by);
+            marks.iter().map(|(_, mark)| shape::moved(mark, by)).collect::<Vec<_>>()
+        };
+        let near = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) < 0.01;
+        let is_double = |copy: &Mark| there.iter().any(|center| near(*center, shape::center(copy)));
+        let times = (0..ATTEMPTS).flat_map(|times| [times, -times]);
+        let free = times.map(at).find(|copies| !copies.iter().any(is_double));
+        let copies = free.unwrap_or_else(|| at(0));
+        if !copies.is_empty() {
+            self.add(&copies);
+        }
     }
 
     /// Adds a copy of each selected mark, moved by `by` px as far as all copies stay on the canvas, and selects the
     /// copies.
     pub fn duplicate(&mut self, by: [f64; 2]) {
         let marks: Vec<(Place, Mark)> = self.selected().collect();
-        let by = self.limit_move(&marks, by);
-        let copies: Vec<Mark> = marks.iter().map(|(_, mark)| shape::moved(mark, by)).collect();
-        if !copies.is_empty() {
-            self.add(&copies);
-        }
+        self.add_copies(&marks, by, by);
     }
 
     /// Removes the selected marks.
@@ -72,6 +95,15 @@ impl Session {
         self.selection = Selection::new([place]);
         self.active_layer = place.layer;
         true
+    }
+
+    /// Changes the width of each selected line, and the size of each selected ellipse, by a factor.
+    pub fn widen(&mut self, factor: f64) {
+        self.change_each(|mark, center| match mark {
+            Mark::Ellipse(_) => shape::scaled(mark, factor, center),
+            Mark::Line(line) => Mark::Line(Line { width: factor * line.width, ..*line }),
+            Mark::Path(path) => Mark::Path(Path { width: factor * path.width, ..path.clone() }),
+        });
     }
 
     /// Changes each selected mark; `change` gets the mark and its centre.
@@ -109,9 +141,14 @@ mod tests {
         session.selection = Selection::new([0, 2].map(|stroke| Place { layer: 0, stroke }));
         let text = session.copy().unwrap();
         let mut other = Session::default();
-        other.paste(&text, [5.0, 0.0]).unwrap();
+        other.paste(&text, None, [5.0, 0.0]).unwrap();
         assert_eq!(selected(&other), [25.0, 105.0]);
-        assert!(other.paste("a shopping list", [0.0; 2]).is_err());
+        other.paste(&text, Some([200.0, 50.0]), [5.0, 0.0]).unwrap();
+        assert_eq!(selected(&other), [160.0, 240.0]);
+        // At the same place again: beside the marks that are there.
+        other.paste(&text, Some([200.0, 50.0]), [5.0, 0.0]).unwrap();
+        assert_eq!(selected(&other), [165.0, 245.0]);
+        assert!(other.paste("a shopping list", None, [0.0; 2]).is_err());
         other.selection.clear();
         assert_eq!(other.copy(), None);
     }
@@ -122,6 +159,10 @@ mod tests {
         session.add(&[spot(500.0)]);
         session.duplicate([30.0, 0.0]);
         assert_eq!((selected(&session), session.marks().count()), (vec![512.0], 2));
+        // There is no more room to the right.
+        session.duplicate([30.0, 0.0]);
+        assert_eq!(selected(&session), [482.0]);
+        session.delete_selected();
         session.delete_selected();
         assert_eq!((session.marks().count(), session.selection.len()), (1, 0));
     }

@@ -10,8 +10,12 @@ pub enum LayerAction {
     Add,
     /// Freeze it and those beneath, and go on with the next.
     SketchNext,
-    /// Make this layer active.
-    Take(usize),
+    /// Make this layer active; a frozen one stays frozen.
+    Select(usize),
+    /// Unfreeze the active layer and those above it.
+    Unfreeze,
+    /// Make this layer active, and unfreeze it and those above it.
+    UnfreezeThis(usize),
     /// Make the layer above (1) or beneath (−1) active.
     Step(isize),
     /// Move it up (1) or down (−1).
@@ -34,16 +38,17 @@ pub enum LayerAction {
 
 impl LayerAction {
     /// The entries of the menu, in order.
-    pub const MENU: [(&'static str, Self); 10] = [
+    pub const MENU: [(&'static str, Self); 11] = [
         ("New layer", Self::Add),
-        ("Freeze it, sketch the next", Self::SketchNext),
+        ("Freeze layer and start the next", Self::SketchNext),
+        ("Unfreeze layer", Self::Unfreeze),
         ("Duplicate layer", Self::Duplicate),
-        ("Name layer", Self::Rename),
+        ("Rename layer", Self::Rename),
         ("Hide or show layer", Self::Hide),
         ("Raise layer", Self::Shift(1)),
         ("Lower layer", Self::Shift(-1)),
-        ("Take the layer above", Self::Step(1)),
-        ("Take the layer beneath", Self::Step(-1)),
+        ("Select layer above", Self::Step(1)),
+        ("Select layer below", Self::Step(-1)),
         ("Delete layer", Self::Delete),
     ];
 }
@@ -57,14 +62,27 @@ impl Session {
         match action {
             LayerAction::Add => layers < limits::MAX_LAYERS,
             LayerAction::SketchNext => is_any && self.kind(self.active_layer).is_some(),
-            LayerAction::Take(layer) | LayerAction::HideThis(layer) => layer < layers,
-            LayerAction::Step(by) | LayerAction::Shift(by) => {
+            LayerAction::Select(layer) | LayerAction::HideThis(layer) => layer < layers,
+            LayerAction::Unfreeze => self.is_active_frozen(),
+            LayerAction::UnfreezeThis(layer) => layer < self.frozen(),
+            LayerAction::Step(by) => {
                 is_any && self.active_layer.checked_add_signed(by).is_some_and(|to| to < layers)
             }
-            LayerAction::Move(from, to) => from < layers && to < layers,
+            LayerAction::Shift(by) => {
+                let to = self.active_layer.checked_add_signed(by);
+                to.is_some_and(|to| self.allows(LayerAction::Move(self.active_layer, to)))
+            }
+            // Frozen layers keep their order.
+            LayerAction::Move(from, to) => {
+                let movable = self.frozen()..layers;
+                movable.contains(&from) && movable.contains(&to)
+            }
             LayerAction::Duplicate => is_any && layers < limits::MAX_LAYERS,
-            LayerAction::Hide | LayerAction::Rename | LayerAction::Delete => is_any,
-            LayerAction::SplitBySize(layer) => layers < limits::MAX_LAYERS && self.has_two_sizes(layer),
+            LayerAction::Hide | LayerAction::Rename => is_any,
+            LayerAction::Delete => is_any && !self.is_active_frozen(),
+            LayerAction::SplitBySize(layer) => {
+                layer >= self.frozen() && layers < limits::MAX_LAYERS && self.has_two_sizes(layer)
+            }
         }
     }
 
@@ -78,8 +96,10 @@ impl Session {
         match action {
             LayerAction::Add => self.add_layer(),
             LayerAction::SketchNext => self.sketch_next(),
-            LayerAction::Take(layer) => self.activate_layer(layer),
-            LayerAction::Step(by) => self.activate_layer(active.saturating_add_signed(by)),
+            LayerAction::Select(layer) => self.select_layer(layer),
+            LayerAction::Unfreeze => self.unfreeze_layer(active),
+            LayerAction::UnfreezeThis(layer) => self.unfreeze_layer(layer),
+            LayerAction::Step(by) => self.select_layer(active.saturating_add_signed(by)),
             LayerAction::Shift(by) => self.move_layer(active, active.saturating_add_signed(by)),
             LayerAction::Move(from, to) => self.move_layer(from, to),
             LayerAction::Duplicate => self.duplicate_layer(),

@@ -1,5 +1,7 @@
 //! The document while it is edited: selection, undo history, layers, marks, its files, recovery. It knows no window toolkit.
 
+pub mod arithmetic;
+pub mod arrange;
 pub mod clipboard;
 pub mod edit;
 pub mod file_lock;

@@ -27,7 +27,7 @@ pub enum Dropped {
     Document,
     /// Colours for the active layer.
     Palette(Palette),
-    /// A picture to draw over.
+    /// Choose a reference picture.
     Reference,
     /// None of these: why.
     Unreadable(String),

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::arithmetic::evaluate;
+
 /// A unit of length.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -102,29 +104,26 @@ impl Ruler {
         }
     }
 
-    /// Parses a length or an area. A number alone is in the user's unit; others are named: `3 mm`, `0.3cm`, `1 in`,
-    /// `20 px`. `factor` is the number of the user's units a px or px². `None` where the text is neither.
+    /// Computes a length or an area that was typed, such as `3 mm`, `0.3cm + 2` or `20*1.5`. A number alone is in the user's
+    /// unit; others are named. `factor` is the number of the user's units a px or px². `None` where the text is neither.
     #[must_use]
     pub fn parse(self, text: &str, factor: f64) -> Option<f64> {
-        let text: String = text.chars().filter(|letter| !letter.is_whitespace()).collect();
-        let text = text.replace('−', "-").replace(',', ".").to_lowercase();
-        let split = text.find(|letter: char| letter.is_alphabetic() && letter != 'e').unwrap_or(text.len());
-        let (number, unit) = text.split_at(split);
-        let number: f64 = number.parse().ok().filter(|number: &f64| number.is_finite())?;
-        let (unit, power) = match unit.strip_suffix(['²', '2']) {
-            Some(unit) => (unit, 2),
-            None => (unit, 1),
-        };
-        let px = match unit {
-            "" => return Some(number),
-            "px" => 1.0,
-            "mm" => self.dpi / INCH,
-            "cm" => 10.0 * self.dpi / INCH,
-            "in" => self.dpi,
-            _ => return None,
-        };
-        let px = if power == 2 { px * px } else { px };
-        Some(number * px * factor)
+        evaluate(text, &|number, unit| {
+            let (unit, power) = match unit.strip_suffix(['²', '2']) {
+                Some(unit) => (unit, 2),
+                None => (unit, 1),
+            };
+            let px = match unit {
+                "" => return Some(number),
+                "px" => 1.0,
+                "mm" => self.dpi / INCH,
+                "cm" => 10.0 * self.dpi / INCH,
+                "in" => self.dpi,
+                _ => return None,
+            };
+            let px = if power == 2 { px * px } else { px };
+            Some(number * px * factor)
+        })
     }
 }
 
@@ -161,7 +160,9 @@ mod tests {
         assert!((mm("300 px").unwrap() - 25.4).abs() < 1e-12);
         assert_eq!(mm("2 apples"), None);
         assert_eq!(mm(""), None);
+        assert!((mm("1 mm + 0.1 cm * 2").unwrap() - 3.0).abs() < 1e-12);
         let px = |text| PX.parse(text, PX.per_px());
+        assert_eq!(px("20*1.5"), Some(30.0));
         assert_eq!(px("1 in"), Some(300.0));
         assert_eq!(px("1e2"), Some(100.0));
         assert_eq!(px("−3"), Some(-3.0));

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::task::{Task, Tasks, Worker};
 
 /// The message where the work ended without an outcome.
-const FAILED: &str = "it failed inside dapple; please report it";
+const FAILED: &str = "an error in dapple; please report it";
 
 /// Work that writes, renames or deletes files. Dropping it waits for its end.
 pub struct Writing<T> {

@@ -127,6 +127,7 @@ fn painted(document: &Document, plan: &Plan, engine: &Engine) -> f64 {
 pub fn in_words(seconds: f64) -> String {
     let coarse = |value: f64| if value < 10.0 { value.round() } else { (value / 5.0).round() * 5.0 };
     match seconds {
+        s if s < 1.0 => "under 1 s".to_owned(),
         s if s < 90.0 => format!("about {:.0} s", coarse(s)),
         s if s < 5400.0 => format!("about {:.0} min", coarse(s / 60.0)),
         s => format!("about {:.1} h", s / 3600.0),
@@ -139,7 +140,10 @@ mod tests {
 
     #[test]
     fn estimated_times_are_round_numbers() {
-        let times = [6.4, 41.0, 119.0, 1000.0, 7200.0].map(in_words);
-        assert_eq!(times, ["about 6 s", "about 40 s", "about 2 min", "about 15 min", "about 2.0 h"]);
+        let times = [0.3, 6.4, 41.0, 119.0, 1000.0, 7200.0].map(in_words);
+        assert_eq!(
+            times,
+            ["under 1 s", "about 6 s", "about 40 s", "about 2 min", "about 15 min", "about 2.0 h"]
+        );
     }
 }

@@ -50,14 +50,14 @@ fn alternatives_have_other_seeds_another_system_and_another_spread() {
     hand.key(Modifiers::NONE, Key::A);
     until_grown(&mut hand);
     let all = names(&hand);
-    assert_eq!(all, ["Original", "Seed 2", "Seed 3", "Seed 4", "Seed 5", "Turing's spots", "Looser"]);
+    assert_eq!(all, ["Original", "Seed 2", "Seed 3", "Seed 4", "Seed 5", "Turing's spots", "Varied"]);
     let window = hand.window.state();
     assert!(window.alternatives().all.iter().all(|one| one.failed.is_none() && one.picture.is_some()));
     assert_eq!(
         named(window, "Turing's spots").document.layers[0].system,
         SystemChoice::Of(System::TURING_SPOTS)
     );
-    assert!(matches!(named(window, "Looser").document.layers[0].options.spread, SpreadChoice::Given(_)));
+    assert!(matches!(named(window, "Varied").document.layers[0].options.spread, SpreadChoice::Given(_)));
     assert!(window.alternatives().is_taken(named(window, "Original").id));
     for (index, one) in window.alternatives().all.iter().enumerate() {
         for other in &window.alternatives().all[..index] {
@@ -68,14 +68,14 @@ fn alternatives_have_other_seeds_another_system_and_another_spread() {
 
 #[test]
 fn a_chosen_alternative_grows_what_its_picture_showed() {
-    for name in ["Seed 3", "Turing's spots", "Looser"] {
+    for name in ["Seed 3", "Turing's spots", "Varied"] {
         let (mut hand, _folder) = spots();
         hand.key(Modifiers::NONE, Key::A);
         until_grown(&mut hand);
         let before = hand.document();
         let one = named(hand.window.state(), name);
         let (id, document, picture) = (one.id, one.document.clone(), one.picture.clone().unwrap());
-        hand.press(&format!("Take {name}"));
+        hand.press(&format!("Use {name}"));
         hand.until_settled();
         assert_eq!(hand.document(), document);
         let settled = hand.window.state().settled().unwrap().clone();
@@ -99,12 +99,12 @@ fn choosing_an_alternative_keeps_the_others() {
     hand.key(Modifiers::NONE, Key::A);
     until_grown(&mut hand);
     let before = names(&hand);
-    hand.press("Take Seed 4");
+    hand.press("Use Seed 4");
     hand.until_settled();
     hand.rest();
     assert_eq!(names(&hand), before);
-    assert!(hand.window.query_by_label("Take Seed 4, open now").is_some());
-    hand.press("Take Original");
+    assert!(hand.window.query_by_label("Use Seed 4, open now").is_some());
+    hand.press("Use Original");
     hand.until_settled();
     assert_eq!(hand.document().seed, 1);
 }
@@ -114,7 +114,7 @@ fn another_sketch_has_other_alternatives_and_keeps_what_is_starred() {
     let (mut hand, _folder) = spots();
     hand.key(Modifiers::NONE, Key::A);
     until_grown(&mut hand);
-    hand.press("Keep Seed 3");
+    hand.press("Star Seed 3");
     let kept = named(hand.window.state(), "Seed 3").document.clone();
     let picture = named(hand.window.state(), "Seed 3").picture.clone().unwrap();
     let before = hand.document();
@@ -131,7 +131,7 @@ fn another_sketch_has_other_alternatives_and_keeps_what_is_starred() {
     let drawn = hand.document();
 
     let id = hand.window.state().alternatives().all[0].id;
-    let first = hand.window.query_all_by_label("Take Seed 3").next().unwrap();
+    let first = hand.window.query_all_by_label("Use Seed 3").next().unwrap();
     first.click();
     hand.rest();
     hand.until_settled();
@@ -150,7 +150,7 @@ fn alternatives_can_be_stopped_and_continued() {
     hand.key(Modifiers::NONE, Key::A);
     hand.until("some growing", |window| window.alternatives().is_growing());
     hand.window.run_steps(2);
-    hand.press("Stop these");
+    hand.press("Stop the alternatives");
     assert!(!hand.window.state().alternatives().is_growing());
     let there = |hand: &Hand| {
         hand.window.state().alternatives().all.iter().filter(|one| one.picture.is_some()).count()
@@ -158,7 +158,7 @@ fn alternatives_can_be_stopped_and_continued() {
     let before = there(&hand);
     hand.rest();
     assert_eq!(there(&hand), before);
-    hand.press("Grow these");
+    hand.press("Continue the alternatives");
     until_grown(&mut hand);
 }
 
@@ -176,13 +176,13 @@ fn an_alternative_is_chosen_and_starred_by_keys_alone() {
     let (mut hand, _folder) = spots();
     hand.key(Modifiers::NONE, Key::A);
     until_grown(&mut hand);
-    hand.window.get_by_role_and_label(Role::Button, "Take Looser").focus();
+    hand.window.get_by_role_and_label(Role::Button, "Use Varied").focus();
     hand.rest();
     hand.key(Modifiers::NONE, Key::Tab);
-    let star = hand.window.get_by_role_and_label(Role::Button, "Keep Looser");
+    let star = hand.window.get_by_role_and_label(Role::Button, "Star Varied");
     assert!(star.accesskit_node().is_focused());
     hand.key(Modifiers::NONE, Key::Enter);
-    assert!(named(hand.window.state(), "Looser").kept);
+    assert!(named(hand.window.state(), "Varied").kept);
     hand.key(Modifiers::SHIFT, Key::Tab);
     hand.key(Modifiers::NONE, Key::Space);
     hand.until_settled();

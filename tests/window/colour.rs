@@ -102,7 +102,7 @@ fn colours_are_copied_between_layers() {
     assert_eq!(hand.colours(0), tiger);
     hand.key(Modifiers::COMMAND, Key::Z);
     assert_ne!(hand.colours(0), tiger);
-    hand.press("Take from");
+    hand.press("Copy from");
     hand.press("layer 1");
     assert_eq!(hand.colours(1), Colours::default_for_layer(0));
 }

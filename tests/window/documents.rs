@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use dapple::app::{Settings, Start, Window};
 use dapple::document::Document;
-use egui::{DroppedFile, Key, Modifiers, Theme, vec2};
+use egui::{DroppedFile, Event, Key, Modifiers, Theme, vec2};
+use egui_kittest::kittest::Queryable;
 
 use crate::hand::{Hand, hand, hand_with, with};
 
@@ -150,7 +151,7 @@ fn files_that_were_opened_are_remembered_the_latest_first() {
 fn an_example_is_chosen_from_its_picture() {
     let mut hand = hand();
     hand.key(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
-    hand.press("Example: zebra");
+    hand.press("Example: Zebra");
     assert_eq!(hand.document(), Document::read(example("zebra")).unwrap());
 }
 
@@ -161,6 +162,7 @@ fn the_canvas_is_resized_and_cut_into_regions() {
     hand.draw_round([100.0, 200.0], [30.0, 20.0], 30.0);
     hand.key(Modifiers::NONE, Key::Escape);
     assert_eq!(hand.document().regions, None, "off in a new document");
+    hand.press("Canvas");
     hand.press("Canvas regions");
     hand.type_into("Region columns", "3");
     hand.type_into("Canvas width", "400");
@@ -241,7 +243,7 @@ fn a_picture_without_a_document_is_reported_with_a_remedy() {
     hand.press("OK");
     drop_file(&mut hand, &picture);
     hand.until("the picture", Window::has_reference);
-    assert!(hand.window.state().notices()[0].text.contains("lies under the canvas"));
+    assert!(hand.window.state().notices()[0].text.contains("shown as reference picture"));
 }
 
 #[test]
@@ -308,4 +310,41 @@ fn a_change_after_a_save_began_is_unsaved() {
     assert_eq!(Document::read(&path).unwrap(), moved);
     assert_ne!(hand.document(), moved);
     assert!(hand.window.state().session().is_changed());
+}
+
+#[test]
+fn enter_that_answers_one_question_does_not_answer_the_next() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.dapple");
+    let mut hand = hand();
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    hand.key(Modifiers::COMMAND, Key::N);
+    assert!(hand.window.query_by_label_contains("Save the changes").is_some());
+    hand.key(Modifiers::NONE, Key::Enter);
+    hand.type_path_only("File", &path);
+    // Enter is held: the same key comes again and again.
+    for _ in 0..6 {
+        let (key, modifiers) = (Key::Enter, Modifiers::NONE);
+        hand.window.event(Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers });
+        hand.rest();
+    }
+    assert!(path.exists());
+    assert!(hand.window.query_by_label("New document").is_some(), "the page is shown");
+    hand.window.key_up(Key::Enter);
+    hand.rest();
+    hand.key(Modifiers::NONE, Key::Enter);
+    assert!(hand.window.query_by_label("New document").is_none());
+    assert!(hand.strokes().is_empty());
+}
+
+#[test]
+fn the_question_about_unsaved_changes_is_as_high_as_its_text() {
+    let mut hand = hand();
+    hand.key(Modifiers::COMMAND, Key::N);
+    hand.key(Modifiers::NONE, Key::Escape);
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    hand.key(Modifiers::COMMAND, Key::N);
+    let text = hand.window.get_by_label_contains("Otherwise they will be lost").rect();
+    let button = hand.window.get_by_label("Don't save").rect();
+    assert!(button.top() - text.bottom() < 40.0, "{text:?} {button:?}");
 }

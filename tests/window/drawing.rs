@@ -29,6 +29,66 @@ fn an_open_stroke_becomes_a_line_as_wide_as_the_pen() {
     assert_eq!(line.width, 6.0);
 }
 
+/// The pointer events of a stroke, from press to release.
+fn stroke(hand: &Hand, points: impl IntoIterator<Item = [f64; 2]>) -> Vec<Event> {
+    let path: Vec<_> = points.into_iter().map(|point| hand.at(point)).collect();
+    let button = |pos, pressed| Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let mut events = vec![Event::PointerMoved(path[0]), button(path[0], true)];
+    events.extend(path.iter().map(|at| Event::PointerMoved(*at)));
+    events.push(button(path[path.len() - 1], false));
+    events
+}
+
+/// The points of a circle.
+fn circle([x, y]: [f64; 2], radius: f64) -> impl Iterator<Item = [f64; 2]> {
+    let turn = |step| (std::f64::consts::TAU * f64::from(step) / 30.0).sin_cos();
+    (0..=30).map(turn).map(move |(sin, cos)| [x + radius * cos, y + radius * sin])
+}
+
+#[test]
+fn quick_circles_within_one_frame_are_marks_and_steps_of_their_own() {
+    let mut hand = hand();
+    let places = [80.0, 160.0, 240.0, 320.0, 400.0].map(|x| [x, 200.0]);
+    let events: Vec<Event> = places.iter().flat_map(|at| stroke(&hand, circle(*at, 20.0))).collect();
+    hand.window.input_mut().events.extend(events);
+    hand.rest();
+    assert!(hand.lines().is_empty() && hand.document().layers.len() == 1, "{:?}", hand.strokes());
+    let found: Vec<f64> = hand.ellipses().iter().map(|ellipse| ellipse.center[0].round()).collect();
+    assert_eq!(found, places.map(|[x, _]| x));
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.ellipses().len(), 4);
+}
+
+#[test]
+fn a_stroke_that_ends_in_the_frame_in_which_the_next_begins_is_not_joined_to_it() {
+    let mut hand = hand();
+    let [first, second] = [[100.0, 200.0], [300.0, 200.0]].map(|at| stroke(&hand, circle(at, 30.0)));
+    let frames = [&first[..10], &[&first[10..], &second[..12]].concat(), &second[12..]];
+    for events in frames {
+        hand.window.input_mut().events.extend(events.iter().cloned());
+        hand.window.step();
+    }
+    hand.rest();
+    let found: Vec<f64> = hand.ellipses().iter().map(|ellipse| ellipse.center[0].round()).collect();
+    assert_eq!(found, [100.0, 300.0]);
+}
+
+#[test]
+fn quick_clicks_within_one_frame_each_add_an_ellipse() {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::E);
+    let events: Vec<Event> =
+        [100.0, 200.0, 300.0].iter().flat_map(|x| stroke(&hand, [[*x, 150.0]])).collect();
+    hand.window.input_mut().events.extend(events);
+    hand.rest();
+    assert_eq!(hand.ellipses().len(), 3);
+}
+
 /// The points of an S, 200 px long.
 fn wave() -> Vec<[f64; 2]> {
     let at = |k: u32| {
@@ -220,4 +280,20 @@ fn movement_after_the_button_is_released_is_no_part_of_the_stroke() {
     hand.rest();
     assert_eq!(hand.ellipses().len(), 1);
     assert!((hand.ellipses()[0].center[0] - 150.0).abs() < 1.0, "{:?}", hand.ellipses());
+}
+
+#[test]
+fn an_empty_canvas_offers_something_to_begin_with_until_the_first_mark() {
+    let mut hand = hand();
+    let offered = |hand: &Hand| hand.window.query_by_label("Begin with").is_some();
+    assert!(offered(&hand));
+    hand.press("Stripes");
+    assert!(hand.lines().len() > 2 && !offered(&hand));
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert!(hand.strokes().is_empty() && offered(&hand), "one step to undo");
+    hand.press("Spots");
+    assert!(hand.ellipses().len() > 3);
+    hand.key(Modifiers::COMMAND, Key::Z);
+    hand.press("A leopard");
+    assert_eq!(hand.document().layers.len(), 2);
 }

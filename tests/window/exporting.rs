@@ -105,7 +105,7 @@ fn an_impossible_export_is_reported_with_a_remedy() {
     hand.press("The change into another document");
     hand.press("Choose a document…");
     hand.type_path("File", &other);
-    hand.press("Make the film");
+    hand.press("Preview the film");
     let mut found = false;
     for _ in 0..2000 {
         hand.window.step();
@@ -180,4 +180,25 @@ fn the_outlines_page_in_a_small_dark_window() {
 #[test]
 fn the_material_page() {
     sight("Material", "export-material-light", [1024.0, 700.0], Theme::Light);
+}
+
+#[test]
+fn a_place_that_cannot_be_written_keeps_the_dialog_and_the_last_folder_is_proposed() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut hand = crate::hand::hand();
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    hand.until_settled();
+    open(&mut hand, "Picture");
+    hand.press("Export…");
+    hand.type_path("File", &folder.path().join("no").join("such.png"));
+    assert!(hand.window.state().notices()[0].wrong);
+    assert!(hand.window.state().choices().is_some(), "the dialog is open");
+    hand.press("Export…");
+    hand.type_path("File", &folder.path().join("mine.png"));
+    hand.until("written", |window| window.notices().iter().any(|notice| notice.text.contains("mine.png")));
+    open(&mut hand, "Picture");
+    hand.press("Export…");
+    let name = hand.window.get_by_role_and_label(Role::TextInput, "File").value();
+    assert_eq!(name.as_deref(), Some("mine.png"));
+    assert!(hand.window.query_all_by_label_contains(folder.path().to_str().unwrap()).next().is_some());
 }

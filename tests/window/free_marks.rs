@@ -47,7 +47,8 @@ fn what_the_marks_want_between_them_is_shown_while_drawing_and_can_be_hidden() {
     assert_ne!(hand.window.state().wanted(), first);
 
     let shown = picture(&mut hand);
-    hand.press("Wanted sizes and directions");
+    hand.press("Canvas");
+    hand.press("Expected sizes and directions");
     assert!(hand.window.state().wanted().is_empty());
     let hidden = picture(&mut hand);
     assert!(shown != hidden, "nothing was painted");
@@ -56,7 +57,7 @@ fn what_the_marks_want_between_them_is_shown_while_drawing_and_can_be_hidden() {
     // Regions have a grid instead.
     hand.press("Canvas regions");
     assert!(hand.document().regions.is_some() && hand.window.state().wanted().is_empty());
-    assert!(is_shown(&hand, "Region grid") && !is_shown(&hand, "Wanted sizes and directions"));
+    assert!(is_shown(&hand, "Region grid") && !is_shown(&hand, "Expected sizes and directions"));
 }
 
 #[test]
@@ -67,13 +68,13 @@ fn what_is_wanted_at_the_pointer_is_told() {
     hand.key(Modifiers::NONE, Key::Escape);
     hand.window.remove_cursor();
     hand.rest();
-    assert!(is_shown(&hand, "Wanted on average"));
+    assert!(is_shown(&hand, "Expected on average"));
     let mut areas = Vec::new();
     for x in [180.0, 340.0] {
         let at = hand.at([x, 256.0]);
         hand.window.hover_at(at);
         hand.rest();
-        assert!(is_shown(&hand, "Wanted at the pointer"));
+        assert!(is_shown(&hand, "Expected at the pointer"));
         let label = hand.window.query_all_by_label_contains("px²").next().unwrap();
         let text = format!("{label:?}");
         let digits: String =
@@ -169,7 +170,7 @@ fn what_was_asked_and_what_grew_of_a_mark_is_shown_where_it_is_selected() {
     hand.key(Modifiers::NONE, Key::V);
     hand.click([100.0, 100.0]);
     lost(&mut hand);
-    for text in ["Grown", "asked", "got", "off", "Its middle is"] {
+    for text in ["Grown", "asked", "grown", "error", "Its centre is"] {
         assert!(is_shown(&hand, text), "{text}");
     }
     let asked = format!("{:.0} px²", std::f64::consts::PI * 24.0 * 16.0);
@@ -195,12 +196,12 @@ fn two_sizes_become_two_layers_at_a_click_and_one_undo_restores_them() {
     let before = two_sizes();
     let (mut hand, ..) = hand_with(&before);
     assert!(is_shown(&hand, "the spots of this layer have two sizes"));
-    hand.reach("Make two layers of it");
+    hand.reach("Split into two layers");
     let after = hand.document();
     let counts: Vec<usize> = after.layers.iter().map(|layer| layer.strokes.len()).collect();
     assert_eq!(counts, [4, 21]);
     assert!(after.layers.iter().all(|layer| layer.system == before.layers[0].system));
-    assert!(!is_shown(&hand, "have two sizes") && !is_shown(&hand, "Make two layers of it"));
+    assert!(!is_shown(&hand, "have two sizes") && !is_shown(&hand, "Split into two layers"));
     hand.key(Modifiers::COMMAND, Key::Z);
     assert_eq!(hand.document().layers[0].strokes, before.layers[0].strokes);
     assert_eq!(hand.document().layers.len(), 1);
@@ -210,10 +211,10 @@ fn two_sizes_become_two_layers_at_a_click_and_one_undo_restores_them() {
 #[test]
 fn notes_on_a_sketch_are_shown_whole() {
     let (mut hand, ..) = hand_with(&two_sizes());
-    hand.window.get_by_label("Make two layers of it").scroll_to_me();
+    hand.window.get_by_label("Split into two layers").scroll_to_me();
     hand.window.run_steps(60);
     let column = hand.window.get_by_label("Will not grow as drawn").rect();
-    for part in ["the spots of this layer have two sizes", "Make two layers of it"] {
+    for part in ["the spots of this layer have two sizes", "Split into two layers"] {
         let shown = hand.window.get_by_label_contains(part).rect();
         assert!(shown.left() >= column.left() - 1.0 && shown.right() <= 1280.0 - 10.0, "{part}: {shown:?}");
         assert!(shown.top() > 60.0 && shown.bottom() < 640.0, "{part}: {shown:?}");
@@ -232,4 +233,27 @@ fn distances_that_stripes_cannot_have_and_hidden_layers_are_told() {
     assert!(!is_shown(&hand, "Will not grow as drawn"));
     hand.key(Modifiers::SHIFT, Key::H);
     assert!(is_shown(&hand, "all layers are hidden"));
+}
+
+#[test]
+fn what_grew_of_the_mark_that_was_drawn_last_is_shown_once_it_is_measured() {
+    let mut hand = hand();
+    for k in 0..6 {
+        hand.draw_round([100.0 + 50.0 * f64::from(k), 200.0], [16.0, 10.0], 30.0);
+        lost(&mut hand);
+        assert!(is_shown(&hand, "Grown"), "mark {k}");
+    }
+}
+
+#[test]
+fn what_will_not_grow_as_drawn_is_said_at_its_place() {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::L);
+    hand.drag(&[[100.0, 100.0], [200.0, 150.0], [300.0, 200.0]]);
+    hand.drag(&[[100.0, 200.0], [200.0, 150.0], [300.0, 100.0]]);
+    let at = hand.at([200.0, 150.0]);
+    hand.window.hover_at(at);
+    hand.window.run_steps(60);
+    let texts = hand.window.query_all_by_label_contains("these cross each other").count();
+    assert_eq!(texts, 2, "in the column and at the pointer");
 }

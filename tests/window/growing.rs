@@ -96,7 +96,7 @@ fn a_paused_growth_takes_no_step_until_it_is_continued() {
         }
     });
     assert!(matches!(hand.phase(), Phase::Growing(..)), "{:?}", hand.phase());
-    hand.press("Go on");
+    hand.press("Resume");
     hand.until_settled();
 }
 

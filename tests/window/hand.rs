@@ -204,7 +204,8 @@ impl Hand {
         self.window.run_steps(4);
     }
 
-    fn type_path_only(&mut self, name: &str, path: &std::path::Path) {
+    /// Types a path into the file dialog.
+    pub fn type_path_only(&mut self, name: &str, path: &std::path::Path) {
         self.window.get_by_role_and_label(Role::TextInput, name).click();
         self.rest();
         self.key(Modifiers::COMMAND, Key::A);

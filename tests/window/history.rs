@@ -22,7 +22,8 @@ enum Deed {
     DuplicateLayer,
     DeleteLayer(usize),
     MoveLayer(usize, usize),
-    TakeLayer(usize),
+    SelectLayer(usize),
+    UnfreezeLayer(usize),
     SketchNext,
     Hide(usize),
     Meet(usize, After, f64),
@@ -70,7 +71,8 @@ fn layer_deed() -> impl Strategy<Value = Deed> {
         Just(Deed::SketchNext),
         layer().prop_map(Deed::DeleteLayer),
         (layer(), layer()).prop_map(|(from, to)| Deed::MoveLayer(from, to)),
-        layer().prop_map(Deed::TakeLayer),
+        layer().prop_map(Deed::SelectLayer),
+        layer().prop_map(Deed::UnfreezeLayer),
         layer().prop_map(Deed::Hide),
         (layer(), after, 0.0..0.6f64).prop_map(|(layer, after, broken)| Deed::Meet(layer, after.1, broken)),
         (layer(), 0.18..0.82f64).prop_map(|(layer, duty)| Deed::Duty(layer, duty)),
@@ -102,7 +104,8 @@ fn act(session: &mut Session, deed: &Deed) {
         Deed::DuplicateLayer => session.duplicate_layer(),
         Deed::DeleteLayer(layer) => session.delete_layer(*layer),
         Deed::MoveLayer(from, to) => session.move_layer(*from, *to),
-        Deed::TakeLayer(layer) => session.activate_layer(*layer),
+        Deed::SelectLayer(layer) => session.select_layer(*layer),
+        Deed::UnfreezeLayer(layer) => session.unfreeze_layer(*layer),
         Deed::SketchNext => session.sketch_next(),
         Deed::Hide(layer) => session.show_layer(*layer, false),
         Deed::Meet(layer, after, broken) => session.change_layer(*layer, |layer| {
@@ -115,13 +118,9 @@ fn act(session: &mut Session, deed: &Deed) {
         Deed::Redo => session.redo(),
     }
     session.commit();
-    assert!(
-        session.frozen() <= session.active_layer,
-        "{} frozen, {} at hand",
-        session.frozen(),
-        session.active_layer
-    );
-    assert!(session.active_layer < session.document().layers.len().max(1));
+    let layers = session.document().layers.len();
+    assert!(session.frozen() < layers.max(1), "{} of {layers} frozen", session.frozen());
+    assert!(session.active_layer < layers.max(1));
 }
 
 proptest! {

@@ -185,11 +185,11 @@ fn a_hidden_layer_grows_but_cannot_be_edited() {
 }
 
 #[test]
-fn a_frozen_layer_cannot_be_edited_until_it_is_thawed() {
+fn a_frozen_layer_cannot_be_edited_until_its_snowflake_is_clicked() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
     hand.drag(&[[80.0, 80.0], [120.0, 104.0]]);
-    hand.press("Freeze it, sketch the next");
+    hand.press("Freeze layer and start the next");
     assert_eq!(rows(&hand), ["Layer layer 2, empty", "Layer layer 1, 1 ellipse, frozen"]);
     hand.drag(&[[200.0, 200.0], [220.0, 214.0]]);
     assert_eq!(hand.document().layers.iter().map(|layer| layer.strokes.len()).collect::<Vec<_>>(), [1, 1]);
@@ -199,14 +199,24 @@ fn a_frozen_layer_cannot_be_edited_until_it_is_thawed() {
     hand.key(Modifiers::COMMAND, Key::A);
     hand.key(Modifiers::NONE, Key::Delete);
     assert_eq!(hand.ellipses().len(), 1);
-    // A click on it unfreezes it, and so does its snowflake.
+    // A click on one of its marks or on its row selects it only.
+    let state = |hand: &Hand| (at_hand(hand), hand.window.state().session().frozen());
     hand.key(Modifiers::NONE, Key::V);
     hand.click([100.0, 92.0]);
-    assert_eq!((at_hand(&hand), hand.window.state().session().frozen()), (0, 0));
+    assert_eq!(state(&hand), (0, 1));
+    hand.key(Modifiers::NONE, Key::E);
+    hand.drag(&[[300.0, 300.0], [320.0, 314.0]]);
+    hand.key(Modifiers::SHIFT, Key::E);
+    assert_eq!((hand.ellipses().len(), state(&hand)), (1, (0, 1)));
+    assert!(hand.window.state().notices()[0].text.contains("frozen"));
     hand.key(Modifiers::NONE, Key::F);
-    assert_eq!(at_hand(&hand), 1);
-    hand.press("Thaw layer 1");
-    assert_eq!(at_hand(&hand), 0);
+    assert_eq!(state(&hand), (1, 1));
+    hand.press("Layer layer 1, 1 ellipse, frozen");
+    assert_eq!(state(&hand), (0, 1));
+    hand.press("Unfreeze layer 1");
+    assert_eq!(state(&hand), (0, 0));
+    hand.drag(&[[300.0, 300.0], [320.0, 314.0]]);
+    assert_eq!(hand.ellipses().len(), 2);
 }
 
 #[test]
@@ -258,9 +268,9 @@ fn options_of_stripes() {
     assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.82));
     hand.type_into("Share", "50");
     assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.5));
-    choose(&mut hand, "Begins from", "Drawn lines");
+    choose(&mut hand, "Starts from", "Drawn lines");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Initiators);
-    hand.press("Begins from: default");
+    hand.press("Starts from: default");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Noise);
     let kept = hand.document().keeps_marks(1);
     hand.press("Keep marks");
@@ -313,6 +323,11 @@ fn layers_are_edited_by_keys_alone() {
     hand.key(Modifiers::NONE, Key::ArrowDown);
     assert_eq!(at_hand(&hand), 0);
     hand.key(Modifiers::ALT, Key::ArrowUp);
+    assert_eq!(kinds(&hand), [true, false], "it is frozen");
+    tab_to(&mut hand, "Unfreeze layer 1");
+    hand.key(Modifiers::NONE, Key::Enter);
+    tab_to(&mut hand, "Layer layer 1, 1 ellipse");
+    hand.key(Modifiers::ALT, Key::ArrowUp);
     assert_eq!(kinds(&hand), [false, true]);
     assert_eq!(at_hand(&hand), 1);
     hand.key(Modifiers::ALT, Key::ArrowDown);
@@ -359,6 +374,45 @@ fn layers_beneath_are_not_grown_again_and_are_shown_under_the_canvas() {
     assert_eq!(hand.window.state().growth().reused, 1);
     hand.until("the picture of the frozen layer", Window::has_underlay);
     // Unfrozen, nothing is shown under it any more.
-    hand.press("Thaw layer 1");
+    hand.press("Unfreeze layer 1");
     assert!(!hand.window.state().has_underlay());
+}
+
+#[test]
+fn an_ellipse_on_a_layer_of_rings_asks_before_it_gets_another_layer() {
+    let mut hand = hand();
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    hand.key(Modifiers::NONE, Key::F);
+    hand.press("How it grows");
+    hand.press("Meets: Around");
+    hand.draw_round([350.0, 200.0], [40.0, 20.0], 30.0);
+    assert!(hand.window.query_by_label("Draw it on another layer?").is_some());
+    hand.press("Cancel");
+    assert_eq!(hand.ellipses().len(), 1);
+    hand.draw_round([350.0, 200.0], [40.0, 20.0], 30.0);
+    hand.press("Other layer");
+    assert_eq!(hand.ellipses().len(), 2);
+}
+
+#[test]
+fn a_new_layer_for_another_kind_of_mark_is_told() {
+    let mut hand = hand();
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    hand.drag(&[[100.0, 300.0], [200.0, 310.0], [300.0, 320.0]]);
+    assert!(hand.window.state().notices()[0].text.contains("on a new layer"));
+}
+
+#[test]
+fn renaming_a_layer_grows_nothing() {
+    let mut hand = hand();
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    hand.until_settled();
+    let before = hand.window.state().growth().generation();
+    hand.key(Modifiers::NONE, Key::F2);
+    hand.window.event(egui::Event::Text("spots".to_owned()));
+    hand.window.step();
+    hand.key(Modifiers::NONE, Key::Enter);
+    assert_eq!(hand.document().layers[0].name, "spots");
+    assert_eq!(hand.window.state().growth().generation(), before);
+    assert!(hand.window.state().settled().is_some());
 }

@@ -35,7 +35,7 @@ fn from_an_empty_canvas_to_a_leopard() {
     hand.key(Modifiers::NONE, Key::Escape);
     see(&mut hand, "leopard-1");
 
-    hand.press("Freeze it, sketch the next");
+    hand.press("Freeze layer and start the next");
     hand.press("How it grows");
     hand.press("Meets: Around");
     hand.type_into("Line width", "7.5");

@@ -4,6 +4,7 @@
 mod access;
 mod alternatives;
 mod colour;
+mod columns;
 mod documents;
 mod drawing;
 mod exporting;

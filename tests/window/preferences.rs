@@ -106,12 +106,13 @@ fn lengths_are_shown_and_typed_in_mm_by_the_documents_dpi() {
     hand.press("mm");
     hand.press("Close");
     let before = hand.ellipses()[0];
-    assert_eq!(shown(&hand, "Middle x"), "21.67", "256 px of 300 an inch");
+    assert_eq!(shown(&hand, "Centre x"), "21.67", "256 px of 300 an inch");
     assert_eq!(shown(&hand, "Area"), "2.163 mm²");
     hand.type_into("Radius along", "2.54");
     assert!((hand.ellipses()[0].radii[0] - 30.0).abs() < 1e-9);
     hand.type_into("Radius along", "60 px");
     assert!((hand.ellipses()[0].radii[0] - 60.0).abs() < 1e-9);
+    hand.press("Canvas");
     hand.type_into("Resolution", "254");
     hand.type_into("Canvas width", "40");
     assert_eq!(hand.document().size, [400, 512]);
@@ -129,7 +130,7 @@ fn a_number_field_that_is_left_without_typing_changes_nothing() {
         preferences(&mut hand);
         hand.press(units);
         hand.press("Close");
-        for name in ["Middle x", "Middle y", "Radius along", "Radius across", "Area"] {
+        for name in ["Centre x", "Centre y", "Radius along", "Radius across", "Area"] {
             hand.window.get_by_role_and_label(Role::SpinButton, name).click();
             hand.rest();
             hand.key(Modifiers::NONE, Key::Enter);

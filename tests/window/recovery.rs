@@ -174,7 +174,7 @@ fn discarding_a_backup_asks_for_confirmation_and_deletes_it() {
     let mut hand = window(folder.path(), None);
     hand.press("Discard");
     assert_eq!(backups(folder.path()).len(), 1);
-    hand.press("Discard for good");
+    hand.press("Discard permanently");
     assert!(backups(folder.path()).is_empty());
     assert_eq!(is_offered(&hand), 0);
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
@@ -253,7 +253,7 @@ fn a_backup_folder_that_cannot_be_written_is_reported_once() {
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
     hand.until("a notice", |window| !window.notices().is_empty());
     let notices = hand.window.state().notices().to_vec();
-    assert!(notices[0].wrong && notices[0].text.contains("Save them yourself"), "{notices:?}");
+    assert!(notices[0].wrong && notices[0].text.contains("Save often"), "{notices:?}");
     hand.rest();
     hand.press("OK");
     hand.draw_round([250.0, 200.0], [40.0, 20.0], 30.0);
@@ -265,9 +265,10 @@ fn a_backup_folder_that_cannot_be_written_is_reported_once() {
 fn the_window_opens_with_its_last_size_and_position() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = window(folder.path(), None);
-    hand.press("Views move together");
-    hand.press("What dapple sees");
-    hand.press("One over the other");
+    hand.press("Canvas");
+    hand.press("Link both views");
+    hand.press("Analysis of the sketch");
+    hand.press("Texture over the sketch");
     hand.press("Colour");
     hand.window.state_mut().leave();
     let layout = Settings::read(&folder.path().join("settings")).layout;

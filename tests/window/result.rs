@@ -10,6 +10,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand, hand_with};
+use crate::sights::picture;
 
 /// Four spots in the left half of a small canvas, `apart` px from each other; the right half takes their attributes.
 fn spots(radius: f64, apart: f64) -> Document {
@@ -197,7 +198,7 @@ fn the_training_cloud_shows_the_question_and_the_rows_of_the_answer() {
     let (mut hand, ..) = hand_with(&spots(8.0, 30.0));
     hand.press("Result");
     until_known(&mut hand);
-    hand.press("Training cloud…");
+    hand.press("Training data…");
     hand.until("a cloud", |window| window.cloud().points().is_some());
     hand.rest();
     let points = hand.window.state().cloud().points().unwrap();
@@ -222,4 +223,27 @@ fn another_document_has_its_own_results() {
     hand.key(Modifiers::COMMAND, Key::N);
     hand.press("Create");
     assert!(hand.window.state().results().outcome().is_none());
+}
+
+#[test]
+fn a_miss_is_shown_on_the_tab_and_in_the_region_whatever_the_tab_is() {
+    let (mut hand, ..) = hand_with(&spots(11.0, 26.0));
+    hand.until_settled();
+    hand.until("measured", |window| window.results().for_texture(window.settled()).is_some());
+    assert!(hand.window.state().results().outcome().unwrap().is_missed());
+    let missed = picture(&mut hand);
+    let (mut other, ..) = hand_with(&spots(8.0, 30.0));
+    other.until_settled();
+    other.until("measured", |window| window.results().for_texture(window.settled()).is_some());
+    assert!(!other.window.state().results().outcome().unwrap().is_missed());
+    let met = picture(&mut other);
+    let tab = hand.window.get_by_role_and_label(Role::Button, "Result").rect();
+    let corner = |picture: &image::RgbaImage| {
+        let [x, y] = [tab.right() as u32 - 13, tab.top() as u32 + 1];
+        image::imageops::crop_imm(picture, x, y, 12, 12).to_image()
+    };
+    assert_ne!(corner(&missed), corner(&met));
+    hand.press("Result");
+    until_known(&mut hand);
+    assert!(hand.window.query_all_by_label_contains("apart, from centre to centre").next().is_some());
 }

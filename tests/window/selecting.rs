@@ -76,7 +76,7 @@ fn several_are_scaled_by_their_box() {
 fn numbers_are_typed() {
     let mut hand = row(&[100.0]);
     hand.click([100.0, 200.0]);
-    hand.type_into("Middle x", "256.5");
+    hand.type_into("Centre x", "256.5");
     hand.type_into("Direction", "45");
     hand.type_into("Area", "500");
     let ellipse = hand.ellipses()[0];
@@ -123,4 +123,78 @@ fn a_deleted_selection_can_be_restored() {
     assert_eq!(hand.document(), before);
     hand.key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
     assert!(hand.strokes().is_empty());
+}
+
+#[test]
+fn a_copy_is_made_by_ctrl_drag_and_none_by_a_click() {
+    let mut hand = row(&[100.0]);
+    hand.drag_with(&[[100.0, 200.0], [150.0, 240.0], [200.0, 300.0]], Modifiers::COMMAND);
+    assert_eq!(hand.ellipses().len(), 2);
+    hand.drag_with(&[[100.0, 200.0], [100.0, 200.0]], Modifiers::ALT);
+    assert_eq!(hand.ellipses().len(), 2, "it would lie on its original");
+}
+
+#[test]
+fn marks_are_pasted_at_the_pointer_and_never_on_their_doubles() {
+    let mut hand = row(&[100.0]);
+    hand.click([100.0, 200.0]);
+    let text = hand.window.state().session().copy().unwrap();
+    let at = hand.at([300.0, 350.0]);
+    for _ in 0..3 {
+        hand.window.hover_at(at);
+        hand.window.event(Event::Paste(text.clone()));
+        hand.rest();
+    }
+    let places: Vec<[f64; 2]> = hand.ellipses().iter().map(|ellipse| ellipse.center).collect();
+    assert!((places[1][0] - 300.0).abs() < 0.5 && (places[1][1] - 350.0).abs() < 0.5, "{places:?}");
+    for (index, place) in places.iter().enumerate() {
+        let is_double = |other: &[f64; 2]| (other[0] - place[0]).hypot(other[1] - place[1]) < 1.0;
+        assert!(!places[..index].iter().any(is_double), "{places:?}");
+    }
+}
+
+#[test]
+fn the_pen_draws_again_after_all_marks_were_selected_and_deleted() {
+    let mut hand = hand();
+    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    hand.key(Modifiers::COMMAND, Key::A);
+    hand.key(Modifiers::NONE, Key::Delete);
+    hand.draw_round([300.0, 200.0], [40.0, 20.0], 30.0);
+    assert_eq!(hand.ellipses().len(), 1);
+}
+
+#[test]
+fn sums_are_typed_into_number_fields() {
+    let mut hand = row(&[100.0]);
+    hand.click([100.0, 200.0]);
+    hand.type_into("Centre x", "20*1.5 + 10");
+    hand.type_into("Radius along", "2.54 cm / 10");
+    hand.type_into("Direction", "90/2");
+    let ellipse = hand.ellipses()[0];
+    assert!((ellipse.center[0] - 40.0).abs() < 1e-9 && (ellipse.angle - 45.0).abs() < 1e-9, "{ellipse:?}");
+    assert!((ellipse.radii[0] - 30.0).abs() < 1e-9, "{ellipse:?}");
+}
+
+#[test]
+fn attributes_of_a_selection_are_typed_and_the_marks_follow() {
+    let mut hand = row(&[100.0, 200.0, 300.0]);
+    hand.key(Modifiers::COMMAND, Key::A);
+    hand.type_into("Spacing", "50");
+    let xs: Vec<f64> = hand.ellipses().iter().map(|ellipse| ellipse.center[0]).collect();
+    for (found, wanted) in xs.iter().zip([150.0, 200.0, 250.0]) {
+        assert!((found - wanted).abs() < 0.2, "{xs:?}");
+    }
+    hand.type_into("Aspect of all", "0.8");
+    hand.type_into("Direction of all", "30");
+    for ellipse in hand.ellipses() {
+        assert!(
+            (ellipse.aspect() - 0.8).abs() < 1e-6 && (ellipse.major_angle() - 30.0).abs() < 1e-6,
+            "{ellipse:?}"
+        );
+        let area = std::f64::consts::PI * 200.0;
+        assert!((ellipse.area() / area - 1.0).abs() < 0.02, "the area stays: {ellipse:?}");
+    }
+    hand.click([200.0, 200.0]);
+    hand.type_into("Aspect", "0.5");
+    assert!((hand.ellipses()[1].aspect() - 0.5).abs() < 1e-6);
 }

@@ -16,22 +16,28 @@ fn example(name: &str) -> Start {
     Start { file: Some(file), ..Start::default() }
 }
 
+/// Takes the pointer away, and waits for what a selected mark shows: the results of a texture come after it.
+#[track_caller]
+fn prepare(hand: &mut Hand) {
+    hand.window.remove_cursor();
+    hand.rest();
+    hand.until("measured", |window| {
+        window.settled().is_none() || window.results().for_texture(window.settled()).is_some()
+    });
+    hand.rest();
+}
+
 /// A picture of the window without the pointer. Needs a graphics card or a software renderer (Mesa's).
 #[track_caller]
 pub fn picture(hand: &mut Hand) -> RgbaImage {
-    hand.window.remove_cursor();
-    hand.rest();
-    // A selected mark shows what was measured of it.
-    hand.until("measured", |window| !window.results().is_busy());
-    hand.rest();
+    prepare(hand);
     hand.window.render().unwrap_or_else(|error| panic!("this machine cannot draw: {error}"))
 }
 
 /// Compares the window with the stored picture.
 #[track_caller]
 pub fn see(hand: &mut Hand, name: &str) {
-    hand.window.remove_cursor();
-    hand.rest();
+    prepare(hand);
     let options = SnapshotOptions::new()
         .output_path(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/window/sights"))
         .threshold(1.5)
@@ -80,7 +86,8 @@ fn a_selected_ellipse_in_a_new_document() {
 #[test]
 fn what_dapple_sees() {
     let mut hand = with(example("turning-spots"), SMALL.into(), Theme::Light);
-    hand.press("What dapple sees");
+    hand.press("Canvas");
+    hand.press("Analysis of the sketch");
     hand.until_settled();
     hand.window.state_mut().hide_times();
     see(&mut hand, "analysis-light");
@@ -115,7 +122,7 @@ fn one_over_the_other_with_tiles() {
     let mut hand = with(example("tile-petals"), SMALL.into(), Theme::Light);
     hand.until_settled();
     hand.window.state_mut().hide_times();
-    hand.press("One over the other");
+    hand.press("Texture over the sketch");
     see(&mut hand, "divider-light");
     hand.press("Side by side");
     hand.press("Two by two");

@@ -32,7 +32,8 @@ fn the_wheel_zooms_around_the_pointer_in_both_views() {
     assert!(before.distance(hand.at([100.0, 150.0])) < 0.5, "what is under the pointer stays");
     assert_eq!(texture, (center, zoom));
 
-    hand.press("Views move together");
+    hand.press("Canvas");
+    hand.press("Link both views");
     wheel(&mut hand, [100.0, 150.0], -60.0, Modifiers::NONE);
     let [sketch, apart] = hand.window.state().views();
     assert_ne!(sketch, apart);
@@ -99,7 +100,7 @@ fn pointing_at_a_region_shows_its_attributes() {
 #[test]
 fn the_sketch_under_the_texture_can_be_drawn_on() {
     let mut hand = hand();
-    hand.press("One over the other");
+    hand.press("Texture over the sketch");
     hand.draw_round([120.0, 200.0], [40.0, 20.0], 30.0);
     assert_eq!(hand.ellipses().len(), 1);
 }
@@ -118,4 +119,29 @@ fn a_window_with_unsaved_work_asks_before_closing() {
     assert!(hand.window.query_by_label("Don't save").is_some());
     hand.press("Cancel");
     assert_eq!(hand.ellipses().len(), 1);
+}
+
+#[test]
+fn what_is_drawn_over_the_texture_is_seen_while_it_is_drawn() {
+    let mut hand = hand();
+    hand.draw_round([120.0, 200.0], [40.0, 20.0], 30.0);
+    hand.until_settled();
+    hand.press("Texture over the sketch");
+    hand.key(Modifiers::NONE, Key::L);
+    hand.key(Modifiers::NONE, Key::Escape);
+    let [from, to] = [hand.at([330.0, 250.0]), hand.at([480.0, 250.0])];
+    let before = hand.window.render().unwrap();
+    hand.window.hover_at(from);
+    hand.window.step();
+    hand.window.drag_at(from);
+    hand.window.hover_at(to);
+    hand.window.step();
+    hand.window.step();
+    let drawn = hand.window.render().unwrap();
+    let on_line = hand.at([400.0, 250.0]);
+    let at = |picture: &image::RgbaImage| *picture.get_pixel(on_line.x as u32, on_line.y as u32);
+    assert_ne!(at(&before), at(&drawn), "the line is painted over the texture");
+    hand.window.drop_at(to);
+    hand.rest();
+    assert_eq!(hand.lines().len(), 1);
 }

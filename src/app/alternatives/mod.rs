@@ -171,7 +171,7 @@ impl Alternatives {
         self.all.retain(|one| one.kept);
         let base = Variant {
             name: "Original".to_owned(),
-            help: "The document when these alternatives were made".to_owned(),
+            help: "The document from which these alternatives were made".to_owned(),
             document: (*texture.document).clone(),
         };
         let others = variants(&texture.document, &texture.grown, layer);

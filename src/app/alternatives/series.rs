@@ -69,7 +69,7 @@ impl Growing<'_> {
                 Ok(Ok(grown)) => Ok(grown),
                 Ok(Err(GrowError::Cancelled(_))) => return,
                 Ok(Err(error)) => Err(error.to_string()),
-                Err(_) => Err("growing it failed inside dapple; please report the document".to_owned()),
+                Err(_) => Err("growing an error in dapple; please report the document".to_owned()),
             };
             self.worker.send(News::Done { id: job.id, outcome });
         }

@@ -80,8 +80,8 @@ fn marks_that_vary_have_an_alternative_without_variation() {
     drawn.layers[0].options.spread = SpreadChoice::Given(spread);
     let all = variants(&drawn, &texture(&drawn).grown, 0);
     let of = |name: &str| all.iter().find(|one| one.name == name).unwrap().document.layers[0].options.spread;
-    assert_eq!(of("Even"), SpreadChoice::Given(Spread::ZERO));
-    let SpreadChoice::Given(looser) = of("Looser") else { panic!() };
+    assert_eq!(of("Uniform"), SpreadChoice::Given(Spread::ZERO));
+    let SpreadChoice::Given(looser) = of("Varied") else { panic!() };
     assert!(looser.area > 0.3 && looser.angle > 0.0);
     // All of them can be read again.
     for one in &all {

@@ -51,7 +51,7 @@ fn seeded(document: &Document, step: u64) -> Variant {
     }
     Variant::new(
         format!("Seed {seed}"),
-        "Another seed: the same kind of texture, with other positions and shapes",
+        "Another random start: the same kind of texture, with other positions and shapes",
         other,
     )
 }
@@ -95,12 +95,16 @@ fn spreads(document: &Document, layer: usize) -> Vec<Variant> {
     };
     let mut all = Vec::new();
     if !drawn.is_zero() {
-        all.push(Variant::new("Even", "All spots of a region are alike", given(Spread::ZERO)));
+        all.push(Variant::new(
+            "Uniform",
+            "All spots of a region have the same size and shape",
+            given(Spread::ZERO),
+        ));
     }
     let looser = limited(drawn.with(&LOOSE, |drawn, least| (LOOSER * drawn).max(least)));
     if of.options.spread != SpreadChoice::Given(looser) {
         let help = "Spots that differ more in size, shape, direction and spacing";
-        all.push(Variant::new("Looser", help, given(looser)));
+        all.push(Variant::new("Varied", help, given(looser)));
     }
     all
 }

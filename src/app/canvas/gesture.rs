@@ -1,5 +1,7 @@
 //! A gesture: what the pointer does on the canvas, from press to release.
 
+use egui::Pos2;
+
 use super::handles::{self, Handle};
 use super::tool::Tool;
 use crate::editor::selection::{Place, Selection};
@@ -8,6 +10,8 @@ use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark};
 use crate::sketch::recognise;
 
+/// The pointer takes a mark within this distance, points.
+pub const REACH: f64 = 6.0;
 /// A drag shorter than this is a click, points.
 const CLICK: f64 = 3.0;
 
@@ -32,13 +36,15 @@ pub enum Gesture {
         on: Place,
         /// Whether the pointer has moved farther than a click may.
         moved: bool,
+        /// Whether copies are moved.
+        copied: bool,
     },
     /// Dragging a handle: the handle, where it was pressed, the marks before.
     Pull(Handle, [f64; 2], Vec<(Place, Mark)>),
     /// Erasing: the last point.
     Erase([f64; 2]),
-    /// Moving the view.
-    Pan,
+    /// Moving the view: the last position on the screen.
+    Pan(Pos2),
 }
 
 /// The pointer and the keys that are held.
@@ -50,8 +56,22 @@ pub struct Hand {
     pub zoom: f64,
     /// Shift is held: circles, steps of 15°, add to the selection.
     pub shift: bool,
-    /// Alt is held: leave a copy.
-    pub alt: bool,
+    /// Alt or Ctrl is held: a drag makes a copy.
+    pub copy: bool,
+}
+
+/// A mark that was drawn.
+pub struct DrawnStroke {
+    /// The mark.
+    pub mark: Mark,
+    /// The points of a freehand stroke.
+    pub points: Vec<[f64; 2]>,
+}
+
+impl From<Mark> for DrawnStroke {
+    fn from(mark: Mark) -> Self {
+        Self { mark, points: Vec::new() }
+    }
 }
 
 /// The size of new marks.
@@ -70,10 +90,16 @@ impl Default for Nib {
     }
 }
 
-/// Begins a gesture: the pointer is pressed.
-pub fn press(tool: Tool, session: &mut Session, handle: Option<Handle>, hand: Hand) -> Gesture {
+/// Begins a gesture: the pointer is pressed at the position `on_screen`, on `handle` if there is one.
+pub fn press(
+    tool: Tool,
+    session: &mut Session,
+    handle: Option<Handle>,
+    on_screen: Pos2,
+    hand: Hand,
+) -> Gesture {
     match tool {
-        Tool::Hand => Gesture::Pan,
+        Tool::Hand => Gesture::Pan(on_screen),
         Tool::Pen => Gesture::Pen(vec![hand.at]),
         Tool::Ellipse => Gesture::Ellipse([hand.at; 2]),
         Tool::Line => Gesture::Line([hand.at; 2]),
@@ -89,7 +115,7 @@ pub fn press(tool: Tool, session: &mut Session, handle: Option<Handle>, hand: Ha
 }
 
 fn select(session: &mut Session, hand: Hand) -> Gesture {
-    let Some(on) = session.hit(hand.at, 6.0 / hand.zoom) else {
+    let Some(on) = session.hit(hand.at, REACH / hand.zoom) else {
         let before = if hand.shift { session.selection.clone() } else { Selection::default() };
         session.selection.clone_from(&before);
         return Gesture::Box([hand.at; 2], before);
@@ -100,18 +126,18 @@ fn select(session: &mut Session, hand: Hand) -> Gesture {
         session.selection = Selection::new([on]);
     }
     session.active_layer = on.layer;
-    if hand.alt {
+    if hand.copy {
         let copies: Vec<Mark> = session.selected().map(|(_, mark)| mark).collect();
         session.add(&copies);
     }
-    Gesture::Move { from: hand.at, marks: session.selected().collect(), on, moved: false }
+    Gesture::Move { from: hand.at, marks: session.selected().collect(), on, moved: false, copied: hand.copy }
 }
 
 impl Gesture {
     /// Continues the gesture: the pointer has moved.
     pub fn advance(&mut self, session: &mut Session, hand: Hand) {
         match self {
-            Self::Pan => {}
+            Self::Pan(_) => {}
             Self::Pen(points) => {
                 // Finer than half a point on the screen is noise.
                 let far = points
@@ -151,31 +177,27 @@ impl Gesture {
         }
     }
 
-    /// Ends the gesture: the pointer is released. Gives the points of a freehand stroke that became a mark.
-    pub fn release(self, session: &mut Session, nib: &mut Nib, hand: Hand) -> Option<Vec<[f64; 2]>> {
+    /// Ends the gesture: the pointer is released. Gives what was drawn.
+    pub fn release(self, session: &mut Session, nib: &mut Nib, hand: Hand) -> Option<DrawnStroke> {
         let far = |[from, to]: [[f64; 2]; 2]| (to[0] - from[0]).hypot(to[1] - from[1]) * hand.zoom > CLICK;
         match self {
             Self::Pen(points) => {
                 let mark =
                     recognise(&points, nib.width).filter(|_| points.iter().any(|p| far([points[0], *p])))?;
-                session.add(&[mark]);
-                return Some(points);
+                return Some(DrawnStroke { mark, points });
             }
             Self::Ellipse(ends) if far(ends) => {
-                if let Some(ellipse) = between(ends) {
-                    nib.radii = ellipse.radii;
-                    session.add(&[Mark::Ellipse(ellipse)]);
-                }
+                let ellipse = between(ends)?;
+                nib.radii = ellipse.radii;
+                return Some(Mark::Ellipse(ellipse).into());
             }
             Self::Ellipse([at, _]) => {
-                session.add(&[Mark::Ellipse(Ellipse { center: at, radii: nib.radii, angle: 0.0 })]);
+                return Some(Mark::Ellipse(Ellipse { center: at, radii: nib.radii, angle: 0.0 }).into());
             }
-            Self::Line(ends) if far(ends) => session.add(&[Mark::Line(line(ends, nib.width))]),
+            Self::Line(ends) if far(ends) => return Some(Mark::Line(line(ends, nib.width)).into()),
             Self::Box(ends, _) if !far(ends) && !hand.shift => {
-                // A click on a frozen mark thaws its layer.
-                if let Some(place) = session.hit_frozen(hand.at, 6.0 / hand.zoom) {
-                    session.activate_layer(place.layer);
-                    session.selection = Selection::new([place]);
+                if let Some(place) = session.hit_frozen(hand.at, REACH / hand.zoom) {
+                    session.select_layer(place.layer);
                 }
             }
             Self::Box(..) => {
@@ -184,7 +206,9 @@ impl Gesture {
                     session.active_layer = first;
                 }
             }
-            Self::Move { on, moved: false, .. } if !hand.shift && !hand.alt => {
+            // A copy that lies on its original is of no use.
+            Self::Move { moved: false, copied: true, .. } => session.revert(),
+            Self::Move { on, moved: false, .. } if !hand.shift => {
                 session.selection = Selection::new([on]);
             }
             _ => {}

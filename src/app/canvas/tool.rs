@@ -43,14 +43,14 @@ impl Tool {
         match self {
             Self::Select => {
                 "Click a mark or drag a box around some; Shift adds. Drag to move, the handles resize and turn. \
-                 Alt-drag makes a copy."
+                 Alt-drag or Ctrl-drag makes a copy."
             }
             Self::Pen => "Draw with the pointer: a closed stroke becomes an ellipse, an open one a line.",
             Self::Ellipse => {
-                "Drag from corner to corner; Shift makes a circle. A click adds one like the last."
+                "Drag from corner to corner; Shift makes a circle. Click to add one like the last."
             }
             Self::Line => "Drag from end to end; Shift limits the angle to steps of 15°.",
-            Self::Eraser => "Drag over marks to delete them.",
+            Self::Eraser => "Drag over marks to erase them.",
             Self::Hand => "Drag the view. With any tool: drag with the middle button, or hold Space.",
         }
     }

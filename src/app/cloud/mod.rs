@@ -77,7 +77,7 @@ impl Cloud {
         }
         let Some((_, [column, row])) = self.asked else { return };
         let mut open = true;
-        let title = format!("Training cloud: region {}, {}", column + 1, row + 1);
+        let title = format!("Training data: region {}, {}", column + 1, row + 1);
         let window = Floating::new(title).id(Id::unique("cloud")).open(&mut open).collapsible(false);
         window.default_pos([120.0, 110.0]).default_size(vec2(560.0, 470.0)).show(ctx, |ui| self.content(ui));
         if !open {

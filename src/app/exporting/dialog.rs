@@ -161,8 +161,8 @@ impl Dialog {
                     context.growing && !context.request.is_film() && context.request.options().size.is_none();
                 let lacks = context.request.choices.film.change && context.request.choices.film.to.is_none();
                 let can = !(context.request.is_film() && lacks);
-                let text = if context.request.is_film() { "Make the film" } else { "Show it" };
-                let explained = "Makes the whole export, to look at it before it is written";
+                let text = if context.request.is_film() { "Preview the film" } else { "Show preview" };
+                let explained = "Make the whole export to look at it before it is written";
                 let button = ui.add_enabled(can && !waits, Button::new(text)).on_hover_text(explained);
                 if button.clicked() {
                     self.preview.make(context.tasks, context.request, context.grown, context.threads);

@@ -67,7 +67,7 @@ impl<T: Send + 'static> Job<T> {
         let Some(task) = &mut self.task else { return self.error.take().map(Err) };
         let outcome = task.poll();
         if outcome.is_none() && task.has_ended() {
-            return Some(Err("it failed inside dapple; please report the document".to_owned()));
+            return Some(Err("an error in dapple; please report the document".to_owned()));
         }
         outcome
     }

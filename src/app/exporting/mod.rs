@@ -28,6 +28,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::document::{io_in_words, with_causes};
 use crate::editor::task::Tasks;
 use crate::export::{self, Stopped, motion};
 use crate::synth::{Grown, Watch};
@@ -87,6 +88,11 @@ impl Exporting {
     }
 }
 
+/// Why a folder cannot be made.
+fn folder_error(folder: &Path, error: &io::Error) -> String {
+    format!("{}: the folder cannot be created: {}", folder.display(), io_in_words(error))
+}
+
 fn write(
     path: &Path,
     request: &ExportRequest,
@@ -114,7 +120,10 @@ fn write(
 }
 
 /// Checks before the work whether it can be written there.
-fn check(path: &Path, request: &ExportRequest) -> Result<(), String> {
+///
+/// # Errors
+/// Why it cannot.
+pub fn check(path: &Path, request: &ExportRequest) -> Result<(), String> {
     let checked = match (request.choices.what, request.choices.ending()) {
         (ExportKind::Film, _) => motion::Kind::from_path(path).map(drop),
         (_, Some(ending)) => {
@@ -134,7 +143,7 @@ fn check(path: &Path, request: &ExportRequest) -> Result<(), String> {
         }
         (_, None) => Ok(()),
     };
-    checked.map_err(|error| error.to_string())
+    checked.map_err(|error| with_causes(&error))
 }
 
 /// Copies the files of the preview.
@@ -149,8 +158,7 @@ fn copied(path: &Path, request: &ExportRequest, made: &FinishedPreview) -> Resul
         return Ok(Pending::Film(written, film.clone()));
     }
     if request.choices.ending().is_none() && !path.is_dir() {
-        fs::create_dir(path)
-            .map_err(|error| format!("{}: the folder cannot be made: {error}", path.display()))?;
+        fs::create_dir(path).map_err(|error| folder_error(path, &error))?;
     }
     let copy = |(from, to): (&PathBuf, PathBuf)| {
         export::prepare(&to, |out| {

@@ -103,12 +103,12 @@ fn size(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
     named(ui, "Texture", "As it is shown, or grown again on another canvas");
     ui.vertical(|ui| {
         let more = size.canvas.is_some();
-        if ui.radio(!more, "This texture").on_hover_text("The texture that is shown").clicked() {
+        if ui.radio(!more, "Canvas size").on_hover_text("The texture as shown").clicked() {
             size.canvas = None;
         }
         let explained =
-            "A larger or smaller canvas with marks of the same size; the regions are stretched. It is grown again.";
-        if ui.radio(more, "More texture").on_hover_text(explained).clicked() {
+            "A larger or smaller canvas with marks of the same size; regions are stretched. The texture is grown again.";
+        if ui.radio(more, "Larger canvas").on_hover_text(explained).clicked() {
             size.canvas = Some(document.size.map(|side| 2 * side));
         }
     });

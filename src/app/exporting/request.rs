@@ -7,6 +7,7 @@ use std::sync::Arc;
 use super::choices::{Choices, ExportKind, PictureContent};
 use super::outline_picture::OutlinePicture;
 use crate::app::growth::essence;
+use crate::document::with_causes;
 use crate::document::{Document, Extent, embedded};
 use crate::export::maps::Surface;
 use crate::export::material::{Set, name};
@@ -66,7 +67,7 @@ pub struct Written {
 
 /// The message of an error.
 fn text(error: impl std::error::Error) -> String {
-    error.to_string()
+    with_causes(&error)
 }
 
 impl ExportRequest {
@@ -179,8 +180,7 @@ impl ExportRequest {
         watch: &Watch,
     ) -> Result<Vec<Prepared>, String> {
         if !folder.is_dir() {
-            fs::create_dir(folder)
-                .map_err(|error| format!("{}: the folder cannot be made: {error}", folder.display()))?;
+            fs::create_dir(folder).map_err(|error| super::folder_error(folder, &error))?;
         }
         let choices = &self.choices.material;
         let named = name(&self.title);
@@ -243,7 +243,7 @@ impl ExportRequest {
         let choices = &self.choices.film;
         let made = if choices.change {
             let to = choices.to.as_ref().ok_or("Choose the document into which this one changes.")?;
-            let other = Document::read(to).map_err(|error| crate::app::notice::with_causes(&error))?;
+            let other = Document::read(to).map_err(|error| with_causes(&error))?;
             let there = to.display().to_string();
             let from = (&self.document, self.title.as_str());
             let morph = Morph::new(from, (&other, &there), Training::built_in(), watch).map_err(text)?;

@@ -19,7 +19,7 @@ use crate::synth::{Grown, Stage};
 use job::{Job, Live, News, Shared};
 
 /// Shown where the growth panicked.
-const FAULT: &str = "growing it failed inside dapple; please report the document. The sketch is not harmed: save it, \
+const FAULT: &str = "growing an error in dapple; please report the document. The sketch is not harmed: save it, \
                      or change it and it is grown anew";
 
 /// The state of a growth.

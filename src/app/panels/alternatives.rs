@@ -40,10 +40,10 @@ fn head(ui: &mut Ui, alternatives: &Alternatives, growth: &Growth, actions: &mut
         let done = alternatives.all.iter().filter(|one| one.picture.is_some()).count();
         let text = match alternatives.all.len() {
             _ if growth.texture.is_none() && growth.is_empty() => "draw something first".to_owned(),
-            _ if growth.texture.is_none() => "they grow once the texture has settled".to_owned(),
+            _ if growth.texture.is_none() => "they grow when the texture is finished".to_owned(),
             all if done < all && alternatives.is_growing() => format!("growing, {done} of {all}"),
             all if done < all => format!("{done} of {all}"),
-            _ => "click one to take it, star it to keep it".to_owned(),
+            _ => "click one to use it, star it to keep it".to_owned(),
         };
         ui.weak(text);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -54,8 +54,8 @@ fn head(ui: &mut Ui, alternatives: &Alternatives, growth: &Growth, actions: &mut
             if !alternatives.is_complete() {
                 let growing = alternatives.is_growing();
                 let (name, help) = match growing {
-                    true => ("Stop these", "Stop growing the alternatives"),
-                    false => ("Grow these", "Grow the alternatives that are still missing"),
+                    true => ("Stop the alternatives", "Stop growing the alternatives"),
+                    false => ("Continue the alternatives", "Grow the alternatives that are still missing"),
                 };
                 if ui.small_button(name).on_hover_text(help).clicked() {
                     actions.push(Action::StopAlternatives(growing));
@@ -80,7 +80,7 @@ fn card(ui: &mut Ui, alternatives: &mut Alternatives, index: usize, actions: &mu
         let (rect, _) = ui.allocate_exact_size(Vec2::splat(SIDE), Sense::hover());
         let response = ui.interact(rect, ui.scope_id().with(("alternative", id)), Sense::click());
         response.widget_info(|| {
-            let mut label = format!("Take {name}");
+            let mut label = format!("Use {name}");
             if is_open {
                 label.push_str(", open now");
             }
@@ -146,9 +146,9 @@ fn star(ui: &mut Ui, rect: Rect, name: &str, kept: bool, id: u64, actions: &mut 
     }
     let (label, help) = match kept {
         true => {
-            (format!("Let {name} go"), "Kept; click to remove it with the others when the sketch changes")
+            (format!("Remove star from {name}"), "Kept when the sketch changes; click to remove the star")
         }
-        false => (format!("Keep {name}"), "Keep it here, with its document, when the sketch changes"),
+        false => (format!("Star {name}"), "Keep it when the sketch changes"),
     };
     button.widget_info(|| WidgetInfo::selected(Role::Button, true, kept, &label));
     if button.on_hover_text(help).clicked() {

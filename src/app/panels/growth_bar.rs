@@ -46,11 +46,11 @@ fn seed(ui: &mut Ui, mut seed: u64) -> Option<Action> {
     let mut action = None;
     let field = DragValue::new(&mut seed).speed(0.05).update_while_editing(false);
     let field = ui.add(field).accessible_name("Seed");
-    let help = "The seed of all random numbers: the same seed gives the same texture";
+    let help = "Number of the random start: the same number gives the same texture";
     if field.on_hover_text(help).changed() {
         action = Some(Action::Edit(Edit::Seed(seed)));
     }
-    let help = "Another seed (N): a texture of the same kind, with other positions and shapes";
+    let help = "Another random start (N): a texture of the same kind, with other positions and shapes";
     if Icon::Dice.button(ui, "Another seed", false).on_hover_text(help).clicked() {
         action = Some(Action::AnotherSeed);
     }
@@ -61,14 +61,14 @@ fn seed(ui: &mut Ui, mut seed: u64) -> Option<Action> {
 fn controls(ui: &mut Ui, growth: &Growth) -> Vec<Action> {
     let mut actions = Vec::new();
     ui.add_enabled_ui(growth.is_growing(), |ui| {
-        let help = "Stop growing; the picture stays as it is";
+        let help = "Stop growing and keep the picture as it is";
         if Icon::Stop.button(ui, "Stop", false).on_hover_text(help).clicked() {
             actions.push(Action::Stop);
         }
     });
     let (icon, name) = match (growth.is_growing(), growth.is_paused()) {
         (true, false) => (Icon::Pause, "Pause"),
-        (true, true) => (Icon::Play, "Go on"),
+        (true, true) => (Icon::Play, "Resume"),
         (false, _) => (Icon::Play, "Grow again"),
     };
     ui.add_enabled_ui(!growth.is_empty(), |ui| {
@@ -99,10 +99,10 @@ fn phase(ui: &mut Ui, growth: &Growth) {
             ui.weak("stopped");
         }
         Phase::Settled(time) if time.is_zero() => {
-            ui.weak("settled");
+            ui.weak("finished");
         }
         Phase::Settled(time) => {
-            ui.weak(format!("settled in {:.1} s", time.as_secs_f64()));
+            ui.weak(format!("finished in {:.1} s", time.as_secs_f64()));
         }
     }
 }

@@ -1,7 +1,10 @@
 //! The menu bar.
 
-use egui::{Button, MenuBar, RichText, ThemePreference, Ui};
+use egui::containers::menu::MenuButton;
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Context, Key, MenuBar, Modifiers, Popup, RichText, Stroke, TextStyle, ThemePreference, Ui};
 
+use super::entries::Entries;
 use crate::app::action::{Action, Page};
 use crate::app::canvas::Overlays;
 use crate::app::growth::Growth;
@@ -29,22 +32,48 @@ pub struct MenuState<'a> {
     pub tiled: bool,
     /// Whether the alternatives are shown.
     pub alternatives: bool,
+    /// Whether the tools and the column on the right are shown.
+    pub columns: [bool; 2],
 }
 
-/// Shows the menus on the left and the document's name on the right.
-pub fn menu(ui: &mut Ui, state: &MenuState) -> Vec<Action> {
+/// Shows the entries of a menu.
+type Content = fn(&mut Ui, &MenuState, &mut Entries);
+
+/// The menus, and the letters that open them with Alt.
+const MENUS: [(&str, Key, Content); 6] = [
+    ("File", Key::F, file),
+    ("Edit", Key::E, edit),
+    ("Layer", Key::L, layer),
+    ("View", Key::V, view),
+    ("Growth", Key::G, growth),
+    ("Help", Key::H, help),
+];
+
+/// The menu that a key has opened and whose first entry gets the keyboard focus when it is shown.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MenuKeys(Option<usize>);
+
+/// Shows the menus on the left and the document's name on the right. `keys`: whether keys open menus now.
+pub fn menu(ui: &mut Ui, state: &MenuState, opened: &mut MenuKeys, keys: bool) -> Vec<Action> {
     let mut actions = Vec::new();
     MenuBar::new().ui(ui, |ui| {
-        ui.menu_button("File", |ui| file(ui, state, &mut actions));
-        ui.menu_button("Edit", |ui| edit(ui, state, &mut actions));
-        ui.menu_button("Layer", |ui| layer(ui, state, &mut actions));
-        ui.menu_button("View", |ui| view(ui, state, &mut actions));
-        ui.menu_button("Growth", |ui| growth(ui, state, &mut actions));
-        ui.menu_button("Help", |ui| {
-            item(ui, "First steps", &Action::Page(Page::Hint), true, &mut actions);
-            item(ui, "Keys", &Action::Page(Page::Shortcuts), true, &mut actions);
-            item(ui, "About dapple", &Action::Page(Page::About), true, &mut actions);
-        });
+        let mut popups = Vec::with_capacity(MENUS.len());
+        for (index, (name, _, content)) in MENUS.iter().enumerate() {
+            let (button, _) = MenuButton::new(title(ui, name)).ui(ui, |ui| {
+                let mut entries = Entries::new(&mut actions);
+                content(ui, state, &mut entries);
+                if entries.navigate(ui, opened.0 == Some(index)) {
+                    opened.0 = None;
+                }
+            });
+            popups.push(Popup::default_response_id(&button));
+        }
+        let open = popups.iter().position(|id| Popup::is_id_open(ui.ctx(), *id));
+        if let Some(next) = asked(ui.ctx(), open).filter(|_| keys) {
+            Popup::open_id(ui.ctx(), popups[next]);
+            opened.0 = Some(next);
+            ui.ctx().request_repaint();
+        }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let changed = if state.session.is_changed() { "  (changed)" } else { "" };
             ui.label(RichText::new(format!("{}{changed}", state.session.title())).weak());
@@ -53,128 +82,155 @@ pub fn menu(ui: &mut Ui, state: &MenuState) -> Vec<Action> {
     actions
 }
 
-fn item(ui: &mut Ui, text: &str, action: &Action, enabled: bool, actions: &mut Vec<Action>) {
-    let keys = shortcuts::shortcut_text(ui.ctx(), action).unwrap_or_default();
-    let button = Button::new(text).shortcut_text(keys);
-    if ui.add_enabled(enabled, button).clicked() {
-        actions.push(action.clone());
-        ui.close();
-    }
+/// The menu that the pressed keys ask for: Alt and its letter, F10, or the arrows from the one that is `open`.
+fn asked(ctx: &Context, open: Option<usize>) -> Option<usize> {
+    ctx.input_mut(|input| {
+        let letter = MENUS.iter().position(|(_, letter, _)| input.consume_key(Modifiers::ALT, *letter));
+        let first = |input: &mut egui::InputState| {
+            input.modifiers.is_none() && input.consume_key(Modifiers::NONE, Key::F10)
+        };
+        if letter.is_some() || first(input) {
+            return letter.or(Some(0));
+        }
+        let open = open?;
+        let by = input.num_presses(Key::ArrowRight) as isize - input.num_presses(Key::ArrowLeft) as isize;
+        (by != 0).then(|| (open as isize + by).rem_euclid(MENUS.len() as isize) as usize)
+    })
 }
 
-fn check(ui: &mut Ui, text: &str, on: bool, action: &Action, actions: &mut Vec<Action>) {
-    let mut value = on;
-    if ui.checkbox(&mut value, text).clicked() {
-        actions.push(action.clone());
-        ui.close();
-    }
+/// The title of a menu; its first letter is underlined while Alt is held.
+fn title(ui: &Ui, name: &str) -> LayoutJob {
+    let is_marked = ui.input(|input| input.modifiers.alt);
+    let font_id = TextStyle::Button.resolve(ui.style());
+    let color = egui::Color32::PLACEHOLDER;
+    let underline = if is_marked { Stroke::new(1.0, ui.visuals().text_color()) } else { Stroke::NONE };
+    let (first, rest) = name.split_at(1);
+    let mut job = LayoutJob::default();
+    job.append(
+        first,
+        0.0,
+        TextFormat { font_id: font_id.clone(), color, underline, ..TextFormat::default() },
+    );
+    job.append(rest, 0.0, TextFormat { font_id, color, ..TextFormat::default() });
+    job
 }
 
-fn file(ui: &mut Ui, state: &MenuState, actions: &mut Vec<Action>) {
+fn file(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
     ui.set_min_width(210.0);
-    item(ui, "New…", &Action::New, true, actions);
-    item(ui, "Open…", &Action::Open, true, actions);
+    entries.item(ui, "New…", &Action::New, true);
+    entries.item(ui, "Open…", &Action::Open, true);
     let recent = &state.settings.recent;
-    ui.add_enabled_ui(!recent.is_empty(), |ui| {
-        ui.menu_button("Open recent", |ui| {
+    let submenu = ui.add_enabled_ui(!recent.is_empty(), |ui| {
+        let shown = ui.menu_button("Open recent", |ui| {
             for path in recent {
                 let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 if ui.button(name).on_hover_text(path.display().to_string()).clicked() {
-                    actions.push(Action::OpenFile(path.clone()));
+                    entries.actions.push(Action::OpenFile(path.clone()));
                     ui.close();
                 }
             }
             ui.separator();
-            if ui.button("Forget these").clicked() {
-                actions.push(Action::ForgetRecent);
+            if ui.button("Clear this list").clicked() {
+                entries.actions.push(Action::ForgetRecent);
                 ui.close();
             }
         });
+        shown.response
     });
-    item(ui, "Examples…", &Action::Page(Page::Examples), true, actions);
-    item(ui, "Recover unsaved work…", &Action::Page(Page::Recovery), state.recovered > 0, actions);
+    entries.reach(&submenu.inner);
+    entries.item(ui, "Examples…", &Action::Page(Page::Examples), true);
+    entries.item(ui, "Recover unsaved work…", &Action::Page(Page::Recovery), state.recovered > 0);
     ui.separator();
-    item(ui, "Save", &Action::Save, true, actions);
-    item(ui, "Save as…", &Action::SaveAs, true, actions);
-    item(ui, "Import SVG…", &Action::Import, true, actions);
-    item(ui, "Export…", &Action::Export, !state.growth.is_empty(), actions);
+    entries.item(ui, "Save", &Action::Save, true);
+    entries.item(ui, "Save as…", &Action::SaveAs, true);
+    entries.item(ui, "Import SVG…", &Action::Import, true);
+    entries.item(ui, "Export…", &Action::Export, !state.growth.is_empty());
     ui.separator();
-    item(ui, "Quit", &Action::Quit, true, actions);
+    entries.item(ui, "Quit", &Action::Quit, true);
 }
 
-fn edit(ui: &mut Ui, state: &MenuState, actions: &mut Vec<Action>) {
-    ui.set_min_width(210.0);
+fn edit(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
+    ui.set_min_width(230.0);
     let [undo, redo] = state.session.can_undo_redo();
     let some = !state.session.selection.is_empty();
-    item(ui, "Undo", &Action::Undo, undo, actions);
-    item(ui, "Redo", &Action::Redo, redo, actions);
+    entries.item(ui, "Undo", &Action::Undo, undo);
+    entries.item(ui, "Redo", &Action::Redo, redo);
     ui.separator();
-    for (text, action, keys) in [("Cut", Action::Cut, "X"), ("Copy", Action::Copy, "C")] {
-        if ui.add_enabled(some, Button::new(text).shortcut_text(format!("Ctrl+{keys}"))).clicked() {
-            actions.push(action);
-            ui.close();
-        }
-    }
-    item(ui, "Duplicate", &Action::Duplicate, some, actions);
-    item(ui, "Delete", &Action::Delete, some, actions);
-    item(ui, "Select all", &Action::SelectAll, true, actions);
+    clipboard(ui, some, entries);
+    entries.item(ui, "Select all", &Action::SelectAll, true);
     ui.separator();
-    item(ui, "Put an ellipse in the middle", &Action::Insert(true), true, actions);
-    item(ui, "Put a line in the middle", &Action::Insert(false), true, actions);
+    entries.item(ui, "Add ellipse at centre", &Action::Insert(true), true);
+    entries.item(ui, "Add line at centre", &Action::Insert(false), true);
     ui.separator();
-    item(ui, "Preferences…", &Action::Page(Page::Preferences), true, actions);
+    entries.item(ui, "Preferences…", &Action::Page(Page::Preferences), true);
 }
 
-fn layer(ui: &mut Ui, state: &MenuState, actions: &mut Vec<Action>) {
-    ui.set_min_width(230.0);
+/// Cut, copy, paste, duplicate, delete; `some`: whether marks are selected.
+pub(super) fn clipboard(ui: &mut Ui, some: bool, entries: &mut Entries) {
+    let keys = |ui: &Ui, letter| format!("{}+{letter}", ui.ctx().format_modifiers(Modifiers::COMMAND));
+    for (text, action, letter, enabled) in [
+        ("Cut", Action::Cut, "X", some),
+        ("Copy", Action::Copy, "C", some),
+        ("Paste", Action::AskPaste, "V", true),
+    ] {
+        let keys = keys(ui, letter);
+        entries.item_with(ui, text, &keys, &action, enabled);
+    }
+    entries.item(ui, "Duplicate", &Action::Duplicate, some);
+    entries.item(ui, "Delete", &Action::Delete, some);
+}
+
+fn layer(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
+    ui.set_min_width(260.0);
     for (text, action) in LayerAction::MENU {
-        item(ui, text, &Action::Layer(action), state.session.allows(action), actions);
+        entries.item(ui, text, &Action::Layer(action), state.session.allows(action));
     }
 }
 
-fn view(ui: &mut Ui, state: &MenuState, actions: &mut Vec<Action>) {
+fn view(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
     ui.set_min_width(210.0);
-    check(ui, "One over the other", state.over, &Action::Over(!state.over), actions);
+    entries.check(ui, "Texture over the sketch", state.over, &Action::Over(!state.over), true);
     let wrap = state.session.document().edges == Edges::Wrap;
-    ui.add_enabled_ui(wrap, |ui| {
-        check(ui, "Tiles, two by two", state.tiled, &Action::Tiled(!state.tiled), actions);
-    });
+    entries.check(ui, "Two by two tiles", state.tiled, &Action::Tiled(!state.tiled), wrap);
     let overlays = state.overlays;
     let free = state.session.document().regions.is_none();
-    ui.add_enabled_ui(!free, |ui| {
-        check(ui, "Region grid", overlays.regions, &Action::Regions(!overlays.regions), actions);
-    });
-    ui.add_enabled_ui(free, |ui| {
-        let text = "Wanted sizes and directions";
-        check(ui, text, overlays.wanted, &Action::Wanted(!overlays.wanted), actions);
-    });
-    check(ui, "What dapple sees", overlays.analysis, &Action::Analysis(!overlays.analysis), actions);
+    entries.check(ui, "Region grid", overlays.regions, &Action::Regions(!overlays.regions), !free);
+    let text = "Expected sizes and directions";
+    entries.check(ui, text, overlays.wanted, &Action::Wanted(!overlays.wanted), free);
+    let analysis = overlays.analysis;
+    entries.check(ui, "Analysis of the sketch", analysis, &Action::Analysis(!analysis), true);
     let alternatives = state.alternatives;
-    check(ui, "Alternatives", alternatives, &Action::Alternatives(!alternatives), actions);
-    item(ui, "Reference picture…", &Action::ChooseReference, true, actions);
+    entries.check(ui, "Alternatives", alternatives, &Action::Alternatives(!alternatives), true);
+    let [tools, column] = state.columns;
+    entries.check(ui, "Tools", tools, &Action::Tools(!tools), true);
+    entries.check(ui, "Right column", column, &Action::Column(!column), true);
+    entries.item(ui, "Reference picture…", &Action::ChooseReference, true);
     ui.separator();
-    item(ui, "Show the whole canvas", &Action::Fit, true, actions);
-    item(ui, "Actual size", &Action::ActualSize, true, actions);
-    item(ui, "Zoom in", &Action::Zoom(1.25), true, actions);
-    item(ui, "Zoom out", &Action::Zoom(0.8), true, actions);
+    entries.item(ui, "Show the whole canvas", &Action::Fit, true);
+    entries.item(ui, "Actual size", &Action::ActualSize, true);
+    entries.item(ui, "Zoom in", &Action::Zoom(shortcuts::ZOOM), true);
+    entries.item(ui, "Zoom out", &Action::Zoom(1.0 / shortcuts::ZOOM), true);
     ui.separator();
     for (text, theme) in [
-        ("As the system", ThemePreference::System),
-        ("Light", ThemePreference::Light),
-        ("Dark", ThemePreference::Dark),
+        ("System theme", ThemePreference::System),
+        ("Light theme", ThemePreference::Light),
+        ("Dark theme", ThemePreference::Dark),
     ] {
-        let is_current = state.settings.theme == theme;
-        if ui.radio(is_current, text).clicked() && !is_current {
-            actions.push(Action::Theme(theme));
-        }
+        entries.radio(ui, text, state.settings.theme == theme, &Action::Theme(theme));
     }
 }
 
-fn growth(ui: &mut Ui, state: &MenuState, actions: &mut Vec<Action>) {
+fn growth(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
     ui.set_min_width(180.0);
-    let text = if state.growth.is_paused() { "Go on" } else { "Pause" };
-    item(ui, text, &Action::Pause, state.growth.is_growing(), actions);
-    item(ui, "Stop", &Action::Stop, state.growth.is_growing(), actions);
-    item(ui, "Grow again", &Action::Grow, !state.growth.is_empty(), actions);
-    item(ui, "Another seed", &Action::AnotherSeed, true, actions);
+    let text = if state.growth.is_paused() { "Resume" } else { "Pause" };
+    entries.item(ui, text, &Action::Pause, state.growth.is_growing());
+    entries.item(ui, "Stop", &Action::Stop, state.growth.is_growing());
+    entries.item(ui, "Grow again", &Action::Grow, !state.growth.is_empty());
+    entries.item(ui, "Another seed", &Action::AnotherSeed, true);
+}
+
+fn help(ui: &mut Ui, _: &MenuState, entries: &mut Entries) {
+    entries.item(ui, "First steps", &Action::Page(Page::Hint), true);
+    entries.item(ui, "Keyboard shortcuts", &Action::Page(Page::Shortcuts), true);
+    entries.item(ui, "About dapple", &Action::Page(Page::About), true);
 }

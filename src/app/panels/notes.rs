@@ -30,7 +30,7 @@ pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn) -> 
         ui.label(RichText::new(format!("{layer}{}.", note.text)).weak());
         if let (Some(Remedy::TwoLayers), Some(layer)) = (note.remedy, note.layer) {
             let action = LayerAction::SplitBySize(layer);
-            let button = ui.add_enabled(session.allows(action), Button::new("Make two layers of it"));
+            let button = ui.add_enabled(session.allows(action), Button::new("Split into two layers"));
             let help = "The large spots stay on this layer, the small ones go to a new layer above it. Can be undone.";
             if button.on_hover_text(help).clicked() {
                 actions.push(Action::Layer(action));
@@ -49,11 +49,7 @@ fn lost_of(session: &Session, drawn: &Drawn, layer: usize) -> Option<String> {
     let name = session.layer_name(layer);
     match lost {
         0 => None,
-        1 => {
-            Some(format!("{name}: 1 mark does not grow (dashed outline): rest the pointer on it to see why."))
-        }
-        _ => Some(format!(
-            "{name}: {lost} marks do not grow (dashed outlines): rest the pointer on one to see why."
-        )),
+        1 => Some(format!("{name}: 1 mark does not grow (dashed outline): point at it to see why.")),
+        _ => Some(format!("{name}: {lost} marks do not grow (dashed outlines): point at one to see why.")),
     }
 }

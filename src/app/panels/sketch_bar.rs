@@ -18,7 +18,7 @@ pub fn sketch_bar(ui: &mut Ui, marks: usize, over: bool) -> Option<Action> {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             let help = "The texture over the sketch, with a divider to drag";
-            if Icon::Over.button(ui, "One over the other", over).on_hover_text(help).clicked() {
+            if Icon::Over.button(ui, "Texture over the sketch", over).on_hover_text(help).clicked() {
                 action = Some(Action::Over(true));
             }
             let help = "The sketch beside the texture";

@@ -1,6 +1,6 @@
 //! The status line: how the tool is used, the pointer's position, the zoom, the export in progress.
 
-use egui::{Align, Layout, ProgressBar, RichText, Ui};
+use egui::{Align, Button, Layout, ProgressBar, RichText, Ui};
 
 use crate::app::action::Action;
 use crate::app::canvas::Canvas;
@@ -19,12 +19,16 @@ pub fn status(ui: &mut Ui, canvas: &Canvas, ruler: Ruler, exporting: Option<&Exp
                 ui.label(RichText::new(ruler.place(position)).small().weak());
             }
             if let Some(exporting) = exporting {
-                if ui.small_button("Cancel").on_hover_text("Cancel the export").clicked() {
+                let is_cancelled = exporting.is_cancelled();
+                let button = ui.add_enabled(!is_cancelled, Button::new("Cancel").small());
+                if button.on_hover_text("Cancel the export").clicked() {
                     action = Some(Action::CancelExport);
                 }
                 ui.add(ProgressBar::new(exporting.progress()).desired_width(120.0).desired_height(6.0));
                 let name = exporting.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-                ui.label(RichText::new(format!("Writing {name}")).small());
+                let doing =
+                    if is_cancelled { "Cancelling …".to_owned() } else { format!("Writing {name}") };
+                ui.label(RichText::new(doing).small());
             }
         });
     });

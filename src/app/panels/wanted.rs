@@ -14,7 +14,7 @@ pub fn here(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
     let size = session.document().size.map(f64::from);
     let on_canvas = |at: &[f64; 2]| (0..2).all(|axis| (0.0..=size[axis]).contains(&at[axis]));
     let at = canvas.pointer.filter(on_canvas);
-    heading(ui, if at.is_some() { "Wanted at the pointer" } else { "Wanted on average" });
+    heading(ui, if at.is_some() { "Expected at the pointer" } else { "Expected on average" });
     let attributes = at.map_or_else(|| wanted.map.mean(), |at| wanted.map.at(at));
     rows(ui, "here", |ui| rows_of(ui, &attributes, ruler));
 }
@@ -30,7 +30,7 @@ pub fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
     heading(ui, &format!("Region {}, {}", place[0] + 1, place[1] + 1));
     let own = region.own.is_some();
     rows(ui, "region", |ui| {
-        let marks = if own { region.marks.to_string() } else { "none; as nearby".to_owned() };
+        let marks = if own { region.marks.to_string() } else { "none: uses the nearest".to_owned() };
         row(ui, "Marks", marks, "Marks whose centre is in this region");
         rows_of(ui, &map.at(map.layout().center(place)), ruler);
     });
@@ -44,7 +44,7 @@ fn rows_of(ui: &mut Ui, wanted: &Attributes, ruler: Ruler) {
             row(ui, "Aspect", format!("{:.2}", spots.aspect), "Minor ÷ major radius; 1 is round");
             row(ui, "Direction", format!("{:.0}°", spots.angle), "Direction of the major axes");
             let spacing = spots.spacing.map_or("free".to_owned(), |spacing| ruler.rough(spacing));
-            row(ui, "Spacing", spacing, "Distance between neighbours; free = as the system gives it");
+            row(ui, "Spacing", spacing, "Distance between neighbours; free: dapple chooses it");
         }
         Attributes::Stripes(stripes) => {
             row(ui, "Width", ruler.length(stripes.width), "Width of the stripes");

@@ -61,6 +61,15 @@ pub struct Outcome {
     pub complete: bool,
 }
 
+impl Outcome {
+    /// Whether a region was missed, or a drawn mark did not grow.
+    #[must_use]
+    pub fn is_missed(&self) -> bool {
+        let is_missed = |region: &RegionResult| region.verdict == Verdict::Missed;
+        self.layers.iter().any(|layer| layer.lost() > 0 || layer.regions.iter().any(is_missed))
+    }
+}
+
 enum News {
     Layers(Vec<LayerResult>),
     Reach {

@@ -146,7 +146,8 @@ impl Sketch {
         let apart = asked.spacing.zip(to.spacing).map_or(1.0, |(from, to)| to / from);
         let apart = if apart > 1.0 { apart * more } else { apart };
         let centers: Vec<[f64; 2]> = self.marks.iter().map(|(_, mark)| mark.center()).collect();
-        let moved = spaced(&centers, apart, layout, place).unwrap_or_else(|| {
+        let reaches: Vec<[f64; 2]> = self.marks.iter().map(|(_, mark)| reach_of(mark, area.sqrt())).collect();
+        let moved = spaced(&centers, &reaches, apart, layout, place).unwrap_or_else(|| {
             // No room to move apart: smaller marks have the same density.
             area /= apart * apart;
             centers.clone()
@@ -210,8 +211,21 @@ impl Sketch {
     }
 }
 
-/// The centres scaled by `by` about the centre of their region; `None` where they do not fit into it.
-fn spaced(centers: &[[f64; 2]], by: f64, layout: &RegionGrid, place: [usize; 2]) -> Option<Vec<[f64; 2]>> {
+/// Half the width and height of an ellipse that is scaled by `factor`, px.
+fn reach_of(mark: &Mark, factor: f64) -> [f64; 2] {
+    let extent = shape::extent([mark]).unwrap_or_default();
+    [0, 1].map(|axis| 0.5 * factor * (extent[1][axis] - extent[0][axis]))
+}
+
+/// The centres scaled by `by` about the centre of their region; `None` where they do not fit into it. A mark that was whole on
+/// the canvas stays so: `reaches` is half the width and height of each.
+fn spaced(
+    centers: &[[f64; 2]],
+    reaches: &[[f64; 2]],
+    by: f64,
+    layout: &RegionGrid,
+    place: [usize; 2],
+) -> Option<Vec<[f64; 2]>> {
     let midpoint = layout.center(place);
     let mut moved: Vec<[f64; 2]> = centers
         .iter()
@@ -220,13 +234,19 @@ fn spaced(centers: &[[f64; 2]], by: f64, layout: &RegionGrid, place: [usize; 2])
     for axis in 0..2 {
         let side = layout.size[axis] / layout.grid[axis] as f64;
         let [low, high] = [-0.5, 0.5].map(|half| midpoint[axis] + half * side);
-        let ends = moved
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], at| [l.min(at[axis]), h.max(at[axis])]);
-        if ends[1] - ends[0] > side - 2.0 * RIM {
+        // How far each centre is from the limit below it, and from the one above it.
+        let mut room = [f64::INFINITY; 2];
+        for ((before, after), reach) in centers.iter().zip(&moved).zip(reaches) {
+            let (before, after, reach) = (before[axis], after[axis], reach[axis]);
+            let at_start = if low <= 0.0 { reach.min(before).max(RIM) } else { RIM };
+            let at_end =
+                if high >= layout.size[axis] { reach.min(layout.size[axis] - before).max(RIM) } else { RIM };
+            room = [room[0].min(after - low - at_start), room[1].min(high - at_end - after)];
+        }
+        if room[0] + room[1] < 0.0 {
             return None;
         }
-        let by = (low + RIM - ends[0]).max(0.0) - (ends[1] - (high - RIM)).max(0.0);
+        let by = (-room[0]).max(0.0) - (-room[1]).max(0.0);
         moved.iter_mut().for_each(|at| at[axis] += by);
     }
     Some(moved)
@@ -260,7 +280,7 @@ fn described(from: &Sketch, to: &Sketch) -> String {
     if let Some(duty) = to.duty.given().filter(|_| from.duty != to.duty) {
         changes.push(format!("duty {duty:.2} on the whole layer"));
     }
-    if changes.is_empty() { "directions turned".to_owned() } else { changes.join(", ") }
+    if changes.is_empty() { "different directions".to_owned() } else { changes.join(", ") }
 }
 
 /// Root mean square distance of the marks from their mean centre, px.
@@ -335,6 +355,21 @@ mod tests {
             assert!((after.area() / before.area() - 1.0).abs() < 0.03, "{}", reach.text);
             assert!(after.aspect() > before.aspect(), "{}", reach.text);
         }
+    }
+
+    #[test]
+    fn spots_that_are_moved_apart_beside_an_edge_stay_on_the_canvas() {
+        let layout = RegionGrid { size: [512.0; 2], grid: [1, 1], edges: crate::grid::Edges::Closed };
+        let centers = [[20.0, 256.0], [60.0, 256.0], [490.0, 256.0]];
+        let moved = spaced(&centers, &[[15.0, 10.0]; 3], 1.03, &layout, [0, 0]).unwrap();
+        for (before, after) in [(20.0, moved[0][0]), (490.0, moved[2][0])] {
+            assert!((15.0..=497.0).contains(&after), "{before} {after}");
+        }
+        assert!((moved[1][0] - moved[0][0] - 1.03 * 40.0).abs() < 1e-9);
+        // A mark that reached over the edge may still do so, but no farther.
+        let moved =
+            spaced(&[[10.0, 256.0], [100.0, 256.0]], &[[15.0, 10.0]; 2], 1.5, &layout, [0, 0]).unwrap();
+        assert!(moved[0][0] >= 10.0, "{moved:?}");
     }
 
     #[test]

@@ -55,9 +55,9 @@ impl Verdict {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Self::Met => "met",
+            Self::Met => "reached",
             Self::Unknown => "not measured",
-            Self::Near => "near",
+            Self::Near => "close",
             Self::Missed => "missed",
         }
     }
@@ -66,10 +66,12 @@ impl Verdict {
     #[must_use]
     pub fn help(self) -> &'static str {
         match self {
-            Self::Met => "Met: area, spacing and width within 5 %, aspect within 0.05, direction within 5°",
+            Self::Met => {
+                "Reached: area, spacing and width within 5 %, aspect within 0.05, direction within 5°"
+            }
             Self::Unknown => "Not measured: no whole mark grew here",
-            Self::Near => "Near: area, spacing or width off by up to 15 %, aspect by 0.12, direction by 15°",
-            Self::Missed => "Missed: farther off than 15 %, 0.12 or 15°, or out of reach of the system",
+            Self::Near => "Close: area, spacing or width off by up to 15 %, aspect by 0.12, direction by 15°",
+            Self::Missed => "Missed: off by more than 15 %, 0.12 or 15°, or not possible with this system",
         }
     }
 

@@ -6,6 +6,9 @@ use crate::editor::settings_file::Entries;
 /// The smallest and largest side that is accepted, points.
 const SIDES: std::ops::RangeInclusive<f32> = 200.0..=20_000.0;
 
+/// The smallest width of the column on the right, which is also that of a new installation, and the largest, points.
+pub const COLUMN_WIDTHS: [f32; 2] = [264.0, 480.0];
+
 /// Placement of the window, and what it shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
@@ -17,6 +20,12 @@ pub struct Layout {
     pub maximised: bool,
     /// The tab of the right column.
     pub tab: Tab,
+    /// Whether the tools are shown.
+    pub tools: bool,
+    /// Whether the column on the right is shown.
+    pub column: bool,
+    /// Width of the column on the right, points.
+    pub column_width: f32,
     /// Whether sketch and texture lie one over the other, instead of side by side.
     pub over: bool,
     /// Position of the curtain between them, 0..1.
@@ -38,6 +47,9 @@ impl Default for Layout {
             size: None,
             maximised: false,
             tab: Tab::default(),
+            tools: true,
+            column: true,
+            column_width: COLUMN_WIDTHS[0],
             over: false,
             curtain: 0.5,
             linked: true,
@@ -63,6 +75,11 @@ impl Layout {
                 .into_iter()
                 .find(|one| tab.as_ref().is_some_and(|tab| named(one, tab)))
                 .unwrap_or_default(),
+            tools: is("tools", default.tools),
+            column: is("column", default.column),
+            column_width: entries
+                .get("column_width")
+                .map_or(default.column_width, |width: f32| width.clamp(COLUMN_WIDTHS[0], COLUMN_WIDTHS[1])),
             over: is("over", default.over),
             curtain: entries.get("curtain").map_or(default.curtain, |share: f32| share.clamp(0.0, 1.0)),
             linked: is("linked", default.linked),
@@ -81,6 +98,9 @@ impl Layout {
         entries.set("size", &self.size.map(rounded), &None);
         entries.set("maximised", &self.maximised, &default.maximised);
         entries.set("tab", &self.tab.name().to_lowercase(), &default.tab.name().to_lowercase());
+        entries.set("tools", &self.tools, &default.tools);
+        entries.set("column", &self.column, &default.column);
+        entries.set("column_width", &self.column_width.round(), &default.column_width);
         entries.set("over", &self.over, &default.over);
         entries.set("curtain", &thousandths(self.curtain), &thousandths(default.curtain));
         entries.set("linked", &self.linked, &default.linked);

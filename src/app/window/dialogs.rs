@@ -1,6 +1,6 @@
 //! Pages and questions over the window: examples, shortcuts, preferences, file choosers, unsaved changes.
 
-use egui::{Id, Key, Modal, Ui};
+use egui::{Event, Id, Key, Modal, Ui};
 
 use super::Window;
 use crate::app::action::{Action, Page};
@@ -42,7 +42,7 @@ impl Window {
                 }
                 Page::Shortcuts => {
                     ui.set_width(620.0);
-                    ui.heading("Keys");
+                    ui.heading("Keyboard shortcuts");
                     shortcuts::page(ui);
                 }
                 Page::About => pages::about(ui),
@@ -86,14 +86,24 @@ impl Window {
     fn asking(&mut self, ui: &Ui) {
         let frame = egui::Frame::window(&ui.global_style()).inner_margin(20);
         let title = self.session.title();
-        // Enter that ends the input of a number is no answer yet.
-        let enter =
-            ui.input(|input| input.key_pressed(Key::Enter)) && ui.memory(|memory| memory.focused().is_none());
         let units = self.settings.units;
         let files = &mut self.files;
-        let modal = Modal::new(Id::unique("asking")).frame(frame);
+        let question = if files.unsaved.is_some() {
+            Some("unsaved changes")
+        } else if self.canvas.question.is_some() {
+            Some("another layer")
+        } else {
+            files.new.is_some().then_some("new document")
+        };
+        // Enter that ends the input of a number is no answer yet, nor is one that was pressed before the question was seen.
+        let is_seen = std::mem::replace(&mut files.asked, question) == question;
+        let enter = is_seen && enter(ui) && ui.memory(|memory| memory.focused().is_none());
+        let Some(question) = question else { return };
+        let modal = Modal::new(Id::unique(question)).frame(frame);
         let shown = if files.unsaved.is_some() {
             modal.show(ui.ctx(), |ui| pages::unsaved(ui, &title))
+        } else if let Some(mark) = &self.canvas.question {
+            modal.show(ui.ctx(), |ui| pages::another_layer(ui, mark))
         } else if let Some(new) = &mut files.new {
             modal.show(ui.ctx(), |ui| new.ui(ui, units))
         } else {
@@ -116,10 +126,21 @@ impl Window {
                 Answer::No => self.go_on(ui, action),
                 Answer::Cancel => {}
             }
+        } else if let Some(mark) = self.canvas.question.take() {
+            if answer == Answer::Yes {
+                self.session.add(&[mark]);
+            }
         } else if let Some(new) = self.files.new.take()
             && answer == Answer::Yes
         {
             self.create(&new);
         }
     }
+}
+
+/// Whether Enter was pressed, not held since before.
+fn enter(ui: &Ui) -> bool {
+    let is_enter =
+        |event: &Event| matches!(event, Event::Key { key: Key::Enter, pressed: true, repeat: false, .. });
+    ui.input(|input| input.events.iter().any(is_enter))
 }

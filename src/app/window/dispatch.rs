@@ -53,18 +53,24 @@ impl Window {
             Action::Redo => self.session.redo(),
             Action::Cut => {
                 self.copy(ui);
-                self.session.delete_selected();
+                self.delete();
             }
             Action::Copy => self.copy(ui),
             Action::Paste(text) => self.paste(&text),
             Action::Duplicate => self.duplicate(),
-            Action::Delete => self.session.delete_selected(),
+            Action::AskPaste => ui.send_viewport_cmd(ViewportCommand::RequestPaste),
+            Action::Delete => self.delete(),
             Action::SelectAll => self.select_all(),
             Action::Escape => self.escape(),
             Action::Next(step) => self.select_next(step),
             Action::Nudge(by) => self.session.nudge(by),
             Action::Turn(by) => self.session.change_each(|mark, center| shape::turned(mark, by, center)),
             Action::Scale(by) => self.session.change_each(|mark, center| shape::scaled(mark, by, center)),
+            Action::Widen(by) => self.widen(by),
+            Action::Align(axis) => self.session.align(axis),
+            Action::Distribute(axis) => self.session.distribute(axis),
+            Action::Begin(spots) => self.begin_with(spots),
+            Action::ContextMenu => self.open_context_menu(),
             Action::Insert(ellipse) => self.insert(ellipse),
             Action::AnotherSeed => self.another_seed(),
             Action::Edit(edit) => self.edit(edit),
@@ -77,7 +83,13 @@ impl Window {
     /// Carries out an action that changes what is shown, or the tool.
     fn perform_view(&mut self, ui: &Ui, action: Action) {
         match action {
-            Action::Tool(tool) => self.canvas.tool = tool,
+            Action::Tool(tool) => {
+                self.canvas.tool = tool;
+                self.tool_before = None;
+            }
+            Action::Column(shown) => self.settings.layout.column = shown,
+            Action::ToggleColumn => self.settings.layout.column = !self.settings.layout.column,
+            Action::Tools(shown) => self.settings.layout.tools = shown,
             Action::Nib(nib) => self.canvas.nib = nib,
             Action::Tab(tab) => self.tab = tab,
             Action::Over(over) => self.over = over,
@@ -132,9 +144,16 @@ impl Window {
         self.page = (!open).then_some(page);
     }
 
+    /// Cancels what is being drawn; else clears the selection; else closes a panel.
     fn escape(&mut self) {
-        if !self.canvas.cancel(&mut self.session) {
+        if self.canvas.cancel(&mut self.session) {
+        } else if !self.session.selection.is_empty() {
             self.session.selection.clear();
+            self.use_tool_before();
+        } else if self.cloud.asked.is_some() {
+            self.cloud.asked = None;
+        } else {
+            self.alternatives.shown = false;
         }
     }
 

@@ -4,10 +4,13 @@ use egui::Ui;
 
 use super::Window;
 use crate::app::canvas::tool::Tool;
+use crate::app::canvas::{FROZEN, starter};
 use crate::editor::edit::Edit;
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, Mark};
 
+/// The smallest and largest width of new lines, and radius of new ellipses, px.
+const NIB: [f64; 2] = [0.5, 400.0];
 /// The offset of a copy from the original, px of the screen.
 const ASIDE: f64 = 14.0;
 
@@ -27,7 +30,41 @@ impl Window {
 
     pub(super) fn select_all(&mut self) {
         self.session.select_all();
-        self.canvas.tool = Tool::Select;
+        self.use_select();
+    }
+
+    /// Changes to the tool *Select* while marks are selected.
+    fn use_select(&mut self) {
+        if self.canvas.tool != Tool::Select {
+            self.tool_before = Some(std::mem::replace(&mut self.canvas.tool, Tool::Select));
+        }
+    }
+
+    /// Goes back to the tool from before, once nothing is selected any more.
+    pub(super) fn use_tool_before(&mut self) {
+        if self.session.selection.is_empty()
+            && let Some(tool) = self.tool_before.take()
+        {
+            self.canvas.tool = tool;
+        }
+    }
+
+    pub(super) fn delete(&mut self) {
+        self.session.delete_selected();
+        self.use_tool_before();
+    }
+
+    /// Changes the width of the selected lines and the size of the selected ellipses; where nothing is selected, those of new
+    /// marks.
+    pub(super) fn widen(&mut self, factor: f64) {
+        let nib = &mut self.canvas.nib;
+        if !self.session.selection.is_empty() {
+            self.session.widen(factor);
+        } else if self.canvas.tool == Tool::Ellipse {
+            nib.radii = nib.radii.map(|radius| (factor * radius).clamp(NIB[0], NIB[1]));
+        } else {
+            nib.width = (factor * nib.width).clamp(NIB[0], NIB[1]);
+        }
     }
 
     pub(super) fn duplicate(&mut self) {
@@ -36,11 +73,23 @@ impl Window {
 
     pub(super) fn select_next(&mut self, step: isize) {
         if self.session.select_next(step) {
-            self.canvas.tool = Tool::Select;
+            self.use_select();
         }
     }
 
+    /// Whether marks can be added to the active layer; else says why not.
+    fn can_add(&mut self) -> bool {
+        let is_frozen = self.session.is_active_frozen();
+        if is_frozen {
+            self.notices.done(FROZEN);
+        }
+        !is_frozen
+    }
+
     pub(super) fn insert(&mut self, ellipse: bool) {
+        if !self.can_add() {
+            return;
+        }
         let nib = self.canvas.nib;
         let size = self.session.document().size;
         let center = [0, 1].map(|axis| self.canvas.view.center[axis].clamp(0.0, f64::from(size[axis])));
@@ -52,7 +101,13 @@ impl Window {
             Mark::Line(Line { from, to, width: nib.width })
         };
         self.session.add(&[mark]);
-        self.canvas.tool = Tool::Select;
+        self.use_select();
+    }
+
+    /// Adds a few spots or lines in the middle of an empty canvas, to begin with.
+    pub(super) fn begin_with(&mut self, spots: bool) {
+        self.session.add(&starter(self.session.document().size, spots));
+        self.session.selection.clear();
     }
 
     pub(super) fn another_seed(&mut self) {
@@ -68,12 +123,16 @@ impl Window {
     }
 
     pub(super) fn paste(&mut self, text: &str) {
-        if self.session.paste(text, self.copy_offset()).is_err() {
-            self.notices
-                .wrong("The clipboard holds no marks; copy some from dapple, or the text of a document.");
+        if !self.can_add() {
             return;
         }
-        self.canvas.tool = Tool::Select;
+        let at = self.context.at.take().or(self.canvas.pointer);
+        if self.session.paste(text, at, self.copy_offset()).is_err() {
+            self.notices
+                .wrong("The clipboard has no marks. Copy marks in dapple, or the text of a document.");
+            return;
+        }
+        self.use_select();
     }
 
     /// The offset of a copy from the original, px of the canvas.

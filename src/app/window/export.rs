@@ -7,10 +7,10 @@ use egui::{Id, Modal, Ui};
 
 use super::Window;
 use crate::app::chooser::Purpose;
+use crate::app::exporting::{self, DialogAction, ExportContext};
 use crate::app::exporting::{
     Choices, Dialog, ExportKind, ExportRequest, Exporting, Film, FinishedPreview, Size,
 };
-use crate::app::exporting::{DialogAction, ExportContext};
 use crate::synth::Grown;
 
 impl Window {
@@ -80,7 +80,9 @@ impl Window {
     }
 
     fn choose_export(&mut self, choices: &Choices) {
-        let stem = self.stem();
+        let exported = self.files.exported.as_deref().filter(|_| choices.ending().is_some());
+        let stem = exported.and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned());
+        let stem = stem.unwrap_or_else(|| self.stem());
         match choices.ending() {
             Some(ending) => {
                 let endings = match ending {
@@ -108,6 +110,14 @@ impl Window {
     pub(super) fn export_chosen(&mut self, path: &Path) {
         let Some(dialog) = self.files.export.take() else { return };
         let request = self.request(&dialog.choices);
+        if let Err(why) = exporting::check(path, &request) {
+            // Another place or format can be chosen.
+            self.notices.wrong(why);
+            self.files.export = Some(dialog);
+            return;
+        }
+        self.settings.export_folder = path.parent().map(Path::to_owned);
+        self.files.exported = Some(path.to_owned());
         self.settings.export = Choices {
             size: Size::default(),
             layer: None,
@@ -156,7 +166,7 @@ impl Window {
                 self.notices.written(&job.path, format!("Written: {}{message}", job.path.display()));
             }
             Err(_) if job.is_cancelled() => {
-                self.notices.done("The export was cancelled; nothing was written.");
+                self.notices.done("Export cancelled. Nothing was written.");
             }
             Err(why) => self.notices.wrong(why),
         }

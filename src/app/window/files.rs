@@ -24,6 +24,8 @@ pub struct Files {
     pub(super) new: Option<New>,
     /// The action that waits for the answer to the question about unsaved changes.
     pub(super) unsaved: Option<Action>,
+    /// The question that was shown in the last frame.
+    pub(super) asked: Option<&'static str>,
     /// The action that waits for the end of a save.
     pub(super) after_saving: Option<Action>,
     /// The file that is being read, and the session's revision when that began.
@@ -33,6 +35,8 @@ pub struct Files {
     pub(super) palettes: PaletteFiles,
     /// What is being asked about an export.
     pub(super) export: Option<Dialog>,
+    /// Where the open document was exported to last.
+    pub(super) exported: Option<PathBuf>,
     /// How large the picture was from which the document was restored.
     pub(super) restored: Option<Size>,
     /// Whether the window may close without a question.
@@ -48,12 +52,14 @@ impl Files {
             chooser: None,
             new: None,
             unsaved: None,
+            asked: None,
             after_saving: None,
             reading: None,
             inspecting: None,
             saving: None,
             palettes: PaletteFiles::default(),
             export: None,
+            exported: None,
             restored: None,
             closing: false,
         }
@@ -99,7 +105,10 @@ impl Window {
         }
         self.files.reading = None;
         match read {
-            None => self.notices.wrong("Reading the file failed inside dapple; please report it."),
+            None => {
+                self.notices
+                    .wrong("Reading the file failed because of an error in dapple. Please report it.");
+            }
             Some((_, Err(why))) => self.notices.wrong(why),
             // Something was drawn in the meantime.
             Some((path, Ok(_))) if revision != self.session.revision() && self.has_unsaved() => {
@@ -120,7 +129,7 @@ impl Window {
             Content::Picture(document, extent) => {
                 self.begin(Session::open(document, None));
                 self.files.restored = Some(Size { canvas: extent.size, scale: extent.scale });
-                self.notices.done(format!("{name} held its document. Saving it asks for a new name."));
+                self.notices.done(format!("Opened the document in {name}. Saving asks for a file name."));
             }
             Content::Drawing(imported) => {
                 self.begin(Session::open_unsaved(imported.document, Document::default(), None));
@@ -175,7 +184,9 @@ impl Window {
     }
 
     pub(super) fn choose(&mut self, purpose: Purpose, name: &str) {
-        let at = self.session.path.clone();
+        let is_export = matches!(purpose, Purpose::Export(_) | Purpose::ExportInto);
+        let last = self.settings.export_folder.as_ref().filter(|folder| is_export && folder.is_dir());
+        let at = last.map(|folder| folder.join(name)).or_else(|| self.session.path.clone());
         self.files.chooser = Some(Chooser::new(purpose, at.as_deref(), name, &self.tasks, self.files.native));
     }
 
@@ -197,7 +208,7 @@ impl Window {
     pub(super) fn save(&mut self, path: Option<PathBuf>) {
         let document = self.session.finished();
         if document.layers.is_empty() {
-            self.notices.wrong("There is nothing to save yet: draw at least one mark.");
+            self.notices.wrong("Nothing to save yet. Draw at least one mark.");
             self.files.after_saving = None;
             return;
         }
@@ -337,7 +348,7 @@ impl Window {
                 Dropped::Reference => {
                     self.load_reference(&path);
                     let name = path.file_name().unwrap_or_default().to_string_lossy();
-                    let text = "holds no document: it lies under the canvas, to draw over";
+                    let text = "holds no document; it is shown as reference picture";
                     self.notices.done(format!("{name} {text}"));
                 }
                 // Reported before any question about the open document.

@@ -5,10 +5,10 @@ use std::time::{Duration, Instant};
 use egui::{CentralPanel, Frame, Margin, Panel, Rect, Ui, UiBuilder, ViewportCommand, pos2, vec2};
 
 use super::Window;
+use super::columns::drawn;
 use crate::app::action::{Action, Tab};
 use crate::app::canvas::view::View;
-use crate::app::growth::{Growth, Phase};
-use crate::app::result::{Drawn, Results};
+use crate::app::growth::Phase;
 use crate::app::theme::Palette;
 use crate::app::{panels, shortcuts, texture};
 use crate::editor::task::StartError;
@@ -42,14 +42,9 @@ impl Window {
         Panel::bottom("status").frame(bar).exact_size(28.0).show(ui, |ui| {
             actions.extend(panels::status(ui, &self.canvas, self.ruler(), self.exporting.as_ref()));
         });
-        let tools = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(6, 8));
-        let tools = Panel::left("tools").frame(tools).resizable(false).exact_size(50.0);
-        tools.show(ui, |ui| actions.extend(panels::tools(ui, self.canvas.tool, &self.session)));
-        let column = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(14, 10));
-        let column = Panel::right("inspector").frame(column).resizable(false).exact_size(264.0);
-        let asked = column.show(ui, |ui| self.column(ui)).inner;
+        actions.extend(self.tools(ui));
         // Before the canvas: it must see the marks that a field has changed.
-        asked.into_iter().for_each(|action| self.perform(ui, action));
+        self.column(ui).into_iter().for_each(|action| self.perform(ui, action));
         let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
         let error = self.alternatives.follow(&self.tasks, &self.session, &self.growth, busy);
         self.report(error);
@@ -60,6 +55,7 @@ impl Window {
             });
         }
         CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
+        actions.extend(self.context_menu(ui));
         self.cloud.ui(ui.ctx());
         actions.extend(self.over_all(ui));
         for action in actions {
@@ -87,16 +83,22 @@ impl Window {
         }
     }
 
+    /// Whether a page or a question lies over the window and gets all keys.
+    fn is_asking(&self) -> bool {
+        self.files.is_asking() || self.page.is_some() || self.canvas.question.is_some()
+    }
+
     /// The actions of the keys.
     fn keys(&mut self, ui: &Ui) -> Vec<Action> {
-        // A page over the window gets all keys.
-        if self.files.is_asking() || self.page.is_some() {
+        if self.is_asking() {
             return Vec::new();
         }
         let focused = ui.memory(egui::Memory::focused);
         // An open menu handles Escape and the arrows itself.
         let canvas = focused.is_none_or(|id| self.canvas.id == Some(id)) && !self.menu_open;
-        let keys = !ui.text_edit_focused() && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
+        let keys = !ui.text_edit_focused()
+            && !self.menu_open
+            && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
         let mut actions = shortcuts::asked(ui.ctx(), keys, canvas);
         let cancelled = actions.contains(&Action::Escape)
             && (self.canvas.cancel(&mut self.session) || self.cancel_colour());
@@ -124,7 +126,7 @@ impl Window {
         cancelled
     }
 
-    fn menu(&self, ui: &mut Ui) -> Vec<Action> {
+    fn menu(&mut self, ui: &mut Ui) -> Vec<Action> {
         let menus = panels::MenuState {
             session: &self.session,
             settings: &self.settings,
@@ -134,29 +136,10 @@ impl Window {
             over: self.over,
             tiled: self.texture.tiled,
             alternatives: self.alternatives.shown,
+            columns: [self.settings.layout.tools, self.settings.layout.column],
         };
-        panels::menu(ui, &menus)
-    }
-
-    /// The column on the right.
-    fn column(&mut self, ui: &mut Ui) -> Vec<Action> {
-        let (session, canvas, ruler) = (&self.session, &self.canvas, self.ruler());
-        let layers = |ui: &mut Ui| panels::layers(ui, session, &mut self.layers);
-        let content = |ui: &mut Ui| match self.tab {
-            Tab::Draw => {
-                let (tiled, linked) = (self.texture.tiled, self.linked);
-                let drawn = drawn(&self.results, &self.growth, self.grown == Some(session.revision()));
-                panels::draw(ui, &panels::DrawState { session, canvas, drawn, ruler, tiled, linked })
-            }
-            Tab::Colour => panels::colour(ui, session, &mut self.colour),
-            Tab::Result => {
-                let pointer = canvas.pointer.or(self.texture.pointer);
-                let (growth, results) = (&self.growth, &self.results);
-                let shown = panels::ResultState { session, growth, results, pointer, ruler };
-                panels::result(ui, &shown, &mut self.result_panel)
-            }
-        };
-        panels::column(ui, self.tab, layers, content)
+        let keys = !self.is_asking();
+        panels::menu(ui, &menus, &mut self.menu_keys, keys)
     }
 
     fn middle(&mut self, ui: &mut Ui) -> Vec<Action> {
@@ -178,6 +161,10 @@ impl Window {
             self.one_over_the_other(ui, body);
         } else {
             self.side_by_side(ui, body);
+        }
+        if self.session.marks().next().is_none() && !self.canvas.is_busy() {
+            let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).0 };
+            actions.extend(panels::starters(ui, room));
         }
         if let Some(remark) = self.canvas.remark.take() {
             self.notices.done(remark);
@@ -217,6 +204,7 @@ impl Window {
         painter.rect_filled(seen, 0.0, Palette::current(ui.visuals()).background);
         self.texture.view = self.canvas.view;
         self.texture.paint(ui, &painter, body, self.session.document().size);
+        self.canvas.paint_over(ui, body, seen, &self.session);
         self.signs(ui, body, self.canvas.view);
         texture::divider(ui, body, &mut self.curtain);
         texture::paint_divider(ui, body, self.curtain);
@@ -224,10 +212,10 @@ impl Window {
 
     /// The results of the regions, as signs in their corners.
     fn signs(&self, ui: &Ui, room: Rect, view: View) {
-        if self.tab == Tab::Result && self.result_panel.signs {
-            let (painter, palette) = (ui.painter_at(room), Palette::current(ui.visuals()));
-            panels::paint_signs(&painter, room, view, &self.session, &self.results, palette);
-        }
+        let (painter, palette) = (ui.painter_at(room), Palette::current(ui.visuals()));
+        // A miss is shown whatever the tab is.
+        let all = self.tab == Tab::Result && self.result_panel.signs;
+        panels::paint_signs(&painter, room, view, all, (&self.session, &self.results), palette);
     }
 
     /// Where the views are linked, moves the other one as well.
@@ -267,15 +255,6 @@ impl Window {
             ui.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
         }
-    }
-}
-
-/// What became of the drawn marks; nothing where the sketch has changed since it was grown.
-fn drawn<'a>(results: &'a Results, growth: &'a Growth, is_current: bool) -> Drawn<'a> {
-    if is_current {
-        Drawn::new(results.for_texture(growth.texture.as_ref()), growth)
-    } else {
-        Drawn::default()
     }
 }
 

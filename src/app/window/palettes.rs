@@ -98,7 +98,9 @@ impl Window {
         let Some(((layer, name), _)) = self.files.palettes.reading.take() else { return };
         let there = layer < self.session.document().layers.len().max(1);
         match read {
-            None => self.notices.wrong("Reading the palette failed inside dapple; please report it."),
+            None => self
+                .notices
+                .wrong("Reading the palette failed because of an error in dapple. Please report it."),
             Some(Err(why)) => self.notices.wrong(why),
             Some(Ok(palette)) if there && self.session.layer_name(layer) == name => {
                 self.take_palette(layer, palette);

@@ -42,7 +42,7 @@ impl Window {
         self.begin(session);
         self.page = None;
         self.discard_asked = None;
-        self.notices.done(format!("{name} is back as it was. It is not saved yet."));
+        self.notices.done(format!("{name} is restored. It is not saved yet."));
     }
 
     /// Deletes a lost document.
@@ -59,9 +59,9 @@ impl Window {
         let pending = self.recovery.is_due().then(|| self.canvas.pending_mark()).flatten();
         match self.recovery.update(&self.session, pending) {
             Some(Ok(took)) => self.trace.event("kept", took),
-            Some(Err(why)) => self.notices.wrong(format!(
-                "Unsaved changes cannot be kept safe against a crash: {why}. Save them yourself now and then."
-            )),
+            Some(Err(why)) => {
+                self.notices.wrong(format!("Unsaved changes cannot be backed up: {why}. Save often."));
+            }
             None => {}
         }
     }

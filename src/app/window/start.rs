@@ -6,6 +6,7 @@ use std::time::Instant;
 use egui::{Context, Theme};
 
 use super::Window;
+use super::context::ContextMenu;
 use super::files::Files;
 use super::settings::SettingsWriter;
 use crate::app::action::{Page, Tab};
@@ -15,7 +16,7 @@ use crate::app::cloud::Cloud;
 use crate::app::examples::Gallery;
 use crate::app::growth::Growth;
 use crate::app::notice::Notices;
-use crate::app::panels::{ColourPanel, LayersPanel, ResultPanel};
+use crate::app::panels::{ColourPanel, LayersPanel, MenuKeys, ResultPanel};
 use crate::app::result::Results;
 use crate::app::settings::Settings;
 use crate::app::texture::TextureView;
@@ -83,6 +84,9 @@ impl Window {
             linked: true,
             grown: None,
             menu_open: false,
+            menu_keys: MenuKeys::default(),
+            context: ContextMenu::default(),
+            tool_before: None,
             title: String::new(),
             trace: Trace::asked(),
         };

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::format::{self, Backup};
-use crate::document::{Document, limits};
+use crate::document::{Document, io_in_words, limits};
 use crate::editor::file_lock::{self, Lock};
 use crate::editor::session::Session;
 use crate::export;
@@ -190,7 +190,7 @@ fn look_at(file: &Path, found: &mut Found) {
             let aside = file.with_extension("damaged");
             let kept = match fs::rename(file, &aside) {
                 Ok(()) => format!("it was renamed to {}", aside.display()),
-                Err(error) => format!("it could not be renamed: {error}"),
+                Err(error) => format!("it could not be renamed: {}", io_in_words(&error)),
             };
             found.errors.push(format!(
                 "The unsaved work of an earlier session cannot be read: {}: {why}; {kept}",

@@ -123,7 +123,10 @@ impl Recovery {
             }
             None if search.has_ended() => {
                 self.search = None;
-                errors.push("The search for unsaved work failed inside dapple; please report it.".to_owned());
+                errors.push(
+                    "Searching for unsaved work failed because of an error in dapple. Please report it."
+                        .to_owned(),
+                );
             }
             None => {}
         }

@@ -1,7 +1,7 @@
 //! Layers of the open document: which is active, which are frozen, and operations on whole layers.
 
 use crate::document::layer_rules::{Beneath, Combination, tidy};
-use crate::document::{Kind, Layer, limits};
+use crate::document::{After, Kind, Layer, limits};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -28,25 +28,42 @@ impl Session {
         (0..layer.min(layers.len())).rev().find(|below| !layers[*below].strokes.is_empty())
     }
 
+    /// Whether the active layer is frozen: nothing can be drawn there.
+    #[must_use]
+    pub fn is_active_frozen(&self) -> bool {
+        self.active_layer < self.frozen
+    }
+
+    /// Makes a layer the active one; a frozen one stays frozen.
+    pub fn select_layer(&mut self, layer: usize) {
+        if layer < self.document.layers.len() {
+            self.active_layer = layer;
+            if self.is_active_frozen() {
+                self.selection.clear();
+            }
+        }
+    }
+
     /// Makes a layer the active one, and unfreezes it and those above it.
-    pub fn activate_layer(&mut self, layer: usize) {
+    pub fn unfreeze_layer(&mut self, layer: usize) {
         if layer < self.document.layers.len() {
             self.active_layer = layer;
             self.frozen = self.frozen.min(layer);
         }
     }
 
-    /// Freezes the active layer and those beneath; the one above, or a new one, becomes active. Does nothing when the
-    /// active layer is empty.
+    /// Freezes the active layer and those beneath; the lowest one above that is not frozen, or a new one, becomes active. Does
+    /// nothing when the active layer is empty.
     pub fn sketch_next(&mut self) {
-        let layers = self.document.layers.len();
         if self.document.layers.get(self.active_layer).is_none_or(|layer| layer.strokes.is_empty()) {
             return;
         }
-        if self.active_layer + 1 == layers {
+        let next = self.frozen.max(self.active_layer + 1);
+        if next >= self.document.layers.len() {
+            self.active_layer = self.document.layers.len() - 1;
             self.add_layer();
         } else {
-            self.active_layer += 1;
+            self.active_layer = next;
         }
         self.frozen = self.active_layer;
         self.selection.clear();
@@ -69,7 +86,7 @@ impl Session {
         near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(place, _)| place)
     }
 
-    /// Adds an empty layer above the active one and makes it active.
+    /// Add an empty layer above the active one and makes it active.
     pub fn add_layer(&mut self) {
         self.insert_layer(Layer::default());
     }
@@ -90,7 +107,8 @@ impl Session {
         if layers >= limits::MAX_LAYERS {
             return;
         }
-        let at = (self.active_layer + 1).min(layers);
+        // Frozen layers stay together.
+        let at = (self.active_layer + 1).max(self.frozen).min(layers);
         self.selection.clear();
         self.edit(|document| document.layers.insert(at, layer));
         self.active_layer = at;
@@ -111,7 +129,8 @@ impl Session {
         self.active_layer -= usize::from(layer < self.active_layer);
         self.active_layer = self.active_layer.min(self.document.layers.len().saturating_sub(1));
         self.frozen -= usize::from(layer < self.frozen);
-        self.frozen = self.frozen.min(self.active_layer);
+        // Something can always be drawn on.
+        self.frozen = self.frozen.min(self.document.layers.len().saturating_sub(1));
     }
 
     /// Moves a layer to another index; the active layer stays active.
@@ -134,7 +153,7 @@ impl Session {
         self.selection = selection;
         self.active_layer = new_index(self.active_layer);
         // Layers with another layer beneath than before have to grow again.
-        self.frozen = self.frozen.min(from).min(to).min(self.active_layer);
+        self.frozen = self.frozen.min(from).min(to);
     }
 
     /// Changes one layer, then resets the settings that are no longer allowed beside the others.
@@ -157,6 +176,13 @@ impl Session {
         }
     }
 
+    /// Whether marks of `kind` do not belong on the active layer because of how it meets those beneath.
+    #[must_use]
+    pub fn is_out_of_place(&self, kind: Kind) -> bool {
+        let active = self.document.layers.get(self.active_layer);
+        active.is_some_and(|layer| layer.after != After::Between) && !self.accepts(self.active_layer, kind)
+    }
+
     /// Whether a layer accepts marks of `kind`: its marks, its system and its `after` decide.
     pub(super) fn accepts(&self, layer: usize, kind: Kind) -> bool {
         let Some(settings) = self.document.layers.get(layer).filter(|_| layer >= self.frozen) else {
@@ -168,7 +194,7 @@ impl Session {
 
 #[cfg(test)]
 mod tests {
-    use crate::document::{After, Document, SystemChoice};
+    use crate::document::{Document, SystemChoice};
     use crate::editor::session::layers::*;
     use crate::marks::{Ellipse, Line};
     use crate::rd::System;
@@ -212,12 +238,12 @@ mod tests {
     #[test]
     fn undo_restores_the_active_layer() {
         let mut session = three_layers();
-        session.activate_layer(0);
+        session.unfreeze_layer(0);
         session.commit();
         session.delete_layer(0);
         assert_eq!(positions(&session), [20.0, 30.0]);
         assert_eq!(session.active_layer, 0);
-        session.activate_layer(1);
+        session.unfreeze_layer(1);
         session.undo();
         assert_eq!((positions(&session), session.active_layer), (vec![10.0, 20.0, 30.0], 0));
     }
@@ -225,7 +251,7 @@ mod tests {
     #[test]
     fn a_copy_of_a_layer_is_added_above_it() {
         let mut session = three_layers();
-        session.activate_layer(0);
+        session.unfreeze_layer(0);
         session.change_layer(0, |layer| layer.name = "spots".to_owned());
         session.duplicate_layer();
         assert_eq!(positions(&session), [10.0, 10.0, 20.0, 30.0]);
@@ -233,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn a_frozen_layer_is_not_editable_until_it_is_activated() {
+    fn a_frozen_layer_is_not_editable_until_it_is_unfrozen() {
         let mut session = Session::open(Document::default(), None);
         session.add(&[spot(40.0)]);
         session.sketch_next();
@@ -243,9 +269,21 @@ mod tests {
         assert_eq!(session.hit([40.0, 50.0], 5.0), None);
         assert_eq!(session.hit_frozen([40.0, 50.0], 5.0), Some(Place { layer: 0, stroke: 0 }));
         assert_eq!(session.editable_marks().count(), 1);
-        session.activate_layer(0);
+        session.select_layer(0);
+        assert_eq!((session.active_layer, session.frozen()), (0, 1));
+        session.unfreeze_layer(0);
         assert_eq!(session.frozen(), 0);
         assert!(session.hit([40.0, 50.0], 5.0).is_some());
+    }
+
+    #[test]
+    fn freezing_goes_on_with_the_lowest_layer_that_is_not_frozen() {
+        let mut session = three_layers();
+        session.select_layer(1);
+        session.sketch_next();
+        session.select_layer(0);
+        session.sketch_next();
+        assert_eq!((session.active_layer, session.frozen()), (2, 2));
     }
 
     #[test]
@@ -267,7 +305,7 @@ mod tests {
         session.change_layer(1, |layer| layer.after = After::Around);
         session.add(&[spot(90.0)]);
         assert_eq!(session.marks_of(1), []);
-        session.activate_layer(1);
+        session.unfreeze_layer(1);
         session.add(&[line(20.0)]);
         assert_eq!(session.marks_of(1), [line(20.0)]);
     }
@@ -282,7 +320,7 @@ mod tests {
         session.add(&[line(20.0)]);
         session.finished().check("rings").unwrap();
         assert_eq!(session.finished().layers[1].options.broken, 0.3);
-        session.activate_layer(0);
+        session.unfreeze_layer(0);
         session.remove(&[Place { layer: 0, stroke: 0 }]);
         let finished = session.finished();
         assert_eq!((finished.layers[0].after, finished.layers[0].options.broken), (After::Between, 0.0));

@@ -20,7 +20,7 @@ impl Session {
         if self.document().layers.len() >= limits::MAX_LAYERS {
             return;
         }
-        self.activate_layer(layer);
+        self.unfreeze_layer(layer);
         self.selection.clear();
         self.edit(|document| {
             let large = &mut document.layers[layer];

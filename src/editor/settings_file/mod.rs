@@ -15,7 +15,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
-use crate::document::with_causes;
+use crate::document::{io_in_words, with_causes};
 use crate::editor::file_lock;
 use crate::export;
 
@@ -109,11 +109,12 @@ pub fn read(file: &Path) -> (Entries, Option<String>) {
     let aside = file.with_extension("damaged");
     let kept = match fs::rename(file, &aside) {
         Ok(()) => format!("it was renamed to {}", aside.display()),
-        Err(error) => format!("it could not be renamed: {error}"),
+        Err(error) => format!("it could not be renamed: {}", io_in_words(&error)),
     };
     let file = file.display();
-    let error =
-        format!("The settings file {file} cannot be read ({why}); dapple starts with its defaults. {kept}");
+    let error = format!(
+        "The settings file {file} cannot be read ({why}). dapple starts with default settings; {kept}"
+    );
     (Entries::default(), Some(error))
 }
 

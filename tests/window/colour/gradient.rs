@@ -158,9 +158,9 @@ fn stops_are_swapped_and_the_gradient_is_reversed() {
     let (mut hand, _folder) = with_layers(1);
     let before = hand.colours(0);
     hand.focus("Stop 1 of 4");
-    hand.press("Swap on");
+    hand.press("Swap with next");
     assert_eq!(hand.colours(0).stops[0].colour, before.stops[1].colour);
-    hand.press("Swap back");
+    hand.press("Swap with previous");
     assert_eq!(hand.colours(0), before);
     hand.press("Reverse");
     let reversed = hand.colours(0);

@@ -12,7 +12,7 @@ fn a_film_plays_in_the_preview_and_is_written_as_shown() {
             take(&mut hand, "Format of the film", format);
         }
         hand.type_into("Length", "0.4");
-        hand.press("Make the film");
+        hand.press("Preview the film");
         let made = seen(&mut hand);
         assert_eq!(made.frames().len(), 8);
         let path = folder.path().join(name);
@@ -48,7 +48,7 @@ fn one_document_becomes_another_in_a_film() {
     hand.press("Choose a document…");
     hand.type_path("File", &other);
     hand.type_into("Length", "0.3");
-    hand.press("Make the film");
+    hand.press("Preview the film");
     let made = seen(&mut hand);
     assert_eq!(made.frames().len(), 6);
     let path = folder.path().join("x.gif");

@@ -56,13 +56,13 @@ fn patterns_labels_and_concentrations_are_written_from_the_dialog() {
     let (mut hand, folder) = small();
     for (shows, name, option) in [
         ("The pattern, 0 to 1", "p.png", "--pattern"),
-        ("Labels, a number a layer", "l.png", "--labels"),
+        ("Labels: the number of the layer", "l.png", "--labels"),
         ("Concentrations", "c.exr", "--concentrations"),
     ] {
         open(&mut hand, "Picture");
         take(&mut hand, "Shows", shows);
         if option == "--concentrations" {
-            hand.press("Show it");
+            hand.press("Show preview");
         }
         let made = seen(&mut hand);
         let path = folder.path().join(name);
@@ -102,8 +102,8 @@ fn larger_pictures_have_a_smaller_preview_and_are_written_in_full_size() {
 fn more_texture_is_grown_for_the_preview_and_not_again_for_the_file() {
     let (mut hand, folder) = small();
     open(&mut hand, "Picture");
-    hand.press("More texture");
-    hand.press("Show it");
+    hand.press("Larger canvas");
+    hand.press("Show preview");
     let made = seen(&mut hand);
     assert_eq!(made.pictures()[0].1.size, [192, 160]);
     let path = folder.path().join("x.png");

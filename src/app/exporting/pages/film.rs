@@ -83,7 +83,7 @@ fn times(ui: &mut Ui, film: &mut Film, context: &ExportContext) {
 fn end(ui: &mut Ui, clip: &mut Clip) {
     named(ui, "At the end", "What the film does at its end");
     let mut again = !clip.once;
-    yes(ui, "begins again", &mut again, true, "Otherwise it stops at the last frame");
+    yes(ui, "loop", &mut again, true, "Otherwise it stops at the last frame");
     clip.once = !again;
     ui.end_row();
     if again {

@@ -22,8 +22,8 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
             ui,
             choices,
             context,
-            "All that are shown",
-            "A group for each layer that is shown, or one layer alone",
+            "All visible layers",
+            "One group for each visible layer, or one layer alone",
         );
         let outlines = &mut choices.outlines;
         named(
@@ -101,13 +101,13 @@ fn style(ui: &mut Ui, outlines: &mut Outlines, dpi: f64) {
         });
     });
     ui.end_row();
-    named(ui, "Order", "The order in which paths are drawn");
+    named(ui, "Order", "The order in which the pen draws the outlines");
     yes(
         ui,
-        "a short way for the pen",
+        "optimise pen travel",
         &mut outlines.ordered,
         true,
-        "Otherwise in the order in which they are found",
+        "Otherwise in the order in which the outlines are found",
     );
     ui.end_row();
 }

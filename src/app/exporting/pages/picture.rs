@@ -15,7 +15,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
         let texts = [
             (PictureContent::Texture, "The texture"),
             (PictureContent::Pattern, "The pattern, 0 to 1"),
-            (PictureContent::Labels, "Labels, a number a layer"),
+            (PictureContent::Labels, "Labels: the number of the layer"),
             (PictureContent::Concentrations, "Concentrations"),
         ];
         let texts = texts.map(|(shows, text)| (shows, text.to_owned()));
@@ -23,7 +23,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
         ui.end_row();
         if choices.picture.shows == PictureContent::Pattern {
             let explained = "The pattern of the layer that painted each px, or of one layer alone";
-            layer(ui, choices, context, "The one on top", explained);
+            layer(ui, choices, context, "Topmost layer", explained);
         }
         named(ui, "Format", "Numbers can only be written in lossless formats");
         let formats = FORMATS.map(|format| (format, format.name().to_owned()));
@@ -36,9 +36,8 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
         }
         if choices.picture.format == Format::Png {
             named(ui, "Document", "What the PNG holds besides the picture");
-            let explained =
-                "The PNG can be opened here and grown again; it then contains your sketch as well";
-            yes(ui, "kept in the picture", &mut choices.picture.document, true, explained);
+            let explained = "The PNG can be opened in dapple and grown again. It then contains your sketch";
+            yes(ui, "include the document", &mut choices.picture.document, true, explained);
             ui.end_row();
         }
     });

@@ -136,7 +136,7 @@ fn add(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect) {
     }
     response
         .on_hover_cursor(CursorIcon::Copy)
-        .on_hover_text("Click to add a stop here; Enter adds one in the middle of the selected transition");
+        .on_hover_text("Click to add a stop here. Enter adds one in the middle of the selected transition");
 }
 
 fn stop_id(ui: &Ui, index: usize) -> Id {

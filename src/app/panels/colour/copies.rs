@@ -14,21 +14,23 @@ pub fn copies(ui: &mut Ui, session: &Session, colours: &Colours) -> Vec<Action> 
     let mut actions: Vec<Action> = buttons(ui, session, colours).map(Action::Edit).into_iter().collect();
     ui.horizontal(|ui| {
         let open = ui.button("Open palette…");
-        if open.on_hover_text("Colours from a file: .json of dapple, .gpl of GIMP and others").clicked() {
+        if open.on_hover_text("Read colours from a file: .json (dapple) or .gpl (GIMP)").clicked() {
             actions.push(Action::OpenPalette);
         }
         let save = ui.button("Save palette…");
-        if save.on_hover_text("These colours as a file: .json holds all, .gpl no transitions").clicked() {
+        if save
+            .on_hover_text("Save these colours: .json keeps everything, .gpl (GIMP) has no transitions")
+            .clicked()
+        {
             actions.push(Action::SavePalette);
         }
     });
     let layers = &session.document().layers;
     let ground = layers.iter().rposition(|layer| layer.visible && !layer.strokes.is_empty());
     if let Some(ground) = ground.filter(|ground| *ground != session.active_layer) {
-        let text = format!("The ground around all marks is painted by {}.", session.layer_name(ground));
-        ui.label(RichText::new(text).small().weak()).on_hover_text(
-            "Where there are several layers, the topmost visible one paints the ground, with its first colours",
-        );
+        let text = format!("Background colour: set by {}.", session.layer_name(ground));
+        ui.label(RichText::new(text).small().weak())
+            .on_hover_text("The topmost visible layer sets the background colour, with its first stop");
     }
     actions
 }
@@ -50,13 +52,13 @@ fn buttons(ui: &mut Ui, session: &Session, colours: &Colours) -> Option<Edit> {
                     edit = Some(Edit::Colours(to, Some(colours.clone())));
                 }
             });
-            menu.response.on_hover_text("Give another layer these colours").on_disabled_hover_text(ALONE);
-            let menu = ui.menu_button("Take from", |ui| {
+            menu.response.on_hover_text("Copy these colours to another layer").on_disabled_hover_text(ALONE);
+            let menu = ui.menu_button("Copy from", |ui| {
                 if let Some(from) = choice(ui, session, &others) {
                     edit = Some(Edit::Colours(vec![layer], Some(session.colours(from))));
                 }
             });
-            menu.response.on_hover_text("Take the colours of another layer").on_disabled_hover_text(ALONE);
+            menu.response.on_hover_text("Copy the colours of another layer").on_disabled_hover_text(ALONE);
         });
         let has_own = layers.get(layer).is_some_and(|layer| layer.colours.is_some());
         let default = ui.add_enabled(has_own, Button::new("Default"));

@@ -18,7 +18,7 @@ const KINDS: [(&str, [f64; 4]); 5] = [
     ("Slow start", [0.42, 0.0, 1.0, 1.0]),
     ("Slow end", [0.0, 0.0, 0.58, 1.0]),
     ("Slow start and end", [0.42, 0.0, 0.58, 1.0]),
-    ("Late and sudden", [0.9, 0.0, 0.9, 0.3]),
+    ("Late and steep", [0.9, 0.0, 0.9, 0.3]),
 ];
 /// Height of the plot, width of the strips along it, and the space around them, points.
 const HEIGHT: f32 = 112.0;
@@ -62,7 +62,7 @@ pub fn curve(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
         }
         let [x1, y1, x2, y2] = bend;
         let numbers = RichText::new(format!("{x1:.2} {y1:.2}\n{x2:.2} {y2:.2}")).small().weak();
-        ui.label(numbers).on_hover_text("The two handles, x and y, as in CSS: cubic-bezier");
+        ui.label(numbers).on_hover_text("Positions of the two handles, x and y, as in CSS cubic-bezier()");
     });
     if bend != before {
         colours.set_bend(gap, bend);

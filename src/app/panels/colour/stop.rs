@@ -33,28 +33,31 @@ pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         ui.spacing_mut().button_padding.x = 5.0;
-        let count = colours.stops.len();
-        let index = panel.stop;
-        let swaps =
-            [("Swap back", index.checked_sub(1)), ("Swap on", Some(index + 1).filter(|next| *next < count))];
+        let (index, count) = (panel.stop, colours.stops.len());
+        let swaps = [
+            ("Swap with previous", index.checked_sub(1)),
+            ("Swap with next", Some(index + 1).filter(|next| *next < count)),
+        ];
         for (text, other) in swaps {
-            let other_name = if text == "Swap on" { "next one" } else { "one before" };
             let button = ui.add_enabled(other.is_some(), small(text));
-            let button = button.on_hover_text(format!("Swaps the colours of this stop and the {other_name}"));
+            let button = button.on_hover_text("Swap the colours of the two stops");
             if let (true, Some(other)) = (button.clicked(), other) {
                 colours.swap(index, other);
                 panel.choose(other, colours);
             }
         }
+    });
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        ui.spacing_mut().button_padding.x = 5.0;
+        let (index, count) = (panel.stop, colours.stops.len());
         let reverse = ui.add(small("Reverse"));
-        if reverse.on_hover_text("Reverses all colours and transitions").clicked() {
+        if reverse.on_hover_text("Reverse all colours and transitions").clicked() {
             colours.reverse();
             panel.choose(count - 1 - index, colours);
         }
         let remove = ui.add_enabled(count > 1, small("Remove"));
-        if remove.on_hover_text("Removes this stop; the last one cannot be removed").clicked()
-            && colours.remove(index)
-        {
+        if remove.on_hover_text("Remove this stop (one must remain)").clicked() && colours.remove(index) {
             panel.choose(index.min(count - 2), colours);
         }
     });

@@ -52,6 +52,10 @@ pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Actio
     let area = ScrollArea::vertical().id_salt("details").max_height(highest).min_scrolled_height(highest);
     area.show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 6.0;
+        if session.is_active_frozen() {
+            ui.weak("Frozen: click the snowflake to change it.");
+            ui.disable();
+        }
         edits.extend(meeting(ui, session, layer));
         edits.extend(ui.horizontal(|ui| system(ui, session, layer)).inner);
         Grid::new("how it grows").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
@@ -63,7 +67,7 @@ pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Actio
             }
         });
         if session.kind(session.active_layer).is_none() {
-            ui.weak("Its options are shown once it has a mark.");
+            ui.weak("Draw a mark to see its options.");
         }
     });
     edits.into_iter().map(Action::Edit).collect()
@@ -103,7 +107,8 @@ fn system_name(system: SystemChoice) -> &'static str {
 
 /// The tooltip of a system.
 fn system_help(system: SystemChoice) -> &'static str {
-    const AUTO: &str = "The system that comes nearest to the drawn marks: lines grow stripes, ellipses spots";
+    const AUTO: &str =
+        "The system that matches the drawn marks best: lines grow stripes, ellipses grow spots";
     system.system().map_or(AUTO, |system| system.description().help)
 }
 

@@ -32,8 +32,7 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
     match choice {
         OptionKey::Spread => (
             "Variation",
-            "How much the spots differ from each other: as the drawn ones do (where a region has at least six), \
-             not at all, or by given numbers",
+            "How much the spots differ from each other: as the drawn ones do (if a region has at least six), not at all, or by the numbers below",
         ),
         OptionKey::Irregular => (
             "Irregular",
@@ -51,7 +50,7 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
              wide stripes with thin gaps",
         ),
         OptionKey::Seeding => (
-            "Begins from",
+            "Starts from",
             "Noise: stripes follow the drawn directions closely. Segments: short lines in the drawn direction, which \
              grow into forked and wavy stripes. Drawn lines: stripes spread from them",
         ),
@@ -105,5 +104,5 @@ fn seeding(ui: &mut Ui, seeding: &mut Seeding) -> egui::Response {
             ui.selectable_value(seeding, one, name);
         }
     });
-    combo.response.accessible_name("Begins from")
+    combo.response.accessible_name("Starts from")
 }

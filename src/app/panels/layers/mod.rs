@@ -45,7 +45,7 @@ pub fn layers(ui: &mut Ui, session: &Session, panel: &mut LayersPanel) -> Vec<Ac
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| buttons(ui, session, &mut actions));
     });
     if session.document().layers.is_empty() {
-        ui.weak("The first mark opens a layer.");
+        ui.weak("Your first mark creates a layer.");
         return actions;
     }
     ScrollArea::vertical().id_salt("layers").max_height(ROWS * ROW).min_scrolled_height(ROWS * ROW).show(
@@ -64,16 +64,11 @@ pub fn layers(ui: &mut Ui, session: &Session, panel: &mut LayersPanel) -> Vec<Ac
 fn buttons(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     ui.spacing_mut().item_spacing.x = 0.0;
     for (icon, name, help, action) in [
-        (Icon::Bin, "Delete layer", "Deletes the active layer with its marks", LayerAction::Delete),
-        (Icon::Copies, "Duplicate layer", "Puts a copy of the active layer above it", LayerAction::Duplicate),
-        (
-            Icon::Down,
-            "Lower layer",
-            "Moves the active layer below the next lower one",
-            LayerAction::Shift(-1),
-        ),
-        (Icon::Up, "Raise layer", "Moves the active layer above the next higher one", LayerAction::Shift(1)),
-        (Icon::Add, "New layer", "Adds an empty layer above the active one", LayerAction::Add),
+        (Icon::Bin, "Delete layer", "Delete the active layer with its marks", LayerAction::Delete),
+        (Icon::Copies, "Duplicate layer", "Add a copy of the active layer above it", LayerAction::Duplicate),
+        (Icon::Down, "Lower layer", "Move the active layer down", LayerAction::Shift(-1)),
+        (Icon::Up, "Raise layer", "Move the active layer up", LayerAction::Shift(1)),
+        (Icon::Add, "New layer", "Add an empty layer above the active one", LayerAction::Add),
     ] {
         ui.add_enabled_ui(session.allows(action), |ui| {
             let action = Action::Layer(action);
@@ -91,9 +86,8 @@ fn buttons(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
 fn next(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     let action = LayerAction::SketchNext;
     let last = session.active_layer + 1 == session.document().layers.len();
-    let text = if last { "Freeze it, sketch the next" } else { "Freeze it, go to the next" };
-    let help = "Freezes what is drawn so far: it is not changed and not grown again. Its texture is shown under the \
-                canvas while you draw the layer above. (F)";
+    let text = if last { "Freeze layer and start the next" } else { "Freeze layer and go to the next" };
+    let help = "Finish this layer: it can no longer be changed and is not grown again. Its texture is shown under the canvas while you draw the next layer. (F)";
     let size = vec2(ui.available_width(), 26.0);
     let button = ui.add_enabled_ui(session.allows(action), |ui| ui.add_sized(size, Button::new(text))).inner;
     let button = button.on_hover_text(help);

@@ -33,7 +33,7 @@ pub(super) fn row(
     let rest = Rect::from_min_max(rest, pos2(rect.right() - 6.0, rect.bottom()));
     ui.scope_builder(UiBuilder::new().max_rect(eye), |ui| shown(ui, session, layer, actions));
     let count = mark_count(ui, session, layer, rest);
-    let left = thaw(ui, session, layer, rest.with_max_x(count), actions);
+    let left = unfreeze(ui, session, layer, rest.with_max_x(count), actions);
     let named = rest.with_max_x(left).with_min_x(rest.left() + 22.0);
     if panel.naming.as_ref().is_some_and(|(named, _)| *named == layer) {
         name_field(ui, session, panel, named, actions);
@@ -59,9 +59,9 @@ pub(super) fn row(
         ui.weak("Click: draw in this layer. Double-click or F2: rename it. Drag, or Alt + arrows: move it.");
     });
     if response.double_clicked() {
-        actions.extend([LayerAction::Take(layer), LayerAction::Rename].map(Action::Layer));
+        actions.extend([LayerAction::Select(layer), LayerAction::Rename].map(Action::Layer));
     } else if response.clicked() {
-        actions.push(Action::Layer(LayerAction::Take(layer)));
+        actions.push(Action::Layer(LayerAction::Select(layer)));
     }
     if response.has_focus() {
         keys(ui, session, panel, &response, layer, actions);
@@ -97,9 +97,9 @@ fn shown(ui: &mut Ui, session: &Session, layer: usize, actions: &mut Vec<Action>
     let (icon, verb) = if visible { (Icon::Eye, "Hide") } else { (Icon::Shut, "Show") };
     let name = format!("{verb} {}", session.layer_name(layer));
     let help = if visible {
-        "Hides it: it still grows and keeps its space free of the others, but it is not painted"
+        "Hide it. It still grows and keeps its space, but it is not painted"
     } else {
-        "Hidden: it grows and keeps its space free of the others, but it is not painted. Click to show it"
+        "Hidden: it grows and keeps its space, but it is not painted. Click to show it"
     };
     if icon.sized_button(ui, &name, false, vec2(22.0, ROW)).on_hover_text(help).clicked() {
         actions.push(Action::Layer(LayerAction::HideThis(layer)));
@@ -128,18 +128,18 @@ fn mark_count(ui: &Ui, session: &Session, layer: usize, rest: Rect) -> f32 {
     ui.painter().text(right, Align2::RIGHT_CENTER, text, font, weak).left() - 6.0
 }
 
-/// The button that thaws a frozen layer; gives its left end.
-fn thaw(ui: &mut Ui, session: &Session, layer: usize, rest: Rect, actions: &mut Vec<Action>) -> f32 {
+/// The button that unfreezes a layer; gives its left end.
+fn unfreeze(ui: &mut Ui, session: &Session, layer: usize, rest: Rect, actions: &mut Vec<Action>) -> f32 {
     if layer >= session.frozen() {
         return rest.right();
     }
     let place = rest.with_min_x(rest.right() - 22.0);
     ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
-        let name = format!("Thaw {}", session.layer_name(layer));
-        let help = "Frozen: its marks cannot be changed. Click to make it active again; the layers above are thawed as well";
+        let name = format!("Unfreeze {}", session.layer_name(layer));
+        let help = "Frozen: its marks cannot be changed. Click to unfreeze it and the layers above it";
         let button = Icon::Frozen.sized_button(ui, &name, false, vec2(22.0, ROW));
         if button.on_hover_text(help).clicked() {
-            actions.push(Action::Layer(LayerAction::Take(layer)));
+            actions.push(Action::Layer(LayerAction::UnfreezeThis(layer)));
         }
     });
     place.left()
@@ -185,7 +185,7 @@ fn keys(
         if pressed(Modifiers::ALT, key) {
             actions.push(Action::Layer(LayerAction::Move(layer, to)));
         } else if pressed(Modifiers::NONE, key) {
-            actions.push(Action::Layer(LayerAction::Take(to)));
+            actions.push(Action::Layer(LayerAction::Select(to)));
         } else {
             continue;
         }
@@ -194,7 +194,7 @@ fn keys(
     }
     for (key, action) in [(Key::F2, LayerAction::Rename), (Key::Delete, LayerAction::Delete)] {
         if pressed(Modifiers::NONE, key) {
-            actions.extend([LayerAction::Take(layer), action].map(Action::Layer));
+            actions.extend([LayerAction::Select(layer), action].map(Action::Layer));
             panel.from_row = true;
         }
     }

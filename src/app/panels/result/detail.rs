@@ -31,12 +31,15 @@ pub fn detail(
         ui.strong(if is_free { "Whole canvas" } else { &name });
         ui.weak(region.verdict.name()).on_hover_text(region.verdict.help());
         if let Some(marks) = report.marks {
-            ui.weak(format!("· {marks} measured")).on_hover_text("Whole spots that were measured in it");
+            ui.weak(format!("· {marks} measured")).on_hover_text("Number of whole spots that were measured");
         }
     });
-    numbers(ui, ruler, region, is_free);
+    numbers(ui, ruler, region);
+    if let Some(text) = why_asked(report, ruler, is_free) {
+        ui.add(Label::new(RichText::new(text).small().weak()).wrap());
+    }
     if !report.beyond.is_empty() {
-        actions.extend(beyond(ui, region, layer, is_current));
+        actions.extend(beyond(ui, ruler, region, layer, is_current));
     }
     let beyond: Vec<String> = report.beyond.iter().map(ToString::to_string).collect();
     for note in report.notes.iter().filter(|note| !beyond.contains(note)) {
@@ -44,9 +47,9 @@ pub fn detail(
     }
     parameters(ui, region);
     ui.add_space(2.0);
-    let why = ui.button("Training cloud…").on_hover_text(
-        "The grown examples from which these parameters were interpolated, what is asked for here, and its neighbours",
-    );
+    let why = ui
+        .button("Training data…")
+        .on_hover_text("Shows the simulations from which these parameters were interpolated");
     if why.clicked() {
         actions.push(Action::Cloud(Some((layer, report.place))));
     }
@@ -54,19 +57,16 @@ pub fn detail(
 }
 
 /// A row for each attribute: asked, grown, error.
-fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult, is_free: bool) {
+fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
     let report = &region.report;
     let asked = listed(&report.asked, report.directed);
     let got = report.got.map(|got| listed(&got, report.directed)).unwrap_or_default();
     Grid::new("numbers").num_columns(5).min_col_width(14.0).spacing(vec2(6.0, 5.0)).show(ui, |ui| {
         for (head, help) in [
             ("", ""),
-            (
-                "asked",
-                "What your marks ask for: the mean at the measured marks, since it changes over the canvas",
-            ),
-            ("got", "What was measured in the grown texture"),
-            ("off", "By how much what has grown differs from what was asked where it stands"),
+            ("asked", "What your marks ask for at the places of the grown ones"),
+            ("grown", "What was measured in the grown texture"),
+            ("error", "By how much what has grown differs from what was asked at its place"),
         ] {
             ui.label(RichText::new(head).small().weak()).on_hover_text(help);
         }
@@ -82,9 +82,7 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult, is_free: bool) {
             let (name, help) = named(attribute);
             ui.label(name).on_hover_text(help);
             let wanted = asked_at_marks(report, attribute).unwrap_or(*value);
-            let shown = number(ruler, attribute, *value);
-            let mean = if is_free { "is the mean of your marks" } else { "in the centre of the region" };
-            ui.label(number(ruler, attribute, wanted)).on_hover_text(format!("{shown} {mean}"));
+            ui.label(number(ruler, attribute, wanted));
             let found = got.iter().find(|(of, _)| of == attribute);
             ui.label(found.map_or("–".to_owned(), |(_, value)| number(ruler, attribute, *value)));
             let off = report.error.iter().find(|(of, _)| of == attribute);
@@ -104,6 +102,26 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult, is_free: bool) {
     });
 }
 
+/// Why the area or the width that is asked for is not the mean of what was drawn; `None` where they are about the same.
+fn why_asked(report: &RegionReport, ruler: Ruler, is_free: bool) -> Option<String> {
+    /// A difference that nobody asks about, as a share.
+    const SMALL: f64 = 0.03;
+    let (attribute, drawn) = match &report.asked {
+        Attributes::Spots(spots) => ("area", spots.area),
+        Attributes::Stripes(stripes) => ("width", stripes.width),
+    };
+    let asked = asked_at_marks(report, attribute)?;
+    let [drawn_text, asked_text] = [drawn, asked].map(|value| number(ruler, attribute, value));
+    let drawn_where = if is_free { "Your marks have" } else { "The centre of the region has" };
+    let what = if attribute == "area" { "spots" } else { "stripes" };
+    ((asked / drawn - 1.0).abs() > SMALL).then(|| {
+        format!(
+            "{drawn_where} a mean {attribute} of {drawn_text}. Sizes change from place to place, and more {what} fit where \
+             they are small, so the mean asked for at the grown {what} is {asked_text}."
+        )
+    })
+}
+
 /// The mean of what was asked for at the measured marks; `None` where none was measured.
 fn asked_at_marks(report: &RegionReport, attribute: &str) -> Option<f64> {
     let got = listed(&report.got?, report.directed);
@@ -117,7 +135,13 @@ fn asked_at_marks(report: &RegionReport, attribute: &str) -> Option<f64> {
 }
 
 /// What cannot be reached, and a button for the nearest that can.
-fn beyond(ui: &mut Ui, region: &RegionResult, layer: usize, is_current: bool) -> Option<Action> {
+fn beyond(
+    ui: &mut Ui,
+    ruler: Ruler,
+    region: &RegionResult,
+    layer: usize,
+    is_current: bool,
+) -> Option<Action> {
     let mut action = None;
     let palette = Palette::current(ui.visuals());
     let frame = Frame::NONE.inner_margin(8.0).corner_radius(6.0).stroke((1.0, palette.wrong));
@@ -127,7 +151,8 @@ fn beyond(ui: &mut Ui, region: &RegionResult, layer: usize, is_current: bool) ->
             ui.strong("Cannot be reached");
         });
         for note in &region.report.beyond {
-            ui.add(Label::new(RichText::new(format!("{}.", capital(&note.to_string()))).small()).wrap());
+            let text = super::beyond::in_words(note, &region.report.asked, ruler);
+            ui.add(Label::new(RichText::new(text).small()).wrap());
         }
         match &region.reach {
             Some(reach) => {
@@ -139,7 +164,7 @@ fn beyond(ui: &mut Ui, region: &RegionResult, layer: usize, is_current: bool) ->
                 ui.label(RichText::new(capital(&reach.text)).small().weak());
             }
             None => {
-                ui.weak("The nearest that can be reached is growing.");
+                ui.weak("Searching for the nearest sketch that can be reached …");
             }
         }
     });

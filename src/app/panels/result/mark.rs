@@ -30,8 +30,8 @@ pub fn mark_result(ui: &mut Ui, ruler: Ruler, title: &str, drawn: &DrawnMark) {
             for (head, help) in [
                 ("", ""),
                 ("asked", "What you drew"),
-                ("got", "What was measured in the grown texture"),
-                ("off", "By how much they differ"),
+                ("grown", "What was measured in the grown texture"),
+                ("error", "By how much they differ"),
             ] {
                 ui.label(RichText::new(head).small().weak()).on_hover_text(help);
             }
@@ -90,7 +90,7 @@ fn differences(drawn: &DrawnMark) -> Vec<Difference> {
 fn place(drawn: &DrawnMark) -> Option<String> {
     let off = drawn.off?;
     Some(if let Some(Attributes::Spots(_)) = drawn.asked {
-        format!("Its middle is {:.0} % of its radius away from where you drew it.", 100.0 * off)
+        format!("Its centre is {:.0} % of its radius away from where you drew it.", 100.0 * off)
     } else {
         format!("{:.0} % of it lies in a stripe.", 100.0 * (1.0 - off))
     })

@@ -1,6 +1,7 @@
 //! The tab for results: what was asked for and what has grown, all regions of the active layer in a table, one in
 //! detail.
 
+mod beyond;
 mod detail;
 mod mark;
 mod signs;
@@ -75,7 +76,7 @@ pub fn result(ui: &mut Ui, state: &ResultState, panel: &mut ResultPanel) -> Vec<
     let place = region(state, of_layer, grid, panel.chosen);
     let label = if is_free { "A sign in the corner" } else { "Signs in the regions' corners" };
     ui.checkbox(&mut panel.signs, label).on_hover_text(
-        "Disc with a tick: met. Diamond with a wave: near. Triangle with an exclamation mark: missed. Ring: nothing \
+        "Disc with a tick: reached. Diamond with a wave: close. Triangle with an exclamation mark: missed. Ring: nothing \
          was measured.",
     );
     let Some(region) = of_layer.regions.iter().find(|region| region.report.place == place) else {
@@ -96,7 +97,7 @@ fn lost(ui: &mut Ui, layer: &LayerResult, is_current: bool) {
         let marks = if all == 1 { "drawn mark" } else { "drawn marks" };
         let hollow = if is_current { ": dashed outlines in the sketch" } else { "" };
         ui.add(Label::new(format!("{lost} of {all} {marks} did not grow{hollow}")).wrap())
-            .on_hover_text("Rest the pointer on a dashed outline: it says why it did not grow");
+            .on_hover_text("Point at a dashed outline to see why it did not grow");
     });
 }
 
@@ -105,10 +106,10 @@ fn waiting(state: &ResultState) -> &'static str {
     match state.growth.phase {
         Phase::Idle => "Nothing has grown yet.",
         Phase::Growing(..) if state.results.outcome().is_some() => {
-            "Growing: these are the numbers of the texture before."
+            "Growing; numbers are from the previous texture."
         }
-        Phase::Growing(..) => "Growing: the numbers are shown once it has settled.",
-        Phase::Stopped => "Stopped: only a settled texture is measured.",
+        Phase::Growing(..) => "Growing; numbers follow when it is finished.",
+        Phase::Stopped => "Stopped; only a finished texture is measured.",
         Phase::Settled(_) => "Measuring …",
         Phase::Failed(_) => "This cannot be grown.",
     }

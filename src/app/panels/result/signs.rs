@@ -12,13 +12,13 @@ const SIGN: f32 = 16.0;
 /// Regions that are shown smaller than this get no sign, points.
 const SMALLEST: f32 = 26.0;
 
-/// Paints the signs of the active layer's regions, where the canvas is shown in `room`.
+/// Paints the signs of the active layer's regions, where the canvas is shown in `room`; those of misses only, unless `all`.
 pub fn paint_signs(
     painter: &Painter,
     room: Rect,
     view: View,
-    session: &Session,
-    results: &Results,
+    all: bool,
+    (session, results): (&Session, &Results),
     palette: &Palette,
 ) {
     let Some(outcome) = results.outcome() else { return };
@@ -30,7 +30,7 @@ pub fn paint_signs(
     if side[0].min(side[1]) < SMALLEST {
         return;
     }
-    for region in &layer.regions {
+    for region in layer.regions.iter().filter(|region| all || region.verdict == Verdict::Missed) {
         let [column, row] = region.report.place.map(|at| at as f32);
         let corner = paper.min + vec2(column * side[0], row * side[1]);
         let rect = Rect::from_min_max(corner, pos2(corner.x + side[0], corner.y + side[1]));

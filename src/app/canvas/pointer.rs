@@ -1,0 +1,180 @@
+//! The pointer on the canvas: its events become gestures.
+
+use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
+
+use super::gesture::{self, DrawnStroke, Gesture, Hand};
+use super::tool::Tool;
+use super::{Canvas, handles};
+use crate::document::Kind;
+use crate::document::sketch_notes::outline_remark;
+use crate::editor::selection::Selection;
+use crate::editor::session::Session;
+use crate::marks::Mark;
+
+/// What is told where a frozen layer is drawn on.
+pub const FROZEN: &str = "This layer is frozen. Click its snowflake to unfreeze it, or select another layer.";
+/// A press that moves less than this is a click, points.
+const CLICK: f32 = 3.0;
+
+impl Canvas {
+    /// Carries out the pointer events since the last frame, one after the other: a slow frame may hold several strokes,
+    /// and each of them is a gesture and a step to undo of its own.
+    pub(super) fn follow_pointer(&mut self, ui: &Ui, response: &Response, room: Rect, session: &mut Session) {
+        let (events, modifiers) = ui.input(|input| (pointer_events(&input.events), input.modifiers));
+        for event in events {
+            match event {
+                Event::PointerMoved(at) => self.pointer_moved(room, session, at, modifiers),
+                Event::PointerButton { pos, button, pressed: true, modifiers }
+                    if self.gesture.is_none() && is_on_canvas(ui, response, pos) =>
+                {
+                    response.request_focus();
+                    self.by_pointer = true;
+                    self.button = button;
+                    self.pressed_at = pos;
+                    let space = ui.input(|input| input.key_down(Key::Space));
+                    let is_drawing = button == PointerButton::Primary && !space;
+                    let tool = if is_drawing { self.tool } else { Tool::Hand };
+                    let handle = handles::at(&handles::handles(session, &self.view, room), pos);
+                    let hand = self.hand(room, pos, modifiers);
+                    self.gesture = Some(gesture::press(tool, session, handle, pos, hand));
+                }
+                Event::PointerButton { pos, button, pressed: false, .. } if button == self.button => {
+                    self.pointer_released(ui, room, session, (pos, modifiers));
+                }
+                _ => {}
+            }
+        }
+        // A release outside of the window may be unknown.
+        let (is_down, at) =
+            ui.input(|input| (input.pointer.button_down(self.button), input.pointer.latest_pos()));
+        if let Some(at) = at.filter(|_| !is_down) {
+            self.pointer_released(ui, room, session, (at, modifiers));
+        }
+    }
+
+    /// The pointer and the keys, on the canvas.
+    fn hand(&self, room: Rect, at: Pos2, modifiers: Modifiers) -> Hand {
+        let zoom = f64::from(self.view.zoom);
+        Hand {
+            at: self.view.to_canvas(room, at),
+            zoom,
+            shift: modifiers.shift,
+            copy: modifiers.alt || modifiers.command,
+        }
+    }
+
+    fn pointer_moved(&mut self, room: Rect, session: &mut Session, at: Pos2, modifiers: Modifiers) {
+        let hand = self.hand(room, at, modifiers);
+        match &mut self.gesture {
+            Some(Gesture::Pan(last)) => {
+                let by = at - *last;
+                *last = at;
+                self.view.pan(by);
+            }
+            Some(gesture) => gesture.advance(session, hand),
+            None => {}
+        }
+    }
+
+    fn pointer_released(
+        &mut self,
+        ui: &Ui,
+        room: Rect,
+        session: &mut Session,
+        (at, modifiers): (Pos2, Modifiers),
+    ) {
+        let Some(gesture) = self.gesture.take() else { return };
+        let hand = self.hand(room, at, modifiers);
+        if self.button == PointerButton::Secondary && at.distance(self.pressed_at) < CLICK {
+            self.ask_menu_at(session, hand);
+            return;
+        }
+        if let Some(DrawnStroke { mark, points }) = gesture.release(session, &mut self.nib, hand) {
+            let remark = outline_remark(&points);
+            self.fading.push((points, ui.input(|input| input.time)));
+            self.add(session, mark);
+            self.remark = remark.or(self.remark.take());
+        }
+        session.commit();
+    }
+
+    /// Adds a mark that was drawn. Asks first where it does not belong on the active layer, and tells of a new layer.
+    fn add(&mut self, session: &mut Session, mark: Mark) {
+        let kind = Kind::from(&mark);
+        if session.is_active_frozen() {
+            self.remark = Some(FROZEN.to_owned());
+        } else if session.is_out_of_place(kind) {
+            self.question = Some(mark);
+        } else {
+            let layers = session.document().layers.len();
+            session.add(&[mark]);
+            if layers > 0 && session.document().layers.len() > layers {
+                let (marks, name) = (kind.name(), session.layer_name(session.active_layer));
+                self.remark =
+                    Some(format!("A layer holds ellipses or lines: the {marks} is on a new layer, {name}."));
+            }
+        }
+    }
+
+    /// Asks for the menu at the pointer; a mark there that is not selected becomes selected.
+    fn ask_menu_at(&mut self, session: &mut Session, hand: Hand) {
+        match session.hit(hand.at, gesture::REACH / hand.zoom) {
+            Some(place) if !session.selection.contains(place) => {
+                session.selection = Selection::new([place]);
+                session.active_layer = place.layer;
+            }
+            Some(_) => {}
+            None => session.selection.clear(),
+        }
+        self.ask_menu(hand.at);
+    }
+
+    /// Sets the form of the pointer.
+    pub(super) fn cursor(&self, ui: &Ui, response: &Response, room: Rect, session: &Session) {
+        let Some(at) = response.hover_pos() else { return };
+        let space = ui.input(|input| input.key_down(Key::Space));
+        let handles = handles::handles(session, &self.view, room);
+        let over = if self.tool == Tool::Select { handles::at(&handles, at) } else { None };
+        let held = self.gesture.is_some();
+        let icon = match (&self.gesture, over) {
+            (Some(Gesture::Pull(handle, ..)), _) => handles::cursor(*handle),
+            (_, Some(handle)) if !space => handles::cursor(handle),
+            _ if space || self.tool == Tool::Hand => {
+                if held {
+                    CursorIcon::Grabbing
+                } else {
+                    CursorIcon::Grab
+                }
+            }
+            _ if self.tool == Tool::Select => CursorIcon::Default,
+            _ => CursorIcon::Crosshair,
+        };
+        ui.ctx().set_cursor_icon(icon);
+    }
+}
+
+/// The moves, presses and releases among the events of a frame.
+fn pointer_events(events: &[Event]) -> Vec<Event> {
+    let is_of_pointer =
+        |event: &&Event| matches!(event, Event::PointerMoved(_) | Event::PointerButton { .. });
+    events.iter().filter(is_of_pointer).cloned().collect()
+}
+
+/// Whether the canvas is the topmost control at a position, and no other one is being dragged.
+///
+/// egui knows one press a frame, and none that was released in the same frame.
+fn is_on_canvas(ui: &Ui, canvas: &Response, at: Pos2) -> bool {
+    let ctx = ui.ctx();
+    let is_other_dragged = ctx.dragged_id().is_some_and(|id| id != canvas.id);
+    if is_other_dragged || ctx.layer_id_at(at) != Some(canvas.layer_id) {
+        return false;
+    }
+    let top = ctx.viewport(|viewport| {
+        let widgets = viewport.prev_pass.widgets.get_layer(canvas.layer_id);
+        widgets
+            .filter(|widget| widget.sense.interactive() && widget.interact_rect.contains(at))
+            .last()
+            .map(|top| top.id)
+    });
+    top == Some(canvas.id)
+}

@@ -1,0 +1,37 @@
+//! What an empty canvas shows: faint marks to trace; and the marks that a new sketch can begin with.
+
+use egui::{Align2, FontId, Stroke};
+
+use super::ink::Ink;
+use crate::app::theme::Palette;
+use crate::marks::{Ellipse, Line, Mark};
+
+/// A few spots, or a few lines, in the middle of a canvas of `size` px.
+#[must_use]
+pub fn starter(size: [u32; 2], spots: bool) -> Vec<Mark> {
+    let [width, height] = size.map(f64::from);
+    let unit = 0.1 * width.min(height);
+    let at = |x: f64, y: f64| [0.5 * width + x * unit, 0.5 * height + y * unit];
+    if spots {
+        let spot = |[x, y]: [f64; 2]| {
+            Mark::Ellipse(Ellipse { center: at(x, y), radii: [0.34 * unit, 0.24 * unit], angle: 25.0 })
+        };
+        [[-1.0, -0.8], [0.2, -1.0], [1.2, -0.5], [-0.6, 0.3], [0.6, 0.4], [-0.1, 1.2]].map(spot).into()
+    } else {
+        let line = |k: f64| Mark::Line(Line { from: at(-1.6, k), to: at(1.6, k - 0.5), width: 0.24 * unit });
+        [-0.75, -0.15, 0.45, 1.05].map(line).into()
+    }
+}
+
+/// Paints faint marks to trace, and how to begin.
+pub fn paint(ink: &Ink, size: [u32; 2], colours: &Palette, text: egui::Color32) {
+    for mark in starter(size, true) {
+        ink.dashed_outline(&mark, Stroke::new(1.0, colours.border));
+    }
+    let paper = ink.view.paper(ink.room, size);
+    if paper.width() > 240.0 {
+        let at = egui::pos2(paper.center().x, paper.top() + 0.2 * paper.height());
+        let says = "Draw a few spots here, each with one stroke";
+        ink.painter.text(at, Align2::CENTER_CENTER, says, FontId::proportional(14.0), text);
+    }
+}

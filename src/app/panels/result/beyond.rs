@@ -1,0 +1,72 @@
+//! What cannot be grown, in words with lengths.
+
+use crate::attributes::Attributes;
+use crate::editor::units::Ruler;
+use crate::learn::{Note, Quantity};
+
+/// What a note says, for marks with the attributes `asked`, with its remedy.
+pub fn in_words(note: &Note, asked: &Attributes, ruler: Ruler) -> String {
+    match note {
+        Note::Beyond { asked: wanted, reached, .. } => match (wanted.attribute, asked) {
+            ("area/spacing²", Attributes::Spots(spots)) => {
+                let apart = |density: f64| ruler.rough((spots.area / density).sqrt());
+                let side = if wanted.value > reached.value { "at least" } else { "at most" };
+                format!(
+                    "Spots of this size must be {side} {} apart, from centre to centre; you drew {}.",
+                    apart(reached.value),
+                    apart(wanted.value)
+                )
+            }
+            ("duty", _) => format!(
+                "Stripes cannot cover {:.0} % of their period; they will cover {:.0} %.",
+                100.0 * wanted.value,
+                100.0 * reached.value
+            ),
+            (attribute, _) => {
+                let (largest, name) = (wanted.value > reached.value, name(attribute));
+                let side = if largest { "largest" } else { "smallest" };
+                format!(
+                    "{name} {} cannot be grown. The {side} possible is {}.",
+                    number(wanted, ruler),
+                    number(reached, ruler)
+                )
+            }
+        },
+        Note::Together { asked, reached } => {
+            let list = |all: &[Quantity]| {
+                let each = all
+                    .iter()
+                    .map(|one| format!("{} {}", name(one.attribute).to_lowercase(), number(one, ruler)));
+                each.collect::<Vec<_>>().join(", ")
+            };
+            format!(
+                "These cannot be grown together: {}. The nearest possible: {}.",
+                list(asked),
+                list(reached)
+            )
+        }
+        other => format!("{other}."),
+    }
+}
+
+fn name(attribute: &str) -> &str {
+    match attribute {
+        "area" => "Area",
+        "aspect" => "Aspect",
+        "width" => "Width",
+        "angle" => "Direction",
+        "duty" => "Stripe share",
+        "area/spacing²" => "Area ÷ spacing²",
+        other => other,
+    }
+}
+
+fn number(quantity: &Quantity, ruler: Ruler) -> String {
+    match quantity.attribute {
+        "area" => ruler.area(quantity.value),
+        "width" | "spacing" => ruler.length(quantity.value),
+        "angle" => format!("{:.0}°", quantity.value),
+        "duty" => format!("{:.0} %", 100.0 * quantity.value),
+        _ => format!("{:.2}", quantity.value),
+    }
+}

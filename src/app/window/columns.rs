@@ -1,0 +1,76 @@
+//! The columns beside sketch and texture: the tools on the left; tabs and layers on the right. Both can be hidden, the right
+//! one has a width that the user sets.
+
+use egui::{Frame, Margin, Panel, Ui};
+
+use super::Window;
+use crate::app::action::{Action, Tab};
+use crate::app::growth::Growth;
+use crate::app::panels;
+use crate::app::result::{Drawn, Outcome, Results};
+use crate::app::settings::COLUMN_WIDTHS;
+
+impl Window {
+    /// The tools.
+    pub(super) fn tools(&self, ui: &mut Ui) -> Option<Action> {
+        if !self.settings.layout.tools {
+            return None;
+        }
+        let frame = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(6, 8));
+        let tools = Panel::left("tools").frame(frame).resizable(false).exact_size(50.0);
+        tools.show(ui, |ui| panels::tools(ui, self.canvas.tool, &self.session)).inner
+    }
+
+    /// The column on the right. Its width is the one in the settings, until the user drags its edge.
+    pub(super) fn column(&mut self, ui: &mut Ui) -> Vec<Action> {
+        if !self.settings.layout.column {
+            return Vec::new();
+        }
+        let frame = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(14, 10));
+        let width = self.settings.layout.column_width;
+        let [low, high] = COLUMN_WIDTHS;
+        let column = Panel::right("inspector").frame(frame).resizable(true).default_size(width);
+        let shown = column.size_range(low..=high).show(ui, |ui| self.column_content(ui));
+        self.settings.layout.column_width = shown.response.rect.width();
+        shown.inner
+    }
+
+    fn column_content(&mut self, ui: &mut Ui) -> Vec<Action> {
+        let (session, canvas, ruler) = (&self.session, &self.canvas, self.ruler());
+        let layers = |ui: &mut Ui| panels::layers(ui, session, &mut self.layers);
+        let content = |ui: &mut Ui| match self.tab {
+            Tab::Draw => {
+                let drawn = drawn(&self.results, &self.growth, self.grown == Some(session.revision()));
+                panels::draw(ui, &panels::DrawState { session, canvas, drawn, ruler })
+            }
+            Tab::Canvas => {
+                let (tiled, linked) = (self.texture.tiled, self.linked);
+                let (document, overlays, reference) =
+                    (session.document(), canvas.overlays, &canvas.reference);
+                panels::canvas(
+                    ui,
+                    &panels::CanvasState { document, overlays, reference, ruler, tiled, linked },
+                )
+            }
+            Tab::Colour => panels::colour(ui, session, &mut self.colour),
+            Tab::Result => {
+                let pointer = canvas.pointer.or(self.texture.pointer);
+                let (growth, results) = (&self.growth, &self.results);
+                let shown = panels::ResultState { session, growth, results, pointer, ruler };
+                panels::result(ui, &shown, &mut self.result_panel)
+            }
+        };
+        let outcome = self.results.for_texture(self.growth.texture.as_ref());
+        let is_missed = outcome.is_some_and(Outcome::is_missed);
+        panels::column(ui, self.tab, is_missed, layers, content)
+    }
+}
+
+/// What became of the drawn marks; nothing where the sketch has changed since it was grown.
+pub(super) fn drawn<'a>(results: &'a Results, growth: &'a Growth, is_current: bool) -> Drawn<'a> {
+    if is_current {
+        Drawn::new(results.for_texture(growth.texture.as_ref()), growth)
+    } else {
+        Drawn::default()
+    }
+}
