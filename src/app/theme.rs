@@ -145,6 +145,8 @@ fn shared(visuals: &mut Visuals, palette: &Palette) {
 
 fn light(visuals: &mut Visuals) {
     shared(visuals, &LIGHT);
+    // Darker than the accent: as text it needs more contrast.
+    visuals.hyperlink_color = Color32::from_rgb(0x0d, 0x69, 0x63);
     let ink = Color32::from_rgb(0x2e, 0x2a, 0x26);
     visuals.panel_fill = Color32::from_rgb(0xf4, 0xf2, 0xee);
     visuals.window_fill = Color32::from_rgb(0xfa, 0xf9, 0xf6);
@@ -160,7 +162,7 @@ fn light(visuals: &mut Visuals) {
     widgets.inactive.fg_stroke = Stroke::new(1.0, ink);
     widgets.hovered.weak_bg_fill = Color32::from_rgb(0xdd, 0xd9, 0xd1);
     widgets.hovered.bg_stroke = Stroke::new(1.0, LIGHT.border);
-    widgets.active.weak_bg_fill = Color32::from_rgb(0xd0, 0xcb, 0xc1);
+    widgets.active.weak_bg_fill = Color32::from_rgb(0xda, 0xd6, 0xcd);
 }
 
 fn dark(visuals: &mut Visuals) {
@@ -179,9 +181,9 @@ fn dark(visuals: &mut Visuals) {
     widgets.inactive.weak_bg_fill = Color32::from_rgb(0x33, 0x33, 0x35);
     widgets.inactive.bg_fill = Color32::from_rgb(0x48, 0x48, 0x4c);
     widgets.inactive.fg_stroke = Stroke::new(1.0, ink);
-    widgets.hovered.weak_bg_fill = Color32::from_rgb(0x3e, 0x3e, 0x41);
+    widgets.hovered.weak_bg_fill = Color32::from_rgb(0x38, 0x38, 0x3b);
     widgets.hovered.bg_stroke = Stroke::new(1.0, DARK.border);
-    widgets.active.weak_bg_fill = Color32::from_rgb(0x49, 0x49, 0x4d);
+    widgets.active.weak_bg_fill = Color32::from_rgb(0x3b, 0x3b, 0x3e);
 }
 
 #[cfg(test)]

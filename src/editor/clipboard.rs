@@ -163,8 +163,7 @@ mod tests {
         session.duplicate([30.0, 0.0]);
         assert_eq!(selected(&session), [482.0]);
         session.delete_selected();
-        session.delete_selected();
-        assert_eq!((session.marks().count(), session.selection.len()), (1, 0));
+        assert_eq!((session.marks().count(), session.selection.len()), (2, 0));
     }
 
     #[test]
