@@ -9,6 +9,9 @@ use super::canvas::tool::Tool;
 use crate::editor::edit::Edit;
 use crate::editor::layer_action::LayerAction;
 
+/// Factor by which marks become wider or larger at a time.
+pub const WIDER: f64 = 1.1;
+
 /// What a user asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {

@@ -2,9 +2,8 @@
 
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, ScrollArea, Ui, vec2};
 
-use super::action::{Action, Page};
+use super::action::{Action, Page, WIDER};
 use super::canvas::tool::Tool;
-use super::panels::WIDER;
 use crate::editor::layer_action::LayerAction;
 
 /// Factor of a step of zooming.

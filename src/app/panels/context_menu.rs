@@ -4,7 +4,7 @@ use egui::{Popup, PopupKind, Pos2, SetOpenCommand, Ui};
 
 use super::entries::Entries;
 use super::menu::clipboard;
-use crate::app::action::Action;
+use crate::app::action::{Action, WIDER};
 use crate::editor::layer_action::LayerAction;
 use crate::editor::session::Session;
 
@@ -30,8 +30,8 @@ fn content(ui: &mut Ui, session: &Session, entries: &mut Entries) {
     clipboard(ui, some, entries);
     ui.separator();
     if some {
-        entries.item(ui, "Wider or larger", &Action::Widen(super::WIDER), true);
-        entries.item(ui, "Narrower or smaller", &Action::Widen(1.0 / super::WIDER), true);
+        entries.item(ui, "Wider or larger", &Action::Widen(WIDER), true);
+        entries.item(ui, "Narrower or smaller", &Action::Widen(1.0 / WIDER), true);
         entries.item(ui, "Turn by 5°", &Action::Turn(5.0), true);
         entries.item(ui, "Turn back by 5°", &Action::Turn(-5.0), true);
         ui.separator();

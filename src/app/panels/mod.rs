@@ -22,9 +22,6 @@ mod status;
 mod tools;
 mod wanted;
 
-/// Factor by which marks become wider or larger at a time.
-pub const WIDER: f64 = 1.1;
-
 pub use alternatives::{HEIGHT, alternatives};
 pub use canvas::{CanvasState, canvas};
 pub use colour::{ColourPanel, colour};
