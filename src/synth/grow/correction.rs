@@ -29,6 +29,9 @@ impl Engine {
             self.correct(plan, found);
             return true;
         }
+        if rounds.make_room(found) && self.make_room(plan, &found.lost) {
+            return true;
+        }
         let leaves_out = rounds.leave_out(merged);
         if leaves_out {
             self.leave_out(plan, merged);
@@ -53,26 +56,48 @@ impl Engine {
         self.grow_on(&again, &changed);
     }
 
+    /// Takes the nearest spot that was not drawn from beside each `lost` one, which begins again. Returns whether there was one.
+    fn make_room(&mut self, plan: &mut Plan, lost: &[usize]) -> bool {
+        let Some(spots) = &self.varied else { return false };
+        let pinned = plan.pinned_spots().len();
+        let beside = |index: &usize| spots.nearest_beside(*index, pinned, self.system, &self.maps.domain);
+        let pairs: Vec<(usize, usize)> =
+            lost.iter().filter_map(|index| Some((*index, beside(index)?))).collect();
+        let (lost, mut away): (Vec<usize>, Vec<usize>) = pairs.into_iter().unzip();
+        if lost.is_empty() {
+            return false;
+        }
+        away.sort_unstable();
+        away.dedup();
+        plan.undo_corrections(&lost);
+        self.separate(plan, &away, &lost);
+        true
+    }
+
     /// Leaves the pinned spots out that grow together with another pinned one, whatever their parameters.
     fn leave_out(&mut self, plan: &mut Plan, merged: &MergedSpots) {
         let pinned = plan.pinned_spots().len();
         let stays = |index: &&usize| **index < pinned && !merged.crowded.contains(index);
         let kept: Vec<usize> = merged.kept.iter().filter(stays).copied().collect();
-        plan.leave_out(&merged.crowded, &kept);
+        plan.undo_corrections(&kept);
+        plan.leave_out(&merged.crowded);
         self.separate(plan, &merged.crowded, &kept);
         self.position_control = PositionControl::new(plan);
     }
 
-    /// Takes the spots `away` that have grown together with those `kept`, which begin again.
+    /// Takes the spots `away` that leave those `kept` too little room. These begin again.
     fn separate(&mut self, plan: &Plan, away: &[usize], kept: &[usize]) {
         let Some(spots) = &mut self.varied else { return };
         let at = |index: &usize| spots.places[*index];
-        let kept: Vec<[f64; 2]> = kept.iter().map(at).collect();
-        let again: Vec<[f64; 2]> = away.iter().map(at).chain(kept.iter().copied()).collect();
+        let changed: Vec<[f64; 2]> = kept.iter().map(at).collect();
+        let mut again: Vec<[f64; 2]> = away.iter().map(at).chain(changed.iter().copied()).collect();
+        if let Some(control) = &mut self.position_control {
+            again.extend(control.forget(kept, &self.maps.domain));
+        }
         spots.remove(away);
         self.start = self.start.clone().with_places(&self.maps, &spots.places);
         self.maps.parameters = during(Phase::Parameters, || spots.corrected(plan, &self.maps));
-        self.grow_on(&again, &kept);
+        self.grow_on(&again, &changed);
     }
 
     /// Goes on growing with the spots near the places `again`, cells, as they began. Those at the places `changed` have to settle.

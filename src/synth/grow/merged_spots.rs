@@ -73,7 +73,10 @@ mod tests {
     #[test]
     fn of_two_that_grew_together_the_first_is_kept() {
         let grown = [spot(40.0, [20.0, 8.0], 0.85), spot(90.0, [10.0, 9.0], 0.99)];
-        assert_eq!(found(&[30.0, 50.0, 91.0], 0, &grown), MergedSpots { surplus: vec![1], kept: vec![0], crowded: vec![] });
+        assert_eq!(
+            found(&[30.0, 50.0, 91.0], 0, &grown),
+            MergedSpots { surplus: vec![1], kept: vec![0], crowded: vec![] }
+        );
     }
 
     #[test]

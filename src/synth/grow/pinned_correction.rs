@@ -117,6 +117,8 @@ pub struct Rounds {
     begun: Vec<usize>,
     /// How often spots that had grown together were separated.
     separations: usize,
+    /// How often room was made for lost ones.
+    rooms: usize,
 }
 
 /// Corrections at most: where some spots vanish when others come back it would go on for long.
@@ -127,12 +129,15 @@ const CORRECTIONS: usize = 2;
 const IMPROVED: f64 = 0.8;
 /// Spots that have grown together are separated so often at most.
 const SEPARATIONS: usize = 2;
+/// Room is made for lost spots so often at most.
+const ROOMS: usize = 2;
 /// A spot begins again so often at most.
 const BEGINNINGS: usize = 2;
 
 impl Default for Rounds {
     fn default() -> Self {
-        Self { rounds: 0, corrections: 0, error: f64::INFINITY, begun: Vec::new(), separations: 0 }
+        let error = f64::INFINITY;
+        Self { rounds: 0, corrections: 0, error, begun: Vec::new(), separations: 0, rooms: 0 }
     }
 }
 
@@ -142,6 +147,18 @@ impl Rounds {
         let separates = !merged.surplus.is_empty() && self.separations < SEPARATIONS;
         self.separations += usize::from(separates);
         separates
+    }
+
+    /// Whether to make room for the pinned spots that are lost, which is then counted. Afterwards one more correction is made.
+    pub fn make_room(&mut self, found: &PinnedCorrection) -> bool {
+        let makes_room = !found.lost.is_empty() && self.rooms < ROOMS;
+        self.rooms += usize::from(makes_room);
+        if makes_room {
+            self.error = f64::INFINITY;
+            self.rounds = self.rounds.min(ROUNDS - 1);
+            self.corrections = self.corrections.min(CORRECTIONS - 1);
+        }
+        makes_room
     }
 
     /// Whether to leave out the pinned spots that are too near to each other, which are then forgotten.
@@ -256,6 +273,16 @@ mod tests {
         assert!(rounds.leave_out(&merged) && rounds.is_worth(&found(&[0], &[], 2.2)));
         assert_eq!(rounds.begun[..3], [0, 1, 0]);
         assert!(!rounds.leave_out(&MergedSpots { surplus: vec![3], kept: vec![0, 1], crowded: vec![] }));
+    }
+
+    #[test]
+    fn room_is_made_twice_and_followed_by_one_correction_each() {
+        let mut rounds = Rounds::default();
+        assert!(!rounds.make_room(&found(&[0], &[], 0.4)));
+        assert!((0..4).all(|k| rounds.is_worth(&found(&[], &[k], 1.0))));
+        assert!(!rounds.is_worth(&found(&[], &[0], 1.0)) && rounds.make_room(&found(&[], &[0], 1.0)));
+        assert!(rounds.is_worth(&found(&[2], &[], 0.4)) && !rounds.is_worth(&found(&[2], &[], 0.1)));
+        assert!(rounds.make_room(&found(&[], &[0], 1.0)) && !rounds.make_room(&found(&[], &[0], 1.0)));
     }
 
     #[test]

@@ -71,11 +71,14 @@ impl SpotControl {
 
     /// Takes the `lost` marks to be at their places again. Returns where they were last seen, cells of `grid`.
     pub fn forget(&mut self, lost: &[usize], grid: &Grid) -> Vec<[f64; 2]> {
-        let forgotten = lost.iter().map(|index| {
-            let mark = &mut self.marks[*index];
-            grid.to_cells(std::mem::replace(&mut mark.seen, mark.place))
-        });
-        forgotten.collect()
+        let mut forgotten = Vec::new();
+        for index in lost {
+            // The spots behind the pinned ones are not followed.
+            if let Some(mark) = self.marks.get_mut(*index) {
+                forgotten.push(grid.to_cells(std::mem::replace(&mut mark.seen, mark.place)));
+            }
+        }
+        forgotten
     }
 
     /// Finds each mark among spots at these places, px: the one nearest to where it was last seen, if that is nearer to no

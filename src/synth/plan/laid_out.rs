@@ -73,11 +73,15 @@ impl Plan {
         if let Arrangement::PinnedSpots { left_out, .. } = &self.arrangement { left_out } else { &[] }
     }
 
-    /// Leaves the pinned spots `crowded` out, by their indices, and undoes the corrections of those `kept`, with which they grew
-    /// together.
-    pub fn leave_out(&mut self, crowded: &[usize], kept: &[usize]) {
+    /// Undoes the corrections of these pinned spots, by their indices.
+    pub fn undo_corrections(&mut self, pinned: &[usize]) {
+        let spots = self.pinned_spots_mut();
+        pinned.iter().for_each(|index| spots[*index].correction = NodeOffset::default());
+    }
+
+    /// Leaves the pinned spots `crowded` out, by their indices.
+    pub fn leave_out(&mut self, crowded: &[usize]) {
         let Arrangement::PinnedSpots { spots, left_out } = &mut self.arrangement else { return };
-        kept.iter().for_each(|index| spots[*index].correction = NodeOffset::default());
         let reason = Hindrance::Neighbour;
         let out = crowded.iter().map(|index| &spots[*index]);
         left_out.extend(out.map(|mark| LeftOut { mark: mark.mark, drawn: mark.drawn, reason }));

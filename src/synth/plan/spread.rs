@@ -14,8 +14,9 @@ mod deviations;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+use crate::grid::{Domain, Grid};
 use crate::measure::spot_errors;
-use crate::rd::{self, Maps, Parameters, Places};
+use crate::rd::{self, Maps, Parameters, Places, System};
 use crate::synth::plan::cell_corners::CellCorners;
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::lattice::{Node, NodeOffset, WeightedNode};
@@ -58,6 +59,8 @@ const ROOM_REACH: f64 = 1.25;
 const JITTERED_REACH: f64 = 0.85;
 /// See [`JITTERED_REACH`].
 const JITTERED_ROUNDS: usize = 40;
+/// A spot may keep another one from growing from so many pitches of that one away.
+const BESIDE: f64 = 1.6;
 /// Share of the variance of the distances beyond their own that is left when spots have settled. With it 0.12, 0.14, 0.16
 /// grow as 0.12, 0.13, 0.15 at area/spacing² 0.12, and 0.14, 0.16 as 0.14, 0.17 at 0.05.
 const LEFT_VARIANCE: f64 = 0.38;
@@ -178,6 +181,18 @@ impl VariedSpots {
             *offset = pinned.corrected_offset();
         }
         self.interpolated(plan, maps)
+    }
+
+    /// The spot nearest to spot `index` within [`BESIDE`] pitches of that one, of those behind the `pinned` first ones.
+    #[must_use]
+    pub fn nearest_beside(&self, index: usize, pinned: usize, system: System, grid: &Grid) -> Option<usize> {
+        let distance = |other: &[f64; 2]| {
+            let [x, y] = grid.way(self.places[index], *other);
+            (x * x + y * y).sqrt()
+        };
+        let others = self.places.iter().map(distance).enumerate().skip(pinned);
+        let nearest = others.min_by(|a, b| a.1.total_cmp(&b.1));
+        nearest.filter(|near| near.1 < BESIDE * system.spacing(&self.own[index])).map(|near| near.0)
     }
 
     /// Takes these spots away, by their indices.
