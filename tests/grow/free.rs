@@ -258,3 +258,33 @@ fn merged(document: &Document) -> usize {
     let grown = grow(document, &Options::default()).unwrap();
     report(document, "free", &grown, 0.0).layers[0].regions[0].merged.unwrap()
 }
+
+#[test]
+fn a_drawn_spot_grows_where_one_that_was_not_drawn_leaves_it_too_little_room() {
+    let drawn = [
+        (270.8, 357.0, 21.3, 18.1, 85.0),
+        (274.3, 441.5, 9.1, 8.6, 77.0),
+        (230.9, 430.1, 9.1, 8.4, 83.0),
+        (500.9, 402.2, 21.0, 18.7, 80.0),
+        (21.8, 380.7, 9.0, 9.0, 79.0),
+        (223.2, 498.3, 20.4, 20.4, 82.0),
+        (175.6, 263.2, 21.0, 19.8, 84.0),
+        (351.0, 380.0, 18.7, 18.6, 87.0),
+        (320.8, 184.4, 10.1, 8.9, 78.0),
+        (31.2, 2.8, 9.0, 8.4, 88.0),
+        (209.6, 152.4, 9.7, 9.7, 77.0),
+        (297.9, 130.3, 20.2, 20.2, 84.0),
+        (304.0, 280.0, 9.1, 9.1, 78.0),
+        (270.5, 447.3, 8.8, 8.8, 90.0),
+        (360.7, 93.1, 9.8, 8.9, 89.0),
+        (278.4, 88.6, 9.3, 8.9, 83.0),
+        (221.4, 120.0, 8.6, 8.6, 87.0),
+    ];
+    let ellipse = |&(x, y, a, b, angle): &(f64, f64, f64, f64, f64)| Stroke::ellipse([x, y], [a, b], angle);
+    let document = Document { seed: 86, ..free(drawn.iter().map(ellipse).collect()) };
+    let grown = grow(&document, &Options::default()).unwrap();
+    let drawn = report(&document, "room", &grown, 0.0).layers.remove(0).drawn;
+    let missing: Vec<_> =
+        drawn.iter().filter(|mark| !mark.there).map(|mark| (mark.mark, mark.reason)).collect();
+    assert_eq!(missing, [(13, Some("closer to another drawn mark than such spots can be"))]);
+}
