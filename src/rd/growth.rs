@@ -8,7 +8,7 @@ use super::definition::System;
 use super::diffusion::Diffusion;
 use super::initial_conditions::fresh;
 use super::kinetics::Spreading;
-use super::local_warp::{LocalWarp, warped};
+use super::local_warp::{LocalWarp, moved, shifts};
 use super::maps::{Maps, Parameters};
 use super::plane::{Plane, RowLayout};
 use super::problem::Problem;
@@ -87,11 +87,18 @@ impl Growth {
 
     /// Moves spots of the pattern that grows in `maps`. Planes beside the chemicals are not moved.
     pub fn warp(&mut self, maps: &Maps, warps: &[LocalWarp]) {
-        let grid = self.problem.grid;
+        let shifts = shifts(self.system, maps, warps);
         let count = self.system.chemicals().len();
+        let nx = self.problem.grid.nx;
         for plane in &mut self.chemicals.planes_mut()[..count] {
-            let cells = warped(self.system, maps, &plane.cells(), warps);
-            cells.chunks_exact(grid.nx).enumerate().for_each(|(y, row)| plane.set_row(y, row));
+            let moved = moved(&maps.domain, |y| plane.row(y), &shifts);
+            let cells: Vec<(usize, f32)> = shifts.iter().map(|(cell, _)| *cell).zip(moved).collect();
+            for of_row in cells.chunk_by(|(a, _), (b, _)| a / nx == b / nx) {
+                let y = of_row[0].0 / nx;
+                let mut row = plane.row(y).to_vec();
+                of_row.iter().for_each(|(cell, value)| row[cell % nx] = *value);
+                plane.set_row(y, &row);
+            }
         }
     }
 
@@ -155,16 +162,7 @@ impl Growth {
     pub fn marks(&self, maps: &Maps) -> Field {
         let nx = self.problem.grid.nx;
         let mut values = vec![0.0; nx * self.problem.grid.ny];
-        let (planes, show) = (self.chemicals.planes(), self.system.definition().show);
-        values.par_chunks_mut(nx).enumerate().for_each(|(y, row)| {
-            let chemicals: Vec<&[f32]> = planes.iter().map(|plane| plane.row(y)).collect();
-            show(&chemicals, &maps.parameters[y * nx..], row);
-        });
-        for (value, masked) in values.iter_mut().zip(&self.masked) {
-            if *masked {
-                *value = 0.0;
-            }
-        }
+        values.par_chunks_mut(nx).enumerate().for_each(|(y, row)| self.show_row(maps, y, row));
         Field {
             width: self.problem.grid.nx,
             height: self.problem.grid.ny,
@@ -174,12 +172,53 @@ impl Growth {
         }
     }
 
+    /// Writes row `y` of [`Self::marks`].
+    fn show_row(&self, maps: &Maps, y: usize, row: &mut [f32]) {
+        let nx = self.problem.grid.nx;
+        let chemicals: Vec<&[f32]> = self.chemicals.planes().iter().map(|plane| plane.row(y)).collect();
+        (self.system.definition().show)(&chemicals, &maps.parameters[y * nx..], row);
+        for (value, masked) in row.iter_mut().zip(self.masked.get(y * nx..).unwrap_or_default()) {
+            if *masked {
+                *value = 0.0;
+            }
+        }
+    }
+
+    /// Replaces `marks`, values that [`Self::marks`] gave earlier, by those of now. Returns Σ|after − before| and
+    /// Σ max(after, 0) over the cells that `count`.
+    pub fn update_marks(&self, maps: &Maps, marks: &mut [f32], count: &[bool]) -> [f64; 2] {
+        let nx = self.problem.grid.nx;
+        let rows = marks.par_chunks_mut(nx).zip(count.par_chunks(nx)).enumerate();
+        let row = |after: &mut Vec<f32>, (y, (before, count)): (usize, (&mut [f32], &[bool]))| {
+            after.resize(nx, 0.0);
+            self.show_row(maps, y, after);
+            let sums = change(before, after, count);
+            before.copy_from_slice(after);
+            sums
+        };
+        // By row, so that threads do not change the sum.
+        let rows: Vec<[f64; 2]> = rows.map_init(Vec::new, row).collect();
+        rows.iter().fold([0.0; 2], |[moved, total], [m, t]| [moved + m, total + t])
+    }
+
     /// The concentrations of each chemical, row by row, without the further planes.
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
         let count = self.system.chemicals().len();
         self.chemicals.planes()[..count].iter().map(Plane::cells).collect()
     }
+}
+
+/// Σ|after − before| and Σ max(after, 0) over the cells that `count`.
+fn change(before: &[f32], after: &[f32], count: &[bool]) -> [f64; 2] {
+    let (mut moved, mut total) = (0.0f64, 0.0f64);
+    for ((b, a), counts) in before.iter().zip(after).zip(count) {
+        if *counts {
+            moved += f64::from((a - b).abs());
+            total += f64::from(a.max(0.0));
+        }
+    }
+    [moved, total]
 }
 
 /// Cells whose concentrations belong to the marks of other layers: obstacle cells, and cells that these affect.

@@ -65,3 +65,17 @@ impl Default for Training {
         Self::new(None)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_numbers_of_neighbours_that_are_built_in_are_those_that_cross_validation_chooses() {
+        for system in System::ALL {
+            let rows = Training::built_in().set(system).unwrap().rows().to_vec();
+            let chosen = TrainingSet::from_rows(system.description(), rows).unwrap().regression_neighbours();
+            assert_eq!(system.description().neighbours, chosen, "{system:?}");
+        }
+    }
+}

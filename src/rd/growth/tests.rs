@@ -52,6 +52,22 @@ fn a_grown_pattern_is_stationary() {
 }
 
 #[test]
+fn marks_are_brought_up_to_date_and_compared_where_they_count() {
+    let (maps, mut growth) = small(System::MEINHARDT_SPOTS);
+    let mut marks = growth.marks(&maps).values;
+    let before = marks.clone();
+    growth.advance(40);
+    let count: Vec<bool> = (0..marks.len()).map(|cell| cell % 3 != 0).collect();
+    let [moved, total] = growth.update_marks(&maps, &mut marks, &count);
+    assert_eq!(marks, growth.marks(&maps).values);
+    let counted = || (0..marks.len()).filter(|cell| count[*cell]);
+    let expected: f64 = counted().map(|cell| f64::from((marks[cell] - before[cell]).abs())).sum();
+    assert!((moved / expected - 1.0).abs() < 1e-9 && moved > 0.0, "{moved} {expected}");
+    let expected: f64 = counted().map(|cell| f64::from(marks[cell].max(0.0))).sum();
+    assert!((total / expected - 1.0).abs() < 1e-9, "{total} {expected}");
+}
+
+#[test]
 fn a_resumed_growth_equals_an_uninterrupted_one_bit_for_bit() {
     for system in System::ALL {
         let (maps, mut growth) = small(system);

@@ -10,18 +10,18 @@ use crate::rd::nucleus::Nucleus;
 /// Points that are not worth handing to another thread.
 const FEW: usize = 128;
 
-/// One round of repulsion: points nearer than `reach` pitches push each other away in `space`. `nucleus` makes point i at
-/// its new place; only those of the range `moving` are pushed.
+/// One round of repulsion: points nearer than `reach` pitches push each other away in `space`. `nucleus(i, before, to)` is
+/// point i at its new place, which was `before`; only those of the range `moving` are pushed.
 pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
     space: &S,
     placed: &mut CellList<B>,
     reach: f64,
     moving: &Range<usize>,
-    nucleus: &(dyn Fn(usize, S::Place) -> Nucleus<S::Place> + Sync),
+    nucleus: &(dyn Fn(usize, &Nucleus<S::Place>, S::Place) -> Nucleus<S::Place> + Sync),
 ) {
     let moved = |(index, point): (usize, &Nucleus<S::Place>)| {
         if !moving.contains(&index) {
-            return nucleus(index, point.at);
+            return nucleus(index, point, point.at);
         }
         let mut shift = [0.0, 0.0];
         placed.near(point, reach, |other, way| {
@@ -38,7 +38,7 @@ pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
                 shift[1] -= push * way.here[1];
             }
         });
-        nucleus(index, space.moved(point.at, shift))
+        nucleus(index, point, space.moved(point.at, shift))
     };
     let all: Vec<Nucleus<S::Place>> =
         placed.all.par_iter().enumerate().with_min_len(FEW).map(moved).collect();

@@ -18,6 +18,7 @@ use crate::rd::definition::{
     Begin, Convergence, Cost, CurveLaw, Definition, ErrorBounds, Laws, LinesAlongCurves, Resolution, Scatter,
     System,
 };
+use crate::grid::{exp, ln};
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::Reach;
@@ -49,6 +50,7 @@ static DEFINITION: Definition = Definition {
         option_keys: &["keep", "duty"],
         columns: &columns::LINES,
         training: embedded!("meinhardt-lines"),
+        neighbours: &[],
         // Lines of ratio R are R^−0.37 as wide.
         scaling: Scaling { ratio: 0.74, level: 0.0 },
         isolated: None,
@@ -126,7 +128,7 @@ impl Kinetics<2> for MeinhardtLines {
 /// a on the centre line of a line. Fitted to straight lines at their natural distance, R 10–36, within 2 %; at the end of a
 /// line a is up to a tenth higher.
 fn peak(ratio: f32) -> f32 {
-    2.23 * libm::powf(ratio / 10.0, 0.458)
+    (2.23 * exp(0.458 * ln(f64::from(ratio) / 10.0))) as f32
 }
 
 /// Distance from line to line × √rate, the rate being s/√(DₐD_b) with Dₐ that across the lines.
@@ -135,12 +137,12 @@ fn peak(ratio: f32) -> f32 {
 /// closer ones (31 at all ratios) vanish, and lines of higher ratios, which are thinner at the same distance, break into
 /// pieces: 21 of them at R = 60 and distance 38, 3 at R = 30 and 53.
 fn wavelength(ratio: f32) -> f64 {
-    32.0 * libm::pow(f64::from(ratio) / 12.0, 0.55)
+    32.0 * exp(0.55 * ln(f64::from(ratio) / 12.0))
 }
 
 /// Width of a line at half its peak × √rate. Fitted as [`peak`] is.
 fn width(ratio: f32) -> f64 {
-    14.8 * libm::pow(f64::from(ratio) / 10.0, -0.37)
+    14.8 * exp(-0.37 * ln(f64::from(ratio) / 10.0))
 }
 
 /// Measured on rings and webs around grown spots (`facts.md` M).
@@ -188,7 +190,7 @@ fn profiles(maps: &Maps, known: &[f32], distance: impl Fn(f64, &Parameters) -> f
         for (i, (known, p)) in known.iter().zip(parameters).enumerate() {
             let deviation = PROFILE * width(p.ratio) / f64::from(p.rate).sqrt();
             let off = distance(f64::from(*known), p) / deviation;
-            let profile = libm::exp(-0.5 * off * off) as f32;
+            let profile = exp(-0.5 * off * off) as f32;
             (chemicals[0][i], chemicals[1][i]) = (0.02 + peak(p.ratio) * profile, 0.3);
         }
     })

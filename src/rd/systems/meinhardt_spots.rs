@@ -17,6 +17,7 @@ use crate::rd::definition::{
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::maps::Parameters;
 use crate::rd::selling::Tensor;
+use crate::grid::{exp, ln};
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
 use crate::rd::vector::Number;
@@ -41,6 +42,7 @@ static DEFINITION: Definition = Definition {
         option_keys: &["spread", "keep", "irregular"],
         columns: &columns::SPOTS,
         training: embedded!("meinhardt-spots-narrow", "meinhardt-spots-orientation", "meinhardt-spots-size"),
+        neighbours: &[],
         // Areas fall as 1/R within 7 % from 12 to 60 and grow as e^(2.85 (½ − l)) from level ½ to 0.2 (`facts.md` B).
         scaling: Scaling { ratio: 1.0, level: 2.85 },
         isolated: Some(ISOLATED),
@@ -169,7 +171,7 @@ impl Kinetics<2> for MeinhardtSpots {
 
 /// a at the centre of a spot. Fitted to `facts.md` B, within 4 % for R 10–200.
 fn peak(ratio: f32) -> f32 {
-    3.3 * libm::powf(ratio / 10.0, 0.765)
+    (3.3 * exp(0.765 * ln(f64::from(ratio) / 10.0))) as f32
 }
 
 /// Distance of places × √rate. Fitted to `facts.md` B.
@@ -194,7 +196,7 @@ pub fn mobilities(p: &Parameters) -> [f32; 2] {
 }
 
 /// a ÷ its value at the centre of a mark, which is `peak` of the ratio.
-pub fn show_peaks(peak: fn(f32) -> f32, a: &[f32], parameters: &[Parameters], marks: &mut [f32]) {
+pub fn show_peaks(peak: impl Fn(f32) -> f32, a: &[f32], parameters: &[Parameters], marks: &mut [f32]) {
     let mut peak = ByRatio::new(peak);
     for ((mark, a), p) in marks.iter_mut().zip(a).zip(parameters) {
         *mark = a / peak.at(p.ratio);

@@ -44,6 +44,7 @@ static DEFINITION: Definition = Definition {
         option_keys: &["spread", "keep", "irregular"],
         columns: &columns::SPOTS,
         training: embedded!("turing-spots-narrow", "turing-spots-orientation", "turing-spots-size"),
+        neighbours: &[],
         scaling: Scaling { ratio: 1.0, level: 2.85 },
         isolated: None,
     },

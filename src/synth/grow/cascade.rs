@@ -257,22 +257,25 @@ fn is_corrected_spot_by_spot(lookup: &Lookup) -> bool {
 /// What a layer is instead of a pattern where it has no marks, or nothing but marks; `None` of a pattern.
 fn blank(plan: &Plan, pattern: &Pattern) -> Option<&'static str> {
     let [nx, ny] = plan.lookup.grid.size;
-    let field = pattern.field(nx, ny);
-    let free = field
-        .values
-        .iter()
-        .enumerate()
-        .filter(|(cell, _)| !plan.obstacles.get(*cell).is_some_and(|taken| *taken));
-    let (marks, ground) =
-        free.fold(
-            (0usize, 0usize),
-            |(marks, ground), (_, value)| {
-                if *value >= EDGE { (marks + 1, ground) } else { (marks, ground + 1) }
-            },
-        );
+    let (mut marks, mut ground) = (false, false);
+    for first in (0..ny).step_by(SEEN_AT_ONCE) {
+        let rows = first..ny.min(first + SEEN_AT_ONCE);
+        for (cell, value) in (first * nx..).zip(pattern.rows(rows, nx, ny)) {
+            let free = !plan.obstacles.get(cell).is_some_and(|taken| *taken);
+            marks |= free && value >= EDGE;
+            ground |= free && value < EDGE;
+        }
+        // Mostly soon.
+        if marks && ground {
+            return None;
+        }
+    }
     match (marks, ground) {
-        (0, _) => Some("no marks"),
-        (_, 0) if plan.obstacles.is_empty() => Some("marks without any ground between them"),
+        (false, _) => Some("no marks"),
+        (true, false) if plan.obstacles.is_empty() => Some("marks without any ground between them"),
         _ => None,
     }
 }
+
+/// Rows that are looked at together.
+const SEEN_AT_ONCE: usize = 64;

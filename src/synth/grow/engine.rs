@@ -193,9 +193,11 @@ impl Engine {
     }
 
     fn check_convergence(&mut self) {
-        let marks = self.marks().values;
         let current = &mut self.level;
-        let verdict = current.monitor.check(marks, &current.counts, current.growth.steps());
+        let maps = current.coarse.as_ref().unwrap_or(&self.maps);
+        let (growth, counts) = (&current.growth, &current.counts);
+        let update = |marks: &mut [f32]| growth.update_marks(maps, marks, counts);
+        let verdict = current.monitor.check(growth.steps(), update);
         if verdict == Verdict::Forming {
             return;
         }
