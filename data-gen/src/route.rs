@@ -195,7 +195,7 @@ impl Patch {
         long.advance(long.steps_in(self.end));
         let mut engine = Engine::from_maps(self.system, maps.clone(), seed);
         let settled = settle(&mut engine, &Watch::NONE).map_err(|cancelled| cancelled.to_string())?;
-        let [a, b] = [self.measured(&long.marks(&maps))?, self.measured(&engine.marks())?];
+        let [a, b] = [self.measured(&long.marks())?, self.measured(&engine.marks())?];
         Ok(Pair { differences: differences(&a, &b), steps: [long.steps(), engine.steps()], settled })
     }
 

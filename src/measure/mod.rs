@@ -13,6 +13,7 @@
 mod directions;
 mod errors;
 mod marching_squares;
+mod node_mask;
 mod otsu;
 mod picture;
 mod picture_check;

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::by_ratio::ByRatio;
 use super::chemicals::{Chemicals, Clock};
 use super::coefficients::Coefficients;
 use super::definition::System;
@@ -28,6 +29,8 @@ pub struct Growth {
     cell: [f64; 2],
     chemicals: Box<dyn Chemicals>,
     scratch: Scratch,
+    /// The concentration at the centre of a mark, by cell; empty where it is the same everywhere.
+    peaks: Vec<f32>,
     /// Cells that show the marks of other layers, not of this pattern.
     masked: Vec<bool>,
     /// Normalised time that one step takes where the reactions are slowest.
@@ -38,7 +41,7 @@ pub struct Growth {
 /// The marks that [`Growth::new`] begins from, as [`Growth::marks`] shows them.
 #[must_use]
 pub fn initial_marks(system: System, maps: &Maps, seed: u64) -> Field {
-    Growth::new(system, maps, seed).marks(maps)
+    Growth::new(system, maps, seed).marks()
 }
 
 impl Growth {
@@ -68,7 +71,9 @@ impl Growth {
         let time_a_step = f64::from(problem.slowest) * f64::from(system.definition().decay);
         let scratch = Scratch::default();
         let masked = masked(system, maps);
+        let peaks = peaks(system, maps);
         Some(Self {
+            peaks,
             masked,
             system,
             problem,
@@ -159,10 +164,10 @@ impl Growth {
     /// The concentration that shows the marks, high inside them: about 0 on the ground, about 1 at the centre of a
     /// mark with the parameters there.
     #[must_use]
-    pub fn marks(&self, maps: &Maps) -> Field {
+    pub fn marks(&self) -> Field {
         let nx = self.problem.grid.nx;
         let mut values = vec![0.0; nx * self.problem.grid.ny];
-        values.par_chunks_mut(nx).enumerate().for_each(|(y, row)| self.show_row(maps, y, row));
+        values.par_chunks_mut(nx).enumerate().for_each(|(y, row)| self.show_row(y, row));
         Field {
             width: self.problem.grid.nx,
             height: self.problem.grid.ny,
@@ -173,10 +178,11 @@ impl Growth {
     }
 
     /// Writes row `y` of [`Self::marks`].
-    fn show_row(&self, maps: &Maps, y: usize, row: &mut [f32]) {
+    fn show_row(&self, y: usize, row: &mut [f32]) {
         let nx = self.problem.grid.nx;
         let chemicals: Vec<&[f32]> = self.chemicals.planes().iter().map(|plane| plane.row(y)).collect();
-        (self.system.definition().show)(&chemicals, &maps.parameters[y * nx..], row);
+        let peaks = self.peaks.get(y * nx..).unwrap_or_default();
+        (self.system.definition().show)(&chemicals, peaks, row);
         for (value, masked) in row.iter_mut().zip(self.masked.get(y * nx..).unwrap_or_default()) {
             if *masked {
                 *value = 0.0;
@@ -186,12 +192,12 @@ impl Growth {
 
     /// Replaces `marks`, values that [`Self::marks`] gave earlier, by those of now. Returns Σ|after − before| and
     /// Σ max(after, 0) over the cells that `count`.
-    pub fn update_marks(&self, maps: &Maps, marks: &mut [f32], count: &[bool]) -> [f64; 2] {
+    pub fn update_marks(&self, marks: &mut [f32], count: &[bool]) -> [f64; 2] {
         let nx = self.problem.grid.nx;
         let rows = marks.par_chunks_mut(nx).zip(count.par_chunks(nx)).enumerate();
         let row = |after: &mut Vec<f32>, (y, (before, count)): (usize, (&mut [f32], &[bool]))| {
             after.resize(nx, 0.0);
-            self.show_row(maps, y, after);
+            self.show_row(y, after);
             let sums = change(before, after, count);
             before.copy_from_slice(after);
             sums
@@ -207,6 +213,18 @@ impl Growth {
         let count = self.system.chemicals().len();
         self.chemicals.planes()[..count].iter().map(Plane::cells).collect()
     }
+}
+
+/// The concentration at the centre of a mark in each cell.
+fn peaks(system: System, maps: &Maps) -> Vec<f32> {
+    let Some(peak) = system.definition().peak else { return Vec::new() };
+    let mut peaks = vec![0.0; maps.parameters.len()];
+    let part = maps.domain.part();
+    peaks.par_chunks_mut(part).zip(maps.parameters.par_chunks(part)).for_each(|(peaks, parameters)| {
+        let mut peak = ByRatio::new(peak);
+        peaks.iter_mut().zip(parameters).for_each(|(value, p)| *value = peak.at(p.ratio));
+    });
+    peaks
 }
 
 /// Σ|after − before| and Σ max(after, 0) over the cells that `count`.

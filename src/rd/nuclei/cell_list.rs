@@ -64,8 +64,8 @@ pub struct CellList<B: Buckets> {
     buckets: B,
     /// The points.
     pub all: Vec<Nucleus<B::Place>>,
-    /// Points of each bucket, by index.
-    cells: Vec<Vec<u32>>,
+    /// Points of each bucket: index and place.
+    cells: Vec<Vec<(u32, B::Place)>>,
 }
 
 impl<B: Buckets> CellList<B> {
@@ -94,7 +94,7 @@ impl<B: Buckets> CellList<B> {
     }
 
     pub fn insert(&mut self, point: Nucleus<B::Place>) {
-        self.cells[self.buckets.bucket(point.at)].push(self.all.len() as u32);
+        self.cells[self.buckets.bucket(point.at)].push((self.all.len() as u32, point.at));
         self.all.push(point);
     }
 
@@ -118,9 +118,9 @@ impl<B: Buckets> CellList<B> {
     ) -> bool {
         let reach = pitches * point.reach * 1.5;
         self.buckets.near(point.at, reach).any(|(bucket, way)| {
-            self.cells[bucket].iter().any(|index| {
-                let other = &self.all[*index as usize];
-                way(other.at).is_some_and(|here| {
+            self.cells[bucket].iter().any(|(index, at)| {
+                way(*at).is_some_and(|here| {
+                    let other = &self.all[*index as usize];
                     let there = turned(here, self.buckets.turn(point.cell, other.cell));
                     is_near(other, Way { here, there })
                 })
@@ -132,9 +132,9 @@ impl<B: Buckets> CellList<B> {
     pub fn near_by_index(&self, point: &Nucleus<B::Place>, pitches: f64, mut each: impl FnMut(usize, Way)) {
         let reach = pitches * point.reach * 1.5;
         for (bucket, way) in self.buckets.near(point.at, reach) {
-            for &index in &self.cells[bucket] {
-                let other = &self.all[index as usize];
-                if let Some(here) = way(other.at) {
+            for &(index, at) in &self.cells[bucket] {
+                if let Some(here) = way(at) {
+                    let other = &self.all[index as usize];
                     let there = turned(here, self.buckets.turn(point.cell, other.cell));
                     each(index as usize, Way { here, there });
                 }

@@ -53,7 +53,8 @@ static DEFINITION: Definition = Definition {
     mobilities,
     reacting: |_, _, planes| reacting(MeinhardtSpots, planes),
     begin: Begin::Bells { radius: |p| radius(p.ratio) / p.apart(), fill },
-    show: |chemicals, parameters, marks| show_peaks(peak, chemicals[0], parameters, marks),
+    peak: Some(peak),
+    show: |chemicals, peaks, marks| show_peaks(chemicals[0], peaks, marks),
     decay_noise: None,
     along_curves: None,
     obstacle: &OBSTACLE,
@@ -195,11 +196,10 @@ pub fn mobilities(p: &Parameters) -> [f32; 2] {
     [1.0 / p.ratio.sqrt(), p.ratio.sqrt()]
 }
 
-/// a ÷ its value at the centre of a mark, which is `peak` of the ratio.
-pub fn show_peaks(peak: impl Fn(f32) -> f32, a: &[f32], parameters: &[Parameters], marks: &mut [f32]) {
-    let mut peak = ByRatio::new(peak);
-    for ((mark, a), p) in marks.iter_mut().zip(a).zip(parameters) {
-        *mark = a / peak.at(p.ratio);
+/// a ÷ its value at the centre of a mark.
+pub fn show_peaks(a: &[f32], peaks: &[f32], marks: &mut [f32]) {
+    for ((mark, a), peak) in marks.iter_mut().zip(a).zip(peaks) {
+        *mark = a / peak;
     }
 }
 
