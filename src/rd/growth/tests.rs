@@ -23,7 +23,7 @@ fn every_system_grows_its_pattern_from_a_seed() {
         (System::MEINHARDT_STRIPES, 0.45..0.55),
         (System::MEINHARDT_LINES, 0.25..0.45),
     ] {
-        let (maps, mut growth) = small(system);
+        let (_, mut growth) = small(system);
         growth.advance(growth.steps_in(30.0));
         let marks = growth.marks().values;
         let share = marks.iter().filter(|v| **v > 0.5).count() as f64 / marks.len() as f64;
@@ -53,7 +53,7 @@ fn a_grown_pattern_is_stationary() {
 
 #[test]
 fn marks_are_brought_up_to_date_and_compared_where_they_count() {
-    let (maps, mut growth) = small(System::MEINHARDT_SPOTS);
+    let (_, mut growth) = small(System::MEINHARDT_SPOTS);
     let mut marks = growth.marks().values;
     let before = marks.clone();
     growth.advance(40);

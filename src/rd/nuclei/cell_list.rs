@@ -66,13 +66,15 @@ pub struct CellList<B: Buckets> {
     pub all: Vec<Nucleus<B::Place>>,
     /// Points of each bucket: index and place.
     cells: Vec<Vec<(u32, B::Place)>>,
+    /// The longest reach of any of them.
+    longest: f64,
 }
 
 impl<B: Buckets> CellList<B> {
     /// No points yet.
     pub fn new(buckets: B) -> Self {
         let cells = vec![Vec::new(); buckets.count()];
-        Self { buckets, all: Vec::new(), cells }
+        Self { buckets, all: Vec::new(), cells, longest: 0.0 }
     }
 
     /// None of the points, in the same buckets.
@@ -89,24 +91,30 @@ impl<B: Buckets> CellList<B> {
 
     pub fn replace(&mut self, all: Vec<Nucleus<B::Place>>) {
         self.all.clear();
+        self.longest = 0.0;
         self.cells.iter_mut().for_each(Vec::clear);
         all.into_iter().for_each(|point| self.insert(point));
     }
 
     pub fn insert(&mut self, point: Nucleus<B::Place>) {
         self.cells[self.buckets.bucket(point.at)].push((self.all.len() as u32, point.at));
+        self.longest = self.longest.max(point.reach);
         self.all.push(point);
     }
 
     /// Calls `each(other, way)` for every point, or image of one beyond the border (its own too), that can lie within
-    /// `pitches` of `point`; and for some farther ones.
+    /// `pitches` of `point` by the mean of both metrics; and for some farther ones.
+    ///
+    /// In a metric of reach r a way of length l is l ÷ r pitches or more: a mean of squares below `pitches`² bounds l.
     pub fn near(
         &self,
         point: &Nucleus<B::Place>,
         pitches: f64,
         mut each: impl FnMut(&Nucleus<B::Place>, Way),
     ) {
-        self.near_by_index(point, pitches, |other, way| each(&self.all[other], way));
+        let [own, others] = [point.reach, self.longest].map(|reach| 1.0 / (reach * reach));
+        let reach = (2.0 / (own + others)).sqrt().min(1.5 * point.reach) * pitches;
+        self.within(point, reach, |other, way| each(&self.all[other], way));
     }
 
     /// Whether `is_near(other, way)` of any of these.
@@ -129,8 +137,12 @@ impl<B: Buckets> CellList<B> {
     }
 
     /// The same with the index of the other.
-    pub fn near_by_index(&self, point: &Nucleus<B::Place>, pitches: f64, mut each: impl FnMut(usize, Way)) {
-        let reach = pitches * point.reach * 1.5;
+    pub fn near_by_index(&self, point: &Nucleus<B::Place>, pitches: f64, each: impl FnMut(usize, Way)) {
+        self.within(point, pitches * point.reach * 1.5, each);
+    }
+
+    /// The same for all in the square about `point` whose sides are `reach` away, cells.
+    fn within(&self, point: &Nucleus<B::Place>, reach: f64, mut each: impl FnMut(usize, Way)) {
         for (bucket, way) in self.buckets.near(point.at, reach) {
             for &(index, at) in &self.cells[bucket] {
                 if let Some(here) = way(at) {

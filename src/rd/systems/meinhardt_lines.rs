@@ -50,7 +50,7 @@ static DEFINITION: Definition = Definition {
         option_keys: &["keep", "duty"],
         columns: &columns::LINES,
         training: embedded!("meinhardt-lines"),
-        neighbours: &[],
+        neighbours: &[56, 100],
         // Lines of ratio R are R^−0.37 as wide.
         scaling: Scaling { ratio: 0.74, level: 0.0 },
         isolated: None,

@@ -42,7 +42,7 @@ static DEFINITION: Definition = Definition {
         option_keys: &["spread", "keep", "irregular"],
         columns: &columns::SPOTS,
         training: embedded!("meinhardt-spots-narrow", "meinhardt-spots-orientation", "meinhardt-spots-size"),
-        neighbours: &[],
+        neighbours: &[32, 40, 225, 32, 40, 40],
         // Areas fall as 1/R within 7 % from 12 to 60 and grow as e^(2.85 (½ − l)) from level ½ to 0.2 (`facts.md` B).
         scaling: Scaling { ratio: 1.0, level: 2.85 },
         isolated: Some(ISOLATED),

@@ -47,7 +47,7 @@ static DEFINITION: Definition = Definition {
         option_keys: &["keep", "duty", "seeding"],
         columns: &columns::STRIPES,
         training: embedded!("meinhardt-stripes-orientation", "meinhardt-stripes-width"),
-        neighbours: &[],
+        neighbours: &[75, 42],
         scaling: Scaling { ratio: 0.0, level: 0.0 },
         isolated: None,
     },
