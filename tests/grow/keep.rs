@@ -186,7 +186,8 @@ fn in_stripes(document: &Document, layer: &GrownLayer) -> Vec<f64> {
     let [width, height] = document.size.map(|side| side as usize);
     let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
     let surface = Spline::new(&layer.pattern().field(width, height));
-    lines.iter().map(|line| covered(line, layer.plan.lookup.map.layout(), &surface)).collect()
+    let layout = layer.plan.lookup.map.layout();
+    lines.iter().map(|line| covered(line, layout, &surface, |_| false).unwrap_or(0.0)).collect()
 }
 
 #[test]

@@ -1,8 +1,10 @@
 //! Stripes that cross those of a layer beneath pass under them.
 
 use super::{cascade, covered, grown, patterns, stripes};
+use dapple::document::{Ellipse, Layer, Line, Stroke};
 use dapple::internals::grid::{Edges, Field};
 use dapple::internals::synth::Measured;
+use dapple::internals::synth::report::report;
 
 /// Of the places where a column of the canvas passes a stripe of the layer below, the share at which the layer above has the
 /// same on both sides: a stripe or ground.
@@ -50,4 +52,18 @@ fn stripes_that_cross_those_beneath_continue_in_line_on_both_sides() {
 fn stripes_along_those_beneath_find_room_between_them() {
     let grown = grown(&cascade(Edges::Closed, 1, vec![stripes(24.0, 20.0), stripes(4.0, 30.0)]));
     assert!(grown.layers[1].crossed.is_none() && grown.layers[1].plan.obstacles.contains(&true));
+}
+
+#[test]
+fn a_drawn_line_is_there_where_it_is_not_beneath_and_one_wholly_beneath_is_told() {
+    let line = |from: [f64; 2], to: [f64; 2], width: f64| Stroke::Line(Line { from, to, width });
+    let layer = |strokes: Vec<Stroke>| Layer { strokes, ..Layer::default() };
+    let spot = Stroke::Ellipse(Ellipse { center: [180.0, 150.0], radii: [40.0, 30.0], angle: 0.0 });
+    let across = line([40.0, 150.0], [320.0, 150.0], 8.0);
+    let beneath = line([165.0, 140.0], [195.0, 140.0], 8.0);
+    let document = cascade(Edges::Closed, 1, vec![layer(vec![spot]), layer(vec![across, beneath])]);
+    let report = report(&document, "lines", &grown(&document), 0.0);
+    let told: Vec<_> = report.layers[1].drawn.iter().map(|mark| (mark.there, mark.reason)).collect();
+    let wanted = [(true, None), (false, Some("on marks of a layer beneath, or outside of the canvas"))];
+    assert_eq!(told, wanted);
 }

@@ -153,5 +153,6 @@ fn in_stripes(document: &Document, layer: &GrownLayer) -> Result<Vec<f64>, Strin
     let [width, height] = document.size.map(|side| side as usize);
     let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
     let surface = Spline::new(&layer.pattern().field(width, height));
-    Ok(lines.iter().map(|line| covered(line, layer.plan.lookup.map.layout(), &surface)).collect())
+    let layout = layer.plan.lookup.map.layout();
+    Ok(lines.iter().map(|line| covered(line, layout, &surface, |_| false).unwrap_or(0.0)).collect())
 }

@@ -222,8 +222,8 @@ impl Cascade<'_> {
             let Pattern { correction, own: own_levels, .. } = pattern;
             let found = during(Phase::Measure, || PinnedCorrection::new(&plan, measured.spots()));
             let merged = during(Phase::Measure, || engine.merged(&plan, measured.spots()));
-            let error =
-                if nothing.is_some() { f64::INFINITY } else { found.error + merged.surplus.len() as f64 };
+            let missing = merged.surplus.len() + plan.left_out().len();
+            let error = if nothing.is_some() { f64::INFINITY } else { found.error + missing as f64 };
             if best.as_ref().is_none_or(|(least, _)| error < *least) {
                 let concentrations =
                     if options.concentrations { engine.concentrations() } else { Vec::new() };

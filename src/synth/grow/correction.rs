@@ -7,6 +7,7 @@ use crate::synth::grow::engine::Engine;
 use crate::synth::grow::level::{Level, evenness, unit};
 use crate::synth::grow::merged_spots::MergedSpots;
 use crate::synth::grow::pinned_correction::{PinnedCorrection, Rounds};
+use crate::synth::grow::position_control::PositionControl;
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::laid_out::Plan;
 
@@ -20,15 +21,19 @@ impl Engine {
         merged: &MergedSpots,
     ) -> bool {
         if rounds.separate(merged) {
-            self.separate(plan, merged);
+            self.separate(plan, &merged.surplus, &merged.kept);
             return true;
         }
-        let corrects = rounds.is_worth(found);
-        if corrects {
+        if rounds.is_worth(found) {
             found.apply(plan);
             self.correct(plan, found);
+            return true;
         }
-        corrects
+        let leaves_out = rounds.leave_out(merged);
+        if leaves_out {
+            self.leave_out(plan, merged);
+        }
+        leaves_out
     }
 
     /// Takes the parameters of the pinned spots from `plan`, where they have been corrected, and goes on growing what has
@@ -48,13 +53,23 @@ impl Engine {
         self.grow_on(&again, &changed);
     }
 
-    /// Takes the surplus spots away of those that have grown together, and lets the others begin again.
-    fn separate(&mut self, plan: &Plan, merged: &MergedSpots) {
+    /// Leaves the pinned spots out that grow together with another pinned one, whatever their parameters.
+    fn leave_out(&mut self, plan: &mut Plan, merged: &MergedSpots) {
+        let pinned = plan.pinned_spots().len();
+        let stays = |index: &&usize| **index < pinned && !merged.crowded.contains(index);
+        let kept: Vec<usize> = merged.kept.iter().filter(stays).copied().collect();
+        plan.leave_out(&merged.crowded, &kept);
+        self.separate(plan, &merged.crowded, &kept);
+        self.position_control = PositionControl::new(plan);
+    }
+
+    /// Takes the spots `away` that have grown together with those `kept`, which begin again.
+    fn separate(&mut self, plan: &Plan, away: &[usize], kept: &[usize]) {
         let Some(spots) = &mut self.varied else { return };
         let at = |index: &usize| spots.places[*index];
-        let kept: Vec<[f64; 2]> = merged.kept.iter().map(at).collect();
-        let again: Vec<[f64; 2]> = merged.surplus.iter().map(at).chain(kept.iter().copied()).collect();
-        spots.remove(&merged.surplus);
+        let kept: Vec<[f64; 2]> = kept.iter().map(at).collect();
+        let again: Vec<[f64; 2]> = away.iter().map(at).chain(kept.iter().copied()).collect();
+        spots.remove(away);
         self.start = self.start.clone().with_places(&self.maps, &spots.places);
         self.maps.parameters = during(Phase::Parameters, || spots.corrected(plan, &self.maps));
         self.grow_on(&again, &kept);

@@ -11,6 +11,8 @@ pub struct MergedSpots {
     pub surplus: Vec<usize>,
     /// The others of these grown spots.
     pub kept: Vec<usize>,
+    /// Of the kept ones all but one of each grown spot: pinned ones that are too near to each other.
+    pub crowded: Vec<usize>,
 }
 
 /// A spot belongs to the nearest grown one if its place is within so many times its radii from the centre: spots of a packed
@@ -35,6 +37,7 @@ impl MergedSpots {
             if spot.fill < MERGED_FILL && begun.len() > 1 {
                 let keep = begun.iter().filter(|index| **index < pinned).count().max(1);
                 found.kept.extend(&begun[..keep]);
+                found.crowded.extend(&begun[1..keep]);
                 found.surplus.extend(&begun[keep..]);
             }
         }
@@ -70,15 +73,17 @@ mod tests {
     #[test]
     fn of_two_that_grew_together_the_first_is_kept() {
         let grown = [spot(40.0, [20.0, 8.0], 0.85), spot(90.0, [10.0, 9.0], 0.99)];
-        assert_eq!(found(&[30.0, 50.0, 91.0], 0, &grown), MergedSpots { surplus: vec![1], kept: vec![0] });
+        assert_eq!(found(&[30.0, 50.0, 91.0], 0, &grown), MergedSpots { surplus: vec![1], kept: vec![0], crowded: vec![] });
     }
 
     #[test]
     fn pinned_spots_are_never_surplus() {
         let grown = [spot(40.0, [30.0, 8.0], 0.85)];
         let three = [20.0, 40.0, 60.0];
-        assert_eq!(found(&three, 2, &grown), MergedSpots { surplus: vec![2], kept: vec![0, 1] });
-        assert_eq!(found(&three, 3, &grown), MergedSpots { surplus: vec![], kept: vec![0, 1, 2] });
+        let two = MergedSpots { surplus: vec![2], kept: vec![0, 1], crowded: vec![1] };
+        assert_eq!(found(&three, 2, &grown), two);
+        let all = MergedSpots { surplus: vec![], kept: vec![0, 1, 2], crowded: vec![1, 2] };
+        assert_eq!(found(&three, 3, &grown), all);
     }
 
     #[test]

@@ -144,6 +144,18 @@ impl Rounds {
         separates
     }
 
+    /// Whether to leave out the pinned spots that are too near to each other, which are then forgotten.
+    pub fn leave_out(&mut self, merged: &MergedSpots) -> bool {
+        let mut index = 0;
+        self.begun.retain(|_| {
+            index += 1;
+            !merged.crowded.contains(&(index - 1))
+        });
+        // Their neighbours may differ again.
+        self.error = f64::INFINITY;
+        !merged.crowded.is_empty()
+    }
+
     /// Whether to make the correction `found`, which is then counted.
     pub fn is_worth(&mut self, found: &PinnedCorrection) -> bool {
         self.begun.resize(found.added.len(), 0);
@@ -231,9 +243,19 @@ mod tests {
     #[test]
     fn spots_are_separated_twice_and_only_where_some_are_surplus() {
         let mut rounds = Rounds::default();
-        assert!(!rounds.separate(&MergedSpots { surplus: vec![], kept: vec![0, 1] }));
-        let merged = MergedSpots { surplus: vec![1], kept: vec![0] };
+        assert!(!rounds.separate(&MergedSpots { surplus: vec![], kept: vec![0, 1], crowded: vec![] }));
+        let merged = MergedSpots { surplus: vec![1], kept: vec![0], crowded: vec![] };
         assert_eq!([(); 3].map(|()| rounds.separate(&merged)), [true, true, false]);
+    }
+
+    #[test]
+    fn after_pinned_spots_are_left_out_the_others_are_corrected_again() {
+        let mut rounds = Rounds::default();
+        assert!(rounds.is_worth(&found(&[0], &[1, 2], 2.1)) && !rounds.is_worth(&found(&[0], &[], 2.2)));
+        let merged = MergedSpots { surplus: vec![], kept: vec![1, 2], crowded: vec![2] };
+        assert!(rounds.leave_out(&merged) && rounds.is_worth(&found(&[0], &[], 2.2)));
+        assert_eq!(rounds.begun[..3], [0, 1, 0]);
+        assert!(!rounds.leave_out(&MergedSpots { surplus: vec![3], kept: vec![0, 1], crowded: vec![] }));
     }
 
     #[test]

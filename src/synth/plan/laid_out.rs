@@ -3,7 +3,8 @@
 use crate::grid::{Domain, Field};
 use crate::marks::Path;
 use crate::measure::Target;
-use crate::rd::Maps;
+use crate::rd::{Hindrance, Maps};
+use crate::synth::plan::lattice::NodeOffset;
 use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::offset::Correction;
 use crate::synth::plan::offset_curves::{Curves, line_widths};
@@ -72,6 +73,21 @@ impl Plan {
         if let Arrangement::PinnedSpots { left_out, .. } = &self.arrangement { left_out } else { &[] }
     }
 
+    /// Leaves the pinned spots `crowded` out, by their indices, and undoes the corrections of those `kept`, with which they grew
+    /// together.
+    pub fn leave_out(&mut self, crowded: &[usize], kept: &[usize]) {
+        let Arrangement::PinnedSpots { spots, left_out } = &mut self.arrangement else { return };
+        kept.iter().for_each(|index| spots[*index].correction = NodeOffset::default());
+        let reason = Hindrance::Neighbour;
+        let out = crowded.iter().map(|index| &spots[*index]);
+        left_out.extend(out.map(|mark| LeftOut { mark: mark.mark, drawn: mark.drawn, reason }));
+        let mut index = 0;
+        spots.retain(|_| {
+            index += 1;
+            !crowded.contains(&(index - 1))
+        });
+    }
+
     /// The lines and paths that stripes begin along.
     #[must_use]
     pub fn pinned_lines(&self) -> &[Path] {
@@ -111,6 +127,12 @@ impl Plan {
     fn is_taken(&self, point: [f64; 2]) -> bool {
         let grid = &self.lookup.grid;
         self.obstacles.get(grid.cell_at(grid.to_cells(point))).copied().unwrap_or(false)
+    }
+
+    /// Is this place, px, a mark of the layers beneath, or of the ground round one?
+    #[must_use]
+    pub fn is_hidden(&self, point: [f64; 2]) -> bool {
+        self.is_taken(point) || self.is_rim(point)
     }
 
     /// Does this place, px, belong to the ground round marks of the layers beneath?

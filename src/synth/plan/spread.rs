@@ -180,7 +180,7 @@ impl VariedSpots {
         self.interpolated(plan, maps)
     }
 
-    /// Takes these spots away, by their indices; none is pinned.
+    /// Takes these spots away, by their indices.
     pub fn remove(&mut self, surplus: &[usize]) {
         fn without<T: Copy>(values: &[T], surplus: &[usize]) -> Vec<T> {
             let stays = values.iter().enumerate().filter(|(index, _)| !surplus.contains(index));

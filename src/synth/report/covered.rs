@@ -8,13 +8,19 @@ use crate::synth::grow::pattern::EDGE;
 /// The share of a drawn line that is to lie in a stripe.
 pub(super) const COVERED: f64 = 0.9;
 
-/// The share of a path (px) that lies in a stripe of the pattern `surface`.
+/// The share of a path (px) that lies in a stripe of the pattern `surface`, of what of it lies on the canvas and is not `hidden`
+/// by marks of the layers beneath; `None` where nothing is left.
 #[must_use]
-pub fn covered(path: &Path, layout: &RegionGrid, surface: &Spline) -> f64 {
+pub fn covered(
+    path: &Path,
+    layout: &RegionGrid,
+    surface: &Spline,
+    hidden: impl Fn([f64; 2]) -> bool,
+) -> Option<f64> {
     const POINTS: usize = 64;
     let points = path.samples(POINTS).into_iter().map(|sample| sample.point);
-    let on = |point: &[f64; 2]| layout.bounds().contains(*point);
+    let on = |point: &[f64; 2]| layout.bounds().contains(*point) && !hidden(*point);
     let points: Vec<[f64; 2]> = points.filter(on).collect();
     let covered = points.iter().filter(|point| surface.at(**point) >= EDGE).count();
-    covered as f64 / points.len().max(1) as f64
+    (!points.is_empty()).then(|| covered as f64 / points.len() as f64)
 }

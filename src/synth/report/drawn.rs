@@ -19,7 +19,8 @@ use crate::synth::report::stripe_along::{drawn_stripe, stripe_along};
 pub struct DrawnMark {
     /// Its index among the strokes of the layer.
     pub mark: usize,
-    /// Whether it grew: a spot of its own within half its radius √(r₁r₂), a line of which nine tenths lie in stripes.
+    /// Whether it grew: a spot of its own within half its radius √(r₁r₂), a line of which nine tenths lie in stripes,
+    /// as far as it is not on marks of the layers beneath.
     pub there: bool,
     /// How far it is from its place, ÷ its radius; of a line the share that lies in no stripe. `None` of a spot that did not
     /// grow.
@@ -91,7 +92,7 @@ fn lines(layer: &GrownLayer, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
     let (plan, layout) = (&layer.plan, layer.plan.lookup.map.layout());
     let surface = Spline::new(&pattern());
     let mark = |(mark, line): (usize, &Path)| {
-        let covered = covered(line, layout, &surface);
+        let covered = covered(line, layout, &surface, |point| plan.is_hidden(point));
         let asked = match plan.lookup.map.free().map(|free| free.own(mark)) {
             Some(Attributes::Stripes(own)) => own,
             _ => drawn_stripe(line),
@@ -101,12 +102,17 @@ fn lines(layer: &GrownLayer, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
             .map(|got| Stripes { wavelength: got.wavelength.filter(|_| asked.wavelength.is_some()), ..got });
         DrawnMark {
             mark,
-            there: covered >= COVERED,
-            off: Some(1.0 - covered),
+            there: covered.is_some_and(|covered| covered >= COVERED),
+            off: Some(1.0 - covered.unwrap_or(0.0)),
             asked: Some(Attributes::Stripes(asked)),
             got: got.map(Attributes::Stripes),
-            reason: (covered < COVERED)
-                .then_some("closer to others than the period of the stripes, or oblique to them"),
+            reason: match covered {
+                None => Some("on marks of a layer beneath, or outside of the canvas"),
+                Some(covered) if covered < COVERED => {
+                    Some("closer to others than the period of the stripes, or oblique to them")
+                }
+                Some(_) => None,
+            },
             place: line.center(),
         }
     };
