@@ -106,7 +106,9 @@ impl SpotMap {
             })
         };
         let even = || {
-            local(2, AS_IT_IS, &|s, p| [to::spot_features_even(p, ratio, level), to::spot_outcomes_even(s, p)])
+            local(2, AS_IT_IS, &|s, p| {
+                [to::spot_features_even(p, ratio, level), to::spot_outcomes_even(s, p)]
+            })
         };
         let (asked, (outcomes, even)) = rayon::join(asked, || rayon::join(outcomes, even));
         let [area, density_limit, elongation] = limits(runs.iter().map(|(spots, _)| spots));

@@ -47,12 +47,12 @@ pub fn moved<'a>(grid: &Grid, row: impl Fn(usize) -> &'a [f32], shifts: &[(usize
     let mut order: Vec<usize> = (0..shifts.len()).collect();
     order.sort_by_key(|index| tile(shifts[*index].0));
     for group in order.chunk_by(|a, b| tile(shifts[*a].0) == tile(shifts[*b].0)) {
-        let longest = group.iter().flat_map(|index| shifts[*index].1).fold(0.0, |most: f64, by| most.max(by.abs()));
+        let longest =
+            group.iter().flat_map(|index| shifts[*index].1).fold(0.0, |most: f64, by| most.max(by.abs()));
         let margin = MARGIN + longest.ceil() as usize;
         let [x, y] = tile(shifts[group[0]].0).map(|tile| (tile * TILE) as isize - margin as isize);
         let side = TILE + 2 * margin;
-        let columns: Vec<usize> =
-            (0..side).map(|i| grid.edges.index(x + i as isize, grid.size[0])).collect();
+        let columns: Vec<usize> = (0..side).map(|i| grid.edges.index(x + i as isize, grid.size[0])).collect();
         let rows = (0..side).map(|i| row(grid.edges.index(y + i as isize, grid.size[1])));
         let values = rows.flat_map(|row| columns.iter().map(|column| row[*column])).collect();
         let part = Field::new(&Grid::unit([side; 2], Edges::Closed), values);
@@ -129,7 +129,9 @@ mod tests {
         let shifts = shifts(System::MEINHARDT_SPOTS, maps, warps);
         let nx = maps.domain.size[0];
         let mut cells = chemical.to_vec();
-        for ((cell, _), value) in shifts.iter().zip(moved(&maps.domain, |y| &chemical[y * nx..][..nx], &shifts)) {
+        for ((cell, _), value) in
+            shifts.iter().zip(moved(&maps.domain, |y| &chemical[y * nx..][..nx], &shifts))
+        {
             cells[*cell] = value;
         }
         cells

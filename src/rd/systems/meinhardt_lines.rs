@@ -13,12 +13,12 @@ use std::f64::consts::{PI, TAU};
 use crate::attributes::Polarity;
 use crate::attributes::columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::grid::{exp, ln};
 use crate::rd::chemicals::reacting;
 use crate::rd::definition::{
     Begin, Convergence, Cost, CurveLaw, Definition, ErrorBounds, Laws, LinesAlongCurves, Resolution, Scatter,
     System,
 };
-use crate::grid::{exp, ln};
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::Reach;

@@ -8,6 +8,7 @@
 
 use crate::attributes::columns;
 use crate::attributes::system::{Description, Intervals, IsolatedSpots, MarkKind, Scaling};
+use crate::grid::{exp, ln};
 use crate::rd::by_ratio::ByRatio;
 use crate::rd::chemicals::reacting;
 use crate::rd::definition::{
@@ -17,7 +18,6 @@ use crate::rd::definition::{
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::maps::Parameters;
 use crate::rd::selling::Tensor;
-use crate::grid::{exp, ln};
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
 use crate::rd::vector::Number;

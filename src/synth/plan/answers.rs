@@ -102,7 +102,10 @@ mod tests {
                         [(); 2].map(|()| answers.ask(system, &wanted, cell).expect("an answer"));
                     let expected = ask(training, system, &wanted, cell).expect("an answer");
                     assert_eq!(first.parameters, expected.parameters);
-                    assert_eq!((again.parameters, again.predicted), (expected.parameters, expected.predicted));
+                    assert_eq!(
+                        (again.parameters, again.predicted),
+                        (expected.parameters, expected.predicted)
+                    );
                 }
             }
         }

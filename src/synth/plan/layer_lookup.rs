@@ -101,7 +101,11 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     };
     let sparse = map.samples().par_iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
     let mut lookup = Lookup::new((system, polarity), map, Start::NATURAL, &|wanted, cell| {
-        if sparse { answers.ask_among_sparse(system, wanted, cell) } else { answers.ask(system, wanted, cell) }
+        if sparse {
+            answers.ask_among_sparse(system, wanted, cell)
+        } else {
+            answers.ask(system, wanted, cell)
+        }
     })?;
     if limited {
         lookup.remarks[0].push(format!(
