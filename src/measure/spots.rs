@@ -56,7 +56,7 @@ pub fn spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
 }
 
 /// As [`spots_of_at_least`], but with the values of the cells alone: centres are exact to a hundredth of a radius for spots of
-/// 12 cells and more, and areas to 3 %. Takes a fifth of the time.
+/// 12 cells and more, and areas to 6 %. Takes a fifth of the time.
 #[must_use]
 pub fn rough_spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
     without_specks(&regions(field, level, 1), field, least).spots
