@@ -17,7 +17,7 @@ pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
     placed: &mut CellList<B>,
     reach: f64,
     moving: &Range<usize>,
-    nucleus: &(dyn Fn(usize, &Nucleus<S::Place>, S::Place) -> Nucleus<S::Place> + Sync),
+    nucleus: impl Fn(usize, &Nucleus<S::Place>, S::Place) -> Nucleus<S::Place> + Sync,
 ) {
     let moved = |(index, point): (usize, &Nucleus<S::Place>)| {
         if !moving.contains(&index) {
