@@ -30,7 +30,7 @@ fn grown(case: Case) -> Field {
     let maps = case.maps(SIDE);
     let mut growth = Growth::new(case.system, &maps, 1);
     growth.advance(growth.steps_in(10.0));
-    growth.marks(&maps)
+    growth.marks()
 }
 
 fn beginning(criterion: &mut Criterion) {

@@ -193,9 +193,9 @@ impl Patch {
         let maps = Maps::uniform([side, side], Edges::Wrap, p);
         let mut long = Growth::new(self.system, &maps, seed);
         long.advance(long.steps_in(self.end));
-        let mut engine = Engine::from_maps(self.system, maps.clone(), seed);
+        let mut engine = Engine::from_maps(self.system, maps, seed);
         let settled = settle(&mut engine, &Watch::NONE).map_err(|cancelled| cancelled.to_string())?;
-        let [a, b] = [self.measured(&long.marks(&maps))?, self.measured(&engine.marks())?];
+        let [a, b] = [self.measured(&long.marks())?, self.measured(&engine.marks())?];
         Ok(Pair { differences: differences(&a, &b), steps: [long.steps(), engine.steps()], settled })
     }
 

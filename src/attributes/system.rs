@@ -43,6 +43,9 @@ pub struct Description {
     pub columns: &'static [Column],
     /// The training files that are compiled in.
     pub training: &'static [TrainingFile],
+    /// The numbers of neighbours that cross validation chooses for the regressions of these files, in the order of
+    /// `learn`; empty = chosen when they are read, which takes half of the time of the first lookup.
+    pub neighbours: &'static [usize],
     /// How sizes scale with parameters.
     pub scaling: Scaling,
     /// The law of spots without neighbours; `None` where spots do not stand alone.

@@ -1,4 +1,4 @@
-//! eˣ for values of cells: inlined and vectorised, where the library's function is a call a cell.
+//! eˣ and ln x for values of cells: inlined and vectorised, where the library's functions are a call a cell.
 //!
 //! eˣ = 2ⁿ·eʳ with n the whole number nearest to x ÷ ln 2, |r| ≤ ½ ln 2, and eʳ by its Taylor polynomial of degree 9, whose
 //! remainder is below 3·10⁻¹². Only additions and multiplications, so that all machines give the same bits.
@@ -32,9 +32,41 @@ pub fn exp(x: f64) -> f64 {
     root * f64::from_bits(((n as i64 + 1_023) as u64) << 52)
 }
 
+/// 1 ÷ (2k + 1) from k = 1 on.
+const ARTANH: [f64; 8] =
+    [1.0 / 3.0, 1.0 / 5.0, 1.0 / 7.0, 1.0 / 9.0, 1.0 / 11.0, 1.0 / 13.0, 1.0 / 15.0, 1.0 / 17.0];
+/// Bits of √½.
+const ROOT_HALF: u64 = 0x3FE6_A09E_667F_3BCD;
+
+/// ln x to 10⁻¹², for positive normal x.
+///
+/// ln x = n ln 2 + 2 artanh s, s = (m − 1) ÷ (m + 1), with x = 2ⁿ·m, √½ ≤ m < √2; |s| ≤ 0.1716.
+#[inline]
+#[must_use]
+pub fn ln(x: f64) -> f64 {
+    let above = x.to_bits().wrapping_sub(ROOT_HALF) as i64;
+    let n = above >> 52;
+    let m = f64::from_bits(x.to_bits().wrapping_sub((n << 52) as u64));
+    let s = (m - 1.0) / (m + 1.0);
+    let square = s * s;
+    let high = ARTANH.iter().rev().fold(0.0, |sum, term| sum * square + term);
+    let n = n as f64;
+    2.0 * (s + s * square * high) + n * LN_2[1] + n * LN_2[0]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_logarithm_is_exact_to_twelve_digits() {
+        for k in -70_000..=70_000 {
+            let x = libm::exp(f64::from(k) * 0.009_98);
+            let (found, exact) = (ln(x), libm::log(x));
+            assert!((found - exact).abs() < 1e-12 * exact.abs().max(1.0), "{x}: {found} {exact}");
+        }
+        assert_eq!(ln(1.0), 0.0);
+    }
 
     #[test]
     fn it_is_the_exponential_function_to_eleven_digits() {

@@ -24,7 +24,7 @@ pub use borderless::{Borderless, CellBuckets};
 pub use cells::Grid;
 pub use domain::{Domain, turned};
 pub use edges::{Bounds, Edges};
-pub use exponential::exp;
+pub use exponential::{exp, ln};
 pub use field::{Field, to_u16};
 pub use space::{Buckets, Space, Wall};
 pub use union_find::UnionFind;

@@ -20,10 +20,10 @@ const QUESTIONS: usize = 64;
 const NEARLY: f64 = 1.02;
 
 impl Local {
-    /// Standardises `rows`. The number of neighbours is chosen by cross validation.
-    pub fn new(rows: Vec<Sample>, images: Images) -> Self {
+    /// Standardises `rows`. The number of neighbours is chosen by cross validation, unless the choice is `known`.
+    pub fn new(rows: Vec<Sample>, images: Images, known: Option<usize>) -> Self {
         let local = Self::with_neighbours(rows, images, 0);
-        let neighbours = chosen(&local);
+        let neighbours = known.unwrap_or_else(|| chosen(&local));
         local.asking(neighbours)
     }
 }
@@ -90,7 +90,7 @@ mod tests {
 
     /// Neighbours per feature chosen for such rows; and whether many give smaller errors than few.
     fn chosen_by(f: impl Fn(&[f64; 3]) -> f64, noise: f64) -> (usize, bool) {
-        let local = Local::new(rows(f, noise), AS_IT_IS);
+        let local = Local::new(rows(f, noise), AS_IT_IS, None);
         let errors = errors(&local, &[24, 135]);
         (local.neighbours() / 3, errors[1] < 0.96 * errors[0])
     }
@@ -110,7 +110,7 @@ mod tests {
     fn the_chosen_number_of_neighbours_is_at_most_the_number_of_samples() {
         for n in [1, 2, 7, 30] {
             let rows: Vec<Sample> = rows(|[x, ..]| *x, 0.1).into_iter().take(n).collect();
-            assert!(Local::new(rows, AS_IT_IS).neighbours() < n.max(1));
+            assert!(Local::new(rows, AS_IT_IS, None).neighbours() < n.max(1));
         }
     }
 

@@ -31,6 +31,7 @@ const fn system(
         option_keys: &[],
         columns,
         training,
+        neighbours: &[],
         scaling: Scaling { ratio: 1.0, level: 2.85 },
         isolated: None,
     }

@@ -75,7 +75,8 @@ fn limits<'a>(spots: impl Iterator<Item = &'a Spots> + Clone) -> [Limit; 3] {
 }
 
 impl SpotMap {
-    pub fn new(rows: &[Row]) -> Self {
+    /// The map of these rows. `neighbours` are the numbers of neighbours of its regressions, where they are known.
+    pub fn new(rows: &[Row], neighbours: Option<[usize; 3]>) -> Self {
         let runs: Vec<(Spots, Parameters)> = rows
             .iter()
             .filter_map(|row| match row.attributes {
@@ -85,27 +86,29 @@ impl SpotMap {
             .collect();
         let ratio = varies(runs.iter().map(|(_, p)| libm::log(p.ratio.unwrap_or(1.0))));
         let level = varies(runs.iter().map(|(_, p)| p.level.unwrap_or(0.5)));
-        let local = |images, of: &(dyn Fn(&Spots, &Parameters) -> [SmallVector; 2] + Sync)| {
+        let local = |index: usize, images, of: &(dyn Fn(&Spots, &Parameters) -> [SmallVector; 2] + Sync)| {
             let samples = runs.iter().map(|(spots, parameters)| {
                 let [at, gives] = of(spots, parameters);
                 Sample { at, gives }
             });
-            Local::new(samples.collect(), images)
+            Local::new(samples.collect(), images, neighbours.map(|neighbours| neighbours[index]))
         };
         let asked = || {
-            local(IMAGES, &|s, p| {
+            local(0, IMAGES, &|s, p| {
                 let density = density(s).filter(|_| ratio || level);
                 let at = to::spot_question(libm::log(s.area), density, to::elongation(s.aspect, s.angle));
                 [at, to::spot_answer(s, p)]
             })
         };
         let outcomes = || {
-            local(IMAGES, &|s, p| {
+            local(1, IMAGES, &|s, p| {
                 [to::spot_features(p, ratio, level), SmallVector::new(to::elongation(s.aspect, s.angle))]
             })
         };
         let even = || {
-            local(AS_IT_IS, &|s, p| [to::spot_features_even(p, ratio, level), to::spot_outcomes_even(s, p)])
+            local(2, AS_IT_IS, &|s, p| {
+                [to::spot_features_even(p, ratio, level), to::spot_outcomes_even(s, p)]
+            })
         };
         let (asked, (outcomes, even)) = rayon::join(asked, || rayon::join(outcomes, even));
         let [area, density_limit, elongation] = limits(runs.iter().map(|(spots, _)| spots));
@@ -222,6 +225,12 @@ impl SpotMap {
     pub fn known(&self, spots: &Spots, find: impl Fn(&Local, &SmallVector) -> Option<Sample>) -> Parameters {
         let found = find(&self.asked, &self.question(spots)).unwrap_or(self.asked.rows()[0]);
         to::spot_parameters(found.at[0], &found.gives)
+    }
+
+    /// The numbers of neighbours of its regressions.
+    #[cfg(test)]
+    pub fn neighbours(&self) -> [usize; 3] {
+        [&self.asked, &self.outcomes, &self.even].map(Local::neighbours)
     }
 
     /// The attributes that grow with parameters.

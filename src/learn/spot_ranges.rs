@@ -41,15 +41,19 @@ struct Range {
 }
 
 impl Range {
-    fn of(rows: &[Row], belongs: impl Fn(f64) -> bool) -> Self {
+    fn of(rows: &[Row], neighbours: Option<[usize; 3]>, belongs: impl Fn(f64) -> bool) -> Self {
         let chosen = rows.iter().enumerate().filter(|(_, row)| belongs(row.parameters.stretch));
         let (numbers, rows): (Vec<usize>, Vec<Row>) = chosen.map(|(number, row)| (number, *row)).unzip();
-        Self { numbers, map: SpotMap::new(&rows) }
+        Self { numbers, map: SpotMap::new(&rows, neighbours) }
     }
 }
 
 impl SpotRanges {
-    pub fn new(rows: &[Row]) -> Self {
+    /// The maps of these rows. `neighbours` are the numbers of neighbours of their regressions, where they are known: three of
+    /// the usual map, three of the narrow one.
+    pub fn new(rows: &[Row], neighbours: &[usize]) -> Self {
+        let (known, _) = neighbours.as_chunks::<3>();
+        let known = |map: usize| known.get(map).copied();
         let spots = rows.iter().filter_map(|row| match &row.attributes {
             Attributes::Spots(spots) => Some(spots),
             Attributes::Stripes(_) => None,
@@ -57,13 +61,20 @@ impl SpotRanges {
         let elongation = elongations(spots);
         let usual = rows.iter().filter(|row| row.parameters.stretch >= USUAL_ROWS).count();
         if usual.min(rows.len() - usual) < FEWEST_ROWS {
-            return Self { usual: Range::of(rows, |_| true), narrow: None, elongation };
+            return Self { usual: Range::of(rows, known(0), |_| true), narrow: None, elongation };
         }
         let (usual, narrow) = rayon::join(
-            || Range::of(rows, |stretch| stretch >= USUAL_ROWS),
-            || Range::of(rows, |stretch| stretch <= NARROW_ROWS),
+            || Range::of(rows, known(0), |stretch| stretch >= USUAL_ROWS),
+            || Range::of(rows, known(1), |stretch| stretch <= NARROW_ROWS),
         );
         Self { usual, narrow: Some(narrow), elongation }
+    }
+
+    /// The numbers of neighbours of all regressions.
+    #[cfg(test)]
+    pub fn neighbours(&self) -> Vec<usize> {
+        let maps = std::iter::once(&self.usual).chain(&self.narrow);
+        maps.flat_map(|range| range.map.neighbours()).collect()
     }
 
     /// The map of most spots.
@@ -164,6 +175,6 @@ mod tests {
     #[test]
     fn too_few_narrow_rows_have_no_map_of_their_own() {
         let rows = [narrow(FEWEST_ROWS as u64 - 1), meinhardt(400, MEASURED)].concat();
-        assert!(SpotRanges::new(&rows).narrow.is_none());
+        assert!(SpotRanges::new(&rows, &[]).narrow.is_none());
     }
 }

@@ -40,7 +40,8 @@ fn quarter(asked: f64, at: &SmallVector) -> f64 {
 }
 
 impl StripeMap {
-    pub fn new(rows: &[Row]) -> Self {
+    /// The map of these rows. `neighbours` are the numbers of neighbours of its two regressions, where they are known.
+    pub fn new(rows: &[Row], neighbours: &[usize]) -> Self {
         let runs: Vec<(Stripes, Parameters)> = rows
             .iter()
             .filter_map(|row| match row.attributes {
@@ -49,18 +50,18 @@ impl StripeMap {
             })
             .collect();
         let stretch = varies(runs.iter().map(|(_, p)| libm::log(p.stretch)));
-        let local = |of: &dyn Fn(&Stripes, &Parameters) -> [SmallVector; 2]| {
+        let local = |index: usize, of: &dyn Fn(&Stripes, &Parameters) -> [SmallVector; 2]| {
             let samples = runs.iter().map(|(stripes, parameters)| {
                 let [at, gives] = of(stripes, parameters);
                 Sample { at, gives }
             });
-            Local::new(samples.collect(), IMAGES)
+            Local::new(samples.collect(), IMAGES, neighbours.get(index).copied())
         };
         let log_duty = |s: &Stripes| s.wavelength.map(|wavelength| libm::log(s.width / wavelength));
-        let asked = local(&|s, p| {
+        let asked = local(0, &|s, p| {
             [to::stripe_question(libm::log(s.width), log_duty(s), s.angle), to::stripe_answer(s, p)]
         });
-        let outcomes = local(&|s, p| [to::stripe_features(p, stretch), to::stripe_outcomes(s, p)]);
+        let outcomes = local(1, &|s, p| [to::stripe_features(p, stretch), to::stripe_outcomes(s, p)]);
         let duty = runs.iter().any(|(s, _)| s.wavelength.is_some()).then(|| {
             Limit::new(
                 "duty",
@@ -84,6 +85,12 @@ impl StripeMap {
             outcomes,
             stretch,
         }
+    }
+
+    /// The numbers of neighbours of its regressions.
+    #[cfg(test)]
+    pub fn neighbours(&self) -> Vec<usize> {
+        [&self.asked, &self.outcomes].map(Local::neighbours).to_vec()
     }
 
     /// The parameters for `stripes`, with the question moved into the range of the rows.

@@ -60,8 +60,11 @@ impl TrainingSet {
     /// [`TrainingError`], only if the program was built from a broken file.
     pub fn embedded(system: &'static Description) -> Result<Self, TrainingError> {
         let named = |file: &TrainingFile| (format!("training/{}.csv (compiled in)", file.name), file.text);
-        let files: Vec<(String, &str)> = system.training.iter().map(named).collect();
-        Self::read(system, files.iter().map(|(name, text)| (name.as_str(), text.as_bytes())))
+        let mut rows = Vec::new();
+        for (name, text) in system.training.iter().map(named) {
+            rows.extend(read_rows(system, &name, text.as_bytes())?);
+        }
+        Self::new(system, rows, system.neighbours)
     }
 
     /// The set of `system` in the folder `dir`: the rows of `SYSTEM.csv` and of each `SYSTEM-*.csv`, in the order of
@@ -110,7 +113,7 @@ impl TrainingSet {
         rows: Vec<Row>,
         names: &[String],
     ) -> Result<Self, TrainingError> {
-        Self::new(system, rows).map_err(|error| match error {
+        Self::new(system, rows, &[]).map_err(|error| match error {
             TrainingError::TooFew { rows, needed, .. } => {
                 TrainingError::TooFew { file: names.join(", "), rows, needed }
             }
@@ -125,17 +128,22 @@ impl TrainingSet {
     pub fn from_rows(system: &'static Description, rows: Vec<Row>) -> Result<Self, TrainingError> {
         // Writing checks every value.
         super::write_rows(system, &rows, std::io::sink())?;
-        Self::new(system, rows)
+        Self::new(system, rows, &[])
     }
 
-    fn new(system: &'static Description, rows: Vec<Row>) -> Result<Self, TrainingError> {
+    /// The numbers of `neighbours` of the regressions are chosen by cross validation where they are not known.
+    fn new(
+        system: &'static Description,
+        rows: Vec<Row>,
+        neighbours: &[usize],
+    ) -> Result<Self, TrainingError> {
         if rows.len() < FEWEST_ROWS {
             let file = format!("training/{}.csv", system.name);
             return Err(TrainingError::TooFew { file, rows: rows.len(), needed: FEWEST_ROWS });
         }
         let map = match system.marks {
-            MarkKind::Spots => Map::Spots(Box::new(SpotRanges::new(&rows))),
-            MarkKind::Stripes => Map::Stripes(Box::new(StripeMap::new(&rows))),
+            MarkKind::Spots => Map::Spots(Box::new(SpotRanges::new(&rows, neighbours))),
+            MarkKind::Stripes => Map::Stripes(Box::new(StripeMap::new(&rows, neighbours))),
         };
         Ok(Self { system, rows, map, law: OnceLock::new() })
     }
@@ -155,6 +163,15 @@ impl TrainingSet {
     /// The laws of scale with the constants of these rows, computed at first use.
     pub(super) fn law(&self) -> &Law {
         self.law.get_or_init(|| Law::fitted(self.system.scaling, &self.rows))
+    }
+
+    /// The numbers of neighbours of its regressions.
+    #[cfg(test)]
+    pub fn regression_neighbours(&self) -> Vec<usize> {
+        match &self.map {
+            Map::Spots(map) => map.neighbours(),
+            Map::Stripes(map) => map.neighbours(),
+        }
     }
 
     /// The lowest and highest value of each attribute in the set that limits a question, lengths in cells.

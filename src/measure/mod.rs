@@ -13,6 +13,7 @@
 mod directions;
 mod errors;
 mod marching_squares;
+mod node_mask;
 mod otsu;
 mod picture;
 mod picture_check;
@@ -26,6 +27,6 @@ pub use errors::{SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};
 pub use otsu::level_between_phases;
 pub use picture::{Picture, picture};
 pub use picture_check::{NotTexture, check_picture};
-pub use spots::{Census, Spot, census, spots, spots_of_at_least};
+pub use spots::{Census, Spot, census, rough_spots_of_at_least, spots, spots_of_at_least};
 pub use stripes::{StripeStatistics, stripes, widths};
 pub use texture_check::{MERGED_FILL, Reason, check_formed, check_spot_texture, check_stripe_texture};

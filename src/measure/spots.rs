@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use crate::grid::{Edges, Field, UnionFind};
 use crate::marks::{Ellipse, Moments, axial};
 use crate::measure::marching_squares::parts;
+use crate::measure::node_mask::{self, Squares, mask, ones};
 use crate::measure::supersampled_grid::SupersampledGrid;
 
 /// A connected region above the level.
@@ -52,6 +53,13 @@ pub fn spots(field: &Field, level: f32) -> Vec<Spot> {
 #[must_use]
 pub fn spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
     without_specks(&fine_regions(field, level), field, least).spots
+}
+
+/// As [`spots_of_at_least`], but with the values of the cells alone: centres are exact to a hundredth of a radius for spots of
+/// 12 cells and more, and areas to 6 %. Takes a fifth of the time.
+#[must_use]
+pub fn rough_spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
+    without_specks(&regions(field, level, 1), field, least).spots
 }
 
 /// The regions above `level`.
@@ -109,34 +117,6 @@ const NOTHING: Region = Region {
 
 /// The label of nodes that are not inside.
 const OUT: u32 = u32::MAX;
-
-/// Whether each node of a row is inside, 64 in a word; bits beyond the row are 0.
-fn mask(values: &[f32], level: f32, words: &mut Vec<u64>) {
-    let word = |values: &[f32]| {
-        values.iter().enumerate().fold(0, |word, (bit, value)| word | u64::from(*value > level) << bit)
-    };
-    words.clear();
-    words.extend(values.chunks(64).map(word));
-}
-
-/// The places of the bits that are 1.
-fn ones(mask: &[u64]) -> impl Iterator<Item = usize> {
-    mask.iter().enumerate().flat_map(|(word, bits)| {
-        let mut bits = *bits;
-        std::iter::from_fn(move || {
-            let bit = bits.trailing_zeros() as usize;
-            (bits != 0).then(|| {
-                bits &= bits - 1;
-                64 * word + bit
-            })
-        })
-    })
-}
-
-/// The word of a mask with the next one's first bit: bit k is node k + 1.
-fn shifted(mask: &[u64], word: usize) -> u64 {
-    mask[word] >> 1 | mask.get(word + 1).copied().unwrap_or(0) << 63
-}
 
 /// Collects regions row by row of nodes.
 struct Collector<'a> {
@@ -278,41 +258,10 @@ impl Collector<'_> {
     fn strip(&mut self, y: f64, values: &[f32], labels: &[u32], inside: &[u64]) {
         let xs = self.xs;
         let above = std::mem::take(&mut self.inside);
-        let squares = |word: usize| {
-            // Squares that begin with the last node of the row are none.
-            let left = xs.len() - 1 - (64 * word).min(xs.len() - 1);
-            if left >= 64 { u64::MAX } else { (1 << left) - 1 }
-        };
-        let mut full = None;
-        for word in 0..inside.len() {
-            let four = [above[word], shifted(&above, word), inside[word], shifted(inside, word)];
-            let all = four.iter().fold(squares(word), |all, bits| all & bits);
-            let any = squares(word) & four.iter().fold(0, |any, bits| any | bits);
-            if all == u64::MAX {
-                full.get_or_insert(64 * word);
-                continue;
-            }
-            // Where a run of full squares begins or ends, and squares that are neither full nor empty.
-            let mut events = (all ^ (all << 1 | u64::from(full.is_some()))) | (any & !all);
-            while events != 0 {
-                let bit = events.trailing_zeros();
-                events &= events - 1;
-                let i = 64 * word + bit as usize;
-                if all >> bit & 1 == 1 {
-                    full.get_or_insert(i);
-                    continue;
-                }
-                if let Some(from) = full.take() {
-                    self.fill(from, [xs[from], xs[i]], y);
-                }
-                if any >> bit & 1 == 1 {
-                    self.cut(i, y, values, labels);
-                }
-            }
-        }
-        if let Some(from) = full {
-            self.fill(from, [xs[from], xs[xs.len() - 1]], y);
-        }
+        node_mask::squares(&above, inside, xs.len(), |squares| match squares {
+            Squares::Full(squares) => self.fill(squares.start, [xs[squares.start], xs[squares.end]], y),
+            Squares::Cut(i) => self.cut(i, y, values, labels),
+        });
     }
 
     /// Adds the parts of square `i` of the strip that ends at `y`, which is neither all inside nor all outside.

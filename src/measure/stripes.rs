@@ -3,6 +3,7 @@
 use super::directions::Directions;
 use crate::grid::Field;
 use crate::measure::marching_squares::parts;
+use crate::measure::node_mask::{self, Squares, mask};
 use crate::measure::supersampled_grid::SupersampledGrid;
 
 /// What the stripes of a field look like.
@@ -100,12 +101,19 @@ fn tallied(
     let n = nodes.xs.len();
     let bands = nodes.bands(|ys, values, _| {
         let mut tallies = vec![Tally::default(); regions];
-        for (ys, rows) in ys.windows(2).zip(values.chunks_exact(n).collect::<Vec<_>>().windows(2)) {
-            strip(&nodes.xs, [ys[0], ys[1]], [rows[0], rows[1]], level, |place, area, contour| {
+        let (mut masks, mut rows) = ([Vec::new(), Vec::new()], values.chunks_exact(n));
+        let Some(mut above) = rows.next() else { return tallies };
+        mask(above, level, &mut masks[0]);
+        for (ys, below) in ys.windows(2).zip(rows) {
+            mask(below, level, &mut masks[1]);
+            let of_rows = [&masks[0][..], &masks[1]];
+            strip(&nodes.xs, [ys[0], ys[1]], [above, below], of_rows, level, |place, area, contour| {
                 let tally = &mut tallies[region_of(place)];
                 tally.area += area;
                 tally.contour += contour;
             });
+            above = below;
+            masks.swap(0, 1);
         }
         tallies
     });
@@ -119,44 +127,29 @@ fn tallied(
     tallies
 }
 
-/// [`LOOKED_AT`] if that many values from `first` on are not above the level, else 0.
-fn outside(values: &[f32], first: usize, level: f32) -> usize {
-    let Some(block) = values[first..].first_chunk::<LOOKED_AT>() else { return 0 };
-    // Without a branch, so that all are compared at once.
-    if block.iter().fold(true, |outside, value| outside & (*value <= level)) { LOOKED_AT } else { 0 }
-}
-
-/// Values that are compared at once.
-const LOOKED_AT: usize = 16;
-
-/// Calls `found` with the centre, area and contour length of each square of a strip that is not all outside.
+/// Calls `found` with the centre, area and contour length of each square of a strip that is not all outside. `masks` are those
+/// of its two rows.
 fn strip(
     xs: &[f64],
     [top, bottom]: [f64; 2],
     [above, below]: [&[f32]; 2],
+    masks: [&[u64]; 2],
     level: f32,
     mut found: impl FnMut([f64; 2], f64, f64),
 ) {
     let (center, height) = (0.5 * (top + bottom), bottom - top);
-    let mut i = 0;
-    while i + 1 < xs.len() {
-        let outside = outside(above, i, level).min(outside(below, i, level));
-        if outside > 1 {
-            i += outside - 1;
-            continue;
+    node_mask::squares(masks[0], masks[1], xs.len(), |squares| match squares {
+        Squares::Full(squares) => {
+            for i in squares {
+                found([0.5 * (xs[i] + xs[i + 1]), center], (xs[i + 1] - xs[i]) * height, 0.0);
+            }
         }
-        let x = [xs[i], xs[i + 1]];
-        let v = [above[i], above[i + 1], below[i + 1], below[i]];
-        i += 1;
-        let inside = v.iter().filter(|v| **v > level).count();
-        let place = [0.5 * (x[0] + x[1]), center];
-        if inside == 4 {
-            found(place, (x[1] - x[0]) * height, 0.0);
-        } else if inside > 0 {
+        Squares::Cut(i) => {
+            let v = [above[i], above[i + 1], below[i + 1], below[i]];
             let v = v.map(|v| f64::from(v) - f64::from(level));
-            parts([x[0], top], [x[1] - x[0], height], v, |part| {
-                found(place, part.moments.area, part.contour);
+            parts([xs[i], top], [xs[i + 1] - xs[i], height], v, |part| {
+                found([0.5 * (xs[i] + xs[i + 1]), center], part.moments.area, part.contour);
             });
         }
-    }
+    });
 }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::maps::{Maps, Parameters};
 use super::nucleus::Nucleus;
-use crate::grid::Domain;
+use crate::grid::{Domain, exp};
 
 /// For each cell 1 at the centre of an initial spot, falling to 0 away from it as a Gaussian in its metric.
 #[must_use]
@@ -25,7 +25,7 @@ pub fn bells<D: Domain>(
                 // Farther out it is less than 2·10⁻⁷ of the peak: a ten-thousandth of the ground.
                 if exponent > -16.0 {
                     let cell = &mut bell[cell - first];
-                    *cell = cell.max(libm::exp(exponent) as f32);
+                    *cell = cell.max(exp(exponent) as f32);
                 }
             });
         }

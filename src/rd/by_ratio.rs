@@ -1,20 +1,21 @@
 //! A function of the ratio over many cells, with a cache of one value: neighbours mostly have the same ratio.
 
 /// The last value of a function of the ratio.
-pub struct ByRatio {
-    law: fn(f32) -> f32,
+pub struct ByRatio<F> {
+    law: F,
     ratio: f32,
     value: f32,
 }
 
-impl ByRatio {
+impl<F: Fn(f32) -> f32> ByRatio<F> {
     /// Nothing computed yet.
     #[must_use]
-    pub fn new(law: fn(f32) -> f32) -> Self {
+    pub fn new(law: F) -> Self {
         Self { law, ratio: f32::NAN, value: 0.0 }
     }
 
     /// The value at `ratio`.
+    #[inline]
     pub fn at(&mut self, ratio: f32) -> f32 {
         if ratio != self.ratio {
             (self.ratio, self.value) = (ratio, (self.law)(ratio));

@@ -31,9 +31,11 @@ pub struct Definition {
     pub reacting: Reacting,
     /// Its initial concentrations.
     pub begin: Begin,
-    /// Writes how much of a mark each cell of a row shows, given the row of each chemical: 0 on the ground, 1 at the centre
-    /// of a mark with the parameters there.
-    pub show: fn(&[&[f32]], &[Parameters], &mut [f32]),
+    /// The concentration at the centre of a mark, at a ratio; `None` where it is the same everywhere.
+    pub peak: Option<fn(f32) -> f32>,
+    /// Writes how much of a mark each cell of a row shows, given the row of each chemical and the peaks there: 0 on the ground,
+    /// 1 at the centre of a mark with the parameters there.
+    pub show: fn(&[&[f32]], &[f32], &mut [f32]),
     /// How its spots are made irregular; `None` where they cannot be.
     pub decay_noise: Option<DecayNoise>,
     /// Concentrations of obstacle cells, one a chemical: they keep marks away.

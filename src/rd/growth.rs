@@ -2,13 +2,14 @@
 
 use rayon::prelude::*;
 
+use super::by_ratio::ByRatio;
 use super::chemicals::{Chemicals, Clock};
 use super::coefficients::Coefficients;
 use super::definition::System;
 use super::diffusion::Diffusion;
 use super::initial_conditions::fresh;
 use super::kinetics::Spreading;
-use super::local_warp::{LocalWarp, warped};
+use super::local_warp::{LocalWarp, moved, shifts};
 use super::maps::{Maps, Parameters};
 use super::plane::{Plane, RowLayout};
 use super::problem::Problem;
@@ -28,6 +29,8 @@ pub struct Growth {
     cell: [f64; 2],
     chemicals: Box<dyn Chemicals>,
     scratch: Scratch,
+    /// The concentration at the centre of a mark, by cell; empty where it is the same everywhere.
+    peaks: Vec<f32>,
     /// Cells that show the marks of other layers, not of this pattern.
     masked: Vec<bool>,
     /// Normalised time that one step takes where the reactions are slowest.
@@ -38,7 +41,7 @@ pub struct Growth {
 /// The marks that [`Growth::new`] begins from, as [`Growth::marks`] shows them.
 #[must_use]
 pub fn initial_marks(system: System, maps: &Maps, seed: u64) -> Field {
-    Growth::new(system, maps, seed).marks(maps)
+    Growth::new(system, maps, seed).marks()
 }
 
 impl Growth {
@@ -68,7 +71,9 @@ impl Growth {
         let time_a_step = f64::from(problem.slowest) * f64::from(system.definition().decay);
         let scratch = Scratch::default();
         let masked = masked(system, maps);
+        let peaks = peaks(system, maps);
         Some(Self {
+            peaks,
             masked,
             system,
             problem,
@@ -87,11 +92,18 @@ impl Growth {
 
     /// Moves spots of the pattern that grows in `maps`. Planes beside the chemicals are not moved.
     pub fn warp(&mut self, maps: &Maps, warps: &[LocalWarp]) {
-        let grid = self.problem.grid;
+        let shifts = shifts(self.system, maps, warps);
         let count = self.system.chemicals().len();
+        let nx = self.problem.grid.nx;
         for plane in &mut self.chemicals.planes_mut()[..count] {
-            let cells = warped(self.system, maps, &plane.cells(), warps);
-            cells.chunks_exact(grid.nx).enumerate().for_each(|(y, row)| plane.set_row(y, row));
+            let moved = moved(&maps.domain, |y| plane.row(y), &shifts);
+            let cells: Vec<(usize, f32)> = shifts.iter().map(|(cell, _)| *cell).zip(moved).collect();
+            for of_row in cells.chunk_by(|(a, _), (b, _)| a / nx == b / nx) {
+                let y = of_row[0].0 / nx;
+                let mut row = plane.row(y).to_vec();
+                of_row.iter().for_each(|(cell, value)| row[cell % nx] = *value);
+                plane.set_row(y, &row);
+            }
         }
     }
 
@@ -152,19 +164,10 @@ impl Growth {
     /// The concentration that shows the marks, high inside them: about 0 on the ground, about 1 at the centre of a
     /// mark with the parameters there.
     #[must_use]
-    pub fn marks(&self, maps: &Maps) -> Field {
+    pub fn marks(&self) -> Field {
         let nx = self.problem.grid.nx;
         let mut values = vec![0.0; nx * self.problem.grid.ny];
-        let (planes, show) = (self.chemicals.planes(), self.system.definition().show);
-        values.par_chunks_mut(nx).enumerate().for_each(|(y, row)| {
-            let chemicals: Vec<&[f32]> = planes.iter().map(|plane| plane.row(y)).collect();
-            show(&chemicals, &maps.parameters[y * nx..], row);
-        });
-        for (value, masked) in values.iter_mut().zip(&self.masked) {
-            if *masked {
-                *value = 0.0;
-            }
-        }
+        values.par_chunks_mut(nx).enumerate().for_each(|(y, row)| self.show_row(y, row));
         Field {
             width: self.problem.grid.nx,
             height: self.problem.grid.ny,
@@ -174,12 +177,66 @@ impl Growth {
         }
     }
 
+    /// Writes row `y` of [`Self::marks`].
+    fn show_row(&self, y: usize, row: &mut [f32]) {
+        let nx = self.problem.grid.nx;
+        let chemicals: Vec<&[f32]> = self.chemicals.planes().iter().map(|plane| plane.row(y)).collect();
+        let peaks = self.peaks.get(y * nx..).unwrap_or_default();
+        (self.system.definition().show)(&chemicals, peaks, row);
+        for (value, masked) in row.iter_mut().zip(self.masked.get(y * nx..).unwrap_or_default()) {
+            if *masked {
+                *value = 0.0;
+            }
+        }
+    }
+
+    /// Replaces `marks`, values that [`Self::marks`] gave earlier, by those of now. Returns Σ|after − before| and
+    /// Σ max(after, 0) over the cells that `count`.
+    pub fn update_marks(&self, marks: &mut [f32], count: &[bool]) -> [f64; 2] {
+        let nx = self.problem.grid.nx;
+        let rows = marks.par_chunks_mut(nx).zip(count.par_chunks(nx)).enumerate();
+        let row = |after: &mut Vec<f32>, (y, (before, count)): (usize, (&mut [f32], &[bool]))| {
+            after.resize(nx, 0.0);
+            self.show_row(y, after);
+            let sums = change(before, after, count);
+            before.copy_from_slice(after);
+            sums
+        };
+        // By row, so that threads do not change the sum.
+        let rows: Vec<[f64; 2]> = rows.map_init(Vec::new, row).collect();
+        rows.iter().fold([0.0; 2], |[moved, total], [m, t]| [moved + m, total + t])
+    }
+
     /// The concentrations of each chemical, row by row, without the further planes.
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
         let count = self.system.chemicals().len();
         self.chemicals.planes()[..count].iter().map(Plane::cells).collect()
     }
+}
+
+/// The concentration at the centre of a mark in each cell.
+fn peaks(system: System, maps: &Maps) -> Vec<f32> {
+    let Some(peak) = system.definition().peak else { return Vec::new() };
+    let mut peaks = vec![0.0; maps.parameters.len()];
+    let part = maps.domain.part();
+    peaks.par_chunks_mut(part).zip(maps.parameters.par_chunks(part)).for_each(|(peaks, parameters)| {
+        let mut peak = ByRatio::new(peak);
+        peaks.iter_mut().zip(parameters).for_each(|(value, p)| *value = peak.at(p.ratio));
+    });
+    peaks
+}
+
+/// Σ|after − before| and Σ max(after, 0) over the cells that `count`.
+fn change(before: &[f32], after: &[f32], count: &[bool]) -> [f64; 2] {
+    let (mut moved, mut total) = (0.0f64, 0.0f64);
+    for ((b, a), counts) in before.iter().zip(after).zip(count) {
+        if *counts {
+            moved += f64::from((a - b).abs());
+            total += f64::from(a.max(0.0));
+        }
+    }
+    [moved, total]
 }
 
 /// Cells whose concentrations belong to the marks of other layers: obstacle cells, and cells that these affect.

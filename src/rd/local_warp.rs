@@ -9,7 +9,7 @@
 //! spot does not take its neighbours along. All chemicals move alike: only the ground between spots is drawn out.
 
 use crate::grid::resample::Spline;
-use crate::grid::{Domain, Field, Grid, turned};
+use crate::grid::{Domain, Edges, Field, Grid, exp, turned};
 use crate::rd::System;
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nucleus::Nucleus;
@@ -32,45 +32,83 @@ const INNER: f64 = 0.3;
 /// Beyond this nothing moves: slightly more than half way to the nearest neighbours.
 const OUTER: f64 = 0.6;
 
-/// The cells of a chemical with these spots moved.
+/// Side of a tile, cells: one with moved cells is interpolated as a whole.
+const TILE: usize = 48;
+/// Cells around a tile from which its spline follows to 10⁻⁸, see [`Spline`].
+const MARGIN: usize = 16;
+
+/// What a chemical, whose rows on `grid` are `row(y)`, is at the cells of `shifts` once these have moved.
+///
+/// The spline is computed only around the cells that move.
 #[must_use]
-pub fn warped(system: System, maps: &Maps, chemical: &[f32], warps: &[LocalWarp]) -> Vec<f32> {
-    let shifts = shifts(system, maps, warps);
-    let field = Field::new(&Grid::unit(maps.domain.size, maps.domain.edges), chemical.to_vec());
-    let surface = Spline::new(&field);
-    let mut cells = chemical.to_vec();
-    for (cell, [x, y]) in shifts {
-        let [to_x, to_y] = maps.domain.center(cell);
-        let from = [to_x - x, to_y - y];
-        cells[cell] = within_range(surface.at(from), &field, from);
+pub fn moved<'a>(grid: &Grid, row: impl Fn(usize) -> &'a [f32], shifts: &[(usize, [f64; 2])]) -> Vec<f32> {
+    let mut moved = vec![0.0; shifts.len()];
+    let tile = |cell: usize| grid.position(cell).map(|at| at / TILE);
+    let mut order: Vec<usize> = (0..shifts.len()).collect();
+    order.sort_by_key(|index| tile(shifts[*index].0));
+    for group in order.chunk_by(|a, b| tile(shifts[*a].0) == tile(shifts[*b].0)) {
+        let longest =
+            group.iter().flat_map(|index| shifts[*index].1).fold(0.0, |most: f64, by| most.max(by.abs()));
+        let margin = MARGIN + longest.ceil() as usize;
+        let [x, y] = tile(shifts[group[0]].0).map(|tile| (tile * TILE) as isize - margin as isize);
+        let side = TILE + 2 * margin;
+        let columns: Vec<usize> = (0..side).map(|i| grid.edges.index(x + i as isize, grid.size[0])).collect();
+        let rows = (0..side).map(|i| row(grid.edges.index(y + i as isize, grid.size[1])));
+        let values = rows.flat_map(|row| columns.iter().map(|column| row[*column])).collect();
+        let part = Field::new(&Grid::unit([side; 2], Edges::Closed), values);
+        let surface = Spline::new(&part);
+        for index in group {
+            let (cell, by) = shifts[*index];
+            let to = grid.center(cell);
+            let from = [to[0] - x as f64 - by[0], to[1] - y as f64 - by[1]];
+            moved[*index] = within_range(surface.at(from), &part, from);
+        }
     }
-    cells
+    moved
 }
 
-/// The cells whose content moves, with their displacements in the frame of each.
+/// The cells whose content moves, with their displacements in the frame of each, in the order of the cells.
 pub(super) fn shifts<D: Domain>(
     system: System,
     maps: &Maps<D>,
     warps: &[LocalWarp<D::Place>],
 ) -> Vec<(usize, [f64; 2])> {
     let domain = &maps.domain;
-    let mut sums = vec![[0.0f64; 3]; domain.cells()];
-    for LocalWarp { at, own, by } in warps {
-        let spot = Nucleus::new(own, domain, domain.cell_at(*at), *at, system.spacing(own)).alone();
-        for (cell, delta) in domain.near(*at, OUTER * spot.reach, 0..domain.cells()) {
+    let spot = |LocalWarp { at, own, .. }: &LocalWarp<D::Place>| {
+        Nucleus::new(own, domain, domain.cell_at(*at), *at, system.spacing(own)).alone()
+    };
+    // Only cells near spots that move can move.
+    let mut reached = vec![false; domain.cells()];
+    let mut cells = Vec::new();
+    for warp in warps.iter().filter(|warp| warp.by != [0.0; 2]) {
+        for (cell, _) in domain.near(warp.at, OUTER * spot(warp).reach, 0..domain.cells()) {
+            if !std::mem::replace(&mut reached[cell], true) {
+                cells.push(cell);
+            }
+        }
+    }
+    cells.sort_unstable();
+    let mut sums = vec![[0.0f64; 3]; cells.len()];
+    for warp in warps {
+        let LocalWarp { at, by, .. } = warp;
+        let spot = spot(warp);
+        let near = domain.near(*at, OUTER * spot.reach, 0..domain.cells());
+        for (cell, delta) in near.filter(|(cell, _)| reached[*cell] && !maps.is_obstacle(*cell)) {
             let distance2 = spot.distance2(delta);
             let weight = fading(distance2.sqrt(), [INNER, OUTER]);
-            if weight > 0.0 && !maps.is_obstacle(cell) {
-                let share = libm::exp(-0.5 * distance2 / (TAU * TAU));
+            if weight > 0.0
+                && let Ok(index) = cells.binary_search(&cell)
+            {
+                let share = exp(-0.5 * distance2 / (TAU * TAU));
                 let by = turned(*by, domain.turn(spot.cell, cell));
-                let [x, y, total] = &mut sums[cell];
+                let [x, y, total] = &mut sums[index];
                 *x += share * weight * by[0];
                 *y += share * weight * by[1];
                 *total += share;
             }
         }
     }
-    let moved = sums.into_iter().enumerate().filter(|(_, [x, y, _])| *x != 0.0 || *y != 0.0);
+    let moved = cells.into_iter().zip(sums).filter(|(_, [x, y, _])| *x != 0.0 || *y != 0.0);
     moved.map(|(cell, [x, y, total])| (cell, [x / total, y / total])).collect()
 }
 
@@ -83,9 +121,21 @@ pub(super) fn fading(distance: f64, [inner, outer]: [f64; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::Edges;
 
     const P: Parameters = Parameters { rate: 3.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
+
+    /// The cells of a chemical with these spots moved.
+    fn warped(maps: &Maps, chemical: &[f32], warps: &[LocalWarp]) -> Vec<f32> {
+        let shifts = shifts(System::MEINHARDT_SPOTS, maps, warps);
+        let nx = maps.domain.size[0];
+        let mut cells = chemical.to_vec();
+        for ((cell, _), value) in
+            shifts.iter().zip(moved(&maps.domain, |y| &chemical[y * nx..][..nx], &shifts))
+        {
+            cells[*cell] = value;
+        }
+        cells
+    }
 
     /// A bell at a place on a ground of 1, on 60 × 50 cells.
     fn bell(at: [f64; 2]) -> Vec<f32> {
@@ -103,7 +153,7 @@ mod tests {
         for (edges, at) in [(Edges::Closed, [30.0, 25.0]), (Edges::Wrap, [1.0, 25.0])] {
             let maps = Maps::uniform([60, 50], edges, P);
             let warp = LocalWarp { at, own: P, by: [1.3, -0.8] };
-            let moved = warped(System::MEINHARDT_SPOTS, &maps, &bell(at), &[warp]);
+            let moved = warped(&maps, &bell(at), &[warp]);
             if edges == Edges::Closed {
                 let wanted = bell([31.3, 24.2]);
                 let worst = moved.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
@@ -115,12 +165,37 @@ mod tests {
     }
 
     #[test]
+    fn cells_are_moved_by_the_spline_through_the_whole_chemical() {
+        for edges in [Edges::Closed, Edges::Wrap] {
+            let maps = Maps::uniform([140, 110], edges, P);
+            let wave = |cell: usize| {
+                let [x, y] = maps.domain.center(cell);
+                (2.0 + libm::sin(0.9 * x) * libm::cos(0.7 * y)) as f32
+            };
+            let chemical: Vec<f32> = (0..140 * 110).map(wave).collect();
+            let places = [[2.0, 3.0], [47.0, 50.0], [96.5, 95.0], [139.0, 60.0]];
+            let warps = places.map(|at| LocalWarp { at, own: P, by: [0.7, -1.1] });
+            let field = Field::new(&Grid::unit(maps.domain.size, edges), chemical.clone());
+            let surface = Spline::new(&field);
+            let shifts = shifts(System::MEINHARDT_SPOTS, &maps, &warps);
+            let found = moved(&maps.domain, |y| &chemical[y * 140..][..140], &shifts);
+            assert!(shifts.len() > 500);
+            for ((cell, by), found) in shifts.iter().zip(found) {
+                let to = maps.domain.center(*cell);
+                let from = [to[0] - by[0], to[1] - by[1]];
+                let expected = within_range(surface.at(from), &field, from);
+                assert!((found - expected).abs() < 3e-6, "{edges:?} {cell}: {found} {expected}");
+            }
+        }
+    }
+
+    #[test]
     fn obstacle_cells_are_unchanged() {
         let mut maps = Maps::uniform([60, 50], Edges::Closed, P);
         maps.obstacles = (0..60 * 50).map(|cell| cell % 60 > 31).collect();
         let warp = LocalWarp { at: [30.0, 25.0], own: P, by: [1.0, 0.0] };
         let before = bell([30.0, 25.0]);
-        let moved = warped(System::MEINHARDT_SPOTS, &maps, &before, &[warp]);
+        let moved = warped(&maps, &before, &[warp]);
         let same = |cell: &usize| moved[*cell].to_bits() == before[*cell].to_bits();
         assert!((0..60 * 50).filter(|cell| maps.obstacles[*cell]).all(|cell| same(&cell)));
         assert!((0..60 * 50).any(|cell| !same(&cell)));

@@ -20,7 +20,7 @@ pub use relaxation::{Places, adjust_to_walls, relax_places};
 use rand::{Rng, RngExt};
 
 use super::maps::{Maps, Parameters};
-use super::nucleus::Nucleus;
+use super::nucleus::{Metrics, Nucleus};
 use crate::grid::{Buckets, Domain, Space};
 use boundary::keep_off_walls;
 use cell_list::{CellList, distance2, relax};
@@ -60,22 +60,28 @@ pub fn lay<D: Domain>(
     let nucleus = |at: D::Place| Nucleus { at, ..Nucleus::at(maps, space.to_domain(at), pitch) };
     let largest = pinned.iter().map(|pinned| pinned.reach).fold(density.largest, f64::max);
     let mut placed = CellList::new(space.buckets(PUSH * largest));
-    let posts = obstacles::posts(maps, &mut placed, &|at| nucleus(space.to_space(at)));
+    let mut metrics = Metrics::new(maps, pitch);
+    let mut dart = |at: D::Place| Nucleus { at, ..metrics.at(space.to_domain(at)) };
+    let posts = obstacles::posts(maps, &mut placed, &mut |at| dart(space.to_space(at)));
     pinned.iter().for_each(|one| placed.insert(Nucleus { at: space.to_space(one.at), ..*one }));
     let fixed = placed.all.clone();
     let moving = fixed.len()..usize::MAX;
-    let moved = |i: usize, at| fixed.get(i).copied().unwrap_or_else(|| nucleus(at));
+    let moved = |i: usize, before: &Nucleus<D::Place>, at: D::Place| {
+        // The parameters, and so the metric, are those of the cell.
+        let stays = i < fixed.len() || maps.domain.cell_at(space.to_domain(at)) == before.cell;
+        if stays { Nucleus { at, ..*before } } else { nucleus(at) }
+    };
     let clear = if posts.is_empty() { Vec::new() } else { obstacles::clear(maps, pitch) };
     let cell_at = |at: D::Place| maps.domain.cell_at(space.to_domain(at));
     let is_clear = |at: D::Place| clear.is_empty() || clear[cell_at(at)];
     if posts.is_empty() {
         let wanted = density.wanted(&space).saturating_sub(density.displaced_by(pinned, maps));
         let likely = |at: D::Place| density.densities[cell_at(at)] / density.densest;
-        throw(&mut placed, wanted, &space, &likely, &nucleus, rng);
+        throw(&mut placed, wanted, &space, &likely, &mut dart, rng);
         (0..ROUNDS).for_each(|_| relax(&space, &mut placed, PUSH, &moving, &moved));
     } else {
         for closest in obstacles::FILLS {
-            obstacles::fill(&mut placed, posts.len(), &space, closest, &is_clear, &nucleus, rng);
+            obstacles::fill(&mut placed, posts.len(), &space, closest, &is_clear, &mut dart, rng);
             for _ in 0..ROUNDS {
                 obstacles::within(&mut placed, &is_clear, |placed| {
                     relax(&space, placed, PUSH, &moving, &moved);
@@ -109,7 +115,7 @@ fn throw<S: Space, B: Buckets<Place = S::Place>>(
     wanted: usize,
     space: &S,
     likely: &dyn Fn(S::Place) -> f64,
-    nucleus: &dyn Fn(S::Place) -> Nucleus<S::Place>,
+    nucleus: &mut dyn FnMut(S::Place) -> Nucleus<S::Place>,
     rng: &mut impl Rng,
 ) {
     let wanted = placed.all.len() + wanted;

@@ -19,6 +19,35 @@ pub struct Nucleus<P = [f64; 2]> {
     pub apart: f64,
 }
 
+/// The metric of the last parameters: many points have the same.
+pub struct Metrics<'a, D: Domain> {
+    maps: &'a Maps<D>,
+    pitch: &'a (dyn Fn(&Parameters) -> f64 + Sync),
+    last: Option<(Parameters, Nucleus<D::Place>)>,
+}
+
+impl<'a, D: Domain> Metrics<'a, D> {
+    /// Nothing computed yet.
+    pub fn new(maps: &'a Maps<D>, pitch: &'a (dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
+        Self { maps, pitch, last: None }
+    }
+
+    /// As [`Nucleus::at`].
+    #[inline]
+    pub fn at(&mut self, at: D::Place) -> Nucleus<D::Place> {
+        let cell = self.maps.domain.cell_at(at);
+        let p = &self.maps.parameters[cell];
+        if let Some((same, nucleus)) = &self.last
+            && same == p
+        {
+            return Nucleus { at, cell, ..*nucleus };
+        }
+        let nucleus = Nucleus::new(p, &self.maps.domain, cell, at, (self.pitch)(p));
+        self.last = Some((*p, nucleus));
+        nucleus
+    }
+}
+
 impl<P> Nucleus<P> {
     /// The point `at` with the metric of the parameters there.
     #[must_use]

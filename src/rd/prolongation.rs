@@ -19,19 +19,33 @@ const OVERSHOOT: f32 = 1.5;
 pub fn prolongate(cells: &[f32], from: [usize; 2], to: [usize; 2], edges: Edges) -> Vec<f32> {
     let field = Field::new(&Grid::unit(from, edges), cells.to_vec());
     let mut fine = resample(&field, to[0], to[1]).values;
-    let place = |index: usize, axis: usize| (index as f64 + 0.5) * from[axis] as f64 / to[axis] as f64;
-    fine.par_chunks_mut(to[0]).enumerate().for_each(|(y, row)| {
-        for (x, value) in row.iter_mut().enumerate() {
-            *value = within_range(*value, &field, [place(x, 0), place(y, 1)]);
+    let [columns, rows] = [0, 1].map(|axis| neighbours(from[axis], to[axis], edges));
+    let row_of = |row: usize| &field.values[row * from[0]..(row + 1) * from[0]];
+    fine.par_chunks_mut(to[0]).zip(rows).for_each(|(row, [above, below])| {
+        let (above, below) = (row_of(above), row_of(below));
+        let ranges: Vec<[f32; 2]> = above.iter().zip(below).map(|(a, b)| [a.min(*b), a.max(*b)]).collect();
+        for (value, [left, right]) in row.iter_mut().zip(&columns) {
+            let ([lowest, highest], right) = (ranges[*left], ranges[*right]);
+            *value = kept_within(*value, [lowest.min(right[0]), highest.max(right[1])]);
         }
     });
     fine
 }
 
+/// The two of `from` cells between whose centres those of `to` cells lie, along one axis.
+fn neighbours(from: usize, to: usize, edges: Edges) -> Vec<[usize; 2]> {
+    let place = |index: usize| ((index as f64 + 0.5) * from as f64 / to as f64 - 0.5).floor() as isize;
+    (0..to).map(place).map(|first| [first, first + 1].map(|cell| edges.index(cell, from))).collect()
+}
+
 /// The `value` that the spline of a chemical has at a point, cells, within the range of the `field` around.
 #[must_use]
 pub fn within_range(value: f32, field: &Field, point: [f64; 2]) -> f32 {
-    let [lowest, highest] = field.range_around(point);
+    kept_within(value, field.range_around(point))
+}
+
+/// A value of the spline between cells with the `lowest` and the `highest` value.
+fn kept_within(value: f32, [lowest, highest]: [f32; 2]) -> f32 {
     value.max(lowest).min(OVERSHOOT * highest)
 }
 

@@ -2,7 +2,7 @@
 //!
 //! c′(x) = c(x) + w(x) (c₀(x) − c(x)), c₀ the initial conditions; w = 1 about the spots that begin again, 0 about the others
 
-use crate::grid::Domain;
+use crate::grid::{Domain, exp};
 use crate::rd::System;
 use crate::rd::local_warp::fading;
 use crate::rd::maps::Maps;
@@ -29,7 +29,7 @@ pub fn restart(
         let spot = Nucleus::new(&p, &maps.domain, maps.domain.cell_at(at), at, system.spacing(&p)).alone();
         for (cell, delta) in maps.domain.near(at, OUTER * spot.reach, 0..maps.domain.cells()) {
             let distance2 = spot.distance2(delta);
-            let share = libm::exp(-0.5 * distance2 / (TAU * TAU));
+            let share = exp(-0.5 * distance2 / (TAU * TAU));
             if begins {
                 sums[cell][0] += share * fading(distance2.sqrt(), [INNER, OUTER]);
             }

@@ -36,7 +36,7 @@ impl Tensor {
     /// Eigenvalues `along` the direction `degrees` and `across` it.
     #[must_use]
     pub fn oriented(along: f64, across: f64, degrees: f64) -> Self {
-        let (s, c) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
+        let (s, c) = libm::sincos(degrees.to_radians());
         Self {
             xx: along * c * c + across * s * s,
             xy: (along - across) * c * s,

@@ -65,3 +65,17 @@ impl Default for Training {
         Self::new(None)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_numbers_of_neighbours_that_are_built_in_are_those_that_cross_validation_chooses() {
+        let chosen = |system: System| {
+            let rows = Training::built_in().set(system).unwrap().rows().to_vec();
+            TrainingSet::from_rows(system.description(), rows).unwrap().regression_neighbours()
+        };
+        assert_eq!(System::ALL.map(|system| system.description().neighbours), System::ALL.map(chosen));
+    }
+}

@@ -84,6 +84,7 @@ pub fn table(measurements: &[Phases]) -> String {
     }
     line("all", &|m| format!("{:.1}", m.a_px(m.seconds.total())));
     line("all but steps", &|m| format!("{:.1}", m.a_px(m.seconds.total() - m.seconds.of(Phase::Steps))));
+    line("steps ÷ all", &|m| format!("{:.2}", m.seconds.of(Phase::Steps) / m.seconds.total()));
     text
 }
 
@@ -111,6 +112,7 @@ mod tests {
         };
         assert_eq!(line("steps"), ["3.0", "12.0"]);
         assert_eq!(line("all but steps"), ["6.0", "24.0"]);
+        assert_eq!(line("steps ÷ all"), ["0.33", "0.33"]);
         assert_eq!(one(10).json()["cpu_seconds"]["look_up"], 0.5e-3);
     }
 }

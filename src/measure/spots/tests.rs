@@ -97,3 +97,33 @@ fn a_mark_across_all_bands_of_rows_is_one_region() {
         assert_eq!((spots[0].endless, spots[0].whole), (endless, false), "{edges:?}");
     }
 }
+
+#[test]
+fn rough_spots_stand_where_exact_ones_do() {
+    // Gaussian spots of 12 cells and more at half their peak, at all places within a cell.
+    let radius = |column: f64| 2.0 + 0.25 * column;
+    let place = |k: usize| [16.0 + 20.0 * (k % 6) as f64 + 0.17 * k as f64, 16.0 + 20.0 * (k / 6) as f64];
+    let bell = |[x, y]: [f64; 2]| {
+        let one = |k: usize| {
+            let [dx, dy] = [x - place(k)[0], y - place(k)[1]];
+            let r = radius((k % 6) as f64);
+            libm::exp(-libm::log(2.0) * (1.5 * dx * dx + dy * dy / 1.5) / (r * r))
+        };
+        (0..36).map(one).sum::<f64>() as f32
+    };
+    let field = Field::from_fn([140, 136], [1.0; 2], Edges::Closed, bell);
+    let (exact, rough) = (spots(&field, 0.5), rough_spots_of_at_least(&field, 0.5, f64::INFINITY));
+    assert_eq!((exact.len(), rough.len()), (36, 36));
+    let mut worst = [0.0_f64; 2];
+    for exact in &exact {
+        let radius = (exact.ellipse.area() / PI).sqrt();
+        let off = |rough: &Spot| {
+            let way = [0, 1].map(|axis| exact.ellipse.center[axis] - rough.ellipse.center[axis]);
+            (way[0] * way[0] + way[1] * way[1]).sqrt() / radius
+        };
+        let rough = rough.iter().min_by(|a, b| off(a).total_cmp(&off(b))).expect("a spot");
+        let by_area = (rough.ellipse.area() / exact.ellipse.area() - 1.0).abs();
+        worst = [worst[0].max(off(rough)), worst[1].max(by_area)];
+    }
+    assert!(worst[0] < 0.01 && worst[1] < 0.06, "{worst:?}");
+}

@@ -23,9 +23,9 @@ fn every_system_grows_its_pattern_from_a_seed() {
         (System::MEINHARDT_STRIPES, 0.45..0.55),
         (System::MEINHARDT_LINES, 0.25..0.45),
     ] {
-        let (maps, mut growth) = small(system);
+        let (_, mut growth) = small(system);
         growth.advance(growth.steps_in(30.0));
-        let marks = growth.marks(&maps).values;
+        let marks = growth.marks().values;
         let share = marks.iter().filter(|v| **v > 0.5).count() as f64 / marks.len() as f64;
         let lowest = marks.iter().copied().fold(f32::INFINITY, f32::min);
         let highest = marks.iter().copied().fold(f32::NEG_INFINITY, f32::max);
@@ -41,14 +41,30 @@ fn a_grown_pattern_is_stationary() {
     for system in System::ALL {
         let (maps, mut growth) = small(system);
         growth.advance(growth.steps_in(60.0));
-        let before = growth.marks(&maps).values;
+        let before = growth.marks().values;
         let mut again = Growth::resumed(system, &maps, &growth.concentrations()).expect("fits");
         again.advance(again.steps_in(5.0));
-        let after = again.marks(&maps).values;
+        let after = again.marks().values;
         let moved: f32 = before.iter().zip(&after).map(|(b, a)| (b - a).abs()).sum();
         let total: f32 = before.iter().sum();
         assert!(moved < 0.02 * total, "{system:?} moved by {}", moved / total);
     }
+}
+
+#[test]
+fn marks_are_brought_up_to_date_and_compared_where_they_count() {
+    let (_, mut growth) = small(System::MEINHARDT_SPOTS);
+    let mut marks = growth.marks().values;
+    let before = marks.clone();
+    growth.advance(40);
+    let count: Vec<bool> = (0..marks.len()).map(|cell| cell % 3 != 0).collect();
+    let [moved, total] = growth.update_marks(&mut marks, &count);
+    assert_eq!(marks, growth.marks().values);
+    let counted = || (0..marks.len()).filter(|cell| count[*cell]);
+    let expected: f64 = counted().map(|cell| f64::from((marks[cell] - before[cell]).abs())).sum();
+    assert!((moved / expected - 1.0).abs() < 1e-9 && moved > 0.0, "{moved} {expected}");
+    let expected: f64 = counted().map(|cell| f64::from(marks[cell].max(0.0))).sum();
+    assert!((total / expected - 1.0).abs() < 1e-9, "{total} {expected}");
 }
 
 #[test]

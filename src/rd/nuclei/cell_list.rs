@@ -10,18 +10,18 @@ use crate::rd::nucleus::Nucleus;
 /// Points that are not worth handing to another thread.
 const FEW: usize = 128;
 
-/// One round of repulsion: points nearer than `reach` pitches push each other away in `space`. `nucleus` makes point i at
-/// its new place; only those of the range `moving` are pushed.
+/// One round of repulsion: points nearer than `reach` pitches push each other away in `space`. `nucleus(i, before, to)` is
+/// point i at its new place, which was `before`; only those of the range `moving` are pushed.
 pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
     space: &S,
     placed: &mut CellList<B>,
     reach: f64,
     moving: &Range<usize>,
-    nucleus: &(dyn Fn(usize, S::Place) -> Nucleus<S::Place> + Sync),
+    nucleus: impl Fn(usize, &Nucleus<S::Place>, S::Place) -> Nucleus<S::Place> + Sync,
 ) {
     let moved = |(index, point): (usize, &Nucleus<S::Place>)| {
         if !moving.contains(&index) {
-            return nucleus(index, point.at);
+            return nucleus(index, point, point.at);
         }
         let mut shift = [0.0, 0.0];
         placed.near(point, reach, |other, way| {
@@ -38,7 +38,7 @@ pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
                 shift[1] -= push * way.here[1];
             }
         });
-        nucleus(index, space.moved(point.at, shift))
+        nucleus(index, point, space.moved(point.at, shift))
     };
     let all: Vec<Nucleus<S::Place>> =
         placed.all.par_iter().enumerate().with_min_len(FEW).map(moved).collect();
@@ -64,15 +64,17 @@ pub struct CellList<B: Buckets> {
     buckets: B,
     /// The points.
     pub all: Vec<Nucleus<B::Place>>,
-    /// Points of each bucket, by index.
-    cells: Vec<Vec<u32>>,
+    /// Points of each bucket: index and place.
+    cells: Vec<Vec<(u32, B::Place)>>,
+    /// The longest reach of any of them.
+    longest: f64,
 }
 
 impl<B: Buckets> CellList<B> {
     /// No points yet.
     pub fn new(buckets: B) -> Self {
         let cells = vec![Vec::new(); buckets.count()];
-        Self { buckets, all: Vec::new(), cells }
+        Self { buckets, all: Vec::new(), cells, longest: 0.0 }
     }
 
     /// None of the points, in the same buckets.
@@ -89,24 +91,30 @@ impl<B: Buckets> CellList<B> {
 
     pub fn replace(&mut self, all: Vec<Nucleus<B::Place>>) {
         self.all.clear();
+        self.longest = 0.0;
         self.cells.iter_mut().for_each(Vec::clear);
         all.into_iter().for_each(|point| self.insert(point));
     }
 
     pub fn insert(&mut self, point: Nucleus<B::Place>) {
-        self.cells[self.buckets.bucket(point.at)].push(self.all.len() as u32);
+        self.cells[self.buckets.bucket(point.at)].push((self.all.len() as u32, point.at));
+        self.longest = self.longest.max(point.reach);
         self.all.push(point);
     }
 
     /// Calls `each(other, way)` for every point, or image of one beyond the border (its own too), that can lie within
-    /// `pitches` of `point`; and for some farther ones.
+    /// `pitches` of `point` by the mean of both metrics; and for some farther ones.
+    ///
+    /// In a metric of reach r a way of length l is l ÷ r pitches or more: a mean of squares below `pitches`² bounds l.
     pub fn near(
         &self,
         point: &Nucleus<B::Place>,
         pitches: f64,
         mut each: impl FnMut(&Nucleus<B::Place>, Way),
     ) {
-        self.near_by_index(point, pitches, |other, way| each(&self.all[other], way));
+        let [own, others] = [point.reach, self.longest].map(|reach| 1.0 / (reach * reach));
+        let reach = (2.0 / (own + others)).sqrt().min(1.5 * point.reach) * pitches;
+        self.within(point, reach, |other, way| each(&self.all[other], way));
     }
 
     /// Whether `is_near(other, way)` of any of these.
@@ -118,9 +126,9 @@ impl<B: Buckets> CellList<B> {
     ) -> bool {
         let reach = pitches * point.reach * 1.5;
         self.buckets.near(point.at, reach).any(|(bucket, way)| {
-            self.cells[bucket].iter().any(|index| {
-                let other = &self.all[*index as usize];
-                way(other.at).is_some_and(|here| {
+            self.cells[bucket].iter().any(|(index, at)| {
+                way(*at).is_some_and(|here| {
+                    let other = &self.all[*index as usize];
                     let there = turned(here, self.buckets.turn(point.cell, other.cell));
                     is_near(other, Way { here, there })
                 })
@@ -129,12 +137,16 @@ impl<B: Buckets> CellList<B> {
     }
 
     /// The same with the index of the other.
-    pub fn near_by_index(&self, point: &Nucleus<B::Place>, pitches: f64, mut each: impl FnMut(usize, Way)) {
-        let reach = pitches * point.reach * 1.5;
+    pub fn near_by_index(&self, point: &Nucleus<B::Place>, pitches: f64, each: impl FnMut(usize, Way)) {
+        self.within(point, pitches * point.reach * 1.5, each);
+    }
+
+    /// The same for all in the square about `point` whose sides are `reach` away, cells.
+    fn within(&self, point: &Nucleus<B::Place>, reach: f64, mut each: impl FnMut(usize, Way)) {
         for (bucket, way) in self.buckets.near(point.at, reach) {
-            for &index in &self.cells[bucket] {
-                let other = &self.all[index as usize];
-                if let Some(here) = way(other.at) {
+            for &(index, at) in &self.cells[bucket] {
+                if let Some(here) = way(at) {
+                    let other = &self.all[index as usize];
                     let there = turned(here, self.buckets.turn(point.cell, other.cell));
                     each(index as usize, Way { here, there });
                 }

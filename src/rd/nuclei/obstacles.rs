@@ -3,7 +3,7 @@
 use crate::grid::{Buckets, Domain, Space};
 use crate::rd::maps::{Maps, Parameters};
 use crate::rd::nuclei::cell_list::{CellList, Way, distance2};
-use crate::rd::nucleus::Nucleus;
+use crate::rd::nucleus::{Metrics, Nucleus};
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
@@ -19,13 +19,11 @@ const CLEAR: f64 = 0.45;
 pub fn posts<D: Domain, B: Buckets<Place = D::Place>>(
     maps: &Maps<D>,
     placed: &mut CellList<B>,
-    nucleus: &dyn Fn(D::Place) -> Nucleus<D::Place>,
+    nucleus: &mut dyn FnMut(D::Place) -> Nucleus<D::Place>,
 ) -> Vec<Nucleus<D::Place>> {
     for cell in (0..maps.obstacles.len()).filter(|cell| maps.obstacles[*cell]) {
         let post = nucleus(maps.domain.center(cell)).alone();
-        let mut near = false;
-        placed.near(&post, APART, |other, way| near |= distance2(&post, other, way) < APART * APART);
-        if !near {
+        if !placed.any_near(&post, APART, |other, way| distance2(&post, other, way) < APART * APART) {
             placed.insert(post);
         }
     }
@@ -51,12 +49,14 @@ pub fn clear<D: Domain>(maps: &Maps<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sy
         (farthest < CLEAR * (1.0 - 1e-9)).then_some(false)
     };
     let cells = (0..maps.obstacles.len()).into_par_iter();
+    let metrics = || Metrics::new(maps, &own);
     cells
-        .map(|cell| {
+        .with_min_len(maps.domain.part())
+        .map_init(metrics, |metrics, cell| {
             if maps.obstacles[cell] {
                 return false;
             }
-            let nucleus = Nucleus::at(maps, maps.domain.center(cell), &own);
+            let nucleus = metrics.at(maps.domain.center(cell));
             known(cell, &nucleus).unwrap_or_else(|| is_clear(&maps.domain, &maps.obstacles, &nucleus))
         })
         .collect()
@@ -70,7 +70,7 @@ pub fn fill<S: Space, B: Buckets<Place = S::Place>>(
     space: &S,
     closest: f64,
     clear: &dyn Fn(S::Place) -> bool,
-    nucleus: &dyn Fn(S::Place) -> Nucleus<S::Place>,
+    nucleus: &mut dyn FnMut(S::Place) -> Nucleus<S::Place>,
     rng: &mut impl Rng,
 ) {
     let mut cells: Vec<usize> = (0..space.cells()).collect();
@@ -83,9 +83,8 @@ pub fn fill<S: Space, B: Buckets<Place = S::Place>>(
             continue;
         }
         let dart = nucleus(at);
-        let mut free = true;
-        spots.near(&dart, closest, |other, way| free &= distance2(&dart, other, way) >= closest * closest);
-        if free {
+        let hinders = |other: &Nucleus<S::Place>, way: Way| distance2(&dart, other, way) < closest * closest;
+        if !spots.any_near(&dart, closest, hinders) {
             spots.insert(dart);
             placed.insert(dart);
         }

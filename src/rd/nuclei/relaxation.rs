@@ -41,10 +41,14 @@ pub fn relax_places<D: Domain>(
     let beyond: Vec<Nucleus<D::Place>> =
         beyond.map(|at| Nucleus { at: framed(*at), ..Nucleus::at(maps, *at, &pitch) }).collect();
     let moving = laid.pinned..own.len();
-    let moved = |i: usize, to: D::Place| match i {
-        i if i < laid.pinned => nucleus(i, framed(at[i])),
-        i if i < own.len() => nucleus(i, to),
-        i => beyond[i - own.len()],
+    let moved = |i: usize, before: &Nucleus<D::Place>, to: D::Place| {
+        if i < laid.pinned || i >= own.len() {
+            return *before;
+        }
+        let cell = domain.cell_at(space.to_domain(to));
+        // In a frame that is not turned the metric has the same numbers.
+        let is_turned = domain.turn(before.cell, cell) != 0.0;
+        if is_turned { nucleus(i, to) } else { Nucleus { at: to, cell, ..*before } }
     };
     let mut placed = CellList::new(space.buckets(PUSH.max(reach) * largest));
     at.iter().enumerate().for_each(|(i, at)| placed.insert(nucleus(i, framed(*at))));

@@ -13,6 +13,7 @@ use std::f64::consts::{PI, TAU};
 use crate::attributes::Polarity;
 use crate::attributes::columns;
 use crate::attributes::system::{Description, MarkKind, Scaling};
+use crate::grid::{exp, ln};
 use crate::rd::chemicals::reacting;
 use crate::rd::definition::{
     Begin, Convergence, Cost, CurveLaw, Definition, ErrorBounds, Laws, LinesAlongCurves, Resolution, Scatter,
@@ -49,6 +50,7 @@ static DEFINITION: Definition = Definition {
         option_keys: &["keep", "duty"],
         columns: &columns::LINES,
         training: embedded!("meinhardt-lines"),
+        neighbours: &[56, 100],
         // Lines of ratio R are R^−0.37 as wide.
         scaling: Scaling { ratio: 0.74, level: 0.0 },
         isolated: None,
@@ -59,7 +61,8 @@ static DEFINITION: Definition = Definition {
     mobilities: meinhardt_spots::mobilities,
     reacting: |_, _, planes| reacting(MeinhardtLines, planes),
     begin: Begin::Waves(begin),
-    show: |chemicals, parameters, marks| show_peaks(peak, chemicals[0], parameters, marks),
+    peak: Some(peak),
+    show: |chemicals, peaks, marks| show_peaks(chemicals[0], peaks, marks),
     decay_noise: None,
     along_curves: Some(ALONG_CURVES),
     obstacle: &OBSTACLE,
@@ -126,7 +129,7 @@ impl Kinetics<2> for MeinhardtLines {
 /// a on the centre line of a line. Fitted to straight lines at their natural distance, R 10–36, within 2 %; at the end of a
 /// line a is up to a tenth higher.
 fn peak(ratio: f32) -> f32 {
-    2.23 * libm::powf(ratio / 10.0, 0.458)
+    (2.23 * exp(0.458 * ln(f64::from(ratio) / 10.0))) as f32
 }
 
 /// Distance from line to line × √rate, the rate being s/√(DₐD_b) with Dₐ that across the lines.
@@ -135,12 +138,12 @@ fn peak(ratio: f32) -> f32 {
 /// closer ones (31 at all ratios) vanish, and lines of higher ratios, which are thinner at the same distance, break into
 /// pieces: 21 of them at R = 60 and distance 38, 3 at R = 30 and 53.
 fn wavelength(ratio: f32) -> f64 {
-    32.0 * libm::pow(f64::from(ratio) / 12.0, 0.55)
+    32.0 * exp(0.55 * ln(f64::from(ratio) / 12.0))
 }
 
 /// Width of a line at half its peak × √rate. Fitted as [`peak`] is.
 fn width(ratio: f32) -> f64 {
-    14.8 * libm::pow(f64::from(ratio) / 10.0, -0.37)
+    14.8 * exp(-0.37 * ln(f64::from(ratio) / 10.0))
 }
 
 /// Measured on rings and webs around grown spots (`facts.md` M).
@@ -188,7 +191,7 @@ fn profiles(maps: &Maps, known: &[f32], distance: impl Fn(f64, &Parameters) -> f
         for (i, (known, p)) in known.iter().zip(parameters).enumerate() {
             let deviation = PROFILE * width(p.ratio) / f64::from(p.rate).sqrt();
             let off = distance(f64::from(*known), p) / deviation;
-            let profile = libm::exp(-0.5 * off * off) as f32;
+            let profile = exp(-0.5 * off * off) as f32;
             (chemicals[0][i], chemicals[1][i]) = (0.02 + peak(p.ratio) * profile, 0.3);
         }
     })

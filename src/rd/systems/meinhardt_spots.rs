@@ -8,6 +8,7 @@
 
 use crate::attributes::columns;
 use crate::attributes::system::{Description, Intervals, IsolatedSpots, MarkKind, Scaling};
+use crate::grid::{exp, ln};
 use crate::rd::by_ratio::ByRatio;
 use crate::rd::chemicals::reacting;
 use crate::rd::definition::{
@@ -41,6 +42,7 @@ static DEFINITION: Definition = Definition {
         option_keys: &["spread", "keep", "irregular"],
         columns: &columns::SPOTS,
         training: embedded!("meinhardt-spots-narrow", "meinhardt-spots-orientation", "meinhardt-spots-size"),
+        neighbours: &[32, 40, 225, 32, 40, 40],
         // Areas fall as 1/R within 7 % from 12 to 60 and grow as e^(2.85 (½ − l)) from level ½ to 0.2 (`facts.md` B).
         scaling: Scaling { ratio: 1.0, level: 2.85 },
         isolated: Some(ISOLATED),
@@ -51,7 +53,8 @@ static DEFINITION: Definition = Definition {
     mobilities,
     reacting: |_, _, planes| reacting(MeinhardtSpots, planes),
     begin: Begin::Bells { radius: |p| radius(p.ratio) / p.apart(), fill },
-    show: |chemicals, parameters, marks| show_peaks(peak, chemicals[0], parameters, marks),
+    peak: Some(peak),
+    show: |chemicals, peaks, marks| show_peaks(chemicals[0], peaks, marks),
     decay_noise: None,
     along_curves: None,
     obstacle: &OBSTACLE,
@@ -169,7 +172,7 @@ impl Kinetics<2> for MeinhardtSpots {
 
 /// a at the centre of a spot. Fitted to `facts.md` B, within 4 % for R 10–200.
 fn peak(ratio: f32) -> f32 {
-    3.3 * libm::powf(ratio / 10.0, 0.765)
+    (3.3 * exp(0.765 * ln(f64::from(ratio) / 10.0))) as f32
 }
 
 /// Distance of places × √rate. Fitted to `facts.md` B.
@@ -193,11 +196,10 @@ pub fn mobilities(p: &Parameters) -> [f32; 2] {
     [1.0 / p.ratio.sqrt(), p.ratio.sqrt()]
 }
 
-/// a ÷ its value at the centre of a mark, which is `peak` of the ratio.
-pub fn show_peaks(peak: fn(f32) -> f32, a: &[f32], parameters: &[Parameters], marks: &mut [f32]) {
-    let mut peak = ByRatio::new(peak);
-    for ((mark, a), p) in marks.iter_mut().zip(a).zip(parameters) {
-        *mark = a / peak.at(p.ratio);
+/// a ÷ its value at the centre of a mark.
+pub fn show_peaks(a: &[f32], peaks: &[f32], marks: &mut [f32]) {
+    for ((mark, a), peak) in marks.iter_mut().zip(a).zip(peaks) {
+        *mark = a / peak;
     }
 }
 

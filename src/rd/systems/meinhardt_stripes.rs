@@ -47,6 +47,7 @@ static DEFINITION: Definition = Definition {
         option_keys: &["keep", "duty", "seeding"],
         columns: &columns::STRIPES,
         training: embedded!("meinhardt-stripes-orientation", "meinhardt-stripes-width"),
+        neighbours: &[75, 42],
         scaling: Scaling { ratio: 0.0, level: 0.0 },
         isolated: None,
     },
@@ -56,6 +57,7 @@ static DEFINITION: Definition = Definition {
     mobilities: |_| [1.0, RATIO],
     reacting: |_, _, planes| reacting(MeinhardtStripes, planes),
     begin: Begin::Waves(begin),
+    peak: None,
     show: |chemicals, _, marks| {
         for ((mark, a), b) in marks.iter_mut().zip(chemicals[0]).zip(chemicals[1]) {
             *mark = a / (a + b);

@@ -44,6 +44,7 @@ static DEFINITION: Definition = Definition {
         option_keys: &["spread", "keep", "irregular"],
         columns: &columns::SPOTS,
         training: embedded!("turing-spots-narrow", "turing-spots-orientation", "turing-spots-size"),
+        neighbours: &[75, 24, 24, 24, 24, 42],
         scaling: Scaling { ratio: 1.0, level: 2.85 },
         isolated: None,
     },
@@ -56,6 +57,7 @@ static DEFINITION: Definition = Definition {
         noise => with_decay_noise(noise, grid, planes),
     },
     begin: Begin::Bells { radius: |_| RADIUS, fill },
+    peak: None,
     show: |chemicals, _, marks| {
         for (mark, a) in marks.iter_mut().zip(chemicals[0]) {
             *mark = share(*a);

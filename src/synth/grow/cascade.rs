@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::document::Document;
+use crate::document::{After, Document, Layer};
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer};
@@ -101,25 +101,30 @@ impl Cascade<'_> {
         let Self { document, options, .. } = *self;
         let size = options.size.unwrap_or(document.size);
         let frozen = before.map_or(0, |before| unchanged(document, options.settings(), before));
+        let mut looked_up = Vec::new();
         if frozen == 0 && document.layers.len() > 1 {
-            during(Phase::LookUp, || self.look_up_all())?;
+            looked_up = during(Phase::LookUp, || self.look_up_all())?;
         }
         let mut layers: Vec<GrownLayer> = Vec::with_capacity(document.layers.len());
         layers.extend(before.iter().flat_map(|before| &before.layers[..frozen]).cloned());
         for index in frozen..document.layers.len() {
-            let layer = self.layer(index, &layers, seen)?;
+            let known = looked_up.get_mut(index).and_then(Option::take);
+            let layer = self.layer(index, known, &layers, seen)?;
             layers.push(layer);
         }
         Ok(Grown { size, layers, document: document.clone(), settings: options.settings() })
     }
 
-    /// Looks up every layer, so that one that cannot be grown is refused before the first one grows.
-    fn look_up_all(&self) -> Result<(), GrowError> {
-        let mut below = None;
-        for index in 0..self.document.layers.len() {
-            below = Some(self.look_up(index, below.as_ref())?);
+    /// Looks up every layer, so that one that cannot be grown is refused before the first one grows. Returns what is found for
+    /// those that do not depend on the growth of the one beneath.
+    fn look_up_all(&self) -> Result<Vec<Option<Lookup>>, GrowError> {
+        let layers = &self.document.layers;
+        let mut found: Vec<Lookup> = Vec::with_capacity(layers.len());
+        for index in 0..layers.len() {
+            found.push(self.look_up(index, found.last())?);
         }
-        Ok(())
+        let is_final = |layer: &Layer| layer.after != After::Inside;
+        Ok(found.into_iter().zip(layers).map(|(lookup, layer)| is_final(layer).then_some(lookup)).collect())
     }
 
     /// Looks up layer `index`, which grows above `below`.
@@ -131,10 +136,11 @@ impl Cascade<'_> {
         Ok(lookup)
     }
 
-    /// Grows layer `index` into the space that those `beneath` left free.
+    /// Grows layer `index` into the space that those `beneath` left free. What was looked up for it may be `known`.
     fn layer(
         &self,
         index: usize,
+        known: Option<Lookup>,
         beneath: &[GrownLayer],
         seen: &mut dyn FnMut(&Snapshot),
     ) -> Result<GrownLayer, GrowError> {
@@ -142,7 +148,8 @@ impl Cascade<'_> {
         let Options { training, watch, .. } = options;
         let below = beneath.last();
         watch.step(Stage::Plan, 0.0)?;
-        let lookup = during(Phase::LookUp, || self.look_up(index, below.map(|layer| &layer.plan.lookup)))?;
+        let look_up = || self.look_up(index, below.map(|layer| &layer.plan.lookup));
+        let lookup = known.map_or_else(|| during(Phase::LookUp, look_up), Ok)?;
         let (obstacles, crossed) = during(Phase::LayOut, || {
             let obstacles = obstacles(document, beneath, &lookup);
             (obstacles, crossed_marks(document, beneath, &lookup).map(Arc::new))
@@ -257,22 +264,25 @@ fn is_corrected_spot_by_spot(lookup: &Lookup) -> bool {
 /// What a layer is instead of a pattern where it has no marks, or nothing but marks; `None` of a pattern.
 fn blank(plan: &Plan, pattern: &Pattern) -> Option<&'static str> {
     let [nx, ny] = plan.lookup.grid.size;
-    let field = pattern.field(nx, ny);
-    let free = field
-        .values
-        .iter()
-        .enumerate()
-        .filter(|(cell, _)| !plan.obstacles.get(*cell).is_some_and(|taken| *taken));
-    let (marks, ground) =
-        free.fold(
-            (0usize, 0usize),
-            |(marks, ground), (_, value)| {
-                if *value >= EDGE { (marks + 1, ground) } else { (marks, ground + 1) }
-            },
-        );
+    let (mut marks, mut ground) = (false, false);
+    for first in (0..ny).step_by(SEEN_AT_ONCE) {
+        let rows = first..ny.min(first + SEEN_AT_ONCE);
+        for (cell, value) in (first * nx..).zip(pattern.rows(rows, nx, ny)) {
+            let free = !plan.obstacles.get(cell).is_some_and(|taken| *taken);
+            marks |= free && value >= EDGE;
+            ground |= free && value < EDGE;
+        }
+        // Mostly soon.
+        if marks && ground {
+            return None;
+        }
+    }
     match (marks, ground) {
-        (0, _) => Some("no marks"),
-        (_, 0) if plan.obstacles.is_empty() => Some("marks without any ground between them"),
+        (false, _) => Some("no marks"),
+        (true, false) if plan.obstacles.is_empty() => Some("marks without any ground between them"),
         _ => None,
     }
 }
+
+/// Rows that are looked at together.
+const SEEN_AT_ONCE: usize = 64;

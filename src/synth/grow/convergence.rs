@@ -130,15 +130,17 @@ impl ConvergenceMonitor {
         (unit * if begins { 1.3 * criterion.earliest } else { criterion.corrected }).min(STEPS as f64)
     }
 
-    /// Checks `marks` after `steps` steps. Cells that do not count are left out.
-    pub fn check(&mut self, marks: Vec<f32>, counts: &[bool], steps: u64) -> Verdict {
+    /// Checks the marks after `steps` steps. `update` replaces those of the last check by those of now, and returns the sums of
+    /// |after − before| and of after over the cells that count.
+    pub fn check(&mut self, steps: u64, update: impl FnOnce(&mut [f32]) -> [f64; 2]) -> Verdict {
         let criterion = self.system.definition().convergence;
         let time = steps as f64 / self.unit;
         let every = if self.begins { EVERY } else { OFTEN };
-        let change = change(&self.before, &marks, counts) / every;
+        let [moved, total] = update(&mut self.before);
+        let change = if moved == 0.0 { 0.0 } else { moved / total } / every;
         let steady = change < self.slack * criterion.drift && change > FALLING * self.last;
         let corrected = !self.begins && time >= criterion.corrected && change < criterion.still;
-        (self.before, self.last) = (marks, change);
+        self.last = change;
         self.checks += 1;
         if corrected || time >= self.earliest && (steady || change < NEGLIGIBLE) {
             return Verdict::Settled;
@@ -150,18 +152,6 @@ impl ConvergenceMonitor {
     }
 }
 
-/// Σ|after − before| ÷ Σ after over the cells that count.
-fn change(before: &[f32], after: &[f32], counts: &[bool]) -> f64 {
-    let (mut moved, mut total) = (0.0f64, 0.0f64);
-    for ((b, a), counts) in before.iter().zip(after).zip(counts) {
-        if *counts {
-            moved += f64::from((a - b).abs());
-            total += f64::from(a.max(0.0));
-        }
-    }
-    if moved == 0.0 { 0.0 } else { moved / total }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -170,12 +160,15 @@ mod tests {
     /// each, until one is not [`Verdict::Forming`]; gives it with its time.
     fn watched(begins: bool, change: impl Fn(usize) -> f32) -> (Verdict, f64) {
         let mut mark = 1.0f32;
-        let mut monitor = ConvergenceMonitor::new(System::MEINHARDT_SPOTS, 10.0, begins, vec![mark, 0.0]);
+        let mut monitor = ConvergenceMonitor::new(System::MEINHARDT_SPOTS, 10.0, begins, vec![mark]);
         for check in 0..1_000 {
             mark *= 1.0 + change(check);
             let steps = monitor.next_check();
-            // The second cell does not count.
-            let verdict = monitor.check(vec![mark, check as f32], &[true, false], steps);
+            let verdict = monitor.check(steps, |before| {
+                let moved = (mark - before[0]).abs();
+                before[0] = mark;
+                [f64::from(moved), f64::from(mark)]
+            });
             if verdict != Verdict::Forming {
                 return (verdict, steps as f64 / 10.0);
             }

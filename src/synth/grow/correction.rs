@@ -125,7 +125,7 @@ impl Engine {
         self.level = Level {
             index: self.grids.len() - 1,
             coarse: None,
-            monitor: ConvergenceMonitor::new(self.system, unit, false, growth.marks(&self.maps).values),
+            monitor: ConvergenceMonitor::new(self.system, unit, false, growth.marks().values),
             counts: vec![true; cells],
             next_correction: None,
             expected: ConvergenceMonitor::expected(self.system, unit, false) * cells as f64,

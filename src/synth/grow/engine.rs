@@ -193,9 +193,10 @@ impl Engine {
     }
 
     fn check_convergence(&mut self) {
-        let marks = self.marks().values;
         let current = &mut self.level;
-        let verdict = current.monitor.check(marks, &current.counts, current.growth.steps());
+        let (growth, counts) = (&current.growth, &current.counts);
+        let update = |marks: &mut [f32]| growth.update_marks(marks, counts);
+        let verdict = current.monitor.check(growth.steps(), update);
         if verdict == Verdict::Forming {
             return;
         }
@@ -227,7 +228,7 @@ impl Engine {
     fn correct_positions(&mut self) {
         let Some(control) = &mut self.position_control else { return };
         let maps = self.level.coarse.as_ref().unwrap_or(&self.maps);
-        let warps = control.warps(&self.level.growth.marks(maps), maps);
+        let warps = control.warps(&self.level.growth.marks(), maps);
         if !warps.is_empty() {
             self.level.growth.warp(maps, &warps);
         }
@@ -306,7 +307,7 @@ impl Engine {
     /// The concentration that shows the marks as a share of the local peak, on the current grid.
     #[must_use]
     pub fn marks(&self) -> Field {
-        self.level.growth.marks(self.level.coarse.as_ref().unwrap_or(&self.maps))
+        self.level.growth.marks()
     }
 
     /// The concentrations of each chemical, on the current grid.

@@ -95,7 +95,7 @@ pub(super) fn start_level(
     let growth = during(Phase::Coefficients, || Growth::resumed(system, here, &concentrations))
         .expect("made for this system on this grid");
     let unit = unit(&growth, pace * evenness(here));
-    let monitor = ConvergenceMonitor::new(system, unit, begins, growth.marks(here).values)
+    let monitor = ConvergenceMonitor::new(system, unit, begins, growth.marks().values)
         .joining(start.starts_scattered());
     let monitor = if here.obstacles.contains(&true) { monitor.among_obstacles() } else { monitor };
     let expected = ConvergenceMonitor::expected(system, unit, begins) * (grid[0] * grid[1]) as f64;

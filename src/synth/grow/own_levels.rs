@@ -7,7 +7,7 @@
 //! qₖ is the distance from the centre of grown spot k ÷ its radius in that direction: 1 at its edge. fₖ is 1 for spots that
 //! were not drawn.
 
-use crate::grid::{Domain, Grid};
+use crate::grid::{Domain, Grid, exp};
 use crate::measure::Spot;
 
 /// w₀: from twice the radius on a spot's own factor fades.
@@ -26,18 +26,20 @@ pub fn own_levels(grid: &Grid, spots: &[(&Spot, f64)]) -> Vec<f64> {
         let angle = spot.ellipse.angle.to_radians();
         let (s, c) = (libm::sin(angle), libm::cos(angle));
         let at = grid.to_cells(spot.ellipse.center);
+        let log_factor = libm::log(*factor);
         for (cell, way) in grid.near(at, REACH * a.max(b) / px + 1.0, 0..grid.cells()) {
             let [x, y] = [0, 1].map(|axis| way[axis] * grid.cell[axis]);
             let (along, across) = ((x * c + y * s) / a, (y * c - x * s) / b);
             let q2 = along * along + across * across;
             if q2 < REACH * REACH {
-                let weight = libm::exp(-2.0 * q2);
+                let weight = exp(-2.0 * q2);
                 sums[cell].0 += weight;
-                sums[cell].1 += weight * libm::log(*factor);
+                sums[cell].1 += weight * log_factor;
             }
         }
     }
-    sums.into_iter().map(|(weight, sum)| libm::exp(sum / weight)).collect()
+    // Most cells are far from all spots with a factor.
+    sums.into_iter().map(|(weight, sum)| if sum == 0.0 { 1.0 } else { exp(sum / weight) }).collect()
 }
 
 #[cfg(test)]

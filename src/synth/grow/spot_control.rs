@@ -5,7 +5,7 @@
 
 use crate::attributes::regions::RegionGrid;
 use crate::grid::{Field, Grid};
-use crate::measure::spots_of_at_least;
+use crate::measure::rough_spots_of_at_least;
 use crate::rd::{LocalWarp, Maps};
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::pinned_marks::{PinnedMark, displacement};
@@ -52,7 +52,7 @@ impl SpotControl {
     /// has to move.
     #[must_use]
     pub fn warps(&mut self, field: &Field, maps: &Maps) -> Vec<LocalWarp> {
-        let spots = spots_of_at_least(field, 0.5, self.least_area);
+        let spots = rough_spots_of_at_least(field, 0.5, self.least_area);
         let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
         let cells = [0, 1].map(|axis| self.layout.size[axis] / maps.domain.size[axis] as f64);
         let mut by = vec![[0.0; 2]; centers.len()];

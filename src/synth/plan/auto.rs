@@ -1,10 +1,13 @@
 //! The system of a layer whose `system` is `"auto"`.
 
+use rayon::prelude::*;
+
 use crate::attributes::AttributeMap;
 use crate::attributes::Attributes;
 use crate::rd::System;
+use crate::synth::plan::answers::Answers;
 use crate::synth::plan::error::PlanError;
-use crate::synth::plan::lookup::{ask, cell_for, free_spacing};
+use crate::synth::plan::lookup::{cell_for, free_spacing};
 use crate::synth::training::Training;
 
 /// Spots count as reached where area, spacing and aspect together differ by less than this.
@@ -12,12 +15,15 @@ const MET: f64 = 0.05;
 
 /// Lines take a system of stripes; those with a wavelength take one with any wavelength. Ellipses take a system of spots with
 /// any spacing, unless it misses what is asked and another one reaches it.
-pub(super) fn choose_system(training: &Training, map: &AttributeMap) -> Result<System, PlanError> {
+pub(super) fn choose_system(
+    answers: &Answers,
+    training: &Training,
+    map: &AttributeMap,
+) -> Result<System, PlanError> {
     let spotted = System::ALL.into_iter().filter(|system| !system.is_striped());
     let (free, others): (Vec<_>, Vec<_>) = spotted.partition(|system| system.description().free_spacing);
-    let candidates: Vec<System> = free.into_iter().chain(others).collect();
-    let preferred = candidates[0];
-    let mut misses = vec![0.0f64; candidates.len()];
+    let preferred = free[0];
+    let mut all: Vec<Attributes> = Vec::with_capacity(map.layout().len());
     for (place, _) in map.regions() {
         let mut wanted = map.of_region(place);
         let spots = match &mut wanted {
@@ -31,17 +37,26 @@ pub(super) fn choose_system(training: &Training, map: &AttributeMap) -> Result<S
         if spots.spacing.is_none() {
             spots.spacing = Some(free_spacing(training, preferred, spots));
         }
-        let cell = cell_for(preferred, &wanted);
-        for (worst, system) in misses.iter_mut().zip(&candidates) {
-            let answer = ask(training, *system, &wanted, cell)?;
-            *worst = worst.max(distance(&wanted, &answer.predicted));
-        }
+        all.push(wanted);
     }
-    if misses[0] <= MET {
+    // How far the worst region of a system is off.
+    let missed = |system: System| -> Result<f64, PlanError> {
+        let miss = |wanted: &Attributes| {
+            let answer = answers.ask(system, wanted, cell_for(preferred, wanted))?;
+            Ok(distance(wanted, &answer.predicted))
+        };
+        let all = all.par_iter().map(miss).collect::<Result<Vec<f64>, PlanError>>()?;
+        Ok(all.into_iter().fold(0.0, f64::max))
+    };
+    if missed(preferred)? <= MET {
         return Ok(preferred);
     }
-    let other = candidates.iter().zip(&misses).find(|(_, miss)| **miss < MET);
-    Ok(other.map_or(preferred, |(system, _)| *system))
+    for other in free.into_iter().skip(1).chain(others) {
+        if missed(other)? < MET {
+            return Ok(other);
+        }
+    }
+    Ok(preferred)
 }
 
 /// How far two sets of spots differ: |Δ ln area| + |Δ ln spacing| + |Δ aspect|.

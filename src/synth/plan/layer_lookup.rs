@@ -10,12 +10,13 @@ use crate::learn::Answer;
 use crate::marks::Path;
 use crate::rd::{LinesAlongCurves, Maps, Parameters, Seeding, System};
 use crate::synth::phases::{Phase, during};
+use crate::synth::plan::answers::Answers;
 use crate::synth::plan::auto::choose_system;
 use crate::synth::plan::cell_corners::CellCorners;
 use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
-use crate::synth::plan::lookup::{Ask, ask, ask_among_sparse, cell_for, free_spacing};
+use crate::synth::plan::lookup::{Ask, ask, cell_for, free_spacing};
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::offset_curves::CurveKind;
 use crate::synth::plan::spread_limits::limited;
@@ -86,21 +87,25 @@ pub struct Lookup {
 /// As [`ask()`].
 pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) -> Result<Lookup, PlanError> {
     let mut map = map.clone();
+    let answers = Answers::new(training);
     let system = match choice {
         SystemChoice::Of(system) => system,
-        SystemChoice::Auto => choose_system(training, &map)?,
+        SystemChoice::Auto => choose_system(&answers, training, &map)?,
     };
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let limited = system.description().free_spacing && map.limit_density(DENSEST_AMONG_DRAWN);
     let polarity = if system.description().free_spacing { map.polarity() } else { Polarity::Positive };
     let sparse = |wanted: &Attributes| {
         let lines = polarity.lines(wanted);
-        Ok(ask(training, system, &lines, cell_for(system, &lines))?.pitch > 1.0)
+        Ok(answers.ask(system, &lines, cell_for(system, &lines))?.pitch > 1.0)
     };
     let sparse = map.samples().par_iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
-    let asked = if sparse { ask_among_sparse } else { ask };
     let mut lookup = Lookup::new((system, polarity), map, Start::NATURAL, &|wanted, cell| {
-        asked(training, system, wanted, cell)
+        if sparse {
+            answers.ask_among_sparse(system, wanted, cell)
+        } else {
+            answers.ask(system, wanted, cell)
+        }
     })?;
     if limited {
         lookup.remarks[0].push(format!(
@@ -208,8 +213,12 @@ impl Lookup {
         cell: f64,
     ) -> Result<Answer, PlanError> {
         let sparse = self.answers.iter().any(|answer| answer.pitch > 1.0);
-        let asked = if sparse { ask_among_sparse } else { ask };
-        asked(training, self.system, wanted, cell)
+        let answers = Answers::new(training);
+        if sparse {
+            answers.ask_among_sparse(self.system, wanted, cell)
+        } else {
+            answers.ask(self.system, wanted, cell)
+        }
     }
 
     /// The curves along which its lines run, where they do.

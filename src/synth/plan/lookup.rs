@@ -15,7 +15,7 @@ const FREE_DENSITY: f64 = 0.122;
 /// Spots that are sparser than what can be reached by less than this share count as reached.
 const TOLERANCE: f64 = 0.02;
 /// From this pitch on spots on a canvas with sparse ones stand alone, at the level of single spots.
-const ALONE: f64 = 1.7;
+pub(super) const ALONE: f64 = 1.7;
 
 /// Looks up attributes (px) for a grid of so many px a cell.
 pub(super) type Ask<'a> = &'a (dyn Fn(&Attributes, f64) -> Result<Answer, PlanError> + Sync);
@@ -55,26 +55,19 @@ pub fn exact_cell(system: System, wanted: &Attributes, cell: f64) -> f64 {
 /// The training set cannot be read, or does not take such attributes.
 pub fn ask(training: &Training, system: System, wanted: &Attributes, cell: f64) -> Result<Answer, PlanError> {
     let exact = exact_cell(system, wanted, cell);
-    let (set, asked) = (training.set(system)?, wanted.scaled(1.0 / exact));
-    let answer = set.ask(&asked)?;
-    let apart = if is_sparser(&asked, &answer.nearest) { set.ask_apart(&asked, 1.0)? } else { None };
-    Ok(on_grid(apart.unwrap_or(answer), cell, exact))
+    Ok(on_grid(ask_in_cells(training, system, &wanted.scaled(1.0 / exact))?, cell, exact))
 }
 
-/// As [`ask`], on a canvas where some spots stand alone: others do, too, where they have the room. Otherwise the parameters
-/// between dense and sparse regions would be those of the sparsest packed spots, which take twenty times the steps.
-pub(super) fn ask_among_sparse(
+/// Looks up attributes in cells, on a grid where the size of the marks makes no difference.
+pub(super) fn ask_in_cells(
     training: &Training,
     system: System,
-    wanted: &Attributes,
-    cell: f64,
+    asked: &Attributes,
 ) -> Result<Answer, PlanError> {
-    let exact = exact_cell(system, wanted, cell);
-    let apart = training.set(system)?.ask_apart(&wanted.scaled(1.0 / exact), 1.0)?;
-    match apart.filter(|answer| answer.pitch >= ALONE) {
-        Some(answer) => Ok(on_grid(answer, cell, exact)),
-        None => ask(training, system, wanted, cell),
-    }
+    let set = training.set(system)?;
+    let answer = set.ask(asked)?;
+    let apart = if is_sparser(asked, &answer.nearest) { set.ask_apart(asked, 1.0)? } else { None };
+    Ok(apart.unwrap_or(answer))
 }
 
 /// As [`ask`], for spots at given places: as spots that stand alone where these are far enough apart. `room` is the share of
@@ -100,7 +93,7 @@ pub fn ask_placed(
 }
 
 /// An answer about cells of `exact` px for a grid of `cell` px a cell.
-fn on_grid(mut answer: Answer, cell: f64, exact: f64) -> Answer {
+pub(super) fn on_grid(mut answer: Answer, cell: f64, exact: f64) -> Answer {
     let shrink = cell / exact;
     answer.parameters.rate *= shrink * shrink;
     answer.in_px(exact)

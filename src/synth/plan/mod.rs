@@ -8,6 +8,7 @@
 //!
 //! The engine and the pictures take a [`Plan`].
 
+mod answers;
 pub mod around;
 mod arrange;
 mod auto;

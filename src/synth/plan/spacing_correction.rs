@@ -30,6 +30,10 @@ pub fn pitched_maps(plan: &Plan, seed: u64) -> Maps {
 fn pitches(plan: &Plan, maps: &Maps, seed: u64) -> Vec<f64> {
     let layout = plan.lookup.map.layout();
     let mut pitch = vec![1.0; layout.len()];
+    if plan.curves().is_some() {
+        // Lines along curves have the distance of these.
+        return pitch;
+    }
     if plan.lookup.system.is_striped() {
         // Other stripes have the wavelength of their system.
         let rounds = if plan.lookup.system.description().free_spacing { ROUNDS } else { 0 };

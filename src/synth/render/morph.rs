@@ -192,7 +192,7 @@ impl<'a> Morph<'a> {
             growth.advance(growth.steps_in(time));
         }
         self.state = growth.concentrations();
-        let marks = growth.marks(&maps);
+        let marks = growth.marks();
         if marks.values.iter().all(|value| value.is_finite()) {
             Ok(marks)
         } else {

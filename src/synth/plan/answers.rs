@@ -1,0 +1,113 @@
+//! Answers of the training sets to the questions of one layer. Many questions are the same: an answer takes 0.1 ms, and is
+//! remembered.
+
+use std::collections::HashMap;
+use std::sync::{Mutex, PoisonError};
+
+use crate::attributes::{Attributes, Spots, Stripes};
+use crate::learn::Answer;
+use crate::rd::System;
+use crate::synth::plan::error::PlanError;
+use crate::synth::plan::lookup::{ALONE, ask_in_cells, exact_cell, on_grid};
+use crate::synth::training::Training;
+
+/// The kind and the numbers of a question, as bits.
+type Question = (System, [u64; 5]);
+
+/// The answers so far.
+pub struct Answers<'a> {
+    training: &'a Training,
+    known: Mutex<HashMap<Question, Answer>>,
+}
+
+impl<'a> Answers<'a> {
+    /// None yet.
+    #[must_use]
+    pub fn new(training: &'a Training) -> Self {
+        Self { training, known: Mutex::default() }
+    }
+
+    /// As [`super::lookup::ask`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn ask(&self, system: System, wanted: &Attributes, cell: f64) -> Result<Answer, PlanError> {
+        let exact = exact_cell(system, wanted, cell);
+        let asked = wanted.scaled(1.0 / exact);
+        let question = (system, bits(&asked));
+        let known = self.known.lock().unwrap_or_else(PoisonError::into_inner).get(&question).cloned();
+        let answer = match known {
+            Some(answer) => answer,
+            None => {
+                let answer = ask_in_cells(self.training, system, &asked)?;
+                let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+                known.insert(question, answer.clone());
+                answer
+            }
+        };
+        Ok(on_grid(answer, cell, exact))
+    }
+
+    /// As [`Self::ask`], on a canvas where some spots stand alone: others do, too, where they have the room. Otherwise the
+    /// parameters between dense and sparse regions would be those of the sparsest packed spots, which take twenty times the
+    /// steps.
+    ///
+    /// # Errors
+    /// As [`Self::ask`].
+    pub fn ask_among_sparse(
+        &self,
+        system: System,
+        wanted: &Attributes,
+        cell: f64,
+    ) -> Result<Answer, PlanError> {
+        let exact = exact_cell(system, wanted, cell);
+        let apart = self.training.set(system)?.ask_apart(&wanted.scaled(1.0 / exact), 1.0)?;
+        match apart.filter(|answer| answer.pitch >= ALONE) {
+            Some(answer) => Ok(on_grid(answer, cell, exact)),
+            None => self.ask(system, wanted, cell),
+        }
+    }
+}
+
+/// The numbers of a question as bits; those that it leaves free have bits of their own.
+fn bits(asked: &Attributes) -> [u64; 5] {
+    let free = |length: Option<f64>| length.map_or(u64::MAX, f64::to_bits);
+    match *asked {
+        Attributes::Spots(Spots { area, aspect, angle, spacing }) => {
+            [0, area.to_bits(), aspect.to_bits(), angle.to_bits(), free(spacing)]
+        }
+        Attributes::Stripes(Stripes { width, angle, wavelength }) => {
+            [1, width.to_bits(), angle.to_bits(), free(wavelength), 0]
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synth::plan::lookup::{ask, cell_for};
+
+    #[test]
+    fn a_remembered_answer_is_the_answer() {
+        let training = Training::built_in();
+        let answers = Answers::new(training);
+        let spots = |area: f64, spacing: Option<f64>| {
+            Attributes::Spots(Spots { area, aspect: 0.7, angle: 30.0, spacing })
+        };
+        for system in [System::MEINHARDT_SPOTS, System::TURING_SPOTS] {
+            for wanted in [spots(90.0, Some(28.0)), spots(90.0, None), spots(120.0, Some(28.0))] {
+                let finest = cell_for(system, &wanted);
+                for cell in [finest, 0.9 * finest, finest] {
+                    let [first, again] =
+                        [(); 2].map(|()| answers.ask(system, &wanted, cell).expect("an answer"));
+                    let expected = ask(training, system, &wanted, cell).expect("an answer");
+                    assert_eq!(first.parameters, expected.parameters);
+                    assert_eq!(
+                        (again.parameters, again.predicted),
+                        (expected.parameters, expected.predicted)
+                    );
+                }
+            }
+        }
+    }
+}
