@@ -22,8 +22,6 @@ pub struct Settings {
     pub recent: Vec<PathBuf>,
     /// Light, dark, or as the system.
     pub theme: ThemePreference,
-    /// Whether the first hint was read.
-    pub hint_seen: bool,
     /// The unit in which lengths are shown and typed.
     pub units: Units,
     /// Number of threads that grow; `None` = one less than there are cores, which is left to the window.
@@ -51,7 +49,6 @@ impl Default for Settings {
         Self {
             recent: Vec::new(),
             theme: ThemePreference::System,
-            hint_seen: false,
             units: Units::default(),
             threads: None,
             new: New::default(),
@@ -92,7 +89,6 @@ impl Settings {
             Some("dark") => ThemePreference::Dark,
             _ => ThemePreference::System,
         };
-        self.hint_seen = entries.get("hint_seen").unwrap_or_default();
         self.units = entries.get("units").unwrap_or_default();
         self.threads = entries.get("threads").filter(|threads| *threads > 0);
         let new = entries.fields("new", &New::default());
@@ -111,7 +107,6 @@ impl Settings {
             ThemePreference::System => "system",
         };
         entries.set("theme", &theme, &"system");
-        entries.set("hint_seen", &self.hint_seen, &false);
         entries.set("units", &self.units, &Units::default());
         entries.set("threads", &self.threads, &None);
         entries.set("new", &self.new, &New::default());

@@ -17,6 +17,8 @@ pub mod selection;
 pub mod session;
 pub mod settings_file;
 pub mod shape;
+pub mod snap;
 pub mod task;
+pub mod typed;
 pub mod units;
 pub mod writing;

@@ -101,7 +101,7 @@ fn marks_that_cannot_be_reached_are_changed_to_reachable_ones_in_one_step() {
     let outcome = hand.window.state().results().outcome().unwrap().clone();
     let region = &outcome.layers[0].regions[0];
     assert_eq!(region.verdict, Verdict::Missed);
-    assert!(region.report.beyond[0].to_string().contains("the densest this system packs"));
+    assert!(region.report.beyond[0].to_string().contains("too small for spots of this size"));
     assert!(hand.window.query_by_label("Cannot be reached").is_some());
 
     hand.press("Draw what can be reached");

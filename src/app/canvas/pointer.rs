@@ -4,7 +4,7 @@ use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Respons
 
 use super::gesture::{self, DrawnStroke, Gesture, Hand};
 use super::tool::Tool;
-use super::{Canvas, handles};
+use super::{Canvas, handles, reference_handles};
 use crate::document::Kind;
 use crate::document::sketch_notes::outline_remark;
 use crate::editor::selection::Selection;
@@ -36,7 +36,14 @@ impl Canvas {
                     let tool = if is_drawing { self.tool } else { Tool::Hand };
                     let handle = handles::at(&handles::handles(session, &self.view, room), pos);
                     let hand = self.hand(room, pos, modifiers);
-                    self.gesture = Some(gesture::press(tool, session, handle, pos, hand));
+                    let size = session.document().size;
+                    let part = self
+                        .reference_part(room, session, pos, gesture::REACH / hand.zoom)
+                        .filter(|_| is_drawing && handle.is_none());
+                    self.gesture = Some(match part.zip(self.reference.placement(size)) {
+                        Some((part, before)) => Gesture::Reference(part, hand.at, before),
+                        None => gesture::press(tool, session, handle, pos, hand),
+                    });
                 }
                 Event::PointerButton { pos, button, pressed: false, .. } if button == self.button => {
                     self.pointer_released(ui, room, session, (pos, modifiers));
@@ -60,6 +67,7 @@ impl Canvas {
             zoom,
             shift: modifiers.shift,
             copy: modifiers.alt || modifiers.command,
+            snap: self.snap,
         }
     }
 
@@ -70,6 +78,10 @@ impl Canvas {
                 let by = at - *last;
                 *last = at;
                 self.view.pan(by);
+            }
+            Some(Gesture::Reference(part, from, before)) => {
+                let placement = self.reference.dragged(*before, *part, [*from, hand.at]);
+                self.reference.place(placement, session.document().size);
             }
             Some(gesture) => gesture.advance(session, hand),
             None => {}
@@ -89,6 +101,9 @@ impl Canvas {
             self.ask_menu_at(session, hand);
             return;
         }
+        if matches!(gesture, Gesture::Box(..)) && at.distance(self.pressed_at) < CLICK && !modifiers.shift {
+            self.choose_region(session, hand.at);
+        }
         if let Some(DrawnStroke { mark, points }) = gesture.release(session, &mut self.nib, hand) {
             let remark = outline_remark(&points);
             self.fading.push((points, ui.input(|input| input.time)));
@@ -96,6 +111,17 @@ impl Canvas {
             self.remark = remark.or(self.remark.take());
         }
         session.commit();
+    }
+
+    /// Chooses the region at a point, px, or no region where it was the chosen one.
+    fn choose_region(&mut self, session: &Session, at: [f64; 2]) {
+        let (size, grid) = (session.document().size.map(f64::from), session.document().region_grid());
+        let is_on = (0..2).all(|axis| (0.0..=size[axis]).contains(&at[axis]));
+        let place = [0, 1].map(|axis| {
+            ((at[axis] / size[axis] * grid[axis] as f64) as usize).min(grid[axis].saturating_sub(1))
+        });
+        let chosen = (is_on && session.document().regions.is_some()).then_some(place);
+        self.chosen_region = chosen.filter(|_| self.chosen_region != chosen);
     }
 
     /// Adds a mark that was drawn. Asks first where it does not belong on the active layer, and tells of a new layer.
@@ -138,6 +164,7 @@ impl Canvas {
         let held = self.gesture.is_some();
         let icon = match (&self.gesture, over) {
             (Some(Gesture::Pull(handle, ..)), _) => handles::cursor(*handle),
+            (Some(Gesture::Reference(part, ..)), _) => reference_handles::cursor(*part),
             (_, Some(handle)) if !space => handles::cursor(handle),
             _ if space || self.tool == Tool::Hand => {
                 if held {
@@ -146,7 +173,11 @@ impl Canvas {
                     CursorIcon::Grab
                 }
             }
-            _ if self.tool == Tool::Select => CursorIcon::Default,
+            _ if self.tool == Tool::Select => {
+                let reach = gesture::REACH / f64::from(self.view.zoom);
+                self.reference_part(room, session, at, reach)
+                    .map_or(CursorIcon::Default, reference_handles::cursor)
+            }
             _ => CursorIcon::Crosshair,
         };
         ui.ctx().set_cursor_icon(icon);

@@ -1,6 +1,7 @@
 //! What an empty canvas shows: faint marks to trace; and the marks that a new sketch can begin with.
 
-use egui::{Align2, FontId, Stroke};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Align, FontId, Stroke, pos2};
 
 use super::ink::Ink;
 use crate::app::theme::Palette;
@@ -28,10 +29,18 @@ pub fn paint(ink: &Ink, size: [u32; 2], colours: &Palette, text: egui::Color32) 
     for mark in starter(size, true) {
         ink.dashed_outline(&mark, Stroke::new(1.0, colours.border));
     }
-    let paper = ink.view.paper(ink.room, size);
-    if paper.width() > 240.0 {
-        let at = egui::pos2(paper.center().x, paper.top() + 0.2 * paper.height());
-        let says = "Draw a few spots here, each with one stroke";
-        ink.painter.text(at, Align2::CENTER_CENTER, says, FontId::proportional(14.0), text);
+    let seen = ink.view.paper(ink.room, size).intersect(ink.room);
+    let wide = seen.width() - 32.0;
+    if wide < 120.0 {
+        return;
     }
+    let mut job = LayoutJob { halign: Align::Center, ..LayoutJob::default() };
+    job.wrap.max_width = wide;
+    let format = |size, colour| TextFormat::simple(FontId::proportional(size), colour);
+    job.append("Draw a few spots here, each with one stroke", 0.0, format(16.0, colours.ink(0)));
+    let more = "\nAn open stroke grows stripes. Everything can be undone.";
+    job.append(more, 0.0, format(12.5, text));
+    let galley = ink.painter.layout_job(job);
+    let top = seen.top() + (0.14 * seen.height()).max(12.0);
+    ink.painter.galley(pos2(seen.center().x, top), galley, text);
 }

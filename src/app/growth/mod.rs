@@ -332,7 +332,7 @@ impl Growth {
 
 /// What the pattern depends on: the document without its names, colours and dots an inch.
 pub(in crate::app) fn essence(document: &Document) -> Document {
-    let mut essence = Document { name: String::new(), dpi: 300.0, ..document.clone() };
+    let mut essence = Document { name: String::new(), dpi: 300.0, starred: Vec::new(), ..document.clone() };
     for layer in &mut essence.layers {
         layer.name.clear();
         layer.colours = None;

@@ -289,6 +289,7 @@ impl Window {
         if let Err(why) = self.canvas.reference.listen(ui.ctx()) {
             self.notices.wrong(why);
         }
+        self.listen_to_clipboard(ui.ctx());
         self.listen_to_export(ui);
         self.listen_to_reading();
         self.listen_to_dropped(ui);

@@ -39,12 +39,10 @@ impl Window {
         self.dropped(ui);
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
         Panel::top("menu").frame(bar).show(ui, |ui| actions.extend(self.menu(ui)));
-        Panel::bottom("status").frame(bar).exact_size(28.0).show(ui, |ui| {
-            actions.extend(panels::status(ui, &self.canvas, self.ruler(), self.exporting.as_ref()));
-        });
+        let status = Panel::bottom("status").frame(bar).exact_size(28.0);
+        let status = status.show(ui, |ui| ui.available_rect_before_wrap()).inner;
         actions.extend(self.tools(ui));
-        // Before the canvas: it must see the marks that a field has changed.
-        self.column(ui).into_iter().for_each(|action| self.perform(ui, action));
+        let column = self.column_place(ui);
         let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
         let error = self.alternatives.follow(&self.tasks, &self.session, &self.growth, busy);
         self.report(error);
@@ -55,6 +53,17 @@ impl Window {
             });
         }
         CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
+        if let Some(place) = column {
+            let changes = self.column(ui, place);
+            if !changes.is_empty() {
+                // Sketch and texture were shown before.
+                ui.ctx().request_repaint();
+            }
+            changes.into_iter().for_each(|action| self.perform(ui, action));
+        }
+        ui.scope_builder(UiBuilder::new().max_rect(status).id_salt("status"), |ui| {
+            actions.extend(panels::status(ui, &self.canvas, self.ruler(), self.exporting.as_ref()));
+        });
         actions.extend(self.context_menu(ui));
         self.cloud.ui(ui.ctx());
         actions.extend(self.over_all(ui));
@@ -72,6 +81,7 @@ impl Window {
         if self.notices.needs_frame() {
             ui.ctx().request_repaint();
         }
+        self.focus_frame(ui);
         self.menu_open = ui.any_popup_open();
         self.entitle(ui);
     }
@@ -160,12 +170,14 @@ impl Window {
         if self.over {
             self.one_over_the_other(ui, body);
         } else {
-            self.side_by_side(ui, body);
+            actions.extend(self.side_by_side(ui, body));
         }
         if self.session.marks().next().is_none() && !self.canvas.is_busy() {
             let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).0 };
-            actions.extend(panels::starters(ui, room));
+            let paper = self.canvas.view.paper(room, self.session.document().size);
+            actions.extend(panels::starters(ui, room, paper));
         }
+        actions.extend(self.eyedropper(ui, body));
         if let Some(remark) = self.canvas.remark.take() {
             self.notices.done(remark);
         }
@@ -182,18 +194,21 @@ impl Window {
         self.canvas.ui(ui, room, &mut self.session, &drawn);
     }
 
-    fn side_by_side(&mut self, ui: &mut Ui, body: Rect) {
+    fn side_by_side(&mut self, ui: &mut Ui, body: Rect) -> Vec<Action> {
         let (left, right) = body.split_left_right_at_fraction(0.5);
         self.show_canvas(ui, left);
         let corner = self.canvas.view.to_screen(left, [0.0; 2]);
         self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
-        self.texture.ui(ui, right, self.session.document().size, &self.growth);
+        let size = self.session.document().size;
+        let texture = self.texture.ui(ui, right, size, &self.growth, &self.canvas.badges);
+        let actions = panels::texture_menu(&texture, &self.growth);
         self.signs(ui, left, self.canvas.view);
         if !self.texture.tiled {
             self.signs(ui, right, self.texture.view);
         }
         let line = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().vline(body.center().x, body.y_range(), line);
+        actions
     }
 
     fn one_over_the_other(&mut self, ui: &mut Ui, body: Rect) {

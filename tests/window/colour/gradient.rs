@@ -73,6 +73,7 @@ fn escape_cancels_the_drag_of_a_stop() {
 fn handles_bend_the_transition() {
     let (mut hand, _folder) = with_layers(1);
     hand.focus("Stop 1 of 4");
+    hand.reach("Bend by hand");
     let first = hand.place("First handle").center();
     let second = hand.place("Second handle").center();
     // The handles of a straight transition are in the corners: they span the plot.
