@@ -94,7 +94,7 @@ impl Window {
     }
 
     /// Whether a page or a question lies over the window and gets all keys.
-    fn is_asking(&self) -> bool {
+    pub(super) fn is_asking(&self) -> bool {
         self.files.is_asking() || self.page.is_some() || self.canvas.question.is_some()
     }
 

@@ -110,6 +110,12 @@ fn style(ui: &mut Ui, outlines: &mut Outlines, dpi: f64) {
         "Otherwise in the order in which the outlines are found",
     );
     ui.end_row();
+    if !outlines.dxf {
+        named(ui, "Ground", "The surface between the marks");
+        let help = "A rectangle in the colour of the ground beneath the outlines";
+        yes(ui, "rectangle", &mut outlines.ground, true, help);
+        ui.end_row();
+    }
 }
 
 fn smallest(ui: &mut Ui, outlines: &mut Outlines) {
