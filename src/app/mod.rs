@@ -47,6 +47,7 @@ pub use exporting::{Choices, ExportKind, FinishedPreview, PictureContent, Previe
 pub use growth::{Growth, Phase};
 pub use notice::Notice;
 pub use pages::New;
+pub use reference::Placement;
 pub use result::{Outcome, Reach, RegionResult, Results, Verdict};
 pub use settings::{Layout, Settings};
 pub use window::{Start, Window};

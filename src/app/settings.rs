@@ -12,6 +12,7 @@ use egui::ThemePreference;
 
 use super::exporting::Choices;
 use super::pages::New;
+use crate::editor::pens::Pens;
 use crate::editor::settings_file::{self, Entries, RecentChange, SettingsChange};
 use crate::editor::units::Units;
 
@@ -26,6 +27,8 @@ pub struct Settings {
     pub units: Units,
     /// Number of threads that grow; `None` = one less than there are cores, which is left to the window.
     pub threads: Option<usize>,
+    /// How pens are used.
+    pub pens: Pens,
     /// The initial values for a new document.
     pub new: New,
     /// The initial choices of the export dialog.
@@ -51,6 +54,7 @@ impl Default for Settings {
             theme: ThemePreference::System,
             units: Units::default(),
             threads: None,
+            pens: Pens::default(),
             new: New::default(),
             export: Choices::default(),
             export_folder: None,
@@ -91,6 +95,7 @@ impl Settings {
         };
         self.units = entries.get("units").unwrap_or_default();
         self.threads = entries.get("threads").filter(|threads| *threads > 0);
+        self.pens = entries.get("pens").unwrap_or_default();
         let new = entries.fields("new", &New::default());
         self.new = if new.is_allowed() { new } else { New::default() };
         self.export = export_choices::read(entries);
@@ -109,6 +114,7 @@ impl Settings {
         entries.set("theme", &theme, &"system");
         entries.set("units", &self.units, &Units::default());
         entries.set("threads", &self.threads, &None);
+        entries.set("pens", &self.pens, &Pens::default());
         entries.set("new", &self.new, &New::default());
         export_choices::write(&self.export, &mut entries);
         // A folder whose name is no text is not remembered.

@@ -40,6 +40,7 @@ use super::exporting::Exporting;
 use super::growth::{Growth, Phase, Texture};
 use super::notice::{Notice, Notices};
 use super::panels::{ColourPanel, LayersPanel, MenuKeys, ResultPanel};
+use super::reference::Placement;
 use super::result::Results;
 use super::settings::Settings;
 use super::texture::TextureView;
@@ -96,6 +97,8 @@ pub struct Window {
     /// The tool before marks were selected by a key, which changed it to *Select*.
     tool_before: Option<Tool>,
     title: String,
+    /// How long a frame takes, drawing included, seconds: the longest of the last ones.
+    frame_time: f32,
     trace: Trace,
 }
 
@@ -209,6 +212,12 @@ impl Window {
     #[must_use]
     pub fn has_reference(&self) -> bool {
         self.canvas.reference.is_there()
+    }
+
+    /// Where the picture under the canvas lies.
+    #[must_use]
+    pub fn reference(&self) -> Option<Placement> {
+        self.canvas.reference.placement(self.session.document().size)
     }
 
     /// The messages that are shown.

@@ -10,6 +10,7 @@ pub mod history;
 pub mod layer_action;
 pub mod layer_choices;
 pub mod path_encoding;
+pub mod pens;
 pub mod reading;
 pub mod recovery;
 pub mod saving;

@@ -25,6 +25,7 @@ use egui::{EventFilter, Id, PointerButton, Pos2, Rect, Response, Role, Sense, Ui
 use super::reference::Reference;
 use super::result::Drawn;
 use super::underlay::Underlay;
+use crate::editor::pens::{Pens, Pressure};
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -86,6 +87,10 @@ pub struct Canvas {
     /// Whether it got the keyboard focus by a click; then the focus is not highlighted.
     by_pointer: bool,
     gesture: Option<Gesture>,
+    /// How pens are used.
+    pub pens: Pens,
+    /// The pressure during the gesture.
+    pressure: Pressure,
     /// The button of the gesture.
     button: PointerButton,
     /// Where the pointer was pressed, on the screen.
@@ -123,6 +128,8 @@ impl Default for Canvas {
             id: None,
             by_pointer: false,
             gesture: None,
+            pens: Pens::default(),
+            pressure: Pressure::default(),
             button: PointerButton::Primary,
             pressed_at: Pos2::ZERO,
             menu_asked: None,
@@ -148,13 +155,14 @@ impl Canvas {
     #[must_use]
     pub fn pending_mark(&self) -> Option<Mark> {
         match self.gesture.as_ref()? {
-            Gesture::Pen(points) => recognise(points, self.nib.width),
-            gesture => gesture.preview(&self.nib),
+            Gesture::Pen(points) => recognise(points, self.pressed_nib().width),
+            gesture => gesture.preview(&self.pressed_nib()),
         }
     }
 
     /// Cancels the gesture and undoes what it changed. Gives whether there was one.
     pub fn cancel(&mut self, session: &mut Session) -> bool {
+        self.pressure = Pressure::default();
         let Some(gesture) = self.gesture.take() else { return false };
         if let Gesture::Reference(_, _, before) = gesture {
             self.reference.place(before, session.document().size);

@@ -152,14 +152,14 @@ impl Canvas {
     fn paint_gesture(&self, ui: &Ui, ink: &Ink, ruler: Ruler, colours: &Palette) {
         match &self.gesture {
             Some(Gesture::Pen(points)) => {
-                let width = (self.nib.width as f32 * ink.view.zoom).clamp(1.5, 3.0);
+                let width = (self.pressed_nib().width as f32 * ink.view.zoom).clamp(1.5, 3.0);
                 ink.path(points, Stroke::new(width, colours.pen));
             }
             Some(Gesture::Box(ends, _)) => {
                 ink.dashed(ends.map(|end| ink.at(end)), Stroke::new(1.0, colours.accent));
             }
             Some(gesture) => {
-                if let Some(mark) = gesture.preview(&self.nib) {
+                if let Some(mark) = gesture.preview(&self.pressed_nib()) {
                     ink.mark(&mark, colours.pen.gamma_multiply(0.25), Stroke::new(1.5, colours.pen));
                     if let Some(at) = ui.input(|input| input.pointer.latest_pos()) {
                         label(ink, &mark, at, ruler, colours);

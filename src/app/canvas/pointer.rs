@@ -1,12 +1,13 @@
 //! The pointer on the canvas: its events become gestures.
 
-use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
+use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, TouchPhase, Ui};
 
-use super::gesture::{self, DrawnStroke, Gesture, Hand};
+use super::gesture::{self, DrawnStroke, Gesture, Hand, Nib};
 use super::tool::Tool;
 use super::{Canvas, handles, reference_handles};
 use crate::document::Kind;
 use crate::document::sketch_notes::outline_remark;
+use crate::editor::pens::Pressure;
 use crate::editor::selection::Selection;
 use crate::editor::session::Session;
 use crate::marks::Mark;
@@ -23,6 +24,12 @@ impl Canvas {
         let (events, modifiers) = ui.input(|input| (pointer_events(&input.events), input.modifiers));
         for event in events {
             match event {
+                // A pen's pressure comes before the move or the press that it belongs to.
+                Event::Touch { force: Some(force), phase: TouchPhase::Start, .. } => {
+                    self.pressure = Pressure::default();
+                    self.pressure.add(force);
+                }
+                Event::Touch { force: Some(force), phase: TouchPhase::Move, .. } => self.pressure.add(force),
                 Event::PointerMoved(at) => self.pointer_moved(room, session, at, modifiers),
                 Event::PointerButton { pos, button, pressed: true, modifiers }
                     if self.gesture.is_none() && is_on_canvas(ui, response, pos) =>
@@ -34,6 +41,7 @@ impl Canvas {
                     let space = ui.input(|input| input.key_down(Key::Space));
                     let is_drawing = button == PointerButton::Primary && !space;
                     let tool = if is_drawing { self.tool } else { Tool::Hand };
+                    let erases = button == PointerButton::Secondary && self.pens.erases;
                     let handle = handles::at(&handles::handles(session, &self.view, room), pos);
                     let hand = self.hand(room, pos, modifiers);
                     let size = session.document().size;
@@ -42,6 +50,8 @@ impl Canvas {
                         .filter(|_| is_drawing && handle.is_none());
                     self.gesture = Some(match part.zip(self.reference.placement(size)) {
                         Some((part, before)) => Gesture::Reference(part, hand.at, before),
+                        // A click opens the menu: only a drag erases.
+                        None if erases => Gesture::Erase(hand.at),
                         None => gesture::press(tool, session, handle, pos, hand),
                     });
                 }
@@ -69,6 +79,12 @@ impl Canvas {
             copy: modifiers.alt || modifiers.command,
             snap: self.snap,
         }
+    }
+
+    /// The size of new marks, as the pressure changes it.
+    pub(super) fn pressed_nib(&self) -> Nib {
+        let factor = if self.pens.pressure { self.pressure.factor() } else { 1.0 };
+        Nib { width: factor * self.nib.width, radii: self.nib.radii.map(|radius| factor * radius) }
     }
 
     fn pointer_moved(&mut self, room: Rect, session: &mut Session, at: Pos2, modifiers: Modifiers) {
@@ -104,7 +120,14 @@ impl Canvas {
         if matches!(gesture, Gesture::Box(..)) && at.distance(self.pressed_at) < CLICK && !modifiers.shift {
             self.choose_region(session, hand.at);
         }
-        if let Some(DrawnStroke { mark, points }) = gesture.release(session, &mut self.nib, hand) {
+        let pressed = self.pressed_nib();
+        let mut nib = pressed;
+        self.pressure = Pressure::default();
+        let drawn = gesture.release(session, &mut nib, hand);
+        if nib.radii != pressed.radii {
+            self.nib.radii = nib.radii;
+        }
+        if let Some(DrawnStroke { mark, points }) = drawn {
             let remark = outline_remark(&points);
             self.fading.push((points, ui.input(|input| input.time)));
             self.add(session, mark);
@@ -186,8 +209,9 @@ impl Canvas {
 
 /// The moves, presses and releases among the events of a frame.
 fn pointer_events(events: &[Event]) -> Vec<Event> {
-    let is_of_pointer =
-        |event: &&Event| matches!(event, Event::PointerMoved(_) | Event::PointerButton { .. });
+    let is_of_pointer = |event: &&Event| {
+        matches!(event, Event::PointerMoved(_) | Event::PointerButton { .. } | Event::Touch { .. })
+    };
     events.iter().filter(is_of_pointer).cloned().collect()
 }
 

@@ -104,6 +104,11 @@ impl Growth {
         }
     }
 
+    /// Takes fewer pictures of what grows where a frame of the window takes long, seconds.
+    pub fn set_pace(&self, frame: f32) {
+        self.shared.set_pace(frame);
+    }
+
     /// Sets the number of threads of the next growths; `None` = one less than there are cores. The texture does not
     /// depend on it.
     pub fn use_threads(&mut self, threads: Option<usize>) {

@@ -76,7 +76,7 @@ impl Window {
         self.write_settings();
         if self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused() {
             // The progress bar moves between two pictures.
-            ui.ctx().request_repaint_after(Duration::from_millis(100));
+            ui.ctx().request_repaint_after(Duration::from_secs_f32((3.0 * self.frame_time).max(0.1)));
         }
         if self.notices.needs_frame() {
             ui.ctx().request_repaint();
@@ -167,6 +167,7 @@ impl Window {
         });
         let before = [self.canvas.view, self.texture.view];
         self.canvas.units = self.settings.units;
+        self.canvas.pens = self.settings.pens;
         if self.over {
             self.one_over_the_other(ui, body);
         } else {
@@ -290,6 +291,10 @@ fn failed(ui: &mut Ui, room: Rect, why: &str) {
 impl eframe::App for Window {
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         let began = Instant::now();
+        // Of frames that follow each other at once this is how long they take, drawing included.
+        let took = ui.input(|input| input.stable_dt).min(2.0);
+        self.frame_time = took.max(0.9 * self.frame_time);
+        self.growth.set_pace(self.frame_time);
         Self::ui(self, ui);
         self.trace.frame(began.elapsed(), frame.info().cpu_usage, self.growth.is_growing());
     }

@@ -90,6 +90,7 @@ impl Window {
             context: ContextMenu::default(),
             tool_before: None,
             title: String::new(),
+            frame_time: 0.0,
             trace: Trace::asked(),
         };
         window.restore_layout();
