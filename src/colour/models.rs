@@ -1,5 +1,6 @@
 //! The coordinates of a colour in the models in which people pick colours.
 
+use palette::convert::FromColorUnclamped;
 use palette::{FromColor, Hsv, LinSrgb, Oklch, Srgb};
 
 /// A model of colours.
@@ -96,8 +97,9 @@ impl ColourModel {
             Self::Rgb => [a, b, c].map(|channel| channel.round().clamp(0.0, 255.0) as u8),
             Self::Hsv => to_bytes(Srgb::from_color(Hsv::new(a, 0.01 * b, 0.01 * c))),
             Self::Oklch => {
-                let at =
-                    |chroma: f64| Srgb::from_linear(LinSrgb::from_color(Oklch::new(0.01 * a, chroma, c)));
+                let at = |chroma: f64| {
+                    Srgb::from_linear(LinSrgb::from_color_unclamped(Oklch::new(0.01 * a, chroma, c)))
+                };
                 to_bytes(at(most_chroma(b, |chroma| is_in_gamut(at(chroma)))))
             }
         }

@@ -388,9 +388,9 @@ mod tests {
         Maps::new(&pictures, true)
     }
 
-    fn px(pixels: &[u8], x: usize, y: usize) -> [u8; 4] {
+    fn px(pixels: &[u8], x: usize, y: usize) -> [i32; 4] {
         let at = 4 * (y * SIDE + x);
-        [pixels[at], pixels[at + 1], pixels[at + 2], pixels[at + 3]]
+        [0, 1, 2, 3].map(|channel| i32::from(pixels[at + channel]))
     }
 
     const AHEAD: Pose = Pose { yaw: 0.0, pitch: 0.0 };
@@ -425,7 +425,7 @@ mod tests {
     fn a_smooth_sphere_has_a_highlight_and_a_rough_one_none() {
         let brightest = |roughness: u8| {
             let seen = render(&flat(roughness, false), Body::Sphere, AHEAD, SIDE, 2);
-            seen.chunks(4).map(|px| px[1]).max().unwrap_or(0)
+            seen.chunks(4).map(|px| i32::from(px[1])).max().unwrap_or(0)
         };
         assert!(brightest(50) > brightest(255) + 20, "{} {}", brightest(50), brightest(255));
     }

@@ -52,6 +52,7 @@ pub fn curve(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
         let fold = icon.sized_button(ui, "Bend by hand", panel.unfolded, vec2(30.0, 24.0));
         if fold.on_hover_text("Two handles to bend the transition by hand").clicked() {
             panel.unfolded = !panel.unfolded;
+            panel.shows_plot = panel.unfolded;
         }
     });
     if panel.unfolded {
@@ -66,6 +67,9 @@ pub fn curve(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
 fn plot(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours, gap: usize, bend: &mut [f64; 4]) {
     let (all, _) =
         ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT + STRIP + 2.0 * SPACE), Sense::hover());
+    if std::mem::take(&mut panel.shows_plot) {
+        ui.scroll_to_rect(all.expand2(vec2(0.0, 14.0)), None);
+    }
     let room = Rect::from_min_max(
         pos2(all.left() + SPACE + STRIP + 3.0, all.top() + SPACE),
         pos2(all.right() - SPACE, all.top() + SPACE + HEIGHT),

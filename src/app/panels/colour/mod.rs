@@ -37,6 +37,8 @@ pub struct ColourPanel {
     pub picking: bool,
     /// Whether the plot of the transition is unfolded.
     unfolded: bool,
+    /// Whether it has just been unfolded and is to be scrolled to.
+    shows_plot: bool,
     /// Whether the picker opens in this frame.
     open_picker: bool,
     /// Pictures of the presets.
