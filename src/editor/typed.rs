@@ -149,9 +149,12 @@ pub fn with_width(marks: &Placed, width: f64) -> Vec<(Place, Mark)> {
     marks.iter().filter_map(with_width).collect()
 }
 
+/// Lines and the distance of each centre across their direction, px.
+type Across = Vec<(Place, Mark, f64)>;
+
 /// The lines across their mean direction: the unit vector across it, and the distance of each centre along it, px. `None` of
 /// fewer than two lines, and where they are not side by side.
-fn across(marks: &Placed) -> Option<([f64; 2], Vec<(Place, Mark, f64)>)> {
+fn across(marks: &Placed) -> Option<([f64; 2], Across)> {
     let lines: Vec<(Place, Mark)> =
         marks.iter().filter(|(_, mark)| width_of(mark).is_some()).cloned().collect();
     let mean = direction(&lines).filter(|_| lines.len() > 1)?;

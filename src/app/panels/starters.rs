@@ -104,7 +104,7 @@ fn picture(ui: &Ui, rect: Rect, starter: Starter, colours: &Palette) {
                     radius: vec2(0.11, 0.08) * rect.width(),
                     angle: 25_f32.to_radians(),
                     fill: ink,
-                    stroke: Stroke::NONE.into(),
+                    stroke: Stroke::NONE,
                 }));
             }
         }

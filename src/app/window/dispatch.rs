@@ -157,8 +157,7 @@ impl Window {
 
     /// Cancels what is being drawn; else clears the selection; else closes a panel.
     fn escape(&mut self) {
-        if self.canvas.cancel(&mut self.session) {
-        } else if std::mem::take(&mut self.colour.picking) {
+        if self.canvas.cancel(&mut self.session) || std::mem::take(&mut self.colour.picking) {
         } else if !self.session.selection.is_empty() {
             self.session.selection.clear();
             self.use_tool_before();

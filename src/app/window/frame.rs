@@ -53,17 +53,7 @@ impl Window {
             });
         }
         CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
-        if let Some(place) = column {
-            let changes = self.column(ui, place);
-            if !changes.is_empty() {
-                // Sketch and texture were shown before.
-                ui.ctx().request_repaint();
-            }
-            changes.into_iter().for_each(|action| self.perform(ui, action));
-        }
-        ui.scope_builder(UiBuilder::new().max_rect(status).id_salt("status"), |ui| {
-            actions.extend(panels::status(ui, &self.canvas, self.ruler(), self.exporting.as_ref()));
-        });
+        actions.extend(self.beside(ui, column, status));
         actions.extend(self.context_menu(ui));
         self.cloud.ui(ui.ctx());
         actions.extend(self.over_all(ui));
@@ -84,6 +74,23 @@ impl Window {
         self.focus_frame(ui);
         self.menu_open = ui.any_popup_open();
         self.entitle(ui);
+    }
+
+    /// Shows the column on the right and the status line at their places, after sketch and texture.
+    fn beside(&mut self, ui: &mut Ui, column: Option<Rect>, status: Rect) -> Option<Action> {
+        if let Some(place) = column {
+            let changes = self.column(ui, place);
+            if !changes.is_empty() {
+                // Sketch and texture were shown before.
+                ui.ctx().request_repaint();
+            }
+            changes.into_iter().for_each(|action| self.perform(ui, action));
+        }
+        let place = UiBuilder::new().max_rect(status).id_salt("status");
+        let shown = ui.scope_builder(place, |ui| {
+            panels::status(ui, &self.canvas, self.ruler(), self.exporting.as_ref())
+        });
+        shown.inner
     }
 
     /// Reports that a thread could not be started.
