@@ -3,8 +3,8 @@
 use egui::Pos2;
 
 use super::handles::{self, Handle};
+use super::reference::{Part, Placement};
 use super::tool::Tool;
-use crate::app::reference::{Part, Placement};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::session::Session;
 use crate::editor::shape;

@@ -9,6 +9,7 @@ mod lost;
 mod navigate;
 mod paint;
 mod pointer;
+pub mod reference;
 mod reference_handles;
 mod starter;
 pub mod tool;
@@ -22,7 +23,6 @@ pub use starter::starter;
 
 use egui::{EventFilter, Id, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 
-use super::reference::Reference;
 use super::result::Drawn;
 use super::underlay::Underlay;
 use crate::editor::pens::{Pens, Pressure};
@@ -36,6 +36,7 @@ use crate::sketch::recognise;
 use analysis::Analysis;
 use badges::Badge;
 use gesture::Gesture;
+use reference::Reference;
 use tool::Tool;
 use view::View;
 use wanted::LiveWanted;

@@ -4,8 +4,8 @@ use egui::{CursorIcon, Pos2, Rect, Stroke, StrokeKind, vec2};
 
 use super::Canvas;
 use super::ink::Ink;
+use super::reference::Part;
 use super::tool::Tool;
-use crate::app::reference::Part;
 use crate::app::theme::Palette;
 use crate::editor::session::Session;
 

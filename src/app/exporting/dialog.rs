@@ -117,7 +117,9 @@ impl Dialog {
                 });
             }
             (Some(made), None) => match &made.maps {
-                Some(maps) if self.is_lit() => self.view.lit.ui(ui, picture, made, maps),
+                Some(maps) if self.is_lit() => {
+                    self.view.lit.ui(ui, picture, Arc::as_ptr(made) as usize, maps);
+                }
                 _ => {
                     self.view.ui(ui, picture, made, fresh);
                 }

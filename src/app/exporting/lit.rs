@@ -1,13 +1,10 @@
 //! The lit preview of a material: on a plane, a sphere or a cylinder that can be turned.
 
-use std::sync::Arc;
-
 use egui::{
     Color32, ColorImage, Id, Key, Rect, Sense, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo,
     accesskit::Role, pos2,
 };
 
-use super::preview::FinishedPreview;
 use crate::export::material::Map;
 use crate::synth::render::lit::{Body, Maps, Pictures, Pose, render};
 
@@ -56,7 +53,9 @@ pub struct LitView {
 
 impl LitView {
     /// Shows the material in `room`; a drag or the arrow keys turn it, a double click turns it back.
-    pub fn ui(&mut self, ui: &Ui, room: Rect, made: &Arc<FinishedPreview>, maps: &Maps) {
+    ///
+    /// `made`: a number that differs from preview to preview.
+    pub fn ui(&mut self, ui: &Ui, room: Rect, made: usize, maps: &Maps) {
         let response = ui.interact(room, Id::unique("lit preview"), Sense::click_and_drag());
         let what = format!("Lit preview, {}", name(self.body));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &what));
@@ -74,7 +73,7 @@ impl LitView {
         let side = (points * ui.pixels_per_point()).min(MOST).round().max(16.0) as usize;
         // While it turns, fewer rays: it follows the hand. Once more with all of them when it rests.
         let samples = if response.dragged() { 1 } else { 2 };
-        let wanted = (Arc::as_ptr(made) as usize, self.body, self.pose, side, samples);
+        let wanted = (made, self.body, self.pose, side, samples);
         if self.rendered != Some(wanted) {
             self.rendered = Some(wanted);
             let pixels = render(maps, self.body, self.pose, side, samples);

@@ -4,6 +4,7 @@ mod bar;
 mod copies;
 mod curve;
 mod grip;
+mod hex_field;
 mod picker;
 mod presets;
 mod stop;

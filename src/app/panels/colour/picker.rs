@@ -8,7 +8,7 @@ use egui::{
 
 use super::ColourPanel;
 use super::grip::arrows;
-use super::stop::typed;
+use super::hex_field::hex_field;
 use crate::app::theme::Palette;
 use crate::app::units::number_field;
 use crate::colour::ColourModel;
@@ -18,7 +18,7 @@ pub fn picker(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3], fresh:
     ui.set_width(200.0);
     pads(ui, &mut panel.hsv, colour, fresh);
     fields(ui, panel, colour);
-    typed(ui, panel, colour, "Picked colour in hexadecimal digits");
+    hex_field(ui, panel, colour, "Picked colour in hexadecimal digits");
 }
 
 /// The three coordinates of the colour as numbers, in the model that is chosen.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use egui::{Color32, ColorImage, Context, Painter, Rect, TextureHandle, TextureOptions, pos2, vec2};
 
-use super::canvas::view::View;
+use super::view::View;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 
 /// The longest side that is kept, px: enough to draw over.
