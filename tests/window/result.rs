@@ -245,5 +245,5 @@ fn a_miss_is_shown_on_the_tab_and_in_the_region_whatever_the_tab_is() {
     assert_ne!(corner(&missed), corner(&met));
     hand.press("Result");
     until_known(&mut hand);
-    assert!(hand.window.query_all_by_label_contains("apart, from centre to centre").next().is_some());
+    assert!(hand.window.query_all_by_label_contains("their centres need about").next().is_some());
 }
