@@ -48,9 +48,12 @@ fn check_lookup_and_grow_report_what_cannot_be_reached() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("dense.dapple"), document(10.0, 22.0).to_string()).unwrap();
     let checked = text(&dapple(&["check", "dense.dapple"], folder.path()).stdout);
-    let said = checked.lines().map(str::trim).find(|line| line.starts_with("area/spacing²")).unwrap();
-    assert!(said.contains("is more than 0.3"), "{said}");
-    assert!(said.contains(", the densest this system packs; growing at 0.3"), "{said}");
+    let said = checked.lines().map(str::trim).find(|line| line.starts_with("spacing")).unwrap();
+    assert!(
+        said.contains(" is too small for spots of this size: the smallest distance of their centres is "),
+        "{said}"
+    );
+    assert!(said.ends_with(" px, which grows instead"), "{said}");
 
     let grown = dapple(&["grow", "dense.dapple", "-o", "a.png", "--report", "r.json"], folder.path());
     assert!(text(&grown.stderr).contains(said), "{}", text(&grown.stderr));
@@ -92,7 +95,7 @@ fn lengths_that_cannot_be_reached_are_reported_in_px() {
     };
     let said = question("0.5");
     let note = said.lines().find(|line| line.starts_with("note:")).unwrap();
-    assert!(note.contains("area 0.5 px² is less than "), "{note}");
-    assert!(note.contains(" px², the smallest this system grows; growing at "), "{note}");
+    assert!(note.contains("area 0.5 px² is too small: the smallest possible is "), "{note}");
+    assert!(note.contains(" px², which grows instead"), "{note}");
     assert!(!question("300").contains("note:"));
 }

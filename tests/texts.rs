@@ -5,10 +5,19 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders whose string literals users read.
-const FOLDERS: [&str; 5] = ["src/app", "src/cli", "src/document", "src/editor", "src/sketch"];
+const FOLDERS: [&str; 8] = [
+    "src/app",
+    "src/attributes/free",
+    "src/cli",
+    "src/document",
+    "src/editor",
+    "src/learn",
+    "src/sketch",
+    "src/synth/report",
+];
 
 /// Words and phrases that a stranger does not understand at first sight, and what to write instead.
-const UNCLEAR: [(&str, &str); 17] = [
+const UNCLEAR: [(&str, &str); 22] = [
     ("in the middle of the canvas", "at centre"),
     ("sketch the next", "start the next"),
     ("take the layer", "select layer"),
@@ -26,6 +35,11 @@ const UNCLEAR: [(&str, &str); 17] = [
     ("inside dapple", "an error in dapple"),
     ("is there already", "already exists"),
     ("forget these", "clear this list"),
+    ("this system packs", "too small for spots of this size"),
+    ("; growing at", "which grows instead"),
+    ("beyond what this system", "cannot be grown together"),
+    ("take this file away", "remove this file"),
+    ("stands there", "is there"),
 ];
 
 /// The Rust files below a folder, without tests, in order.

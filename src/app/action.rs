@@ -1,13 +1,17 @@
 //! Everything a user can ask for, by any button, menu or key.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
-use egui::ThemePreference;
+use egui::{ColorImage, ThemePreference};
 
 use super::canvas::Nib;
+use super::canvas::reference::Placement;
 use super::canvas::tool::Tool;
 use crate::editor::edit::Edit;
 use crate::editor::layer_action::LayerAction;
+use crate::editor::selection::Place;
+use crate::editor::snap::Snap;
 
 /// Factor by which marks become wider or larger at a time.
 pub const WIDER: f64 = 1.1;
@@ -49,14 +53,20 @@ pub enum Action {
     Cut,
     /// Copy the selected marks.
     Copy,
-    /// Add the marks of a document that is given as text.
+    /// Add the marks of a document or an SVG that is given as text.
     Paste(String),
+    /// Take this picture as reference picture.
+    PastePicture(Arc<ColorImage>),
+    /// Copy the finished texture as a picture.
+    CopyPicture,
     /// Add a copy of the selected marks.
     Duplicate,
     /// Delete the selected marks.
     Delete,
     /// Select all marks.
     SelectAll,
+    /// Select these marks.
+    SelectMarks(Vec<Place>),
     /// Cancel what is being drawn; where nothing is, select nothing.
     Escape,
     /// Select the next mark (1) or the previous one (−1).
@@ -112,12 +122,20 @@ pub enum Action {
     Wanted(bool),
     /// Show them if they are hidden, else hide them.
     ToggleWanted,
+    /// Set the grid that marks snap to.
+    Snap(Snap),
     /// Ask for a picture to show under the canvas.
     ChooseReference,
     /// Show or hide the reference picture.
     ShowReference(bool),
     /// Set the opacity of the reference picture, 0..1.
     ReferenceOpacity(f32),
+    /// Lock the reference picture where it is (true), or let the pointer move and scale it.
+    LockReference(bool),
+    /// Put the reference picture elsewhere.
+    PlaceReference(Placement),
+    /// Put the reference picture back to the centre of the canvas, as large as it fits.
+    FitReference,
     /// Remove the reference picture.
     RemoveReference,
     /// Set the theme.

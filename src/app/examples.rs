@@ -1,7 +1,8 @@
 //! The examples: documents inside the program, shown as pictures to choose from.
 
 use egui::{
-    Button, ColorImage, Grid, Image, Label, RichText, ScrollArea, TextureHandle, TextureOptions, Ui, vec2,
+    Button, ColorImage, Context, Grid, Id, Image, Label, RichText, ScrollArea, TextureHandle, TextureOptions,
+    Ui, vec2,
 };
 
 use super::action::Action;
@@ -161,6 +162,18 @@ impl Gallery {
             self.loading = None;
         }
     }
+}
+
+/// The picture of an example, for use outside of the page; `None` where there is no example of this name.
+pub fn thumbnail(ctx: &Context, name: &str) -> Option<TextureHandle> {
+    let id = Id::unique(("thumbnail", name));
+    if let Some(known) = ctx.data(|data| data.get_temp(id)) {
+        return Some(known);
+    }
+    let example = EXAMPLES.iter().chain(GALLERY).find(|example| example.name == name)?;
+    let texture = ctx.load_texture(example.name, picture(example), TextureOptions::LINEAR);
+    ctx.data_mut(|data| data.insert_temp(id, texture.clone()));
+    Some(texture)
 }
 
 /// Pictures a row.

@@ -60,6 +60,8 @@ pub enum Icon {
     Unfolded,
     /// Alternatives.
     Strip,
+    /// Pick a colour from a picture.
+    Dropper,
     /// Keep.
     Star,
     /// Kept.
@@ -116,6 +118,7 @@ impl Icon {
             Self::Folded => &[Path(&[[8.0, 5.5], [12.5, 10.0], [8.0, 14.5]])],
             Self::Unfolded => &[Path(&[[5.5, 8.0], [10.0, 12.5], [14.5, 8.0]])],
             Self::Strip => STRIP,
+            Self::Dropper => DROPPER,
             Self::Star => STAR,
             Self::Starred => STARRED,
         }
@@ -250,6 +253,11 @@ const STRIP: &[Part] = &[
     Closed(&[[3.0, 13.0], [6.8, 13.0], [6.8, 16.8], [3.0, 16.8]]),
     Closed(&[[8.1, 13.0], [11.9, 13.0], [11.9, 16.8], [8.1, 16.8]]),
     Closed(&[[13.2, 13.0], [17.0, 13.0], [17.0, 16.8], [13.2, 16.8]]),
+];
+const DROPPER: &[Part] = &[
+    Closed(&[[3.5, 16.5], [4.2, 13.4], [10.4, 7.2], [12.8, 9.6], [6.6, 15.8]]),
+    Path(&[[9.0, 5.8], [14.2, 11.0]]),
+    Filled(&[[10.9, 7.0], [14.4, 3.5], [16.5, 5.6], [13.0, 9.1]]),
 ];
 const STAR: &[Part] = &[Closed(&[
     [10.0, 2.6],

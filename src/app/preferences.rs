@@ -6,6 +6,7 @@ use egui::{Checkbox, DragValue, Grid, RichText, ThemePreference, Ui, vec2};
 
 use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
 use super::settings::Settings;
+use crate::editor::pens::Pens;
 use crate::editor::units::{Ruler, Units};
 
 /// Shows the page. Changes take effect at once.
@@ -18,6 +19,7 @@ pub fn page(ui: &mut Ui, settings: &mut Settings) {
         look(ui, settings);
         units(ui, &mut settings.units);
         threads(ui, &mut settings.threads);
+        pens(ui, &mut settings.pens);
     });
     ui.add_space(10.0);
     ui.label(RichText::new("New documents").strong());
@@ -68,6 +70,18 @@ fn units(ui: &mut Ui, units: &mut Units) {
     ui.horizontal(|ui| {
         ui.radio_value(units, Units::Px, "px").on_hover_text("Px of the canvas");
         ui.radio_value(units, Units::Mm, "mm").on_hover_text("Millimetres, by the document's resolution");
+    });
+    ui.end_row();
+}
+
+fn pens(ui: &mut Ui, pens: &mut Pens) {
+    ui.label("Pens").on_hover_text("For graphics tablets, where the system tells their pressure");
+    ui.vertical(|ui| {
+        ui.checkbox(&mut pens.pressure, "pressure sets the width")
+            .on_hover_text("The width of lines, and the size of ellipses that a tap adds");
+        ui.checkbox(&mut pens.erases, "barrel button erases").on_hover_text(
+            "A drag with the barrel button (the secondary button) erases; otherwise it moves the view",
+        );
     });
     ui.end_row();
 }

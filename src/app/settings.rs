@@ -12,6 +12,7 @@ use egui::ThemePreference;
 
 use super::exporting::Choices;
 use super::pages::New;
+use crate::editor::pens::Pens;
 use crate::editor::settings_file::{self, Entries, RecentChange, SettingsChange};
 use crate::editor::units::Units;
 
@@ -22,12 +23,12 @@ pub struct Settings {
     pub recent: Vec<PathBuf>,
     /// Light, dark, or as the system.
     pub theme: ThemePreference,
-    /// Whether the first hint was read.
-    pub hint_seen: bool,
     /// The unit in which lengths are shown and typed.
     pub units: Units,
     /// Number of threads that grow; `None` = one less than there are cores, which is left to the window.
     pub threads: Option<usize>,
+    /// How pens are used.
+    pub pens: Pens,
     /// The initial values for a new document.
     pub new: New,
     /// The initial choices of the export dialog.
@@ -51,9 +52,9 @@ impl Default for Settings {
         Self {
             recent: Vec::new(),
             theme: ThemePreference::System,
-            hint_seen: false,
             units: Units::default(),
             threads: None,
+            pens: Pens::default(),
             new: New::default(),
             export: Choices::default(),
             export_folder: None,
@@ -92,9 +93,9 @@ impl Settings {
             Some("dark") => ThemePreference::Dark,
             _ => ThemePreference::System,
         };
-        self.hint_seen = entries.get("hint_seen").unwrap_or_default();
         self.units = entries.get("units").unwrap_or_default();
         self.threads = entries.get("threads").filter(|threads| *threads > 0);
+        self.pens = entries.get("pens").unwrap_or_default();
         let new = entries.fields("new", &New::default());
         self.new = if new.is_allowed() { new } else { New::default() };
         self.export = export_choices::read(entries);
@@ -111,9 +112,9 @@ impl Settings {
             ThemePreference::System => "system",
         };
         entries.set("theme", &theme, &"system");
-        entries.set("hint_seen", &self.hint_seen, &false);
         entries.set("units", &self.units, &Units::default());
         entries.set("threads", &self.threads, &None);
+        entries.set("pens", &self.pens, &Pens::default());
         entries.set("new", &self.new, &New::default());
         export_choices::write(&self.export, &mut entries);
         // A folder whose name is no text is not remembered.

@@ -1,5 +1,7 @@
 //! Keyboard shortcuts, and the page that lists them.
 
+use std::sync::Arc;
+
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, RichText, ScrollArea, Ui, vec2};
 
 use super::action::{Action, Page, WIDER};
@@ -121,9 +123,12 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
         if canvas {
             for event in &input.events {
                 match event {
+                    // egui gives one event for Ctrl+C and for Ctrl+Shift+C.
+                    Event::Copy if input.modifiers.shift => actions.push(Action::CopyPicture),
                     Event::Copy => actions.push(Action::Copy),
                     Event::Cut => actions.push(Action::Cut),
                     Event::Paste(text) => actions.push(Action::Paste(text.clone())),
+                    Event::PasteImage(picture) => actions.push(Action::PastePicture(Arc::clone(picture))),
                     _ => {}
                 }
             }
@@ -219,6 +224,7 @@ const OTHERS: &[(&str, &str, &str)] = &[
     ("View", "Pan", "wheel, middle button, Space + drag"),
     ("Edit", "Move by 1 px, by 10 px", "arrows, Shift + arrows"),
     ("Edit", "Copy, cut, paste", "Ctrl+C, Ctrl+X, Ctrl+V"),
+    ("Edit", "Copy the texture as a picture", "Ctrl+Shift+C"),
     ("Draw", "Circle; steps of 15°", "Shift while dragging"),
     ("Draw", "Copy a mark", "Alt or Ctrl + drag"),
     ("Help", "Menus", "F10, Alt + letter, arrows"),

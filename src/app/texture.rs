@@ -5,6 +5,8 @@ use egui::{
     TextureHandle, TextureOptions, TextureWrapMode, Ui, WidgetInfo, epaint::Mesh, pos2, vec2,
 };
 
+use super::canvas::badges::{self, Badge};
+use super::canvas::ink::Ink;
 use super::canvas::navigate;
 use super::canvas::view::View;
 use super::growth::{Growth, Phase, Picture};
@@ -38,8 +40,17 @@ impl TextureView {
     }
 
     /// Shows the texture of a canvas of `size` px in `room`.
-    pub fn ui(&mut self, ui: &mut Ui, room: Rect, size: [u32; 2], growth: &Growth) -> Response {
-        let response = ui.interact(room, ui.scope_id().with("texture"), Sense::drag());
+    ///
+    /// `badges`: signs at what has not grown as it was drawn.
+    pub fn ui(
+        &mut self,
+        ui: &mut Ui,
+        room: Rect,
+        size: [u32; 2],
+        growth: &Growth,
+        badges: &[Badge],
+    ) -> Response {
+        let response = ui.interact(room, ui.scope_id().with("texture"), Sense::click_and_drag());
         let name = format!("Texture, {}", state(&growth.phase));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
         let shown = if self.tiled { size.map(|side| 2 * side) } else { size };
@@ -54,7 +65,16 @@ impl TextureView {
         if self.texture.is_none() {
             empty(ui, &painter, self.view.paper(room, shown), &growth.phase);
         }
-        response
+        if self.tiled {
+            return response;
+        }
+        let grown = || badges.iter().filter(|badge| badge.has_grown);
+        let ink = Ink { painter: &painter, view: &self.view, room };
+        badges::paint(&ink, grown(), Palette::current(ui.visuals()));
+        match response.hover_pos().and_then(|at| badges::told(grown(), self.view, room, at)) {
+            Some(text) => response.on_hover_text_at_pointer(text),
+            None => response,
+        }
     }
 
     /// Paints the texture where the canvas is shown in `room`.

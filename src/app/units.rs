@@ -46,7 +46,7 @@ impl Ruler {
 }
 
 /// The field for a number without a unit, with arithmetic; `unit` may be typed behind it.
-pub fn number_field<'a>(field: DragValue<'a>, unit: &'static str) -> DragValue<'a> {
+pub fn number_field<'a>(field: DragValue<'a>, unit: &'a str) -> DragValue<'a> {
     let is_unit = move |typed: &str| typed.is_empty() || typed == unit.trim();
     let field = field.suffix(unit).update_while_editing(false);
     field.custom_parser(move |text| evaluate(text, &|number, typed| is_unit(typed).then_some(number)))

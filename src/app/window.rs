@@ -4,13 +4,16 @@
 //!  start ─▶ frame ─▶ panels ─▶ actions ─▶ dispatch ─▶ edit, files, export, … change the state
 //! ```
 
+mod clipboard;
 mod columns;
 mod context;
 mod dialogs;
 mod dispatch;
 mod edit;
 mod export;
+mod eyedropper;
 mod files;
+mod focus;
 mod frame;
 mod layers;
 mod palettes;
@@ -29,6 +32,7 @@ use egui::{Pos2, Rect};
 use super::action::{Page, Tab};
 use super::alternatives::Alternatives;
 use super::canvas::Canvas;
+use super::canvas::reference::Placement;
 use super::canvas::tool::Tool;
 use super::canvas::wanted::Glyph;
 use super::cloud::Cloud;
@@ -60,6 +64,7 @@ pub struct Window {
     settings_writer: SettingsWriter,
     notices: Notices,
     files: Files,
+    clipboard: clipboard::Clipboard,
     recovery: Recovery,
     /// When the search at the start began, while what it finds is still to be offered.
     offer: Option<Instant>,
@@ -86,10 +91,14 @@ pub struct Window {
     /// Whether a menu was open in the last frame.
     menu_open: bool,
     menu_keys: MenuKeys,
+    /// Whether the keyboard was used after the pointer.
+    by_keys: bool,
     context: context::ContextMenu,
     /// The tool before marks were selected by a key, which changed it to *Select*.
     tool_before: Option<Tool>,
     title: String,
+    /// How long a frame takes, drawing included, seconds: the longest of the last ones.
+    frame_time: f32,
     trace: Trace,
 }
 
@@ -110,7 +119,12 @@ impl Window {
     #[must_use]
     pub fn is_busy_with_files(&self) -> bool {
         let settings = self.settings.is_due() || self.settings_writer.is_busy();
-        self.files.is_busy() || self.gallery.is_loading() || settings || self.recovery.is_busy()
+        self.files.is_busy()
+            || self.gallery.is_loading()
+            || settings
+            || self.recovery.is_busy()
+            || self.clipboard.is_busy()
+            || self.canvas.reference.is_loading()
     }
 
     /// Whether what the marks want between them is being computed.
@@ -200,6 +214,12 @@ impl Window {
         self.canvas.reference.is_there()
     }
 
+    /// Where the picture under the canvas lies.
+    #[must_use]
+    pub fn reference(&self) -> Option<Placement> {
+        self.canvas.reference.placement(self.session.document().size)
+    }
+
     /// The messages that are shown.
     #[must_use]
     pub fn notices(&self) -> &[Notice] {
@@ -216,11 +236,13 @@ impl Window {
     fn begin(&mut self, session: Session) {
         self.finish_saving();
         self.session = session;
+        self.clipboard.document_opened();
         self.files.restored = None;
         self.files.exported = None;
         self.files.palettes.document_opened();
         self.recovery.document_opened();
         self.canvas.view.fitted = true;
+        self.canvas.chosen_region = None;
         self.texture.view.fitted = true;
         self.texture.tiled = false;
         self.canvas.analysis.forget();

@@ -2,13 +2,14 @@
 //!
 //! A [`Gradient`] computes the exact colour of a pattern value; its [`Table`] is a lookup table with an entry for each of
 //! the 65536 values of a 16-bit picture of the pattern. [`paint()`] colours every px of every layer; [`FineTable`] has more than
-//! 8 bits and opacity. [`Gradient::pattern_of`] goes back from colours to pattern values. [`Set`] holds the default colours of documents, [`PRESETS`] colours to choose from; [`gpl`] reads and writes
+//! 8 bits and opacity. [`Gradient::pattern_of`] goes back from colours to pattern values. [`ColourModel`] gives the coordinates in which people pick colours. [`Set`] holds the default colours of documents, [`PRESETS`] colours to choose from; [`gpl`] reads and writes
 //! palettes of other programs.
 
 mod bezier;
 pub mod gpl;
 mod gradient;
 mod inverse;
+mod models;
 mod opacity;
 mod paint;
 mod presets;
@@ -18,6 +19,7 @@ mod table;
 pub use bezier::Bend;
 pub use gradient::{Gradient, GradientError, Stop};
 pub use inverse::lightness;
+pub use models::{ColourModel, Coordinate};
 pub use opacity::FineTable;
 pub use paint::{Painted, paint, paint_rows, painter};
 pub use presets::{Group, Marking, PRESETS, Preset};

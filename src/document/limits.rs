@@ -13,6 +13,8 @@ pub const MAX_SIDE: u32 = 65_536;
 pub const MAX_REGIONS: u32 = 64;
 /// Most layers: a label is one byte of which 0 means none.
 pub const MAX_LAYERS: usize = 255;
+/// Most textures that a document keeps beside its own.
+pub const MAX_STARRED: usize = 64;
 /// Longest name of a document or a layer, characters.
 pub const MAX_NAME: usize = 1_000;
 /// Largest file that is read, bytes: a million freehand points take about 40 MB.

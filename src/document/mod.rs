@@ -13,6 +13,7 @@
 //! | `seed` | 1 |
 //! | `dpi` | 300 |
 //! | `growth.refine` | true |
+//! | `starred` | none: no other textures are kept |
 //! | a layer's `name` | `layer 1`, `layer 2`, … |
 //! | a layer's `system` | `"auto"` |
 //! | a layer's `after` | `"between"` |
@@ -123,6 +124,8 @@ pub struct Document {
     pub growth: Growth,
     /// The layers, the lowest first; at least one.
     pub layers: Vec<Layer>,
+    /// Other textures for the same sketch, or an earlier one, that were kept; they grow nothing.
+    pub starred: Vec<Starred>,
 }
 
 impl Default for Document {
@@ -137,8 +140,18 @@ impl Default for Document {
             dpi: 300.0,
             growth: Growth::default(),
             layers: Vec::new(),
+            starred: Vec::new(),
         }
     }
+}
+
+/// A texture that was kept beside the document's own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Starred {
+    /// What differs from the sketch, in a few words.
+    pub name: String,
+    /// Its document, which keeps no others.
+    pub document: Document,
 }
 
 impl Document {

@@ -9,7 +9,7 @@ use crate::document::node::Node;
 use crate::document::strokes;
 use crate::document::{
     After, Colours, Document, DutyChoice, Growth, Layer, LayerOptions, OptionKey, Problem, SpreadChoice,
-    Stop, Stroke, SystemChoice,
+    Starred, Stop, Stroke, SystemChoice,
 };
 use crate::grid::Edges;
 
@@ -17,7 +17,9 @@ pub(super) const EDGES: [(&str, Edges); 2] = [("closed", Edges::Closed), ("wrap"
 
 /// The document that `root`, of the newest version, holds.
 pub(super) fn document(root: &Node) -> Result<Document, Problem> {
-    root.keys(&["format", "version", "name", "size", "regions", "edges", "seed", "dpi", "growth", "layers"])?;
+    root.keys(&[
+        "format", "version", "name", "size", "regions", "edges", "seed", "dpi", "growth", "layers", "starred",
+    ])?;
     let default = Document::default();
     let size = root.need("size", "[width, height] in px")?.counts([limits::MAX_SIDE; 2])?;
     let most = size.map(|side| side.min(limits::MAX_REGIONS));
@@ -30,7 +32,27 @@ pub(super) fn document(root: &Node) -> Result<Document, Problem> {
         dpi: root.get("dpi").map_or(Ok(default.dpi), |node| node.number(&limits::DPI))?,
         growth: root.get("growth").map_or(Ok(default.growth), |node| growth(&node))?,
         layers: layers(&root.need("layers", "a list of layers")?, size)?,
+        starred: root.get("starred").map_or(Ok(Vec::new()), |node| starred(&node))?,
     })
+}
+
+/// Textures that are kept beside the document's own. These keep no others.
+fn starred(node: &Node) -> Result<Vec<Starred>, Problem> {
+    let allowed = format!("a list of at most {} objects with name and document", limits::MAX_STARRED);
+    let one = |node: Node| {
+        node.keys(&["name", "document"])?;
+        let inner = node.need("document", "a document")?;
+        let document = document(&inner)?;
+        if !document.starred.is_empty() {
+            return Err(inner.found("the key \"starred\"", "a document without it"));
+        }
+        Ok(Starred { name: name(&node)?.unwrap_or_default(), document })
+    };
+    let all: Vec<Starred> = node.items(&allowed)?.map(one).collect::<Result<_, _>>()?;
+    match all.len() {
+        n if n > limits::MAX_STARRED => Err(node.found(format!("{n} objects"), allowed)),
+        _ => Ok(all),
+    }
 }
 
 fn name(node: &Node) -> Result<Option<String>, Problem> {

@@ -1,7 +1,7 @@
 //! A document → JSON that people can read: short things on one line, keys in the order of `docs/format.md`.
 
 use crate::document::{
-    Colours, Document, Layer, LayerOptions, Seeding, SpreadChoice, Stroke, choices, migrate, reader,
+    Colours, Document, Layer, LayerOptions, Seeding, SpreadChoice, Starred, Stroke, choices, migrate, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -25,7 +25,21 @@ pub(super) fn value(document: &Document) -> Value {
     map.insert("dpi".into(), number(document.dpi));
     map.insert("growth".into(), json!({"refine": document.growth.refine}));
     map.insert("layers".into(), document.layers.iter().map(layer).collect());
+    if !document.starred.is_empty() {
+        let one = |starred: &Starred| json!({"name": starred.name, "document": inner(&starred.document)});
+        map.insert("starred".into(), document.starred.iter().map(one).collect());
+    }
     Value::Object(map)
+}
+
+/// A document inside of another, whose format and version it has.
+fn inner(document: &Document) -> Value {
+    let mut value = value(document);
+    if let Value::Object(map) = &mut value {
+        map.shift_remove("format");
+        map.shift_remove("version");
+    }
+    value
 }
 
 fn layer(layer: &Layer) -> Value {

@@ -29,14 +29,20 @@ impl Session {
     /// # Errors
     /// Where the text is no document.
     pub fn paste(&mut self, text: &str, at: Option<[f64; 2]>, step: [f64; 2]) -> Result<(), DocumentError> {
-        let pasted = Self::open(Document::parse(text, "the clipboard")?, None);
+        self.paste_document(Document::parse(text, "the clipboard")?, at, step);
+        Ok(())
+    }
+
+    /// The same with the marks of a document. Gives how many there are.
+    pub fn paste_document(&mut self, document: Document, at: Option<[f64; 2]>, step: [f64; 2]) -> usize {
+        let pasted = Self::open(document, None);
         let marks: Vec<(Place, Mark)> = pasted.marks().collect();
         let by = match (at, shape::extent(marks.iter().map(|(_, mark)| mark))) {
             (Some(at), Some([low, high])) => [0, 1].map(|axis| at[axis] - 0.5 * (low[axis] + high[axis])),
             _ => step,
         };
         self.add_copies(&marks, by, step);
-        Ok(())
+        marks.len()
     }
 
     /// Adds `marks`, moved by `by` px as far as all of them stay on the canvas, and by further `step`s until none is an exact

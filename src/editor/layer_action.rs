@@ -34,6 +34,8 @@ pub enum LayerAction {
     Delete,
     /// Put the small spots of this layer on a layer of their own, above it.
     SplitBySize(usize),
+    /// Put the lines of this layer that cross others on a layer of their own, above it.
+    SplitCrossings(usize),
 }
 
 impl LayerAction {
@@ -83,6 +85,10 @@ impl Session {
             LayerAction::SplitBySize(layer) => {
                 layer >= self.frozen() && layers < limits::MAX_LAYERS && self.has_two_sizes(layer)
             }
+            LayerAction::SplitCrossings(layer) => {
+                let can_split = layer >= self.frozen() && layers < limits::MAX_LAYERS;
+                can_split && !self.crossing_strokes(layer).is_empty()
+            }
         }
     }
 
@@ -108,6 +114,7 @@ impl Session {
             LayerAction::Rename => {}
             LayerAction::Delete => self.delete_layer(active),
             LayerAction::SplitBySize(layer) => self.split_by_size(layer),
+            LayerAction::SplitCrossings(layer) => self.split_crossings(layer),
         }
     }
 

@@ -6,7 +6,7 @@ use crate::document::palette::Palette;
 use crate::document::{Document, Extent, in_picture, open, with_causes};
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::export::has_ending;
-use crate::synth::import::{DPI, Imported, import};
+use crate::synth::import::{self, DPI, Imported, import, unread_in_words};
 
 /// Endings of pictures that can lie under the canvas.
 const PICTURES: [&str; 8] = ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp", "gif"];
@@ -35,6 +35,8 @@ pub enum Dropped {
 
 /// A file that is being read.
 pub type Reading = Task<(PathBuf, Result<Content, String>)>;
+/// A pasted SVG that is being read: its document, and in words what was not read.
+pub type ReadingSvg = Task<Result<(Document, String), String>>;
 /// A palette that is being read.
 pub type ReadingPalette = Task<Result<Palette, String>>;
 /// Dropped files that are being looked at.
@@ -49,6 +51,24 @@ pub fn read(path: &Path, tasks: &Tasks) -> Result<Reading, StartError> {
     tasks.start("reading a file", move |worker: &Worker<_>| {
         let content = content(&path);
         worker.send((path, content));
+    })
+}
+
+/// Whether a text is an SVG rather than a document: as JSON, a document begins with a brace.
+#[must_use]
+pub fn is_svg(text: &str) -> bool {
+    text.trim_start().starts_with('<') && text.contains("<svg")
+}
+
+/// Reads an SVG that is given as text.
+///
+/// # Errors
+/// Where no thread can be started.
+pub fn read_svg(text: String, tasks: &Tasks) -> Result<ReadingSvg, StartError> {
+    tasks.start("reading a drawing", move |worker: &Worker<_>| {
+        let read = import::read_svg(text.as_bytes(), DPI, "the clipboard");
+        let read = read.map(|(document, unread)| (document, unread_in_words(&unread)));
+        worker.send(read.map_err(|error| with_causes(&error)));
     })
 }
 
@@ -137,6 +157,17 @@ mod tests {
         let picture = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/examples/zebra.png");
         assert!(matches!(kind(&picture), Dropped::Reference));
         assert!(matches!(kind(&folder.path().join("nowhere.dapple")), Dropped::Unreadable(_)));
+    }
+
+    #[test]
+    fn an_svg_is_told_from_a_document_and_read() {
+        assert!(!is_svg(DOCUMENT) && !is_svg("some <svg text") && !is_svg("<html></html>"));
+        let text = "<?xml version='1.0'?><svg xmlns='http://www.w3.org/2000/svg' width='90' height='60'>\
+            <ellipse cx='30' cy='20' rx='8' ry='5'/><text>a</text></svg>";
+        assert!(is_svg(text));
+        let read = read_svg(text.to_owned(), &Tasks::default()).unwrap().join();
+        let [Ok((document, unread))] = &read[..] else { panic!("one document") };
+        assert_eq!((document.layers[0].strokes.len(), unread.as_str()), (1, "; not read: 1 × text"));
     }
 
     #[test]

@@ -148,7 +148,7 @@ mod tests {
     const AREA: Limit = Limit {
         what: "area",
         unit: Unit::Area,
-        called: ["the smallest this system grows", "the largest this system grows"],
+        called: ["too small: the smallest possible is", "too large: the largest possible is"],
         span: [0.0, 2.0],
         shown: libm::exp,
     };
@@ -176,11 +176,11 @@ mod tests {
         let notes: Vec<String> = judgement.notes.iter().map(ToString::to_string).collect();
         assert_eq!(
             notes[0],
-            "area 0.5 cells is less than 1 cells, the smallest this system grows; growing at 1 cells"
+            "area 0.5 cells is too small: the smallest possible is 1 cells, which grows instead"
         );
         assert_eq!(
             notes[1],
-            "area 20 cells is more than 7.39 cells, the largest this system grows; growing at 7.39 cells"
+            "area 20 cells is too large: the largest possible is 7.39 cells, which grows instead"
         );
     }
 }

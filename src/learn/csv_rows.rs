@@ -88,7 +88,7 @@ fn places(system: &Description, file: &str, header: &StringRecord) -> Result<Vec
             return Err(wrong(format!("the column '{}' is unknown", shown(found))));
         }
         if header.iter().take(i).any(|before| before == found) {
-            return Err(wrong(format!("the column '{}' stands there twice", shown(found))));
+            return Err(wrong(format!("the column '{}' is there twice", shown(found))));
         }
     }
     names
@@ -273,7 +273,7 @@ mod tests {
         assert!(message("").contains("the column 'seed' is missing"));
         assert!(message(&HEADER.replace("width", "widht")).contains("the column 'widht' is unknown"));
         assert!(message(&HEADER.replace(",stretch", "")).contains("the column 'stretch' is missing"));
-        assert!(message(&format!("{HEADER},angle")).contains("the column 'angle' stands there twice"));
+        assert!(message(&format!("{HEADER},angle")).contains("the column 'angle' is there twice"));
     }
 
     #[test]

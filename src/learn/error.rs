@@ -28,7 +28,7 @@ pub enum TrainingError {
     },
     /// The file does not agree with its manifest.
     #[error(
-        "{file}: {problem}; sweep again with data-gen, or take this file away to learn from the rows as they are"
+        "{file}: {problem}; sweep again with data-gen, or remove this file to learn from the rows as they are"
     )]
     Manifest {
         /// The manifest.

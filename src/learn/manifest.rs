@@ -47,7 +47,7 @@ impl Manifest {
             _ => return Err(wrong(format!("version: found {}; allowed: 1 to {VERSION}", value["version"]))),
         }
         let rows = value["counts"]["accepted"].as_u64();
-        let rows = rows.ok_or_else(|| wrong("counts.accepted: no number of rows stands there".to_owned()))?;
+        let rows = rows.ok_or_else(|| wrong("counts.accepted: the number of rows is missing".to_owned()))?;
         Ok(Some(Self { file, rows }))
     }
 

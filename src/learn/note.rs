@@ -72,7 +72,7 @@ pub enum Note {
         asked: Quantity,
         /// What is grown instead.
         reached: Quantity,
-        /// The limit in words, such as "the densest this system packs".
+        /// What is wrong with it, and the limit, such as "too small: the smallest possible is".
         called: &'static str,
     },
     /// Each attribute is reached, but not all at once.
@@ -124,28 +124,22 @@ impl fmt::Display for Note {
         let listed = |list: &[Quantity]| list.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         match self {
             Self::Beyond { asked, reached, called } => {
-                let side = if asked.value > reached.value { "more" } else { "less" };
-                let number = reached.number();
-                write!(f, "{asked} is {side} than {number}, {called}; growing at {number}")
+                write!(f, "{asked} is {called} {}, which grows instead", reached.number())
             }
             Self::Together { asked, reached } => {
                 let (asked, reached) = (listed(asked), listed(reached));
-                write!(f, "{asked} together are beyond what this system grows; growing at {reached}")
+                write!(f, "{asked} cannot be grown together; the nearest possible grows instead: {reached}")
             }
-            Self::FreeSpacing(density) => {
-                write!(f, "spacing is free: growing at area/spacing² {}", brief(*density))
+            Self::FreeSpacing(_) => {
+                f.write_str("no spacing is given: spots get the usual one for their size")
             }
             Self::Apart { asked, sparsest, pitch } => {
                 let pitch = brief(*pitch);
                 let placed = format!(
-                    "spots are placed one by one, {pitch} times as far apart as this system's natural spacing"
+                    "spots are placed one by one, {pitch} times as far apart as they would stand by themselves"
                 );
                 if asked.value < sparsest.value {
-                    let sparsest = sparsest.number();
-                    write!(
-                        f,
-                        "{asked} is less than {sparsest}, the lowest natural density of this system: {placed}"
-                    )
+                    f.write_str(&placed)
                 } else {
                     write!(f, "{placed}, as in the sparser regions around")
                 }
@@ -170,15 +164,15 @@ mod tests {
 
     #[test]
     fn a_note_says_what_the_system_cannot_reach_with_its_numbers() {
-        let share = |value| Quantity::new("area/spacing²", value, Unit::Share);
+        let share = |value| Quantity::new("aspect", value, Unit::Share);
         let note = Note::Beyond {
-            asked: share(0.31),
-            reached: share(0.2304),
-            called: "the densest this system packs",
+            asked: share(0.1),
+            reached: share(0.1504),
+            called: "too narrow: the narrowest possible is",
         };
         assert_eq!(
             note.to_string(),
-            "area/spacing² 0.31 is more than 0.23, the densest this system packs; growing at 0.23"
+            "aspect 0.1 is too narrow: the narrowest possible is 0.15, which grows instead"
         );
         assert_eq!(note.clone().in_px(3.0).to_string(), note.to_string());
     }
@@ -187,21 +181,21 @@ mod tests {
     fn lengths_in_notes_are_converted_to_px() {
         let area = |value| Quantity::new("area", value, Unit::Area);
         let width = |value| Quantity::new("width", value, Unit::Length);
-        let note =
-            Note::Beyond { asked: area(2.0), reached: area(18.0), called: "the smallest this system grows" };
+        let called = "too small: the smallest possible is";
+        let note = Note::Beyond { asked: area(2.0), reached: area(18.0), called };
         assert_eq!(
             note.to_string(),
-            "area 2 cells is less than 18 cells, the smallest this system grows; growing at 18 cells"
+            "area 2 cells is too small: the smallest possible is 18 cells, which grows instead"
         );
         assert_eq!(
             note.in_px(0.5).to_string(),
-            "area 0.5 px² is less than 4.5 px², the smallest this system grows; growing at 4.5 px²"
+            "area 0.5 px² is too small: the smallest possible is 4.5 px², which grows instead"
         );
         let angle = Quantity::new("angle", 33.0, Unit::Angle);
         let note = Note::Together { asked: vec![width(4.0), angle], reached: vec![width(5.0), angle] };
         assert_eq!(
             note.in_px(2.0).to_string(),
-            "width 8 px, angle 33° together are beyond what this system grows; growing at width 10 px, angle 33°"
+            "width 8 px, angle 33° cannot be grown together; the nearest possible grows instead: width 10 px, angle 33°"
         );
     }
 

@@ -49,28 +49,29 @@ pub(super) fn elongations<'a>(spots: impl Iterator<Item = &'a Spots>) -> Limit {
     Limit::new(
         "aspect",
         Unit::Share,
-        ["the roundest this system grows", "the longest this system grows"],
+        ["too round: the roundest possible is", "too narrow: the narrowest possible is"],
         |e| libm::exp(-e),
         spots.map(|s| -libm::log(s.aspect.max(NARROWEST))),
     )
 }
+
+/// What is wrong with a spacing that is too large, and too small, with the limit.
+const SPACINGS: [&str; 2] = [
+    "too large for spots of this size: the largest distance of their centres is",
+    "too small for spots of this size: the smallest distance of their centres is",
+];
 
 /// The ranges of ln A, ln(A/L²) and −ln(aspect).
 fn limits<'a>(spots: impl Iterator<Item = &'a Spots> + Clone) -> [Limit; 3] {
     let area = Limit::new(
         "area",
         Unit::Area,
-        ["the smallest this system grows", "the largest this system grows"],
+        ["too small: the smallest possible is", "too large: the largest possible is"],
         libm::exp,
         spots.clone().map(|s| libm::log(s.area)),
     );
-    let density = Limit::new(
-        "area/spacing²",
-        Unit::Share,
-        ["the sparsest this system packs", "the densest this system packs"],
-        libm::exp,
-        spots.clone().filter_map(density),
-    );
+    let density =
+        Limit::new("area/spacing²", Unit::Share, SPACINGS, libm::exp, spots.clone().filter_map(density));
     [area, density, elongations(spots)]
 }
 
@@ -127,7 +128,7 @@ impl SpotMap {
     pub fn ask(&self, spots: &Spots) -> Reached {
         let mut judgement = Judgement::new();
         let log_area = judgement.clamp(&self.area, libm::log(spots.area));
-        let density = self.dense().then(|| self.clamp_density(spots, &mut judgement));
+        let density = self.dense().then(|| self.clamp_density(spots, log_area, &mut judgement));
         let e = -libm::log(spots.aspect);
         let e_reached = judgement.clamp(&self.elongation, e);
         let [c, s] = to::harmonic(spots.angle, 2.0);
@@ -140,8 +141,8 @@ impl SpotMap {
         };
         let called = |at: &SmallVector| {
             let mut named = vec![Quantity::new("area", libm::exp(at[0]), Unit::Area)];
-            let density = || Quantity::new("area/spacing²", libm::exp(at[1]), Unit::Share);
-            named.extend(self.dense().then(density));
+            let spacing = || Quantity::new("spacing", libm::exp(0.5 * (at[0] - at[1])), Unit::Length);
+            named.extend(self.dense().then(spacing));
             let aspect = libm::exp(-to::length([at[n - 2], at[n - 1]]));
             named.push(Quantity::new("aspect", aspect, Unit::Share));
             named
@@ -170,9 +171,18 @@ impl SpotMap {
     }
 
     /// ln(A/L²) clamped to the range of the set; its median where the spacing is free.
-    fn clamp_density(&self, spots: &Spots, judgement: &mut Judgement) -> f64 {
-        if let Some(density) = density(spots) {
-            return judgement.clamp(&self.density, density);
+    fn clamp_density(&self, spots: &Spots, log_area: f64, judgement: &mut Judgement) -> f64 {
+        if let Some((density, spacing)) = density(spots).zip(spots.spacing) {
+            let within = judgement.clamp(&self.density, density);
+            if let Some(Note::Beyond { asked, reached, .. }) =
+                judgement.notes.last_mut().filter(|_| within != density)
+                && asked.attribute == self.density.what
+            {
+                // Told as what is drawn: the distance of the centres.
+                *asked = Quantity::new("spacing", spacing, Unit::Length);
+                *reached = Quantity::new("spacing", libm::exp(0.5 * (log_area - within)), Unit::Length);
+            }
+            return within;
         }
         judgement.notes.push(Note::FreeSpacing(libm::exp(self.median_density)));
         self.median_density
@@ -196,11 +206,10 @@ impl SpotMap {
         let off = libm::log(asked) - libm::log(given);
         let sure = prediction.half_width("spacing");
         if judgement.beyond(off.abs() - sure) {
-            let [asked, reached] = [asked, given].map(|spacing| {
-                let density = libm::exp(to::log_density(predicted.area, spacing));
-                Quantity::new("area/spacing²", density, Unit::Share)
-            });
-            judgement.notes.push(Note::Beyond { asked, reached, called: "as this system always packs" });
+            let [asked, reached] =
+                [asked, given].map(|spacing| Quantity::new("spacing", spacing, Unit::Length));
+            let called = "not possible with this system: spots of this size always stand at";
+            judgement.notes.push(Note::Beyond { asked, reached, called });
         } else {
             nearest.spacing = Some(asked);
         }

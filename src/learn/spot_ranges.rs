@@ -161,7 +161,7 @@ mod tests {
             assert!(answer.notes.is_empty(), "{answer:?}");
         }
         let note = set.ask(&spots(0.1)).unwrap().notes[0].to_string();
-        assert_eq!(note, "aspect 0.1 is less than 0.15, the longest this system grows; growing at 0.15");
+        assert_eq!(note, "aspect 0.1 is too narrow: the narrowest possible is 0.15, which grows instead");
     }
 
     #[test]

@@ -15,8 +15,10 @@ use crate::marks::axial;
 const IMAGES: Images = &[[1.0, 1.0], [1.0, -1.0]];
 
 /// The limits of the duty in words.
-pub(super) const DUTY_LIMITS: [&str; 2] =
-    ["the least of its period that this system covers", "the most of its period that this system covers"];
+pub(super) const DUTY_LIMITS: [&str; 2] = [
+    "a smaller share of the period than stripes can cover, which is at least",
+    "a larger share of the period than stripes can cover, which is at most",
+];
 
 /// The map of a stripe set.
 pub(super) struct StripeMap {
@@ -76,7 +78,7 @@ impl StripeMap {
             width: Limit::new(
                 "width",
                 Unit::Length,
-                ["the thinnest this system grows", "the widest this system grows"],
+                ["too thin: the thinnest possible is", "too wide: the widest possible is"],
                 libm::exp,
                 widths,
             ),

@@ -71,7 +71,8 @@ pub struct Imported {
 pub type Unread = BTreeMap<&'static str, usize>;
 
 /// In words, such as `; not read: 2 × text`.
-fn unread_in_words(unread: &Unread) -> String {
+#[must_use]
+pub fn unread_in_words(unread: &Unread) -> String {
     let unread: Vec<String> = unread.iter().map(|(kind, count)| format!("{count} × {kind}")).collect();
     if unread.is_empty() { String::new() } else { format!("; not read: {}", unread.join(", ")) }
 }

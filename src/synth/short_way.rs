@@ -124,7 +124,13 @@ impl Grown {
         let cancelled = |_: Stopped| ExportError::Cancelled { path: path.to_owned() };
         let (groups, _) = outlines(&self.document, self, &wanted, &Watch::NONE).map_err(cancelled)?;
         let size = size.map(|side| side as f64);
-        let sheet = Sheet { title: self.document.name.clone(), size, unit, stroke_width: unit.stroke() };
+        let sheet = Sheet {
+            title: self.document.name.clone(),
+            size,
+            unit,
+            stroke_width: unit.stroke(),
+            ground: None,
+        };
         export::save(path, |out| {
             if has_ending(path, "dxf") {
                 dxf::write(out, size, unit, &groups)?;

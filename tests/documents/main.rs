@@ -3,7 +3,7 @@
 use assert_cmd::Command;
 use dapple::document::Edges;
 use dapple::document::{
-    After, Colours, Document, DocumentError, DutyChoice, Growth, Layer, Stop, Stroke, SystemChoice,
+    After, Colours, Document, DocumentError, DutyChoice, Growth, Layer, Starred, Stop, Stroke, SystemChoice,
 };
 use dapple::document::{Ellipse, Line};
 use proptest::prelude::*;

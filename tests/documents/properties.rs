@@ -78,6 +78,7 @@ fn document() -> impl Strategy<Value = Document> {
             dpi,
             growth: Growth { refine },
             layers,
+            starred: Vec::new(),
         },
     )
 }

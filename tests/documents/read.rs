@@ -16,6 +16,7 @@ fn the_shortest_document_has_the_defaults_of_the_format() {
         dpi: 300.0,
         growth: Growth { refine: true },
         layers: vec![layer],
+        starred: Vec::new(),
     };
     assert_eq!(document, expected);
     let layer = &document.layers[0];
@@ -97,4 +98,21 @@ fn any_finite_angle_is_allowed() {
 #[test]
 fn a_whole_number_may_be_written_with_a_fraction_of_zero() {
     assert_eq!(accepted(&with("/size", json!([512.0, 256.0]))).size, [512, 256]);
+}
+
+#[test]
+fn kept_textures_are_read_as_they_were_written_and_keep_none_themselves() {
+    let plain = accepted(&least());
+    let one = |seed| Starred { name: format!("Seed {seed}"), document: Document { seed, ..plain.clone() } };
+    let document = Document { starred: vec![one(2), one(3)], ..plain.clone() };
+    let text = document.to_json();
+    assert_eq!(Document::parse(&text, "x").unwrap(), document);
+    assert_eq!(text.matches("\"version\"").count(), 1, "format and version stand once");
+    let nested = Starred { name: String::new(), document: document.clone() };
+    let text = Document { starred: vec![nested], ..plain.clone() }.to_json();
+    let error = Document::parse(&text, "x").unwrap_err().to_string();
+    assert!(error.contains("starred[0].document: found the key \"starred\""), "{error}");
+    let many = Document { starred: (0..65).map(one).collect(), ..plain };
+    let error = Document::parse(&many.to_json(), "x").unwrap_err().to_string();
+    assert!(error.contains("found 65 objects; allowed: a list of at most 64"), "{error}");
 }

@@ -144,8 +144,8 @@ fn a_line_that_asks_for_thin_stripes_among_wide_ones_is_named_before_it_grows() 
     let output = folder.dapple("check a.dapple").assert().success().get_output().clone();
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("layer 1: gaps between its stripes grown by meinhardt-lines"), "{text}");
-    assert!(text.contains("at [150, 30] the line asks for stripes that cover 0.3"), "{text}");
-    assert!(text.contains("at least about half of it everywhere: draw it on a layer of its own"), "{text}");
+    assert!(text.contains("at [150, 30] this line asks for stripes that cover 3"), "{text}");
+    assert!(text.contains("less than half or more than half; draw it on a layer of its own"), "{text}");
 }
 
 #[test]

@@ -31,7 +31,7 @@ pub const ADDRESSES: [(&str, &[&str]); 31] = [
             "src/synth/measured_picture.rs",
             "src/app/examples.rs",
             "src/app/exporting/",
-            "src/app/reference.rs",
+            "src/app/canvas/reference.rs",
         ],
     ),
     ("indicatif", &["src/cli/", "data-gen/"]),

@@ -63,7 +63,10 @@ fn the_report_has_a_note_about_sparse_spots() {
     let region = |document: &Document| report(document)["layers"][0]["regions"][0].clone();
     let sparse = region(&apart(9.0, 1.0, Edges::Wrap));
     let note = sparse["notes"][0].as_str().expect("a note");
-    assert!(note.contains("the lowest natural density") && note.contains("placed one by one"), "{note}");
+    assert!(
+        note.contains("placed one by one") && note.contains("as they would stand by themselves"),
+        "{note}"
+    );
     assert!(sparse["parameters"]["pitch"].as_f64().expect("a pitch") > 2.0, "{sparse}");
     let dense = region(&apart(4.0, 1.0, Edges::Wrap));
     assert!(

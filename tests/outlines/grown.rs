@@ -63,7 +63,13 @@ fn labels(document: &Document, grown: &Grown, scale: usize) -> Vec<u8> {
 
 /// The groups as an SVG library reads them.
 fn read(groups: &[Group]) -> usvg::Tree {
-    let sheet = Sheet { title: String::new(), size: [f64::from(SIDE); 2], unit: Unit::Px, stroke_width: 1.0 };
+    let sheet = Sheet {
+        title: String::new(),
+        size: [f64::from(SIDE); 2],
+        unit: Unit::Px,
+        stroke_width: 1.0,
+        ground: None,
+    };
     let mut text = Vec::new();
     svg::write(&mut text, &sheet, groups).unwrap();
     usvg::Tree::from_data(&text, &usvg::Options::default()).unwrap()

@@ -147,6 +147,7 @@ pub fn document(side: u32, layers: usize) -> impl Strategy<Value = Document> {
             dpi: 300.0,
             growth: Growth { refine },
             layers,
+            starred: Vec::new(),
         },
     );
     document.prop_filter("is valid", |document| document.check("x").is_ok())

@@ -3,13 +3,13 @@
 use dapple::internals::rd::System;
 use std::sync::Arc;
 
-use dapple::app::{Alternative, Window, small};
+use dapple::app::{Alternative, Start, Window, small};
 use dapple::document::{Document, SpreadChoice, SystemChoice};
 use egui::accesskit::Role;
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, Theme, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
-use crate::hand::{Hand, hand_with};
+use crate::hand::{Hand, hand_with, with};
 
 fn spots() -> (Hand, tempfile::TempDir) {
     let text = r#"{"format": "dapple", "version": 1, "size": [120, 120], "layers": [
@@ -135,7 +135,8 @@ fn another_sketch_has_other_alternatives_and_keeps_what_is_starred() {
     first.click();
     hand.rest();
     hand.until_settled();
-    assert_eq!(hand.document(), kept);
+    assert_eq!(Document { starred: Vec::new(), ..hand.document() }, kept);
+    assert_eq!(hand.document().starred.len(), 1, "the star is kept with the document");
     assert_eq!(hand.document().layers[0].strokes, before.layers[0].strokes);
     assert!(hand.window.state().alternatives().is_taken(id));
     let settled = hand.window.state().settled().unwrap().clone();
@@ -187,4 +188,30 @@ fn an_alternative_is_chosen_and_starred_by_keys_alone() {
     hand.key(Modifiers::NONE, Key::Space);
     hand.until_settled();
     assert!(matches!(hand.document().layers[0].options.spread, SpreadChoice::Given(_)));
+}
+
+#[test]
+fn stars_are_saved_with_the_document_and_undone() {
+    let (mut hand, folder) = spots();
+    hand.key(Modifiers::NONE, Key::A);
+    until_grown(&mut hand);
+    hand.press("Star Seed 3");
+    let kept = named(hand.window.state(), "Seed 3").document.clone();
+    assert_eq!(hand.document().starred[0].document, kept);
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert!(hand.document().starred.is_empty() && !named(hand.window.state(), "Seed 3").kept);
+    hand.key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    assert!(named(hand.window.state(), "Seed 3").kept);
+    let file = folder.path().join("starred.dapple");
+    hand.document().write(&file).unwrap();
+    drop(hand);
+
+    let start = Start { file: Some(file), ..Start::default() };
+    let mut again = with(start, vec2(1280.0, 800.0), Theme::Light);
+    again.until_settled();
+    again.key(Modifiers::NONE, Key::A);
+    until_grown(&mut again);
+    assert!(named(again.window.state(), "Seed 3").kept && !again.window.state().session().is_changed());
+    again.press("Remove star from Seed 3");
+    assert!(again.document().starred.is_empty() && again.window.state().session().is_changed());
 }

@@ -238,7 +238,8 @@ fn a_change_of_colours_does_not_restart_the_growth() {
 
 #[test]
 fn every_control_of_the_colours_has_a_name() {
-    let (hand, _folder) = with_layers(2);
+    let (mut hand, _folder) = with_layers(2);
+    hand.reach("Bend by hand");
     for role in [Role::Button, Role::Slider, Role::TextInput, Role::SpinButton] {
         for node in hand.window.query_all_by_role(role) {
             let name = node.accesskit_node().label().unwrap_or_default();

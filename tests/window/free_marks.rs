@@ -254,6 +254,6 @@ fn what_will_not_grow_as_drawn_is_said_at_its_place() {
     let at = hand.at([200.0, 150.0]);
     hand.window.hover_at(at);
     hand.window.run_steps(60);
-    let texts = hand.window.query_all_by_label_contains("these cross each other").count();
+    let texts = hand.window.query_all_by_label_contains("these lines cross each other").count();
     assert_eq!(texts, 2, "in the column and at the pointer");
 }

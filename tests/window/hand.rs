@@ -18,7 +18,7 @@ pub struct Hand {
     pub window: Harness<'static, Window>,
 }
 
-/// A window of 1280 × 800 points after the first hint.
+/// A window of 1280 × 800 points.
 pub fn hand() -> Hand {
     with(Start::default(), vec2(1280.0, 800.0), Theme::Light)
 }
@@ -33,13 +33,7 @@ pub fn hand_with(document: &Document) -> (Hand, tempfile::TempDir, PathBuf) {
 }
 
 /// A window with these arguments.
-pub fn with(mut start: Start, size: Vec2, theme: Theme) -> Hand {
-    start.settings.hint_seen = true;
-    begun(start, size, theme)
-}
-
-/// A window in its first state; it may show the hint.
-pub fn begun(start: Start, size: Vec2, theme: Theme) -> Hand {
+pub fn with(start: Start, size: Vec2, theme: Theme) -> Hand {
     let mut hand = opened(start, size, theme);
     hand.rest();
     hand

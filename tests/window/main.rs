@@ -3,6 +3,7 @@
 
 mod access;
 mod alternatives;
+mod clipboard;
 mod colour;
 mod columns;
 mod documents;
@@ -20,4 +21,5 @@ mod recovery;
 mod result;
 mod selecting;
 mod sights;
+mod typing;
 mod views;

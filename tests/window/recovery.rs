@@ -124,8 +124,7 @@ fn the_window_can_be_used_while_unsaved_work_is_searched_for() {
     drop(hand);
     fs::remove_file(&file).unwrap();
     pipe(&file);
-    let mut settings = start(folder.path(), None);
-    settings.settings.hint_seen = true;
+    let settings = start(folder.path(), None);
     let mut hand = opened(settings, vec2(1280.0, 800.0), Theme::Light);
     hand.window.run_steps(4);
     assert!(hand.window.state().is_busy_with_files() && is_offered(&hand) == 0);

@@ -101,7 +101,7 @@ fn marks_that_cannot_be_reached_are_changed_to_reachable_ones_in_one_step() {
     let outcome = hand.window.state().results().outcome().unwrap().clone();
     let region = &outcome.layers[0].regions[0];
     assert_eq!(region.verdict, Verdict::Missed);
-    assert!(region.report.beyond[0].to_string().contains("the densest this system packs"));
+    assert!(region.report.beyond[0].to_string().contains("too small for spots of this size"));
     assert!(hand.window.query_by_label("Cannot be reached").is_some());
 
     hand.press("Draw what can be reached");
@@ -245,5 +245,5 @@ fn a_miss_is_shown_on_the_tab_and_in_the_region_whatever_the_tab_is() {
     assert_ne!(corner(&missed), corner(&met));
     hand.press("Result");
     until_known(&mut hand);
-    assert!(hand.window.query_all_by_label_contains("apart, from centre to centre").next().is_some());
+    assert!(hand.window.query_all_by_label_contains("their centres need about").next().is_some());
 }

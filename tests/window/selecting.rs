@@ -179,7 +179,7 @@ fn sums_are_typed_into_number_fields() {
 fn attributes_of_a_selection_are_typed_and_the_marks_follow() {
     let mut hand = row(&[100.0, 200.0, 300.0]);
     hand.key(Modifiers::COMMAND, Key::A);
-    hand.type_into("Spacing", "50");
+    hand.type_into("Spacing of all", "50");
     let xs: Vec<f64> = hand.ellipses().iter().map(|ellipse| ellipse.center[0]).collect();
     for (found, wanted) in xs.iter().zip([150.0, 200.0, 250.0]) {
         assert!((found - wanted).abs() < 0.2, "{xs:?}");

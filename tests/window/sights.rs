@@ -7,7 +7,7 @@ use egui::{Key, Modifiers, Theme, vec2};
 use egui_kittest::SnapshotOptions;
 use image::RgbaImage;
 
-use crate::hand::{Hand, begun, with};
+use crate::hand::{Hand, with};
 
 const SMALL: [f32; 2] = [1280.0, 800.0];
 
@@ -46,13 +46,13 @@ pub fn see(hand: &mut Hand, name: &str) {
 }
 
 #[test]
-fn the_first_hint() {
-    see(&mut begun(Start::default(), SMALL.into(), Theme::Light), "hint-light");
+fn the_welcome() {
+    see(&mut with(Start::default(), SMALL.into(), Theme::Light), "welcome-light");
 }
 
 #[test]
-fn the_first_hint_in_the_dark() {
-    see(&mut begun(Start::default(), SMALL.into(), Theme::Dark), "hint-dark");
+fn the_welcome_in_the_dark() {
+    see(&mut with(Start::default(), SMALL.into(), Theme::Dark), "welcome-dark");
 }
 
 fn cheetah(name: &str, size: [f32; 2], theme: Theme) {

@@ -13,7 +13,7 @@ use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use super::growth::{Growth, Texture, essence};
 use super::result::finished_layer;
-use crate::document::{Document, Layer};
+use crate::document::{Document, Layer, Starred, limits};
 use crate::editor::session::Session;
 use crate::editor::task::{StartError, Task, Tasks};
 use crate::synth::{Grown, Training};
@@ -73,6 +73,8 @@ pub struct Alternatives {
     followed: Option<Arc<Document>>,
     /// The one that is open.
     taken: Option<u64>,
+    /// The revision of the session whose stars were taken over.
+    stars_seen: Option<u64>,
     ids: u64,
 }
 
@@ -88,6 +90,7 @@ impl Alternatives {
             stopped: false,
             followed: None,
             taken: None,
+            stars_seen: None,
             ids: 0,
         }
     }
@@ -107,6 +110,10 @@ impl Alternatives {
         busy: bool,
     ) -> Option<StartError> {
         self.listen();
+        if self.stars_seen != Some(session.revision()) {
+            self.stars_seen = Some(session.revision());
+            self.take_stars(&session.document().starred);
+        }
         if !self.shown {
             self.series = None;
             return None;
@@ -172,9 +179,9 @@ impl Alternatives {
         let base = Variant {
             name: "Original".to_owned(),
             help: "The document from which these alternatives were made".to_owned(),
-            document: (*texture.document).clone(),
+            document: without_stars(&texture.document),
         };
-        let others = variants(&texture.document, &texture.grown, layer);
+        let others = variants(&base.document, &texture.grown, layer);
         for (index, variant) in std::iter::once(base).chain(others).enumerate() {
             let needed = essence(&variant.document);
             let there = self.all.iter().any(|one| essence(&one.document) == needed);
@@ -282,12 +289,47 @@ impl Alternatives {
         self.all.iter().find(|one| one.id == id)
     }
 
-    /// Keeps it when the sketch changes, or no longer.
-    pub fn keep(&mut self, id: u64, kept: bool) {
-        if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
-            one.kept = kept;
+    /// Takes over the stars of the document: those that were read with it, and those that an undo brought back or took away.
+    fn take_stars(&mut self, starred: &[Starred]) {
+        let is = |one: &Alternative, star: &Starred| one.name == star.name && one.document == star.document;
+        for one in &mut self.all {
+            one.kept = starred.iter().any(|star| is(one, star));
+        }
+        for star in starred {
+            if !self.all.iter().any(|one| is(one, star)) {
+                let help = "Kept with the document when its sketch was another".to_owned();
+                let (name, document) = (star.name.clone(), star.document.clone());
+                self.add(Variant { name, help, document }, None);
+                // Those that are kept stand first.
+                if let Some(mut one) = self.all.pop() {
+                    one.kept = true;
+                    let place = self.all.iter().take_while(|other| other.kept).count();
+                    self.all.insert(place, one);
+                }
+            }
         }
     }
+}
+
+/// The document without the textures that it keeps.
+fn without_stars(document: &Document) -> Document {
+    Document { starred: Vec::new(), ..document.clone() }
+}
+
+/// Stars an alternative in the document, or removes its star, as one step that can be undone. Gives whether there was room.
+pub fn star(session: &mut Session, one: &Alternative, kept: bool) -> bool {
+    session.commit();
+    let star = Starred { name: one.name.clone(), document: without_stars(&one.document) };
+    let is_full = session.document().starred.len() >= limits::MAX_STARRED;
+    if kept && is_full {
+        return false;
+    }
+    session.edit(|document| {
+        document.starred.retain(|other| *other != star);
+        document.starred.extend(kept.then_some(star));
+    });
+    session.commit();
+    true
 }
 
 /// Whether both have the same marks on the same canvas.
@@ -316,7 +358,7 @@ pub fn put(session: &mut Session, document: &Document) {
                 }
             }
         }
-        *old = Document { layers, ..document.clone() };
+        *old = Document { layers, starred: std::mem::take(&mut old.starred), ..document.clone() };
     });
     session.active_layer = session.active_layer.min(session.document().layers.len().saturating_sub(1));
     session.commit();

@@ -46,14 +46,6 @@ impl Analysis {
         self.maps.get(layer)?.as_ref()
     }
 
-    /// The region at a point (px) of a layer.
-    #[must_use]
-    pub fn region(&self, layer: usize, point: [f64; 2]) -> Option<([usize; 2], &Region)> {
-        let map = self.map(layer)?;
-        let place = map.region_of(point);
-        Some((place, map.region(place)))
-    }
-
     /// Paints the analysis of a layer.
     pub fn paint(&self, ink: &Ink, session: &Session, layer: usize, colours: &Palette) {
         let Some(map) = self.map(layer) else { return };

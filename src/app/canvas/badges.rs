@@ -1,13 +1,17 @@
-//! Signs at the places of the sketch that will not grow as they were drawn, and what they say.
+//! Signs at the places of the sketch that will not grow, or did not grow, as they were drawn, and what they say.
 
 use egui::{Align2, FontId, Pos2};
 
 use super::ink::Ink;
 use super::view::View;
+use super::wanted::Wanted;
 use crate::app::result::Drawn;
 use crate::app::theme::Palette;
+use crate::attributes::free::Note;
+use crate::document::Kind;
 use crate::document::sketch_notes::SketchNote;
 use crate::editor::session::Session;
+use crate::editor::units::Ruler;
 
 /// Radius of a sign, points.
 const RADIUS: f32 = 7.0;
@@ -15,41 +19,93 @@ const RADIUS: f32 = 7.0;
 const MOST: usize = 12;
 
 /// A sign: its place, px, and what it says.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Badge {
-    place: [f64; 2],
-    text: String,
+    /// px.
+    pub place: [f64; 2],
+    /// What will not be, or is not, as it was drawn, and what to do.
+    pub text: String,
+    /// Whether it is about what has grown, and is shown on the texture as well.
+    pub has_grown: bool,
 }
 
-/// The signs of the notes on the sketch, and of the marks that grew otherwise than drawn.
+/// The signs of the notes on the sketch, of what the lines of the active layer ask for, of the marks that grew otherwise than
+/// drawn, and of spots that grew together.
 #[must_use]
-pub fn badges(notes: &[SketchNote], session: &Session, drawn: &Drawn) -> Vec<Badge> {
+pub fn badges(
+    notes: &[SketchNote],
+    wanted: Option<&Wanted>,
+    (session, drawn): (&Session, &Drawn),
+    ruler: Ruler,
+) -> Vec<Badge> {
     let of_note = |note: &SketchNote| {
+        let text = note.problem.in_words("", &|area| ruler.area(area));
         let badge = |place: &[f64; 2]| Badge {
             place: *place,
-            text: format!("Will not grow as drawn: {}.", note.text),
+            text: format!("Will not grow as drawn: {text}."),
+            has_grown: false,
         };
         note.places.iter().take(MOST).map(badge).collect::<Vec<_>>()
     };
     let mut badges: Vec<Badge> = notes.iter().flat_map(of_note).collect();
+    // Crossings are among the notes on the sketch.
+    let of_lines = wanted.into_iter().flat_map(|wanted| wanted.map.notes());
+    let of_lines = of_lines.filter(|note| !matches!(note, Note::Crossing { .. })).take(MOST);
+    badges.extend(of_lines.map(|note| Badge {
+        place: note.place(),
+        text: format!("Will not grow as drawn: {}.", note.in_words(&|length| ruler.rough(length))),
+        has_grown: false,
+    }));
     for layer in session.frozen()..session.document().layers.len() {
-        let marks = drawn.of_layer(session, layer).iter().filter(|mark| mark.there || mark.off.is_some());
-        let reasons = marks.filter_map(|mark| Some((mark.place, mark.reason?)));
-        badges.extend(
-            reasons.map(|(place, reason)| Badge { place, text: format!("Not grown as drawn: {reason}.") }),
-        );
+        badges.extend(grown(session, drawn, layer));
     }
     badges
 }
 
+/// The signs of what has grown on a layer.
+fn grown(session: &Session, drawn: &Drawn, layer: usize) -> Vec<Badge> {
+    let marks = drawn.of_layer(session, layer).iter().filter(|mark| mark.there || mark.off.is_some());
+    let reasons = marks.filter_map(|mark| Some((mark.place, mark.reason?)));
+    let remedy = remedy(session.kind(layer));
+    let mut badges: Vec<Badge> = reasons
+        .map(|(place, reason)| Badge {
+            place,
+            text: format!("Not grown as drawn: {reason}. {remedy}"),
+            has_grown: false,
+        })
+        .collect();
+    let merged = drawn.merged(session, layer).iter().take(MOST);
+    badges.extend(merged.map(|place| Badge { place: *place, text: MERGED.to_owned(), has_grown: true }));
+    badges
+}
+
+/// What is told where two spots grew together.
+pub const MERGED: &str =
+    "Two spots grew together here. Draw the marks around farther apart or smaller, or try another seed (N).";
+
+/// What to do about a mark that does not grow.
+#[must_use]
+pub fn remedy(kind: Option<Kind>) -> &'static str {
+    match kind {
+        Some(Kind::Line) => "Move it away from the others, or turn it as they run.",
+        _ => "Move it to a free place, or make it smaller.",
+    }
+}
+
 /// What the sign at a position on the screen says.
 #[must_use]
-pub fn told(badges: &[Badge], view: View, room: egui::Rect, at: Pos2) -> Option<&str> {
+pub fn told<'a>(
+    badges: impl IntoIterator<Item = &'a Badge>,
+    view: View,
+    room: egui::Rect,
+    at: Pos2,
+) -> Option<&'a str> {
     let is_near = |badge: &&Badge| view.to_screen(room, badge.place).distance(at) <= RADIUS + 2.0;
-    badges.iter().find(is_near).map(|badge| badge.text.as_str())
+    badges.into_iter().find(is_near).map(|badge| badge.text.as_str())
 }
 
 /// Paints them.
-pub fn paint(ink: &Ink, badges: &[Badge], colours: &Palette) {
+pub fn paint<'a>(ink: &Ink, badges: impl IntoIterator<Item = &'a Badge>, colours: &Palette) {
     for badge in badges {
         let at = ink.at(badge.place);
         ink.painter.circle(at, RADIUS, colours.wrong, egui::Stroke::new(1.5, colours.paper));

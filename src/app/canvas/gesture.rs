@@ -3,10 +3,12 @@
 use egui::Pos2;
 
 use super::handles::{self, Handle};
+use super::reference::{Part, Placement};
 use super::tool::Tool;
 use crate::editor::selection::{Place, Selection};
 use crate::editor::session::Session;
 use crate::editor::shape;
+use crate::editor::snap::Snap;
 use crate::marks::{Ellipse, Line, Mark};
 use crate::sketch::recognise;
 
@@ -43,6 +45,8 @@ pub enum Gesture {
     Pull(Handle, [f64; 2], Vec<(Place, Mark)>),
     /// Erasing: the last point.
     Erase([f64; 2]),
+    /// Moving or scaling the reference picture: its part, where it was pressed, where it lay before.
+    Reference(Part, [f64; 2], Placement),
     /// Moving the view: the last position on the screen.
     Pan(Pos2),
 }
@@ -58,6 +62,15 @@ pub struct Hand {
     pub shift: bool,
     /// Alt or Ctrl is held: a drag makes a copy.
     pub copy: bool,
+    /// The grid that marks snap to.
+    pub snap: Snap,
+}
+
+impl Hand {
+    /// Its position on the grid, px.
+    fn snapped(&self) -> [f64; 2] {
+        self.snap.at(self.at)
+    }
 }
 
 /// A mark that was drawn.
@@ -101,8 +114,8 @@ pub fn press(
     match tool {
         Tool::Hand => Gesture::Pan(on_screen),
         Tool::Pen => Gesture::Pen(vec![hand.at]),
-        Tool::Ellipse => Gesture::Ellipse([hand.at; 2]),
-        Tool::Line => Gesture::Line([hand.at; 2]),
+        Tool::Ellipse => Gesture::Ellipse([hand.snapped(); 2]),
+        Tool::Line => Gesture::Line([hand.snapped(); 2]),
         Tool::Eraser => {
             erase(session, [hand.at; 2], hand.zoom);
             Gesture::Erase(hand.at)
@@ -137,7 +150,7 @@ impl Gesture {
     /// Continues the gesture: the pointer has moved.
     pub fn advance(&mut self, session: &mut Session, hand: Hand) {
         match self {
-            Self::Pan(_) => {}
+            Self::Pan(_) | Self::Reference(..) => {}
             Self::Pen(points) => {
                 // Finer than half a point on the screen is noise.
                 let far = points
@@ -147,9 +160,12 @@ impl Gesture {
                     points.push(hand.at);
                 }
             }
-            Self::Ellipse(ends) => ends[1] = if hand.shift { squared(ends[0], hand.at) } else { hand.at },
+            Self::Ellipse(ends) => {
+                let at = hand.snapped();
+                ends[1] = if hand.shift { squared(ends[0], at) } else { at };
+            }
             Self::Line(ends) => {
-                ends[1] = if hand.shift { handles::straightened(ends[0], hand.at) } else { hand.at };
+                ends[1] = if hand.shift { handles::straightened(ends[0], hand.at) } else { hand.snapped() };
             }
             Self::Box(ends, before) => {
                 ends[1] = hand.at;
@@ -157,10 +173,11 @@ impl Gesture {
                 selection.add(within(session, *ends));
                 session.selection = selection;
             }
-            Self::Move { from, marks, moved, .. } => {
+            Self::Move { from, marks, on, moved, .. } => {
                 let by = [hand.at[0] - from[0], hand.at[1] - from[1]];
                 *moved |= by[0].hypot(by[1]) * hand.zoom > CLICK;
                 if *moved {
+                    let by = snapped_move(marks, *on, by, hand.snap);
                     let by = session.limit_move(marks, by);
                     let there: Vec<_> =
                         marks.iter().map(|(place, mark)| (*place, shape::moved(mark, by))).collect();
@@ -168,7 +185,11 @@ impl Gesture {
                 }
             }
             Self::Pull(handle, from, marks) => {
-                session.replace(&handles::pulled(*handle, marks, [*from, hand.at], hand.shift));
+                let ends = match handles::end_of(*handle, marks).filter(|_| hand.snap.on && !hand.shift) {
+                    Some(end) => [end, hand.snapped()],
+                    None => [*from, hand.at],
+                };
+                session.replace(&handles::pulled(*handle, marks, ends, hand.shift));
             }
             Self::Erase(last) => {
                 erase(session, [*last, hand.at], hand.zoom);
@@ -225,6 +246,15 @@ impl Gesture {
             _ => None,
         }
     }
+}
+
+/// The move `by` px, changed so that the centre of the mark that was pressed comes to lie on the grid.
+fn snapped_move(marks: &[(Place, Mark)], on: Place, by: [f64; 2], snap: Snap) -> [f64; 2] {
+    let pressed = marks.iter().find(|(place, _)| *place == on).or(marks.first());
+    let Some((_, mark)) = pressed.filter(|_| snap.on) else { return by };
+    let center = shape::center(mark);
+    let to = snap.at([0, 1].map(|axis| center[axis] + by[axis]));
+    [0, 1].map(|axis| to[axis] - center[axis])
 }
 
 fn line([from, to]: [[f64; 2]; 2], width: f64) -> Line {

@@ -109,6 +109,16 @@ pub fn at(handles: &[(Handle, Pos2)], pointer: Pos2) -> Option<Handle> {
         .map(|(handle, _)| handle)
 }
 
+/// The point of a mark that a handle moves; `None` of handles that move none.
+#[must_use]
+pub fn end_of(handle: Handle, marks: &[(Place, Mark)]) -> Option<[f64; 2]> {
+    match (handle, marks) {
+        (Handle::End(end), [(_, Mark::Line(line))]) => Some(if end == 0 { line.from } else { line.to }),
+        (Handle::Point(index), [(_, Mark::Path(path))]) => path.points.get(index).copied(),
+        _ => None,
+    }
+}
+
 /// The pointer's shape over a handle.
 #[must_use]
 pub fn cursor(handle: Handle) -> CursorIcon {

@@ -1,7 +1,7 @@
 //! The canvas: the sketch, the tools, the selection.
 
 pub mod analysis;
-mod badges;
+pub mod badges;
 mod gesture;
 mod handles;
 pub mod ink;
@@ -9,6 +9,8 @@ mod lost;
 mod navigate;
 mod paint;
 mod pointer;
+pub mod reference;
+mod reference_handles;
 mod starter;
 pub mod tool;
 pub mod view;
@@ -21,17 +23,20 @@ pub use starter::starter;
 
 use egui::{EventFilter, Id, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 
-use super::reference::Reference;
 use super::result::Drawn;
 use super::underlay::Underlay;
+use crate::editor::pens::{Pens, Pressure};
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
-use crate::editor::units::Units;
+use crate::editor::snap::Snap;
+use crate::editor::units::{Ruler, Units};
 use crate::marks::Mark;
 use crate::sketch::recognise;
 use analysis::Analysis;
+use badges::Badge;
 use gesture::Gesture;
+use reference::Reference;
 use tool::Tool;
 use view::View;
 use wanted::LiveWanted;
@@ -68,6 +73,10 @@ pub struct Canvas {
     pub wanted: LiveWanted,
     /// The mark under the pointer.
     pub hovered: Option<Place>,
+    /// The region that was clicked, (column, row): its numbers are shown and can be typed.
+    pub chosen_region: Option<[usize; 2]>,
+    /// The grid that marks snap to.
+    pub snap: Snap,
     /// The unit in which lengths are shown.
     pub units: Units,
     /// The reference picture under it.
@@ -79,6 +88,10 @@ pub struct Canvas {
     /// Whether it got the keyboard focus by a click; then the focus is not highlighted.
     by_pointer: bool,
     gesture: Option<Gesture>,
+    /// How pens are used.
+    pub pens: Pens,
+    /// The pressure during the gesture.
+    pressure: Pressure,
     /// The button of the gesture.
     button: PointerButton,
     /// Where the pointer was pressed, on the screen.
@@ -91,6 +104,8 @@ pub struct Canvas {
     pub remark: Option<String>,
     /// A mark that does not belong on the active layer: whether it gets a new one is to be asked.
     pub question: Option<Mark>,
+    /// Signs at what does not grow as it was drawn.
+    pub badges: Vec<Badge>,
     /// Strokes that were recognised, and when, seconds.
     fading: Vec<(Vec<[f64; 2]>, f64)>,
 }
@@ -106,18 +121,23 @@ impl Default for Canvas {
             analysis: Analysis::default(),
             wanted: LiveWanted::default(),
             hovered: None,
+            chosen_region: None,
+            snap: Snap::default(),
             units: Units::default(),
             reference: Reference::default(),
             underlay: Underlay::default(),
             id: None,
             by_pointer: false,
             gesture: None,
+            pens: Pens::default(),
+            pressure: Pressure::default(),
             button: PointerButton::Primary,
             pressed_at: Pos2::ZERO,
             menu_asked: None,
             room: Rect::ZERO,
             remark: None,
             question: None,
+            badges: Vec::new(),
             fading: Vec::new(),
         }
     }
@@ -127,25 +147,29 @@ impl Canvas {
     /// Whether a gesture changes the document.
     #[must_use]
     pub fn is_busy(&self) -> bool {
-        self.gesture.as_ref().is_some_and(|gesture| !matches!(gesture, Gesture::Pan(_)))
+        self.gesture
+            .as_ref()
+            .is_some_and(|gesture| !matches!(gesture, Gesture::Pan(_) | Gesture::Reference(..)))
     }
 
     /// The mark that a release of the pointer would add now.
     #[must_use]
     pub fn pending_mark(&self) -> Option<Mark> {
         match self.gesture.as_ref()? {
-            Gesture::Pen(points) => recognise(points, self.nib.width),
-            gesture => gesture.preview(&self.nib),
+            Gesture::Pen(points) => recognise(points, self.pressed_nib().width),
+            gesture => gesture.preview(&self.pressed_nib()),
         }
     }
 
     /// Cancels the gesture and undoes what it changed. Gives whether there was one.
     pub fn cancel(&mut self, session: &mut Session) -> bool {
-        let held = self.gesture.take().is_some();
-        if held {
-            session.revert();
+        self.pressure = Pressure::default();
+        let Some(gesture) = self.gesture.take() else { return false };
+        if let Gesture::Reference(_, _, before) = gesture {
+            self.reference.place(before, session.document().size);
         }
-        held
+        session.revert();
+        true
     }
 
     /// Asks for the menu of the canvas at a point, px.
@@ -186,11 +210,17 @@ impl Canvas {
         let drawn = if session.revision() == revision { drawn } else { &changed };
         self.hovered =
             self.pointer.filter(|_| self.gesture.is_none()).and_then(|at| self.mark_at(session, drawn, at));
-        let badges = badges::badges(&self.analysis.notes, session, drawn);
-        self.paint(ui, room, (session, drawn), &badges, &response);
-        let told = response.hover_pos().and_then(|at| badges::told(&badges, self.view, room, at));
-        let lost = || self.hovered.and_then(|place| drawn.lost(session, place));
-        match told.map(str::to_owned).or_else(|| lost().map(|reason| format!("Does not grow: {reason}."))) {
+        let wanted = self.wanted.of(session.active_layer);
+        let ruler = Ruler { units: self.units, dpi: session.document().dpi };
+        self.badges = badges::badges(&self.analysis.notes, wanted, (session, drawn), ruler);
+        self.paint(ui, room, (session, drawn), &response);
+        let told = response.hover_pos().and_then(|at| badges::told(&self.badges, self.view, room, at));
+        let lost = || {
+            let place = self.hovered?;
+            let (reason, remedy) = (drawn.lost(session, place)?, badges::remedy(session.kind(place.layer)));
+            Some(format!("Does not grow: {reason}. {remedy}"))
+        };
+        match told.map(str::to_owned).or_else(lost) {
             Some(text) if self.gesture.is_none() => response.on_hover_text_at_pointer(text),
             _ => response,
         }

@@ -2,7 +2,7 @@
 
 use egui::{Align2, Color32, FontId, Rect, Response, Stroke, StrokeKind, Ui, vec2};
 
-use super::badges::{self, Badge};
+use super::badges;
 use super::gesture::Gesture;
 use super::ink::Ink;
 use super::tool::Tool;
@@ -23,7 +23,6 @@ impl Canvas {
         ui: &Ui,
         room: Rect,
         (session, drawn): (&Session, &Drawn),
-        badges: &[Badge],
         response: &Response,
     ) {
         let colours = Palette::current(ui.visuals());
@@ -32,11 +31,15 @@ impl Canvas {
         let paper = self.view.paper(room, session.document().size);
         painter.rect_filled(paper, 2.0, colours.paper);
         self.underlay.paint(&painter, paper);
-        self.reference.paint(&painter, paper);
+        self.reference.paint(&painter, self.view, room, session.document().size);
         let ink = Ink { painter: &painter, view: &self.view, room };
+        if self.snap.on {
+            snap_grid(&ink, session.document().size, self.snap.step, colours);
+        }
         if self.overlays.regions {
             grid(&ink, session, colours);
         }
+        self.paint_chosen_region(&ink, session, colours);
         painter.rect_stroke(paper, 2.0, Stroke::new(1.0, colours.border), StrokeKind::Outside);
         if self.overlays.wanted
             && let Some(wanted) = self.wanted.of(session.active_layer)
@@ -51,7 +54,8 @@ impl Canvas {
         if session.marks().next().is_none() && self.gesture.is_none() {
             starter::paint(&ink, session.document().size, colours, ui.visuals().weak_text_color());
         }
-        badges::paint(&ink, badges, colours);
+        badges::paint(&ink, &self.badges, colours);
+        self.paint_reference_handles(&ink, session, colours);
         self.paint_selection(&ink, session, colours);
         self.paint_gesture(ui, &ink, Ruler { units: self.units, dpi: session.document().dpi }, colours);
         fade(ui, &ink, &mut self.fading, colours);
@@ -73,6 +77,16 @@ impl Canvas {
         self.paint_selection(&ink, session, colours);
         self.paint_gesture(ui, &ink, Ruler { units: self.units, dpi: session.document().dpi }, colours);
         paint_fading(ui, &ink, &self.fading, colours);
+    }
+
+    /// Paints a frame around the region whose numbers are shown.
+    fn paint_chosen_region(&self, ink: &Ink, session: &Session, colours: &Palette) {
+        let Some(place) = self.chosen_region.filter(|_| session.document().regions.is_some()) else { return };
+        let (size, grid) = (session.document().size.map(f64::from), session.document().region_grid());
+        let corner =
+            |by: usize| ink.at([0, 1].map(|axis| size[axis] * (place[axis] + by) as f64 / grid[axis] as f64));
+        let rect = Rect::from_min_max(corner(0), corner(1));
+        ink.painter.rect_stroke(rect, 0.0, Stroke::new(1.5, colours.accent), StrokeKind::Inside);
     }
 
     fn paint_marks(&self, ink: &Ink, session: &Session, drawn: &Drawn, colours: &Palette) {
@@ -138,14 +152,14 @@ impl Canvas {
     fn paint_gesture(&self, ui: &Ui, ink: &Ink, ruler: Ruler, colours: &Palette) {
         match &self.gesture {
             Some(Gesture::Pen(points)) => {
-                let width = (self.nib.width as f32 * ink.view.zoom).clamp(1.5, 3.0);
+                let width = (self.pressed_nib().width as f32 * ink.view.zoom).clamp(1.5, 3.0);
                 ink.path(points, Stroke::new(width, colours.pen));
             }
             Some(Gesture::Box(ends, _)) => {
                 ink.dashed(ends.map(|end| ink.at(end)), Stroke::new(1.0, colours.accent));
             }
             Some(gesture) => {
-                if let Some(mark) = gesture.preview(&self.nib) {
+                if let Some(mark) = gesture.preview(&self.pressed_nib()) {
                     ink.mark(&mark, colours.pen.gamma_multiply(0.25), Stroke::new(1.5, colours.pen));
                     if let Some(at) = ui.input(|input| input.pointer.latest_pos()) {
                         label(ink, &mark, at, ruler, colours);
@@ -189,6 +203,22 @@ fn label(ink: &Ink, mark: &Mark, at: egui::Pos2, ruler: Ruler, colours: &Palette
     let rect = Align2::LEFT_TOP.anchor_size(at + vec2(14.0, 14.0), galley.size() + vec2(10.0, 4.0));
     ink.painter.rect_filled(rect, 4.0, colours.pen);
     ink.painter.galley(rect.min + vec2(5.0, 2.0), galley, Color32::PLACEHOLDER);
+}
+
+/// Paints the grid that marks snap to, every other line or fewer where these are too dense.
+fn snap_grid(ink: &Ink, size: [u32; 2], step: f64, colours: &Palette) {
+    /// The least distance of two lines, points.
+    const LEAST: f64 = 6.0;
+    let each = (LEAST / (step * f64::from(ink.view.zoom))).ceil().max(1.0) * step;
+    let stroke = Stroke::new(1.0, colours.grid.gamma_multiply(0.45));
+    let size = size.map(f64::from);
+    for axis in 0..2 {
+        for line in 1..(size[axis] / each).ceil() as usize {
+            let [mut from, mut to] = [[0.0; 2], size];
+            (from[axis], to[axis]) = (line as f64 * each, line as f64 * each);
+            ink.segment([from, to], stroke);
+        }
+    }
 }
 
 /// Paints the borders between regions; on a seamless canvas its own border as well.

@@ -1,12 +1,13 @@
 //! The pointer on the canvas: its events become gestures.
 
-use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
+use egui::{CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, TouchPhase, Ui};
 
-use super::gesture::{self, DrawnStroke, Gesture, Hand};
+use super::gesture::{self, DrawnStroke, Gesture, Hand, Nib};
 use super::tool::Tool;
-use super::{Canvas, handles};
+use super::{Canvas, handles, reference_handles};
 use crate::document::Kind;
 use crate::document::sketch_notes::outline_remark;
+use crate::editor::pens::Pressure;
 use crate::editor::selection::Selection;
 use crate::editor::session::Session;
 use crate::marks::Mark;
@@ -23,6 +24,12 @@ impl Canvas {
         let (events, modifiers) = ui.input(|input| (pointer_events(&input.events), input.modifiers));
         for event in events {
             match event {
+                // A pen's pressure comes before the move or the press that it belongs to.
+                Event::Touch { force: Some(force), phase: TouchPhase::Start, .. } => {
+                    self.pressure = Pressure::default();
+                    self.pressure.add(force);
+                }
+                Event::Touch { force: Some(force), phase: TouchPhase::Move, .. } => self.pressure.add(force),
                 Event::PointerMoved(at) => self.pointer_moved(room, session, at, modifiers),
                 Event::PointerButton { pos, button, pressed: true, modifiers }
                     if self.gesture.is_none() && is_on_canvas(ui, response, pos) =>
@@ -34,9 +41,19 @@ impl Canvas {
                     let space = ui.input(|input| input.key_down(Key::Space));
                     let is_drawing = button == PointerButton::Primary && !space;
                     let tool = if is_drawing { self.tool } else { Tool::Hand };
+                    let erases = button == PointerButton::Secondary && self.pens.erases;
                     let handle = handles::at(&handles::handles(session, &self.view, room), pos);
                     let hand = self.hand(room, pos, modifiers);
-                    self.gesture = Some(gesture::press(tool, session, handle, pos, hand));
+                    let size = session.document().size;
+                    let part = self
+                        .reference_part(room, session, pos, gesture::REACH / hand.zoom)
+                        .filter(|_| is_drawing && handle.is_none());
+                    self.gesture = Some(match part.zip(self.reference.placement(size)) {
+                        Some((part, before)) => Gesture::Reference(part, hand.at, before),
+                        // A click opens the menu: only a drag erases.
+                        None if erases => Gesture::Erase(hand.at),
+                        None => gesture::press(tool, session, handle, pos, hand),
+                    });
                 }
                 Event::PointerButton { pos, button, pressed: false, .. } if button == self.button => {
                     self.pointer_released(ui, room, session, (pos, modifiers));
@@ -60,7 +77,14 @@ impl Canvas {
             zoom,
             shift: modifiers.shift,
             copy: modifiers.alt || modifiers.command,
+            snap: self.snap,
         }
+    }
+
+    /// The size of new marks, as the pressure changes it.
+    pub(super) fn pressed_nib(&self) -> Nib {
+        let factor = if self.pens.pressure { self.pressure.factor() } else { 1.0 };
+        Nib { width: factor * self.nib.width, radii: self.nib.radii.map(|radius| factor * radius) }
     }
 
     fn pointer_moved(&mut self, room: Rect, session: &mut Session, at: Pos2, modifiers: Modifiers) {
@@ -70,6 +94,10 @@ impl Canvas {
                 let by = at - *last;
                 *last = at;
                 self.view.pan(by);
+            }
+            Some(Gesture::Reference(part, from, before)) => {
+                let placement = self.reference.dragged(*before, *part, [*from, hand.at]);
+                self.reference.place(placement, session.document().size);
             }
             Some(gesture) => gesture.advance(session, hand),
             None => {}
@@ -89,13 +117,34 @@ impl Canvas {
             self.ask_menu_at(session, hand);
             return;
         }
-        if let Some(DrawnStroke { mark, points }) = gesture.release(session, &mut self.nib, hand) {
+        if matches!(gesture, Gesture::Box(..)) && at.distance(self.pressed_at) < CLICK && !modifiers.shift {
+            self.choose_region(session, hand.at);
+        }
+        let pressed = self.pressed_nib();
+        let mut nib = pressed;
+        self.pressure = Pressure::default();
+        let drawn = gesture.release(session, &mut nib, hand);
+        if nib.radii != pressed.radii {
+            self.nib.radii = nib.radii;
+        }
+        if let Some(DrawnStroke { mark, points }) = drawn {
             let remark = outline_remark(&points);
             self.fading.push((points, ui.input(|input| input.time)));
             self.add(session, mark);
             self.remark = remark.or(self.remark.take());
         }
         session.commit();
+    }
+
+    /// Chooses the region at a point, px, or no region where it was the chosen one.
+    fn choose_region(&mut self, session: &Session, at: [f64; 2]) {
+        let (size, grid) = (session.document().size.map(f64::from), session.document().region_grid());
+        let is_on = (0..2).all(|axis| (0.0..=size[axis]).contains(&at[axis]));
+        let place = [0, 1].map(|axis| {
+            ((at[axis] / size[axis] * grid[axis] as f64) as usize).min(grid[axis].saturating_sub(1))
+        });
+        let chosen = (is_on && session.document().regions.is_some()).then_some(place);
+        self.chosen_region = chosen.filter(|_| self.chosen_region != chosen);
     }
 
     /// Adds a mark that was drawn. Asks first where it does not belong on the active layer, and tells of a new layer.
@@ -138,6 +187,7 @@ impl Canvas {
         let held = self.gesture.is_some();
         let icon = match (&self.gesture, over) {
             (Some(Gesture::Pull(handle, ..)), _) => handles::cursor(*handle),
+            (Some(Gesture::Reference(part, ..)), _) => reference_handles::cursor(*part),
             (_, Some(handle)) if !space => handles::cursor(handle),
             _ if space || self.tool == Tool::Hand => {
                 if held {
@@ -146,7 +196,11 @@ impl Canvas {
                     CursorIcon::Grab
                 }
             }
-            _ if self.tool == Tool::Select => CursorIcon::Default,
+            _ if self.tool == Tool::Select => {
+                let reach = gesture::REACH / f64::from(self.view.zoom);
+                self.reference_part(room, session, at, reach)
+                    .map_or(CursorIcon::Default, reference_handles::cursor)
+            }
             _ => CursorIcon::Crosshair,
         };
         ui.ctx().set_cursor_icon(icon);
@@ -155,8 +209,9 @@ impl Canvas {
 
 /// The moves, presses and releases among the events of a frame.
 fn pointer_events(events: &[Event]) -> Vec<Event> {
-    let is_of_pointer =
-        |event: &&Event| matches!(event, Event::PointerMoved(_) | Event::PointerButton { .. });
+    let is_of_pointer = |event: &&Event| {
+        matches!(event, Event::PointerMoved(_) | Event::PointerButton { .. } | Event::Touch { .. })
+    };
     events.iter().filter(is_of_pointer).cloned().collect()
 }
 

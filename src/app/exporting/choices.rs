@@ -131,6 +131,9 @@ pub struct Outlines {
     pub cut: bool,
     /// Whether paths are ordered to shorten the way of the pen.
     pub ordered: bool,
+    /// Whether an SVG has a rectangle in the colour of the ground beneath them.
+    #[serde(default)]
+    pub ground: bool,
 }
 
 /// How a film is written.
@@ -199,6 +202,7 @@ impl Default for Choices {
                 area: 0.0,
                 cut: false,
                 ordered: true,
+                ground: false,
             },
             film: Film { kind: Kind::Gif, change: false, to: None, clip: Clip::default() },
         }

@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use egui::{Align, Button, ComboBox, Layout, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, vec2};
 
+use super::lit::LIT;
 use super::pages::{DialogAction, ExportContext};
 use super::preview::{FinishedPreview, Preview};
 use super::view::View;
 use super::{Choices, ExportKind, pages};
 use crate::app::pages::{Answer, choice};
-use crate::export::material::Map;
 use crate::synth::estimate::in_words;
 
 /// Width of the column of choices, points.
@@ -116,9 +116,14 @@ impl Dialog {
                     ui.colored_label(ui.visuals().error_fg_color, why);
                 });
             }
-            (Some(made), None) => {
-                self.view.ui(ui, picture, made, fresh);
-            }
+            (Some(made), None) => match &made.maps {
+                Some(maps) if self.is_lit() => {
+                    self.view.lit.ui(ui, picture, Arc::as_ptr(made) as usize, maps);
+                }
+                _ => {
+                    self.view.ui(ui, picture, made, fresh);
+                }
+            },
             (None, None) => self.nothing(ui, picture),
         }
         ui.scope_builder(UiBuilder::new().max_rect(under), |ui| {
@@ -174,8 +179,13 @@ impl Dialog {
             Some(made) if !made.frames().is_empty() => self.view.player(ui, made),
             Some(made) => {
                 let pictures = made.pictures();
+                let lit = made.maps.as_ref().map(|_| LIT);
                 if pictures.len() > 1 {
-                    self.which(ui, pictures.iter().map(|(name, _)| name.as_str()).collect());
+                    let names = pictures.iter().map(|(name, _)| name.as_str());
+                    self.which(ui, lit.into_iter().chain(names).collect());
+                }
+                if lit.is_some() && self.is_lit() {
+                    self.view.lit.bodies(ui);
                 }
                 let [width, height] = pictures.first().map_or([0; 2], |(_, image)| image.size);
                 if !made.whole {
@@ -185,10 +195,14 @@ impl Dialog {
         }
     }
 
+    /// Whether the lit view of a material is chosen; it is the first choice.
+    fn is_lit(&self) -> bool {
+        self.view.chosen == LIT || self.view.chosen.is_empty()
+    }
+
     fn which(&mut self, ui: &mut Ui, names: Vec<&str>) {
         if !names.contains(&self.view.chosen.as_str()) {
-            let first = names.iter().find(|name| **name == Map::BaseColour.suffix()).unwrap_or(&names[0]);
-            self.view.chosen = (*first).to_owned();
+            names[0].clone_into(&mut self.view.chosen);
         }
         let combo =
             ComboBox::from_id_salt("which").selected_text(&self.view.chosen).width(190.0).show_ui(ui, |ui| {

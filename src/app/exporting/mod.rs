@@ -9,6 +9,7 @@
 pub mod choices;
 mod dialog;
 mod job;
+mod lit;
 mod outline_picture;
 mod pages;
 mod preview;

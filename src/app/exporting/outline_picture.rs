@@ -13,18 +13,21 @@ pub struct OutlinePicture {
     pub groups: Vec<Group>,
     /// The width of strokes, px; `None` = hairlines.
     pub pen: Option<f64>,
+    /// The colour beneath them; `None` = white paper.
+    pub ground: Option<[u8; 3]>,
 }
 
 /// Samples per px in y; in x, coverage is exact.
 const FINENESS: usize = 4;
 
 impl OutlinePicture {
-    /// The outlines on white, the longer side `side` px.
+    /// The outlines on their ground, the longer side `side` px.
     #[must_use]
     pub fn picture(&self, side: usize) -> ColorImage {
         let scale = side as f64 / self.size[0].max(self.size[1]);
         let size = self.size.map(|side| ((side * scale).round() as usize).max(1));
-        let mut paper = Paper { size, cover: Vec::new(), image: vec![[255.0; 3]; size[0] * size[1]] };
+        let ground = self.ground.unwrap_or([255; 3]).map(f32::from);
+        let mut paper = Paper { size, cover: Vec::new(), image: vec![ground; size[0] * size[1]] };
         for group in &self.groups {
             let areas = group.areas.iter().flat_map(Shape::paths);
             paper.cover = vec![0.0; size[0] * size[1]];

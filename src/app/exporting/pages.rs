@@ -11,6 +11,7 @@ use egui::{Checkbox, ComboBox, DragValue, Grid, Role, Ui, WidgetInfo, WidgetText
 
 use super::{Choices, ExportKind, ExportRequest};
 use crate::app::fields::sides;
+use crate::app::units::number_field;
 use crate::editor::task::Tasks;
 use crate::editor::units::{Ruler, Units};
 use crate::synth::Grown;
@@ -71,9 +72,9 @@ fn yes(ui: &mut Ui, text: &str, on: &mut bool, enabled: bool, explained: &str) {
         .on_disabled_hover_text(explained);
 }
 
-/// A field for a number. Gives whether it changed.
-fn number(ui: &mut Ui, name: &str, field: DragValue) -> bool {
-    ui.add(field.update_while_editing(false)).accessible_name(name).changed()
+/// A field for a number with a unit. Gives whether it changed.
+fn number(ui: &mut Ui, name: &str, field: DragValue, unit: &str) -> bool {
+    ui.add(number_field(field, unit)).accessible_name(name).changed()
 }
 
 /// A list of options. Gives whether another one was chosen.
@@ -122,8 +123,8 @@ fn size(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
         ui.end_row();
     }
     named(ui, "Scale", "Factor for the number of px along each side; sharp at any size");
-    let field = DragValue::new(&mut size.scale).range(1..=64).speed(0.05).suffix("×");
-    number(ui, "Scale", field);
+    let field = DragValue::new(&mut size.scale).range(1..=64).speed(0.05);
+    number(ui, "Scale", field, "×");
     ui.end_row();
 }
 

@@ -9,6 +9,7 @@ use egui::ColorImage;
 
 use super::ExportKind;
 use super::job::Job;
+use super::lit;
 use super::preview_images::PreviewImages;
 use super::request::{ExportRequest, Pending};
 use crate::document::Document;
@@ -16,7 +17,9 @@ use crate::editor::task::Tasks;
 use crate::export::TemporaryFolder;
 use crate::export::material::name;
 use crate::export::motion::Film;
+use crate::grid::Edges;
 use crate::synth::estimate::{Needs, Task};
+use crate::synth::render::lit::Maps;
 use crate::synth::{Grown, Training, Watch};
 
 /// Largest number of px of a preview; larger pictures are reduced.
@@ -34,6 +37,8 @@ pub struct FinishedPreview {
     pub whole: bool,
     /// Its pictures or frames.
     pub images: PreviewImages,
+    /// The maps of a material, to be seen lit.
+    pub maps: Option<Maps>,
     /// A message about it.
     pub message: Option<String>,
     /// Bytes of its files.
@@ -217,10 +222,17 @@ fn make_preview(
         Some(drawing) => PreviewImages::Pictures(vec![(String::new(), drawing.picture(DRAWN))]),
         None => PreviewImages::read(&request, &files, seconds)?,
     };
+    let maps = match &images {
+        PreviewImages::Pictures(pictures) if request.choices.what == ExportKind::Material => {
+            lit::maps(pictures, request.document.edges == Edges::Wrap)
+        }
+        _ => None,
+    };
     let whole = size == request.size() || film.is_some() || written.drawing.is_some();
     Ok(FinishedPreview {
         whole,
         images,
+        maps,
         message: written.message,
         bytes,
         grown,

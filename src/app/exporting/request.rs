@@ -18,7 +18,7 @@ use crate::export::{self, ExportError, Prepared, Stopped};
 use crate::synth::grow;
 use crate::synth::render::film::Scene;
 use crate::synth::render::morph::Morph;
-use crate::synth::render::outlining::{Outlining, outlines};
+use crate::synth::render::outlining::{self, Outlining, outlines};
 use crate::synth::render::painting::{Channel, Making, Painting, Style, concentrations};
 use crate::synth::{Grown, Options, Training, Watch};
 
@@ -222,7 +222,8 @@ impl ExportRequest {
         let (groups, travel) = outlines(&self.document, grown, &wanted, watch).map_err(stopped)?;
         let (size, unit) = (size.map(|side| side as f64), choices.unit(dpi));
         let title = self.document.name.clone();
-        let sheet = Sheet { title, size, unit, stroke_width: choices.pen };
+        let ground = (choices.ground && !choices.dxf).then(|| outlining::ground(&self.document));
+        let sheet = Sheet { title, size, unit, stroke_width: choices.pen, ground };
         let file = export::prepare(path, |out| {
             if choices.dxf {
                 dxf::write(out, size, unit, &groups)?;
@@ -235,7 +236,7 @@ impl ExportRequest {
         Ok(Written {
             pending: Pending::Files(vec![file]),
             message: Some(travel.text(unit)),
-            drawing: Some(OutlinePicture { size, groups, pen }),
+            drawing: Some(OutlinePicture { size, groups, pen, ground }),
         })
     }
 

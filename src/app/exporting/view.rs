@@ -8,6 +8,7 @@ use egui::{
 };
 use image::{RgbaImage, imageops};
 
+use super::lit::LitView;
 use super::preview::FinishedPreview;
 use crate::app::theme::Palette;
 
@@ -31,6 +32,8 @@ pub struct View {
     /// Whether the film plays.
     pub plays: bool,
     checker: Option<TextureHandle>,
+    /// The lit view of a material.
+    pub lit: LitView,
 }
 
 impl View {

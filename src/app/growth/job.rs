@@ -1,5 +1,6 @@
 //! The work of the growth thread: one growth of one document, with pictures on the way.
 
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -15,8 +16,10 @@ use crate::synth::{
     GrowError, Grown, GrownLayer, Options, Settings, Snapshot, Stage, Training, Watch, regrow_seen, unchanged,
 };
 
-/// Least time between two pictures of a growth.
-const BETWEEN_PICTURES: Duration = Duration::from_millis(60);
+/// Least time between two pictures of a growth, ms: the least and the most.
+const BETWEEN_PICTURES: [u32; 2] = [60, 600];
+/// The same where frames take long, in frames: the window stays free for two thirds of the time.
+const FRAMES_BETWEEN: f32 = 3.0;
 
 /// What a growth sends.
 pub(super) enum News {
@@ -38,9 +41,24 @@ pub(super) struct Shared {
     reusable: Mutex<Option<Arc<Grown>>>,
     /// The thread pool of the last growth and its number of threads.
     pool: Mutex<Option<(usize, Arc<ThreadPool>)>>,
+    /// Least time between two pictures, ms.
+    between: AtomicU32,
 }
 
 impl Shared {
+    /// Fewer pictures where a frame of the window takes long, seconds.
+    pub(super) fn set_pace(&self, frame: f32) {
+        let [least, most] = BETWEEN_PICTURES;
+        let between = (1e3 * FRAMES_BETWEEN * frame) as u32;
+        self.between.store(between.clamp(least, most), Ordering::Relaxed);
+    }
+
+    /// Least time between two pictures.
+    fn between(&self) -> Duration {
+        let between = self.between.load(Ordering::Relaxed).max(BETWEEN_PICTURES[0]);
+        Duration::from_millis(u64::from(between))
+    }
+
     /// Runs `work` with `threads` threads; `None` = one less than there are cores, which is left to the window.
     pub(super) fn install(&self, threads: Option<usize>, work: impl FnOnce() + Send) {
         match self.pool(threads) {
@@ -159,7 +177,7 @@ impl Job {
                 done = look.beneath.len();
                 self.shared.keep_layers(&self.document, look.beneath);
             }
-            if shown.is_none_or(|shown| shown.elapsed() >= BETWEEN_PICTURES) && !worker.is_cancelled() {
+            if shown.is_none_or(|shown| shown.elapsed() >= self.shared.between()) && !worker.is_cancelled() {
                 worker.send(News::Picture(Picture::growing(&self.live.coloured(), look)));
                 shown = Some(Instant::now());
             }

@@ -104,6 +104,11 @@ impl Growth {
         }
     }
 
+    /// Takes fewer pictures of what grows where a frame of the window takes long, seconds.
+    pub fn set_pace(&self, frame: f32) {
+        self.shared.set_pace(frame);
+    }
+
     /// Sets the number of threads of the next growths; `None` = one less than there are cores. The texture does not
     /// depend on it.
     pub fn use_threads(&mut self, threads: Option<usize>) {
@@ -332,7 +337,7 @@ impl Growth {
 
 /// What the pattern depends on: the document without its names, colours and dots an inch.
 pub(in crate::app) fn essence(document: &Document) -> Document {
-    let mut essence = Document { name: String::new(), dpi: 300.0, ..document.clone() };
+    let mut essence = Document { name: String::new(), dpi: 300.0, starred: Vec::new(), ..document.clone() };
     for layer in &mut essence.layers {
         layer.name.clear();
         layer.colours = None;

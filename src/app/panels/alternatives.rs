@@ -145,10 +145,11 @@ fn star(ui: &mut Ui, rect: Rect, name: &str, kept: bool, id: u64, actions: &mut 
         ui.painter().circle_stroke(rect.center(), 0.5 * STAR, stroke);
     }
     let (label, help) = match kept {
-        true => {
-            (format!("Remove star from {name}"), "Kept when the sketch changes; click to remove the star")
-        }
-        false => (format!("Star {name}"), "Keep it when the sketch changes"),
+        true => (
+            format!("Remove star from {name}"),
+            "Kept with the document, also when the sketch changes; click to remove the star",
+        ),
+        false => (format!("Star {name}"), "Keep it with the document, also when the sketch changes"),
     };
     button.widget_info(|| WidgetInfo::selected(Role::Button, true, kept, &label));
     if button.on_hover_text(help).clicked() {

@@ -1,14 +1,16 @@
 //! The tab for the canvas: size, regions, edges, resolution; what is shown over and under the sketch.
 
-use egui::{Slider, Ui};
+use egui::{DragValue, Slider, Ui};
 
 use super::form::{heading, rows};
 use crate::app::action::Action;
 use crate::app::canvas::Overlays;
+use crate::app::canvas::reference::{Placement, Reference};
 use crate::app::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
-use crate::app::reference::Reference;
+use crate::app::units::number_field;
 use crate::document::Document;
 use crate::editor::edit::Edit;
+use crate::editor::snap::{STEPS, Snap};
 use crate::editor::units::Ruler;
 use crate::grid::Edges;
 
@@ -20,6 +22,8 @@ pub struct CanvasState<'a> {
     pub overlays: Overlays,
     /// The picture under the sketch.
     pub reference: &'a Reference,
+    /// The grid that marks snap to.
+    pub snap: Snap,
     /// How lengths are shown and typed.
     pub ruler: Ruler,
     /// Whether the texture is shown two by two.
@@ -94,34 +98,90 @@ fn overlays(ui: &mut Ui, state: &CanvasState) -> Vec<Action> {
     }
     let help = "Zooming and panning the sketch does the same to the texture";
     check(ui, state.linked, "Link both views", help, Action::Linked);
-    actions.extend(reference(ui, state.reference));
+    actions.extend(snap(ui, state.snap, state.ruler));
+    actions.extend(reference(ui, state));
     actions
 }
 
+/// The grid that marks snap to.
+fn snap(ui: &mut Ui, before: Snap, ruler: Ruler) -> Option<Action> {
+    let mut snap = before;
+    ui.horizontal(|ui| {
+        let help = "Corners of new ellipses, ends of lines and the centres of moved marks go to the crossings of a grid";
+        ui.checkbox(&mut snap.on, "Snap to grid").on_hover_text(help);
+        let field = ruler.field(&mut snap.step).suffix(ruler.unit());
+        ui.add_enabled(snap.on, field).accessible_name("Distance of the grid lines");
+        snap.step = snap.step.clamp(STEPS[0], STEPS[1]);
+    });
+    (snap != before).then_some(Action::Snap(snap))
+}
+
 /// The picture under the canvas.
-fn reference(ui: &mut Ui, reference: &Reference) -> Vec<Action> {
+fn reference(ui: &mut Ui, state: &CanvasState) -> Vec<Action> {
+    let reference = state.reference;
+    heading(ui, "Reference picture");
+    let Some(placement) = reference.placement(state.document.size) else {
+        let button = ui.button("Choose a picture…");
+        let help =
+            "A picture under the sketch, to draw over. It can also be dropped on the window, or pasted";
+        return button.on_hover_text(help).clicked().then_some(Action::ChooseReference).into_iter().collect();
+    };
     let mut actions = Vec::new();
-    if reference.is_there() {
+    ui.horizontal(|ui| {
+        let mut on = reference.shown;
+        if ui.checkbox(&mut on, "Show").on_hover_text(&reference.name).changed() {
+            actions.push(Action::ShowReference(on));
+        }
+        let mut opacity = reference.opacity;
+        let slider = Slider::new(&mut opacity, 0.0..=1.0).show_value(false);
+        ui.spacing_mut().slider_width = 80.0;
+        let slider = ui.add(slider).accessible_name("Opacity of the reference picture");
+        if slider.on_hover_text("Opacity").changed() {
+            actions.push(Action::ReferenceOpacity(opacity));
+        }
+        if ui.small_button("Remove").clicked() {
+            actions.push(Action::RemoveReference);
+        }
+    });
+    let mut locked = reference.locked;
+    let help = "Unlocked, it is moved with the tool Select: drag it, or its corners";
+    if ui.checkbox(&mut locked, "Lock").on_hover_text(help).changed() {
+        actions.push(Action::LockReference(locked));
+    }
+    if !locked {
+        actions.extend(place(ui, placement, state.ruler));
+    }
+    actions
+}
+
+/// The place and the scale of the reference picture, as numbers.
+fn place(ui: &mut Ui, placement: Placement, ruler: Ruler) -> Vec<Action> {
+    let mut actions = Vec::new();
+    let mut new = placement;
+    rows(ui, "reference", |ui| {
+        ui.label("Centre");
         ui.horizontal(|ui| {
-            let mut on = reference.shown;
-            if ui.checkbox(&mut on, "Picture").on_hover_text(&reference.name).changed() {
-                actions.push(Action::ShowReference(on));
+            for (value, name) in new.center.iter_mut().zip(["Picture centre x", "Picture centre y"]) {
+                ui.add(ruler.field(value)).accessible_name(name);
             }
-            let mut opacity = reference.opacity;
-            let slider = Slider::new(&mut opacity, 0.0..=1.0).show_value(false);
-            ui.spacing_mut().slider_width = 80.0;
-            if ui.add(slider).accessible_name("Opacity of the reference picture").changed() {
-                actions.push(Action::ReferenceOpacity(opacity));
+            ui.weak(ruler.unit().trim_start());
+        });
+        ui.end_row();
+        ui.label("Scale").on_hover_text("Px of the canvas per px of the picture");
+        ui.horizontal(|ui| {
+            let mut percent = 100.0 * new.scale;
+            let field = DragValue::new(&mut percent).speed(0.5).max_decimals(1);
+            if ui.add(number_field(field, " %")).accessible_name("Picture scale").changed() && percent > 0.0 {
+                new.scale = 0.01 * percent;
             }
-            if ui.small_button("Remove").clicked() {
-                actions.push(Action::RemoveReference);
+            if ui.small_button("Fit").on_hover_text("At the centre, as large as it fits").clicked() {
+                actions.push(Action::FitReference);
             }
         });
-        return actions;
-    }
-    let button = ui.button("Reference picture…");
-    if button.on_hover_text("A picture under the sketch, to draw over").clicked() {
-        actions.push(Action::ChooseReference);
+        ui.end_row();
+    });
+    if new != placement {
+        actions.push(Action::PlaceReference(new));
     }
     actions
 }

@@ -1,6 +1,6 @@
 //! The column on the right: a tab for drawing, the canvas, colours or results; below it, the layers.
 
-use egui::{Button, CentralPanel, Frame, Margin, Panel, ScrollArea, Sense, Ui, UiBuilder, vec2};
+use egui::{Button, CentralPanel, Frame, Margin, Panel, ScrollArea, Ui, vec2};
 
 use crate::app::action::{Action, Tab};
 use crate::app::result::Verdict;
@@ -15,16 +15,11 @@ pub fn column(
     layers: impl FnOnce(&mut Ui) -> Vec<Action>,
     content: impl FnOnce(&mut Ui) -> Vec<Action>,
 ) -> Vec<Action> {
-    let room = ui.available_rect_before_wrap();
-    ui.allocate_rect(room, Sense::hover());
-    // A part of its own: content that is too wide is cut off instead of widening the column.
-    let mut inside = ui.new_child(UiBuilder::new().max_rect(room));
-    inside.shrink_clip_rect(room.expand(2.0));
     let mut actions = Vec::new();
     let frame = Frame::NONE.inner_margin(Margin { top: 8, ..Margin::ZERO });
     let below = Panel::bottom("layers").frame(frame).resizable(false);
-    below.show(&mut inside, |ui| actions.extend(layers(ui)));
-    CentralPanel::no_frame().show(&mut inside, |ui| {
+    below.show(ui, |ui| actions.extend(layers(ui)));
+    CentralPanel::no_frame().show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             ui.spacing_mut().button_padding.x = 4.0;

@@ -58,11 +58,11 @@ pub fn draw(ui: &mut Ui, state: &DrawState) -> Vec<Action> {
         mark_result(ui, ruler, "The mark under the pointer", drawn);
         ui.add_space(6.0);
     } else if session.document().regions.is_some() {
-        region(ui, session, canvas, ruler);
+        actions.extend(region(ui, session, canvas, ruler));
     } else {
         here(ui, session, canvas, ruler);
     }
-    actions.extend(notes(ui, session, canvas, &state.drawn));
+    actions.extend(notes(ui, session, canvas, &state.drawn, ruler));
     actions
 }
 

@@ -157,6 +157,7 @@ fn edit(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
     entries.item(ui, "Redo", &Action::Redo, redo);
     ui.separator();
     clipboard(ui, some, entries);
+    copy_picture(ui, state.growth.texture.is_some(), entries);
     entries.item(ui, "Select all", &Action::SelectAll, true);
     ui.separator();
     entries.item(ui, "Add ellipse at centre", &Action::Insert(true), true);
@@ -178,6 +179,12 @@ pub(super) fn clipboard(ui: &mut Ui, some: bool, entries: &mut Entries) {
     }
     entries.item(ui, "Duplicate", &Action::Duplicate, some);
     entries.item(ui, "Delete", &Action::Delete, some);
+}
+
+/// Copies the texture; `can`: it is finished.
+pub(super) fn copy_picture(ui: &mut Ui, can: bool, entries: &mut Entries) {
+    let keys = format!("{}+C", ui.ctx().format_modifiers(Modifiers::COMMAND | Modifiers::SHIFT));
+    entries.item_with(ui, "Copy the texture as a picture", &keys, &Action::CopyPicture, can);
 }
 
 fn layer(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {

@@ -1,4 +1,4 @@
-//! What will not grow as it was drawn, told while one draws.
+//! What will not grow as it was drawn, told while one draws, and what to do about it.
 
 use egui::{Button, RichText, Ui};
 
@@ -6,50 +6,114 @@ use super::form::heading;
 use crate::app::action::Action;
 use crate::app::canvas::Canvas;
 use crate::app::result::Drawn;
+use crate::attributes::free::Note;
 use crate::document::sketch_notes::Remedy;
 use crate::editor::layer_action::LayerAction;
+use crate::editor::selection::Place;
 use crate::editor::session::Session;
+use crate::editor::units::Ruler;
+
+/// Notes about the lines of a layer that are told one by one.
+const MOST: usize = 4;
 
 /// What will not grow as it was drawn, and the remedies that dapple can carry out.
-pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn) -> Vec<Action> {
+pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn, ruler: Ruler) -> Vec<Action> {
     let notes = &canvas.analysis.notes;
-    let mut actions = Vec::new();
+    let lines = canvas.wanted.of(session.active_layer).map(|wanted| wanted.map.notes()).unwrap_or_default();
+    // Crossings are among the notes on the sketch.
+    let lines: Vec<&Note> = lines.iter().filter(|note| !matches!(note, Note::Crossing { .. })).collect();
     let layers = 0..session.document().layers.len();
-    let lost: Vec<String> = layers.filter_map(|layer| lost_of(session, drawn, layer)).collect();
-    let remarks =
-        canvas.wanted.of(session.active_layer).map(|wanted| wanted.map.remarks()).unwrap_or_default();
-    if notes.is_empty() && lost.is_empty() && remarks.is_empty() {
+    let has_missed = |layer: &usize| {
+        let lost = drawn.of_layer(session, *layer).iter().any(|mark| !mark.there);
+        lost || !drawn.merged(session, *layer).is_empty()
+    };
+    let missed: Vec<usize> = layers.filter(has_missed).collect();
+    let mut actions = Vec::new();
+    if notes.is_empty() && lines.is_empty() && missed.is_empty() {
         return actions;
     }
     heading(ui, "Will not grow as drawn");
-    for text in lost {
-        ui.label(RichText::new(text).weak());
+    for layer in missed {
+        actions.extend(missed_of(ui, session, drawn, layer));
     }
     for note in notes {
         let layer = note.layer.map(|layer| format!("{}: ", session.layer_name(layer))).unwrap_or_default();
-        ui.label(RichText::new(format!("{layer}{}.", note.text)).weak());
-        if let (Some(Remedy::TwoLayers), Some(layer)) = (note.remedy, note.layer) {
-            let action = LayerAction::SplitBySize(layer);
-            let button = ui.add_enabled(session.allows(action), Button::new("Split into two layers"));
-            let help = "The large spots stay on this layer, the small ones go to a new layer above it. Can be undone.";
-            if button.on_hover_text(help).clicked() {
-                actions.push(Action::Layer(action));
-            }
+        let text = note.problem.in_words("", &|area| ruler.area(area));
+        told(ui, &format!("{layer}{text}."));
+        if let (Some(remedy), Some(layer)) = (note.remedy, note.layer) {
+            actions.extend(remedied(ui, session, remedy, layer));
         }
     }
-    for remark in remarks {
-        ui.label(RichText::new(format!("{}: {remark}.", session.layer_name(session.active_layer))).weak());
+    let name = session.layer_name(session.active_layer);
+    for note in lines.iter().take(MOST) {
+        told(ui, &format!("{name}: {}.", note.in_words(&|length| ruler.rough(length))));
+    }
+    if let Some(more @ 1..) = lines.len().checked_sub(MOST) {
+        told(ui, &format!("{more} more places are like these; signs on the sketch show them."));
     }
     actions
 }
 
-/// How many marks of a layer do not grow; `None` where all do, as far as that is known.
-fn lost_of(session: &Session, drawn: &Drawn, layer: usize) -> Option<String> {
-    let lost = drawn.of_layer(session, layer).iter().filter(|mark| !mark.there).count();
+fn told(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).weak());
+}
+
+/// A button for a remedy.
+fn remedied(ui: &mut Ui, session: &Session, remedy: Remedy, layer: usize) -> Option<Action> {
+    let (action, text, help) = match remedy {
+        Remedy::TwoLayers => (
+            LayerAction::SplitBySize(layer),
+            "Split into two layers",
+            "The large spots stay on this layer, the small ones go to a new layer above it. Can be undone.",
+        ),
+        Remedy::CrossingLayer => (
+            LayerAction::SplitCrossings(layer),
+            "Move crossing lines to a new layer",
+            "The lines drawn first stay on this layer, those that cross them go to a new layer above it, whose stripes pass \
+             under them. Can be undone.",
+        ),
+    };
+    let button = ui.add_enabled(session.allows(action), Button::new(text)).on_hover_text(help);
+    button.clicked().then_some(Action::Layer(action))
+}
+
+/// Marks of a layer that do not grow, and spots that grew together.
+fn missed_of(ui: &mut Ui, session: &Session, drawn: &Drawn, layer: usize) -> Vec<Action> {
+    let mut actions = Vec::new();
     let name = session.layer_name(layer);
-    match lost {
-        0 => None,
-        1 => Some(format!("{name}: 1 mark does not grow (dashed outline): point at it to see why.")),
-        _ => Some(format!("{name}: {lost} marks do not grow (dashed outlines): point at one to see why.")),
+    let lost = drawn.of_layer(session, layer).iter().filter(|mark| !mark.there);
+    let lost: Vec<Place> = lost.map(|mark| Place { layer, stroke: mark.mark }).collect();
+    if !lost.is_empty() {
+        told(
+            ui,
+            &match lost.len() {
+                1 => format!("{name}: 1 mark does not grow (dashed outline): point at it to see why."),
+                many => {
+                    format!("{name}: {many} marks do not grow (dashed outlines): point at one to see why.")
+                }
+            },
+        );
+        let can_select = layer >= session.frozen();
+        let text = if lost.len() == 1 { "Select it" } else { "Select them" };
+        let help = "Selects the marks that do not grow, to move, shrink or delete them";
+        if ui.add_enabled(can_select, Button::new(text)).on_hover_text(help).clicked() {
+            actions.push(Action::SelectMarks(lost));
+        }
     }
+    let merged = drawn.merged(session, layer).len();
+    if merged > 0 {
+        let places = if merged == 1 { "1 place".to_owned() } else { format!("{merged} places") };
+        told(
+            ui,
+            &format!(
+                "{name}: spots grew together at {places} (signs on sketch and texture). Draw the marks around farther apart \
+                 or smaller, or try another random start."
+            ),
+        );
+        let help = "The same kind of texture with other positions: often no spots grow together then (N)";
+        if ui.button("Try another seed").on_hover_text(help).clicked() {
+            actions.push(Action::AnotherSeed);
+        }
+    }
+    actions
 }

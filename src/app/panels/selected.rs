@@ -3,12 +3,14 @@
 use egui::{Button, DragValue, RichText, Ui};
 
 use super::form::{presets, rows};
+use super::typed_rows::typed_rows;
 use crate::app::action::Action;
 use crate::app::units::number_field;
 use crate::editor::edit::Edit;
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
+use crate::editor::typed;
 use crate::editor::units::Ruler;
 use crate::marks::{Ellipse, Line, Mark, Path};
 
@@ -92,7 +94,7 @@ fn ellipse(ui: &mut Ui, ruler: Ruler, place: Place, mut ellipse: Ellipse) -> Opt
         ui.label("Aspect").on_hover_text("Minor ÷ major radius; 1 is round. Changing it keeps the area");
         let mut aspect = ellipse.aspect();
         if share(ui, "Aspect", &mut aspect) {
-            ellipse = with_aspect(&ellipse, aspect);
+            ellipse = typed::ellipse_with_aspect(&ellipse, aspect);
         }
         ui.end_row();
         ui.label("Area").on_hover_text("Changing the area keeps the shape");
@@ -146,131 +148,13 @@ fn path(ui: &mut Ui, ruler: Ruler, place: Place, mut path: Path) -> Option<Vec<(
 
 fn several(ui: &mut Ui, ruler: Ruler, marks: &[(Place, Mark)]) -> Option<Vec<(Place, Mark)>> {
     ui.label(RichText::new(format!("{} marks", marks.len())).strong());
-    let areas: Vec<f64> = marks.iter().filter_map(|(_, mark)| area(mark)).collect();
-    let widths: Vec<f64> = marks.iter().filter_map(|(_, mark)| width(mark)).collect();
-    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
     let mut changed = None;
-    rows(ui, "many", |ui| {
-        if !areas.is_empty() {
-            ui.label("Mean area").on_hover_text("Scales all selected marks about their centres");
-            let before = mean(&areas);
-            let mut area = before;
-            if area_field(ui, "Mean area", &mut area, ruler) && area > 0.0 {
-                changed = Some(scaled(marks, (area / before).sqrt()));
-            }
-            ui.end_row();
-            ui.label("Aspect").on_hover_text("Minor ÷ major radius of all selected ellipses; 1 is round");
-            let aspects: Vec<f64> = ellipses(marks).map(|(_, ellipse)| ellipse.aspect()).collect();
-            let mut aspect = mean(&aspects);
-            if share(ui, "Aspect of all", &mut aspect) {
-                let each = ellipses(marks);
-                changed = Some(
-                    each.map(|(place, one)| (place, Mark::Ellipse(with_aspect(&one, aspect)))).collect(),
-                );
-            }
-            ui.end_row();
-            ui.label("Direction").on_hover_text("One direction for all selected ellipses, degrees");
-            let mut angle = ellipses(marks).next().map_or(0.0, |(_, ellipse)| ellipse.major_angle());
-            if number(ui, "Direction of all", &mut angle, "°") {
-                let turned = |(place, one): (Place, Ellipse)| {
-                    let by = angle - one.major_angle();
-                    (place, shape::turned(&Mark::Ellipse(one), by, one.center))
-                };
-                changed = Some(ellipses(marks).map(turned).collect());
-            }
-            ui.end_row();
-        }
-        changed = spacing_row(ui, ruler, marks).or(changed.take());
-        if !widths.is_empty() {
-            ui.label("Width").on_hover_text("One width for all selected lines");
-            let mut width = mean(&widths);
-            if width_field(ui, "Width of all", &mut width, ruler) {
-                changed = Some(with_width(marks, width));
-            }
-            ui.end_row();
-        }
-    });
-    if let Some(first) = widths.first() {
-        let mut width = *first;
-        if presets(ui, &mut width, ruler) {
-            changed = Some(with_width(marks, width));
-        }
+    rows(ui, "many", |ui| changed = typed_rows(ui, ruler, marks, " of all"));
+    let first = marks.iter().find_map(|(_, mark)| typed::width_of(mark));
+    if let Some(mut width) = first
+        && presets(ui, &mut width, ruler)
+    {
+        changed = Some(typed::with_width(marks, width));
     }
     changed
-}
-
-/// The distance of the marks to their nearest; a number that is changed gives the marks that replace them.
-fn spacing_row(ui: &mut Ui, ruler: Ruler, marks: &[(Place, Mark)]) -> Option<Vec<(Place, Mark)>> {
-    let before = nearest_neighbours(marks)?;
-    let mut changed = None;
-    ui.label("Spacing").on_hover_text(
-        "Mean distance to the nearest neighbour, from centre to centre. Changing it moves the selected marks apart or \
-         together; their sizes stay",
-    );
-    let mut spacing = before;
-    if width_field(ui, "Spacing", &mut spacing, ruler) && spacing > 0.0 {
-        changed = Some(spread(marks, spacing / before));
-    }
-    ui.end_row();
-    changed
-}
-
-/// The ellipses among the marks.
-fn ellipses(marks: &[(Place, Mark)]) -> impl Iterator<Item = (Place, Ellipse)> + '_ {
-    marks.iter().filter_map(|(place, mark)| Some((*place, mark.ellipse()?)))
-}
-
-/// The ellipse with this aspect and the same area.
-fn with_aspect(ellipse: &Ellipse, aspect: f64) -> Ellipse {
-    Ellipse::from_area(ellipse.center, ellipse.area(), aspect, ellipse.major_angle())
-}
-
-/// The mean distance of the marks to their nearest, px; `None` of fewer than two, or where all are at one place.
-fn nearest_neighbours(marks: &[(Place, Mark)]) -> Option<f64> {
-    let centers: Vec<[f64; 2]> = marks.iter().map(|(_, mark)| mark.center()).collect();
-    let nearest = |index: usize| {
-        let others = centers.iter().enumerate().filter(|(other, _)| *other != index);
-        let far = |(_, at): (usize, &[f64; 2])| (at[0] - centers[index][0]).hypot(at[1] - centers[index][1]);
-        others.map(far).fold(f64::INFINITY, f64::min)
-    };
-    let mean = (0..centers.len()).map(nearest).sum::<f64>() / centers.len() as f64;
-    (mean.is_finite() && mean > 0.0).then_some(mean)
-}
-
-/// The marks moved apart by a factor, about the mean of their centres.
-fn spread(marks: &[(Place, Mark)], factor: f64) -> Vec<(Place, Mark)> {
-    let mean =
-        |axis: usize| marks.iter().map(|(_, mark)| mark.center()[axis]).sum::<f64>() / marks.len() as f64;
-    let middle = [mean(0), mean(1)];
-    let moved = |(place, mark): &(Place, Mark)| {
-        let center = mark.center();
-        (*place, shape::moved(mark, [0, 1].map(|axis| (factor - 1.0) * (center[axis] - middle[axis]))))
-    };
-    marks.iter().map(moved).collect()
-}
-
-fn area(mark: &Mark) -> Option<f64> {
-    mark.ellipse().map(|ellipse| ellipse.area())
-}
-
-fn width(mark: &Mark) -> Option<f64> {
-    match mark {
-        Mark::Ellipse(_) => None,
-        Mark::Line(line) => Some(line.width),
-        Mark::Path(path) => Some(path.width),
-    }
-}
-
-fn scaled(marks: &[(Place, Mark)], factor: f64) -> Vec<(Place, Mark)> {
-    marks.iter().map(|(place, mark)| (*place, shape::scaled(mark, factor, shape::center(mark)))).collect()
-}
-
-/// The lines and paths among the marks, with this width.
-fn with_width(marks: &[(Place, Mark)], width: f64) -> Vec<(Place, Mark)> {
-    let with_width = |(place, mark): &(Place, Mark)| match mark {
-        Mark::Line(line) => Some((*place, Mark::Line(Line { width, ..*line }))),
-        Mark::Path(path) => Some((*place, Mark::Path(Path { width, ..path.clone() }))),
-        Mark::Ellipse(_) => None,
-    };
-    marks.iter().filter_map(with_width).collect()
 }

@@ -1,25 +1,126 @@
-//! What a new sketch can begin with: buttons below an empty canvas.
+//! What a new sketch can begin with: three small pictures below an empty canvas, or at its lower edge.
 
-use egui::{Align, Layout, Rect, Ui, UiBuilder, pos2, vec2};
+use egui::{
+    Align2, Color32, FontId, Id, Rect, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo,
+    epaint::EllipseShape, pos2, vec2,
+};
 
 use crate::app::action::Action;
+use crate::app::examples;
+use crate::app::theme::Palette;
 
-/// Shows the buttons at the bottom of `room`, which shows the canvas.
-pub fn starters(ui: &mut Ui, room: Rect) -> Option<Action> {
+/// The example of an animal.
+const ANIMAL: &str = "turk-2-lower-right-leopard";
+/// The largest and the smallest side of a picture, points.
+const SIDES: [f32; 2] = [76.0, 48.0];
+/// Space between two pictures, points.
+const GAP: f32 = 14.0;
+/// Height of the texts above and below the pictures, points.
+const TEXT: f32 = 20.0;
+
+/// A starter.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Starter {
+    Spots,
+    Stripes,
+    Animal,
+}
+
+impl Starter {
+    const ALL: [(Self, &'static str); 3] =
+        [(Self::Spots, "Spots"), (Self::Stripes, "Stripes"), (Self::Animal, "A leopard")];
+
+    fn action(self) -> Action {
+        match self {
+            Self::Spots => Action::Begin(true),
+            Self::Stripes => Action::Begin(false),
+            Self::Animal => Action::Example(ANIMAL),
+        }
+    }
+}
+
+/// Shows them below `paper`, the canvas in `room`; where there is no space, at its lower edge.
+pub fn starters(ui: &mut Ui, room: Rect, paper: Rect) -> Option<Action> {
+    let wide = room.width().min(paper.width().max(220.0)) - 2.0 * GAP;
+    let side = ((wide - 2.0 * GAP) / 3.0).clamp(SIDES[1], SIDES[0]);
+    let height = side + 2.0 * TEXT;
+    let below = paper.bottom().max(room.top()) + 8.0;
+    let top = if below + height <= room.bottom() - 4.0 { below } else { room.bottom() - height - 6.0 };
+    let weak = ui.visuals().weak_text_color();
+    let font = FontId::proportional(13.0);
+    let text = pos2(room.center().x, top + 0.5 * TEXT);
+    ui.painter().text(text, Align2::CENTER_CENTER, "Or begin with", font, weak);
+    let all = 3.0 * side + 2.0 * GAP;
     let mut action = None;
-    let size = vec2(room.width().min(330.0), 28.0);
-    let place = Rect::from_center_size(pos2(room.center().x, room.bottom() - 24.0), size);
-    ui.scope_builder(UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)), |ui| {
-        ui.weak("Begin with");
-        for (text, begins) in [
-            ("Spots", Action::Begin(true)),
-            ("Stripes", Action::Begin(false)),
-            ("A leopard", Action::Example("turk-2-lower-right-leopard")),
-        ] {
-            if ui.button(text).clicked() {
-                action = Some(begins);
+    for (index, (starter, name)) in Starter::ALL.into_iter().enumerate() {
+        let left = room.center().x - 0.5 * all + index as f32 * (side + GAP);
+        let place = Rect::from_min_size(pos2(left, top + TEXT), Vec2::splat(side));
+        if card(ui, place, starter, name) {
+            action = Some(starter.action());
+        }
+    }
+    action
+}
+
+/// One picture with its name. Gives whether it was clicked.
+fn card(ui: &Ui, rect: Rect, starter: Starter, name: &str) -> bool {
+    let colours = Palette::current(ui.visuals());
+    let response = ui.interact(rect, Id::unique(("starter", name)), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
+    let painter = ui.painter();
+    painter.rect_filled(rect, 6.0, colours.paper);
+    picture(ui, rect.shrink(3.0), starter, colours);
+    let is_marked = response.hovered() || response.has_focus();
+    let border = if is_marked { Stroke::new(2.0, colours.accent) } else { Stroke::new(1.0, colours.border) };
+    painter.rect_stroke(rect, 6.0, border, StrokeKind::Outside);
+    let at = pos2(rect.center().x, rect.bottom() + 0.5 * TEXT + 1.0);
+    let text = ui.visuals().text_color();
+    painter.text(at, Align2::CENTER_CENTER, name, FontId::proportional(12.5), text);
+    let help = match starter {
+        Starter::Spots => "Draws six spots; their texture grows at once",
+        Starter::Stripes => "Draws four lines; their texture grows at once",
+        Starter::Animal => "Opens an example with two layers",
+    };
+    response.on_hover_text(help).clicked()
+}
+
+fn picture(ui: &Ui, rect: Rect, starter: Starter, colours: &Palette) {
+    let painter = ui.painter_at(rect);
+    let at = |[x, y]: [f32; 2]| rect.min + vec2(x, y) * rect.size();
+    let ink = colours.ink(0).gamma_multiply(0.85);
+    match starter {
+        Starter::Spots => {
+            for center in [
+                [0.2, 0.22],
+                [0.55, 0.18],
+                [0.86, 0.34],
+                [0.34, 0.54],
+                [0.68, 0.62],
+                [0.22, 0.84],
+                [0.52, 0.92],
+            ] {
+                painter.add(Shape::Ellipse(EllipseShape {
+                    center: at(center),
+                    radius: vec2(0.11, 0.08) * rect.width(),
+                    angle: 25_f32.to_radians(),
+                    fill: ink,
+                    stroke: Stroke::NONE,
+                }));
             }
         }
-    });
-    action
+        Starter::Stripes => {
+            for y in [0.12, 0.36, 0.6, 0.84, 1.08] {
+                painter.line_segment(
+                    [at([-0.1, y]), at([1.1, y - 0.22])],
+                    Stroke::new(0.09 * rect.width(), ink),
+                );
+            }
+        }
+        Starter::Animal => {
+            if let Some(texture) = examples::thumbnail(ui.ctx(), ANIMAL) {
+                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+                painter.image(texture.id(), rect, whole, Color32::WHITE);
+            }
+        }
+    }
 }

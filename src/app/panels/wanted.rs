@@ -3,10 +3,15 @@
 use egui::{RichText, Ui};
 
 use super::form::{heading, rows};
+use super::typed_rows::typed_rows;
+use crate::app::action::Action;
 use crate::app::canvas::Canvas;
 use crate::attributes::Attributes;
+use crate::editor::edit::Edit;
+use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::units::Ruler;
+use crate::marks::Mark;
 
 /// What the free marks of the active layer want at the pointer; elsewhere the mean of the marks.
 pub fn here(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
@@ -19,21 +24,36 @@ pub fn here(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
     rows(ui, "here", |ui| rows_of(ui, &attributes, ruler));
 }
 
-/// The attributes of the region under the pointer, or of the one in the centre.
-pub fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
+/// The attributes of the chosen region, else of the one under the pointer, else of the one in the centre. Those of its marks can
+/// be typed; a number that is changed gives the marks that replace them.
+pub fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) -> Option<Action> {
     let center = session.document().size.map(|side| 0.5 * f64::from(side));
-    let at = canvas.pointer.unwrap_or(center);
-    let Some((place, region)) = canvas.analysis.region(session.active_layer, at) else {
-        return;
-    };
-    let Some(map) = canvas.analysis.map(session.active_layer) else { return };
+    let layer = session.active_layer;
+    let map = canvas.analysis.map(layer)?;
+    let grid = session.document().region_grid();
+    let chosen = canvas.chosen_region.filter(|place| (0..2).all(|axis| place[axis] < grid[axis]));
+    let place = chosen.unwrap_or_else(|| map.region_of(canvas.pointer.unwrap_or(center)));
     heading(ui, &format!("Region {}, {}", place[0] + 1, place[1] + 1));
-    let own = region.own.is_some();
+    let region = map.region(place);
+    let marks =
+        session.marks().filter(|(at, mark)| at.layer == layer && map.region_of(mark.center()) == place);
+    let marks: Vec<(Place, Mark)> = marks.collect();
+    let mut changed = None;
+    let is_own = region.own.is_some();
     rows(ui, "region", |ui| {
-        let marks = if own { region.marks.to_string() } else { "none: uses the nearest".to_owned() };
-        row(ui, "Marks", marks, "Marks whose centre is in this region");
-        rows_of(ui, &map.at(map.layout().center(place)), ruler);
+        let count = if is_own { marks.len().to_string() } else { "none: uses the nearest".to_owned() };
+        row(ui, "Marks", count, "Marks whose centre is in this region");
+        if is_own && !session.is_active_frozen() {
+            changed = typed_rows(ui, ruler, &marks, " of the region");
+        } else {
+            rows_of(ui, &map.at(map.layout().center(place)), ruler);
+        }
     });
+    if chosen.is_none() {
+        let help = "Click a region with the tool Select to keep it here and type its numbers.";
+        ui.label(RichText::new(help).small().weak());
+    }
+    changed.map(|marks| Action::Edit(Edit::Marks(marks)))
 }
 
 /// A row for each attribute that is wanted.

@@ -1,6 +1,6 @@
 //! What became of the drawn marks of the sketch as it is.
 
-use super::{Outcome, finished_layer};
+use super::{LayerResult, Outcome, finished_layer};
 use crate::app::growth::Growth;
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
@@ -9,22 +9,35 @@ use crate::synth::report::DrawnMark;
 /// What became of the drawn marks of a sketch, by layer of its finished document: all once it was measured, and while it
 /// grows those that find no room.
 #[derive(Clone, Debug, Default)]
-pub struct Drawn<'a>(Vec<&'a [DrawnMark]>);
+pub struct Drawn<'a> {
+    marks: Vec<&'a [DrawnMark]>,
+    layers: &'a [LayerResult],
+}
 
 impl<'a> Drawn<'a> {
     /// From the `outcome` of the sketch, else from its `growth`.
     #[must_use]
     pub fn new(outcome: Option<&'a Outcome>, growth: &'a Growth) -> Self {
-        Self(match outcome {
-            Some(outcome) => outcome.layers.iter().map(|layer| &layer.drawn[..]).collect(),
-            None => growth.left_out.iter().map(|layer| &layer[..]).collect(),
-        })
+        match outcome {
+            Some(outcome) => Self {
+                marks: outcome.layers.iter().map(|layer| &layer.drawn[..]).collect(),
+                layers: &outcome.layers,
+            },
+            None => Self { marks: growth.left_out.iter().map(|layer| &layer[..]).collect(), layers: &[] },
+        }
     }
 
     /// The marks of a layer of the session.
     #[must_use]
     pub fn of_layer(&self, session: &Session, layer: usize) -> &'a [DrawnMark] {
-        finished_layer(session, layer).and_then(|layer| self.0.get(layer).copied()).unwrap_or_default()
+        finished_layer(session, layer).and_then(|layer| self.marks.get(layer).copied()).unwrap_or_default()
+    }
+
+    /// Where two spots of a layer of the session grew together, px.
+    #[must_use]
+    pub fn merged(&self, session: &Session, layer: usize) -> &'a [[f64; 2]] {
+        let layer = finished_layer(session, layer).and_then(|layer| self.layers.get(layer));
+        layer.map_or(&[], |layer| &layer.merged)
     }
 
     /// One mark; `None` where it was not to be among those that grow.

@@ -40,6 +40,8 @@ pub struct LayerResult {
     /// What became of each drawn mark, in the order in which they were drawn; empty where none was to be among those that
     /// grow.
     pub drawn: Vec<DrawnMark>,
+    /// Where two spots grew together, px.
+    pub merged: Vec<[f64; 2]>,
 }
 
 impl LayerResult {
@@ -203,6 +205,7 @@ fn result_of(grown: &Grown, index: usize) -> LayerResult {
         system: layer.plan.lookup.system,
         regions: regions.into_iter().map(result).collect(),
         drawn,
+        merged: report::merged_spots(layer),
     }
 }
 

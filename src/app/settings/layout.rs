@@ -2,6 +2,7 @@
 
 use crate::app::Tab;
 use crate::editor::settings_file::Entries;
+use crate::editor::snap::Snap;
 
 /// The smallest and largest side that is accepted, points.
 const SIDES: std::ops::RangeInclusive<f32> = 200.0..=20_000.0;
@@ -38,6 +39,8 @@ pub struct Layout {
     pub analysis: bool,
     /// Whether the sizes and directions that free marks want between them are shown.
     pub wanted: bool,
+    /// The grid that marks snap to.
+    pub snap: Snap,
 }
 
 impl Default for Layout {
@@ -56,6 +59,7 @@ impl Default for Layout {
             regions: true,
             analysis: false,
             wanted: true,
+            snap: Snap::default(),
         }
     }
 }
@@ -86,6 +90,7 @@ impl Layout {
             regions: is("regions", default.regions),
             analysis: is("analysis", default.analysis),
             wanted: is("wanted", default.wanted),
+            snap: entries.get("snap").unwrap_or(default.snap),
         };
     }
 
@@ -107,6 +112,7 @@ impl Layout {
         entries.set("regions", &self.regions, &default.regions);
         entries.set("analysis", &self.analysis, &default.analysis);
         entries.set("wanted", &self.wanted, &default.wanted);
+        entries.set("snap", &self.snap, &default.snap);
     }
 }
 

@@ -1,5 +1,6 @@
 use super::*;
 use crate::app::{ExportKind, PictureContent, Tab};
+use crate::editor::snap::Snap;
 use std::fs;
 
 fn somewhere() -> (tempfile::TempDir, PathBuf) {
@@ -13,7 +14,6 @@ fn everything_is_remembered() {
     let (_folder, file) = somewhere();
     let mut settings = Settings::read(&file);
     settings.theme = ThemePreference::Dark;
-    settings.hint_seen = true;
     settings.units = Units::Mm;
     settings.threads = Some(3);
     settings.new = New { size: [300, 200], regions: Some([3, 1]), seamless: true, dpi: 150.5 };
@@ -31,6 +31,7 @@ fn everything_is_remembered() {
         regions: false,
         analysis: true,
         wanted: false,
+        snap: Snap { on: true, step: 20.0 },
     };
     settings.remember(Path::new("/a/b\n%.dapple"));
     settings.write();
@@ -139,7 +140,7 @@ fn a_file_of_an_earlier_version_is_read_and_written_as_json() {
     let mut settings = Settings::read(&file);
     assert!(settings.error.is_none());
     assert_eq!(settings.recent, [Path::new("/a/b\n%.dapple"), Path::new("/c d.dapple")]);
-    assert_eq!((settings.theme, settings.hint_seen), (ThemePreference::Dark, true));
+    assert_eq!(settings.theme, ThemePreference::Dark);
     assert_eq!((settings.units, settings.threads), (Units::Mm, Some(3)));
     assert_eq!(settings.new, New { size: [300, 200], regions: Some([3, 1]), seamless: true, dpi: 150.5 });
     let export = &settings.export;
@@ -166,6 +167,7 @@ fn a_file_of_an_earlier_version_is_read_and_written_as_json() {
         regions: false,
         analysis: true,
         wanted: true,
+        snap: Snap::default(),
     };
     assert_eq!(settings.layout, layout);
     let before = settings.entries();

@@ -1,7 +1,7 @@
 //! The columns beside sketch and texture: the tools on the left; tabs and layers on the right. Both can be hidden, the right
 //! one has a width that the user sets.
 
-use egui::{Frame, Margin, Panel, Ui};
+use egui::{Frame, Margin, Panel, Rect, Sense, Ui, UiBuilder};
 
 use super::Window;
 use crate::app::action::{Action, Tab};
@@ -21,18 +21,31 @@ impl Window {
         tools.show(ui, |ui| panels::tools(ui, self.canvas.tool, &self.session)).inner
     }
 
-    /// The column on the right. Its width is the one in the settings, until the user drags its edge.
-    pub(super) fn column(&mut self, ui: &mut Ui) -> Vec<Action> {
+    /// Keeps the place of the column on the right, whose content is shown after sketch and texture: so the Tab key goes from
+    /// left to right. Its width is the one in the settings, until the user drags its edge.
+    pub(super) fn column_place(&mut self, ui: &mut Ui) -> Option<Rect> {
         if !self.settings.layout.column {
-            return Vec::new();
+            return None;
         }
         let frame = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(14, 10));
         let width = self.settings.layout.column_width;
         let [low, high] = COLUMN_WIDTHS;
         let column = Panel::right("inspector").frame(frame).resizable(true).default_size(width);
-        let shown = column.size_range(low..=high).show(ui, |ui| self.column_content(ui));
+        let shown = column.size_range(low..=high).show(ui, |ui| {
+            let room = ui.available_rect_before_wrap();
+            ui.allocate_rect(room, Sense::hover());
+            room
+        });
         self.settings.layout.column_width = shown.response.rect.width();
-        shown.inner
+        Some(shown.inner)
+    }
+
+    /// The content of the column at its place.
+    pub(super) fn column(&mut self, ui: &mut Ui, place: Rect) -> Vec<Action> {
+        // A part of its own: content that is too wide is cut off instead of widening the column.
+        let mut inside = ui.new_child(UiBuilder::new().max_rect(place).id_salt("column"));
+        inside.shrink_clip_rect(place.expand(2.0));
+        self.column_content(&mut inside)
     }
 
     fn column_content(&mut self, ui: &mut Ui) -> Vec<Action> {
@@ -47,9 +60,10 @@ impl Window {
                 let (tiled, linked) = (self.texture.tiled, self.linked);
                 let (document, overlays, reference) =
                     (session.document(), canvas.overlays, &canvas.reference);
+                let snap = canvas.snap;
                 panels::canvas(
                     ui,
-                    &panels::CanvasState { document, overlays, reference, ruler, tiled, linked },
+                    &panels::CanvasState { document, overlays, reference, snap, ruler, tiled, linked },
                 )
             }
             Tab::Colour => panels::colour(ui, session, &mut self.colour),

@@ -5,9 +5,10 @@ use egui::{Ui, ViewportCommand};
 use super::Window;
 use crate::app::action::{Action, Page};
 use crate::app::alternatives;
+use crate::app::canvas::tool::Tool;
 use crate::app::pages;
 use crate::app::result;
-use crate::document::DutyChoice;
+use crate::document::{DutyChoice, limits};
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -36,7 +37,7 @@ impl Window {
             Action::Alternatives(shown) => self.alternatives.shown = shown,
             Action::ToggleAlternatives => self.alternatives.shown = !self.alternatives.shown,
             Action::TakeAlternative(id) => self.take_alternative(id),
-            Action::KeepAlternative(id, kept) => self.alternatives.keep(id, kept),
+            Action::KeepAlternative(id, kept) => self.keep_alternative(id, kept),
             Action::StopAlternatives(stopped) => self.alternatives.stop(stopped),
             Action::Cloud(asked) => self.show_cloud(asked),
             Action::Pause => self.growth.pause(!self.growth.is_paused()),
@@ -57,10 +58,13 @@ impl Window {
             }
             Action::Copy => self.copy(ui),
             Action::Paste(text) => self.paste(&text),
+            Action::PastePicture(picture) => self.paste_picture(picture),
+            Action::CopyPicture => self.copy_picture(),
             Action::Duplicate => self.duplicate(),
             Action::AskPaste => ui.send_viewport_cmd(ViewportCommand::RequestPaste),
             Action::Delete => self.delete(),
             Action::SelectAll => self.select_all(),
+            Action::SelectMarks(places) => self.select_marks(places),
             Action::Escape => self.escape(),
             Action::Next(step) => self.select_next(step),
             Action::Nudge(by) => self.session.nudge(by),
@@ -102,9 +106,20 @@ impl Window {
             Action::Analysis(shown) => self.canvas.overlays.analysis = shown,
             Action::Wanted(shown) => self.canvas.overlays.wanted = shown,
             Action::ToggleWanted => self.canvas.overlays.wanted = !self.canvas.overlays.wanted,
+            Action::Snap(snap) => self.canvas.snap = snap,
             Action::ChooseReference => self.choose_reference(),
             Action::ShowReference(shown) => self.canvas.reference.shown = shown,
             Action::ReferenceOpacity(opacity) => self.canvas.reference.opacity = opacity,
+            Action::LockReference(locked) => {
+                self.canvas.reference.locked = locked;
+                if !locked {
+                    self.canvas.tool = Tool::Select;
+                }
+            }
+            Action::PlaceReference(placement) => {
+                self.canvas.reference.place(placement, self.session.document().size);
+            }
+            Action::FitReference => self.canvas.reference.fit(),
             Action::RemoveReference => self.canvas.reference.clear(),
             Action::Theme(theme) => {
                 self.settings.theme = theme;
@@ -131,10 +146,6 @@ impl Window {
 
     fn turn_to(&mut self, page: Page) {
         let open = self.page == Some(page);
-        if self.page == Some(Page::Hint) && !self.settings.hint_seen {
-            self.settings.hint_seen = true;
-            self.settings.write_soon();
-        }
         if page == Page::Recovery {
             self.show_lost(!open);
         }
@@ -146,7 +157,7 @@ impl Window {
 
     /// Cancels what is being drawn; else clears the selection; else closes a panel.
     fn escape(&mut self) {
-        if self.canvas.cancel(&mut self.session) {
+        if self.canvas.cancel(&mut self.session) || std::mem::take(&mut self.colour.picking) {
         } else if !self.session.selection.is_empty() {
             self.session.selection.clear();
             self.use_tool_before();
@@ -182,6 +193,17 @@ impl Window {
             if let Err(error) = self.cloud.ask(&self.tasks, (layer, place), of.system, region, training) {
                 self.notices.wrong(error.to_string());
             }
+        }
+    }
+
+    /// Stars an alternative in the document, or removes its star.
+    fn keep_alternative(&mut self, id: u64, kept: bool) {
+        let Some(one) = self.alternatives.get(id) else { return };
+        if !alternatives::star(&mut self.session, one, kept) {
+            let most = limits::MAX_STARRED;
+            self.notices.wrong(format!(
+                "A document keeps at most {most} alternatives: remove the star of another first."
+            ));
         }
     }
 

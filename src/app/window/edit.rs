@@ -1,11 +1,10 @@
 //! Actions on marks: delete, copy, paste, select the next, turn, insert.
 
-use egui::Ui;
-
 use super::Window;
 use crate::app::canvas::tool::Tool;
 use crate::app::canvas::{FROZEN, starter};
 use crate::editor::edit::Edit;
+use crate::editor::selection::{Place, Selection};
 use crate::grid::Edges;
 use crate::marks::{Ellipse, Line, Mark};
 
@@ -33,8 +32,16 @@ impl Window {
         self.use_select();
     }
 
+    pub(super) fn select_marks(&mut self, places: Vec<Place>) {
+        if let Some(first) = places.first() {
+            self.session.active_layer = first.layer;
+        }
+        self.session.selection = Selection::new(places);
+        self.use_select();
+    }
+
     /// Changes to the tool *Select* while marks are selected.
-    fn use_select(&mut self) {
+    pub(super) fn use_select(&mut self) {
         if self.canvas.tool != Tool::Select {
             self.tool_before = Some(std::mem::replace(&mut self.canvas.tool, Tool::Select));
         }
@@ -78,7 +85,7 @@ impl Window {
     }
 
     /// Whether marks can be added to the active layer; else says why not.
-    fn can_add(&mut self) -> bool {
+    pub(super) fn can_add(&mut self) -> bool {
         let is_frozen = self.session.is_active_frozen();
         if is_frozen {
             self.notices.done(FROZEN);
@@ -115,28 +122,8 @@ impl Window {
         self.session.edit(|document| document.seed = document.seed.wrapping_add(1));
     }
 
-    /// Copies the selected marks to the system's clipboard.
-    pub(super) fn copy(&mut self, ui: &Ui) {
-        if let Some(text) = self.session.copy() {
-            ui.ctx().copy_text(text);
-        }
-    }
-
-    pub(super) fn paste(&mut self, text: &str) {
-        if !self.can_add() {
-            return;
-        }
-        let at = self.context.at.take().or(self.canvas.pointer);
-        if self.session.paste(text, at, self.copy_offset()).is_err() {
-            self.notices
-                .wrong("The clipboard has no marks. Copy marks in dapple, or the text of a document.");
-            return;
-        }
-        self.use_select();
-    }
-
     /// The offset of a copy from the original, px of the canvas.
-    fn copy_offset(&self) -> [f64; 2] {
+    pub(super) fn copy_offset(&self) -> [f64; 2] {
         [ASIDE / f64::from(self.canvas.view.zoom); 2]
     }
 }

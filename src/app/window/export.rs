@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Instant;
 
 use egui::{Id, Modal, Ui};
 
@@ -128,6 +129,7 @@ impl Window {
         let grown = self.grown();
         let made = dialog.preview.finished(&request).cloned();
         let grown = dialog.preview.grown(&request, grown.as_ref());
+        self.files.exporting = Some(dialog);
         self.exporting = Some(Exporting::new(path, request, made, grown, self.settings.threads, &self.tasks));
     }
 
@@ -147,9 +149,10 @@ impl Window {
     }
 
     /// Cancels the export that is being written.
-    pub(super) fn cancel_export(&self) {
+    pub(super) fn cancel_export(&mut self) {
         if let Some(exporting) = &self.exporting {
             exporting.cancel();
+            self.files.cancelled = Some(Instant::now());
         }
     }
 
@@ -167,9 +170,18 @@ impl Window {
             }
             Err(_) if job.is_cancelled() => {
                 self.notices.done("Export cancelled. Nothing was written.");
+                if let Some(since) = self.files.cancelled.take() {
+                    self.trace.event("cancelled", since.elapsed());
+                }
             }
-            Err(why) => self.notices.wrong(why),
+            Err(why) => {
+                self.notices.wrong(why);
+                // Another place or format can be chosen.
+                if !self.is_asking() {
+                    self.files.export = self.files.exporting.take();
+                }
+            }
         }
-        self.exporting = None;
+        (self.exporting, self.files.exporting) = (None, None);
     }
 }

@@ -1,6 +1,7 @@
 //! New, open, save and drop files.
 
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use egui::{Align2, Color32, FontId, Id, Ui, ViewportCommand};
 
@@ -35,6 +36,10 @@ pub struct Files {
     pub(super) palettes: PaletteFiles,
     /// What is being asked about an export.
     pub(super) export: Option<Dialog>,
+    /// The dialog of the export that is being written: it opens again where that fails.
+    pub(super) exporting: Option<Dialog>,
+    /// When the export was cancelled that is still ending.
+    pub(super) cancelled: Option<Instant>,
     /// Where the open document was exported to last.
     pub(super) exported: Option<PathBuf>,
     /// How large the picture was from which the document was restored.
@@ -59,6 +64,8 @@ impl Files {
             saving: None,
             palettes: PaletteFiles::default(),
             export: None,
+            exporting: None,
+            cancelled: None,
             exported: None,
             restored: None,
             closing: false,
@@ -289,6 +296,7 @@ impl Window {
         if let Err(why) = self.canvas.reference.listen(ui.ctx()) {
             self.notices.wrong(why);
         }
+        self.listen_to_clipboard(ui.ctx());
         self.listen_to_export(ui);
         self.listen_to_reading();
         self.listen_to_dropped(ui);

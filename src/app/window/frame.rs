@@ -39,12 +39,10 @@ impl Window {
         self.dropped(ui);
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
         Panel::top("menu").frame(bar).show(ui, |ui| actions.extend(self.menu(ui)));
-        Panel::bottom("status").frame(bar).exact_size(28.0).show(ui, |ui| {
-            actions.extend(panels::status(ui, &self.canvas, self.ruler(), self.exporting.as_ref()));
-        });
+        let status = Panel::bottom("status").frame(bar).exact_size(28.0);
+        let status = status.show(ui, |ui| ui.available_rect_before_wrap()).inner;
         actions.extend(self.tools(ui));
-        // Before the canvas: it must see the marks that a field has changed.
-        self.column(ui).into_iter().for_each(|action| self.perform(ui, action));
+        let column = self.column_place(ui);
         let busy = self.canvas.is_busy() || ui.input(|input| input.pointer.any_down());
         let error = self.alternatives.follow(&self.tasks, &self.session, &self.growth, busy);
         self.report(error);
@@ -55,6 +53,7 @@ impl Window {
             });
         }
         CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
+        actions.extend(self.beside(ui, column, status));
         actions.extend(self.context_menu(ui));
         self.cloud.ui(ui.ctx());
         actions.extend(self.over_all(ui));
@@ -67,13 +66,31 @@ impl Window {
         self.write_settings();
         if self.alternatives.is_growing() || self.growth.is_growing() && !self.growth.is_paused() {
             // The progress bar moves between two pictures.
-            ui.ctx().request_repaint_after(Duration::from_millis(100));
+            ui.ctx().request_repaint_after(Duration::from_secs_f32((3.0 * self.frame_time).max(0.1)));
         }
         if self.notices.needs_frame() {
             ui.ctx().request_repaint();
         }
+        self.focus_frame(ui);
         self.menu_open = ui.any_popup_open();
         self.entitle(ui);
+    }
+
+    /// Shows the column on the right and the status line at their places, after sketch and texture.
+    fn beside(&mut self, ui: &mut Ui, column: Option<Rect>, status: Rect) -> Option<Action> {
+        if let Some(place) = column {
+            let changes = self.column(ui, place);
+            if !changes.is_empty() {
+                // Sketch and texture were shown before.
+                ui.ctx().request_repaint();
+            }
+            changes.into_iter().for_each(|action| self.perform(ui, action));
+        }
+        let place = UiBuilder::new().max_rect(status).id_salt("status");
+        let shown = ui.scope_builder(place, |ui| {
+            panels::status(ui, &self.canvas, self.ruler(), self.exporting.as_ref())
+        });
+        shown.inner
     }
 
     /// Reports that a thread could not be started.
@@ -84,7 +101,7 @@ impl Window {
     }
 
     /// Whether a page or a question lies over the window and gets all keys.
-    fn is_asking(&self) -> bool {
+    pub(super) fn is_asking(&self) -> bool {
         self.files.is_asking() || self.page.is_some() || self.canvas.question.is_some()
     }
 
@@ -157,15 +174,18 @@ impl Window {
         });
         let before = [self.canvas.view, self.texture.view];
         self.canvas.units = self.settings.units;
+        self.canvas.pens = self.settings.pens;
         if self.over {
             self.one_over_the_other(ui, body);
         } else {
-            self.side_by_side(ui, body);
+            actions.extend(self.side_by_side(ui, body));
         }
         if self.session.marks().next().is_none() && !self.canvas.is_busy() {
             let room = if self.over { body } else { body.split_left_right_at_fraction(0.5).0 };
-            actions.extend(panels::starters(ui, room));
+            let paper = self.canvas.view.paper(room, self.session.document().size);
+            actions.extend(panels::starters(ui, room, paper));
         }
+        actions.extend(self.eyedropper(ui, body));
         if let Some(remark) = self.canvas.remark.take() {
             self.notices.done(remark);
         }
@@ -182,18 +202,21 @@ impl Window {
         self.canvas.ui(ui, room, &mut self.session, &drawn);
     }
 
-    fn side_by_side(&mut self, ui: &mut Ui, body: Rect) {
+    fn side_by_side(&mut self, ui: &mut Ui, body: Rect) -> Vec<Action> {
         let (left, right) = body.split_left_right_at_fraction(0.5);
         self.show_canvas(ui, left);
         let corner = self.canvas.view.to_screen(left, [0.0; 2]);
         self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
-        self.texture.ui(ui, right, self.session.document().size, &self.growth);
+        let size = self.session.document().size;
+        let texture = self.texture.ui(ui, right, size, &self.growth, &self.canvas.badges);
+        let actions = panels::texture_menu(&texture, &self.growth);
         self.signs(ui, left, self.canvas.view);
         if !self.texture.tiled {
             self.signs(ui, right, self.texture.view);
         }
         let line = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().vline(body.center().x, body.y_range(), line);
+        actions
     }
 
     fn one_over_the_other(&mut self, ui: &mut Ui, body: Rect) {
@@ -275,6 +298,10 @@ fn failed(ui: &mut Ui, room: Rect, why: &str) {
 impl eframe::App for Window {
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         let began = Instant::now();
+        // Of frames that follow each other at once this is how long they take, drawing included.
+        let took = ui.input(|input| input.stable_dt).min(2.0);
+        self.frame_time = took.max(0.9 * self.frame_time);
+        self.growth.set_pace(self.frame_time);
         Self::ui(self, ui);
         self.trace.frame(began.elapsed(), frame.info().cpu_usage, self.growth.is_growing());
     }

@@ -50,6 +50,7 @@ impl Window {
         self.canvas.overlays.regions = layout.regions;
         self.canvas.overlays.analysis = layout.analysis;
         self.canvas.overlays.wanted = layout.wanted;
+        self.canvas.snap = layout.snap;
     }
 
     /// Records the placement in the settings, which are written when the window closes.
@@ -62,6 +63,7 @@ impl Window {
         layout.regions = self.canvas.overlays.regions;
         layout.analysis = self.canvas.overlays.analysis;
         layout.wanted = self.canvas.overlays.wanted;
+        layout.snap = self.canvas.snap;
         ui.input(|input| {
             let viewport = input.viewport();
             if viewport.minimized == Some(true) || viewport.fullscreen == Some(true) {

@@ -6,10 +6,11 @@ use std::time::Instant;
 use egui::{Context, Theme};
 
 use super::Window;
+use super::clipboard::Clipboard;
 use super::context::ContextMenu;
 use super::files::Files;
 use super::settings::SettingsWriter;
-use crate::app::action::{Page, Tab};
+use crate::app::action::Tab;
 use crate::app::alternatives::Alternatives;
 use crate::app::canvas::Canvas;
 use crate::app::cloud::Cloud;
@@ -54,7 +55,6 @@ impl Window {
         });
         let wake = ctx.clone();
         let tasks = Tasks::new(move || wake.request_repaint()).with_spawn(start.spawn);
-        let first = !start.settings.hint_seen && start.file.is_none();
         let results = Results::default();
         let mut window = Self {
             session: Session::open(start.settings.new.document(), None),
@@ -66,9 +66,10 @@ impl Window {
             settings_writer: SettingsWriter::default(),
             notices: Notices::default(),
             files: Files::new(start.native_dialogs),
+            clipboard: Clipboard::default(),
             gallery: Gallery::default(),
             exporting: None,
-            page: first.then_some(Page::Hint),
+            page: None,
             recovery: Recovery::new(start.recovery, tasks.clone()),
             offer: Some(Instant::now()),
             discard_asked: None,
@@ -85,9 +86,11 @@ impl Window {
             grown: None,
             menu_open: false,
             menu_keys: MenuKeys::default(),
+            by_keys: false,
             context: ContextMenu::default(),
             tool_before: None,
             title: String::new(),
+            frame_time: 0.0,
             trace: Trace::asked(),
         };
         window.restore_layout();

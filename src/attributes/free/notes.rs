@@ -68,40 +68,54 @@ pub enum Note {
 }
 
 impl fmt::Display for Note {
-    /// What cannot be as drawn, where, and what to do.
+    /// What cannot be as drawn, where, and what to do; lengths in px.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let [x, y] = self.place();
+        write!(f, "at [{x:.0}, {y:.0}] {}", self.in_words(&|px| format!("{px:.0} px")))
+    }
+}
+
+impl Note {
+    /// Where it is, px.
+    #[must_use]
+    pub fn place(&self) -> [f64; 2] {
         match self {
-            Self::Crossing { place: [x, y], angle, .. } => {
-                write!(
-                    f,
-                    "at [{x:.0}, {y:.0}] lines cross at {angle:.0}°: stripes have one direction at each place; use two layers"
-                )
-            }
-            Self::Departure { place: [x, y], angle, .. } => write!(
-                f,
-                "at [{x:.0}, {y:.0}] the stripes depart by {angle:.0}° from the line that was drawn: lines near it want other \
-                 directions; leave more room between them, or use two layers"
+            Self::Crossing { place, .. }
+            | Self::Departure { place, .. }
+            | Self::Period { place, .. }
+            | Self::Duty { place, .. } => *place,
+        }
+    }
+
+    /// What cannot be as drawn, and what to do, without the place and without a full stop; `length` writes a length, px.
+    #[must_use]
+    pub fn in_words(&self, length: &dyn Fn(f64) -> String) -> String {
+        match self {
+            Self::Crossing { angle, .. } => format!(
+                "lines cross at {angle:.0}°: stripes have one direction at each place; use two layers"
             ),
-            Self::Period { place: [x, y], drawn, taken, .. } => {
+            Self::Departure { angle, .. } => format!(
+                "the stripes turn away from the drawn line by {angle:.0}°: lines near it have other directions; leave more \
+                 room between them, or use two layers"
+            ),
+            Self::Period { drawn, taken, .. } => {
                 let (limit, remedy) = if drawn < taken {
                     ("at least", "farther apart, or thinner")
                 } else {
                     ("at most", "nearer together, or wider")
                 };
-                write!(
-                    f,
-                    "at [{x:.0}, {y:.0}] lines are {drawn:.0} px apart, and stripes of their width can be {limit} \
-                     {taken:.0} px apart: draw them {remedy}"
+                format!(
+                    "lines are {} apart, and stripes of their width can be {limit} {} apart: draw them {remedy}",
+                    length(*drawn),
+                    length(*taken)
                 )
             }
-            Self::Duty { place: [x, y], drawn, mean, .. } => {
-                let side = if drawn < mean { "at least" } else { "at most" };
-                write!(
-                    f,
-                    "at [{x:.0}, {y:.0}] the line asks for stripes that cover {drawn:.2} of their period, but those of this \
-                     layer cover {mean:.2} in the mean and so {side} about half of it everywhere: draw it on a layer of its own"
-                )
-            }
+            Self::Duty { drawn, mean, .. } => format!(
+                "this line asks for stripes that cover {:.0} % of the area, and those of its layer cover {:.0} %: a layer \
+                 grows stripes that cover either less than half or more than half; draw it on a layer of its own",
+                100.0 * drawn,
+                100.0 * mean
+            ),
         }
     }
 }

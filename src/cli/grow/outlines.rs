@@ -6,7 +6,7 @@ use crate::document::{Document, Extent, Layer, Stroke};
 use crate::export::outline::svg::{self, Sheet, Unit};
 use crate::export::outline::{Ends, FORMATS, Hatch, Smallest, Style, Travel, dxf};
 use crate::export::{self, Prepared, Stopped, has_ending};
-use crate::synth::render::outlining::{Outlining, outlines};
+use crate::synth::render::outlining::{Outlining, ground, outlines};
 use crate::synth::{Grown, Watch, memory};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -42,6 +42,9 @@ pub struct OutlineArgs {
     /// Strokes of marks at the canvas' edge: closed along it, or cut there [default: closed]
     #[arg(long, value_name = "closed|cut", value_parser = values::ends)]
     pub edges: Option<Ends>,
+    /// Put a rectangle in the colour of the ground beneath the outlines of an SVG
+    #[arg(long)]
+    pub ground: bool,
     /// Draw paths in the order found instead of searching a short route
     #[arg(long)]
     pub no_order: bool,
@@ -58,6 +61,7 @@ impl OutlineArgs {
             ("--min-feature", self.min_feature.is_some()),
             ("--min-area", self.min_area.is_some()),
             ("--edges", self.edges.is_some()),
+            ("--ground", self.ground),
             ("--no-order", self.no_order),
         ];
         given.into_iter().find_map(|(name, given)| given.then_some(name))
@@ -240,6 +244,7 @@ pub fn prepare(
         size,
         unit,
         stroke_width: args.outlines.pen.unwrap_or(unit.stroke()),
+        ground: args.outlines.ground.then(|| ground(document)),
     };
     let write = |path: &&Path| {
         export::prepare(path, |out| {

@@ -1,6 +1,6 @@
 //! Lines and paths that cross: stripes of one layer have one direction at each place.
 
-use super::{SketchNote, in_words};
+use super::{Problem, Remedy, SketchNote};
 use crate::document::{After, Layer};
 use crate::marks::{Mark, Path};
 
@@ -15,12 +15,7 @@ pub(super) fn notes(layer: &Layer, marks: &[Option<Mark>]) -> Vec<SketchNote> {
     for (index, path) in &paths {
         let places = path.crossings();
         if !places.is_empty() {
-            let text = format!(
-                "this path crosses itself at {}: stripes have one direction at each place; cut it there and put the two parts \
-                 on two layers",
-                in_words(&places)
-            );
-            notes.push(SketchNote::new(vec![*index], places, text));
+            notes.push(SketchNote::new(vec![*index], places, Problem::CrossesItself));
         }
     }
     let (mut strokes, mut places) = (Vec::new(), Vec::new());
@@ -36,13 +31,26 @@ pub(super) fn notes(layer: &Layer, marks: &[Option<Mark>]) -> Vec<SketchNote> {
     strokes.sort_unstable();
     strokes.dedup();
     if !places.is_empty() {
-        let text = format!(
-            "these cross each other at {}: stripes have one direction at each place; use two layers",
-            in_words(&places)
-        );
-        notes.push(SketchNote::new(strokes, places, text));
+        let note = SketchNote::new(strokes, places, Problem::CrossEachOther);
+        notes.push(SketchNote { remedy: Some(Remedy::CrossingLayer), ..note });
     }
     notes
+}
+
+/// The strokes to put on a layer of their own so that no two of those that stay cross: each that crosses an earlier one that
+/// stays.
+#[must_use]
+pub fn crossing_strokes(marks: &[Option<Mark>]) -> Vec<usize> {
+    let (mut staying, mut moving): (Vec<Path>, Vec<usize>) = (Vec::new(), Vec::new());
+    for (index, mark) in marks.iter().enumerate() {
+        let Some(path) = mark.as_ref().and_then(Mark::path) else { continue };
+        if staying.iter().any(|other| may_touch(&path, other) && !path.crossings_with(other).is_empty()) {
+            moving.push(index);
+        } else {
+            staying.push(path);
+        }
+    }
+    moving
 }
 
 /// Whether the boxes around two paths overlap.

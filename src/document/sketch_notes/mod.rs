@@ -14,6 +14,7 @@ use serde::Serialize;
 use crate::document::{Document, Stroke};
 use crate::marks::Mark;
 
+pub use crossings::crossing_strokes;
 pub use outlines::outline_remark;
 pub use sizes::size_groups;
 
@@ -32,9 +33,54 @@ pub struct SketchNote {
     pub places: Vec<[f64; 2]>,
     /// What will not be as drawn, and the remedy.
     pub text: String,
+    /// The same as numbers.
+    #[serde(skip)]
+    pub problem: Problem,
     /// The remedy, where dapple can carry it out.
     #[serde(skip)]
     pub remedy: Option<Remedy>,
+}
+
+/// What in a sketch will not grow as it was drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Problem {
+    /// All layers are hidden.
+    Hidden,
+    /// An outline is far from the ellipse that it is read as: the share of its area that differs.
+    Outline(f64),
+    /// A path crosses itself.
+    CrossesItself,
+    /// Lines of one layer cross.
+    CrossEachOther,
+    /// The spots of a layer have two sizes: how many, and their mean area, px²; the small ones, then the large ones.
+    TwoSizes([(usize, f64); 2]),
+}
+
+impl Problem {
+    /// The sentence without a full stop. `at`: such as ` at [30, 40]`, or nothing; `area` writes an area, px².
+    #[must_use]
+    pub fn in_words(&self, at: &str, area: &dyn Fn(f64) -> String) -> String {
+        match self {
+            Self::Hidden => hidden::TEXT.to_owned(),
+            Self::Outline(share) => outlines::in_words(*share),
+            Self::CrossesItself => format!(
+                "this path crosses itself{at}: stripes have one direction at each place; cut it there and put the two parts \
+                 on two layers"
+            ),
+            Self::CrossEachOther => format!(
+                "these lines cross each other{at}: stripes have one direction at each place; use two layers"
+            ),
+            Self::TwoSizes([small, large]) => format!(
+                "the spots of this layer have two sizes: {} of about {} and {} of about {}. One layer has one spacing for \
+                 both; put the {} on a layer of their own",
+                small.0,
+                area(small.1),
+                large.0,
+                area(large.1),
+                if large.0 <= small.0 { "large ones" } else { "small ones" },
+            ),
+        }
+    }
 }
 
 /// A remedy that dapple can carry out.
@@ -42,6 +88,8 @@ pub struct SketchNote {
 pub enum Remedy {
     /// Put the small spots on a layer of their own, see [`size_groups`].
     TwoLayers,
+    /// Put lines that cross others on a layer of their own, see [`crossing_strokes`].
+    CrossingLayer,
 }
 
 impl fmt::Display for SketchNote {
@@ -77,8 +125,11 @@ pub fn sketch_notes(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Ske
 
 impl SketchNote {
     /// A note on some strokes of a layer, which is added by [`sketch_notes`].
-    fn new(strokes: Vec<usize>, places: Vec<[f64; 2]>, text: String) -> Self {
-        Self { layer: None, strokes, places, text, remedy: None }
+    fn new(strokes: Vec<usize>, places: Vec<[f64; 2]>, problem: Problem) -> Self {
+        let is_crossing = matches!(problem, Problem::CrossesItself | Problem::CrossEachOther);
+        let at = if is_crossing { format!(" at {}", in_words(&places)) } else { String::new() };
+        let text = problem.in_words(&at, &|area| format!("{area:.0} px²"));
+        Self { layer: None, strokes, places, text, problem, remedy: None }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Freehand outlines that are far from the ellipse that they are read as: hearts, stars, spirals, letters.
 
-use super::SketchNote;
+use super::{Problem, SketchNote};
 use crate::document::{Layer, Stroke};
 use crate::marks::Ellipse;
 use crate::sketch::difference_from_ellipse;
@@ -13,7 +13,7 @@ pub(super) fn notes(layer: &Layer) -> Vec<SketchNote> {
     let note = |(index, stroke): (usize, &Stroke)| {
         let Stroke::Freehand { points, .. } = stroke else { return None };
         let (ellipse, share) = far_outline(points)?;
-        Some(SketchNote::new(vec![index], vec![ellipse.center], in_words(share)))
+        Some(SketchNote::new(vec![index], vec![ellipse.center], Problem::Outline(share)))
     };
     layer.strokes.iter().enumerate().filter_map(note).collect()
 }
@@ -28,10 +28,10 @@ fn far_outline(points: &[[f64; 2]]) -> Option<(Ellipse, f64)> {
     difference_from_ellipse(points).filter(|(_, share)| *share > MOST)
 }
 
-fn in_words(share: f64) -> String {
+pub(super) fn in_words(share: f64) -> String {
     format!(
-        "this outline is read as an ellipse, and {:.0} % of its area differ from it: spots are ellipses; draw it of several \
-         ellipses, or leave its end open for a stripe",
+        "this outline is read as an ellipse, from which {:.0} % of its area differ: spots are ellipses; draw it as several \
+         ellipses, or leave its end open to draw a stripe",
         100.0 * share
     )
 }

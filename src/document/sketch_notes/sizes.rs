@@ -1,6 +1,6 @@
 //! Spots whose sizes form two clear groups that stand among each other: two layers keep each size and each spacing.
 
-use super::{Remedy, SketchNote};
+use super::{Problem, Remedy, SketchNote};
 use crate::marks::{Ellipse, Mark};
 
 /// The fewest spots of which groups are sought, and the fewest of a group: fewer are single odd ones.
@@ -20,18 +20,10 @@ pub(super) fn note(marks: &[Option<Mark>]) -> Option<SketchNote> {
     let mean = |group: &[usize]| {
         group.iter().filter_map(ellipse).map(|ellipse| ellipse.area()).sum::<f64>() / group.len() as f64
     };
-    let text = format!(
-        "the spots of this layer have two sizes: {} of about {:.0} px² and {} of about {:.0} px². One layer has one spacing for \
-         both; put these {} on a layer of their own",
-        small.len(),
-        mean(&small),
-        large.len(),
-        mean(&large),
-        if large.len() <= small.len() { "large ones" } else { "small ones" },
-    );
+    let sizes = Problem::TwoSizes([(small.len(), mean(&small)), (large.len(), mean(&large))]);
     let told = if large.len() <= small.len() { large } else { small };
     let places = told.iter().filter_map(ellipse).map(|ellipse| ellipse.center).collect();
-    Some(SketchNote { remedy: Some(Remedy::TwoLayers), ..SketchNote::new(told, places, text) })
+    Some(SketchNote { remedy: Some(Remedy::TwoLayers), ..SketchNote::new(told, places, sizes) })
 }
 
 /// The indices of the small and of the large ellipses among the `marks` of a layer, where there are two clear groups.

@@ -67,7 +67,9 @@ fn crossings_are_told_with_their_places() {
     assert_eq!((each_other.layer, &each_other.strokes[..]), (Some(1), &[0, 1][..]));
     assert_eq!(each_other.places, [[150.0, 100.0]]);
     assert!(
-        each_other.to_string().starts_with("layers[1].strokes[0, 1]: these cross each other at [150, 100]")
+        each_other
+            .to_string()
+            .starts_with("layers[1].strokes[0, 1]: these lines cross each other at [150, 100]")
     );
     let ring = Layer::new(across).with_after(After::Net);
     assert!(notes(vec![ring]).is_empty(), "only the width of a web is drawn");

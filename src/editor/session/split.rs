@@ -1,6 +1,6 @@
-//! Two layers of one whose spots have two sizes.
+//! Two layers of one whose spots have two sizes, or whose lines cross.
 
-use crate::document::sketch_notes::size_groups;
+use crate::document::sketch_notes::{crossing_strokes, size_groups};
 use crate::document::{After, Colours, limits};
 use crate::editor::session::Session;
 
@@ -14,27 +14,48 @@ impl Session {
     /// Moves the small spots of a layer that has two sizes to a new layer above it, which has the same settings and
     /// keeps away from the large spots. Unfreezes the layer and makes it active. Does nothing where it has one size.
     pub fn split_by_size(&mut self, layer: usize) {
-        let Some([small, _]) = self.fitted_marks().get(layer).and_then(|marks| size_groups(marks)) else {
-            return;
-        };
+        let groups = self.fitted_marks().get(layer).and_then(|marks| size_groups(marks));
+        if let Some([small, _]) = groups {
+            self.split(layer, &small, ["large", "small"]);
+        }
+    }
+
+    /// The strokes of a layer that cross earlier ones, without which no two cross.
+    #[must_use]
+    pub fn crossing_strokes(&self, layer: usize) -> Vec<usize> {
+        self.fitted_marks().get(layer).map(|marks| crossing_strokes(marks)).unwrap_or_default()
+    }
+
+    /// Moves the lines of a layer that cross earlier ones to a new layer above it, which has the same settings. Unfreezes the
+    /// layer and makes it active. Does nothing where none cross.
+    pub fn split_crossings(&mut self, layer: usize) {
+        let crossing = self.crossing_strokes(layer);
+        if !crossing.is_empty() {
+            self.split(layer, &crossing, ["", "crossing"]);
+        }
+    }
+
+    /// Moves strokes of a layer to a new one above it. `words`: put before the names of the two.
+    fn split(&mut self, layer: usize, moved: &[usize], words: [&str; 2]) {
         if self.document().layers.len() >= limits::MAX_LAYERS {
             return;
         }
         self.unfreeze_layer(layer);
         self.selection.clear();
         self.edit(|document| {
-            let large = &mut document.layers[layer];
-            let mut above = large.clone();
+            let below = &mut document.layers[layer];
+            let mut above = below.clone();
             let mut index = 0..;
-            let mut is_small = || index.next().is_some_and(|index| small.contains(&index));
-            (above.strokes, large.strokes) = large.strokes.drain(..).partition(|_| is_small());
+            let mut is_moved = || index.next().is_some_and(|index| moved.contains(&index));
+            (above.strokes, below.strokes) = below.strokes.drain(..).partition(|_| is_moved());
             above.after = After::Between;
             // The default colours depend on the index.
             above.colours.get_or_insert_with(|| Colours::default_for_layer(layer));
-            if !large.name.is_empty() {
-                let named =
-                    |word: &str| format!("{word} {}", large.name).chars().take(limits::MAX_NAME).collect();
-                (large.name, above.name) = (named("large"), named("small"));
+            if !below.name.is_empty() {
+                let named = |word: &str| {
+                    format!("{word} {}", below.name).trim().chars().take(limits::MAX_NAME).collect()
+                };
+                (below.name, above.name) = (named(words[0]), named(words[1]));
             }
             document.layers.insert(layer + 1, above);
         });
@@ -82,5 +103,22 @@ mod tests {
         let mut session = Session::open(before.clone(), None);
         session.split_by_size(0);
         assert_eq!(session.document(), &before);
+    }
+
+    #[test]
+    fn crossing_lines_go_to_a_layer_above_and_none_cross_any_more() {
+        let across = |y: f64| Stroke::line([20.0, y], [300.0, y], 6.0);
+        let down = |x: f64| Stroke::line([x, 20.0], [x, 300.0], 6.0);
+        let layer = Layer::new([across(60.0), down(100.0), across(160.0), down(200.0)]);
+        let mut session =
+            Session::open(Document { layers: vec![layer.clone()], ..Document::default() }, None);
+        assert_eq!(session.crossing_strokes(0), [1, 3]);
+        session.split_crossings(0);
+        let strokes: Vec<_> = session.document().layers.iter().map(|layer| layer.strokes.clone()).collect();
+        assert_eq!(strokes, [vec![across(60.0), across(160.0)], vec![down(100.0), down(200.0)]]);
+        assert!(session.crossing_strokes(0).is_empty() && session.crossing_strokes(1).is_empty());
+        session.commit();
+        session.undo();
+        assert_eq!(session.document().layers, [layer]);
     }
 }

@@ -38,7 +38,8 @@ fn add(values: &mut Map<String, Value>, name: &str, text: &str) {
     };
     match name {
         "recent" => push(values, name, text),
-        "hint" => set("hint_seen", (text == "seen").then(|| json!(true))),
+        // Whether the page of the first start was read: there is none any more.
+        "hint" => {}
         "theme" | "units" | "tab" => set(name, Some(json!(text))),
         "threads" => set(name, text.parse::<usize>().ok().map(Value::from)),
         "new" => set(name, numbers.and_then(|numbers| new(&numbers))),
@@ -179,7 +180,7 @@ units mm
     #[test]
     fn a_whole_file_of_an_earlier_version_is_read() {
         let wanted = json!({
-            "analysis": true, "curtain": 0.25, "regions": false, "hint_seen": true, "linked": false,
+            "analysis": true, "curtain": 0.25, "regions": false, "linked": false,
             "maximised": true, "over": true, "position": [-20.0, 40.0], "size": [900.0, 700.0],
             "recent": ["/a/b%0A%25.dapple", "/c d.dapple"], "tab": "colour", "theme": "dark", "threads": 3,
             "units": "mm",

@@ -59,6 +59,8 @@ pub struct Sheet {
     pub unit: Unit,
     /// The width of strokes, in that unit.
     pub stroke_width: f64,
+    /// The colour of a rectangle beneath everything; `None` = there is none.
+    pub ground: Option<[u8; 3]>,
 }
 
 /// Writes the groups.
@@ -78,6 +80,11 @@ pub fn write(out: &mut impl Write, sheet: &Sheet, groups: &[Group]) -> io::Resul
         writeln!(out, "<title>{}</title>", Escaped(&sheet.title))?;
     }
     let mut ids = BTreeSet::new();
+    if let Some([red, green, blue]) = sheet.ground {
+        let colour = format!("#{red:02x}{green:02x}{blue:02x}");
+        let id = id("ground", 0, &mut ids);
+        writeln!(out, r#"<rect id="{id}" width="{width}" height="{height}" fill="{colour}"/>"#)?;
+    }
     for (index, group) in groups.iter().enumerate() {
         let [red, green, blue] = group.colour;
         let colour = format!("#{red:02x}{green:02x}{blue:02x}");

@@ -2,6 +2,7 @@
 
 pub mod clip;
 pub mod film;
+pub mod lit;
 pub mod morph;
 pub mod outlining;
 pub mod painting;

@@ -76,6 +76,18 @@ pub fn outlines(
     Ok(drawn)
 }
 
+/// The colour of the ground: that of the topmost visible layer, as in its picture; white without layers.
+#[must_use]
+pub fn ground(document: &Document) -> [u8; 3] {
+    let shown = document
+        .layers
+        .iter()
+        .enumerate()
+        .rfind(|(index, layer)| layer.visible && !is_replaced(document, *index));
+    let shown = shown.or(document.layers.iter().enumerate().next_back());
+    shown.map_or([255; 3], |(index, layer)| gradient_of(layer, index).colour(0.0))
+}
+
 fn layer_shapes(
     document: &Document,
     pattern: &Pattern,

@@ -9,7 +9,7 @@ mod region;
 pub mod stripe_along;
 
 pub use drawn::{DrawnMark, drawn_marks, left_out};
-pub use region::{RegionReport, regions};
+pub use region::{RegionReport, merged_spots, regions};
 
 use serde::Serialize;
 

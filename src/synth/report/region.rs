@@ -157,8 +157,9 @@ fn region(layer: &GrownLayer, index: usize, remarks: Vec<String>, stayed: Option
     let merged = merged(layer, index);
     if let Some(merged) = merged.filter(|merged| *merged > 0) {
         let are = if merged == 1 { "mark is" } else { "marks are" };
-        notes
-            .push(format!("{merged} grown {are} two that grew together; draw them farther apart or smaller"));
+        notes.push(format!(
+            "{merged} grown {are} two spots that grew together; draw them farther apart or smaller"
+        ));
     }
     RegionReport {
         place,
@@ -180,12 +181,19 @@ fn region(layer: &GrownLayer, index: usize, remarks: Vec<String>, stayed: Option
 
 /// The number of whole spots of region `index` that are two grown together; `None` of stripes.
 fn merged(layer: &GrownLayer, index: usize) -> Option<usize> {
-    let Measured::Spots { marks, .. } = &layer.measured else { return None };
+    let Measured::Spots { .. } = &layer.measured else { return None };
     let layout = layer.plan.lookup.map.layout();
+    let here = |place: &&[f64; 2]| layout.index(layout.region_of(**place)) == index;
+    Some(merged_spots(layer).iter().filter(here).count())
+}
+
+/// The centres of the whole spots of a layer that are two grown together, px; none of stripes.
+#[must_use]
+pub fn merged_spots(layer: &GrownLayer) -> Vec<[f64; 2]> {
+    let Measured::Spots { marks, .. } = &layer.measured else { return Vec::new() };
     // Irregular outlines fill less of their ellipses.
     let is_two = |spot: &&Spot| spot.whole && spot.fill < MERGED_FILL && layer.plan.lookup.irregular == 0.0;
-    let here = |spot: &&Spot| layout.index(layout.region_of(spot.ellipse.center)) == index;
-    Some(marks.iter().filter(is_two).filter(here).count())
+    marks.iter().filter(is_two).map(|spot| spot.ellipse.center).collect()
 }
 
 fn parameters(layer: &GrownLayer, index: usize) -> Vec<(&'static str, f64)> {

@@ -73,6 +73,7 @@ fn escape_cancels_the_drag_of_a_stop() {
 fn handles_bend_the_transition() {
     let (mut hand, _folder) = with_layers(1);
     hand.focus("Stop 1 of 4");
+    hand.reach("Bend by hand");
     let first = hand.place("First handle").center();
     let second = hand.place("Second handle").center();
     // The handles of a straight transition are in the corners: they span the plot.
@@ -109,6 +110,7 @@ fn colours_are_edited_by_keys_alone() {
     assert_eq!(hand.places().len(), 4, "at the midpoint of the chosen transition");
 
     hand.press("Straight");
+    hand.reach("Bend by hand");
     hand.focus("First handle");
     hand.key(Modifiers::SHIFT, Key::ArrowRight);
     hand.key(Modifiers::NONE, Key::ArrowUp);
@@ -179,10 +181,9 @@ fn the_bar_and_the_curve_show_the_values_of_the_library() {
     hand.window.get_by_label("Add a stop").scroll_to_me();
     hand.window.run_steps(60);
     let bar = hand.place("Add a stop");
-    let [first, second] = ["First handle", "Second handle"].map(|name| hand.place(name).center());
     hand.window.get_by_role(Role::Canvas).focus();
-    let picture = picture(&mut hand);
-    let px = |x: f32, y: f32| {
+    let seen = picture(&mut hand);
+    let px = |picture: &image::RgbaImage, x: f32, y: f32| {
         let [red, green, blue, _] = picture.get_pixel(x as u32, y as u32).0;
         [red, green, blue]
     };
@@ -192,20 +193,26 @@ fn the_bar_and_the_curve_show_the_values_of_the_library() {
         let x = x as f32 + 0.5;
         // The exact border between columns depends on the resolution.
         let near = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|by| table.colour((x + by - bar.left()) / bar.width()));
-        let worst = near.into_iter().map(|colour| off(colour, px(x, bar.center().y))).min();
+        let worst = near.into_iter().map(|colour| off(colour, px(&seen, x, bar.center().y))).min();
         assert!(worst <= Some(3), "the bar at {x} is off by {worst:?}");
     }
     // The curve's line is the darkest of its column.
+    hand.reach("Bend by hand");
+    hand.window.get_by_label("First handle").scroll_to_me();
+    hand.window.run_steps(60);
+    let [first, second] = ["First handle", "Second handle"].map(|name| hand.place(name).center());
+    hand.window.get_by_role(Role::Canvas).focus();
+    let seen = picture(&mut hand);
     let bend = hand.colours(0).bend(1);
     assert_eq!(bend, [0.42, 0.0, 0.58, 1.0]);
     let unit = (second.x - first.x) / 0.16;
     for way in [0.2, 0.3, 0.7, 0.8] {
         let x = first.x + (way - 0.42) * unit;
-        let dark = |y: &u32| px(x, *y as f32).into_iter().map(u32::from).sum::<u32>();
+        let dark = |y: &u32| px(&seen, x, *y as f32).into_iter().map(u32::from).sum::<u32>();
         let (top, bottom) = (second.y as u32 + 4, first.y as u32 - 4);
-        let seen = (top..bottom).min_by_key(dark).unwrap() as f32 + 0.5;
+        let darkest = (top..bottom).min_by_key(dark).unwrap() as f32 + 0.5;
         let eased = Bend(bend).ease(f64::from(way)) as f32;
         let expected = first.y + eased * (second.y - first.y);
-        assert!((seen - expected).abs() < 2.5, "at {way} the curve is at {seen}, not {expected}");
+        assert!((darkest - expected).abs() < 2.5, "at {way} the curve is at {darkest}, not {expected}");
     }
 }

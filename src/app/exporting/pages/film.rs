@@ -64,18 +64,18 @@ fn times(ui: &mut Ui, film: &mut Film, context: &ExportContext) {
     let usual = SIDE.min(canvas[0].max(canvas[1]));
     named(ui, "Longer side", "Longer side of a frame");
     let mut side = clip.side.unwrap_or(usual);
-    let field = DragValue::new(&mut side).range(SIDES).suffix(" px");
-    if number(ui, "Longer side", field) {
+    let field = DragValue::new(&mut side).range(SIDES);
+    if number(ui, "Longer side", field, " px") {
         clip.side = (side != usual).then_some(side);
     }
     ui.end_row();
     named(ui, "Length", "Without the hold at the end");
-    let field = DragValue::new(&mut clip.seconds).range(0.1..=600.0).speed(0.05).max_decimals(2).suffix(" s");
-    number(ui, "Length", field);
+    let field = DragValue::new(&mut clip.seconds).range(0.1..=600.0).speed(0.05).max_decimals(2);
+    number(ui, "Length", field, " s");
     ui.end_row();
     named(ui, "Frames a second", "Browsers show a GIF no faster than 50");
     let fastest = if film.kind == Kind::Gif { FASTEST_GIF } else { *RATES.end() };
-    number(ui, "Frames a second", DragValue::new(&mut clip.fps).range(1..=fastest).speed(0.1));
+    number(ui, "Frames a second", DragValue::new(&mut clip.fps).range(1..=fastest).speed(0.1), "");
     ui.end_row();
 }
 
@@ -89,7 +89,7 @@ fn end(ui: &mut Ui, clip: &mut Clip) {
     if again {
         named(ui, "Hold", "How much longer the last frame is shown");
         let field = DragValue::new(&mut clip.hold).range(0.0..=60.0).speed(0.05).max_decimals(2);
-        number(ui, "Hold", field.suffix(" s"));
+        number(ui, "Hold", field, " s");
         ui.end_row();
     }
 }

@@ -18,7 +18,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
         named(ui, "Ground", "Roughness of the ground: 0 = a mirror, 1 = chalk");
         let field = DragValue::new(&mut material.roughness[0]).range(0.0..=1.0).speed(0.01).max_decimals(2);
         ui.horizontal(|ui| {
-            number(ui, "Roughness of the ground", field);
+            number(ui, "Roughness of the ground", field, "");
             ui.weak("rough");
         });
         ui.end_row();
@@ -31,13 +31,13 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
             ui.horizontal(|ui| {
                 let mut relief = value(&material.relief, index);
                 let field = DragValue::new(&mut relief).range(-RELIEF..=RELIEF).speed(0.1).max_decimals(1);
-                if number(ui, &format!("Relief of {}", layer.name), field.suffix(" px")) {
+                if number(ui, &format!("Relief of {}", layer.name), field, " px") {
                     put(&mut material.relief, index, relief);
                 }
                 ui.weak("high");
                 let mut rough = value(&material.roughness, index + 1);
                 let field = DragValue::new(&mut rough).range(0.0..=1.0).speed(0.01).max_decimals(2);
-                if number(ui, &format!("Roughness of {}", layer.name), field) {
+                if number(ui, &format!("Roughness of {}", layer.name), field, "") {
                     put(&mut material.roughness, index + 1, rough);
                 }
                 ui.weak("rough");

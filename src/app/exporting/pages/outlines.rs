@@ -32,7 +32,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
             "The pattern value of the contours: 0.5 = the marks' edges, less = outside, more = inside",
         );
         let field = DragValue::new(&mut outlines.level).range(0.01..=0.99).speed(0.005).max_decimals(3);
-        number(ui, "Level", field);
+        number(ui, "Level", field, "");
         ui.end_row();
         named(ui, "Units", "The unit of lengths, in the file and here");
         ui.horizontal(|ui| {
@@ -80,16 +80,16 @@ fn style(ui: &mut Ui, outlines: &mut Outlines, dpi: f64) {
         let finest = Hatch::FINEST * outlines.unit(dpi).per_px();
         ui.horizontal(|ui| {
             let field = DragValue::new(&mut outlines.spacing).range(finest..=1e4).speed(0.02).max_decimals(3);
-            number(ui, "Spacing of the hatch", field.suffix(unit));
+            number(ui, "Spacing of the hatch", field, unit);
             let field = DragValue::new(&mut outlines.angle).range(-360.0..=360.0).speed(0.5).max_decimals(1);
-            number(ui, "Direction of the hatch", field.suffix("°"));
+            number(ui, "Direction of the hatch", field, "°");
         });
         ui.end_row();
     }
     if (outlines.stroke || outlines.hatch) && !outlines.dxf {
         named(ui, "Pen", "Width of the strokes");
         let field = DragValue::new(&mut outlines.pen).range(0.001..=1e4).speed(0.01).max_decimals(3);
-        number(ui, "Pen", field.suffix(unit));
+        number(ui, "Pen", field, unit);
         ui.end_row();
     }
     named(ui, "At the edge", "Strokes of marks that reach over the edge of the canvas");
@@ -110,6 +110,12 @@ fn style(ui: &mut Ui, outlines: &mut Outlines, dpi: f64) {
         "Otherwise in the order in which the outlines are found",
     );
     ui.end_row();
+    if !outlines.dxf {
+        named(ui, "Ground", "The surface between the marks");
+        let help = "A rectangle in the colour of the ground beneath the outlines";
+        yes(ui, "rectangle", &mut outlines.ground, true, help);
+        ui.end_row();
+    }
 }
 
 fn smallest(ui: &mut Ui, outlines: &mut Outlines) {
@@ -118,9 +124,9 @@ fn smallest(ui: &mut Ui, outlines: &mut Outlines) {
     ui.horizontal(|ui| {
         ui.weak("under");
         let field = DragValue::new(&mut outlines.width).range(0.0..=1e4).speed(0.02).max_decimals(3);
-        number(ui, "Narrowest", field.suffix(unit));
+        number(ui, "Narrowest", field, unit);
         let field = DragValue::new(&mut outlines.area).range(0.0..=1e8).speed(0.05).max_decimals(3);
-        number(ui, "Smallest area", field.suffix(format!("{unit}²")));
+        number(ui, "Smallest area", field, &format!("{unit}²"));
     });
     ui.end_row();
 }

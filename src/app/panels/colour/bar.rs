@@ -6,7 +6,7 @@ use egui::{
 };
 
 use super::grip::{arrows, deleted, rounded};
-use super::{ColourPanel, Drag, hex, shown};
+use super::{ColourPanel, Drag, hex, shown, stop_menu};
 use crate::app::theme::Palette;
 use crate::colour::{Bend, Gradient};
 use crate::document::Colours;
@@ -188,6 +188,7 @@ fn stops(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, ba
         }
         if panel.drag.is_none() && moved.is_none() {
             respond(ui, panel, colours, index, &response);
+            stop_menu::stop_menu(&response, panel, colours, index);
         }
         let chosen = moved.map_or(panel.stop == index, |moved| moved == index);
         if !off {

@@ -7,6 +7,7 @@ use egui::{
 use super::bar::{gradient, line, transition};
 use super::grip::{arrows, deleted, rounded};
 use super::{ColourPanel, Drag};
+use crate::app::icons::Icon;
 use crate::app::panels::form::heading;
 use crate::app::theme::Palette;
 use crate::colour::Bend;
@@ -32,19 +33,6 @@ pub fn curve(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
     heading(ui, &transition(gap));
     let mut bend = colours.bend(gap);
     let before = bend;
-    let (all, _) =
-        ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT + STRIP + 2.0 * SPACE), Sense::hover());
-    let room = Rect::from_min_max(
-        pos2(all.left() + SPACE + STRIP + 3.0, all.top() + SPACE),
-        pos2(all.right() - SPACE, all.top() + SPACE + HEIGHT),
-    );
-    let range =
-        panel.drag.as_ref().filter(|drag| drag.stop.is_none()).map_or_else(|| range(bend), |drag| drag.range);
-    strips(ui, colours, gap, room, range);
-    paint(ui, room, bend, range);
-    for handle in 0..2 {
-        self::handle(ui, panel, colours, &mut bend, handle, room, range);
-    }
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for (name, kind) in KINDS {
@@ -60,13 +48,45 @@ pub fn curve(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
                 bend = kind;
             }
         }
-        let [x1, y1, x2, y2] = bend;
-        let numbers = RichText::new(format!("{x1:.2} {y1:.2}\n{x2:.2} {y2:.2}")).small().weak();
-        ui.label(numbers).on_hover_text("Positions of the two handles, x and y, as in CSS cubic-bezier()");
+        let icon = if panel.unfolded { Icon::Unfolded } else { Icon::Folded };
+        let fold = icon.sized_button(ui, "Bend by hand", panel.unfolded, vec2(30.0, 24.0));
+        if fold.on_hover_text("Two handles to bend the transition by hand").clicked() {
+            panel.unfolded = !panel.unfolded;
+            panel.shows_plot = panel.unfolded;
+        }
     });
+    if panel.unfolded {
+        plot(ui, panel, colours, gap, &mut bend);
+    }
     if bend != before {
         colours.set_bend(gap, bend);
     }
+}
+
+/// The plot of the transition with its two handles.
+fn plot(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours, gap: usize, bend: &mut [f64; 4]) {
+    let (all, _) =
+        ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT + STRIP + 2.0 * SPACE), Sense::hover());
+    if std::mem::take(&mut panel.shows_plot) {
+        ui.scroll_to_rect(all.expand2(vec2(0.0, 14.0)), None);
+    }
+    let room = Rect::from_min_max(
+        pos2(all.left() + SPACE + STRIP + 3.0, all.top() + SPACE),
+        pos2(all.right() - SPACE, all.top() + SPACE + HEIGHT),
+    );
+    let range = panel
+        .drag
+        .as_ref()
+        .filter(|drag| drag.stop.is_none())
+        .map_or_else(|| range(*bend), |drag| drag.range);
+    strips(ui, colours, gap, room, range);
+    paint(ui, room, *bend, range);
+    for handle in 0..2 {
+        self::handle(ui, panel, colours, bend, handle, room, range);
+    }
+    let [x1, y1, x2, y2] = *bend;
+    let numbers = RichText::new(format!("{x1:.2}, {y1:.2}, {x2:.2}, {y2:.2}")).small().weak();
+    ui.label(numbers).on_hover_text("Positions of the two handles, x and y, as in CSS cubic-bezier()");
 }
 
 /// Smallest and largest y of the plot: 0, 1 and the handles, with a margin.

@@ -4,13 +4,17 @@ mod bar;
 mod copies;
 mod curve;
 mod grip;
+mod hex_field;
 mod picker;
 mod presets;
 mod stop;
+mod stop_menu;
+mod swatches;
 
 use egui::{Color32, Key, RichText, TextureHandle, Ui, ecolor::HsvaGamma};
 
 use crate::app::action::Action;
+use crate::colour::ColourModel;
 use crate::document::Colours;
 use crate::editor::edit::Edit;
 use crate::editor::session::Session;
@@ -27,6 +31,15 @@ pub struct ColourPanel {
     hex: Option<String>,
     /// The colour of the picker, and its hue, saturation and value: gray alone would lose the hue.
     hsv: Option<([u8; 3], HsvaGamma)>,
+    /// The model of the picker's numbers, and what was typed: the colour that came of it, its model, its coordinates.
+    model: ColourModel,
+    typed: Option<([u8; 3], ColourModel, [f64; 3])>,
+    /// Whether the next click on a picture gives the selected stop its colour.
+    pub picking: bool,
+    /// Whether the plot of the transition is unfolded.
+    unfolded: bool,
+    /// Whether it has just been unfolded and is to be scrolled to.
+    shows_plot: bool,
     /// Whether the picker opens in this frame.
     open_picker: bool,
     /// Pictures of the presets.
@@ -81,6 +94,8 @@ pub fn colour(ui: &mut Ui, session: &Session, panel: &mut ColourPanel) -> Vec<Ac
     }
     bar::bar(ui, panel, &mut colours);
     stop::stop(ui, panel, &mut colours);
+    swatches::swatches(ui, session, panel, &mut colours);
+    let preset = presets::presets(ui, panel, &colours);
     if colours.stops.len() > 1 {
         curve::curve(ui, panel, &mut colours);
     }
@@ -89,10 +104,18 @@ pub fn colour(ui: &mut Ui, session: &Session, panel: &mut ColourPanel) -> Vec<Ac
         actions.push(paint(layer, colours.clone()));
     }
     actions.extend(copies::copies(ui, session, &colours));
-    if let Some(preset) = presets::presets(ui, panel, &colours) {
-        actions.push(paint(layer, preset));
-    }
+    actions.extend(preset.map(|preset| paint(layer, preset)));
     actions
+}
+
+/// Gives the selected stop of the active layer the colour that was picked, and ends picking.
+pub fn picked(session: &Session, panel: &mut ColourPanel, colour: [u8; 3]) -> Action {
+    let layer = session.active_layer;
+    let mut colours = session.colours(layer);
+    panel.retain_existing(&colours);
+    (panel.picking, panel.hex) = (false, None);
+    colours.stops[panel.stop].colour = colour;
+    paint(layer, colours)
 }
 
 /// Gives a layer these colours.

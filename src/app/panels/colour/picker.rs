@@ -1,17 +1,55 @@
-//! The colour picker: saturation and brightness above, hue below; by pointer and arrow keys.
+//! The colour picker: saturation and brightness above, hue below; by pointer and arrow keys; numbers in three colour models.
 
 use egui::ecolor::{Hsva, HsvaGamma};
 use egui::{
-    Color32, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, epaint::Mesh, pos2, vec2,
+    Color32, DragValue, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, epaint::Mesh,
+    pos2, vec2,
 };
 
+use super::ColourPanel;
 use super::grip::arrows;
-use super::hex;
+use super::hex_field::hex_field;
 use crate::app::theme::Palette;
+use crate::app::units::number_field;
+use crate::colour::ColourModel;
 
 /// Shows it; `fresh`: it was just opened by a key and takes the keyboard focus.
-pub fn picker(ui: &mut Ui, known: &mut Option<([u8; 3], HsvaGamma)>, colour: &mut [u8; 3], fresh: bool) {
+pub fn picker(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3], fresh: bool) {
     ui.set_width(200.0);
+    pads(ui, &mut panel.hsv, colour, fresh);
+    fields(ui, panel, colour);
+    hex_field(ui, panel, colour, "Picked colour in hexadecimal digits");
+}
+
+/// The three coordinates of the colour as numbers, in the model that is chosen.
+fn fields(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for (model, name) in ColourModel::ALL {
+            ui.selectable_value(&mut panel.model, model, name);
+        }
+    });
+    let model = panel.model;
+    // What was typed is kept: hue and chroma of a gray would be lost, and rounding to 8 bits would change the others.
+    let known = panel.typed.filter(|(of, by, _)| of == colour && *by == model);
+    let mut values = known.map_or_else(|| model.of(*colour), |(_, _, values)| values);
+    let mut has_changed = false;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for (value, coordinate) in values.iter_mut().zip(model.coordinates()) {
+            let field = DragValue::new(value).range(0.0..=coordinate.most).speed(coordinate.most / 400.0);
+            let field = number_field(field.max_decimals(coordinate.decimals), coordinate.unit);
+            let field = ui.add_sized(vec2(64.0, 22.0), field.prefix(format!("{} ", coordinate.letter)));
+            has_changed |= field.accessible_name(coordinate.name).on_hover_text(coordinate.name).changed();
+        }
+    });
+    if has_changed {
+        *colour = model.colour(values);
+        panel.typed = Some((*colour, model, values));
+    }
+}
+
+fn pads(ui: &mut Ui, known: &mut Option<([u8; 3], HsvaGamma)>, colour: &mut [u8; 3], fresh: bool) {
     let found = known.filter(|(of, _)| of == colour).map(|(_, hsv)| hsv);
     let mut hsv = found.unwrap_or_else(|| HsvaGamma::from(Hsva::from_srgb(*colour)));
     hsv.a = 1.0;
@@ -29,7 +67,6 @@ pub fn picker(ui: &mut Ui, known: &mut Option<([u8; 3], HsvaGamma)>, colour: &mu
         *colour = [red, green, blue];
     }
     *known = Some((*colour, hsv));
-    ui.weak(hex(*colour));
 }
 
 /// A field of colours with a position in it, 0..1 to the right and up.

@@ -1,14 +1,16 @@
 //! Preset colours, as small pictures.
 
-use egui::{Align2, Button, ColorImage, FontId, Image, Rect, RichText, TextureOptions, Ui, pos2, vec2};
+use egui::{
+    ColorImage, Image, RichText, Role, Sense, Stroke, StrokeKind, TextureOptions, Ui, WidgetInfo, vec2,
+};
 
 use super::{ColourPanel, shown};
-use crate::app::panels::form::heading;
+use crate::app::theme::Palette;
 use crate::colour::{Group, Marking, PRESETS, Preset};
 use crate::document::Colours;
 
 /// Size of a picture, px.
-const SIZE: [usize; 2] = [34, 22];
+const SIZE: [usize; 2] = [34, 24];
 
 /// Shows them; gives the colours of the one that is clicked. `colours`: those of the active layer.
 pub fn presets(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours) -> Option<Colours> {
@@ -19,16 +21,13 @@ pub fn presets(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours) -> Optio
         panel.samples = PRESETS.iter().map(sample).collect();
     }
     for (group, name) in [(Group::Animal, "Animals"), (Group::Material, "Materials")] {
-        heading(ui, name);
-        let all: Vec<usize> = (0..PRESETS.len()).filter(|index| PRESETS[*index].group == group).collect();
-        for row in all.chunks(2) {
-            ui.horizontal(|ui| {
-                ui.spacing_mut().item_spacing.x = 4.0;
-                for &index in row {
-                    chosen = chosen.take().or(preset(ui, panel, colours, index));
-                }
-            });
-        }
+        ui.label(RichText::new(name).small().weak());
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+            for index in (0..PRESETS.len()).filter(|index| PRESETS[*index].group == group) {
+                chosen = chosen.take().or(preset(ui, panel, colours, index));
+            }
+        });
     }
     chosen
 }
@@ -36,25 +35,24 @@ pub fn presets(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours) -> Optio
 fn preset(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours, index: usize) -> Option<Colours> {
     let preset = &PRESETS[index];
     let own = Colours::from(&preset.set.gradient());
-    let chosen = *colours == own;
-    let button = ui.add_sized(vec2(114.0, 28.0), Button::new("").selected(chosen));
-    let left = button.rect.left_center() + vec2(4.0, 0.0);
+    let is_chosen = *colours == own;
     let size = vec2(SIZE[0] as f32, SIZE[1] as f32);
-    let room = Rect::from_min_size(pos2(left.x, left.y - 0.5 * size.y), size);
+    let (room, response) = ui.allocate_exact_size(size, Sense::click());
+    let name = format!("Colours: {}", preset.set.name);
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_chosen, &name));
     Image::new(&panel.samples[index]).corner_radius(3).paint_at(ui, room);
-    let colour =
-        if chosen { ui.visuals().selection.stroke.color } else { ui.style().interact(&button).text_color() };
-    let at = pos2(room.right() + 6.0, left.y);
-    ui.painter().text(at, Align2::LEFT_CENTER, preset.set.name, FontId::proportional(12.0), colour);
-    let button = button.accessible_name(format!("Colours: {}", preset.set.name));
-    let button = button.on_hover_ui(|ui| {
+    let palette = Palette::current(ui.visuals());
+    if is_chosen || response.hovered() || response.has_focus() {
+        ui.painter().rect_stroke(room, 3.0, Stroke::new(2.0, palette.accent), StrokeKind::Outside);
+    }
+    let response = response.on_hover_ui(|ui| {
         ui.label(RichText::new(preset.set.name).strong());
         ui.label(preset.source);
     });
-    if button.gained_focus() {
-        button.scroll_to_me(None);
+    if response.gained_focus() {
+        response.scroll_to_me(None);
     }
-    button.clicked().then(|| {
+    response.clicked().then(|| {
         panel.choose(0, &own);
         own
     })

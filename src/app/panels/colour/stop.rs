@@ -1,13 +1,15 @@
 //! The selected stop: its colour, its position, its neighbours.
 
 use egui::{
-    Button, DragValue, Popup, PopupCloseBehavior, RichText, Role, Sense, StrokeKind, TextEdit, Ui,
-    WidgetInfo, vec2,
+    Button, DragValue, Popup, PopupCloseBehavior, RichText, Role, Sense, StrokeKind, Ui, WidgetInfo, vec2,
 };
 
 use super::grip::rounded;
-use super::{ColourPanel, hex, picker, shown};
+use super::hex_field::hex_field;
+use super::{ColourPanel, picker, shown};
+use crate::app::icons::Icon;
 use crate::app::theme::Palette;
+use crate::app::units::number_field;
 use crate::document::Colours;
 
 /// Shows it.
@@ -17,11 +19,17 @@ pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
         swatch(ui, panel, &mut colours.stops[index].colour);
-        typed(ui, panel, &mut colours.stops[index].colour);
+        hex_field(ui, panel, &mut colours.stops[index].colour, "Colour in hexadecimal digits");
+        let help = "Take the colour from the reference picture or the texture: click there. Escape cancels";
+        let dropper =
+            Icon::Dropper.sized_button(ui, "Take a colour from a picture", panel.picking, vec2(26.0, 24.0));
+        if dropper.on_hover_text(help).clicked() {
+            panel.picking = !panel.picking;
+        }
         let before = colours.stops[index].at;
         let mut at = before;
         let field = DragValue::new(&mut at).range(0.0..=1.0).speed(0.002).max_decimals(3);
-        let field = ui.add(field.update_while_editing(false)).accessible_name("Place of the stop");
+        let field = ui.add(number_field(field, "")).accessible_name("Place of the stop");
         field.on_hover_text(
             "The pattern value that has this colour: 0 = the ground, 0.5 = a mark's edge, 1 = its centre",
         );
@@ -87,61 +95,6 @@ fn swatch(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
     }
     let popup = Popup::from_toggle_button_response(&response);
     let popup = popup.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    popup.show(|ui| picker::picker(ui, &mut panel.hsv, colour, by_key));
+    popup.show(|ui| picker::picker(ui, panel, colour, by_key));
     response.on_hover_text("The colour of the selected stop; click to pick another");
-}
-
-/// The field for hexadecimal digits.
-fn typed(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
-    let mut text = panel.hex.clone().unwrap_or_else(|| hex(*colour));
-    let known = read(&text);
-    let mut edit = TextEdit::singleline(&mut text).desired_width(76.0).char_limit(16);
-    if known.is_none() {
-        edit = edit.text_color(Palette::current(ui.visuals()).wrong);
-    }
-    let response = ui.add(edit).accessible_name("Colour in hexadecimal digits");
-    if response.changed() {
-        panel.hex = Some(text);
-    }
-    if response.lost_focus()
-        && let Some(text) = panel.hex.take()
-        && let Some(typed) = read(&text)
-    {
-        *colour = typed;
-    }
-    let help = "Red, green, blue: #rrggbb or #rgb in hexadecimal digits";
-    response.on_hover_text(if known.is_none() {
-        format!("This is not a colour. {help}")
-    } else {
-        help.to_owned()
-    });
-}
-
-/// Parses `#rrggbb` or `#rgb`, with or without the `#`.
-fn read(text: &str) -> Option<[u8; 3]> {
-    let text = text.trim();
-    let digits = text.strip_prefix('#').unwrap_or(text).chars();
-    let digits: Vec<u8> = digits.map(|c| c.to_digit(16).map(|digit| digit as u8)).collect::<Option<_>>()?;
-    match digits[..] {
-        [r, g, b] => Some([r * 17, g * 17, b * 17]),
-        [a, b, c, d, e, f] => Some([a * 16 + b, c * 16 + d, e * 16 + f]),
-        _ => None,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn colours_are_read_as_people_write_them() {
-        for (text, colour) in
-            [("#f4e3c1", [244, 227, 193]), (" F4E3C1 ", [244, 227, 193]), ("#fc0", [255, 204, 0])]
-        {
-            assert_eq!(read(text), Some(colour), "{text}");
-        }
-        for text in ["", "#", "red", "#12345", "#1234567", "##123456"] {
-            assert_eq!(read(text), None, "{text}");
-        }
-    }
 }

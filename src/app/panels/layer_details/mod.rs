@@ -10,6 +10,7 @@ use egui::{
 use super::meets;
 use crate::app::action::Action;
 use crate::app::icons::Icon;
+use crate::app::units::number_field;
 use crate::document::limits::Range;
 use crate::document::{After, Layer, LayerOptions, OptionKey, SystemChoice};
 use crate::editor::edit::Edit;
@@ -150,10 +151,8 @@ fn share(ui: &mut Ui, name: &str, value: &mut f64, range: &Range) -> egui::Respo
     let field = DragValue::new(&mut percent)
         .range(100.0 * range.low..=100.0 * range.high)
         .speed(0.25)
-        .max_decimals(0)
-        .suffix(" %")
-        .update_while_editing(false);
-    let field = ui.add(field).accessible_name(name);
+        .max_decimals(0);
+    let field = ui.add(number_field(field, " %")).accessible_name(name);
     if field.changed() {
         // Rounded to a tenth of a per cent, so that documents hold short numbers.
         *value = ((10.0 * percent).round() / 1000.0).clamp(range.low, range.high);

@@ -3,6 +3,7 @@
 use egui::{ComboBox, DragValue, RichText, Ui};
 
 use super::{CONTROL, share};
+use crate::app::units::number_field;
 use crate::attributes::Spread;
 use crate::document::limits::Range;
 use crate::document::{LayerOptions, SpreadChoice, limits};
@@ -59,7 +60,7 @@ pub(super) fn numbers(ui: &mut Ui, options: &mut LayerOptions) {
             share(ui, &named, value, range).on_hover_text(help);
         } else {
             let field = DragValue::new(value).range(range.low..=range.high).speed(0.2).max_decimals(0);
-            let field = ui.add(field.suffix("°").update_while_editing(false));
+            let field = ui.add(number_field(field, "°"));
             field.accessible_name(named).on_hover_text(help);
         }
         ui.end_row();

@@ -1,5 +1,6 @@
 //! The list of layers, the highest first; below it, how the active layer grows.
 
+mod menu;
 mod name_field;
 mod row;
 

@@ -5,6 +5,7 @@ use egui::{
     Stroke, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
+use super::menu::layer_menu;
 use super::name_field::name_field;
 use super::{LayersPanel, ROW, row_id};
 use crate::app::action::Action;
@@ -58,6 +59,7 @@ pub(super) fn row(
         ui.label(counted(session, layer));
         ui.weak("Click: draw in this layer. Double-click or F2: rename it. Drag, or Alt + arrows: move it.");
     });
+    layer_menu(&response, session, layer, actions);
     if response.double_clicked() {
         actions.extend([LayerAction::Select(layer), LayerAction::Rename].map(Action::Layer));
     } else if response.clicked() {

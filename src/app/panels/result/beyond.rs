@@ -8,14 +8,16 @@ use crate::learn::{Note, Quantity};
 pub fn in_words(note: &Note, asked: &Attributes, ruler: Ruler) -> String {
     match note {
         Note::Beyond { asked: wanted, reached, .. } => match (wanted.attribute, asked) {
-            ("area/spacing²", Attributes::Spots(spots)) => {
-                let apart = |density: f64| ruler.rough((spots.area / density).sqrt());
-                let side = if wanted.value > reached.value { "at least" } else { "at most" };
-                format!(
-                    "Spots of this size must be {side} {} apart, from centre to centre; you drew {}.",
-                    apart(reached.value),
-                    apart(wanted.value)
-                )
+            ("spacing", Attributes::Spots(spots)) => {
+                let [drawn, possible] = [wanted.value, reached.value].map(|length| ruler.rough(length));
+                // The distance at which round spots of this size touch.
+                let touching = 2.0 * (spots.area / std::f64::consts::PI).sqrt();
+                let problem = match wanted.value {
+                    apart if apart > reached.value => "Spots are too far apart",
+                    apart if apart < touching => "Spots overlap",
+                    _ => "Spots are too near to each other",
+                };
+                format!("{problem}: at this size their centres need about {possible}, you drew {drawn}.")
             }
             ("duty", _) => format!(
                 "Stripes cannot cover {:.0} % of their period; they will cover {:.0} %.",
@@ -56,7 +58,7 @@ fn name(attribute: &str) -> &str {
         "width" => "Width",
         "angle" => "Direction",
         "duty" => "Stripe share",
-        "area/spacing²" => "Area ÷ spacing²",
+        "spacing" => "Spacing",
         other => other,
     }
 }

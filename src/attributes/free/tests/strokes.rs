@@ -129,7 +129,7 @@ fn strokes_that_ask_for_the_other_side_of_half_their_period_than_the_rest_are_no
         panic!("{:?}", both.notes())
     };
     assert!((drawn - 0.3).abs() < 0.03 && (0.5..0.67).contains(mean), "{drawn} {mean}");
-    assert!(both.remarks()[0].contains("the line asks for stripes that cover 0.3"), "{:?}", both.remarks());
+    assert!(both.remarks()[0].contains("this line asks for stripes that cover 3"), "{:?}", both.remarks());
     assert!(both.with_duty(0.6).notes().is_empty());
 }
 

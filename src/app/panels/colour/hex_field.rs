@@ -1,0 +1,61 @@
+//! The field for a colour in hexadecimal digits.
+
+use egui::{TextEdit, Ui};
+
+use super::{ColourPanel, hex};
+use crate::app::theme::Palette;
+
+/// The field for hexadecimal digits.
+pub(super) fn hex_field(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3], name: &str) {
+    let mut text = panel.hex.clone().unwrap_or_else(|| hex(*colour));
+    let known = read(&text);
+    let mut edit = TextEdit::singleline(&mut text).desired_width(66.0).char_limit(16);
+    if known.is_none() {
+        edit = edit.text_color(Palette::current(ui.visuals()).wrong);
+    }
+    let response = ui.add(edit).accessible_name(name);
+    if response.changed() {
+        panel.hex = Some(text);
+    }
+    if response.lost_focus()
+        && let Some(text) = panel.hex.take()
+        && let Some(typed) = read(&text)
+    {
+        *colour = typed;
+    }
+    let help = "Red, green, blue: #rrggbb or #rgb in hexadecimal digits";
+    response.on_hover_text(if known.is_none() {
+        format!("This is not a colour. {help}")
+    } else {
+        help.to_owned()
+    });
+}
+
+/// Parses `#rrggbb` or `#rgb`, with or without the `#`.
+fn read(text: &str) -> Option<[u8; 3]> {
+    let text = text.trim();
+    let digits = text.strip_prefix('#').unwrap_or(text).chars();
+    let digits: Vec<u8> = digits.map(|c| c.to_digit(16).map(|digit| digit as u8)).collect::<Option<_>>()?;
+    match digits[..] {
+        [r, g, b] => Some([r * 17, g * 17, b * 17]),
+        [a, b, c, d, e, f] => Some([a * 16 + b, c * 16 + d, e * 16 + f]),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_are_read_as_people_write_them() {
+        for (text, colour) in
+            [("#f4e3c1", [244, 227, 193]), (" F4E3C1 ", [244, 227, 193]), ("#fc0", [255, 204, 0])]
+        {
+            assert_eq!(read(text), Some(colour), "{text}");
+        }
+        for text in ["", "#", "red", "#12345", "#1234567", "##123456"] {
+            assert_eq!(read(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! Taking a colour from the reference picture or the texture.
+
+use egui::{Align2, Color32, CursorIcon, FontId, Id, LayerId, Order, Pos2, Rect, Sense, Stroke, Ui, vec2};
+
+use super::Window;
+use crate::app::action::{Action, Tab};
+use crate::app::panels;
+use crate::app::theme::Palette;
+
+/// From the pointer to the sample of the colour under it, points.
+const OFFSET: egui::Vec2 = vec2(22.0, 22.0);
+
+impl Window {
+    /// While a colour is being taken: shows the one under the pointer, and takes it on a click. `body` shows sketch and texture.
+    pub(super) fn eyedropper(&mut self, ui: &mut Ui, body: Rect) -> Option<Action> {
+        self.colour.picking &= self.tab == Tab::Colour && self.settings.layout.column;
+        if !self.colour.picking {
+            return None;
+        }
+        let response = ui.interact(body, Id::unique("eyedropper"), Sense::click());
+        let at = response.hover_pos()?;
+        ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
+        let colour = self.colour_at(body, at);
+        let palette = Palette::current(ui.visuals());
+        let painter = ui.ctx().layer_painter(LayerId::new(Order::Tooltip, Id::unique("picked colour")));
+        let center = at + OFFSET;
+        match colour {
+            Some([red, green, blue]) => {
+                let fill = Color32::from_rgb(red, green, blue);
+                painter.circle(center, 13.0, fill, Stroke::new(2.0, palette.paper));
+                painter.circle_stroke(center, 14.5, Stroke::new(1.0, palette.border));
+            }
+            None => {
+                let text = "No colour here";
+                let font = FontId::proportional(12.0);
+                painter.text(center, Align2::LEFT_CENTER, text, font, ui.visuals().text_color());
+            }
+        }
+        let colour = colour.filter(|_| response.clicked())?;
+        Some(panels::picked(&self.session, &mut self.colour, colour))
+    }
+
+    /// The colour that is shown at a position on the screen, of the reference picture or of the texture.
+    fn colour_at(&self, body: Rect, at: Pos2) -> Option<[u8; 3]> {
+        let size = self.session.document().size;
+        let (left, right) = body.split_left_right_at_fraction(0.5);
+        let on_texture = if self.over {
+            (at.x > body.left() + self.curtain * body.width()).then_some(body)
+        } else {
+            right.contains(at).then_some(right)
+        };
+        match on_texture {
+            Some(room) => self.texture_colour(self.texture.view.to_canvas(room, at)),
+            None => {
+                let room = if self.over { body } else { left };
+                self.canvas.reference.colour_at(self.canvas.view.to_canvas(room, at), size)
+            }
+        }
+    }
+
+    /// The colour of the texture at a point of the canvas, px; beyond its edge that of the tile there.
+    fn texture_colour(&self, at: [f64; 2]) -> Option<[u8; 3]> {
+        let picture = self.growth.picture.as_ref()?;
+        let canvas = picture.canvas.map(f64::from);
+        let share = [0, 1].map(|axis| at[axis] / canvas[axis]);
+        let last = if self.texture.tiled { 2.0 } else { 1.0 };
+        if share.iter().any(|share| !(0.0..last).contains(share)) {
+            return None;
+        }
+        let [x, y] = [0, 1].map(|axis| {
+            let side = picture.image.size[axis];
+            ((share[axis].fract() * side as f64) as usize).min(side.saturating_sub(1))
+        });
+        let [red, green, blue, _] = picture.image.pixels.get(y * picture.image.size[0] + x)?.to_array();
+        Some([red, green, blue])
+    }
+}
