@@ -73,13 +73,22 @@ fn ellipses_of_aspect_0_15_at_any_angle_are_there_with_their_shape() {
     let place = |k: usize| [70.0 + 124.0 * (k % 4) as f64, 70.0 + 124.0 * (k / 4) as f64];
     let ellipse = |k: usize| Stroke::ellipse(place(k), [34.0, 5.1], 11.25 * k as f64);
     let (_, marks) = grown((0..16).map(ellipse).collect());
-    assert_there(&marks, 16, 0.15, 0.25, 0.06);
-    let aspect = |mark: &DrawnMark| match mark.got {
-        Some(Attributes::Spots(got)) => got.aspect,
-        _ => panic!("{mark:?}"),
+    assert!(marks.len() == 16 && marks.iter().all(|mark| mark.there), "{marks:?}");
+    // The neighbours that were not drawn may shorten one of them.
+    let mut errors: Vec<[f64; 3]> = marks.iter().map(errors).collect();
+    for (part, [median, most]) in [[0.01, 0.2], [0.01, 0.06], [1.0, 4.0]].into_iter().enumerate() {
+        errors.sort_by(|a, b| a[part].total_cmp(&b[part]));
+        assert!(errors[8][part] < median && errors[14][part] < most, "{part}: {errors:?}");
+    }
+}
+
+/// How far area (as a share), aspect and direction (degrees) of a mark are from what was drawn.
+fn errors(mark: &DrawnMark) -> [f64; 3] {
+    let (Some(Attributes::Spots(asked)), Some(Attributes::Spots(got))) = (mark.asked, mark.got) else {
+        panic!("{mark:?}");
     };
-    let mean = marks.iter().map(aspect).sum::<f64>() / 16.0;
-    assert!((mean - 0.15).abs() < 0.02, "{mean}");
+    let turned = turn(got.angle, asked.angle).abs();
+    [(got.area / asked.area - 1.0).abs(), (got.aspect - asked.aspect).abs(), turned]
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use dapple::app::Session;
 use dapple::app::{Place, Selection};
-use dapple::document::{After, Document, DutyChoice};
+use dapple::document::{After, Document, DutyChoice, Stroke};
 use dapple::internals::marks::{Ellipse, Line, Mark, Path};
 use egui::{Key, Modifiers};
 use proptest::prelude::*;
@@ -246,4 +246,15 @@ proptest! {
         }
         prop_assert_eq!(hand.window.state().session().document(), &empty);
     }
+}
+
+#[test]
+fn a_thin_ellipse_stays_as_it_was_drawn_and_is_undone_in_one_step() {
+    let mut hand = hand();
+    hand.key(Modifiers::NONE, Key::E);
+    hand.drag(&[[100.0, 100.0], [200.0, 101.5], [300.0, 103.0]]);
+    let Stroke::Ellipse(ellipse) = hand.document().layers[0].strokes[0] else { panic!("an ellipse") };
+    assert!(ellipse.aspect() < 0.02, "{ellipse:?}");
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert!(hand.document().layers.is_empty());
 }

@@ -49,7 +49,8 @@ fn length(ui: &mut Ui, name: &str, value: &mut f64, ruler: Ruler) -> bool {
 
 /// A share above 0 and at most 1 that can be typed or dragged.
 fn share(ui: &mut Ui, name: &str, value: &mut f64) -> bool {
-    let field = DragValue::new(value).range(0.05..=1.0).speed(0.005).max_decimals(2);
+    let field =
+        DragValue::new(value).range(0.05..=1.0).clamp_existing_to_range(false).speed(0.005).max_decimals(2);
     ui.add(number_field(field, "")).accessible_name(name).changed()
 }
 

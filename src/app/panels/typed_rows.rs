@@ -25,7 +25,11 @@ pub fn typed_rows(
         ui.end_row();
         ui.label("Aspect").on_hover_text("Minor ÷ major radius; 1 is round. Changing it keeps the areas");
         let mut aspect = typed::aspect(marks).unwrap_or(1.0);
-        let field = DragValue::new(&mut aspect).range(0.05..=1.0).speed(0.005).max_decimals(2);
+        let field = DragValue::new(&mut aspect)
+            .range(0.05..=1.0)
+            .clamp_existing_to_range(false)
+            .speed(0.005)
+            .max_decimals(2);
         if ui.add(number_field(field, "")).accessible_name(format!("Aspect{of}")).changed() {
             changed = Some(typed::with_aspect(marks, aspect));
         }

@@ -5,7 +5,7 @@
 
 use crate::attributes::regions::RegionGrid;
 use crate::grid::{Field, Grid};
-use crate::measure::{rough_spots_of_at_least, spots_of_at_least};
+use crate::measure::rough_spots_of_at_least;
 use crate::rd::{LocalWarp, Maps};
 use crate::synth::plan::laid_out::Plan;
 use crate::synth::plan::pinned_marks::{PinnedMark, displacement};
@@ -16,8 +16,6 @@ const NEAR: f64 = 0.02;
 const OWN: f64 = 1.0;
 /// Spots are moved no farther at once than this, ÷ radius.
 const STEP: f64 = 0.3;
-/// Spots of a smaller aspect are measured in full.
-const NARROW: f64 = 0.27;
 
 /// Where the pinned spots of a plan shall be, and where they are.
 #[derive(Clone, Debug)]
@@ -26,8 +24,6 @@ pub struct SpotControl {
     marks: Vec<Target>,
     /// Smaller spots are specks, px².
     least_area: f64,
-    /// Whether some are so narrow that their centres have to be measured in full.
-    narrow: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -49,16 +45,14 @@ impl SpotControl {
             Target { place, seen: place, radius: pinned.radius() }
         };
         let marks: Vec<Target> = plan.pinned_spots().iter().map(target).collect();
-        let narrow = plan.pinned_spots().iter().any(|pinned| pinned.drawn.aspect() < NARROW);
-        (!marks.is_empty()).then_some(Self { layout, marks, least_area: plan.least_area(), narrow })
+        (!marks.is_empty()).then_some(Self { layout, marks, least_area: plan.least_area() })
     }
 
     /// Warps that move the spots in `field`, grown in `maps`, towards their places, and keep the others; none where no spot
     /// has to move.
     #[must_use]
     pub fn warps(&mut self, field: &Field, maps: &Maps) -> Vec<LocalWarp> {
-        let measure = if self.narrow { spots_of_at_least } else { rough_spots_of_at_least };
-        let spots = measure(field, 0.5, self.least_area);
+        let spots = rough_spots_of_at_least(field, 0.5, self.least_area);
         let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
         let cells = [0, 1].map(|axis| self.layout.size[axis] / maps.domain.size[axis] as f64);
         let mut by = vec![[0.0; 2]; centers.len()];

@@ -37,7 +37,10 @@ fn fields(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for (value, coordinate) in values.iter_mut().zip(model.coordinates()) {
-            let field = DragValue::new(value).range(0.0..=coordinate.most).speed(coordinate.most / 400.0);
+            let field = DragValue::new(value)
+                .range(0.0..=coordinate.most)
+                .clamp_existing_to_range(false)
+                .speed(coordinate.most / 400.0);
             let field = number_field(field.max_decimals(coordinate.decimals), coordinate.unit);
             let field = ui.add_sized(vec2(64.0, 22.0), field.prefix(format!("{} ", coordinate.letter)));
             has_changed |= field.accessible_name(coordinate.name).on_hover_text(coordinate.name).changed();
