@@ -183,7 +183,7 @@ impl VariedSpots {
         self.interpolated(plan, maps)
     }
 
-    /// The spot nearest to spot `index` within [`BESIDE`] pitches of that one, of those behind the `pinned` first ones.
+    /// The spot nearest to spot `index` within 1.6 pitches of that one, of those behind the `pinned` first ones.
     #[must_use]
     pub fn nearest_beside(&self, index: usize, pinned: usize, system: System, grid: &Grid) -> Option<usize> {
         let distance = |other: &[f64; 2]| {
