@@ -59,7 +59,8 @@ const ROOM_REACH: f64 = 1.25;
 const JITTERED_REACH: f64 = 0.85;
 /// See [`JITTERED_REACH`].
 const JITTERED_ROUNDS: usize = 40;
-/// Spots nearer than this to one that does not grow may be why, in its pitches: in the sketches tried they were 1 to 1.5 away.
+/// Spots nearer than this to one that does not grow may be why, in its pitches: the first ring of neighbours and a margin. Not
+/// tuned.
 const BESIDE: f64 = 1.6;
 /// Share of the variance of the distances beyond their own that is left when spots have settled. With it 0.12, 0.14, 0.16
 /// grow as 0.12, 0.13, 0.15 at area/spacing² 0.12, and 0.14, 0.16 as 0.14, 0.17 at 0.05.
