@@ -222,7 +222,10 @@ impl Cascade<'_> {
             let Pattern { correction, own: own_levels, .. } = pattern;
             let found = during(Phase::Measure, || PinnedCorrection::new(&plan, measured.spots()));
             let merged = during(Phase::Measure, || engine.merged(&plan, measured.spots()));
-            let missing = merged.surplus.len() + plan.left_out().len();
+            // A mark that is missing is worse than one that differs as much as one can: it counts twice.
+            let bent = measured.merged_spots(&plan).count();
+            let merged_spots = bent.max(merged.surplus.len() + merged.crowded.len());
+            let missing = found.lost.len() + 2 * (plan.left_out().len() + merged_spots);
             let error = if nothing.is_some() { f64::INFINITY } else { found.error + missing as f64 };
             if best.as_ref().is_none_or(|(least, _)| error < *least) {
                 let concentrations =

@@ -56,21 +56,30 @@ impl Engine {
         self.grow_on(&again, &changed);
     }
 
-    /// Takes the nearest spot that was not drawn from beside each `lost` one, which begins again. Returns whether there was one.
+    /// Takes the nearest spot that was not drawn from beside each `lost` one, which begins again at the same time as the nearest
+    /// drawn one: beside one that has already grown it would die again. Returns whether there was any of these.
     fn make_room(&mut self, plan: &mut Plan, lost: &[usize]) -> bool {
         let Some(spots) = &self.varied else { return false };
         let pinned = plan.pinned_spots().len();
-        let beside = |index: &usize| spots.nearest_beside(*index, pinned, self.system, &self.maps.domain);
-        let pairs: Vec<(usize, usize)> =
-            lost.iter().filter_map(|index| Some((*index, beside(index)?))).collect();
-        let (lost, mut away): (Vec<usize>, Vec<usize>) = pairs.into_iter().unzip();
-        if lost.is_empty() {
+        let (mut away, mut again) = (Vec::new(), Vec::new());
+        for index in lost {
+            let beside = |among| spots.nearest_beside(*index, among, self.system, &self.maps.domain);
+            let (undrawn, drawn) = (beside(pinned..spots.places.len()), beside(0..pinned));
+            if undrawn.or(drawn).is_some() {
+                away.extend(undrawn);
+                again.extend(drawn);
+                again.push(*index);
+            }
+        }
+        for indices in [&mut away, &mut again] {
+            indices.sort_unstable();
+            indices.dedup();
+        }
+        if again.is_empty() {
             return false;
         }
-        away.sort_unstable();
-        away.dedup();
-        plan.undo_corrections(&lost);
-        self.separate(plan, &away, &lost);
+        plan.undo_corrections(&again);
+        self.separate(plan, &away, &again);
         true
     }
 

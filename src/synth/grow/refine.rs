@@ -5,7 +5,7 @@
 
 use crate::attributes::{Attributes, Polarity};
 use crate::grid::Field;
-use crate::measure::{self, Spot, SpotErrors, StripeErrors};
+use crate::measure::{self, MERGED_FILL, Spot, SpotErrors, StripeErrors};
 use crate::synth::grow::own_levels::own_levels;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::pinned_correction::matched;
@@ -70,6 +70,13 @@ impl Measured {
             Self::Spots { marks, .. } => marks,
             Self::Stripes(_) => &[],
         }
+    }
+
+    /// The whole spots of a layer grown from `plan` that are two grown together; none of stripes.
+    pub fn merged_spots(&self, plan: &Plan) -> impl Iterator<Item = &Spot> {
+        // Irregular outlines fill less of their ellipses.
+        let regular = plan.lookup.irregular == 0.0;
+        self.spots().iter().filter(move |spot| regular && spot.whole && spot.fill < MERGED_FILL)
     }
 
     /// What has grown in region `index`.

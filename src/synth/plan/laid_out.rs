@@ -55,11 +55,11 @@ impl Plan {
         if let Arrangement::PinnedSpots { spots, .. } = &self.arrangement { spots } else { &[] }
     }
 
-    /// Spots of this area and more are no specks, px²: half of what can be seen of the smallest one that was drawn.
+    /// Spots of this area and more are no specks, px²: a quarter of what can be seen of the smallest one that was drawn.
     #[must_use]
     pub fn least_area(&self) -> f64 {
         let areas = self.pinned_spots().iter().map(|mark| mark.visible.area);
-        0.5 * areas.fold(f64::INFINITY, f64::min)
+        0.25 * areas.fold(f64::INFINITY, f64::min)
     }
 
     /// The same, to be corrected.

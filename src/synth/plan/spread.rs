@@ -11,6 +11,8 @@
 
 mod deviations;
 
+use std::ops::Range;
+
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -184,14 +186,20 @@ impl VariedSpots {
         self.interpolated(plan, maps)
     }
 
-    /// The nearest spot that was not drawn (those after the first `pinned`) within 1.6 pitches of spot `index`.
+    /// The nearest spot of those `among`, by their indices, within 1.6 pitches of spot `index`, which is none of them.
     #[must_use]
-    pub fn nearest_beside(&self, index: usize, pinned: usize, system: System, grid: &Grid) -> Option<usize> {
-        let distance = |other: &[f64; 2]| {
-            let [x, y] = grid.way(self.places[index], *other);
+    pub fn nearest_beside(
+        &self,
+        index: usize,
+        among: Range<usize>,
+        system: System,
+        grid: &Grid,
+    ) -> Option<usize> {
+        let distance = |other: usize| {
+            let [x, y] = grid.way(self.places[index], self.places[other]);
             (x * x + y * y).sqrt()
         };
-        let others = self.places.iter().map(distance).enumerate().skip(pinned);
+        let others = among.filter(|other| *other != index).map(|other| (other, distance(other)));
         let nearest = others.min_by(|a, b| a.1.total_cmp(&b.1));
         nearest.filter(|near| near.1 < BESIDE * system.spacing(&self.own[index])).map(|near| near.0)
     }

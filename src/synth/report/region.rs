@@ -5,7 +5,6 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use crate::attributes::{Attributes, Polarity, Spread};
 use crate::document::Document;
 use crate::learn::Note;
-use crate::measure::{MERGED_FILL, Spot};
 use crate::rd::Seeding;
 use crate::synth::grow::layer::GrownLayer;
 use crate::synth::grow::refine::Measured;
@@ -190,10 +189,7 @@ fn merged(layer: &GrownLayer, index: usize) -> Option<usize> {
 /// The centres of the whole spots of a layer that are two grown together, px; none of stripes.
 #[must_use]
 pub fn merged_spots(layer: &GrownLayer) -> Vec<[f64; 2]> {
-    let Measured::Spots { marks, .. } = &layer.measured else { return Vec::new() };
-    // Irregular outlines fill less of their ellipses.
-    let is_two = |spot: &&Spot| spot.whole && spot.fill < MERGED_FILL && layer.plan.lookup.irregular == 0.0;
-    marks.iter().filter(is_two).map(|spot| spot.ellipse.center).collect()
+    layer.measured.merged_spots(&layer.plan).map(|spot| spot.ellipse.center).collect()
 }
 
 fn parameters(layer: &GrownLayer, index: usize) -> Vec<(&'static str, f64)> {
