@@ -27,7 +27,7 @@ pub enum Measured {
 }
 
 /// Measurements and corrections at most.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 8;
 /// Areas and widths nearer than this to what was asked are not corrected: half the error of the measurement.
 const NEAR: f64 = 0.001;
 /// Factors of the level are kept in this range. Beyond it the parameters are wrong, and a level would hide that.
