@@ -289,11 +289,45 @@ fn a_drawn_spot_grows_where_one_that_was_not_drawn_leaves_it_too_little_room() {
         (278.4, 88.6, 9.3, 8.9, 83.0),
         (221.4, 120.0, 8.6, 8.6, 87.0),
     ];
+    assert_eq!(missing(86, &drawn), [(13, "closer to another drawn mark than such spots can be")]);
+}
+
+#[test]
+fn of_two_drawn_spots_the_one_that_dies_beside_the_other_grows_when_both_begin_together() {
+    let drawn = [
+        (472.4, 321.6, 10.5, 9.9, 46.0),
+        (9.0, 429.1, 12.2, 8.9, 53.0),
+        (269.0, 385.7, 11.2, 8.4, 179.0),
+        (36.7, 317.1, 11.9, 9.5, 127.0),
+        (153.3, 343.4, 12.6, 8.5, 120.0),
+        (97.4, 291.8, 12.6, 9.5, 78.0),
+        (145.1, 232.0, 12.0, 8.9, 90.0),
+        (389.4, 433.2, 11.6, 9.6, 90.0),
+        (130.5, 154.4, 11.9, 8.8, 157.0),
+        (369.0, 490.9, 10.8, 10.0, 163.0),
+        (397.7, 90.1, 11.9, 9.5, 136.0),
+        (20.2, 292.7, 12.5, 8.8, 52.0),
+        (329.7, 174.4, 12.0, 8.9, 107.0),
+        (328.2, 34.6, 11.7, 9.0, 68.0),
+        (116.2, 475.7, 11.9, 8.8, 49.0),
+        (196.4, 93.5, 11.7, 9.4, 57.0),
+        (469.0, 324.6, 10.9, 8.6, 42.0),
+        (380.6, 316.9, 11.1, 9.3, 10.0),
+        (99.4, 89.4, 12.3, 9.7, 161.0),
+        (45.6, 133.8, 10.7, 9.3, 93.0),
+        (210.9, 198.8, 11.3, 9.1, 69.0),
+        (316.1, 356.5, 12.5, 9.7, 141.0),
+        (310.5, 56.0, 12.7, 8.6, 138.0),
+        (253.6, 426.9, 12.5, 8.4, 122.0),
+    ];
+    assert_eq!(missing(9, &drawn), [(16, "closer to another drawn mark than such spots can be")]);
+}
+
+/// The drawn ellipses (centre, radii, angle) that do not grow from `seed`, and why.
+fn missing(seed: u64, drawn: &[(f64, f64, f64, f64, f64)]) -> Vec<(usize, &'static str)> {
     let ellipse = |&(x, y, a, b, angle): &(f64, f64, f64, f64, f64)| Stroke::ellipse([x, y], [a, b], angle);
-    let document = Document { seed: 86, ..free(drawn.iter().map(ellipse).collect()) };
+    let document = Document { seed, ..free(drawn.iter().map(ellipse).collect()) };
     let grown = grow(&document, &Options::default()).unwrap();
-    let drawn = report(&document, "room", &grown, 0.0).layers.remove(0).drawn;
-    let missing: Vec<_> =
-        drawn.iter().filter(|mark| !mark.there).map(|mark| (mark.mark, mark.reason)).collect();
-    assert_eq!(missing, [(13, Some("closer to another drawn mark than such spots can be"))]);
+    let marks = report(&document, "missing", &grown, 0.0).layers.remove(0).drawn;
+    marks.iter().filter_map(|mark| Some((mark.mark, mark.reason?))).collect()
 }
