@@ -16,7 +16,7 @@ mod cloud;
 mod examples;
 mod exporting;
 mod fields;
-mod growth;
+pub(crate) mod growth;
 mod icons;
 mod notice;
 mod pages;

@@ -1,5 +1,7 @@
 //! `dapple bench`: the speed of this machine.
 
+#[cfg(feature = "app")]
+mod changes;
 mod kernels;
 mod machine;
 mod phases;
@@ -29,6 +31,10 @@ pub struct Args {
     /// Measure where the CPU time from documents to their pictures goes, by phase, on one thread
     #[arg(long)]
     pub phases: bool,
+    /// Measure how soon a change of a sketch is seen in the window, and how many marks move far away from it
+    #[cfg(feature = "app")]
+    #[arg(long, conflicts_with_all = ["phases", "size", "threads"])]
+    pub changes: bool,
     /// Measure only cases with this text in their names, such as turing-spots/isotropic or picture/
     #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
     pub only: String,
@@ -91,6 +97,10 @@ struct Chosen {
 /// # Errors
 /// [`Error::Interrupted`]; no case was requested; an example cannot be grown.
 pub fn run(args: &Args) -> Result<(), Error> {
+    #[cfg(feature = "app")]
+    if args.changes {
+        return run_changes(args);
+    }
     let chosen = args.chosen()?;
     super::install();
     let pools = Pools::new(args.threads)?;
@@ -101,6 +111,28 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let measured = fill(&mut report, args, &chosen, &pools, &bar);
     bar.clear();
     measured?;
+    report.end();
+    if args.json { print(&format!("{:#}\n", report.json())) } else { print(&report.text()) }
+}
+
+/// Measures what happens while somebody draws.
+#[cfg(feature = "app")]
+fn run_changes(args: &Args) -> Result<(), Error> {
+    let wanted = |sketch: &changes::Sketch| sketch.name().contains(&args.only);
+    let chosen: Vec<changes::Sketch> = changes::Sketch::ALL.into_iter().filter(wanted).collect();
+    if chosen.is_empty() {
+        let (found, allowed) = (&args.only, changes::Sketch::ALL.map(changes::Sketch::name).join(", "));
+        return Err(Error::Usage(format!("--only: found {found:?}; allowed: a part of {allowed}")));
+    }
+    super::install();
+    let mut report = Report::begin(changes::threads(), args.effort());
+    let bar = Bar::new(chosen.len());
+    for sketch in chosen {
+        bar.show(sketch.name());
+        report.changes.push(changes::measure(sketch, if args.quick { 3 } else { 10 })?);
+        bar.step();
+    }
+    bar.clear();
     report.end();
     if args.json { print(&format!("{:#}\n", report.json())) } else { print(&report.text()) }
 }

@@ -31,6 +31,23 @@ impl TrainingSet {
         })
     }
 
+    /// The parameters that [`Self::ask`] answers with, and the nearest question that can be answered, without what they are
+    /// predicted to grow: a prediction takes twice the time of the answer.
+    ///
+    /// # Errors
+    /// As [`Self::ask`].
+    pub fn parameters_for(&self, wanted: &Attributes) -> Result<(Parameters, Attributes), AskError> {
+        if let (Map::Spots(map), Attributes::Spots(spots)) = (&self.map, &checked(wanted)?) {
+            let map = map.map(spots.aspect);
+            // Where the system determines the spacing, it is predicted.
+            if map.dense() {
+                let (parameters, nearest, _) = map.reach(spots);
+                return Ok((parameters, Attributes::Spots(nearest)));
+            }
+        }
+        self.ask(wanted).map(|answer| (answer.parameters, answer.nearest))
+    }
+
     fn other_kind(&self, takes: &'static str) -> AskError {
         AskError::OtherKind { system: self.system().name, takes }
     }

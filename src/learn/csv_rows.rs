@@ -131,19 +131,19 @@ pub(super) fn read_rows(system: &Description, file: &str, bytes: &[u8]) -> Resul
     let header = reader.headers().map_err(|error| broken(&error))?.clone();
     let places = places(system, file, &header)?;
     let mut rows = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|error| broken(&error))?;
-        let line = line_of(bytes, record.position());
+    // One record and one list of values for all rows: there are thousands.
+    let (mut record, mut values) = (StringRecord::new(), Vec::with_capacity(system.columns.len()));
+    while reader.read_record(&mut record).map_err(|error| broken(&error))? {
         let text = |i: usize| record.get(places[i]).unwrap_or_default();
         let wrong = |column: &Column, value: &str| TrainingError::Value {
             file: file.to_owned(),
-            line,
+            line: line_of(bytes, record.position()),
             column: column.name,
             value: shown(value),
             allowed: column.allowed,
         };
         let seed = text(0).parse().map_err(|_| wrong(&SEED, text(0)))?;
-        let mut values = Vec::with_capacity(system.columns.len());
+        values.clear();
         for (i, column) in system.columns.iter().enumerate() {
             match text(i + 1).parse::<f64>() {
                 Ok(value) if column.range[0] <= value && value <= column.range[1] => values.push(value),

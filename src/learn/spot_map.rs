@@ -124,8 +124,17 @@ impl SpotMap {
         self.ratio || self.level
     }
 
-    /// The parameters for `spots`, with the question moved into the range of the rows.
+    /// The parameters for `spots`, with the question moved into the range of the rows, and what they are predicted to grow.
     pub fn ask(&self, spots: &Spots) -> Reached {
+        let (parameters, mut nearest, mut judgement) = self.reach(spots);
+        let prediction = self.predict(&parameters);
+        self.judge_spacing(spots, &prediction, &mut nearest, &mut judgement);
+        Reached { parameters, prediction, nearest: Attributes::Spots(nearest), judgement }
+    }
+
+    /// The parameters for `spots`, with the question moved into the range of the rows; and the question that was answered,
+    /// without a spacing where the system determines it.
+    pub fn reach(&self, spots: &Spots) -> (Parameters, Spots, Judgement) {
         let mut judgement = Judgement::new();
         let log_area = judgement.clamp(&self.area, libm::log(spots.area));
         let density = self.dense().then(|| self.clamp_density(spots, log_area, &mut judgement));
@@ -165,9 +174,7 @@ impl SpotMap {
             // Without a direction the one asked for is as good as any.
             parameters.direction = spots.angle;
         }
-        let prediction = self.predict(&parameters);
-        self.judge_spacing(spots, &prediction, &mut nearest, &mut judgement);
-        Reached { parameters, prediction, nearest: Attributes::Spots(nearest), judgement }
+        (parameters, nearest, judgement)
     }
 
     /// ln(A/L²) clamped to the range of the set; its median where the spacing is free.

@@ -282,4 +282,6 @@ fn problem(system: System, maps: &Maps, grid: RowLayout) -> Problem {
 }
 
 #[cfg(test)]
+mod super_step_tests;
+#[cfg(test)]
 mod tests;

@@ -1,5 +1,7 @@
 //! The measurements, as text and as JSON.
 
+#[cfg(feature = "app")]
+use super::changes::{self, Changes};
 use super::kernels::{Effort, Kernel};
 use super::machine::{Machine, load};
 use super::phases::{self, Phases};
@@ -19,6 +21,9 @@ pub struct Report {
     pub pictures: Vec<Picture>,
     /// CPU times from document to picture, by phase.
     pub phases: Vec<Phases>,
+    /// What happens while somebody draws.
+    #[cfg(feature = "app")]
+    pub changes: Vec<Changes>,
 }
 
 impl Report {
@@ -32,6 +37,8 @@ impl Report {
             kernels: Vec::new(),
             pictures: Vec::new(),
             phases: Vec::new(),
+            #[cfg(feature = "app")]
+            changes: Vec::new(),
         }
     }
 
@@ -55,7 +62,8 @@ impl Report {
             })
         };
         let picture = |p: &Picture| json!({"document": p.document, "size": p.size, "seconds": p.seconds});
-        json!({
+        #[cfg_attr(not(feature = "app"), expect(unused_mut, reason = "only the window has changes"))]
+        let mut report = json!({
             "version": env!("CARGO_PKG_VERSION"),
             "machine": {
                 "processor": self.machine.processor,
@@ -69,7 +77,12 @@ impl Report {
             "kernels": self.kernels.iter().map(kernel).collect::<Vec<_>>(),
             "pictures": self.pictures.iter().map(picture).collect::<Vec<_>>(),
             "phases": self.phases.iter().map(Phases::json).collect::<Vec<_>>(),
-        })
+        });
+        #[cfg(feature = "app")]
+        if !self.changes.is_empty() {
+            report["changes"] = self.changes.iter().map(Changes::json).collect();
+        }
+        report
     }
 
     /// As text.
@@ -88,6 +101,10 @@ impl Report {
         }
         if !self.phases.is_empty() {
             text += &phases::table(&self.phases);
+        }
+        #[cfg(feature = "app")]
+        if !self.changes.is_empty() {
+            text += &changes::table(&self.changes);
         }
         text
     }

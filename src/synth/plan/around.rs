@@ -9,6 +9,7 @@ use crate::learn::{self, Answer, Coverage};
 use crate::rd::System;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::layer_lookup::{Lookup, Start};
+use crate::synth::plan::lookup::Setting;
 use crate::synth::plan::offset_curves::CurveKind;
 
 /// The curves along which the lines of a layer run; `None` where they follow no curves.
@@ -50,7 +51,9 @@ pub(super) fn look_up(kind: CurveKind, broken: f64, map: AttributeMap) -> Result
             pitch: 1.0,
         })
     };
-    Lookup::new((system, Polarity::Positive), map, Start::Curves { kind, laws, broken }, &asked)
+    let setting = |wanted: &Attributes, cell| Ok(Setting::of(&asked(wanted, cell)?));
+    let start = Start::Curves { kind, laws, broken };
+    Lookup::new((system, Polarity::Positive), map, start, &asked, &setting)
 }
 
 /// (Mean spacing of the spots − their diameter) ÷ the distance that lines between them need. Below the first value most

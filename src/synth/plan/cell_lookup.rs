@@ -7,7 +7,7 @@ use crate::grid::Domain;
 use crate::rd::Maps;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Node;
-use crate::synth::plan::lookup::Ask;
+use crate::synth::plan::lookup::{Ask, Setting};
 
 /// Maps of `domain` whose cells have the parameters that `ask` gives for the attributes `wanted` at their centres. These
 /// are in px, of which a cell has `cell` along a mean side; their angles are in the frames of the cells.
@@ -20,7 +20,9 @@ pub fn look_up_cells<D: Domain>(
     wanted: impl Fn(D::Place) -> Attributes + Sync,
     ask: Ask,
 ) -> Result<Maps<D>, PlanError> {
-    Maps::by_place(domain, |place| Ok(Node::from_answer(&ask(&wanted(place), cell)?).parameters(1.0)))
+    Maps::by_place(domain, |place| {
+        Ok(Node::from_setting(&Setting::of(&ask(&wanted(place), cell)?)).parameters(1.0))
+    })
 }
 
 #[cfg(test)]
@@ -50,7 +52,8 @@ mod tests {
         assert!(other.domain.renumbered(&flat.parameters) == other.parameters);
         // Cells beside the middles of the regions have what is asked for at their centres.
         for (place, direction) in [([26.0, 22.0], 10.0), ([74.0, 22.0], 60.0)] {
-            let wanted = Node::from_answer(&ask(&map.at(place), 4.0).expect("in range")).parameters(1.0);
+            let wanted = Node::from_setting(&Setting::of(&ask(&map.at(place), 4.0).expect("in range")))
+                .parameters(1.0);
             let found = flat.at(grid.to_cells(place));
             assert!((found.rate / wanted.rate - 1.0).abs() < 1e-5, "{found:?} {wanted:?}");
             assert!((found.direction - wanted.direction).abs() < 1e-3, "{found:?} {wanted:?}");

@@ -60,7 +60,8 @@ impl Corrected {
         let cell = lookup.px_a_cell();
         let offsets: Vec<Offset> = corrections.iter().map(|correction| correction.offset).collect();
         let ask = |wanted: &Attributes, cell| lookup.asked(training, wanted, cell);
-        let lattice = Lattice::looked_up((&lookup.map, lookup.polarity), cell, &offsets, &ask)?;
+        let setting = |wanted: &Attributes, cell| lookup.asked_setting(training, wanted, cell);
+        let lattice = Lattice::looked_up((&lookup.map, lookup.polarity), cell, &offsets, &setting)?;
         let mut answers = lookup.answers.clone();
         for ((answer, wanted), offset) in answers.iter_mut().zip(&lookup.wanted_lines()).zip(&offsets) {
             let mut corrected = ask(&offset.applied(-1.0, wanted), cell)?;

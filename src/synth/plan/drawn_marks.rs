@@ -8,7 +8,7 @@ use crate::marks::{Ellipse, Mark};
 use crate::synth::plan::drawn_spots::{Around, DrawnSpot, drawn_spots};
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::layer_lookup::{Lookup, Start};
-use crate::synth::plan::lookup::Ask;
+use crate::synth::plan::lookup::AskSetting;
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::pinned_marks::pin_spots;
 use crate::synth::training::Training;
@@ -39,7 +39,7 @@ impl Lookup {
             wanted: &|point| self.spots_at(point),
             offset,
         };
-        let ask: Ask = &|wanted, cell| self.asked(training, wanted, cell);
+        let ask: AskSetting = &|wanted, cell| self.asked_setting(training, wanted, cell);
         let all = drawn_spots(ellipses, ellipses, &around, ask)?;
         let (pinned, left_out) = pin_spots(self, &[], &all);
         if left_out.is_empty() {

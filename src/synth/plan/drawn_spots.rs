@@ -9,7 +9,7 @@ use crate::grid::Bounds;
 use crate::marks::Ellipse;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Node;
-use crate::synth::plan::lookup::Ask;
+use crate::synth::plan::lookup::AskSetting;
 use crate::synth::plan::offset::Offset;
 
 /// A spot as it was drawn.
@@ -46,14 +46,14 @@ pub(super) fn drawn_spots(
     ellipses: &[(usize, Ellipse)],
     standing: &[(usize, Ellipse)],
     around: &Around,
-    ask: Ask,
+    ask: AskSetting,
 ) -> Result<Vec<DrawnSpot>, PlanError> {
     let drawn = |(mark, ellipse): &(usize, Ellipse)| {
         let others = standing.iter().filter(|(other, _)| other != mark).map(|other| other.1);
         let wanted =
             own_attributes((around.wanted)(ellipse.center), ellipse, room(ellipse, others, &around.bounds));
         let asked = (around.offset)(ellipse.center).applied(-1.0, &Attributes::Spots(wanted));
-        let own = Node::from_answer(&ask(&asked, around.cell)?);
+        let own = Node::from_setting(&ask(&asked, around.cell)?);
         Ok(DrawnSpot { mark: *mark, ellipse: *ellipse, own })
     };
     ellipses.iter().map(drawn).collect()

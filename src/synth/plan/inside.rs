@@ -11,7 +11,7 @@ use crate::measure::Spot;
 use crate::rd::{System, adjust_to_walls};
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::layer_lookup::{Lookup, Start};
-use crate::synth::plan::lookup::ask_placed;
+use crate::synth::plan::lookup::{Setting, ask_placed};
 use crate::synth::training::Training;
 
 /// Is layer `index` not shown because the next one stands inside it?
@@ -56,9 +56,9 @@ pub(super) fn look_up(
     let room = |place| room(&map.at(layout.center(place)), &beneath.map.at(layout.center(place)));
     let room = map.regions().map(|(place, _)| room(place)).fold(1.0, f64::min);
     let system = System::first(|system| system.fixed_places).expect("spots of a system stay at given places");
-    Lookup::new((system, Polarity::Positive), map, Start::Inside, &|wanted, cell| {
-        ask_placed(training, system, wanted, room, cell)
-    })
+    let asked = |wanted: &Attributes, cell| ask_placed(training, system, wanted, room, cell);
+    let setting = |wanted: &Attributes, cell| Ok(Setting::of(&asked(wanted, cell)?));
+    Lookup::new((system, Polarity::Positive), map, Start::Inside, &asked, &setting)
 }
 
 /// The share of the mean distance that is left to spots in the direction in which their own shape suits the places of

@@ -9,10 +9,9 @@ use rayon::prelude::*;
 use crate::attributes::regions::RegionGrid;
 use crate::attributes::{AttributeMap, Polarity};
 use crate::grid::{exp, turned};
-use crate::learn::Answer;
 use crate::rd;
 use crate::synth::plan::error::PlanError;
-use crate::synth::plan::lookup::Ask;
+use crate::synth::plan::lookup::{AskSetting, Setting};
 use crate::synth::plan::offset::Offset;
 
 /// Parameters at one node in interpolable coordinates; or between nodes.
@@ -29,15 +28,15 @@ pub struct Node {
 impl Node {
     /// Looked-up parameters; a system without a ratio or a level gets neutral ones.
     #[must_use]
-    pub fn from_answer(answer: &Answer) -> Self {
-        let p = &answer.parameters;
+    pub fn from_setting(setting: &Setting) -> Self {
+        let p = &setting.parameters;
         let stretch = -libm::log(p.stretch);
         let double = (2.0 * p.direction).to_radians();
         Self {
             ln_rate: libm::log(p.rate),
             ln_ratio: libm::log(p.ratio.unwrap_or(1.0)),
             shape: [stretch * libm::cos(double), stretch * libm::sin(double)],
-            ln_pitch: libm::log(answer.pitch),
+            ln_pitch: libm::log(setting.pitch),
             level: p.level.unwrap_or(0.5),
         }
     }
@@ -135,7 +134,7 @@ impl Lattice {
         (map, polarity): (&AttributeMap, Polarity),
         cell: f64,
         offsets: &[Offset],
-        ask: Ask,
+        ask: AskSetting,
     ) -> Result<Self, PlanError> {
         let layout = map.nodes();
         let node = |index: usize| {
@@ -145,7 +144,7 @@ impl Lattice {
                 .iter()
                 .fold(Offset::default(), |sum, &(region, weight)| sum.plus(weight, offsets[region]));
             let asked = offset.applied(-1.0, &polarity.lines(&map.at(point)));
-            Ok(Node::from_answer(&ask(&asked, cell)?))
+            Ok(Node::from_setting(&ask(&asked, cell)?))
         };
         let nodes = (0..layout.len()).into_par_iter().map(node).collect::<Result<Vec<_>, PlanError>>()?;
         Ok(Self { layout, nodes })

@@ -16,7 +16,7 @@ use crate::synth::plan::cell_corners::CellCorners;
 use crate::synth::plan::drawn_spots::DrawnSpot;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Lattice;
-use crate::synth::plan::lookup::{Ask, ask, cell_for, free_spacing};
+use crate::synth::plan::lookup::{Ask, AskSetting, Setting, ask, cell_for, free_spacing};
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::offset_curves::CurveKind;
 use crate::synth::plan::spread_limits::limited;
@@ -97,16 +97,24 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     let polarity = if system.description().free_spacing { map.polarity() } else { Polarity::Positive };
     let sparse = |wanted: &Attributes| {
         let lines = polarity.lines(wanted);
-        Ok(answers.ask(system, &lines, cell_for(system, &lines))?.pitch > 1.0)
+        Ok(answers.setting(system, &lines, cell_for(system, &lines))?.pitch > 1.0)
     };
     let sparse = map.samples().par_iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
-    let mut lookup = Lookup::new((system, polarity), map, Start::NATURAL, &|wanted, cell| {
+    let ask: Ask = &|wanted, cell| {
         if sparse {
             answers.ask_among_sparse(system, wanted, cell)
         } else {
             answers.ask(system, wanted, cell)
         }
-    })?;
+    };
+    let setting: AskSetting = &|wanted, cell| {
+        if sparse {
+            answers.setting_among_sparse(system, wanted, cell)
+        } else {
+            answers.setting(system, wanted, cell)
+        }
+    };
+    let mut lookup = Lookup::new((system, polarity), map, Start::NATURAL, ask, setting)?;
     if limited {
         lookup.remarks[0].push(format!(
             "in places spots are drawn so close that those between them would grow together; these are placed farther apart (area/spacing² {DENSEST_AMONG_DRAWN})"
@@ -126,7 +134,8 @@ pub fn look_up_on(
     cell: f64,
 ) -> Result<Lookup, PlanError> {
     let asked = |wanted: &Attributes, cell| ask(training, system, wanted, cell);
-    Lookup::on_cells((system, polarity), map.clone(), cell, Start::NATURAL, &asked)
+    let setting = |wanted: &Attributes, cell| Ok(Setting::of(&asked(wanted, cell)?));
+    Lookup::on_cells((system, polarity), map.clone(), cell, Start::NATURAL, &asked, &setting)
 }
 
 /// Cells are so many times larger where the lines that grow are the gaps between wide stripes: what a line of three cells lacks
@@ -157,9 +166,10 @@ impl Lookup {
         map: AttributeMap,
         start: Start,
         ask: Ask,
+        setting: AskSetting,
     ) -> Result<Self, PlanError> {
         let cell = finest_cell(grown, &map);
-        Self::on_cells(grown, map, cell, start, ask)
+        Self::on_cells(grown, map, cell, start, ask, setting)
     }
 
     fn on_cells(
@@ -168,6 +178,7 @@ impl Lookup {
         cell: f64,
         start: Start,
         ask: Ask,
+        setting: AskSetting,
     ) -> Result<Self, PlanError> {
         let wanted = map.of_regions();
         let layout = map.layout();
@@ -188,7 +199,7 @@ impl Lookup {
             }
         }
         let lattice =
-            Lattice::looked_up((&map, polarity), cell, &vec![Offset::default(); wanted.len()], ask)?;
+            Lattice::looked_up((&map, polarity), cell, &vec![Offset::default(); wanted.len()], setting)?;
         let (irregular, seeding) = (0.0, Seeding::Noise);
         Ok(Self {
             system,
@@ -218,6 +229,21 @@ impl Lookup {
             answers.ask_among_sparse(self.system, wanted, cell)
         } else {
             answers.ask(self.system, wanted, cell)
+        }
+    }
+
+    /// What [`Self::asked`] answers with.
+    pub(super) fn asked_setting(
+        &self,
+        training: &Training,
+        wanted: &Attributes,
+        cell: f64,
+    ) -> Result<Setting, PlanError> {
+        let answers = Answers::new(training);
+        if self.answers.iter().any(|answer| answer.pitch > 1.0) {
+            answers.setting_among_sparse(self.system, wanted, cell)
+        } else {
+            answers.setting(self.system, wanted, cell)
         }
     }
 

@@ -1,7 +1,7 @@
 //! Attributes in px → parameters in cells: the size of a cell, and questions to the training sets.
 
 use crate::attributes::{Attributes, Spots, Stripes};
-use crate::learn::{Answer, Note};
+use crate::learn::{Answer, Note, Parameters};
 use crate::rd::System;
 use crate::synth::plan::error::PlanError;
 use crate::synth::training::Training;
@@ -19,6 +19,33 @@ pub(super) const ALONE: f64 = 1.7;
 
 /// Looks up attributes (px) for a grid of so many px a cell.
 pub(super) type Ask<'a> = &'a (dyn Fn(&Attributes, f64) -> Result<Answer, PlanError> + Sync);
+
+/// What grows attributes, without what it is predicted to grow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Setting {
+    /// Parameters in cells.
+    pub parameters: Parameters,
+    /// How many times farther apart than the system's own distance marks begin.
+    pub pitch: f64,
+}
+
+impl Setting {
+    /// That of an answer.
+    #[must_use]
+    pub fn of(answer: &Answer) -> Self {
+        Self { parameters: answer.parameters, pitch: answer.pitch }
+    }
+
+    /// One about cells of `exact` px for a grid of `cell` px a cell.
+    pub(super) fn on_grid(mut self, cell: f64, exact: f64) -> Self {
+        let shrink = cell / exact;
+        self.parameters.rate *= shrink * shrink;
+        self
+    }
+}
+
+/// Looks up what grows attributes (px) on a grid of so many px a cell.
+pub(super) type AskSetting<'a> = &'a (dyn Fn(&Attributes, f64) -> Result<Setting, PlanError> + Sync);
 
 /// px a cell that suits these attributes: on it the smallest mark has the cells that `system` needs.
 #[must_use]
@@ -68,6 +95,18 @@ pub(super) fn ask_in_cells(
     let answer = set.ask(asked)?;
     let apart = if is_sparser(asked, &answer.nearest) { set.ask_apart(asked, 1.0)? } else { None };
     Ok(apart.unwrap_or(answer))
+}
+
+/// What [`ask_in_cells`] answers with, in a third of the time.
+pub(super) fn setting_in_cells(
+    training: &Training,
+    system: System,
+    asked: &Attributes,
+) -> Result<Setting, PlanError> {
+    let set = training.set(system)?;
+    let (parameters, nearest) = set.parameters_for(asked)?;
+    let apart = if is_sparser(asked, &nearest) { set.ask_apart(asked, 1.0)? } else { None };
+    Ok(apart.map_or(Setting { parameters, pitch: 1.0 }, |apart| Setting::of(&apart)))
 }
 
 /// As [`ask`], for spots at given places: as spots that stand alone where these are far enough apart. `room` is the share of

@@ -1,0 +1,234 @@
+//! While somebody draws: how soon a change is seen, and whether marks far from it stay where they are.
+//!
+//! The window's own growth is measured, without the window: its thread, its pictures, as many threads as it uses.
+
+use super::check_interrupt;
+use super::kernels::median;
+use crate::app::growth::{Growth, Phase};
+use crate::attributes::{Attributes, Spots};
+use crate::cli::Error;
+use crate::document::{Document, Layer, Stroke, SystemChoice};
+use crate::editor::task::Tasks;
+use crate::rd::System;
+use crate::synth::{Grown, Measured};
+use serde_json::{Value, json};
+use std::f64::consts::PI;
+use std::fmt::Write;
+use std::sync::Arc;
+use std::thread;
+use std::time::Duration;
+
+/// Side of the canvas, px.
+const SIDE: u32 = 512;
+/// Area of each mark, px².
+const AREA: f64 = 300.0;
+/// Drawn marks.
+const MARKS: usize = 10;
+/// Minor ÷ major radius.
+const ASPECT: f64 = 0.75;
+/// Distance of the drawn marks, px: a tenth of the ground is marks.
+const APART: f64 = 54.0;
+/// How far a mark is moved, px.
+const MOVED: [f64; 2] = [14.0, -9.0];
+/// Marks farther than this from the one that is moved are far, spacings.
+const FAR: f64 = 5.0;
+/// A mark has moved if it is farther than this from where it was, radii.
+const STAYS: f64 = 0.2;
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug)]
+pub enum Sketch {
+    /// A few marks that stay, and others around them.
+    Free,
+    /// The same marks as attributes of four regions.
+    Regions,
+    /// The same, with outlines that are irregular.
+    Irregular,
+}
+
+impl Sketch {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Free, Self::Regions, Self::Irregular];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Free => "free marks",
+            Self::Regions => "2 × 2 regions",
+            Self::Irregular => "irregular, 2 × 2 regions",
+        }
+    }
+
+    /// The document, and the same with mark `moved` in another place.
+    fn document(self, moved: Option<usize>) -> Document {
+        let major = (AREA / PI / ASPECT).sqrt();
+        let spot = |index| {
+            let by = if moved == Some(index) { MOVED } else { [0.0; 2] };
+            let at = [0, 1].map(|axis| center(index)[axis] + by[axis]);
+            Stroke::ellipse(at, [major, ASPECT * major], 30.0 + 4.0 * index as f64)
+        };
+        let mut layer = Layer::new((0..MARKS).map(spot));
+        if let Self::Irregular = self {
+            layer.system =
+                System::first(|system| system.irregular).map_or(SystemChoice::Auto, SystemChoice::Of);
+            layer.options.irregular = 0.6;
+        }
+        let regions = if let Self::Free = self { None } else { Some([2, 2]) };
+        Document { regions, ..Document::new([SIDE; 2]).with_layer(layer) }
+    }
+}
+
+/// Where mark `index` is drawn, px: three in a row, every second row shifted.
+fn center(index: usize) -> [f64; 2] {
+    let [column, row] = [index % 3, index / 3];
+    let shift = if row % 2 == 0 { 0.0 } else { 0.5 };
+    [60.0 + APART * (column as f64 + shift), 60.0 + 0.87 * APART * row as f64]
+}
+
+/// The number of threads that grow beside the window.
+pub fn threads() -> usize {
+    thread::available_parallelism().map_or(1, usize::from).saturating_sub(1).max(1)
+}
+
+/// The measurement of one sketch.
+#[derive(Clone, Debug)]
+pub struct Changes {
+    sketch: Sketch,
+    /// Median time from a change to its first picture, seconds.
+    first: f64,
+    /// Median time from a change to the settled picture, seconds.
+    settled: f64,
+    /// Of the marks that are far from the one that was moved, the share that has moved too: of each change.
+    moved: Vec<f64>,
+}
+
+/// Moves each of the marks of `sketch` once, `changes` of them.
+///
+/// # Errors
+/// [`Error::Interrupted`]; the sketch cannot be grown.
+pub fn measure(sketch: Sketch, changes: usize) -> Result<Changes, Error> {
+    let mut growth = Growth::new(Tasks::default());
+    let before = grow(&mut growth, &sketch.document(None))?.grown;
+    let (mut first, mut settled, mut moved) = (Vec::new(), Vec::new(), Vec::new());
+    for index in (0..MARKS).cycle().take(changes) {
+        let times = grow(&mut growth, &sketch.document(Some(index)))?;
+        first.push(times.first);
+        settled.push(times.settled);
+        moved.push(share_moved(index, &before, &times.grown));
+    }
+    Ok(Changes { sketch, first: median(first), settled: median(settled), moved })
+}
+
+struct Times {
+    first: f64,
+    settled: f64,
+    grown: Arc<Grown>,
+}
+
+/// Grows a document as the window does.
+fn grow(growth: &mut Growth, document: &Document) -> Result<Times, Error> {
+    growth.grow(document);
+    loop {
+        check_interrupt()?;
+        growth.listen();
+        match (&growth.phase, &growth.texture, growth.first_picture) {
+            (Phase::Settled(settled), Some(texture), Some(first)) => {
+                let [first, settled] = [first, *settled].map(|time| time.as_secs_f64());
+                return Ok(Times { first, settled, grown: Arc::clone(&texture.grown) });
+            }
+            (Phase::Failed(why), ..) => return Err(Error::Usage(why.clone())),
+            _ => thread::sleep(Duration::from_micros(500)),
+        }
+    }
+}
+
+/// Of the marks far from mark `index`, the share that is not where one was before, or that is no longer there.
+fn share_moved(index: usize, before: &Grown, after: &Grown) -> f64 {
+    let places = |grown: &Grown| -> Vec<[f64; 2]> {
+        let spots = grown.layers.first().map_or(&[][..], |layer| Measured::spots(&layer.measured));
+        spots.iter().map(|spot| spot.ellipse.center).collect()
+    };
+    let wanted = before.layers.first().map(|layer| layer.plan.lookup.wanted()[0]);
+    let spacing = match wanted {
+        Some(Attributes::Spots(Spots { spacing: Some(spacing), .. })) => spacing,
+        _ => APART,
+    };
+    let away = |a: [f64; 2], b: [f64; 2]| ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt();
+    let is_far = |at: &[f64; 2]| away(*at, center(index)) > FAR * spacing;
+    let [before, after] = [before, after].map(places);
+    let radius = (AREA / PI).sqrt();
+    let stays = |at: &[f64; 2], among: &[[f64; 2]]| among.iter().any(|one| away(*at, *one) < STAYS * radius);
+    let lost = |from: &[[f64; 2]], among: &[[f64; 2]]| {
+        let far: Vec<&[f64; 2]> = from.iter().filter(|at| is_far(at)).collect();
+        let moved = far.iter().filter(|at| !stays(at, among)).count();
+        moved as f64 / far.len().max(1) as f64
+    };
+    lost(&before, &after).max(lost(&after, &before))
+}
+
+impl Changes {
+    /// As JSON, in seconds and shares.
+    pub fn json(&self) -> Value {
+        let Self { sketch, first, settled, moved } = self;
+        json!({"sketch": sketch.name(), "first_picture": first, "settled": settled, "moved_far_away": moved})
+    }
+}
+
+/// A line a sketch.
+pub fn table(measurements: &[Changes]) -> String {
+    let mut text = format!(
+        "\nAfter one of {MARKS} marks of {AREA} px² was moved, {SIDE} × {SIDE} px, as in the window\n  {:26} {:>14} {:>12} {:>24}\n",
+        "sketch", "first picture", "settled", "marks that moved far away"
+    );
+    for Changes { sketch, first, settled, moved } in measurements {
+        let most = moved.iter().copied().fold(0.0, f64::max);
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "  {:26} {:>11.0} ms {:>9.0} ms {:>11.1} %, at most {:.1} %",
+            sketch.name(),
+            1e3 * first,
+            1e3 * settled,
+            1e2 * median(moved.clone()),
+            1e2 * most
+        );
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_share_of_marks_that_moved_far_away_counts_those_alone() {
+        let grown = Sketch::Regions.document(None).grow().expect("a texture");
+        let shifted = |by: f64, is_near: bool| {
+            let mut grown = Grown {
+                size: grown.size,
+                layers: grown.layers.clone(),
+                document: grown.document.clone(),
+                settings: grown.settings,
+            };
+            let Measured::Spots { marks, .. } = &mut grown.layers[0].measured else { panic!("spots") };
+            for mark in marks {
+                let [x, y] = mark.ellipse.center;
+                if (x + y < 200.0) == is_near {
+                    mark.ellipse.center = [x + by, y];
+                }
+            }
+            grown
+        };
+        assert_eq!(share_moved(0, &grown, &shifted(9.0, true)), 0.0);
+        assert_eq!(share_moved(0, &grown, &shifted(1.5, false)), 0.0);
+        assert!(share_moved(0, &grown, &shifted(9.0, false)) > 0.9);
+    }
+
+    #[test]
+    fn a_change_moves_one_mark() {
+        let [before, after] =
+            [None, Some(4)].map(|moved| Sketch::Free.document(moved).layers.remove(0).strokes);
+        let changed: Vec<usize> = (0..MARKS).filter(|index| before[*index] != after[*index]).collect();
+        assert_eq!(changed, [4]);
+    }
+}
