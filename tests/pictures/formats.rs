@@ -94,20 +94,20 @@ fn the_opacity_of_stops_is_written_where_the_format_can_hold_it() {
 #[test]
 fn through_transparent_colours_the_layer_beneath_is_seen() {
     let spot = |x: f64, y: f64, r: f64| json!({"kind": "ellipse", "center": [x, y], "radii": [r, r]});
-    let layer = |r: f64, ground: &str, mark: &str| {
-        json!({"strokes": [spot(40.0, 40.0, r), spot(70.0, 40.0, r), spot(55.0, 66.0, r)], "colours": {"stops": [
+    let layer = |x: f64, r: f64, ground: &str, mark: &str| {
+        json!({"strokes": [spot(40.0 + x, 40.0, r), spot(90.0 + x, 40.0, r), spot(65.0 + x, 80.0, r)], "colours": {"stops": [
             {"at": 0.5, "colour": ground}, {"at": 0.5, "colour": mark}]}})
     };
     let of = |upper: Value| {
-        let lower = layer(9.0, "#00ff00", "#ffffff");
+        let lower = layer(0.0, 9.0, "#00ff00", "#ffffff");
         let folder =
-            Folder::with(&json!({"format": "dapple", "version": 2, "size": [120, 96], "regions": [1, 1],
+            Folder::with(&json!({"format": "dapple", "version": 2, "size": [160, 128], "regions": [1, 1],
             "layers": [lower, upper]}));
         folder.does("grow a.dapple -o a.png");
         folder.picture("a.png")
     };
-    let clear = of(layer(3.0, "#ff000000", "#0000ff80"));
-    let opaque = of(layer(3.0, "#ff0000", "#0000ff"));
+    let clear = of(layer(25.0, 4.0, "#ff000000", "#0000ff80"));
+    let opaque = of(layer(25.0, 4.0, "#ff0000", "#0000ff"));
     assert!(clear.color().has_alpha() && !opaque.color().has_alpha());
     for (clear, opaque) in clear.into_rgba8().pixels().zip(opaque.into_rgb8().pixels()) {
         let expected = match opaque.0 {
