@@ -11,6 +11,7 @@
 mod action;
 mod alternatives;
 mod canvas;
+mod checkerboard;
 mod chooser;
 mod cloud;
 mod examples;

@@ -9,6 +9,7 @@ use super::canvas::badges::{self, Badge};
 use super::canvas::ink::Ink;
 use super::canvas::navigate;
 use super::canvas::view::View;
+use super::checkerboard;
 use super::growth::{Growth, Phase, Picture};
 use super::theme::Palette;
 
@@ -16,6 +17,8 @@ use super::theme::Palette;
 #[derive(Default)]
 pub struct TextureView {
     texture: Option<TextureHandle>,
+    /// Whether a part of it is transparent.
+    is_see_through: bool,
     /// Which part is shown.
     pub view: View,
     /// Whether it is shown two by two, to check for seams.
@@ -31,6 +34,7 @@ impl TextureView {
             self.texture = None;
             return;
         };
+        self.is_see_through = !picture.is_opaque;
         let options = TextureOptions { wrap_mode: TextureWrapMode::Repeat, ..TextureOptions::LINEAR };
         let image = picture.image.clone();
         match &mut self.texture {
@@ -83,6 +87,9 @@ impl TextureView {
         let tiles = if self.tiled { 2.0 } else { 1.0 };
         let shown = if self.tiled { size.map(|side| 2 * side) } else { size };
         let rect = self.view.paper(room, shown);
+        if self.is_see_through {
+            checkerboard::paint(painter, rect);
+        }
         let mut mesh = Mesh::with_texture(texture.id());
         mesh.add_rect_with_uv(rect, Rect::from_min_size(pos2(0.0, 0.0), vec2(tiles, tiles)), Color32::WHITE);
         painter.add(Shape::mesh(mesh));

@@ -10,6 +10,8 @@ pub struct Trace {
     began: Instant,
     place: Option<([f32; 2], f32)>,
     marks: usize,
+    /// The dialog that is logged, and that of the last frame.
+    dialog: [&'static str; 2],
 }
 
 impl Trace {
@@ -17,7 +19,7 @@ impl Trace {
     #[must_use]
     pub fn asked() -> Self {
         let file = std::env::var_os("DAPPLE_TRACE").and_then(|path| File::create(path).ok());
-        Self { out: file.map(BufWriter::new), began: Instant::now(), place: None, marks: 0 }
+        Self { out: file.map(BufWriter::new), began: Instant::now(), place: None, marks: 0, dialog: [""; 2] }
     }
 
     /// Logs a frame: the time of the window's own code, the time of the whole frame in seconds, whether something grew.
@@ -45,6 +47,21 @@ impl Trace {
             self.marks = marks;
             self.line(&format!("marks,{marks}"));
         }
+    }
+
+    /// Logs which dialog is open, `none` without one, once it has been there for two frames and takes keys. Returns whether the
+    /// second is still to come.
+    pub fn dialog(&mut self, open: &'static str) -> bool {
+        let [logged, last] = self.dialog;
+        self.dialog[1] = open;
+        if self.out.is_none() || logged == open {
+            return false;
+        }
+        if last == open {
+            self.dialog[0] = open;
+            self.line(&format!("dialog,{open}"));
+        }
+        last != open
     }
 
     fn line(&mut self, line: &str) {

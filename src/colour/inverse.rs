@@ -70,7 +70,7 @@ mod tests {
     fn painted_values_are_found_again() {
         // Three tones; the middle one is at the edge of the marks.
         let stops = [(0.0, [176, 128, 73]), (0.5, [217, 176, 116]), (1.0, [253, 236, 203])];
-        let stops = stops.map(|(at, colour)| Stop { at, colour }).to_vec();
+        let stops = stops.map(|(at, colour)| Stop::opaque(at, colour)).to_vec();
         let ripples = Gradient { stops, bends: vec![Bend([0.3, 0.0, 0.7, 1.0]); 2] };
         for gradient in [BY_LAYER[0].gradient(), ripples] {
             let painted = [0.0, 0.45, 0.5, 0.55, 0.8, 1.0];

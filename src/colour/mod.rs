@@ -21,7 +21,7 @@ pub use gradient::{Gradient, GradientError, Stop};
 pub use inverse::lightness;
 pub use models::{ColourModel, Coordinate};
 pub use opacity::FineTable;
-pub use paint::{Painted, paint, paint_rows, painter};
+pub use paint::{Painted, over, paint, paint_rows, painter};
 pub use presets::{Group, Marking, PRESETS, Preset};
 pub use sets::{BY_LAYER, COATS, Set};
 pub use table::Table;

@@ -9,7 +9,8 @@
 //!
 //! a(C) is the smallest opacity with which a colour over G can give C: the largest over the channels of (C − G)/(1 − G) above G
 //! and (G − C)/G below. It is divided by its maximum, so the strongest colour of a mark is opaque. F contains nothing of the
-//! ground, so marks have no fringe of it on another ground. α never decreases towards the centre of a mark.
+//! ground, so marks have no fringe of it on another ground. α never decreases towards the centre of a mark. It is multiplied by
+//! the opacity that the gradient itself has.
 //!
 //! T. Porter, T. Duff, "Compositing Digital Images", SIGGRAPH 1984, for "over"; F is not multiplied by α.
 
@@ -20,17 +21,19 @@ use crate::grid::to_u16;
 #[derive(Clone, Debug, PartialEq)]
 pub struct FineTable {
     colours: Vec<[f32; 4]>,
+    /// Whether the gradient has transparent stops, through which the layers beneath are seen.
+    pub is_see_through: bool,
 }
 
 /// Opacity that is 0 in 8 bits.
 const NONE: f64 = 0.5 / 255.0;
 
 impl FineTable {
-    /// Opaque colours.
+    /// The colours, as opaque as the gradient's stops.
     #[must_use]
-    pub fn opaque(gradient: &Gradient) -> Self {
+    pub fn new(gradient: &Gradient) -> Self {
         let colours = gradient.exact().into_iter().map(|colour| with_opacity(colour, 1.0)).collect();
-        Self { colours }
+        Self { colours, is_see_through: !gradient.is_opaque() }
     }
 
     /// Colours that give `gradient` over `ground` (red, green, blue, 0..1 each, sRGB). If the whole gradient has the colour of the
@@ -51,13 +54,13 @@ impl FineTable {
             let alone = |channel: usize| {
                 (ground[channel] + (colour[channel] - ground[channel]) / opacity.max(NONE)).clamp(0.0, 1.0)
             };
-            colours.push(with_opacity([alone(0), alone(1), alone(2)], opacity));
+            colours.push(with_opacity([alone(0), alone(1), alone(2), colour[3]], opacity));
         }
         // Invisible values get the first visible colour, so that blurring causes no fringe.
         let visible = colours.iter().position(|colour| f64::from(colour[3]) >= NONE).unwrap_or(0);
         let [red, green, blue, _] = colours[visible];
         colours[..visible].iter_mut().for_each(|colour| *colour = [red, green, blue, colour[3]]);
-        Self { colours }
+        Self { colours, is_see_through: !gradient.is_opaque() }
     }
 
     /// The colour of the step nearest to the pattern value `v`.
@@ -67,8 +70,9 @@ impl FineTable {
     }
 }
 
-fn with_opacity(colour: [f64; 3], opacity: f64) -> [f32; 4] {
-    [colour[0] as f32, colour[1] as f32, colour[2] as f32, opacity as f32]
+/// The colour, with `opacity` times its own opacity.
+fn with_opacity([red, green, blue, alpha]: [f64; 4], opacity: f64) -> [f32; 4] {
+    [red, green, blue, alpha * opacity].map(|channel| channel as f32)
 }
 
 /// Colours that differ by less count as equal: half a step of 16 bits. Otherwise rounding errors would give an opacity with an
@@ -76,7 +80,7 @@ fn with_opacity(colour: [f64; 3], opacity: f64) -> [f32; 4] {
 const SAME: f64 = 0.5 / 65_535.0;
 
 /// The smallest opacity with which some colour over `ground` gives `colour`.
-fn min_opacity(colour: [f64; 3], ground: [f64; 3]) -> f64 {
+fn min_opacity([red, green, blue, _]: [f64; 4], ground: [f64; 3]) -> f64 {
     let channel = |(c, g): (f64, f64)| {
         if (c - g).abs() < SAME {
             0.0
@@ -86,7 +90,7 @@ fn min_opacity(colour: [f64; 3], ground: [f64; 3]) -> f64 {
             (g - c) / g
         }
     };
-    colour.into_iter().zip(ground).map(channel).fold(0.0, f64::max)
+    [red, green, blue].into_iter().zip(ground).map(channel).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -95,7 +99,7 @@ mod tests {
     use super::*;
 
     fn gradient(stops: &[(f32, [u8; 3])], bends: &[[f64; 4]]) -> Gradient {
-        let stops = stops.iter().map(|&(at, colour)| Stop { at, colour }).collect();
+        let stops = stops.iter().map(|&(at, colour)| Stop::opaque(at, colour)).collect();
         Gradient { stops, bends: bends.iter().map(|bend| Bend(*bend)).collect() }
     }
 
@@ -151,7 +155,7 @@ mod tests {
     #[test]
     fn opaque_colours_round_to_those_of_the_8_bit_table() {
         for gradient in examples() {
-            let (fine, table) = (FineTable::opaque(&gradient), gradient.table());
+            let (fine, table) = (FineTable::new(&gradient), gradient.table());
             for step in 0..=1000_u16 {
                 let v = f32::from(step) / 1000.0;
                 let [r, g, b, a] = fine.colour(v);
@@ -161,5 +165,17 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn the_opacity_of_stops_is_multiplied_by_that_over_the_ground() {
+        let opaque = gradient(&[(0.0, [255; 3]), (1.0, [0; 3])], &[]);
+        let mut faint = opaque.clone();
+        faint.stops.iter_mut().for_each(|stop| stop.alpha = 51);
+        let [opaque, faint] = [opaque, faint].map(|gradient| FineTable::over(&gradient, [1.0; 3]));
+        for v in [0.0, 0.3, 0.7, 1.0] {
+            assert!((faint.colour(v)[3] - 0.2 * opaque.colour(v)[3]).abs() < 1e-6, "{v}");
+        }
+        assert!(faint.is_see_through && !opaque.is_see_through);
     }
 }

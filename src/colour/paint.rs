@@ -27,6 +27,18 @@ pub fn painter(layers: &[Painted], px: usize) -> Option<usize> {
     layers.iter().rposition(|layer| layer.visible && layer.free.is_none_or(|free| free[px]))
 }
 
+/// `top` over `below` (T. Porter, T. Duff, 1984): red, green, blue, alpha, 0..1 each, not multiplied by alpha.
+#[must_use]
+pub fn over(top: [f32; 4], below: [f32; 4]) -> [f32; 4] {
+    let behind = (1.0 - top[3]) * below[3];
+    let alpha = top[3] + behind;
+    if alpha <= 0.0 {
+        return top;
+    }
+    let mixed = |channel: usize| (top[3] * top[channel] + behind * below[channel]) / alpha;
+    [mixed(0), mixed(1), mixed(2), alpha]
+}
+
 /// The whole picture: red, green, blue for each px (8-bit sRGB), row by row from the top.
 ///
 /// Each px has the colour of its [`painter`]. A px without one has the ground colour of the last visible layer, or of the last
@@ -75,7 +87,7 @@ mod tests {
 
     fn table(ground: [u8; 3], mark: [u8; 3]) -> Table {
         let hard_step = [(0.0, ground), (0.5, ground), (0.5, mark)];
-        let stops = hard_step.map(|(at, colour)| Stop { at, colour }).to_vec();
+        let stops = hard_step.map(|(at, colour)| Stop::opaque(at, colour)).to_vec();
         Gradient { stops, bends: vec![] }.table()
     }
 

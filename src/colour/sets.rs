@@ -64,7 +64,7 @@ pub(super) const fn set(name: &'static str, ground: [u32; 2], mark: [u32; 2]) ->
 
 const fn stop(at: f32, rgb: u32) -> Stop {
     let [_, red, green, blue] = rgb.to_be_bytes();
-    Stop { at, colour: [red, green, blue] }
+    Stop::opaque(at, [red, green, blue])
 }
 
 impl Set {

@@ -9,7 +9,7 @@ use crate::grid::to_u16;
 /// The lookup table of a gradient: one colour for each 16-bit value of the pattern.
 ///
 /// A value is first rounded to 16 bits, as `--pattern` writes it, so the picture is a function of the written pattern. At these
-/// values the colours are exactly those of the gradient.
+/// values the colours are exactly those of the gradient, over white where it is transparent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     colours: Arc<Vec<[u8; 3]>>,

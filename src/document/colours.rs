@@ -20,6 +20,36 @@ pub struct Stop {
     pub at: f64,
     /// Red, green, blue (sRGB).
     pub colour: [u8; 3],
+    /// Opacity: 0 = transparent, 255 = opaque.
+    pub alpha: u8,
+}
+
+impl Stop {
+    /// An opaque stop.
+    #[must_use]
+    pub const fn opaque(at: f64, colour: [u8; 3]) -> Self {
+        Self { at, colour, alpha: u8::MAX }
+    }
+
+    /// Red, green, blue, alpha.
+    #[must_use]
+    pub const fn rgba(&self) -> [u8; 4] {
+        let [red, green, blue] = self.colour;
+        [red, green, blue, self.alpha]
+    }
+
+    /// In hexadecimal digits: `#rrggbb`, or `#rrggbbaa` where it is not opaque.
+    #[must_use]
+    pub fn hex(&self) -> String {
+        let [red, green, blue] = self.colour;
+        let opaque = format!("#{red:02x}{green:02x}{blue:02x}");
+        if self.alpha == u8::MAX { opaque } else { format!("{opaque}{:02x}", self.alpha) }
+    }
+
+    /// Sets colour and opacity.
+    pub const fn set_rgba(&mut self, [red, green, blue, alpha]: [u8; 4]) {
+        (self.colour, self.alpha) = ([red, green, blue], alpha);
+    }
 }
 
 const STRAIGHT: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
@@ -38,7 +68,7 @@ impl Colours {
             stops: self
                 .stops
                 .iter()
-                .map(|stop| colour::Stop { at: stop.at as f32, colour: stop.colour })
+                .map(|stop| colour::Stop { at: stop.at as f32, colour: stop.colour, alpha: stop.alpha })
                 .collect(),
             bends: self.bends.iter().map(|bend| Bend(*bend)).collect(),
         }
@@ -61,7 +91,7 @@ impl Colours {
     /// Inserts a stop at pattern value `at` with the colour that is there, so that the picture stays. Returns its index.
     pub fn insert(&mut self, at: f64) -> usize {
         let at = at.clamp(limits::STOP.low, limits::STOP.high);
-        let colour = self.gradient().colour(at as f32);
+        let [red, green, blue, alpha] = self.gradient().rgba(at as f32);
         let index = self.stops.iter().take_while(|stop| stop.at <= at).count();
         let (stops, gaps) = (self.stops.len(), self.stops.len().saturating_sub(1));
         let bends = self.all_bends();
@@ -73,7 +103,7 @@ impl Colours {
         } else if stops > 0 {
             bends.insert(index.min(gaps), STRAIGHT);
         }
-        self.stops.insert(index, Stop { at, colour });
+        self.stops.insert(index, Stop { at, colour: [red, green, blue], alpha });
         self.tidy();
         index
     }
@@ -121,9 +151,9 @@ impl Colours {
 
     /// Exchanges the colours of two stops; their places stay.
     pub fn swap(&mut self, one: usize, other: usize) {
-        let colours = [one, other].map(|index| self.stops[index].colour);
-        self.stops[one].colour = colours[1];
-        self.stops[other].colour = colours[0];
+        let colours = [one, other].map(|index| self.stops[index].rgba());
+        self.stops[one].set_rgba(colours[1]);
+        self.stops[other].set_rgba(colours[0]);
     }
 
     /// Reverses the order of the colours, curves included.
@@ -159,7 +189,11 @@ impl From<&Gradient> for Colours {
         // The f64 that reads as the f32 does: 0.4, not 0.4000000059604645.
         let at = |at: f32| at.to_string().parse().unwrap_or_else(|_| f64::from(at));
         let mut colours = Self {
-            stops: gradient.stops.iter().map(|stop| Stop { at: at(stop.at), colour: stop.colour }).collect(),
+            stops: gradient
+                .stops
+                .iter()
+                .map(|stop| Stop { at: at(stop.at), colour: stop.colour, alpha: stop.alpha })
+                .collect(),
             bends: gradient.bends.iter().map(|bend| bend.0).collect(),
         };
         colours.tidy();

@@ -152,11 +152,11 @@ impl Palette {
             return Err(PaletteError::Count { file: file(), found: swatches.len() });
         }
         let places = named(&swatches).unwrap_or_else(|| even(swatches.len()));
-        let stops = places.into_iter().zip(&swatches).map(|(at, swatch)| Stop { at, colour: swatch.colour });
+        let stops = places.into_iter().zip(&swatches).map(|(at, swatch)| Stop::opaque(at, swatch.colour));
         Ok(Self { name, colours: Colours { stops: stops.collect(), bends: Vec::new() } })
     }
 
-    /// The text of its `.gpl` file: colours and places, no bends.
+    /// The text of its `.gpl` file: colours and places, no bends and no opacity.
     #[must_use]
     pub fn to_gpl(&self) -> String {
         let stops = self.colours.stops.iter();
@@ -260,7 +260,8 @@ mod tests {
         }
 
         #[test]
-        fn gpl_keeps_colours_and_positions(colours in any_colours()) {
+        fn gpl_keeps_colours_and_positions(mut colours in any_colours()) {
+            colours.stops.iter_mut().for_each(|stop| stop.alpha = u8::MAX);
             let palette = Palette { name: "x y".to_owned(), colours };
             let read = Palette::parse_gpl(&palette.to_gpl(), "a.gpl").unwrap();
             prop_assert_eq!(read.name, palette.name);

@@ -170,21 +170,23 @@ fn stops(node: &Node) -> Result<Vec<Stop>, Problem> {
             let allowed = format!("no less than the stop before it, {}: stops ascend", before.at);
             return Err(place.wrong(allowed));
         }
-        stops.push(Stop { at, colour: colour(&item.need("colour", "a colour such as \"#3b2314\"")?)? });
+        let [red, green, blue, alpha] = colour(&item.need("colour", "a colour such as \"#3b2314\"")?)?;
+        stops.push(Stop { at, colour: [red, green, blue], alpha });
     }
     if stops.is_empty() { Err(node.found("no stops", "at least one colour stop")) } else { Ok(stops) }
 }
 
-/// `#rrggbb` or `#rgb`.
-fn colour(node: &Node) -> Result<[u8; 3], Problem> {
-    const ALLOWED: &str = "#rrggbb or #rgb in hexadecimal digits, opaque";
+/// `#rrggbb`, `#rgb`, or with opacity `#rrggbbaa`.
+fn colour(node: &Node) -> Result<[u8; 4], Problem> {
+    const ALLOWED: &str = "#rrggbb or #rgb in hexadecimal digits; #rrggbbaa with opacity";
     let text = node.text(ALLOWED)?;
     let digits: Option<Vec<u8>> = text
         .strip_prefix('#')
         .and_then(|hex| hex.chars().map(|c| c.to_digit(16).map(|digit| digit as u8)).collect());
     match digits.as_deref() {
-        Some([r, g, b]) => Ok([r * 17, g * 17, b * 17]),
-        Some([a, b, c, d, e, f]) => Ok([a * 16 + b, c * 16 + d, e * 16 + f]),
+        Some([r, g, b]) => Ok([r * 17, g * 17, b * 17, u8::MAX]),
+        Some([a, b, c, d, e, f]) => Ok([a * 16 + b, c * 16 + d, e * 16 + f, u8::MAX]),
+        Some([a, b, c, d, e, f, g, h]) => Ok([a * 16 + b, c * 16 + d, e * 16 + f, g * 16 + h]),
         _ => Err(node.wrong(ALLOWED)),
     }
 }

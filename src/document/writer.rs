@@ -105,10 +105,7 @@ fn stroke(stroke: &Stroke) -> Value {
 }
 
 pub(super) fn colours(colours: &Colours) -> Value {
-    let stops = colours.stops.iter().map(|stop| {
-        let [r, g, b] = stop.colour;
-        json!({"at": number(stop.at), "colour": format!("#{r:02x}{g:02x}{b:02x}")})
-    });
+    let stops = colours.stops.iter().map(|stop| json!({"at": number(stop.at), "colour": stop.hex()}));
     let bends = colours.bends.iter().map(|bend| numbers(bend));
     json!({"stops": stops.collect::<Vec<_>>(), "bends": bends.collect::<Vec<_>>()})
 }

@@ -12,9 +12,9 @@ use super::{ExportError, Prepared, Stopped, begin};
 /// A map of a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Map {
-    /// Colours, with opacity if the ground is transparent.
+    /// Colours, with opacity if any of them is transparent.
     BaseColour,
-    /// 0 = transparent; only if the ground is transparent.
+    /// 0 = transparent; only if any colour is transparent.
     Opacity,
     /// 0 = the lowest, 1 = the highest; 16 bit.
     Height,
@@ -128,7 +128,7 @@ pub struct Set<'a> {
     pub size: [usize; 2],
     /// Whether colours and normals have 16 bits.
     pub deep: bool,
-    /// Whether the ground is transparent.
+    /// Whether the ground or another colour is transparent.
     pub transparent: bool,
     /// px an inch.
     pub dpi: Option<f64>,

@@ -98,6 +98,8 @@ fn linear(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::cell::Cell;
+
     use ::exr::prelude::read_first_rgba_layer_from_file;
 
     #[test]
@@ -131,5 +133,75 @@ mod tests {
         let out = io::Cursor::new(Vec::new());
         let error = write(out, Format::Jpeg, QUALITY, header, |_, _| Ok(())).unwrap_err().to_string();
         assert!(error.contains("JPEG") && error.contains("Rgba8"), "{error}");
+    }
+
+    /// Counts the bytes that are written once it is cancelled.
+    struct Counting<'a> {
+        file: io::Cursor<Vec<u8>>,
+        cancelled: &'a Cell<bool>,
+        late: &'a Cell<usize>,
+    }
+
+    impl Write for Counting<'_> {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            if self.cancelled.get() {
+                self.late.set(self.late.get() + bytes.len());
+            }
+            self.file.write(bytes)
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    impl Seek for Counting<'_> {
+        fn seek(&mut self, to: io::SeekFrom) -> io::Result<u64> {
+            self.file.seek(to)
+        }
+    }
+
+    #[test]
+    fn after_it_is_cancelled_no_more_rows_are_painted_and_hardly_a_byte_is_written() {
+        // Noise is not compressed: the whole picture is 24 MB.
+        let size = [2048, 4096];
+        for format in [Format::Png, Format::Tiff, Format::Exr, Format::Jpeg, Format::Webp] {
+            let (cancelled, late, bands) = (Cell::new(false), Cell::new(0), Cell::new(0));
+            let out = Counting { file: io::Cursor::new(Vec::new()), cancelled: &cancelled, late: &late };
+            let ended = write(out, format, QUALITY, Header::new(size, Samples::Rgb8), |rows, bytes| {
+                assert!(!cancelled.get(), "{format:?}: painted after it was cancelled");
+                bands.set(bands.get() + 1);
+                if rows.end > size[1] / 2 {
+                    cancelled.set(true);
+                    return Err(Stopped::Cancelled);
+                }
+                let mut noise = rows.start as u32;
+                bytes.iter_mut().for_each(|byte| {
+                    noise = noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    *byte = (noise >> 24) as u8;
+                });
+                Ok(())
+            });
+            assert!(matches!(ended, Err(Stopped::Cancelled)), "{format:?}");
+            assert!(late.get() <= 1 << 16, "{format:?}: {} bytes", late.get());
+            assert!(bands.get() >= 2, "{format:?}");
+        }
+    }
+
+    #[test]
+    fn a_webp_that_is_being_encoded_is_cancelled_and_nothing_is_written() {
+        let (cancelled, late) = (Cell::new(false), Cell::new(0));
+        let out = Counting { file: io::Cursor::new(Vec::new()), cancelled: &cancelled, late: &late };
+        let size = [4096, 4096];
+        let ended = write(out, Format::Webp, QUALITY, Header::new(size, Samples::Rgb8), |rows, bytes| {
+            // All rows are painted: now it is encoded.
+            if rows.is_empty() {
+                cancelled.set(true);
+                return Err(Stopped::Cancelled);
+            }
+            bytes.iter_mut().enumerate().for_each(|(i, byte)| *byte = ((i * i) >> 7) as u8);
+            Ok(())
+        });
+        assert!(matches!(ended, Err(Stopped::Cancelled)) && late.get() == 0, "{}", late.get());
     }
 }

@@ -3,6 +3,9 @@
 use std::cell::RefCell;
 use std::io::{self, Write};
 use std::ops::Range;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
 
 use image::codecs::jpeg::{JpegEncoder, PixelDensity};
 use image::codecs::webp::WebPEncoder;
@@ -16,6 +19,9 @@ const BLOCK_ROWS: usize = 8;
 /// Rows of one band, enough for all threads.
 const BAND_ROWS: usize = 16 * BLOCK_ROWS;
 
+/// How often it is asked whether to cancel while a WebP is encoded.
+const ASKED: Duration = Duration::from_millis(50);
+
 /// As [`super::png::write()`], into a JPEG of `quality` 1 to 100; only [`Samples::Rgb8`].
 ///
 /// JPEG File Interchange Format 1.02; colours at half the resolution across (4:2:2).
@@ -28,17 +34,39 @@ pub fn jpeg(
     quality: u8,
     mut fill: impl FnMut(Range<usize>, &mut [u8]) -> Result<(), Stopped>,
 ) -> Result<(), Stopped> {
+    let band = RefCell::new(Band { top: 0, rgb: Vec::new(), stopped: None });
+    let out = Until { out, band: &band };
     let mut encoder = JpegEncoder::new_with_quality(out, quality.clamp(1, 100));
     if let Some(dpi) = header.dpi {
         encoder.set_pixel_density(PixelDensity::dpi(dpi.round().clamp(1.0, 65_535.0) as u16));
     }
     let size = header.sides()?;
-    let band = Band { top: 0, rgb: Vec::new(), stopped: None };
-    let bands = Bands { size, fill: RefCell::new(&mut fill), band: RefCell::new(band) };
+    let bands = Bands { size, fill: RefCell::new(&mut fill), band: &band };
     let written = encoder.encode_image(&bands);
-    match bands.band.into_inner().stopped {
+    // Not an `into_inner`: the encoder borrows it.
+    let stopped = band.borrow_mut().stopped.take();
+    match stopped {
         Some(stopped) => Err(stopped),
         None => Ok(written.map_err(into_io)?),
+    }
+}
+
+/// A file that fails once `fill` has stopped, which ends the encoder.
+struct Until<'a, W> {
+    out: W,
+    band: &'a RefCell<Band>,
+}
+
+impl<W: Write> Write for Until<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self.band.borrow().stopped {
+            Some(_) => Err(io::Error::other("stopped")),
+            None => self.out.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
     }
 }
 
@@ -55,7 +83,7 @@ struct Band {
 struct Bands<'a> {
     size: [u32; 2],
     fill: RefCell<&'a mut Fill<'a>>,
-    band: RefCell<Band>,
+    band: &'a RefCell<Band>,
 }
 
 impl GenericImageView for Bands<'_> {
@@ -74,7 +102,7 @@ impl GenericImageView for Bands<'_> {
             let rows = top..height.min(top + BAND_ROWS);
             band.top = top;
             band.rgb.resize(3 * width * rows.len(), 0);
-            // The encoder cannot be stopped: after an error it reads the last rows again until its end.
+            // After an error the encoder may read some more px, until it writes.
             if band.stopped.is_none() {
                 band.stopped = (self.fill.borrow_mut())(rows, &mut band.rgb).err();
             }
@@ -87,10 +115,13 @@ impl GenericImageView for Bands<'_> {
 /// As [`super::png::write()`], into a lossless WebP; only [`Samples::Rgb8`] and [`Samples::Rgba8`].
 /// Its encoder needs the whole picture in memory, see [`super::Format::writer_bytes_per_px`]. `dpi` is not written.
 ///
+/// The encoder cannot be stopped, so it has a thread of its own. While it works, `fill` is asked for no rows, where it may cancel;
+/// the thread then ends by itself.
+///
 /// # Errors
 /// The errors of `out` and `fill`; a side of more than 16383 px.
 pub fn webp(
-    out: impl Write,
+    mut out: impl Write,
     header: Header,
     mut fill: impl FnMut(Range<usize>, &mut [u8]) -> Result<(), Stopped>,
 ) -> Result<(), Stopped> {
@@ -103,7 +134,23 @@ pub fn webp(
     }
     let opaque = header.samples == Samples::Rgb8;
     let colours = if opaque { ExtendedColorType::Rgb8 } else { ExtendedColorType::Rgba8 };
-    Ok(WebPEncoder::new_lossless(out).encode(&px, width, height, colours).map_err(into_io)?)
+    let (done, finished) = mpsc::channel();
+    thread::Builder::new().name("encoding a WebP".to_owned()).spawn(move || {
+        let mut encoded = Vec::new();
+        let result = WebPEncoder::new_lossless(&mut encoded).encode(&px, width, height, colours);
+        // Where it was cancelled, nobody listens.
+        let _ = done.send(result.map(|()| encoded));
+    })?;
+    loop {
+        fill(header.size[1]..header.size[1], &mut [])?;
+        match finished.recv_timeout(ASKED) {
+            Ok(encoded) => return Ok(out.write_all(&encoded.map_err(into_io)?)?),
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(io::Error::other("the WebP encoder has ended early").into());
+            }
+        }
+    }
 }
 
 fn into_io(error: ImageError) -> io::Error {

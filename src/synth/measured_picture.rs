@@ -233,7 +233,7 @@ mod tests {
     }
 
     fn gradient(stops: &[(f32, [u8; 3])], bend: [f64; 4]) -> Gradient {
-        let stops: Vec<_> = stops.iter().map(|(at, colour)| Stop { at: *at, colour: *colour }).collect();
+        let stops: Vec<_> = stops.iter().map(|(at, colour)| Stop::opaque(*at, *colour)).collect();
         Gradient { bends: vec![Bend(bend); stops.len() - 1], stops }
     }
 

@@ -88,7 +88,7 @@ impl Grown {
         Painting::new(&self.document, self, scale as usize)
     }
 
-    /// The colours of the canvas: red, green, blue a px, row by row from the top.
+    /// The colours of the canvas: red, green, blue a px, row by row from the top; what is transparent is over white.
     #[must_use]
     pub fn rgb(&self) -> Vec<u8> {
         self.painting(1).rgb()

@@ -35,8 +35,12 @@ fn line() -> impl Strategy<Value = Stroke> {
 }
 
 fn colours() -> impl Strategy<Value = Colours> {
-    let stops = prop::collection::btree_map(0..=1000u32, any::<[u8; 3]>(), 1..5).prop_map(|stops| {
-        let stop = |(at, colour)| Stop { at: f64::from(at) / 1000.0, colour };
+    let stops = prop::collection::btree_map(0..=1000u32, any::<[u8; 4]>(), 1..5).prop_map(|stops| {
+        let stop = |(at, [red, green, blue, alpha]): (u32, [u8; 4])| Stop {
+            at: f64::from(at) / 1000.0,
+            colour: [red, green, blue],
+            alpha,
+        };
         stops.into_iter().map(stop).collect::<Vec<_>>()
     });
     let bend = (0.0..=1.0, -2.0..=3.0, 0.0..=1.0, -2.0..=3.0).prop_map(<[f64; 4]>::from);

@@ -90,8 +90,10 @@ fn a_document_without_layers_or_strokes_is_refused() {
 fn wrong_colours_are_refused() {
     let colour = |c: Value| with("/layers/0/colours", json!({"stops": [{"at": 0, "colour": c}]}));
     accepted(&colour(json!("#abc")));
-    let allowed = "#rrggbb or #rgb in hexadecimal digits, opaque";
-    for wrong in ["red", "#12", "#12345", "#11223344", "#ggg", "# aabbcc", "", "#ééé", "aabbcc"] {
+    accepted(&colour(json!("#11223344")));
+    let allowed = "#rrggbb or #rgb in hexadecimal digits; #rrggbbaa with opacity";
+    for wrong in ["red", "#12", "#12345", "#1122334", "#112233445", "#ggg", "# aabbcc", "", "#ééé", "aabbcc"]
+    {
         let found = format!("{wrong:?}");
         refused(&colour(json!(wrong)), "layers[0].colours.stops[0].colour", &found, allowed);
     }

@@ -1,5 +1,6 @@
 use super::{Folder, tile};
 use exr::prelude::{ReadChannels, ReadLayers};
+use serde_json::{Value, json};
 
 #[test]
 fn every_ending_gives_its_format_with_the_same_colours() {
@@ -58,6 +59,64 @@ fn a_transparent_picture_over_its_ground_looks_the_same() {
         &["x.jpg", "JPEG", "transparent", ".png, .tif"],
     );
     folder.refuses("grow a.dapple -o x.webp --depth 16", 1, &["WebP", "16-bit", ".png, .tif"]);
+}
+
+/// The px of the only layer are half transparent red on the ground, opaque blue in the marks.
+fn see_through() -> Folder {
+    let mut document = tile();
+    document["layers"][0]["colours"] = json!({"stops": [
+        {"at": 0.5, "colour": "#ff000080"}, {"at": 0.5, "colour": "#0000ff"}]});
+    Folder::with(&document)
+}
+
+#[test]
+fn the_opacity_of_stops_is_written_where_the_format_can_hold_it() {
+    let folder = see_through();
+    for name in ["a.png", "a.tif", "a.webp"] {
+        folder.does(&format!("grow a.dapple -o {name}"));
+        let picture = folder.picture(name);
+        assert!(picture.color().has_alpha(), "{name}");
+        let picture = picture.into_rgba8();
+        let count = |colour: [u8; 4]| picture.pixels().filter(|px| px.0 == colour).count();
+        let (ground, marks) = (count([255, 0, 0, 128]), count([0, 0, 255, 255]));
+        assert_eq!(ground + marks, 120 * 96, "{name}");
+        assert!(ground > 1000 && marks > 1000, "{name}: {ground} {marks}");
+    }
+    folder.does("grow a.dapple -o a.jpg --quality 100");
+    let lightest = folder.picture("a.jpg").into_rgb8().pixels().map(|px| px.0[1]).max();
+    assert!(lightest.is_some_and(|green| green.abs_diff(127) < 25), "over white: {lightest:?}");
+    folder.does("grow a.dapple -o plain.png --material maps");
+    assert!(folder.names().iter().any(|name| name == "maps"));
+    let maps = std::fs::read_dir(folder.path("maps")).unwrap();
+    assert!(maps.flatten().any(|file| file.file_name().to_string_lossy().contains("Opacity")));
+}
+
+#[test]
+fn through_transparent_colours_the_layer_beneath_is_seen() {
+    let spot = |x: f64, y: f64, r: f64| json!({"kind": "ellipse", "center": [x, y], "radii": [r, r]});
+    let layer = |x: f64, r: f64, ground: &str, mark: &str| {
+        json!({"strokes": [spot(40.0 + x, 40.0, r), spot(90.0 + x, 40.0, r), spot(65.0 + x, 80.0, r)], "colours": {"stops": [
+            {"at": 0.5, "colour": ground}, {"at": 0.5, "colour": mark}]}})
+    };
+    let of = |upper: Value| {
+        let lower = layer(0.0, 9.0, "#00ff00", "#ffffff");
+        let folder =
+            Folder::with(&json!({"format": "dapple", "version": 2, "size": [160, 128], "regions": [1, 1],
+            "layers": [lower, upper]}));
+        folder.does("grow a.dapple -o a.png");
+        folder.picture("a.png")
+    };
+    let clear = of(layer(25.0, 4.0, "#ff000000", "#0000ff80"));
+    let opaque = of(layer(25.0, 4.0, "#ff0000", "#0000ff"));
+    assert!(clear.color().has_alpha() && !opaque.color().has_alpha());
+    for (clear, opaque) in clear.into_rgba8().pixels().zip(opaque.into_rgb8().pixels()) {
+        let expected = match opaque.0 {
+            [255, 0, 0] => [0, 255, 0, 255],
+            [0, 0, 255] => [0, 127, 128, 255],
+            [red, green, blue] => [red, green, blue, 255],
+        };
+        assert_eq!(clear.0, expected);
+    }
 }
 
 #[test]

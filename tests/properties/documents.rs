@@ -88,7 +88,7 @@ fn options() -> impl Strategy<Value = LayerOptions> {
 
 fn colours() -> impl Strategy<Value = Colours> {
     let stops = prop::collection::btree_map(0..=100_u32, any::<[u8; 3]>(), 1..4).prop_map(|stops| {
-        stops.into_iter().map(|(at, colour)| Stop { at: f64::from(at) / 100.0, colour }).collect::<Vec<_>>()
+        stops.into_iter().map(|(at, colour)| Stop::opaque(f64::from(at) / 100.0, colour)).collect::<Vec<_>>()
     });
     let bend = (0.0..=1.0, -2.0..=3.0, 0.0..=1.0, -2.0..=3.0).prop_map(<[f64; 4]>::from);
     (stops, prop::collection::vec(bend, 0..3)).prop_map(|(stops, mut bends)| {

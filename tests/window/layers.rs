@@ -1,8 +1,9 @@
 //! The panel of layers: every control, by pointer and by keys.
 
+mod options;
+
 use dapple::app::Window;
-use dapple::document::{After, DutyChoice, Seeding, SpreadChoice, Stroke, SystemChoice};
-use dapple::internals::rd::System;
+use dapple::document::{After, Stroke};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -44,13 +45,6 @@ fn kinds(hand: &Hand) -> Vec<bool> {
 
 fn undo(hand: &mut Hand) {
     hand.key(Modifiers::COMMAND, Key::Z);
-}
-
-/// Chooses from a list that drops down.
-fn choose(hand: &mut Hand, list: &str, item: &str) {
-    hand.window.get_by_role_and_label(Role::ComboBox, list).click();
-    hand.rest();
-    hand.press(item);
 }
 
 /// Presses Tab until this button has the focus.
@@ -217,94 +211,6 @@ fn a_frozen_layer_cannot_be_edited_until_its_snowflake_is_clicked() {
     assert_eq!(state(&hand), (0, 0));
     hand.drag(&[[300.0, 300.0], [320.0, 314.0]]);
     assert_eq!(hand.ellipses().len(), 2);
-}
-
-#[test]
-fn the_relation_to_the_layers_beneath_is_chosen_by_a_picture() {
-    let mut hand = two();
-    hand.press("How it grows");
-    for (name, after) in [("Around", After::Around), ("Net", After::Net), ("Between", After::Between)] {
-        hand.press(&format!("Meets: {name}"));
-        assert_eq!(hand.document().layers[1].after, after);
-    }
-    // A layer of lines has no spots to stand inside others.
-    hand.press("Meets: Inside");
-    assert_eq!(hand.document().layers[1].after, After::Between);
-    // The lowest layer has no relation to choose.
-    hand.press("Layer layer 1, 2 ellipses");
-    let net = hand.window.get_by_role_and_label(Role::Button, "Meets: Net");
-    assert!(net.accesskit_node().is_disabled());
-    undo(&mut hand);
-    assert_eq!(hand.document().layers[1].after, After::Net);
-}
-
-#[test]
-fn a_system_is_chosen_and_reset() {
-    let mut hand = two();
-    hand.press("How it grows");
-    choose(&mut hand, "System", "Meinhardt's lines");
-    assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES));
-    // Systems that grow spots are disabled.
-    hand.window.get_by_role_and_label(Role::ComboBox, "System").click();
-    hand.rest();
-    let spots = hand.window.get_by_role_and_label(Role::Button, "Turing's spots");
-    assert!(spots.accesskit_node().is_disabled());
-    hand.key(Modifiers::NONE, Key::Escape);
-    assert!(hand.window.query_by_role_and_label(Role::Button, "Turing's spots").is_none());
-    hand.press("System: default");
-    assert_eq!(hand.document().layers[1].system, SystemChoice::Auto);
-    undo(&mut hand);
-    assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES));
-}
-
-#[test]
-fn options_of_stripes() {
-    let mut hand = two();
-    hand.press("How it grows");
-    hand.press("Share as drawn");
-    hand.type_into("Share", "30");
-    assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.3));
-    hand.type_into("Share", "90");
-    assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.82));
-    hand.type_into("Share", "50");
-    assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.5));
-    choose(&mut hand, "Starts from", "Drawn lines");
-    assert_eq!(hand.document().layers[1].options.seeding, Seeding::Initiators);
-    hand.press("Starts from: default");
-    assert_eq!(hand.document().layers[1].options.seeding, Seeding::Noise);
-    let kept = hand.document().keeps_marks(1);
-    hand.press("Keep marks");
-    assert_eq!(hand.document().layers[1].options.keep, Some(!kept));
-    hand.press("Keep marks: default");
-    assert_eq!(hand.document().layers[1].options.keep, None);
-    hand.press("Meets: Around");
-    hand.type_into("Broken", "25");
-    assert_eq!(hand.document().layers[1].options.broken, 0.25);
-    undo(&mut hand);
-    assert_eq!(hand.document().layers[1].options.broken, 0.0);
-    hand.document().check("what was chosen").unwrap();
-}
-
-#[test]
-fn options_of_spots() {
-    let mut hand = two();
-    hand.press("Layer layer 1, 2 ellipses");
-    hand.press("How it grows");
-    hand.type_into("Irregular", "40");
-    assert_eq!(hand.document().layers[0].options.irregular, 0.4);
-    choose(&mut hand, "Variation", "By numbers");
-    for (name, value) in [("area", "30"), ("spacing", "10"), ("aspect", "5"), ("direction", "20")] {
-        hand.type_into(&format!("Variation of {name}"), value);
-    }
-    let SpreadChoice::Given(spread) = hand.document().layers[0].options.spread else { panic!() };
-    assert_eq!([spread.area, spread.spacing, spread.aspect, spread.angle], [0.3, 0.1, 0.05, 20.0]);
-    hand.press("Variation: default");
-    assert_eq!(hand.document().layers[0].options.spread, SpreadChoice::Drawn);
-    // A system without irregular spots resets that option.
-    choose(&mut hand, "System", "Meinhardt's spots");
-    assert_eq!(hand.document().layers[0].options.irregular, 0.0);
-    undo(&mut hand);
-    assert_eq!(hand.document().layers[0].options.irregular, 0.4);
 }
 
 #[test]

@@ -43,7 +43,11 @@ pub fn pictures(folder: &Path, name: &str, document: &Document, patterns: &[Fiel
 
 fn gradient(colours: &Colours) -> Gradient {
     Gradient {
-        stops: colours.stops.iter().map(|stop| Stop { at: stop.at as f32, colour: stop.colour }).collect(),
+        stops: colours
+            .stops
+            .iter()
+            .map(|stop| Stop { at: stop.at as f32, colour: stop.colour, alpha: stop.alpha })
+            .collect(),
         bends: colours.bends.iter().map(|bend| Bend(*bend)).collect(),
     }
 }

@@ -32,7 +32,7 @@ use std::sync::Arc;
 use crate::document::{io_in_words, with_causes};
 use crate::editor::task::Tasks;
 use crate::export::{self, Stopped, motion};
-use crate::synth::{Grown, Watch};
+use crate::synth::{Grown, Stage, Watch};
 use job::Job;
 use request::Pending;
 
@@ -103,7 +103,7 @@ fn write(
 ) -> Result<Option<String>, String> {
     check(path, request)?;
     if let Some(made) = made {
-        copied(path, request, made)?.keep()?;
+        copied(path, request, made, watch)?.keep()?;
         return Ok(made.message.clone());
     }
     let began = path.is_dir();
@@ -148,12 +148,21 @@ pub fn check(path: &Path, request: &ExportRequest) -> Result<(), String> {
 }
 
 /// Copies the files of the preview.
-fn copied(path: &Path, request: &ExportRequest, made: &FinishedPreview) -> Result<Pending, String> {
+fn copied(
+    path: &Path,
+    request: &ExportRequest,
+    made: &FinishedPreview,
+    watch: &Watch,
+) -> Result<Pending, String> {
     if let Some(film) = made.film.as_ref().filter(|_| request.choices.ending().is_none()) {
         // The frames of the preview are written again.
         let written = motion::write(path, motion::Kind::Folder, film, |show| {
             let frame = |file: &PathBuf| image::open(file).map_err(io::Error::other);
-            made.files.iter().try_for_each(|file| show(frame(file)?.into_rgb8().as_raw()))
+            made.files.iter().enumerate().try_for_each(|(index, file)| {
+                let done = index as f64 / made.files.len() as f64;
+                watch.step(Stage::Write, done).map_err(|_| Stopped::Cancelled)?;
+                show(frame(file)?.into_rgb8().as_raw())
+            })
         });
         let written = written.map_err(|error| error.to_string())?;
         return Ok(Pending::Film(written, film.clone()));

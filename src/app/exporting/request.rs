@@ -184,11 +184,12 @@ impl ExportRequest {
         }
         let choices = &self.choices.material;
         let named = name(&self.title);
+        let painting = Painting::sized(&self.document, grown, size);
         let set = Set {
             name: &named,
             size,
             deep: choices.deep,
-            transparent: choices.transparent,
+            transparent: choices.transparent || !painting.is_opaque(),
             dpi: Some(self.document.dpi * f64::from(self.choices.size.scale)),
         };
         let (scale, relief) = match size == self.size() {
@@ -199,8 +200,8 @@ impl ExportRequest {
             }
         };
         let surface = Surface { relief, roughness: choices.roughness.clone() };
-        let making = Making { surface, scale, edges: self.document.edges };
-        let painting = Painting::sized(&self.document, grown, size);
+        let transparent_ground = choices.transparent;
+        let making = Making { surface, scale, edges: self.document.edges, transparent_ground };
         painting.material(folder, &set, &making, watch).map_err(text)
     }
 

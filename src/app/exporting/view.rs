@@ -3,17 +3,15 @@
 use std::sync::Arc;
 
 use egui::{
-    Color32, ColorImage, Id, Mesh, Rect, Response, Sense, Shape, Slider, Stroke, StrokeKind, TextureHandle,
+    Color32, ColorImage, Id, Rect, Response, Sense, Slider, Stroke, StrokeKind, TextureHandle,
     TextureOptions, Ui, Vec2, WidgetInfo, accesskit::Role, pos2, vec2,
 };
 use image::{RgbaImage, imageops};
 
 use super::lit::LitView;
 use super::preview::FinishedPreview;
+use crate::app::checkerboard;
 use crate::app::theme::Palette;
-
-/// Side of a square of the checkerboard, points.
-const SQUARE: f32 = 8.0;
 
 /// What is shown, and how.
 #[derive(Default)]
@@ -31,7 +29,6 @@ pub struct View {
     pub time: f64,
     /// Whether the film plays.
     pub plays: bool,
-    checker: Option<TextureHandle>,
     /// The lit view of a material.
     pub lit: LitView,
 }
@@ -118,15 +115,7 @@ impl View {
         let painter = ui.painter_at(room.expand(1.0));
         let whole = Rect::from_min_size(pos2(0.0, 0.0), vec2(1.0, 1.0));
         let shown = rect.intersect(room);
-        let checker = self.checker.get_or_insert_with(|| {
-            let [a, b] = [Color32::from_gray(250), Color32::from_gray(218)];
-            let options = TextureOptions::NEAREST_REPEAT;
-            ui.ctx().load_texture("checker", ColorImage::new([2, 2], vec![a, b, b, a]), options)
-        });
-        let mut mesh = Mesh::with_texture(checker.id());
-        let squares = Rect::from_min_size(pos2(0.0, 0.0), shown.size() / (2.0 * SQUARE));
-        mesh.add_rect_with_uv(shown, squares, Color32::WHITE);
-        painter.add(Shape::mesh(mesh));
+        checkerboard::paint(&painter, shown);
         if let Some(texture) = &self.texture {
             let tint = if fresh { Color32::WHITE } else { Color32::WHITE.gamma_multiply(0.5) };
             painter.with_clip_rect(room).image(texture.id(), rect, whole, tint);

@@ -7,7 +7,7 @@ mod job;
 mod picture;
 mod preview;
 
-pub use picture::Picture;
+pub use picture::{Picture, image};
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};

@@ -23,6 +23,8 @@ pub struct Picture {
     pub canvas: [u32; 2],
     /// Whether the growth has settled.
     pub settled: bool,
+    /// Whether no px is transparent.
+    pub is_opaque: bool,
 }
 
 impl Picture {
@@ -50,8 +52,18 @@ impl Picture {
     }
 
     fn from_painting(painting: &Painting, document: &Document, settled: bool) -> Self {
-        let image = Arc::new(ColorImage::from_rgb(painting.size, &painting.rgb()));
-        Self { image, canvas: document.size, settled }
+        let image = Arc::new(image(painting));
+        Self { image, canvas: document.size, settled, is_opaque: painting.is_opaque() }
+    }
+}
+
+/// The px of a painting, with their opacity.
+#[must_use]
+pub fn image(painting: &Painting) -> ColorImage {
+    if painting.is_opaque() {
+        ColorImage::from_rgb(painting.size, &painting.rgb())
+    } else {
+        ColorImage::from_rgba_unmultiplied(painting.size, &painting.rgba())
     }
 }
 

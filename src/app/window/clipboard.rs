@@ -5,6 +5,7 @@ use std::sync::Arc;
 use egui::{ColorImage, Context, Ui};
 
 use super::Window;
+use crate::app::growth::image;
 use crate::document::Document;
 use crate::editor::reading::{self, ReadingSvg};
 use crate::editor::task::{Task, Worker};
@@ -48,7 +49,7 @@ impl Window {
         };
         let work = move |worker: &Worker<_>| {
             let painting = Painting::new(&texture.document, &texture.grown, 1);
-            worker.send(ColorImage::from_rgb(painting.size, &painting.rgb()));
+            worker.send(image(&painting));
         };
         match self.tasks.start("copying the texture", work) {
             Ok(task) => self.clipboard.painting = Some(task),

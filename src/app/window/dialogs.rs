@@ -28,6 +28,20 @@ impl Window {
         actions
     }
 
+    /// The dialog that is open, for the log.
+    pub(super) fn open_dialog(&self) -> &'static str {
+        if self.files.chooser.is_some() {
+            return "file";
+        }
+        match (self.files.asked, self.page) {
+            (Some(question), _) => question,
+            _ if self.files.export.is_some() => "export",
+            (None, Some(Page::Recovery)) => "recovery",
+            (None, Some(_)) => "page",
+            (None, None) => "none",
+        }
+    }
+
     fn page_ui(&mut self, ui: &Ui, page: Page) -> Option<Action> {
         let modal =
             Modal::new(Id::unique("page")).frame(egui::Frame::window(&ui.global_style()).inner_margin(22));

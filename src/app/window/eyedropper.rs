@@ -58,7 +58,7 @@ impl Window {
         }
     }
 
-    /// The colour of the texture at a point of the canvas, px; beyond its edge that of the tile there.
+    /// The colour of the texture at a point of the canvas, px; beyond its edge that of the tile there. `None` where it is transparent.
     fn texture_colour(&self, at: [f64; 2]) -> Option<[u8; 3]> {
         let picture = self.growth.picture.as_ref()?;
         let canvas = picture.canvas.map(f64::from);
@@ -71,7 +71,8 @@ impl Window {
             let side = picture.image.size[axis];
             ((share[axis].fract() * side as f64) as usize).min(side.saturating_sub(1))
         });
-        let [red, green, blue, _] = picture.image.pixels.get(y * picture.image.size[0] + x)?.to_array();
-        Some([red, green, blue])
+        let px = picture.image.pixels.get(y * picture.image.size[0] + x)?;
+        let [red, green, blue, alpha] = px.to_srgba_unmultiplied();
+        (alpha > 0).then_some([red, green, blue])
     }
 }

@@ -303,6 +303,9 @@ impl eframe::App for Window {
         self.frame_time = took.max(0.9 * self.frame_time);
         self.growth.set_pace(self.frame_time);
         Self::ui(self, ui);
+        if self.trace.dialog(self.open_dialog()) {
+            ui.ctx().request_repaint();
+        }
         self.trace.frame(began.elapsed(), frame.info().cpu_usage, self.growth.is_growing());
     }
 

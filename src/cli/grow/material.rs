@@ -69,15 +69,16 @@ impl Material {
         if self.material.is_none() {
             return Ok(());
         }
-        let held = self.making(Edges::Wrap, extent).held(width, layers);
+        let held = self.making(Edges::Wrap, extent, false).held(width, layers);
         memory::check_export("--material", held, "write a smaller one").map_err(Error::step)
     }
 
-    fn making(&self, edges: Edges, extent: Extent) -> Making {
+    fn making(&self, edges: Edges, extent: Extent, transparent_ground: bool) -> Making {
         Making {
             surface: Surface { relief: self.relief.clone(), roughness: self.roughness.clone() },
             scale: extent.scale as usize,
             edges,
+            transparent_ground,
         }
     }
 
@@ -109,10 +110,10 @@ impl Material {
             name: &named,
             size: painting.size,
             deep: style.deep,
-            transparent: style.transparent,
+            transparent: style.transparent || !painting.is_opaque(),
             dpi: Some(style.dpi),
         };
-        let making = self.making(document.edges, extent);
+        let making = self.making(document.edges, extent, style.transparent);
         painting.material(folder, &set, &making, watch).map_err(Error::exported)
     }
 }

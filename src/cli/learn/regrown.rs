@@ -101,14 +101,13 @@ fn regrown(
     Ok(found)
 }
 
-/// Such as `area 300 px², aspect 0.512, angle 33°, area/spacing² 0.0812`.
+/// Such as `area 300 px², aspect 0.512, angle 33°, centres 61 px apart`.
 fn described(wanted: &Attributes) -> String {
     match wanted {
         Attributes::Spots(spots) => {
-            let density = spots.spacing.map(|spacing| spots.area / (spacing * spacing));
-            let density = density.map_or(String::new(), |density| format!(", area/spacing² {density:.4}"));
+            let apart = spots.spacing.map_or(String::new(), |apart| format!(", centres {apart:.1} px apart"));
             format!(
-                "area {:.0} px², aspect {:.3}, angle {:.0}°{density}",
+                "area {:.0} px², aspect {:.3}, angle {:.0}°{apart}",
                 spots.area, spots.aspect, spots.angle
             )
         }

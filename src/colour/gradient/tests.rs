@@ -86,7 +86,7 @@ mod reference {
 }
 
 fn stop(at: f32, colour: [u8; 3]) -> Stop {
-    Stop { at, colour }
+    Stop::opaque(at, colour)
 }
 
 const CREAM: [u8; 3] = [0xf4, 0xe3, 0xc1];
@@ -214,4 +214,34 @@ proptest! {
             let _ = gradient.colour(v);
         }
     }
+}
+
+#[test]
+fn the_colour_of_a_transparent_stop_does_not_shine_through() {
+    let red = Stop { alpha: 0, ..stop(0.2, [255, 0, 0]) };
+    let gradient = Gradient { stops: vec![red, stop(0.6, [0, 0, 200]), stop(1.0, [0; 3])], bends: vec![] };
+    assert_eq!(gradient.rgba(0.0), [255, 0, 0, 0]);
+    assert_eq!(gradient.rgba(0.3), [0, 0, 200, 64]);
+    assert_eq!(gradient.rgba(0.4), [0, 0, 200, 128]);
+    assert_eq!(gradient.rgba(0.6), [0, 0, 200, 255]);
+    assert!(!gradient.is_opaque());
+}
+
+#[test]
+fn stops_of_equal_opacity_have_the_colours_of_opaque_ones() {
+    let opaque = Gradient::default_for_layer(0);
+    let mut faint = opaque.clone();
+    faint.stops.iter_mut().for_each(|stop| stop.alpha = 90);
+    for step in 0..=50_u8 {
+        let v = f32::from(step) / 50.0;
+        let [red, green, blue] = opaque.colour(v);
+        assert_eq!(faint.rgba(v), [red, green, blue, 90]);
+    }
+}
+
+#[test]
+fn the_table_shows_transparent_colours_over_white() {
+    let half = Stop { alpha: 51, ..stop(0.0, [0, 100, 255]) };
+    let table = Gradient { stops: vec![half], bends: vec![] }.table();
+    assert_eq!(table.colour(0.5), [204, 224, 255]);
 }

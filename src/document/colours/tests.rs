@@ -8,17 +8,27 @@ fn cheetah() -> Colours {
 
 /// Random colours: up to six stops, some bent.
 pub(in crate::document) fn any_colours() -> impl Strategy<Value = Colours> {
-    let stops = prop::collection::vec((0..=1000_u32, any::<[u8; 3]>()), 1..6);
+    // Mostly opaque, as in most documents.
+    let alpha = prop_oneof![3 => Just(u8::MAX), 1 => any::<u8>()];
+    let stops = prop::collection::vec((0..=1000_u32, any::<[u8; 3]>(), alpha), 1..6);
     let bends = prop::collection::vec([0.0..=1.0, -2.0..=3.0, 0.0..=1.0, -2.0..=3.0], 0..5);
     (stops, bends).prop_map(|(mut stops, bends)| {
-        stops.sort_by_key(|(at, _)| *at);
+        stops.sort_by_key(|(at, _, _)| *at);
         let bends = bends.into_iter().take(stops.len() - 1).collect();
-        let stops =
-            stops.into_iter().map(|(at, colour)| Stop { at: f64::from(at) / 1000.0, colour }).collect();
+        let stops = stops
+            .into_iter()
+            .map(|(at, colour, alpha)| Stop { at: f64::from(at) / 1000.0, colour, alpha })
+            .collect();
         let mut colours = Colours { stops, bends };
         colours.tidy();
         colours
     })
+}
+
+/// The colour over black: what is transparent has any colour.
+fn seen(colours: &Colours, v: f32) -> [u8; 3] {
+    let [red, green, blue, alpha] = colours.gradient().rgba(v).map(u32::from);
+    [red, green, blue].map(|channel| (channel * alpha / 255) as u8)
 }
 
 /// Largest difference of a channel over all pattern values.
@@ -69,7 +79,7 @@ fn a_stop_moves_past_others_and_back() {
 
 #[test]
 fn the_last_stop_stays() {
-    let mut colours = Colours { stops: vec![Stop { at: 0.3, colour: [1, 2, 3] }], bends: vec![] };
+    let mut colours = Colours { stops: vec![Stop::opaque(0.3, [1, 2, 3])], bends: vec![] };
     assert!(!colours.remove(0));
     assert_eq!(colours.insert(0.9), 1);
     assert_eq!(colours.stops[1].colour, [1, 2, 3]);
@@ -87,16 +97,35 @@ fn colours_are_swapped_in_their_places() {
     assert_eq!(colours, before);
 }
 
+#[test]
+fn a_stop_inserted_between_stops_of_different_opacity_changes_nothing() {
+    let stops = vec![Stop { at: 0.0, colour: [250, 0, 0], alpha: 0 }, Stop::opaque(1.0, [20, 80, 160])];
+    let before = Colours { stops, bends: vec![] };
+    let mut colours = before.clone();
+    colours.insert(0.5);
+    assert_eq!(colours.stops[1], Stop { at: 0.5, colour: [20, 80, 160], alpha: 128 });
+    for v in [0.1, 0.3, 0.5, 0.8_f32] {
+        let [was, is] = [&before, &colours].map(|colours| colours.gradient().rgba(v));
+        assert!((0..4).all(|i| was[i].abs_diff(is[i]) <= 1), "{v}: {was:?} {is:?}");
+    }
+}
+
+#[test]
+fn hexadecimal_digits_name_the_opacity_where_it_counts() {
+    assert_eq!(Stop::opaque(0.0, [1, 2, 255]).hex(), "#0102ff");
+    assert_eq!(Stop { at: 0.0, colour: [1, 2, 255], alpha: 16 }.hex(), "#0102ff10");
+}
+
 proptest! {
     #[test]
     fn reversed_twice_is_as_before(colours in any_colours()) {
         let mut reversed = colours.clone();
         reversed.reverse();
-        let back = [0.0_f32, 0.25, 0.5, 0.8].map(|v| reversed.gradient().colour(1.0 - v));
+        let back = [0.0_f32, 0.25, 0.5, 0.8].map(|v| seen(&reversed, 1.0 - v));
         let hard = colours.stops.windows(2).any(|pair| pair[1].at - pair[0].at < 0.01);
         if !hard {
             for (v, back) in [0.0_f32, 0.25, 0.5, 0.8].into_iter().zip(back) {
-                let there = colours.gradient().colour(v);
+                let there = seen(&colours, v);
                 let off = (0..3).map(|i| there[i].abs_diff(back[i])).max().unwrap_or(0);
                 // 1 − v is not exact, and the steepest ways turn that into more.
                 prop_assert!(off <= 8, "{v}: {there:?} {back:?}");

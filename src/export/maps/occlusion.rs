@@ -27,12 +27,17 @@ struct Sample {
     weight: f32,
 }
 
-/// How much of the sky each px sees, 0..1: 1 = the whole sky. The margin is at least `radius` px, which is at least 1.
+/// How much of the sky each px sees, 0..1: 1 = the whole sky. The margin is at least `radius` px, which is at least 1. The rows
+/// that are left once it is `cancelled` are 0.
 #[must_use]
-pub fn openness(height: &Height, radius: usize) -> Vec<f32> {
+pub fn openness(height: &Height, radius: usize, cancelled: &(dyn Fn() -> bool + Sync)) -> Vec<f32> {
     let rays = rays(radius.max(1), height.stride() as isize);
     let mut open = vec![0.0; height.width * height.rows];
     open.par_chunks_mut(height.width.max(1)).enumerate().for_each(|(y, row)| {
+        // A band of a large radius takes seconds.
+        if cancelled() {
+            return;
+        }
         let start = height.start(y);
         for (x, open) in row.iter_mut().enumerate() {
             *open = at(&height.values, start + x, &rays, height.stride());
@@ -93,10 +98,20 @@ fn rays(radius: usize, stride: isize) -> Vec<Vec<Sample>> {
 mod tests {
     use super::*;
     use crate::grid::{Edges, Field};
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
     fn open(f: impl Fn(f64, f64) -> f64, edges: Edges, radius: usize) -> Vec<f32> {
         let field = Field::from_fn([48, 40], [1.0; 2], edges, |[x, y]| f(x, y) as f32);
-        openness(&Height::from_field(&field, radius), radius)
+        openness(&Height::from_field(&field, radius), radius, &|| false)
+    }
+
+    #[test]
+    fn no_row_begins_after_it_is_cancelled() {
+        let rows = AtomicUsize::new(0);
+        let field = Field::from_fn([48, 40], [1.0; 2], Edges::Wrap, |_| 0.0);
+        let cancelled = || rows.fetch_add(1, Ordering::Relaxed) >= 5;
+        let open = openness(&Height::from_field(&field, 3), 3, &cancelled);
+        assert_eq!(open.iter().filter(|open| **open > 0.0).count(), 5 * 48);
     }
 
     #[test]

@@ -116,11 +116,22 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     };
     let mut lookup = Lookup::new((system, polarity), map, Start::NATURAL, ask, setting)?;
     if limited {
-        lookup.remarks[0].push(format!(
-            "in places spots are drawn so close that those between them would grow together; these are placed farther apart (area/spacing² {DENSEST_AMONG_DRAWN})"
-        ));
+        lookup.remarks[0].push(placed_apart(&lookup.map));
     }
     Ok(lookup)
+}
+
+/// What is said where spots between drawn ones have been placed farther apart.
+fn placed_apart(map: &AttributeMap) -> String {
+    let samples = map.samples();
+    let apart = samples.iter().filter_map(|wanted| match wanted {
+        Attributes::Spots(spots) => Some((spots.area / DENSEST_AMONG_DRAWN).sqrt()),
+        Attributes::Stripes(_) => None,
+    });
+    let nearest = apart.fold(f64::INFINITY, f64::min);
+    format!(
+        "in places spots are drawn so close together that others between them would merge: those are placed farther apart, their centres at least {nearest:.0} px from each other"
+    )
 }
 
 /// As [`look_up()`], on a grid of about `cell` px a cell whatever suits the marks; no spacing of `map` may be free.

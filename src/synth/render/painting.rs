@@ -115,12 +115,34 @@ impl<'a> Painting<'a> {
         Band { painting: self, patterns, free }
     }
 
-    /// The whole texture: red, green, blue a px, row by row from the top.
+    /// Whether no visible colour is transparent.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        let layers = self.gradients.iter().zip(&self.visible).take(self.layers.len());
+        layers.clone().all(|(gradient, visible)| !visible || gradient.is_opaque())
+            && (layers.clone().any(|(_, visible)| *visible)
+                || self.gradients.last().is_none_or(Gradient::is_opaque))
+    }
+
+    /// The whole texture: red, green, blue a px, row by row from the top. What is transparent is over white.
     #[must_use]
     pub fn rgb(&self) -> Vec<u8> {
         let mut rgb = vec![0; 3 * self.size[0] * self.size[1]];
-        self.band(0..self.size[1]).paint(&mut rgb);
+        let band = self.band(0..self.size[1]);
+        if self.is_opaque() {
+            band.paint(&mut rgb);
+        } else {
+            band.paint_fine(&fine::Colours::new(self, false), Samples::Rgb8, &mut rgb);
+        }
         rgb
+    }
+
+    /// The whole texture: red, green, blue, alpha a px, row by row from the top.
+    #[must_use]
+    pub fn rgba(&self) -> Vec<u8> {
+        let mut rgba = vec![0; 4 * self.size[0] * self.size[1]];
+        self.band(0..self.size[1]).paint_fine(&fine::Colours::new(self, false), Samples::Rgba8, &mut rgba);
+        rgba
     }
 
     /// Writes a picture of `channel`, in the format of the ending of `path`, to a temporary file.
@@ -148,15 +170,19 @@ impl<'a> Painting<'a> {
                 })
             });
         }
-        let samples = style.samples(format, channel);
+        let samples = style.samples(format, channel, self.is_opaque());
         let texts = if format == Format::Png { &style.texts[..] } else { &[] };
         let header = Header { dpi: Some(style.dpi), texts, ..Header::new(self.size, samples) };
-        // Plain 8-bit colours are painted by a faster function.
-        let fine = channel == Channel::Texture && samples != Samples::Rgb8;
+        // Plain opaque 8-bit colours are painted by a faster function.
+        let fine = channel == Channel::Texture && (samples != Samples::Rgb8 || !self.is_opaque());
         let colours = fine.then(|| fine::Colours::new(self, style.transparent));
         export::prepare(path, |out| {
             picture::write(out, format, style.quality, header, |rows, bytes| {
                 step(&rows)?;
+                // Only asked whether to cancel.
+                if rows.is_empty() {
+                    return Ok(());
+                }
                 during(Phase::Paint, || {
                     let band = self.band(rows);
                     match (channel, &colours) {
@@ -218,9 +244,13 @@ impl Style {
         Ok(format)
     }
 
-    fn samples(&self, format: Format, channel: Channel) -> Samples {
+    /// What is transparent is written over white in a format without opacity.
+    fn samples(&self, format: Format, channel: Channel, is_opaque: bool) -> Samples {
         match channel {
-            Channel::Texture => Samples::colours(self.deep || format == Format::Exr, self.transparent),
+            Channel::Texture => {
+                let has_opacity = self.transparent || (!is_opaque && format.has_opacity());
+                Samples::colours(self.deep || format == Format::Exr, has_opacity)
+            }
             Channel::Pattern(_) => Samples::Gray16,
             Channel::Labels => Samples::Gray8,
         }

@@ -156,6 +156,31 @@ fn a_colour_is_typed() {
 }
 
 #[test]
+fn the_opacity_of_a_stop_is_typed_and_pulled_and_the_texture_has_it() {
+    let (mut hand, _folder) = with_layers(1);
+    hand.until_settled();
+    hand.focus("Stop 1 of 4");
+    hand.key(Modifiers::NONE, Key::Enter);
+    hand.type_into("Opacity in per cent", "40");
+    assert_eq!(hand.colours(0).stops[0].alpha, 102);
+    hand.focus("Opacity, 40 %");
+    hand.key(Modifiers::NONE, Key::ArrowLeft);
+    assert_eq!(hand.colours(0).stops[0].alpha, 99);
+    hand.key(Modifiers::NONE, Key::Escape);
+    hand.window.get_by_role_and_label(Role::TextInput, "Colour in hexadecimal digits").click();
+    hand.rest();
+    hand.key(Modifiers::COMMAND, Key::A);
+    hand.window.event(Event::Text("#10203000".to_owned()));
+    hand.window.step();
+    hand.key(Modifiers::NONE, Key::Enter);
+    let stop = hand.colours(0).stops[0];
+    assert_eq!((stop.colour, stop.alpha), ([0x10, 0x20, 0x30], 0));
+    hand.until("a transparent texture", |window| {
+        window.growth().picture.as_ref().is_some_and(|picture| !picture.is_opaque)
+    });
+}
+
+#[test]
 fn stops_are_swapped_and_the_gradient_is_reversed() {
     let (mut hand, _folder) = with_layers(1);
     let before = hand.colours(0);

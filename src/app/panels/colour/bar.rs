@@ -6,7 +6,8 @@ use egui::{
 };
 
 use super::grip::{arrows, deleted, rounded};
-use super::{ColourPanel, Drag, hex, shown, stop_menu};
+use super::{ColourPanel, Drag, shown, stop_menu};
+use crate::app::checkerboard;
 use crate::app::theme::Palette;
 use crate::colour::{Bend, Gradient};
 use crate::document::Colours;
@@ -51,10 +52,13 @@ fn x_of(rect: Rect, at: f64) -> f32 {
 
 /// Paints the colours of pattern values `from` to `to` from left to right.
 pub fn gradient(painter: &Painter, rect: Rect, gradient: &Gradient, [from, to]: [f64; 2]) {
+    if !gradient.is_opaque() {
+        checkerboard::paint(painter, rect);
+    }
     let columns = rect.width().round().max(1.0) as usize;
     let mut mesh = Mesh::default();
     let value = |column: usize| (from + (to - from) * (column as f64 + 0.5) / columns as f64) as f32;
-    for (column, colour) in gradient.colours((0..columns).map(value)).into_iter().enumerate() {
+    for (column, colour) in gradient.rgbas((0..columns).map(value)).into_iter().enumerate() {
         let [left, right] =
             [column, column + 1].map(|i| rect.left() + rect.width() * i as f32 / columns as f32);
         mesh.add_colored_rect(
@@ -157,7 +161,7 @@ fn stops(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, ba
         let mut x = x_of(rect, stop.at);
         let room = Rect::from_min_max(pos2(x - HALF, rect.top()), pos2(x + HALF, rect.bottom()));
         let response = ui.interact(room, stop_id(ui, index), Sense::click_and_drag());
-        let name = format!("Stop {} of {count}, {}", index + 1, hex(stop.colour));
+        let name = format!("Stop {} of {count}, {}", index + 1, stop.hex());
         response.widget_info(|| WidgetInfo::slider(true, stop.at, &name));
         let mut off = false;
         if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged()) {
@@ -192,7 +196,7 @@ fn stops(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, ba
         }
         let chosen = moved.map_or(panel.stop == index, |moved| moved == index);
         if !off {
-            paint(ui, pos2(x, rect.top()), shown(stop.colour), chosen, response.has_focus());
+            paint(ui, pos2(x, rect.top()), shown(stop.rgba()), chosen, response.has_focus());
         }
         let help = "Drag along the bar to move it, off the bar to remove it. Keys: arrows move it (with Shift by more), \
                     Delete removes it, Enter opens the picker";
@@ -245,6 +249,10 @@ fn paint(ui: &Ui, tip: egui::Pos2, colour: Color32, chosen: bool, focused: bool)
     let painter = ui.painter();
     if focused {
         painter.add(Shape::convex_polygon(shape(8.5, -3.0, 21.0), palette.accent_pale, Stroke::NONE));
+    }
+    if !colour.is_opaque() {
+        let square = Rect::from_min_max(tip + vec2(-6.0, 6.0), tip + vec2(6.0, 18.0));
+        checkerboard::paint(painter, square);
     }
     let width = if chosen { 2.0 } else { 1.0 };
     painter.add(Shape::convex_polygon(shape(6.0, 0.5, 18.0), colour, Stroke::new(width, border)));

@@ -112,7 +112,7 @@ fn strips(ui: &Ui, colours: &Colours, gap: usize, room: Rect, range: [f64; 2]) {
     let [top, bottom] = [1.0, 0.0].map(|y| place(room, [0.0, y], range).y);
     let rows = (bottom - top).round().max(1.0) as usize;
     let values = (0..rows).map(|row| 1.0 - (row as f32 + 0.5) / rows as f32);
-    for (row, colour) in even.colours(values).into_iter().enumerate() {
+    for (row, colour) in even.rgbas(values).into_iter().enumerate() {
         let [above, under] = [row, row + 1].map(|i| top + (bottom - top) * i as f32 / rows as f32);
         let left = room.left() - STRIP - 3.0;
         let rect = Rect::from_min_max(pos2(left, above), pos2(left + STRIP, under));

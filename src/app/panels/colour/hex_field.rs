@@ -2,12 +2,13 @@
 
 use egui::{TextEdit, Ui};
 
-use super::{ColourPanel, hex};
+use super::ColourPanel;
 use crate::app::theme::Palette;
+use crate::document::Stop;
 
 /// The field for hexadecimal digits.
-pub(super) fn hex_field(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3], name: &str) {
-    let mut text = panel.hex.clone().unwrap_or_else(|| hex(*colour));
+pub(super) fn hex_field(ui: &mut Ui, panel: &mut ColourPanel, stop: &mut Stop, name: &str) {
+    let mut text = panel.hex.clone().unwrap_or_else(|| stop.hex());
     let known = read(&text);
     let mut edit = TextEdit::singleline(&mut text).desired_width(66.0).char_limit(16);
     if known.is_none() {
@@ -21,9 +22,9 @@ pub(super) fn hex_field(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 
         && let Some(text) = panel.hex.take()
         && let Some(typed) = read(&text)
     {
-        *colour = typed;
+        stop.set_rgba(typed);
     }
-    let help = "Red, green, blue: #rrggbb or #rgb in hexadecimal digits";
+    let help = "Red, green, blue: #rrggbb or #rgb in hexadecimal digits; with opacity #rrggbbaa";
     response.on_hover_text(if known.is_none() {
         format!("This is not a colour. {help}")
     } else {
@@ -31,14 +32,15 @@ pub(super) fn hex_field(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 
     });
 }
 
-/// Parses `#rrggbb` or `#rgb`, with or without the `#`.
-fn read(text: &str) -> Option<[u8; 3]> {
+/// Parses `#rrggbb`, `#rgb` or `#rrggbbaa`, with or without the `#`.
+fn read(text: &str) -> Option<[u8; 4]> {
     let text = text.trim();
     let digits = text.strip_prefix('#').unwrap_or(text).chars();
     let digits: Vec<u8> = digits.map(|c| c.to_digit(16).map(|digit| digit as u8)).collect::<Option<_>>()?;
     match digits[..] {
-        [r, g, b] => Some([r * 17, g * 17, b * 17]),
-        [a, b, c, d, e, f] => Some([a * 16 + b, c * 16 + d, e * 16 + f]),
+        [r, g, b] => Some([r * 17, g * 17, b * 17, u8::MAX]),
+        [a, b, c, d, e, f] => Some([a * 16 + b, c * 16 + d, e * 16 + f, u8::MAX]),
+        [a, b, c, d, e, f, g, h] => Some([a * 16 + b, c * 16 + d, e * 16 + f, g * 16 + h]),
         _ => None,
     }
 }
@@ -49,9 +51,12 @@ mod tests {
 
     #[test]
     fn colours_are_read_as_people_write_them() {
-        for (text, colour) in
-            [("#f4e3c1", [244, 227, 193]), (" F4E3C1 ", [244, 227, 193]), ("#fc0", [255, 204, 0])]
-        {
+        for (text, colour) in [
+            ("#f4e3c1", [244, 227, 193, 255]),
+            (" F4E3C1 ", [244, 227, 193, 255]),
+            ("#fc0", [255, 204, 0, 255]),
+            ("#fc003380", [252, 0, 51, 128]),
+        ] {
             assert_eq!(read(text), Some(colour), "{text}");
         }
         for text in ["", "#", "red", "#12345", "#1234567", "##123456"] {

@@ -123,12 +123,7 @@ fn paint(layer: usize, colours: Colours) -> Action {
     Action::Edit(Edit::Colours(vec![layer], Some(colours)))
 }
 
-/// A colour for the screen.
-fn shown([red, green, blue]: [u8; 3]) -> Color32 {
-    Color32::from_rgb(red, green, blue)
-}
-
-/// A colour in hexadecimal digits.
-fn hex([red, green, blue]: [u8; 3]) -> String {
-    format!("#{red:02x}{green:02x}{blue:02x}")
+/// A colour for the screen, of red, green, blue, alpha.
+fn shown([red, green, blue, alpha]: [u8; 4]) -> Color32 {
+    Color32::from_rgba_unmultiplied(red, green, blue, alpha)
 }

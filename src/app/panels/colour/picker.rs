@@ -1,4 +1,5 @@
-//! The colour picker: saturation and brightness above, hue below; by pointer and arrow keys; numbers in three colour models.
+//! The colour picker: saturation and brightness above, hue and opacity below; by pointer and arrow keys; numbers in three
+//! colour models.
 
 use egui::ecolor::{Hsva, HsvaGamma};
 use egui::{
@@ -9,16 +10,41 @@ use egui::{
 use super::ColourPanel;
 use super::grip::arrows;
 use super::hex_field::hex_field;
+use crate::app::checkerboard;
 use crate::app::theme::Palette;
 use crate::app::units::number_field;
 use crate::colour::ColourModel;
+use crate::document::Stop;
 
 /// Shows it; `fresh`: it was just opened by a key and takes the keyboard focus.
-pub fn picker(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3], fresh: bool) {
+pub fn picker(ui: &mut Ui, panel: &mut ColourPanel, stop: &mut Stop, fresh: bool) {
     ui.set_width(200.0);
-    pads(ui, &mut panel.hsv, colour, fresh);
-    fields(ui, panel, colour);
-    hex_field(ui, panel, colour, "Picked colour in hexadecimal digits");
+    pads(ui, &mut panel.hsv, &mut stop.colour, fresh);
+    opacity(ui, stop);
+    fields(ui, panel, &mut stop.colour);
+    hex_field(ui, panel, stop, "Picked colour in hexadecimal digits");
+}
+
+/// The opacity of the stop, as a pad and as a number.
+fn opacity(ui: &mut Ui, stop: &mut Stop) {
+    let [red, green, blue] = stop.colour;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        let size = vec2(130.0, 20.0);
+        checkerboard::paint(ui.painter(), Rect::from_min_size(ui.cursor().min, size));
+        let before = f32::from(stop.alpha) / 255.0;
+        let faded = |x: f32, _| Color32::from_rgba_unmultiplied(red, green, blue, (255.0 * x).round() as u8);
+        let [shown, _] = pad(ui, "Opacity", size, [before, 0.5], [24, 1], false, faded);
+        if shown != before {
+            stop.alpha = (255.0 * shown).round() as u8;
+        }
+        let mut percent = 100.0 * f64::from(stop.alpha) / 255.0;
+        let field = DragValue::new(&mut percent).range(0.0..=100.0).speed(0.5).max_decimals(0);
+        let field = ui.add_sized(vec2(64.0, 22.0), number_field(field, " %"));
+        if field.accessible_name("Opacity in per cent").on_hover_text("0 = transparent").changed() {
+            stop.alpha = (2.55 * percent).round() as u8;
+        }
+    });
 }
 
 /// The three coordinates of the colour as numbers, in the model that is chosen.

@@ -61,7 +61,7 @@ fn preset(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours, index: usize)
 /// A pattern that looks like grown spots or stripes, but is computed from waves.
 fn picture(preset: &Preset) -> ColorImage {
     const SHADES: usize = 64;
-    let shades = preset.set.gradient().colours((0..SHADES).map(|i| i as f32 / (SHADES - 1) as f32));
+    let shades = preset.set.gradient().rgbas((0..SHADES).map(|i| i as f32 / (SHADES - 1) as f32));
     let pixel = |x: usize, y: usize| {
         let (x, y) = (x as f32, y as f32);
         let wave = match preset.marking {

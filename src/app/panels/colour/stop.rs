@@ -7,10 +7,11 @@ use egui::{
 use super::grip::rounded;
 use super::hex_field::hex_field;
 use super::{ColourPanel, picker, shown};
+use crate::app::checkerboard;
 use crate::app::icons::Icon;
 use crate::app::theme::Palette;
 use crate::app::units::number_field;
-use crate::document::Colours;
+use crate::document::{Colours, Stop};
 
 /// Shows it.
 pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
@@ -18,8 +19,8 @@ pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
     let index = panel.stop;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        swatch(ui, panel, &mut colours.stops[index].colour);
-        hex_field(ui, panel, &mut colours.stops[index].colour, "Colour in hexadecimal digits");
+        swatch(ui, panel, &mut colours.stops[index]);
+        hex_field(ui, panel, &mut colours.stops[index], "Colour in hexadecimal digits");
         let help = "Take the colour from the reference picture or the texture: click there. Escape cancels";
         let dropper =
             Icon::Dropper.sized_button(ui, "Take a colour from a picture", panel.picking, vec2(26.0, 24.0));
@@ -76,11 +77,14 @@ fn small(text: &str) -> Button<'_> {
 }
 
 /// A button in the stop's colour that opens the picker.
-fn swatch(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
+fn swatch(ui: &mut Ui, panel: &mut ColourPanel, stop: &mut Stop) {
     let (rect, response) = ui.allocate_exact_size(vec2(40.0, 24.0), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Pick a colour"));
     let palette = Palette::current(ui.visuals());
-    ui.painter().rect_filled(rect, 4.0, shown(*colour));
+    if stop.alpha < u8::MAX {
+        checkerboard::paint(ui.painter(), rect);
+    }
+    ui.painter().rect_filled(rect, 4.0, shown(stop.rgba()));
     let border = if response.has_focus() { palette.accent } else { palette.border };
     ui.painter().rect_stroke(
         rect,
@@ -95,6 +99,6 @@ fn swatch(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
     }
     let popup = Popup::from_toggle_button_response(&response);
     let popup = popup.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    popup.show(|ui| picker::picker(ui, panel, colour, by_key));
+    popup.show(|ui| picker::picker(ui, panel, stop, by_key));
     response.on_hover_text("The colour of the selected stop; click to pick another");
 }

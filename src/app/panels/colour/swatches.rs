@@ -2,9 +2,10 @@
 
 use egui::{Rect, RichText, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
 
-use super::{ColourPanel, hex, shown};
+use super::{ColourPanel, shown};
+use crate::app::checkerboard;
 use crate::app::theme::Palette;
-use crate::document::Colours;
+use crate::document::{Colours, Stop};
 use crate::editor::session::Session;
 
 /// Side of a swatch, points.
@@ -13,12 +14,12 @@ const SIDE: f32 = 20.0;
 const MOST: usize = 40;
 
 /// The colours of all stops of all layers, each once, the lowest layer first.
-fn of_document(session: &Session) -> Vec<[u8; 3]> {
-    let mut found: Vec<[u8; 3]> = Vec::new();
+fn of_document(session: &Session) -> Vec<Stop> {
+    let mut found: Vec<Stop> = Vec::new();
     for layer in 0..session.document().layers.len() {
         for stop in session.colours(layer).stops {
-            if !found.contains(&stop.colour) && found.len() < MOST {
-                found.push(stop.colour);
+            if found.iter().all(|other| other.rgba() != stop.rgba()) && found.len() < MOST {
+                found.push(stop);
             }
         }
     }
@@ -36,26 +37,29 @@ pub fn swatches(ui: &mut Ui, session: &Session, panel: &mut ColourPanel, colours
     let mut chosen = None;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
-        for colour in found {
+        for stop in found {
             let (rect, response) = ui.allocate_exact_size(vec2(SIDE, SIDE), Sense::click());
-            let name = format!("Use {}", hex(colour));
-            let is_used = colours.stops[panel.stop].colour == colour;
+            let name = format!("Use {}", stop.hex());
+            let is_used = colours.stops[panel.stop].rgba() == stop.rgba();
             response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_used, &name));
-            paint(ui, rect, colour, response.hovered() || response.has_focus(), is_used);
+            paint(ui, rect, stop, response.hovered() || response.has_focus(), is_used);
             if response.on_hover_text(format!("{name} for the selected stop")).clicked() {
-                chosen = Some(colour);
+                chosen = Some(stop);
             }
         }
     });
-    if let Some(colour) = chosen {
-        colours.stops[panel.stop].colour = colour;
+    if let Some(stop) = chosen {
+        colours.stops[panel.stop].set_rgba(stop.rgba());
         panel.hex = None;
     }
 }
 
-fn paint(ui: &Ui, rect: Rect, colour: [u8; 3], is_marked: bool, is_used: bool) {
+fn paint(ui: &Ui, rect: Rect, stop: Stop, is_marked: bool, is_used: bool) {
     let palette = Palette::current(ui.visuals());
-    ui.painter().rect_filled(rect, 3.0, shown(colour));
+    if stop.alpha < u8::MAX {
+        checkerboard::paint(ui.painter(), rect);
+    }
+    ui.painter().rect_filled(rect, 3.0, shown(stop.rgba()));
     let stroke = if is_marked || is_used {
         Stroke::new(2.0, palette.accent)
     } else {

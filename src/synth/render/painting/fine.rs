@@ -2,9 +2,12 @@
 
 use rayon::prelude::*;
 
-use crate::colour::{FineTable, painter};
+use crate::colour::{FineTable, Painted, over, painter};
 use crate::export::png::Samples;
 use crate::synth::render::painting::{Band, Painting};
+
+/// What is beneath transparent colours in a picture without opacity.
+const WHITE: [f32; 4] = [1.0; 4];
 
 /// The colours of each layer, and that of the ground.
 pub(super) struct Colours {
@@ -18,15 +21,35 @@ impl Colours {
     pub fn new(painting: &Painting, transparent: bool) -> Self {
         let shown = painting.visible.iter().rposition(|visible| *visible);
         let shown = shown.or(painting.gradients.len().checked_sub(1));
-        let ground = shown.map_or([1.0; 3], |layer| {
-            painting.gradients[layer].colour(0.0).map(|channel| f64::from(channel) / 255.0)
+        let ground = shown.map_or([1.0; 4], |layer| {
+            painting.gradients[layer].rgba(0.0).map(|channel| f64::from(channel) / 255.0)
         });
+        let [red, green, blue, _] = ground;
         let layer = |gradient| {
-            if transparent { FineTable::over(gradient, ground) } else { FineTable::opaque(gradient) }
+            if transparent { FineTable::over(gradient, [red, green, blue]) } else { FineTable::new(gradient) }
         };
-        let [red, green, blue] = ground.map(|channel| channel as f32);
-        let opacity = if transparent { 0.0 } else { 1.0 };
-        Self { layers: painting.gradients.iter().map(layer).collect(), ground: [red, green, blue, opacity] }
+        let mut ground = ground.map(|channel| channel as f32);
+        if transparent {
+            ground[3] = 0.0;
+        }
+        Self { layers: painting.gradients.iter().map(layer).collect(), ground }
+    }
+
+    /// The colour of a px: that of its painter, where that is transparent over the layers beneath it which were free to grow
+    /// there.
+    fn at(&self, painted: &[Painted], px: usize) -> [f32; 4] {
+        let mut seen: Option<[f32; 4]> = None;
+        let mut beneath = painted;
+        while let Some(layer) = painter(beneath, px) {
+            let own = self.layers[layer].colour(painted[layer].pattern.values[px]);
+            let colour = seen.map_or(own, |top| over(top, own));
+            if !self.layers[layer].is_see_through {
+                return colour;
+            }
+            seen = Some(colour);
+            beneath = &painted[..layer];
+        }
+        seen.unwrap_or(self.ground)
     }
 }
 
@@ -40,9 +63,10 @@ impl Band<'_> {
         bytes.par_chunks_mut(row.max(1)).enumerate().for_each(|(y, row)| {
             for (x, out) in row.chunks_exact_mut(samples.bytes()).enumerate() {
                 let px = y * self.painting.size[0] + x;
-                let colour = painter(&painted, px).map_or(colours.ground, |layer| {
-                    colours.layers[layer].colour(self.patterns[layer].values[px])
-                });
+                let mut colour = colours.at(&painted, px);
+                if channels == 3 {
+                    colour = over(colour, WHITE);
+                }
                 for (channel, value) in colour[..channels].iter().enumerate() {
                     if deep {
                         out[2 * channel..2 * channel + 2]
@@ -59,10 +83,7 @@ impl Band<'_> {
     pub(super) fn opacity(&self, colours: &Colours, gray: &mut [u8]) {
         let painted = self.painted();
         for (px, out) in gray.iter_mut().enumerate() {
-            let colour = painter(&painted, px).map_or(colours.ground, |layer| {
-                colours.layers[layer].colour(self.patterns[layer].values[px])
-            });
-            *out = to_u8(colour[3]);
+            *out = to_u8(colours.at(&painted, px)[3]);
         }
     }
 }
