@@ -2,7 +2,7 @@
 
 use egui::{
     Align2, Color32, FontId, Id, Painter, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind,
-    TextureHandle, TextureOptions, TextureWrapMode, Ui, WidgetInfo, epaint::Mesh, pos2, vec2,
+    TextureHandle, TextureOptions, Ui, WidgetInfo, epaint::Mesh, pos2, vec2,
 };
 
 use super::canvas::badges::{self, Badge};
@@ -19,6 +19,8 @@ pub struct TextureView {
     texture: Option<TextureHandle>,
     /// Whether a part of it is transparent.
     is_see_through: bool,
+    /// Whether it continues beyond its sides, as one tile does in the next.
+    repeats: bool,
     /// Which part is shown.
     pub view: View,
     /// Whether it is shown two by two, to check for seams.
@@ -35,12 +37,23 @@ impl TextureView {
             return;
         };
         self.is_see_through = !picture.is_opaque;
-        let options = TextureOptions { wrap_mode: TextureWrapMode::Repeat, ..TextureOptions::LINEAR };
+        let wraps_as_before = !self.is_outdated();
+        self.repeats = self.tiled;
+        // A single one must not: its opposite sides would shine through along its own.
+        let options = if self.repeats { TextureOptions::LINEAR_REPEAT } else { TextureOptions::LINEAR };
         let image = picture.image.clone();
         match &mut self.texture {
-            Some(texture) if texture.size() == image.size => texture.set_partial([0, 0], image, options),
+            Some(texture) if texture.size() == image.size && wraps_as_before => {
+                texture.set_partial([0, 0], image, options)
+            }
             _ => self.texture = Some(ui.ctx().load_texture("texture", image, options)),
         }
+    }
+
+    /// Whether it was loaded for the other way to show it, one tile or two by two.
+    #[must_use]
+    pub fn is_outdated(&self) -> bool {
+        self.texture.is_some() && self.repeats != self.tiled
     }
 
     /// Shows the texture of a canvas of `size` px in `room`.

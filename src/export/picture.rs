@@ -183,7 +183,8 @@ mod tests {
                 Ok(())
             });
             assert!(matches!(ended, Err(Stopped::Cancelled)), "{format:?}");
-            assert!(late.get() <= 1 << 16, "{format:?}: {} bytes", late.get());
+            // What the compressor of a PNG holds: less than a hundredth.
+            assert!(late.get() <= 1 << 18, "{format:?}: {} bytes", late.get());
             assert!(bands.get() >= 2, "{format:?}");
         }
     }

@@ -27,6 +27,9 @@ impl Window {
                 self.trace.event("settled", *took);
             }
         }
+        if self.texture.is_outdated() {
+            self.texture.take(ui, self.growth.picture.as_ref());
+        }
         let underlay = self.canvas.underlay.follow(ui, &self.session, &self.growth, &self.tasks);
         self.report(underlay.err());
         self.listen(ui);

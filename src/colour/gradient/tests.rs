@@ -222,7 +222,7 @@ fn the_colour_of_a_transparent_stop_does_not_shine_through() {
     let gradient = Gradient { stops: vec![red, stop(0.6, [0, 0, 200]), stop(1.0, [0; 3])], bends: vec![] };
     assert_eq!(gradient.rgba(0.0), [255, 0, 0, 0]);
     assert_eq!(gradient.rgba(0.3), [0, 0, 200, 64]);
-    assert_eq!(gradient.rgba(0.4), [0, 0, 200, 128]);
+    assert_eq!(gradient.rgba(0.5), [0, 0, 200, 191]);
     assert_eq!(gradient.rgba(0.6), [0, 0, 200, 255]);
     assert!(!gradient.is_opaque());
 }

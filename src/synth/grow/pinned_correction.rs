@@ -149,14 +149,15 @@ impl Rounds {
         separates
     }
 
-    /// Whether to make room for the pinned spots that are lost, which is then counted. Afterwards one more correction is made.
+    /// Whether to make room for the pinned spots that are lost, which is then counted. Afterwards they and what stands beside
+    /// them are corrected as at first.
     pub fn make_room(&mut self, found: &PinnedCorrection) -> bool {
         let makes_room = !found.lost.is_empty() && self.rooms < ROOMS;
         self.rooms += usize::from(makes_room);
         if makes_room {
             self.error = f64::INFINITY;
-            self.rounds = self.rounds.min(ROUNDS - 1);
-            self.corrections = self.corrections.min(CORRECTIONS - 1);
+            self.rounds = self.rounds.min(ROUNDS - CORRECTIONS);
+            self.corrections = 0;
         }
         makes_room
     }
@@ -276,12 +277,13 @@ mod tests {
     }
 
     #[test]
-    fn room_is_made_twice_and_followed_by_one_correction_each() {
+    fn room_is_made_twice_and_followed_by_two_corrections_each() {
         let mut rounds = Rounds::default();
         assert!(!rounds.make_room(&found(&[0], &[], 0.4)));
         assert!((0..4).all(|k| rounds.is_worth(&found(&[], &[k], 1.0))));
         assert!(!rounds.is_worth(&found(&[], &[0], 1.0)) && rounds.make_room(&found(&[], &[0], 1.0)));
-        assert!(rounds.is_worth(&found(&[2], &[], 0.4)) && !rounds.is_worth(&found(&[2], &[], 0.1)));
+        assert!(rounds.is_worth(&found(&[2], &[], 0.4)) && rounds.is_worth(&found(&[2], &[], 0.2)));
+        assert!(!rounds.is_worth(&found(&[2], &[], 0.1)));
         assert!(rounds.make_room(&found(&[], &[0], 1.0)) && !rounds.make_room(&found(&[], &[0], 1.0)));
     }
 

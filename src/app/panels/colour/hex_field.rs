@@ -10,7 +10,7 @@ use crate::document::Stop;
 pub(super) fn hex_field(ui: &mut Ui, panel: &mut ColourPanel, stop: &mut Stop, name: &str) {
     let mut text = panel.hex.clone().unwrap_or_else(|| stop.hex());
     let known = read(&text);
-    let mut edit = TextEdit::singleline(&mut text).desired_width(66.0).char_limit(16);
+    let mut edit = TextEdit::singleline(&mut text).desired_width(84.0).char_limit(16);
     if known.is_none() {
         edit = edit.text_color(Palette::current(ui.visuals()).wrong);
     }
