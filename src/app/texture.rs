@@ -44,7 +44,7 @@ impl TextureView {
         let image = picture.image.clone();
         match &mut self.texture {
             Some(texture) if texture.size() == image.size && wraps_as_before => {
-                texture.set_partial([0, 0], image, options)
+                texture.set_partial([0, 0], image, options);
             }
             _ => self.texture = Some(ui.ctx().load_texture("texture", image, options)),
         }
