@@ -46,6 +46,7 @@ impl Underlay {
         }
         if let Some(picture) = self.painting.as_mut().and_then(Task::poll) {
             self.texture = Some(ui.ctx().load_texture("beneath", picture.image, TextureOptions::LINEAR));
+            self.painting = None;
         }
         // Empty layers are not grown.
         let frozen = session.document().layers.iter().take(session.frozen());
@@ -81,6 +82,12 @@ impl Underlay {
     #[must_use]
     pub fn is_there(&self) -> bool {
         self.texture.is_some()
+    }
+
+    /// Whether a new picture is being painted.
+    #[must_use]
+    pub const fn is_being_painted(&self) -> bool {
+        self.painting.is_some()
     }
 
     /// Paints it over the area of the canvas.

@@ -208,6 +208,12 @@ impl Window {
         self.canvas.underlay.is_there()
     }
 
+    /// Whether the texture of the frozen layers is being painted under the canvas.
+    #[must_use]
+    pub const fn is_painting_frozen_layers(&self) -> bool {
+        self.canvas.underlay.is_being_painted()
+    }
+
     /// Whether there is a picture under the canvas.
     #[must_use]
     pub fn has_reference(&self) -> bool {

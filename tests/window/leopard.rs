@@ -9,12 +9,12 @@ use egui::{Key, Modifiers};
 use crate::hand::{Hand, hand};
 use crate::sights::see;
 
-/// Applies these colours and waits until the picture has them.
+/// Applies these colours and waits until the picture has them, also that of the frozen layers under the sketch.
 fn recolour(hand: &mut Hand, preset: &str) {
     let image = |window: &Window| window.growth().picture.as_ref().map(|picture| Arc::clone(&picture.image));
     let before = image(hand.window.state());
     hand.reach(preset);
-    hand.until("repainted", |window| image(window) != before);
+    hand.until("repainted", |window| image(window) != before && !window.is_painting_frozen_layers());
 }
 
 #[test]
