@@ -32,7 +32,7 @@ impl TrainingSet {
     }
 
     /// The parameters that [`Self::ask`] answers with, and the nearest question that can be answered, without what they are
-    /// predicted to grow: a prediction takes twice the time of the answer.
+    /// predicted to grow.
     ///
     /// # Errors
     /// As [`Self::ask`].

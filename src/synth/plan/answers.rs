@@ -49,7 +49,7 @@ impl<'a> Answers<'a> {
         Ok(on_grid(answer, cell, exact))
     }
 
-    /// What [`Self::ask`] answers with, in a third of the time.
+    /// What [`Self::ask`] answers with, without what it is predicted to grow.
     ///
     /// # Errors
     /// As there.
@@ -84,10 +84,8 @@ impl<'a> Answers<'a> {
         wanted: &Attributes,
         cell: f64,
     ) -> Result<Answer, PlanError> {
-        let exact = exact_cell(system, wanted, cell);
-        let apart = self.training.set(system)?.ask_apart(&wanted.scaled(1.0 / exact), 1.0)?;
-        match apart.filter(|answer| answer.pitch >= ALONE) {
-            Some(answer) => Ok(on_grid(answer, cell, exact)),
+        match self.ask_alone(system, wanted, cell)? {
+            Some(answer) => Ok(answer),
             None => self.ask(system, wanted, cell),
         }
     }
@@ -102,12 +100,17 @@ impl<'a> Answers<'a> {
         wanted: &Attributes,
         cell: f64,
     ) -> Result<Setting, PlanError> {
-        let exact = exact_cell(system, wanted, cell);
-        let apart = self.training.set(system)?.ask_apart(&wanted.scaled(1.0 / exact), 1.0)?;
-        match apart.filter(|answer| answer.pitch >= ALONE) {
-            Some(answer) => Ok(Setting::of(&answer).on_grid(cell, exact)),
+        match self.ask_alone(system, wanted, cell)? {
+            Some(answer) => Ok(Setting::of(&answer)),
             None => self.setting(system, wanted, cell),
         }
+    }
+
+    /// How spots that stand alone grow; `None` where they are too near to each other for that.
+    fn ask_alone(&self, system: System, wanted: &Attributes, cell: f64) -> Result<Option<Answer>, PlanError> {
+        let exact = exact_cell(system, wanted, cell);
+        let apart = self.training.set(system)?.ask_apart(&wanted.scaled(1.0 / exact), 1.0)?;
+        Ok(apart.filter(|answer| answer.pitch >= ALONE).map(|answer| on_grid(answer, cell, exact)))
     }
 }
 

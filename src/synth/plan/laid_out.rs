@@ -55,7 +55,8 @@ impl Plan {
         if let Arrangement::PinnedSpots { spots, .. } = &self.arrangement { spots } else { &[] }
     }
 
-    /// Spots of this area and more are no specks, px²: a quarter of what can be seen of the smallest one that was drawn.
+    /// Spots of this area and more are no specks, px²: a quarter of what can be seen of the smallest one that was
+    /// drawn. One that has shrunk to a third of its area is to be corrected, not taken for missing.
     #[must_use]
     pub fn least_area(&self) -> f64 {
         let areas = self.pinned_spots().iter().map(|mark| mark.visible.area);

@@ -97,7 +97,7 @@ pub(super) fn ask_in_cells(
     Ok(apart.unwrap_or(answer))
 }
 
-/// What [`ask_in_cells`] answers with, in a third of the time.
+/// What [`ask_in_cells`] answers with, without what it is predicted to grow.
 pub(super) fn setting_in_cells(
     training: &Training,
     system: System,
