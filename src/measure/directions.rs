@@ -205,9 +205,12 @@ fn row_sums(row: &[f32], weights: &[f32], edges: Edges, out: &mut [f32]) {
     out.fill(0.0);
     // Away from the ends for one weight after the other: all places at once.
     let inner = reach.min(n)..n.saturating_sub(reach).max(reach.min(n));
-    for (k, weight) in weights.iter().enumerate() {
-        let values = &row[(inner.start + k).saturating_sub(reach)..];
-        out[inner.clone()].iter_mut().zip(values).for_each(|(out, value)| *out += weight * value);
+    // A row may be shorter than the weights: then none is away from the ends.
+    if !inner.is_empty() {
+        for (k, weight) in weights.iter().enumerate() {
+            let out = out[inner.clone()].iter_mut();
+            out.zip(&row[k..]).for_each(|(out, value)| *out += weight * value);
+        }
     }
     for x in (0..inner.start).chain(inner.end..n) {
         let at = |k: usize| row[edges.index(x as isize + k as isize - reach as isize, n)];
