@@ -1,5 +1,7 @@
 //! Editing one gradient: its stops, the bar and the curve.
 
+use egui::pos2;
+
 use super::*;
 
 #[test]
@@ -178,6 +180,37 @@ fn the_opacity_of_a_stop_is_typed_and_pulled_and_the_texture_has_it() {
     hand.until("a transparent texture", |window| {
         window.growth().picture.as_ref().is_some_and(|picture| !picture.is_opaque)
     });
+}
+
+#[test]
+fn a_checkerboard_is_seen_through_a_transparent_texture() {
+    let (mut hand, _folder) = with_layers(1);
+    hand.until_settled();
+    assert_eq!(squares(&mut hand), [0, 0], "nothing is transparent yet");
+    hand.focus("Stop 1 of 4");
+    hand.key(Modifiers::NONE, Key::Enter);
+    hand.type_into("Opacity in per cent", "0");
+    hand.key(Modifiers::NONE, Key::Escape);
+    hand.until("a transparent texture", |window| {
+        window.growth().picture.as_ref().is_some_and(|picture| !picture.is_opaque)
+    });
+    let [light, dark] = squares(&mut hand);
+    assert!(
+        light.min(dark) > 10_000 && 2 * light.min(dark) > light.max(dark),
+        "{light} light px, {dark} dark"
+    );
+}
+
+/// px of the shown texture that have the light and the dark gray of the checkerboard.
+fn squares(hand: &mut Hand) -> [usize; 2] {
+    let shown = hand.place("Texture, finished");
+    let shot = picture(hand);
+    let inside = |x: u32, y: u32| shown.contains(pos2(x as f32, y as f32));
+    [250, 218].map(|gray: u8| {
+        // The ground has a trace of the next colour.
+        let is_gray = |px: &image::Rgba<u8>| px.0[..3].iter().all(|value| value.abs_diff(gray) <= 5);
+        shot.enumerate_pixels().filter(|(x, y, px)| inside(*x, *y) && is_gray(px)).count()
+    })
 }
 
 #[test]
