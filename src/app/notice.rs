@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Align2, Area, Context, Frame, Id, Label, Order, RichText, vec2};
+use egui::{Align2, Area, Context, Frame, Id, Label, Order, Rect, RichText, vec2};
 
 pub use crate::document::with_causes;
 
@@ -16,6 +16,8 @@ pub struct Notices {
     seen: Option<f64>,
     /// Whether a notice has not been drawn yet.
     unshown: bool,
+    /// Where they are shown, at the bottom; `None` = in the whole window.
+    room: Option<Rect>,
 }
 
 /// A message to the user.
@@ -31,6 +33,8 @@ pub struct Notice {
 
 /// Most notices at a time; the oldest are removed.
 const MOST: usize = 4;
+/// Width that is left to the buttons beside the text, points.
+const BUTTONS: f32 = 120.0;
 /// Seconds for which a notice of success is shown.
 const DONE: f64 = 4.0;
 /// The same where it has a file or folder to open.
@@ -78,6 +82,11 @@ impl Notices {
         self.unshown
     }
 
+    /// Shows them in `room` from now on: they must not lie over the panels.
+    pub fn keep_in(&mut self, room: Rect) {
+        self.room = Some(room);
+    }
+
     /// Shows them.
     pub fn ui(&mut self, ctx: &Context) {
         self.unshown = false;
@@ -92,19 +101,22 @@ impl Notices {
             return;
         }
         let mut away = None;
+        let room = self.room.unwrap_or_else(|| ctx.content_rect());
+        let wide = (room.width() - 16.0).min(520.0);
         Area::new(Id::unique("notices"))
             .order(Order::Foreground)
-            .anchor(Align2::CENTER_BOTTOM, vec2(0.0, -44.0))
+            .pivot(Align2::CENTER_BOTTOM)
+            .fixed_pos(room.center_bottom() - vec2(0.0, 16.0))
             .show(ctx, |ui| {
                 for (index, notice) in self.all.iter().enumerate() {
                     Frame::window(ui.style()).inner_margin(12).show(ui, |ui| {
-                        ui.set_max_width(520.0);
+                        ui.set_max_width(wide);
                         ui.horizontal_top(|ui| {
                             let colours = Palette::current(ui.visuals());
                             let text = RichText::new(&notice.text);
                             let text = if notice.wrong { text.color(colours.wrong) } else { text };
                             ui.vertical(|ui| {
-                                ui.set_max_width(400.0);
+                                ui.set_max_width(wide - BUTTONS);
                                 ui.add(Label::new(text).wrap().selectable(true));
                             });
                             if notice.wrong && ui.button("Copy").on_hover_text("Copy the text").clicked() {

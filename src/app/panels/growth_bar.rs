@@ -1,6 +1,6 @@
 //! The bar above the texture: the state of the growth, pause, stop, seed, alternatives.
 
-use egui::{DragValue, ProgressBar, Ui, vec2};
+use egui::{Align, DragValue, Label, Layout, ProgressBar, RichText, Ui, vec2};
 
 use crate::app::action::Action;
 use crate::app::growth::{Growth, Phase};
@@ -19,28 +19,37 @@ pub fn growth_bar(
     alternatives: bool,
 ) -> Vec<Action> {
     let mut actions = Vec::new();
-    ui.horizontal_centered(|ui| {
-        ui.strong("Texture");
-        ui.add_space(4.0);
-        phase(ui, growth);
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
-            actions.extend(seed(ui, document.seed));
-            let help = "Other textures that fit the same sketch (A)";
-            if Icon::Strip.button(ui, "Alternatives", alternatives).on_hover_text(help).clicked() {
-                actions.push(Action::Alternatives(!alternatives));
+    let spacing = ui.spacing().item_spacing.x;
+    // The buttons first: the text has what they leave.
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        actions.extend(seed(ui, document.seed));
+        let help = "Other textures that fit the same sketch (A)";
+        if Icon::Strip.button(ui, "Alternatives", alternatives).on_hover_text(help).clicked() {
+            actions.push(Action::Alternatives(!alternatives));
+        }
+        if document.edges == Edges::Wrap {
+            let help = "Show the tile two by two, to check that no seam is visible";
+            if Icon::Tiles.button(ui, "Two by two", tiled).on_hover_text(help).clicked() {
+                actions.push(Action::Tiled(!tiled));
             }
-            if document.edges == Edges::Wrap {
-                let help = "Show the tile two by two, to check that no seam is visible";
-                if Icon::Tiles.button(ui, "Two by two", tiled).on_hover_text(help).clicked() {
-                    actions.push(Action::Tiled(!tiled));
-                }
+        }
+        actions.extend(controls(ui, growth));
+        ui.add_space(spacing - 4.0);
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            ui.spacing_mut().item_spacing.x = spacing;
+            if ui.available_width() >= TITLED {
+                ui.strong("Texture");
+                ui.add_space(4.0);
             }
-            actions.extend(controls(ui, growth));
+            phase(ui, growth);
         });
     });
     actions
 }
+
+/// Width beside the buttons from which the title is shown, points: the state of the growth finds room beside it.
+const TITLED: f32 = 150.0;
 
 fn seed(ui: &mut Ui, mut seed: u64) -> Option<Action> {
     let mut action = None;
@@ -90,19 +99,26 @@ fn phase(ui: &mut Ui, growth: &Growth) {
                 Stage::Refine | Stage::Write => ("refining", 0.9, 1.0),
             };
             let text = if growth.is_paused() { "paused" } else { text };
-            let bar =
-                ProgressBar::new((from + (to - from) * share) as f32).desired_width(90.0).desired_height(6.0);
-            ui.add_sized(vec2(90.0, 6.0), bar);
-            ui.weak(text);
+            let width = ui.available_width().min(90.0);
+            ui.add_sized(
+                vec2(width, 6.0),
+                ProgressBar::new((from + (to - from) * share) as f32).desired_height(6.0),
+            );
+            said(ui, text);
         }
         Phase::Stopped => {
-            ui.weak("stopped");
+            said(ui, "stopped");
         }
         Phase::Settled(time) if time.is_zero() => {
-            ui.weak("finished");
+            said(ui, "finished");
         }
         Phase::Settled(time) => {
-            ui.weak(format!("finished in {:.1} s", time.as_secs_f64()));
+            said(ui, &format!("finished in {:.1} s", time.as_secs_f64()));
         }
     }
+}
+
+/// A text that is cut where it finds no room.
+fn said(ui: &mut Ui, text: &str) {
+    ui.add(Label::new(RichText::new(text).weak()).truncate());
 }

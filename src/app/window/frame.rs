@@ -172,6 +172,7 @@ impl Window {
         let mut actions = Vec::new();
         let all = ui.max_rect();
         let (head, body) = all.split_top_bottom_at_y(all.top() + 38.0);
+        self.notices.keep_in(body);
         ui.painter().rect_filled(head, 0.0, ui.visuals().panel_fill);
         let (left, right) = head.split_left_right_at_fraction(0.5);
         let inside = |rect: Rect| UiBuilder::new().max_rect(rect.shrink2(vec2(14.0, 4.0)));
