@@ -70,8 +70,8 @@ impl Description {
 pub struct TrainingFile {
     /// Its name, without `.csv`.
     pub name: &'static str,
-    /// Its contents.
-    pub text: &'static str,
+    /// Its rows, as `training/compile.rs` writes them.
+    pub rows: &'static [u8],
 }
 
 /// Exponents of the laws of scale: size² · rate = K · e^(`level` · (l₀ − level)) ÷ ratio^`ratio`.

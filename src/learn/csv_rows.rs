@@ -41,7 +41,7 @@ fn numbers(system: &Description, row: &Row) -> Option<Vec<f64>> {
 }
 
 /// The row with these numbers, which are in the order of the columns of `system`.
-fn row(system: &Description, seed: u64, numbers: &[f64]) -> Row {
+pub(super) fn row(system: &Description, seed: u64, numbers: &[f64]) -> Row {
     let find = |kind| {
         let place = system.columns.iter().position(|column| column.kind == kind)?;
         numbers.get(place).copied()
@@ -78,7 +78,11 @@ fn row(system: &Description, seed: u64, numbers: &[f64]) -> Row {
 }
 
 /// The position of each column (seed first) in the file.
-fn places(system: &Description, file: &str, header: &StringRecord) -> Result<Vec<usize>, TrainingError> {
+pub(super) fn places(
+    system: &Description,
+    file: &str,
+    header: &StringRecord,
+) -> Result<Vec<usize>, TrainingError> {
     let names: Vec<&str> =
         std::iter::once(SEED.name).chain(system.columns.iter().map(|column| column.name)).collect();
     let wrong =

@@ -39,7 +39,7 @@ const fn system(
 
 macro_rules! file {
     ($name:literal) => {
-        TrainingFile { name: $name, text: include_str!(concat!("../../training/", $name, ".csv")) }
+        TrainingFile { name: $name, rows: include_bytes!(concat!(env!("OUT_DIR"), "/", $name, ".rows")) }
     };
 }
 

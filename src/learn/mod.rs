@@ -22,6 +22,7 @@
 mod answer;
 mod ask;
 mod bandwidth;
+mod compiled_rows;
 mod coordinates;
 mod coverage;
 mod csv_rows;

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
+use super::compiled_rows::compiled_rows;
 use super::coverage::Limit;
 use super::csv_rows::read_rows;
 use super::manifest::Manifest;
@@ -59,10 +60,10 @@ impl TrainingSet {
     /// # Errors
     /// [`TrainingError`], only if the program was built from a broken file.
     pub fn embedded(system: &'static Description) -> Result<Self, TrainingError> {
-        let named = |file: &TrainingFile| (format!("training/{}.csv (compiled in)", file.name), file.text);
+        let named = |file: &TrainingFile| (format!("training/{}.csv (compiled in)", file.name), file.rows);
         let mut rows = Vec::new();
-        for (name, text) in system.training.iter().map(named) {
-            rows.extend(read_rows(system, &name, text.as_bytes())?);
+        for (name, of_file) in system.training.iter().map(named) {
+            rows.extend(compiled_rows(system, &name, of_file)?);
         }
         Self::new(system, rows, system.neighbours)
     }

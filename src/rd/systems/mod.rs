@@ -14,7 +14,7 @@ macro_rules! embedded {
     ($($name:literal),*) => {
         &[$($crate::attributes::system::TrainingFile {
             name: $name,
-            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/training/", $name, ".csv")),
+            rows: include_bytes!(concat!(env!("OUT_DIR"), "/", $name, ".rows")),
         }),*]
     };
 }
