@@ -75,7 +75,7 @@ mod tests {
         let whole = system.training[0].rows;
         let message = |bytes: &[u8]| compiled_rows(system, "x", bytes).unwrap_err().to_string();
         assert!(message(&whole[..whole.len() - 3]).contains("cut off"));
-        assert!(message(b"seed,width\n").contains("missing"));
+        assert!(message(b"seed,area\n").contains("missing"));
         assert!(message(b"").contains("no header"));
         let mut other = whole.to_vec();
         // The last number but one of the last row is no length any more.

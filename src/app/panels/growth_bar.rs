@@ -1,6 +1,6 @@
 //! The bar above the texture: the state of the growth, pause, stop, seed, alternatives.
 
-use egui::{Align, DragValue, Label, Layout, ProgressBar, RichText, Ui, vec2};
+use egui::{Align, DragValue, Label, Layout, ProgressBar, Response, RichText, Ui, vec2};
 
 use crate::app::action::Action;
 use crate::app::growth::{Growth, Phase};
@@ -50,6 +50,8 @@ pub fn growth_bar(
 
 /// Width beside the buttons from which the title is shown, points: the state of the growth finds room beside it.
 const TITLED: f32 = 150.0;
+/// Width that the words about a finished growth need, points.
+const SPELLED_OUT: f32 = 90.0;
 
 fn seed(ui: &mut Ui, mut seed: u64) -> Option<Action> {
     let mut action = None;
@@ -113,12 +115,15 @@ fn phase(ui: &mut Ui, growth: &Growth) {
             said(ui, "finished");
         }
         Phase::Settled(time) => {
-            said(ui, &format!("finished in {:.1} s", time.as_secs_f64()));
+            let seconds = format!("{:.1} s", time.as_secs_f64());
+            let whole = format!("finished in {seconds}");
+            let finds_room = ui.available_width() >= SPELLED_OUT;
+            said(ui, if finds_room { &whole } else { &seconds }).on_hover_text(&whole);
         }
     }
 }
 
 /// A text that is cut where it finds no room.
-fn said(ui: &mut Ui, text: &str) {
-    ui.add(Label::new(RichText::new(text).weak()).truncate());
+fn said(ui: &mut Ui, text: &str) -> Response {
+    ui.add(Label::new(RichText::new(text).weak()).truncate())
 }
