@@ -4,6 +4,7 @@
 
 mod crossings;
 mod hidden;
+mod narrow;
 mod outlines;
 mod sizes;
 
@@ -52,6 +53,13 @@ pub enum Problem {
     CrossesItself,
     /// Lines of one layer cross.
     CrossEachOther,
+    /// Spots are narrower than any can be grown: how many, and the aspect of the narrowest.
+    Narrow {
+        /// How many.
+        spots: usize,
+        /// Minor ÷ major radius of the narrowest.
+        least: f64,
+    },
     /// The spots of a layer have two sizes: how many, and their mean area, px²; the small ones, then the large ones.
     TwoSizes([(usize, f64); 2]),
 }
@@ -70,6 +78,7 @@ impl Problem {
             Self::CrossEachOther => format!(
                 "these lines cross each other{at}: stripes have one direction at each place; use two layers"
             ),
+            Self::Narrow { spots, least } => narrow::in_words(*spots, *least),
             Self::TwoSizes([small, large]) => format!(
                 "the spots of this layer have two sizes: {} of about {} and {} of about {}. One layer has one spacing for \
                  both; put the {} on a layer of their own",
@@ -118,6 +127,7 @@ pub fn sketch_notes(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Ske
     for (index, (layer, marks)) in document.layers.iter().zip(marks).enumerate() {
         let found = outlines::notes(layer).into_iter();
         let found = found.chain(crossings::notes(layer, marks)).chain(sizes::note(marks));
+        let found = found.chain(narrow::note(marks));
         notes.extend(found.map(|note| SketchNote { layer: Some(index), ..note }));
     }
     notes

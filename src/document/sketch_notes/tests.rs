@@ -51,6 +51,16 @@ fn an_outline_far_from_an_ellipse_is_told_with_how_far() {
 }
 
 #[test]
+fn spots_narrower_than_any_that_grow_are_told_together() {
+    let spot = |x: f64, minor: f64| Stroke::ellipse([x, 50.0], [40.0, minor], 90.0);
+    let told = notes(vec![Layer::new([spot(50.0, 3.0), spot(150.0, 6.1), spot(250.0, 4.0)])]);
+    let [note] = &told[..] else { panic!("{told:?}") };
+    assert_eq!((note.layer, &note.strokes[..]), (Some(0), &[0, 2][..]));
+    assert!(note.text.contains("0.07") && note.text.contains("0.15 times"), "{note}");
+    assert!(notes(vec![Layer::new([spot(50.0, 6.0), spot(150.0, 39.0)])]).is_empty());
+}
+
+#[test]
 fn crossings_are_told_with_their_places() {
     let eight = Stroke::path([[10.0, 10.0], [50.0, 50.0], [50.0, 10.0], [10.0, 50.0]], 5.0);
     let across = [

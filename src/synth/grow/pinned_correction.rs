@@ -5,6 +5,7 @@
 //! A correction takes little time beside the growth: the pattern has settled, and only the spots that differ change.
 
 use crate::attributes::regions::RegionGrid;
+use crate::learn::NARROWEST;
 use crate::marks::Ellipse;
 use crate::measure::Spot;
 use crate::synth::grow::merged_spots::MergedSpots;
@@ -70,10 +71,11 @@ impl PinnedCorrection {
         let pinned = plan.pinned_spots();
         let mut correction = Self::default();
         for (index, (mark, spot)) in pinned.iter().zip(matched(pinned, layout, grown)).enumerate() {
-            let Some(spot) = spot else {
+            let Some(spot) = spot.filter(|spot| !is_two_side_by_side(mark, spot)) else {
                 correction.lost.push(index);
                 correction.error += 1.0;
-                correction.added.push(if is_split(mark, layout, grown) { SPLIT } else { CROWDED });
+                let split = spot.is_some() || is_split(mark, layout, grown);
+                correction.added.push(if split { SPLIT } else { CROWDED });
                 continue;
             };
             let by = difference(mark, spot);
@@ -211,6 +213,14 @@ fn is_split(mark: &PinnedMark, layout: &RegionGrid, grown: &[Spot]) -> bool {
     grown.iter().filter(near).count() >= 2
 }
 
+/// A spot with this many times the aspect of the drawn one is two narrow ones side by side.
+const DOUBLED: f64 = 1.7;
+
+/// Whether a grown spot is two halves of a narrow one, which touch along their length.
+fn is_two_side_by_side(mark: &PinnedMark, grown: &Spot) -> bool {
+    grown.whole && grown.ellipse.aspect() > DOUBLED * mark.drawn.aspect().max(NARROWEST)
+}
+
 /// The change of the parameters that takes a spot that has `grown` so to the one drawn. Of one that the border cuts only the
 /// area of the visible part is known.
 fn difference(mark: &PinnedMark, grown: &Spot) -> NodeOffset {
@@ -219,11 +229,12 @@ fn difference(mark: &PinnedMark, grown: &Spot) -> NodeOffset {
     if !grown.whole {
         return [larger, 0.0, 0.0, 0.0];
     }
-    let shape = |ellipse: &Ellipse| {
-        let (long, double) = (-libm::log(ellipse.aspect()), (2.0 * ellipse.major_angle()).to_radians());
+    let shape = |ellipse: &Ellipse, aspect: f64| {
+        let (long, double) = (-libm::log(aspect), (2.0 * ellipse.major_angle()).to_radians());
         [long * libm::cos(double), long * libm::sin(double)]
     };
-    let [[c, s], [got_c, got_s]] = [shape(drawn), shape(got)];
+    // Asked for a smaller aspect than any spot can have, it would split in two.
+    let [[c, s], [got_c, got_s]] = [shape(drawn, drawn.aspect().max(NARROWEST)), shape(got, got.aspect())];
     [larger, c - got_c, s - got_s, 0.0]
 }
 
