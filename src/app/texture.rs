@@ -56,6 +56,12 @@ impl TextureView {
         self.texture.is_some() && self.repeats != self.tiled
     }
 
+    /// px of the picture for each px of the canvas, along a side, at which no px is magnified on the screen; at most 4.
+    #[must_use]
+    pub fn fineness(&self, pixels_per_point: f32) -> usize {
+        ((self.view.zoom * pixels_per_point - 0.25).ceil() as usize).clamp(1, 4)
+    }
+
     /// Shows the texture of a canvas of `size` px in `room`.
     ///
     /// `badges`: signs at what has not grown as it was drawn.

@@ -185,9 +185,12 @@ fn is_painted(hand: &Hand) -> bool {
     let (Some(texture), Some(picture)) = (window.settled(), window.growth().picture.as_ref()) else {
         return false;
     };
+    // A magnified canvas has several px of the picture for each of its own.
+    let scale = picture.image.size[0] / texture.grown.size[0] as usize;
     let rgb =
-        dapple::internals::synth::render::painting::Painting::new(&window.document(), &texture.grown, 1)
+        dapple::internals::synth::render::painting::Painting::new(&window.document(), &texture.grown, scale)
             .rgb();
+    assert_eq!(3 * picture.image.pixels.len(), rgb.len());
     picture.image.pixels.iter().zip(rgb.chunks_exact(3)).all(|(px, rgb)| px.to_array()[..3] == *rgb)
 }
 

@@ -1,6 +1,6 @@
 //! The work of the growth thread: one growth of one document, with pictures on the way.
 
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -43,6 +43,8 @@ pub(super) struct Shared {
     pool: Mutex<Option<(usize, Arc<ThreadPool>)>>,
     /// Least time between two pictures, ms.
     between: AtomicU32,
+    /// px of a settled picture for each px of the canvas, along a side; 0 = 1.
+    fineness: AtomicUsize,
 }
 
 impl Shared {
@@ -51,6 +53,16 @@ impl Shared {
         let [least, most] = BETWEEN_PICTURES;
         let between = (1e3 * FRAMES_BETWEEN * frame) as u32;
         self.between.store(between.clamp(least, most), Ordering::Relaxed);
+    }
+
+    /// Paints settled pictures with so many px for each px of the canvas, along a side. Returns whether that is new.
+    pub(super) fn set_fineness(&self, fineness: usize) -> bool {
+        self.fineness.swap(fineness.max(1), Ordering::Relaxed) != fineness.max(1)
+    }
+
+    /// px of a settled picture for each px of the canvas, along a side.
+    pub(super) fn fineness(&self) -> usize {
+        self.fineness.load(Ordering::Relaxed).max(1)
     }
 
     /// Least time between two pictures.
@@ -190,7 +202,7 @@ impl Job {
     fn send_settled(&self, worker: &Worker<News>, grown: Grown, reused: usize) {
         let texture = Texture { document: self.live.coloured(), grown: Arc::new(grown) };
         self.shared.set_reusable(Arc::clone(&texture.grown));
-        let picture = Picture::settled(&texture);
+        let picture = Picture::settled(&texture, self.shared.fineness());
         worker.send(News::Settled(texture, picture, reused));
     }
 }

@@ -54,7 +54,7 @@ pub struct Growth {
     live: Option<Arc<Live>>,
     /// The growth before, which is cancelled and may still run for a moment.
     ending: Option<Ending>,
-    /// The painting of the settled texture in other colours, and the document it paints.
+    /// The painting of the settled texture in other colours or at another fineness, and the document it paints.
     painting: Option<(Arc<Document>, Task<Picture>)>,
     /// The next document, grown elsewhere.
     known: Option<Arc<Grown>>,
@@ -107,6 +107,14 @@ impl Growth {
     /// Takes fewer pictures of what grows where a frame of the window takes long, seconds.
     pub fn set_pace(&self, frame: f32) {
         self.shared.set_pace(frame);
+    }
+
+    /// Paints the settled picture with so many px for each px of the canvas, along a side: as many as it has on the screen
+    /// where it is magnified, so that edges stay sharp. Pictures of more than 2,048 px a side are not painted finer.
+    pub fn set_fineness(&mut self, fineness: usize) {
+        if self.shared.set_fineness(fineness) {
+            self.paint();
+        }
     }
 
     /// Sets the number of threads of the next growths; `None` = one less than there are cores. The texture does not
@@ -185,16 +193,17 @@ impl Growth {
         let Some(texture) = self.texture.clone().filter(|_| self.painting.is_none()) else { return };
         let document = Arc::clone(&texture.document);
         let (shared, threads) = (Arc::clone(&self.shared), self.threads);
+        let fineness = shared.fineness();
         let work = {
             let texture = texture.clone();
             move |worker: &Worker<Picture>| {
-                shared.install(threads, || worker.send(Picture::settled(&texture)));
+                shared.install(threads, || worker.send(Picture::settled(&texture, fineness)));
             }
         };
         match self.tasks.start("painting", work) {
             Ok(task) => self.painting = Some((document, task)),
             // Without a thread the window waits for it.
-            Err(_) => self.picture = Some(Picture::settled(&texture)),
+            Err(_) => self.picture = Some(Picture::settled(&texture, fineness)),
         }
     }
 
@@ -299,12 +308,13 @@ impl Growth {
                 // Its colours may have been changed in the meantime.
                 let changed = self.asked.as_ref().filter(|asked| **asked != *texture.document);
                 let document = changed.map(|asked| Arc::new(asked.clone()));
-                self.texture = Some(texture);
+                let is_current = document.is_none() && picture.fineness == self.shared.fineness();
+                let document = document.unwrap_or_else(|| Arc::clone(&texture.document));
+                self.texture = Some(Texture { document, ..texture });
                 self.picture = Some(picture);
                 self.reused = reused;
                 self.phase = Phase::Settled(self.since.elapsed());
-                if let (Some(document), Some(texture)) = (document, &mut self.texture) {
-                    texture.document = document;
+                if !is_current {
                     self.paint();
                 }
             }
@@ -323,8 +333,10 @@ impl Growth {
         if picture.is_none() && !task.has_ended() {
             return false;
         }
-        let is_current =
+        let same_document =
             self.texture.as_ref().is_some_and(|texture| Arc::ptr_eq(&texture.document, document));
+        let fineness = self.shared.fineness();
+        let is_current = same_document && picture.as_ref().is_none_or(|picture| picture.fineness == fineness);
         self.painting = None;
         let is_new = picture.is_some();
         self.picture = picture.or(self.picture.take());
@@ -370,7 +382,7 @@ mod tests {
     }
 
     #[test]
-    fn the_latest_document_wins_and_colours_are_changed_without_growing() {
+    fn the_latest_document_wins_and_colours_and_fineness_are_changed_without_growing() {
         let mut growth = Growth::new(Tasks::default());
         growth.grow(&Document { seed: 7, ..spot() });
         growth.grow(&spot());
@@ -390,6 +402,20 @@ mod tests {
         growth.grow(&other);
         wait(&mut growth, &|growth| growth.painting.is_none());
         assert_eq!(growth.generation(), generation);
-        assert_ne!(growth.picture.unwrap().image.pixels, before.pixels);
+        assert_ne!(growth.picture.as_ref().unwrap().image.pixels, before.pixels);
+        assert_eq!(before.size, [64, 64]);
+        for fineness in [2, 4, 1] {
+            growth.set_fineness(fineness);
+            wait(&mut growth, &|growth| growth.painting.is_none());
+            assert_eq!(growth.picture.as_ref().unwrap().image.size, [fineness * 64; 2]);
+        }
+        growth.set_fineness(3);
+        growth.again(&spot());
+        wait(&mut growth, &|growth| matches!(growth.phase, Phase::Settled(_)));
+        assert_eq!(
+            growth.picture.unwrap().image.size,
+            [192; 2],
+            "the first settled picture is that fine already"
+        );
     }
 }

@@ -13,6 +13,8 @@ use crate::synth::render::painting::Painting;
 const LONGEST: usize = 4096;
 /// px a cell in pictures of a growing pattern; the graphics card interpolates between them.
 const FINENESS: usize = 2;
+/// The longest side of a settled picture with several px for each px of the canvas: larger ones take long to load.
+const MAGNIFIED: usize = 2048;
 
 /// A picture of a texture.
 #[derive(Clone)]
@@ -25,6 +27,8 @@ pub struct Picture {
     pub settled: bool,
     /// Whether no px is transparent.
     pub is_opaque: bool,
+    /// The fineness that was asked for, see [`Growth::set_fineness`](super::Growth::set_fineness).
+    pub(super) fineness: usize,
 }
 
 impl Picture {
@@ -36,11 +40,13 @@ impl Picture {
         Self::from_painting(&Painting::growing(document, look, size), document, false)
     }
 
-    /// The picture of a settled texture.
-    pub(super) fn settled(texture: &Texture) -> Self {
-        let mut painting = Painting::new(&texture.document, &texture.grown, 1);
+    /// The picture of a settled texture, with `fineness` px for each px of the canvas along a side where that is not too many.
+    pub(super) fn settled(texture: &Texture, fineness: usize) -> Self {
+        let side = texture.grown.size.map(|side| side as usize).into_iter().fold(1, usize::max);
+        let scale = fineness.min(MAGNIFIED / side).max(1);
+        let mut painting = Painting::new(&texture.document, &texture.grown, scale);
         painting.size = fitting(painting.size, [LONGEST; 2]);
-        Self::from_painting(&painting, &texture.document, true)
+        Self { fineness, ..Self::from_painting(&painting, &texture.document, true) }
     }
 
     /// The picture of the lowest `count` layers of a settled texture, at most `longest` px a side.
@@ -53,7 +59,7 @@ impl Picture {
 
     fn from_painting(painting: &Painting, document: &Document, settled: bool) -> Self {
         let image = Arc::new(image(painting));
-        Self { image, canvas: document.size, settled, is_opaque: painting.is_opaque() }
+        Self { image, canvas: document.size, settled, is_opaque: painting.is_opaque(), fineness: 1 }
     }
 }
 

@@ -16,20 +16,7 @@ use crate::editor::task::StartError;
 impl Window {
     /// Shows a whole frame.
     pub fn ui(&mut self, ui: &mut Ui) {
-        let settling = self.growth.is_growing();
-        let first = self.growth.first_picture;
-        if self.growth.listen() {
-            self.texture.take(ui, self.growth.picture.as_ref());
-            if let (None, Some(took)) = (first, self.growth.first_picture) {
-                self.trace.event("first picture", took);
-            }
-            if let (true, Phase::Settled(took)) = (settling, &self.growth.phase) {
-                self.trace.event("settled", *took);
-            }
-        }
-        if self.texture.is_outdated() {
-            self.texture.take(ui, self.growth.picture.as_ref());
-        }
+        self.take_picture(ui);
         let underlay = self.canvas.underlay.follow(ui, &self.session, &self.growth, &self.tasks);
         self.report(underlay.err());
         self.listen(ui);
@@ -77,6 +64,25 @@ impl Window {
         self.focus_frame(ui);
         self.menu_open = ui.any_popup_open();
         self.entitle(ui);
+    }
+
+    /// Takes the newest picture of the growth.
+    fn take_picture(&mut self, ui: &Ui) {
+        self.growth.set_fineness(self.texture.fineness(ui.pixels_per_point()));
+        let settling = self.growth.is_growing();
+        let first = self.growth.first_picture;
+        if self.growth.listen() {
+            self.texture.take(ui, self.growth.picture.as_ref());
+            if let (None, Some(took)) = (first, self.growth.first_picture) {
+                self.trace.event("first picture", took);
+            }
+            if let (true, Phase::Settled(took)) = (settling, &self.growth.phase) {
+                self.trace.event("settled", *took);
+            }
+        }
+        if self.texture.is_outdated() {
+            self.texture.take(ui, self.growth.picture.as_ref());
+        }
     }
 
     /// Shows the column on the right and the status line at their places, after sketch and texture.
