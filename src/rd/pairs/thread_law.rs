@@ -33,8 +33,8 @@ impl Threads {
     /// `uncovered` of them free, 0..1; `None` where no size keeps them: the threshold is too high, or they are too dense.
     #[must_use]
     pub fn size(&self, model: &PairModel, threshold: f64, uncovered: f64) -> Option<f64> {
-        let (ratio, wanted) = (f64::from(model.ratio), threshold * f64::from(model.peak_gain()));
-        let lacks = |s: f64| uncovered * (self.edge(s) - self.edge(ratio * s)) - wanted;
+        let wanted = threshold * f64::from(model.peak_gain());
+        let lacks = |s: f64| self.difference_at_edge(model, s, uncovered) - wanted;
         // The difference rises with the size from 0 to its largest, where lines stop to be stable: the first size is the one.
         let [mut below, most] = Self::SIZES.map(|size| size * self.width);
         const STEP: f64 = 1.05;
@@ -50,6 +50,13 @@ impl Threads {
             *(if lacks(middle) < 0.0 { &mut below } else { &mut above }) = middle;
         }
         Some(above)
+    }
+
+    /// The difference C₊ − C₋ of a pair of size `s` at the edges of these threads, at k = 1, where the other threads leave the
+    /// share `uncovered` of them free.
+    #[must_use]
+    pub fn difference_at_edge(&self, model: &PairModel, s: f64, uncovered: f64) -> f64 {
+        uncovered * (self.edge(s) - self.edge(f64::from(model.ratio) * s))
     }
 
     /// E(ℓ): the blur at the edge of a line, where the reaction in it is 1.
