@@ -11,6 +11,7 @@
 //! of threads: the supersampled grid is always cut into the same bands of rows, and sums are taken in their order.
 
 mod directions;
+mod edge_directions;
 mod errors;
 mod marching_squares;
 mod node_mask;
@@ -23,6 +24,7 @@ mod supersampled_grid;
 mod texture_check;
 
 pub use directions::{Deviation, Directions};
+pub use edge_directions::edge_directions;
 pub use errors::{SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};
 pub use otsu::level_between_phases;
 pub use picture::{Picture, picture};

@@ -19,6 +19,7 @@ mod local_warp;
 mod maps;
 mod nuclei;
 mod nucleus;
+pub mod pairs;
 mod plane;
 mod problem;
 mod prolongation;

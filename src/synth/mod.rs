@@ -5,6 +5,7 @@ pub mod estimate;
 pub mod grow;
 pub mod import;
 pub mod measured_picture;
+pub mod measured_weave;
 pub mod memory;
 mod options;
 pub mod phases;

@@ -1,0 +1,109 @@
+//! The reactions of `N` morphogens: C₊ and C₋ of the first pair, then of the second, and so on.
+
+use super::{Combination, PairModel};
+use crate::rd::chemicals::{Chemicals, reacting};
+use crate::rd::kinetics::{Kinetics, Spreading};
+use crate::rd::plane::Plane;
+use crate::rd::vector::Number;
+
+/// Each of the first `moving` morphogens spreads by a tensor of its own, the others not at all.
+const fn spreading<const N: usize>(moving: usize) -> [Spreading; N] {
+    let mut all = [Spreading::Still; N];
+    let mut i = 0;
+    while i < moving {
+        all[i] = Spreading::Tensor { tensor: i, mobility: 0 };
+        i += 1;
+    }
+    all
+}
+
+/// The reaction of a system of pairs.
+#[derive(Clone, Copy, Debug)]
+struct PairReaction<const N: usize> {
+    model: PairModel,
+    /// θ, w and k at the current time.
+    threshold: f32,
+    half_width: f32,
+    gain: f32,
+}
+
+impl<const N: usize> PairReaction<N> {
+    fn new(model: PairModel) -> Self {
+        Self { model, threshold: 0.0, half_width: 1.0, gain: 1.0 }.at(0.0)
+    }
+}
+
+impl<const N: usize> Kinetics<N> for PairReaction<N> {
+    const SPREAD: [Spreading; N] = spreading(N);
+
+    fn at(&self, time: f64) -> Self {
+        let gain = self.model.gain.at(time);
+        let unit = self.model.peak_gain() * gain;
+        let threshold = unit * self.model.threshold.at(time);
+        Self { threshold, half_width: unit * self.model.softness, gain, ..*self }
+    }
+
+    #[inline(always)]
+    fn react<V: Number>(&self, c: [V; N]) -> [V; N] {
+        let mut largest = c[0] - c[1];
+        let mut least = largest;
+        for pair in 1..N / 2 {
+            let difference = c[2 * pair] - c[2 * pair + 1];
+            largest = largest.larger(difference);
+            least = least.smaller(difference);
+        }
+        let x = match self.model.combination {
+            Combination::Maximum => largest,
+            Combination::DifferenceOfAbsolutes => largest.absolute() - least.absolute(),
+        };
+        let r = V::splat(self.gain) * x.soft_step(V::splat(self.threshold), V::splat(self.half_width));
+        let mut change = c;
+        for change in &mut change {
+            *change = r - *change;
+        }
+        change
+    }
+}
+
+/// The same with a reaction that is held: it is the last plane.
+#[derive(Clone, Copy, Debug)]
+struct HeldReaction<const N: usize>;
+
+impl<const N: usize> Kinetics<N> for HeldReaction<N> {
+    const SPREAD: [Spreading; N] = spreading(N - 1);
+
+    #[inline(always)]
+    fn react<V: Number>(&self, c: [V; N]) -> [V; N] {
+        let mut change = [V::splat(0.0); N];
+        for i in 0..N - 1 {
+            change[i] = c[N - 1] - c[i];
+        }
+        change
+    }
+}
+
+/// The planes of one to five pairs with the reaction of `model`; `None` for another number of planes.
+#[must_use]
+pub(super) fn reacting_pairs(model: PairModel, planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
+    match planes.len() {
+        2 => reacting(PairReaction::<2>::new(model), planes),
+        4 => reacting(PairReaction::<4>::new(model), planes),
+        6 => reacting(PairReaction::<6>::new(model), planes),
+        8 => reacting(PairReaction::<8>::new(model), planes),
+        10 => reacting(PairReaction::<10>::new(model), planes),
+        _ => None,
+    }
+}
+
+/// The planes of one to five pairs and one of the reaction, which is held; `None` for another number of planes.
+#[must_use]
+pub(super) fn held_pairs(planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
+    match planes.len() {
+        3 => reacting(HeldReaction::<3>, planes),
+        5 => reacting(HeldReaction::<5>, planes),
+        7 => reacting(HeldReaction::<7>, planes),
+        9 => reacting(HeldReaction::<9>, planes),
+        11 => reacting(HeldReaction::<11>, planes),
+        _ => None,
+    }
+}

@@ -1,0 +1,161 @@
+//! Systems of pairs of morphogens: weaves, mazes, cells, pair stripes and stucco.
+//!
+//! ∂C₊/∂t = ∇·(A₊∇C₊) − b C₊ + R        A₊ = [θ, e·s, s]
+//! ∂C₋/∂t = ∇·(A₋∇C₋) − b C₋ + R        A₋ = [θ, e·s, d·s]
+//!
+//! [θ, p, q] is the tensor with the rate p² along the direction θ and q² across it. The pair i has a direction θᵢ and a size
+//! sᵢ at each cell; all pairs share one R. Dᵢ = C₊ − C₋ of pair i is a difference of two blurs of R: it is positive in a band of R
+//! along θᵢ, and negative beside it. R is a soft step of one number X, made of all Dᵢ ([`Combination`]).
+//!
+//! A. Witkin & M. Kass, "Reaction-diffusion textures", SIGGRAPH 1991, equations 3 to 8, with `facts.md` H and T. Here b = 1: time is
+//! counted in 1/b. The gain k scales C alone. K₀ = (d − 1)/(d + 1) is the largest gain from R to D at k = 1; thresholds and
+//! softness are given in K₀ · k.
+
+mod growth;
+mod kinetics;
+mod start;
+mod thread_law;
+
+#[cfg(test)]
+mod tests;
+
+pub use growth::PairGrowth;
+pub use start::PairStart;
+pub use thread_law::{Threads, weave_threshold};
+
+use crate::grid::Grid;
+
+/// How the differences Dᵢ of all pairs make up the number X whose soft step is the reaction R.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Combination {
+    /// X = max Dᵢ: lines of all directions cross (their "maximum of differences"); of one pair stripes, or cells.
+    Maximum,
+    /// X = |max Dᵢ| − |min Dᵢ|: lines of different directions exclude each other (their "difference of absolute values").
+    DifferenceOfAbsolutes,
+}
+
+/// A number that changes with time, counted in 1/b from the beginning.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Course {
+    /// Always this.
+    Constant(f32),
+    /// Zero until `first`, then ¼, ½ and ¾ of the last value for `each` of time, then the last value.
+    Ramp {
+        /// The last value.
+        to: f32,
+        /// How long it is zero.
+        first: f32,
+        /// How long it is ¼, ½ and ¾ of the last.
+        each: f32,
+    },
+    /// `from` · e^(−rate · t) until the time `until`, then constant.
+    Decay {
+        /// The first value.
+        from: f32,
+        /// How fast it falls.
+        rate: f32,
+        /// How long it falls.
+        until: f32,
+    },
+}
+
+impl Course {
+    /// The value at a time.
+    #[must_use]
+    pub fn at(self, time: f64) -> f32 {
+        match self {
+            Self::Constant(value) => value,
+            Self::Ramp { to, first, each } => {
+                let [first, each] = [first, each].map(f64::from);
+                let quarters = if time < first { 0.0 } else { 1.0 + ((time - first) / each).floor() };
+                to * quarters.min(4.0) as f32 / 4.0
+            }
+            Self::Decay { from, rate, until } => {
+                from * libm::exp(-f64::from(rate) * time.min(f64::from(until))) as f32
+            }
+        }
+    }
+
+    /// The time after which it is constant.
+    #[must_use]
+    pub fn end(self) -> f64 {
+        match self {
+            Self::Constant(_) => 0.0,
+            Self::Ramp { first, each, .. } => f64::from(first) + 3.0 * f64::from(each),
+            Self::Decay { until, .. } => f64::from(until),
+        }
+    }
+}
+
+/// The reaction and the shape of the kernels, the same at every cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairModel {
+    /// How the differences make up the reaction.
+    pub combination: Combination,
+    /// e: how much longer than wide the blurs are, 1..6.
+    pub elongation: f32,
+    /// d: how much wider the blur of C₋ is than that of C₊ across the direction, above 1. 1.5 gives clean stripes.
+    pub ratio: f32,
+    /// θ/K₀k: the difference at which the reaction is half. It sets the share that is covered: 0 = half.
+    pub threshold: Course,
+    /// w/K₀k: half the width of the soft step.
+    pub softness: f32,
+    /// k: the reaction at most.
+    pub gain: Course,
+}
+
+impl PairModel {
+    /// K₀ = (d − 1)/(d + 1): the largest gain from R to a difference, at k = 1.
+    #[must_use]
+    pub fn peak_gain(&self) -> f32 {
+        (self.ratio - 1.0) / (self.ratio + 1.0)
+    }
+
+    /// Λ/s = 2π√d: the wavelength with that gain, for pairs of size 1.
+    #[must_use]
+    pub fn wavelength(&self) -> f64 {
+        std::f64::consts::TAU * f64::from(self.ratio).sqrt()
+    }
+
+    /// The softness w/K₀ for pairs whose smallest size is `s` cells, and the threshold θ/K₀: 1/(3s) makes the edge of the
+    /// reaction one cell wide, since edges do not move over the grid where it is harder; but where it is softer than the
+    /// threshold is high, the ground grows lines of its own.
+    #[must_use]
+    pub fn softness_for(s: f32, threshold: f32) -> f32 {
+        (1.0 / (3.0 * s)).min(STABLE_GROUND * threshold)
+    }
+}
+
+/// w ÷ θ at which the ground stays empty (`facts.md` T).
+const STABLE_GROUND: f32 = 0.7;
+
+/// Direction and size of one pair at each cell.
+#[derive(Clone, Debug)]
+pub struct PairField {
+    /// θ: direction of its lines, degrees from +x towards +y, by cell.
+    pub direction: Vec<f32>,
+    /// s: size, cells (√(x · y) of cells that are not square), by cell. 1.5 and more keep edges free of the grid.
+    pub size: Vec<f32>,
+}
+
+impl PairField {
+    /// The same direction and size at each of `cells` cells.
+    #[must_use]
+    pub fn uniform(cells: usize, direction: f32, size: f32) -> Self {
+        Self { direction: vec![direction; cells], size: vec![size; cells] }
+    }
+}
+
+/// One to five pairs on a grid.
+#[derive(Clone, Debug)]
+pub struct PairMaps {
+    /// The cells.
+    pub grid: Grid,
+    /// The pairs, at least one.
+    pub pairs: Vec<PairField>,
+    /// Cells covered by the marks of other layers, by number; empty = none. Nothing grows there.
+    pub obstacles: Vec<bool>,
+}
+
+/// Most pairs of a system: five directions 36° apart make coral and twisty mazes.
+pub const MOST_PAIRS: usize = 5;

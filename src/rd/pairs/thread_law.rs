@@ -1,0 +1,97 @@
+//! The law of the threads of a weave: which size a pair has whose lines are as wide and as far apart as they were drawn.
+//!
+//! Lines of width w that repeat after p are a pulse train. At their edges a blur with the decay length ℓ is
+//!
+//! E(ℓ) = (sinh q − sinh(q − w/ℓ)) ÷ (2 sinh q), q = p ÷ 2ℓ
+//!
+//! and the difference of the pair is E(s) − E(d·s), times the share of each line that no other thread covers, Π (1 − fⱼ) with the
+//! duties fⱼ = wⱼ ÷ pⱼ of the others: a blur is long along its direction, so that it sees the mean of what it crosses. A line
+//! keeps its width where this is the threshold θ. Measured in `facts.md` T.
+
+use super::PairModel;
+
+/// Threads of one direction as they are wanted; any unit of length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Threads {
+    /// Width of a thread.
+    pub width: f64,
+    /// Distance from one to the next.
+    pub period: f64,
+}
+
+impl Threads {
+    /// The share of the canvas that they cover.
+    #[must_use]
+    pub fn duty(&self) -> f64 {
+        self.width / self.period
+    }
+
+    /// The sizes s, in units of the width, between which the size is sought: of lines far apart the width is 1.2 to 13 sizes.
+    const SIZES: [f64; 2] = [0.02, 1.0];
+
+    /// The size s of the pair whose threads these are at a threshold of θ/K₀, where the other threads leave the share
+    /// `uncovered` of them free, 0..1; `None` where no size keeps them: the threshold is too high, or they are too dense.
+    #[must_use]
+    pub fn size(&self, model: &PairModel, threshold: f64, uncovered: f64) -> Option<f64> {
+        let wanted = threshold * f64::from(model.peak_gain());
+        let lacks = |s: f64| self.difference_at_edge(model, s, uncovered) - wanted;
+        // The difference rises with the size from 0 to its largest, where lines stop to be stable: the first size is the one.
+        let [mut below, most] = Self::SIZES.map(|size| size * self.width);
+        const STEP: f64 = 1.05;
+        while lacks(STEP * below) < 0.0 {
+            below *= STEP;
+            if below > most {
+                return None;
+            }
+        }
+        let mut above = STEP * below;
+        for _ in 0..40 {
+            let middle = 0.5 * (below + above);
+            *(if lacks(middle) < 0.0 { &mut below } else { &mut above }) = middle;
+        }
+        Some(above)
+    }
+
+    /// The difference C₊ − C₋ of a pair of size `s` at the edges of these threads, at k = 1, where the other threads leave the
+    /// share `uncovered` of them free.
+    #[must_use]
+    pub fn difference_at_edge(&self, model: &PairModel, s: f64, uncovered: f64) -> f64 {
+        uncovered * (self.edge(s) - self.edge(f64::from(model.ratio) * s))
+    }
+
+    /// E(ℓ): the blur at the edge of a line, where the reaction in it is 1.
+    fn edge(&self, decay: f64) -> f64 {
+        let q = 0.5 * self.period / decay;
+        // sinh(a)/sinh(q) without overflow.
+        let share = |a: f64| (libm::exp(a - q) - libm::exp(-a - q)) / (1.0 - libm::exp(-2.0 * q));
+        0.5 * (1.0 - share(q - self.width / decay))
+    }
+}
+
+/// The highest threshold θ/K₀ at which all threads of a weave are .9 wavelengths Λ apart or farther, with the
+/// size s of each pair: in a denser weave one direction dies, at a lower threshold lines grow where none was drawn.
+///
+/// `None` where there is none: the threads cover too much.
+#[must_use]
+pub fn weave_threshold(model: &PairModel, threads: &[Threads]) -> Option<(f64, Vec<f64>)> {
+    let [least, most] = THRESHOLDS;
+    let uncovered = |index: usize| {
+        let others = threads.iter().enumerate().filter(|(other, _)| *other != index);
+        others.map(|(_, threads)| 1.0 - threads.duty()).product::<f64>()
+    };
+    let steps = ((most - least) / THRESHOLD_STEP).round() as usize;
+    (0..=steps).map(|step| most - THRESHOLD_STEP * step as f64).find_map(|threshold| {
+        let size = |(index, threads): (usize, &Threads)| {
+            let size = threads.size(model, threshold, uncovered(index))?;
+            (threads.period >= DENSEST * model.wavelength() * size).then_some(size)
+        };
+        Some((threshold, threads.iter().enumerate().map(size).collect::<Option<Vec<f64>>>()?))
+    })
+}
+
+/// Period ÷ Λ of the densest threads.
+const DENSEST: f64 = 0.9;
+/// Lowest and highest threshold θ/K₀ of a weave.
+const THRESHOLDS: [f64; 2] = [0.03, 0.2];
+/// Steps in which the threshold is sought.
+const THRESHOLD_STEP: f64 = 0.005;
