@@ -5,7 +5,7 @@
 //! ```
 
 use crate::attributes::{Attributes, Spots};
-use crate::grid::Bounds;
+use crate::grid::{Bounds, turned};
 use crate::marks::Ellipse;
 use crate::synth::plan::error::PlanError;
 use crate::synth::plan::lattice::Node;
@@ -73,11 +73,15 @@ fn own_attributes(around: Spots, ellipse: &Ellipse, room: f64) -> Spots {
 }
 
 /// The distance to the nearest of the `others`, px, as it would be if that had the spot's own size; infinite without any.
+///
+/// It is measured where the spot is round: along a long spot, whose tensor spreads faster that way, others are nearer.
 fn room(ellipse: &Ellipse, others: impl Iterator<Item = Ellipse>, bounds: &Bounds) -> f64 {
     let radius = |ellipse: &Ellipse| (ellipse.radii[0] * ellipse.radii[1]).sqrt();
     let own = radius(ellipse);
     let distance = |other: Ellipse| {
-        let [x, y] = bounds.shortest([0, 1].map(|axis| other.center[axis] - ellipse.center[axis]));
+        let way = bounds.shortest([0, 1].map(|axis| other.center[axis] - ellipse.center[axis]));
+        let away = turned(way, -ellipse.angle);
+        let [x, y] = [0, 1].map(|axis| away[axis] * own / ellipse.radii[axis]);
         (x * x + y * y).sqrt() * 2.0 * own / (own + radius(&other))
     };
     others.map(distance).fold(f64::INFINITY, f64::min)
