@@ -44,6 +44,31 @@ fn each_ellipse_of_an_array_is_there_with_its_size_and_shape() {
 }
 
 #[test]
+fn rows_of_long_ellipses_drawn_end_to_end_grow_whole() {
+    let long = |k: usize| {
+        let place = [40.0 + 50.0 * (k % 8) as f64, 40.0 + 60.0 * (k / 8) as f64];
+        Stroke::ellipse(place, [20.0, 6.0], 0.0)
+    };
+    let (_, marks) = grown((0..56).map(long).collect());
+    assert_there(&marks, 56, 0.2, 0.2, 0.05);
+}
+
+#[test]
+fn a_spot_drawn_narrower_than_any_that_grow_is_not_two_side_by_side() {
+    let narrow = |minor| {
+        [
+            Stroke::ellipse([20.0, 60.0], [40.0, minor], 90.0),
+            Stroke::ellipse([200.0, 200.0], [15.0, 10.0], 0.0),
+        ]
+    };
+    for minor in [2.0, 2.8, 3.2] {
+        let (_, marks) = grown(narrow(minor).to_vec());
+        let Some(Attributes::Spots(got)) = marks[0].got else { panic!("{:?}", marks[0]) };
+        assert!(marks[0].there && (0.14..0.2).contains(&got.aspect), "{:?}", marks[0]);
+    }
+}
+
+#[test]
 fn ellipses_in_a_ring_keep_their_places_and_the_others_follow_the_ring() {
     let ellipse = |k: usize| {
         let angle = std::f64::consts::TAU * k as f64 / 12.0;

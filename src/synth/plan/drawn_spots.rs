@@ -86,3 +86,21 @@ fn room(ellipse: &Ellipse, others: impl Iterator<Item = Ellipse>, bounds: &Bound
     };
     others.map(distance).fold(f64::INFINITY, f64::min)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Edges;
+
+    #[test]
+    fn neighbours_along_a_long_spot_are_nearer_than_those_beside_it() {
+        let bounds = Bounds { size: [400.0, 400.0], edges: Edges::Closed };
+        let spot = |x: f64, y: f64| Ellipse { center: [x, y], radii: [20.0, 5.0], angle: 0.0 };
+        let to = |other: Ellipse| room(&spot(100.0, 100.0), [other].into_iter(), &bounds);
+        assert!((to(spot(150.0, 100.0)) - 25.0).abs() < 1e-9);
+        assert!((to(spot(100.0, 150.0)) - 100.0).abs() < 1e-9);
+        // A larger one leaves less room.
+        let large = Ellipse { radii: [60.0, 15.0], ..spot(150.0, 100.0) };
+        assert!((to(large) - 12.5).abs() < 1e-9);
+    }
+}
