@@ -12,9 +12,9 @@ use crate::marks::{axial, turn};
 const BINS: usize = 360;
 /// Standard deviation of the smoothing, bins.
 const SIGMA: f64 = 6.0;
-/// Peaks nearer than this to a higher one are part of it, degrees.
+/// Peaks nearer than this to a higher one are part of it, degrees: the threads of a weave are 30° apart or more.
 const APART: f64 = 25.0;
-/// Lowest peak ÷ the highest.
+/// Lowest peak ÷ the highest. Threads 45 px apart beside some 11 px apart are below 0.15.
 const LOWEST: f64 = 0.05;
 /// Edges within this of a peak make up its direction, degrees.
 const WINDOW: f64 = 10.0;

@@ -92,7 +92,7 @@ fn fine_regions(field: &Field, level: f32) -> Vec<Region> {
 /// Nodes a cell (each way) for regions of `area` cells.
 ///
 /// With nodes h cells apart, chords and linear crossings cost an area A of the order h² ÷ A; 0.0012 of that was
-/// found to leave errors under 0.1 % (`tests/ruler.rs`).
+/// found to leave errors under 0.1 % (`tests/ruler`).
 fn factor(area: f64) -> usize {
     ((1.0 / (0.0012 * area)).sqrt().ceil() as usize).clamp(2, 8)
 }

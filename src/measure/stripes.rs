@@ -71,7 +71,7 @@ pub fn widths(
     tallies.iter().map(|tally| (tally.contour > 0.0).then(|| 2.0 * tally.area / tally.contour)).collect()
 }
 
-/// Nodes across a stripe: with so many, widths are exact to 0.1 % (`tests/ruler.rs`).
+/// Nodes across a stripe: with so many, widths are exact to 0.1 % (`tests/ruler`).
 const ACROSS: f64 = 12.0;
 /// Nodes a cell each way at most: they are enough for stripes of four cells.
 const FACTOR: f64 = 3.0;

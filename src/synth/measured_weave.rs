@@ -37,9 +37,9 @@ const MODEL: PairModel = PairModel {
 const APART: f64 = 0.92;
 /// Cells of a pair: of fewer the grid shows.
 const CELLS: f64 = 2.5;
-/// Most rounds in which sizes follow the periods; the change of a period, as a share, that needs none.
+/// Most rounds in which sizes follow the measured periods: the first begins from a guess.
 const SIZE_ROUNDS: usize = 4;
-/// See [`SIZE_ROUNDS`].
+/// A change of the period by less than this share needs no further round.
 const SAME_PERIOD: f64 = 0.1;
 /// Rounds in which levels follow the widths.
 const LEVEL_ROUNDS: usize = 8;

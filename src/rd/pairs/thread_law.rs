@@ -89,9 +89,9 @@ pub fn weave_threshold(model: &PairModel, threads: &[Threads]) -> Option<(f64, V
     })
 }
 
-/// Period ÷ Λ of the densest threads.
+/// Period ÷ Λ of the densest threads: nearer ones die (`facts.md` T).
 const DENSEST: f64 = 0.9;
-/// Lowest and highest threshold θ/K₀ of a weave.
+/// Lowest and highest threshold θ/K₀ of a weave: near 0.25 threads were lost (`facts.md` T).
 const THRESHOLDS: [f64; 2] = [0.03, 0.2];
 /// Steps in which the threshold is sought.
 const THRESHOLD_STEP: f64 = 0.005;

@@ -1,0 +1,60 @@
+//! Growths and paintings beside the window.
+
+use super::*;
+use crate::document::{Colours, Layer, Stroke};
+use crate::editor::task::Spawn;
+use crate::marks::Ellipse;
+
+fn spot() -> Document {
+    let ellipse = Ellipse { center: [30.0, 30.0], radii: [8.0, 6.0], angle: 30.0 };
+    let layer = Layer { strokes: vec![Stroke::Ellipse(ellipse)], ..Layer::default() };
+    Document { size: [64, 64], layers: vec![layer], ..Document::default() }
+}
+
+#[test]
+fn a_growth_thread_that_does_not_start_is_reported() {
+    let tasks = Tasks::default().with_spawn(Spawn(|_, _| Err(std::io::Error::other("none left"))));
+    let mut growth = Growth::new(tasks);
+    growth.grow(&spot());
+    let Phase::Failed(why) = &growth.phase else { panic!("{:?}", growth.phase) };
+    assert!(why.contains("growth") && why.contains("none left"), "{why}");
+    assert!(!growth.listen());
+}
+
+#[test]
+fn the_latest_document_wins_and_colours_and_fineness_are_changed_without_growing() {
+    let mut growth = Growth::new(Tasks::default());
+    growth.grow(&Document { seed: 7, ..spot() });
+    growth.grow(&spot());
+    let began = Instant::now();
+    let wait = |growth: &mut Growth, until: &dyn Fn(&Growth) -> bool| {
+        while !until(growth) {
+            growth.listen();
+            assert!(began.elapsed() < Duration::from_secs(60), "{:?}", growth.phase);
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    };
+    wait(&mut growth, &|growth| matches!(growth.phase, Phase::Settled(_)));
+    assert_eq!(growth.texture.as_ref().unwrap().grown.document, spot());
+    let (generation, before) = (growth.generation(), growth.picture.clone().unwrap().image);
+    let mut other = spot();
+    other.layers[0].colours = Some(Colours::default_for_layer(1));
+    growth.grow(&other);
+    wait(&mut growth, &|growth| growth.painting.is_none());
+    assert_eq!(growth.generation(), generation);
+    assert_ne!(growth.picture.as_ref().unwrap().image.pixels, before.pixels);
+    assert_eq!(before.size, [64, 64]);
+    for fineness in [2, 4, 1] {
+        growth.set_fineness(fineness);
+        wait(&mut growth, &|growth| growth.painting.is_none());
+        assert_eq!(growth.picture.as_ref().unwrap().image.size, [fineness * 64; 2]);
+    }
+    growth.set_fineness(3);
+    growth.again(&spot());
+    wait(&mut growth, &|growth| matches!(growth.phase, Phase::Settled(_)));
+    assert_eq!(
+        growth.picture.unwrap().image.size,
+        [192; 2],
+        "the first settled picture is that fine already"
+    );
+}
