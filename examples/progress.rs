@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let watch =
         Watch { progress: &|stage, share| eprintln!("{stage:?}: {:3.0} %", 100.0 * share), ..Watch::NONE };
     let grown = document.grow_with(&Options { watch, ..Options::default() })?;
-    println!("grown in {} steps", grown.layers[0].steps);
+    println!("grown in {} steps", grown.layers[0].steps());
 
     // `cancelled` is asked every few milliseconds. Here the growth stops at its first progress; a program would set the
     // flag when its user presses a button.

@@ -83,7 +83,7 @@ pub mod cli;
 pub use document::{Document, DocumentError, Layer, Stroke};
 pub use export::ExportError;
 pub use grid::Field;
-pub use synth::{Cancelled, GrowError, Grown, GrownLayer, Options, Stage, Watch};
+pub use synth::{Cancelled, GrowError, Grown, GrownLayer, GrownMarks, GrownPairs, Options, Stage, Watch};
 
 /// Looking up the parameters of a reaction-diffusion system without a document.
 pub mod lookup {
@@ -106,7 +106,7 @@ pub mod output {
     pub use crate::synth::render::film::Scene;
     pub use crate::synth::render::outlining::{Outlining, outlines};
     pub use crate::synth::render::painting::{Channel, Making, Painting, Style};
-    pub use crate::synth::report::{LayerReport, RegionReport, Report};
+    pub use crate::synth::report::{LayerReport, RegionReport, Report, ThreadReport};
 }
 
 /// Modules for the tests, benches and training data of this project. They may change at any time.

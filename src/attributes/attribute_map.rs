@@ -1,6 +1,6 @@
 //! What a sketch wants at any place of the canvas: by regions, or by free marks.
 
-use super::free::FreeMap;
+use super::free::{FreeMap, PeriodRules};
 use super::regions::{Region, RegionGrid, RegionMap, RegionsError};
 use super::{Attributes, Polarity, Spots, Spread, Stripes};
 use crate::grid::Edges;
@@ -35,6 +35,19 @@ enum Source {
     Free { map: Box<FreeMap>, layout: RegionGrid, whole: Region },
 }
 
+impl Source {
+    fn of_free(
+        marks: &[Mark],
+        size: [f64; 2],
+        edges: Edges,
+        rules: PeriodRules,
+    ) -> Result<Self, RegionsError> {
+        let map = Box::new(FreeMap::with_periods(marks, size, edges, rules)?);
+        let whole = Region::whole(marks.len(), map.mean(), map.spread());
+        Ok(Self::Free { map, layout: RegionGrid { size, grid: [1, 1], edges }, whole })
+    }
+}
+
 impl AttributeMap {
     /// The map of `marks` on a canvas of `size` px: by [columns, rows] regions, or `None` = by free marks.
     ///
@@ -48,11 +61,26 @@ impl AttributeMap {
     ) -> Result<Self, RegionsError> {
         let source = match regions {
             Some(grid) => Source::Regions(RegionMap::from_marks(marks, size, grid, edges)?),
-            None => {
-                let map = Box::new(FreeMap::from_marks(marks, size, edges)?);
-                let whole = Region::whole(marks.len(), map.mean(), map.spread());
-                Source::Free { map, layout: RegionGrid { size, grid: [1, 1], edges }, whole }
-            }
+            None => Source::of_free(marks, size, edges, PeriodRules::STRIPES)?,
+        };
+        Ok(Self { source, spread_is_given: false, wavelength_is_free: false })
+    }
+
+    /// The map of the threads of one direction of a weave, which cover the share `alone` where nothing else says how far apart
+    /// they are.
+    ///
+    /// # Errors
+    /// As [`Self::from_marks`].
+    pub fn of_threads(
+        marks: &[Mark],
+        size: [f64; 2],
+        regions: Option<[usize; 2]>,
+        edges: Edges,
+        alone: f64,
+    ) -> Result<Self, RegionsError> {
+        let source = match regions {
+            Some(grid) => Source::Regions(RegionMap::from_marks(marks, size, grid, edges)?.with_duty(alone)),
+            None => Source::of_free(marks, size, edges, PeriodRules::threads(alone))?,
         };
         Ok(Self { source, spread_is_given: false, wavelength_is_free: false })
     }

@@ -2,12 +2,13 @@
 
 use super::Error;
 use crate::attributes::free::FreeMap;
-use crate::attributes::{Attributes, Polarity, Spread};
+use crate::attributes::{Attributes, Polarity, Spread, Stripes};
 use crate::document::sketch_notes::notes_on;
 use crate::document::{Document, Layer, Stroke};
 use crate::grid::Edges;
 use crate::learn::Answer;
 use crate::synth::plan::layer_lookup::Start;
+use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::{Lookup, Surroundings, Targets};
 use crate::synth::report::drawn::expected_note;
 use crate::synth::{Training, memory};
@@ -39,7 +40,21 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let mut beneath: Option<Lookup> = None;
     let mut layers = Vec::new();
     let size = document.size.map(f64::from);
-    for index in 0..document.layers.len() {
+    for (index, layer) in document.layers.iter().enumerate() {
+        if layer.system.pairs().is_some() {
+            let plan = PairPlan::read(&document, index, &source, size)?;
+            text += &reach_of_pairs(&plan, index);
+            let too_large = memory::check_pairs(plan.threads.len(), size, plan.grid.size).err();
+            let too_large = too_large.map(|error| format!("cannot be grown on this machine: {error}"));
+            let notes: Vec<String> = too_large.into_iter().chain(plan.notes.iter().cloned()).collect();
+            for note in &notes {
+                // Writing to a String cannot fail.
+                let _ = writeln!(text, "  {note}");
+            }
+            layers.push(pairs_json(layer, &plan, &notes));
+            beneath = None;
+            continue;
+        }
         let targets = Targets::read(&document, index, &source, size, beneath.as_ref())?;
         let plan = targets.look_up(&training).map_err(|error| Error::grown(error.into()))?;
         text += &reach(&plan, index);
@@ -100,11 +115,43 @@ fn layer_json(layer: &Layer, plan: &Lookup, notes: &[String]) -> Value {
         })
     };
     let regions: Vec<Value> = plan.answers.iter().enumerate().filter_map(region).collect();
-    let drawn: Map<String, Value> =
-        counts(layer).into_iter().map(|(name, n)| (name.replace(' ', "_"), json!(n))).collect();
-    json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible, "drawn": drawn,
-        "system": plan.system.name(), "inverted": plan.polarity == Polarity::Negative, "cell": plan.px_a_cell(),
+    json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible,
+        "drawn": drawn(layer), "system": plan.system.name(), "inverted": plan.polarity == Polarity::Negative, "cell": plan.px_a_cell(),
         "grid": plan.grid.size, "regions": regions, "notes": notes})
+}
+
+/// How many strokes of each kind were drawn.
+fn drawn(layer: &Layer) -> Map<String, Value> {
+    counts(layer).into_iter().map(|(name, n)| (name.replace(' ', "_"), json!(n))).collect()
+}
+
+/// What pairs would grow on a layer, and what was asked of each direction.
+fn pairs_json(layer: &Layer, plan: &PairPlan, notes: &[String]) -> Value {
+    let threads = plan.threads.iter();
+    let threads = threads.map(|threads| json!({"lines": threads.lines.len(), "asked": threads.mean()}));
+    json!({"name": layer.name, "after": layer.after.name(), "visible": layer.visible, "drawn": drawn(layer),
+        "system": plan.kind.description().name, "cell": plan.px_a_cell(), "grid": plan.grid.size,
+        "threads": threads.collect::<Vec<_>>(), "notes": notes})
+}
+
+/// What pairs would grow, and what was asked of each direction.
+fn reach_of_pairs(plan: &PairPlan, index: usize) -> String {
+    let [nx, ny] = plan.grid.size;
+    let name = plan.kind.description().name;
+    let mut text =
+        format!("layer {}: grown by {name} on {nx} × {ny} cells of {:.2} px\n", index + 1, plan.px_a_cell());
+    for threads in &plan.threads {
+        let Stripes { width, angle, wavelength } = threads.mean();
+        let apart = wavelength.unwrap_or_default();
+        let lines = threads.lines.len();
+        let plural = if lines == 1 { "" } else { "s" };
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "  threads {width:.1} px wide at {angle:.0}°, {apart:.1} px apart, by {lines} line{plural}"
+        );
+    }
+    text
 }
 
 /// What would be grown, and for each region what was asked and what cannot be met.

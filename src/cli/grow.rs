@@ -267,7 +267,8 @@ impl WrittenReport {
 /// [`MOST_NOTES`] are listed.
 fn notes(layers: &[LayerReport]) -> Vec<String> {
     let mut lines = Vec::new();
-    for LayerReport { name, regions, settled, .. } in layers {
+    for LayerReport { name, regions, notes, settled, .. } in layers {
+        lines.extend(notes.iter().map(|note| format!("{name}: {note}")));
         let mut found: Vec<(&str, Vec<[usize; 2]>)> = Vec::new();
         for region in regions {
             for note in &region.notes {
@@ -333,7 +334,9 @@ mod tests {
             steps: 1,
             settled,
             regions,
+            threads: Vec::new(),
             drawn: Vec::new(),
+            notes: Vec::new(),
             shown: None,
         }
     }

@@ -20,9 +20,9 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     Ok([side(width)?, side(height)?])
 }
 
-/// A system by name; not `auto`, which chooses by the marks of a document.
+/// A system with training rows, by name; not `auto`, which chooses by the marks of a document.
 pub(super) fn system(text: &str) -> Result<SystemChoice, String> {
-    let named = SystemChoice::NAMES.iter().filter(|(_, system)| *system != SystemChoice::Auto);
+    let named = SystemChoice::NAMES.iter().filter(|(_, system)| system.system().is_some());
     match named.clone().find(|(name, _)| *name == text) {
         Some((_, system)) => Ok(*system),
         None => Err(format!("allowed: {}", named.map(|(name, _)| *name).collect::<Vec<_>>().join(", "))),

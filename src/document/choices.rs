@@ -4,6 +4,7 @@ use crate::attributes::system::Description;
 use crate::document::Seeding;
 use crate::marks::Mark;
 use crate::rd::System;
+use crate::rd::pairs::PairKind;
 
 /// The kind of a layer's marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,52 +43,74 @@ pub enum SystemChoice {
     Auto,
     /// This one.
     Of(System),
+    /// A system of pairs.
+    Pairs(PairKind),
 }
 
 impl SystemChoice {
     /// All of them with their names in documents and on the command line.
-    pub const NAMES: [(&'static str, Self); 1 + System::ALL.len()] = {
-        let mut names = [("auto", Self::Auto); 1 + System::ALL.len()];
+    pub const NAMES: [(&'static str, Self); 1 + System::ALL.len() + PairKind::ALL.len()] = {
+        const SYSTEMS: usize = System::ALL.len();
+        let mut names = [("auto", Self::Auto); 1 + SYSTEMS + PairKind::ALL.len()];
         let mut index = 0;
-        while index < System::ALL.len() {
+        while index < SYSTEMS {
             let system = System::ALL[index];
             names[1 + index] = (system.name(), Self::Of(system));
+            index += 1;
+        }
+        let mut index = 0;
+        while index < PairKind::ALL.len() {
+            let kind = PairKind::ALL[index];
+            names[1 + SYSTEMS + index] = (kind.description().name, Self::Pairs(kind));
             index += 1;
         }
         names
     };
 
-    /// The system; `None` of [`Self::Auto`].
+    /// The system that training rows are looked up for; `None` of [`Self::Auto`] and of systems of pairs.
     #[must_use]
     pub fn system(self) -> Option<System> {
+        if let Self::Of(system) = self { Some(system) } else { None }
+    }
+
+    /// The system of pairs.
+    #[must_use]
+    pub fn pairs(self) -> Option<PairKind> {
+        if let Self::Pairs(kind) = self { Some(kind) } else { None }
+    }
+
+    /// What is known of the system; `None` of [`Self::Auto`].
+    #[must_use]
+    pub fn description(self) -> Option<&'static Description> {
         match self {
             Self::Auto => None,
-            Self::Of(system) => Some(system),
+            Self::Of(system) => Some(system.description()),
+            Self::Pairs(kind) => Some(kind.description()),
         }
     }
 
     /// Whether the system is chosen and has this property.
     #[must_use]
     pub fn is_known(self, property: impl FnOnce(&Description) -> bool) -> bool {
-        self.system().is_some_and(|system| property(system.description()))
+        self.description().is_some_and(property)
     }
 
     /// Whether a system with this property can be taken: any is with [`Self::Auto`].
     #[must_use]
     pub fn allows(self, property: impl FnOnce(&Description) -> bool) -> bool {
-        self.system().is_none_or(|system| property(system.description()))
+        self.description().is_none_or(property)
     }
 
     /// Its name.
     #[must_use]
     pub fn name(self) -> &'static str {
-        self.system().map_or("auto", System::name)
+        self.description().map_or("auto", |system| system.name)
     }
 
     /// The kind of marks that it grows; `None` = the layer's own.
     #[must_use]
     pub fn grows(self) -> Option<Kind> {
-        self.system().map(|system| if system.is_striped() { Kind::Line } else { Kind::Ellipse })
+        self.description().map(|system| if system.is_striped() { Kind::Line } else { Kind::Ellipse })
     }
 }
 

@@ -8,7 +8,7 @@
 
 mod shown;
 
-use Condition::{Above, Grows, Lowest, Marks, NotTaken};
+use Condition::{Above, AbovePairs, Grows, Lowest, Marks, NotTaken};
 use Kind::{Ellipse, Line};
 
 use crate::attributes::system::Description;
@@ -48,6 +48,8 @@ pub enum Condition {
     Lowest,
     /// The layer beneath grows this kind of marks.
     Above(Kind),
+    /// A system of pairs grows the layer beneath.
+    AbovePairs,
     /// The layer's own marks are of this kind.
     Marks(Kind),
     /// The layer grows this kind of marks.
@@ -71,6 +73,8 @@ pub enum Beneath {
     Nothing,
     /// A layer that grows this kind of marks; rings and webs are lines.
     Grows(Kind),
+    /// A layer that a system of pairs grows.
+    Pairs,
 }
 
 /// What the rules have to know of one layer.
@@ -106,7 +110,7 @@ const PLACED: &[After] = &[After::Around, After::Net, After::Inside];
 const NOT_TAKEN: &str = "This system does not take this option";
 
 /// All rules, in the order in which they are checked.
-pub static RULES: [Rule; 26] = [
+pub static RULES: [Rule; 27] = [
     grown(Key::After(PLACED), Lowest, "The lowest layer has no other beneath it whose marks it could meet"),
     grown(
         Key::After(AROUND),
@@ -122,6 +126,11 @@ pub static RULES: [Rule; 26] = [
         Key::After(INSIDE),
         Above(Line),
         "A spot grows inside each spot beneath; the layer beneath grows stripes, rings or a web",
+    ),
+    grown(
+        Key::After(PLACED),
+        AbovePairs,
+        "Rings, webs and spots inside follow marks that stand apart; the threads of the layer beneath cross",
     ),
     read(Key::SystemGrowing(Line), Marks(Ellipse), "This system grows stripes; this layer holds ellipses"),
     read(Key::SystemGrowing(Ellipse), Marks(Line), "This system grows spots; this layer holds lines"),
@@ -307,6 +316,7 @@ impl Condition {
         match self {
             Self::Lowest => layer.beneath == Beneath::Nothing,
             Self::Above(kind) => layer.beneath == Beneath::Grows(*kind),
+            Self::AbovePairs => layer.beneath == Beneath::Pairs,
             Self::Marks(kind) => layer.marks == Some(*kind),
             Self::Grows(kind) => layer.grows() == Some(*kind),
             Self::After(after) => after.contains(&layer.after),

@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-use crate::attributes::free::DUTIES;
+use crate::attributes::free::PeriodRules;
 
 /// The longest side of a canvas, px; two of them make 2³² px, where a 32-bit count of px ends.
 pub const MAX_SIDE: u32 = 65_536;
@@ -24,7 +24,8 @@ pub const MIN_LENGTH: f64 = 0.01;
 /// Dots an inch.
 pub const DPI: Range = Range { low: 1.0, high: 100_000.0, unit: "dots an inch" };
 /// Stripe ÷ period: from where thin stripes break to pieces to where the gaps between wide ones do.
-pub const DUTY: Range = Range { low: DUTIES[0], high: DUTIES[1], unit: "" };
+pub const DUTY: Range =
+    Range { low: PeriodRules::STRIPES.duties[0], high: PeriodRules::STRIPES.duties[1], unit: "" };
 /// How irregular spots are.
 pub const IRREGULAR: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// Place of a colour stop: a pattern value.

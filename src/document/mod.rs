@@ -47,6 +47,12 @@
 //! A layer grows either stripes or gaps, by the mean of the duty over the canvas; where strokes of the same layer ask for the
 //! other side of 0.5, their width is kept and the duty is about 0.5.
 //!
+//! `"system": "weave"` of a layer of lines and paths that cross grows threads of two to five directions, as Witkin and Kass
+//! (SIGGRAPH 1991). Lines that cross at 30° or more have different directions; each direction has the width and the period of its
+//! own lines, and threads run through the drawn lines and on all over the canvas. `options.duty` is that of each direction; without
+//! it, lines side by side say how far apart threads are, and a line alone has threads that cover 0.28 (of three and more
+//! directions 0.2). Threads that would leave no gaps are moved apart, and a note says so.
+//!
 //! `options.broken` of a layer `around` the one beneath, 0–0.6: the share of each ring that is open, in two to five gaps a
 //! ring, as on a leopard.
 //!
@@ -94,6 +100,7 @@ pub use crate::attributes::Spread;
 pub use crate::colour::{Gradient, PRESETS, Preset};
 pub use crate::grid::Edges;
 pub use crate::marks::{Ellipse, Line, Path};
+pub use crate::rd::pairs::PairKind;
 pub use crate::rd::{Seeding, System};
 pub use causes::{io_in_words, with_causes};
 pub use choices::{After, Kind, SystemChoice};

@@ -10,10 +10,13 @@
 use crate::document::Document;
 use crate::export::png;
 use crate::grid::Domain;
+use crate::rd::pairs::{PairGrowth, PairStart};
 use crate::rd::{Growth, System};
 use crate::synth::grow::engine::Engine;
-use crate::synth::grow::snapshot::Snapshot;
+use crate::synth::grow::pairs::{WHOLE_TIME, begin};
+use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::memory;
+use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::{Lookup, Plan, Targets};
 use crate::synth::render::painting::Painting;
 use crate::synth::training::Training;
@@ -72,6 +75,19 @@ impl Needs {
         let mut beneath: Option<Lookup> = None;
         let mut needs = Self { seconds: 0.0, bytes: 0.0 };
         for index in 0..document.layers.len() {
+            if document.layers[index].system.pairs().is_some() {
+                let plan = PairPlan::read(document, index, source, size.map(side)).ok()?;
+                let whole = plan.grid.size.map(|cells| (cells as f64 * times.sqrt()).round() as usize);
+                let (pairs, size) = (plan.threads.len(), size.map(f64::from));
+                memory::check_pairs(pairs, size, whole).ok()?;
+                needs.bytes = needs.bytes.max(memory::needed_by_pairs(pairs, size, whole));
+                let (seconds, growth) = seconds_of_pairs(&plan);
+                needs.seconds += times * seconds;
+                let look = Snapshot { beneath: &[], growing: Growing::Pairs(&plan, &growth), steps: 0 };
+                needs.seconds += painted(document, &look) * (canvas * RULER + picture);
+                beneath = None;
+                continue;
+            }
             let targets = Targets::read(document, index, source, size.map(side), beneath.as_ref()).ok()?;
             let lookup = targets.look_up(training).ok()?;
             let system = lookup.system;
@@ -81,7 +97,8 @@ impl Needs {
             let plan = lookup.rough(Vec::new());
             let engine = Engine::new(&plan, document.layer_seed(index));
             needs.seconds += times * share_needed(&engine, system) * engine.updates_left() / speed(&plan)?;
-            needs.seconds += painted(document, &plan, &engine) * (canvas * RULER + picture);
+            needs.seconds +=
+                painted(document, &Snapshot::of_marks(&[], &plan, &engine)) * (canvas * RULER + picture);
             beneath = Some(plan.lookup);
         }
         Some(needs)
@@ -111,10 +128,23 @@ fn speed(plan: &Plan) -> Option<f64> {
     Some((steps * cells as u64) as f64 / started.elapsed().as_secs_f64().max(1e-6))
 }
 
+/// Seconds that pairs take to grow as planned, and their growth at its beginning.
+fn seconds_of_pairs(plan: &PairPlan) -> (f64, PairGrowth) {
+    let mut growth = begin(plan, &vec![1.0; plan.threads.len()], &PairStart::Noise(0));
+    growth.advance(STEPS);
+    let started = Instant::now();
+    let before = growth.steps();
+    while started.elapsed() < DURATION {
+        growth.advance(STEPS);
+    }
+    let of_step = started.elapsed().as_secs_f64() / (growth.steps() - before) as f64;
+    (growth.steps_in(WHOLE_TIME) as f64 * of_step, growth)
+}
+
 /// Seconds of painting and encoding a px.
-fn painted(document: &Document, plan: &Plan, engine: &Engine) -> f64 {
+fn painted(document: &Document, look: &Snapshot) -> f64 {
     // Once for the whole texture: pattern and colours of the layer.
-    let painting = Painting::growing(document, &Snapshot { beneath: &[], plan, engine }, PAINTED);
+    let painting = Painting::growing(document, look, PAINTED);
     let started = Instant::now();
     let rgb = painting.rgb();
     // Discarded: only the time counts.

@@ -24,15 +24,16 @@ pub struct WovenThreads {
     pub period: f64,
 }
 
-/// The pair that shows the threads of one direction. It is long, so that it sees the mean of the threads that cross them.
+/// The pair that shows the threads of one direction.
 const MODEL: PairModel = PairModel {
     combination: Combination::Maximum,
-    elongation: 6.0,
     ratio: 1.5,
     threshold: Course::Constant(0.0),
     softness: 1.0,
     gain: Course::Constant(1.0),
 };
+/// Length ÷ width of its blurs: it is long, so that it sees the mean of the threads that cross them.
+const ELONGATION: f32 = 6.0;
 /// Period ÷ wavelength of a pair: with smaller pairs the widths of thin threads are less exact.
 const APART: f64 = 0.92;
 /// Cells of a pair: of fewer the grid shows.
@@ -106,8 +107,8 @@ fn difference(pattern: &Field, angle: f64, size: f64) -> Option<Field> {
         ..Grid::unit(cells, pattern.edges)
     };
     let in_cells = size / (grid.cell[0] * grid.cell[1]).sqrt();
-    let pair = PairField::uniform(cells[0] * cells[1], angle as f32, in_cells as f32);
-    let maps = PairMaps { grid, pairs: vec![pair], obstacles: Vec::new() };
+    let pair = PairField::uniform(cells[0] * cells[1], angle as f32, in_cells as f32, ELONGATION);
+    let maps = PairMaps { grid, pairs: vec![pair], obstacles: Vec::new(), raised: Vec::new() };
     let start = PairStart::Drawn(covered(pattern, cells));
     PairGrowth::new(&maps, &MODEL, &start)?.differences().pop()
 }

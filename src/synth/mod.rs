@@ -18,7 +18,8 @@ mod watch;
 
 pub use grow::cascade::{grow, grow_seen, regrow, regrow_seen, unchanged};
 pub use grow::engine::Engine;
-pub use grow::layer::{GrowError, Grown, GrownLayer};
+pub use grow::layer::{GrowError, Grown, GrownLayer, GrownMarks};
+pub use grow::pairs::GrownPairs;
 pub use grow::patch::{Patch, Sample};
 pub use grow::refine::Measured;
 pub use grow::settle::{settle, settle_seen};

@@ -1,6 +1,7 @@
 //! The tables of `docs/format.md` say what the program does.
 
 use super::*;
+use dapple::document::PairKind;
 use dapple::document::layer_rules::RULES;
 use dapple::internals::synth::Grown;
 use std::collections::BTreeSet;
@@ -160,6 +161,15 @@ fn stripes() -> Document {
     Document::new([140, 120]).with_layer(Layer::new(lines))
 }
 
+/// Lines that cross, so wide that their threads cannot be as near to each other as they were drawn.
+fn weave() -> Document {
+    let [across, down] = [[20.0, 34.0, 48.0], [30.0, 44.0, 58.0]];
+    let across = across.map(|y| Stroke::line([10.0, y], [130.0, y], 9.0));
+    let down = down.map(|x| Stroke::line([x, 10.0], [x, 110.0], 9.0));
+    let layer = Layer::new(across.into_iter().chain(down)).with_system(SystemChoice::Pairs(PairKind::Weave));
+    Document::new([140, 120]).with_layer(layer)
+}
+
 /// The keys of a report: those of its layers and of their regions behind a dot.
 fn keys(value: &Value, before: &str, keys: &mut BTreeSet<String>) {
     for (key, value) in value.as_object().into_iter().flatten() {
@@ -174,7 +184,7 @@ fn keys(value: &Value, before: &str, keys: &mut BTreeSet<String>) {
 #[test]
 fn the_keys_of_a_report_on_the_page_are_those_that_are_written() {
     let mut written = BTreeSet::from(["outlines".to_owned()]);
-    for document in [spots(), stripes()] {
+    for document in [spots(), stripes(), weave()] {
         let grown: Grown = document.grow().unwrap();
         keys(&serde_json::to_value(grown.report()).unwrap(), "", &mut written);
     }

@@ -88,7 +88,7 @@ fn the_ladybird_grows_a_few_huge_spots() {
     let document = Document::read(&path).expect("valid");
     let grown = grow(&document, &Options::default());
     let layer = &grown.expect("it grows").layers[0];
-    assert!(layer.settled);
+    assert!(layer.settled());
     let pattern = layer.pattern().field(512, 512);
     let spots = dapple::internals::measure::spots(&pattern, 0.5);
     let whole: Vec<f64> = spots.iter().filter(|s| s.whole).map(|s| s.ellipse.area()).collect();

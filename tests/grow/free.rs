@@ -78,7 +78,7 @@ fn ellipses_in_a_ring_keep_their_places_and_the_others_follow_the_ring() {
     let (grown, marks) = grown((0..12).map(ellipse).collect());
     assert_there(&marks, 12, 0.2, 0.05, 0.05);
     // Outside of the ring, where it is still near, the spots lie along circles.
-    let spots = grown.layers[0].measured.spots().iter().filter(|spot| spot.whole);
+    let spots = grown.layers[0].marks().expect("marks").measured.spots().iter().filter(|spot| spot.whole);
     let ring = spots.filter(|spot| {
         let [x, y] = [0, 1].map(|axis| spot.ellipse.center[axis] - 256.0);
         (140.0..190.0).contains(&x.hypot(y))
@@ -153,12 +153,13 @@ fn the_visible_part_of_a_spot_that_the_border_cuts_has_the_drawn_area() {
     let drawn = places.map(|place| Stroke::ellipse(place, [14.0, 10.0], 30.0));
     let (grown, marks) = grown(drawn.into());
     assert!(marks.iter().all(|mark| mark.there), "{marks:?}");
-    for pinned in grown.layers[0].plan.pinned_spots() {
+    for pinned in grown.layers[0].marks().expect("marks").plan.pinned_spots() {
         let near = |spot: &&Spot| {
             let [x, y] = [0, 1].map(|axis| spot.ellipse.center[axis] - pinned.visible.center[axis]);
             x.hypot(y) < 7.0
         };
-        let got = grown.layers[0].measured.spots().iter().find(near).expect("it is there");
+        let got =
+            grown.layers[0].marks().expect("marks").measured.spots().iter().find(near).expect("it is there");
         assert!((got.ellipse.area() / pinned.visible.area - 1.0).abs() < 0.15, "{got:?} {pinned:?}");
     }
 }
@@ -189,7 +190,9 @@ fn stripes_keep_the_distance_of_lines_drawn_side_by_side() {
         |k: usize| Stroke::line([120.0, 180.0 + 26.0 * k as f64], [390.0, 180.0 + 26.0 * k as f64], 8.0);
     let (grown, marks) = grown((0..5).map(line).collect());
     assert!(marks.iter().all(|mark| mark.there), "{marks:?}");
-    let Some(Attributes::Stripes(got)) = grown.layers[0].measured.got(0) else { panic!("stripes grew") };
+    let Some(Attributes::Stripes(got)) = grown.layers[0].marks().expect("marks").measured.got(0) else {
+        panic!("stripes grew")
+    };
     let wavelength = got.wavelength.expect("a distance was drawn");
     assert!((wavelength / 26.0 - 1.0).abs() < 0.08 && (got.width / 8.0 - 1.0).abs() < 0.05, "{got:?}");
 }
@@ -247,7 +250,7 @@ fn a_narrow_spot_across_the_others_does_not_split() {
     assert_there(&drawn, 6, 0.2, 0.1, 0.12);
     // Its halves stood above and below it.
     let near = |spot: &&Spot| (spot.ellipse.center[0] - 120.0).abs() < 30.0;
-    let spots = grown.layers[0].measured.spots();
+    let spots = grown.layers[0].marks().expect("marks").measured.spots();
     assert_eq!(spots.iter().filter(|spot| spot.whole).filter(near).count(), 2, "{spots:?}");
 }
 

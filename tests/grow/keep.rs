@@ -14,11 +14,11 @@ use dapple::internals::synth::grow::refine::refine;
 use dapple::internals::synth::plan::{Plan, Surroundings, look_up};
 use dapple::internals::synth::report::covered::covered;
 use dapple::internals::synth::report::pinned::distances;
-use dapple::internals::synth::{Engine, GrownLayer, Measured, Options, Training, Watch, grow, settle};
+use dapple::internals::synth::{Engine, GrownMarks, Measured, Options, Training, Watch, grow, settle};
 use serde_json::{Value, json};
 
-fn grown(document: &Document) -> GrownLayer {
-    grow(document, &Options::default()).unwrap().layers.remove(0)
+fn grown(document: &Document) -> GrownMarks {
+    grow(document, &Options::default()).unwrap().layers.remove(0).into_marks().expect("spots or stripes")
 }
 
 /// How far the pinned spots of `plan` are from the nearest of `spots`, ÷ their radius.
@@ -50,7 +50,7 @@ fn one_layer(ellipses: &[Ellipse], edges: Edges) -> Document {
     Document { size: [300, 240], edges, layers, ..Document::default() }
 }
 
-fn spots(layer: &GrownLayer) -> &[Spot] {
+fn spots(layer: &GrownMarks) -> &[Spot] {
     let Measured::Spots { marks, .. } = &layer.measured else { panic!("spots were drawn") };
     marks
 }
@@ -120,7 +120,9 @@ fn on_a_larger_canvas_kept_marks_are_at_scaled_places_with_their_size_unchanged(
     let options = Options { size: Some([450, 480]), ..Options::default() };
     let grown = grow(&document, &options).unwrap();
     let mark = drawn()[5];
-    let found = nearest(spots(&grown.layers[0]), [mark.center[0] * 1.5, mark.center[1] * 2.0]).ellipse;
+    let found =
+        nearest(spots(grown.layers[0].marks().expect("marks")), [mark.center[0] * 1.5, mark.center[1] * 2.0])
+            .ellipse;
     let off = [found.center[0] - mark.center[0] * 1.5, found.center[1] - mark.center[1] * 2.0];
     assert!(off[0].hypot(off[1]) < 3.0 && (found.area() / mark.area() - 1.0).abs() < 0.08, "{found:?}");
 }
@@ -181,7 +183,7 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
 }
 
 /// The share of each line of `document` that lies in a stripe of `layer`.
-fn in_stripes(document: &Document, layer: &GrownLayer) -> Vec<f64> {
+fn in_stripes(document: &Document, layer: &GrownMarks) -> Vec<f64> {
     let marks = dapple::internals::synth::plan::sketch_targets::marks(document, 0, "test").unwrap();
     let [width, height] = document.size.map(|side| side as usize);
     let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
@@ -192,7 +194,7 @@ fn in_stripes(document: &Document, layer: &GrownLayer) -> Vec<f64> {
 
 #[test]
 fn drawn_lines_lie_in_stripes_and_the_directions_are_no_worse_for_it() {
-    let rms = |layer: &GrownLayer| {
+    let rms = |layer: &GrownMarks| {
         let Measured::Stripes(errors) = &layer.measured else { panic!("lines were drawn") };
         errors.iter().map(|error| error.angle_rms.unwrap()).sum::<f64>() / errors.len() as f64
     };

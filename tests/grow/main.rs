@@ -15,4 +15,5 @@ mod refusals;
 mod seeding;
 mod sketches;
 mod spread;
+mod weave;
 mod wide_stripes;

@@ -20,7 +20,7 @@ fn grown(
     let layers = vec![Layer { strokes, options, ..Layer::default() }];
     let document = Document { size: [size; 2], regions: Some(regions), seed, layers, ..Document::default() };
     let grown = grow(&document, &Options::default()).unwrap();
-    let layer = &grown.layers[0];
+    let layer = grown.layers[0].marks().expect("marks");
     let Measured::Stripes(errors) = &layer.measured else { panic!("lines were drawn") };
     (layer.pattern().field(size as usize, size as usize), errors.clone())
 }

@@ -45,7 +45,9 @@ fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
     let document =
         Document { size: [side, side], edges: Edges::Wrap, seed, layers: vec![layer], ..Document::default() };
     let grown = grow(&document, &Options::default()).unwrap();
-    let Measured::Spots { errors, marks } = &grown.layers[0].measured else { panic!("spots were drawn") };
+    let Measured::Spots { errors, marks } = &grown.layers[0].marks().expect("marks").measured else {
+        panic!("spots were drawn")
+    };
     let merged = marks.iter().filter(|mark| mark.endless || mark.fill < 0.93).count();
     (errors[0], merged)
 }

@@ -34,8 +34,8 @@ const ROUND: f64 = 0.85;
 fn assert_as_drawn(grown: &Grown, of: &str) {
     for (index, layer) in grown.layers.iter().enumerate() {
         let of = format!("{of}, layer {}", index + 1);
-        assert!(layer.settled, "{of} is still moving");
-        let errors: Vec<(&str, Option<f64>, f64)> = match &layer.measured {
+        assert!(layer.settled(), "{of} is still moving");
+        let errors: Vec<(&str, Option<f64>, f64)> = match &layer.marks().expect("marks").measured {
             Measured::Spots { errors, .. } => {
                 let errors = &errors[0];
                 assert!(errors.marks > 12, "{of}: {} marks", errors.marks);
@@ -109,7 +109,10 @@ fn three_layers_grow_between_each_other() {
 fn neighbouring_spots_stay_apart_where_marks_beneath_squeeze_them() {
     for seed in 3..7 {
         let document = cascade(Edges::Closed, seed, vec![large(), small()]);
-        let Measured::Spots { marks, .. } = &grown(&document).layers[1].measured else { panic!("spots") };
+        let grown = grown(&document);
+        let Measured::Spots { marks, .. } = &grown.layers[1].marks().expect("marks").measured else {
+            panic!("spots")
+        };
         let merged = marks.iter().filter(|mark| mark.whole && mark.ellipse.area() > 1.6 * 63.0).count();
         assert_eq!(merged, 0, "seed {seed}, of {} marks", marks.len());
     }

@@ -39,7 +39,9 @@ fn stripes_that_cross_those_beneath_continue_in_line_on_both_sides() {
     for edges in [Edges::Closed, Edges::Wrap] {
         let grown = grown(&cascade(edges, 1, vec![stripes(14.0, 0.0), stripes(8.0, 90.0)]));
         let [below, above] = patterns(&grown).try_into().expect("two layers");
-        let Measured::Stripes(errors) = &grown.layers[1].measured else { panic!("stripes") };
+        let Measured::Stripes(errors) = &grown.layers[1].marks().expect("marks").measured else {
+            panic!("stripes")
+        };
         assert!(errors[0].angle.unwrap().abs() < 3.0, "{edges:?}: {errors:?}");
         let [beneath, own] = [&below, &above].map(covered);
         assert!(own.iter().zip(&beneath).all(|(own, beneath)| !own || !beneath), "{edges:?}: overlap");
@@ -51,7 +53,10 @@ fn stripes_that_cross_those_beneath_continue_in_line_on_both_sides() {
 #[test]
 fn stripes_along_those_beneath_find_room_between_them() {
     let grown = grown(&cascade(Edges::Closed, 1, vec![stripes(24.0, 20.0), stripes(4.0, 30.0)]));
-    assert!(grown.layers[1].crossed.is_none() && grown.layers[1].plan.obstacles.contains(&true));
+    assert!(
+        grown.layers[1].marks().expect("marks").crossed.is_none()
+            && grown.layers[1].marks().expect("marks").plan.obstacles.contains(&true)
+    );
 }
 
 #[test]

@@ -14,7 +14,7 @@ fn inside(layer: Layer) -> Layer {
 }
 
 fn marks(grown: &Grown, layer: usize) -> &[Spot] {
-    match &grown.layers[layer].measured {
+    match &grown.layers[layer].marks().expect("marks").measured {
         Measured::Spots { marks, .. } => marks,
         Measured::Stripes(_) => panic!("spots"),
     }
@@ -32,7 +32,9 @@ fn hits(grown: &Grown, layer: usize, edges: Edges) -> (Vec<usize>, f64) {
         (along(0) * along(0) + along(1) * along(1)).sqrt()
     };
     let places: Vec<[f64; 2]> = marks(grown, layer - 1).iter().map(|mark| mark.ellipse.center).collect();
-    let Measured::Spots { errors, .. } = &grown.layers[layer - 1].measured else { panic!("spots") };
+    let Measured::Spots { errors, .. } = &grown.layers[layer - 1].marks().expect("marks").measured else {
+        panic!("spots")
+    };
     let radius = (errors[0].got.expect("spots").area / std::f64::consts::PI).sqrt();
     let (mut hits, mut farthest) = (vec![0; places.len()], 0.0f64);
     for mark in marks(grown, layer) {
@@ -54,7 +56,9 @@ fn assert_one_each(grown: &Grown, layer: usize, edges: Edges, of: &str) {
 /// Asserts area, aspect, angle and spacing of a layer as drawn: within 5 %, 3°.
 #[track_caller]
 fn assert_as_drawn(grown: &Grown, layer: usize, of: &str) {
-    let Measured::Spots { errors, .. } = &grown.layers[layer].measured else { panic!("spots") };
+    let Measured::Spots { errors, .. } = &grown.layers[layer].marks().expect("marks").measured else {
+        panic!("spots")
+    };
     let aspect = |index: usize| errors[index].wanted.expect("wanted").aspect;
     for (index, error) in errors.iter().enumerate() {
         let shape = error.aspect.map(|off| off / aspect(index));
@@ -70,7 +74,7 @@ fn assert_as_drawn(grown: &Grown, layer: usize, of: &str) {
             assert!(good, "{of}: {name} is off by {off:?} in region {index}");
         }
     }
-    assert!(grown.layers[layer].settled, "{of} is still moving");
+    assert!(grown.layers[layer].marks().expect("marks").settled, "{of} is still moving");
 }
 
 #[test]
@@ -115,7 +119,9 @@ fn marks_that_differ_keep_their_places() {
     own.options.spread = SpreadChoice::Given(Spread { area: 0.3, angle: 20.0, ..Spread::ZERO });
     let grown = grown(&cascade(Edges::Wrap, 2, vec![spots(800.0, 0.9, 0.0, 62.0), inside(own)]));
     assert_one_each(&grown, 1, Edges::Wrap, "varied");
-    let Measured::Spots { errors, .. } = &grown.layers[1].measured else { panic!("spots") };
+    let Measured::Spots { errors, .. } = &grown.layers[1].marks().expect("marks").measured else {
+        panic!("spots")
+    };
     let spread = errors[0].spread.expect("many spots");
     assert!((0.22..0.38).contains(&spread.area) && (14.0..26.0).contains(&spread.angle), "{spread:?}");
 }

@@ -9,7 +9,7 @@ use dapple::internals::synth::{Grown, Measured};
 
 #[track_caller]
 fn assert_met(grown: &Grown, of: &str) {
-    let layer = &grown.layers[0];
+    let layer = grown.layers[0].marks().expect("marks");
     let Measured::Spots { errors, .. } = &layer.measured else { panic!("spots") };
     assert!(layer.settled, "{of} is still moving");
     for error in errors {
@@ -54,7 +54,7 @@ fn only_some_regions_may_be_sparse() {
     let grown = grown(&document);
     assert_met(&grown, "half sparse");
     // Without the parameters for the lowest natural density, which take as many steps.
-    assert!(grown.layers[0].steps < 5_000, "{} steps", grown.layers[0].steps);
+    assert!(grown.layers[0].steps() < 5_000, "{} steps", grown.layers[0].steps());
 }
 
 #[test]

@@ -55,8 +55,10 @@ fn grown_of(mut runner: TestRunner) -> u32 {
 fn sound(document: &Document, grown: &Grown) -> Result<(), TestCaseError> {
     prop_assert_eq!(grown.layers.len(), document.layers.len());
     for layer in &grown.layers {
-        prop_assert!(layer.steps > 0 && layer.steps <= STEPS, "{} steps", layer.steps);
-        prop_assert!(layer.correction.iter().all(|factor| factor.is_finite() && *factor > 0.0));
+        prop_assert!(layer.steps() > 0 && layer.steps() <= STEPS, "{} steps", layer.steps());
+        if let Some(marks) = layer.marks() {
+            prop_assert!(marks.correction.iter().all(|factor| factor.is_finite() && *factor > 0.0));
+        }
         let [width, height] = document.size.map(|side| side as usize);
         let pattern = layer.pattern().field(width, height);
         prop_assert_eq!(pattern.values.len(), width * height);

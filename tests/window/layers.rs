@@ -268,7 +268,8 @@ fn layers_beneath_are_not_grown_again_and_are_shown_under_the_canvas() {
     hand.draw_round([60.0, 60.0], [14.0, 9.0], 20.0);
     hand.draw_round([100.0, 90.0], [13.0, 9.0], 25.0);
     hand.until_settled();
-    let below = hand.window.state().settled().unwrap().grown.layers[0].marks.values.clone();
+    let below =
+        hand.window.state().settled().unwrap().grown.layers[0].marks().expect("marks").marks.values.clone();
     hand.key(Modifiers::NONE, Key::F);
     hand.until("the picture of the frozen layer", Window::has_underlay);
     // The lowest layer is reused: the first that grows is the second.
@@ -276,7 +277,7 @@ fn layers_beneath_are_not_grown_again_and_are_shown_under_the_canvas() {
     hand.until_settled();
     let grown = &hand.window.state().settled().unwrap().grown;
     assert_eq!(grown.layers.len(), 2);
-    assert_eq!(grown.layers[0].marks.values, below);
+    assert_eq!(grown.layers[0].marks().expect("marks").marks.values, below);
     assert_eq!(hand.window.state().growth().reused, 1);
     hand.until("the picture of the frozen layer", Window::has_underlay);
     // Unfrozen, nothing is shown under it any more.

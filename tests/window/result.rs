@@ -59,7 +59,7 @@ fn the_numbers_are_those_of_the_report() {
     dapple.assert().success();
     let report: serde_json::Value = serde_json::from_str(&fs::read_to_string(&report).unwrap()).unwrap();
     let outcome = hand.window.state().results().outcome().unwrap();
-    assert_eq!(report["layers"][0]["system"], outcome.layers[0].system.name());
+    assert_eq!(report["layers"][0]["system"], outcome.layers[0].system.name);
     for (region, output) in
         outcome.layers[0].regions.iter().zip(report["layers"][0]["regions"].as_array().unwrap())
     {

@@ -7,7 +7,7 @@ mod spread;
 mod updates;
 
 use dapple::document::Document;
-use dapple::internals::synth::{GrownLayer, Options, grow};
+use dapple::internals::synth::{GrownLayer, GrownMarks, Options, grow};
 
 /// What to print.
 #[derive(clap::Args)]
@@ -45,9 +45,11 @@ pub fn run(args: &Args) -> Result<(), String> {
     })
 }
 
-/// The layers that grow from a document.
-fn layers(document: &Document) -> Result<Vec<GrownLayer>, String> {
-    Ok(grow(document, &Options::default()).map_err(|error| error.to_string())?.layers)
+/// The spots and stripes that grow from a document.
+fn layers(document: &Document) -> Result<Vec<GrownMarks>, String> {
+    let grown = grow(document, &Options::default()).map_err(|error| error.to_string())?;
+    let marks = |layer: GrownLayer| layer.into_marks().ok_or_else(|| "a layer of pairs".to_owned());
+    grown.layers.into_iter().map(marks).collect()
 }
 
 /// A document of the repository: `examples/NAME.dapple`.

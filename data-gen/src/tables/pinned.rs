@@ -10,7 +10,7 @@ use dapple::internals::rd::System;
 use dapple::internals::synth::plan::{Surroundings, look_up, sketch_targets};
 use dapple::internals::synth::report::covered::covered;
 use dapple::internals::synth::report::pinned::distances;
-use dapple::internals::synth::{Engine, GrownLayer, Measured, Training, Watch, settle};
+use dapple::internals::synth::{Engine, GrownMarks, Measured, Training, Watch, settle};
 
 use super::{example, layers};
 use crate::say;
@@ -148,7 +148,7 @@ pub fn lines() -> Result<(), String> {
 }
 
 /// The share of each line of `document` that lies in a stripe of `layer`.
-fn in_stripes(document: &Document, layer: &GrownLayer) -> Result<Vec<f64>, String> {
+fn in_stripes(document: &Document, layer: &GrownMarks) -> Result<Vec<f64>, String> {
     let marks = sketch_targets::marks(document, 0, "document").map_err(|error| error.to_string())?;
     let [width, height] = document.size.map(|side| side as usize);
     let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();

@@ -45,5 +45,5 @@ fn taken(document: &Document) -> Result<Vec<f64>, String> {
     let options = Options { refine: Some(false), ..Options::default() };
     let grown = grow(document, &options).map_err(|error| error.to_string())?;
     let updates = |grid: [usize; 2], steps: u64| steps as f64 * (grid[0] * grid[1]) as f64;
-    Ok(grown.layers.iter().map(|layer| updates(layer.plan.lookup.grid.size, layer.steps)).collect())
+    Ok(grown.layers.iter().map(|layer| updates(layer.grid(), layer.steps())).collect())
 }

@@ -113,8 +113,8 @@ fn written(layer: &GrownLayer, size: [u32; 2]) -> Field {
 
 impl Outcome {
     fn measure(&mut self, document: &Document, index: usize, layer: &GrownLayer, pattern: &Field) {
-        self.systems.push(layer.plan.lookup.system.name());
-        self.settled &= layer.settled;
+        self.systems.push(layer.system().name);
+        self.settled &= layer.settled();
         let map = match sketch_targets::region_map(document, index, &self.name) {
             Ok(map) => map,
             Err(error) => {

@@ -67,7 +67,7 @@ fn is_spotted(document: &Document, layer: usize) -> bool {
 
 /// Another system that grows the same marks.
 fn other_system(document: &Document, grown: &Grown, layer: usize) -> Option<Variant> {
-    let own = grown.layers.get(layer)?.plan.lookup.system.description();
+    let own = grown.layers.get(layer)?.system();
     own.alternative?;
     let replaces = |system: &System| {
         let other = system.description();

@@ -11,6 +11,8 @@ use super::preview::preview;
 use super::{Picture, Texture, essence};
 use crate::document::Document;
 use crate::editor::task::Worker;
+use crate::synth::grow::snapshot::Growing;
+use crate::synth::plan::Plan;
 use crate::synth::report::{DrawnMark, left_out};
 use crate::synth::{
     GrowError, Grown, GrownLayer, Options, Settings, Snapshot, Stage, Training, Watch, regrow_seen, unchanged,
@@ -182,8 +184,10 @@ impl Job {
         let mut seen = |look: &Snapshot| {
             if look.beneath.len() >= planned {
                 planned = look.beneath.len() + 1;
-                let plans = look.beneath.iter().map(|layer| &layer.plan).chain([look.plan]);
-                worker.send(News::LeftOut(plans.map(left_out).collect()));
+                let below = look.beneath.iter().map(|layer| layer.marks().map(|marks| &marks.plan));
+                let own = if let Growing::Marks(plan, _) = look.growing { Some(plan) } else { None };
+                let left_out = |plan: Option<&Plan>| plan.map_or(Vec::new(), left_out);
+                worker.send(News::LeftOut(below.chain([own]).map(left_out).collect()));
             }
             if look.beneath.len() > done {
                 done = look.beneath.len();

@@ -34,9 +34,8 @@ pub struct Picture {
 impl Picture {
     /// The picture of a pattern that is growing.
     pub(super) fn growing(document: &Document, look: &Snapshot) -> Self {
-        let marks = look.engine.marks();
         let canvas = document.size.map(|side| side as usize);
-        let size = fitting(canvas, [FINENESS * marks.width, FINENESS * marks.height]);
+        let size = fitting(canvas, look.growing.grid().map(|cells| FINENESS * cells));
         Self::from_painting(&Painting::growing(document, look, size), document, false)
     }
 

@@ -5,6 +5,7 @@
 use super::Picture;
 use crate::document::{After, Document};
 use crate::synth::grow::obstacles::obstacles;
+use crate::synth::grow::passing::crosses;
 use crate::synth::plan::Targets;
 use crate::synth::{Engine, GrownLayer, Snapshot, Training, memory};
 
@@ -20,10 +21,14 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
         return None;
     }
     let size = document.size.map(f64::from);
-    let below = beneath.last().map(|layer| &layer.plan.lookup);
+    if layer.system.pairs().is_some() {
+        // Its first picture of its own comes as early.
+        return None;
+    }
+    let below = beneath.last().and_then(GrownLayer::marks).map(|layer| &layer.plan.lookup);
     let lookup = Targets::read(document, index, "", size, below).ok()?.look_up(training).ok()?;
     memory::check(lookup.system, size, lookup.grid.size).ok()?;
-    let obstacles = obstacles(document, beneath, &lookup);
+    let obstacles = obstacles(document, beneath, lookup.grid.size, &|layer| crosses(&lookup, layer));
     let plan = lookup.rough(obstacles);
     // At the system's own distance: correcting the spacing takes several times as long.
     let maps = plan.unpitched_maps();
@@ -32,5 +37,5 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
         return None;
     }
     engine.advance(UPDATES);
-    Some(Picture::growing(document, &Snapshot { beneath, plan: &plan, engine: &engine }))
+    Some(Picture::growing(document, &Snapshot::of_marks(beneath, &plan, &engine)))
 }

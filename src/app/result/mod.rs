@@ -11,11 +11,13 @@ pub use verdict::Verdict;
 use std::sync::Arc;
 
 use super::growth::Texture;
+use crate::attributes::system::Description;
 use crate::editor::session::Session;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::rd::System;
-use crate::synth::report::{self, DrawnMark, RegionReport};
-use crate::synth::{Grown, Training};
+use crate::synth::plan::Lookup;
+use crate::synth::report::{self, DrawnMark, RegionReport, ThreadReport};
+use crate::synth::{Grown, GrownLayer, Training};
 
 /// The result of a region.
 #[derive(Clone, Debug)]
@@ -34,9 +36,15 @@ pub struct LayerResult {
     /// Its name.
     pub name: String,
     /// Its system.
-    pub system: System,
-    /// Its regions, row by row.
+    pub system: &'static Description,
+    /// The system that its training rows belong to; `None` of pairs.
+    pub trained: Option<System>,
+    /// Its regions, row by row; none of a weave.
     pub regions: Vec<RegionResult>,
+    /// The threads of each direction of a weave.
+    pub threads: Vec<ThreadReport>,
+    /// What the user should know of a weave; regions have notes of their own.
+    pub notes: Vec<String>,
     /// What became of each drawn mark, in the order in which they were drawn; empty where none was to be among those that
     /// grow.
     pub drawn: Vec<DrawnMark>,
@@ -68,7 +76,10 @@ impl Outcome {
     #[must_use]
     pub fn is_missed(&self) -> bool {
         let is_missed = |region: &RegionResult| region.verdict == Verdict::Missed;
-        self.layers.iter().any(|layer| layer.lost() > 0 || layer.regions.iter().any(is_missed))
+        self.layers.iter().any(|layer| {
+            let is_dead = layer.threads.iter().any(|threads| threads.got.is_none());
+            layer.lost() > 0 || is_dead || layer.regions.iter().any(is_missed)
+        })
     }
 }
 
@@ -198,15 +209,22 @@ pub fn session_layer(session: &Session, layer: usize) -> Option<usize> {
 /// The result of layer `index` of what has grown.
 fn result_of(grown: &Grown, index: usize) -> LayerResult {
     let (layer, drawn) = (&grown.layers[index], report::drawn_of(&grown.layers[index]));
-    let regions = report::regions(&grown.document, index, layer, &drawn);
     let result = |report| RegionResult { verdict: Verdict::for_region(&report), report, reach: None };
-    LayerResult {
-        name: grown.document.layers[index].name.clone(),
-        system: layer.plan.lookup.system,
-        regions: regions.into_iter().map(result).collect(),
-        drawn,
-        merged: report::merged_spots(layer),
+    let (mut regions, mut merged, mut threads, mut notes) = Default::default();
+    match layer {
+        GrownLayer::Marks(marks) => {
+            let reports = report::regions(&grown.document, index, marks, &drawn);
+            regions = reports.into_iter().map(result).collect();
+            merged = report::merged_spots(marks);
+        }
+        GrownLayer::Pairs(pairs) => {
+            threads = report::threads::threads(pairs);
+            notes = report::threads::notes(pairs);
+        }
     }
+    let name = grown.document.layers[index].name.clone();
+    let trained = layer.marks().map(|marks| marks.plan.lookup.system);
+    LayerResult { name, system: layer.system(), trained, regions, threads, notes, drawn, merged }
 }
 
 fn work(grown: &Grown, training: &Training, all: bool, worker: &Worker<News>) {
@@ -222,7 +240,8 @@ fn work(grown: &Grown, training: &Training, all: bool, worker: &Worker<News>) {
         worker.send(News::End { complete: wanted.iter().all(Vec::is_empty) });
         return;
     }
-    let plans: Vec<_> = grown.layers.iter().map(|layer| &layer.plan.lookup).collect();
+    let marks = grown.layers.iter().map(GrownLayer::marks);
+    let plans: Vec<Option<&Lookup>> = marks.map(|marks| Some(&marks?.plan.lookup)).collect();
     for (layer, regions) in wanted.into_iter().enumerate() {
         for region in regions {
             if worker.is_cancelled() {

@@ -36,13 +36,13 @@ pub struct Reach {
 pub fn reach(
     training: &Training,
     document: &Document,
-    plans: &[&Lookup],
+    plans: &[Option<&Lookup>],
     layer: usize,
     index: usize,
 ) -> Option<Reach> {
     let mut document = document.clone();
-    let beneath = layer.checked_sub(1).map(|below| plans[below]);
-    let first = plans[layer];
+    let beneath = layer.checked_sub(1).and_then(|below| plans[below]);
+    let first = plans[layer]?;
     let place = source(&first.map, index)?;
     let index = first.map.layout().index(place);
     let mut asked = asked_in(first, place);

@@ -188,9 +188,10 @@ impl Window {
         self.cloud.asked = None;
         let Some((layer, place)) = asked else { return };
         let Some(of) = self.results.outcome().and_then(|outcome| outcome.layers.get(layer)) else { return };
-        if let Some(region) = of.regions.iter().find(|region| region.report.place == place) {
+        let region = of.regions.iter().find(|region| region.report.place == place);
+        if let (Some(region), Some(system)) = (region, of.trained) {
             let training = &self.results.training;
-            if let Err(error) = self.cloud.ask(&self.tasks, (layer, place), of.system, region, training) {
+            if let Err(error) = self.cloud.ask(&self.tasks, (layer, place), system, region, training) {
                 self.notices.wrong(error.to_string());
             }
         }

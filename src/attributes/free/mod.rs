@@ -18,7 +18,7 @@ use ellipses::EllipseMap;
 use strokes::StrokeMap;
 
 pub use notes::Note;
-pub use period::DUTIES;
+pub use period::PeriodRules;
 
 /// Attributes at any point of the canvas, as the marks drawn around it want them.
 ///
@@ -39,6 +39,19 @@ impl FreeMap {
     /// # Errors
     /// Without marks, with ellipses and lines mixed, and for a canvas without extent.
     pub fn from_marks(marks: &[Mark], size: [f64; 2], edges: Edges) -> Result<Self, RegionsError> {
+        Self::with_periods(marks, size, edges, PeriodRules::STRIPES)
+    }
+
+    /// As [`Self::from_marks`], with other rules for the periods of lines.
+    ///
+    /// # Errors
+    /// As [`Self::from_marks`].
+    pub fn with_periods(
+        marks: &[Mark],
+        size: [f64; 2],
+        edges: Edges,
+        rules: PeriodRules,
+    ) -> Result<Self, RegionsError> {
         let canvas = RegionGrid { size, grid: [1, 1], edges };
         if !size.iter().all(|side| side.is_normal() && *side > 0.0) {
             return Err(RegionsError::Layout { size, grid: canvas.grid });
@@ -49,7 +62,7 @@ impl FreeMap {
             return Err(RegionsError::Mixed { ellipses: ellipses.len(), lines: lines.len() });
         }
         let spots = EllipseMap::new(&ellipses, &canvas).map(Kind::Ellipses);
-        let stripes = || StrokeMap::new(&lines, &canvas).map(Kind::Strokes);
+        let stripes = || StrokeMap::new(&lines, &canvas, rules).map(Kind::Strokes);
         spots.or_else(stripes).map(Self).ok_or(RegionsError::NoMarks)
     }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::period::Wanted;
+use super::period::{PeriodRules, Wanted};
 use super::pieces::Piece;
 use crate::attributes::{Polarity, Stripes};
 use crate::marks::{Path, turn};
@@ -169,12 +169,12 @@ pub(super) fn excluded(strokes: &[Path], own: &[Stripes], mean: f64) -> impl Ite
 pub(super) fn notes(
     strokes: &[Path],
     pieces: &[Piece],
-    wanted: &[Wanted],
+    (wanted, rules): (&[Wanted], &PeriodRules),
     field: &dyn Fn([f64; 2]) -> f64,
 ) -> Vec<Note> {
     let mut notes = crossings(strokes, pieces);
     notes.extend((0..strokes.len()).filter_map(|stroke| departure(stroke, pieces, field)));
-    notes.extend(periods(strokes.len(), wanted));
+    notes.extend(periods(strokes.len(), wanted, rules));
     notes
 }
 
@@ -233,7 +233,7 @@ fn departure(stroke: usize, pieces: &[Piece], field: &dyn Fn([f64; 2]) -> f64) -
 }
 
 /// By pair of strokes, the distances that stripes cannot have.
-fn periods(strokes: usize, wanted: &[Wanted]) -> Vec<Note> {
+fn periods(strokes: usize, wanted: &[Wanted], rules: &PeriodRules) -> Vec<Note> {
     /// Sums over a pair: weight, log distance, log period taken, and the surest place.
     #[derive(Clone, Copy, Default)]
     struct Pair {
@@ -244,12 +244,12 @@ fn periods(strokes: usize, wanted: &[Wanted]) -> Vec<Note> {
         place: [f64; 2],
     }
     let mut pairs = vec![Pair::default(); strokes * strokes];
-    for one in wanted.iter().filter(|one| (one.possible() - one.log_period).abs() > 1e-9) {
+    for one in wanted.iter().filter(|one| (one.possible(rules) - one.log_period).abs() > 1e-9) {
         let [a, b] = one.strokes;
         let pair = &mut pairs[a.min(b) * strokes + a.max(b)];
         pair.weight += one.weight;
         pair.drawn += one.weight * one.log_period;
-        pair.taken += one.weight * one.possible();
+        pair.taken += one.weight * one.possible(rules);
         if one.weight > pair.surest {
             (pair.surest, pair.place) = (one.weight, one.middle);
         }

@@ -4,17 +4,37 @@ use super::pieces::Piece;
 use crate::grid::Bounds;
 use crate::marks::Path;
 
-/// Duty cycles (width ÷ period) that stripes can have.
-pub const DUTIES: [f64; 2] = [0.18, 0.82];
+/// Which periods strokes can want.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PeriodRules {
+    /// Duty cycles (width ÷ period) that are possible.
+    pub duties: [f64; 2],
+    /// The duty cycle of a stroke that stands alone.
+    pub alone: f64,
+    /// How many widths apart strokes side by side are at most: up to the first surely, at the second no longer.
+    pub distances: [f64; 2],
+}
 
-/// The duty cycle of a stroke that stands alone.
-const ALONE: f64 = 0.5;
+impl PeriodRules {
+    /// Of stripes: `facts.md` says which duties grow.
+    pub const STRIPES: Self = Self { duties: [0.18, 0.82], alone: 0.5, distances: [6.0, 8.0] };
+
+    /// Of the threads of a weave, which cover the share `alone` where they are not drawn side by side. Threads a tenth as wide
+    /// as they are apart are the thinnest; more than half of the canvas no direction can cover beside another.
+    #[must_use]
+    pub const fn threads(alone: f64) -> Self {
+        Self { duties: [0.1, 0.5], alone, distances: [10.0, 13.0] }
+    }
+
+    /// The log period nearest to this one that strokes of this log width can have.
+    pub(super) fn possible(&self, log_period: f64, log_width: f64) -> f64 {
+        let [least, most] = self.duties;
+        log_period.clamp(log_width - libm::log(most), log_width - libm::log(least))
+    }
+}
 
 /// Strokes side by side differ by less than about 20°: the first is sure, the second too much.
 const TURNS: [f64; 2] = [18.0, 24.0];
-
-/// Strokes side by side are up to 6 widths apart: the second is too far.
-const DISTANCES: [f64; 2] = [6.0, 8.0];
 
 /// Strokes side by side lie so over about half of the shorter: the first is too little, the second sure.
 const OVERLAPS: [f64; 2] = [0.3, 0.6];
@@ -49,13 +69,18 @@ pub(super) struct Wanted {
 }
 
 /// The periods wanted by strokes that are cut in `pieces`.
-pub(super) fn wanted_periods(strokes: &[Path], pieces: &[Piece], bounds: &Bounds) -> Vec<Wanted> {
+pub(super) fn wanted_periods(
+    strokes: &[Path],
+    pieces: &[Piece],
+    bounds: &Bounds,
+    rules: &PeriodRules,
+) -> Vec<Wanted> {
     let lengths: Vec<f64> = strokes.iter().map(Path::length).collect();
     let ends = Ends { lengths: &lengths, closed: strokes.iter().map(is_closed).collect() };
     let mut between = Vec::new();
     for piece in pieces {
         for side in [-1.0, 1.0] {
-            beside(piece, side, pieces, bounds, &ends, &mut between);
+            beside(piece, side, pieces, (bounds, rules), &ends, &mut between);
         }
     }
     // Length of each stroke that lies beside each other one.
@@ -76,7 +101,7 @@ pub(super) fn wanted_periods(strokes: &[Path], pieces: &[Piece], bounds: &Bounds
         half: piece.half,
         weight: (1.0 - meant[piece.stroke]).max(0.0),
         beside: 0.0,
-        log_period: libm::log(piece.width / ALONE),
+        log_period: libm::log(piece.width / rules.alone),
         width: piece.width,
         strokes: [piece.stroke; 2],
     };
@@ -90,15 +115,10 @@ impl Wanted {
         2.0 * (self.half[0] * self.half[0] + self.half[1] * self.half[1]).sqrt()
     }
 
-    /// The nearest log period that stripes of this width can have.
-    pub fn possible(&self) -> f64 {
-        within_duties(self.log_period, libm::log(self.width))
+    /// The nearest log period that strokes of this width can have.
+    pub fn possible(&self, rules: &PeriodRules) -> f64 {
+        rules.possible(self.log_period, libm::log(self.width))
     }
-}
-
-/// The log period nearest to this one that stripes of this log width can have.
-pub(super) fn within_duties(log_period: f64, log_width: f64) -> f64 {
-    log_period.clamp(log_width - libm::log(DUTIES[1]), log_width - libm::log(DUTIES[0]))
 }
 
 /// What is known of the ends of the strokes.
@@ -134,7 +154,7 @@ fn beside(
     piece: &Piece,
     side: f64,
     pieces: &[Piece],
-    bounds: &Bounds,
+    (bounds, rules): (&Bounds, &PeriodRules),
     ends: &Ends,
     between: &mut Vec<Wanted>,
 ) {
@@ -142,7 +162,7 @@ fn beside(
     let normal = [-scale * piece.half[1], scale * piece.half[0]];
     let mut met: Vec<(f64, f64, &Piece)> = Vec::new();
     for it in pieces {
-        let reach = DISTANCES[1] * 0.5 * (piece.width + it.width) + 0.5 * it.length();
+        let reach = rules.distances[1] * 0.5 * (piece.width + it.width) + 0.5 * it.length();
         let way = bounds.shortest([0, 1].map(|axis| it.middle[axis] - piece.middle[axis]));
         if way[0].abs().max(way[1].abs()) > reach || std::ptr::eq(it, piece) {
             continue;
@@ -157,7 +177,7 @@ fn beside(
     for (distance, sure, it) in met {
         let beside = left * sure * side_by_side(piece, it, distance);
         let width = 0.5 * (piece.width + it.width);
-        let weight = beside * falling(distance / width, DISTANCES);
+        let weight = beside * falling(distance / width, rules.distances);
         if weight > 0.0 {
             let middle = [0, 1].map(|axis| piece.middle[axis] + 0.5 * distance * normal[axis]);
             between.push(Wanted {

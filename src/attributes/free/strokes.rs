@@ -3,7 +3,7 @@
 use super::kernel::for_images;
 use super::nodes::{Nodes, layout_with};
 use super::notes::{Note, excluded, notes};
-use super::period::{Wanted, wanted_periods, within_duties};
+use super::period::{PeriodRules, Wanted, wanted_periods};
 use super::pieces::{Piece, pieces};
 use crate::attributes::regions::RegionGrid;
 use crate::attributes::{Stripes, axial_mean};
@@ -37,6 +37,7 @@ pub(super) struct StrokeMap {
     periods: Nodes<1>,
     /// Width ÷ period, where it is given.
     duty: Option<f64>,
+    rules: PeriodRules,
     own: Vec<Stripes>,
     pub mean: Stripes,
     pub notes: Vec<Note>,
@@ -44,18 +45,18 @@ pub(super) struct StrokeMap {
 
 impl StrokeMap {
     /// The map of at least one stroke.
-    pub fn new(strokes: &[Path], canvas: &RegionGrid) -> Option<Self> {
+    pub fn new(strokes: &[Path], canvas: &RegionGrid, rules: PeriodRules) -> Option<Self> {
         let measured = Stripes::measure(strokes)?;
         let bounds = canvas.bounds();
         let pieces = pieces(strokes);
-        let wanted = wanted_periods(strokes, &pieces, &bounds);
-        let sources = Sources::new(&pieces, &wanted, bounds);
+        let wanted = wanted_periods(strokes, &pieces, &bounds, &rules);
+        let sources = Sources::new(&pieces, &wanted, bounds, &rules);
         let is_line = strokes.len() == 1 && strokes[0].points.len() == 2;
         let layout = |most| layout_with(canvas, if is_line { 1 } else { most });
         let values = Nodes::sampled(layout(NODES[0]), |point| sources.mean_of(&sources.strokes, point));
         let periods = Nodes::sampled(layout(NODES[1]), |point| sources.mean_of(&sources.periods, point));
         let (own, notes_of) = (Vec::new(), Vec::new());
-        let mut map = Self { values, periods, duty: None, own, mean: measured, notes: notes_of };
+        let mut map = Self { values, periods, duty: None, rules, own, mean: measured, notes: notes_of };
         map.own = (0..strokes.len()).map(|stroke| map.own_of(&pieces, stroke)).collect();
         let (mut sum, mut total) = (0.0, 0.0);
         for (stroke, own) in strokes.iter().zip(&map.own) {
@@ -63,7 +64,7 @@ impl StrokeMap {
             total += stroke.length();
         }
         map.mean.wavelength = Some(libm::exp(sum / total));
-        let mut notes = notes(strokes, &pieces, &wanted, &|point| map.at(point).angle);
+        let mut notes = notes(strokes, &pieces, (&wanted, &rules), &|point| map.at(point).angle);
         notes.extend(excluded(strokes, &map.own, map.mean_duty()));
         map.notes = notes;
         Some(map)
@@ -95,7 +96,7 @@ impl StrokeMap {
     fn log_period(&self, point: [f64; 2], log_width: f64) -> f64 {
         match self.duty {
             Some(duty) => log_width - libm::log(duty),
-            None => within_duties(self.periods.at(point)[0], log_width),
+            None => self.rules.possible(self.periods.at(point)[0], log_width),
         }
     }
 
@@ -186,7 +187,7 @@ struct Sources {
 }
 
 impl Sources {
-    fn new(pieces: &[Piece], wanted: &[Wanted], bounds: Bounds) -> Self {
+    fn new(pieces: &[Piece], wanted: &[Wanted], bounds: Bounds, rules: &PeriodRules) -> Self {
         let [width, height] = bounds.size;
         let least = SOFT_SHARE * (width * height).sqrt();
         let stroke = |pieces: &[Piece]| {
@@ -196,7 +197,7 @@ impl Sources {
         };
         let period = |wanted: &Wanted| {
             let softening = least.max(SOFT_PERIOD * wanted.width);
-            Source::new(wanted.middle, wanted.half, wanted.weight, softening, [wanted.possible()])
+            Source::new(wanted.middle, wanted.half, wanted.weight, softening, [wanted.possible(rules)])
         };
         Self {
             bounds,

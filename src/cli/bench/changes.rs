@@ -10,7 +10,7 @@ use crate::cli::Error;
 use crate::document::{Document, Layer, Stroke, SystemChoice};
 use crate::editor::task::Tasks;
 use crate::rd::System;
-use crate::synth::{Grown, Measured};
+use crate::synth::{Grown, GrownLayer};
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -145,10 +145,11 @@ fn grow(growth: &mut Growth, document: &Document) -> Result<Times, Error> {
 /// Of the marks far from mark `index`, the share that is not where one was before, or that is no longer there.
 fn share_moved(index: usize, before: &Grown, after: &Grown) -> f64 {
     let places = |grown: &Grown| -> Vec<[f64; 2]> {
-        let spots = grown.layers.first().map_or(&[][..], |layer| Measured::spots(&layer.measured));
+        let spots =
+            grown.layers.first().and_then(GrownLayer::marks).map_or(&[][..], |layer| layer.measured.spots());
         spots.iter().map(|spot| spot.ellipse.center).collect()
     };
-    let wanted = before.layers.first().map(|layer| layer.plan.lookup.wanted()[0]);
+    let wanted = before.layers.first().and_then(GrownLayer::marks).map(|layer| layer.plan.lookup.wanted()[0]);
     let spacing = match wanted {
         Some(Attributes::Spots(Spots { spacing: Some(spacing), .. })) => spacing,
         _ => APART,
@@ -199,6 +200,7 @@ pub fn table(measurements: &[Changes]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::synth::Measured;
 
     #[test]
     fn the_share_of_marks_that_moved_far_away_counts_those_alone() {
@@ -210,7 +212,8 @@ mod tests {
                 document: grown.document.clone(),
                 settings: grown.settings,
             };
-            let Measured::Spots { marks, .. } = &mut grown.layers[0].measured else { panic!("spots") };
+            let GrownLayer::Marks(layer) = &mut grown.layers[0] else { panic!("marks") };
+            let Measured::Spots { marks, .. } = &mut layer.measured else { panic!("spots") };
             for mark in marks {
                 let [x, y] = mark.ellipse.center;
                 if (x + y < 200.0) == is_near {

@@ -5,8 +5,8 @@ use crate::document::{After, Layer};
 use crate::marks::{Mark, Path};
 
 pub(super) fn notes(layer: &Layer, marks: &[Option<Mark>]) -> Vec<SketchNote> {
-    // Rings and webs follow the marks beneath; only the width of what was drawn counts.
-    if matches!(layer.after, After::Around | After::Net) {
+    // Rings and webs follow the marks beneath; only the width of what was drawn counts. Threads of a weave are to cross.
+    if matches!(layer.after, After::Around | After::Net) || layer.system.pairs().is_some() {
         return Vec::new();
     }
     let paths = marks.iter().enumerate().filter_map(|(index, mark)| Some((index, mark.as_ref()?.path()?)));

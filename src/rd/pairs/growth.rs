@@ -40,7 +40,8 @@ impl PairGrowth {
         let cells = maps.grid.cells();
         let fits = |pair: &PairField| pair.direction.len() == cells && pair.size.len() == cells;
         let is_known = (1..=MOST_PAIRS).contains(&maps.pairs.len()) && maps.pairs.iter().all(fits);
-        if !is_known || !(maps.obstacles.is_empty() || maps.obstacles.len() == cells) {
+        let covers = |values: usize| values == 0 || values == cells;
+        if !is_known || !covers(maps.obstacles.len()) || !covers(maps.raised.len()) {
             return None;
         }
         let layout = RowLayout::new(&maps.grid);
@@ -50,8 +51,12 @@ impl PairGrowth {
         let concentrations = match start {
             PairStart::Noise(seed) => noise(maps, planes, *seed),
             PairStart::Drawn(reaction) => held(&problem, step, planes, plane(reaction)?),
+            PairStart::Grown(concentrations) => concentrations.clone(),
         };
-        let planes = concentrations.iter().map(plane).collect::<Option<_>>()?;
+        let unit = model.peak_gain() * model.gain.at(0.0);
+        let raised: Vec<f32> = maps.raised.iter().map(|raised| unit * raised).collect();
+        let raised = (!raised.is_empty()).then_some(&raised);
+        let planes = concentrations.iter().chain(raised).map(plane).collect::<Option<_>>()?;
         let chemicals = reacting_pairs(*model, planes)?;
         Some(Self { problem, cell: maps.grid.cell, chemicals, scratch: Scratch::default(), step, steps: 0 })
     }
@@ -129,7 +134,7 @@ impl PairGrowth {
     /// The concentrations of each morphogen, row by row: C₊ and C₋ of the first pair, then of the second, and so on.
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
-        self.chemicals.planes().iter().map(Plane::cells).collect()
+        self.chemicals.planes().chunks_exact(2).flatten().map(Plane::cells).collect()
     }
 }
 
@@ -161,9 +166,9 @@ fn held(problem: &Problem, step: f64, planes: usize, reaction: Plane) -> Vec<Vec
 
 /// Coefficients with the largest time step that is stable, and that step in 1/b.
 fn problem(maps: &PairMaps, model: &PairModel, layout: RowLayout) -> (Problem, f64) {
-    let e = f64::from(model.elongation);
     let d = f64::from(model.ratio);
     let tensors = |pair: &PairField, across: f64| {
+        let e = f64::from(pair.elongation);
         Diffusion::new(
             layout,
             |cell| [pair.direction[cell], pair.size[cell]],

@@ -1,4 +1,5 @@
-//! The reactions of `N` morphogens: C₊ and C₋ of the first pair, then of the second, and so on.
+//! The reactions of `N` morphogens: C₊ and C₋ of the first pair, then of the second, and so on. Where `N` is odd, the last plane
+//! is no morphogen: it says by how much the threshold is raised at each cell.
 
 use super::{Combination, PairModel};
 use crate::rd::chemicals::{Chemicals, reacting};
@@ -34,7 +35,7 @@ impl<const N: usize> PairReaction<N> {
 }
 
 impl<const N: usize> Kinetics<N> for PairReaction<N> {
-    const SPREAD: [Spreading; N] = spreading(N);
+    const SPREAD: [Spreading; N] = spreading(N / 2 * 2);
 
     fn at(&self, time: f64) -> Self {
         let gain = self.model.gain.at(time);
@@ -52,14 +53,17 @@ impl<const N: usize> Kinetics<N> for PairReaction<N> {
             largest = largest.larger(difference);
             least = least.smaller(difference);
         }
-        let x = match self.model.combination {
+        let mut x = match self.model.combination {
             Combination::Maximum => largest,
             Combination::DifferenceOfAbsolutes => largest.absolute() - least.absolute(),
         };
+        if N % 2 == 1 {
+            x = x - c[N - 1];
+        }
         let r = V::splat(self.gain) * x.soft_step(V::splat(self.threshold), V::splat(self.half_width));
-        let mut change = c;
-        for change in &mut change {
-            *change = r - *change;
+        let mut change = [V::splat(0.0); N];
+        for i in 0..N / 2 * 2 {
+            change[i] = r - c[i];
         }
         change
     }
@@ -82,7 +86,8 @@ impl<const N: usize> Kinetics<N> for HeldReaction<N> {
     }
 }
 
-/// The planes of one to five pairs with the reaction of `model`; `None` for another number of planes.
+/// The planes of one to five pairs, and perhaps one that raises the threshold, with the reaction of `model`; `None` for another
+/// number of planes.
 #[must_use]
 pub(super) fn reacting_pairs(model: PairModel, planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
     match planes.len() {
@@ -91,6 +96,11 @@ pub(super) fn reacting_pairs(model: PairModel, planes: Vec<Plane>) -> Option<Box
         6 => reacting(PairReaction::<6>::new(model), planes),
         8 => reacting(PairReaction::<8>::new(model), planes),
         10 => reacting(PairReaction::<10>::new(model), planes),
+        3 => reacting(PairReaction::<3>::new(model), planes),
+        5 => reacting(PairReaction::<5>::new(model), planes),
+        7 => reacting(PairReaction::<7>::new(model), planes),
+        9 => reacting(PairReaction::<9>::new(model), planes),
+        11 => reacting(PairReaction::<11>::new(model), planes),
         _ => None,
     }
 }

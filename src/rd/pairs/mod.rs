@@ -12,6 +12,7 @@
 //! softness are given in K₀ · k.
 
 mod growth;
+mod kind;
 mod kinetics;
 mod start;
 mod thread_law;
@@ -20,6 +21,7 @@ mod thread_law;
 mod tests;
 
 pub use growth::PairGrowth;
+pub use kind::PairKind;
 pub use start::PairStart;
 pub use thread_law::{Threads, weave_threshold};
 
@@ -92,8 +94,6 @@ impl Course {
 pub struct PairModel {
     /// How the differences make up the reaction.
     pub combination: Combination,
-    /// e: how much longer than wide the blurs are, 1..6.
-    pub elongation: f32,
     /// d: how much wider the blur of C₋ is than that of C₊ across the direction, above 1. 1.5 gives clean stripes.
     pub ratio: f32,
     /// θ/K₀k: the difference at which the reaction is half. It sets the share that is covered: 0 = half.
@@ -129,20 +129,23 @@ impl PairModel {
 /// w ÷ θ at which the ground stays empty (`facts.md` T).
 const STABLE_GROUND: f32 = 0.7;
 
-/// Direction and size of one pair at each cell.
+/// Direction, size and elongation of one pair.
 #[derive(Clone, Debug)]
 pub struct PairField {
     /// θ: direction of its lines, degrees from +x towards +y, by cell.
     pub direction: Vec<f32>,
     /// s: size, cells (√(x · y) of cells that are not square), by cell. 1.5 and more keep edges free of the grid.
     pub size: Vec<f32>,
+    /// e: how much longer than wide the blurs are, 1..8. Where several pairs are together, thin lines that are seen by a short
+    /// blur only begin to grow along the edges of wide ones that they cross.
+    pub elongation: f32,
 }
 
 impl PairField {
     /// The same direction and size at each of `cells` cells.
     #[must_use]
-    pub fn uniform(cells: usize, direction: f32, size: f32) -> Self {
-        Self { direction: vec![direction; cells], size: vec![size; cells] }
+    pub fn uniform(cells: usize, direction: f32, size: f32, elongation: f32) -> Self {
+        Self { direction: vec![direction; cells], size: vec![size; cells], elongation }
     }
 }
 
@@ -155,6 +158,9 @@ pub struct PairMaps {
     pub pairs: Vec<PairField>,
     /// Cells covered by the marks of other layers, by number; empty = none. Nothing grows there.
     pub obstacles: Vec<bool>,
+    /// By how much the threshold θ is raised at each cell, in K₀; empty = nowhere. Where it is high nothing grows, and lines that
+    /// grow beside it stay where they are.
+    pub raised: Vec<f32>,
 }
 
 /// Most pairs of a system: five directions 36° apart make coral and twisty mazes.

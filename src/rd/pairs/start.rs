@@ -13,6 +13,8 @@ pub enum PairStart {
     Noise(u64),
     /// The equilibrium of a reaction that is drawn: R at each cell, 0..1.
     Drawn(Vec<f32>),
+    /// What has grown: the concentrations of each morphogen, C₊ and C₋ of the first pair, then of the second, and so on.
+    Grown(Vec<Vec<f32>>),
 }
 
 /// White noise between −1 and 1 of each of `planes` morphogens.

@@ -10,14 +10,13 @@ fn grid(side: usize) -> Grid {
 
 fn maps(side: usize, pairs: &[(f32, f32)]) -> PairMaps {
     let grid = grid(side);
-    let field = |(direction, size): &(f32, f32)| PairField::uniform(grid.cells(), *direction, *size);
-    PairMaps { pairs: pairs.iter().map(field).collect(), grid, obstacles: Vec::new() }
+    let field = |(direction, size): &(f32, f32)| PairField::uniform(grid.cells(), *direction, *size, 3.0);
+    PairMaps { pairs: pairs.iter().map(field).collect(), grid, obstacles: Vec::new(), raised: Vec::new() }
 }
 
 fn model(combination: Combination, threshold: f32) -> PairModel {
     PairModel {
         combination,
-        elongation: 3.0,
         ratio: 1.5,
         threshold: Course::Ramp { to: threshold, first: 4.0, each: 2.0 },
         softness: 0.05,
@@ -78,6 +77,9 @@ fn all_instructions_and_tilings_give_the_bits_of_the_plain_solver() {
             *size += 0.01 * (cell % 50) as f32;
         }
         maps.obstacles = (0..2_500).map(|cell| cell % 50 < 5 && cell < 500).collect();
+        if pairs.len() == 2 {
+            maps.raised = (0..2_500).map(|cell| 0.01 * (cell % 50) as f32).collect();
+        }
         let model = model(combination, 0.1);
         let mut plain = PairGrowth::new(&maps, &model, &PairStart::Noise(7)).expect("fits");
         let begun = plain.clone();
@@ -125,11 +127,8 @@ fn both_directions_of_a_weave_grow_and_cross() {
 #[test]
 fn lines_of_a_maze_do_not_cross() {
     let maps = maps(128, &[(0.0, 1.5), (90.0, 1.5)]);
-    let model = PairModel {
-        elongation: 2.0,
-        threshold: Course::Constant(0.0),
-        ..model(Combination::DifferenceOfAbsolutes, 0.0)
-    };
+    let model =
+        PairModel { threshold: Course::Constant(0.0), ..model(Combination::DifferenceOfAbsolutes, 0.0) };
     let mut growth = PairGrowth::new(&maps, &model, &PairStart::Noise(1)).expect("two pairs");
     growth.advance(growth.steps_in(40.0));
     let [a, b] = &growth.differences()[..] else { panic!("two pairs") };
@@ -242,4 +241,21 @@ fn maps_that_do_not_fit_are_refused() {
     let mut short = maps(16, &[(0.0, 1.5)]);
     short.pairs[0].size.pop();
     assert!(!grow(&short, &PairStart::Noise(1)));
+}
+
+#[test]
+fn nothing_grows_where_the_threshold_is_raised() {
+    let mut maps = maps(96, &[(0.0, 1.5)]);
+    maps.raised = (0..96 * 96).map(|cell| if cell / 96 < 48 { 0.0 } else { 1.0 }).collect();
+    let mut growth =
+        PairGrowth::new(&maps, &model(Combination::Maximum, 0.1), &PairStart::Noise(1)).expect("one pair");
+    growth.advance(growth.steps_in(30.0));
+    let level = 0.1 * model(Combination::Maximum, 0.1).peak_gain();
+    let difference = &growth.differences()[0].values;
+    let share = |rows: std::ops::Range<usize>| {
+        let cells = &difference[96 * rows.start..96 * rows.end];
+        cells.iter().filter(|value| **value > level).count() as f64 / cells.len() as f64
+    };
+    assert!(share(6..42) > 0.3 && share(54..90) == 0.0, "{} {}", share(6..42), share(54..90));
+    assert_eq!(growth.concentrations().len(), 2);
 }

@@ -5,20 +5,21 @@ use std::sync::Arc;
 use crate::document::{After, Document, Layer};
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
-use crate::synth::grow::layer::{GrowError, Grown, GrownLayer};
+use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, GrownMarks};
 use crate::synth::grow::obstacles::{bias, obstacles};
-use crate::synth::grow::passing::crossed_marks;
+use crate::synth::grow::passing::{crossed_marks, crosses};
 use crate::synth::grow::pattern::{EDGE, Pattern};
 use crate::synth::grow::pinned_correction::{PinnedCorrection, Rounds};
 use crate::synth::grow::probe::{When, correct};
 use crate::synth::grow::refine::refine;
 use crate::synth::grow::settle::settle_seen;
-use crate::synth::grow::snapshot::Snapshot;
+use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::memory;
 use crate::synth::options::{Options, Settings};
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::offset::Offset;
+use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::{Corrected, Lookup, Plan, Surroundings, Targets};
 use crate::synth::watch::Stage;
 
@@ -88,11 +89,11 @@ pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usi
 }
 
 /// The growth of a document.
-struct Cascade<'a> {
-    document: &'a Document,
-    options: Options<'a>,
+pub(super) struct Cascade<'a> {
+    pub(super) document: &'a Document,
+    pub(super) options: Options<'a>,
     /// Normalised time between two snapshots; `None` = a few milliseconds of wall time.
-    every: Option<f64>,
+    pub(super) every: Option<f64>,
 }
 
 impl Cascade<'_> {
@@ -119,12 +120,41 @@ impl Cascade<'_> {
     /// those that do not depend on the growth of the one beneath.
     fn look_up_all(&self) -> Result<Vec<Option<Lookup>>, GrowError> {
         let layers = &self.document.layers;
-        let mut found: Vec<Lookup> = Vec::with_capacity(layers.len());
-        for index in 0..layers.len() {
-            found.push(self.look_up(index, found.last())?);
+        let mut found: Vec<Option<Lookup>> = Vec::with_capacity(layers.len());
+        for (index, layer) in layers.iter().enumerate() {
+            let below = found.last().and_then(Option::as_ref);
+            found.push(if layer.system.pairs().is_some() {
+                self.plan_pairs(index)?;
+                None
+            } else {
+                Some(self.look_up(index, below)?)
+            });
         }
         let is_final = |layer: &Layer| layer.after != After::Inside;
-        Ok(found.into_iter().zip(layers).map(|(lookup, layer)| is_final(layer).then_some(lookup)).collect())
+        Ok(found.into_iter().zip(layers).map(|(lookup, layer)| lookup.filter(|_| is_final(layer))).collect())
+    }
+
+    /// Plans layer `index`, which a system of pairs grows.
+    fn plan_pairs(&self, index: usize) -> Result<PairPlan, GrowError> {
+        let size = self.options.size.unwrap_or(self.document.size).map(f64::from);
+        let plan = PairPlan::read(self.document, index, self.options.source, size)?;
+        memory::check_pairs(plan.threads.len(), size, plan.grid.size)?;
+        Ok(plan)
+    }
+
+    /// Grows layer `index` by a system of pairs.
+    fn pair_layer(
+        &self,
+        index: usize,
+        beneath: &[GrownLayer],
+        seen: &mut dyn FnMut(&Snapshot),
+    ) -> Result<GrownLayer, GrowError> {
+        self.options.watch.step(Stage::Plan, 0.0)?;
+        let mut plan = during(Phase::LookUp, || self.plan_pairs(index))?;
+        plan.obstacles =
+            during(Phase::LayOut, || obstacles(self.document, beneath, plan.grid.size, &|_| false));
+        let mut seen = |growing: Growing, steps| seen(&Snapshot { beneath, growing, steps });
+        Ok(GrownLayer::Pairs(self.grow_pairs(plan, index, &mut seen)?))
     }
 
     /// Looks up layer `index`, which grows above `below`.
@@ -145,13 +175,17 @@ impl Cascade<'_> {
         seen: &mut dyn FnMut(&Snapshot),
     ) -> Result<GrownLayer, GrowError> {
         let Self { document, options, .. } = *self;
+        if document.layers[index].system.pairs().is_some() {
+            return self.pair_layer(index, beneath, seen);
+        }
         let Options { training, watch, .. } = options;
-        let below = beneath.last();
+        let below = beneath.last().and_then(GrownLayer::marks);
         watch.step(Stage::Plan, 0.0)?;
         let look_up = || self.look_up(index, below.map(|layer| &layer.plan.lookup));
         let lookup = known.map_or_else(|| during(Phase::LookUp, look_up), Ok)?;
         let (obstacles, crossed) = during(Phase::LayOut, || {
-            let obstacles = obstacles(document, beneath, &lookup);
+            let passes = |layer: &GrownLayer| crosses(&lookup, layer);
+            let obstacles = obstacles(document, beneath, lookup.grid.size, &passes);
             (obstacles, crossed_marks(document, beneath, &lookup).map(Arc::new))
         });
         let spots = below.map_or(&[][..], |layer| layer.measured.spots());
@@ -160,17 +194,17 @@ impl Cascade<'_> {
         let surroundings = Surroundings { obstacles, spots };
         let plan = during(Phase::LayOut, || corrected.lay_out(surroundings, seed));
         let plan = plan.map_err(|error| GrowError::laying_out(index + 1, error))?;
-        let mut seen = |plan: &Plan, engine: &Engine| seen(&Snapshot { beneath, plan, engine });
+        let mut seen = |plan: &Plan, engine: &Engine| seen(&Snapshot::of_marks(beneath, plan, engine));
         let layer = self.grow_layer(plan, index, &mut seen)?;
         let layer = match self.bias(&layer) {
             None => layer,
             Some(bias) => self.grow_layer(layer.plan.less(training, &bias)?, index, &mut seen)?,
         };
-        Ok(GrownLayer { crossed, ..layer })
+        Ok(GrownLayer::Marks(Box::new(GrownMarks { crossed, ..layer })))
     }
 
     /// Is the pattern corrected?
-    fn corrects(&self) -> bool {
+    pub(super) fn corrects(&self) -> bool {
         self.options.refine.unwrap_or(self.document.growth.refine)
     }
 
@@ -185,7 +219,7 @@ impl Cascade<'_> {
     }
 
     /// How the layers beneath have turned and stretched the spots of `layer`, where that is corrected.
-    fn bias(&self, layer: &GrownLayer) -> Option<Vec<Offset>> {
+    fn bias(&self, layer: &GrownMarks) -> Option<Vec<Offset>> {
         let correctable = self.corrects() && layer.plan.places().is_none();
         if correctable { bias(&layer.plan, &layer.measured) } else { None }
     }
@@ -196,7 +230,7 @@ impl Cascade<'_> {
         mut plan: Plan,
         index: usize,
         seen: &mut dyn FnMut(&Plan, &Engine),
-    ) -> Result<GrownLayer, GrowError> {
+    ) -> Result<GrownMarks, GrowError> {
         let Self { document, options, every } = *self;
         let watch = options.watch;
         let layer = index + 1;
@@ -208,7 +242,7 @@ impl Cascade<'_> {
         watch.step(Stage::Plan, 1.0)?;
         let canvas = plan.lookup.map.layout().size.map(|side| side as usize);
         let mut rounds = Rounds::default();
-        let mut best: Option<(f64, GrownLayer)> = None;
+        let mut best: Option<(f64, GrownMarks)> = None;
         loop {
             let settled = settle_seen(&mut engine, every, &watch, &mut |engine| seen(&plan, engine))?;
             let marks = plan.levelled(engine.marks());
@@ -232,7 +266,7 @@ impl Cascade<'_> {
                 let concentrations =
                     if options.concentrations { engine.concentrations() } else { Vec::new() };
                 let (plan, steps) = (plan.clone(), engine.steps());
-                let grown = GrownLayer {
+                let grown = GrownMarks {
                     plan,
                     steps,
                     settled,
@@ -250,7 +284,7 @@ impl Cascade<'_> {
             }
             return match (best, nothing) {
                 (Some((error, grown)), _) if error.is_finite() => {
-                    Ok(GrownLayer { steps: engine.steps(), ..grown })
+                    Ok(GrownMarks { steps: engine.steps(), ..grown })
                 }
                 (_, what) => Err(GrowError::Blank { layer, what: what.unwrap_or("no marks") }),
             };

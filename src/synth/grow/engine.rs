@@ -304,6 +304,12 @@ impl Engine {
         self.updates.div_ceil(self.maps.domain.cells() as u64)
     }
 
+    /// Cells along x and y of the current grid.
+    #[must_use]
+    pub fn grid(&self) -> [usize; 2] {
+        self.grids[self.level.index]
+    }
+
     /// The concentration that shows the marks as a share of the local peak, on the current grid.
     #[must_use]
     pub fn marks(&self) -> Field {

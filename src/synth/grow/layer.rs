@@ -3,8 +3,11 @@
 use crate::document::{Document, DocumentError};
 use std::sync::Arc;
 
+use crate::attributes::system::Description;
 use crate::grid::Field;
 use crate::grid::resample::Spline;
+use crate::synth::grow::layer_pattern::LayerPattern;
+use crate::synth::grow::pairs::GrownPairs;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::probe::ProbeError;
 use crate::synth::grow::refine::Measured;
@@ -36,7 +39,87 @@ impl GrowError {
 
 /// A grown layer.
 #[derive(Clone)]
-pub struct GrownLayer {
+pub enum GrownLayer {
+    /// Spots or stripes, by a system with training rows.
+    Marks(Box<GrownMarks>),
+    /// By a system of pairs.
+    Pairs(GrownPairs),
+}
+
+impl GrownLayer {
+    /// The pattern at any size, without what passes under stripes that it crosses.
+    #[must_use]
+    pub fn pattern(&self) -> LayerPattern<'_> {
+        match self {
+            Self::Marks(marks) => LayerPattern::Marks(marks.pattern()),
+            Self::Pairs(pairs) => LayerPattern::Pairs(pairs.pattern()),
+        }
+    }
+
+    /// Its spots or stripes; `None` of a layer of pairs.
+    #[must_use]
+    pub fn marks(&self) -> Option<&GrownMarks> {
+        if let Self::Marks(marks) = self { Some(marks) } else { None }
+    }
+
+    /// As [`Self::marks`].
+    #[must_use]
+    pub fn into_marks(self) -> Option<GrownMarks> {
+        if let Self::Marks(marks) = self { Some(*marks) } else { None }
+    }
+
+    /// What pairs have grown; `None` of spots and stripes.
+    #[must_use]
+    pub fn pairs(&self) -> Option<&GrownPairs> {
+        if let Self::Pairs(pairs) = self { Some(pairs) } else { None }
+    }
+
+    /// The system that has grown it.
+    #[must_use]
+    pub fn system(&self) -> &'static Description {
+        match self {
+            Self::Marks(marks) => marks.plan.lookup.system.description(),
+            Self::Pairs(pairs) => pairs.plan.kind.description(),
+        }
+    }
+
+    /// Cells along x and y of the grid that it grew on.
+    #[must_use]
+    pub fn grid(&self) -> [usize; 2] {
+        match self {
+            Self::Marks(marks) => marks.plan.lookup.grid.size,
+            Self::Pairs(pairs) => pairs.plan.grid.size,
+        }
+    }
+
+    /// px a cell of that grid.
+    #[must_use]
+    pub fn px_a_cell(&self) -> f64 {
+        match self {
+            Self::Marks(marks) => marks.plan.lookup.px_a_cell(),
+            Self::Pairs(pairs) => pairs.plan.px_a_cell(),
+        }
+    }
+
+    /// Whether its pattern settled within its time. Pairs have a time after which they have.
+    #[must_use]
+    pub fn settled(&self) -> bool {
+        self.marks().is_none_or(|marks| marks.settled)
+    }
+
+    /// Steps taken.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        match self {
+            Self::Marks(marks) => marks.steps,
+            Self::Pairs(pairs) => pairs.steps,
+        }
+    }
+}
+
+/// Grown spots or stripes.
+#[derive(Clone)]
+pub struct GrownMarks {
     /// How it was planned.
     pub plan: Plan,
     /// Steps taken.
@@ -57,7 +140,7 @@ pub struct GrownLayer {
     pub crossed: Option<Arc<Field>>,
 }
 
-impl GrownLayer {
+impl GrownMarks {
     /// The pattern at any size, without what passes under stripes that it crosses.
     #[must_use]
     pub fn pattern(&self) -> Pattern<'_> {

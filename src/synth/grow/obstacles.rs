@@ -4,25 +4,28 @@ use rayon::prelude::*;
 
 use crate::document::Document;
 use crate::synth::grow::layer::GrownLayer;
-use crate::synth::grow::passing::crosses;
-use crate::synth::grow::pattern::{EDGE, Pattern};
+use crate::synth::grow::layer_pattern::LayerPattern;
+use crate::synth::grow::pattern::EDGE;
 use crate::synth::grow::refine::Measured;
 use crate::synth::plan::Plan;
 use crate::synth::plan::inside::is_replaced;
-use crate::synth::plan::layer_lookup::Lookup;
 use crate::synth::plan::offset::Offset;
 
 /// Points that are sampled in a cell along each axis, at most.
 const POINTS: usize = 4;
 
-/// The cells of the grid of `lookup` that the marks of the layers `beneath` reach into, row by row; empty where there is no
-/// such layer. Layers that another one replaces, and those whose stripes its own pass under, take no cells.
+/// The cells of a grid of so many columns and rows that the marks of the layers `beneath` reach into, row by row; empty where
+/// there is no such layer. Layers that another one replaces, and those under which its own marks `pass`, take no cells.
 #[must_use]
-pub fn obstacles(document: &Document, beneath: &[GrownLayer], lookup: &Lookup) -> Vec<bool> {
-    let [nx, ny] = lookup.grid.size;
+pub fn obstacles(
+    document: &Document,
+    beneath: &[GrownLayer],
+    [nx, ny]: [usize; 2],
+    pass: &dyn Fn(&GrownLayer) -> bool,
+) -> Vec<bool> {
     let shown = beneath.iter().enumerate().filter(|(below, _)| !is_replaced(document, *below));
-    let shown = shown.filter(|(_, layer)| !crosses(lookup, layer));
-    let shown: Vec<Pattern> = shown.map(|(_, layer)| layer.pattern()).collect();
+    let shown = shown.filter(|(_, layer)| !pass(layer));
+    let shown: Vec<LayerPattern> = shown.map(|(_, layer)| layer.pattern()).collect();
     if shown.is_empty() {
         return Vec::new();
     }

@@ -7,7 +7,8 @@ use crate::attributes::Attributes;
 use crate::document::Document;
 use crate::grid::Field;
 use crate::marks::turn;
-use crate::synth::grow::layer::GrownLayer;
+use crate::synth::grow::layer::{GrownLayer, GrownMarks};
+use crate::synth::plan::Plan;
 use crate::synth::plan::inside::is_replaced;
 use crate::synth::plan::layer_lookup::{Lookup, Start};
 
@@ -23,7 +24,7 @@ const FINER: usize = 2;
 #[must_use]
 pub fn crosses(lookup: &Lookup, below: &GrownLayer) -> bool {
     let free = matches!(lookup.start, Start::Free { .. });
-    let below = &below.plan.lookup;
+    let Some(GrownMarks { plan: Plan { lookup: below, .. }, .. }) = below.marks() else { return false };
     if !free || !lookup.system.is_striped() || !below.system.is_striped() || below.curve_kind().is_some() {
         return false;
     }
@@ -48,7 +49,7 @@ pub fn crossed_marks(document: &Document, beneath: &[GrownLayer], lookup: &Looku
     let crossed: Vec<&GrownLayer> =
         shown.map(|(_, layer)| layer).filter(|layer| crosses(lookup, layer)).collect();
     let side = |axis: usize| {
-        let finest = crossed.iter().map(|layer| layer.plan.lookup.grid.size[axis]).max()?;
+        let finest = crossed.iter().map(|layer| layer.grid()[axis]).max()?;
         Some(FINER * finest.max(lookup.grid.size[axis]))
     };
     let size = [side(0)?, side(1)?];

@@ -143,7 +143,7 @@ impl<'a> Columns<'a> {
 
 /// u → the pattern: the smooth monotone map of 0..1 onto itself that takes `level` to ½,
 /// p = u(1 − l)/(u(1 − l) + l(1 − u)).
-fn share(u: f32, level: f32) -> f32 {
+pub(super) fn share(u: f32, level: f32) -> f32 {
     let u = u.clamp(0.0, 1.0);
     let up = u * (1.0 - level);
     up / (up + level * (1.0 - u))

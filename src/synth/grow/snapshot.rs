@@ -1,15 +1,61 @@
 //! A growth at one moment.
 
+use crate::rd::pairs::PairGrowth;
 use crate::synth::grow::engine::Engine;
 use crate::synth::grow::layer::GrownLayer;
+use crate::synth::grow::layer_pattern::LayerPattern;
+use crate::synth::grow::pairs::PairPattern;
+use crate::synth::grow::pattern::Pattern;
 use crate::synth::plan::Plan;
+use crate::synth::plan::pairs::PairPlan;
 
 /// A document at one moment of its growth.
 pub struct Snapshot<'a> {
     /// The layers that have grown.
     pub beneath: &'a [GrownLayer],
-    /// The plan of the layer that grows on top of them.
-    pub plan: &'a Plan,
-    /// Its growth.
-    pub engine: &'a Engine,
+    /// The layer that grows on top of them.
+    pub growing: Growing<'a>,
+    /// Steps that it has taken. Fewer than before: it has begun again.
+    pub steps: u64,
+}
+
+/// A layer that grows, with its plan.
+#[derive(Clone, Copy)]
+pub enum Growing<'a> {
+    /// Spots or stripes.
+    Marks(&'a Plan, &'a Engine),
+    /// A system of pairs.
+    Pairs(&'a PairPlan, &'a PairGrowth),
+}
+
+impl<'a> Snapshot<'a> {
+    /// Spots or stripes that grow.
+    #[must_use]
+    pub fn of_marks(beneath: &'a [GrownLayer], plan: &'a Plan, engine: &'a Engine) -> Self {
+        Self { beneath, growing: Growing::Marks(plan, engine), steps: engine.steps() }
+    }
+}
+
+impl<'a> Growing<'a> {
+    /// Cells along x and y of the current grid.
+    #[must_use]
+    pub fn grid(self) -> [usize; 2] {
+        match self {
+            Self::Marks(_, engine) => engine.grid(),
+            Self::Pairs(plan, _) => plan.grid.size,
+        }
+    }
+
+    /// The pattern of the layer as it is now.
+    #[must_use]
+    pub fn pattern(self) -> LayerPattern<'a> {
+        match self {
+            Self::Marks(plan, engine) => {
+                LayerPattern::Marks(Pattern::new(&plan.lookup, &plan.levelled(engine.marks())))
+            }
+            Self::Pairs(plan, growth) => {
+                LayerPattern::Pairs(PairPattern::new(&growth.differences(), plan.level()))
+            }
+        }
+    }
 }

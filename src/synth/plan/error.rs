@@ -12,6 +12,12 @@ pub enum PlanError {
     /// A question that no training set answers.
     #[error(transparent)]
     Ask(#[from] AskError),
+    /// A system of pairs, whose parameters follow from laws.
+    #[error("{name} has no training rows: its parameters follow from the lines of a whole layer")]
+    Pairs {
+        /// The system.
+        name: &'static str,
+    },
 }
 
 /// Why a layer could not be laid out among the marks of the layers beneath.

@@ -29,6 +29,7 @@ pub mod obstacle_mask;
 pub mod offset;
 pub mod offset_curves;
 mod one_spot;
+pub mod pairs;
 pub mod pinned_marks;
 pub mod sketch_targets;
 pub mod spacing_correction;

@@ -74,7 +74,7 @@ struct Clock {
 impl Clock {
     /// The moment of this snapshot; and whether its layer started again.
     fn tick(&mut self, look: &Snapshot) -> (Moment, bool) {
-        let (layer, steps) = (look.beneath.len(), look.engine.steps());
+        let (layer, steps) = (look.beneath.len(), look.steps);
         let again = layer == self.layer && steps < self.steps;
         let next = layer != self.layer || again;
         let now = match self.now {

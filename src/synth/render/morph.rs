@@ -228,6 +228,10 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
                 "found {n} layers; allowed: one in each, as frozen marks cannot move under those that grew between them"
             ));
         };
+        if let Some(kind) = layer.system.pairs() {
+            let name = kind.description().name;
+            return Some(format!("its layer is a {name:?}; allowed: systems of spots or stripes"));
+        }
         if layer.after != After::Between {
             return Some(format!("its layer has `after` {:?}; allowed: between", layer.after.name()));
         }

@@ -7,7 +7,7 @@ use crate::export::Stopped;
 use crate::export::outline::{Group, Shape, Smallest, Source, Style, Travel, draw, outline};
 use crate::grid::Edges;
 use crate::synth::grow::layer::{Grown, GrownLayer};
-use crate::synth::grow::pattern::Pattern;
+use crate::synth::grow::layer_pattern::LayerPattern;
 use crate::synth::plan::inside::is_replaced;
 use crate::synth::render::painting::gradient_of;
 use crate::synth::watch::{Stage, Watch};
@@ -47,14 +47,14 @@ pub fn outlines(
     wanted: &Outlining,
     watch: &Watch,
 ) -> Result<(Vec<Group>, Travel), Stopped> {
-    let patterns: Vec<Pattern> = grown.layers.iter().map(GrownLayer::pattern).collect();
+    let patterns: Vec<LayerPattern> = grown.layers.iter().map(GrownLayer::pattern).collect();
     let shown = |index: usize| match wanted.only {
         Some(only) => index == only,
         None => document.layers[index].visible && !is_replaced(document, index),
     };
     let mut layers = Vec::new();
     for index in (0..patterns.len()).filter(|index| shown(*index)) {
-        let beneath: Vec<&Pattern> = (0..index)
+        let beneath: Vec<&LayerPattern> = (0..index)
             .filter(|beneath| wanted.only.is_none() && !is_replaced(document, *beneath))
             .map(|beneath| &patterns[beneath])
             .collect();
@@ -90,8 +90,8 @@ pub fn ground(document: &Document) -> [u8; 3] {
 
 fn layer_shapes(
     document: &Document,
-    pattern: &Pattern,
-    beneath: &[&Pattern],
+    pattern: &LayerPattern,
+    beneath: &[&LayerPattern],
     wanted: &Outlining,
     step: &dyn Fn(f64) -> Result<(), Stopped>,
 ) -> Result<Vec<Shape>, Stopped> {

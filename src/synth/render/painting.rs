@@ -17,6 +17,7 @@ use crate::export::png::{Header, Samples};
 use crate::export::{self, Content, ExportError, Format, Prepared, Stopped, exr};
 use crate::grid::{Edges, Field, to_u16};
 use crate::synth::grow::layer::{Grown, GrownLayer};
+use crate::synth::grow::layer_pattern::LayerPattern;
 use crate::synth::grow::pattern::EDGE;
 use crate::synth::grow::pattern::Pattern;
 use crate::synth::grow::snapshot::Snapshot;
@@ -29,7 +30,7 @@ use crate::synth::watch::{Stage, Watch};
 pub struct Painting<'a> {
     /// Width and height, px.
     pub size: [usize; 2],
-    layers: Vec<Pattern<'a>>,
+    layers: Vec<LayerPattern<'a>>,
     tables: Vec<Table>,
     gradients: Vec<Gradient>,
     visible: Vec<bool>,
@@ -55,7 +56,7 @@ impl<'a> Painting<'a> {
     #[must_use]
     pub fn growing(document: &Document, snapshot: &Snapshot<'a>, size: [usize; 2]) -> Self {
         let mut layers: Vec<_> = snapshot.beneath.iter().map(GrownLayer::pattern).collect();
-        layers.push(Pattern::new(&snapshot.plan.lookup, &snapshot.plan.levelled(snapshot.engine.marks())));
+        layers.push(snapshot.growing.pattern());
         let mut painting = Self::with(document, size, layers);
         // The growing layer is shown although the next one will replace it.
         let top = painting.layers.len() - 1;
@@ -66,10 +67,11 @@ impl<'a> Painting<'a> {
     /// The concentration `marks` of one layer, in the colours of the lowest of `document`, at `size` px.
     #[must_use]
     pub fn from_marks(document: &Document, plan: &'a Plan, marks: Field, size: [usize; 2]) -> Self {
-        Self::with(document, size, vec![Pattern::new(&plan.lookup, &plan.levelled(marks))])
+        let pattern = Pattern::new(&plan.lookup, &plan.levelled(marks));
+        Self::with(document, size, vec![LayerPattern::Marks(pattern)])
     }
 
-    fn with(document: &Document, size: [usize; 2], layers: Vec<Pattern<'a>>) -> Self {
+    fn with(document: &Document, size: [usize; 2], layers: Vec<LayerPattern<'a>>) -> Self {
         let gradients = document.layers.iter().enumerate().map(|(index, layer)| gradient_of(layer, index));
         let gradients: Vec<Gradient> = gradients.collect();
         Self {

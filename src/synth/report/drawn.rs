@@ -7,7 +7,7 @@ use crate::grid::Field;
 use crate::grid::resample::Spline;
 use crate::marks::{Ellipse, Path};
 use crate::rd::Hindrance;
-use crate::synth::grow::layer::GrownLayer;
+use crate::synth::grow::layer::GrownMarks;
 use crate::synth::grow::pinned_correction::matched;
 use crate::synth::plan::Plan;
 use crate::synth::plan::pinned_marks::{LeftOut, displacement};
@@ -43,13 +43,13 @@ pub struct DrawnMark {
 /// What became of each drawn mark of a layer, in the order in which they were drawn; `pattern` gives its pattern. Empty
 /// where none was to be among those that grow.
 #[must_use]
-pub fn drawn_marks(layer: &GrownLayer, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
+pub fn drawn_marks(layer: &GrownMarks, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
     let mut marks = if layer.plan.pinned_lines().is_empty() { spots(layer) } else { lines(layer, pattern) };
     marks.sort_by_key(|mark| mark.mark);
     marks
 }
 
-fn spots(layer: &GrownLayer) -> Vec<DrawnMark> {
+fn spots(layer: &GrownMarks) -> Vec<DrawnMark> {
     let (plan, layout) = (&layer.plan, layer.plan.lookup.map.layout());
     let own = matched(plan.pinned_spots(), layout, layer.measured.spots());
     let pinned = plan.pinned_spots().iter().zip(own).map(|(pinned, spot)| {
@@ -88,7 +88,7 @@ pub fn left_out(plan: &Plan) -> Vec<DrawnMark> {
     plan.left_out().iter().map(mark).collect()
 }
 
-fn lines(layer: &GrownLayer, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
+fn lines(layer: &GrownMarks, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
     let (plan, layout) = (&layer.plan, layer.plan.lookup.map.layout());
     let surface = Spline::new(&pattern());
     let mark = |(mark, line): (usize, &Path)| {

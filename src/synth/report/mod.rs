@@ -7,15 +7,18 @@ pub mod drawn;
 pub mod pinned;
 mod region;
 pub mod stripe_along;
+pub mod threads;
 
 pub use drawn::{DrawnMark, drawn_marks, left_out};
 pub use region::{RegionReport, merged_spots, regions};
+pub use threads::{ThreadReport, drawn_lines};
 
 use serde::Serialize;
 
 use crate::attributes::Polarity;
 use crate::document::Document;
-use crate::synth::grow::layer::{Grown, GrownLayer};
+use crate::synth::grow::layer::{Grown, GrownLayer, GrownMarks};
+use crate::synth::grow::pairs::GrownPairs;
 use crate::synth::plan::inside::is_replaced;
 
 /// The report of a growth. Serialised, it is the JSON of `grow --report`.
@@ -50,8 +53,14 @@ pub struct LayerReport {
     pub steps: u64,
     /// Whether the pattern settled within the step limit.
     pub settled: bool,
-    /// One a region, row by row.
+    /// One a region, row by row; empty of pairs.
     pub regions: Vec<RegionReport>,
+    /// One a direction of a weave.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub threads: Vec<ThreadReport>,
+    /// What the user should know of a weave; regions have notes of their own.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
     /// What became of each drawn mark; empty where none was to be among those that grow.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub drawn: Vec<DrawnMark>,
@@ -79,23 +88,47 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
 /// What became of each drawn mark of a layer.
 #[must_use]
 pub fn drawn_of(layer: &GrownLayer) -> Vec<DrawnMark> {
+    match layer {
+        GrownLayer::Marks(layer) => drawn_of_marks(layer),
+        GrownLayer::Pairs(layer) => drawn_lines(layer),
+    }
+}
+
+fn drawn_of_marks(layer: &GrownMarks) -> Vec<DrawnMark> {
     let [nx, ny] = layer.plan.lookup.grid.size;
     drawn_marks(layer, &|| layer.whole_pattern().field(nx, ny))
 }
 
 fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerReport {
-    let lookup = &layer.plan.lookup;
-    let drawn = drawn_of(layer);
-    LayerReport {
+    let report = LayerReport {
         name: document.layers[index].name.clone(),
-        system: lookup.system.name(),
-        inverted: lookup.polarity == Polarity::Negative,
-        cell: lookup.px_a_cell(),
-        grid: lookup.grid.size,
-        steps: layer.steps,
-        settled: layer.settled,
-        regions: regions(document, index, layer, &drawn),
-        drawn,
+        system: layer.system().name,
+        inverted: false,
+        cell: layer.px_a_cell(),
+        grid: layer.grid(),
+        steps: layer.steps(),
+        settled: layer.settled(),
+        regions: Vec::new(),
+        threads: Vec::new(),
+        drawn: drawn_of(layer),
+        notes: Vec::new(),
         shown: None,
+    };
+    match layer {
+        GrownLayer::Marks(marks) => LayerReport {
+            inverted: marks.plan.lookup.polarity == Polarity::Negative,
+            regions: regions(document, index, marks, &report.drawn),
+            ..report
+        },
+        GrownLayer::Pairs(pairs) => LayerReport {
+            threads: threads::threads(pairs),
+            notes: pair_notes(pairs, &report.drawn),
+            ..report
+        },
     }
+}
+
+/// What the user should know of what pairs have grown.
+fn pair_notes(layer: &GrownPairs, drawn: &[DrawnMark]) -> Vec<String> {
+    threads::notes(layer).into_iter().chain(drawn::note(drawn, true)).collect()
 }

@@ -6,7 +6,7 @@ use crate::attributes::{Attributes, Polarity, Spread};
 use crate::document::Document;
 use crate::learn::Note;
 use crate::rd::Seeding;
-use crate::synth::grow::layer::GrownLayer;
+use crate::synth::grow::layer::GrownMarks;
 use crate::synth::grow::refine::Measured;
 use crate::synth::plan::Plan;
 use crate::synth::plan::inside;
@@ -117,7 +117,7 @@ struct SpreadEntry {
 pub fn regions(
     document: &Document,
     index: usize,
-    layer: &GrownLayer,
+    layer: &GrownMarks,
     drawn: &[DrawnMark],
 ) -> Vec<RegionReport> {
     let plan = &layer.plan;
@@ -137,7 +137,7 @@ pub fn regions(
     regions.map(|(index, remarks)| region(layer, index, remarks, stayed.get(index))).collect()
 }
 
-fn region(layer: &GrownLayer, index: usize, remarks: Vec<String>, stayed: Option<&Stayed>) -> RegionReport {
+fn region(layer: &GrownMarks, index: usize, remarks: Vec<String>, stayed: Option<&Stayed>) -> RegionReport {
     let Plan { lookup, corrections, .. } = &layer.plan;
     let layout = lookup.map.layout();
     let place = layout.place(index);
@@ -179,7 +179,7 @@ fn region(layer: &GrownLayer, index: usize, remarks: Vec<String>, stayed: Option
 }
 
 /// The number of whole spots of region `index` that are two grown together; `None` of stripes.
-fn merged(layer: &GrownLayer, index: usize) -> Option<usize> {
+fn merged(layer: &GrownMarks, index: usize) -> Option<usize> {
     let Measured::Spots { .. } = &layer.measured else { return None };
     let layout = layer.plan.lookup.map.layout();
     let here = |place: &&[f64; 2]| layout.index(layout.region_of(**place)) == index;
@@ -188,11 +188,11 @@ fn merged(layer: &GrownLayer, index: usize) -> Option<usize> {
 
 /// The centres of the whole spots of a layer that are two grown together, px; none of stripes.
 #[must_use]
-pub fn merged_spots(layer: &GrownLayer) -> Vec<[f64; 2]> {
+pub fn merged_spots(layer: &GrownMarks) -> Vec<[f64; 2]> {
     layer.measured.merged_spots(&layer.plan).map(|spot| spot.ellipse.center).collect()
 }
 
-fn parameters(layer: &GrownLayer, index: usize) -> Vec<(&'static str, f64)> {
+fn parameters(layer: &GrownMarks, index: usize) -> Vec<(&'static str, f64)> {
     let lookup = &layer.plan.lookup;
     let answer = &lookup.answers[index];
     let mut named = answer.parameters.named();
@@ -213,7 +213,7 @@ fn parameters(layer: &GrownLayer, index: usize) -> Vec<(&'static str, f64)> {
 }
 
 /// How much the spots of a region were to vary and do; `None` where none was to.
-fn spread(layer: &GrownLayer, place: [usize; 2], index: usize) -> Option<(Spread, Option<Spread>)> {
+fn spread(layer: &GrownMarks, place: [usize; 2], index: usize) -> Option<(Spread, Option<Spread>)> {
     let asked = layer.plan.lookup.map.region(place).spread;
     if asked.is_zero() {
         return None;

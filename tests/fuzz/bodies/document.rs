@@ -2,6 +2,7 @@
 
 use dapple::document::Document;
 use dapple::internals::synth::plan::Targets;
+use dapple::internals::synth::plan::pairs::PairPlan;
 use dapple::internals::synth::{Training, memory};
 use std::sync::LazyLock;
 
@@ -36,6 +37,14 @@ fn is_planned(document: &Document) {
     let mut beneath = None;
     for index in 0..document.layers.len() {
         let size = document.size.map(f64::from);
+        if document.layers[index].system.pairs().is_some() {
+            match PairPlan::read(document, index, FILE, size) {
+                Ok(plan) => assert!(plan.px_a_cell().is_finite() && plan.px_a_cell() > 0.0),
+                Err(error) => return assert_readable(&error.to_string(), FILE),
+            }
+            beneath = None;
+            continue;
+        }
         let targets = match Targets::read(document, index, FILE, size, beneath.as_ref()) {
             Ok(targets) => targets,
             Err(error) => return assert_readable(&error.to_string(), FILE),

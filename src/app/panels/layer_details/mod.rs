@@ -103,14 +103,14 @@ fn meeting(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
 
 /// The label of a system.
 fn system_name(system: SystemChoice) -> &'static str {
-    system.system().map_or("Automatic", |system| system.description().title)
+    system.description().map_or("Automatic", |system| system.title)
 }
 
 /// The tooltip of a system.
 fn system_help(system: SystemChoice) -> &'static str {
     const AUTO: &str =
         "The system that matches the drawn marks best: lines grow stripes, ellipses grow spots";
-    system.system().map_or(AUTO, |system| system.description().help)
+    system.description().map_or(AUTO, |system| system.help)
 }
 
 fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {

@@ -6,6 +6,7 @@ mod detail;
 mod mark;
 mod signs;
 mod table;
+mod threads;
 
 pub use mark::mark_result;
 pub use signs::paint_signs;
@@ -65,13 +66,17 @@ pub fn result(ui: &mut Ui, state: &ResultState, panel: &mut ResultPanel) -> Vec<
     let is_current = state.results.for_texture(state.growth.texture.as_ref()).is_some();
     ui.horizontal(|ui| {
         ui.strong(&of_layer.name);
-        ui.weak(of_layer.system.name()).on_hover_text("The reaction-diffusion system of this layer");
+        ui.weak(of_layer.system.name).on_hover_text("The reaction-diffusion system of this layer");
     });
     if !is_current {
         ui.label(RichText::new(waiting(state)).weak().small());
     }
     let (grid, is_free) = (outcome.grown.document.region_grid(), outcome.grown.document.regions.is_none());
     lost(ui, of_layer, is_current);
+    if !of_layer.threads.is_empty() {
+        threads::threads(ui, state.ruler, of_layer);
+        return Vec::new();
+    }
     table::table(ui, of_layer, is_free, &mut panel.chosen);
     let place = region(state, of_layer, grid, panel.chosen);
     let label = if is_free { "A sign in the corner" } else { "Signs in the regions' corners" };

@@ -24,7 +24,7 @@ fn changed(training: &Training, document: &Document) -> (usize, Option<usize>) {
     let first = planned_alone(training, document);
     let notes = |plan: &Lookup| plan.answers[0].notes.iter().filter(|note| note.is_beyond()).count();
     let before = notes(&first);
-    let Some(reach) = reach(training, document, &[&first], 0, 0) else { return (before, None) };
+    let Some(reach) = reach(training, document, &[Some(&first)], 0, 0) else { return (before, None) };
     let mut changed = document.clone();
     if let Some(duty) = reach.duty {
         changed.layers[0].options.duty = DutyChoice::Given(duty);
@@ -49,7 +49,7 @@ fn spots_that_are_too_close_are_moved_apart_and_then_reached() {
     assert!(before > 0);
     assert_eq!(after, Some(0));
     let first = planned_alone(&training, &document);
-    let reach = reach(&training, &document, &[&first], 0, 0).unwrap();
+    let reach = reach(&training, &document, &[Some(&first)], 0, 0).unwrap();
     assert!(reach.text.contains("% farther apart"), "{}", reach.text);
     // The densest examples are rounder than these, and their areas a little larger.
     for (stroke, mark) in reach.marks {
@@ -82,7 +82,7 @@ fn without_room_spots_become_smaller() {
     let training = Training::default();
     let document = document(spots(9000.0, 0.95, 120.0), SystemChoice::Of(System::MEINHARDT_SPOTS));
     let first = planned_alone(&training, &document);
-    let reach = reach(&training, &document, &[&first], 0, 0).unwrap();
+    let reach = reach(&training, &document, &[Some(&first)], 0, 0).unwrap();
     assert!(reach.text.contains("smaller"), "{}", reach.text);
     assert_eq!(changed(&training, &document).1, Some(0));
 }

@@ -5,11 +5,11 @@ use std::path::Path;
 use crate::export::{self, ExportError, Prepared, Stopped, exr};
 use crate::grid::Field;
 use crate::grid::resample::Spline;
-use crate::synth::grow::layer::Grown;
+use crate::synth::grow::layer::{Grown, GrownLayer};
 use crate::synth::watch::{Stage, Watch};
 
 /// Writes the concentrations of `grown` (grown with [`crate::synth::Options::concentrations`]) at `size` px: a channel a
-/// chemical, called `LAYER.CHEMICAL` by the layer's name and its letter in the equations. Values are the solver's own,
+/// chemical, called `LAYER.CHEMICAL` by the layer's name and its letter in the equations; of pairs, `C1+`, `C1-`, `C2+` and so on. Values are the solver's own,
 /// interpolated by cubic splines. Writes a temporary file.
 ///
 /// # Errors
@@ -28,10 +28,9 @@ pub fn concentrations(
         let plain = export::material::name(named);
         let taken = |name: &str| names.iter().any(|other| other.starts_with(&format!("{name}.")));
         let name = if named.is_empty() || taken(&plain) { format!("layer-{}", index + 1) } else { plain };
-        let cells = &layer.marks;
-        for (letter, values) in layer.plan.lookup.system.chemicals().iter().zip(&layer.concentrations) {
+        for (letter, values) in chemicals(layer) {
             names.push(format!("{name}.{letter}"));
-            splines.push(Spline::new(&Field { values: values.clone(), ..cells.clone() }));
+            splines.push(Spline::new(&values));
         }
     }
     export::prepare(path, |out| {
@@ -44,4 +43,20 @@ pub fn concentrations(
             Ok(())
         })
     })
+}
+
+/// The concentration of each chemical of a layer, by its letter.
+fn chemicals(layer: &GrownLayer) -> Vec<(String, Field)> {
+    match layer {
+        GrownLayer::Marks(layer) => {
+            let named = layer.plan.lookup.system.chemicals().iter().zip(&layer.concentrations);
+            let field = |values: &Vec<f32>| Field { values: values.clone(), ..layer.marks.clone() };
+            named.map(|(letter, values)| ((*letter).to_owned(), field(values))).collect()
+        }
+        GrownLayer::Pairs(layer) => {
+            let signs = (0..).flat_map(|pair| ["+", "-"].map(|sign| format!("C{}{sign}", pair + 1)));
+            let field = |values: &Vec<f32>| Field::new(&layer.plan.grid, values.clone());
+            signs.zip(layer.concentrations.iter().map(field)).collect()
+        }
+    }
 }

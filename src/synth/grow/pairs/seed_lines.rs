@@ -1,0 +1,164 @@
+//! The lines that threads begin from: as wide and as far apart as they are wanted, all over the canvas.
+//!
+//! Threads follow the crests of a phase with their directions and distances, see [`ThreadPhase`]. Where there is none, stripes are
+//! grown that have these everywhere and run through the drawn lines; each thread then begins along the middle of a stripe.
+
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+
+use crate::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
+use crate::grid::{Domain, Field};
+use crate::marks::Path;
+use crate::rd::System;
+use crate::synth::grow::cascade::{Cascade, grow};
+use crate::synth::grow::layer::GrowError;
+use crate::synth::grow::pairs::phase::ThreadPhase;
+use crate::synth::options::Options;
+use crate::synth::phases::{Phase, during};
+use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::pairs::thread_map::ThreadMap;
+use crate::synth::watch::Watch;
+
+/// What threads begin from.
+pub(super) struct SeedLines {
+    /// The reaction at each cell, 0..1: 1 on a line.
+    pub reaction: Vec<f32>,
+    /// By how much the threshold is raised at each cell, in K₀: nowhere on the lines and beside them, and between them so much that
+    /// no other thread grows and that these stay where they are. Curved threads would move to the inside of the curve otherwise.
+    pub raised: Vec<f32>,
+}
+
+/// Distances from the middle of a line, in its widths, from which on the threshold is raised, and up to which fully. Edges lie at
+/// one half.
+const FREE: [f64; 2] = [0.65, 1.0];
+/// By how much the threshold is raised between lines, in K₀: more than any difference is.
+const RAISED: f64 = 1.0;
+
+/// The lines that `plan` begins from.
+pub(super) fn seed_lines(cascade: &Cascade, plan: &PairPlan, index: usize) -> Result<SeedLines, GrowError> {
+    let mut reaction = vec![0.0f32; plan.grid.cells()];
+    let mut raised = vec![RAISED as f32; plan.grid.cells()];
+    for threads in &plan.threads {
+        let phase = during(Phase::Start, || ThreadPhase::new(threads, &plan.canvas()));
+        let from_middle = match phase {
+            Some(phase) => during(Phase::Start, || along_crests(&phase, plan)),
+            None => along_stripes(cascade, threads, plan, index)?,
+        };
+        let line = |(cell, from_middle): (usize, &f32)| {
+            let (width, from_middle) = (threads.at(plan.grid.center_px(cell)).width, f64::from(*from_middle));
+            let covered = ((0.5 * width - from_middle) / plan.px_a_cell() + 0.5).clamp(0.0, 1.0);
+            let away = ((from_middle / width - FREE[0]) / (FREE[1] - FREE[0])).clamp(0.0, 1.0);
+            [covered as f32, (RAISED * away * away * (3.0 - 2.0 * away)) as f32]
+        };
+        let own: Vec<[f32; 2]> = from_middle.par_iter().enumerate().map(line).collect();
+        for ((reaction, raised), own) in reaction.iter_mut().zip(&mut raised).zip(own) {
+            *reaction = reaction.max(own[0]);
+            *raised = raised.min(own[1]);
+        }
+    }
+    for (value, taken) in reaction.iter_mut().zip(&plan.obstacles) {
+        *value *= f32::from(u8::from(!taken));
+    }
+    Ok(SeedLines { reaction, raised })
+}
+
+/// The distance of each cell from the nearest crest of a phase, px.
+fn along_crests(phase: &ThreadPhase, plan: &PairPlan) -> Vec<f32> {
+    let cell = plan.px_a_cell();
+    let distance = |index: usize| {
+        let [x, y] = plan.grid.center_px(index);
+        let turns = phase.turns_at([x, y]);
+        // The wave vector there, turns a px.
+        let slope = [[0.5 * cell, 0.0], [0.0, 0.5 * cell]].map(|[dx, dy]| {
+            let [ahead, behind] = [1.0, -1.0].map(|side| phase.turns_at([x + side * dx, y + side * dy]));
+            (ahead - behind) / cell
+        });
+        let slope = (slope[0] * slope[0] + slope[1] * slope[1]).sqrt().max(f64::MIN_POSITIVE);
+        ((turns - turns.round()).abs() / slope) as f32
+    };
+    (0..plan.grid.cells()).into_par_iter().map(distance).collect()
+}
+
+/// The distance of each cell from the middle of the nearest of grown stripes of the same direction and period, px.
+fn along_stripes(
+    cascade: &Cascade,
+    threads: &ThreadMap,
+    plan: &PairPlan,
+    index: usize,
+) -> Result<Vec<f32>, GrowError> {
+    let document = stripes_of(cascade.document, threads, cascade.document.layer_seed(index), index);
+    let watch = Watch { progress: &|_, _| {}, cancelled: cascade.options.watch.cancelled };
+    let options = Options { concentrations: false, refine: Some(true), watch, ..cascade.options };
+    let grown = grow(&document, &options)?;
+    let [nx, ny] = plan.grid.size;
+    let pattern = grown.layers[0].pattern().field(nx, ny);
+    Ok(from_middles(&pattern, threads, plan))
+}
+
+/// A document of stripes as far apart as these threads, half as wide as they are apart, which all begin where lines are drawn.
+fn stripes_of(document: &Document, threads: &ThreadMap, seed: u64, index: usize) -> Document {
+    let own = &document.layers[index].strokes;
+    let stroke = |(mark, line): &(usize, Path)| {
+        let here = threads.threads_at(line.center());
+        let width = 0.5 * here.period;
+        match own[*mark].mark().and_then(|mark| mark.path()) {
+            Some(path) => Stroke::Path(Path { width, ..path }),
+            None => Stroke::Path(Path { width, ..line.clone() }),
+        }
+    };
+    let layer = Layer {
+        system: SystemChoice::Of(System::MEINHARDT_STRIPES),
+        seed: Some(seed),
+        strokes: threads.lines.iter().map(stroke).collect(),
+        options: LayerOptions::default(),
+        ..Layer::default()
+    };
+    Document {
+        size: document.size,
+        regions: document.regions,
+        edges: document.edges,
+        seed: document.seed,
+        layers: vec![layer],
+        ..Document::default()
+    }
+}
+
+/// Stripes → the distance of each cell from their middles, px.
+///
+/// Across a stripe the pattern is about ½ + ½ cos of the turn from its middle.
+fn from_middles(pattern: &Field, threads: &ThreadMap, plan: &PairPlan) -> Vec<f32> {
+    let distance = |(index, value): (usize, &f32)| {
+        let turns = libm::acos((2.0 * f64::from(*value) - 1.0).clamp(-1.0, 1.0)) / TAU;
+        (turns * threads.threads_at(plan.grid.center_px(index)).period) as f32
+    };
+    pattern.values.par_iter().enumerate().map(distance).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::resample::Spline;
+    use crate::rd::pairs::PairKind;
+
+    #[test]
+    fn curved_lines_begin_where_they_were_drawn() {
+        let wave = |y: f64| -> Vec<[f64; 2]> {
+            (0..=36).map(|i| 20.0 + 10.0 * f64::from(i)).map(|x| [x, y + 25.0 * (x / 80.0).sin()]).collect()
+        };
+        let waves = [100.0, 128.0, 156.0].map(|y| Stroke::path(wave(y), 8.0));
+        let lines = [150.0, 190.0].map(|x| Stroke::line([x, 20.0], [x + 10.0, 280.0], 8.0));
+        let layer =
+            Layer::new(waves.into_iter().chain(lines)).with_system(SystemChoice::Pairs(PairKind::Weave));
+        let document = Document::new([400, 300]).with_layer(layer);
+        let plan = PairPlan::read(&document, 0, "waves", [400.0, 300.0]).expect("two directions");
+        for threads in &plan.threads {
+            let phase = ThreadPhase::new(threads, &plan.canvas()).expect("a phase");
+            let surface = Spline::new(&Field::new(&plan.grid, along_crests(&phase, &plan)));
+            for (_, line) in &threads.lines {
+                let covered = line.samples(50).iter().filter(|s| surface.at(s.point) < 2.0).count();
+                assert!(covered >= 48, "{covered} of 50 of {:?}", line.points[0]);
+            }
+        }
+    }
+}

@@ -1,0 +1,278 @@
+//! Plans of layers that systems of pairs grow.
+
+pub mod direction_groups;
+pub mod thread_map;
+
+use rayon::prelude::*;
+
+use crate::attributes::regions::RegionGrid;
+use crate::document::layer_rules::{Beneath, Combination};
+use crate::document::{Document, DocumentError, Kind, Problem};
+use crate::grid::{Bounds, Domain, Grid};
+use crate::marks::{Mark, Path};
+use crate::rd::pairs::{
+    Combination as Reaction, Course, MOST_PAIRS, PairField, PairKind, PairMaps, PairModel, Threads,
+    weave_threshold,
+};
+use crate::synth::plan::sketch_targets::marks;
+use direction_groups::direction_groups;
+use thread_map::ThreadMap;
+
+/// Cells of the smallest size s: of fewer than 1.5, edges stick to the grid (`facts.md` T).
+const CELLS: f64 = 1.75;
+/// d: 1.5 gives clean lines (`facts.md` H).
+const RATIO: f32 = 1.5;
+/// e of the pair with the largest size; the blurs of the others are as long, up to the second.
+const ELONGATIONS: [f64; 2] = [3.0, 8.0];
+/// Nodes along the longer side at which sizes are looked up where they vary.
+const NODES: usize = 16;
+/// The share that three and more directions leave free, at least: at .33 threads were a tenth too wide and gaps became round, at .44
+/// both are right within a hundredth.
+const LEAST_FREE: f64 = 0.4;
+/// The periods of threads that cover too much are widened in these steps, up to this factor.
+const WIDENED: [f64; 2] = [1.04, 4.0];
+
+/// A weave that is ready to grow.
+#[derive(Clone, Debug)]
+pub struct PairPlan {
+    /// What it grows.
+    pub kind: PairKind,
+    /// The grid over the canvas, px.
+    pub grid: Grid,
+    /// What is wanted of each direction.
+    pub threads: Vec<ThreadMap>,
+    /// θ/K₀.
+    pub threshold: f64,
+    /// Places at which sizes are known.
+    nodes: RegionGrid,
+    /// Cells that the marks of the layers beneath have taken; empty = none.
+    pub obstacles: Vec<bool>,
+    /// By how much the threshold is raised at each cell, in K₀; empty = nowhere.
+    pub raised: Vec<f32>,
+    /// What the user should know.
+    pub notes: Vec<String>,
+}
+
+impl PairPlan {
+    /// Reads layer `index` of a document named `source`, on a canvas of `size` px.
+    ///
+    /// # Errors
+    /// Its marks are no lines, or its lines have one direction only: file, place, what is allowed.
+    pub fn read(
+        document: &Document,
+        index: usize,
+        source: &str,
+        size: [f64; 2],
+    ) -> Result<Self, DocumentError> {
+        let kind = document.layers[index].system.pairs().unwrap_or(PairKind::Weave);
+        let marks = marks(document, index, source)?;
+        let below = if index == 0 { Beneath::Nothing } else { Beneath::Unknown };
+        let combination = Combination::new(&document.layers[index], Some(Kind::Line), below);
+        if let Some(problem) = combination.problem(&format!("layers[{index}]")) {
+            return Err(problem.in_file(source));
+        }
+        let lines: Vec<Path> = marks.iter().filter_map(Mark::path).collect();
+        let own = Bounds { size: document.size.map(f64::from), edges: document.edges };
+        let groups = direction_groups(&lines, &own);
+        if !(2..=MOST_PAIRS).contains(&groups.len()) {
+            let found = match groups.len() {
+                1 => "lines of one direction".to_owned(),
+                count => format!("lines of {count} directions in one place"),
+            };
+            let allowed = format!(
+                "lines of two to {MOST_PAIRS} directions that cross, for a weave; draw lines across these, or choose another system"
+            );
+            return Err(Problem::new(format!("layers[{index}].strokes"), found, allowed).in_file(source));
+        }
+        let options = &document.layers[index].options;
+        let threads = groups.iter().filter_map(|group| {
+            let lines: Vec<(usize, Path)> = group.iter().map(|line| (*line, lines[*line].clone())).collect();
+            ThreadMap::new(document, options, &lines, groups.len(), size)
+        });
+        Ok(Self::of_threads(kind, threads.collect(), Bounds { size, edges: document.edges }))
+    }
+
+    /// The plan of these threads: how far apart they can be, the threshold and the grid.
+    fn of_threads(kind: PairKind, mut threads: Vec<ThreadMap>, canvas: Bounds) -> Self {
+        let nodes = nodes(&threads, &canvas);
+        let (mut widened, mut notes) = (1.0, Vec::new());
+        let found = loop {
+            if let Some(found) = threshold(&nodes, &threads) {
+                break found;
+            }
+            widened *= WIDENED[0];
+            threads.iter_mut().for_each(|threads| threads.widened = widened);
+            if widened > WIDENED[1] {
+                break 0.0;
+            }
+        };
+        if widened > 1.0 {
+            let covered: f64 = threads.iter().map(|threads| threads.mean().duty() * widened).sum();
+            notes.push(format!(
+                "threads that cover {:.0} % of the canvas together leave no gaps: they are {widened:.2} times as far apart as drawn",
+                100.0 * covered
+            ));
+        }
+        let unit = Grid { size: [1, 1], cell: canvas.size, edges: canvas.edges };
+        let mut plan = Self {
+            kind,
+            grid: unit,
+            threads,
+            threshold: found,
+            nodes,
+            obstacles: Vec::new(),
+            raised: Vec::new(),
+            notes,
+        };
+        let widths = vec![1.0; plan.threads.len()];
+        let sizes = plan.sizes(&widths);
+        let least = sizes.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+        let cells = canvas.size.map(|side| (CELLS * side / least).round().max(1.0) as usize);
+        plan.grid = Grid {
+            size: cells,
+            cell: [0, 1].map(|axis| canvas.size[axis] / cells[axis] as f64),
+            edges: canvas.edges,
+        };
+        plan
+    }
+
+    /// px a cell.
+    #[must_use]
+    pub fn px_a_cell(&self) -> f64 {
+        (self.grid.cell[0] * self.grid.cell[1]).sqrt()
+    }
+
+    /// The canvas, px.
+    #[must_use]
+    pub fn canvas(&self) -> Bounds {
+        self.grid.bounds_px()
+    }
+
+    /// Have marks of the layers beneath taken this place, px?
+    #[must_use]
+    pub fn is_taken(&self, point: [f64; 2]) -> bool {
+        self.obstacles.get(self.grid.cell_at(self.grid.to_cells(point))).copied().unwrap_or(false)
+    }
+
+    /// The level of each difference at which the edges of threads lie.
+    #[must_use]
+    pub fn level(&self) -> f32 {
+        self.threshold as f32 * base_model().peak_gain()
+    }
+
+    /// The size s of each pair at each node, px, for threads `widths` times as wide as they are wanted.
+    fn sizes(&self, widths: &[f64]) -> Vec<Vec<f64>> {
+        let of_node = |index: usize| {
+            let all = threads_at(&self.threads, self.nodes.center(self.nodes.place(index)));
+            let size = |(pair, threads): (usize, &Threads)| {
+                let asked = Threads { width: threads.width * widths[pair], ..*threads };
+                let fits = asked.size(&base_model(), self.threshold, uncovered(&all, pair));
+                // Threads that keep no width at this threshold: the size at which their period has the largest gain.
+                fits.unwrap_or(threads.period / base_model().wavelength())
+            };
+            all.iter().enumerate().map(size).collect::<Vec<f64>>()
+        };
+        let nodes: Vec<Vec<f64>> = (0..self.nodes.len()).into_par_iter().map(of_node).collect();
+        (0..self.threads.len()).map(|pair| nodes.iter().map(|sizes| sizes[pair]).collect()).collect()
+    }
+
+    /// Directions and sizes at each cell, for threads `widths` times as wide as they are wanted, by direction.
+    #[must_use]
+    pub fn maps(&self, widths: &[f64]) -> PairMaps {
+        let sizes = self.sizes(widths);
+        let longest = sizes.iter().flatten().copied().fold(0.0, f64::max) * ELONGATIONS[0];
+        let pairs = self.threads.iter().zip(&sizes).map(|(threads, sizes)| {
+            let largest = sizes.iter().copied().fold(0.0, f64::max);
+            let elongation = (longest / largest).clamp(ELONGATIONS[0], ELONGATIONS[1]) as f32;
+            PairField { elongation, ..self.field(threads, sizes) }
+        });
+        PairMaps {
+            grid: self.grid,
+            pairs: pairs.collect(),
+            obstacles: self.obstacles.clone(),
+            raised: self.raised.clone(),
+        }
+    }
+
+    fn field(&self, threads: &ThreadMap, sizes: &[f64]) -> PairField {
+        let cells = self.grid.cells();
+        let in_cells = |size: f64| (size / self.px_a_cell()) as f32;
+        let direction = |point: [f64; 2]| {
+            let [c, s] = threads.double_angle_at(point);
+            (0.5 * libm::atan2(s, c).to_degrees()) as f32
+        };
+        if self.nodes.len() == 1 && threads.uniform().is_some() {
+            let angle = direction(self.nodes.center([0, 0]));
+            return PairField::uniform(cells, angle, in_cells(sizes[0]), 1.0);
+        }
+        let size = |point: [f64; 2]| {
+            self.nodes.corners(point).iter().map(|(node, weight)| weight * sizes[*node]).sum::<f64>()
+        };
+        let (direction, size) = (0..cells)
+            .into_par_iter()
+            .map(|cell| {
+                let point = self.grid.center_px(cell);
+                (direction(point), in_cells(size(point)))
+            })
+            .unzip();
+        PairField { direction, size, elongation: 1.0 }
+    }
+
+    /// The reaction, for pairs of these `maps`.
+    #[must_use]
+    pub fn model(&self, maps: &PairMaps) -> PairModel {
+        let sizes = maps.pairs.iter().flat_map(|pair| &pair.size);
+        let least = sizes.copied().fold(f32::INFINITY, f32::min);
+        let threshold = self.threshold as f32;
+        PairModel {
+            threshold: Course::Constant(threshold),
+            softness: PairModel::softness_for(least, threshold),
+            ..base_model()
+        }
+    }
+}
+
+/// The reaction without its threshold.
+fn base_model() -> PairModel {
+    PairModel {
+        combination: Reaction::Maximum,
+        ratio: RATIO,
+        threshold: Course::Constant(0.0),
+        softness: 1.0,
+        gain: Course::Constant(1.0),
+    }
+}
+
+/// The threads of all directions at a point, px.
+fn threads_at(threads: &[ThreadMap], point: [f64; 2]) -> Vec<Threads> {
+    threads.iter().map(|threads| threads.threads_at(point)).collect()
+}
+
+/// The share of thread `pair` that the others leave free.
+fn uncovered(all: &[Threads], pair: usize) -> f64 {
+    let others = all.iter().enumerate().filter(|(other, _)| *other != pair);
+    others.map(|(_, threads)| 1.0 - threads.duty()).product()
+}
+
+/// The places at which threads are looked up: one where all are even.
+fn nodes(threads: &[ThreadMap], canvas: &Bounds) -> RegionGrid {
+    let [width, height] = canvas.size;
+    let even = threads.iter().all(|threads| threads.map().nodes().len() == 1 || threads.uniform().is_some());
+    let side = |side: f64| (NODES as f64 * side / width.max(height)).ceil() as usize;
+    let grid = if even { [1, 1] } else { [side(width), side(height)] };
+    RegionGrid { size: canvas.size, grid, edges: canvas.edges }
+}
+
+/// The highest threshold θ/K₀ that suits the threads at every node; `None` where there is none.
+fn threshold(nodes: &RegionGrid, threads: &[ThreadMap]) -> Option<f64> {
+    let of_node = |index: usize| {
+        let all = threads_at(threads, nodes.center(nodes.place(index)));
+        let free: f64 = all.iter().map(|threads| 1.0 - threads.duty()).product();
+        if all.len() > 2 && free < LEAST_FREE {
+            return None;
+        }
+        weave_threshold(&base_model(), &all).map(|(threshold, _)| threshold)
+    };
+    let all: Option<Vec<f64>> = (0..nodes.len()).into_par_iter().map(of_node).collect();
+    all.map(|all| all.into_iter().fold(f64::INFINITY, f64::min))
+}

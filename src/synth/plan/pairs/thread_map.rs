@@ -1,0 +1,106 @@
+//! What is wanted of the threads of one direction, at any place.
+
+use crate::attributes::{AttributeMap, Attributes, Stripes};
+use crate::document::{Document, DutyChoice, LayerOptions};
+use crate::marks::{Mark, Path, turn};
+use crate::rd::pairs::Threads;
+
+/// Share of the canvas that threads of each direction cover where lines are not drawn side by side: of two directions, of more.
+const OWN_DUTY: [f64; 2] = [0.28, 0.2];
+/// Directions that differ by less than this are straight, degrees.
+const STRAIGHT: f64 = 1.0;
+/// Periods that differ by less than this share are even.
+const EVEN: f64 = 0.02;
+
+/// The threads of one direction.
+#[derive(Clone, Debug)]
+pub struct ThreadMap {
+    /// The drawn lines, by their indices among the strokes of the layer, where they lie on the canvas that is grown.
+    pub lines: Vec<(usize, Path)>,
+    /// Width, period and direction at each place.
+    map: AttributeMap,
+    /// How much farther apart they are than drawn, where they would cover too much.
+    pub widened: f64,
+}
+
+impl ThreadMap {
+    /// Reads the `lines` of one of `directions` directions of a layer with these `options`, on a canvas of `size` px; their
+    /// places are those on the document's own canvas.
+    #[must_use]
+    pub fn new(
+        document: &Document,
+        options: &LayerOptions,
+        lines: &[(usize, Path)],
+        directions: usize,
+        size: [f64; 2],
+    ) -> Option<Self> {
+        let own = document.size.map(f64::from);
+        let regions = document.regions.map(|regions| regions.map(|n| n as usize));
+        let marks: Vec<Mark> = lines.iter().map(|(_, line)| Mark::Path(line.clone())).collect();
+        let alone = OWN_DUTY[usize::from(directions > 2)];
+        let map = AttributeMap::of_threads(&marks, own, regions, document.edges, alone).ok()?.resized(size);
+        let map = match options.duty {
+            DutyChoice::Given(duty) => map.with_duty(duty),
+            DutyChoice::Drawn => map,
+        };
+        let [x, y] = [0, 1].map(|axis| size[axis] / own[axis]);
+        let moved = |(index, line): &(usize, Path)| {
+            let [from_x, from_y] = line.center();
+            (*index, line.shifted([(x - 1.0) * from_x, (y - 1.0) * from_y]))
+        };
+        Some(Self { lines: lines.iter().map(moved).collect(), map, widened: 1.0 })
+    }
+
+    /// Width, period (px) and direction wanted at a point, px.
+    #[must_use]
+    pub fn at(&self, point: [f64; 2]) -> Stripes {
+        let Attributes::Stripes(stripes) = self.map.at(point) else { unreachable!("made of lines") };
+        Stripes { wavelength: Some(self.widened * stripes.width / stripes.duty()), ..stripes }
+    }
+
+    /// Width and period wanted at a point, px.
+    #[must_use]
+    pub fn threads_at(&self, point: [f64; 2]) -> Threads {
+        let stripes = self.at(point);
+        Threads { width: stripes.width, period: stripes.width / stripes.duty() }
+    }
+
+    /// (cos 2θ, sin 2θ) of the direction θ at a point, px.
+    #[must_use]
+    pub fn double_angle_at(&self, point: [f64; 2]) -> [f64; 2] {
+        self.map.double_angle_at(point)
+    }
+
+    /// The map of what was drawn.
+    #[must_use]
+    pub fn map(&self) -> &AttributeMap {
+        &self.map
+    }
+
+    /// What is wanted of it as a whole: at its region's centre; of free marks their mean.
+    #[must_use]
+    pub fn mean(&self) -> Stripes {
+        let layout = self.map.layout();
+        let center = layout.center(layout.place(layout.len() / 2));
+        match self.map.of_region(layout.place(layout.len() / 2)) {
+            Attributes::Stripes(stripes) => {
+                Stripes { wavelength: Some(self.widened * stripes.width / stripes.duty()), ..stripes }
+            }
+            Attributes::Spots(_) => self.at(center),
+        }
+    }
+
+    /// The direction and period of all threads, where they are straight and even.
+    #[must_use]
+    pub fn uniform(&self) -> Option<Stripes> {
+        let mean = self.mean();
+        let period = mean.width / mean.duty();
+        let nodes = self.map.nodes();
+        let differs = |index: usize| {
+            let here = self.at(nodes.center(nodes.place(index)));
+            turn(here.angle, mean.angle).abs() > STRAIGHT
+                || (here.width / here.duty() / period - 1.0).abs() > EVEN
+        };
+        (!(0..nodes.len()).any(differs)).then_some(mean)
+    }
+}
