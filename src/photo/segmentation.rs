@@ -4,9 +4,8 @@ use super::blur::gaussian;
 use super::lab::Lab;
 use super::phases::{Phases, phases};
 use super::{Raster, channel, edge, scale};
-use crate::attributes::spacing::mean_spacing;
 use crate::grid::{Edges, Field};
-use crate::measure;
+use crate::measure::{self, Picture};
 
 /// What was found of ink and ground.
 #[derive(Clone, Debug)]
@@ -31,12 +30,15 @@ const CELLS: usize = 4 << 20;
 const FINE: f64 = 16.0;
 /// Standard deviation of the first high pass, as a share of the shorter side: light varies more slowly.
 const LIGHT: f64 = 1.0 / 12.0;
-/// Standard deviation of the least blur before the segmentation ÷ wavelength: it takes 0.7 % off the area of round spots.
-const LEAST: f64 = 0.03;
-/// And of the widest: 0.06 takes 3 % off.
+/// Standard deviation of the least blur before the segmentation ÷ wavelength, of spots: any takes off area, 0.03 up to 8 % of that
+/// of narrow ones.
+const LEAST_OF_SPOTS: f64 = 0.0;
+/// And of bands: it leaves straight edges where they are, and noise along them makes them seem longer, which 0.04 halves.
+const LEAST_OF_BANDS: f64 = 0.04;
+/// And of the widest: it takes 3 % off round spots.
 const WIDEST: f64 = 0.06;
 /// Noise is blurred until this share of the contrast is left.
-const NOISE: f64 = 0.05;
+const NOISE: f64 = 0.04;
 /// The found spacing may differ from the first wavelength by this factor; what differs more is no spacing of marks.
 const TURN: f64 = 3.0;
 /// Where the shares of ink and ground differ by less than this from ½, the darker one is taken as the marks.
@@ -55,10 +57,15 @@ pub fn segment(raster: &Raster, invert: bool) -> Segmentation {
         lab = Lab::of(raster, factor.max(1));
         wavelength *= first as f64 / factor.max(1) as f64;
     }
-    let once = two_phases(&lab, wavelength, invert);
-    let spacing = spacing(&once.field, once.level).unwrap_or(wavelength * lab.factor as f64) / lab.factor as f64;
+    let once = two_phases(&lab, wavelength, LEAST_OF_BANDS, invert);
+    let (spacing, least) = match measure::picture(&once.field, once.level) {
+        Some(Picture::Spots { got, .. }) => (got.spacing, LEAST_OF_SPOTS),
+        Some(Picture::Stripes { got, .. }) => (Some(got.wavelength), LEAST_OF_BANDS),
+        None => (None, LEAST_OF_BANDS),
+    };
+    let spacing = spacing.map_or(wavelength, |spacing| spacing / lab.factor as f64);
     let wavelength = spacing.clamp(wavelength / TURN, wavelength * TURN);
-    let found = two_phases(&lab, wavelength, invert);
+    let found = two_phases(&lab, wavelength, least, invert);
     Segmentation { lab: Some(lab), ..found }
 }
 
@@ -68,27 +75,16 @@ fn rough_wavelength(lab: &Lab) -> f64 {
     scale::wavelength(&channel::channel(lab, axis), lab.size)
 }
 
-/// How far apart the marks of a field are, px: spots by their spacing, bands by their wavelength.
-fn spacing(field: &Field, level: f32) -> Option<f64> {
-    match measure::picture(field, level)? {
-        measure::Picture::Spots { .. } => {
-            let spots = measure::rough_spots_of_at_least(field, level, f64::INFINITY);
-            let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
-            mean_spacing(&centers)
-        }
-        measure::Picture::Stripes { got, .. } => Some(got.wavelength),
-    }
-}
-
-/// Segments a working copy whose marks repeat after about `wavelength` cells.
-fn two_phases(lab: &Lab, wavelength: f64, invert: bool) -> Segmentation {
+/// Segments a working copy whose marks repeat after about `wavelength` cells, blurred by `least` wavelengths or
+/// more before.
+fn two_phases(lab: &Lab, wavelength: f64, least: f64, invert: bool) -> Segmentation {
     let axis = channel::axis(lab, wavelength);
     let mut channel = channel::channel(lab, axis);
     let apart = deviation(&channel, &super::coarse::wide(&channel, lab.size, wavelength));
-    let noise = noise(&channel, lab.size);
+    let noise = noise(&channel, lab.size, wavelength);
     // A Gaussian of σ cells leaves 1 ÷ (2√π·σ) of the noise of single cells.
     let enough = noise / (2.0 * std::f64::consts::PI.sqrt() * NOISE * 2.0 * apart.max(f64::MIN_POSITIVE));
-    let sigma = enough.clamp(LEAST * wavelength, WIDEST * wavelength);
+    let sigma = enough.clamp(least * wavelength, WIDEST * wavelength);
     channel = gaussian(&channel, lab.size, sigma);
     let Phases { mut share, contrast } = phases(&channel, lab.size, wavelength);
     let ink = share.iter().filter(|share| **share > 0.5).count() as f64 / share.len() as f64;
@@ -117,10 +113,31 @@ fn deviation(values: &[f32], slow: &[f32]) -> f64 {
     (values.iter().zip(slow).map(square).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }
 
+/// Standard deviation of the noise of single cells of a picture whose marks repeat after `wavelength` cells.
+///
+/// A compressed picture has lost noise of single px, not that of squares of them: the larger of both counts, where marks are
+/// much larger than these.
+fn noise(values: &[f32], size: [usize; 2], wavelength: f64) -> f64 {
+    let single = roughness(values, size);
+    if wavelength < COARSE_ENOUGH || size.iter().any(|side| *side < 8) {
+        return single;
+    }
+    let [width, height] = size.map(|side| side / 2);
+    let square = |k: usize| {
+        let at = 2 * (k / width) * size[0] + 2 * (k % width);
+        0.25 * (values[at] + values[at + 1] + values[at + size[0]] + values[at + size[0] + 1])
+    };
+    let squares: Vec<f32> = (0..width * height).map(square).collect();
+    single.max(2.0 * roughness(&squares, [width, height]))
+}
+
+/// Cells a wavelength from which on second differences of squares of 2 × 2 cells are those of noise.
+const COARSE_ENOUGH: f64 = 24.0;
+
 /// Standard deviation of the noise of single cells: of the median size of a second difference, which edges do not move.
 ///
 /// J. Immerkær, "Fast noise variance estimation", CVIU 64 (1996), with the median in place of the mean.
-fn noise(values: &[f32], [width, height]: [usize; 2]) -> f64 {
+fn roughness(values: &[f32], [width, height]: [usize; 2]) -> f64 {
     /// Rows and columns between the cells that are looked at: enough of any picture.
     const STEP: usize = 3;
     /// Median of |x| of the normal distribution, and the norm of the weights.
@@ -128,9 +145,8 @@ fn noise(values: &[f32], [width, height]: [usize; 2]) -> f64 {
     let mut sizes = Vec::new();
     for y in (1..height.saturating_sub(1)).step_by(STEP) {
         for x in (1..width.saturating_sub(1)).step_by(STEP) {
-            let at = |dx: isize, dy: isize| values[((y as isize + dy) as usize) * width + (x as isize + dx) as usize];
-            let line = |dy: isize| at(-1, dy) - 2.0 * at(0, dy) + at(1, dy);
-            sizes.push((line(-1) - 2.0 * line(0) + line(1)).abs());
+            let line = |y: usize| values[y * width + x - 1] - 2.0 * values[y * width + x] + values[y * width + x + 1];
+            sizes.push((line(y - 1) - 2.0 * line(y) + line(y + 1)).abs());
         }
     }
     if sizes.is_empty() {
