@@ -47,13 +47,13 @@ pub enum Neither {
 /// Least difference of marks and ground, OKLab: below it compression makes marks of its own.
 const CONTRAST: f64 = 0.04;
 /// Most unevenness: see [`Neither::Uneven`].
-const UNEVEN: f64 = 0.25;
+const UNEVEN: f64 = 0.29;
 /// Fewest whole spots.
 const SPOTS: usize = 8;
 /// Least mean fill of whole spots.
-const FILL: f64 = 0.95;
+const FILL: f64 = 0.97;
 /// Least mean coherence of stripes.
-const COHERENCE: f64 = 0.75;
+const COHERENCE: f64 = 0.7;
 
 /// Checks that what was found in a photograph is a texture.
 ///

