@@ -2,7 +2,7 @@
 
 use super::lab::Lab;
 use super::segmentation::{Segmentation, segment};
-use super::verdict::{self, Neither};
+use super::verdict::{self, CONTRAST, Neither};
 use super::{Raster, watershed};
 use crate::grid::Field;
 use crate::measure::{Picture, Spot, census, check_picture, picture_of};
@@ -51,15 +51,17 @@ pub fn read_pattern(field: Field, level: f32, raster: Option<&Raster>) -> Result
     Ok(Reading { segmentation, picture, spots: census.spots, neither })
 }
 
+/// The marks of a segmentation; spots that touch are cut apart in it.
 fn marks(segmentation: &mut Segmentation) -> Result<(Picture, Vec<Spot>), Neither> {
     let level = segmentation.level;
-    let first = census(&segmentation.field, level);
-    let picture = picture_of(&segmentation.field, level, &first).ok_or(Neither::Noise)?;
+    let none = if segmentation.contrast < CONTRAST { Neither::Contrast { contrast: segmentation.contrast } } else { Neither::Noise };
+    let whole = census(&segmentation.field, level);
+    let picture = picture_of(&segmentation.field, level, &whole).ok_or(none)?;
     let is_spotted = matches!(picture, Picture::Spots { .. });
     if !is_spotted || watershed::cut_apart(&mut segmentation.field, level) == 0 {
-        return Ok((picture, first.spots));
+        return Ok((picture, whole.spots));
     }
-    let census = census(&segmentation.field, level);
-    let picture = picture_of(&segmentation.field, level, &census).ok_or(Neither::Noise)?;
-    Ok((picture, census.spots))
+    let apart = census(&segmentation.field, level);
+    let picture = picture_of(&segmentation.field, level, &apart).ok_or(none)?;
+    Ok((picture, apart.spots))
 }

@@ -9,6 +9,8 @@ use crate::marks::{Ellipse, axial, turn};
 
 /// Spots of a group: one and those around it in a hexagonal pattern.
 const GROUP: usize = 7;
+/// Most groups that are compared: among a hundred one is typical.
+const GROUPS: usize = 100;
 /// Rounds of corrections: each leaves less than a tenth of the error.
 const ROUNDS: usize = 4;
 /// Spots stay this share of the region's sides inside it.
@@ -34,14 +36,16 @@ pub fn representatives(spots: &[Ellipse], wanted: &Spots, bounds: Bounds) -> Vec
 
 /// The group with the least difference from what is wanted.
 fn most_typical(spots: &[Ellipse], wanted: &Spots) -> Vec<Ellipse> {
-    let groups = spots.iter().map(|center| {
+    let groups = spots.iter().step_by(spots.len().div_ceil(GROUPS)).map(|center| {
         let far = |spot: &Ellipse| {
             let [x, y] = [0, 1].map(|k| spot.center[k] - center.center[k]);
             x * x + y * y
         };
+        let order = |a: &Ellipse, b: &Ellipse| far(a).total_cmp(&far(b));
         let mut near = spots.to_vec();
-        near.sort_by(|a, b| far(a).total_cmp(&far(b)));
+        near.select_nth_unstable_by(GROUP - 1, order);
         near.truncate(GROUP);
+        near.sort_by(order);
         near
     });
     let scored = groups.map(|group| (difference(&group, wanted), group));

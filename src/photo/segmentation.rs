@@ -24,10 +24,16 @@ pub struct Segmentation {
     pub lab: Option<Lab>,
 }
 
-/// Most cells of the working copy at first: 4 Mpx are segmented in about a second on two cores.
-const CELLS: usize = 4 << 20;
+/// Most cells of the copy on which the wavelength is looked for: of a photograph of 24 Mpx waves of 16 px can still be seen.
+const SEEN: usize = 4 << 20;
+/// Cells to which a photograph is reduced as far as its marks allow.
+const ENOUGH: usize = 1 << 20;
+/// Most cells, whatever the marks are: larger copies take more than 5 s and 1 GB.
+const MOST: usize = 8 << 20;
 /// Cells a wavelength that the working copy keeps where the photograph has them: areas of round spots are then within 1 %.
 const FINE: f64 = 16.0;
+/// And the copy on which only kind and spacing are found.
+const COARSE: f64 = 8.0;
 /// Standard deviation of the first high pass, as a share of the shorter side: light varies more slowly.
 const LIGHT: f64 = 1.0 / 12.0;
 /// Standard deviation of the least blur before the segmentation ÷ wavelength, of spots: any takes off area, 0.03 up to 8 % of that
@@ -48,25 +54,34 @@ const EVEN: f64 = 0.05;
 /// other one if `invert`.
 #[must_use]
 pub fn segment(raster: &Raster, invert: bool) -> Segmentation {
+    let lab = Lab::of(raster, reduced_to(raster, SEEN));
+    let rough = rough_wavelength(&lab) * lab.factor as f64;
+    drop(lab);
+    // As few cells as are enough, where that leaves so many to a wavelength.
+    let [least, most] = [reduced_to(raster, MOST), reduced_to(raster, ENOUGH)];
+    let factor = |fine: f64| ((rough / fine) as usize).clamp(least, most);
+    let (wavelength, blur) = first_look(&Lab::of(raster, factor(COARSE)), rough, invert);
+    let lab = Lab::of(raster, factor(FINE));
+    let found = two_phases(&lab, wavelength / lab.factor as f64, blur, invert);
+    Segmentation { lab: Some(lab), ..found }
+}
+
+/// The factor that leaves at most so many cells.
+fn reduced_to(raster: &Raster, cells: usize) -> usize {
     let px = raster.size[0] * raster.size[1];
-    let first = (1..).find(|factor| px / (factor * factor) <= CELLS).unwrap_or(1);
-    let mut lab = Lab::of(raster, first);
-    let mut wavelength = rough_wavelength(&lab);
-    let factor = (first as f64 * (wavelength / FINE).min(1.0)) as usize;
-    if factor.max(1) < first {
-        lab = Lab::of(raster, factor.max(1));
-        wavelength *= first as f64 / factor.max(1) as f64;
-    }
-    let once = two_phases(&lab, wavelength, LEAST_OF_BANDS, invert);
+    (1..).find(|factor| px / (factor * factor) <= cells).unwrap_or(1)
+}
+
+/// The distance of the marks, px, and how far they are to be blurred: by what they are and by where they are found with the
+/// `rough` wavelength, px.
+fn first_look(lab: &Lab, rough: f64, invert: bool) -> (f64, f64) {
+    let once = two_phases(lab, rough / lab.factor as f64, LEAST_OF_BANDS, invert);
     let (spacing, least) = match measure::picture(&once.field, once.level) {
         Some(Picture::Spots { got, .. }) => (got.spacing, LEAST_OF_SPOTS),
         Some(Picture::Stripes { got, .. }) => (Some(got.wavelength), LEAST_OF_BANDS),
         None => (None, LEAST_OF_BANDS),
     };
-    let spacing = spacing.map_or(wavelength, |spacing| spacing / lab.factor as f64);
-    let wavelength = spacing.clamp(wavelength / TURN, wavelength * TURN);
-    let found = two_phases(&lab, wavelength, least, invert);
-    Segmentation { lab: Some(lab), ..found }
+    (spacing.unwrap_or(rough).clamp(rough / TURN, rough * TURN), least)
 }
 
 /// The wavelength of the strongest variation, cells.

@@ -45,7 +45,7 @@ pub enum Neither {
 }
 
 /// Least difference of marks and ground, OKLab: below it compression makes marks of its own.
-const CONTRAST: f64 = 0.04;
+pub const CONTRAST: f64 = 0.04;
 /// Most unevenness: see [`Neither::Uneven`].
 const UNEVEN: f64 = 0.29;
 /// Fewest whole spots.

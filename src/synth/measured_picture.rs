@@ -294,6 +294,12 @@ mod tests {
         (folder, path)
     }
 
+    /// The gray value 0..1 of a lightness in OKLab, in which edges are half way: L³ as light, encoded as sRGB does.
+    fn gray(lightness: f64) -> f64 {
+        let light = lightness.powi(3);
+        if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }
+    }
+
     /// Ellipses of radii 9 and 6 along 30° on a lattice of 32 px, `out` → tone.
     fn dots(tone: impl Fn(f64) -> f64) -> image::ImageBuffer<image::Luma<u16>, Vec<u16>> {
         image::ImageBuffer::from_fn(256, 256, |x, y| {
@@ -308,7 +314,7 @@ mod tests {
     #[test]
     fn a_pattern_is_measured_at_one_half_and_other_pictures_between_their_tones() {
         let soft = |out: f64| (0.5 + 0.7 * (1.0 - out)).clamp(0.0, 1.0);
-        let ink = |out: f64| 0.9 - 0.6 * (0.5 + 3.0 * (1.0 - out)).clamp(0.0, 1.0);
+        let ink = |out: f64| gray(0.9 - 0.6 * (0.5 + 3.0 * (1.0 - out)).clamp(0.0, 1.0));
         let colour = DynamicImage::ImageLuma16(dots(ink)).to_rgb8();
         for (name, image) in [
             ("pattern.png", DynamicImage::ImageLuma16(dots(soft))),
@@ -413,7 +419,7 @@ mod tests {
             let (sin, cos) = 20_f64.to_radians().sin_cos();
             let across = (f64::from(y) + 0.5) * cos - (f64::from(x) + 0.5) * sin;
             let inside = 3.0 - (across.rem_euclid(18.0) - 9.0).abs();
-            image::Luma([(40.0 + 180.0 * (0.5 + inside).clamp(0.0, 1.0)) as u8])
+            image::Luma([(255.0 * gray(0.2 + 0.7 * (0.5 + inside).clamp(0.0, 1.0)) + 0.5) as u8])
         });
         let (_folder, path) = written("stripes.png", &DynamicImage::ImageLuma8(image));
         let Picture::Stripes { got, .. } = measure_file(&path, false).unwrap() else { panic!() };
