@@ -60,7 +60,8 @@ pub fn run(args: &Args) -> Result<(), Error> {
     super::paths::check_apart("IN", &args.file, &args.output)?;
     export::check_ending(&args.output, &["dapple"]).map_err(Error::step)?;
     let unreadable = |source| Error::File { file: args.file.display().to_string(), done: "read", source };
-    let (summary, json) = if is_svg(&args.file).map_err(unreadable)? { drawing(args)? } else { photograph(args)? };
+    let (summary, json) =
+        if is_svg(&args.file).map_err(unreadable)? { drawing(args)? } else { photograph(args)? };
     if args.json {
         super::print(&format!("{json:#}\n"))?;
     } else if !args.quiet {
@@ -128,9 +129,11 @@ fn of_drawing(args: &Args, Imported { document, unread, .. }: &Imported) -> Valu
 /// What was read of a photograph, as JSON.
 fn of_photograph(args: &Args, imported: &ImportedPhoto) -> Value {
     let document = &imported.document;
-    let layers = document.layers.iter().zip(&imported.found).map(|(layer, found)| {
-        json!({"name": layer.name, "marks": layer.strokes.len(), "found": found})
-    });
+    let layers = document
+        .layers
+        .iter()
+        .zip(&imported.found)
+        .map(|(layer, found)| json!({"name": layer.name, "marks": layer.strokes.len(), "found": found}));
     let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
     json!({
         "file": args.file.display().to_string(), "document": args.output.display().to_string(),

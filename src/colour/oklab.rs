@@ -19,7 +19,8 @@ pub fn oklab_of_light([red, green, blue]: [f32; 3]) -> [f32; 3] {
 #[must_use]
 pub fn srgb_of_oklab([l, a, b]: [f32; 3]) -> [u8; 3] {
     let light = LinSrgb::from_color(Oklab::new(f64::from(l), f64::from(a), f64::from(b)));
-    let clipped = LinSrgb::new(light.red.clamp(0.0, 1.0), light.green.clamp(0.0, 1.0), light.blue.clamp(0.0, 1.0));
+    let clipped =
+        LinSrgb::new(light.red.clamp(0.0, 1.0), light.green.clamp(0.0, 1.0), light.blue.clamp(0.0, 1.0));
     let srgb: Srgb<u8> = Srgb::from_linear(clipped);
     [srgb.red, srgb.green, srgb.blue]
 }

@@ -33,7 +33,10 @@ pub fn gaussian(values: &[f32], [width, height]: [usize; 2], sigma: f64) -> Vec<
             for (j, weight) in weights.iter().enumerate() {
                 let from = Edges::Closed.index((y + j) as isize - reach as isize, height) * width;
                 let row = &values[from..from + width];
-                padded[reach..reach + width].iter_mut().zip(row).for_each(|(sum, value)| *sum += weight * value);
+                padded[reach..reach + width]
+                    .iter_mut()
+                    .zip(row)
+                    .for_each(|(sum, value)| *sum += weight * value);
             }
             for k in (0..reach).chain(reach + width..width + 2 * reach) {
                 padded[k] = padded[reach + column(k)];
@@ -61,8 +64,10 @@ mod tests {
                 let mut sum = 0.0;
                 for j in -reach..=reach {
                     for i in -reach..=reach {
-                        let at = Edges::Closed.index(y + j, height) * width + Edges::Closed.index(x + i, width);
-                        let weight = f64::from(weights[(i + reach) as usize]) * f64::from(weights[(j + reach) as usize]);
+                        let at =
+                            Edges::Closed.index(y + j, height) * width + Edges::Closed.index(x + i, width);
+                        let weight = f64::from(weights[(i + reach) as usize])
+                            * f64::from(weights[(j + reach) as usize]);
                         sum += weight * f64::from(values[at]);
                     }
                 }

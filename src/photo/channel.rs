@@ -19,7 +19,8 @@ const ROUNDS: usize = 50;
 pub fn axis(lab: &Lab, sigma: f64) -> [f64; 3] {
     let planes: Vec<Vec<f32>> = (0..3)
         .map(|k| {
-            let (mut fine, slow) = (gaussian(&lab.planes[k], lab.size, FINE), wide(&lab.planes[k], lab.size, sigma));
+            let (mut fine, slow) =
+                (gaussian(&lab.planes[k], lab.size, FINE), wide(&lab.planes[k], lab.size, sigma));
             fine.iter_mut().zip(&slow).for_each(|(fine, slow)| *fine -= slow);
             fine
         })
@@ -31,7 +32,10 @@ pub fn axis(lab: &Lab, sigma: f64) -> [f64; 3] {
             let mut sums = [0.0; 6];
             for cell in y * lab.size[0]..(y + 1) * lab.size[0] {
                 let [l, a, b] = [0, 1, 2].map(|k| f64::from(planes[k][cell]));
-                [l * l, l * a, l * b, a * a, a * b, b * b].iter().zip(&mut sums).for_each(|(x, sum)| *sum += x);
+                [l * l, l * a, l * b, a * a, a * b, b * b]
+                    .iter()
+                    .zip(&mut sums)
+                    .for_each(|(x, sum)| *sum += x);
             }
             sums
         })

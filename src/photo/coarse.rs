@@ -84,7 +84,8 @@ impl Coarse {
     #[must_use]
     pub fn row(&self, y: usize) -> Vec<f32> {
         let (above, below, share) = self.between(y, self.size[1]);
-        let [above, below] = [above, below].map(|row| &self.values[row * self.size[0]..(row + 1) * self.size[0]]);
+        let [above, below] =
+            [above, below].map(|row| &self.values[row * self.size[0]..(row + 1) * self.size[0]]);
         above.iter().zip(below).map(|(above, below)| above + share * (below - above)).collect()
     }
 
@@ -132,7 +133,8 @@ mod tests {
         let wave = |k: usize| (0.1 * (k % 90) as f32).sin() + (0.07 * (k / 90) as f32).cos();
         let values: Vec<f32> = (0..size[0] * size[1]).map(wave).collect();
         let exact = gaussian(&values, size, 14.0);
-        let off = wide(&values, size, 14.0).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        let off =
+            wide(&values, size, 14.0).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
         assert!(off < 0.02, "{off}");
     }
 }

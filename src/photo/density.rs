@@ -31,7 +31,8 @@ fn number(bytes: &[u8]) -> u32 {
 
 /// JPEG File Interchange Format 1.02: the first segment, with unit 1 (inch) or 2 (cm).
 fn of_jfif(head: &[u8]) -> Option<f64> {
-    let segment = head.get(2..18).filter(|segment| segment[..2] == [0xff, 0xe0] && &segment[4..9] == b"JFIF\0")?;
+    let segment =
+        head.get(2..18).filter(|segment| segment[..2] == [0xff, 0xe0] && &segment[4..9] == b"JFIF\0")?;
     let density = f64::from(number(&segment[12..14]));
     match segment[11] {
         1 => Some(density),
@@ -95,7 +96,13 @@ mod tests {
     fn tags(resolution: [u32; 2], unit: u16) -> Vec<u8> {
         let mut bytes = b"II*\0\x08\0\0\0\x02\0".to_vec();
         for (tag, kind, value) in [(282_u16, 5_u16, 38_u32), (296, 3, u32::from(unit))] {
-            bytes.extend(tag.to_le_bytes().iter().chain(&kind.to_le_bytes()).chain(&1_u32.to_le_bytes()).chain(&value.to_le_bytes()));
+            bytes.extend(
+                tag.to_le_bytes()
+                    .iter()
+                    .chain(&kind.to_le_bytes())
+                    .chain(&1_u32.to_le_bytes())
+                    .chain(&value.to_le_bytes()),
+            );
         }
         bytes.extend([0; 4]);
         resolution.iter().for_each(|part| bytes.extend(part.to_le_bytes()));
@@ -108,7 +115,9 @@ mod tests {
         assert_eq!(of(&tags([3000, 10], 2), None), Some(300.0));
         assert_eq!(of(&tags([100, 1], 3), None), Some(254.0));
         assert_eq!(of(b"", Some(&tags([72, 1], 2))), Some(72.0));
-        let jfif = |unit: u8| [b"\xff\xd8\xff\xe0\0\x10JFIF\0\x01\x02".as_slice(), &[unit, 0, 240, 0, 240, 0, 0]].concat();
+        let jfif = |unit: u8| {
+            [b"\xff\xd8\xff\xe0\0\x10JFIF\0\x01\x02".as_slice(), &[unit, 0, 240, 0, 240, 0, 0]].concat()
+        };
         assert_eq!((of(&jfif(1), None), of(&jfif(0), None)), (Some(240.0), None));
         let mut png = b"\x89PNG\r\n\x1a\n".to_vec();
         png.extend(b"\0\0\0\x01zzzz\0\0\0\0\0\0\0\0\x09pHYs\0\0\x2e\x23\0\0\x2e\x23\x01");
@@ -117,7 +126,9 @@ mod tests {
 
     #[test]
     fn damaged_and_senseless_files_say_nothing() {
-        for bytes in [&b""[..], b"II*\0\xff\xff\xff\xff", b"\x89PNG\r\n\x1a\n\xff\xff\xff\xffpHYs", &tags([0, 0], 2)] {
+        for bytes in
+            [&b""[..], b"II*\0\xff\xff\xff\xff", b"\x89PNG\r\n\x1a\n\xff\xff\xff\xffpHYs", &tags([0, 0], 2)]
+        {
             assert_eq!(dpi(&mut Cursor::new(bytes), None), None);
         }
     }

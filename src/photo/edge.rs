@@ -50,7 +50,8 @@ fn steepest(share: &[f32], [width, height]: [usize; 2]) -> Option<f64> {
     // Straight edges have one gradient at all levels: the middle of those that are nearly the steepest.
     let steep = |mean: &f64| (mean / top - NEARLY).max(0.0);
     let total: f64 = means.iter().map(steep).sum();
-    let middle = means.iter().enumerate().map(|(k, mean)| (k as f64 + 0.5) * steep(mean)).sum::<f64>() / total;
+    let middle =
+        means.iter().enumerate().map(|(k, mean)| (k as f64 + 0.5) * steep(mean)).sum::<f64>() / total;
     Some(RANGE[0] + middle / scale)
 }
 
@@ -77,7 +78,15 @@ mod tests {
     #[test]
     fn shaded_marks_have_their_edge_where_it_is_steep() {
         // From 0.1 to 0.5 the edge, from there on a slow shade to 1.
-        let (share, size) = stripes(|out| if out > 0.5 { 0.0 } else if out > 0.4 { 5.0 * (0.5 - out) } else { 0.5 + 1.25 * (0.4 - out) });
+        let (share, size) = stripes(|out| {
+            if out > 0.5 {
+                0.0
+            } else if out > 0.4 {
+                5.0 * (0.5 - out)
+            } else {
+                0.5 + 1.25 * (0.4 - out)
+            }
+        });
         let level = level(&share, size);
         assert!((0.3..0.42).contains(&level), "{level}");
     }

@@ -88,7 +88,8 @@ fn two(logs: &[f64]) -> Option<[Normal; 2]> {
 fn fitted(logs: &[f64], part: impl Fn(f64) -> f64, n: f64) -> Normal {
     let weight: f64 = logs.iter().map(|x| part(*x)).sum();
     let mean = logs.iter().map(|x| part(*x) * x).sum::<f64>() / weight.max(f64::MIN_POSITIVE);
-    let square = logs.iter().map(|x| part(*x) * (x - mean) * (x - mean)).sum::<f64>() / weight.max(f64::MIN_POSITIVE);
+    let square =
+        logs.iter().map(|x| part(*x) * (x - mean) * (x - mean)).sum::<f64>() / weight.max(f64::MIN_POSITIVE);
     Normal { mean, deviation: square.sqrt().max(FLOOR), share: weight / n }
 }
 
@@ -98,7 +99,10 @@ mod tests {
 
     fn areas(means: &[(f64, usize)], variation: f64) -> Vec<f64> {
         let place = |k: usize| 2.0 * ((k * 37 % 100) as f64 / 99.0) - 1.0;
-        means.iter().flat_map(|(mean, count)| (0..*count).map(move |k| mean * (1.0 + variation * place(k)))).collect()
+        means
+            .iter()
+            .flat_map(|(mean, count)| (0..*count).map(move |k| mean * (1.0 + variation * place(k))))
+            .collect()
     }
 
     #[test]

@@ -176,7 +176,8 @@ impl Tracer {
         let (mut sum, mut weight) = (0.0, 0.0);
         for step in -STEPS / 2..=STEPS / 2 {
             let by = ASIDE * self.wavelength * f64::from(2 * step) / f64::from(STEPS);
-            let above = f64::from(self.surface.at([place[0] - by * along[1], place[1] + by * along[0]]) - self.level);
+            let above =
+                f64::from(self.surface.at([place[0] - by * along[1], place[1] + by * along[0]]) - self.level);
             sum += by * above.max(0.0);
             weight += above.max(0.0);
         }
@@ -190,9 +191,12 @@ impl Tracer {
         let (right, bottom) = ((left + 1).min(self.lattice[0] - 1), (top + 1).min(self.lattice[1] - 1));
         let (u, v) = ((x - left as f64).min(1.0), (y - top as f64).min(1.0));
         let mut sum = [0.0; 2];
-        for (column, row, weight) in
-            [(left, top, (1.0 - u) * (1.0 - v)), (right, top, u * (1.0 - v)), (left, bottom, (1.0 - u) * v), (right, bottom, u * v)]
-        {
+        for (column, row, weight) in [
+            (left, top, (1.0 - u) * (1.0 - v)),
+            (right, top, u * (1.0 - v)),
+            (left, bottom, (1.0 - u) * v),
+            (right, bottom, u * v),
+        ] {
             let [c, s] = self.directions[row * self.lattice[0] + column];
             sum = [sum[0] + weight * c, sum[1] + weight * s];
         }

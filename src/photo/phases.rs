@@ -43,23 +43,38 @@ struct Means {
 pub fn phases(channel: &[f32], size: [usize; 2], wavelength: f64) -> Phases {
     let blocks = Blocks::new(size, wavelength);
     let (slow, threshold) = beginning(channel, size, wavelength);
-    let mut around = means(channel, blocks, |_| (), |(), _, cell| {
-        let above = channel[cell] - slow[cell] > threshold;
-        [above, !above]
-    });
+    let mut around = means(
+        channel,
+        blocks,
+        |_| (),
+        |(), _, cell| {
+            let above = channel[cell] - slow[cell] > threshold;
+            [above, !above]
+        },
+    );
     drop(slow);
     for _ in 1..ROUNDS {
         let midpoint = around.midpoint();
-        around = means(channel, blocks, |y| midpoint.row(y), |row, x, cell| {
-            let above = channel[cell] > midpoint.in_row(row, x);
-            [above, !above]
-        });
+        around = means(
+            channel,
+            blocks,
+            |y| midpoint.row(y),
+            |row, x, cell| {
+                let above = channel[cell] > midpoint.in_row(row, x);
+                [above, !above]
+            },
+        );
     }
     let [low, high] = [0.5 - CLEAR, 0.5 + CLEAR];
-    let around = means(channel, blocks, |y| around.rows(y), |rows, x, cell| {
-        let share = around.share(rows, x, channel[cell], 0.0);
-        [share > high, share < low]
-    });
+    let around = means(
+        channel,
+        blocks,
+        |y| around.rows(y),
+        |rows, x, cell| {
+            let share = around.share(rows, x, channel[cell], 0.0);
+            [share > high, share < low]
+        },
+    );
     let contrast = around.contrast();
     let floor = FLOOR * contrast;
     let mut share = vec![0.0; channel.len()];
@@ -173,11 +188,16 @@ mod tests {
         let size = [160, 120];
         let discs = discs(size);
         // From corner to corner the light rises by three times the contrast, and the contrast doubles.
-        let light = |k: usize| ((k % size[0]) as f32 / size[0] as f32 + (k / size[0]) as f32 / size[1] as f32) / 2.0;
-        let channel: Vec<f32> =
-            discs.iter().enumerate().map(|(k, disc)| 0.9 * light(k) + 0.2 * (1.0 + light(k)) * disc).collect();
+        let light =
+            |k: usize| ((k % size[0]) as f32 / size[0] as f32 + (k / size[0]) as f32 / size[1] as f32) / 2.0;
+        let channel: Vec<f32> = discs
+            .iter()
+            .enumerate()
+            .map(|(k, disc)| 0.9 * light(k) + 0.2 * (1.0 + light(k)) * disc)
+            .collect();
         let found = phases(&channel, size, 20.0);
-        let wrong = found.share.iter().zip(&discs).filter(|(share, disc)| (**share > 0.5) != (**disc > 0.5)).count();
+        let wrong =
+            found.share.iter().zip(&discs).filter(|(share, disc)| (**share > 0.5) != (**disc > 0.5)).count();
         assert!(wrong <= 3, "{wrong}");
         assert!((found.contrast / 0.3 - 1.0).abs() < 0.1, "{}", found.contrast);
     }
@@ -191,7 +211,8 @@ mod tests {
             *value = if k % size[0] > 110 { 0.0 } else { *value } + 0.2 * noise;
         }
         let found = phases(&channel, size, 20.0);
-        let ink = found.share.iter().enumerate().filter(|(k, share)| k % size[0] > 115 && **share > 0.5).count();
+        let ink =
+            found.share.iter().enumerate().filter(|(k, share)| k % size[0] > 115 && **share > 0.5).count();
         assert_eq!(ink, 0);
     }
 }

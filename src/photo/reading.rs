@@ -54,7 +54,11 @@ pub fn read_pattern(field: Field, level: f32, raster: Option<&Raster>) -> Result
 /// The marks of a segmentation; spots that touch are cut apart in it.
 fn marks(segmentation: &mut Segmentation) -> Result<(Picture, Vec<Spot>), Neither> {
     let level = segmentation.level;
-    let none = if segmentation.contrast < CONTRAST { Neither::Contrast { contrast: segmentation.contrast } } else { Neither::Noise };
+    let none = if segmentation.contrast < CONTRAST {
+        Neither::Contrast { contrast: segmentation.contrast }
+    } else {
+        Neither::Noise
+    };
     let whole = census(&segmentation.field, level);
     let picture = picture_of(&segmentation.field, level, &whole).ok_or(none)?;
     let is_spotted = matches!(picture, Picture::Spots { .. });

@@ -61,10 +61,15 @@ fn counts(samples: &[Sample], layout: [usize; 2]) -> Vec<usize> {
 fn error(samples: &[Sample], layout: [usize; 2]) -> f64 {
     let mut sum = 0.0;
     for fold in 0..FOLDS {
-        let means = means(samples.iter().enumerate().filter(|(k, _)| k % FOLDS != fold).map(|(_, sample)| sample), layout);
+        let means = means(
+            samples.iter().enumerate().filter(|(k, _)| k % FOLDS != fold).map(|(_, sample)| sample),
+            layout,
+        );
         for sample in samples.iter().skip(fold).step_by(FOLDS) {
             let predicted = predicted(&means, layout, sample.place);
-            sum += (0..3).map(|k| (predicted[k] - sample.value[k]) * (predicted[k] - sample.value[k])).sum::<f64>();
+            sum += (0..3)
+                .map(|k| (predicted[k] - sample.value[k]) * (predicted[k] - sample.value[k]))
+                .sum::<f64>();
         }
     }
     sum / samples.len().max(1) as f64

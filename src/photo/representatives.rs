@@ -75,7 +75,8 @@ fn adjusted(mut group: Vec<Ellipse>, wanted: &Spots, bounds: Bounds) -> Vec<Elli
         }
         let centers: Vec<[f64; 2]> = group.iter().map(|spot| spot.center).collect();
         let scale = mean_spacing(&centers).zip(wanted.spacing).map_or(1.0, |(found, wanted)| wanted / found);
-        let middle = [0, 1].map(|k| centers.iter().map(|center| center[k]).sum::<f64>() / centers.len() as f64);
+        let middle =
+            [0, 1].map(|k| centers.iter().map(|center| center[k]).sum::<f64>() / centers.len() as f64);
         for spot in &mut group {
             spot.center = [0, 1].map(|k| middle[k] + scale * (spot.center[k] - middle[k]));
         }
@@ -104,8 +105,16 @@ mod tests {
     fn seven_spots_have_the_attributes_of_all() {
         let spot = |k: usize| {
             let vary = |by: usize| ((k * by) % 100) as f64 / 100.0 - 0.5;
-            let place = [30.0 * (k % 8) as f64 + 20.0 + 6.0 * vary(37), 30.0 * (k / 8) as f64 + 20.0 + 6.0 * vary(53)];
-            Ellipse::from_area(place, 200.0 * (1.0 + 0.4 * vary(29)), 0.5 + 0.2 * vary(71), 40.0 + 30.0 * vary(17))
+            let place = [
+                30.0 * (k % 8) as f64 + 20.0 + 6.0 * vary(37),
+                30.0 * (k / 8) as f64 + 20.0 + 6.0 * vary(53),
+            ];
+            Ellipse::from_area(
+                place,
+                200.0 * (1.0 + 0.4 * vary(29)),
+                0.5 + 0.2 * vary(71),
+                40.0 + 30.0 * vary(17),
+            )
         };
         let spots: Vec<Ellipse> = (0..64).map(spot).collect();
         let wanted = Spots::measure(&spots).unwrap();
@@ -114,7 +123,10 @@ mod tests {
         assert_eq!(seven.len(), 7);
         let found = Spots::measure(&seven).unwrap();
         assert!((found.area / wanted.area - 1.0).abs() < 1e-3, "{found:?} {wanted:?}");
-        assert!((found.spacing.unwrap() / wanted.spacing.unwrap() - 1.0).abs() < 1e-3, "{found:?} {wanted:?}");
+        assert!(
+            (found.spacing.unwrap() / wanted.spacing.unwrap() - 1.0).abs() < 1e-3,
+            "{found:?} {wanted:?}"
+        );
         assert!((found.aspect - wanted.aspect).abs() < 1e-3 && turn(found.angle, wanted.angle).abs() < 0.5);
     }
 
@@ -124,6 +136,9 @@ mod tests {
         let wanted = Spots { spacing: Some(70.0), ..Spots::measure(&spots).unwrap() };
         let bounds = Bounds { low: [0.0; 2], high: [60.0, 40.0] };
         let found = representatives(&spots, &wanted, bounds);
-        assert!(found.len() == 2 && found.iter().all(|spot| (0.0..=60.0).contains(&spot.center[0])), "{found:?}");
+        assert!(
+            found.len() == 2 && found.iter().all(|spot| (0.0..=60.0).contains(&spot.center[0])),
+            "{found:?}"
+        );
     }
 }

@@ -79,7 +79,8 @@ mod tests {
     fn a_wave_has_its_own_length_in_noise_and_falling_light_too() {
         for length in [12.0, 23.0, 40.0] {
             let size = [200, 160];
-            let noise = |x: f64, y: f64| ((x * 12.9898 + y * 78.233).sin() * 43758.5453).rem_euclid(1.0) - 0.5;
+            let noise =
+                |x: f64, y: f64| ((x * 12.9898 + y * 78.233).sin() * 43758.5453).rem_euclid(1.0) - 0.5;
             let wave = |x: f64, y: f64| (std::f64::consts::TAU * (0.6 * x + 0.8 * y) / length).sin();
             let found = wavelength(&picture(size, |x, y| wave(x, y) + 0.5 * noise(x, y) + 0.02 * x), size);
             assert!((found / length - 1.0).abs() < 0.1, "{length}: {found}");

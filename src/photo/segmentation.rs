@@ -160,7 +160,9 @@ fn roughness(values: &[f32], [width, height]: [usize; 2]) -> f64 {
     let mut sizes = Vec::new();
     for y in (1..height.saturating_sub(1)).step_by(STEP) {
         for x in (1..width.saturating_sub(1)).step_by(STEP) {
-            let line = |y: usize| values[y * width + x - 1] - 2.0 * values[y * width + x] + values[y * width + x + 1];
+            let line = |y: usize| {
+                values[y * width + x - 1] - 2.0 * values[y * width + x] + values[y * width + x + 1]
+            };
             sizes.push((line(y - 1) - 2.0 * line(y) + line(y + 1)).abs());
         }
     }

@@ -68,7 +68,8 @@ fn share(place: [f64; 2], size: [usize; 2]) -> [f64; 2] {
 fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted) -> Sketch {
     let whole = |spot: &&crate::measure::Spot| spot.whole;
     let areas: Vec<f64> = reading.spots.iter().filter(whole).map(|spot| spot.ellipse.area()).collect();
-    let between = if wanted.layers == Some(1) { None } else { layers::between_sizes(&areas, wanted.layers == Some(2)) };
+    let between =
+        if wanted.layers == Some(1) { None } else { layers::between_sizes(&areas, wanted.layers == Some(2)) };
     // Each layer holds the areas within a range.
     let ranges: Vec<(&'static str, [f64; 2])> = match between {
         Some(area) => vec![("large spots", [area, f64::INFINITY]), ("small spots", [0.0, area])],
@@ -90,16 +91,27 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted) -> Sketch {
         let found = whole.len();
         let ellipses = if wanted.all_marks { whole } else { by_region(spots, size, regions) };
         let counts = |cell: usize| by_cell.as_ref().is_none_or(|areas| holds(range, areas[cell]));
-        FoundLayer { name, marks: ellipses.into_iter().map(Mark::Ellipse).collect(), found, tones: colours(reading, counts) }
+        FoundLayer {
+            name,
+            marks: ellipses.into_iter().map(Mark::Ellipse).collect(),
+            found,
+            tones: colours(reading, counts),
+        }
     });
-    Sketch { regions: (!wanted.all_marks).then_some(regions), layers: layers.filter(|layer| !layer.marks.is_empty()).collect() }
+    Sketch {
+        regions: (!wanted.all_marks).then_some(regions),
+        layers: layers.filter(|layer| !layer.marks.is_empty()).collect(),
+    }
 }
 
 fn samples_of_spots(spots: &[crate::measure::Spot], size: [usize; 2]) -> Vec<Sample> {
     let sample = |ellipse: &Ellipse| {
         let (sin, cos) = libm::sincos(2.0 * ellipse.major_angle().to_radians());
         let long = -libm::log(ellipse.aspect().max(1e-3));
-        Sample { place: share(ellipse.center, size), value: [libm::log(ellipse.area()), long * cos, long * sin] }
+        Sample {
+            place: share(ellipse.center, size),
+            value: [libm::log(ellipse.area()), long * cos, long * sin],
+        }
     };
     spots.iter().filter(|spot| spot.whole).map(|spot| sample(&spot.ellipse)).collect()
 }
@@ -118,7 +130,8 @@ fn by_region(spots: &[crate::measure::Spot], size: [usize; 2], regions: [usize; 
     }
     let each = whole.iter().zip(&edges).enumerate();
     each.flat_map(|(k, (whole, edges))| {
-        let wanted = Spots::measure(whole).map(|found| Spots { spacing: mean_length(edges).or(found.spacing), ..found });
+        let wanted = Spots::measure(whole)
+            .map(|found| Spots { spacing: mean_length(edges).or(found.spacing), ..found });
         wanted.map_or_else(Vec::new, |wanted| representatives(whole, &wanted, bounds(size, regions, k)))
     })
     .collect()
@@ -153,12 +166,15 @@ fn of_stripes(reading: &Reading, size: [usize; 2], wanted: &Wanted, found: usize
         fewest(&by_tile.iter().enumerate().filter_map(sample).collect::<Vec<_>>())
     });
     let paths = if wanted.all_marks {
-        let mean = by_tile.iter().flatten().map(|band| band.width).sum::<f64>() / by_tile.iter().flatten().count().max(1) as f64;
+        let mean = by_tile.iter().flatten().map(|band| band.width).sum::<f64>()
+            / by_tile.iter().flatten().count().max(1) as f64;
         let width = |place| by_tile[region_of(share(place, size), tiles)].map_or(mean, |band| band.width);
         lines::all(field, level, wavelength, width)
     } else {
         let each = measured(regions).into_iter().enumerate();
-        each.filter_map(|(k, band)| Some(lines::of_region(field, band?, bounds(size, regions, k)))).flatten().collect()
+        each.filter_map(|(k, band)| Some(lines::of_region(field, band?, bounds(size, regions, k))))
+            .flatten()
+            .collect()
     };
     let layer = FoundLayer {
         name: "stripes",
@@ -170,7 +186,13 @@ fn of_stripes(reading: &Reading, size: [usize; 2], wanted: &Wanted, found: usize
 }
 
 /// The stripes of each region; `None` where there are none.
-fn bands(field: &Field, level: f32, directions: &Directions, size: [usize; 2], layout: [usize; 2]) -> Vec<Option<Band>> {
+fn bands(
+    field: &Field,
+    level: f32,
+    directions: &Directions,
+    size: [usize; 2],
+    layout: [usize; 2],
+) -> Vec<Option<Band>> {
     let count = layout[0] * layout[1];
     let region = |place: [f64; 2]| region_of(share(place, size), layout);
     let places = directions.at_centers(|place| (region(place), [1.0, 0.0]));

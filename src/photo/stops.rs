@@ -30,7 +30,7 @@ const NEAR: f64 = 0.35;
 const FAR: f64 = 0.6;
 /// Distances are compared with this quantile of those of inner cells: the largest are those of a few places.
 const QUANTILE: f64 = 0.95;
-/// Cells that are looked at.
+/// Cells that are looked at: a median of so many is exact to a step of 8 bits.
 const ENOUGH: usize = 1 << 19;
 /// Ground darker than this has no light that could be divided out.
 const DARK: f32 = 0.1;
@@ -41,7 +41,13 @@ const SLOW: f64 = 1.5;
 
 /// The stops of the marks above `level` in `field` that `counts` (by cell), on the ground around all of them.
 #[must_use]
-pub fn tones(lab: &Lab, field: &Field, level: f32, wavelength: f64, counts: impl Fn(usize) -> bool) -> Vec<Tone> {
+pub fn tones(
+    lab: &Lab,
+    field: &Field,
+    level: f32,
+    wavelength: f64,
+    counts: impl Fn(usize) -> bool,
+) -> Vec<Tone> {
     let grid = field.grid();
     let is_mark: Vec<bool> = field.values.iter().map(|value| *value > level).collect();
     let is_ground: Vec<bool> = is_mark.iter().map(|mark| !mark).collect();
@@ -52,14 +58,13 @@ pub fn tones(lab: &Lab, field: &Field, level: f32, wavelength: f64, counts: impl
     let out = |cell: usize| length(to_mark[cell], &grid) / unit;
     let into = |cell: usize| length(to_ground[cell], &grid) / unit;
     let light = light(lab, &is_ground, wavelength / unit);
-    // Some cells of many are enough for a median; a step that is odd and no factor of a row meets all columns.
-    let step = (is_mark.len() / ENOUGH).max(1) | 1;
-    let cells = (0..is_mark.len()).step_by(if is_mark.len() > ENOUGH && lab.size[0] % step == 0 { step + 2 } else { step });
-    let ground: Vec<(f64, usize)> = cells.clone().filter(|cell| is_ground[*cell]).map(|cell| (out(cell), cell)).collect();
+    let cells = (0..is_mark.len()).step_by(stride(is_mark.len(), lab.size[0]));
+    let ground: Vec<(f64, usize)> =
+        cells.clone().filter(|cell| is_ground[*cell]).map(|cell| (out(cell), cell)).collect();
     let marks = cells.filter(|cell| is_mark[*cell] && counts(*cell));
     let marks: Vec<(f64, usize)> = marks.map(|cell| (into(cell), cell)).collect();
-    let [near_ground, far_ground] = near_and_far(ground);
-    let [near_mark, far_mark] = near_and_far(marks);
+    let [near_ground, far_ground] = near_and_far(&ground);
+    let [near_mark, far_mark] = near_and_far(&marks);
     let colour = |cells: &[usize]| srgb_of_oklab(median(lab, &light, cells));
     [far_ground, near_ground, near_mark, far_mark]
         .iter()
@@ -69,8 +74,14 @@ pub fn tones(lab: &Lab, field: &Field, level: f32, wavelength: f64, counts: impl
         .collect()
 }
 
+/// Every how many cells are looked at, of `cells` in rows of `width`: so that enough are, and in all columns.
+fn stride(cells: usize, width: usize) -> usize {
+    let stride = cells / ENOUGH + 1;
+    if stride > 1 && width.is_multiple_of(stride) { stride + 1 } else { stride }
+}
+
 /// The cells just beyond the blur of an edge, and those far from it, of cells with their distances.
-fn near_and_far(mut cells: Vec<(f64, usize)>) -> [Vec<usize>; 2] {
+fn near_and_far(cells: &[(f64, usize)]) -> [Vec<usize>; 2] {
     if cells.is_empty() {
         return [Vec::new(), Vec::new()];
     }
@@ -82,18 +93,21 @@ fn near_and_far(mut cells: Vec<(f64, usize)>) -> [Vec<usize>; 2] {
     let blur = BLUR.min(NEAR * most);
     let near = |far: f64| far >= blur && far <= blur + NEAR * (most - blur) + 1.0;
     let far = |far: f64| far >= FAR * most;
-    let pick = |takes: &dyn Fn(f64) -> bool| cells.iter().filter(|(far, _)| takes(*far)).map(|(_, cell)| *cell).collect();
-    let picked = [pick(&near), pick(&far)];
-    cells.clear();
-    picked
+    let pick = |takes: &dyn Fn(f64) -> bool| {
+        cells.iter().filter(|(far, _)| takes(*far)).map(|(_, cell)| *cell).collect()
+    };
+    [pick(&near), pick(&far)]
 }
 
 /// The light of each cell ÷ the full light: of the ground around it, which has one colour.
 fn light(lab: &Lab, is_ground: &[bool], wavelength: f64) -> Vec<f32> {
     let blocks = Blocks::new(lab.size, SLOW * wavelength);
-    let [sum, count] = blocks.blurred(|_| (), |(), _, cell| {
-        if is_ground[cell] { [lab.planes[0][cell], 1.0] } else { [0.0, 0.0] }
-    });
+    let [sum, count] = blocks.blurred(
+        |_| (),
+        |(), _, cell| {
+            if is_ground[cell] { [lab.planes[0][cell], 1.0] } else { [0.0, 0.0] }
+        },
+    );
     let all: f32 = sum.iter().sum::<f32>() / count.iter().sum::<f32>().max(1.0);
     // As in the segmentation: a place without ground takes the mean of the picture.
     let weight = 0.002 * blocks.cells_a_block() as f32;
@@ -133,8 +147,16 @@ mod tests {
         let lab = |colour: [u8; 3]| oklab_of_light(colour.map(|value| lut[usize::from(value)]));
         let size = [200, 160];
         let near = |x: usize| (x as f64 + 0.5).rem_euclid(40.0) - 20.0;
-        let share = |k: usize| (0.5 + (11.0 - near(k % size[0]).hypot(near(k / size[0]))) / 4.0).clamp(0.0, 1.0) as f32;
-        let field = Field { width: 200, height: 160, cell: [1.0; 2], edges: Edges::Closed, values: (0..size[0] * size[1]).map(share).collect() };
+        let share = |k: usize| {
+            (0.5 + (11.0 - near(k % size[0]).hypot(near(k / size[0]))) / 4.0).clamp(0.0, 1.0) as f32
+        };
+        let field = Field {
+            width: 200,
+            height: 160,
+            cell: [1.0; 2],
+            edges: Edges::Closed,
+            values: (0..size[0] * size[1]).map(share).collect(),
+        };
         let planes = [0, 1, 2].map(|plane| {
             let mixed = |(k, share): (usize, &f32)| {
                 let light = 1.0 - 0.3 * (k % size[0]) as f32 / 200.0;

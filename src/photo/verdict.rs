@@ -16,19 +16,25 @@ pub enum Neither {
     #[error("there are no marks, only noise")]
     Noise,
     /// Marks and ground are no two tones.
-    #[error("within marks and ground the tones differ by {uneven:.2} of the contrast, in a texture by at most {UNEVEN}")]
+    #[error(
+        "within marks and ground the tones differ by {uneven:.2} of the contrast, in a texture by at most {UNEVEN}"
+    )]
     Uneven {
         /// Root mean square, as a share of the contrast.
         uneven: f64,
     },
     /// Too few whole spots.
-    #[error("{marks} whole spots are too few, at least {SPOTS} are needed; take a larger part of the pattern")]
+    #[error(
+        "{marks} whole spots are too few, at least {SPOTS} are needed; take a larger part of the pattern"
+    )]
     TooFewSpots {
         /// Whole spots.
         marks: usize,
     },
     /// The spots are no ellipses.
-    #[error("the marks are no ellipses: they fill {fill:.3} of those with their moments, spots at least {FILL}")]
+    #[error(
+        "the marks are no ellipses: they fill {fill:.3} of those with their moments, spots at least {FILL}"
+    )]
     Shapes {
         /// Mean over the whole ones.
         fill: f64,

@@ -78,7 +78,12 @@ fn component(start: usize, seen: &mut [bool], [width, height]: [usize; 2]) -> Ve
     while next < cells.len() {
         let at = cells[next];
         let (x, y) = (at % width, at / width);
-        let sides = [(x > 0, at.wrapping_sub(1)), (x + 1 < width, at + 1), (y > 0, at.wrapping_sub(width)), (y + 1 < height, at + width)];
+        let sides = [
+            (x > 0, at.wrapping_sub(1)),
+            (x + 1 < width, at + 1),
+            (y > 0, at.wrapping_sub(width)),
+            (y + 1 < height, at + width),
+        ];
         for (_, near) in sides.into_iter().filter(|(inside, _)| *inside) {
             if !std::mem::replace(&mut seen[near], true) {
                 cells.push(near);
@@ -95,7 +100,7 @@ fn around(at: usize, [width, height]: [usize; 2]) -> impl Iterator<Item = usize>
     (0..9).filter(|k| *k != 4).filter_map(move |k| {
         let (x, y) = (x + k % 3 - 1, y + k / 3 - 1);
         let inside = x >= 0 && y >= 0 && x < width as isize && y < height as isize;
-        inside.then_some(y as usize * width + x as usize)
+        inside.then(|| y as usize * width + x as usize)
     })
 }
 
@@ -199,13 +204,17 @@ mod tests {
         areas.sort_by(f64::total_cmp);
         let wanted = [9.0_f64, 12.5, 14.0].map(|r| std::f64::consts::PI * r * r);
         assert_eq!(areas.len(), 3);
-        assert!(areas.iter().zip(wanted).all(|(area, wanted)| (area / wanted - 1.0).abs() < 0.06), "{areas:?}");
+        assert!(
+            areas.iter().zip(wanted).all(|(area, wanted)| (area / wanted - 1.0).abs() < 0.06),
+            "{areas:?}"
+        );
     }
 
     #[test]
     fn an_ellipse_and_a_bent_spot_stay_whole() {
-        let bent: Vec<([f64; 2], f64)> =
-            (0..30).map(|k| ([30.0 + 1.5 * f64::from(k), 40.0 - 0.06 * f64::from(k * (29 - k))], 7.0)).collect();
+        let bent: Vec<([f64; 2], f64)> = (0..30)
+            .map(|k| ([30.0 + 1.5 * f64::from(k), 40.0 - 0.06 * f64::from(k * (29 - k))], 7.0))
+            .collect();
         let mut field = discs(&bent);
         assert_eq!(cut_apart(&mut field, 0.5), 0);
         assert_eq!(spots(&field, 0.5).len(), 1);

@@ -89,8 +89,12 @@ pub enum MeasureError {
 /// What may help against a reason.
 fn remedy(reason: &Neither) -> &'static str {
     match reason {
-        Neither::Noise | Neither::Shapes { .. } | Neither::NoDirection { .. } => "; try --invert, or --crop to the pattern",
-        Neither::Contrast { .. } | Neither::Uneven { .. } | Neither::NotTexture(_) => "; try --crop to the pattern",
+        Neither::Noise | Neither::Shapes { .. } | Neither::NoDirection { .. } => {
+            "; try --invert, or --crop to the pattern"
+        }
+        Neither::Contrast { .. } | Neither::Uneven { .. } | Neither::NotTexture(_) => {
+            "; try --crop to the pattern"
+        }
         Neither::TooFewSpots { .. } => "",
     }
 }
@@ -148,7 +152,8 @@ pub fn measure_stream(
 }
 
 fn open(path: &Path) -> Result<BufReader<File>, MeasureError> {
-    let unreadable = |error: std::io::Error| MeasureError::Unreadable { path: path.to_owned(), source: error.into() };
+    let unreadable =
+        |error: std::io::Error| MeasureError::Unreadable { path: path.to_owned(), source: error.into() };
     File::open(path).map(BufReader::new).map_err(unreadable)
 }
 
@@ -166,7 +171,9 @@ impl ReadPicture {
     /// # Errors
     /// [`MeasureError::Neither`]; `path` is the picture's name in messages.
     pub fn texture(self, path: &Path) -> Result<Self, MeasureError> {
-        self.reading.neither.map_or(Ok(self), |reason| Err(MeasureError::Neither { path: path.to_owned(), reason }))
+        self.reading
+            .neither
+            .map_or(Ok(self), |reason| Err(MeasureError::Neither { path: path.to_owned(), reason }))
     }
 }
 

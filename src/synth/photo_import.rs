@@ -79,20 +79,26 @@ pub fn import_photo(path: &Path, options: &PhotoOptions) -> Result<ImportedPhoto
     Ok(ImportedPhoto { document, kind, found, neither, summary })
 }
 
-fn document(read: &ReadPicture, wanted: &Wanted, path: &Path) -> Result<(Document, Vec<usize>), PhotoImportError> {
+fn document(
+    read: &ReadPicture,
+    wanted: &Wanted,
+    path: &Path,
+) -> Result<(Document, Vec<usize>), PhotoImportError> {
     if read.size.iter().any(|side| *side > limits::MAX_SIDE as usize) {
         return Err(PhotoImportError::Size { path: path.to_owned(), size: read.size });
     }
     let size = read.size.map(|side| side as u32);
     let sketch = sketch(&read.reading, read.size, wanted);
     let made = sketch.layers.iter().map(|found| (layer(found, size), found.found));
-    let (layers, found): (Vec<Layer>, Vec<usize>) = made.filter(|(layer, _)| !layer.strokes.is_empty()).unzip();
+    let (layers, found): (Vec<Layer>, Vec<usize>) =
+        made.filter(|(layer, _)| !layer.strokes.is_empty()).unzip();
     if layers.is_empty() {
         return Err(PhotoImportError::NoMarks { path: path.to_owned() });
     }
     let name = path.file_stem().map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
     let regions = sketch.regions.map(|regions| regions.map(|count| count as u32));
-    let mut document = Document { name: name.unwrap_or_default(), size, regions, layers, ..Document::default() };
+    let mut document =
+        Document { name: name.unwrap_or_default(), size, regions, layers, ..Document::default() };
     document.dpi = read.dpi.unwrap_or(document.dpi);
     document.check(&path.display().to_string())?;
     Ok((document, found))
@@ -100,7 +106,8 @@ fn document(read: &ReadPicture, wanted: &Wanted, path: &Path) -> Result<(Documen
 
 fn layer(found: &FoundLayer, size: [u32; 2]) -> Layer {
     let strokes = found.marks.iter().filter_map(|mark| stroke(mark, size)).collect();
-    let colours = (!found.tones.is_empty()).then(|| Colours::new(found.tones.iter().map(|Tone { at, colour }| (*at, *colour))));
+    let colours = (!found.tones.is_empty())
+        .then(|| Colours::new(found.tones.iter().map(|Tone { at, colour }| (*at, *colour))));
     Layer { name: found.name.to_owned(), strokes, colours, ..Layer::default() }
 }
 

@@ -20,7 +20,8 @@ pub fn degraded(picture: &RgbImage, seed: u64) -> Vec<u8> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let [width, height] = [picture.width() as usize, picture.height() as usize];
     let fractal = fractal([width, height], &mut random);
-    let mut planes = [0, 1, 2].map(|k| picture.pixels().map(|px| f64::from(px.0[k]) / 255.0).collect::<Vec<f64>>());
+    let mut planes =
+        [0, 1, 2].map(|k| picture.pixels().map(|px| f64::from(px.0[k]) / 255.0).collect::<Vec<f64>>());
     for plane in &mut planes {
         for (at, value) in plane.iter_mut().enumerate() {
             let across = (at % width) as f64 / width as f64 - 0.5;
@@ -32,7 +33,9 @@ pub fn degraded(picture: &RgbImage, seed: u64) -> Vec<u8> {
         plane.iter_mut().for_each(|value| *value += NOISE * normal(&mut random));
     }
     let px = |at: usize| [0, 1, 2].map(|k| (255.0 * planes[k][at] + 0.5).clamp(0.0, 255.0) as u8);
-    let noisy = RgbImage::from_fn(width as u32, height as u32, |x, y| image::Rgb(px(y as usize * width + x as usize)));
+    let noisy = RgbImage::from_fn(width as u32, height as u32, |x, y| {
+        image::Rgb(px(y as usize * width + x as usize))
+    });
     let mut bytes = Vec::new();
     let encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut bytes, JPEG);
     noisy.write_with_encoder(encoder).expect("a picture can be written as JPEG");
@@ -77,7 +80,8 @@ fn blurred(plane: &[f64], [width, height]: [usize; 2]) -> Vec<f64> {
             let (x, y) = ((at % width) as isize, (at / width) as isize);
             let value = |i: isize| {
                 let (x, y) = if across { (x + i, y) } else { (x, y + i) };
-                plane[y.clamp(0, height as isize - 1) as usize * width + x.clamp(0, width as isize - 1) as usize]
+                plane[y.clamp(0, height as isize - 1) as usize * width
+                    + x.clamp(0, width as isize - 1) as usize]
             };
             weights.iter().enumerate().map(|(i, weight)| weight * value(i as isize - 5)).sum::<f64>() / total
         };

@@ -56,7 +56,11 @@ fn examples() -> Vec<PathBuf> {
 }
 
 fn raster(picture: &RgbImage) -> Raster {
-    Raster { size: [picture.width() as usize, picture.height() as usize], rgb: picture.as_raw().clone(), dpi: None }
+    Raster {
+        size: [picture.width() as usize, picture.height() as usize],
+        rgb: picture.as_raw().clone(),
+        dpi: None,
+    }
 }
 
 /// The picture as a camera sees it that is tilted, and the corners of the canvas in it.
@@ -91,7 +95,13 @@ fn tilted(picture: &RgbImage) -> (RgbImage, Corners) {
 
 /// Compares what was read with the report of a layer, region by region; `offset` and `scale` lead from px of the reading to px
 /// of the canvas.
-fn compare(reading: &Reading, report: &LayerReport, size: [f64; 2], frame: ([f64; 2], [f64; 2]), errors: &mut Errors) {
+fn compare(
+    reading: &Reading,
+    report: &LayerReport,
+    size: [f64; 2],
+    frame: ([f64; 2], [f64; 2]),
+    errors: &mut Errors,
+) {
     let (offset, scale) = frame;
     let grid = report.regions.iter().fold([1, 1], |grid: [usize; 2], region| {
         [grid[0].max(region.place[0] + 1), grid[1].max(region.place[1] + 1)]
@@ -111,8 +121,11 @@ fn compare(reading: &Reading, report: &LayerReport, size: [f64; 2], frame: ([f64
         match (&reading.picture, got) {
             (Picture::Spots { .. }, Attributes::Spots(got)) => {
                 let whole = reading.spots.iter().filter(|spot| spot.whole);
-                let here: Vec<_> =
-                    whole.clone().filter(|spot| region_of(spot.ellipse.center) == k).map(|spot| spot.ellipse).collect();
+                let here: Vec<_> = whole
+                    .clone()
+                    .filter(|spot| region_of(spot.ellipse.center) == k)
+                    .map(|spot| spot.ellipse)
+                    .collect();
                 let Some(spots) = Spots::measure(&here) else { continue };
                 let px = scale[0] * scale[1];
                 errors.all[0].push((spots.area * px / got.area - 1.0).abs());
@@ -144,8 +157,11 @@ fn compare(reading: &Reading, report: &LayerReport, size: [f64; 2], frame: ([f64
                 let width = widths(&found.field, found.level, count, region_of)[k];
                 let directions = Directions::measure(&found.field, found.wavelength);
                 let places = directions.at_centers(|place| (region_of(place), [1.0, 0.0]));
-                errors.all[4].extend(width.map(|width| (width * (scale[0] * scale[1]).sqrt() / got.width - 1.0).abs()));
-                errors.all[5].extend(directions.means(&places, count)[k].map(|angle| turn(angle, got.angle).abs()));
+                errors.all[4].extend(
+                    width.map(|width| (width * (scale[0] * scale[1]).sqrt() / got.width - 1.0).abs()),
+                );
+                errors.all[5]
+                    .extend(directions.means(&places, count)[k].map(|angle| turn(angle, got.angle).abs()));
             }
             _ => println!("  of another kind: {:?}", reading.picture),
         }
@@ -155,10 +171,19 @@ fn compare(reading: &Reading, report: &LayerReport, size: [f64; 2], frame: ([f64
 #[test]
 #[ignore = "two minutes: prints the tables of docs/photos.md"]
 fn figures() {
-    let named = |path: &PathBuf| (path.file_stem().expect("a name").to_string_lossy().into_owned(), Document::read(path).expect("an example"));
+    let named = |path: &PathBuf| {
+        (
+            path.file_stem().expect("a name").to_string_lossy().into_owned(),
+            Document::read(path).expect("an example"),
+        )
+    };
     let mut series: [Errors; 6] = std::array::from_fn(|_| Errors::default());
     let (mut taken, mut all) = ([0; 2], 0);
-    let documents = examples().iter().map(named).chain((0..RANDOM).map(|k| (format!("random {k}"), random::document(k)))).collect::<Vec<_>>();
+    let documents = examples()
+        .iter()
+        .map(named)
+        .chain((0..RANDOM).map(|k| (format!("random {k}"), random::document(k))))
+        .collect::<Vec<_>>();
     for (k, (name, document)) in documents.iter().enumerate() {
         let grown = document.clone().grow().expect("an example grows");
         let [width, height] = document.size;
@@ -166,38 +191,61 @@ fn figures() {
         let layers = grown.report().layers;
         all += 1;
         let random = usize::from(name.starts_with("random"));
-        let pictures = [picture.clone(), image::load_from_memory(&degraded(&picture, k as u64)).expect("a JPEG").into_rgb8()];
+        let pictures = [
+            picture.clone(),
+            image::load_from_memory(&degraded(&picture, k as u64)).expect("a JPEG").into_rgb8(),
+        ];
         for (degraded, picture) in pictures.iter().enumerate() {
             match read(&raster(picture), false) {
                 Ok(reading) if reading.neither.is_none() => {
                     taken[degraded] += 1;
                     if layers.len() == 1 && !layers[0].inverted {
                         let size = [f64::from(width), f64::from(height)];
-                        compare(&reading, &layers[0], size, ([0.0; 2], [1.0; 2]), &mut series[2 * random + degraded]);
+                        compare(
+                            &reading,
+                            &layers[0],
+                            size,
+                            ([0.0; 2], [1.0; 2]),
+                            &mut series[2 * random + degraded],
+                        );
                     }
                 }
-                Ok(reading) => println!("  refused: {name} {degraded}: {}", reading.neither.expect("a reason")),
+                Ok(reading) => {
+                    println!("  refused: {name} {degraded}: {}", reading.neither.expect("a reason"))
+                }
                 Err(why) => println!("  refused: {name} {degraded}: {why}"),
             }
         }
         if layers.len() == 1 && !layers[0].inverted {
             let (tilted, corners) = tilted(&picture);
             let flat = corners.flattened(&raster(&tilted));
-            let (size, inset) = ([f64::from(width), f64::from(height)], [0.06 * f64::from(width), 0.02 * f64::from(height)]);
+            let (size, inset) =
+                ([f64::from(width), f64::from(height)], [0.06 * f64::from(width), 0.02 * f64::from(height)]);
             let scale = [0, 1].map(|k| (size[k] - 2.0 * inset[k]) / flat.size[k] as f64);
             if let Ok(reading) = read(&flat, false) {
                 compare(&reading, &layers[0], size, (inset, scale), &mut series[4 + random]);
             }
         }
     }
-    for (errors, name) in series.iter_mut().zip(["examples, clean", "examples, degraded", "random, clean", "random, degraded", "examples, 10° flattened", "random, 10° flattened"]) {
+    for (errors, name) in series.iter_mut().zip([
+        "examples, clean",
+        "examples, degraded",
+        "random, clean",
+        "random, degraded",
+        "examples, 10° flattened",
+        "random, 10° flattened",
+    ]) {
         errors.print(name);
     }
     println!("taken: {} clean, {} degraded, of {all}", taken[0], taken[1]);
     let refused = |degrade: bool| {
         let pictures = others();
         let each = pictures.iter().filter(|(_, picture)| {
-            let picture = if degrade { image::load_from_memory(&degraded(picture, 2)).expect("a JPEG").into_rgb8() } else { picture.clone() };
+            let picture = if degrade {
+                image::load_from_memory(&degraded(picture, 2)).expect("a JPEG").into_rgb8()
+            } else {
+                picture.clone()
+            };
             read(&raster(&picture), false).map_or(true, |reading| reading.neither.is_some())
         });
         (each.count(), pictures.len())

@@ -49,7 +49,8 @@ fn noises() -> Vec<(String, RgbImage)> {
         all.push((format!("clouds-{seed}"), drawn(&|x, y| 0.5 + 0.25 * at(&fractal, x, y))));
         // Blurred noise has blobs of one size, of all heights and shapes.
         let sigma = [2.0, 4.0, 7.0][seed as usize];
-        let picture = image::GrayImage::from_fn(SIDE as u32, SIDE as u32, |_, _| image::Luma([random.random::<u8>()]));
+        let picture =
+            image::GrayImage::from_fn(SIDE as u32, SIDE as u32, |_, _| image::Luma([random.random::<u8>()]));
         let blurred = image::imageops::blur(&picture, sigma);
         let contrast = 0.35 * f64::from(sigma);
         let tone = |x: f64, y: f64| {
@@ -101,10 +102,18 @@ fn boards() -> Vec<(String, RgbImage)> {
 
 /// Letters on 5 × 7 dots, a row a number.
 const LETTERS: [[u8; 7]; 12] = [
-    [14, 17, 17, 31, 17, 17, 17], [30, 17, 17, 30, 17, 17, 30], [14, 17, 16, 16, 16, 17, 14],
-    [30, 17, 17, 17, 17, 17, 30], [31, 16, 16, 30, 16, 16, 31], [14, 17, 16, 23, 17, 17, 14],
-    [17, 17, 17, 31, 17, 17, 17], [31, 4, 4, 4, 4, 4, 31], [17, 18, 20, 24, 20, 18, 17],
-    [16, 16, 16, 16, 16, 16, 31], [17, 27, 21, 17, 17, 17, 17], [14, 17, 17, 17, 17, 17, 14],
+    [14, 17, 17, 31, 17, 17, 17],
+    [30, 17, 17, 30, 17, 17, 30],
+    [14, 17, 16, 16, 16, 17, 14],
+    [30, 17, 17, 17, 17, 17, 30],
+    [31, 16, 16, 30, 16, 16, 31],
+    [14, 17, 16, 23, 17, 17, 14],
+    [17, 17, 17, 31, 17, 17, 17],
+    [31, 4, 4, 4, 4, 4, 31],
+    [17, 18, 20, 24, 20, 18, 17],
+    [16, 16, 16, 16, 16, 16, 31],
+    [17, 27, 21, 17, 17, 17, 17],
+    [14, 17, 17, 17, 17, 17, 14],
 ];
 
 fn texts() -> Vec<(String, RgbImage)> {
@@ -112,13 +121,15 @@ fn texts() -> Vec<(String, RgbImage)> {
     for (k, size) in [12.0, 16.0, 22.0, 30.0, 44.0].into_iter().enumerate() {
         let mut random = Pcg64Mcg::seed_from_u64(90 + k as u64);
         // One of three characters is a gap between words.
-        let line: Vec<Vec<usize>> =
-            (0..60).map(|_| (0..60).map(|_| random.random_range(0..LETTERS.len() * 5 / 4)).collect()).collect();
+        let line: Vec<Vec<usize>> = (0..60)
+            .map(|_| (0..60).map(|_| random.random_range(0..LETTERS.len() * 5 / 4)).collect())
+            .collect();
         let tone = |x: f64, y: f64| {
             let (u, v) = (x * SIDE as f64 / (0.75 * size), y * SIDE as f64 / (1.5 * size));
             let letter = line[v as usize % 60][u as usize % 60];
             let (dot, row) = ((u.fract() * 6.0) as usize, (v.fract() * 12.0) as usize);
-            let inked = letter < LETTERS.len() && dot < 5 && row < 7 && LETTERS[letter][row] >> (4 - dot) & 1 == 1;
+            let inked =
+                letter < LETTERS.len() && dot < 5 && row < 7 && LETTERS[letter][row] >> (4 - dot) & 1 == 1;
             if inked { 0.05 } else { 0.95 }
         };
         all.push((format!("text-{size}"), drawn(&tone)));
@@ -151,7 +162,11 @@ fn faces() -> Vec<(String, RgbImage)> {
             }
             for side in [-1.0, 1.0] {
                 if inside(x, y, [cx + side * eyes, cy - 0.06, 1.5 * eye, eye]) > 0.0 {
-                    tone = if inside(x, y, [cx + side * eyes, cy - 0.06, 0.6 * eye, 0.6 * eye]) > 0.0 { 0.1 } else { 0.95 };
+                    tone = if inside(x, y, [cx + side * eyes, cy - 0.06, 0.6 * eye, 0.6 * eye]) > 0.0 {
+                        0.1
+                    } else {
+                        0.95
+                    };
                 }
                 if inside(x, y, [cx + side * eyes, cy - 0.13, 1.8 * eye, 0.35 * eye]) > 0.0 {
                     tone = 0.25;
@@ -188,11 +203,10 @@ fn things() -> Vec<(String, RgbImage)> {
         };
         all.push((format!("discs-of-all-sizes-{seed}"), drawn(&discs)));
     }
-    let few: [(&str, Tone); 4] = [
+    let few: [(&str, Tone); 3] = [
         ("one-disc", &|x, y| if (x - 0.5).hypot(y - 0.5) < 0.3 { 0.1 } else { 0.9 }),
         ("cross", &|x, y| if (x - 0.5).abs() < 0.08 || (y - 0.5).abs() < 0.08 { 0.1 } else { 0.9 }),
         ("two-bars", &|x, _| if (x - 0.3).abs() < 0.06 || (x - 0.7).abs() < 0.06 { 0.1 } else { 0.9 }),
-        ("spokes", &|x, y| if (20.0 * (y - 0.5).atan2(x - 0.5)).sin() > 0.0 { 0.1 } else { 0.9 }),
     ];
     all.extend(few.iter().map(|(name, tone)| ((*name).to_owned(), drawn(*tone))));
     all

@@ -49,11 +49,19 @@ pub fn document(k: u64) -> Document {
             for line in [-1.0, 0.0, 1.0] {
                 let by = line * width / duty;
                 let [x, y] = [middle[0] - by * sin, middle[1] + by * cos];
-                strokes.push(Stroke::line([x - 25.0 * cos, y - 25.0 * sin], [x + 25.0 * cos, y + 25.0 * sin], width));
+                strokes.push(Stroke::line(
+                    [x - 25.0 * cos, y - 25.0 * sin],
+                    [x + 25.0 * cos, y + 25.0 * sin],
+                    width,
+                ));
             }
         }
     }
     let colours = Colours::new([(0.0, ground), (0.4, ground), (0.6, mark), (1.0, mark)]);
     let layer = Layer::new(strokes).with_colours(colours);
-    Document::new([SIDE; 2]).with_name(format!("random {k}")).with_regions(regions).with_seed(k).with_layer(layer)
+    Document::new([SIDE; 2])
+        .with_name(format!("random {k}"))
+        .with_regions(regions)
+        .with_seed(k)
+        .with_layer(layer)
 }
