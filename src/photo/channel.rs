@@ -30,12 +30,11 @@ pub fn axis(lab: &Lab, sigma: f64) -> [f64; 3] {
         .into_par_iter()
         .map(|y| {
             let mut sums = [0.0; 6];
-            for cell in y * lab.size[0]..(y + 1) * lab.size[0] {
-                let [l, a, b] = [0, 1, 2].map(|k| f64::from(planes[k][cell]));
-                [l * l, l * a, l * b, a * a, a * b, b * b]
-                    .iter()
-                    .zip(&mut sums)
-                    .for_each(|(x, sum)| *sum += x);
+            let row = y * lab.size[0]..(y + 1) * lab.size[0];
+            let [l, a, b] = [0, 1, 2].map(|k| planes[k][row.clone()].iter().map(|value| f64::from(*value)));
+            for ((l, a), b) in l.zip(a).zip(b) {
+                let products = [l * l, l * a, l * b, a * a, a * b, b * b];
+                products.iter().zip(&mut sums).for_each(|(product, sum)| *sum += product);
             }
             sums
         })
@@ -79,7 +78,7 @@ mod tests {
     fn the_axis_follows_the_marks_and_not_the_light() {
         // Marks of another hue every 8 cells; lightness falls off by far more across the picture.
         let size = [96, 64];
-        let mark = |k: usize| if (k % size[0]) / 4 % 2 == 0 { 0.05 } else { -0.05 };
+        let mark = |k: usize| if ((k % size[0]) / 4).is_multiple_of(2) { 0.05 } else { -0.05 };
         let cells = 0..size[0] * size[1];
         let planes = [
             cells.clone().map(|k| 0.2 + 0.6 * (k % size[0]) as f32 / size[0] as f32).collect(),

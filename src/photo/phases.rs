@@ -128,7 +128,7 @@ fn split(values: &[f32]) -> f32 {
     let low = values.iter().copied().fold(f32::INFINITY, f32::min);
     let high = values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
     let width = (high - low) / BINS as f32;
-    if !(width > 0.0) {
+    if width <= 0.0 {
         return low;
     }
     let mut counts = [0_u32; BINS];

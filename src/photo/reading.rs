@@ -26,7 +26,7 @@ pub struct Reading {
 /// There are no marks at all. Where there are some that are no texture, [`Reading::neither`] says so.
 pub fn read(raster: &Raster, invert: bool) -> Result<Reading, Neither> {
     let mut segmentation = segment(raster, invert);
-    if !(segmentation.contrast > 0.0) {
+    if segmentation.contrast <= 0.0 {
         return Err(Neither::Contrast { contrast: 0.0 });
     }
     let (picture, spots) = marks(&mut segmentation)?;

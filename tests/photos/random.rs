@@ -35,7 +35,7 @@ pub fn document(k: u64) -> Document {
         ];
         let (larger, turned) = (between(0.8, 1.25), angle + between(-20.0, 20.0));
         let (sin, cos) = turned.to_radians().sin_cos();
-        if k % 2 == 0 {
+        if k.is_multiple_of(2) {
             let area = larger * area;
             let minor = (area * aspect / std::f64::consts::PI).sqrt();
             let spacing = spread * 2.0 * (area / std::f64::consts::PI).sqrt();
