@@ -30,7 +30,7 @@
 //! ```text
 //!  hand ──▶ sketch ──┐
 //!                    ├─▶ Marks ─▶ Attributes ─▶ learn ─▶ Parameters ─▶ rd ─▶ Field ─▶ colour ─▶ Image ─▶ export
-//!  image ─▶ measure ─┘   └─────────────── synth holds this thread, layer by layer ───────────────┘
+//!  photo ─▶ measure ─┘   └─────────────── synth holds this thread, layer by layer ───────────────┘
 //! ```
 //!
 //! The modules below stand in the order in which data meets them.
@@ -39,7 +39,7 @@
 //! |---|---|---|
 //! | ground | `grid`, `marks`, `attributes` | the ground above them |
 //! | steps | `sketch`, `measure`, `learn`, `rd`, `colour`, `export` | the ground, never each other |
-//! | thread | [`document`], `synth` | ground and steps; `synth` knows `document` |
+//! | thread | `photo`, [`document`], `synth` | ground, steps and the thread above them; `document` and `photo` are apart |
 //! | beside the thread | `editor` | ground, steps and thread |
 //! | doors | `cli`, `app` (features) | everything; nothing knows them |
 //!
@@ -68,6 +68,8 @@ mod rd;
 mod sketch;
 
 // Thread.
+mod photo;
+// (photo: it reads pictures with measure and colour, and makes what a document holds)
 pub mod document;
 mod synth;
 
@@ -92,6 +94,13 @@ pub mod lookup {
     pub use crate::rd::System;
     pub use crate::synth::plan::PlanError;
     pub use crate::synth::{LookedUp, Training};
+}
+
+/// Making a document of a photograph.
+pub mod photograph {
+    pub use crate::photo::{Corners, Crop, Neither, Wanted};
+    pub use crate::synth::measured_picture::{Framing, MeasureError};
+    pub use crate::synth::photo_import::{ImportedPhoto, PhotoImportError, PhotoOptions, import_photo};
 }
 
 /// What can be made of a growth: pictures, outlines, materials, films, a report, measurements.
@@ -132,6 +141,10 @@ pub mod internals {
     /// Fields to marks.
     pub mod measure {
         pub use crate::measure::*;
+    }
+    /// Photographs to marks.
+    pub mod photo {
+        pub use crate::photo::*;
     }
     /// Strokes to marks.
     pub mod sketch {

@@ -1,23 +1,49 @@
-//! `dapple import`: SVG → document with its shapes as marks.
+//! `dapple import`: a drawing or a photograph → a document.
 
 use super::{Error, values};
 use crate::export;
-use crate::synth::import::{DPI, ImportError, Imported, import};
+use crate::photo::{Corners, Crop, Wanted};
+use crate::synth::import::{DPI, ImportError, Imported, import, is_svg};
+use crate::synth::measured_picture::Framing;
+use crate::synth::photo_import::{ImportedPhoto, PhotoOptions, import_photo};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// Arguments of `dapple import`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The drawing: its ellipses, circles, lines, rectangles and paths become marks, its groups layers
-    #[arg(value_name = "IN.svg")]
+    /// An SVG, whose ellipses, circles, lines, rectangles and paths become marks and its groups layers; or a photograph of
+    /// spots or stripes (JPEG, PNG, WebP, TIFF), of which a sketch is made
+    #[arg(value_name = "IN")]
     pub file: PathBuf,
     /// Where to write the document
     #[arg(short, long, value_name = "OUT.dapple")]
     pub output: PathBuf,
-    /// px an inch of the canvas; the SVG says its size in mm or in px of 1/96 inch
-    #[arg(long, value_name = "N", default_value_t = DPI, value_parser = values::dpi)]
-    pub dpi: f64,
+    /// px an inch of the canvas [default: 96 of an SVG, which says its size in mm or in px of 1/96 inch; what a photograph
+    /// says, or else 300]
+    #[arg(long, value_name = "N", value_parser = values::dpi)]
+    pub dpi: Option<f64>,
+    /// Photograph: columns and rows of regions [default: as few as explain how the marks change]
+    #[arg(long, value_name = "CxR", value_parser = values::regions, help_heading = "Photographs")]
+    pub regions: Option<[usize; 2]>,
+    /// Photograph: draw all marks, without regions, in place of a few that stand for them
+    #[arg(long, conflicts_with = "regions", help_heading = "Photographs")]
+    pub all_marks: bool,
+    /// Photograph: how many sizes of spots become layers of their own [default: 2 where they are clearly apart]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=2), help_heading = "Photographs")]
+    pub layers: Option<u8>,
+    /// Photograph: take the phase that covers more as the marks
+    #[arg(long, help_heading = "Photographs")]
+    pub invert: bool,
+    /// Photograph: make a sketch although it shows neither spots nor stripes
+    #[arg(long, help_heading = "Photographs")]
+    pub take_it: bool,
+    /// Photograph: read this part alone, px from the upper left corner (of what --corners makes)
+    #[arg(long, value_name = "X,Y,W,H", value_parser = values::crop, help_heading = "Photographs")]
+    pub crop: Option<Crop>,
+    /// Photograph: pull the part between four corners to a rectangle: upper left, upper right, lower right, lower left, px
+    #[arg(long, value_name = "X,Y,X,Y,X,Y,X,Y", value_parser = values::corners, help_heading = "Photographs")]
+    pub corners: Option<Corners>,
     /// Print what was read as one JSON object
     #[arg(long)]
     pub json: bool,
@@ -26,28 +52,70 @@ pub struct Args {
     pub quiet: bool,
 }
 
-/// Reads the SVG and writes the document.
+/// Reads the drawing or the photograph and writes the document.
 ///
 /// # Errors
-/// The SVG cannot be read or has no marks, or the document cannot be written.
+/// It cannot be read or has no marks, or the document cannot be written.
 pub fn run(args: &Args) -> Result<(), Error> {
-    super::paths::check_apart("IN.svg", &args.file, &args.output)?;
+    super::paths::check_apart("IN", &args.file, &args.output)?;
     export::check_ending(&args.output, &["dapple"]).map_err(Error::step)?;
-    let imported = import(&args.file, args.dpi).map_err(|error| match error {
-        ImportError::Unreadable { file, source } => Error::File { file, done: "read", source },
-        other => Error::step(other),
-    })?;
-    imported.document.write(&args.output)?;
+    let unreadable = |source| Error::File { file: args.file.display().to_string(), done: "read", source };
+    let (summary, json) =
+        if is_svg(&args.file).map_err(unreadable)? { drawing(args)? } else { photograph(args)? };
     if args.json {
-        super::print(&format!("{:#}\n", summary(args, &imported)))?;
+        super::print(&format!("{json:#}\n"))?;
     } else if !args.quiet {
-        super::note(&format!("{}: {}", args.file.display(), imported.summary));
+        super::note(&format!("{}: {summary}", args.file.display()));
     }
     Ok(())
 }
 
-/// What was read, as JSON.
-fn summary(args: &Args, Imported { document, unread, .. }: &Imported) -> Value {
+/// Writes the document of an SVG; returns what was read, in words and as JSON.
+fn drawing(args: &Args) -> Result<(String, Value), Error> {
+    let of_photographs = [
+        ("--regions", args.regions.is_some()),
+        ("--all-marks", args.all_marks),
+        ("--layers", args.layers.is_some()),
+        ("--invert", args.invert),
+        ("--take-it", args.take_it),
+        ("--crop", args.crop.is_some()),
+        ("--corners", args.corners.is_some()),
+    ];
+    if let Some((option, _)) = of_photographs.iter().find(|(_, given)| *given) {
+        let file = args.file.display();
+        return Err(Error::Usage(format!("{option}: {file} is an SVG; allowed: with a photograph")));
+    }
+    let imported = import(&args.file, args.dpi.unwrap_or(DPI)).map_err(|error| match error {
+        ImportError::Unreadable { file, source } => Error::File { file, done: "read", source },
+        other => Error::step(other),
+    })?;
+    imported.document.write(&args.output)?;
+    let json = of_drawing(args, &imported);
+    Ok((imported.summary, json))
+}
+
+/// Writes the document of a photograph; returns what was read, in words and as JSON.
+fn photograph(args: &Args) -> Result<(String, Value), Error> {
+    let options = PhotoOptions {
+        framing: Framing { invert: args.invert, crop: args.crop, corners: args.corners },
+        wanted: Wanted {
+            regions: args.regions,
+            layers: args.layers.map(usize::from),
+            all_marks: args.all_marks,
+        },
+        take_it: args.take_it,
+    };
+    let mut imported = import_photo(&args.file, &options).map_err(Error::step)?;
+    if let Some(dpi) = args.dpi {
+        imported.document.dpi = dpi;
+    }
+    imported.document.write(&args.output)?;
+    let json = of_photograph(args, &imported);
+    Ok((imported.summary, json))
+}
+
+/// What was read of a drawing, as JSON.
+fn of_drawing(args: &Args, Imported { document, unread, .. }: &Imported) -> Value {
     let layers =
         document.layers.iter().map(|layer| json!({"name": layer.name, "marks": layer.strokes.len()}));
     let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
@@ -55,5 +123,22 @@ fn summary(args: &Args, Imported { document, unread, .. }: &Imported) -> Value {
         "file": args.file.display().to_string(), "document": args.output.display().to_string(),
         "size": document.size, "dpi": document.dpi, "marks": marks, "layers": layers.collect::<Vec<_>>(),
         "unread": unread,
+    })
+}
+
+/// What was read of a photograph, as JSON.
+fn of_photograph(args: &Args, imported: &ImportedPhoto) -> Value {
+    let document = &imported.document;
+    let layers = document
+        .layers
+        .iter()
+        .zip(&imported.found)
+        .map(|(layer, found)| json!({"name": layer.name, "marks": layer.strokes.len(), "found": found}));
+    let marks: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
+    json!({
+        "file": args.file.display().to_string(), "document": args.output.display().to_string(),
+        "kind": imported.kind, "size": document.size, "dpi": document.dpi, "regions": document.regions,
+        "marks": marks, "layers": layers.collect::<Vec<_>>(),
+        "neither": imported.neither.map(|why| why.to_string()),
     })
 }

@@ -50,7 +50,7 @@ enum Command {
     Film(film::Args),
     /// Grow many documents and lay their pictures out on one sheet
     Sheet(sheet::Args),
-    /// Make a document from the shapes in an SVG
+    /// Make a document from the shapes in an SVG, or from the spots or stripes in a photograph
     Import(import::Args),
     /// Look up the parameters for spots or stripes with given attributes
     Lookup(lookup::Args),

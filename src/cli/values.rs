@@ -5,6 +5,7 @@ use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, SystemChoice, limits};
 use crate::export::outline::Ends;
 use crate::marks::axial;
+use crate::photo::{Corners, Crop};
 
 /// `WxH`, such as `4096x4096`, px.
 pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
@@ -18,6 +19,40 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
         whole.ok_or_else(|| format!("found a side of {side} px; allowed: 1 to {}", limits::MAX_SIDE))
     };
     Ok([side(width)?, side(height)?])
+}
+
+/// `CxR`, such as `3x2`: columns and rows of regions.
+pub(super) fn regions(text: &str) -> Result<[usize; 2], String> {
+    let allowed = || format!("allowed: COLUMNSxROWS, 1 to {} each, such as 3x2", limits::MAX_REGIONS);
+    let (columns, rows) = text.split_once(['x', 'X', '×']).ok_or_else(allowed)?;
+    let count = |text: &str| {
+        let count = text.bytes().all(|c| c.is_ascii_digit()).then(|| text.parse::<usize>().ok()).flatten();
+        count.filter(|count| (1..=limits::MAX_REGIONS as usize).contains(count)).ok_or_else(allowed)
+    };
+    Ok([count(columns)?, count(rows)?])
+}
+
+/// `X,Y,W,H`, whole px: a part of a picture.
+pub(super) fn crop(text: &str) -> Result<Crop, String> {
+    const ALLOWED: &str = "allowed: X,Y,WIDTH,HEIGHT in whole px, such as 200,100,800,600";
+    let numbers: Option<Vec<usize>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x, y, width, height]) if width > 0 && height > 0 => {
+            Ok(Crop { from: [x, y], size: [width, height] })
+        }
+        _ => Err(ALLOWED.to_owned()),
+    }
+}
+
+/// Four corners, px: eight numbers.
+pub(super) fn corners(text: &str) -> Result<Corners, String> {
+    const ALLOWED: &str = "allowed: X,Y of four corners in px, from the upper left one clockwise, such as 10,20,790,0,800,600,0,580";
+    let number = |number: &str| number.trim().parse::<f64>().ok().filter(|number| number.is_finite());
+    let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
+    match numbers.as_deref() {
+        Some(&[a, b, c, d, e, f, g, h]) => Ok(Corners([[a, b], [c, d], [e, f], [g, h]])),
+        _ => Err(ALLOWED.to_owned()),
+    }
 }
 
 /// A system with training rows, by name; not `auto`, which chooses by the marks of a document.

@@ -27,7 +27,7 @@ pub use directions::{Deviation, Directions};
 pub use edge_directions::edge_directions;
 pub use errors::{SpotErrors, StripeErrors, Target, spot_errors, stripe_errors};
 pub use otsu::level_between_phases;
-pub use picture::{Picture, picture};
+pub use picture::{Picture, picture, picture_of};
 pub use picture_check::{NotTexture, check_picture};
 pub use spots::{Census, Spot, census, rough_spots_of_at_least, spots, spots_of_at_least};
 pub use stripes::{StripeStatistics, stripes, widths};

@@ -41,7 +41,12 @@ const ROUND: f64 = 0.97;
 /// 2.5) or endless, and no ellipses.
 #[must_use]
 pub fn picture(field: &Field, level: f32) -> Option<Picture> {
-    let census = census(field, level);
+    picture_of(field, level, &census(field, level))
+}
+
+/// The same of a [`census`] of the field at this level.
+#[must_use]
+pub fn picture_of(field: &Field, level: f32, census: &Census) -> Option<Picture> {
     let total: f64 = census.spots.iter().map(|spot| spot.ellipse.area()).sum();
     let bands = census.spots.iter().filter(|spot| is_band(spot));
     let banded: f64 = bands.map(|spot| spot.ellipse.area()).sum();
@@ -52,7 +57,7 @@ pub fn picture(field: &Field, level: f32) -> Option<Picture> {
         return (got.width >= 2.0 * cell).then_some(Picture::Stripes { marks: census.spots.len(), got });
     }
     // More specks than spots: thresholded noise.
-    if census.specks > 2 * census.spots.len() { None } else { spotted(field, &census) }
+    if census.specks > 2 * census.spots.len() { None } else { spotted(field, census) }
 }
 
 fn is_band(spot: &Spot) -> bool {

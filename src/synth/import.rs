@@ -87,6 +87,24 @@ pub fn read_svg(bytes: &[u8], dpi: f64, file: &str) -> Result<(Document, Unread)
     document(drawing, dpi, file)
 }
 
+/// Whether the file `path` is a drawing: by its ending, or by the `<` it begins with; no picture of px begins with one.
+///
+/// # Errors
+/// It cannot be read.
+pub fn is_svg(path: &Path) -> std::io::Result<bool> {
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg")) {
+        return Ok(true);
+    }
+    let mut start = Vec::new();
+    std::fs::File::open(path)?.take(START).read_to_end(&mut start)?;
+    // Behind the mark of UTF-8, and spaces.
+    let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&start);
+    Ok(start.trim_ascii_start().first() == Some(&b'<'))
+}
+
+/// Bytes in which a drawing begins.
+const START: u64 = 256;
+
 /// Reads the SVG `path` as a document with `dpi` px an inch, named like the file.
 ///
 /// # Errors
@@ -156,7 +174,7 @@ fn document(mut drawing: Drawing, dpi: f64, file: &str) -> Result<(Document, Unr
 }
 
 /// A mark as a stroke within the limits of documents; `None` where it lies off the canvas.
-fn stroke(mark: &Mark, size: [u32; 2]) -> Option<Stroke> {
+pub(super) fn stroke(mark: &Mark, size: [u32; 2]) -> Option<Stroke> {
     let thickness = limits::Range::thickness(size);
     let thick = |length: f64| rounded(length).clamp(thickness.low, thickness.high);
     let inside = |point: [f64; 2]| (0..2).all(|axis| limits::Range::inside(size[axis]).holds(point[axis]));

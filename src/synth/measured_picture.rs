@@ -1,4 +1,6 @@
-//! A picture file → the attributes of the spots or stripes in it.
+//! A picture file → what it shows: spots or stripes, their attributes, and why it shows neither.
+//!
+//! Measuring and importing read pictures with this: both find the same numbers.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader, Seek};
@@ -6,14 +8,15 @@ use std::path::{Path, PathBuf};
 
 use image::DynamicImage;
 
-use crate::colour::{Gradient, lightness};
+use crate::colour::Gradient;
 use crate::document::{Colours, embedded};
 use crate::grid::{Edges, Field};
-use crate::measure::{NotTexture, Picture, check_picture, level_between_phases, picture};
+use crate::measure::{Picture, level_between_phases};
+use crate::photo::{self, Corners, Crop, Neither, Raster, Reading};
 use crate::synth::grow::pattern::EDGE;
 use crate::synth::memory;
 
-/// Why a picture could not be measured.
+/// Why a picture could not be read.
 #[derive(Debug, thiserror::Error)]
 pub enum MeasureError {
     /// It cannot be read.
@@ -39,39 +42,87 @@ pub enum MeasureError {
         /// Bytes free.
         free: f64,
     },
+    /// The part to be read is not in it.
+    #[error(
+        "{path}: --crop: found {},{},{},{}; allowed: a part of its {}×{} px",
+        crop.from[0], crop.from[1], crop.size[0], crop.size[1], size[0], size[1]
+    )]
+    Crop {
+        /// The file.
+        path: PathBuf,
+        /// The part.
+        crop: Crop,
+        /// Width and height of the picture, px.
+        size: [usize; 2],
+    },
+    /// The corners are those of no part of it.
+    #[error(
+        "{path}: --corners: allowed: four corners inside of its {}×{} px that bulge outwards, from the upper left one clockwise",
+        size[0], size[1]
+    )]
+    Corners {
+        /// The file.
+        path: PathBuf,
+        /// Width and height of the picture, px.
+        size: [usize; 2],
+    },
     /// It has no contrast.
     #[error(
-        "{path}: neither spots nor stripes: lightness spans {span:.3} of 1, at least {MIN_SPAN} is needed"
+        "{path}: neither spots nor stripes: marks and ground differ by {contrast:.3} in OKLab; allowed: a picture with more contrast, or --crop to where the marks are"
     )]
     Blank {
         /// The file.
         path: PathBuf,
-        /// Highest minus lowest lightness.
-        span: f32,
+        /// Their difference.
+        contrast: f64,
     },
-    /// It has contrast but no marks.
-    #[error(
-        "{path}: neither spots nor stripes: nothing above 2 px, only noise, or no whole spot; try --invert"
-    )]
+    /// It has contrast but no marks, or marks that are no texture.
+    #[error("{path}: neither spots nor stripes: {reason}{}", remedy(reason))]
     Neither {
         /// The file.
         path: PathBuf,
-    },
-    /// It has marks that are no texture.
-    #[error("{path}: neither spots nor stripes: {reason}")]
-    NotTexture {
-        /// The file.
-        path: PathBuf,
         /// Why.
-        reason: NotTexture,
+        reason: Neither,
     },
 }
 
-/// Most bytes a px in memory while a picture is read and measured. Measured: 13 to 14 at 1024² to 4096² px with a spot per
-/// 1024 px.
+/// What may help against a reason.
+fn remedy(reason: &Neither) -> &'static str {
+    match reason {
+        Neither::Noise | Neither::Shapes { .. } | Neither::NoDirection { .. } => {
+            "; try --invert, or --crop to the pattern"
+        }
+        Neither::Contrast { .. } | Neither::Uneven { .. } | Neither::NotTexture(_) => {
+            "; try --crop to the pattern"
+        }
+        Neither::TooFewSpots { .. } => "",
+    }
+}
+
+/// What part of a picture is read, and what in it are the marks.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Framing {
+    /// The phase that covers more is the marks.
+    pub invert: bool,
+    /// The part that is read; `None` = all.
+    pub crop: Option<Crop>,
+    /// Four corners of a flat thing in the picture (before it is cropped), which are pulled to a rectangle.
+    pub corners: Option<Corners>,
+}
+
+/// A picture that was read.
+#[derive(Clone, Debug)]
+pub struct ReadPicture {
+    /// Width and height of what was read, px.
+    pub size: [usize; 2],
+    /// px an inch, where the file says it.
+    pub dpi: Option<f64>,
+    /// What it shows.
+    pub reading: Reading,
+}
+
+/// Most bytes a px in memory while a picture is decoded and turned. Measured on a JPEG of 24 Mpx: 6.
 const BYTES_PER_PX: f64 = 16.0;
-/// Less contrast than this is compression noise.
-const MIN_SPAN: f32 = 0.05;
 
 /// The decoder's message on one line: some end with a line break or quote control characters of the file.
 fn one_line(error: &image::ImageError) -> String {
@@ -84,9 +135,7 @@ fn one_line(error: &image::ImageError) -> String {
 /// # Errors
 /// It cannot be read as a picture, or has neither spots nor stripes.
 pub fn measure_file(path: &Path, invert: bool) -> Result<Picture, MeasureError> {
-    let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
-    let file = File::open(path).map_err(|error| unreadable(error.into()))?;
-    measure_stream(BufReader::new(file), path, invert)
+    measure_stream(open(path)?, path, invert)
 }
 
 /// As [`measure_file`], for a stream; `path` is its name in messages.
@@ -94,37 +143,91 @@ pub fn measure_file(path: &Path, invert: bool) -> Result<Picture, MeasureError> 
 /// # Errors
 /// It cannot be read as a picture, or has neither spots nor stripes.
 pub fn measure_stream(
-    mut stream: impl BufRead + Seek,
+    stream: impl BufRead + Seek,
     path: &Path,
     invert: bool,
 ) -> Result<Picture, MeasureError> {
+    let read = read_stream(stream, path, &Framing { invert, ..Framing::default() })?;
+    read.texture(path).map(|read| read.reading.picture)
+}
+
+fn open(path: &Path) -> Result<BufReader<File>, MeasureError> {
+    let unreadable =
+        |error: std::io::Error| MeasureError::Unreadable { path: path.to_owned(), source: error.into() };
+    File::open(path).map(BufReader::new).map_err(unreadable)
+}
+
+/// Reads what a picture file shows, even if it is no texture.
+///
+/// # Errors
+/// It cannot be read as a picture, or has no marks at all.
+pub fn read_file(path: &Path, framing: &Framing) -> Result<ReadPicture, MeasureError> {
+    read_stream(open(path)?, path, framing)
+}
+
+impl ReadPicture {
+    /// The same if it is a texture.
+    ///
+    /// # Errors
+    /// [`MeasureError::Neither`]; `path` is the picture's name in messages.
+    pub fn texture(self, path: &Path) -> Result<Self, MeasureError> {
+        self.reading
+            .neither
+            .map_or(Ok(self), |reason| Err(MeasureError::Neither { path: path.to_owned(), reason }))
+    }
+}
+
+/// As [`read_file`], for a stream; `path` is its name in messages.
+///
+/// # Errors
+/// As [`read_file`].
+pub fn read_stream(
+    mut stream: impl BufRead + Seek,
+    path: &Path,
+    framing: &Framing,
+) -> Result<ReadPicture, MeasureError> {
     let unreadable = |source| MeasureError::Unreadable { path: path.to_owned(), source };
-    let head = image::ImageReader::new(&mut stream).with_guessed_format();
-    let head = head.map_err(|error| unreadable(error.into()))?;
-    let (width, height) = head.into_dimensions().map_err(unreadable)?;
     // The head of a damaged file can give any size: check it before allocating.
-    if let Err(error) = memory::check_picture([width as usize, height as usize], BYTES_PER_PX) {
+    let size = photo::size(&mut stream).map_err(unreadable)?;
+    if let Err(error) = memory::check_picture(size, BYTES_PER_PX) {
         let memory::TooLargePicture { size, needed, free } = error;
         return Err(MeasureError::TooLarge { path: path.to_owned(), size, needed, free });
     }
     let gradient = painted_with(&mut stream);
-    stream.rewind().map_err(|error| unreadable(error.into()))?;
-    let reader = image::ImageReader::new(stream).with_guessed_format();
-    let reader = reader.map_err(|error| unreadable(error.into()))?;
-    let image = reader.decode().map_err(unreadable)?;
-    let Tones { mut field, level } = tones(image, gradient.as_ref())
-        .map_err(|span| MeasureError::Blank { path: path.to_owned(), span })?;
-    let above = field.values.iter().filter(|value| **value > level).count();
-    let light = 2 * above <= field.values.len();
-    let level = if light == invert {
-        field.values.iter_mut().for_each(|value| *value = 1.0 - *value);
-        1.0 - level
-    } else {
-        level
+    let decoded = photo::decode(&mut stream).map_err(unreadable)?;
+    let whole = framing.crop.is_none() && framing.corners.is_none();
+    let pattern = if whole { pattern_of_gray(&decoded.image) } else { None };
+    let raster = framed(decoded.into(), path, framing)?;
+    let gradient = gradient.filter(|_| whole);
+    let pattern = pattern.or_else(|| pattern_of_colours(&raster, &gradient?));
+    let reading = match pattern {
+        Some(Tones { field, level }) => {
+            let Tones { field, level } = smaller_phase(field, level, framing.invert);
+            photo::read_pattern(field, level, Some(&raster))
+        }
+        None => photo::read(&raster, framing.invert),
     };
-    let found = picture(&field, level).ok_or_else(|| MeasureError::Neither { path: path.to_owned() })?;
-    let checked = check_picture(&field, level, &found);
-    checked.map(|()| found).map_err(|reason| MeasureError::NotTexture { path: path.to_owned(), reason })
+    let reading = reading.map_err(|reason| match reason {
+        Neither::Contrast { contrast } => MeasureError::Blank { path: path.to_owned(), contrast },
+        reason => MeasureError::Neither { path: path.to_owned(), reason },
+    })?;
+    Ok(ReadPicture { size: raster.size, dpi: raster.dpi, reading })
+}
+
+/// The part of a picture that is read.
+fn framed(raster: Raster, path: &Path, framing: &Framing) -> Result<Raster, MeasureError> {
+    let mut raster = raster;
+    if let Some(corners) = framing.corners {
+        let size = raster.size;
+        let inside = |corner: &[f64; 2]| (0..2).all(|axis| (0.0..=size[axis] as f64).contains(&corner[axis]));
+        if !corners.are_convex() || !corners.0.iter().all(inside) {
+            return Err(MeasureError::Corners { path: path.to_owned(), size });
+        }
+        raster = corners.flattened(&raster);
+    }
+    let Some(crop) = framing.crop else { return Ok(raster) };
+    let size = raster.size;
+    raster.cropped(crop).ok_or_else(|| MeasureError::Crop { path: path.to_owned(), crop, size })
 }
 
 /// A picture as numbers 0..1, and the value at the marks' edges.
@@ -133,41 +236,46 @@ struct Tones {
     level: f32,
 }
 
-/// The tones of a picture, which was painted with `gradient` if that is known; the span of its tones where that is too small.
-///
-/// A pattern of `grow --pattern`, which is 16-bit gray, has its edges at 0.5. So have the pattern values that the colours of
-/// a gradient stand for. Of other pictures it is the gray value, of coloured ones the lightness in OKLab, in which gradients
-/// are interpolated, and the level is where these change fastest.
-fn tones(image: DynamicImage, gradient: Option<&Gradient>) -> Result<Tones, f32> {
-    let (width, height) = (image.width() as usize, image.height() as usize);
-    let field = |values| Field { width, height, cell: [1.0, 1.0], edges: Edges::Closed, values };
-    if let DynamicImage::ImageLuma16(pattern) = image {
-        let values = pattern.into_raw().into_iter().map(|value| f32::from(value) / 65535.0).collect();
-        let field = field(values);
-        let [low, high] = span(&field)?;
-        let level = if low < EDGE && high > EDGE { EDGE } else { level_between_phases(&field.values) };
-        return Ok(Tones { field, level });
-    }
-    let rgb = image.into_rgb8().into_raw();
-    if let Some(pattern) = gradient.and_then(|gradient| gradient.pattern_of(&rgb)) {
-        let pattern = field(pattern);
-        if span(&pattern).is_ok_and(|[low, high]| low < EDGE && high > EDGE) {
-            return Ok(Tones { field: pattern, level: EDGE });
-        }
-    }
-    let gray = rgb.chunks_exact(3).all(|px| px[0] == px[1] && px[1] == px[2]);
-    let tone = |px: &[u8]| if gray { f32::from(px[0]) / 255.0 } else { lightness([px[0], px[1], px[2]]) };
-    let field = field(rgb.chunks_exact(3).map(tone).collect());
-    span(&field)?;
-    let level = level_between_phases(&field.values);
-    Ok(Tones { field, level })
+fn on_px([width, height]: [usize; 2], values: Vec<f32>) -> Field {
+    Field { width, height, cell: [1.0, 1.0], edges: Edges::Closed, values }
 }
 
-/// The lowest and the highest value; an error of their difference where that is too small.
-fn span(field: &Field) -> Result<[f32; 2], f32> {
+/// The pattern in a 16-bit gray picture, as `grow --pattern` writes: its edges are at 0.5. `None` of other pictures.
+fn pattern_of_gray(image: &DynamicImage) -> Option<Tones> {
+    let DynamicImage::ImageLuma16(pattern) = image else { return None };
+    let size = [pattern.width() as usize, pattern.height() as usize];
+    let field = on_px(size, pattern.as_raw().iter().map(|value| f32::from(*value) / 65535.0).collect());
+    let [low, high] = span(&field)?;
+    let level = if low < EDGE && high > EDGE { EDGE } else { level_between_phases(&field.values) };
+    Some(Tones { field, level })
+}
+
+/// The pattern values that the colours of a picture stand for, where it was painted with `gradient`.
+fn pattern_of_colours(raster: &Raster, gradient: &Gradient) -> Option<Tones> {
+    let field = on_px(raster.size, gradient.pattern_of(&raster.rgb)?);
+    let [low, high] = span(&field)?;
+    (low < EDGE && high > EDGE).then_some(Tones { field, level: EDGE })
+}
+
+/// Less difference than this is no pattern.
+const MIN_SPAN: f32 = 0.05;
+
+/// The lowest and the highest value; `None` where they hardly differ.
+fn span(field: &Field) -> Option<[f32; 2]> {
     let low = field.values.iter().copied().fold(1.0, f32::min);
     let high = field.values.iter().copied().fold(0.0, f32::max);
-    if high - low < MIN_SPAN { Err((high - low).max(0.0)) } else { Ok([low, high]) }
+    (high - low >= MIN_SPAN).then_some([low, high])
+}
+
+/// Upside down where the marks would be the phase that covers more, or the other one if `invert`.
+fn smaller_phase(mut field: Field, level: f32, invert: bool) -> Tones {
+    let above = field.values.iter().filter(|value| **value > level).count();
+    let light = 2 * above <= field.values.len();
+    if light != invert {
+        return Tones { field, level };
+    }
+    field.values.iter_mut().for_each(|value| *value = 1.0 - *value);
+    Tones { field, level: 1.0 - level }
 }
 
 /// The colours of the document in a PNG, if it holds one of one layer. A document that cannot be read is none: what is
@@ -193,6 +301,12 @@ mod tests {
         (folder, path)
     }
 
+    /// The gray value 0..1 of a lightness in OKLab, in which edges are half way: L³ as light, encoded as sRGB does.
+    fn gray(lightness: f64) -> f64 {
+        let light = lightness.powi(3);
+        if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }
+    }
+
     /// Ellipses of radii 9 and 6 along 30° on a lattice of 32 px, `out` → tone.
     fn dots(tone: impl Fn(f64) -> f64) -> image::ImageBuffer<image::Luma<u16>, Vec<u16>> {
         image::ImageBuffer::from_fn(256, 256, |x, y| {
@@ -207,7 +321,7 @@ mod tests {
     #[test]
     fn a_pattern_is_measured_at_one_half_and_other_pictures_between_their_tones() {
         let soft = |out: f64| (0.5 + 0.7 * (1.0 - out)).clamp(0.0, 1.0);
-        let ink = |out: f64| 0.9 - 0.6 * (0.5 + 3.0 * (1.0 - out)).clamp(0.0, 1.0);
+        let ink = |out: f64| gray(0.9 - 0.6 * (0.5 + 3.0 * (1.0 - out)).clamp(0.0, 1.0));
         let colour = DynamicImage::ImageLuma16(dots(ink)).to_rgb8();
         for (name, image) in [
             ("pattern.png", DynamicImage::ImageLuma16(dots(soft))),
@@ -292,7 +406,7 @@ mod tests {
         let told = measure_file(&path, false).unwrap_err().to_string();
         assert!(
             told.ends_with(
-                "neither spots nor stripes: 1 whole spots are too few for a texture, at least 3 are needed"
+                "neither spots nor stripes: 1 whole spots are too few, at least 8 are needed; take a larger part of the pattern"
             ),
             "{told}"
         );
@@ -312,7 +426,7 @@ mod tests {
             let (sin, cos) = 20_f64.to_radians().sin_cos();
             let across = (f64::from(y) + 0.5) * cos - (f64::from(x) + 0.5) * sin;
             let inside = 3.0 - (across.rem_euclid(18.0) - 9.0).abs();
-            image::Luma([(40.0 + 180.0 * (0.5 + inside).clamp(0.0, 1.0)) as u8])
+            image::Luma([(255.0 * gray(0.2 + 0.7 * (0.5 + inside).clamp(0.0, 1.0)) + 0.5) as u8])
         });
         let (_folder, path) = written("stripes.png", &DynamicImage::ImageLuma8(image));
         let Picture::Stripes { got, .. } = measure_file(&path, false).unwrap() else { panic!() };

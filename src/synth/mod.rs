@@ -9,6 +9,7 @@ pub mod measured_weave;
 pub mod memory;
 mod options;
 pub mod phases;
+pub mod photo_import;
 pub mod plan;
 pub mod render;
 pub mod report;

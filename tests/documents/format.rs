@@ -246,6 +246,22 @@ fn the_json_of_import_has_the_keys_on_the_page() {
 }
 
 #[test]
+fn the_json_of_an_imported_photograph_has_the_keys_on_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let dots = image::GrayImage::from_fn(240, 160, |x, y| {
+        let near = |px: u32| (f64::from(px) + 0.5).rem_euclid(40.0) - 20.0;
+        image::Luma([if near(x).hypot(near(y)) < 9.0 { 30 } else { 220 }])
+    });
+    dots.save(folder.path().join("a.png")).unwrap();
+    let imported = printed(&["import", "a.png", "-o", "a.dapple", "--json"], folder.path());
+    assert_eq!(object_keys(&imported), first_column("Import of a photograph"));
+    assert_eq!(
+        object_keys(&imported["layers"][0]).into_iter().collect::<BTreeSet<_>>(),
+        keys_in(&meaning("Import of a photograph", "layers"))
+    );
+}
+
+#[test]
 fn the_json_of_bench_has_the_keys_on_the_page() {
     let folder = tempfile::tempdir().unwrap();
     let bench = |only: &[&str]| {

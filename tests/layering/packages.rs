@@ -28,6 +28,7 @@ pub const ADDRESSES: [(&str, &[&str]); 31] = [
         "image",
         &[
             "src/export/",
+            "src/photo/decode.rs",
             "src/synth/measured_picture.rs",
             "src/app/examples.rs",
             "src/app/exporting/",

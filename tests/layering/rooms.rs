@@ -9,7 +9,7 @@ const GROUND: [&str; 3] = ["grid", "marks", "attributes"];
 /// Import from the ground, not from each other.
 const STEPS: [&str; 6] = ["sketch", "measure", "learn", "rd", "colour", "export"];
 /// Import from ground and steps; each only from the ones before it.
-const THREAD: [&str; 2] = ["document", "synth"];
+const THREAD: [&str; 3] = ["photo", "document", "synth"];
 /// Imports from ground, steps and thread.
 const BESIDE: &str = "editor";
 /// Import from everything; nothing imports from them, except that the command line opens the window.

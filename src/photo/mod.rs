@@ -1,0 +1,44 @@
+//! Photograph → marks, regions and colours of a sketch.
+//!
+//! ```text
+//!  file ─▶ raster (turned upright, cropped, flattened) ─▶ lab ─▶ channel ─▶ scale ─▶ phases ─▶ edge ─▶ watershed
+//!                                                                                                      │
+//!            sketch (layers, regions, marks, stops) ◀─ reading: spots, stripes, or neither and why ◀───┘
+//! ```
+//!
+//! Uneven light, noise, blur and compression are expected: a place is ink or ground by comparison with what is around it,
+//! never by a tone of the whole picture. Everything is measured on a working copy that may have fewer px than the photograph;
+//! results are px of the photograph.
+//!
+//! Nothing depends on the number of threads: rows are computed independently, and sums are taken in their order.
+
+mod blur;
+mod channel;
+mod coarse;
+mod corners;
+mod decode;
+mod density;
+mod edge;
+mod lab;
+mod layers;
+mod lines;
+mod phases;
+mod raster;
+mod reading;
+mod regions;
+mod representatives;
+mod scale;
+mod segmentation;
+mod sketch;
+mod stops;
+mod verdict;
+mod watershed;
+
+pub use corners::Corners;
+pub use decode::{Decoded, decode, size};
+pub use raster::{Crop, Raster};
+pub use reading::{Reading, read, read_pattern};
+pub use segmentation::{Segmentation, segment};
+pub use sketch::{FoundLayer, Sketch, Wanted, sketch};
+pub use stops::Tone;
+pub use verdict::Neither;

@@ -1,0 +1,181 @@
+//! A photograph → its marks as a field: 0 = ground, 1 = marks, and the level of their edges.
+
+use super::blur::gaussian;
+use super::lab::Lab;
+use super::phases::{Phases, phases};
+use super::{Raster, channel, edge, scale};
+use crate::grid::{Edges, Field};
+use crate::measure::{self, Picture};
+
+/// What was found of ink and ground.
+#[derive(Clone, Debug)]
+pub struct Segmentation {
+    /// 0 = ground, 1 = marks, not clipped; on cells of whole px of the photograph.
+    pub field: Field,
+    /// The level of the marks' edges in it.
+    pub level: f32,
+    /// How far apart marks are, px.
+    pub wavelength: f64,
+    /// The usual difference of marks and ground, OKLab.
+    pub contrast: f64,
+    /// What differs within marks and within ground, as a share of the contrast: root mean square.
+    pub uneven: f64,
+    /// The working copy; `None` of a pattern, which has no colours.
+    pub lab: Option<Lab>,
+}
+
+/// Most cells of the copy on which the wavelength is looked for: of a photograph of 24 Mpx waves of 16 px can still be seen.
+const SEEN: usize = 4 << 20;
+/// Cells to which a photograph is reduced as far as its marks allow.
+const ENOUGH: usize = 1 << 20;
+/// Most cells, whatever the marks are: larger copies take more than 5 s and 1 GB.
+const MOST: usize = 8 << 20;
+/// Cells a wavelength that the working copy keeps where the photograph has them: areas of round spots are then within 1 %.
+const FINE: f64 = 16.0;
+/// And the copy on which only kind and spacing are found.
+const COARSE: f64 = 8.0;
+/// Standard deviation of the first high pass, as a share of the shorter side: light varies more slowly.
+const LIGHT: f64 = 1.0 / 12.0;
+/// Standard deviation of the least blur before the segmentation ÷ wavelength, of spots: any takes off area, 0.03 up to 8 % of that
+/// of narrow ones.
+const LEAST_OF_SPOTS: f64 = 0.0;
+/// And of bands: it leaves straight edges where they are, and noise along them makes them seem longer, which 0.04 halves.
+const LEAST_OF_BANDS: f64 = 0.04;
+/// And of the widest: it takes 3 % off round spots.
+const WIDEST: f64 = 0.06;
+/// Noise is blurred until this share of the contrast is left.
+const NOISE: f64 = 0.04;
+/// The found spacing may differ from the first wavelength by this factor; what differs more is no spacing of marks.
+const TURN: f64 = 3.0;
+/// Where the shares of ink and ground differ by less than this from ½, the darker one is taken as the marks.
+const EVEN: f64 = 0.05;
+
+/// Segments a photograph. The marks are the phase that covers less (of two that cover nearly the same, the darker one), or the
+/// other one if `invert`.
+#[must_use]
+pub fn segment(raster: &Raster, invert: bool) -> Segmentation {
+    let lab = Lab::of(raster, reduced_to(raster, SEEN));
+    let rough = rough_wavelength(&lab) * lab.factor as f64;
+    drop(lab);
+    // As few cells as are enough, where that leaves so many to a wavelength.
+    let [least, most] = [reduced_to(raster, MOST), reduced_to(raster, ENOUGH)];
+    let factor = |fine: f64| ((rough / fine) as usize).clamp(least, most);
+    let (wavelength, blur) = first_look(&Lab::of(raster, factor(COARSE)), rough, invert);
+    let lab = Lab::of(raster, factor(FINE));
+    let found = two_phases(&lab, wavelength / lab.factor as f64, blur, invert);
+    Segmentation { lab: Some(lab), ..found }
+}
+
+/// The factor that leaves at most so many cells.
+fn reduced_to(raster: &Raster, cells: usize) -> usize {
+    let px = raster.size[0] * raster.size[1];
+    (1..).find(|factor| px / (factor * factor) <= cells).unwrap_or(1)
+}
+
+/// The distance of the marks, px, and how far they are to be blurred: by what they are and by where they are found with the
+/// `rough` wavelength, px.
+fn first_look(lab: &Lab, rough: f64, invert: bool) -> (f64, f64) {
+    let once = two_phases(lab, rough / lab.factor as f64, LEAST_OF_BANDS, invert);
+    let (spacing, least) = match measure::picture(&once.field, once.level) {
+        Some(Picture::Spots { got, .. }) => (got.spacing, LEAST_OF_SPOTS),
+        Some(Picture::Stripes { got, .. }) => (Some(got.wavelength), LEAST_OF_BANDS),
+        None => (None, LEAST_OF_BANDS),
+    };
+    (spacing.unwrap_or(rough).clamp(rough / TURN, rough * TURN), least)
+}
+
+/// The wavelength of the strongest variation, cells.
+fn rough_wavelength(lab: &Lab) -> f64 {
+    let axis = channel::axis(lab, LIGHT * lab.size[0].min(lab.size[1]) as f64);
+    scale::wavelength(&channel::channel(lab, axis), lab.size)
+}
+
+/// Segments a working copy whose marks repeat after about `wavelength` cells, blurred by `least` wavelengths or
+/// more before.
+fn two_phases(lab: &Lab, wavelength: f64, least: f64, invert: bool) -> Segmentation {
+    let axis = channel::axis(lab, wavelength);
+    let mut channel = channel::channel(lab, axis);
+    let apart = deviation(&channel, &super::coarse::wide(&channel, lab.size, wavelength));
+    let noise = noise(&channel, lab.size, wavelength);
+    // A Gaussian of σ cells leaves 1 ÷ (2√π·σ) of the noise of single cells.
+    let enough = noise / (2.0 * std::f64::consts::PI.sqrt() * NOISE * 2.0 * apart.max(f64::MIN_POSITIVE));
+    let sigma = enough.clamp(least * wavelength, WIDEST * wavelength);
+    channel = gaussian(&channel, lab.size, sigma);
+    let Phases { mut share, contrast } = phases(&channel, lab.size, wavelength);
+    let ink = share.iter().filter(|share| **share > 0.5).count() as f64 / share.len() as f64;
+    // The channel rises with the lightness: ink is the lighter one.
+    let marks_are_ink = ink < 0.5 - EVEN;
+    if marks_are_ink == invert {
+        share.iter_mut().for_each(|share| *share = 1.0 - *share);
+    }
+    let level = edge::level(&share, lab.size);
+    let uneven = unevenness(&share);
+    let [width, height] = lab.size;
+    let field = Field { width, height, cell: [lab.factor as f64; 2], edges: Edges::Closed, values: share };
+    Segmentation {
+        field,
+        level,
+        wavelength: wavelength * lab.factor as f64,
+        contrast: f64::from(contrast),
+        uneven,
+        lab: None,
+    }
+}
+
+/// Root mean square of a difference.
+fn deviation(values: &[f32], slow: &[f32]) -> f64 {
+    let square = |(value, slow): (&f32, &f32)| f64::from(value - slow) * f64::from(value - slow);
+    (values.iter().zip(slow).map(square).sum::<f64>() / values.len().max(1) as f64).sqrt()
+}
+
+/// Standard deviation of the noise of single cells of a picture whose marks repeat after `wavelength` cells.
+///
+/// A compressed picture has lost noise of single px, not that of squares of them: the larger of both counts, where marks are
+/// much larger than these.
+fn noise(values: &[f32], size: [usize; 2], wavelength: f64) -> f64 {
+    let single = roughness(values, size);
+    if wavelength < COARSE_ENOUGH || size.iter().any(|side| *side < 8) {
+        return single;
+    }
+    let [width, height] = size.map(|side| side / 2);
+    let square = |k: usize| {
+        let at = 2 * (k / width) * size[0] + 2 * (k % width);
+        0.25 * (values[at] + values[at + 1] + values[at + size[0]] + values[at + size[0] + 1])
+    };
+    let squares: Vec<f32> = (0..width * height).map(square).collect();
+    single.max(2.0 * roughness(&squares, [width, height]))
+}
+
+/// Cells a wavelength from which on second differences of squares of 2 × 2 cells are those of noise.
+const COARSE_ENOUGH: f64 = 24.0;
+
+/// Standard deviation of the noise of single cells: of the median size of a second difference, which edges do not move.
+///
+/// J. Immerkær, "Fast noise variance estimation", CVIU 64 (1996), with the median in place of the mean.
+fn roughness(values: &[f32], [width, height]: [usize; 2]) -> f64 {
+    /// Rows and columns between the cells that are looked at: enough of any picture.
+    const STEP: usize = 3;
+    /// Median of |x| of the normal distribution, and the norm of the weights.
+    const SCALE: f64 = 0.674_49 * 6.0;
+    let mut sizes = Vec::new();
+    for y in (1..height.saturating_sub(1)).step_by(STEP) {
+        for x in (1..width.saturating_sub(1)).step_by(STEP) {
+            let line = |y: usize| {
+                values[y * width + x - 1] - 2.0 * values[y * width + x] + values[y * width + x + 1]
+            };
+            sizes.push((line(y - 1) - 2.0 * line(y) + line(y + 1)).abs());
+        }
+    }
+    if sizes.is_empty() {
+        return 0.0;
+    }
+    let middle = sizes.len() / 2;
+    let (_, median, _) = sizes.select_nth_unstable_by(middle, f32::total_cmp);
+    f64::from(*median) / SCALE
+}
+
+/// How much marks and ground differ within themselves: root mean square of the shares' distance from 0 and 1.
+fn unevenness(share: &[f32]) -> f64 {
+    let off = |share: &f32| f64::from(if *share > 0.5 { share - 1.0 } else { *share });
+    (share.iter().map(|share| off(share) * off(share)).sum::<f64>() / share.len().max(1) as f64).sqrt()
+}

@@ -1,0 +1,215 @@
+//! What was read in a photograph → regions, marks and colours of a sketch.
+
+use super::lines::{self, Band};
+use super::reading::Reading;
+use super::regions::{Sample, fewest, region_of};
+use super::representatives::{Bounds, representatives};
+use super::stops::{Tone, tones};
+use super::{layers, watershed};
+use crate::attributes::Spots;
+use crate::attributes::spacing::{WeightedEdge, mean_length, neighbours};
+use crate::grid::Field;
+use crate::marks::{Ellipse, Mark};
+use crate::measure::{Directions, Picture, widths};
+
+/// What a sketch should have; the default leaves all to the photograph.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Wanted {
+    /// Columns and rows; `None` = as few as explain the marks.
+    pub regions: Option<[usize; 2]>,
+    /// Sizes of spots that become layers of their own, 1 or 2; `None` = two where they are clearly apart.
+    pub layers: Option<usize>,
+    /// All marks, without regions, in place of representatives.
+    pub all_marks: bool,
+}
+
+/// A sketch of a photograph, px of the photograph.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sketch {
+    /// Columns and rows; `None` of all marks.
+    pub regions: Option<[usize; 2]>,
+    /// The lowest first.
+    pub layers: Vec<FoundLayer>,
+}
+
+/// Marks that belong together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FoundLayer {
+    /// What they are.
+    pub name: &'static str,
+    /// Ellipses, or paths.
+    pub marks: Vec<Mark>,
+    /// How many whole marks they stand for.
+    pub found: usize,
+    /// Colours, ascending by pattern value; empty of a pattern without any.
+    pub tones: Vec<Tone>,
+}
+
+/// A sketch of what was read; `size` is that of the photograph, px.
+#[must_use]
+pub fn sketch(reading: &Reading, size: [usize; 2], wanted: &Wanted) -> Sketch {
+    match reading.picture {
+        Picture::Spots { .. } => of_spots(reading, size, wanted),
+        Picture::Stripes { marks, .. } => of_stripes(reading, size, wanted, marks),
+    }
+}
+
+/// The part of a canvas that is region `k`, px.
+fn bounds(size: [usize; 2], [columns, rows]: [usize; 2], k: usize) -> Bounds {
+    let side = [size[0] as f64 / columns as f64, size[1] as f64 / rows as f64];
+    let low = [(k % columns) as f64 * side[0], (k / columns) as f64 * side[1]];
+    Bounds { low, high: [low[0] + side[0], low[1] + side[1]] }
+}
+
+fn share(place: [f64; 2], size: [usize; 2]) -> [f64; 2] {
+    [place[0] / size[0] as f64, place[1] / size[1] as f64]
+}
+
+fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted) -> Sketch {
+    let whole = |spot: &&crate::measure::Spot| spot.whole;
+    let areas: Vec<f64> = reading.spots.iter().filter(whole).map(|spot| spot.ellipse.area()).collect();
+    let between =
+        if wanted.layers == Some(1) { None } else { layers::between_sizes(&areas, wanted.layers == Some(2)) };
+    // Each layer holds the areas within a range.
+    let ranges: Vec<(&'static str, [f64; 2])> = match between {
+        Some(area) => vec![("large spots", [area, f64::INFINITY]), ("small spots", [0.0, area])],
+        None => vec![("spots", [0.0, f64::INFINITY])],
+    };
+    let holds = |range: &[f64; 2], area: f64| range[0] <= area && area < range[1];
+    let of_layer = |range: [f64; 2]| -> Vec<crate::measure::Spot> {
+        reading.spots.iter().filter(|spot| holds(&range, spot.ellipse.area())).copied().collect()
+    };
+    let groups: Vec<Vec<crate::measure::Spot>> = ranges.iter().map(|(_, range)| of_layer(*range)).collect();
+    let regions = wanted.regions.unwrap_or_else(|| {
+        let each = groups.iter().map(|spots| fewest(&samples_of_spots(spots, size)));
+        // The finest that a layer needs.
+        each.max_by_key(|[columns, rows]| columns * rows).unwrap_or([1, 1])
+    });
+    let by_cell = between.map(|_| watershed::areas(&reading.segmentation.field, reading.segmentation.level));
+    let layers = ranges.iter().zip(&groups).map(|((name, range), spots)| {
+        let whole: Vec<Ellipse> = spots.iter().filter(whole).map(|spot| spot.ellipse).collect();
+        let found = whole.len();
+        let ellipses = if wanted.all_marks { whole } else { by_region(spots, size, regions) };
+        let counts = |cell: usize| by_cell.as_ref().is_none_or(|areas| holds(range, areas[cell]));
+        FoundLayer {
+            name,
+            marks: ellipses.into_iter().map(Mark::Ellipse).collect(),
+            found,
+            tones: colours(reading, counts),
+        }
+    });
+    Sketch {
+        regions: (!wanted.all_marks).then_some(regions),
+        layers: layers.filter(|layer| !layer.marks.is_empty()).collect(),
+    }
+}
+
+fn samples_of_spots(spots: &[crate::measure::Spot], size: [usize; 2]) -> Vec<Sample> {
+    let sample = |ellipse: &Ellipse| {
+        let (sin, cos) = libm::sincos(2.0 * ellipse.major_angle().to_radians());
+        let long = -libm::log(ellipse.aspect().max(1e-3));
+        Sample {
+            place: share(ellipse.center, size),
+            value: [libm::log(ellipse.area()), long * cos, long * sin],
+        }
+    };
+    spots.iter().filter(|spot| spot.whole).map(|spot| sample(&spot.ellipse)).collect()
+}
+
+/// Representatives of each region.
+fn by_region(spots: &[crate::measure::Spot], size: [usize; 2], regions: [usize; 2]) -> Vec<Ellipse> {
+    let mut whole = vec![Vec::new(); regions[0] * regions[1]];
+    for spot in spots.iter().filter(|spot| spot.whole) {
+        whole[region_of(share(spot.ellipse.center, size), regions)].push(spot.ellipse);
+    }
+    // All spots are neighbours, also those that are cut.
+    let centers: Vec<[f64; 2]> = spots.iter().map(|spot| spot.ellipse.center).collect();
+    let mut edges: Vec<Vec<WeightedEdge>> = vec![Vec::new(); whole.len()];
+    for edge in neighbours(&centers, None) {
+        edges[region_of(share(edge.midpoint, size), regions)].push(edge);
+    }
+    let each = whole.iter().zip(&edges).enumerate();
+    each.flat_map(|(k, (whole, edges))| {
+        let wanted = Spots::measure(whole)
+            .map(|found| Spots { spacing: mean_length(edges).or(found.spacing), ..found });
+        wanted.map_or_else(Vec::new, |wanted| representatives(whole, &wanted, bounds(size, regions, k)))
+    })
+    .collect()
+}
+
+/// Stops of the marks that count.
+fn colours(reading: &Reading, counts: impl Fn(usize) -> bool) -> Vec<Tone> {
+    let segmentation = &reading.segmentation;
+    let of = |lab| tones(lab, &segmentation.field, segmentation.level, segmentation.wavelength, counts);
+    segmentation.lab.as_ref().map_or_else(Vec::new, of)
+}
+
+/// Wavelengths a side of the tiles in which stripes are measured, and most tiles along a side.
+const TILE: f64 = 1.5;
+const MOST_TILES: usize = 12;
+
+fn of_stripes(reading: &Reading, size: [usize; 2], wanted: &Wanted, found: usize) -> Sketch {
+    let segmentation = &reading.segmentation;
+    let (field, level, wavelength) = (&segmentation.field, segmentation.level, segmentation.wavelength);
+    let directions = Directions::measure(field, wavelength);
+    let measured = |layout| bands(field, level, &directions, size, layout);
+    let tiles = size.map(|side| ((side as f64 / (TILE * wavelength)) as usize).clamp(1, MOST_TILES));
+    let by_tile = measured(tiles);
+    let regions = wanted.regions.unwrap_or_else(|| {
+        let center = |k: usize| [(k % tiles[0]) as f64 + 0.5, (k / tiles[0]) as f64 + 0.5];
+        let sample = |(k, band): (usize, &Option<Band>)| {
+            let band = band.as_ref()?;
+            let (sin, cos) = libm::sincos(2.0 * band.angle.to_radians());
+            let place = [0, 1].map(|axis| center(k)[axis] / tiles[axis] as f64);
+            Some(Sample { place, value: [libm::log(band.width), cos, sin] })
+        };
+        fewest(&by_tile.iter().enumerate().filter_map(sample).collect::<Vec<_>>())
+    });
+    let paths = if wanted.all_marks {
+        let mean = by_tile.iter().flatten().map(|band| band.width).sum::<f64>()
+            / by_tile.iter().flatten().count().max(1) as f64;
+        let width = |place| by_tile[region_of(share(place, size), tiles)].map_or(mean, |band| band.width);
+        lines::all(field, level, wavelength, width)
+    } else {
+        let each = measured(regions).into_iter().enumerate();
+        each.filter_map(|(k, band)| Some(lines::of_region(field, band?, bounds(size, regions, k))))
+            .flatten()
+            .collect()
+    };
+    let layer = FoundLayer {
+        name: "stripes",
+        marks: paths.into_iter().map(Mark::Path).collect(),
+        found,
+        tones: colours(reading, |_| true),
+    };
+    Sketch { regions: (!wanted.all_marks).then_some(regions), layers: vec![layer] }
+}
+
+/// The stripes of each region; `None` where there are none.
+fn bands(
+    field: &Field,
+    level: f32,
+    directions: &Directions,
+    size: [usize; 2],
+    layout: [usize; 2],
+) -> Vec<Option<Band>> {
+    let count = layout[0] * layout[1];
+    let region = |place: [f64; 2]| region_of(share(place, size), layout);
+    let places = directions.at_centers(|place| (region(place), [1.0, 0.0]));
+    let angles = directions.means(&places, count);
+    let widths = widths(field, level, count, region);
+    let (mut marked, mut all) = (vec![0.0; count], vec![0.0; count]);
+    for (cell, value) in field.values.iter().enumerate() {
+        let (x, y) = ((cell % field.width) as f64 + 0.5, (cell / field.width) as f64 + 0.5);
+        let k = region([x * field.cell[0], y * field.cell[1]]);
+        all[k] += 1.0;
+        marked[k] += f64::from(u8::from(*value > level));
+    }
+    (0..count)
+        .map(|k| {
+            let (width, angle) = (widths[k]?, angles[k]?);
+            // Width = 2 × area ÷ contour and period = 2 × canvas ÷ contour.
+            (marked[k] > 0.0).then(|| Band { width, angle, period: width * all[k] / marked[k] })
+        })
+        .collect()
+}

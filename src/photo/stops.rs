@@ -1,0 +1,176 @@
+//! The colours of marks and ground, as stops that keep the visible edge.
+//!
+//! The blur of a photograph makes all colours between ground and mark. Stops taken at pattern values would paint them again
+//! and move the edge by a fifth of the area; so the colours are taken by the distance from the edge: far from it on either
+//! side, and just beyond the blur. Each is the median of the px there, after the light that falls off has been divided out.
+
+use super::coarse::{Blocks, Coarse};
+use super::lab::Lab;
+use crate::colour::srgb_of_oklab;
+use crate::grid::Field;
+use crate::grid::distance::{length, nearest};
+
+/// A colour at a pattern value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tone {
+    /// Pattern value, 0..1.
+    pub at: f64,
+    /// Red, green, blue (sRGB).
+    pub colour: [u8; 3],
+}
+
+/// Pattern values of far ground, near ground, near mark and the middle of marks. With the two in the middle as far from ½ as
+/// this, px of dapple's own edges are as sharp as in a picture that is not blurred.
+const AT: [f64; 4] = [0.0, 0.41, 0.59, 1.0];
+/// Half of the width of a blurred edge, cells: what is nearer to the edge shows both colours.
+const BLUR: f64 = 2.0;
+/// Near is up to this far beyond the blur, as a share of the largest distance there is inside.
+const NEAR: f64 = 0.35;
+/// Far is from this share on.
+const FAR: f64 = 0.6;
+/// Distances are compared with this quantile of those of inner cells: the largest are those of a few places.
+const QUANTILE: f64 = 0.95;
+/// Cells that are looked at: a median of so many is exact to a step of 8 bits.
+const ENOUGH: usize = 1 << 19;
+/// Ground darker than this has no light that could be divided out.
+const DARK: f32 = 0.1;
+/// The quantile of the light that counts as full: a vignette darkens the rest.
+const FULL: f64 = 0.97;
+/// Standard deviation of the blur of the ground's light, in wavelengths.
+const SLOW: f64 = 1.5;
+
+/// The stops of the marks above `level` in `field` that `counts` (by cell), on the ground around all of them.
+#[must_use]
+pub fn tones(
+    lab: &Lab,
+    field: &Field,
+    level: f32,
+    wavelength: f64,
+    counts: impl Fn(usize) -> bool,
+) -> Vec<Tone> {
+    let grid = field.grid();
+    let is_mark: Vec<bool> = field.values.iter().map(|value| *value > level).collect();
+    let is_ground: Vec<bool> = is_mark.iter().map(|mark| !mark).collect();
+    let (Some(to_mark), Some(to_ground)) = (nearest(&is_mark, &grid), nearest(&is_ground, &grid)) else {
+        return Vec::new();
+    };
+    let unit = grid.cell[0];
+    let out = |cell: usize| length(to_mark[cell], &grid) / unit;
+    let into = |cell: usize| length(to_ground[cell], &grid) / unit;
+    let light = light(lab, &is_ground, wavelength / unit);
+    let cells = (0..is_mark.len()).step_by(stride(is_mark.len(), lab.size[0]));
+    let ground: Vec<(f64, usize)> =
+        cells.clone().filter(|cell| is_ground[*cell]).map(|cell| (out(cell), cell)).collect();
+    let marks = cells.filter(|cell| is_mark[*cell] && counts(*cell));
+    let marks: Vec<(f64, usize)> = marks.map(|cell| (into(cell), cell)).collect();
+    let [near_ground, far_ground] = near_and_far(&ground);
+    let [near_mark, far_mark] = near_and_far(&marks);
+    let colour = |cells: &[usize]| srgb_of_oklab(median(lab, &light, cells));
+    [far_ground, near_ground, near_mark, far_mark]
+        .iter()
+        .zip(AT)
+        .filter(|(cells, _)| !cells.is_empty())
+        .map(|(cells, at)| Tone { at, colour: colour(cells) })
+        .collect()
+}
+
+/// Every how many cells are looked at, of `cells` in rows of `width`: so that enough are, and in all columns.
+fn stride(cells: usize, width: usize) -> usize {
+    let stride = cells / ENOUGH + 1;
+    if stride > 1 && width.is_multiple_of(stride) { stride + 1 } else { stride }
+}
+
+/// The cells just beyond the blur of an edge, and those far from it, of cells with their distances.
+fn near_and_far(cells: &[(f64, usize)]) -> [Vec<usize>; 2] {
+    if cells.is_empty() {
+        return [Vec::new(), Vec::new()];
+    }
+    let mut inner: Vec<f64> = cells.iter().map(|(far, _)| *far).collect();
+    let rank = ((inner.len() - 1) as f64 * QUANTILE) as usize;
+    let (_, most, _) = inner.select_nth_unstable_by(rank, f64::total_cmp);
+    let most = *most;
+    // Thin marks have no place beyond the blur: what is farthest from the edge stands for all.
+    let blur = BLUR.min(NEAR * most);
+    let near = |far: f64| far >= blur && far <= blur + NEAR * (most - blur) + 1.0;
+    let far = |far: f64| far >= FAR * most;
+    let pick = |takes: &dyn Fn(f64) -> bool| {
+        cells.iter().filter(|(far, _)| takes(*far)).map(|(_, cell)| *cell).collect()
+    };
+    [pick(&near), pick(&far)]
+}
+
+/// The light of each cell ÷ the full light: of the ground around it, which has one colour.
+fn light(lab: &Lab, is_ground: &[bool], wavelength: f64) -> Vec<f32> {
+    let blocks = Blocks::new(lab.size, SLOW * wavelength);
+    let [sum, count] = blocks.blurred(
+        |_| (),
+        |(), _, cell| {
+            if is_ground[cell] { [lab.planes[0][cell], 1.0] } else { [0.0, 0.0] }
+        },
+    );
+    let all: f32 = sum.iter().sum::<f32>() / count.iter().sum::<f32>().max(1.0);
+    // As in the segmentation: a place without ground takes the mean of the picture.
+    let weight = 0.002 * blocks.cells_a_block() as f32;
+    let around = |(sum, count): (&f32, &f32)| (sum + weight * all) / (count + weight);
+    let mut values: Vec<f32> = sum.iter().zip(&count).map(around).collect();
+    let mut sorted = values.clone();
+    let rank = ((sorted.len() - 1) as f64 * FULL) as usize;
+    let full = *sorted.select_nth_unstable_by(rank, f32::total_cmp).1;
+    if full < DARK {
+        return vec![1.0; is_ground.len()];
+    }
+    values.iter_mut().for_each(|value| *value /= full);
+    let field: Coarse = blocks.field(values);
+    field.cells(lab.size)
+}
+
+/// The median of L, a and b of some cells in even light. Less light multiplies all three alike: OKLab is of cube roots.
+fn median(lab: &Lab, light: &[f32], cells: &[usize]) -> [f32; 3] {
+    let even = |cell: usize, k: usize| lab.planes[k][cell] / light[cell].max(0.1);
+    [0, 1, 2].map(|k| {
+        let mut values: Vec<f32> = cells.iter().map(|cell| even(*cell, k)).collect();
+        let middle = values.len() / 2;
+        *values.select_nth_unstable_by(middle, f32::total_cmp).1
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::colour::{linear_light, oklab_of_light};
+    use crate::grid::Edges;
+
+    #[test]
+    fn blurred_discs_in_falling_light_have_their_own_colours() {
+        let (sand, brown) = ([244, 227, 193], [59, 35, 20]);
+        let lut = linear_light();
+        let lab = |colour: [u8; 3]| oklab_of_light(colour.map(|value| lut[usize::from(value)]));
+        let size = [200, 160];
+        let near = |x: usize| (x as f64 + 0.5).rem_euclid(40.0) - 20.0;
+        let share = |k: usize| {
+            (0.5 + (11.0 - near(k % size[0]).hypot(near(k / size[0]))) / 4.0).clamp(0.0, 1.0) as f32
+        };
+        let field = Field {
+            width: 200,
+            height: 160,
+            cell: [1.0; 2],
+            edges: Edges::Closed,
+            values: (0..size[0] * size[1]).map(share).collect(),
+        };
+        let planes = [0, 1, 2].map(|plane| {
+            let mixed = |(k, share): (usize, &f32)| {
+                let light = 1.0 - 0.15 * (k % size[0]) as f32 / 200.0;
+                light * (lab(sand)[plane] + share * (lab(brown)[plane] - lab(sand)[plane]))
+            };
+            field.values.iter().enumerate().map(mixed).collect()
+        });
+        let lab = Lab { size, factor: 1, planes };
+        let found = tones(&lab, &field, 0.5, 40.0, |_| true);
+        assert_eq!(found.iter().map(|tone| tone.at).collect::<Vec<_>>(), AT);
+        for (tone, wanted) in found.iter().zip([sand, sand, brown, brown]) {
+            let off = (0..3).map(|k| tone.colour[k].abs_diff(wanted[k])).max().unwrap();
+            // A twentieth of the light is lost in its wide blur; the medians of uneven light are off by 18.
+            assert!(off <= 12, "{found:?}");
+        }
+    }
+}

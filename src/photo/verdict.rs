@@ -1,0 +1,99 @@
+//! Is it a texture of spots or stripes, and if not, why?
+
+use super::Segmentation;
+use crate::measure::{NotTexture, Picture, Spot, check_picture};
+
+/// Why a photograph shows neither spots nor stripes.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum Neither {
+    /// Marks and ground hardly differ.
+    #[error("marks and ground differ by {contrast:.3} in OKLab, at least {CONTRAST} is needed")]
+    Contrast {
+        /// Their usual difference.
+        contrast: f64,
+    },
+    /// Nothing hangs together: noise.
+    #[error("there are no marks, only noise")]
+    Noise,
+    /// Marks and ground are no two tones.
+    #[error(
+        "within marks and ground the tones differ by {uneven:.2} of the contrast, in a texture by at most {UNEVEN}"
+    )]
+    Uneven {
+        /// Root mean square, as a share of the contrast.
+        uneven: f64,
+    },
+    /// Too few whole spots.
+    #[error(
+        "{marks} whole spots are too few, at least {SPOTS} are needed; take a larger part of the pattern"
+    )]
+    TooFewSpots {
+        /// Whole spots.
+        marks: usize,
+    },
+    /// The spots are no ellipses.
+    #[error(
+        "the marks are no ellipses: they fill {fill:.3} of those with their moments, spots at least {FILL}"
+    )]
+    Shapes {
+        /// Mean over the whole ones.
+        fill: f64,
+    },
+    /// Bands in all directions.
+    #[error("the bands have no direction: coherence {coherence:.2}, of stripes at least {COHERENCE}")]
+    NoDirection {
+        /// Mean coherence.
+        coherence: f64,
+    },
+    /// What holds of any picture.
+    #[error(transparent)]
+    NotTexture(#[from] NotTexture),
+}
+
+/// Least difference of marks and ground, OKLab: below it compression makes marks of its own.
+pub const CONTRAST: f64 = 0.04;
+/// Most unevenness: see [`Neither::Uneven`].
+const UNEVEN: f64 = 0.29;
+/// Fewest whole spots.
+const SPOTS: usize = 8;
+/// Least mean fill of whole spots.
+const FILL: f64 = 0.97;
+/// Least mean coherence of stripes.
+const COHERENCE: f64 = 0.7;
+
+/// Checks that what was found in a photograph is a texture.
+///
+/// # Errors
+/// The first [`Neither`] that applies.
+pub fn check(segmentation: &Segmentation, picture: &Picture, spots: &[Spot]) -> Result<(), Neither> {
+    let Segmentation { contrast, uneven, .. } = *segmentation;
+    if contrast < CONTRAST {
+        return Err(Neither::Contrast { contrast });
+    }
+    if uneven > UNEVEN {
+        return Err(Neither::Uneven { uneven });
+    }
+    match picture {
+        Picture::Spots { marks, .. } => {
+            if *marks < SPOTS {
+                return Err(Neither::TooFewSpots { marks: *marks });
+            }
+            let fill = mean_fill(spots);
+            if fill < FILL {
+                return Err(Neither::Shapes { fill });
+            }
+        }
+        Picture::Stripes { got, .. } => {
+            if got.coherence < COHERENCE {
+                return Err(Neither::NoDirection { coherence: got.coherence });
+            }
+        }
+    }
+    Ok(check_picture(&segmentation.field, segmentation.level, picture)?)
+}
+
+/// The mean fill of the whole spots.
+pub fn mean_fill(spots: &[Spot]) -> f64 {
+    let fills: Vec<f64> = spots.iter().filter(|spot| spot.whole).map(|spot| spot.fill).collect();
+    fills.iter().sum::<f64>() / fills.len().max(1) as f64
+}

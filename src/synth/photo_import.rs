@@ -1,0 +1,129 @@
+//! Photograph → a document whose sketch has its marks, regions and colours.
+
+use std::path::{Path, PathBuf};
+
+use crate::document::{Colours, Document, DocumentError, Layer, limits};
+use crate::measure::Picture;
+use crate::photo::{FoundLayer, Neither, Tone, Wanted, sketch};
+use crate::synth::import::stroke;
+use crate::synth::measured_picture::{Framing, MeasureError, ReadPicture, read_file};
+
+/// Why a photograph did not become a document.
+#[derive(Debug, thiserror::Error)]
+pub enum PhotoImportError {
+    /// It cannot be read, or shows neither spots nor stripes.
+    #[error(transparent)]
+    Picture(#[from] MeasureError),
+    /// It shows marks that are no texture, which can be taken all the same.
+    #[error("{0}; or take what was found with --take-it")]
+    Neither(MeasureError),
+    /// It has more px than a document.
+    #[error("{path}: has {}×{} px; allowed: sides of at most {most} px; take a part of it with --crop", size[0], size[1], most = limits::MAX_SIDE)]
+    Size {
+        /// The file.
+        path: PathBuf,
+        /// Width and height, px.
+        size: [usize; 2],
+    },
+    /// No mark is whole and of a size that a document may hold.
+    #[error("{path}: no mark is whole; allowed: a larger part of the pattern")]
+    NoMarks {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The document that was made is not valid.
+    #[error(transparent)]
+    Document(#[from] DocumentError),
+}
+
+/// What is wanted of a photograph.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PhotoOptions {
+    /// What part of it is read, and what the marks are.
+    pub framing: Framing,
+    /// Regions and layers.
+    pub wanted: Wanted,
+    /// Take what was found although it is no texture.
+    pub take_it: bool,
+}
+
+/// A document made of a photograph.
+#[derive(Clone, Debug)]
+pub struct ImportedPhoto {
+    /// The document.
+    pub document: Document,
+    /// `spots` or `stripes`.
+    pub kind: &'static str,
+    /// Marks that were found, by layer; the document has fewer, which stand for them.
+    pub found: Vec<usize>,
+    /// Why it is no texture, where it was taken all the same.
+    pub neither: Option<Neither>,
+    /// A summary, such as `spots: 114 found, 21 drawn in 1 layer and 3 × 1 regions on 768 × 288 px`.
+    pub summary: String,
+}
+
+/// Makes a document of the photograph `path`, named like the file.
+///
+/// # Errors
+/// [`PhotoImportError`].
+pub fn import_photo(path: &Path, options: &PhotoOptions) -> Result<ImportedPhoto, PhotoImportError> {
+    let read = read_file(path, &options.framing)?;
+    let neither = read.reading.neither;
+    let read = if options.take_it { read } else { read.texture(path).map_err(PhotoImportError::Neither)? };
+    let (document, found) = document(&read, &options.wanted, path)?;
+    let kind = match read.reading.picture {
+        Picture::Spots { .. } => "spots",
+        Picture::Stripes { .. } => "stripes",
+    };
+    let summary = summary(&document, kind, &found, neither);
+    Ok(ImportedPhoto { document, kind, found, neither, summary })
+}
+
+fn document(
+    read: &ReadPicture,
+    wanted: &Wanted,
+    path: &Path,
+) -> Result<(Document, Vec<usize>), PhotoImportError> {
+    if read.size.iter().any(|side| *side > limits::MAX_SIDE as usize) {
+        return Err(PhotoImportError::Size { path: path.to_owned(), size: read.size });
+    }
+    let size = read.size.map(|side| side as u32);
+    let sketch = sketch(&read.reading, read.size, wanted);
+    let made = sketch.layers.iter().map(|found| (layer(found, size), found.found));
+    let (layers, found): (Vec<Layer>, Vec<usize>) =
+        made.filter(|(layer, _)| !layer.strokes.is_empty()).unzip();
+    if layers.is_empty() {
+        return Err(PhotoImportError::NoMarks { path: path.to_owned() });
+    }
+    let name = path.file_stem().map(|stem| stem.to_string_lossy().chars().take(limits::MAX_NAME).collect());
+    let regions = sketch.regions.map(|regions| regions.map(|count| count as u32));
+    let mut document =
+        Document { name: name.unwrap_or_default(), size, regions, layers, ..Document::default() };
+    document.dpi = read.dpi.unwrap_or(document.dpi);
+    document.check(&path.display().to_string())?;
+    Ok((document, found))
+}
+
+fn layer(found: &FoundLayer, size: [u32; 2]) -> Layer {
+    let strokes = found.marks.iter().filter_map(|mark| stroke(mark, size)).collect();
+    let colours = (!found.tones.is_empty())
+        .then(|| Colours::new(found.tones.iter().map(|Tone { at, colour }| (*at, *colour))));
+    Layer { name: found.name.to_owned(), strokes, colours, ..Layer::default() }
+}
+
+/// What was found, in words.
+fn summary(document: &Document, kind: &str, found: &[usize], neither: Option<Neither>) -> String {
+    let drawn: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
+    let layers = if document.layers.len() == 1 { "layer" } else { "layers" };
+    let regions = match document.regions {
+        Some([columns, rows]) => format!("{columns} × {rows} regions"),
+        None => "free marks".to_owned(),
+    };
+    let [width, height] = document.size;
+    let neither = neither.map_or_else(String::new, |why| format!("; taken although {why}"));
+    format!(
+        "{kind}: {} found, {drawn} drawn in {} {layers}, {regions}, on {width} × {height} px{neither}",
+        found.iter().sum::<usize>(),
+        document.layers.len(),
+    )
+}
