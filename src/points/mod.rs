@@ -1,0 +1,10 @@
+pub mod delaunay;
+pub mod discs;
+pub mod extent;
+pub mod interpolation;
+pub mod labels;
+pub mod level;
+pub mod metric;
+pub mod noise;
+pub mod patches;
+pub mod roughened;
