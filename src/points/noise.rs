@@ -66,3 +66,52 @@ const OCTAVE_SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 /// Width of the frame beyond a border that does not wrap, in radii: a point there is in the support of at most 2 radii, and
 /// its neighbours 2 farther.
 const MARGIN: f64 = 4.0;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Edges;
+
+    fn moments(field: &Field) -> (f64, f64) {
+        let n = field.values.len() as f64;
+        let mean = field.values.iter().map(|value| f64::from(*value)).sum::<f64>() / n;
+        let square = field.values.iter().map(|value| (f64::from(*value) - mean).powi(2)).sum::<f64>() / n;
+        (mean, square.sqrt())
+    }
+
+    /// Correlation of the values `away` px apart along x.
+    fn correlation(field: &Field, away: usize) -> f64 {
+        let (mean, deviation) = moments(field);
+        let pairs = (0..field.height).flat_map(|y| (0..field.width).map(move |x| (x as isize, y as isize)));
+        let product = |(x, y)| {
+            (f64::from(field.get(x, y)) - mean) * (f64::from(field.get(x + away as isize, y)) - mean)
+        };
+        pairs.map(product).sum::<f64>() / field.values.len() as f64 / (deviation * deviation)
+    }
+
+    #[test]
+    fn noise_is_alike_within_a_radius_and_not_beyond_two() {
+        for radius in [8.0, 16.0] {
+            let grid = Grid::unit([256, 256], Edges::Wrap);
+            let field = Noise { radius, octaves: 1, fold: false, seed: 3 }.field(&grid);
+            let [near, far] = [0.3, 2.2].map(|radii| correlation(&field, (radii * radius) as usize));
+            assert!(near > 0.8 && far.abs() < 0.15, "{radius}: {near}, {far}");
+            let (mean, deviation) = moments(&field);
+            assert!((mean - 0.5).abs() < 0.06 && (deviation - 0.22).abs() < 0.03, "{mean}, {deviation}");
+        }
+    }
+
+    #[test]
+    fn octaves_add_fine_steps_and_folding_leads_all_values_down_from_the_mean() {
+        let grid = Grid::unit([128, 128], Edges::Wrap);
+        let noise = Noise { radius: 16.0, octaves: 1, fold: false, seed: 3 };
+        let steps = |octaves| correlation(&Noise { octaves, ..noise }.field(&grid), 3);
+        assert!(steps(4) < steps(1) - 0.03, "{}, {}", steps(4), steps(1));
+        let (plain, folded) = (noise.field(&grid), Noise { fold: true, ..noise }.field(&grid));
+        for (plain, folded) in plain.values.iter().zip(&folded.values) {
+            assert!((folded - 2.0 * (plain - 0.5).abs()).abs() < 1e-6);
+        }
+        let seeds = [1, 2].map(|seed| Noise { seed, ..noise }.field(&grid));
+        assert!(seeds[0] != seeds[1] && seeds[0] == Noise { seed: 1, ..noise }.field(&grid));
+    }
+}

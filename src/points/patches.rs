@@ -12,6 +12,7 @@
 //! interpolated field runs along it.
 
 mod centers;
+mod fringe;
 pub mod laws;
 mod mending;
 mod outline;
@@ -23,7 +24,7 @@ use super::delaunay::{Delaunay, area, clipped};
 use super::discs::{POINTS_A_SQUARE, poisson_discs};
 use super::extent::Extent;
 use super::interpolation::{Weights, interpolate};
-use super::labels::{Claim, normal, round_robin};
+use super::labels::{Claim, round_robin};
 use super::level::{level_of_share, relevel};
 use super::metric::Metric;
 use crate::grid::{Field, Grid};
@@ -103,10 +104,13 @@ impl Patches<'_> {
         let frame = centers::frame(&extent, self.wanted);
         let laid = centers::lay(&extent, frame, self.wanted, &pinned, &mut rng);
         let laid: Vec<[f64; 2]> = laid.into_iter().filter(|at| self.is_clear(*at, &extent)).collect();
-        let fine = |at: [f64; 2]| Metric::circle(self.radius(at, &extent));
-        let points = poisson_discs(&extent, frame, &fine, &laid, &mut rng);
+        let coarse = |at: [f64; 2]| Metric::circle(self.radius(at, &extent, |_| self.detail));
+        let fine = |at: [f64; 2]| Metric::circle(self.radius(at, &extent, |wanted| wanted.points(self.detail)));
+        let points = poisson_discs(&extent, frame, &coarse, &laid, &mut rng);
+        let detailed = points.len();
+        let points = poisson_discs(&extent, frame, &fine, &points, &mut rng);
         let graph = Delaunay::new(&points, extent);
-        let noise: Vec<f64> = points.iter().map(|_| normal(&mut rng)).collect();
+        let noise = fringe::fringe(&graph, detailed, &mut rng);
         let mut values: Vec<f32> = points.iter().map(|at| self.kept_value(*at, &extent)).collect();
         let taken: Vec<bool> = points.iter().zip(&values).map(|(at, value)| *value > 0.0 || self.is_blocked(*at)).collect();
         let asked: Vec<Wanted> = laid.iter().map(|at| (self.wanted)(*at)).collect();
@@ -121,6 +125,7 @@ impl Patches<'_> {
         };
         let centers: Vec<usize> = (0..laid.len()).collect();
         let (mut owner, claimed) = round_robin(&graph, &centers, &taken, &rules);
+        mending::fill(&graph, &mut owner);
         let mut inside = vec![0.0; laid.len()];
         for (point, owner) in owner.iter_mut().enumerate() {
             if let Some(owner) = *owner {
@@ -177,10 +182,11 @@ impl Patches<'_> {
         !self.is_blocked(at) && self.kept.iter().all(|outline| outline.depth(at, extent) < -radius)
     }
 
-    /// Radius of the discs of the fine points, px.
-    fn radius(&self, at: [f64; 2], extent: &Extent) -> f64 {
+    /// Radius of the discs of so many points a patch, px.
+    fn radius(&self, at: [f64; 2], extent: &Extent, points: impl Fn(&Wanted) -> f64) -> f64 {
         let wanted = (self.wanted)(at);
-        let own = (POINTS_A_SQUARE * wanted.area / wanted.points(self.detail)).sqrt();
+        let points = points(&wanted).clamp(Self::LEAST_DETAIL, Self::MOST_DETAIL);
+        let own = (POINTS_A_SQUARE * wanted.area / points).sqrt();
         let fine = |outline: &Outline| {
             let fine = (POINTS_A_SQUARE * outline.area() / Self::KEPT_DETAIL).sqrt();
             // From the outline on coarser and coarser, as discs of the metric may.

@@ -8,9 +8,9 @@ use crate::points::discs::{POINTS_A_SQUARE, poisson_discs};
 use crate::points::extent::Extent;
 use crate::points::metric::Metric;
 
-/// Width of the frame beyond closed borders in which patches are laid too, in spacings: two rows, of which the outer one holds
-/// the inner one back.
-const FRAME: f64 = 2.0;
+/// Width of the frame beyond closed borders in which patches are laid too, in spacings: nearly two rows, of which the outer
+/// one holds the inner one back.
+const FRAME: f64 = 1.7;
 /// Places along a side at which the map is asked for its largest spacing.
 const SAMPLES: usize = 16;
 
