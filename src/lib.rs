@@ -29,8 +29,8 @@
 //!
 //! ```text
 //!  hand ──▶ sketch ──┐
-//!                    ├─▶ Marks ─▶ Attributes ─▶ learn ─▶ Parameters ─▶ rd ─▶ Field ─▶ colour ─▶ Image ─▶ export
-//!  image ─▶ measure ─┘   └─────────────── synth holds this thread, layer by layer ───────────────┘
+//!                    ├─▶ Marks ─▶ Attributes ─▶ learn ─▶ Parameters ─▶ rd | points ─▶ Field ─▶ colour ─▶ Image ─▶ export
+//!  image ─▶ measure ─┘   └─────────────────── synth holds this thread, layer by layer ────────────────────┘
 //! ```
 //!
 //! The modules below stand in the order in which data meets them.
@@ -38,7 +38,7 @@
 //! | | modules | know |
 //! |---|---|---|
 //! | ground | `grid`, `marks`, `attributes` | the ground above them |
-//! | steps | `sketch`, `measure`, `learn`, `rd`, `colour`, `export` | the ground, never each other |
+//! | steps | `sketch`, `measure`, `learn`, `rd`, `points`, `colour`, `export` | the ground, never each other |
 //! | thread | [`document`], `synth` | ground and steps; `synth` knows `document` |
 //! | beside the thread | `editor` | ground, steps and thread |
 //! | doors | `cli`, `app` (features) | everything; nothing knows them |
@@ -64,6 +64,7 @@ mod colour;
 mod export;
 mod learn;
 mod measure;
+mod points;
 mod rd;
 mod sketch;
 
@@ -149,6 +150,10 @@ pub mod internals {
     /// Looking up parameters in training sets.
     pub mod learn {
         pub use crate::learn::*;
+    }
+    /// Scattered points to fields.
+    pub mod points {
+        pub use crate::points::*;
     }
     /// Reaction and diffusion.
     pub mod rd {

@@ -96,9 +96,8 @@ fn resampled(corners: &[[f64; 2]], length: f64, count: usize) -> Vec<[f64; 2]> {
 /// A closed row of points, each the mean of its neighbours by a Gaussian of `sigma` steps.
 fn smoothed(points: &[[f64; 2]], sigma: f64) -> Vec<[f64; 2]> {
     let reach = ((CUT * sigma).ceil() as usize).min(points.len() / 2);
-    let kernel: Vec<f64> = (0..=2 * reach)
-        .map(|k| libm::exp(-0.5 * ((k as f64 - reach as f64) / sigma).powi(2)))
-        .collect();
+    let kernel: Vec<f64> =
+        (0..=2 * reach).map(|k| libm::exp(-0.5 * ((k as f64 - reach as f64) / sigma).powi(2))).collect();
     let total: f64 = kernel.iter().sum();
     let count = points.len();
     let at = |k: usize| {

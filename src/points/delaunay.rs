@@ -72,7 +72,9 @@ impl Delaunay {
             let mesh = triangulated(&points, &sites, &extent, margin);
             // Of one point and its copies the empty circles are .71 of the longer side at most.
             let surely = margin >= 1.5 * longest;
-            if let Some(graph) = Self::read(&mesh, &points, extent, if surely { f64::INFINITY } else { margin }) {
+            if let Some(graph) =
+                Self::read(&mesh, &points, extent, if surely { f64::INFINITY } else { margin })
+            {
                 return graph;
             }
             margin = (2.0 * margin).min(1.5 * longest);

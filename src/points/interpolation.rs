@@ -104,7 +104,9 @@ pub fn highest_weight(graph: &Delaunay, grid: &Grid, weights: &Weights) -> Vec<u
         supports.each_run(rows.clone(), |point, row, run, weights| {
             let start = (row - rows.start) * nx;
             let cells = start + run.start..start + run.end;
-            for ((owner, highest), weight) in owners[cells.clone()].iter_mut().zip(&mut highest[cells]).zip(weights) {
+            for ((owner, highest), weight) in
+                owners[cells.clone()].iter_mut().zip(&mut highest[cells]).zip(weights)
+            {
                 if *weight > *highest {
                     (*owner, *highest) = (point as u32, *weight);
                 }

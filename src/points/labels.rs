@@ -26,7 +26,10 @@ pub fn by_reference(points: &[[f64; 2]], reference: &Field, rng: &mut impl Rng) 
     let cell = |at: [f64; 2], axis: usize| (at[axis] / reference.cell[axis]) as isize;
     let value = |at: [f64; 2]| {
         let at = bounds.inside(at);
-        reference.get(cell(at, 0).min(reference.width as isize - 1), cell(at, 1).min(reference.height as isize - 1))
+        reference.get(
+            cell(at, 0).min(reference.width as isize - 1),
+            cell(at, 1).min(reference.height as isize - 1),
+        )
     };
     random(points, |at| f64::from(value(at)), rng)
 }

@@ -64,7 +64,8 @@ pub fn level_of_share(field: &Field, wanted: f64) -> f32 {
 pub fn relevel(field: &mut Field, share: f64) -> f32 {
     let level = level_of_share(field, share).clamp(LEAST, 1.0 - LEAST);
     for value in &mut field.values {
-        *value = if *value < level { 0.5 * *value / level } else { 0.5 + 0.5 * (*value - level) / (1.0 - level) };
+        *value =
+            if *value < level { 0.5 * *value / level } else { 0.5 + 0.5 * (*value - level) / (1.0 - level) };
     }
     level
 }

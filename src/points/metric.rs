@@ -25,11 +25,7 @@ impl Metric {
         let [major, minor] = [radius / aspect.sqrt(), radius * aspect.sqrt()];
         let (s, c) = libm::sincos(angle.to_radians());
         let [along, across] = [major.powi(-2), minor.powi(-2)];
-        let form = [
-            along * c * c + across * s * s,
-            (along - across) * s * c,
-            along * s * s + across * c * c,
-        ];
+        let form = [along * c * c + across * s * s, (along - across) * s * c, along * s * s + across * c * c];
         let half = [libm::hypot(major * c, minor * s), libm::hypot(major * s, minor * c)];
         Self { form, half, radius }
     }

@@ -101,24 +101,31 @@ impl Patches<'_> {
         let extent = Extent::from(self.grid.bounds_px());
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
         let pinned: Vec<[f64; 2]> = self.kept.iter().map(Outline::center).collect();
-        let frame = centers::frame(&extent, self.wanted);
-        let laid = centers::lay(&extent, frame, self.wanted, &pinned, &mut rng);
-        let laid: Vec<[f64; 2]> = laid.into_iter().filter(|at| self.is_clear(*at, &extent)).collect();
+        let frame = centers::reach(&extent, self.wanted);
+        let [low, high] = extent.framed(frame);
+        let seen = |at: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&at[axis]));
+        let mut laid = centers::lay(&extent, self.wanted, &pinned, &mut rng);
+        laid.retain(|at| seen(at) && self.is_clear(*at, &extent));
         let coarse = |at: [f64; 2]| Metric::circle(self.radius(at, &extent, |_| self.detail));
-        let fine = |at: [f64; 2]| Metric::circle(self.radius(at, &extent, |wanted| wanted.points(self.detail)));
+        let fine =
+            |at: [f64; 2]| Metric::circle(self.radius(at, &extent, |wanted| wanted.points(self.detail)));
         let points = poisson_discs(&extent, frame, &coarse, &laid, &mut rng);
         let detailed = points.len();
         let points = poisson_discs(&extent, frame, &fine, &points, &mut rng);
         let graph = Delaunay::new(&points, extent);
         let noise = fringe::fringe(&graph, detailed, &mut rng);
         let mut values: Vec<f32> = points.iter().map(|at| self.kept_value(*at, &extent)).collect();
-        let taken: Vec<bool> = points.iter().zip(&values).map(|(at, value)| *value > 0.0 || self.is_blocked(*at)).collect();
+        let taken: Vec<bool> =
+            points.iter().zip(&values).map(|(at, value)| *value > 0.0 || self.is_blocked(*at)).collect();
         let asked: Vec<Wanted> = laid.iter().map(|at| (self.wanted)(*at)).collect();
         let rules = Rules {
-            metrics: asked.iter().map(|wanted| {
-                let Shape { aspect, .. } = shape(wanted);
-                Metric::ellipse((wanted.area / std::f64::consts::PI).sqrt(), aspect, wanted.angle)
-            }).collect(),
+            metrics: asked
+                .iter()
+                .map(|wanted| {
+                    let Shape { aspect, .. } = shape(wanted);
+                    Metric::ellipse((wanted.area / std::f64::consts::PI).sqrt(), aspect, wanted.angle)
+                })
+                .collect(),
             sigmas: asked.iter().map(|wanted| shape(wanted).sigma).collect(),
             areas: asked.iter().map(|wanted| wanted.area).collect(),
             noise,
@@ -141,7 +148,8 @@ impl Patches<'_> {
             if claimed[patch] > 0.0 { reached * inside[patch] / claimed[patch] } else { 0.0 }
         };
         let mut total: f64 = (0..laid.len()).map(wanted_area).sum();
-        total += self.kept.iter().map(|outline| area(&clipped(outline.points().to_vec(), &extent))).sum::<f64>();
+        total +=
+            self.kept.iter().map(|outline| area(&clipped(outline.points().to_vec(), &extent))).sum::<f64>();
         let share = total / (extent.size[0] * extent.size[1]);
         let (field, level) = self.interpolated(&graph, &mut labelled, share);
         let on_canvas = |patch: &usize| extent.contains(laid[*patch]);

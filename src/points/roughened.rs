@@ -52,7 +52,11 @@ mod tests {
     fn contour(field: &Field) -> usize {
         let above = |x: usize, y: usize| field.get(x as isize, y as isize) > 0.5;
         let cells = (0..field.height).flat_map(|y| (0..field.width).map(move |x| (x, y)));
-        cells.map(|(x, y)| usize::from(above(x, y) != above(x + 1, y)) + usize::from(above(x, y) != above(x, y + 1))).sum()
+        cells
+            .map(|(x, y)| {
+                usize::from(above(x, y) != above(x + 1, y)) + usize::from(above(x, y) != above(x, y + 1))
+            })
+            .sum()
     }
 
     #[test]

@@ -23,7 +23,12 @@ fn case(wrap: [bool; 2], count: usize, cell: f64) -> Case {
     let directions = (0..count).map(|_| direction(6.3 * rng.random::<f64>())).collect();
     let size = [130.0, 90.0].map(|side| (side / cell) as usize);
     let edges = if wrap == [true; 2] { Edges::Wrap } else { Edges::Closed };
-    Case { graph: Delaunay::new(&points, extent), values, directions, grid: Grid { size, cell: [cell; 2], edges } }
+    Case {
+        graph: Delaunay::new(&points, extent),
+        values,
+        directions,
+        grid: Grid { size, cell: [cell; 2], edges },
+    }
 }
 
 /// The weight of a point at `way` from it, by equations 1, 2 and 4 as they stand.
@@ -65,13 +70,18 @@ fn plain(case: &Case, at: [f64; 2], weights: &Weights) -> (f64, f64, usize) {
 
 #[test]
 fn the_fast_sum_is_the_plain_one() {
-    for (wrap, count, cell) in
-        [([true; 2], 60, 1.0), ([false; 2], 60, 2.0), ([true, false], 9, 1.0), ([true; 2], 2, 2.0), ([false; 2], 1, 5.0)]
-    {
+    for (wrap, count, cell) in [
+        ([true; 2], 60, 1.0),
+        ([false; 2], 60, 2.0),
+        ([true, false], 9, 1.0),
+        ([true; 2], 2, 2.0),
+        ([false; 2], 1, 5.0),
+    ] {
         let case = case(wrap, count, cell);
         for length in [0.6, 1.0, 1.2, 2.0] {
             for shifted in [false, true] {
-                let orientation = shifted.then_some(Orientation { strength: 0.5, directions: &case.directions });
+                let orientation =
+                    shifted.then_some(Orientation { strength: 0.5, directions: &case.directions });
                 let weights = Weights { length, orientation };
                 let field = interpolate(&case.graph, &case.values, &case.grid, &weights);
                 for (cell, value) in field.values.iter().enumerate().step_by(37) {
@@ -136,7 +146,8 @@ fn a_tile_has_no_seam() {
     let moved: Vec<[f64; 2]> = case.graph.points.iter().map(|[x, y]| [x + 40.0, y + 25.0]).collect();
     let moved = Delaunay::new(&moved, case.graph.extent);
     let weights = Weights::default();
-    let [one, other] = [&case.graph, &moved].map(|graph| interpolate(graph, &case.values, &case.grid, &weights));
+    let [one, other] =
+        [&case.graph, &moved].map(|graph| interpolate(graph, &case.values, &case.grid, &weights));
     for y in 0..90 {
         for x in 0..130 {
             let apart = one.get(x, y) - other.get(x + 40, y + 25);
@@ -157,7 +168,8 @@ fn the_point_of_the_highest_weight_is_mostly_the_nearest_and_not_always() {
         let squares: Vec<f64> = case.graph.points.iter().map(square).collect();
         (0..squares.len()).min_by(|a, b| squares[*a].total_cmp(&squares[*b])).expect("points") as u32
     };
-    let others = (0..owners.len()).filter(|cell| owners[*cell] != nearest(case.grid.center_px(*cell))).count();
+    let others =
+        (0..owners.len()).filter(|cell| owners[*cell] != nearest(case.grid.center_px(*cell))).count();
     let share = others as f64 / owners.len() as f64;
     assert!((0.005..0.12).contains(&share), "{share}");
 }
@@ -166,6 +178,8 @@ fn the_point_of_the_highest_weight_is_mostly_the_nearest_and_not_always() {
 fn a_canvas_without_points_is_0() {
     let case = case([true; 2], 1, 5.0);
     let none = Delaunay::new(&[], case.graph.extent);
-    assert!(interpolate(&none, &[], &case.grid, &Weights::default()).values.iter().all(|value| *value == 0.0));
+    assert!(
+        interpolate(&none, &[], &case.grid, &Weights::default()).values.iter().all(|value| *value == 0.0)
+    );
     assert!(highest_weight(&none, &case.grid, &Weights::default()).iter().all(|owner| *owner == NOBODY));
 }

@@ -48,7 +48,8 @@ pub fn round_robin(
     while left > 0 {
         for (cluster, front) in fronts.iter_mut().enumerate().filter(|(_, front)| !front.done) {
             let free = |point: usize| {
-                let beside = |other: usize| is_taken(other) || owner[other].is_some_and(|o| o != cluster as u32);
+                let beside =
+                    |other: usize| is_taken(other) || owner[other].is_some_and(|o| o != cluster as u32);
                 let crowded = |least: f64| {
                     let mut across = graph.opposite(point).filter(|(_, clearance)| *clearance < least);
                     graph.neighbours(point).any(beside) || across.any(|(other, _)| beside(other))

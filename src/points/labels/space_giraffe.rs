@@ -29,7 +29,8 @@ pub fn space_giraffe(
         let count = (rays.start + (span * rng.random::<f64>()) as usize).max(3);
         for ray in 0..count {
             let (s, c) = libm::sincos(std::f64::consts::TAU * ray as f64 / count as f64);
-            let mut radius = || 0.5 * nearest * (RADII.start + (RADII.end - RADII.start) * rng.random::<f64>());
+            let mut radius =
+                || 0.5 * nearest * (RADII.start + (RADII.end - RADII.start) * rng.random::<f64>());
             let (one, other) = (radius(), radius());
             for (radius, dark) in [(one.min(other), true), (one.max(other), false)] {
                 points.push([center[0] + radius * c, center[1] + radius * s]);

@@ -12,7 +12,8 @@ use crate::points::metric::Metric;
 const TILE: Extent = Extent { size: [300.0, 200.0], wrap: [true, true] };
 
 fn graph(radius: f64, seed: u64) -> Delaunay {
-    let points = poisson_discs(&TILE, 0.0, &|_| Metric::circle(radius), &[], &mut Pcg64Mcg::seed_from_u64(seed));
+    let points =
+        poisson_discs(&TILE, 0.0, &|_| Metric::circle(radius), &[], &mut Pcg64Mcg::seed_from_u64(seed));
     Delaunay::new(&points, TILE)
 }
 
@@ -52,7 +53,8 @@ fn as_many_points_are_dark_as_the_probability_says() {
 
 #[test]
 fn a_reference_picture_gives_its_own_light_and_dark() {
-    let reference = Field::from_fn([30, 20], [10.0, 10.0], Edges::Closed, |[x, _]| f32::from(u8::from(x > 150.0)));
+    let reference =
+        Field::from_fn([30, 20], [10.0, 10.0], Edges::Closed, |[x, _]| f32::from(u8::from(x > 150.0)));
     let points = [[149.0, 5.0], [151.0, 5.0], [299.9, 199.9], [-20.0, 50.0], [330.0, 50.0]];
     let labels = by_reference(&points, &reference, &mut Pcg64Mcg::seed_from_u64(1));
     assert_eq!(labels, [false, true, true, false, true]);
@@ -64,7 +66,9 @@ fn clusters_have_their_size_and_light_points_between_them() {
     for order in [Order::BreadthFirst, Order::DepthFirst, Order::Along(&|_| 30.0)] {
         let owner = clusters(&graph, |_| 12, order, &mut Pcg64Mcg::seed_from_u64(4));
         for point in (0..owner.len()).filter(|point| owner[*point].is_some()) {
-            assert!(graph.neighbours(point).all(|other| owner[other].is_none() || owner[other] == owner[point]));
+            assert!(
+                graph.neighbours(point).all(|other| owner[other].is_none() || owner[other] == owner[point])
+            );
         }
         for point in (0..owner.len()).filter(|point| owner[*point].is_none()) {
             assert!(graph.neighbours(point).any(|other| owner[other].is_some()));

@@ -8,25 +8,33 @@ use crate::points::discs::{POINTS_A_SQUARE, poisson_discs};
 use crate::points::extent::Extent;
 use crate::points::metric::Metric;
 
-/// Width of the frame beyond closed borders in which patches are laid too, in spacings: nearly two rows, of which the outer
+/// Width of the frame beyond closed borders in which centres are laid too, in spacings: nearly two rows, of which the outer
 /// one holds the inner one back.
 const FRAME: f64 = 1.7;
-/// Places along a side at which the map is asked for its largest spacing.
+/// How far ragged patches reach from their centre, half major axes of their ellipse: 1.6 at σ = .3, 2.2 at 1.
+const REACH: f64 = 2.3;
+/// Places along a side at which the map is asked.
 const SAMPLES: usize = 16;
 
-/// Width of the frame beyond closed borders, px.
-pub fn frame(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted) -> f64 {
-    let place = |index: usize| {
-        [index % SAMPLES, index / SAMPLES].map(|k| (k as f64 + 0.5) / SAMPLES as f64)
-    };
-    let reach = |index: usize| {
+/// The largest that `of` makes of what is wanted anywhere on the canvas.
+fn largest(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted, of: impl Fn(&Wanted) -> f64) -> f64 {
+    let place = |index: usize| [index % SAMPLES, index / SAMPLES].map(|k| (k as f64 + 0.5) / SAMPLES as f64);
+    let at = |index: usize| {
         let [x, y] = place(index);
-        let wanted = wanted([x * extent.size[0], y * extent.size[1]]);
-        // Along the major axis neighbours are farther apart.
-        wanted.spacing / wanted.aspect.sqrt()
+        of(&wanted([x * extent.size[0], y * extent.size[1]]))
     };
-    FRAME * (0..SAMPLES * SAMPLES).map(reach).fold(0.0, f64::max)
+    (0..SAMPLES * SAMPLES).map(at).fold(0.0, f64::max)
 }
+
+/// How far, px, patches reach from their centres: those beyond a closed border by more are not seen.
+pub fn reach(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted) -> f64 {
+    largest(extent, wanted, |wanted| {
+        REACH * (wanted.area / (std::f64::consts::PI * wanted.aspect.clamp(LONGEST, 1.0))).sqrt()
+    })
+}
+
+/// Longer patches reach no farther: they have too few points.
+const LONGEST: f64 = 0.15;
 
 /// Rounds of repulsion. The coefficient of variation of the spacing is .19 after none, .13 after 4, .10 after 10; a lattice
 /// looks made.
@@ -39,11 +47,13 @@ const TRIES: usize = 4;
 /// Centres over the canvas and its frame at the wanted spacing, around the `pinned`, which are left out.
 pub fn lay(
     extent: &Extent,
-    frame: f64,
     wanted: &dyn Fn([f64; 2]) -> Wanted,
     pinned: &[[f64; 2]],
     rng: &mut impl Rng,
 ) -> Vec<[f64; 2]> {
+    // Along the major axis neighbours are farther apart.
+    let frame =
+        FRAME * largest(extent, wanted, |wanted| wanted.spacing / wanted.aspect.clamp(LONGEST, 1.0).sqrt());
     let mut scale = 1.0;
     let mut best: (f64, Vec<[f64; 2]>) = (f64::INFINITY, Vec::new());
     for _ in 0..TRIES {
@@ -104,7 +114,9 @@ fn pushed(
         let (at, own) = (points[index], &metrics[index]);
         let mut shift = [0.0; 2];
         // Those in the rows within reach, on a tile at their images too.
-        for rows in [0.0, -extent.size[1], extent.size[1]].into_iter().filter(|rows| *rows == 0.0 || extent.wrap[1]) {
+        for rows in
+            [0.0, -extent.size[1], extent.size[1]].into_iter().filter(|rows| *rows == 0.0 || extent.wrap[1])
+        {
             let first = order.partition_point(|other| points[*other][1] < at[1] - reach + rows);
             let near = order[first..].iter().take_while(|other| points[**other][1] <= at[1] + reach + rows);
             for other in near.filter(|other| **other != index) {

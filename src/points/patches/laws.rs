@@ -76,7 +76,9 @@ impl Wanted {
     pub fn points(&self, detail: f64) -> f64 {
         let side = self.coverage().clamp(0.0, MOST_COVERAGE).sqrt();
         let radius = side / (1.0 - side);
-        (std::f64::consts::PI * radius * radius).max(detail).clamp(Patches::LEAST_DETAIL, Patches::MOST_DETAIL)
+        (std::f64::consts::PI * radius * radius)
+            .max(detail)
+            .clamp(Patches::LEAST_DETAIL, Patches::MOST_DETAIL)
     }
 
     /// The rules that give the wanted aspect and raggedness with `detail` points a patch; the nearest where none does.

@@ -61,7 +61,9 @@ impl Labelled {
         let parts = Parts::new(graph, &self.owner, field, level);
         let is_island = |point: &usize| {
             let patch = self.owner[*point].filter(|patch| *patch != KEPT);
-            patch.is_some_and(|patch| parts.region[*point].is_some_and(|region| parts.main(patch) != Some(region)))
+            patch.is_some_and(|patch| {
+                parts.region[*point].is_some_and(|region| parts.main(patch) != Some(region))
+            })
         };
         let islands: Vec<usize> = (0..self.owner.len()).filter(is_island).collect();
         for point in &islands {
@@ -71,7 +73,9 @@ impl Labelled {
     }
 
     fn part_merged(&mut self, graph: &Delaunay, least: f64, parts: &Parts) -> bool {
-        let merged = |one: u32, other: u32| one != other && parts.main(one).is_some() && parts.main(one) == parts.main(other);
+        let merged = |one: u32, other: u32| {
+            one != other && parts.main(one).is_some() && parts.main(one) == parts.main(other)
+        };
         let mut changed = false;
         for point in self.light() {
             if self.values[point] > LOWEST && between(graph, &self.owner, point, least, merged) {
@@ -183,7 +187,9 @@ mod tests {
     use super::*;
     #[test]
     fn regions_are_joined_across_the_border_of_a_tile_alone() {
-        let stripes = |edges| Field::from_fn([9, 6], [1.0, 1.0], edges, |[x, _]| f32::from(u8::from((x - 4.5).abs() > 2.0)));
+        let stripes = |edges| {
+            Field::from_fn([9, 6], [1.0, 1.0], edges, |[x, _]| f32::from(u8::from((x - 4.5).abs() > 2.0)))
+        };
         let count = |edges| {
             let mut found = regions(&stripes(edges), 0.5);
             found.sort_unstable();

@@ -74,7 +74,8 @@ mod tests {
 
     #[test]
     fn a_place_is_as_deep_inside_an_outline_as_it_is_far_from_its_nearest_side() {
-        let outline = Outline::new(vec![[10.0, 10.0], [30.0, 10.0], [30.0, 20.0], [10.0, 20.0]]).expect("an area");
+        let outline =
+            Outline::new(vec![[10.0, 10.0], [30.0, 10.0], [30.0, 20.0], [10.0, 20.0]]).expect("an area");
         let card = Extent { size: [100.0, 60.0], wrap: [false; 2] };
         let is = |found: f64, expected: f64| (found - expected).abs() < 1e-9;
         assert!(is(outline.area(), 200.0) && is(outline.center()[0], 20.0) && is(outline.center()[1], 15.0));
