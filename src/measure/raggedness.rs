@@ -138,10 +138,9 @@ fn outlines(field: &Field, level: f32) -> Vec<(f64, Vec<[f64; 2]>)> {
             // Round the square a line enters where above turns into below, and leaves where below turns into above.
             for k in (0..4).filter(|k| above[*k] && !above[(k + 1) % 4]) {
                 let ends = (1..4).map(|j| (k + j) % 4).filter(|j| !above[*j] && above[(j + 1) % 4]);
-                // A saddle has two ends: across the corner below, or round the corner above.
+                // A saddle has two ends: round the corner below, or round the corner above.
                 let mut ends = ends;
-                let near = ends.next();
-                let end = if joined { near } else { ends.last().or(near) };
+                let end = if joined { ends.next() } else { ends.next_back() };
                 if let Some(end) = end {
                     next[sides[k]] = sides[end] as u32;
                 }
@@ -278,6 +277,18 @@ mod tests {
                 assert!((found / expected - 1.0).abs() < 0.02, "{depth}: {found}, {expected}");
             }
         }
+    }
+
+    #[test]
+    fn squares_that_meet_at_a_corner_are_joined_where_the_mean_is_above_the_level() {
+        let squares = |high: f32| {
+            Field::from_fn([40, 40], [1.0, 1.0], Edges::Closed, |[x, y]| {
+                let inside = (5.0..20.0).contains(&x) && (5.0..20.0).contains(&y);
+                let other = (20.0..35.0).contains(&x) && (20.0..35.0).contains(&y);
+                if inside || other { high } else { 0.0 }
+            })
+        };
+        assert_eq!((outlines(&squares(1.2), 0.5).len(), outlines(&squares(0.8), 0.5).len()), (1, 2));
     }
 
     #[test]

@@ -6,9 +6,9 @@
 //!                          └──────── patches, noise, roughened are made of these
 //! ```
 //!
-//! After the paper on textures by partition of unity parametrics (a copy of its text lies outside this repository; the equations'
-//! numbers are its own): points are scattered over the plane, joined by their Delaunay graph, given values, and the values are
-//! interpolated along the graph's edges. The equations stand in [`interpolation`].
+//! After the paper on procedural textures by partition of unity parametrics, a way of modelling by A. Runions and F. Samavati, which
+//! the comments call the paper: points are scattered over the plane, joined by their Delaunay graph, given values, and the
+//! values are interpolated along the graph's edges. The equations stand in [`interpolation`].
 //!
 //! Two ways to a picture. The paper gives each px the label of the point of the highest weight
 //! ([`interpolation::highest_weight`]), which makes polygons. Interpolating labels 0 and 1 and cutting at the level of a wanted share

@@ -100,66 +100,80 @@ impl Patches<'_> {
     pub fn grow_with(&self, shape: &dyn Fn(&Wanted) -> Shape) -> GrownPatches {
         let extent = Extent::from(self.grid.bounds_px());
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-        let pinned: Vec<[f64; 2]> = self.kept.iter().map(Outline::center).collect();
         let frame = centers::reach(&extent, self.wanted);
-        let [low, high] = extent.framed(frame);
-        let seen = |at: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&at[axis]));
-        let mut laid = centers::lay(&extent, self.wanted, &pinned, &mut rng);
-        laid.retain(|at| seen(at) && self.is_clear(*at, &extent));
-        let coarse = |at: [f64; 2]| Metric::circle(self.radius(at, &extent, |_| self.detail));
-        let fine =
-            |at: [f64; 2]| Metric::circle(self.radius(at, &extent, |wanted| wanted.points(self.detail)));
-        let points = poisson_discs(&extent, frame, &coarse, &laid, &mut rng);
-        let detailed = points.len();
-        let points = poisson_discs(&extent, frame, &fine, &points, &mut rng);
-        let graph = Delaunay::new(&points, extent);
-        let noise = fringe::fringe(&graph, detailed, &mut rng);
-        let mut values: Vec<f32> = points.iter().map(|at| self.kept_value(*at, &extent)).collect();
-        let taken: Vec<bool> =
-            points.iter().zip(&values).map(|(at, value)| *value > 0.0 || self.is_blocked(*at)).collect();
-        let asked: Vec<Wanted> = laid.iter().map(|at| (self.wanted)(*at)).collect();
-        let rules = Rules {
-            metrics: asked
-                .iter()
-                .map(|wanted| {
-                    let Shape { aspect, .. } = shape(wanted);
-                    Metric::ellipse((wanted.area / std::f64::consts::PI).sqrt(), aspect, wanted.angle)
-                })
-                .collect(),
-            sigmas: asked.iter().map(|wanted| shape(wanted).sigma).collect(),
-            areas: asked.iter().map(|wanted| wanted.area).collect(),
-            noise,
-        };
-        let centers: Vec<usize> = (0..laid.len()).collect();
-        let (mut owner, claimed) = round_robin(&graph, &centers, &taken, &rules);
-        mending::fill(&graph, &mut owner);
-        let mut inside = vec![0.0; laid.len()];
-        for (point, owner) in owner.iter_mut().enumerate() {
-            if let Some(owner) = *owner {
-                inside[owner as usize] += graph.area_inside(point);
-                values[point] = 1.0;
-            } else if values[point] > 0.0 {
-                *owner = Some(KEPT);
+        let laid = self.laid(&extent, frame, &mut rng);
+        let (graph, noise) = self.scattered(&extent, frame, &laid, &mut rng);
+        let rules = Rules::new(laid.iter().map(|at| (self.wanted)(*at)), shape, noise);
+        let mut labelled = self.labelled(&graph, laid.len(), &rules);
+        let (mut claimed, mut inside) = (vec![0.0; laid.len()], vec![0.0; laid.len()]);
+        for (point, owner) in labelled.owner.iter().enumerate() {
+            if let Some(patch) = owner.filter(|owner| *owner != KEPT) {
+                claimed[patch as usize] += graph.area(point);
+                inside[patch as usize] += graph.area_inside(point);
             }
         }
-        let mut labelled = Labelled { owner, values };
-        let wanted_area = |patch: usize| {
-            let reached = rules.areas[patch].min(claimed[patch] / CRAMPED);
-            if claimed[patch] > 0.0 { reached * inside[patch] / claimed[patch] } else { 0.0 }
-        };
-        let mut total: f64 = (0..laid.len()).map(wanted_area).sum();
-        total +=
-            self.kept.iter().map(|outline| area(&clipped(outline.points().to_vec(), &extent))).sum::<f64>();
-        let share = total / (extent.size[0] * extent.size[1]);
+        // Of a cut patch the part that is inside; of a cramped one what it has.
+        let share_inside =
+            |patch: usize| if claimed[patch] > 0.0 { inside[patch] / claimed[patch] } else { 0.0 };
+        let reached = |patch: usize| rules.areas[patch].min(claimed[patch] / CRAMPED);
+        let patches: f64 = (0..laid.len()).map(|patch| reached(patch) * share_inside(patch)).sum();
+        let kept = self.kept.iter().map(|outline| area(&clipped(outline.points().to_vec(), &extent)));
+        let share = (patches + kept.sum::<f64>()) / (extent.size[0] * extent.size[1]);
         let (field, level) = self.interpolated(&graph, &mut labelled, share);
-        let on_canvas = |patch: &usize| extent.contains(laid[*patch]);
-        let cramped = |patch: &usize| claimed[*patch] < CRAMPED * rules.areas[*patch];
+        let seen: Vec<usize> = (0..laid.len()).filter(|patch| extent.contains(laid[*patch])).collect();
+        let cramped = |patch: &&usize| claimed[**patch] < CRAMPED * rules.areas[**patch];
         GrownPatches {
             field,
             level,
-            cramped: (0..laid.len()).filter(on_canvas).filter(cramped).count(),
-            centers: (0..laid.len()).filter(on_canvas).map(|patch| laid[patch]).collect(),
+            cramped: seen.iter().filter(cramped).count(),
+            centers: seen.iter().map(|patch| laid[*patch]).collect(),
         }
+    }
+
+    /// Centres of patches on the canvas and within `frame` px of it, where there is room.
+    fn laid(&self, extent: &Extent, frame: f64, rng: &mut Pcg64Mcg) -> Vec<[f64; 2]> {
+        let pinned: Vec<[f64; 2]> = self.kept.iter().map(Outline::center).collect();
+        let [low, high] = extent.framed(frame);
+        let seen = |at: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&at[axis]));
+        let mut laid = centers::lay(extent, self.wanted, &pinned, rng);
+        laid.retain(|at| seen(at) && self.is_clear(*at, extent));
+        laid
+    }
+
+    /// The graph of the fine points, of which the first are `laid`, and the noise of each.
+    fn scattered(
+        &self,
+        extent: &Extent,
+        frame: f64,
+        laid: &[[f64; 2]],
+        rng: &mut Pcg64Mcg,
+    ) -> (Delaunay, Vec<f64>) {
+        let coarse = |at: [f64; 2]| Metric::circle(self.radius(at, extent, |_| self.detail));
+        let fine =
+            |at: [f64; 2]| Metric::circle(self.radius(at, extent, |wanted| wanted.points(self.detail)));
+        let detailed = poisson_discs(extent, frame, &coarse, laid, rng);
+        let graph = Delaunay::new(&poisson_discs(extent, frame, &fine, &detailed, rng), *extent);
+        let noise = fringe::fringe(&graph, detailed.len(), rng);
+        (graph, noise)
+    }
+
+    /// Owner and value of each point, of which the first `patches` are centres.
+    fn labelled(&self, graph: &Delaunay, patches: usize, rules: &Rules) -> Labelled {
+        let kept = |at: &[f64; 2]| self.kept_value(*at, &graph.extent);
+        let mut values: Vec<f32> = graph.points.iter().map(kept).collect();
+        let is_taken = |(at, value): (&[f64; 2], &f32)| *value > 0.0 || self.is_blocked(*at);
+        let taken: Vec<bool> = graph.points.iter().zip(&values).map(is_taken).collect();
+        let centers: Vec<usize> = (0..patches).collect();
+        let (mut owner, _) = round_robin(graph, &centers, &taken, rules);
+        mending::fill(graph, &mut owner);
+        for (owner, value) in owner.iter_mut().zip(&mut values) {
+            if owner.is_some() {
+                *value = 1.0;
+            } else if *value > 0.0 {
+                *owner = Some(KEPT);
+            }
+        }
+        Labelled { owner, values }
     }
 
     /// The field of the labels with its level, patches that merged parted.
@@ -218,11 +232,26 @@ const SLOPE: f64 = 2.0;
 /// A patch that claims less than this share of its area is cramped.
 const CRAMPED: f64 = 0.9;
 
+/// The rules of the claims: metric, σ and area of each patch, and the noise of each point.
 struct Rules {
     metrics: Vec<Metric>,
     sigmas: Vec<f64>,
     areas: Vec<f64>,
     noise: Vec<f64>,
+}
+
+impl Rules {
+    fn new(asked: impl Iterator<Item = Wanted>, shape: &dyn Fn(&Wanted) -> Shape, noise: Vec<f64>) -> Self {
+        let mut rules = Self { metrics: Vec::new(), sigmas: Vec::new(), areas: Vec::new(), noise };
+        for wanted in asked {
+            let Shape { sigma, aspect } = shape(&wanted);
+            let radius = (wanted.area / std::f64::consts::PI).sqrt();
+            rules.metrics.push(Metric::ellipse(radius, aspect, wanted.angle));
+            rules.sigmas.push(sigma);
+            rules.areas.push(wanted.area);
+        }
+        rules
+    }
 }
 
 impl Claim for Rules {
@@ -243,5 +272,3 @@ impl Claim for Rules {
 const MENDED: usize = 4;
 /// Patches grow along edges of at least this clearance: with 0 the level leaves specks off one patch in fifteen at σ = .3.
 const CLEARANCE: f64 = 0.2;
-#[cfg(test)]
-mod tests;

@@ -26,7 +26,7 @@ fn round_discs_keep_their_radius_and_leave_no_room() {
         let edges = (0..points.len()).flat_map(|point| graph.axes(point).to_vec());
         let nearest = edges.map(|axis| libm::hypot(axis.way[0], axis.way[1])).fold(f64::INFINITY, f64::min);
         let gap = largest_gap(&points, 4.0);
-        assert!(nearest >= 4.0 && nearest < 4.1, "{nearest}");
+        assert!((4.0..4.1).contains(&nearest), "{nearest}");
         assert!(gap < 1.0 && gap > 0.9, "{gap}");
         let density = points.len() as f64 * 16.0 / (300.0 * 200.0);
         assert!((density - POINTS_A_SQUARE).abs() < 0.03, "{density}");

@@ -29,8 +29,8 @@ fn nearest(graph: &Delaunay, coarse: usize) -> Vec<u32> {
     let mut found: Vec<u32> = (0..graph.points.len() as u32).collect();
     let mut length = vec![f64::INFINITY; found.len()];
     let mut open = BinaryHeap::new();
-    for point in 0..coarse.min(found.len()) {
-        length[point] = 0.0;
+    for (point, length) in length.iter_mut().enumerate().take(coarse) {
+        *length = 0.0;
         // The bits of positive numbers are in the order of the numbers.
         open.push(Reverse((0u64, point as u32, point as u32)));
     }
