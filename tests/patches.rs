@@ -3,6 +3,7 @@
 
 use dapple::internals::attributes::spacing::{mean_length, neighbours};
 use dapple::internals::grid::{Edges, Field, Grid};
+use dapple::internals::marks::Ellipse;
 use dapple::internals::measure::{census, raggedness, spot_raggedness};
 use dapple::internals::points::patches::{GrownPatches, Outline, Patches, Wanted};
 use rand::{RngExt, SeedableRng};
@@ -39,9 +40,9 @@ fn got(field: &Field) -> Got {
     let tile = (field.edges == Edges::Wrap).then_some(field.extent());
     Got {
         count: spots.len(),
-        area: mean(whole.iter().map(|ellipse| ellipse.area()).collect()),
+        area: mean(whole.iter().map(Ellipse::area).collect()),
         spacing: mean_length(&neighbours(&centers, tile)).expect("neighbours"),
-        aspect: mean(whole.iter().map(|ellipse| ellipse.aspect()).collect()),
+        aspect: mean(whole.iter().map(Ellipse::aspect).collect()),
         angle: 0.5 * libm::atan2(double[1], double[0]).to_degrees(),
         raggedness: mean(spot_raggedness(field, 0.5)),
     }

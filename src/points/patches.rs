@@ -1,6 +1,6 @@
 //! Patches: blotches of a wanted area, aspect, direction, raggedness and spacing, as on cows and giraffes.
 //!
-//! 1. Centres at the wanted spacing in the metric of aspect and direction ([`centers`]).
+//! 1. Centres at the wanted spacing in the metric of aspect and direction (`centers`).
 //! 2. Fine Poisson discs, `detail` points a patch: radius √(.7·area ÷ detail).
 //! 3. Round robin: each centre claims the point beside its patch of least metric distance × exp(σ·N(0, 1)), never one beside
 //!    another patch, until its area is reached.
@@ -84,7 +84,7 @@ impl Patches<'_> {
     pub const LEAST_DETAIL: f64 = 7.0;
     /// At more the points are as fine as the px of usual patches.
     pub const MOST_DETAIL: f64 = 200.0;
-    /// L of the interpolation: at 1 edges show the single points, from 1.5 on thin parts vanish.
+    /// L of the interpolation: at 1 edges show the single points; the longer, the smoother they are.
     const LENGTH: f64 = 1.2;
     /// Points of a kept outline's area, so that it is reproduced: overlap ÷ union of a ragged one is .93–.97.
     const KEPT_DETAIL: f64 = 220.0;
@@ -268,7 +268,8 @@ impl Claim for Rules {
         Some(CLEARANCE)
     }
 }
-/// Rounds in which merged patches are parted; most fields need one.
+/// Rounds in which merged patches are parted; of sixty fields none had any left.
 const MENDED: usize = 4;
-/// Patches grow along edges of at least this clearance: with 0 the level leaves specks off one patch in fifteen at σ = .3.
+/// Clearance below which an edge counts as none. Without such a bound the level left a speck off one patch in 36 at σ = .3, and from a
+/// coverage of .45 on patches merged; with this one there were no specks in as many.
 const CLEARANCE: f64 = 0.2;

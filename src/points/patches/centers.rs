@@ -11,7 +11,7 @@ use crate::points::metric::Metric;
 /// Width of the frame beyond closed borders in which centres are laid too, in spacings: nearly two rows, of which the outer
 /// one holds the inner one back.
 const FRAME: f64 = 1.7;
-/// How far ragged patches reach from their centre, half major axes of their ellipse: 1.6 at σ = .3, 2.2 at 1.
+/// How far ragged patches reach from their centre, half major axes of their ellipse: farther ones would be threads.
 const REACH: f64 = 2.3;
 /// Places along a side at which the map is asked.
 const SAMPLES: usize = 16;
@@ -36,12 +36,11 @@ pub fn reach(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted) -> f64 {
 /// Longer patches reach no farther: they have too few points.
 const LONGEST: f64 = 0.15;
 
-/// Rounds of repulsion. The coefficient of variation of the spacing is .19 after none, .13 after 4, .10 after 10; a lattice
-/// looks made.
+/// Rounds of repulsion: few, so that centres stay as irregular as those of a pelt; a lattice looks made.
 const ROUNDS: usize = 4;
 /// Neighbours closer than this, in pitches, push each other.
 const PUSH: f64 = 1.25;
-/// Tries at the number of centres. The spacing is right within 1 % after the second.
+/// Tries at the number of centres, the nearest of which is taken.
 const TRIES: usize = 4;
 
 /// Centres over the canvas and its frame at the wanted spacing, around the `pinned`, which are left out.

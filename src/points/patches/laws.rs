@@ -5,7 +5,7 @@
 //! raggedness = R₀ + E(σ, dense)·(k ÷ 24)^(.65·(1 − dense))·(1 − .23·(1 − aspect)),  R₀ = 1.137 − .1·log₁₀(k ÷ 24)
 //! λ²(measured) = (c·λ)² + n²,  λ = −ln aspect,  c = 1 − .55·σ,  n = .09 + .38·σ
 //! ```
-//! where E is read from [`EXCESS`], k is the points a patch, and dense rises from 0 at a
+//! where E is read from the table `EXCESS`, k is the points a patch, and dense rises from 0 at a
 //! coverage of .15 to 1 at .55.
 
 use super::{Patches, Wanted};
