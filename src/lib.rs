@@ -29,8 +29,8 @@
 //!
 //! ```text
 //!  hand ──▶ sketch ──┐
-//!                    ├─▶ Marks ─▶ Attributes ─▶ learn ─▶ Parameters ─▶ rd ─▶ Field ─▶ colour ─▶ Image ─▶ export
-//!  photo ─▶ measure ─┘   └─────────────── synth holds this thread, layer by layer ───────────────┘
+//!                    ├─▶ Marks ─▶ Attributes ─▶ learn ─▶ Parameters ─▶ rd | points ─▶ Field ─▶ colour ─▶ Image ─▶ export
+//!  photo ─▶ measure ─┘   └─────────────────── synth holds this thread, layer by layer ────────────────────┘
 //! ```
 //!
 //! The modules below stand in the order in which data meets them.
@@ -38,7 +38,7 @@
 //! | | modules | know |
 //! |---|---|---|
 //! | ground | `grid`, `marks`, `attributes` | the ground above them |
-//! | steps | `sketch`, `measure`, `learn`, `rd`, `colour`, `export` | the ground, never each other |
+//! | steps | `sketch`, `measure`, `learn`, `rd`, `points`, `colour`, `export` | the ground, never each other |
 //! | thread | `photo`, [`document`], `synth` | ground, steps and the thread above them; `document` and `photo` are apart |
 //! | beside the thread | `editor` | ground, steps and thread |
 //! | doors | `cli`, `app` (features) | everything; nothing knows them |
@@ -64,6 +64,7 @@ mod colour;
 mod export;
 mod learn;
 mod measure;
+mod points;
 mod rd;
 mod sketch;
 
@@ -162,6 +163,10 @@ pub mod internals {
     /// Looking up parameters in training sets.
     pub mod learn {
         pub use crate::learn::*;
+    }
+    /// Scattered points to fields.
+    pub mod points {
+        pub use crate::points::*;
     }
     /// Reaction and diffusion.
     pub mod rd {

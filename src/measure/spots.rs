@@ -38,10 +38,10 @@ pub struct Census {
 }
 
 /// A region of fewer cells of the field than this is a speck: noise, or a corner of something at the border.
-const SPECK_CELLS: f64 = 2.0;
+pub(super) const SPECK_CELLS: f64 = 2.0;
 
 /// A region of less than this share of the area at which half of the total area is reached is a speck too.
-const SPECK_SHARE: f64 = 0.05;
+pub(super) const SPECK_SHARE: f64 = 0.05;
 
 /// The regions above `level`, specks left out; see [`census`].
 #[must_use]

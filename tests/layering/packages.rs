@@ -45,7 +45,7 @@ pub const ADDRESSES: [(&str, &[&str]); 31] = [
     ("rustix", &["src/synth/"]),
     ("serde_json", &["src/document/", "src/editor/", "src/cli/", "src/learn/", "data-gen/"]),
     ("serde_path_to_error", &["data-gen/"]),
-    ("spade", &["src/attributes/spacing/delaunay.rs"]),
+    ("spade", &["src/attributes/spacing/delaunay.rs", "src/points/delaunay.rs"]),
     ("strsim", &["src/document/"]),
     ("sysinfo", &["src/synth/", "src/cli/"]),
     ("tempfile", &["src/export/"]),

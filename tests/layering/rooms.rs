@@ -7,7 +7,7 @@ use crate::sources::{module, sources};
 /// The ground: basic types; each imports only from the ones before it.
 const GROUND: [&str; 3] = ["grid", "marks", "attributes"];
 /// Import from the ground, not from each other.
-const STEPS: [&str; 6] = ["sketch", "measure", "learn", "rd", "colour", "export"];
+const STEPS: [&str; 7] = ["sketch", "measure", "learn", "rd", "points", "colour", "export"];
 /// Import from ground and steps; each only from the ones before it.
 const THREAD: [&str; 3] = ["photo", "document", "synth"];
 /// Imports from ground, steps and thread.

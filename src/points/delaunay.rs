@@ -1,0 +1,255 @@
+//! The graph over points: each with its Delaunay neighbours in order round it, and its Voronoi cell (spade).
+//!
+//! Along an axis that wraps copies of the points stand beyond the border. Where one does not wrap, a circle of guards far
+//! away closes the cells of the outermost points, so that these go on as they are: guards have no value.
+
+use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation, handles::FixedVertexHandle};
+
+use super::extent::Extent;
+
+/// The way to a neighbour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axis {
+    /// From the point to the neighbour, or to the image of it that is one, px.
+    pub way: [f64; 2],
+    /// The neighbour; `None` for a guard.
+    pub to: Option<u32>,
+    /// The smaller of the cotangents of the two angles opposite to the edge. Above 0 the straight way there leads through the cells
+    /// of the two only (an edge of the Gabriel graph); the higher, the farther are the points at its sides.
+    pub clearance: f64,
+}
+
+/// The Delaunay graph of points and their Voronoi cells.
+#[derive(Clone, Debug)]
+pub struct Delaunay {
+    /// Where the points lie.
+    pub extent: Extent,
+    /// The points, px, folded into the extent along the axes that wrap.
+    pub points: Vec<[f64; 2]>,
+    /// Of each point the range of its axes.
+    starts: Vec<u32>,
+    axes: Vec<Axis>,
+    /// The corner of the cell after each axis, from the point, px.
+    corners: Vec<[f64; 2]>,
+}
+
+/// Sites and guards of the triangulation.
+struct Site {
+    position: Point2<f64>,
+    index: Option<u32>,
+    /// Whether it is the point itself, not a copy.
+    own: bool,
+}
+
+impl HasPosition for Site {
+    type Scalar = f64;
+
+    fn position(&self) -> Point2<f64> {
+        self.position
+    }
+}
+
+type Mesh = DelaunayTriangulation<Site>;
+
+/// Guards round points that do not wrap. Fewer would leave long triangles at the outermost points.
+const GUARDS: usize = 16;
+/// Their distance from the middle, in diagonals of all points: then every place of the extent is nearer to a point.
+const GUARDED: f64 = 4.0;
+
+impl Delaunay {
+    /// The graph of `points`, px. Of points that coincide the first has neighbours; those that are not finite have none.
+    #[must_use]
+    pub fn new(points: &[[f64; 2]], extent: Extent) -> Self {
+        // spade takes no coordinates closer to 0 than 2⁻¹⁴².
+        let tame = |x: f64| if x.abs() < 1e-30 { 0.0 } else { x };
+        let points: Vec<[f64; 2]> = points.iter().map(|at| extent.folded(*at).map(tame)).collect();
+        let sites = distinct(&points);
+        let longest = extent.size[0].max(extent.size[1]);
+        // Poisson discs leave empty circles of 1.2 mean distances at most, random points of 2–3.
+        let mean = (extent.size[0] * extent.size[1] / sites.len().max(1) as f64).sqrt();
+        let mut margin = (3.0 * mean).min(1.5 * longest);
+        loop {
+            let mesh = triangulated(&points, &sites, &extent, margin);
+            // Of one point and its copies the empty circles are .71 of the longer side at most.
+            let surely = margin >= 1.5 * longest;
+            if let Some(graph) =
+                Self::read(&mesh, &points, extent, if surely { f64::INFINITY } else { margin })
+            {
+                return graph;
+            }
+            margin = (2.0 * margin).min(1.5 * longest);
+        }
+    }
+
+    /// `None` where a circle round a triangle reaches beyond the `margin` in which copies stand.
+    fn read(mesh: &Mesh, points: &[[f64; 2]], extent: Extent, margin: f64) -> Option<Self> {
+        let mut own: Vec<Option<FixedVertexHandle>> = vec![None; points.len()];
+        for vertex in mesh.vertices() {
+            if let Site { index: Some(index), own: true, .. } = vertex.data() {
+                own[*index as usize] = Some(vertex.fix());
+            }
+        }
+        let (mut starts, mut axes, mut corners) = (vec![0], Vec::new(), Vec::new());
+        for (at, vertex) in points.iter().zip(own) {
+            let first = corners.len();
+            for edge in vertex.iter().flat_map(|vertex| mesh.vertex(*vertex).out_edges()) {
+                // The face at the left of an edge lies between it and the next one: edges go counterclockwise.
+                let Some(face) = edge.face().as_inner() else { continue };
+                let (center, square) = face.circumcircle();
+                let held = |axis: usize, center: f64| {
+                    let reach = square.sqrt();
+                    !extent.wrap[axis]
+                        || center - reach >= -margin && center + reach <= extent.size[axis] + margin
+                };
+                if !(held(0, center.x) && held(1, center.y)) {
+                    return None;
+                }
+                let to = edge.to();
+                let way = [to.position().x - at[0], to.position().y - at[1]];
+                axes.push(Axis { way, to: to.data().index, clearance: 0.0 });
+                corners.push([center.x - at[0], center.y - at[1]]);
+            }
+            let count = corners.len() - first;
+            for k in 0..count {
+                let sides = [corners[first + k], corners[first + (k + count - 1) % count]];
+                let axis = &mut axes[first + k];
+                // The centre of a triangle's circle is half an edge times the cotangent of the opposite angle away from the edge.
+                let square = axis.way[0] * axis.way[0] + axis.way[1] * axis.way[1];
+                let [after, before] =
+                    sides.map(|corner| 2.0 * (axis.way[0] * corner[1] - axis.way[1] * corner[0]) / square);
+                axis.clearance = after.min(-before);
+            }
+            starts.push(axes.len() as u32);
+        }
+        Some(Self { extent, points: points.to_vec(), starts, axes, corners })
+    }
+
+    /// The axes of a point, in order round it.
+    #[must_use]
+    pub fn axes(&self, point: usize) -> &[Axis] {
+        &self.axes[self.starts[point] as usize..self.starts[point + 1] as usize]
+    }
+
+    /// The corners of a point's Voronoi cell in order round it, from the point, px.
+    #[must_use]
+    pub fn cell(&self, point: usize) -> &[[f64; 2]] {
+        &self.corners[self.starts[point] as usize..self.starts[point + 1] as usize]
+    }
+
+    /// The neighbours of a point, without guards; a point whose copy is near is its own.
+    pub fn neighbours(&self, point: usize) -> impl Iterator<Item = usize> {
+        self.axes(point).iter().filter_map(|axis| axis.to).map(|to| to as usize)
+    }
+
+    /// The points opposite to a point across the edges between its neighbours, each with the clearance of that edge.
+    pub fn opposite(&self, point: usize) -> impl Iterator<Item = (usize, f64)> {
+        let axes = self.axes(point);
+        (0..axes.len()).filter_map(move |k| {
+            let (one, next) = (&axes[k], &axes[(k + 1) % axes.len()]);
+            // Round the neighbour the edge comes after the opposite point, and before the point itself.
+            let ring = self.axes(one.to? as usize);
+            let way = [next.way[0] - one.way[0], next.way[1] - one.way[1]];
+            let same = |axis: &Axis| {
+                axis.to == next.to && (0..2).all(|k| (axis.way[k] - way[k]).abs() < 0.1 * self.extent.size[k])
+            };
+            let edge = ring.iter().position(same)?;
+            let before = &ring[(edge + ring.len() - 1) % ring.len()];
+            Some((before.to? as usize, ring[edge].clearance))
+        })
+    }
+
+    /// Area of a point's Voronoi cell, px²; 0 for points without neighbours.
+    #[must_use]
+    pub fn area(&self, point: usize) -> f64 {
+        area(self.cell(point))
+    }
+
+    /// Area, px², of the part of a point's cell that lies on the extent; along an axis that wraps all of it does.
+    #[must_use]
+    pub fn area_inside(&self, point: usize) -> f64 {
+        let at = self.points[point];
+        let cell: Vec<[f64; 2]> =
+            self.cell(point).iter().map(|corner| [at[0] + corner[0], at[1] + corner[1]]).collect();
+        area(&clipped(cell, &self.extent))
+    }
+}
+
+/// Area of a polygon, px².
+#[must_use]
+pub fn area(corners: &[[f64; 2]]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    0.5 * corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>().abs()
+}
+
+/// The part of a polygon that lies on the extent, by its borders that do not wrap (Sutherland and Hodgman). Of one that is
+/// not convex the parts may be joined along the border, which does not change the area.
+#[must_use]
+pub fn clipped(mut corners: Vec<[f64; 2]>, extent: &Extent) -> Vec<[f64; 2]> {
+    for axis in (0..2).filter(|axis| !extent.wrap[*axis]) {
+        for (sign, limit) in [(1.0, 0.0), (-1.0, -extent.size[axis])] {
+            let depth = |at: [f64; 2]| sign * at[axis] - limit;
+            let mut kept = Vec::with_capacity(corners.len() + 2);
+            for (k, at) in corners.iter().enumerate() {
+                let next = corners[(k + 1) % corners.len()];
+                let (here, there) = (depth(*at), depth(next));
+                if here >= 0.0 {
+                    kept.push(*at);
+                }
+                if (here >= 0.0) != (there >= 0.0) {
+                    let t = here / (here - there);
+                    kept.push([0, 1].map(|axis| at[axis] + t * (next[axis] - at[axis])));
+                }
+            }
+            corners = kept;
+        }
+    }
+    corners
+}
+
+/// Indices of the finite points, the first of those that coincide.
+fn distinct(points: &[[f64; 2]]) -> Vec<u32> {
+    let finite = |index: &u32| points[*index as usize].iter().all(|x| x.abs() < 1e30);
+    let mut kept: Vec<u32> = (0..points.len() as u32).filter(finite).collect();
+    let order = |i: &u32, j: &u32| {
+        let [a, b] = [points[*i as usize], points[*j as usize]];
+        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(i.cmp(j))
+    };
+    kept.sort_by(order);
+    kept.dedup_by(|later, first| points[*later as usize] == points[*first as usize]);
+    kept.sort_unstable();
+    kept
+}
+
+/// The points of `sites`, their copies up to `margin` px beyond the borders that wrap, and the guards.
+fn triangulated(points: &[[f64; 2]], sites: &[u32], extent: &Extent, margin: f64) -> Mesh {
+    let [mut low, mut high] = [[0.0; 2], extent.size];
+    for index in sites {
+        let at = points[*index as usize];
+        low = [0, 1].map(|axis| at[axis].min(low[axis]));
+        high = [0, 1].map(|axis| at[axis].max(high[axis]));
+    }
+    let beyond = [0, 1].map(|axis| if extent.wrap[axis] { margin } else { 0.0 });
+    let window = [[low[0] - beyond[0], low[1] - beyond[1]], [high[0] + beyond[0], high[1] + beyond[1]]];
+    let mut all = Vec::with_capacity(2 * sites.len());
+    for &index in sites {
+        let [x, y] = points[index as usize];
+        for [across, down] in extent.images([x, y], [x, y], window) {
+            let own = [across, down] == [0.0, 0.0];
+            all.push(Site { position: Point2::new(x + across, y + down), index: Some(index), own });
+        }
+    }
+    if !extent.wrap.iter().all(|wrap| *wrap) {
+        let reach = GUARDED * libm::hypot(window[1][0] - window[0][0], window[1][1] - window[0][1]);
+        let middle = [0, 1].map(|axis| 0.5 * (window[0][axis] + window[1][axis]));
+        for k in 0..GUARDS {
+            // Turned a little: guards and points of a lattice on one circle would be an ambiguous case.
+            let (s, c) = libm::sincos(std::f64::consts::TAU * (k as f64 + 0.137) / GUARDS as f64);
+            let position = Point2::new(middle[0] + reach * c, middle[1] + reach * s);
+            all.push(Site { position, index: None, own: false });
+        }
+    }
+    Mesh::bulk_load_stable(all).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,153 @@
+//! Poisson discs: random points, none in the disc of another, so that no further one has room.
+//!
+//! After M. S. Ebeida, S. A. Mitchell, A. Patney, A. A. Davidson, J. D. Owens, "A simple algorithm for maximal Poisson-disk
+//! sampling in high dimensions", Computer Graphics Forum 31 (2012): darts go to the cells that no disc covers; after each
+//! round cells are cut in four. A disc is an ellipse of the metric at its centre, which may vary over the plane.
+//!
+//! Every place then lies in some disc: of 2,000 round ones on a tile the largest empty circle had .9993–1.0000 of the radius, and a
+//! square of the radius held .693–.700 points (eight seeds).
+
+use rand::{Rng, RngExt};
+
+use super::extent::Extent;
+use super::metric::Metric;
+
+/// Points in a square whose side is the radius of a disc, with no room left.
+pub const POINTS_A_SQUARE: f64 = 0.7;
+/// Darts thrown at each uncovered cell in a round; with 1 or 1.5 the time is the same within 10 %.
+const DARTS: f64 = 0.6;
+/// Rounds: cells are then 2⁻¹⁴ of a radius wide, and what they leave uncovered cannot be seen.
+const ROUNDS: u32 = 14;
+
+/// A disc: its centre and the form of its metric.
+#[derive(Clone, Copy)]
+struct Disc {
+    at: [f64; 2],
+    form: [f64; 3],
+}
+
+impl Disc {
+    fn covers(&self, at: [f64; 2]) -> bool {
+        let [x, y] = [at[0] - self.at[0], at[1] - self.at[1]];
+        self.form[0] * x * x + 2.0 * self.form[1] * x * y + self.form[2] * y * y < 1.0
+    }
+}
+
+/// Discs, found by place.
+struct Placed<'a> {
+    extent: &'a Extent,
+    window: [[f64; 2]; 2],
+    bucket: [f64; 2],
+    size: [usize; 2],
+    /// Of each bucket the discs, or images of discs, that meet it.
+    buckets: Vec<Vec<Disc>>,
+    points: Vec<[f64; 2]>,
+}
+
+impl Placed<'_> {
+    fn bucket_of(&self, at: [f64; 2], axis: usize) -> usize {
+        (((at[axis] - self.window[0][axis]) / self.bucket[axis]).max(0.0) as usize).min(self.size[axis] - 1)
+    }
+
+    fn near(&self, at: [f64; 2]) -> &[Disc] {
+        &self.buckets[self.bucket_of(at, 1) * self.size[0] + self.bucket_of(at, 0)]
+    }
+
+    fn is_free(&self, at: [f64; 2]) -> bool {
+        !self.near(at).iter().any(|disc| disc.covers(at))
+    }
+
+    /// Whether one disc covers the cell with these corners.
+    fn covers(&self, low: [f64; 2], high: [f64; 2]) -> bool {
+        let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+        let corners = [low, [high[0], low[1]], high, [low[0], high[1]]];
+        self.near(middle).iter().any(|disc| corners.iter().all(|at| disc.covers(*at)))
+    }
+
+    fn insert(&mut self, at: [f64; 2], metric: Metric) {
+        self.points.push(at);
+        let [low, high] = [-1.0, 1.0].map(|sign| [0, 1].map(|axis| at[axis] + sign * metric.half[axis]));
+        for shift in self.extent.images(low, high, self.window) {
+            let image = |at: [f64; 2]| [at[0] + shift[0], at[1] + shift[1]];
+            let [from, to] = [image(low), image(high)];
+            for row in self.bucket_of(from, 1)..=self.bucket_of(to, 1) {
+                for column in self.bucket_of(from, 0)..=self.bucket_of(to, 0) {
+                    self.buckets[row * self.size[0] + column].push(Disc { at: image(at), form: metric.form });
+                }
+            }
+        }
+    }
+}
+
+/// Poisson discs of `metric` at each place, px, over `extent` and a `margin` of px beyond the axes that do not wrap; after
+/// the points `first`, which are taken as they are.
+///
+/// Of two points at least one lies on or beyond the disc of the other. Discs are not smaller than 1/2,000 of the longer side.
+pub fn poisson_discs(
+    extent: &Extent,
+    margin: f64,
+    metric: &dyn Fn([f64; 2]) -> Metric,
+    first: &[[f64; 2]],
+    rng: &mut impl Rng,
+) -> Vec<[f64; 2]> {
+    let window = extent.framed(margin);
+    let sides = [0, 1].map(|axis| window[1][axis] - window[0][axis]);
+    let least = smallest(window, sides, metric);
+    // Cells whose diagonal is a radius of the smallest disc hold one point at most.
+    let size = sides.map(|side| ((side * std::f64::consts::SQRT_2 / least).ceil() as usize).max(1));
+    let buckets = sides.map(|side| ((side / least).ceil() as usize).max(1));
+    let mut placed = Placed {
+        extent,
+        window,
+        bucket: [sides[0] / buckets[0] as f64, sides[1] / buckets[1] as f64],
+        size: buckets,
+        buckets: vec![Vec::new(); buckets[0] * buckets[1]],
+        points: Vec::new(),
+    };
+    first.iter().for_each(|at| placed.insert(*at, metric(*at)));
+    let mut cells: Vec<[u32; 2]> =
+        (0..size[1] as u32).flat_map(|row| (0..size[0] as u32).map(move |column| [column, row])).collect();
+    let mut side = [sides[0] / size[0] as f64, sides[1] / size[1] as f64];
+    for _ in 0..ROUNDS {
+        let corner = |cell: [u32; 2]| [0, 1].map(|axis| window[0][axis] + f64::from(cell[axis]) * side[axis]);
+        for _ in 0..(DARTS * cells.len() as f64).ceil() as usize {
+            let index = ((rng.random::<f64>() * cells.len() as f64) as usize).min(cells.len() - 1);
+            let low = corner(cells[index]);
+            let at = [low[0] + rng.random::<f64>() * side[0], low[1] + rng.random::<f64>() * side[1]];
+            if placed.is_free(at) {
+                placed.insert(at, metric(at));
+            }
+        }
+        let open = |cell: &[u32; 2], side: [f64; 2]| {
+            let low = [0, 1].map(|axis| window[0][axis] + f64::from(cell[axis]) * side[axis]);
+            !placed.covers(low, [low[0] + side[0], low[1] + side[1]])
+        };
+        cells.retain(|cell| open(cell, side));
+        side = side.map(|side| 0.5 * side);
+        let quarters = |[column, row]: [u32; 2]| {
+            [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[x, y]| [2 * column + x, 2 * row + y])
+        };
+        cells = cells.into_iter().flat_map(quarters).filter(|cell| open(cell, side)).collect();
+    }
+    placed.points
+}
+
+/// Places along a side at which the metric is asked for its smallest radius.
+const SAMPLES: usize = 48;
+/// Buckets along a side at most: no picture shows finer points, and memory goes with the square.
+const MOST_BUCKETS: f64 = 2_000.0;
+
+/// The smallest half axis of the discs, px.
+fn smallest(window: [[f64; 2]; 2], sides: [f64; 2], metric: &dyn Fn([f64; 2]) -> Metric) -> f64 {
+    let sample = |index: usize| {
+        let share = |n: usize| (n as f64 + 0.5) / SAMPLES as f64;
+        let [x, y] = [share(index % SAMPLES), share(index / SAMPLES)];
+        let metric = metric([window[0][0] + x * sides[0], window[0][1] + y * sides[1]]);
+        metric.radius * metric.radius / metric.half[0].max(metric.half[1])
+    };
+    let least = (0..SAMPLES * SAMPLES).map(sample).fold(f64::INFINITY, f64::min);
+    least.max(sides[0].max(sides[1]) / MOST_BUCKETS)
+}
+
+#[cfg(test)]
+mod tests;

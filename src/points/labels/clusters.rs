@@ -1,0 +1,109 @@
+//! Clusters of a known size one by one, breadth or depth first (the paper's figures 21–23).
+
+use std::collections::VecDeque;
+
+use rand::{Rng, RngExt};
+
+use super::normal;
+use crate::marks::turn;
+use crate::points::delaunay::Delaunay;
+
+/// In which order a cluster takes points.
+#[derive(Clone, Copy)]
+pub enum Order<'a> {
+    /// Those with the fewest edges to the start first: compact clusters, a giraffe or jaguar (figure 22).
+    BreadthFirst,
+    /// From the last point on, to its neighbours in random order: clumps with thin links between them (figure 23).
+    DepthFirst,
+    /// The same, neighbours sorted by how far they turn from the direction at the point, degrees: ragged stripes.
+    Along(&'a (dyn Fn([f64; 2]) -> f64 + Sync)),
+}
+
+/// Standard deviation, degrees, of the turns by which neighbours are sorted: .15 rad. Without any all stripes go straight on;
+/// with it they follow the direction within 23° rms.
+const JITTER: f64 = 8.6;
+
+/// The cluster of each point, `None` for light ones: `size` points each, or as many as are free; then all their free
+/// neighbours are light (figure 21).
+pub fn clusters(
+    graph: &Delaunay,
+    size: impl Fn([f64; 2]) -> usize,
+    order: Order,
+    rng: &mut impl Rng,
+) -> Vec<Option<u32>> {
+    let mut state = vec![State::Free; graph.points.len()];
+    let mut starts: Vec<usize> = (0..graph.points.len()).collect();
+    shuffle(&mut starts, rng);
+    let mut cluster = 0;
+    for start in starts {
+        if state[start] != State::Free {
+            continue;
+        }
+        let size = size(graph.points[start]).max(1);
+        let taken = grow(graph, &mut state, start, cluster, size, order, rng);
+        for point in taken {
+            for other in graph.neighbours(point) {
+                if state[other] == State::Free {
+                    state[other] = State::Light;
+                }
+            }
+        }
+        cluster += 1;
+    }
+    let owner = |state| if let State::Dark(cluster) = state { Some(cluster) } else { None };
+    state.into_iter().map(owner).collect()
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum State {
+    Free,
+    Light,
+    Dark(u32),
+}
+
+fn grow(
+    graph: &Delaunay,
+    state: &mut [State],
+    start: usize,
+    cluster: u32,
+    size: usize,
+    order: Order,
+    rng: &mut impl Rng,
+) -> Vec<usize> {
+    let mut open = VecDeque::from([start]);
+    let mut taken = Vec::new();
+    while taken.len() < size {
+        let next = if matches!(order, Order::BreadthFirst) { open.pop_front() } else { open.pop_back() };
+        let Some(point) = next else { break };
+        if state[point] != State::Free {
+            continue;
+        }
+        state[point] = State::Dark(cluster);
+        taken.push(point);
+        let at = graph.points[point];
+        let mut next: Vec<(f64, usize)> = Vec::new();
+        for axis in graph.axes(point) {
+            let Some(to) = axis.to.filter(|to| state[*to as usize] == State::Free) else { continue };
+            let key = match order {
+                Order::Along(direction) => {
+                    let way = libm::atan2(axis.way[1], axis.way[0]).to_degrees();
+                    -(turn(way, direction(at)) + JITTER * normal(rng)).abs()
+                }
+                Order::BreadthFirst | Order::DepthFirst => rng.random(),
+            };
+            next.push((key, to as usize));
+        }
+        // The last is taken first.
+        next.sort_by(|a, b| a.0.total_cmp(&b.0));
+        open.extend(next.into_iter().map(|(_, to)| to));
+    }
+    taken
+}
+
+/// Fisher and Yates.
+pub(super) fn shuffle(items: &mut [usize], rng: &mut impl Rng) {
+    for last in (1..items.len()).rev() {
+        let other = ((rng.random::<f64>() * (last + 1) as f64) as usize).min(last);
+        items.swap(last, other);
+    }
+}

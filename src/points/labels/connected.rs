@@ -1,0 +1,91 @@
+//! Connected labels: some points, and the points on short paths between them (the paper's figures 19 and 20).
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use rand::{Rng, RngExt};
+
+use crate::points::delaunay::Delaunay;
+
+/// Whether each point is in the connected group: those drawn with the probability `start`, all points on the shortest paths
+/// along the graph between neighbours among them, and `rings` times the neighbours of all these.
+///
+/// A start of 3–4 % gives a cracked net, with a third to a half of the points in it; from 40 % on hardly any point is left out.
+pub fn connected(graph: &Delaunay, start: f64, rings: usize, rng: &mut impl Rng) -> Vec<bool> {
+    let mut joined: Vec<bool> = graph.points.iter().map(|_| rng.random::<f64>() < start).collect();
+    let ends: Vec<usize> = (0..joined.len()).filter(|point| joined[*point]).collect();
+    let places: Vec<[f64; 2]> = ends.iter().map(|point| graph.points[*point]).collect();
+    let sparse = Delaunay::new(&places, graph.extent);
+    let mut search = Search::new(graph.points.len());
+    for (index, from) in ends.iter().enumerate() {
+        for axis in sparse.axes(index) {
+            let Some(to) = axis.to.map(|to| to as usize).filter(|to| *to > index) else { continue };
+            let limit = DETOUR * libm::hypot(axis.way[0], axis.way[1]);
+            search.path(graph, *from, ends[to], limit, |point| joined[point] = true);
+        }
+    }
+    for _ in 0..rings {
+        let before = joined.clone();
+        let ringed = |point: usize| before[point] || graph.neighbours(point).any(|other| before[other]);
+        joined = (0..joined.len()).map(ringed).collect();
+    }
+    joined
+}
+
+/// A path along the graph is at most so many times as long as the straight way: 1.998 is proven for Delaunay graphs (G. Xia,
+/// SIAM Journal on Computing 42, 2013). Round a tile another way may be shorter still.
+const DETOUR: f64 = 2.0;
+
+/// Shortest paths by Dijkstra; what a search touched is undone after it, so that one costs no more than what it touches.
+struct Search {
+    length: Vec<f64>,
+    before: Vec<u32>,
+    touched: Vec<usize>,
+}
+
+impl Search {
+    fn new(points: usize) -> Self {
+        Self { length: vec![f64::INFINITY; points], before: vec![u32::MAX; points], touched: Vec::new() }
+    }
+
+    fn path(&mut self, graph: &Delaunay, from: usize, to: usize, limit: f64, mut each: impl FnMut(usize)) {
+        let mut open = BinaryHeap::from([(Reverse(0u64), from)]);
+        self.reach(from, 0.0, from);
+        while let Some((Reverse(bits), point)) = open.pop() {
+            let length = f64::from_bits(bits);
+            if point == to {
+                break;
+            }
+            if length > self.length[point] {
+                continue;
+            }
+            for axis in graph.axes(point) {
+                let Some(next) = axis.to.map(|next| next as usize) else { continue };
+                let total = length + libm::hypot(axis.way[0], axis.way[1]);
+                if total < self.length[next] && total <= limit {
+                    self.reach(next, total, point);
+                    // The bits of positive numbers are in the order of the numbers.
+                    open.push((Reverse(total.to_bits()), next));
+                }
+            }
+        }
+        let mut at = to;
+        if self.length[to].is_finite() {
+            while at != from {
+                each(at);
+                at = self.before[at] as usize;
+            }
+        }
+        for point in self.touched.drain(..) {
+            self.length[point] = f64::INFINITY;
+        }
+    }
+
+    fn reach(&mut self, point: usize, length: f64, before: usize) {
+        if self.length[point].is_infinite() {
+            self.touched.push(point);
+        }
+        self.length[point] = length;
+        self.before[point] = before as u32;
+    }
+}

@@ -1,0 +1,53 @@
+//! Lengths by direction: an ellipse that stands for 1.
+
+/// The quadratic form of an ellipse: d² = xx·x² + 2·xy·x·y + yy·y² is 1 on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Metric {
+    /// Coefficients, 1/px².
+    pub form: [f64; 3],
+    /// Half the width and half the height of the ellipse, px.
+    pub half: [f64; 2],
+    /// Radius of the circle of the same area, px.
+    pub radius: f64,
+}
+
+impl Metric {
+    /// A circle of `radius` px.
+    #[must_use]
+    pub fn circle(radius: f64) -> Self {
+        Self { form: [radius.powi(-2), 0.0, radius.powi(-2)], half: [radius; 2], radius }
+    }
+
+    /// The ellipse of the area of a circle of `radius` px, with minor ÷ major axis `aspect`, 0..1, and the major axis along
+    /// `angle`, degrees.
+    #[must_use]
+    pub fn ellipse(radius: f64, aspect: f64, angle: f64) -> Self {
+        let [major, minor] = [radius / aspect.sqrt(), radius * aspect.sqrt()];
+        let (s, c) = libm::sincos(angle.to_radians());
+        let [along, across] = [major.powi(-2), minor.powi(-2)];
+        let form = [along * c * c + across * s * s, (along - across) * s * c, along * s * s + across * c * c];
+        let half = [libm::hypot(major * c, minor * s), libm::hypot(major * s, minor * c)];
+        Self { form, half, radius }
+    }
+
+    /// Square of the length of `way`, px, in ellipses.
+    #[must_use]
+    pub fn square(&self, [x, y]: [f64; 2]) -> f64 {
+        self.form[0] * x * x + 2.0 * self.form[1] * x * y + self.form[2] * y * y
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_ellipse_is_as_long_as_its_axes_along_them() {
+        let metric = Metric::ellipse(6.0, 0.25, 30.0);
+        let (s, c) = libm::sincos(30f64.to_radians());
+        assert!((metric.square([12.0 * c, 12.0 * s]) - 1.0).abs() < 1e-12);
+        assert!((metric.square([-3.0 * s, 3.0 * c]) - 1.0).abs() < 1e-12);
+        let round = Metric::ellipse(6.0, 1.0, 77.0);
+        assert!((round.square([3.0, 4.0]) - Metric::circle(6.0).square([5.0, 0.0])).abs() < 1e-12);
+    }
+}

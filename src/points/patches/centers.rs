@@ -1,0 +1,135 @@
+//! Where patches begin: discs at the wanted spacing, moved apart a little.
+
+use rand::Rng;
+
+use super::Wanted;
+use crate::attributes::spacing::{mean_length, weighted_edges};
+use crate::points::discs::{POINTS_A_SQUARE, poisson_discs};
+use crate::points::extent::Extent;
+use crate::points::metric::Metric;
+
+/// Width of the frame beyond closed borders in which centres are laid too, in spacings: nearly two rows, of which the outer
+/// one holds the inner one back.
+const FRAME: f64 = 1.7;
+/// How far ragged patches reach from their centre, half major axes of their ellipse: farther ones would be threads.
+const REACH: f64 = 2.3;
+/// Places along a side at which the map is asked.
+const SAMPLES: usize = 16;
+
+/// The largest that `of` makes of what is wanted anywhere on the canvas.
+fn largest(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted, of: impl Fn(&Wanted) -> f64) -> f64 {
+    let place = |index: usize| [index % SAMPLES, index / SAMPLES].map(|k| (k as f64 + 0.5) / SAMPLES as f64);
+    let at = |index: usize| {
+        let [x, y] = place(index);
+        of(&wanted([x * extent.size[0], y * extent.size[1]]))
+    };
+    (0..SAMPLES * SAMPLES).map(at).fold(0.0, f64::max)
+}
+
+/// How far, px, patches reach from their centres: those beyond a closed border by more are not seen.
+pub fn reach(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted) -> f64 {
+    largest(extent, wanted, |wanted| {
+        REACH * (wanted.area / (std::f64::consts::PI * wanted.aspect.clamp(LONGEST, 1.0))).sqrt()
+    })
+}
+
+/// Longer patches reach no farther: they have too few points.
+const LONGEST: f64 = 0.15;
+
+/// Rounds of repulsion: few, so that centres stay as irregular as those of a pelt; a lattice looks made.
+const ROUNDS: usize = 4;
+/// Neighbours closer than this, in pitches, push each other.
+const PUSH: f64 = 1.25;
+/// Tries at the number of centres, the nearest of which is taken.
+const TRIES: usize = 4;
+
+/// Centres over the canvas and its frame at the wanted spacing, around the `pinned`, which are left out.
+pub fn lay(
+    extent: &Extent,
+    wanted: &dyn Fn([f64; 2]) -> Wanted,
+    pinned: &[[f64; 2]],
+    rng: &mut impl Rng,
+) -> Vec<[f64; 2]> {
+    // Along the major axis neighbours are farther apart.
+    let frame =
+        FRAME * largest(extent, wanted, |wanted| wanted.spacing / wanted.aspect.clamp(LONGEST, 1.0).sqrt());
+    let mut scale = 1.0;
+    let mut best: (f64, Vec<[f64; 2]>) = (f64::INFINITY, Vec::new());
+    for _ in 0..TRIES {
+        // The pitch: of a hexagonal lattice the distance of neighbours.
+        let metric = |at: [f64; 2]| {
+            let wanted = wanted(at);
+            Metric::ellipse(scale * wanted.spacing, wanted.aspect, wanted.angle)
+        };
+        // As many discs as such a lattice has points: .7 ÷ r² = 2 ÷ (√3·pitch²).
+        let share = (POINTS_A_SQUARE * 0.75f64.sqrt()).sqrt();
+        let disc = |at: [f64; 2]| {
+            let wanted = wanted(at);
+            Metric::ellipse(share * scale * wanted.spacing, wanted.aspect, wanted.angle)
+        };
+        let mut points = poisson_discs(extent, frame, &disc, pinned, rng);
+        for _ in 0..ROUNDS {
+            points = pushed(&points, pinned.len(), extent, frame, &metric);
+        }
+        let ratio = ratio(&points, extent, wanted);
+        let off = libm::log(ratio).abs();
+        if off < best.0 {
+            best = (off, points);
+        }
+        if off < CLOSE {
+            break;
+        }
+        scale /= ratio;
+    }
+    best.1.split_off(pinned.len().min(best.1.len()))
+}
+
+/// A spacing that is right within this needs no other try.
+const CLOSE: f64 = 0.008;
+
+/// Mean of the edges' lengths ÷ the spacing wanted at their midpoints; 1 without edges on the canvas.
+fn ratio(points: &[[f64; 2]], extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted) -> f64 {
+    let tile = (extent.wrap == [true; 2]).then_some(extent.size);
+    let mut edges = weighted_edges(points, tile, |at| wanted(at).spacing);
+    edges.retain(|edge| (0..2).all(|axis| (0.0..=extent.size[axis]).contains(&edge.midpoint[axis])));
+    edges.iter_mut().for_each(|edge| edge.length /= wanted(edge.midpoint).spacing);
+    mean_length(&edges).unwrap_or(1.0)
+}
+
+/// One round: points nearer than [`PUSH`] pitches push each other away; the first `fixed` stay.
+fn pushed(
+    points: &[[f64; 2]],
+    fixed: usize,
+    extent: &Extent,
+    frame: f64,
+    metric: &dyn Fn([f64; 2]) -> Metric,
+) -> Vec<[f64; 2]> {
+    let metrics: Vec<Metric> = points.iter().map(|at| metric(*at)).collect();
+    let reach = PUSH * metrics.iter().map(|metric| metric.half[0].max(metric.half[1])).fold(0.0, f64::max);
+    let [low, high] = extent.framed(frame);
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|a, b| points[*a][1].total_cmp(&points[*b][1]).then(a.cmp(b)));
+    let push = |index: usize| {
+        let (at, own) = (points[index], &metrics[index]);
+        let mut shift = [0.0; 2];
+        // Those in the rows within reach, on a tile at their images too.
+        for rows in
+            [0.0, -extent.size[1], extent.size[1]].into_iter().filter(|rows| *rows == 0.0 || extent.wrap[1])
+        {
+            let first = order.partition_point(|other| points[*other][1] < at[1] - reach + rows);
+            let near = order[first..].iter().take_while(|other| points[**other][1] <= at[1] + reach + rows);
+            for other in near.filter(|other| **other != index) {
+                let way = extent.shortest([points[*other][0] - at[0], points[*other][1] - at[1]]);
+                let d = (0.5 * (own.square(way) + metrics[*other].square(way))).sqrt();
+                if d > 1e-9 && d < PUSH {
+                    // Half of the gap, shared with the other, damped for six neighbours.
+                    let push = 0.22 * (PUSH - d) / d;
+                    shift = [shift[0] - push * way[0], shift[1] - push * way[1]];
+                }
+            }
+        }
+        let to = extent.folded([at[0] + shift[0], at[1] + shift[1]]);
+        [0, 1].map(|axis| if extent.wrap[axis] { to[axis] } else { to[axis].clamp(low[axis], high[axis]) })
+    };
+    (0..points.len()).map(|index| if index < fixed { points[index] } else { push(index) }).collect()
+}
