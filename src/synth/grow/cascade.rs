@@ -154,7 +154,7 @@ impl Cascade<'_> {
         plan.obstacles =
             during(Phase::LayOut, || obstacles(self.document, beneath, plan.grid.size, &|_| false));
         let mut seen = |growing: Growing, steps| seen(&Snapshot { beneath, growing, steps });
-        Ok(GrownLayer::Pairs(self.grow_pairs(plan, index, &mut seen)?))
+        Ok(GrownLayer::Pairs(Box::new(self.grow_pairs(plan, index, &mut seen)?)))
     }
 
     /// Looks up layer `index`, which grows above `below`.

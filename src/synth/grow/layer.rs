@@ -43,7 +43,7 @@ pub enum GrownLayer {
     /// Spots or stripes, by a system with training rows.
     Marks(Box<GrownMarks>),
     /// By a system of pairs.
-    Pairs(GrownPairs),
+    Pairs(Box<GrownPairs>),
 }
 
 impl GrownLayer {
