@@ -113,9 +113,9 @@ impl LiveWanted {
         self.computing.is_some()
     }
 
-    /// What is wanted on this layer; `None` in documents with regions, of layers without marks, and of lines around marks or
-    /// between them, of which only the width counts. While it is computed
-    /// anew, what was wanted before.
+    /// What is wanted on this layer; `None` in documents with regions, of layers without marks, of lines around marks or
+    /// between them, of which only the width counts, and of weaves, which have several directions in one place. While it is
+    /// computed anew, what was wanted before.
     #[must_use]
     pub fn of(&self, layer: usize) -> Option<&Wanted> {
         let ((_, known), wanted) = self.known.as_ref()?;
@@ -124,10 +124,11 @@ impl LiveWanted {
 }
 
 impl Wanted {
-    /// What the `marks` of a layer want; `None` where they are mixed, or only their width counts.
+    /// What the `marks` of a layer want; `None` where they are mixed, or only their width counts, or where they want several
+    /// directions in one place.
     fn new(marks: &[Mark], document: &Document, layer: usize) -> Option<Self> {
         let of_layer = document.layers.get(layer)?;
-        if matches!(of_layer.after, After::Around | After::Net) {
+        if matches!(of_layer.after, After::Around | After::Net) || of_layer.system.pairs().is_some() {
             return None;
         }
         let size = document.size.map(f64::from);
@@ -216,7 +217,7 @@ fn cross(ink: &Ink, at: [f64; 2], colours: &Palette) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Layer, Stroke};
+    use crate::document::{Layer, PairKind, Stroke, SystemChoice};
 
     fn wanted(strokes: Vec<Stroke>) -> Wanted {
         let marks: Vec<Mark> = strokes.iter().filter_map(Stroke::mark).collect();
@@ -258,6 +259,18 @@ mod tests {
             |strokes: Vec<Stroke>| wanted(strokes).glyphs.iter().filter(|glyph| glyph.is_cancelled()).count();
         assert!(cancelled(lines.to_vec()) > 0);
         assert_eq!(cancelled(lines[..1].to_vec()), 0);
+    }
+
+    #[test]
+    fn crossing_lines_of_a_weave_do_not_cancel() {
+        let lines = [[[20.0, 60.0], [140.0, 60.0]], [[80.0, 10.0], [80.0, 110.0]]];
+        let lines = lines.map(|[from, to]| Line { from, to, width: 8.0 });
+        let marks = lines.map(Mark::Line);
+        let mut document = Document { size: [160, 120], ..Document::default() };
+        document.layers.push(Layer { strokes: lines.map(Stroke::Line).to_vec(), ..Layer::default() });
+        assert!(Wanted::new(&marks, &document, 0).is_some());
+        document.layers[0].system = SystemChoice::Pairs(PairKind::Weave);
+        assert!(Wanted::new(&marks, &document, 0).is_none());
     }
 
     #[test]
