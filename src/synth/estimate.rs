@@ -13,7 +13,7 @@ use crate::grid::Domain;
 use crate::rd::pairs::{PairGrowth, PairStart};
 use crate::rd::{Growth, System};
 use crate::synth::grow::engine::Engine;
-use crate::synth::grow::pairs::{WHOLE_TIME, begin};
+use crate::synth::grow::grow_pairs::{WHOLE_TIME, begin};
 use crate::synth::grow::snapshot::{Growing, Snapshot};
 use crate::synth::memory;
 use crate::synth::plan::pairs::PairPlan;

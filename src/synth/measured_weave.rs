@@ -30,6 +30,7 @@ const MODEL: PairModel = PairModel {
     ratio: 1.5,
     threshold: Course::Constant(0.0),
     softness: 1.0,
+    weights: [1.0; MOST_PAIRS],
     gain: Course::Constant(1.0),
 };
 /// Length ÷ width of its blurs: it is long, so that it sees the mean of the threads that cross them.

@@ -23,7 +23,7 @@ mod tests;
 pub use growth::PairGrowth;
 pub use kind::PairKind;
 pub use start::PairStart;
-pub use thread_law::{Threads, weave_threshold};
+pub use thread_law::Threads;
 
 use crate::grid::Grid;
 
@@ -100,6 +100,8 @@ pub struct PairModel {
     pub threshold: Course,
     /// w/K₀k: half the width of the soft step.
     pub softness: f32,
+    /// What the difference of each pair counts. Divided by it, the threshold is that of the pair's own difference.
+    pub weights: [f32; MOST_PAIRS],
     /// k: the reaction at most.
     pub gain: Course,
 }

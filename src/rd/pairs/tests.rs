@@ -20,6 +20,7 @@ fn model(combination: Combination, threshold: f32) -> PairModel {
         ratio: 1.5,
         threshold: Course::Ramp { to: threshold, first: 4.0, each: 2.0 },
         softness: 0.05,
+        weights: [1.0; MOST_PAIRS],
         gain: Course::Constant(1.0),
     }
 }
@@ -178,25 +179,33 @@ fn width_along_columns(field: &crate::grid::Field, level: f32) -> f64 {
 fn drawn_threads_keep_their_width_at_the_size_of_the_law() {
     let threads = [Threads { width: 5.0, period: 16.0 }, Threads { width: 8.0, period: 48.0 }];
     let model = model(Combination::Maximum, 0.0);
-    let (threshold, sizes) = weave_threshold(&model, &threads).expect("neither dense nor thin");
-    assert!((0.08..0.22).contains(&threshold), "{threshold}");
+    let found = |own: usize| {
+        threads[own].threshold(&model, 1.0 - threads[1 - own].duty(), 0.2).expect("not too dense")
+    };
+    let [(threshold, size), (other, other_size)] = [0, 1].map(found);
+    assert!((0.08..0.22).contains(&threshold) && other > threshold, "{threshold} {other}");
+    let sizes = [size, other_size];
     let maps = maps(96, &[(0.0, sizes[0] as f32), (90.0, sizes[1] as f32)]);
     let covered = |at: usize, threads: &Threads| at as f64 % threads.period < threads.width;
     let is_drawn = |cell: usize| covered(cell / 96, &threads[0]) || covered(cell % 96, &threads[1]);
     let drawn = (0..96 * 96).map(|cell| f32::from(u8::from(is_drawn(cell)))).collect();
     let smallest = sizes.iter().copied().fold(f64::INFINITY, f64::min) as f32;
     let softness = PairModel::softness_for(smallest, threshold as f32);
-    let model = PairModel { threshold: Course::Constant(threshold as f32), softness, ..model };
+    let mut weights = model.weights;
+    weights[1] = (threshold / other) as f32;
+    let model = PairModel { threshold: Course::Constant(threshold as f32), softness, weights, ..model };
     let mut growth = PairGrowth::new(&maps, &model, &PairStart::Drawn(drawn)).expect("two pairs");
     growth.advance(growth.steps_in(20.0));
-    let level = threshold as f32 * model.peak_gain();
+    let [level, other_level] = [threshold, other].map(|threshold| threshold as f32 * model.peak_gain());
     let differences = growth.differences();
     let turned = |field: &crate::grid::Field| {
         let values = (0..96 * 96).map(|cell| field.values[cell % 96 * 96 + cell / 96]).collect();
         crate::grid::Field { values, ..field.clone() }
     };
-    let widths =
-        [width_along_columns(&differences[0], level), width_along_columns(&turned(&differences[1]), level)];
+    let widths = [
+        width_along_columns(&differences[0], level),
+        width_along_columns(&turned(&differences[1]), other_level),
+    ];
     for (width, threads) in widths.iter().zip(&threads) {
         assert!(
             (width / threads.width - 1.0).abs() < 0.08,
@@ -209,7 +218,7 @@ fn drawn_threads_keep_their_width_at_the_size_of_the_law() {
 fn threads_that_cover_too_much_have_no_threshold() {
     let model = model(Combination::Maximum, 0.0);
     let dense = Threads { width: 8.0, period: 10.0 };
-    assert_eq!(weave_threshold(&model, &[dense, dense]), None);
+    assert_eq!(dense.threshold(&model, 1.0 - dense.duty(), 0.2), None);
     let alone = Threads { width: 5.0, period: 5_000.0 };
     let size = alone.size(&model, 0.2, 1.0).expect("a thread alone");
     // θ = ½ (e^(−w/ds) − e^(−w/s)), of a thread alone.

@@ -52,6 +52,18 @@ impl Threads {
         Some(above)
     }
 
+    /// The highest threshold θ/K₀ at which these threads are .9 wavelengths Λ apart or farther, where the other threads leave the
+    /// share `uncovered` of them free, up to `most`, with the size s of their pair: at a higher one they die, at a lower one they would need a
+    /// smaller size, and so a finer grid. `None` where there is none: they are too dense.
+    #[must_use]
+    pub fn threshold(&self, model: &PairModel, uncovered: f64, most: f64) -> Option<(f64, f64)> {
+        let steps = ((most - LEAST) / THRESHOLD_STEP).round() as usize;
+        (0..=steps).map(|step| most - THRESHOLD_STEP * step as f64).find_map(|threshold| {
+            let size = self.size(model, threshold, uncovered)?;
+            (self.period >= DENSEST * model.wavelength() * size).then_some((threshold, size))
+        })
+    }
+
     /// The difference C₊ − C₋ of a pair of size `s` at the edges of these threads, at k = 1, where the other threads leave the
     /// share `uncovered` of them free.
     #[must_use]
@@ -68,30 +80,9 @@ impl Threads {
     }
 }
 
-/// The highest threshold θ/K₀ at which all threads of a weave are .9 wavelengths Λ apart or farther, with the
-/// size s of each pair: in a denser weave one direction dies, at a lower threshold lines grow where none was drawn.
-///
-/// `None` where there is none: the threads cover too much.
-#[must_use]
-pub fn weave_threshold(model: &PairModel, threads: &[Threads]) -> Option<(f64, Vec<f64>)> {
-    let [least, most] = THRESHOLDS;
-    let uncovered = |index: usize| {
-        let others = threads.iter().enumerate().filter(|(other, _)| *other != index);
-        others.map(|(_, threads)| 1.0 - threads.duty()).product::<f64>()
-    };
-    let steps = ((most - least) / THRESHOLD_STEP).round() as usize;
-    (0..=steps).map(|step| most - THRESHOLD_STEP * step as f64).find_map(|threshold| {
-        let size = |(index, threads): (usize, &Threads)| {
-            let size = threads.size(model, threshold, uncovered(index))?;
-            (threads.period >= DENSEST * model.wavelength() * size).then_some(size)
-        };
-        Some((threshold, threads.iter().enumerate().map(size).collect::<Option<Vec<f64>>>()?))
-    })
-}
-
 /// Period ÷ Λ of the densest threads: nearer ones die (`facts.md` T).
 const DENSEST: f64 = 0.9;
-/// Lowest and highest threshold θ/K₀ of a weave: near 0.25 threads were lost (`facts.md` T).
-const THRESHOLDS: [f64; 2] = [0.03, 0.2];
+/// Lowest threshold θ/K₀ of a weave.
+const LEAST: f64 = 0.03;
 /// Steps in which the threshold is sought.
 const THRESHOLD_STEP: f64 = 0.005;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::document::{After, Document, Layer};
 use crate::rd::Seeding;
 use crate::synth::grow::engine::Engine;
+use crate::synth::grow::grow_pairs::PairGrower;
 use crate::synth::grow::layer::{GrowError, Grown, GrownLayer, GrownMarks};
 use crate::synth::grow::obstacles::{bias, obstacles};
 use crate::synth::grow::passing::{crossed_marks, crosses};
@@ -14,14 +15,16 @@ use crate::synth::grow::probe::{When, correct};
 use crate::synth::grow::refine::refine;
 use crate::synth::grow::settle::settle_seen;
 use crate::synth::grow::snapshot::{Growing, Snapshot};
+use crate::synth::grow::stripes_of_threads::stripes_of;
 use crate::synth::memory;
 use crate::synth::options::{Options, Settings};
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::layer_lookup::Start;
 use crate::synth::plan::offset::Offset;
 use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::pairs::thread_map::ThreadMap;
 use crate::synth::plan::{Corrected, Lookup, Plan, Surroundings, Targets};
-use crate::synth::watch::Stage;
+use crate::synth::watch::{Stage, Watch};
 
 /// Grows `document`.
 ///
@@ -89,11 +92,11 @@ pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usi
 }
 
 /// The growth of a document.
-pub(super) struct Cascade<'a> {
-    pub(super) document: &'a Document,
-    pub(super) options: Options<'a>,
+struct Cascade<'a> {
+    document: &'a Document,
+    options: Options<'a>,
     /// Normalised time between two snapshots; `None` = a few milliseconds of wall time.
-    pub(super) every: Option<f64>,
+    every: Option<f64>,
 }
 
 impl Cascade<'_> {
@@ -154,7 +157,16 @@ impl Cascade<'_> {
         plan.obstacles =
             during(Phase::LayOut, || obstacles(self.document, beneath, plan.grid.size, &|_| false));
         let mut seen = |growing: Growing, steps| seen(&Snapshot { beneath, growing, steps });
-        Ok(GrownLayer::Pairs(Box::new(self.grow_pairs(plan, index, &mut seen)?)))
+        let Self { document, options, every } = *self;
+        let stripes = |threads: &ThreadMap, [nx, ny]: [usize; 2]| {
+            let document = stripes_of(document, threads, document.layer_seed(index), index);
+            let watch = Watch { progress: &|_, _| {}, cancelled: options.watch.cancelled };
+            let options = Options { concentrations: false, refine: Some(true), watch, ..options };
+            Ok(grow(&document, &options)?.layers[0].pattern().field(nx, ny))
+        };
+        let corrects = self.corrects();
+        let grower = PairGrower { layer: index + 1, options, every, corrects, stripes: &stripes };
+        Ok(GrownLayer::Pairs(Box::new(grower.grow(plan, &mut seen)?)))
     }
 
     /// Looks up layer `index`, which grows above `below`.
@@ -204,7 +216,7 @@ impl Cascade<'_> {
     }
 
     /// Is the pattern corrected?
-    pub(super) fn corrects(&self) -> bool {
+    fn corrects(&self) -> bool {
         self.options.refine.unwrap_or(self.document.growth.refine)
     }
 

@@ -54,7 +54,7 @@ impl<'a> Growing<'a> {
                 LayerPattern::Marks(Pattern::new(&plan.lookup, &plan.levelled(engine.marks())))
             }
             Self::Pairs(plan, growth) => {
-                LayerPattern::Pairs(PairPattern::new(&growth.differences(), plan.level()))
+                LayerPattern::Pairs(PairPattern::new(&growth.differences(), &plan.levels()))
             }
         }
     }

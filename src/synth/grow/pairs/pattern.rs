@@ -31,11 +31,11 @@ const MIDDLE: f64 = 0.9;
 const HIGHEST: f32 = 0.9;
 
 impl PairPattern {
-    /// The pattern of at least one pair, whose edges lie at `level` of its difference.
+    /// The pattern of at least one pair; the edges of each lie at one of the `levels` of its difference.
     #[must_use]
-    pub fn new(differences: &[Field], level: f32) -> Self {
+    pub fn new(differences: &[Field], levels: &[f32]) -> Self {
         let first = &differences[0];
-        let pair = |field: &Field| {
+        let pair = |(field, &level): (&Field, &f32)| {
             let mut above: Vec<f32> = field.values.iter().copied().filter(|value| *value > level).collect();
             let middle = (MIDDLE * above.len() as f64) as usize;
             let peak = if above.is_empty() {
@@ -50,7 +50,7 @@ impl PairPattern {
         Self {
             grid: [first.width, first.height],
             extent: first.extent(),
-            pairs: differences.iter().map(pair).collect(),
+            pairs: differences.iter().zip(levels).map(pair).collect(),
             edges: first.edges,
         }
     }

@@ -12,7 +12,6 @@ use crate::grid::{Bounds, Domain, Grid};
 use crate::marks::{Mark, Path};
 use crate::rd::pairs::{
     Combination as Reaction, Course, MOST_PAIRS, PairField, PairKind, PairMaps, PairModel, Threads,
-    weave_threshold,
 };
 use crate::synth::plan::sketch_targets::marks;
 use direction_groups::direction_groups;
@@ -26,6 +25,10 @@ const RATIO: f32 = 1.5;
 const ELONGATIONS: [f64; 2] = [3.0, 8.0];
 /// Nodes along the longer side at which sizes are looked up where they vary.
 const NODES: usize = 16;
+/// Highest θ/K₀ of two directions, near 0.25 threads were lost, and of more, where they died at 0.2 (`facts.md` T).
+const HIGHEST: [f64; 2] = [0.2, 0.12];
+/// θ/K₀ of threads for which none is found.
+const LOWEST: f64 = 0.03;
 /// The share that three and more directions leave free, at least: at .33 threads were a tenth too wide and gaps became round, at .44
 /// both are right within a hundredth.
 const LEAST_FREE: f64 = 0.4;
@@ -41,8 +44,8 @@ pub struct PairPlan {
     pub grid: Grid,
     /// What is wanted of each direction.
     pub threads: Vec<ThreadMap>,
-    /// θ/K₀.
-    pub threshold: f64,
+    /// θ/K₀ of each direction.
+    pub thresholds: Vec<f64>,
     /// Places at which sizes are known.
     nodes: RegionGrid,
     /// Cells that the marks of the layers beneath have taken; empty = none.
@@ -97,13 +100,13 @@ impl PairPlan {
         let nodes = nodes(&threads, &canvas);
         let (mut widened, mut notes) = (1.0, Vec::new());
         let found = loop {
-            if let Some(found) = threshold(&nodes, &threads) {
+            if let Some(found) = thresholds(&nodes, &threads) {
                 break found;
             }
             widened *= WIDENED[0];
             threads.iter_mut().for_each(|threads| threads.widened = widened);
             if widened > WIDENED[1] {
-                break 0.0;
+                break vec![LOWEST; threads.len()];
             }
         };
         if widened > 1.0 {
@@ -118,7 +121,7 @@ impl PairPlan {
             kind,
             grid: unit,
             threads,
-            threshold: found,
+            thresholds: found,
             nodes,
             obstacles: Vec::new(),
             raised: Vec::new(),
@@ -154,10 +157,10 @@ impl PairPlan {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(point))).copied().unwrap_or(false)
     }
 
-    /// The level of each difference at which the edges of threads lie.
+    /// The level of the difference of each pair at which the edges of its threads lie.
     #[must_use]
-    pub fn level(&self) -> f32 {
-        self.threshold as f32 * base_model().peak_gain()
+    pub fn levels(&self) -> Vec<f32> {
+        self.thresholds.iter().map(|threshold| *threshold as f32 * base_model().peak_gain()).collect()
     }
 
     /// The size s of each pair at each node, px, for threads `widths` times as wide as they are wanted.
@@ -166,7 +169,7 @@ impl PairPlan {
             let all = threads_at(&self.threads, self.nodes.center(self.nodes.place(index)));
             let size = |(pair, threads): (usize, &Threads)| {
                 let asked = Threads { width: threads.width * widths[pair], ..*threads };
-                let fits = asked.size(&base_model(), self.threshold, uncovered(&all, pair));
+                let fits = asked.size(&base_model(), self.thresholds[pair], uncovered(&all, pair));
                 // Threads that keep no width at this threshold: the size at which their period has the largest gain.
                 fits.unwrap_or(threads.period / base_model().wavelength())
             };
@@ -223,10 +226,16 @@ impl PairPlan {
     pub fn model(&self, maps: &PairMaps) -> PairModel {
         let sizes = maps.pairs.iter().flat_map(|pair| &pair.size);
         let least = sizes.copied().fold(f32::INFINITY, f32::min);
-        let threshold = self.threshold as f32;
+        let highest = self.thresholds.iter().copied().fold(LOWEST, f64::max);
+        let threshold = highest as f32;
+        let mut weights = [1.0; MOST_PAIRS];
+        for (weight, own) in weights.iter_mut().zip(&self.thresholds) {
+            *weight = (highest / own) as f32;
+        }
         PairModel {
             threshold: Course::Constant(threshold),
             softness: PairModel::softness_for(least, threshold),
+            weights,
             ..base_model()
         }
     }
@@ -239,6 +248,7 @@ fn base_model() -> PairModel {
         ratio: RATIO,
         threshold: Course::Constant(0.0),
         softness: 1.0,
+        weights: [1.0; MOST_PAIRS],
         gain: Course::Constant(1.0),
     }
 }
@@ -263,16 +273,23 @@ fn nodes(threads: &[ThreadMap], canvas: &Bounds) -> RegionGrid {
     RegionGrid { size: canvas.size, grid, edges: canvas.edges }
 }
 
-/// The highest threshold θ/K₀ that suits the threads at every node; `None` where there is none.
-fn threshold(nodes: &RegionGrid, threads: &[ThreadMap]) -> Option<f64> {
+/// The highest threshold θ/K₀ of each direction that suits its threads at every node; `None` where there is none.
+fn thresholds(nodes: &RegionGrid, threads: &[ThreadMap]) -> Option<Vec<f64>> {
     let of_node = |index: usize| {
         let all = threads_at(threads, nodes.center(nodes.place(index)));
         let free: f64 = all.iter().map(|threads| 1.0 - threads.duty()).product();
         if all.len() > 2 && free < LEAST_FREE {
             return None;
         }
-        weave_threshold(&base_model(), &all).map(|(threshold, _)| threshold)
+        let most = HIGHEST[usize::from(all.len() > 2)];
+        let own = |(pair, threads): (usize, &Threads)| {
+            let (threshold, _) = threads.threshold(&base_model(), uncovered(&all, pair), most)?;
+            Some(threshold)
+        };
+        all.iter().enumerate().map(own).collect::<Option<Vec<f64>>>()
     };
-    let all: Option<Vec<f64>> = (0..nodes.len()).into_par_iter().map(of_node).collect();
-    all.map(|all| all.into_iter().fold(f64::INFINITY, f64::min))
+    let all: Option<Vec<Vec<f64>>> = (0..nodes.len()).into_par_iter().map(of_node).collect();
+    let all = all?;
+    let lowest = |pair: usize| all.iter().map(|node| node[pair]).fold(f64::INFINITY, f64::min);
+    Some((0..threads.len()).map(lowest).collect())
 }

@@ -7,18 +7,15 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
-use crate::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
 use crate::grid::{Domain, Field};
-use crate::marks::Path;
-use crate::rd::System;
-use crate::synth::grow::cascade::{Cascade, grow};
+use crate::synth::grow::grow_pairs::phase::ThreadPhase;
 use crate::synth::grow::layer::GrowError;
-use crate::synth::grow::pairs::phase::ThreadPhase;
-use crate::synth::options::Options;
 use crate::synth::phases::{Phase, during};
 use crate::synth::plan::pairs::PairPlan;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
-use crate::synth::watch::Watch;
+
+/// Grows stripes that have the directions and distances of threads; the pattern on so many cells.
+pub(super) type GrowStripes<'a> = &'a dyn Fn(&ThreadMap, [usize; 2]) -> Result<Field, GrowError>;
 
 /// What threads begin from.
 pub(super) struct SeedLines {
@@ -36,14 +33,14 @@ const FREE: [f64; 2] = [0.65, 1.0];
 const RAISED: f64 = 1.0;
 
 /// The lines that `plan` begins from.
-pub(super) fn seed_lines(cascade: &Cascade, plan: &PairPlan, index: usize) -> Result<SeedLines, GrowError> {
+pub(super) fn seed_lines(plan: &PairPlan, stripes: GrowStripes) -> Result<SeedLines, GrowError> {
     let mut reaction = vec![0.0f32; plan.grid.cells()];
     let mut raised = vec![RAISED as f32; plan.grid.cells()];
     for threads in &plan.threads {
         let phase = during(Phase::Start, || ThreadPhase::new(threads, &plan.canvas()));
         let from_middle = match phase {
             Some(phase) => during(Phase::Start, || along_crests(&phase, plan)),
-            None => along_stripes(cascade, threads, plan, index)?,
+            None => from_middles(&stripes(threads, plan.grid.size)?, threads, plan),
         };
         let line = |(cell, from_middle): (usize, &f32)| {
             let (width, from_middle) = (threads.at(plan.grid.center_px(cell)).width, f64::from(*from_middle));
@@ -80,50 +77,6 @@ fn along_crests(phase: &ThreadPhase, plan: &PairPlan) -> Vec<f32> {
     (0..plan.grid.cells()).into_par_iter().map(distance).collect()
 }
 
-/// The distance of each cell from the middle of the nearest of grown stripes of the same direction and period, px.
-fn along_stripes(
-    cascade: &Cascade,
-    threads: &ThreadMap,
-    plan: &PairPlan,
-    index: usize,
-) -> Result<Vec<f32>, GrowError> {
-    let document = stripes_of(cascade.document, threads, cascade.document.layer_seed(index), index);
-    let watch = Watch { progress: &|_, _| {}, cancelled: cascade.options.watch.cancelled };
-    let options = Options { concentrations: false, refine: Some(true), watch, ..cascade.options };
-    let grown = grow(&document, &options)?;
-    let [nx, ny] = plan.grid.size;
-    let pattern = grown.layers[0].pattern().field(nx, ny);
-    Ok(from_middles(&pattern, threads, plan))
-}
-
-/// A document of stripes as far apart as these threads, half as wide as they are apart, which all begin where lines are drawn.
-fn stripes_of(document: &Document, threads: &ThreadMap, seed: u64, index: usize) -> Document {
-    let own = &document.layers[index].strokes;
-    let stroke = |(mark, line): &(usize, Path)| {
-        let here = threads.threads_at(line.center());
-        let width = 0.5 * here.period;
-        match own[*mark].mark().and_then(|mark| mark.path()) {
-            Some(path) => Stroke::Path(Path { width, ..path }),
-            None => Stroke::Path(Path { width, ..line.clone() }),
-        }
-    };
-    let layer = Layer {
-        system: SystemChoice::Of(System::MEINHARDT_STRIPES),
-        seed: Some(seed),
-        strokes: threads.lines.iter().map(stroke).collect(),
-        options: LayerOptions::default(),
-        ..Layer::default()
-    };
-    Document {
-        size: document.size,
-        regions: document.regions,
-        edges: document.edges,
-        seed: document.seed,
-        layers: vec![layer],
-        ..Document::default()
-    }
-}
-
 /// Stripes → the distance of each cell from their middles, px.
 ///
 /// Across a stripe the pattern is about ½ + ½ cos of the turn from its middle.
@@ -138,6 +91,7 @@ fn from_middles(pattern: &Field, threads: &ThreadMap, plan: &PairPlan) -> Vec<f3
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::{Document, Layer, Stroke, SystemChoice};
     use crate::grid::resample::Spline;
     use crate::rd::pairs::PairKind;
 

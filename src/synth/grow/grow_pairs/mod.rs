@@ -1,0 +1,124 @@
+//! Plans of pairs → what they grow.
+
+mod phase;
+mod seed_lines;
+
+use crate::attributes::Attributes;
+use crate::grid::Field;
+use crate::measure::{StripeErrors, Target, stripe_errors};
+use crate::rd::pairs::{PairGrowth, PairStart};
+use crate::synth::grow::layer::GrowError;
+use crate::synth::grow::pairs::GrownPairs;
+use crate::synth::grow::snapshot::Growing;
+use crate::synth::options::Options;
+use crate::synth::phases::{Phase, during};
+use crate::synth::plan::pairs::PairPlan;
+use crate::synth::plan::pairs::thread_map::ThreadMap;
+use crate::synth::watch::Stage;
+use seed_lines::{GrowStripes, SeedLines, seed_lines};
+
+/// Time from the start, and after a correction, in 1/b: widths and periods then change by less than they are measured.
+const TIMES: [f64; 2] = [8.0, 6.0];
+/// Time of all parts of a growth, with that of the start.
+pub const WHOLE_TIME: f64 = TIMES[0] + TIMES[1] + 5.0;
+/// Time between two calls of the watch.
+const BETWEEN: f64 = 0.2;
+/// The width of threads is corrected by this factor at most.
+const CORRECTED: [f64; 2] = [0.8, 1.25];
+/// Widths that differ by less than this share are not corrected.
+const SAME_WIDTH: f64 = 0.01;
+
+/// How a layer of pairs is grown.
+pub(super) struct PairGrower<'a> {
+    /// Number of the layer, 1 = the lowest.
+    pub layer: usize,
+    /// Progress, cancelling, and what is kept.
+    pub options: Options<'a>,
+    /// Time between two snapshots; `None` = a few milliseconds of wall time.
+    pub every: Option<f64>,
+    /// Is what grows corrected?
+    pub corrects: bool,
+    /// How stripes are grown that threads begin along.
+    pub stripes: GrowStripes<'a>,
+}
+
+impl PairGrower<'_> {
+    /// Grows the layer as planned.
+    pub(super) fn grow(
+        &self,
+        mut plan: PairPlan,
+        seen: &mut dyn FnMut(Growing, u64),
+    ) -> Result<GrownPairs, GrowError> {
+        let watch = self.options.watch;
+        watch.step(Stage::Plan, 0.5)?;
+        let SeedLines { reaction, raised } = seed_lines(&plan, self.stripes)?;
+        plan.raised = raised;
+        watch.step(Stage::Plan, 1.0)?;
+        let mut widths = vec![1.0; plan.threads.len()];
+        let mut growth = begin(&plan, &widths, &PairStart::Drawn(reaction));
+        let rounds = 1 + usize::from(self.corrects);
+        let whole = TIMES[0] + if rounds > 1 { TIMES[1] } else { 0.0 };
+        let mut steps = 0;
+        let mut grown_before = 0.0;
+        loop {
+            let time = if grown_before == 0.0 { TIMES[0] } else { TIMES[1] };
+            let last = growth.steps_in(time);
+            while growth.steps() < last {
+                let between = growth.steps_in(self.every.unwrap_or(BETWEEN)).min(last - growth.steps());
+                during(Phase::Steps, || growth.advance(between));
+                watch.step(Stage::Grow, (grown_before + growth.time()) / whole)?;
+                seen(Growing::Pairs(&plan, &growth), steps + growth.steps());
+            }
+            steps += growth.steps();
+            let differences = growth.differences();
+            if differences.iter().any(|field| field.values.iter().any(|value| !value.is_finite())) {
+                return Err(GrowError::NoPattern { layer: self.layer });
+            }
+            let measured = during(Phase::Measure, || measure(&plan, &differences));
+            if measured.iter().all(|threads| threads.got.is_none()) {
+                return Err(GrowError::Blank { layer: self.layer, what: "no threads" });
+            }
+            let correct = grown_before == 0.0 && rounds > 1 && corrections(&measured, &mut widths);
+            if !correct {
+                let concentrations =
+                    if self.options.concentrations { growth.concentrations() } else { Vec::new() };
+                return Ok(GrownPairs { plan, steps, differences, measured, concentrations });
+            }
+            grown_before = TIMES[0];
+            growth = begin(&plan, &widths, &PairStart::Grown(growth.concentrations()));
+        }
+    }
+}
+
+/// A growth as planned, for threads `widths` times as wide as they are wanted, by direction.
+pub fn begin(plan: &PairPlan, widths: &[f64], start: &PairStart) -> PairGrowth {
+    let maps = during(Phase::Parameters, || plan.maps(widths));
+    let model = plan.model(&maps);
+    during(Phase::Coefficients, || PairGrowth::new(&maps, &model, start)).expect("maps of one grid")
+}
+
+/// Measures the threads of each direction.
+fn measure(plan: &PairPlan, differences: &[Field]) -> Vec<StripeErrors> {
+    let of = |((threads, difference), level): ((&ThreadMap, &Field), &f32)| {
+        let target = Target {
+            bounds: plan.canvas(),
+            regions: 1,
+            region_of: &|_| 0,
+            covered: &|point| plan.is_taken(point),
+            wanted: &|point| Attributes::Stripes(threads.at(point)),
+        };
+        stripe_errors(difference, *level, &target).remove(0)
+    };
+    plan.threads.iter().zip(differences).zip(&plan.levels()).map(of).collect()
+}
+
+/// Corrects the `widths` that are asked for by those that grew. Returns whether any differs enough.
+fn corrections(measured: &[StripeErrors], widths: &mut [f64]) -> bool {
+    let mut differs = false;
+    for (error, width) in measured.iter().map(|threads| threads.width.unwrap_or(0.0)).zip(widths) {
+        let factor = (1.0 / (1.0 + error)).clamp(CORRECTED[0], CORRECTED[1]);
+        differs |= (factor - 1.0).abs() > SAME_WIDTH;
+        *width *= factor;
+    }
+    differs
+}
