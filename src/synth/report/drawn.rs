@@ -100,23 +100,34 @@ fn lines(layer: &GrownMarks, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
         let got = stripe_along(line, &surface, layout.bounds());
         let got = got
             .map(|got| Stripes { wavelength: got.wavelength.filter(|_| asked.wavelength.is_some()), ..got });
-        DrawnMark {
-            mark,
-            there: covered.is_some_and(|covered| covered >= COVERED),
-            off: Some(1.0 - covered.unwrap_or(0.0)),
-            asked: Some(Attributes::Stripes(asked)),
-            got: got.map(Attributes::Stripes),
-            reason: match covered {
-                None => Some("on marks of a layer beneath, or outside of the canvas"),
-                Some(covered) if covered < COVERED => {
-                    Some("closer to others than the period of the stripes, or oblique to them")
-                }
-                Some(_) => None,
-            },
-            place: line.center(),
-        }
+        let oblique = "closer to others than the period of the stripes, or oblique to them";
+        drawn_line((mark, line), covered, asked, got, oblique)
     };
     plan.pinned_lines().iter().enumerate().map(mark).collect()
+}
+
+/// What became of a drawn line, by its index, of which this share is `covered` by what grew; `None` = nothing of it can be seen.
+/// `oblique` says why less than nine tenths are.
+pub(super) fn drawn_line(
+    (mark, line): (usize, &Path),
+    covered: Option<f64>,
+    asked: Stripes,
+    got: Option<Stripes>,
+    oblique: &'static str,
+) -> DrawnMark {
+    DrawnMark {
+        mark,
+        there: covered.is_some_and(|covered| covered >= COVERED),
+        off: Some(1.0 - covered.unwrap_or(0.0)),
+        asked: Some(Attributes::Stripes(asked)),
+        got: got.map(Attributes::Stripes),
+        reason: match covered {
+            None => Some("on marks of a layer beneath, or outside of the canvas"),
+            Some(covered) if covered < COVERED => Some(oblique),
+            Some(_) => None,
+        },
+        place: line.center(),
+    }
 }
 
 fn attributes(ellipse: &Ellipse) -> Attributes {

@@ -2,13 +2,13 @@
 
 use serde::Serialize;
 
-use crate::attributes::{Attributes, Stripes};
+use crate::attributes::Stripes;
 use crate::grid::resample::Spline;
 use crate::measure::StripeErrors;
 use crate::synth::grow::pairs::GrownPairs;
 use crate::synth::plan::pairs::thread_map::ThreadMap;
-use crate::synth::report::covered::{COVERED, covered};
-use crate::synth::report::drawn::DrawnMark;
+use crate::synth::report::covered::covered;
+use crate::synth::report::drawn::{DrawnMark, drawn_line};
 use crate::synth::report::stripe_along::stripe_along;
 
 /// The threads of one direction.
@@ -82,21 +82,8 @@ pub fn drawn_lines(layer: &GrownPairs) -> Vec<DrawnMark> {
             let covered = covered(line, threads.map().layout(), &surface, |point| layer.plan.is_taken(point));
             let asked = Stripes { width: line.width, ..threads.at(line.center()) };
             let got = stripe_along(line, &surface, canvas);
-            marks.push(DrawnMark {
-                mark: *mark,
-                there: covered.is_some_and(|covered| covered >= COVERED),
-                off: Some(1.0 - covered.unwrap_or(0.0)),
-                asked: Some(Attributes::Stripes(asked)),
-                got: got.map(Attributes::Stripes),
-                reason: match covered {
-                    None => Some("on marks of a layer beneath, or outside of the canvas"),
-                    Some(covered) if covered < COVERED => {
-                        Some("closer to others than the period of the threads, or oblique to them")
-                    }
-                    Some(_) => None,
-                },
-                place: line.center(),
-            });
+            let oblique = "closer to others than the period of the threads, or oblique to them";
+            marks.push(drawn_line((*mark, line), covered, asked, got, oblique));
         }
     }
     marks.sort_by_key(|mark| mark.mark);
