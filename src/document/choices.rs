@@ -43,7 +43,7 @@ pub enum SystemChoice {
     Auto,
     /// This one.
     Of(System),
-    /// A system of pairs.
+    /// A system of pairs of morphogens.
     Pairs(PairKind),
 }
 

@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 
 use crate::grid::{Edges, Field};
 use crate::marks::Moments;
-use crate::measure::spots::{SPECK_CELLS, SPECK_SHARE};
+use crate::measure::spots::{SPECK_CELLS, SPECK_SHARE, usual_area};
 
 /// Standard deviation of the smoothing along the outline, √area.
 const SMOOTHING: f64 = 0.05;
@@ -50,15 +50,8 @@ pub fn raggedness(corners: &[[f64; 2]]) -> Option<f64> {
 #[must_use]
 pub fn spot_raggedness(field: &Field, level: f32) -> Vec<f64> {
     let loops: Vec<(f64, Vec<[f64; 2]>)> = outlines(field, level);
-    let mut areas: Vec<f64> = loops.iter().map(|(area, _)| *area).collect();
-    areas.sort_by(f64::total_cmp);
-    let half = 0.5 * areas.iter().sum::<f64>();
-    let mut reached = 0.0;
-    let usual = areas.iter().find(|area| {
-        reached += **area;
-        reached >= half
-    });
-    let least = (SPECK_SHARE * usual.unwrap_or(&0.0)).max(SPECK_CELLS * field.cell[0] * field.cell[1]);
+    let usual = usual_area(loops.iter().map(|(area, _)| *area));
+    let least = (SPECK_SHARE * usual).max(SPECK_CELLS * field.cell[0] * field.cell[1]);
     loops.iter().filter(|(area, _)| *area >= least).filter_map(|(_, corners)| raggedness(corners)).collect()
 }
 

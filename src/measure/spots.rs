@@ -309,18 +309,24 @@ impl Collector<'_> {
     }
 }
 
-/// The spots among regions, and the number of specks.
-/// Regions of `least` px² and more are no specks.
-fn without_specks(regions: &[Region], field: &Field, least: f64) -> Census {
-    let mut areas: Vec<f64> = regions.iter().map(|region| region.moments.area).collect();
+/// The usual one of these areas: smaller ones cover half of what all cover; 0 of none.
+pub(super) fn usual_area(areas: impl Iterator<Item = f64>) -> f64 {
+    let mut areas: Vec<f64> = areas.collect();
     areas.sort_by(f64::total_cmp);
     let half = 0.5 * areas.iter().sum::<f64>();
     let mut reached = 0.0;
-    let usual = areas.iter().find(|area| {
-        reached += **area;
+    let usual = areas.into_iter().find(|area| {
+        reached += area;
         reached >= half
     });
-    let share = (SPECK_SHARE * usual.unwrap_or(&0.0)).min(least);
+    usual.unwrap_or(0.0)
+}
+
+/// The spots among regions, and the number of specks.
+/// Regions of `least` px² and more are no specks.
+fn without_specks(regions: &[Region], field: &Field, least: f64) -> Census {
+    let usual = usual_area(regions.iter().map(|region| region.moments.area));
+    let share = (SPECK_SHARE * usual).min(least);
     let least = share.max(SPECK_CELLS * field.cell[0] * field.cell[1]);
     let spots: Vec<Spot> = regions
         .iter()

@@ -22,7 +22,7 @@ pub(super) fn preview(document: &Document, training: &Training, beneath: &[Grown
     }
     let size = document.size.map(f64::from);
     if layer.system.pairs().is_some() {
-        // Its first picture of its own comes as early.
+        // Its growth shows its first picture as soon as this would.
         return None;
     }
     let below = beneath.last().and_then(GrownLayer::marks).map(|layer| &layer.plan.lookup);

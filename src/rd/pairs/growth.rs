@@ -17,8 +17,8 @@ use crate::rd::wavefront::{Instructions, Scratch, Tiling};
 /// Largest dt · (4Σw + b) of an explicit step: at 1.8 a checkerboard of cells persists (`facts.md` T).
 const STEP_LIMIT: f32 = 1.5;
 
-/// Time in which a reaction that is held reaches its equilibrium within 1 %.
-const HELD: f64 = 5.0;
+/// Time in which a reaction that is held reaches its equilibrium within 1 %, in 1/b.
+pub const HELD: f64 = 5.0;
 
 /// A pattern of pairs being grown.
 #[derive(Clone, Debug)]
@@ -51,7 +51,8 @@ impl PairGrowth {
         let concentrations = match start {
             PairStart::Noise(seed) => noise(maps, planes, *seed),
             PairStart::Drawn(reaction) => held(&problem, step, planes, plane(reaction)?),
-            PairStart::Grown(concentrations) => concentrations.clone(),
+            PairStart::Grown(concentrations) if concentrations.len() == planes => concentrations.clone(),
+            PairStart::Grown(_) => return None,
         };
         let unit = model.peak_gain() * model.gain.at(0.0);
         let raised: Vec<f32> = maps.raised.iter().map(|raised| unit * raised).collect();

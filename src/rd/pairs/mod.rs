@@ -20,14 +20,14 @@ mod thread_law;
 #[cfg(test)]
 mod tests;
 
-pub use growth::PairGrowth;
+pub use growth::{HELD, PairGrowth};
 pub use kind::PairKind;
 pub use start::PairStart;
 pub use thread_law::Threads;
 
 use crate::grid::Grid;
 
-/// How the differences Dᵢ of all pairs make up the number X whose soft step is the reaction R.
+/// How the differences Dᵢ of all pairs, each times its [weight](PairModel::weights), make up the number X whose soft step is the reaction R.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Combination {
     /// X = max Dᵢ: lines of all directions cross (their "maximum of differences"); of one pair stripes, or cells.

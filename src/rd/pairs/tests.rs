@@ -127,7 +127,8 @@ fn both_directions_of_a_weave_grow_and_cross() {
 
 #[test]
 fn lines_of_a_maze_do_not_cross() {
-    let maps = maps(128, &[(0.0, 1.5), (90.0, 1.5)]);
+    let mut maps = maps(128, &[(0.0, 1.5), (90.0, 1.5)]);
+    maps.pairs.iter_mut().for_each(|pair| pair.elongation = 2.0);
     let model =
         PairModel { threshold: Course::Constant(0.0), ..model(Combination::DifferenceOfAbsolutes, 0.0) };
     let mut growth = PairGrowth::new(&maps, &model, &PairStart::Noise(1)).expect("two pairs");
@@ -247,6 +248,7 @@ fn maps_that_do_not_fit_are_refused() {
     assert!(!grow(&maps(16, &[]), &PairStart::Noise(1)));
     assert!(!grow(&maps(16, &[(0.0, 1.5); 6]), &PairStart::Noise(1)));
     assert!(!grow(&maps(16, &[(0.0, 1.5)]), &PairStart::Drawn(vec![0.0; 3])));
+    assert!(!grow(&maps(16, &[(0.0, 1.5)]), &PairStart::Grown(vec![vec![0.0; 256]; 3])));
     let mut short = maps(16, &[(0.0, 1.5)]);
     short.pairs[0].size.pop();
     assert!(!grow(&short, &PairStart::Noise(1)));

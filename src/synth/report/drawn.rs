@@ -142,16 +142,19 @@ fn attributes(ellipse: &Ellipse) -> Attributes {
 /// Marks that a note names at most.
 const NAMED: usize = 8;
 
-/// A note that names the marks that are not there, with their places; `None` where all are. `lines` = they are lines.
+/// A note that names the marks that are not there, with their places; `None` where all are. Of lines, what they should
+/// lie in: `"stripes"` or `"threads"`.
 #[must_use]
-pub fn note(marks: &[DrawnMark], lines: bool) -> Option<String> {
+pub fn note(marks: &[DrawnMark], lines_in: Option<&str>) -> Option<String> {
     let missing: Vec<&DrawnMark> = marks.iter().filter(|mark| !mark.there).collect();
     if missing.is_empty() {
         return None;
     }
-    let kind = if lines { "lines" } else { "marks" };
-    let what = if lines { "lie partly outside of stripes" } else { "did not grow" };
-    Some(format!("{} of {} drawn {kind} {what}: {}", missing.len(), marks.len(), named(&missing)))
+    let what = match lines_in {
+        Some(stripes) => format!("lines lie partly outside of {stripes}"),
+        None => "marks did not grow".to_owned(),
+    };
+    Some(format!("{} of {} drawn {what}: {}", missing.len(), marks.len(), named(&missing)))
 }
 
 /// A note that names the drawn spots of `plan` that will not grow, with their places, before they grow; `None` where all find

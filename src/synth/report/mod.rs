@@ -130,5 +130,5 @@ fn layer_report(document: &Document, index: usize, layer: &GrownLayer) -> LayerR
 
 /// What the user should know of what pairs have grown.
 fn pair_notes(layer: &GrownPairs, drawn: &[DrawnMark]) -> Vec<String> {
-    threads::notes(layer).into_iter().chain(drawn::note(drawn, true)).collect()
+    threads::notes(layer).into_iter().chain(drawn::note(drawn, Some("threads"))).collect()
 }

@@ -131,7 +131,7 @@ pub fn regions(
     for (index, remarks) in remarks.iter_mut().enumerate() {
         let here = |mark: &&DrawnMark| layout.index(layout.region_of(mark.place)) == index;
         let here: Vec<DrawnMark> = drawn.iter().filter(here).cloned().collect();
-        remarks.extend(drawn::note(&here, lines));
+        remarks.extend(drawn::note(&here, lines.then_some("stripes")));
     }
     let regions = remarks.into_iter().enumerate();
     regions.map(|(index, remarks)| region(layer, index, remarks, stayed.get(index))).collect()

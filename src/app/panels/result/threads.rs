@@ -51,7 +51,7 @@ fn of(threads: &Stripes) -> Vec<(&'static str, f64)> {
 
 fn errors(threads: &ThreadReport) -> Vec<(&'static str, f64)> {
     let named = |errors: &ThreadErrors| {
-        [("width", errors.width), ("wavelength", errors.wavelength), ("angle", errors.angle_rms)]
+        [("width", errors.width), ("wavelength", errors.wavelength), ("angle", errors.angle)]
     };
     threads.error.iter().flat_map(named).collect()
 }

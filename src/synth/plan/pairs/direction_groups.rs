@@ -12,8 +12,8 @@ pub const CROSSING: f64 = 30.0;
 const POINTS: usize = 12;
 /// Lines nearer than this share of the canvas' diagonal all count alike.
 const NEAR: f64 = 0.05;
-/// Lines that do not cross are in one place where they are nearer than so many widths, and differ there by more than so many
-/// degrees.
+/// Lines that do not cross have different directions in one place where they are nearer than so many widths and differ there by more
+/// than so many degrees: neighbouring rays of a star of eight do not.
 const BESIDE: (f64, f64) = (3.0, 50.0);
 
 /// The indices of the lines of each group, in the order of the first line of each.

@@ -21,16 +21,17 @@ use thread_map::ThreadMap;
 const CELLS: f64 = 1.75;
 /// d: 1.5 gives clean lines (`facts.md` H).
 const RATIO: f32 = 1.5;
-/// e of the pair with the largest size; the blurs of the others are as long, up to the second.
+/// e of the pair with the largest size: with 2, three directions merged to pebbles (`facts.md` H). The blurs of the others are as long,
+/// up to the second e.
 const ELONGATIONS: [f64; 2] = [3.0, 8.0];
-/// Nodes along the longer side at which sizes are looked up where they vary.
+/// Nodes along the longer side at which sizes are looked up where they vary: widths and periods change slowly.
 const NODES: usize = 16;
 /// Highest θ/K₀ of two directions, near 0.25 threads were lost, and of more, where they died at 0.2 (`facts.md` T).
 const HIGHEST: [f64; 2] = [0.2, 0.12];
 /// θ/K₀ of threads for which none is found.
 const LOWEST: f64 = 0.03;
 /// The share that three and more directions leave free, at least: at .33 threads were a tenth too wide and gaps became round, at .44
-/// both are right within a hundredth.
+/// widths were right within two hundredths.
 const LEAST_FREE: f64 = 0.4;
 /// The periods of threads that cover too much are widened in these steps, up to this factor.
 const WIDENED: [f64; 2] = [1.04, 4.0];
@@ -46,7 +47,7 @@ pub struct PairPlan {
     pub threads: Vec<ThreadMap>,
     /// θ/K₀ of each direction.
     pub thresholds: Vec<f64>,
-    /// Places at which sizes are known.
+    /// Places at which sizes are known, by their centres.
     nodes: RegionGrid,
     /// Cells that the marks of the layers beneath have taken; empty = none.
     pub obstacles: Vec<bool>,
@@ -60,7 +61,8 @@ impl PairPlan {
     /// Reads layer `index` of a document named `source`, on a canvas of `size` px.
     ///
     /// # Errors
-    /// Its marks are no lines, or its lines have one direction only: file, place, what is allowed.
+    /// Its marks are no lines, its lines have one direction or more than [`MOST_PAIRS`], or a rule of layers is broken: file, place,
+    /// what is allowed.
     pub fn read(
         document: &Document,
         index: usize,
@@ -204,7 +206,7 @@ impl PairPlan {
             let [c, s] = threads.double_angle_at(point);
             (0.5 * libm::atan2(s, c).to_degrees()) as f32
         };
-        if self.nodes.len() == 1 && threads.uniform().is_some() {
+        if self.nodes.len() == 1 && threads.is_even() {
             let angle = direction(self.nodes.center([0, 0]));
             return PairField::uniform(cells, angle, in_cells(sizes[0]), 1.0);
         }
@@ -267,7 +269,7 @@ fn uncovered(all: &[Threads], pair: usize) -> f64 {
 /// The places at which threads are looked up: one where all are even.
 fn nodes(threads: &[ThreadMap], canvas: &Bounds) -> RegionGrid {
     let [width, height] = canvas.size;
-    let even = threads.iter().all(|threads| threads.map().nodes().len() == 1 || threads.uniform().is_some());
+    let even = threads.iter().all(|threads| threads.map().nodes().len() == 1 || threads.is_even());
     let side = |side: f64| (NODES as f64 * side / width.max(height)).ceil() as usize;
     let grid = if even { [1, 1] } else { [side(width), side(height)] };
     RegionGrid { size: canvas.size, grid, edges: canvas.edges }
